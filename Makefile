@@ -1,0 +1,32 @@
+# The two commands of the README. Each makes the environment first, once.
+PYTHON ?= python3
+VENV := .venv
+READY := $(VENV)/.ready
+CONSTRAINTS := tests/constraints.txt
+
+.PHONY: run test lint clean
+
+run: $(READY)
+	@$(VENV)/bin/gcs run demo
+
+test: $(READY)
+	@$(VENV)/bin/ruff check .
+	@$(VENV)/bin/ruff format --check .
+	@$(VENV)/bin/mypy
+	@$(VENV)/bin/python -m pytest
+
+clean:
+	rm -rf $(VENV) .mypy_cache .ruff_cache
+
+$(READY): pyproject.toml $(CONSTRAINTS)
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
+	  { echo "Skytender needs Python 3.11 or newer; set one with: make PYTHON=python3.12 $(MAKECMDGOALS)"; exit 2; }
+	@$(PYTHON) -c 'import ensurepip, venv' 2>/dev/null || \
+	  { echo "Python's venv module is missing: install it (Debian, Ubuntu: apt install python3-venv) and call make again."; exit 2; }
+	@echo "[1/3] making the environment in $(VENV)"
+	@$(PYTHON) -m venv $(VENV)
+	@echo "[2/3] installing Skytender and what it needs (about a minute)"
+	@$(VENV)/bin/python -m pip install --quiet --disable-pip-version-check --progress-bar on -c $(CONSTRAINTS) -e '.[dev]'
+	@echo "[3/3] compiling the flight law (once)"
+	@$(VENV)/bin/simvehicle hatch </dev/null >/dev/null
+	@touch $@

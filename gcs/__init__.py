@@ -1,0 +1,1 @@
+"""MAVLink ground-station supervisor: plans, competes, refuels, records."""

@@ -1,0 +1,1 @@
+"""What a person watches; a client of the session socket."""

@@ -1,0 +1,1 @@
+"""Where each vehicle goes next: potential field, fuzzy escape, formation."""

@@ -1,0 +1,1 @@
+"""Software-in-the-loop quadrotor vehicles that speak MAVLink."""

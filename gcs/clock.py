@@ -1,0 +1,64 @@
+"""The session's pace: lockstep runs as fast as the vehicles answer, real time at speed X waits for the wall clock."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+
+class Pace:
+    """When the next grant is due on the wall, and how far the session has fallen behind.
+
+    A tick that comes late moves all later ones: the session slows down for everyone, and never hurries to catch up.
+    """
+
+    def __init__(self, speed: float | None, wall_s: Callable[[], float]) -> None:
+        """`speed` None is lockstep; `wall_s` reads a monotonic clock."""
+        self._speed = speed
+        self._wall_s = wall_s
+        self._start_wall_s = wall_s()
+        self._due_wall_s = self._start_wall_s
+        self._paused_s = 0.0
+        self._paused_since_s: float | None = None
+        self.lag_s = 0.0
+
+    def start(self) -> None:
+        """Let the first tick be due now."""
+        self._start_wall_s = self._due_wall_s = self._wall_s()
+
+    def next(self, period_s: float) -> None:
+        """Schedule the tick after this one, which takes place now."""
+        if self._speed is None:
+            return
+        late_s = self._wall_s() - self._due_wall_s
+        if late_s > 0.0:
+            self.lag_s += late_s
+            self._due_wall_s += late_s
+        self._due_wall_s += period_s / self._speed
+
+    def wait_s(self) -> float:
+        """Wall time until the next tick is due; 0 in lockstep."""
+        return 0.0 if self._speed is None else max(self._due_wall_s - self._wall_s(), 0.0)
+
+    def pause(self) -> None:
+        """Stop the pace; a second call changes nothing."""
+        if self._paused_since_s is None:
+            self._paused_since_s = self._wall_s()
+
+    def resume(self) -> None:
+        """Go on where the pace was stopped."""
+        if self._paused_since_s is not None:
+            away_s = self._wall_s() - self._paused_since_s
+            self._paused_s += away_s
+            self._due_wall_s += away_s
+            self._paused_since_s = None
+
+    @property
+    def paused(self) -> bool:
+        """Whether the session stands still."""
+        return self._paused_since_s is not None
+
+    @property
+    def running_wall_s(self) -> float:
+        """Wall time since the start, pauses left out."""
+        until_s = self._wall_s() if self._paused_since_s is None else self._paused_since_s
+        return until_s - self._start_wall_s - self._paused_s

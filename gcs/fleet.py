@@ -1,0 +1,346 @@
+"""What the fleet told, as one immutable snapshot: telemetry in, SI units and the common NED frame out.
+
+The common frame is the scenario's origin. A vehicle's own local frame is moved there by its GPS_GLOBAL_ORIGIN; until that
+has come its position is unknown, and nothing is planned for it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import pymap3d
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.mavlink.codec import Frame, fields
+from gcs.profiles import GENERIC, FlightMode, Profile, profile_of
+
+Vec3 = tuple[float, float, float]
+ZERO: Vec3 = (0.0, 0.0, 0.0)
+POWER_WINDOW_S = 5.0
+HECTOJOULE = 100.0
+BATTERY_PARAMETERS = ("SIM_BAT_CAP_J", "SIM_BAT_INIT_J")
+
+
+@dataclass(frozen=True)
+class GlobalOrigin:
+    """The common frame's origin."""
+
+    lat_deg: float
+    lon_deg: float
+    alt_m: float
+
+
+@dataclass(frozen=True, slots=True)
+class VehicleView:
+    """One vehicle as its messages show it at the snapshot's time. None: not told yet.
+
+    Positions and velocities are in the common NED frame; `age_s` is how old the position is. Energies are in J.
+    """
+
+    sysid: int
+    role: str
+    label: str
+    alive: bool
+    profile: Profile
+    mode: FlightMode
+    armed: bool
+    landed: bool
+    heard_s: float
+    p_ned: Vec3 | None
+    v_ned: Vec3
+    age_s: float
+    heading_rad: float
+    origin_offset_ned: Vec3 | None
+    ground_amsl_m: float
+    capacity_j: float
+    initial_j: float
+    battery_told: bool
+    drawn_j: float
+    received_j: int
+    given_j: int
+    power_w: float
+    energy_source: str
+    control_effort: float
+
+    @property
+    def remaining_j(self) -> float:
+        """What the battery holds, by the vehicle's messages alone (contract.md, Energy and transfer)."""
+        return self.initial_j + self.received_j - self.drawn_j - self.given_j
+
+    @property
+    def need(self) -> float:
+        """The share of the battery that is gone."""
+        return 1.0 - self.remaining_j / self.capacity_j
+
+    @property
+    def endurance_s(self) -> float:
+        """How long the battery lasts at the present draw."""
+        return self.remaining_j / self.power_w if self.power_w > 0.0 else math.inf
+
+    @property
+    def flying(self) -> bool:
+        """In the air, armed, and its place known."""
+        return self.alive and self.armed and not self.landed and self.p_ned is not None
+
+    def p_now_ned(self) -> Vec3:
+        """Position carried forward by its age; call only where `p_ned` is known."""
+        assert self.p_ned is not None
+        n, e, d = self.p_ned
+        return (n + self.v_ned[0] * self.age_s, e + self.v_ned[1] * self.age_s, d + self.v_ned[2] * self.age_s)
+
+
+@dataclass(frozen=True, slots=True)
+class TrafficView:
+    """Another aircraft by its ADSB_VEHICLE; common NED frame."""
+
+    callsign: str
+    p_ned: Vec3
+    v_ned: Vec3
+    age_s: float
+
+
+@dataclass(frozen=True, slots=True)
+class Snapshot:
+    """The fleet at one instant of the session; vehicles in order of system id."""
+
+    time_s: float
+    vehicles: tuple[VehicleView, ...]
+    traffic: tuple[TrafficView, ...]
+
+    def vehicle(self, sysid: int) -> VehicleView:
+        """The vehicle with this id; KeyError where the scenario has none."""
+        for view in self.vehicles:
+            if view.sysid == sysid:
+                return view
+        raise KeyError(sysid)
+
+    def of_role(self, role: str) -> tuple[VehicleView, ...]:
+        """All vehicles of a role."""
+        return tuple(view for view in self.vehicles if view.role == role)
+
+
+@dataclass(frozen=True)
+class Member:
+    """What the scenario says of a vehicle before it says anything itself."""
+
+    sysid: int
+    role: str
+    label: str
+    capacity_j: float
+    initial_j: float
+
+
+class _Track:
+    """The latest of everything that one vehicle has told."""
+
+    def __init__(self, member: Member) -> None:
+        self.member = member
+        self.alive = True
+        self.profile = GENERIC
+        self.mode = FlightMode.OTHER
+        self.armed = False
+        self.landed = True
+        self.heard_s = -math.inf
+        self.p_local: Vec3 | None = None
+        self.v_ned: Vec3 = ZERO
+        self.position_s = -math.inf
+        self.heading_rad = 0.0
+        self.offset: Vec3 | None = None
+        self.origin_alt_m = 0.0
+        self.capacity_j = member.capacity_j
+        self.initial_j = member.initial_j
+        self.drawn_j = 0.0
+        self.received_j = 0
+        self.given_j = 0
+        self.power_w = 0.0
+        self.energy_source = "none"
+        self.parameters_told: set[str] = set()
+        self.control_effort = 0.0
+        self.drawn_history: list[tuple[float, float]] = []
+
+    def view(self, now_s: float) -> VehicleView:
+        p_ned = None
+        if self.p_local is not None and self.offset is not None:
+            p_ned = (
+                self.p_local[0] + self.offset[0],
+                self.p_local[1] + self.offset[1],
+                self.p_local[2] + self.offset[2],
+            )
+        return VehicleView(
+            sysid=self.member.sysid,
+            role=self.member.role,
+            label=self.member.label,
+            alive=self.alive,
+            profile=self.profile,
+            mode=self.mode,
+            armed=self.armed,
+            landed=self.landed,
+            heard_s=self.heard_s,
+            p_ned=p_ned,
+            v_ned=self.v_ned,
+            age_s=max(now_s - self.position_s, 0.0),
+            heading_rad=self.heading_rad,
+            origin_offset_ned=self.offset,
+            ground_amsl_m=self.origin_alt_m,
+            capacity_j=self.capacity_j,
+            initial_j=self.initial_j,
+            battery_told=len(self.parameters_told) == len(BATTERY_PARAMETERS),
+            drawn_j=self.drawn_j,
+            received_j=self.received_j,
+            given_j=self.given_j,
+            power_w=self.power_w,
+            energy_source=self.energy_source,
+            control_effort=self.control_effort,
+        )
+
+
+class Fleet:
+    """Collects telemetry; `snapshot` is what everything else reads."""
+
+    def __init__(self, members: Iterable[Member], origin: GlobalOrigin) -> None:
+        self._tracks = {member.sysid: _Track(member) for member in sorted(members, key=lambda m: m.sysid)}
+        self._origin = origin
+        self._traffic: dict[int, tuple[str, Vec3, Vec3, float]] = {}
+        self.statustexts: list[tuple[int, int, str]] = []
+        self.acks: list[tuple[int, Any]] = []
+
+    def ingest(self, frame: Frame, time_s: float) -> None:
+        """Take one frame that was delivered at a session time."""
+        if frame.msgid == mav.MAVLINK_MSG_ID_ADSB_VEHICLE:
+            self._take_traffic(fields(frame), time_s)
+            return
+        handler = _HANDLERS.get(frame.msgid)
+        track = self._tracks.get(frame.sysid)
+        if handler is None or track is None or frame.compid != mav.MAV_COMP_ID_AUTOPILOT1:
+            return
+        handler(self, track, fields(frame), time_s)
+
+    def lost(self, sysid: int) -> None:
+        """A vehicle's process has died."""
+        self._tracks[sysid].alive = False
+
+    def take_statustexts(self) -> list[tuple[int, int, str]]:
+        """(system id, severity, text) of each STATUSTEXT since the last call."""
+        taken, self.statustexts = self.statustexts, []
+        return taken
+
+    def take_acks(self) -> list[tuple[int, Any]]:
+        """(system id, COMMAND_ACK) of each acknowledgement since the last call."""
+        taken, self.acks = self.acks, []
+        return taken
+
+    def snapshot(self, time_s: float) -> Snapshot:
+        """Everything known at a session time."""
+        return Snapshot(
+            time_s,
+            tuple(track.view(time_s) for track in self._tracks.values()),
+            tuple(
+                TrafficView(callsign, p_ned, v_ned, max(time_s - seen_s, 0.0))
+                for _, (callsign, p_ned, v_ned, seen_s) in sorted(self._traffic.items())
+            ),
+        )
+
+    def _heartbeat(self, track: _Track, content: Any, time_s: float) -> None:
+        track.profile = profile_of(content.autopilot)
+        track.mode = track.profile.mode(content.custom_mode)
+        track.armed = bool(content.base_mode & mav.MAV_MODE_FLAG_SAFETY_ARMED)
+        track.heard_s = time_s
+
+    def _position(self, track: _Track, content: Any, time_s: float) -> None:
+        numbers = (content.x, content.y, content.z, content.vx, content.vy, content.vz)
+        if all(map(math.isfinite, numbers)):
+            track.p_local = numbers[:3]
+            track.v_ned = numbers[3:]
+            track.position_s = min(content.time_boot_ms / 1e3, time_s)
+
+    def _attitude(self, track: _Track, content: Any, time_s: float) -> None:
+        track.heading_rad = content.yaw
+
+    def _extended_state(self, track: _Track, content: Any, time_s: float) -> None:
+        track.landed = content.landed_state in (mav.MAV_LANDED_STATE_ON_GROUND, mav.MAV_LANDED_STATE_UNDEFINED)
+
+    def _global_origin(self, track: _Track, content: Any, time_s: float) -> None:
+        lat_deg, lon_deg, alt_m = 1e-7 * content.latitude, 1e-7 * content.longitude, 1e-3 * content.altitude
+        o = self._origin
+        north, east, down = pymap3d.geodetic2ned(lat_deg, lon_deg, alt_m, o.lat_deg, o.lon_deg, o.alt_m)
+        track.offset = (float(north), float(east), float(down))
+        track.origin_alt_m = alt_m
+
+    def _battery(self, track: _Track, content: Any, time_s: float) -> None:
+        if content.id != 0:
+            return
+        if content.energy_consumed >= 0:
+            track.drawn_j = max(track.drawn_j, HECTOJOULE * content.energy_consumed)
+            track.energy_source = "energy_consumed"
+        elif 0 <= content.battery_remaining <= 100:
+            track.drawn_j = max(
+                track.drawn_j,
+                track.initial_j
+                + track.received_j
+                - track.given_j
+                - 0.01 * content.battery_remaining * track.capacity_j,
+            )
+            track.energy_source = "battery_remaining"
+        history = track.drawn_history
+        history.append((time_s, track.drawn_j))
+        while len(history) > 2 and time_s - history[1][0] >= POWER_WINDOW_S:
+            history.pop(0)
+        span_s = history[-1][0] - history[0][0]
+        if span_s > 0.0:
+            track.power_w = (history[-1][1] - history[0][1]) / span_s
+
+    def _named_int(self, track: _Track, content: Any, time_s: float) -> None:
+        if content.name == "XferOut":
+            track.given_j = max(track.given_j, content.value)
+        elif content.name == "XferIn":
+            track.received_j = max(track.received_j, content.value)
+
+    def _named_float(self, track: _Track, content: Any, time_s: float) -> None:
+        if content.name == "CtlEffort":
+            track.control_effort = content.value
+
+    def _parameter(self, track: _Track, content: Any, time_s: float) -> None:
+        if not (math.isfinite(content.param_value) and content.param_value >= 0.0):
+            return
+        if content.param_id not in BATTERY_PARAMETERS:
+            return
+        track.parameters_told.add(content.param_id)
+        if content.param_id == "SIM_BAT_INIT_J":
+            track.initial_j = content.param_value
+        elif content.param_value > 0.0:
+            track.capacity_j = content.param_value
+
+    def _statustext(self, track: _Track, content: Any, time_s: float) -> None:
+        self.statustexts.append((track.member.sysid, content.severity, content.text))
+
+    def _ack(self, track: _Track, content: Any, time_s: float) -> None:
+        self.acks.append((track.member.sysid, content))
+
+    def _take_traffic(self, content: Any, time_s: float) -> None:
+        o = self._origin
+        north, east, down = pymap3d.geodetic2ned(
+            1e-7 * content.lat, 1e-7 * content.lon, 1e-3 * content.altitude, o.lat_deg, o.lon_deg, o.alt_m
+        )
+        heading_rad = math.radians(0.01 * content.heading)
+        speed_m_s = 0.01 * content.hor_velocity
+        v_ned = (speed_m_s * math.cos(heading_rad), speed_m_s * math.sin(heading_rad), -0.01 * content.ver_velocity)
+        p_ned = (float(north), float(east), float(down))
+        self._traffic[content.ICAO_address] = (content.callsign, p_ned, v_ned, time_s - content.tslc)
+
+
+_HANDLERS: Mapping[int, Callable[[Fleet, _Track, Any, float], None]] = {
+    mav.MAVLINK_MSG_ID_HEARTBEAT: Fleet._heartbeat,
+    mav.MAVLINK_MSG_ID_LOCAL_POSITION_NED: Fleet._position,
+    mav.MAVLINK_MSG_ID_ATTITUDE: Fleet._attitude,
+    mav.MAVLINK_MSG_ID_EXTENDED_SYS_STATE: Fleet._extended_state,
+    mav.MAVLINK_MSG_ID_GPS_GLOBAL_ORIGIN: Fleet._global_origin,
+    mav.MAVLINK_MSG_ID_BATTERY_STATUS: Fleet._battery,
+    mav.MAVLINK_MSG_ID_NAMED_VALUE_INT: Fleet._named_int,
+    mav.MAVLINK_MSG_ID_NAMED_VALUE_FLOAT: Fleet._named_float,
+    mav.MAVLINK_MSG_ID_PARAM_VALUE: Fleet._parameter,
+    mav.MAVLINK_MSG_ID_STATUSTEXT: Fleet._statustext,
+    mav.MAVLINK_MSG_ID_COMMAND_ACK: Fleet._ack,
+}

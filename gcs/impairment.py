@@ -1,0 +1,121 @@
+"""A bad radio, in session time: what it loses, holds back, repeats and shuffles (contract.md, Clock).
+
+It stands above the link, between it and the supervisor, and knows nothing of frames but their order. Each vehicle and
+direction has a random stream of its own, seeded by name; every frame draws the same number of times whatever becomes of
+it. So a vehicle's fate does not depend on the others, and raising the loss loses more frames rather than other ones.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import heapq
+import math
+import random
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import Literal, NamedTuple, TypeVar
+
+Item = TypeVar("Item")
+Direction = Literal["in", "out"]
+
+# Session times are sums of tick lengths; a delivery must not slip a tick for their last bits.
+_ROUNDING_S = 1e-6
+
+
+class Blackout(NamedTuple):
+    """No frame of this vehicle gets through, either way, when sent in from_s ≤ t < to_s."""
+
+    sysid: int
+    from_s: float
+    to_s: float
+
+
+@dataclass
+class _Stream:
+    """One vehicle and direction: its randomness and the frames in the air."""
+
+    random: random.Random
+    sent: int = 0
+    air: list[tuple[float, int, object]] = field(default_factory=list)
+    """heap of (delivery time, order, frame)"""
+    overtaken: list[tuple[float, object]] = field(default_factory=list)
+    """(delivery time, frame) of frames that follow the next one sent"""
+
+    def launch(self, due_s: float, frame: object) -> None:
+        heapq.heappush(self.air, (due_s, self.sent, frame))
+        self.sent += 1
+
+
+class Impairment:
+    """The radio of all vehicles.
+
+    `loss`, `duplicate` and `reorder` are shares of frames in [0, 1]; `delay_s` holds every frame back, `jitter_s` adds
+    a uniform random part of up to that much, by which frames may overtake each other. A duplicate is delayed on its
+    own. A reordered frame is delivered after the one that is sent next. Raises ValueError for a value out of range.
+    """
+
+    def __init__(
+        self,
+        *,
+        loss: float = 0.0,
+        delay_s: float = 0.0,
+        jitter_s: float = 0.0,
+        duplicate: float = 0.0,
+        reorder: float = 0.0,
+        blackouts: Iterable[Blackout] = (),
+        seed: int = 0,
+    ) -> None:
+        for name, share in (("loss", loss), ("duplicate", duplicate), ("reorder", reorder)):
+            if not 0.0 <= share <= 1.0:
+                raise ValueError(f"radio {name} is a share of frames between 0 and 1, not {share}")
+        for name, length_s in (("delay_s", delay_s), ("jitter_s", jitter_s)):
+            if not 0.0 <= length_s < math.inf:
+                raise ValueError(f"radio {name} is a time of 0 s or more, not {length_s}")
+        self._loss, self._duplicate, self._reorder = loss, duplicate, reorder
+        self._delay_s, self._jitter_s = delay_s, jitter_s
+        self._blackouts = tuple(blackouts)
+        self._seed = seed
+        self._streams: dict[tuple[int, str], _Stream] = {}
+        self.clear = not (loss or delay_s or jitter_s or duplicate or reorder or self._blackouts)
+        """whether every frame passes as it is"""
+
+    def apply(self, sysid: int, direction: Direction, t_s: float, frames: Sequence[Item]) -> Sequence[Item]:
+        """Send a vehicle's frames at session time `t_s`; what is delivered now, held frames that are due included.
+
+        Call it once per tick even without frames, with times that do not fall. Frames due at the same time come in the
+        order in which they were sent.
+        """
+        if self.clear:
+            return frames
+        stream = self._streams.get((sysid, direction))
+        if stream is None:
+            stream = self._streams[sysid, direction] = _Stream(_random(self._seed, sysid, direction))
+        dark = any(b.sysid == sysid and b.from_s <= t_s < b.to_s for b in self._blackouts)
+        for frame in frames:
+            self._send(stream, t_s, frame, dark)
+        delivered: list[Item] = []
+        while stream.air and stream.air[0][0] <= t_s + _ROUNDING_S:
+            delivered.append(heapq.heappop(stream.air)[2])  # type: ignore[arg-type]  # it came in as an Item
+        return delivered
+
+    def _send(self, stream: _Stream, t_s: float, frame: object, dark: bool) -> None:
+        draw = stream.random.random
+        lost, late, again, again_late, overtaken = draw(), draw(), draw(), draw(), draw()
+        if dark or lost < self._loss:
+            return
+        due_s = t_s + self._delay_s + late * self._jitter_s
+        if overtaken < self._reorder:
+            stream.overtaken.append((due_s, frame))
+        else:
+            stream.launch(due_s, frame)
+            for overtaken_due_s, held in stream.overtaken:
+                stream.launch(max(due_s, overtaken_due_s), held)
+            stream.overtaken.clear()
+        if again < self._duplicate:
+            stream.launch(t_s + self._delay_s + again_late * self._jitter_s, frame)
+
+
+def _random(seed: int, sysid: int, direction: str) -> random.Random:
+    """The stream of this name: the same in every process, unlike one seeded by `hash`."""
+    digest = hashlib.sha256(f"{seed}/{sysid}/{direction}".encode()).digest()
+    return random.Random(int.from_bytes(digest[:16], "big"))

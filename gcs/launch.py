@@ -1,0 +1,197 @@
+"""Vehicles as processes: their command lines, the hatch that forks them, their life and death.
+
+The hatch is the `simvehicle` program; the ground station knows vehicles only by argv (contract.md, Processes).
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from types import TracebackType
+from typing import IO, Any, Self
+
+import yaml
+
+from gcs.scenario import Scenario, VehicleBase
+
+READY_WITHIN_S = 120.0
+
+
+class LaunchError(RuntimeError):
+    """Vehicles that could not be started; the text says why and what to do."""
+
+
+@dataclass(frozen=True)
+class Order:
+    """One process to start: the system id it stands for, its arguments and its log."""
+
+    sysid: int
+    argv: tuple[str, ...]
+    log: Path
+
+
+@dataclass(frozen=True)
+class Ended:
+    """A process that is no more; `status` is negative for a signal."""
+
+    sysid: int
+    pid: int
+    status: int
+    last_lines: tuple[str, ...]
+
+    def sentence(self, label: str) -> str:
+        """One sentence for a person."""
+        how = f"was killed by signal {-self.status}" if self.status < 0 else f"ended with status {self.status}"
+        last = f"; its last lines: {' | '.join(self.last_lines)}" if self.last_lines else ""
+        return f"{label} (process {self.pid}) {how}{last}"
+
+
+def vehicle_order(vehicle: VehicleBase, scenario: Scenario, folder: Path, connection: Sequence[str]) -> Order:
+    """How to start one vehicle; writes its parameters to the session's folder. `connection` goes into its argv."""
+    log = folder / "vehicles" / f"{vehicle.sysid}.log"
+    params = folder / "vehicles" / f"{vehicle.sysid}.params.yaml"
+    params.write_text(yaml.safe_dump(vehicle_parameters(vehicle, scenario), sort_keys=True), encoding="utf-8")
+    origin = scenario.origin
+    argv = [
+        *("--sysid", str(vehicle.sysid)),
+        *connection,
+        *("--position", _triple(vehicle.start_m)),
+        *("--velocity", _triple(vehicle.velocity_m_s)),
+        *("--attitude", _triple(vehicle.attitude_deg)),
+        *("--home", _triple((origin.lat_deg, origin.lon_deg, origin.alt_m))),
+        *("--params", str(params)),
+    ]
+    if vehicle.airborne:
+        argv.append("--airborne")
+    if scenario.truth:
+        argv += ["--truth", str(folder / "vehicles" / f"{vehicle.sysid}.truth")]
+    return Order(vehicle.sysid, tuple(argv), log)
+
+
+def vehicle_parameters(vehicle: VehicleBase, scenario: Scenario) -> dict[str, float]:
+    """The MAVLink parameters that a scenario gives one of its vehicles."""
+    battery = vehicle.battery
+    return {
+        "SIM_BAT_CAP_J": battery.capacity_j,
+        "SIM_BAT_INIT_J": battery.capacity_j * battery.initial_percent / 100.0,
+        "SIM_BAT_HOVER_W": battery.hover_w,
+        "SIM_BAT_AVION_W": battery.avionics_w,
+        "SIM_XFER_DIST": scenario.refuelling.capture_m,
+        "SIM_XFER_SPEED": scenario.refuelling.relative_speed_m_s,
+        **vehicle.params,
+    }
+
+
+def traffic_order(scenario: Scenario, folder: Path, connection: Sequence[str]) -> Order:
+    """How to start the scenario's traffic; writes its file to the session's folder."""
+    origin = scenario.origin
+    content = {
+        "origin": {"lat_deg": origin.lat_deg, "lon_deg": origin.lon_deg, "alt_m": origin.alt_m},
+        "movers": [
+            {
+                "callsign": mover.callsign,
+                "path_ned_m": [list(point) for point in mover.path_m],
+                "speed_m_s": mover.speed_m_s,
+                "closed": mover.closed,
+                "start_s": mover.start_s,
+            }
+            for mover in scenario.traffic
+        ],
+    }
+    path = folder / "vehicles" / "traffic.yaml"
+    path.write_text(yaml.safe_dump(content), encoding="utf-8")
+    return Order(255, ("traffic", str(path), *connection), folder / "vehicles" / "traffic.log")
+
+
+def _triple(numbers: Sequence[float]) -> str:
+    return ",".join(repr(float(number)) for number in numbers)
+
+
+class Hatch:
+    """The running hatch; leaving the context ends it and every process it made."""
+
+    def __init__(self) -> None:
+        program = Path(sys.executable).with_name("simvehicle")
+        command = str(program) if program.exists() else shutil.which("simvehicle")
+        if command is None:
+            raise LaunchError("the program 'simvehicle' is not installed beside gcs; install Skytender again with pip")
+        self._process = subprocess.Popen(
+            [command, "hatch"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, start_new_session=True
+        )
+        assert self._process.stdin is not None
+        assert self._process.stdout is not None
+        self._in: IO[bytes] = self._process.stdin
+        self._out = self._process.stdout.fileno()
+        os.set_blocking(self._out, False)
+        self._pending = b""
+        self.pids: dict[int, int] = {}
+        self.alive = True
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def fileno(self) -> int:
+        """For select: readable when something has happened."""
+        return self._out
+
+    @property
+    def pid(self) -> int:
+        """The hatch's own process."""
+        return self._process.pid
+
+    def start(self, orders: Sequence[Order]) -> None:
+        """Fork a process per order; each `pid` is reported by `events`."""
+        lines = [json.dumps({"argv": order.argv, "log": str(order.log)}) + "\n" for order in orders]
+        try:
+            self._in.write("".join(lines).encode())
+            self._in.flush()
+        except BrokenPipeError:
+            self.alive = False
+
+    def events(self) -> tuple[bool, list[Ended]]:
+        """(whether the hatch became ready, processes that ended) since the last call; never waits."""
+        ready, ended = False, []
+        for content in self._messages():
+            if content.get("ready"):
+                ready = True
+            elif "exit" in content:
+                self.pids.pop(content["pid"], None)
+                ended.append(Ended(content["sysid"], content["pid"], content["exit"], tuple(content["last_lines"])))
+            else:
+                self.pids[content["pid"]] = content["sysid"]
+        return ready, ended
+
+    def _messages(self) -> list[dict[str, Any]]:
+        while self.alive:
+            try:
+                chunk = os.read(self._out, 65536)
+            except BlockingIOError:
+                break
+            if not chunk:
+                self.alive = False
+                break
+            self._pending += chunk
+        *lines, self._pending = self._pending.split(b"\n")
+        return [json.loads(line) for line in lines]
+
+    def close(self) -> None:
+        """End the hatch; returns when all its processes are gone."""
+        self._in.close()
+        try:
+            self._process.wait(timeout=10.0)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+        assert self._process.stdout is not None
+        self._process.stdout.close()

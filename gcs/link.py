@@ -1,0 +1,221 @@
+"""The supervised link, and the ground station's only fleet socket: contract.md, Clock and the supervised link.
+
+One UDP socket holds every vehicle's link; a vehicle is known by its (system, component) and by the address of its first
+hello. A bundle goes out to each, and the tick is in when all have answered; who is missing gets the same bytes again.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import random
+import select
+import socket
+import time
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from gcs.mavlink import codec
+from gcs.mavlink.codec import Frame, Message
+from gcs.mavlink.sequence import SequenceCounter, TickCollector, is_hello
+
+SUPERVISOR = (255, 190)
+DATAGRAM_BYTES = 1400
+RECEIVE_BYTES = 65535
+BUFFER_BYTES = 4 << 20
+RESEND_FIRST_S, RESEND_LAST_S = 0.02, 0.2
+REPEAT_S = 1.0
+GRANT_BYTES = codec.HEADER_BYTES + 12 + codec.CRC_BYTES
+
+Key = tuple[int, int]
+
+
+@dataclass
+class _Peer:
+    """One vehicle's link."""
+
+    key: Key
+    address: tuple[str, int]
+    collector: TickCollector
+    counter: SequenceCounter = field(default_factory=SequenceCounter)
+    waiting: list[Message | bytes] = field(default_factory=list)
+    bundle: bytes = b""
+    held: int = 0
+
+
+class FleetLink:
+    """All supervised links of a session."""
+
+    def __init__(self, *, host: str = "127.0.0.1", drop: float = 0.0, seed: int = 0) -> None:
+        """Bind a port of the system's choice. `drop` loses that share of datagrams, both ways, below the protocol."""
+        self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self._socket.setblocking(False)
+        for size in (BUFFER_BYTES, BUFFER_BYTES // 4, BUFFER_BYTES // 16):
+            self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, size)
+            if self.buffer_bytes >= size:
+                break
+        self._socket.bind((host, 0))
+        self.host = host
+        self._poll = select.poll()
+        self._poll.register(self._socket, select.POLLIN)
+        self._drop = drop
+        self._random = random.Random(seed)
+        self._peers: dict[Key, _Peer] = {}
+        self._expected: set[Key] = set()
+        self.refused: list[tuple[Key, tuple[str, int]]] = []
+        self.malformed = 0
+        self.resent = 0
+
+    @property
+    def port(self) -> int:
+        """The port that vehicles speak to."""
+        return int(self._socket.getsockname()[1])
+
+    @property
+    def buffer_bytes(self) -> int:
+        """The receive buffer that the kernel granted."""
+        return self._socket.getsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF) // 2
+
+    @property
+    def joined(self) -> set[Key]:
+        """Vehicles that have said hello and are still held."""
+        return set(self._peers)
+
+    def overflowed(self) -> int:
+        """Datagrams that the kernel dropped because nobody read them in time."""
+        try:
+            inode = str(Path(f"/proc/self/fd/{self._socket.fileno()}").readlink()).strip("socket:[]")
+            rows = Path("/proc/net/udp").read_text(encoding="ascii").splitlines()[1:]
+        except OSError:
+            return 0
+        for row in rows:
+            columns = row.split()
+            if columns[9] == inode:
+                return int(columns[12])
+        return 0
+
+    def expect(self, keys: Iterable[Key]) -> None:
+        """Let these vehicles join when they say hello."""
+        self._expected |= set(keys)
+
+    def listen(self, wait_s: float) -> set[Key]:
+        """Take hellos for at most `wait_s`; who is still expected."""
+        self._poll.poll(1e3 * wait_s)
+        self._drain()
+        return self._expected - self.joined
+
+    def leave(self, key: Key) -> None:
+        """Hold a vehicle no longer: an unfinished answer is dropped, the others go on."""
+        self._peers.pop(key, None)
+        self._expected.discard(key)
+
+    def grant(
+        self, key: Key, t_ms: int, unix_us: int, messages: Sequence[Message], relayed: Sequence[bytes]
+    ) -> list[bytes]:
+        """Send one vehicle its bundle up to T; the frames that it holds. What does not fit waits for the next one."""
+        peer = self._peers[key]
+        peer.waiting += [*messages, *relayed]
+        own: list[bytes] = []
+        foreign: list[bytes] = []
+        size = GRANT_BYTES
+        taken = 0
+        for item in peer.waiting:
+            frame = item if isinstance(item, bytes) else self._frame(peer, item)
+            size += len(frame)
+            (foreign if isinstance(item, bytes) else own).append(frame)
+            taken += 1
+            if size > DATAGRAM_BYTES - _LARGEST_FRAME:
+                break
+        del peer.waiting[:taken]
+        end = self._frame(peer, codec.Message(_SYSTEM_TIME, (unix_us, t_ms)))
+        frames = [*own, *foreign, end]
+        peer.bundle = b"".join(frames)
+        peer.collector.begin(t_ms)
+        peer.held = 0
+        self._send(peer)
+        return frames
+
+    def collect(self, idle: Callable[[], None]) -> dict[Key, list[Frame]]:
+        """Every vehicle's answer to the last grant, in order of (system, component).
+
+        Waits without spinning; after 20 ms without progress, doubling to 200 ms, the same bytes go out again to those
+        that are missing, and `idle` is called: it sees whether they still live and may call `leave`.
+        """
+        wait_s = RESEND_FIRST_S
+        deadline_s = time.monotonic() + wait_s
+        self._drain()
+        while self._missing():
+            left_s = deadline_s - time.monotonic()
+            if left_s > 0.0:
+                self._poll.poll(1e3 * left_s)
+                if self._drain():
+                    wait_s = RESEND_FIRST_S
+                    deadline_s = time.monotonic() + wait_s
+                continue
+            idle()
+            for peer in self._missing():
+                self.resent += 1
+                self._send(peer)
+            wait_s = min(2.0 * wait_s, RESEND_LAST_S)
+            deadline_s = time.monotonic() + wait_s
+        return {key: peer.collector.take() for key, peer in sorted(self._peers.items()) if peer.bundle}
+
+    def repeat(self) -> None:
+        """Send every last bundle again, so that vehicles know during a pause that they are not forgotten."""
+        for peer in self._peers.values():
+            if peer.bundle:
+                self._send(peer)
+        self._drain()
+
+    def close(self) -> None:
+        """Close the socket."""
+        self._socket.close()
+
+    def _missing(self) -> list[_Peer]:
+        return [peer for peer in self._peers.values() if peer.bundle and not peer.collector.complete]
+
+    def _frame(self, peer: _Peer, message: Message) -> bytes:
+        return codec.frame(message, peer.counter.take(), *SUPERVISOR)
+
+    def _send(self, peer: _Peer) -> None:
+        if self._drop and self._random.random() < self._drop:
+            return
+        with contextlib.suppress(OSError):
+            self._socket.sendto(peer.bundle, peer.address)
+
+    def _drain(self) -> bool:
+        """Take in every datagram that has come; whether any tick made progress."""
+        progress = False
+        while True:
+            try:
+                datagram, address = self._socket.recvfrom(RECEIVE_BYTES)
+            except BlockingIOError:
+                return progress
+            except OSError:
+                continue
+            if not (self._drop and self._random.random() < self._drop):
+                progress |= self._take(datagram, address)
+
+    def _take(self, datagram: bytes, address: tuple[str, int]) -> bool:
+        frames, malformed, _ = codec.split(datagram)
+        self.malformed += malformed
+        if not frames:
+            return False
+        key = (frames[0].sysid, frames[0].compid)
+        peer = self._peers.get(key)
+        if peer is None:
+            if key in self._expected and is_hello(frames):
+                self._peers[key] = _Peer(key, address, TickCollector(*key))
+            return False
+        if peer.address != address:
+            if (key, address) not in self.refused:
+                self.refused.append((key, address))
+            return False
+        peer.collector.feed(frames)
+        progress = peer.collector.held > peer.held
+        peer.held = peer.collector.held
+        return progress
+
+
+_SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
+_LARGEST_FRAME = codec.HEADER_BYTES + 255 + codec.CRC_BYTES

@@ -1,0 +1,326 @@
+"""MAVLink 2 frames ↔ messages: one decoder and one encoder, both driven by a table.
+
+The table comes from pymavlink's generated message classes (`common` dialect: id, CRC seed, wire format, field names)
+and is built per message when it is first met. A message is a named tuple with its fields in *wire order*, values in
+MAVLink's own units: arrays are tuples, character arrays are str up to the first NUL. Nothing that a network sends makes
+`split` raise.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections import namedtuple
+from collections.abc import Callable, Sequence
+from functools import lru_cache
+from operator import itemgetter
+from typing import Any, NamedTuple, cast
+
+from fastcrc.crc16 import mcrf4xx
+from pymavlink.dialects.v20 import common
+
+MARKER = 0xFD
+HEADER_BYTES = 10
+CRC_BYTES = 2
+SIGNED = 0x01
+SIGNATURE_BYTES = 13
+
+# Marker, payload length, incompatibility flags, compatibility flags, seq, sysid, compid, id (low 16 bits, high 8).
+_HEADER = "<BBBBBBBHB"
+# By payload length, what stands outside the payload: marker, both flags (incompatibility low), seq, sysid, compid, id,
+# CRC.
+_READ_FRAME = [struct.Struct(f"<BxHBBB3s{length}xH").unpack_from for length in range(256)]
+_MARKER_BYTE = bytes([MARKER])
+_SMALLEST_FRAME = HEADER_BYTES + CRC_BYTES
+_new = tuple.__new__  # fills a named tuple from a tuple without the detour over its constructor
+
+_CLASSES: dict[int, Any] = common.mavlink_map
+_IDS: dict[str, int] = {cls.msgname: msgid for msgid, cls in _CLASSES.items()}
+# The id as it stands in a frame → the id, and the seed that its checksum ends with.
+_SEEDS = {msgid.to_bytes(3, "little"): (msgid, bytes([cls.crc_extra])) for msgid, cls in _CLASSES.items()}
+_UNKNOWN = (None, b"")
+# What any one seed byte can add to a checksum: CRC(body, seed) = CRC(body) >> 8 ^ one of these.
+_SEED_TERMS = frozenset(mcrf4xx(bytes([seed]), 0) for seed in range(256))
+
+
+class Frame(NamedTuple):
+    """One MAVLink 2 frame: its header's numbers, and `raw`, the whole frame as it stood on the wire."""
+
+    sysid: int
+    compid: int
+    seq: int
+    msgid: int
+    raw: bytes
+
+    @property
+    def payload(self) -> bytes:
+        """As it stood on the wire: trailing zeros may be cut."""
+        return self.raw[HEADER_BYTES : HEADER_BYTES + self.raw[1]]
+
+
+class Split(NamedTuple):
+    """What a datagram held. `malformed` counts runs of bytes that belong to no frame; `unknown` the frames among
+    `frames` whose message id is not in the dialect, which no table can check or decode."""
+
+    frames: list[Frame]
+    malformed: int
+    unknown: int
+
+
+class Message(NamedTuple):
+    """A message without a header, one value per field in wire order: what is numbered, and framed, when it is sent."""
+
+    msgid: int
+    values: tuple[Any, ...]
+
+
+class Layout(NamedTuple):
+    """How one message lies on the wire; `record` is its named tuple, fields in wire order."""
+
+    msgid: int
+    name: str
+    record: Any
+    formats: tuple[str, ...]  # struct format of each field
+    defaults: dict[str, Any]  # fields that a sender may leave out
+
+
+class _Reader(NamedTuple):
+    """What decoding needs of a layout."""
+
+    payload_bytes: int  # uncut
+    unpack: Callable[[bytes], tuple[Any, ...]]  # a frame with such a payload → flat values
+    regroup: Callable[[Any], tuple[Any, ...]] | None  # flat values → one per field; None where they are the same
+    text_at: tuple[int, ...]  # the fields that are character arrays
+    record: Any
+
+
+class _Table(dict[int, Any]):
+    """Message id → what `build` makes of it, made when first asked for."""
+
+    def __init__(self, build: Callable[[int], Any]) -> None:
+        super().__init__()
+        self._build = build
+
+    def __missing__(self, msgid: int) -> Any:
+        entry = self[msgid] = self._build(msgid)
+        return entry
+
+
+def _layout(msgid: int) -> Layout:
+    cls = _CLASSES.get(msgid)
+    if cls is None:
+        raise ValueError(
+            f"message id {msgid} is not in the MAVLink dialect '{common.DIALECT}': it cannot be read or sent"
+        )
+    formats = tuple(
+        f"{length or 1}s" if code == "c" else f"{length or ''}{code}"
+        for code, length in zip(cls.native_format.decode()[1:], cls.array_lengths, strict=True)
+    )
+    # Extension fields are the constructor's optional arguments; the protocol's own version is 3 throughout MAVLink 2.
+    optional = cls.__init__.__defaults__ or ()
+    defaults = dict(zip(cls.fieldnames[len(cls.fieldnames) - len(optional) :], optional, strict=True))
+    if "mavlink_version" in cls.fieldnames:
+        defaults["mavlink_version"] = 3
+    record = namedtuple(cls.msgname, cls.ordered_fieldnames)  # type: ignore[misc]
+    return Layout(msgid, cls.msgname, record, formats, defaults)
+
+
+def _is_array(form: str) -> bool:
+    return len(form) > 1 and form[-1] != "s"
+
+
+def _reader(msgid: int) -> _Reader:
+    shape = _LAYOUTS[msgid]
+    takes: list[int | slice] = []
+    at = 0
+    for form in shape.formats:
+        flat = int(form[:-1]) if _is_array(form) else 1
+        takes.append(slice(at, at + flat) if _is_array(form) else at)
+        at += flat
+    regroup: Callable[[Any], tuple[Any, ...]] | None = None
+    if any(map(_is_array, shape.formats)):
+        regroup = itemgetter(*takes) if len(takes) > 1 else lambda values: (values,)
+    wire = struct.Struct(f"<{HEADER_BYTES}x{''.join(shape.formats)}")
+    text_at = tuple(index for index, form in enumerate(shape.formats) if form[-1] == "s")
+    return _Reader(wire.size - HEADER_BYTES, wire.unpack_from, regroup, text_at, shape.record)
+
+
+def layout(message: int | str) -> Layout:
+    """The layout of a message by name or id. Raises ValueError for one that the dialect lacks."""
+    if isinstance(message, str):
+        if message not in _IDS:
+            raise ValueError(f"{message} is no message of the MAVLink dialect '{common.DIALECT}'")
+        message = _IDS[message]
+    return cast(Layout, _LAYOUTS[message])
+
+
+def name(msgid: int) -> str:
+    """The message's name; `UNKNOWN_<id>` for an id that the dialect lacks."""
+    cls = _CLASSES.get(msgid)
+    return f"UNKNOWN_{msgid}" if cls is None else str(cls.msgname)
+
+
+def msgid(message: str) -> int:
+    """The message's id. Raises ValueError for a name that the dialect lacks."""
+    return layout(message).msgid
+
+
+def split(datagram: bytes) -> Split:
+    """Take a datagram apart into its MAVLink 2 frames; never raises.
+
+    A frame counts when its checksum is right. An unknown id's checksum has an unknown seed, so such a frame must fit
+    twice over: some seed must explain its checksum, and it must lie without a gap between other frames or the
+    datagram's ends. Signed frames are taken, their signature unchecked; any other incompatibility flag, and MAVLink 1,
+    is malformed.
+    """
+    frames: list[Frame] = []
+    malformed = unknown = 0
+    size = len(datagram)
+    at = frame_end = 0  # where to look next; where the last frame ended
+    while at + _SMALLEST_FRAME <= size:
+        length = datagram[at + 1]
+        end = at + _SMALLEST_FRAME + length
+        if end <= size:
+            marker, flags, seq, sysid, compid, id_bytes, crc = _READ_FRAME[length](datagram, at)
+            msgid, seed = _SEEDS.get(id_bytes, _UNKNOWN)
+            body_crc = mcrf4xx(datagram[at + 1 : end - CRC_BYTES] + seed)
+            if flags & 0xFF:
+                end = end + SIGNATURE_BYTES if flags & 0xFF == SIGNED else size + 1
+            if marker == MARKER and end <= size:
+                if msgid is not None:
+                    valid = body_crc == crc
+                else:
+                    msgid = int.from_bytes(id_bytes, "little")
+                    valid = crc ^ body_crc >> 8 in _SEED_TERMS and at == frame_end
+                    valid = valid and (end == size or datagram[end] == MARKER)
+                    unknown += valid
+                if valid:
+                    malformed += at != frame_end
+                    frames.append(_new(Frame, (sysid, compid, seq, msgid, datagram[at:end])))
+                    at = frame_end = end
+                    continue
+        at = datagram.find(_MARKER_BYTE, at + 1)
+        if at < 0:
+            break
+    return _new(Split, (frames, malformed + (frame_end != size), unknown))
+
+
+def fields(frame: Frame) -> Any:
+    """Decode a frame's payload: a named tuple of the message's fields, its class named like the message.
+
+    A cut payload is filled with zeros, a longer one (newer extensions) is read as far as it is known. Raises ValueError
+    for an id that the dialect lacks.
+    """
+    _, _, _, msgid, raw = frame
+    payload_bytes, unpack, regroup, text_at, record = _READERS[msgid]
+    if raw[1] < payload_bytes:
+        raw = raw[: HEADER_BYTES + raw[1]].ljust(HEADER_BYTES + payload_bytes, b"\0")
+    values = unpack(raw)
+    if regroup is not None:
+        values = regroup(values)
+    if text_at:
+        values = list(values)
+        for index in text_at:
+            values[index] = _text(values[index])
+    return _new(record, values)
+
+
+@lru_cache(maxsize=4096)  # names recur: of counters, of parameters
+def _text(characters: bytes) -> str:
+    return characters.partition(b"\0")[0].decode("ascii", "replace")
+
+
+def packer(message: int | str) -> Callable[..., bytes]:
+    """The function `(seq, sysid, compid, *values) -> frame` of one message: the quick way to send one that repeats.
+
+    The values are one per field in wire order (`layout(message).record._fields`), an array as a sequence, text as str.
+    The function raises ValueError, in one sentence that names the field, for a value that the field cannot hold.
+    """
+    return cast(Callable[..., bytes], _PACKERS[layout(message).msgid])
+
+
+def _packer(msgid: int) -> Callable[..., bytes]:
+    shape = _LAYOUTS[msgid]
+    wire = struct.Struct(_HEADER + "".join(shape.formats))
+    pack, payload_bytes = wire.pack, wire.size - HEADER_BYTES
+    id_low, id_high = msgid & 0xFFFF, msgid >> 16
+    _, seed = _SEEDS[msgid.to_bytes(3, "little")]
+    plain = all(len(form) == 1 for form in shape.formats)
+
+    def pack_frame(seq: int, sysid: int, compid: int, *values: Any) -> bytes:
+        items = values if plain else _flat(shape, values)
+        try:
+            body = pack(MARKER, payload_bytes, 0, 0, seq, sysid, compid, id_low, id_high, *items)
+        except (struct.error, OverflowError, TypeError):
+            raise _refusal(shape, (seq, sysid, compid), values) from None
+        if not body[-1]:
+            payload = body[HEADER_BYTES:].rstrip(b"\0") or b"\0"
+            body = body[:1] + bytes([len(payload)]) + body[2:HEADER_BYTES] + payload
+        return body + mcrf4xx(body[1:] + seed).to_bytes(CRC_BYTES, "little")
+
+    return pack_frame
+
+
+_LAYOUTS, _READERS, _PACKERS = _Table(_layout), _Table(_reader), _Table(_packer)
+
+
+def message(message: int | str, /, **values: Any) -> Message:
+    """A message from its fields by name; extension fields may be left out.
+
+    Raises ValueError for an unknown message, an unknown or missing field, and a value that its field cannot hold.
+    """
+    shape = layout(message)
+    names = shape.record._fields
+    given = shape.defaults | values
+    if given.keys() != set(names):
+        unknown, missing = sorted(given.keys() - set(names)), [field for field in names if field not in given]
+        fault = f"has no field {', '.join(unknown)}" if unknown else f"needs {', '.join(missing)}"
+        raise ValueError(f"{shape.name} {fault}; its fields are {', '.join(names)}")
+    made = Message(shape.msgid, tuple(given[field] for field in names))
+    frame(made, 0, 0, 0)  # so that a value that does not fit is refused where it was given, not where it is sent
+    return made
+
+
+def frame(message: Message, seq: int, sysid: int, compid: int) -> bytes:
+    """The message as a MAVLink 2 frame with this sequence number and sender, each 0-255 (else ValueError)."""
+    msgid, values = message
+    return cast(bytes, _PACKERS[msgid](seq, sysid, compid, *values))
+
+
+def encode(name: int | str, seq: int, sysid: int, compid: int, /, **values: Any) -> bytes:
+    """A frame from the message's fields by name: `frame(message(name, ...), ...)`, with the errors of both."""
+    return frame(message(name, **values), seq, sysid, compid)
+
+
+def _flat(shape: Layout, values: Sequence[Any]) -> list[Any]:
+    """One value per field → one per struct item. Raises ValueError where an array's length or a text does not fit."""
+    items: list[Any] = []
+    for field, form, value in zip(shape.record._fields, shape.formats, values, strict=False):
+        length = int(form[:-1]) if len(form) > 1 else 1
+        if form[-1] == "s" and isinstance(value, str | bytes):
+            text = value.encode("ascii", "replace") if isinstance(value, str) else value
+            if len(text) > length:
+                raise ValueError(f"{shape.name}.{field} holds {length} characters, not the {len(text)} of {value!r}")
+            items.append(text)
+        elif _is_array(form):
+            if not isinstance(value, Sequence) or len(value) != length:
+                raise ValueError(f"{shape.name}.{field} holds {length} values, not {value!r}")
+            items.extend(value)
+        else:
+            items.append(value)
+    return items
+
+
+def _refusal(shape: Layout, header: tuple[int, int, int], values: Sequence[Any]) -> ValueError:
+    """The error for values that struct refused: which, and what it takes."""
+    names = shape.record._fields
+    if len(values) != len(names):
+        return ValueError(f"{shape.name} takes {len(names)} values, {', '.join(names)}; {len(values)} were given")
+    places = zip((*names, "seq", "sysid", "compid"), (*shape.formats, "B", "B", "B"), (*values, *header), strict=True)
+    for field, form, value in places:
+        for item in value if _is_array(form) else (value,):
+            try:
+                struct.pack(form if form[-1] == "s" else "<" + form[-1], item)
+            except (struct.error, OverflowError):
+                takes = "text" if form[-1] == "s" else "a number" if form[-1] in "fd" else "an integer"
+                return ValueError(f"{shape.name}.{field} cannot be {item!r}: it takes {takes} that fits '{form[-1]}'")
+    return ValueError(f"{shape.name} cannot be packed from {values!r}")

@@ -1,0 +1,136 @@
+"""Sequence numbers: giving them, counting gaps in them, and knowing by them when a vehicle's tick is in.
+
+A number is one byte and wraps. Of two numbers the later is the one fewer than 128 steps ahead: that is why a tick holds
+at most 127 frames (contract.md, the supervised link, 3).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from gcs.mavlink import codec
+from gcs.mavlink.codec import Frame
+
+NUMBERS = 256
+HALF = 128
+
+FIRST_ANSWER = 2
+"""The number of a vehicle's first answer: its hello took 0 (HEARTBEAT) and 1 (SYSTEM_TIME)."""
+
+_HEARTBEAT = codec.msgid("HEARTBEAT")
+_SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
+
+
+class SequenceCounter:
+    """The numbers of one connection's outgoing frames: 0 … 255, 0 …"""
+
+    def __init__(self, first: int = 0) -> None:
+        self._next = first % NUMBERS
+
+    def take(self) -> int:
+        number = self._next
+        self._next = (number + 1) % NUMBERS
+        return number
+
+
+class GapCounter:
+    """Frames lost on one link: the gaps in the numbers of each (system, component).
+
+    A frame that comes late fills its gap and is no loss; one that comes twice changes nothing.
+    """
+
+    def __init__(self) -> None:
+        self.lost = 0
+        self._newest: dict[tuple[int, int], int] = {}
+        self._missing: dict[tuple[int, int], set[int]] = {}
+
+    def feed(self, sysid: int, compid: int, seq: int) -> None:
+        """Count a frame that was received."""
+        sender = sysid, compid
+        newest = self._newest.get(sender)
+        if newest is None:
+            self._newest[sender] = seq
+            self._missing[sender] = set()
+            return
+        ahead = (seq - newest) % NUMBERS
+        missing = self._missing[sender]
+        if ahead == 1 and not missing:
+            self._newest[sender] = seq
+        elif 0 < ahead < HALF:
+            skipped = {(newest + step) % NUMBERS for step in range(1, ahead)}
+            self.lost += len(skipped)
+            self._newest[sender] = seq
+            # A number half a turn old can no longer be told from a new one.
+            self._missing[sender] = {old for old in missing | skipped if (seq - old) % NUMBERS < HALF}
+        elif seq in missing:
+            missing.remove(seq)
+            self.lost -= 1
+
+
+def is_hello(frames: Sequence[Frame]) -> bool:
+    """Whether these are the two frames that a vehicle repeats until its first bundle."""
+    return [(frame.seq, frame.msgid) for frame in frames] == [(0, _HEARTBEAT), (1, _SYSTEM_TIME)]
+
+
+class TickCollector:
+    """One vehicle's answer to one grant, gathered from datagrams that may be lost, split, repeated or out of order.
+
+    The tick is in when the vehicle's own SYSTEM_TIME, at a datagram's end, says the granted time and no number since
+    the last tick is missing. Hellos carry numbers before `FIRST_ANSWER` and so are old from the start.
+    """
+
+    def __init__(self, sysid: int, compid: int, next_seq: int = FIRST_ANSWER) -> None:
+        self._sender = sysid, compid
+        self._next = next_seq % NUMBERS
+        self._held: dict[int, Frame] = {}  # by steps after the last complete tick
+        self._granted_ms: int | None = None
+        self._end: int | None = None  # where the answer's SYSTEM_TIME stands
+
+    @property
+    def held(self) -> int:
+        """How many frames of the unfinished tick have come: it grows when there is progress."""
+        return len(self._held)
+
+    @property
+    def complete(self) -> bool:
+        end = self._end
+        return end is not None and len(self._held) > end and all(step in self._held for step in range(end + 1))
+
+    def begin(self, t_ms: int) -> None:
+        """Wait for the answer to the grant of `t_ms`. Raises RuntimeError while an earlier tick has not been taken."""
+        if self._granted_ms is not None:
+            raise RuntimeError(f"tick {self._granted_ms} of vehicle {self._sender[0]} has not been taken yet")
+        self._granted_ms = t_ms
+
+    def feed(self, frames: Sequence[Frame]) -> bool:
+        """Take in one datagram's frames; True when the tick is complete. Frames of anyone else are passed over."""
+        if not frames or self._granted_ms is None:
+            return self.complete
+        last = frames[-1]
+        answered_ms = codec.fields(last).time_boot_ms if self._is_own(last) and last.msgid == _SYSTEM_TIME else None
+        if answered_ms is not None and answered_ms < self._granted_ms:
+            return self.complete  # repeated so late that its numbers may have come round to new ones
+        for frame in frames:
+            step = (frame.seq - self._next) % NUMBERS
+            if step < HALF - 1 and self._is_own(frame):
+                self._held.setdefault(step, frame)
+                if frame is last and answered_ms == self._granted_ms:
+                    self._end = step
+        return self.complete
+
+    def take(self) -> list[Frame]:
+        """The tick's frames in the order of their numbers, SYSTEM_TIME last, each once.
+
+        Raises RuntimeError when the tick is not complete.
+        """
+        if self._end is None or not self.complete:
+            raise RuntimeError(f"tick {self._granted_ms} of vehicle {self._sender[0]} is not complete")
+        length = self._end + 1
+        frames = [self._held.pop(step) for step in range(length)]
+        self._held = {step - length: frame for step, frame in self._held.items()}
+        self._next = (self._next + length) % NUMBERS
+        self._granted_ms = self._end = None
+        return frames
+
+    def _is_own(self, frame: Frame) -> bool:
+        return (frame.sysid, frame.compid) == self._sender

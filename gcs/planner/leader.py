@@ -1,0 +1,205 @@
+"""Virtual leaders: the planned points that the vehicles follow, moved through the field (model.md 6, 7; paper eq. 4).
+
+    q += l min(1, |F|/k0) F/|F| + feed-forward,   l = speed · period / steps,   steps = ceil(speed · period / κ)
+
+Feed-forward of the goal's velocity v_g [choice]: F alone follows a moving goal at a distance |v_g|/speed · cap. So
+v_g dt is added: whole within cap_m of the goal, fading to none at twice that; and whole where nothing repels, fading
+to none at |F_o| = k0/4, so that near obstacles the field alone decides. The sum is shortened to l, the speed limit.
+"""
+
+# ruff: noqa: PLR0917 (a compiled kernel takes scalars, in the order of its equation)
+
+import math
+
+import numpy as np
+from numba import njit
+from numpy.typing import ArrayLike, NDArray
+
+from gcs.planner.fuzzy import MEMORY_SIZE, escape_force
+from gcs.planner.obstacles import COLUMNS, FloatArray, points
+from gcs.planner.potential_field import CAP, K0, STEP, Field, attraction_to, repulsion_of_shape
+
+_UNFREE_SHARE = 0.25  # of k0: the repulsion at which nothing is fed forward any more
+
+IntArray = NDArray[np.int64]
+BoolArray = NDArray[np.bool_]
+
+
+def advance(
+    q_ned: ArrayLike,
+    memory: FloatArray,
+    goals: ArrayLike,
+    goal_velocity: ArrayLike,
+    *,
+    repulsors: FloatArray,
+    moving: ArrayLike,
+    ranges_m: ArrayLike,
+    owner: ArrayLike,
+    exempt: ArrayLike,
+    field: Field,
+    speed_m_s: ArrayLike,
+    period_s: float,
+    escape: bool,
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Next positions (n, 3) m, next memory (n, MEMORY_SIZE) and mean velocity (n, 3) m/s of n leaders, NED.
+
+    q_ned, goals, goal_velocity: (n, 3), m and m/s, all at the start of the period; goals move on at their velocity
+    within it. memory: `fuzzy.new_memory(n)` at first, then what the last call returned.
+    repulsors: obstacle table (m1, COLUMNS) that repels everyone within field.repulsion_range_m.
+    moving (m2, 3) m, ranges_m (m2,): points that stand for vehicles and traffic, held where they are for the period
+    (widen their ranges for the age of their report). owner (m2,): the leader that each one is, which it does not repel;
+    -1 for nobody's. exempt (n, m2): True where a leader is not repelled, as by its target or its partner in a transfer.
+    speed_m_s: (n,), or one for all, >= 0. escape: whether the fuzzy escape helps out of local minima.
+
+    Leaders see each other where they were at the start, so that their order does not matter. The arguments are left as
+    they are. ValueError names the argument whose shape is wrong or which holds a value that is not finite.
+    """
+    q = _array("q_ned", q_ned, (-1, 3)).copy()
+    n = len(q)
+    at = _array("moving", moving, (-1, 3))
+    m = len(at)
+    following = _array("memory", memory, (n, MEMORY_SIZE)).copy()
+    if repulsors.ndim != 2 or repulsors.shape[1] != COLUMNS:
+        raise ValueError(f"repulsors has shape {repulsors.shape}; it must be an obstacle table (m, {COLUMNS})")
+    speed = np.broadcast_to(np.asarray(speed_m_s, dtype=np.float64), (n,)) if np.ndim(speed_m_s) == 0 else speed_m_s
+    speeds = _array("speed_m_s", speed, (n,))
+    if (speeds < 0).any():
+        raise ValueError(f"speed_m_s is {speeds.min()!r} for leader {int(speeds.argmin())}; it must be at least 0")
+    if not (math.isfinite(period_s) and period_s > 0):
+        raise ValueError(f"period_s is {period_s!r}; it must be finite and above 0")
+    exempted = np.array(exempt, dtype=np.bool_)
+    if exempted.shape != (n, m):
+        raise ValueError(f"exempt has shape {exempted.shape}; it must be {(n, m)}: leaders, moving repulsors")
+    owners = np.asarray(owner, dtype=np.int64)
+    if owners.shape != (m,) or (owners >= n).any():
+        raise ValueError(f"owner must give one leader below {n}, or -1, for each of {m} moving repulsors")
+    owned = np.flatnonzero(owners >= 0)
+    exempted[owners[owned], owned] = True
+
+    start = q.copy()
+    _advance_all(
+        q,
+        following,
+        _array("goals", goals, (n, 3)),
+        _array("goal_velocity", goal_velocity, (n, 3)),
+        repulsors,
+        *_everyone(n, len(repulsors)),
+        points(at),
+        _array("ranges_m", ranges_m, (m,)),
+        exempted,
+        *_everyone(n, m),
+        field.constants(),
+        field.repulsion_range_m,
+        speeds,
+        period_s,
+        escape,
+    )
+    return q, following, (q - start) / period_s
+
+
+def _everyone(n: int, m: int) -> tuple[IntArray, IntArray, IntArray]:
+    """Neighbour list in which each of n leaders has all m repulsors: rows, and where each leader's begin and end."""
+    return np.arange(m), np.zeros(n, dtype=np.int64), np.full(n, m, dtype=np.int64)
+
+
+def _array(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
+    array = np.ascontiguousarray(value, dtype=np.float64)
+    if array.size == 0 and shape[0] in (-1, 0):
+        array = array.reshape(0, *shape[1:])
+    if array.ndim != len(shape) or any(want not in (-1, have) for want, have in zip(shape, array.shape, strict=True)):
+        raise ValueError(f"{name} has shape {array.shape}; it must be {shape}, -1 standing for any number")
+    if not np.isfinite(array).all():
+        row = int(np.argwhere(~np.isfinite(array))[0][0])
+        raise ValueError(f"{name} holds a value that is not finite in row {row}; leave that row out or mend its data")
+    return array
+
+
+@njit(cache=True)
+def _advance_all(
+    q: FloatArray,
+    memory: FloatArray,
+    goals: FloatArray,
+    goal_velocity: FloatArray,
+    obstacles: FloatArray,
+    obstacle_rows: IntArray,
+    obstacle_first: IntArray,
+    obstacle_end: IntArray,
+    moving: FloatArray,
+    ranges: FloatArray,
+    exempt: BoolArray,
+    moving_rows: IntArray,
+    moving_first: IntArray,
+    moving_end: IntArray,
+    constants: FloatArray,
+    obstacle_range: float,
+    speed: FloatArray,
+    period: float,
+    escape: bool,
+) -> None:
+    """Kernel: moves `q` and `memory` in place. Leader i heeds rows[first[i]:end[i]] of obstacles and of moving."""
+    for i in range(q.shape[0]):
+        reach = speed[i] * period
+        steps = math.ceil(reach / constants[STEP] - 1e-9)
+        if steps == 0:
+            continue
+        full_step = reach / steps
+        dt = period / steps
+        for step in range(steps):
+            gn = goals[i, 0] + goal_velocity[i, 0] * dt * step
+            ge = goals[i, 1] + goal_velocity[i, 1] * dt * step
+            gd = goals[i, 2] + goal_velocity[i, 2] * dt * step
+            an, ae, ad = attraction_to(gn, ge, gd, math.inf, q[i, 0], q[i, 1], q[i, 2], constants)
+            on = 0.0
+            oe = 0.0
+            od = 0.0
+            for k in range(obstacle_first[i], obstacle_end[i]):
+                fn, fe, fd = repulsion_of_shape(
+                    obstacles, obstacle_rows[k], obstacle_range, q[i, 0], q[i, 1], q[i, 2], constants
+                )
+                on += fn
+                oe += fe
+                od += fd
+            for k in range(moving_first[i], moving_end[i]):
+                j = moving_rows[k]
+                if not exempt[i, j]:
+                    fn, fe, fd = repulsion_of_shape(moving, j, ranges[j], q[i, 0], q[i, 1], q[i, 2], constants)
+                    on += fn
+                    oe += fe
+                    od += fd
+            distance = math.sqrt((gn - q[i, 0]) ** 2 + (ge - q[i, 1]) ** 2 + (gd - q[i, 2]) ** 2)
+            en = 0.0
+            ee = 0.0
+            ed = 0.0
+            if escape:
+                en, ee, ed = escape_force(
+                    memory[i], q[i, 0], q[i, 1], q[i, 2], an, ae, ad, on, oe, od, distance, full_step, constants[STEP]
+                )
+            sn, se, sd = _field_step(an + on + en, ae + oe + ee, ad + od + ed, full_step, constants[K0])
+            share = _fed_forward(on, oe, od, distance, constants)
+            sn += share * goal_velocity[i, 0] * dt
+            se += share * goal_velocity[i, 1] * dt
+            sd += share * goal_velocity[i, 2] * dt
+            length = math.sqrt(sn * sn + se * se + sd * sd)
+            shorten = full_step / length if length > full_step else 1.0
+            q[i, 0] += shorten * sn
+            q[i, 1] += shorten * se
+            q[i, 2] += shorten * sd
+
+
+@njit(cache=True)
+def _field_step(fn: float, fe: float, fd: float, full_step: float, k0: float) -> tuple[float, float, float]:
+    """Kernel: l min(1, |F|/k0) F/|F|."""
+    size = math.sqrt(fn * fn + fe * fe + fd * fd)
+    scale = full_step / max(size, k0)
+    return scale * fn, scale * fe, scale * fd
+
+
+@njit(cache=True)
+def _fed_forward(on: float, oe: float, od: float, distance: float, constants: FloatArray) -> float:
+    """Kernel: the share of the goal's velocity that is fed forward."""
+    within_reach: float = 1.0
+    if distance > constants[CAP]:
+        within_reach = max(0.0, 2.0 - distance / constants[CAP])
+    size = math.sqrt(on * on + oe * oe + od * od)
+    free: float = max(0.0, 1.0 - size / (_UNFREE_SHARE * constants[K0]))
+    return within_reach * free

@@ -1,0 +1,187 @@
+"""Shapes that repel, as one flat table, and the distance to their surfaces.
+
+A table is float64 of shape (m, COLUMNS), one row per shape, all lengths in metres in the common NED frame:
+
+| kind     | NORTH, EAST, DOWN | SIZE_1     | SIZE_2      | SIZE_3    |
+|----------|-------------------|------------|-------------|-----------|
+| POINT    | the point         | 0          | 0           | 0         |
+| SPHERE   | centre            | radius     | 0           | 0         |
+| BOX      | centre            | half north | half east   | half down |
+| CYLINDER | centre            | radius     | half height | 0         |
+
+Boxes are axis-aligned, cylinders stand upright and end in flat lids. Distances are signed: positive outside, zero on
+the surface, negative within a volume. A point's surface is its centre, so its distance is never negative.
+"""
+
+# ruff: noqa: PLR0917 (a compiled kernel takes scalars, in the order of its equation)
+
+import math
+
+import numpy as np
+from numba import njit
+from numpy.typing import ArrayLike, NDArray
+
+FloatArray = NDArray[np.float64]
+
+KIND, NORTH, EAST, DOWN, SIZE_1, SIZE_2, SIZE_3 = range(7)
+COLUMNS = 7
+POINT, SPHERE, BOX, CYLINDER = 0.0, 1.0, 2.0, 3.0
+
+# Nearer than this to a centre or an edge the difference of two positions has no direction left that means anything.
+_NO_DIRECTION_M = 1e-9
+
+
+def point(p_ned: ArrayLike) -> FloatArray:
+    """Row (COLUMNS,) of a point at `p_ned` (3,) m. ValueError unless it is three finite numbers."""
+    return _row(POINT, _vector("p_ned", p_ned))
+
+
+def sphere(centre_ned: ArrayLike, radius_m: float) -> FloatArray:
+    """Row (COLUMNS,) of a sphere. ValueError unless the centre is finite and radius_m > 0."""
+    return _row(SPHERE, _vector("centre_ned", centre_ned), _size("radius_m", radius_m))
+
+
+def box(low_ned: ArrayLike, high_ned: ArrayLike) -> FloatArray:
+    """Row (COLUMNS,) of an axis-aligned box between two opposite corners (3,), m NED, low_ned < high_ned in each axis.
+
+    Down grows downwards: the roof belongs to low_ned. ValueError unless finite and every edge is longer than zero.
+    """
+    low, high = _vector("low_ned", low_ned), _vector("high_ned", high_ned)
+    for axis, edge in zip(("north", "east", "down"), high - low, strict=True):
+        _size(f"box: high_ned - low_ned, {axis}", edge)
+    return _row(BOX, (low + high) / 2, *((high - low) / 2))
+
+
+def cylinder(centre_ned: ArrayLike, radius_m: float, height_m: float) -> FloatArray:
+    """Row (COLUMNS,) of an upright cylinder about `centre_ned`, the middle of its axis.
+
+    ValueError unless the centre is finite, radius_m > 0 and height_m > 0.
+    """
+    centre = _vector("centre_ned", centre_ned)
+    return _row(CYLINDER, centre, _size("radius_m", radius_m), _size("height_m", height_m) / 2)
+
+
+def table(rows: list[FloatArray]) -> FloatArray:
+    """Rows of the shapes above, stacked to (m, COLUMNS); no rows give (0, COLUMNS)."""
+    return np.array(rows, dtype=np.float64).reshape(len(rows), COLUMNS)
+
+
+def points(positions_ned: ArrayLike) -> FloatArray:
+    """Table of points at `positions_ned` (m, 3) m. ValueError unless of that shape and finite."""
+    positions = np.asarray(positions_ned, dtype=np.float64).reshape(-1, 3)
+    if not np.isfinite(positions).all():
+        raise ValueError("positions_ned holds a value that is not finite; give every obstacle three finite numbers")
+    rows = np.zeros((len(positions), COLUMNS))
+    rows[:, NORTH : DOWN + 1] = positions
+    return rows
+
+
+def surface(table: FloatArray, q_ned: ArrayLike) -> tuple[FloatArray, FloatArray]:
+    """Signed distance (m,) in m to each shape's surface, and unit vector (m, 3) from the surface towards `q_ned` (3,).
+
+    Within a volume the distance is minus the depth and the vector points out by the shortest way; of equally short
+    ways north comes before east before down, and from the very centre they lead north, east and up. At a point, and
+    at the centre of a sphere, where every way is as short, the vector is up.
+    """
+    q = _vector("q_ned", q_ned)
+    distance_m = np.empty(len(table))
+    direction_ned = np.empty((len(table), 3))
+    _surfaces(table, q, distance_m, direction_ned)
+    return distance_m, direction_ned
+
+
+def clearance(table: FloatArray, points_ned: ArrayLike) -> FloatArray:
+    """Least signed distance (k,) in m from each of `points_ned` (k, 3) to any surface; inf where there is no shape."""
+    at = np.ascontiguousarray(points_ned, dtype=np.float64).reshape(-1, 3)
+    least_m = np.empty(len(at))
+    _clearances(table, at, least_m)
+    return least_m
+
+
+def _vector(name: str, value: ArrayLike) -> FloatArray:
+    vector = np.asarray(value, dtype=np.float64)
+    if vector.shape != (3,) or not np.isfinite(vector).all():
+        raise ValueError(f"{name} is {value!r}; it must be three finite numbers: north, east, down in metres")
+    return vector
+
+
+def _size(name: str, value: float) -> float:
+    if not (math.isfinite(value) and value > 0):
+        raise ValueError(f"{name} is {value!r}; it must be a finite length above 0 m")
+    return float(value)
+
+
+def _row(kind: float, position_ned: FloatArray, *sizes: float) -> FloatArray:
+    row = np.zeros(COLUMNS)
+    row[KIND] = kind
+    row[NORTH : DOWN + 1] = position_ned
+    row[SIZE_1 : SIZE_1 + len(sizes)] = sizes
+    return row
+
+
+@njit(cache=True)
+def shape_surface(table: FloatArray, i: int, qn: float, qe: float, qd: float) -> tuple[float, float, float, float]:
+    """Kernel: (signed distance, direction north, east, down) of row `i` as seen from (qn, qe, qd)."""
+    kind = table[i, KIND]
+    dn = qn - table[i, NORTH]
+    de = qe - table[i, EAST]
+    dd = qd - table[i, DOWN]
+    if kind == BOX:
+        return _box_surface(dn, de, dd, table[i, SIZE_1], table[i, SIZE_2], table[i, SIZE_3])
+    if kind == CYLINDER:
+        return _cylinder_surface(dn, de, dd, table[i, SIZE_1], table[i, SIZE_2])
+    r = math.sqrt(dn * dn + de * de + dd * dd)
+    radius = table[i, SIZE_1]
+    if r < _NO_DIRECTION_M:
+        return r - radius, 0.0, 0.0, -1.0
+    return r - radius, dn / r, de / r, dd / r
+
+
+@njit(cache=True)
+def _box_surface(dn: float, de: float, dd: float, hn: float, he: float, hd: float) -> tuple[float, float, float, float]:
+    on = dn - min(max(dn, -hn), hn)
+    oe = de - min(max(de, -he), he)
+    od = dd - min(max(dd, -hd), hd)
+    r = math.sqrt(on * on + oe * oe + od * od)
+    if r >= _NO_DIRECTION_M:
+        return r, on / r, oe / r, od / r
+    out_n = abs(dn) - hn
+    out_e = abs(de) - he
+    out_d = abs(dd) - hd
+    if out_n >= out_e and out_n >= out_d:
+        return out_n, 1.0 if dn >= 0.0 else -1.0, 0.0, 0.0
+    if out_e >= out_d:
+        return out_e, 0.0, 1.0 if de >= 0.0 else -1.0, 0.0
+    return out_d, 0.0, 0.0, 1.0 if dd > 0.0 else -1.0
+
+
+@njit(cache=True)
+def _cylinder_surface(
+    dn: float, de: float, dd: float, radius: float, half_height: float
+) -> tuple[float, float, float, float]:
+    axial = math.sqrt(dn * dn + de * de)
+    radial_n, radial_e = (dn / axial, de / axial) if axial >= _NO_DIRECTION_M else (1.0, 0.0)
+    down = 1.0 if dd > 0.0 else -1.0
+    out_r = axial - radius
+    out_d = abs(dd) - half_height
+    if out_r > 0.0 and out_d > 0.0:
+        r = math.sqrt(out_r * out_r + out_d * out_d)
+        if r >= _NO_DIRECTION_M:
+            return r, out_r / r * radial_n, out_r / r * radial_e, out_d / r * down
+    if out_r >= out_d:
+        return out_r, radial_n, radial_e, 0.0
+    return out_d, 0.0, 0.0, down
+
+
+@njit(cache=True)
+def _surfaces(table: FloatArray, q: FloatArray, distance: FloatArray, direction: FloatArray) -> None:
+    for i in range(table.shape[0]):
+        distance[i], direction[i, 0], direction[i, 1], direction[i, 2] = shape_surface(table, i, q[0], q[1], q[2])
+
+
+@njit(cache=True)
+def _clearances(table: FloatArray, at: FloatArray, least: FloatArray) -> None:
+    for k in range(at.shape[0]):
+        least[k] = math.inf
+        for i in range(table.shape[0]):
+            least[k] = min(least[k], shape_surface(table, i, at[k, 0], at[k, 1], at[k, 2])[0])

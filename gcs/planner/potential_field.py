@@ -1,0 +1,201 @@
+"""Attraction and repulsion of the potential field (model.md 6; form [choice], values [seed]).
+
+    U_g = ½ k0 ρ²,                F_g = k0 min(ρ, cap) towards g
+    U_o = 0                                                      ρ > ρ_o
+        = ½ k1 (1/ρ - 1/ρ_o)²                                    b ρ_o < ρ <= ρ_o
+        = ½ k1 (1/ρ - 1/ρ_o)² + ½ a k1 (1/ρ - 1/(b ρ_o))²        ρ <= b ρ_o
+    F_o = -∇U_o
+
+F_g is -∇U_g up to ρ = cap and keeps its size beyond: uncapped, a far target presses the vehicle against obstacles.
+Forces are those of the field alone and have no unit; distances are metres, NED.
+"""
+
+# ruff: noqa: PLR0917 (a compiled kernel takes scalars, in the order of its equation)
+
+import math
+from dataclasses import dataclass, fields
+
+import numpy as np
+from numba import njit
+from numpy.typing import ArrayLike
+
+from gcs.planner.obstacles import FloatArray, shape_surface
+
+# Nearer than this to a surface, and inside a volume, the repulsion keeps its size, so that it stays finite; it is then
+# 10⁵ times the strongest attraction and points out by the shortest way [choice].
+SURFACE_FLOOR_M = 0.01
+
+K0, K1, A, B, ATTRACTION_RANGE, STEP, CAP = range(7)
+
+
+@dataclass(frozen=True)
+class Field:
+    """Parameters of the field (model.md 6; values [seed], cap_m [choice]). ValueError names what is out of range.
+
+    k0, k1 scale attraction and repulsion; a is the gain and b the share of the repulsion range of the inner term;
+    attraction_range_m is the range of way points (tracked targets attract at any distance); repulsion_range_m that of
+    obstacles; step_m the longest step of the planned point, and its distance of arrival; cap_m where attraction stops
+    growing (inf for the pure gradient).
+    """
+
+    k0: float = 15.0
+    k1: float = 2.0
+    a: float = 0.5
+    b: float = 0.5
+    attraction_range_m: float = 1.0
+    repulsion_range_m: float = 1.0
+    step_m: float = 0.1
+    cap_m: float = 1.0
+
+    def __post_init__(self) -> None:
+        for name in (f.name for f in fields(self)):
+            value = getattr(self, name)
+            if name == "a":
+                accepted, condition = math.isfinite(value) and value >= 0, "finite and at least 0"
+            elif name == "b":
+                accepted, condition = 0 < value < 1, "above 0 and below 1"
+            elif name == "cap_m":
+                accepted, condition = value > 0, "above 0"
+            else:
+                accepted, condition = math.isfinite(value) and value > 0, "finite and above 0"
+            if not accepted:
+                raise ValueError(f"potential field: {name} is {value!r}; it must be {condition}")
+        if self.repulsion_range_m * self.b <= SURFACE_FLOOR_M:
+            raise ValueError(
+                f"potential field: b * repulsion_range_m is {self.b * self.repulsion_range_m!r}; "
+                f"it must be above {SURFACE_FLOOR_M} m, where the repulsion stops growing"
+            )
+
+    def constants(self) -> FloatArray:
+        """The parameters that kernels need, (7,), indexed by K0, K1, A, B, ATTRACTION_RANGE, STEP, CAP."""
+        return np.array([self.k0, self.k1, self.a, self.b, self.attraction_range_m, self.step_m, self.cap_m])
+
+
+def widened_range(range_m: ArrayLike, speed_m_s: ArrayLike, age_s: ArrayLike) -> FloatArray:
+    """Repulsion range in m of a moving repulsor whose report is `age_s` old: range + speed · age (model.md 6).
+
+    Arguments broadcast. A report from the future, as clocks may have it, does not narrow the range.
+    """
+    return np.asarray(np.add(range_m, np.multiply(speed_m_s, np.maximum(age_s, 0.0))), dtype=np.float64)
+
+
+def force(
+    q_ned: ArrayLike,
+    *,
+    tracked: ArrayLike,
+    waypoints: ArrayLike,
+    repulsors: FloatArray,
+    ranges_m: ArrayLike,
+    field: Field,
+) -> tuple[FloatArray, FloatArray]:
+    """Attraction (3,) and repulsion (3,) at `q_ned` (3,), m NED (model.md 6; paper eqs. 7, 10, 11).
+
+    `tracked` (m1, 3) attract at any distance, `waypoints` (m2, 3) within the field's attraction range; `repulsors` is
+    an obstacle table (m, COLUMNS) with one repulsion range each, `ranges_m` (m,). ValueError when the shapes disagree.
+    """
+    q = np.asarray(q_ned, dtype=np.float64)
+    ranges = np.ascontiguousarray(ranges_m, dtype=np.float64)
+    if q.shape != (3,):
+        raise ValueError(f"q_ned has shape {q.shape}; it must be (3,)")
+    if ranges.shape != (len(repulsors),):
+        raise ValueError(f"ranges_m has shape {ranges.shape}; with {len(repulsors)} repulsors give ({len(repulsors)},)")
+    constants = field.constants()
+    attraction, repulsion = np.zeros(3), np.zeros(3)
+    _attract_all(q, _rows(tracked), _rows(waypoints), constants, attraction)
+    _repel_all(q, repulsors, ranges, constants, repulsion)
+    return attraction, repulsion
+
+
+def attraction_potential(distance_m: float, field: Field) -> float:
+    """Potential of an attractor at `distance_m`, of which the capped attraction is the gradient.
+
+    ½ k0 ρ² (model.md 6) up to cap_m, from there straight on with the slope that it has reached [choice].
+    """
+    near = min(distance_m, field.cap_m)
+    return 0.5 * field.k0 * near**2 + (field.k0 * field.cap_m * (distance_m - near) if distance_m > near else 0.0)
+
+
+def repulsion_potential(distance_m: float, range_m: float, field: Field) -> float:
+    """Potential of a repulsor at `distance_m` from its surface (model.md 6).
+
+    Below SURFACE_FLOOR_M, and inside, it goes straight on with the slope that it has reached [choice].
+    """
+    near, inner = max(distance_m, SURFACE_FLOOR_M), field.b * range_m
+    below = near - distance_m
+    potential = 0.0
+    if near <= range_m:
+        potential += 0.5 * field.k1 * (1 / near - 1 / range_m) ** 2
+    if near <= inner:
+        potential += 0.5 * field.a * field.k1 * (1 / near - 1 / inner) ** 2
+    if below > 0:
+        potential += below * float(repulsion_size(near, range_m, field.k1, field.a, field.b))
+    return potential
+
+
+def _rows(positions: ArrayLike) -> FloatArray:
+    return np.ascontiguousarray(positions, dtype=np.float64).reshape(-1, 3)
+
+
+@njit(cache=True)
+def repulsion_size(rho: float, rho_o: float, k1: float, a: float, b: float) -> float:
+    """Kernel: |F_o| at distance `rho` of a repulsor of range `rho_o`."""
+    if rho >= rho_o:
+        return 0.0
+    near = max(rho, SURFACE_FLOOR_M)
+    size = (1.0 / near - 1.0 / rho_o) / (near * near)
+    if near < b * rho_o:
+        size += a * (1.0 / near - 1.0 / (b * rho_o)) / (near * near)
+    return max(k1 * size, 0.0)
+
+
+@njit(cache=True)
+def repulsion_of_shape(
+    table: FloatArray, i: int, rho_o: float, qn: float, qe: float, qd: float, constants: FloatArray
+) -> tuple[float, float, float]:
+    """Kernel: F_o (north, east, down) of row `i` of an obstacle table, of range `rho_o`."""
+    rho, n, e, d = shape_surface(table, i, qn, qe, qd)
+    size = repulsion_size(rho, rho_o, constants[K1], constants[A], constants[B])
+    return size * n, size * e, size * d
+
+
+@njit(cache=True)
+def attraction_to(
+    gn: float, ge: float, gd: float, reach: float, qn: float, qe: float, qd: float, constants: FloatArray
+) -> tuple[float, float, float]:
+    """Kernel: F_g (north, east, down) towards (gn, ge, gd); zero when it is farther than `reach`."""
+    dn = gn - qn
+    de = ge - qe
+    dd = gd - qd
+    rho = math.sqrt(dn * dn + de * de + dd * dd)
+    if rho > reach:
+        return 0.0, 0.0, 0.0
+    k = constants[K0]
+    if rho > constants[CAP]:
+        k *= constants[CAP] / rho
+    return k * dn, k * de, k * dd
+
+
+@njit(cache=True)
+def _attract_all(
+    q: FloatArray, tracked: FloatArray, waypoints: FloatArray, constants: FloatArray, total: FloatArray
+) -> None:
+    for i in range(tracked.shape[0] + waypoints.shape[0]):
+        if i < tracked.shape[0]:
+            g = tracked[i]
+            reach = math.inf
+        else:
+            g = waypoints[i - tracked.shape[0]]
+            reach = constants[ATTRACTION_RANGE]
+        n, e, d = attraction_to(g[0], g[1], g[2], reach, q[0], q[1], q[2], constants)
+        total[0] += n
+        total[1] += e
+        total[2] += d
+
+
+@njit(cache=True)
+def _repel_all(q: FloatArray, table: FloatArray, ranges: FloatArray, constants: FloatArray, total: FloatArray) -> None:
+    for i in range(table.shape[0]):
+        n, e, d = repulsion_of_shape(table, i, ranges[i], q[0], q[1], q[2], constants)
+        total[0] += n
+        total[1] += e
+        total[2] += d

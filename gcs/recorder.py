@@ -1,0 +1,171 @@
+"""What a session leaves on disk while it runs, and the digest of what it was.
+
+`session.tlog` is the format of every MAVLink tool: per frame the time in µs since the Unix epoch, 8 bytes, high byte
+first, then the frame. `decisions.jsonl` is one JSON object per line. Both are written in batches, so that recording
+costs the tick an append; what `flush` has written outlives this process.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import json
+import os
+import struct
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from types import TracebackType
+from typing import Any, Self
+
+TLOG = "session.tlog"
+DECISIONS = "decisions.jsonl"
+BATCH_BYTES = 1 << 18
+
+_TIME = struct.Struct(">Q").pack
+_DIGEST_PREFIX = struct.Struct("<QB").pack
+_IN, _OUT, _DECISION = range(3)
+
+
+class RecorderError(Exception):
+    """The recording cannot go on; the message is a sentence that names the file."""
+
+
+class _File:
+    """Append-only, in batches that are written whole or not at all."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self.batch = bytearray()
+        self._size = 0
+        try:
+            self._fd = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_CLOEXEC, 0o666)
+        except OSError as error:
+            raise RecorderError(f"{path} cannot be created: {_reason(error)}.") from None
+
+    def write(self) -> None:
+        """Write the batch. Raises OSError, with the file cut back to whole records and closed."""
+        batch, self.batch = self.batch, bytearray()
+        try:
+            with memoryview(batch) as view:
+                at = 0
+                while at < len(batch):
+                    at += os.write(self._fd, view[at:])
+        except OSError:
+            with contextlib.suppress(OSError):
+                os.ftruncate(self._fd, self._size)
+            self.close()
+            raise
+        self._size += len(batch)
+
+    def close(self) -> None:
+        if self._fd >= 0:
+            fd, self._fd = self._fd, -1
+            os.close(fd)
+
+
+class Recorder:
+    """Records into `folder`, which must exist and hold no recording. Raises RecorderError where a file cannot be made.
+
+    When a disk is full or fails, the call that notices raises RecorderError; what the files then hold is whole records,
+    and they are closed: later calls raise the same, `close` does nothing.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self._end: RecorderError | None = None
+        self._tlog = _File(folder / TLOG)
+        try:
+            self._decisions = _File(folder / DECISIONS)
+        except RecorderError:
+            self._tlog.close()
+            raise
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def frame(self, t_us: int, raw: bytes) -> None:
+        """Record a frame, received or sent at `t_us` µs since the Unix epoch (session epoch + session time)."""
+        batch = self._tlog.batch
+        batch += _TIME(t_us)
+        batch += raw
+        if len(batch) >= BATCH_BYTES or self._end is not None:
+            self.flush()
+
+    def decision(self, decision: Mapping[str, Any]) -> None:
+        """Record a decision. Raises ValueError for NaN or infinity in it, TypeError for what JSON has no form for."""
+        self._decisions.batch += decision_line(decision)
+        if len(self._decisions.batch) >= BATCH_BYTES or self._end is not None:
+            self.flush()
+
+    def flush(self) -> None:
+        """Hand everything recorded so far to the system. Raises RecorderError."""
+        if self._end is not None:
+            raise self._end
+        failure: RecorderError | None = None
+        for file in (self._tlog, self._decisions):  # a full disk for one may still have room for the other
+            try:
+                file.write()
+            except OSError as error:
+                failure = failure or RecorderError(
+                    f"{file.path} cannot be written: {_reason(error)}; recording has ended."
+                )
+        if failure is not None:
+            self._shut(failure)
+            raise failure
+
+    def close(self) -> None:
+        """Write what is left and close; a second call does nothing. Raises RecorderError."""
+        if self._end is None:
+            self.flush()
+            self._shut(RecorderError(f"{self._tlog.path} is closed: nothing more can be recorded."))
+
+    def _shut(self, end: RecorderError) -> None:
+        self._end = end
+        self._tlog.close()
+        self._decisions.close()
+
+
+class Digest:
+    """A session's fingerprint (contract.md, `digest`): equal for equal frames delivered, frames sent and decisions.
+
+    A frame counts as tick, direction, system, component, message id and payload as on the wire. Sequence numbers, flags
+    and signatures do not. Feed it tick by tick, frames in the order (system, component, delivery).
+    """
+
+    def __init__(self) -> None:
+        self._hash = hashlib.sha256()
+
+    def frames_in(self, t_ms: int, frames: Iterable[bytes]) -> None:
+        """Whole frames (MAVLink 2) that were delivered to the supervisor in the tick that ends at `t_ms`."""
+        self._frames(_DIGEST_PREFIX(t_ms, _IN), frames)
+
+    def frames_out(self, t_ms: int, frames: Iterable[bytes]) -> None:
+        """Whole frames (MAVLink 2) that were sent at `t_ms`, each once however often its datagram was repeated."""
+        self._frames(_DIGEST_PREFIX(t_ms, _OUT), frames)
+
+    def decision(self, t_ms: int, decision: Mapping[str, Any]) -> None:
+        """A decision made at `t_ms`, in the form in which it is recorded."""
+        line = decision_line(decision)
+        self._hash.update(_DIGEST_PREFIX(t_ms, _DECISION) + len(line).to_bytes(4, "little") + line)
+
+    def hexdigest(self) -> str:
+        return f"sha256:{self._hash.hexdigest()}"
+
+    def _frames(self, prefix: bytes, frames: Iterable[bytes]) -> None:
+        # A frame's byte 1 is the payload's length; bytes 5 to 9 are system, component and message id, then the payload.
+        self._hash.update(b"".join([prefix + raw[1:2] + raw[5 : 10 + raw[1]] for raw in frames]))
+
+
+def decision_line(decision: Mapping[str, Any]) -> bytes:
+    """A decision as its line of `decisions.jsonl`: keys sorted, no NaN. Raises ValueError, TypeError as `json` does."""
+    return json.dumps(decision, sort_keys=True, allow_nan=False, separators=(",", ":")).encode() + b"\n"
+
+
+def _reason(error: OSError) -> str:
+    """The system's words for it, lower case."""
+    reason = error.strerror or str(error)
+    return reason[:1].lower() + reason[1:]

@@ -1,0 +1,331 @@
+"""The supervisor: one tick of a session, top to bottom.
+
+    answers → radio → fleet → snapshot → schedule → plan → messages → radio → grants → record
+
+What the tick at T decides leaves with the grant up to T + period, and is flown from that grant's first step.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.fleet import Fleet, GlobalOrigin, Member, Snapshot
+from gcs.impairment import Blackout, Impairment
+from gcs.link import SUPERVISOR, FleetLink, Key
+from gcs.mavlink import codec
+from gcs.mavlink.codec import Frame, Message
+from gcs.mavlink.commands import CommandLong, CommandQueue, CommandResult, Target
+from gcs.mavlink.sequence import GapCounter
+from gcs.metrics import Metrics
+from gcs.pilot import Pilot, Stage, Wish
+from gcs.planner.plan import Planner, SetPoint
+from gcs.recorder import Digest, Recorder
+from gcs.refuelling import Decision, Schedule
+from gcs.scenario import Scenario
+
+AUTOPILOT = mav.MAV_COMP_ID_AUTOPILOT1
+TRAFFIC: Key = (255, 156)
+HEARTBEAT_EVERY_S = 1.0
+SET_POINT_MASK = (
+    mav.POSITION_TARGET_TYPEMASK_AX_IGNORE
+    | mav.POSITION_TARGET_TYPEMASK_AY_IGNORE
+    | mav.POSITION_TARGET_TYPEMASK_AZ_IGNORE
+    | mav.POSITION_TARGET_TYPEMASK_YAW_IGNORE
+    | mav.POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE
+)
+WAIT_FOR_FLEET_S = 30.0
+_SEVERITY = {mav.MAV_SEVERITY_WARNING: "warning", mav.MAV_SEVERITY_NOTICE: "info", mav.MAV_SEVERITY_INFO: "info"}
+_SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
+_SET_POINT = codec.msgid("SET_POSITION_TARGET_LOCAL_NED")
+_RELAYED_COUNTERS = {"XferOut", "XferIn"}
+
+
+@dataclass(frozen=True)
+class Event:
+    """Something that a person wants to hear of."""
+
+    t_s: float
+    sysid: int
+    level: str
+    text: str
+
+
+class _Relay(NamedTuple):
+    """A frame of one vehicle on its way to another, header unchanged."""
+
+    raw: bytes
+
+
+@dataclass
+class _Recording:
+    """What one tick leaves behind, kept until the grants are out."""
+
+    t_ms: int
+    arrived: list[bytes]
+    sent: list[bytes]
+    decisions: list[dict[str, Any]]
+
+
+class Supervisor:
+    """A session's brain: everything between the link and the recorder."""
+
+    def __init__(self, scenario: Scenario, link: FleetLink, recorder: Recorder) -> None:
+        self.scenario = scenario
+        self.period_ms = round(1e3 * scenario.clock.period_s)
+        self.epoch_us = round(1e6 * scenario.clock.epoch.timestamp())
+        self._link = link
+        self._recorder = recorder
+        self.digest = Digest()
+        origin = scenario.origin
+        self.fleet = Fleet(
+            [
+                Member(
+                    v.sysid,
+                    v.role,
+                    v.label,
+                    v.battery.capacity_j,
+                    v.battery.capacity_j * v.battery.initial_percent / 100.0,
+                )
+                for v in scenario.vehicles.all
+            ],
+            GlobalOrigin(origin.lat_deg, origin.lon_deg, origin.alt_m),
+        )
+        self.planner = Planner(scenario)
+        self.schedule = Schedule(scenario.competition, scenario.refuelling, scenario.vehicles.tankers)
+        self.metrics = Metrics(scenario, self.planner.obstacles)
+        self.pilots = {v.sysid: Pilot(v.sysid, v.takeoff_m) for v in scenario.vehicles.all}
+        self._join_ms = {v.sysid: round(1e3 * v.join_s) for v in scenario.vehicles.all}
+        self._radio = Impairment(
+            **scenario.radio.model_dump(exclude={"blackouts"}),
+            blackouts=[Blackout(b.sysid, b.from_s, b.to_s) for b in scenario.radio.blackouts],
+            seed=scenario.seed,
+        )
+        self._queues = {v.sysid: CommandQueue(*SUPERVISOR) for v in scenario.vehicles.all}
+        self._gaps = GapCounter()
+        self._heartbeat_due_ms = dict.fromkeys(self.pilots, 0)
+        self._outbox: dict[int, list[Message]] = {sysid: [] for sysid in self.pilots}
+        self._relay_ids = {codec.msgid("FOLLOW_TARGET"), codec.msgid("NAMED_VALUE_INT")}
+        self._heartbeat = codec.message(
+            "HEARTBEAT",
+            type=mav.MAV_TYPE_GCS,
+            autopilot=mav.MAV_AUTOPILOT_INVALID,
+            base_mode=0,
+            custom_mode=0,
+            system_status=mav.MAV_STATE_ACTIVE,
+        )
+        self.time_ms = 0
+        self.received = 0
+        self.sent = 0
+        self.events: list[Event] = []
+        self.targets_move = False
+        self.snapshot: Snapshot = self.fleet.snapshot(0.0)
+
+    @property
+    def time_s(self) -> float:
+        """Session time."""
+        return self.time_ms / 1e3
+
+    @property
+    def lost_frames(self) -> int:
+        """Gaps in the vehicles' sequence numbers, after the radio."""
+        return self._gaps.lost
+
+    @property
+    def command_retries(self) -> int:
+        """Commands that were sent again."""
+        return sum(queue.resent for queue in self._queues.values())
+
+    def begin(self) -> None:
+        """Send the first grant, which sets the vehicles' clocks and lets nobody move."""
+        self._grant_all({}, _Recording(0, [], [], []))
+
+    def tick(self, idle: Callable[[], None]) -> None:
+        """Collect the answers to the last grant, decide, and send the next one."""
+        answers = self._link.collect(idle)
+        now_s = self.time_s
+        arrived, relayable = self._hear(answers, now_s)
+        self._take_acknowledgements(now_s)
+        self.snapshot = snapshot = self.fleet.snapshot(now_s)
+        decision = self.schedule.decide(snapshot)
+        self._fly(snapshot, now_s)
+        set_points = self._plan(snapshot, decision)
+        self._ask(decision.wishes, now_s)
+        for sysid, queue in self._queues.items():
+            self._follow_up(sysid, queue.poll(now_s), now_s)
+        relays = self._relays(decision, relayable)
+        recording = _Recording(self.time_ms, arrived, [], self._records(decision, set_points))
+        self._queue_set_points(set_points, snapshot)
+        self._grant_all(relays, recording)
+        self.metrics.take(snapshot, set_points, decision.partners)
+        self._record(recording)
+
+    def lose(self, key: Key, why: str) -> None:
+        """A process has died: hold it no longer, tell everyone, let the others go on."""
+        self._link.leave(key)
+        if key == TRAFFIC:
+            self.events.append(Event(self.time_s, 255, "critical", why))
+            return
+        if self.pilots[key[0]].stage is not Stage.DOWN:
+            self.fleet.lost(key[0])
+        self.events.append(Event(self.time_s, key[0], "critical", why))
+
+    # in
+
+    def _hear(self, answers: Mapping[Key, list[Frame]], now_s: float) -> tuple[list[bytes], dict[int, list[Frame]]]:
+        """Let the radio deliver what came, and the fleet read it."""
+        arrived: list[bytes] = []
+        relayable: dict[int, list[Frame]] = {}
+        for key, frames in answers.items():
+            grants = [frame for frame in frames if frame.msgid == _SYSTEM_TIME]
+            told = [frame for frame in frames if frame.msgid != _SYSTEM_TIME]
+            delivered = list(self._radio.apply(key[0], "in", now_s, told))
+            for frame in (*delivered, *grants):
+                self._gaps.feed(frame.sysid, frame.compid, frame.seq)
+                self.fleet.ingest(frame, now_s)
+                arrived.append(frame.raw)
+            relayable[key[0]] = [frame for frame in delivered if frame.msgid in self._relay_ids]
+        self.received += len(arrived)
+        for sysid, severity, text in self.fleet.take_statustexts():
+            self.events.append(Event(now_s, sysid, _SEVERITY.get(severity, "critical"), text))
+        return arrived, relayable
+
+    def _take_acknowledgements(self, now_s: float) -> None:
+        for sysid, ack in self.fleet.take_acks():
+            self._follow_up(sysid, self._queues[sysid].on_ack(sysid, AUTOPILOT, ack, now_s), now_s)
+
+    def _follow_up(self, sysid: int, step: Any, now_s: float) -> None:
+        self._outbox[sysid] += step.messages
+        for result in step.results:
+            self._report(sysid, result, now_s)
+
+    def _report(self, sysid: int, result: CommandResult, now_s: float) -> None:
+        self.schedule.result(str(result.token), result.outcome == "accepted")
+        if result.outcome != "accepted":
+            why = "timed out" if result.outcome == "timeout" else f"was refused (result {result.result})"
+            self.events.append(Event(now_s, sysid, "warning", f"Command {result.command} ({result.token}) {why}"))
+
+    # decide
+
+    def _fly(self, snapshot: Snapshot, now_s: float) -> None:
+        for view in snapshot.vehicles:
+            if self.time_ms < self._join_ms[view.sysid]:
+                continue
+            wishes, requests = self.pilots[view.sysid].decide(view, now_s)
+            self._outbox[view.sysid] += requests
+            self._ask(wishes, now_s)
+
+    def _plan(self, snapshot: Snapshot, decision: Decision) -> list[SetPoint]:
+        steered = frozenset(sysid for sysid, pilot in self.pilots.items() if pilot.sends_set_points)
+        if not self.targets_move:
+            ready = all(p.stage in (Stage.FLY, Stage.DOWN) for s, p in self.pilots.items() if self._join_ms[s] == 0)
+            self.targets_move = ready or self.time_s > WAIT_FOR_FLEET_S
+        return self.planner.plan(
+            snapshot,
+            steered,
+            rendezvous=decision.goals,
+            partners=decision.partners,
+            targets_move=self.targets_move,
+            period_s=self.scenario.clock.period_s,
+        )
+
+    def _ask(self, wishes: Iterable[Wish], now_s: float) -> None:
+        for wish in wishes:
+            command = CommandLong(Target(wish.sysid, AUTOPILOT), wish.command, wish.params)
+            self._outbox[wish.sysid] += self._queues[wish.sysid].send(command, now_s, token=wish.token)
+
+    def _relays(self, decision: Decision, relayable: Mapping[int, list[Frame]]) -> dict[int, list[_Relay]]:
+        """The giver's FOLLOW_TARGET and counter for the receiver, the receiver's counter for the giver."""
+        relays: dict[int, list[_Relay]] = {}
+        for giver, receiver in decision.relays:
+            relays.setdefault(receiver, []).extend(_Relay(f.raw) for f in relayable.get(giver, ()))
+            relays.setdefault(giver, []).extend(_Relay(f.raw) for f in relayable.get(receiver, ()))
+        return relays
+
+    def _queue_set_points(self, set_points: Iterable[SetPoint], snapshot: Snapshot) -> None:
+        for point in set_points:
+            offset = snapshot.vehicle(point.sysid).origin_offset_ned
+            assert offset is not None
+            n, e, d = (x - o for x, o in zip(point.p_ned, offset, strict=True))
+            values = (
+                *(self.time_ms, n, e, d, *point.v_ned, 0.0, 0.0, 0.0, 0.0, 0.0),
+                *(SET_POINT_MASK, point.sysid, AUTOPILOT, mav.MAV_FRAME_LOCAL_NED),
+            )
+            self._outbox[point.sysid].append(Message(_SET_POINT, values))
+
+    # out
+
+    def _grant_all(self, relays: Mapping[int, list[_Relay]], recording: _Recording) -> None:
+        """Send everyone the next bundle; the first one carries T = 0 and lets nobody move."""
+        now_s = self.time_s
+        grant_ms = self.time_ms + self.period_ms if recording.t_ms or self._begun else 0
+        self._begun = True
+        for key in sorted(self._link.joined):
+            sysid = key[0]
+            if key != TRAFFIC and grant_ms < self._join_ms[sysid]:
+                continue
+            messages: list[Message | _Relay] = []
+            if key != TRAFFIC:
+                if self.time_ms >= self._heartbeat_due_ms[sysid]:
+                    self._heartbeat_due_ms[sysid] = self.time_ms + round(1e3 * HEARTBEAT_EVERY_S)
+                    messages.append(self._heartbeat)
+                messages += self._outbox[sysid]
+                self._outbox[sysid] = []
+                messages += relays.get(sysid, ())
+                messages = list(self._radio.apply(sysid, "out", now_s, messages))
+            own = [m for m in messages if isinstance(m, Message)]
+            foreign = [m.raw for m in messages if isinstance(m, _Relay)]
+            recording.sent += self._link.grant(key, grant_ms, self.epoch_us + 1000 * grant_ms, own, foreign)
+        self.sent += len(recording.sent)
+        self.time_ms = grant_ms
+
+    _begun = False
+
+    def _records(self, decision: Decision, set_points: Iterable[SetPoint]) -> list[dict[str, Any]]:
+        t_s = self.time_s
+        records: list[dict[str, Any]] = [{"t_s": t_s, **record} for record in decision.records]
+        for record in records:
+            self.events.append(Event(t_s, int(record["receiver"]), "info", _sentence(record)))
+        standing = self.schedule.standing
+        if standing.v:
+            records.append(
+                {
+                    "t_s": t_s,
+                    "kind": "competition",
+                    "v": {str(sysid): v for sysid, v in standing.v.items()},
+                    "tau": {str(sysid): tau for sysid, tau in standing.tau.items()},
+                    "leader": standing.leader,
+                    "share": standing.share,
+                }
+            )
+        records += [
+            {"t_s": t_s, "kind": "set_point", "sysid": point.sysid, "p_ned": point.p_ned, "v_ned": point.v_ned}
+            for point in set_points
+        ]
+        return records
+
+    def _record(self, recording: _Recording) -> None:
+        """Recording and hashing wait until the grants are out: the vehicles fly meanwhile."""
+        t_us = self.epoch_us + 1000 * recording.t_ms
+        for raw in recording.arrived:
+            self._recorder.frame(t_us, raw)
+        for raw in recording.sent:
+            self._recorder.frame(t_us, raw)
+        self.digest.frames_in(recording.t_ms, recording.arrived)
+        self.digest.frames_out(recording.t_ms, recording.sent)
+        for content in recording.decisions:
+            self._recorder.decision(content)
+            self.digest.decision(recording.t_ms, content)
+
+
+def _sentence(record: Mapping[str, Any]) -> str:
+    """A decision for a person."""
+    receiver, tanker = record["receiver"], record["tanker"]
+    if record["kind"] == "decided":
+        return f"Refuelling of {receiver} by {tanker} decided by {record['by']}"
+    if record["kind"] == "transfer":
+        return f"Transfer from {tanker} to {receiver} begun"
+    return f"Refuelling of {receiver} by {tanker} ended: {record['reason']}, {record['energy_j']:.0f} J"

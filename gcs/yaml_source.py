@@ -1,0 +1,400 @@
+"""YAML with positions: a file becomes plain data; what is wrong with it becomes sentences with file, line and column.
+
+Scalars follow YAML 1.2's core schema, not 1.1: `on`, `no` and `1:30` are text, `1e5` is a number, `010` is ten.
+Tags, merge keys and further documents are refused; aliases are allowed up to a total size, against "billion laughs".
+Lines and columns count from 1.
+"""
+
+from __future__ import annotations
+
+import difflib
+import math
+import os
+import re
+import stat
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+import yaml
+from pydantic import ValidationError
+from pydantic_core import ErrorDetails, PydanticCustomError
+
+MAX_BYTES = 1 << 20
+MAX_DEPTH = 32
+MAX_NODES = 100_000
+MAX_DIGITS = 300  # a longer whole number is beyond every float and counts as infinite
+MAX_SHOWN = 20
+
+Path = tuple[str | int, ...]
+
+
+@dataclass(frozen=True)
+class Problem:
+    """One thing wrong with a file; `line` and `column` are None where the file as a whole is meant."""
+
+    file: str
+    line: int | None
+    column: int | None
+    message: str
+
+    def __str__(self) -> str:
+        place = "" if self.line is None else f":{self.line}:{self.column}"
+        return f"{_printable(self.file)}{place}: {self.message}"
+
+
+class ScenarioError(Exception):
+    """A scenario that cannot be used; `problems` says everything that was found, in the order of the file."""
+
+    def __init__(self, problems: Iterable[Problem]) -> None:
+        self.problems = list(problems)
+        super().__init__(self.problems)
+
+    def __str__(self) -> str:
+        more = len(self.problems) - MAX_SHOWN
+        end = f"\n... and {more} more" if more > 0 else ""
+        return "\n".join(str(problem) for problem in self.problems[:MAX_SHOWN]) + end
+
+
+class Conflict(NamedTuple):
+    """Two values that do not go together: where the sentence belongs, and the other place that it concerns."""
+
+    path: Path
+    message: str
+    also: Path | None = None
+
+
+def conflict_error(conflicts: Iterable[Conflict]) -> PydanticCustomError:
+    """The error by which a model's validator hands its conflicts (paths from the model) to `Document.explain`."""
+    found = list(conflicts)
+    text = "; ".join(conflict.message for conflict in found)
+    return PydanticCustomError("conflict", "{text}", {"text": text, "found": found})
+
+
+class _Marks(NamedTuple):
+    value: tuple[int, int]
+    key: tuple[int, int]
+
+
+class _Refused(yaml.MarkedYAMLError):
+    """Well-formed YAML that a scenario may not use."""
+
+    def __init__(self, message: str, mark: yaml.Mark) -> None:
+        super().__init__(problem=message, problem_mark=mark)
+
+
+class _Loader(yaml.SafeLoader):
+    yaml_implicit_resolvers: dict[str, Any] = {}  # noqa: RUF012 (PyYAML's own name; emptied, or 1.1's scalars are inherited)
+    _depth = 0
+
+    def compose_node(self, parent: yaml.Node | None, index: Any) -> yaml.Node | None:
+        event = self.peek_event()  # type: ignore[no-untyped-call]
+        if getattr(event, "tag", None) not in {None, "!"}:
+            raise _Refused(f"the tag {event.tag!r} is not allowed; write the plain value", event.start_mark)
+        if self._depth > MAX_DEPTH:
+            raise _Refused(f"nested more than {MAX_DEPTH} deep", event.start_mark)
+        self._depth += 1
+        node = super().compose_node(parent, index)
+        self._depth -= 1
+        return node
+
+
+class _Dumper(yaml.SafeDumper):
+    yaml_implicit_resolvers: dict[str, Any] = {}  # noqa: RUF012
+
+
+for _tag, _pattern, _first in (
+    ("null", r"~|null|Null|NULL|", ["~", "n", "N", ""]),
+    ("bool", r"true|True|TRUE|false|False|FALSE", list("tTfF")),
+    ("int", r"[-+]?[0-9]+|0o[0-7]+|0x[0-9a-fA-F]+", list("-+0123456789")),
+    ("float", r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?", list("-+.0123456789")),
+    ("float", r"[-+]?\.(inf|Inf|INF)|\.(nan|NaN|NAN)", list("-+.")),
+):
+    for _class in (_Loader, _Dumper):
+        _class.add_implicit_resolver(f"tag:yaml.org,2002:{_tag}", re.compile(rf"(?:{_pattern})\Z"), _first)
+
+
+def _whole(text: str) -> float:
+    return int(text, 0 if text[:2] in {"0x", "0o"} else 10) if len(text) <= MAX_DIGITS else math.inf
+
+
+def _real(text: str) -> float:
+    return float(text.replace(".", "") if text[-1] in "fFnN" else text)
+
+
+_SCALARS: dict[str, Callable[[str], Any]] = {
+    "null": lambda _: None,
+    "bool": lambda text: text.lower() == "true",
+    "int": _whole,
+    "float": _real,
+    "str": str,
+}
+
+
+@dataclass
+class Document:
+    """What a file says, and where it says it.
+
+    `data` is plain (dict, list, str, int, float, bool, None); `origins` maps inherited values to where they stand.
+    """
+
+    file: str
+    data: dict[str, Any] = field(default_factory=dict)
+    marks: dict[Path, _Marks] = field(default_factory=dict)
+    origins: dict[Path, Path] = field(default_factory=dict)
+
+    def value(self, path: Path) -> Any:
+        """The value at `path`, None where there is none."""
+        node: Any = self.data
+        for part in path:
+            try:
+                node = node[part]
+            except (KeyError, IndexError, TypeError):
+                return None
+        return node
+
+    def problem(self, path: Path, message: str, *, at_key: bool = False) -> Problem:
+        """`message` at the value (or the key) of `path`, or of the nearest thing around it that the file does say."""
+        path = self._written(path)
+        while path and path not in self.marks:
+            path, at_key = path[:-1], False
+        marks = self.marks.get(path, _Marks((1, 1), (1, 1)))
+        return Problem(self.file, *(marks.key if at_key else marks.value), message)
+
+    def inherit(self, source: Path, heir: Path) -> None:
+        """Give the mapping at `heir` what the mapping at `source` has and it lacks, mapping by mapping."""
+        given, own = self.value(source), self.value(heir)
+        if not isinstance(given, dict) or not isinstance(own, dict):
+            return
+        for key, value in given.items():
+            if key not in own:
+                own[key] = {} if isinstance(value, dict) else value
+                self.origins[(*heir, key)] = (*source, key)
+            self.inherit((*source, key), (*heir, key))
+
+    def explain(self, error: ValidationError, schema: dict[str, Any]) -> list[Problem]:
+        """pydantic's errors in the order of the file, each said once; the JSON Schema supplies the known keys."""
+        found = {problem for details in error.errors() for problem in self._explain(details, schema)}
+        return sorted(found, key=lambda problem: (problem.line, problem.column, problem.message))
+
+    def _written(self, path: Path) -> Path:
+        for length in range(len(path), 0, -1):
+            if path[:length] in self.origins:
+                return self.origins[path[:length]] + path[length:]
+        return path
+
+    def _explain(self, details: ErrorDetails, schema: dict[str, Any]) -> Iterator[Problem]:
+        kind, context = details["type"], details.get("ctx", {})
+        path = tuple(part for part in details["loc"] if part != "[key]")
+        if kind == "conflict":
+            for conflict in context["found"]:
+                also = f" (see line {self.problem(path + conflict.also, '').line})" if conflict.also else ""
+                yield self.problem(path + conflict.path, conflict.message + also)
+            return
+        written = self._written(path)
+        name, parent, last = dotted(written), dotted(written[:-1]), written[-1] if written else ""
+        value = self.value(path)
+        if kind == "extra_forbidden":
+            near = did_you_mean(str(last), properties(schema, path[:-1]))
+            place = f"in {parent}" if parent else "at the top level"
+            yield self.problem(path, f"unknown key {last!r} {place}{near}", at_key=True)
+        elif kind == "missing" and isinstance(last, int):
+            yield self.problem(path[:-1], f"{parent} needs more numbers: it has {len(self.value(path[:-1]))}")
+        elif kind == "missing":
+            choices = properties(schema, path[:-1]).get(str(last), {}).get("enum", [])
+            choice = f" ({' or '.join(choices)})" if choices else ""
+            yield self.problem(path[:-1], f"{parent or 'the scenario'} lacks the key {last!r}{choice}")
+        elif value is None and kind.endswith("_type"):
+            yield self.problem(path, f"{name} is left empty; give it a value or take the key out")
+        elif "[key]" in details["loc"]:
+            yield self.problem(path, f"{name} is not named as it must be ({context.get('pattern')})", at_key=True)
+        else:
+            message = details["msg"].removeprefix("Value error, ").replace(" after validation", "")
+            must = _MUST.get(kind) or re.sub(r"^\w+ should", "must", message)
+            near = did_you_mean(str(value), re.findall(r"'([^']*)'", must)) if kind == "literal_error" else ""
+            but = "" if ", not" in must else f", not {shown(value)}"
+            yield self.problem(path, f"{name} {must}{but}{near}")
+
+
+_MUST = {
+    "bool_type": "must be true or false",
+    "string_type": "must be text, in quotes if need be",
+    "float_type": "must be a number",
+    "int_type": "must be a whole number",
+    "tuple_type": "must be a list",
+    "dict_type": "must be a block of keys",
+    "model_type": "must be a block of keys",
+    "timezone_aware": "must state its time zone (end it with Z for UTC)",
+}
+
+
+def shown(value: Any) -> str:
+    """A value as a sentence about a YAML file names it."""
+    if value is None or isinstance(value, bool):
+        return {None: "nothing", True: "true", False: "false"}[value]
+    if isinstance(value, str):
+        return f"the text {value if len(value) <= 40 else value[:37] + '...'!r}"
+    if isinstance(value, list | dict):
+        return "a list" if isinstance(value, list) else "a block of keys"
+    if not math.isfinite(value):
+        return ".nan" if math.isnan(value) else ".inf" if value > 0 else "-.inf"
+    return str(value) if abs(value) < 1e15 else f"{value:g}"
+
+
+def dotted(path: Path) -> str:
+    """('vehicles', 'pursuers', 0, 'sysid') as vehicles.pursuers[0].sysid"""
+    return "".join(f"[{p}]" if isinstance(p, int) else f".{_printable(p)}" for p in path).removeprefix(".")
+
+
+def _printable(text: str) -> str:
+    return text if text.isprintable() else ascii(text)
+
+
+def did_you_mean(word: str, known: Iterable[str]) -> str:
+    """ "; did you mean 'x'?" for the known word nearest to `word`, or nothing."""
+    near = difflib.get_close_matches(word, list(known), n=1)
+    return f"; did you mean {near[0]!r}?" if near else ""
+
+
+def properties(schema: dict[str, Any], path: Path) -> dict[str, Any]:
+    """The keys that a JSON Schema knows at `path`, each with its own schema; alternatives are taken together."""
+
+    def options(node: dict[str, Any]) -> Iterator[dict[str, Any]]:
+        if "$ref" in node:
+            yield from options(schema["$defs"][node["$ref"].rsplit("/", 1)[-1]])
+        yield node
+        for alternative in (*node.get("anyOf", ()), *node.get("oneOf", ())):
+            yield from options(alternative)
+
+    nodes = list(options(schema))
+    for part in path:
+        inner = (n.get("items") if isinstance(part, int) else n.get("properties", {}).get(part) for n in nodes)
+        nodes = [option for node in inner if node for option in options(node)]
+    return {key: value for node in nodes for key, value in node.get("properties", {}).items()}
+
+
+def read(path: str | os.PathLike[str]) -> Document:
+    """The document in the file at `path`. Raises ScenarioError for whatever keeps it from being read."""
+    file = os.fspath(path)
+
+    def fail(message: str) -> ScenarioError:
+        return ScenarioError([Problem(file, None, None, message)])
+
+    try:
+        mode = os.stat(file).st_mode
+        if stat.S_ISDIR(mode):
+            raise fail("is a directory; give the path of a scenario file in it")
+        if not stat.S_ISREG(mode):
+            raise fail("is no regular file; give the path of a scenario file")
+        with open(file, "rb") as stream:
+            content = stream.read(MAX_BYTES + 1)
+    except FileNotFoundError:
+        raise fail("no such file") from None
+    except (OSError, ValueError) as error:
+        raise fail(f"cannot be read: {getattr(error, 'strerror', None) or error}") from None
+    if len(content) > MAX_BYTES:
+        raise fail(f"is larger than {MAX_BYTES >> 20} MiB, which no scenario is")
+    if b"\0" in content:
+        raise fail("is a binary file, not YAML text")
+    try:
+        return parse(content.decode("utf-8-sig"), file)
+    except UnicodeDecodeError as error:
+        line, column = _place(content[: error.start].decode("utf-8"), error.start)
+        raise ScenarioError([Problem(file, line, column, "is not UTF-8 text; save the file as UTF-8")]) from None
+
+
+def _place(text: str, position: int) -> tuple[int, int]:
+    before = text[:position]
+    return before.count("\n") + 1, len(before) - before.rfind("\n")
+
+
+def parse(text: str, file: str) -> Document:
+    """The document in `text`; `file` is the name by which problems call it. Raises ScenarioError."""
+    document = Document(file)
+    problems: list[Problem] = []
+    try:
+        root = _Loader(text).get_single_node()
+        if root is None:
+            raise ScenarioError([Problem(file, None, None, "is empty; a scenario starts with 'schema: 1'")])
+        data = _convert(document, root, problems)
+    except yaml.MarkedYAMLError as error:
+        mark = error.problem_mark or error.context_mark
+        line, column = (mark.line + 1, mark.column + 1) if mark else (None, None)
+        raise ScenarioError([Problem(file, line, column, _syntax(error))]) from None
+    except yaml.reader.ReaderError as error:
+        line, column = _place(text, error.position)
+        message = f"the character U+{error.character:04X} does not belong in YAML text"
+        raise ScenarioError([Problem(file, line, column, message)]) from None
+    except (ValueError, OverflowError):  # PyYAML lets them through for an escape that is no character, and the like
+        raise ScenarioError([Problem(file, None, None, "YAML syntax: a number or an escape is out of range")]) from None
+    if not problems and not isinstance(data, dict):
+        problems.append(document.problem((), f"a scenario is a block of keys, not {shown(data)}"))
+    if problems:
+        raise ScenarioError(problems)
+    document.data = data
+    return document
+
+
+def emit(data: dict[str, Any]) -> str:
+    """`data` as YAML that `parse` reads back equal: keys in their order, innermost lists on one line, ASCII."""
+    return str(yaml.dump(data, Dumper=_Dumper, sort_keys=False, default_flow_style=None, width=1e9))
+
+
+def _syntax(error: yaml.MarkedYAMLError) -> str:
+    message = error.problem or "cannot be read"
+    if isinstance(error, _Refused):
+        return message
+    if "another document" in message:
+        return "a second document begins here; a scenario is one document"
+    hint = "; indent with spaces, not tabs" if "'\\t'" in message else ""
+    return f"YAML syntax: {f'{error.context}: ' if error.context else ''}{message}{hint}"
+
+
+def _convert(document: Document, root: yaml.Node, problems: list[Problem]) -> Any:
+    """`root` as plain data; fills `document.marks` and `problems`. Raises _Refused where going on makes no sense."""
+    total = 0
+    open_nodes: list[yaml.Node] = []
+
+    def place(node: yaml.Node) -> tuple[int, int]:
+        return node.start_mark.line + 1, node.start_mark.column + 1
+
+    def convert(node: yaml.Node, path: Path, key_place: tuple[int, int]) -> Any:
+        nonlocal total
+        total += 1
+        if total > MAX_NODES:
+            raise _Refused(f"more than {MAX_NODES} values, aliases written out", node.start_mark)
+        if any(node is other for other in open_nodes):
+            raise _Refused("an alias stands inside what it stands for", node.start_mark)
+        document.marks[path] = _Marks(place(node), key_place)
+        if isinstance(node, yaml.ScalarNode):
+            if any("\ud800" <= character <= "\udfff" for character in node.value):
+                raise _Refused("half of a surrogate pair is no character", node.start_mark)
+            return _SCALARS[node.tag.rsplit(":", 1)[-1]](node.value)
+        open_nodes.append(node)
+        data: Any = block(node, path) if isinstance(node, yaml.MappingNode) else sequence(node, path)
+        open_nodes.pop()
+        return data
+
+    def sequence(node: yaml.Node, path: Path) -> list[Any]:
+        return [convert(item, (*path, i), place(item)) for i, item in enumerate(node.value)]
+
+    def block(node: yaml.Node, path: Path) -> dict[str, Any]:
+        data: dict[str, Any] = {}
+        for key_node, value_node in node.value:
+            line, column = place(key_node)
+            key = key_node.value
+            if not isinstance(key_node, yaml.ScalarNode):
+                problems.append(Problem(document.file, line, column, "a key must be a word, not a list or a block"))
+            elif key == "<<" and key_node.style is None:
+                problems.append(
+                    Problem(document.file, line, column, "merge keys (<<) are not allowed; repeat the keys")
+                )
+            elif key in data:
+                first = document.marks[(*path, key)].key[0]
+                message = f"duplicate key {key!r}; it is given already on line {first}"
+                problems.append(Problem(document.file, line, column, message))
+            else:
+                data[key] = convert(value_node, (*path, key), (line, column))
+        return data
+
+    return convert(root, (), place(root))

@@ -1,0 +1,45 @@
+"""Between a vehicle's local north-east-down frame and latitude, longitude and height.
+
+The local frame is the plane tangent to the WGS 84 ellipsoid at its origin, with the ellipsoid's radii of curvature
+there: against the exact conversion it is off by 1 mm at 100 m from the origin and by 0.1 m at 1 km.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from math import cos, degrees, radians
+
+from pymap3d import rcurve
+
+
+@dataclass(frozen=True)
+class LocalFrame:
+    """A local frame with its origin at latitude, longitude (degrees) and height above mean sea level (m)."""
+
+    lat_deg: float
+    lon_deg: float
+    alt_m: float
+    deg_per_north_m: float = field(init=False)
+    deg_per_east_m: float = field(init=False)
+
+    def __post_init__(self) -> None:
+        north_radius_m = float(rcurve.meridian(self.lat_deg)) + self.alt_m
+        east_radius_m = (float(rcurve.transverse(self.lat_deg)) + self.alt_m) * cos(radians(self.lat_deg))
+        object.__setattr__(self, "deg_per_north_m", degrees(1.0 / north_radius_m))
+        object.__setattr__(self, "deg_per_east_m", degrees(1.0 / east_radius_m))
+
+    def to_global(self, north_m: float, east_m: float, down_m: float) -> tuple[float, float, float]:
+        """Latitude and longitude in degrees and height above mean sea level in m of a local point."""
+        return (
+            self.lat_deg + north_m * self.deg_per_north_m,
+            self.lon_deg + east_m * self.deg_per_east_m,
+            self.alt_m - down_m,
+        )
+
+    def to_local(self, lat_deg: float, lon_deg: float, alt_m: float) -> tuple[float, float, float]:
+        """North, east and down in m of a global point."""
+        return (
+            (lat_deg - self.lat_deg) / self.deg_per_north_m,
+            (lon_deg - self.lon_deg) / self.deg_per_east_m,
+            self.alt_m - alt_m,
+        )

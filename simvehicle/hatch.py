@@ -1,0 +1,115 @@
+"""Preload once, fork a vehicle per line: contract.md, Processes.
+
+stdin: one JSON line per process, {"argv": ["--sysid", "1", …], "log": PATH}. stdout: {"ready": true} once preloaded, then
+{"sysid", "pid"} at each fork and {"sysid", "pid", "exit", "last_lines"} at each end; `exit` is negative for a signal.
+The end of stdin ends the hatch, and its children die with it, however it dies.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import ctypes
+import gc
+import json
+import os
+import selectors
+import signal
+import sys
+import traceback
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+PR_SET_PDEATHSIG = 1
+LAST_LINES = 8
+INTERNAL_ERROR = 70
+
+
+def run(main: Callable[[Sequence[str]], int], sysid_of: Callable[[Sequence[str]], int]) -> int:
+    """Serve until stdin ends. `main` runs one vehicle from its argv in a child; `sysid_of` names it."""
+    with contextlib.suppress(PermissionError):
+        os.setsid()
+    gc.freeze()
+    libc = ctypes.CDLL(None, use_errno=True)
+    _say({"ready": True})
+    with selectors.DefaultSelector() as selector:
+        selector.register(0, selectors.EVENT_READ)
+        children: dict[int, tuple[int, int, Path]] = {}
+        pending = b""
+        while True:
+            for key, _ in selector.select():
+                if key.fd != 0:
+                    _report_end(selector, key.fd, *children.pop(key.fd))
+                    continue
+                chunk = os.read(0, 65536)
+                if not chunk:
+                    _end_all(pid for pid, _, _ in children.values())
+                    return 0
+                *lines, pending = (pending + chunk).split(b"\n")
+                for line in lines:
+                    order = json.loads(line)
+                    argv, log = list(map(str, order["argv"])), Path(order["log"])
+                    sysid = sysid_of(argv)
+                    pid = _fork(main, argv, log, libc, [selector.fileno(), *children])
+                    pidfd = os.pidfd_open(pid)
+                    children[pidfd] = (pid, sysid, log)
+                    selector.register(pidfd, selectors.EVENT_READ)
+                    _say({"sysid": sysid, "pid": pid})
+
+
+def _fork(
+    main: Callable[[Sequence[str]], int], argv: list[str], log: Path, libc: ctypes.CDLL, inherited: list[int]
+) -> int:
+    parent = os.getpid()
+    pid = os.fork()
+    if pid:
+        return pid
+    status = INTERNAL_ERROR
+    try:
+        libc.prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+        if os.getppid() != parent:
+            os._exit(INTERNAL_ERROR)
+        for fd in inherited:
+            os.close(fd)
+        out = os.open(log, os.O_WRONLY | os.O_CREAT | os.O_APPEND | os.O_CLOEXEC, 0o644)
+        null = os.open(os.devnull, os.O_RDONLY)
+        os.dup2(null, 0)
+        os.dup2(out, 1)
+        os.dup2(out, 2)
+        status = main(argv)
+    except SystemExit as end:
+        status = end.code if isinstance(end.code, int) else 1
+    except KeyboardInterrupt:
+        status = 130
+    except BaseException:
+        traceback.print_exc()
+    finally:
+        with contextlib.suppress(OSError, ValueError):
+            sys.stdout.flush()
+            sys.stderr.flush()
+        os._exit(status)
+
+
+def _report_end(selector: selectors.BaseSelector, pidfd: int, pid: int, sysid: int, log: Path) -> None:
+    selector.unregister(pidfd)
+    os.close(pidfd)
+    status = os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1])
+    try:
+        last = log.read_text(encoding="utf-8", errors="replace").splitlines()[-LAST_LINES:]
+    except OSError:
+        last = []
+    _say({"sysid": sysid, "pid": pid, "exit": status, "last_lines": last})
+
+
+def _end_all(pids: Any) -> None:
+    for pid in list(pids):
+        with contextlib.suppress(ProcessLookupError):
+            os.kill(pid, signal.SIGKILL)
+        with contextlib.suppress(ChildProcessError):
+            os.waitpid(pid, 0)
+
+
+def _say(content: dict[str, Any]) -> None:
+    line = json.dumps(content).encode() + b"\n"
+    with contextlib.suppress(BrokenPipeError):
+        os.write(1, line)

@@ -1,0 +1,134 @@
+"""MAVLink 2 frames: bytes to messages and back, driven by one table.
+
+The table (ids, CRC seeds, field order, types) is taken from pymavlink's `common` dialect, a message at a time, when it is
+first needed. A message is a named tuple whose fields stand in wire order, so that packing is one `struct` call.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections import namedtuple
+from collections.abc import Iterator
+from functools import cache
+from typing import Any, NamedTuple
+
+from fastcrc.crc16 import mcrf4xx
+from pymavlink.dialects.v20 import common
+
+MAGIC = 0xFD
+HEADER = struct.Struct("<BBBBBBBHB")
+HEADER_BYTES = 10
+CHECKSUM_BYTES = 2
+SIGNATURE_BYTES = 13
+SIGNED = 0x01
+_CHECKSUM = struct.Struct("<H")
+
+
+class Frame(NamedTuple):
+    """One frame as it came: header, payload as on the wire (trailing zeros may be missing) and all its bytes."""
+
+    sysid: int
+    compid: int
+    seq: int
+    msgid: int
+    payload: bytes
+    raw: bytes
+
+
+class Schema(NamedTuple):
+    """What the table knows of one message; `arrays` holds (first slot, length) of each array in wire order."""
+
+    msgid: int
+    crc_extra: int
+    packer: struct.Struct
+    arrays: tuple[tuple[int, int], ...]
+    text: tuple[int, ...]
+    make: Any
+
+
+@cache
+def schema(msgid: int) -> Schema | None:
+    """The table's row of a message id; None where the dialect has none."""
+    definition = common.mavlink_map.get(msgid)
+    if definition is None:
+        return None
+    kinds = dict(zip(definition.fieldnames, definition.fieldtypes, strict=True))
+    wire_order = zip(definition.ordered_fieldnames, definition.array_lengths, strict=True)
+    arrays: list[tuple[int, int]] = []
+    text: list[int] = []
+    for slot, (name, length) in enumerate(wire_order):
+        if kinds[name] == "char":
+            text.append(slot)
+        elif length > 0:
+            arrays.append((slot, length))
+    make = namedtuple(definition.msgname, definition.ordered_fieldnames)  # noqa: PYI024 - the fields come from the table
+    return Schema(msgid, definition.crc_extra, definition.unpacker, tuple(arrays), tuple(text), make)
+
+
+@cache
+def message(name: str) -> Any:
+    """The named-tuple class of a message by its MAVLink name, e.g. `message("ATTITUDE")`."""
+    row = schema(getattr(common, f"MAVLINK_MSG_ID_{name}"))
+    assert row is not None
+    row.make.MSGID = row.msgid
+    return row.make
+
+
+def encode(content: Any, *, seq: int, sysid: int, compid: int) -> bytes:
+    """The frame of a message made by `message(...)`; trailing zeros of the payload are cut as MAVLink 2 asks."""
+    row = schema(content.MSGID)
+    assert row is not None
+    values = content
+    if row.arrays or row.text:
+        values = list(content)
+        for slot in row.text:
+            values[slot] = values[slot].encode("ascii", "replace")
+        for slot, _ in reversed(row.arrays):
+            values[slot : slot + 1] = values[slot]
+    payload = row.packer.pack(*values).rstrip(b"\0") or b"\0"
+    msgid = row.msgid
+    head = HEADER.pack(MAGIC, len(payload), 0, 0, seq, sysid, compid, msgid & 0xFFFF, msgid >> 16) + payload
+    return head + _CHECKSUM.pack(mcrf4xx(head[1:] + bytes((row.crc_extra,))))
+
+
+def decode(frame: Frame) -> Any | None:
+    """The named tuple of a frame's message; None where the dialect does not know its id."""
+    row = schema(frame.msgid)
+    if row is None:
+        return None
+    size = row.packer.size
+    values: Any = row.packer.unpack(frame.payload[:size].ljust(size, b"\0"))
+    if row.arrays or row.text:
+        values = list(values)
+        for slot, length in row.arrays:
+            values[slot : slot + length] = [tuple(values[slot : slot + length])]
+        for slot in row.text:
+            values[slot] = values[slot].split(b"\0", 1)[0].decode("ascii", "replace")
+    return row.make._make(values)
+
+
+def split(datagram: bytes) -> Iterator[Frame]:
+    """Every intact MAVLink 2 frame of a datagram, in order; whatever is none is passed over.
+
+    A frame of an id that the dialect does not know cannot be checked and is passed over too.
+    """
+    start, end = 0, len(datagram)
+    while end - start >= HEADER_BYTES + CHECKSUM_BYTES:
+        if datagram[start] != MAGIC:
+            start += 1
+            continue
+        _, length, incompat, _, seq, sysid, compid, low, high = HEADER.unpack_from(datagram, start)
+        body = start + HEADER_BYTES
+        check = body + length
+        stop = check + CHECKSUM_BYTES + (SIGNATURE_BYTES if incompat & SIGNED else 0)
+        row = schema(low | high << 16)
+        if (
+            stop > end
+            or incompat & ~SIGNED
+            or row is None
+            or mcrf4xx(datagram[start + 1 : check] + bytes((row.crc_extra,))) != _CHECKSUM.unpack_from(datagram, check)[0]
+        ):
+            start += 1
+            continue
+        yield Frame(sysid, compid, seq, low | high << 16, datagram[body:check], datagram[start:stop])
+        start = stop

@@ -1,0 +1,56 @@
+"""One MAVLink conversation without its socket: sequence numbers, streams, and what waits to be sent."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from simvehicle.mavlink.codec import encode
+from simvehicle.mavlink.streams import Streams
+from simvehicle.mavlink.telemetry import Snapshot
+
+DATAGRAM_BYTES = 1400
+
+
+class Connection:
+    """A connection's own sequence counter, stream schedule and outbox."""
+
+    def __init__(self, sysid: int, compid: int = 1) -> None:
+        self.sysid = sysid
+        self.compid = compid
+        self.streams = Streams()
+        self._seq = 0
+        self._outbox: list[Any] = []
+
+    def put(self, content: Any) -> None:
+        """Queue a message behind those that wait."""
+        self._outbox.append(content)
+
+    def put_due(self, snapshot: Snapshot) -> None:
+        """Queue the telemetry that is due at the snapshot's time."""
+        for stream in self.streams.due(snapshot.time_ms):
+            self._outbox.append(stream.build(snapshot))
+
+    def frames(self) -> list[bytes]:
+        """Number, encode and hand out everything that waits."""
+        frames = []
+        for content in self._outbox:
+            frames.append(encode(content, seq=self._seq, sysid=self.sysid, compid=self.compid))
+            self._seq = (self._seq + 1) & 0xFF
+        self._outbox.clear()
+        return frames
+
+
+def pack(frames: list[bytes]) -> list[bytes]:
+    """Frames in as few datagrams of at most 1,400 bytes as their order allows."""
+    datagrams: list[bytes] = []
+    waiting: list[bytes] = []
+    size = 0
+    for frame in frames:
+        if waiting and size + len(frame) > DATAGRAM_BYTES:
+            datagrams.append(b"".join(waiting))
+            waiting, size = [], 0
+        waiting.append(frame)
+        size += len(frame)
+    if waiting:
+        datagrams.append(b"".join(waiting))
+    return datagrams

@@ -1,0 +1,68 @@
+"""The vehicle's side of the supervised link: contract.md, Clock and the supervised link, rules 2, 3 and 6.
+
+A bundle is one datagram whose last frame is the supervisor's SYSTEM_TIME: the grant. Its rules:
+1. The grant's time is new and no number of the supervisor's is missing since the last grant: apply, fly, answer.
+2. The grant's time is the present: the last answer goes out again, byte for byte.
+3. The grant's time is past, a number is missing, or it is no bundle: nothing happens.
+Relayed frames keep their own header and are not numbered by the supervisor.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from pymavlink.dialects.v20 import common as mav
+
+from simvehicle.mavlink.codec import Frame, decode, message, split
+from simvehicle.mavlink.connection import Connection, pack
+
+SUPERVISOR = (255, 190)
+
+
+class Bundle(NamedTuple):
+    """A grant: frames to apply in order, the time to fly to, and the session's wall clock at it."""
+
+    frames: tuple[Frame, ...]
+    time_ms: int
+    unix_us: int
+
+
+class Grants:
+    """Which bundle is next, and the bytes of the last answer."""
+
+    def __init__(self, connection: Connection) -> None:
+        self._connection = connection
+        self._next_seq = 0
+        self._answer: list[bytes] = []
+        self.time_ms: int | None = None
+
+    def hello(self, heartbeat: object) -> bytes:
+        """The datagram that is repeated until the first bundle: HEARTBEAT 0, SYSTEM_TIME 1."""
+        self._connection.put(heartbeat)
+        self._connection.put(message("SYSTEM_TIME")(time_unix_usec=0, time_boot_ms=0))
+        return b"".join(self._connection.frames())
+
+    def feed(self, datagram: bytes) -> Bundle | list[bytes] | None:
+        """A new bundle, or the datagrams to send again, or None."""
+        frames = tuple(split(datagram))
+        if not frames or frames[-1].msgid != mav.MAVLINK_MSG_ID_SYSTEM_TIME or frames[-1][:2] != SUPERVISOR:
+            return None
+        grant = decode(frames[-1])
+        assert grant is not None
+        if self.time_ms is not None and grant.time_boot_ms <= self.time_ms:
+            return self._answer if grant.time_boot_ms == self.time_ms else None
+        seq = self._next_seq
+        for frame in frames:
+            if frame[:2] == SUPERVISOR:
+                if frame.seq != seq:
+                    return None
+                seq = (seq + 1) & 0xFF
+        self._next_seq = seq
+        self.time_ms = grant.time_boot_ms
+        return Bundle(frames[:-1], grant.time_boot_ms, grant.time_unix_usec)
+
+    def answer(self, bundle: Bundle) -> list[bytes]:
+        """Everything that waits on the connection, closed by the own SYSTEM_TIME with the grant's time."""
+        self._connection.put(message("SYSTEM_TIME")(time_unix_usec=bundle.unix_us, time_boot_ms=bundle.time_ms))
+        self._answer = pack(self._connection.frames())
+        return self._answer

@@ -1,0 +1,61 @@
+"""Which telemetry is due on one connection, and when: rates as the table has them until the other side asks for others."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from pymavlink.dialects.v20 import common as mav
+
+from simvehicle.mavlink.telemetry import TELEMETRY, Stream
+
+FASTEST_MS = 4
+
+
+class Streams:
+    """The schedule of one connection; times are ms since boot."""
+
+    def __init__(self) -> None:
+        self._interval_ms = {s.key: round(1e3 / s.rate_hz) if s.rate_hz else 0 for s in TELEMETRY}
+        self._due_ms = dict.fromkeys(self._interval_ms, 0)
+
+    def due(self, now_ms: int) -> Iterator[Stream]:
+        """Streams that are due at `now_ms`, each once, in the table's order; they count as sent."""
+        for stream in TELEMETRY:
+            interval_ms = self._interval_ms[stream.key]
+            if interval_ms and now_ms >= self._due_ms[stream.key]:
+                late = now_ms - self._due_ms[stream.key]
+                self._due_ms[stream.key] = now_ms + interval_ms - (late if late < interval_ms else 0)
+                yield stream
+
+    def hasten(self, key: str, now_ms: int) -> None:
+        """Let a stream be due now, besides its rhythm."""
+        self._due_ms[key] = now_ms
+
+    def set_interval(self, msgid: int, interval_us: float, now_ms: int) -> bool:
+        """MAV_CMD_SET_MESSAGE_INTERVAL: -1 stops, 0 restores the default; False where the vehicle has no such stream."""
+        known = False
+        for stream in TELEMETRY:
+            if stream.msgid == msgid:
+                known = True
+                if interval_us < 0:
+                    interval_ms = 0
+                elif interval_us == 0:
+                    interval_ms = round(1e3 / stream.rate_hz) if stream.rate_hz else 0
+                else:
+                    interval_ms = max(round(interval_us / 1e3), FASTEST_MS)
+                if msgid != mav.MAVLINK_MSG_ID_HEARTBEAT or interval_ms:
+                    self._interval_ms[stream.key] = interval_ms
+                    self._due_ms[stream.key] = now_ms
+        return known
+
+    def set_rate(self, key: str, rate_hz: float, now_ms: int) -> None:
+        """Send one stream at a rate; 0 stops it."""
+        self._interval_ms[key] = round(1e3 / rate_hz) if rate_hz else 0
+        self._due_ms[key] = now_ms
+
+    def interval_us(self, msgid: int) -> int | None:
+        """MESSAGE_INTERVAL of a message: -1 when it is not sent; None where the vehicle has no such stream."""
+        for stream in TELEMETRY:
+            if stream.msgid == msgid:
+                return 1000 * self._interval_ms[stream.key] or -1
+        return None

@@ -1,0 +1,326 @@
+"""What the vehicle tells of itself: a snapshot in SI and NED in, MAVLink messages in MAVLink's units out.
+
+TELEMETRY is the table: message name, rate in Hz by default on every connection, and the function that builds it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+from pymavlink.dialects.v20 import common as mav
+
+from simvehicle.geo import LocalFrame
+from simvehicle.mavlink.codec import message
+from simvehicle.mavlink.identity import Identity
+from simvehicle.modes import Mode
+
+Vec3 = tuple[float, float, float]
+
+UNKNOWN_U16 = 65535
+ALL_HEALTHY = (
+    mav.MAV_SYS_STATUS_SENSOR_3D_GYRO
+    | mav.MAV_SYS_STATUS_SENSOR_3D_ACCEL
+    | mav.MAV_SYS_STATUS_SENSOR_3D_MAG
+    | mav.MAV_SYS_STATUS_SENSOR_ABSOLUTE_PRESSURE
+    | mav.MAV_SYS_STATUS_SENSOR_GPS
+    | mav.MAV_SYS_STATUS_SENSOR_BATTERY
+    | mav.MAV_SYS_STATUS_SENSOR_MOTOR_OUTPUTS
+    | mav.MAV_SYS_STATUS_GEOFENCE
+    | mav.MAV_SYS_STATUS_AHRS
+)
+CELLS = 4
+CELL_FULL_V, CELL_EMPTY_V = 4.2, 3.5
+
+
+@dataclass(frozen=True, slots=True)
+class Snapshot:
+    """A vehicle at one instant: SI units, NED axes, angles in rad, time since boot in ms."""
+
+    identity: Identity
+    frame: LocalFrame
+    time_ms: int
+    unix_us: int
+    mode: Mode
+    armed: bool
+    landed: bool
+    ready_to_arm: bool
+    p_ned: Vec3
+    v_ned: Vec3
+    attitude_ned: Vec3
+    rates_body: Vec3
+    target_p_ned: Vec3
+    target_v_ned: Vec3
+    target_yaw_ned: float
+    home_ned: Vec3
+    power_w: float
+    drawn_j: float
+    remaining_j: float
+    capacity_j: float
+    control_effort: float
+    given_j: int
+    received_j: int
+
+    @property
+    def voltage_v(self) -> float:
+        """Pack voltage, linear in the charge."""
+        share = min(max(self.remaining_j / self.capacity_j, 0.0), 1.0)
+        return CELLS * (CELL_EMPTY_V + (CELL_FULL_V - CELL_EMPTY_V) * share)
+
+    @property
+    def percent(self) -> int:
+        """Charge in whole percent."""
+        return min(max(round(100.0 * self.remaining_j / self.capacity_j), 0), 100)
+
+
+def heartbeat(s: Snapshot) -> Any:
+    base = mav.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED | mav.MAV_MODE_FLAG_STABILIZE_ENABLED
+    if s.mode is not Mode.HOLD or s.armed:
+        base |= mav.MAV_MODE_FLAG_GUIDED_ENABLED | mav.MAV_MODE_FLAG_AUTO_ENABLED
+    if s.armed:
+        base |= mav.MAV_MODE_FLAG_SAFETY_ARMED
+    return message("HEARTBEAT")(
+        type=mav.MAV_TYPE_QUADROTOR,
+        autopilot=s.identity.autopilot,
+        base_mode=base,
+        custom_mode=s.identity.custom_mode(s.mode),
+        system_status=mav.MAV_STATE_STANDBY if s.landed else mav.MAV_STATE_ACTIVE,
+        mavlink_version=3,
+    )
+
+
+def sys_status(s: Snapshot) -> Any:
+    present = ALL_HEALTHY | mav.MAV_SYS_STATUS_PREARM_CHECK
+    health = ALL_HEALTHY | (mav.MAV_SYS_STATUS_PREARM_CHECK if s.ready_to_arm else 0)
+    return message("SYS_STATUS")(
+        onboard_control_sensors_present=present,
+        onboard_control_sensors_enabled=present,
+        onboard_control_sensors_health=health,
+        load=100,
+        voltage_battery=round(1e3 * s.voltage_v),
+        current_battery=round(1e2 * s.power_w / s.voltage_v),
+        drop_rate_comm=0,
+        errors_comm=0,
+        errors_count1=0,
+        errors_count2=0,
+        errors_count3=0,
+        errors_count4=0,
+        battery_remaining=s.percent,
+        onboard_control_sensors_present_extended=0,
+        onboard_control_sensors_enabled_extended=0,
+        onboard_control_sensors_health_extended=0,
+    )
+
+
+def extended_sys_state(s: Snapshot) -> Any:
+    landed = mav.MAV_LANDED_STATE_IN_AIR
+    if s.landed:
+        landed = mav.MAV_LANDED_STATE_ON_GROUND
+    elif s.mode is Mode.TAKEOFF:
+        landed = mav.MAV_LANDED_STATE_TAKEOFF
+    elif s.mode is Mode.LAND:
+        landed = mav.MAV_LANDED_STATE_LANDING
+    return message("EXTENDED_SYS_STATE")(vtol_state=mav.MAV_VTOL_STATE_UNDEFINED, landed_state=landed)
+
+
+def attitude(s: Snapshot) -> Any:
+    roll, pitch, yaw = s.attitude_ned
+    p, q, r = s.rates_body
+    return message("ATTITUDE")(s.time_ms, _wrapped(roll), _wrapped(pitch), _wrapped(yaw), p, q, r)
+
+
+def local_position_ned(s: Snapshot) -> Any:
+    return message("LOCAL_POSITION_NED")(s.time_ms, *s.p_ned, *s.v_ned)
+
+
+def global_position_int(s: Snapshot) -> Any:
+    lat_deg, lon_deg, alt_m = s.frame.to_global(*s.p_ned)
+    return message("GLOBAL_POSITION_INT")(
+        time_boot_ms=s.time_ms,
+        lat=round(1e7 * lat_deg),
+        lon=round(1e7 * lon_deg),
+        alt=round(1e3 * alt_m),
+        relative_alt=round(1e3 * (s.home_ned[2] - s.p_ned[2])),
+        vx=_cm_s(s.v_ned[0]),
+        vy=_cm_s(s.v_ned[1]),
+        vz=_cm_s(s.v_ned[2]),
+        hdg=round(1e2 * math.degrees(s.attitude_ned[2])) % 36000,
+    )
+
+
+def gps_raw_int(s: Snapshot) -> Any:
+    lat_deg, lon_deg, alt_m = s.frame.to_global(*s.p_ned)
+    course_deg = math.degrees(math.atan2(s.v_ned[1], s.v_ned[0]))
+    return message("GPS_RAW_INT")(
+        time_usec=s.unix_us,
+        fix_type=mav.GPS_FIX_TYPE_3D_FIX,
+        lat=round(1e7 * lat_deg),
+        lon=round(1e7 * lon_deg),
+        alt=round(1e3 * alt_m),
+        eph=70,
+        epv=100,
+        vel=min(_cm_s(math.hypot(s.v_ned[0], s.v_ned[1])), UNKNOWN_U16 - 1),
+        cog=round(1e2 * course_deg) % 36000,
+        satellites_visible=14,
+        alt_ellipsoid=round(1e3 * alt_m),
+        h_acc=300,
+        v_acc=500,
+        vel_acc=100,
+        hdg_acc=0,
+        yaw=0,
+    )
+
+
+def home_position(s: Snapshot) -> Any:
+    lat_deg, lon_deg, alt_m = s.frame.to_global(*s.home_ned)
+    return message("HOME_POSITION")(
+        latitude=round(1e7 * lat_deg),
+        longitude=round(1e7 * lon_deg),
+        altitude=round(1e3 * alt_m),
+        x=s.home_ned[0],
+        y=s.home_ned[1],
+        z=s.home_ned[2],
+        q=(1.0, 0.0, 0.0, 0.0),
+        approach_x=0.0,
+        approach_y=0.0,
+        approach_z=0.0,
+        time_usec=s.unix_us,
+    )
+
+
+def gps_global_origin(s: Snapshot) -> Any:
+    return message("GPS_GLOBAL_ORIGIN")(
+        latitude=round(1e7 * s.frame.lat_deg),
+        longitude=round(1e7 * s.frame.lon_deg),
+        altitude=round(1e3 * s.frame.alt_m),
+        time_usec=s.unix_us,
+    )
+
+
+def battery_status(s: Snapshot) -> Any:
+    cell_mv = round(1e3 * s.voltage_v / CELLS)
+    charge_ah = s.drawn_j / (CELLS * CELL_FULL_V) / 3600.0
+    return message("BATTERY_STATUS")(
+        id=0,
+        battery_function=mav.MAV_BATTERY_FUNCTION_ALL,
+        type=mav.MAV_BATTERY_TYPE_LIPO,
+        temperature=32767,
+        voltages=(cell_mv,) * CELLS + (UNKNOWN_U16,) * (10 - CELLS),
+        current_battery=round(1e2 * s.power_w / s.voltage_v),
+        current_consumed=round(1e3 * charge_ah),
+        energy_consumed=math.floor(s.drawn_j / 100.0),
+        battery_remaining=s.percent,
+        time_remaining=round(s.remaining_j / s.power_w) if s.power_w > 0.0 else 0,
+        charge_state=mav.MAV_BATTERY_CHARGE_STATE_OK,
+        voltages_ext=(0, 0, 0, 0),
+        mode=0,
+        fault_bitmask=0,
+    )
+
+
+def position_target_local_ned(s: Snapshot) -> Any:
+    return message("POSITION_TARGET_LOCAL_NED")(
+        time_boot_ms=s.time_ms,
+        coordinate_frame=mav.MAV_FRAME_LOCAL_NED,
+        type_mask=mav.POSITION_TARGET_TYPEMASK_AX_IGNORE
+        | mav.POSITION_TARGET_TYPEMASK_AY_IGNORE
+        | mav.POSITION_TARGET_TYPEMASK_AZ_IGNORE
+        | mav.POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE,
+        x=s.target_p_ned[0],
+        y=s.target_p_ned[1],
+        z=s.target_p_ned[2],
+        vx=s.target_v_ned[0],
+        vy=s.target_v_ned[1],
+        vz=s.target_v_ned[2],
+        afx=0.0,
+        afy=0.0,
+        afz=0.0,
+        yaw=_wrapped(s.target_yaw_ned),
+        yaw_rate=0.0,
+    )
+
+
+def control_effort(s: Snapshot) -> Any:
+    return message("NAMED_VALUE_FLOAT")(time_boot_ms=s.time_ms, name="CtlEffort", value=s.control_effort)
+
+
+def follow_target(s: Snapshot) -> Any:
+    lat_deg, lon_deg, alt_m = s.frame.to_global(*s.p_ned)
+    return message("FOLLOW_TARGET")(
+        timestamp=s.time_ms,
+        est_capabilities=0b11,
+        lat=round(1e7 * lat_deg),
+        lon=round(1e7 * lon_deg),
+        alt=alt_m,
+        vel=s.v_ned,
+        acc=(0.0, 0.0, 0.0),
+        attitude_q=(1.0, 0.0, 0.0, 0.0),
+        rates=(0.0, 0.0, 0.0),
+        position_cov=(0.0, 0.0, 0.0),
+        custom_state=0,
+    )
+
+
+def xfer_out(s: Snapshot) -> Any:
+    return message("NAMED_VALUE_INT")(time_boot_ms=s.time_ms, name="XferOut", value=s.given_j)
+
+
+def xfer_in(s: Snapshot) -> Any:
+    return message("NAMED_VALUE_INT")(time_boot_ms=s.time_ms, name="XferIn", value=s.received_j)
+
+
+def autopilot_version(s: Snapshot, sysid: int) -> Any:
+    """AUTOPILOT_VERSION: version 1.15.0 of a development build, which QGroundControl accepts as new enough."""
+    version = 1 << 24 | 15 << 16 | 0 << 8 | mav.FIRMWARE_VERSION_TYPE_DEV
+    return message("AUTOPILOT_VERSION")(
+        capabilities=s.identity.capabilities,
+        flight_sw_version=version,
+        middleware_sw_version=version,
+        os_sw_version=version,
+        board_version=0,
+        flight_custom_version=(0,) * 8,
+        middleware_custom_version=(0,) * 8,
+        os_custom_version=(0,) * 8,
+        vendor_id=0,
+        product_id=0,
+        uid=sysid,
+        uid2=(0,) * 18,
+    )
+
+
+def _wrapped(angle_rad: float) -> float:
+    return math.remainder(angle_rad, 2.0 * math.pi)
+
+
+def _cm_s(speed_m_s: float) -> int:
+    return min(max(round(100.0 * speed_m_s), -32768), 32767)
+
+
+class Stream(NamedTuple):
+    """One telemetry stream: its key, the message's id, its default rate and its builder."""
+
+    key: str
+    msgid: int
+    rate_hz: float
+    build: Callable[[Snapshot], Any]
+
+
+TELEMETRY: tuple[Stream, ...] = (
+    Stream("HEARTBEAT", mav.MAVLINK_MSG_ID_HEARTBEAT, 1.0, heartbeat),
+    Stream("SYS_STATUS", mav.MAVLINK_MSG_ID_SYS_STATUS, 1.0, sys_status),
+    Stream("EXTENDED_SYS_STATE", mav.MAVLINK_MSG_ID_EXTENDED_SYS_STATE, 1.0, extended_sys_state),
+    Stream("ATTITUDE", mav.MAVLINK_MSG_ID_ATTITUDE, 10.0, attitude),
+    Stream("LOCAL_POSITION_NED", mav.MAVLINK_MSG_ID_LOCAL_POSITION_NED, 10.0, local_position_ned),
+    Stream("GLOBAL_POSITION_INT", mav.MAVLINK_MSG_ID_GLOBAL_POSITION_INT, 5.0, global_position_int),
+    Stream("GPS_RAW_INT", mav.MAVLINK_MSG_ID_GPS_RAW_INT, 1.0, gps_raw_int),
+    Stream("HOME_POSITION", mav.MAVLINK_MSG_ID_HOME_POSITION, 0.5, home_position),
+    Stream("GPS_GLOBAL_ORIGIN", mav.MAVLINK_MSG_ID_GPS_GLOBAL_ORIGIN, 0.5, gps_global_origin),
+    Stream("BATTERY_STATUS", mav.MAVLINK_MSG_ID_BATTERY_STATUS, 2.0, battery_status),
+    Stream("POSITION_TARGET_LOCAL_NED", mav.MAVLINK_MSG_ID_POSITION_TARGET_LOCAL_NED, 2.0, position_target_local_ned),
+    Stream("CtlEffort", mav.MAVLINK_MSG_ID_NAMED_VALUE_FLOAT, 1.0, control_effort),
+    Stream("XferOut", mav.MAVLINK_MSG_ID_NAMED_VALUE_INT, 1.0, xfer_out),
+    Stream("XferIn", mav.MAVLINK_MSG_ID_NAMED_VALUE_INT, 1.0, xfer_in),
+    Stream("FOLLOW_TARGET", mav.MAVLINK_MSG_ID_FOLLOW_TARGET, 0.0, follow_target),
+)

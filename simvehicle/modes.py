@@ -1,0 +1,102 @@
+"""Flight modes and failsafes as one table.
+
+The rules of the table:
+1. A rule applies when its event happens, the vehicle's mode is among `when` and its arming matches `armed` (None: both).
+2. The first rule that applies decides; an event without one is refused and changes nothing.
+3. Failsafes are events too. They are listed in FAILSAFES in the order in which they are looked at, worst first.
+4. Every change is announced, with the rule's words.
+"""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import NamedTuple
+
+
+class Mode(StrEnum):
+    """What the vehicle is flying."""
+
+    TAKEOFF = "takeoff"
+    OFFBOARD = "offboard"
+    HOLD = "hold"
+    LAND = "land"
+    RETURN = "return"
+    REFUEL = "refuel"
+
+
+class Event(StrEnum):
+    """What can change the mode or the arming."""
+
+    ARM = "arm"
+    DISARM = "disarm"
+    TAKEOFF = "takeoff"
+    TAKEOFF_DONE = "takeoff done"
+    OFFBOARD = "offboard"
+    HOLD = "hold"
+    LAND = "land"
+    RETURN = "return"
+    HOME_REACHED = "home reached"
+    TOUCHDOWN = "touchdown"
+    REFUEL = "refuel"
+    REFUEL_END = "refuel end"
+    BATTERY_EMPTY = "battery empty"
+    GCS_LOST = "ground station lost"
+    SETPOINTS_LOST = "set points lost"
+
+
+class Severity(StrEnum):
+    """How loudly a change is announced."""
+
+    INFO = "info"
+    WARNING = "warning"
+    CRITICAL = "critical"
+
+
+class Rule(NamedTuple):
+    """One row: on `event` in one of `when`, go to `mode` (None: stay) and set `arming` (None: leave it)."""
+
+    event: Event
+    when: frozenset[Mode]
+    armed: bool | None
+    mode: Mode | None
+    arming: bool | None
+    severity: Severity
+    text: str
+
+
+ANY = frozenset(Mode)
+_FLYING_OFFBOARD = frozenset({Mode.OFFBOARD, Mode.REFUEL})
+_NOT_LANDING = ANY - {Mode.LAND}
+_NOT_GOING_HOME = ANY - {Mode.LAND, Mode.RETURN}
+_I, _W, _C = Severity.INFO, Severity.WARNING, Severity.CRITICAL
+
+RULES: tuple[Rule, ...] = (
+    Rule(Event.ARM, ANY - {Mode.LAND, Mode.RETURN}, False, None, True, _I, "Armed"),
+    Rule(Event.ARM, frozenset({Mode.LAND, Mode.RETURN}), False, Mode.HOLD, True, _I, "Armed, hold"),
+    Rule(Event.ARM, ANY, True, None, None, _I, ""),
+    Rule(Event.DISARM, ANY, None, Mode.HOLD, False, _I, "Disarmed"),
+    Rule(Event.TAKEOFF, ANY, True, Mode.TAKEOFF, None, _I, "Take-off"),
+    Rule(Event.TAKEOFF_DONE, frozenset({Mode.TAKEOFF}), True, Mode.HOLD, None, _I, "Take-off done, hold"),
+    Rule(Event.OFFBOARD, frozenset({Mode.REFUEL}), None, None, None, _I, ""),
+    Rule(Event.OFFBOARD, ANY, None, Mode.OFFBOARD, None, _I, "Offboard"),
+    Rule(Event.HOLD, ANY, None, Mode.HOLD, None, _I, "Hold"),
+    Rule(Event.LAND, ANY, None, Mode.LAND, None, _I, "Land"),
+    Rule(Event.RETURN, ANY, None, Mode.RETURN, None, _I, "Return to home"),
+    Rule(Event.HOME_REACHED, frozenset({Mode.RETURN}), True, Mode.LAND, None, _I, "Home reached, land"),
+    Rule(Event.TOUCHDOWN, frozenset({Mode.LAND}), True, None, False, _I, "Landed, disarmed"),
+    Rule(Event.REFUEL, _FLYING_OFFBOARD, True, Mode.REFUEL, None, _I, "Refuel"),
+    Rule(Event.REFUEL_END, frozenset({Mode.REFUEL}), None, Mode.OFFBOARD, None, _I, "Refuel ended, offboard"),
+    Rule(Event.BATTERY_EMPTY, _NOT_LANDING, True, Mode.LAND, None, _C, "Failsafe: battery empty, land"),
+    Rule(Event.GCS_LOST, _NOT_GOING_HOME, True, Mode.RETURN, None, _W, "Failsafe: ground station lost, return"),
+    Rule(Event.SETPOINTS_LOST, _FLYING_OFFBOARD, True, Mode.HOLD, None, _W, "Failsafe: set points lost, hold"),
+)
+
+FAILSAFES: tuple[Event, ...] = (Event.BATTERY_EMPTY, Event.GCS_LOST, Event.SETPOINTS_LOST)
+
+
+def rule_for(event: Event, mode: Mode, armed: bool) -> Rule | None:
+    """The first rule of the table that applies; None where the event is refused."""
+    for rule in RULES:
+        if rule.event is event and mode in rule.when and rule.armed in (None, armed):
+            return rule
+    return None

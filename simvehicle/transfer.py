@@ -1,0 +1,122 @@
+"""Giving and receiving energy in flight: contract.md, Energy and transfer.
+
+Joules move whole and fractions carry over. Each side keeps one counter for life, `given_j` or `received_j`, which it sends
+as XferOut and XferIn. A receiver credits by the largest XferOut that it has seen, so a lost frame costs nothing. Time is
+an argument; nothing here knows a message or a mode.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+from math import dist, floor
+
+SILENCE_S = 1.0
+"""Either side gives up when the other has shown no sign of life, or no progress, for this long."""
+
+
+class Role(IntEnum):
+    """param2 of MAV_CMD_USER_1."""
+
+    STOP = 0
+    GIVE = 1
+    RECEIVE = 2
+
+
+@dataclass(frozen=True)
+class Order:
+    """One transfer as the supervisor ordered it; `giver_start_j` is the giver's XferOut at the start."""
+
+    partner: int
+    role: Role
+    limit_j: float
+    rate_w: float
+    transfer_id: int
+    giver_start_j: int
+
+
+@dataclass(frozen=True)
+class Envelope:
+    """How near and how slow a giver must be for a receiver to take from it."""
+
+    capture_m: float
+    relative_speed_m_s: float
+
+
+@dataclass(frozen=True)
+class Neighbour:
+    """The partner as its FOLLOW_TARGET told it last, in the own local frame."""
+
+    p_ned: tuple[float, float, float]
+    v_ned: tuple[float, float, float]
+    seen_s: float
+
+
+def refusal(
+    neighbour: Neighbour | None,
+    p_ned: tuple[float, float, float],
+    v_ned: tuple[float, float, float],
+    now_s: float,
+    envelope: Envelope,
+) -> str | None:
+    """Why a receiver at `p_ned`, `v_ned` will not take from its partner; None when it will."""
+    if neighbour is None or now_s - neighbour.seen_s > SILENCE_S:
+        return "the giver is silent"
+    age_s = now_s - neighbour.seen_s
+    there = tuple(p + v * age_s for p, v in zip(neighbour.p_ned, neighbour.v_ned, strict=True))
+    distance_m = dist(there, p_ned)
+    if distance_m > envelope.capture_m:
+        return f"the giver is {distance_m:.1f} m away"
+    speed_m_s = dist(neighbour.v_ned, v_ned)
+    if speed_m_s > envelope.relative_speed_m_s:
+        return f"the giver moves at {speed_m_s:.1f} m/s"
+    return None
+
+
+class Transfer:
+    """One vehicle's side of a transfer in progress."""
+
+    def __init__(self, order: Order, now_s: float) -> None:
+        self.order = order
+        self._moved_j = 0
+        self._fraction_j = 0.0
+        self._heard_j = 0
+        self._progress_s = now_s
+        self._seen_in_j: int | None = None
+
+    @property
+    def moved_j(self) -> int:
+        """Whole joules given or received by this transfer so far."""
+        return self._moved_j
+
+    def give(self, dt_s: float, available_j: float) -> int:
+        """Whole joules that leave the giver in `dt_s`, of what it has."""
+        wanted_j = self._fraction_j + self.order.rate_w * dt_s
+        whole_j = floor(min(wanted_j, self.order.limit_j - self._moved_j, max(available_j, 0.0)))
+        self._fraction_j = min(wanted_j - whole_j, 1.0)
+        self._moved_j += whole_j
+        return whole_j
+
+    def hear_in(self, xfer_in_j: int, now_s: float) -> None:
+        """The receiver's XferIn, as the giver hears it."""
+        if self._seen_in_j is None or xfer_in_j > self._seen_in_j:
+            self._progress_s = now_s
+        self._seen_in_j = max(xfer_in_j, self._seen_in_j or 0)
+
+    def hear_out(self, xfer_out_j: int) -> None:
+        """The giver's XferOut, as the receiver hears it."""
+        self._heard_j = max(self._heard_j, xfer_out_j - self.order.giver_start_j)
+
+    def credit(self, room_j: float) -> int:
+        """Whole joules that the receiver books now: all that it heard of and has room for."""
+        whole_j = min(self._heard_j - self._moved_j, floor(max(room_j, 0.0)))
+        self._moved_j += whole_j
+        return whole_j
+
+    def finished(self, now_s: float) -> str | None:
+        """Why a giver stops by itself; None while it goes on."""
+        if self._moved_j >= floor(self.order.limit_j):
+            return "limit reached"
+        if now_s - self._progress_s > SILENCE_S:
+            return "the receiver takes no more"
+        return None

@@ -1,0 +1,161 @@
+"""The command protocol: one table of acknowledgements in, events and messages out; no clock but the test's."""
+
+import math
+from typing import Any
+
+import pytest
+from pymavlink.dialects.v20 import common
+
+from gcs.mavlink import codec
+from gcs.mavlink.codec import Message
+from gcs.mavlink.commands import PROGRESS_S, CommandInt, CommandLong, CommandQueue, CommandResult, Target
+
+ARM, TAKEOFF = common.MAV_CMD_COMPONENT_ARM_DISARM, common.MAV_CMD_NAV_TAKEOFF
+ACCEPTED, DENIED, IN_PROGRESS = (
+    common.MAV_RESULT_ACCEPTED,
+    common.MAV_RESULT_DENIED,
+    common.MAV_RESULT_IN_PROGRESS,
+)
+VEHICLE = Target(3, 1)
+
+
+def ack(command: int, result: int = ACCEPTED, target: tuple[int, int] = (255, 190)) -> Any:
+    raw = codec.encode(
+        "COMMAND_ACK", 0, 3, 1, command=command, result=result, target_system=target[0], target_component=target[1]
+    )
+    return codec.fields(codec.split(raw).frames[0])
+
+
+def decoded(message: Message) -> Any:
+    """The message as pymavlink reads it."""
+    (read,) = common.MAVLink(None).parse_buffer(codec.frame(message, 0, 255, 190))
+    return read
+
+
+@pytest.fixture
+def queue() -> CommandQueue:
+    return CommandQueue(255, 190)
+
+
+def test_command_long_reaches_pymavlink_whole(queue: CommandQueue) -> None:
+    (message,) = queue.send(CommandLong(VEHICLE, TAKEOFF, (1, 2, 3, math.nan, 5, 6, 7)), 0.0)
+    read = decoded(message)
+    assert (read.get_type(), read.command, read.confirmation) == ("COMMAND_LONG", TAKEOFF, 0)
+    assert (read.target_system, read.target_component) == VEHICLE
+    assert [read.param1, read.param2, read.param3, read.param5, read.param6, read.param7] == [1, 2, 3, 5, 6, 7]
+    assert math.isnan(read.param4)
+
+
+def test_command_int_reaches_pymavlink_whole_and_is_repeated_unchanged(queue: CommandQueue) -> None:
+    command = CommandInt(VEHICLE, TAKEOFF, frame=6, params=(1, 2), x=473977418, y=-85455938, z=12.5)
+    (message,) = queue.send(command, 0.0)
+    read = decoded(message)
+    assert (read.get_type(), read.command, read.frame) == ("COMMAND_INT", TAKEOFF, 6)
+    assert (read.param1, read.param2, read.param3, read.x, read.y, read.z) == (1, 2, 0, 473977418, -85455938, 12.5)
+    assert queue.poll(0.5).messages == [message]
+
+
+def test_acceptance_ends_the_command(queue: CommandQueue) -> None:
+    queue.send(CommandLong(VEHICLE, ARM, (1,)), 0.0, token="arm 3")
+    step = queue.on_ack(3, 1, ack(ARM), 0.1)
+    assert step == ([], [CommandResult(ARM, VEHICLE, "accepted", ACCEPTED, 1, "arm 3")])
+    assert queue.idle
+    assert queue.poll(99.0) == ([], [])
+    assert queue.resent == 0
+
+
+@pytest.mark.parametrize("result", [1, 2, 3, 4, 6])
+def test_any_other_final_result_is_a_rejection_with_its_code(queue: CommandQueue, result: int) -> None:
+    queue.send(CommandLong(VEHICLE, ARM, (1,)), 0.0)
+    assert queue.on_ack(3, 1, ack(ARM, result), 0.1).results == [
+        CommandResult(ARM, VEHICLE, "rejected", result, 1, None)
+    ]
+
+
+def test_silence_brings_three_repetitions_half_a_second_apart_then_a_time_out(queue: CommandQueue) -> None:
+    queue.send(CommandLong(VEHICLE, ARM, (1,)), 10.0)
+    seen = []
+    for tick in range(1, 40):
+        now_s = 10.0 + tick * 0.1
+        step = queue.poll(now_s)
+        seen += [(round(now_s, 6), decoded(message).confirmation) for message in step.messages]
+        seen += [(round(now_s, 6), result) for result in step.results]
+    assert seen == [
+        (10.5, 1),
+        (11.0, 2),
+        (11.5, 3),
+        (12.0, CommandResult(ARM, VEHICLE, "timeout", None, 4, None)),
+    ]
+    assert queue.resent == 3
+    assert queue.idle
+
+
+def test_acknowledgement_of_a_repetition_counts_its_attempts(queue: CommandQueue) -> None:
+    queue.send(CommandLong(VEHICLE, ARM, (1,)), 0.0)
+    queue.poll(0.5)
+    assert queue.on_ack(3, 1, ack(ARM), 0.6).results[0].attempts == 2
+
+
+def test_progress_extends_and_a_lost_final_acknowledgement_is_asked_for_again(queue: CommandQueue) -> None:
+    queue.send(CommandLong(VEHICLE, TAKEOFF), 0.0)
+    assert queue.on_ack(3, 1, ack(TAKEOFF, IN_PROGRESS), 0.4) == ([], [])
+    assert queue.on_ack(3, 1, ack(TAKEOFF, IN_PROGRESS), 4.0) == ([], [])
+    assert queue.poll(4.0 + PROGRESS_S - 0.01) == ([], [])
+    (message,) = queue.poll(4.0 + PROGRESS_S).messages
+    assert decoded(message).confirmation == 1
+    assert queue.on_ack(3, 1, ack(TAKEOFF), 9.1).results[0].outcome == "accepted"
+
+
+def test_same_id_waits_its_turn_and_others_do_not(queue: CommandQueue) -> None:
+    first = CommandLong(VEHICLE, common.MAV_CMD_SET_MESSAGE_INTERVAL, (30,))
+    second = CommandLong(VEHICLE, common.MAV_CMD_SET_MESSAGE_INTERVAL, (32,))
+    assert len(queue.send(first, 0.0, token=1)) == 1
+    assert queue.send(second, 0.0, token=2) == []
+    assert len(queue.send(CommandLong(VEHICLE, ARM), 0.0)) == 1
+    assert len(queue.send(CommandLong(Target(3, 100), first.command, (30,)), 0.0)) == 1
+    step = queue.on_ack(3, 1, ack(first.command, DENIED), 0.1)
+    assert [result.token for result in step.results] == [1]
+    assert [decoded(message).param1 for message in step.messages] == [32]
+    assert queue.on_ack(3, 1, ack(first.command), 0.2).results[0].token == 2
+
+
+def test_waiting_command_starts_when_the_one_before_it_times_out(queue: CommandQueue) -> None:
+    queue.send(CommandLong(VEHICLE, ARM, (1,)), 0.0, retries=0)
+    queue.send(CommandLong(VEHICLE, ARM, (0,)), 0.0)
+    step = queue.poll(0.5)
+    assert step.results[0].outcome == "timeout"
+    assert [decoded(message).param1 for message in step.messages] == [0]
+    assert queue.poll(0.9) == ([], [])
+    assert len(queue.poll(1.0).messages) == 1
+
+
+def test_acknowledgements_for_others_from_others_or_of_nothing_are_ignored(queue: CommandQueue) -> None:
+    queue.send(CommandLong(VEHICLE, ARM, (1,)), 0.0)
+    for sysid, compid, stray in (
+        (3, 1, ack(ARM, target=(254, 190))),
+        (3, 1, ack(ARM, target=(255, 191))),
+        (3, 1, ack(TAKEOFF)),
+        (4, 1, ack(ARM)),
+        (3, 100, ack(ARM)),
+    ):
+        assert queue.on_ack(sysid, compid, stray, 0.1) == ([], [])
+    assert not queue.idle
+
+
+def test_unaddressed_acknowledgement_and_any_component_of_a_broadcast_count(queue: CommandQueue) -> None:
+    queue.send(CommandLong(VEHICLE, ARM, (1,)), 0.0)
+    assert len(queue.on_ack(3, 1, ack(ARM, target=(0, 0)), 0.1).results) == 1
+    queue.send(CommandLong(Target(3, 0), ARM, (1,)), 1.0)
+    assert queue.on_ack(3, 1, ack(ARM), 1.1).results[0].target == (3, 0)
+
+
+def test_command_that_does_not_fit_is_refused_and_leaves_no_trace(queue: CommandQueue) -> None:
+    with pytest.raises(ValueError, match="holds 7"):
+        queue.send(CommandLong(VEHICLE, ARM, (0.0,) * 8), 0.0)
+    with pytest.raises(ValueError, match="holds 4"):
+        queue.send(CommandInt(VEHICLE, ARM, 0, (0.0,) * 5), 0.0)
+    with pytest.raises(ValueError, match=r"COMMAND_INT.x cannot be nan"):
+        queue.send(CommandInt(VEHICLE, ARM, 0, x=math.nan), 0.0)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match=r"COMMAND_LONG.target_system cannot be 256"):
+        queue.send(CommandLong(Target(256, 1), ARM), 0.0)
+    assert queue.idle

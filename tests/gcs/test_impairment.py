@@ -1,0 +1,140 @@
+"""The bad radio: statistics, order in time, and the same fate every time."""
+
+import math
+import subprocess
+import sys
+from typing import Any
+
+import pytest
+
+from gcs.impairment import Blackout, Impairment
+
+MANY = 20_000
+
+
+def flown(radio: Impairment, ticks: int, per_tick: int = 5, sysid: int = 1) -> list[tuple[float, int]]:
+    """(delivery time, number of the frame) of frames numbered in the order of sending, ticks 0.1 s apart."""
+    out = []
+    for tick in range(ticks):
+        frames = list(range(tick * per_tick, (tick + 1) * per_tick))
+        out += [(tick / 10, frame) for frame in radio.apply(sysid, "in", tick / 10, frames)]
+    return out
+
+
+def numbers(flight: list[tuple[float, int]]) -> list[int]:
+    return [number for _, number in flight]
+
+
+def test_clear_radio_hands_back_the_very_frames() -> None:
+    radio, frames = Impairment(seed=5), [object(), object()]
+    assert radio.clear
+    assert radio.apply(1, "in", 0.0, frames) is frames
+
+
+def test_share_lost_is_the_loss() -> None:
+    radio = Impairment(loss=0.2, seed=1)
+    through = len(radio.apply(1, "out", 0.0, range(MANY)))
+    # Five standard deviations of the binomial law.
+    assert abs(through - 0.8 * MANY) < 5 * math.sqrt(MANY * 0.2 * 0.8)
+
+
+def test_share_duplicated_is_the_duplicate_rate() -> None:
+    through = Impairment(duplicate=0.1, seed=1).apply(1, "out", 0.0, range(MANY))
+    assert set(through) == set(range(MANY))
+    assert abs(len(through) - 1.1 * MANY) < 5 * math.sqrt(MANY * 0.1 * 0.9)
+
+
+def test_certain_loss_loses_all_and_certain_duplication_doubles_all() -> None:
+    assert list(Impairment(loss=1.0).apply(1, "in", 0.0, range(100))) == []
+    assert list(Impairment(duplicate=1.0).apply(1, "in", 0.0, [1, 2])) == [1, 1, 2, 2]
+
+
+def test_delay_of_whole_ticks_arrives_on_its_tick_in_order() -> None:
+    flight = flown(Impairment(delay_s=0.2), ticks=50)
+    assert flight == [(tick / 10, 5 * (tick - 2) + i) for tick in range(2, 50) for i in range(5)]
+
+
+def test_jitter_stays_within_its_bounds_and_lets_frames_overtake() -> None:
+    flight = flown(Impairment(delay_s=0.2, jitter_s=0.3, seed=2), ticks=200)
+    waits = [round(at - (number // 5) / 10, 6) for at, number in flight]
+    assert min(waits) == 0.3  # 0.2 s only for a draw of exactly 0
+    assert max(waits) == 0.5
+    assert numbers(flight) != sorted(numbers(flight))
+    assert set(range(970)) <= set(numbers(flight))  # all but those sent in the last 0.5 s, each once
+    assert len(set(numbers(flight))) == len(flight)
+
+
+def test_reordered_frame_follows_the_next_one_even_over_ticks() -> None:
+    radio = Impairment(reorder=0.3, seed=3)
+    flight = numbers(flown(radio, ticks=400))
+    assert len(set(flight)) == len(flight)
+    assert set(range(1980)) <= set(flight)
+    late = [i for i in range(1, len(flight)) if flight[i] < max(flight[:i])]
+    assert abs(len(late) - 0.3 * len(flight)) < 5 * math.sqrt(len(flight) * 0.3 * 0.7)
+
+
+def test_nothing_passes_in_a_blackout_of_that_vehicle_only() -> None:
+    radio = Impairment(blackouts=[Blackout(sysid=1, from_s=1.0, to_s=2.0)])
+    times = sorted({at for at, _ in flown(radio, ticks=30)})
+    assert times == [tick / 10 for tick in (*range(10), *range(20, 30))]
+    assert len(flown(radio, ticks=30, sysid=2)) == 150
+
+
+def test_other_vehicles_and_directions_do_not_change_a_vehicles_fate() -> None:
+    settings: dict[str, Any] = {"loss": 0.3, "jitter_s": 0.2, "duplicate": 0.1, "reorder": 0.1, "seed": 9}
+    alone = flown(Impairment(**settings), ticks=50)
+    radio = Impairment(**settings)
+    crowded = []
+    for tick in range(50):
+        radio.apply(2, "in", tick / 10, range(tick))
+        radio.apply(1, "out", tick / 10, range(7))
+        frames = list(range(tick * 5, tick * 5 + 5))
+        crowded += [(tick / 10, frame) for frame in radio.apply(1, "in", tick / 10, frames)]
+    assert crowded == alone
+
+
+def test_vehicles_directions_and_seeds_have_fates_of_their_own() -> None:
+    radio = Impairment(loss=0.5, seed=1)
+    fates = {tuple(radio.apply(sysid, way, 0.0, range(64))) for sysid in (1, 2) for way in ("in", "out")}
+    fates.add(tuple(Impairment(loss=0.5, seed=2).apply(1, "in", 0.0, range(64))))
+    assert len(fates) == 5
+
+
+def test_more_loss_loses_the_same_frames_and_others() -> None:
+    mild = set(Impairment(loss=0.1, seed=4).apply(1, "in", 0.0, range(1000)))
+    harsh = set(Impairment(loss=0.4, seed=4).apply(1, "in", 0.0, range(1000)))
+    assert harsh < mild
+
+
+def test_fate_is_the_same_in_every_process() -> None:
+    code = (
+        "from gcs.impairment import Impairment\n"
+        "radio = Impairment(loss=0.3, jitter_s=0.5, duplicate=0.2, reorder=0.2, seed=7)\n"
+        "print([list(radio.apply(s, 'in', t / 10, range(9))) for t in range(9) for s in (1, 2)])"
+    )
+    runs = {
+        subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, env=env).stdout
+        for env in ({"PYTHONHASHSEED": "1"}, {"PYTHONHASHSEED": "2"})
+    }
+    assert len(runs) == 1
+
+
+def test_frames_need_no_order_of_their_own() -> None:
+    frames = [object(), object()]
+    assert list(Impairment(duplicate=1.0).apply(1, "in", 0.0, frames)) == [frames[0]] * 2 + [frames[1]] * 2
+
+
+@pytest.mark.parametrize(
+    ("setting", "value"),
+    [
+        ("loss", 1.1),
+        ("loss", math.nan),
+        ("duplicate", -0.1),
+        ("reorder", 2.0),
+        ("delay_s", -1.0),
+        ("jitter_s", math.inf),
+    ],
+)
+def test_setting_out_of_range_is_named(setting: str, value: float) -> None:
+    with pytest.raises(ValueError, match=f"radio {setting} "):
+        Impairment(**{setting: value})

@@ -1,0 +1,239 @@
+"""Truth: kinematics by hand, model.md 6's path, and the plain field as the measure of the feed-forward."""
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from gcs.planner import fuzzy, obstacles
+from gcs.planner.leader import advance
+from gcs.planner.potential_field import Field
+
+FIELD = Field()
+NO_OBSTACLE = obstacles.table([])
+NWU_TO_NED = np.array([1.0, -1.0, -1.0])
+EXAMPLE_1 = NWU_TO_NED * [
+    (1, 2, 1.5), (2, 2, 1), (2, 2, 2), (4, 2.2, 2.1), (4.1, 3, 2.1), (3, 5, 2.1), (4, 5, 2.1), (5, 5, 2.3),
+    (5.8, 5, 2.4), (8, 5, 2.6), (8.3, 6, 2.7), (8, 8, 2.6), (8.5, 8, 2.7),
+]  # fmt: skip
+WALL = [(5, -0.5, 0), (5, 0, 0), (5, 0.5, 0)]
+Path = Callable[[float], np.ndarray]
+
+
+def tick(q: object, memory: np.ndarray, goals: object, velocity: object, **changed: object) -> tuple[np.ndarray, ...]:
+    n = len(q)  # type: ignore[arg-type]
+    moving = changed.pop("moving", np.zeros((0, 3)))
+    m = len(moving)  # type: ignore[arg-type]
+    arguments: dict[str, object] = {
+        "repulsors": NO_OBSTACLE, "moving": moving, "ranges_m": np.ones(m), "owner": np.full(m, -1),
+        "exempt": np.zeros((n, m), bool), "field": FIELD, "speed_m_s": np.full(n, 2.0), "period_s": 0.1, "escape": True,
+    }  # fmt: skip
+    return advance(q, memory, goals, velocity, **(arguments | changed))  # type: ignore[arg-type]
+
+
+def one(q: object, goal: object, **changed: object) -> tuple[np.ndarray, ...]:
+    return tick([q], fuzzy.new_memory(1), [goal], [(0, 0, 0)], **changed)
+
+
+def follow(
+    path: Path, duration_s: float, *, points: object = (), fed: bool = True, speed: float = 2.0, **changed: object
+) -> tuple[np.ndarray, np.ndarray, float]:
+    """One leader from the path's start: points (k, 3), distances from the goal (k,) after each period, clearance."""
+    table = obstacles.points(np.array(points, dtype=float).reshape(-1, 3))
+    q, memory = np.array([path(0.0)]), fuzzy.new_memory(1)
+    trail, lag = [q[0]], []
+    for k in range(round(duration_s / 0.1)):
+        t = 0.1 * k
+        velocity = (path(t + 1e-6) - path(t)) / 1e-6 * fed
+        q, memory, _ = tick(q, memory, [path(t)], [velocity], repulsors=table, speed_m_s=[speed], **changed)
+        trail.append(q[0])
+        lag.append(float(np.linalg.norm(q[0] - path(t + 0.1))))
+    return np.array(trail), np.array(lag), float(obstacles.clearance(table, np.array(trail)).min())
+
+
+def straight(start: object, end: object, speed: float) -> tuple[Path, float]:
+    a, b = np.array(start, dtype=float), np.array(end, dtype=float)
+    length = float(np.linalg.norm(b - a))
+    return (lambda t: a + (b - a) / length * min(speed * t, length)), length / speed + 5
+
+
+def circle(speed: float) -> Path:
+    return lambda t: 3 * np.array([math.cos(speed / 3 * t), math.sin(speed / 3 * t), 0])
+
+
+@pytest.mark.parametrize("speed", [0.3, 1.0, 2.5, 7.0])
+def test_towards_a_far_goal_it_flies_at_its_speed(speed: float) -> None:
+    q, _, v = one((0, 0, 0), (30, 40, 0), speed_m_s=[speed])
+    assert v[0] == pytest.approx([0.6 * speed, 0.8 * speed, 0])
+    assert q[0] == pytest.approx(v[0] * 0.1)
+
+
+def test_within_a_metre_of_the_goal_it_slows_down_in_proportion() -> None:
+    # One step of 0.1 m, |F| = k0 · 0.4 m.
+    assert one((0, 0, 0), (0.4, 0, 0), speed_m_s=[1.0])[2][0] == pytest.approx([0.4, 0, 0])
+
+
+def test_at_rest_it_stays() -> None:
+    assert (one((1, 2, 3), (5, 5, 5), speed_m_s=[0.0])[0] == [(1, 2, 3)]).all()
+    assert (one((1, 2, 3), (1, 2, 3))[0] == [(1, 2, 3)]).all()
+
+
+def test_example_1_is_flown_at_the_published_length_and_clearance() -> None:
+    table = obstacles.points(EXAMPLE_1)
+    trail, memory = [np.zeros((1, 3))], fuzzy.new_memory(1)
+    for goal in NWU_TO_NED * [(5, 5, 1.5), (10, 10, 3)]:
+        while np.linalg.norm(trail[-1][0] - goal) > 0.1:
+            q, memory, _ = tick(trail[-1], memory, [goal], [(0, 0, 0)], repulsors=table, speed_m_s=[1.0])
+            trail.append(q)
+            assert len(trail) < 300
+    path = np.concatenate(trail)
+    # model.md 6: 14.5 m and 0.451 m, measured with full steps; slowing down before a point rounds the path off less.
+    assert np.linalg.norm(np.diff(path, axis=0), axis=1).sum() == pytest.approx(14.5, abs=0.1)
+    assert obstacles.clearance(table, path).min() > 0.451
+
+
+@pytest.mark.parametrize("speed", [0.5, 1.0, 3.0])
+def test_the_escape_takes_it_past_an_obstacle_exactly_on_its_line(speed: float) -> None:
+    """The minimum is a saddle: only exactly on the axis does the plain field stop; 1e-9 m beside it would free it."""
+    ticks = round(30 / speed / 0.1)
+    for escape in (True, False):
+        q, memory = np.zeros((1, 3)), fuzzy.new_memory(1)
+        for _ in range(ticks):
+            q, memory, v = tick(
+                q, memory, [(10, 0, 0)], [(0, 0, 0)],
+                repulsors=obstacles.points([(5, 0, 0)]), speed_m_s=[speed], escape=escape,
+            )  # fmt: skip
+        if escape:
+            assert np.linalg.norm(q[0] - (10, 0, 0)) < 0.1
+        else:
+            assert 4 < q[0][0] < 5
+            assert np.linalg.norm(v) < 1e-6
+
+
+@pytest.mark.parametrize("speed", [0.4, 0.8, 1.9])
+def test_a_moving_goal_is_followed_without_lag_when_the_field_is_free(speed: float) -> None:
+    path, _ = straight((0, 0, 0), (30, 40, 0), speed)
+    assert follow(path, 10)[1].max() < 1e-6
+    assert follow(path, 10, fed=False)[1][-1] > speed / 2 * 0.05
+
+
+def test_a_goal_on_a_circle_is_followed_within_centimetres() -> None:
+    assert follow(circle(0.8), 25)[1].max() < 0.01
+    assert follow(circle(0.8), 25, fed=False)[1][-1] > 0.3
+
+
+def test_it_never_exceeds_its_speed() -> None:
+    trail, _, _ = follow(circle(3.0), 10, points=[(0, 3, 0)])
+    assert np.linalg.norm(np.diff(trail, axis=0), axis=1).max() <= 0.2 + 1e-12
+
+
+STANDARD = {
+    "one obstacle on the line": [(5, 0, 0)],
+    "one beside the line": [(5, 0.3, 0)],
+    "Example 1": EXAMPLE_1,
+}
+
+
+@pytest.mark.parametrize("speed", [0.8, 1.5])
+@pytest.mark.parametrize("scene", STANDARD)
+def test_feed_forward_brings_it_no_closer_to_an_obstacle(scene: str, speed: float) -> None:
+    path, duration = straight((0, 0, 0), (10, -10, -3) if scene == "Example 1" else (10, 0, 0), speed)
+    fed = follow(path, duration, points=STANDARD[scene])
+    plain = follow(path, duration, points=STANDARD[scene], fed=False)
+    assert fed[2] >= plain[2]
+    assert fed[1][-1] < 0.01
+
+
+@pytest.mark.parametrize("speed", [0.8, 1.5])
+@pytest.mark.parametrize(
+    "points",
+    [
+        WALL,
+        [(5, -0.8, 0), (5, 0, 0), (5, 0.8, 0)],
+        [*WALL, (4.5, -0.5, 0), (4.5, 0.5, 0)],
+        [*WALL, (4.5, -0.5, 0), (4.5, 0.5, 0), (4, -0.5, 0), (4, 0.5, 0)],
+    ],
+    ids=["wall 0.5 m", "wall 0.8 m", "shallow U", "deep U"],
+)
+def test_feed_forward_around_walls_costs_at_most_two_centimetres(points: object, speed: float) -> None:
+    # The two fly by at different times on different paths, so that no order between them holds exactly.
+    path, duration = straight((0, 0, 0), (10, 0, 0), speed)
+    fed = follow(path, duration, points=points)
+    assert fed[2] > follow(path, duration, points=points, fed=False)[2] - 0.02
+    assert fed[1][-1] < 0.01
+
+
+def test_vehicles_repel_each_other_but_not_themselves() -> None:
+    at = np.array([(0, 0, 0), (0.5, 0, 0)], dtype=float)
+    q, _, _ = tick(at, fuzzy.new_memory(2), at, np.zeros((2, 3)), moving=at, owner=[0, 1])
+    assert q[0][0] < 0
+    assert q[1][0] > 0.5
+    assert q[0] == pytest.approx(np.array([0.5, 0, 0]) - q[1])
+
+
+def test_an_exempt_pair_does_not_repel_and_the_exemption_is_one_way() -> None:
+    at = np.array([(0, 0, 0), (0.5, 0, 0)], dtype=float)
+    exempt = np.array([[False, True], [False, False]])
+    q, _, _ = tick(at, fuzzy.new_memory(2), at, np.zeros((2, 3)), moving=at, owner=[0, 1], exempt=exempt)
+    assert (q[0] == 0).all()
+    assert q[1][0] > 0.5
+    assert not exempt[0, 0]
+
+
+def test_a_moving_repulsor_acts_within_its_own_range() -> None:
+    near, far = (one((0, 0, 0), (0, 0, 0), moving=[(1.4, 0, 0)], ranges_m=[r])[0][0] for r in (1.5, 1.3))
+    assert near[0] < 0
+    assert (far == 0).all()
+
+
+def test_the_order_of_leaders_does_not_matter_and_results_repeat_exactly() -> None:
+    rng = np.random.default_rng(2)
+    at, goals, velocity = rng.uniform(-2, 2, (3, 30, 3))
+    order = rng.permutation(30)
+    table = obstacles.points(rng.uniform(-2, 2, (20, 3)))
+
+    def run(which: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        q, memory = at[which], fuzzy.new_memory(30)
+        for _ in range(20):
+            q, memory, _ = tick(q, memory, goals[which], velocity[which], repulsors=table)
+        return q, memory
+
+    plain, shuffled = run(np.arange(30)), run(order)
+    assert np.array_equal(plain[0][order], shuffled[0])
+    assert np.array_equal(plain[1][order], shuffled[1])
+
+
+def test_the_arguments_are_left_alone() -> None:
+    q, memory = np.zeros((1, 3)), fuzzy.new_memory(1)
+    tick(q, memory, [(5, 0, 0)], [(0, 0, 0)])
+    assert (q == 0).all()
+    assert (memory == 0).all()
+
+
+def test_no_leader_is_no_work() -> None:
+    q, memory, v = tick(np.zeros((0, 3)), fuzzy.new_memory(0), np.zeros((0, 3)), np.zeros((0, 3)))
+    assert q.shape == v.shape == (0, 3)
+    assert memory.shape == (0, fuzzy.MEMORY_SIZE)
+
+
+@pytest.mark.parametrize(
+    ("changed", "says"),
+    [
+        ({"speed_m_s": [-1.0]}, "speed_m_s"),
+        ({"period_s": 0.0}, "period_s"),
+        ({"exempt": np.zeros((2, 2), bool)}, "exempt"),
+        ({"moving": [(1, 0, 0)], "owner": [1]}, "owner"),
+        ({"moving": [(1, math.nan, 0)]}, "moving"),
+        ({"moving": [(1, 0, 0)], "ranges_m": []}, "ranges_m"),
+        ({"repulsors": np.zeros((1, 3))}, "repulsors"),
+    ],
+)
+def test_a_wrong_argument_is_refused_by_name(changed: dict[str, object], says: str) -> None:
+    with pytest.raises(ValueError, match=says):
+        one((0, 0, 0), (1, 0, 0), **changed)
+
+
+def test_a_goal_that_is_not_a_number_is_refused() -> None:
+    with pytest.raises(ValueError, match="goals"):
+        one((0, 0, 0), (math.nan, 0, 0))

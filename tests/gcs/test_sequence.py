@@ -1,0 +1,198 @@
+"""Sequence numbers: gaps, and ticks gathered from datagrams that the network mistreats."""
+
+import random
+from collections.abc import Sequence
+
+import pytest
+
+from gcs.mavlink import codec
+from gcs.mavlink.codec import Frame
+from gcs.mavlink.sequence import FIRST_ANSWER, GapCounter, SequenceCounter, TickCollector, is_hello
+
+SYSID, COMPID = 4, 1
+
+
+def heartbeat(seq: int, sysid: int = SYSID, compid: int = COMPID) -> bytes:
+    fields = {"type": 2, "autopilot": 12, "base_mode": 0, "custom_mode": 0, "system_status": 4}
+    return codec.encode("HEARTBEAT", seq % 256, sysid, compid, **fields)
+
+
+def system_time(seq: int, t_ms: int, sysid: int = SYSID) -> bytes:
+    return codec.encode("SYSTEM_TIME", seq % 256, sysid, COMPID, time_unix_usec=10**15, time_boot_ms=t_ms)
+
+
+def answer(first: int, t_ms: int, count: int) -> list[bytes]:
+    """A tick's frames, the answer last."""
+    return [heartbeat(first + i) for i in range(count - 1)] + [system_time(first + count - 1, t_ms)]
+
+
+def received(raws: Sequence[bytes]) -> list[Frame]:
+    return codec.split(b"".join(raws)).frames
+
+
+HELLO = [heartbeat(0), system_time(1, 0)]
+
+
+def test_counter_gives_every_number_once_and_wraps() -> None:
+    counter = SequenceCounter()
+    assert [counter.take() for _ in range(257)] == [*range(256), 0]
+    assert SequenceCounter(FIRST_ANSWER).take() == 2
+
+
+@pytest.mark.parametrize(
+    ("numbers", "lost"),
+    [
+        ([5, 6, 7], 0),
+        ([254, 255, 0, 1], 0),
+        ([5, 8], 2),  # 6 and 7
+        ([254, 1], 2),  # 255 and 0
+        ([5, 5, 6, 6], 0),
+        ([5, 7, 6, 8], 0),
+        ([5, 8, 6, 9, 6], 1),  # 7; the second 6 is a duplicate
+        ([5, 8, 7, 6, 7, 6, 9], 0),
+    ],
+)
+def test_gaps_are_counted_as_lost(numbers: list[int], lost: int) -> None:
+    gaps = GapCounter()
+    for number in numbers:
+        gaps.feed(1, 1, number)
+    assert gaps.lost == lost
+
+
+def test_each_sender_has_its_own_numbers() -> None:
+    gaps = GapCounter()
+    for sender in ((1, 1), (1, 100), (2, 1)):
+        gaps.feed(*sender, 10)
+    for sender in ((1, 1), (1, 100), (2, 1)):
+        gaps.feed(*sender, 12)
+    assert gaps.lost == 3
+
+
+def test_gap_count_is_the_true_loss_over_many_turns() -> None:
+    rng = random.Random(3)
+    gaps = GapCounter()
+    kept = [n for n in range(5000) if n in (0, 4999) or rng.random() > 0.3]
+    for number in kept:
+        gaps.feed(1, 1, number % 256)
+    assert gaps.lost == 5000 - len(kept)
+
+
+def test_gap_count_ignores_order_and_repetition() -> None:
+    rng = random.Random(4)
+    gaps = GapCounter()
+    kept = [n for n in range(5000) if n in (0, 4999) or rng.random() > 0.3]
+    sent = sorted([*kept, *rng.sample(kept, 500)], key=lambda n: n + (0 if n in (0, 4999) else rng.random() * 20))
+    for number in sent:
+        gaps.feed(1, 1, number % 256)
+    assert gaps.lost == 5000 - len(kept)
+
+
+def test_tick_is_in_with_its_answer_and_every_number_before_it() -> None:
+    collector = TickCollector(SYSID, COMPID)
+    raws = answer(2, 100, 5)
+    collector.begin(100)
+    assert collector.feed(received(raws))
+    assert [frame.raw for frame in collector.take()] == raws
+
+
+@pytest.mark.parametrize("missing", range(5))
+def test_tick_waits_for_any_missing_number(missing: int) -> None:
+    collector = TickCollector(SYSID, COMPID)
+    raws = answer(2, 100, 5)
+    collector.begin(100)
+    assert not collector.feed(received(raws[:missing] + raws[missing + 1 :]))
+    assert not collector.complete
+    assert collector.held == 4
+    with pytest.raises(RuntimeError, match="tick 100 of vehicle 4 is not complete"):
+        collector.take()
+    assert collector.feed(received(raws))
+    assert [frame.raw for frame in collector.take()] == raws
+
+
+def test_ticks_survive_splitting_loss_reordering_repetition_and_every_turn_of_the_numbers() -> None:
+    rng = random.Random(8)
+    collector = TickCollector(SYSID, COMPID)
+    at, earlier = FIRST_ANSWER, [HELLO]
+    for tick in range(300):
+        t_ms = 100 * tick
+        raws = answer(at, t_ms, rng.randint(1, 127))
+        cuts = [*sorted(rng.sample(range(len(raws)), min(len(raws) - 1, rng.randint(0, 3)))), len(raws)]
+        datagrams = [raws[a:b] for a, b in zip([0, *cuts], cuts, strict=False) if a < b]
+        collector.begin(t_ms)
+        for _ in range(100):
+            sent = [d for d in datagrams if rng.random() > 0.3] + [d for d in earlier if rng.random() < 0.3]
+            rng.shuffle(sent)
+            for datagram in sent:
+                collector.feed(received(datagram))
+            if collector.complete:
+                break
+        assert [frame.raw for frame in collector.take()] == raws
+        at += len(raws)
+        earlier = datagrams
+    assert at > 256 * 10
+
+
+def test_hellos_are_never_part_of_a_tick() -> None:
+    collector = TickCollector(SYSID, COMPID)
+    assert is_hello(received(HELLO))
+    assert not collector.feed(received(HELLO))
+    collector.begin(0)
+    assert not collector.feed(received(HELLO))
+    assert collector.held == 0
+    raws = answer(2, 0, 3)
+    assert not is_hello(received(raws))
+    assert collector.feed(received(raws))
+    assert [frame.seq for frame in collector.take()] == [2, 3, 4]
+
+
+def test_repeated_answer_adds_nothing_to_the_next_tick() -> None:
+    collector = TickCollector(SYSID, COMPID)
+    first, second = answer(2, 100, 4), answer(6, 200, 4)
+    collector.begin(100)
+    assert collector.feed(received(first))
+    assert collector.feed(received(first))
+    collector.take()
+    collector.begin(200)
+    assert not collector.feed(received(first))
+    assert collector.held == 0
+    assert collector.feed(received(second))
+    assert [frame.raw for frame in collector.take()] == second
+
+
+def test_answer_of_half_a_turn_ago_is_told_from_new_numbers_by_its_time() -> None:
+    collector = TickCollector(SYSID, COMPID)
+    at = FIRST_ANSWER
+    ticks = [(100 * i, 100) for i in range(3)]
+    history = []
+    for t_ms, count in ticks:
+        raws = answer(at, t_ms, count)
+        history.append(raws)
+        collector.begin(t_ms)
+        collector.feed(received(raws))
+        collector.take()
+        at += count
+    collector.begin(300)
+    collector.feed(received(history[0]))  # numbers 2 … 101; the next one is 302 - 256 = 46
+    assert collector.held == 0
+
+
+def test_frames_and_answers_of_others_do_not_count() -> None:
+    collector = TickCollector(SYSID, COMPID)
+    collector.begin(100)
+    collector.feed(received([heartbeat(2, sysid=9), heartbeat(2, compid=100), system_time(3, 100, sysid=9)]))
+    assert collector.held == 0
+    assert collector.feed(received([heartbeat(2), system_time(3, 100)]))
+
+
+def test_answer_for_another_time_does_not_end_the_tick() -> None:
+    collector = TickCollector(SYSID, COMPID)
+    collector.begin(200)
+    assert not collector.feed(received([heartbeat(2), system_time(3, 100)]))
+    assert not collector.feed(received([heartbeat(2), system_time(3, 300)]))
+
+
+def test_grant_before_the_last_tick_was_taken_is_refused() -> None:
+    collector = TickCollector(SYSID, COMPID)
+    collector.begin(100)
+    with pytest.raises(RuntimeError, match="tick 100 of vehicle 4 has not been taken"):
+        collector.begin(200)

@@ -1,7 +1,7 @@
 """What the fleet told, as one immutable snapshot: telemetry in, SI units and the common NED frame out.
 
-The common frame is the scenario's origin. A vehicle's own local frame is moved there by its GPS_GLOBAL_ORIGIN; until that
-has come its position is unknown, and nothing is planned for it.
+The common frame is the scenario's origin. A vehicle's own local frame is moved there by its GPS_GLOBAL_ORIGIN; until
+that has come its position is unknown, and nothing is planned for it.
 """
 
 from __future__ import annotations
@@ -61,6 +61,7 @@ class VehicleView:
     drawn_j: float
     received_j: int
     given_j: int
+    given_told_s: float
     power_w: float
     energy_source: str
     control_effort: float
@@ -155,6 +156,7 @@ class _Track:
         self.drawn_j = 0.0
         self.received_j = 0
         self.given_j = 0
+        self.given_told_s = -math.inf
         self.power_w = 0.0
         self.energy_source = "none"
         self.parameters_told: set[str] = set()
@@ -191,6 +193,7 @@ class _Track:
             drawn_j=self.drawn_j,
             received_j=self.received_j,
             given_j=self.given_j,
+            given_told_s=self.given_told_s,
             power_w=self.power_w,
             energy_source=self.energy_source,
             control_effort=self.control_effort,
@@ -295,6 +298,7 @@ class Fleet:
     def _named_int(self, track: _Track, content: Any, time_s: float) -> None:
         if content.name == "XferOut":
             track.given_j = max(track.given_j, content.value)
+            track.given_told_s = time_s
         elif content.name == "XferIn":
             track.received_j = max(track.received_j, content.value)
 

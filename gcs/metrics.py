@@ -1,4 +1,4 @@
-"""What a session amounts to, gathered tick by tick from snapshots: distances, paths, pursuit, and how near things came."""
+"""What a session amounts to, gathered tick by tick from snapshots: paths, pursuit, and how near things came."""
 
 from __future__ import annotations
 
@@ -24,20 +24,18 @@ class Metrics:
 
     def __init__(self, scenario: Scenario, obstacle_table: NDArray[np.float64]) -> None:
         self._obstacles = obstacle_table
-        self._target_of = _targets(scenario)
+        self.target_of = _targets(scenario)
         self._within_m = scenario.goal.pursue.within_m if scenario.goal.pursue else math.inf
         self._last: dict[int, Vec3] = {}
         self._plans: dict[int, deque[Vec3]] = {}
         self._held_since_s: dict[int, float] = {}
-        self.held_s: dict[int, float] = dict.fromkeys(self._target_of, 0.0)
+        self.held_s: dict[int, float] = dict.fromkeys(self.target_of, 0.0)
         self.path_length_m: dict[int, float] = {}
         self.max_tracking_error_m: dict[int, float] = {}
         self.min_separation_m = math.inf
         self.min_clearance_m = math.inf
 
-    def take(
-        self, snapshot: Snapshot, set_points: Iterable[SetPoint], partners: Iterable[tuple[int, int]]
-    ) -> None:
+    def take(self, snapshot: Snapshot, set_points: Iterable[SetPoint], partners: Iterable[tuple[int, int]]) -> None:
         """Count one tick; `partners` are pairs that may come close to each other."""
         here = {view.sysid: view.p_now_ned() for view in snapshot.vehicles if view.flying}
         self._measure_paths(here, {point.sysid: point.p_ned for point in set_points})
@@ -78,7 +76,7 @@ class Metrics:
             self.min_clearance_m = min(self.min_clearance_m, nearest)
 
     def _measure_pursuit(self, now_s: float, here: dict[int, Vec3]) -> None:
-        for sysid, target in self._target_of.items():
+        for sysid, target in self.target_of.items():
             near = sysid in here and target in here and math.dist(here[sysid], here[target]) <= self._within_m
             if not near:
                 self._held_since_s.pop(sysid, None)
@@ -88,10 +86,8 @@ class Metrics:
 
 
 def _targets(scenario: Scenario) -> dict[int, int]:
-    targets = scenario.vehicles.targets
-    first = targets[0].sysid if targets else None
-    pairs = {p.sysid: p.target if p.target is not None else first for p in scenario.vehicles.pursuers}
-    return {pursuer: target for pursuer, target in pairs.items() if target is not None}
+    vehicles = scenario.vehicles
+    return {p.sysid: target for p in vehicles.pursuers if (target := vehicles.target_of(p)) is not None}
 
 
 def _distance_to_leg(p: Vec3, a: Vec3, b: Vec3) -> float:

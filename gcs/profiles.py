@@ -30,7 +30,7 @@ STEERABLE = frozenset({FlightMode.OFFBOARD, FlightMode.REFUEL})
 class Profile:
     """One autopilot's habits.
 
-    `modes` reads HEARTBEAT.custom_mode; `offboard` holds params 1..3 of MAV_CMD_DO_SET_MODE that start offboard control.
+    `modes` reads HEARTBEAT.custom_mode; `offboard` holds params 1..3 of the MAV_CMD_DO_SET_MODE that starts offboard.
     """
 
     name: str

@@ -1,24 +1,25 @@
 """Who is refuelled next, by whom, and each step of the service: contract.md, Competition in the schedule and Transfer.
 
-    competition → decided → join formation → start receiver → start giver → transfer → stop giver → catch up → stop receiver
+    decided → join → start receiver → start giver → transfer → stop giver → catch up → stop receiver → done
+                ▲                                      broken off by the receiver │
+                └─────────────────────────────────────────────────────────────────┘
 
-The schedule is pure but for its own memory: a snapshot and the results of earlier commands go in, wishes and records come
-out. It never knows a socket or a clock.
+The schedule is pure but for its own memory: a snapshot and the results of earlier commands go in, wishes and records
+come out. It never knows a socket or a clock.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
-import numpy as np
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.competition import advance, normalise, revive, share
-from gcs.fleet import Snapshot, Vec3, VehicleView
+from gcs.contest import Contest, Standing
+from gcs.fleet import Snapshot, VehicleView
 from gcs.pilot import Wish
 from gcs.profiles import STEERABLE, FlightMode
 from gcs.scenario import Competition, Refuelling, Tanker
@@ -26,6 +27,8 @@ from gcs.scenario import Competition, Refuelling, Tanker
 STOP, GIVE, RECEIVE = 0, 1, 2
 RELAY_WITHIN_M = 15.0
 CATCH_UP_S = 1.0
+COUNTER_SETTLES_S = 0.5
+"""A giver's counter is trusted as a transfer's start when it was heard this long after the last one ended."""
 JOIN_WITHIN_S = 60.0
 START_WITHIN_S = 5.0
 WORTH_J = 500.0
@@ -65,7 +68,8 @@ class Service:
     out_at_start_j: int = 0
     in_at_start_j: int = 0
     energy_j: int = 0
-    lost_j: int = 0
+    seen_refuel: bool = False
+    broken_off: bool = False
     ended_by: str = ""
 
     def record(self) -> dict[str, Any]:
@@ -79,15 +83,16 @@ class Service:
             "start_s": self.start_s,
             "end_s": self.end_s,
             "energy_j": self.energy_j,
-            "bids": {str(sysid): tau for sysid, tau in sorted(self.bids.items())},
+            "bids": _by_text(self.bids),
         }
 
 
 @dataclass(frozen=True)
 class Decision:
-    """What the schedule wants now: goals of tankers (position and velocity, NED), commands, and records of what happened."""
+    """What the schedule wants now: whom each tanker is to stand above, commands, and records of what happened."""
 
-    goals: dict[int, tuple[Vec3, Vec3]] = field(default_factory=dict)
+    rendezvous: dict[int, int] = field(default_factory=dict)
+    """receiver by tanker"""
     wishes: tuple[Wish, ...] = ()
     relays: tuple[tuple[int, int], ...] = ()
     """(giver, receiver) pairs between which frames are relayed"""
@@ -96,40 +101,38 @@ class Decision:
     records: tuple[dict[str, Any], ...] = ()
 
 
-@dataclass(frozen=True)
-class Standing:
-    """The competition as it stands: state, bid and need of each competitor, and who leads."""
-
-    v: dict[int, float]
-    tau: dict[int, float]
-    need: dict[int, float]
-    leader: int | None
-    share: float
-
-
 class Schedule:
     """The competition and all services of a session."""
 
     def __init__(self, competition: Competition, refuelling: Refuelling, tankers: Sequence[Tanker]) -> None:
-        self._competition = competition
+        self._contest = Contest(competition) if competition.enabled and refuelling.enabled else None
         self._rules = refuelling
         self._tankers = {tanker.sysid: tanker for tanker in tankers}
-        self._v: dict[int, float] = {}
-        self._leader: int | None = None
-        self._leading_since_s = 0.0
-        self._competing_since_s: float | None = None
-        self._last_s: float | None = None
-        self._count = 0
         self._results: dict[str, bool] = {}
         self._wishes: list[Wish] = []
         self._records: list[dict[str, Any]] = []
         self.services: list[Service] = []
-        self.standing = Standing({}, {}, {}, None, 0.0)
+
+    @property
+    def standing(self) -> Standing:
+        """The competition as it stands."""
+        return Standing() if self._contest is None else self._contest.standing
 
     @property
     def open_services(self) -> list[Service]:
         """Services that have not ended."""
         return [service for service in self.services if service.phase is not Phase.DONE]
+
+    @property
+    def refuelled(self) -> list[Service]:
+        """Services that ended with energy on board of the receiver."""
+        return [service for service in self.services if service.phase is Phase.DONE and service.energy_j > 0]
+
+    def settle(self, snapshot: Snapshot) -> None:
+        """Book on each service what its receiver's counter shows by now: the last joules may be told late."""
+        newest = {service.receiver: service for service in self.services if service.joined_at_s is not None}
+        for receiver, service in newest.items():
+            service.energy_j = snapshot.vehicle(receiver).received_j - service.in_at_start_j
 
     def result(self, token: str, accepted: bool) -> None:
         """The result of a command whose wish carried this token."""
@@ -139,17 +142,15 @@ class Schedule:
         """Move the competition and every service to the snapshot's time."""
         now_s = snapshot.time_s
         self._wishes, self._records = [], []
-        free = self._free_tankers(snapshot)
-        if self._rules.enabled and self._competition.enabled:
-            bids = self._compete(snapshot, now_s)
-            for tanker in free:
-                self._award(tanker, bids, snapshot, now_s)
+        if self._contest is not None:
+            self._contest.advance(snapshot, {service.receiver for service in self.open_services})
+            for tanker in self._free_tankers(snapshot):
+                self._award(self._contest, tanker, snapshot)
         for service in self.open_services:
             self._serve(service, snapshot, now_s)
-        self._last_s = now_s
         open_services = self.open_services
         return Decision(
-            goals={service.tanker: self._rendezvous(service, snapshot) for service in open_services},
+            rendezvous={service.tanker: service.receiver for service in open_services},
             wishes=tuple(self._wishes),
             relays=tuple(
                 (service.tanker, service.receiver)
@@ -160,7 +161,7 @@ class Schedule:
             records=tuple(self._records),
         )
 
-    # the competition
+    # the decision
 
     def _free_tankers(self, snapshot: Snapshot) -> list[VehicleView]:
         busy = {service.tanker for service in self.open_services}
@@ -176,95 +177,36 @@ class Schedule:
     def _available_j(self, tanker: VehicleView, limit_j: float) -> float:
         """What a tanker may give and still get home with its reserve."""
         rules = self._tankers[tanker.sysid]
-        home = rules.home_m or rules.start_m
-        assert tanker.p_ned is not None
-        way_home_j = math.dist(tanker.p_ned, home) / rules.speed_m_s * tanker.power_w
+        way_home_j = math.dist(tanker.p_now_ned(), rules.home_m or rules.start_m) / rules.speed_m_s * tanker.power_w
         return min(tanker.remaining_j - rules.reserve_j - way_home_j, limit_j)
 
-    def _competitors(self, snapshot: Snapshot) -> list[VehicleView]:
-        served = {service.receiver for service in self.open_services}
-        return [
-            view
-            for view in snapshot.of_role("pursuer")
-            if view.sysid not in served
-            and view.flying
-            and view.mode in STEERABLE
-            and view.need >= self._competition.need_from
-        ]
-
-    def _compete(self, snapshot: Snapshot, now_s: float) -> dict[int, float]:
-        """Advance the competition to now; the bids (normalised needs) by system id."""
-        rules = self._competition
-        competitors = self._competitors(snapshot)
-        if not competitors:
-            self._v, self._leader, self._competing_since_s = {}, None, None
-            self.standing = Standing({}, {}, {}, None, 0.0)
-            return {}
-        if self._competing_since_s is None:
-            self._competing_since_s = now_s
-        sysids = [view.sysid for view in competitors]
-        needs = [view.need for view in competitors]
-        tau = normalise(needs, low=rules.floor, high=rules.high)
-        v = np.array([self._v.get(sysid, rules.floor) for sysid in sysids])
-        dt_s = now_s - self._last_s if self._last_s is not None else 0.0
-        v = revive(advance(v, tau, dt_s, p=rules.p, rate=rules.rate), rules.floor)
-        self._v = dict(zip(sysids, map(float, v), strict=True))
-        leader = sysids[int(v.argmax())]
-        held = share(v, rules.p, rules.floor)
-        if leader != self._leader or held < rules.share:
-            self._leader, self._leading_since_s = leader, now_s
-        bids = dict(zip(sysids, map(float, tau), strict=True))
-        self.standing = Standing(dict(self._v), bids, dict(zip(sysids, needs, strict=True)), leader, held)
-        return bids
-
-    def _award(self, tanker: VehicleView, bids: dict[int, float], snapshot: Snapshot, now_s: float) -> None:
+    def _award(self, contest: Contest, tanker: VehicleView, snapshot: Snapshot) -> None:
         """Give a free tanker its next receiver, if one is decided."""
-        chosen = self._chosen(tanker, bids, snapshot, now_s)
-        if chosen is None:
+        now_s, standing = snapshot.time_s, contest.standing
+        speed_m_s = self._tankers[tanker.sysid].speed_m_s
+        won = contest.winner(snapshot, tanker, speed_m_s, self._rules.hold_s + self._rules.reserve_s)
+        if won is None:
             return
-        receiver, by = chosen
-        self._count += 1
-        service = Service(self._count, receiver, tanker.sysid, by, dict(bids), now_s, phase_since_s=now_s)
+        receiver, by = won
+        contest.award(receiver, now_s)
+        bids = {sysid: standing.tau[sysid] for sysid in standing.v}
+        service = Service(len(self.services) + 1, receiver, tanker.sysid, by, bids, now_s, phase_since_s=now_s)
         self.services.append(service)
-        self._v.pop(receiver, None)
-        bids.pop(receiver, None)
-        self._leader, self._leading_since_s, self._competing_since_s = None, now_s, None
-        self._ask(tanker.sysid, mav.MAV_CMD_SET_MESSAGE_INTERVAL, self._token(service, "stream"), _FOLLOW, FOLLOW_EVERY_US)
+        self._ask(
+            tanker.sysid, mav.MAV_CMD_SET_MESSAGE_INTERVAL, self._token(service, "stream"), _FOLLOW, FOLLOW_EVERY_US
+        )
         self._records.append(
             {
                 "kind": "decided",
                 "receiver": receiver,
                 "tanker": tanker.sysid,
                 "by": by,
-                "bids": {str(sysid): value for sysid, value in service.bids.items()},
-                "v": {str(sysid): value for sysid, value in self.standing.v.items()},
-                "need": {str(sysid): value for sysid, value in self.standing.need.items()},
-                "share": self.standing.share,
+                "bids": _by_text(bids),
+                "v": _by_text(standing.v),
+                "need": _by_text(standing.need),
+                "share": standing.share,
             }
         )
-
-    def _chosen(
-        self, tanker: VehicleView, bids: dict[int, float], snapshot: Snapshot, now_s: float
-    ) -> tuple[int, str] | None:
-        if not bids:
-            return None
-        speed_m_s = self._tankers[tanker.sysid].speed_m_s
-        assert tanker.p_ned is not None
-        urgent = []
-        for sysid in bids:
-            view = snapshot.vehicle(sysid)
-            assert view.p_ned is not None
-            rendezvous_s = math.dist(tanker.p_ned, view.p_ned) / speed_m_s + self._rules.hold_s
-            if view.endurance_s < rendezvous_s + self._rules.reserve_s:
-                urgent.append((view.endurance_s, sysid))
-        if urgent:
-            return min(urgent)[1], "urgency"
-        if self._leader in bids and now_s - self._leading_since_s >= self._competition.dwell_s:
-            if self.standing.share >= self._competition.share:
-                return self._leader, "competition"
-        if self._competing_since_s is not None and now_s - self._competing_since_s >= self._competition.decide_within_s:
-            return max(bids, key=lambda sysid: (self._v.get(sysid, 0.0), -sysid)), "timeout"
-        return None
 
     # one service
 
@@ -273,7 +215,8 @@ class Schedule:
         if not receiver.alive or not tanker.alive:
             self._finish(service, receiver, tanker, now_s, "a side died")
             return
-        service.energy_j = receiver.received_j - service.in_at_start_j if service.start_s is not None else 0
+        if service.joined_at_s is not None:
+            service.energy_j = receiver.received_j - service.in_at_start_j
         _STEPS[service.phase](self, service, receiver, tanker, now_s)
 
     def _join(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
@@ -287,11 +230,15 @@ class Schedule:
             service.near_since_s = None
         elif service.near_since_s is None:
             service.near_since_s = now_s
-        if service.near_since_s is not None and now_s - service.near_since_s >= self._rules.hold_s:
+        counter_known = tanker.given_told_s >= service.phase_since_s + COUNTER_SETTLES_S
+        held = service.near_since_s is not None and now_s - service.near_since_s >= self._rules.hold_s
+        if held and counter_known:
             if service.joined_at_s is None:
                 service.joined_at_s = now_s
+                service.in_at_start_j = receiver.received_j
             service.near_since_s = None
-            service.out_at_start_j, service.in_at_start_j = tanker.given_j, receiver.received_j
+            service.seen_refuel = False
+            service.out_at_start_j = tanker.given_j
             self._order(service, receiver, RECEIVE, self._limit_j(receiver, tanker))
             self._go(service, Phase.START_RECEIVER, now_s)
         elif now_s - service.phase_since_s > JOIN_WITHIN_S:
@@ -308,7 +255,7 @@ class Schedule:
     def _start_giver(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
         accepted = self._answer(service, "give")
         if accepted:
-            service.start_s = now_s
+            service.start_s = now_s if service.start_s is None else service.start_s
             self._records.append({"kind": "transfer", "receiver": receiver.sysid, "tanker": tanker.sysid})
             self._go(service, Phase.TRANSFER, now_s)
         elif accepted is False or now_s - service.phase_since_s > START_WITHIN_S:
@@ -316,6 +263,8 @@ class Schedule:
             self._stop(service, receiver, now_s)
 
     def _transfer(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
+        service.seen_refuel |= receiver.mode is FlightMode.REFUEL
+        left = service.seen_refuel or now_s - service.phase_since_s > START_WITHIN_S
         reason = None
         if receiver.remaining_j >= self._rules.until * receiver.capacity_j:
             reason = "full"
@@ -323,12 +272,11 @@ class Schedule:
             reason = "limit"
         elif self._available_j(tanker, math.inf) <= 0.0:
             reason = "tanker at its reserve"
-        elif now_s - service.phase_since_s > START_WITHIN_S / 2 and FlightMode.REFUEL not in (receiver.mode, tanker.mode):
-            reason = "the vehicles ended it"
         elif receiver.mode not in STEERABLE or tanker.mode not in STEERABLE:
             reason = "a side left formation flight"
-        elif receiver.mode is FlightMode.OFFBOARD and now_s - service.phase_since_s > START_WITHIN_S / 2:
-            reason = "the receiver ended it"
+        elif left and receiver.mode is not FlightMode.REFUEL:
+            reason = "broken off by the receiver"
+            service.broken_off = True
         if reason is not None:
             service.ended_by = reason
             self._order(service, tanker, STOP, 0.0)
@@ -339,29 +287,29 @@ class Schedule:
             self._go(service, Phase.CATCH_UP, now_s)
 
     def _catch_up(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
-        given_j = tanker.given_j - service.out_at_start_j
-        waited_s = now_s - service.phase_since_s
-        if (service.energy_j >= given_j and waited_s > 0.3) or waited_s >= CATCH_UP_S:
+        if now_s - service.phase_since_s >= CATCH_UP_S or receiver.mode is not FlightMode.REFUEL:
             self._stop(service, receiver, now_s)
 
     def _stop_receiver(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
-        if self._answer(service, "stop receiver") is not None or now_s - service.phase_since_s > START_WITHIN_S:
+        if self._answer(service, "stop receiver") is None and now_s - service.phase_since_s <= START_WITHIN_S:
+            return
+        if service.broken_off:
+            service.broken_off = False
+            self._records.append({"kind": "broken off", "receiver": receiver.sysid, "tanker": tanker.sysid})
+            self._go(service, Phase.JOIN, now_s)
+        else:
             self._finish(service, receiver, tanker, now_s, service.ended_by)
 
     def _stop(self, service: Service, receiver: VehicleView, now_s: float) -> None:
         self._order(service, receiver, STOP, 0.0)
         self._go(service, Phase.STOP_RECEIVER, now_s)
 
-    def _finish(
-        self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float, reason: str
-    ) -> None:
+    def _finish(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float, reason: str) -> None:
         if service.phase not in (Phase.JOIN, Phase.STOP_RECEIVER):
             for view in (tanker, receiver):
                 if view.alive:
                     self._order(service, view, STOP, 0.0)
         service.phase, service.end_s, service.ended_by = Phase.DONE, now_s, reason
-        if service.start_s is not None:
-            service.energy_j = receiver.received_j - service.in_at_start_j
         if tanker.alive:
             self._ask(tanker.sysid, mav.MAV_CMD_SET_MESSAGE_INTERVAL, self._token(service, "unstream"), _FOLLOW, 0.0)
         self._records.append({"kind": "served", "reason": reason, **service.record()})
@@ -370,13 +318,6 @@ class Schedule:
         service.phase, service.phase_since_s = phase, now_s
 
     # geometry and commands
-
-    def _rendezvous(self, service: Service, snapshot: Snapshot) -> tuple[Vec3, Vec3]:
-        """The place above the receiver and its velocity: where it will be, so that the tanker arrives beside it."""
-        receiver = snapshot.vehicle(service.receiver)
-        assert receiver.p_ned is not None
-        n, e, d = receiver.p_now_ned()
-        return (n, e, d - self._rules.height_m), receiver.v_ned
 
     def _distance_m(self, service: Service, snapshot: Snapshot) -> float:
         receiver, tanker = snapshot.vehicle(service.receiver), snapshot.vehicle(service.tanker)
@@ -414,6 +355,11 @@ class Schedule:
     @staticmethod
     def _token(service: Service, what: str) -> str:
         return f"{COMMAND_TOKENS} {service.number} {what}"
+
+
+def _by_text(numbers: Mapping[int, float]) -> dict[str, float]:
+    """JSON's keys are text."""
+    return {str(sysid): number for sysid, number in sorted(numbers.items())}
 
 
 _FOLLOW = float(mav.MAVLINK_MSG_ID_FOLLOW_TARGET)

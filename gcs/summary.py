@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
+import math
+import platform
+from importlib.metadata import version
 from pathlib import Path
-from typing import Literal
+from typing import Literal, cast
 
 from pydantic import BaseModel, ConfigDict, Field
+
+from gcs.fleet import VehicleView
+from gcs.link import FleetLink
+from gcs.supervisor import Supervisor
 
 FILE = "summary.json"
 
@@ -28,11 +35,14 @@ class Energy(_Part):
     """the message field that `drawn_j` was read from"""
 
 
+Role = Literal["pursuer", "target", "tanker"]
+
+
 class Vehicle(_Part):
     """One vehicle's session."""
 
     sysid: int
-    role: Literal["pursuer", "target", "tanker"]
+    role: Role
     final_mode: str
     max_tracking_error_m: float | None
     """greatest distance from the planned path; null where there was none"""
@@ -96,3 +106,75 @@ class Summary(_Part):
         """Write summary.json into a session's folder; raises OSError."""
         text = self.model_dump_json(indent=2, by_alias=True) + "\n"
         (folder / FILE).write_text(text, encoding="utf-8")
+
+
+def summarise(
+    supervisor: Supervisor, link: FleetLink, *, outcome: str, completed: bool, wall_time_s: float, lag_s: float
+) -> Summary:
+    """What a session that has ended amounts to; the link must still be open."""
+    scenario, metrics, schedule = supervisor.scenario, supervisor.metrics, supervisor.schedule
+    snapshot = supervisor.fleet.snapshot(supervisor.time_s)
+    schedule.settle(snapshot)
+    credited_j = dict.fromkeys(supervisor.pilots, 0)
+    for service in schedule.services:
+        credited_j[service.tanker] += service.energy_j
+    return Summary(
+        schema=1,
+        scenario=scenario.name,
+        seed=scenario.seed,
+        clock=scenario.clock.mode,
+        speed=scenario.clock.speed,
+        sim_time_s=supervisor.time_s,
+        wall_time_s=wall_time_s,
+        speed_achieved=supervisor.time_s / wall_time_s if wall_time_s > 0.0 else 0.0,
+        lag_s=lag_s,
+        completed=completed,
+        outcome=outcome,
+        digest=supervisor.digest.hexdigest(),
+        versions=_versions(),
+        min_separation_m=_finite(metrics.min_separation_m),
+        min_clearance_m=_finite(metrics.min_clearance_m),
+        vehicles=[
+            Vehicle(
+                sysid=view.sysid,
+                role=cast(Role, view.role),
+                final_mode=str(view.mode) if view.alive else "dead",
+                max_tracking_error_m=metrics.max_tracking_error_m.get(view.sysid),
+                path_length_m=metrics.path_length_m.get(view.sysid, 0.0),
+                control_effort=view.control_effort,
+                energy=_ledger(view, view.given_j - credited_j[view.sysid]),
+            )
+            for view in snapshot.vehicles
+        ],
+        refuelling=[Refuelling(**service.record()) for service in schedule.services],
+        refuel_order=[service.receiver for service in schedule.refuelled],
+        link=Link(
+            received=supervisor.received,
+            sent=supervisor.sent,
+            lost=supervisor.lost_frames,
+            malformed=link.malformed,
+            overflowed=link.overflowed(),
+            command_retries=supervisor.command_retries,
+        ),
+    )
+
+
+def _ledger(view: VehicleView, lost_j: int) -> Energy:
+    return Energy(
+        initial_j=view.initial_j,
+        drawn_j=view.drawn_j,
+        received_j=view.received_j,
+        given_j=view.given_j,
+        lost_j=lost_j,
+        remaining_j=view.remaining_j,
+        source=view.energy_source,
+    )
+
+
+def _finite(value: float) -> float | None:
+    return value if math.isfinite(value) else None
+
+
+def _versions() -> dict[str, str]:
+    names = ("skytender", "pymavlink", "numpy", "scipy", "numba")
+    return {"python": platform.python_version(), **{name: version(name) for name in names}}

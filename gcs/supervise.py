@@ -9,12 +9,11 @@ from __future__ import annotations
 import contextlib
 import json
 import os
-import platform
 import signal
 import sys
 import time
+import traceback
 from collections.abc import Mapping
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -22,14 +21,13 @@ import click
 
 from gcs.clock import Pace
 from gcs.launch import Ended, Hatch, LaunchError, traffic_order, vehicle_order
-from gcs.link import REPEAT_S, FleetLink
-from gcs.pilot import Stage
+from gcs.link import BUFFER_BYTES, REPEAT_S, FleetLink
+from gcs.picture import picture
 from gcs.publish import Publisher
 from gcs.recorder import Recorder, RecorderError
-from gcs.refuelling import Phase
 from gcs.scenario import Scenario, ScenarioError, load
-from gcs.summary import Energy, Link, Refuelling, Summary, Vehicle
-from gcs.supervisor import AUTOPILOT, TRAFFIC, Supervisor
+from gcs.summary import summarise
+from gcs.supervisor import AUTOPILOT, TRAFFIC, Event, Supervisor
 
 MET, NOT_MET, BAD_INPUT, INTERNAL, INTERRUPTED = 0, 1, 2, 70, 130
 PUBLISH_EVERY_S = 0.1
@@ -63,9 +61,7 @@ class Session:
         self._published_s = 0.0
         self._watched_s = 0.0
         self._phase = "starting"
-        self._begun_wall_s: float | None = None
-        self._wall_time_s = 0.0
-        self._said = 0
+        self._begun = False
 
     def run(self) -> tuple[int, str]:
         """Fly the session; exit status and outcome. Raises SessionError, LaunchError, RecorderError, OSError."""
@@ -78,10 +74,17 @@ class Session:
                     self._fly()
                 except _Stopped:
                     interrupted = True
-                self._wall_time_s = self._pace.running_wall_s if self._begun_wall_s is not None else 0.0
+                wall_time_s = self._pace.running_wall_s if self._begun else 0.0
             self._recorder.close()
             outcome = "interrupted" if interrupted else self._outcome()
-            self._summary(outcome, completed=not interrupted).write(self._folder)
+            summarise(
+                self._supervisor,
+                self._link,
+                outcome=outcome,
+                completed=not interrupted,
+                wall_time_s=wall_time_s,
+                lag_s=self._pace.lag_s,
+            ).write(self._folder)
         except BaseException:
             with contextlib.suppress(RecorderError):
                 self._recorder.close()
@@ -99,8 +102,9 @@ class Session:
 
     def _start_fleet(self) -> None:
         assert self._hatch is not None
-        if self._link.buffer_bytes < 4 << 20:
-            self._event(0, "warning", f"The kernel grants {self._link.buffer_bytes >> 10} KiB of receive buffer, not 4 MiB")
+        if self._link.buffer_bytes < BUFFER_BYTES:
+            granted = f"{self._link.buffer_bytes >> 10} KiB"
+            self._event(0, "warning", f"The kernel grants a receive buffer of {granted}, not 4 MiB: raise rmem_max")
         connection = ("--supervised", f"udpout:{self._link.host}:{self._link.port}")
         vehicles = self._scenario.vehicles.all
         orders = [vehicle_order(vehicle, self._scenario, self._folder, connection) for vehicle in vehicles]
@@ -122,7 +126,7 @@ class Session:
     def _fly(self) -> None:
         supervisor, pace = self._supervisor, self._pace
         self._phase = "flying"
-        self._begun_wall_s = time.monotonic()
+        self._begun = True
         pace.start()
         supervisor.begin()
         end_ms = round(1e3 * self._scenario.goal.duration_s)
@@ -186,8 +190,6 @@ class Session:
         self._event(0, "info", f"Operator: {command}")
 
     def _event(self, sysid: int, level: str, text: str) -> None:
-        from gcs.supervisor import Event
-
         self._supervisor.events.append(Event(self._supervisor.time_s, sysid, level, text))
 
     # tell
@@ -201,151 +203,22 @@ class Session:
             return "duration_s"
         if goal.pursue is not None and supervisor.metrics.pursuit_held_s < goal.pursue.for_s:
             return "pursue"
-        if len(self._refuelled()) < goal.refuelled_at_least:
+        if len(supervisor.schedule.refuelled) < goal.refuelled_at_least:
             return "refuelled_at_least"
         return "met"
 
-    def _refuelled(self) -> list[Any]:
-        return [s for s in self._supervisor.schedule.services if s.phase is Phase.DONE and s.energy_j > 0]
-
-    def _summary(self, outcome: str, *, completed: bool) -> Summary:
-        supervisor, scenario = self._supervisor, self._scenario
-        metrics = supervisor.metrics
-        snapshot = supervisor.fleet.snapshot(supervisor.time_s)
-        services = supervisor.schedule.services
-        lost_j: dict[int, int] = {}
-        for service in services:
-            lost_j[service.tanker] = lost_j.get(service.tanker, 0) + service.lost_j
-        sim_s, wall_s = supervisor.time_s, self._wall_time_s
-        return Summary(
-            schema=1,
-            scenario=scenario.name,
-            seed=scenario.seed,
-            clock=scenario.clock.mode,
-            speed=scenario.clock.speed,
-            sim_time_s=sim_s,
-            wall_time_s=wall_s,
-            speed_achieved=sim_s / wall_s if wall_s > 0.0 else 0.0,
-            lag_s=self._pace.lag_s,
-            completed=completed,
-            outcome=outcome,
-            digest=supervisor.digest.hexdigest(),
-            versions=_versions(),
-            min_separation_m=_finite(metrics.min_separation_m),
-            min_clearance_m=_finite(metrics.min_clearance_m),
-            vehicles=[
-                Vehicle(
-                    sysid=view.sysid,
-                    role=view.role,  # type: ignore[arg-type]
-                    final_mode=str(view.mode) if view.alive else "dead",
-                    max_tracking_error_m=metrics.max_tracking_error_m.get(view.sysid),
-                    path_length_m=metrics.path_length_m.get(view.sysid, 0.0),
-                    control_effort=view.control_effort,
-                    energy=Energy(
-                        initial_j=view.initial_j,
-                        drawn_j=view.drawn_j,
-                        received_j=view.received_j,
-                        given_j=view.given_j,
-                        lost_j=lost_j.get(view.sysid, 0),
-                        remaining_j=view.remaining_j,
-                        source=view.energy_source,
-                    ),
-                )
-                for view in snapshot.vehicles
-            ],
-            refuelling=[Refuelling(**service.record()) for service in services],
-            refuel_order=[service.receiver for service in self._refuelled()],
-            link=Link(
-                received=supervisor.received,
-                sent=supervisor.sent,
-                lost=supervisor.lost_frames,
-                malformed=self._link.malformed,
-                overflowed=self._link.overflowed() if self._phase != "ended" else 0,
-                command_retries=supervisor.command_retries,
-            ),
-        )
-
     def _picture(self) -> dict[str, Any]:
-        """The snapshot that clients see."""
-        supervisor, scenario = self._supervisor, self._scenario
-        snapshot, standing = supervisor.snapshot, supervisor.schedule.standing
-        metrics, goal = supervisor.metrics, scenario.goal
-        at = {view.sysid: view.p_ned for view in snapshot.vehicles}
-        target_of = {
-            p.sysid: p.target if p.target is not None else scenario.vehicles.targets[0].sysid
-            for p in scenario.vehicles.pursuers
-            if scenario.vehicles.targets
-        }
-        open_services = supervisor.schedule.open_services
-        notes = {s.receiver: f"served by {s.tanker}: {s.phase}" for s in open_services}
-        notes |= {s.tanker: f"serves {s.receiver}: {s.phase}" for s in open_services}
+        """The snapshot that clients see, with the events since the last one."""
+        supervisor = self._supervisor
         events, supervisor.events = supervisor.events, []
-        wall_s = self._pace.running_wall_s if self._begun_wall_s is not None else 0.0
-        return {
-            "type": "snapshot",
-            "t_s": supervisor.time_s,
-            "duration_s": goal.duration_s,
-            "speed": supervisor.time_s / wall_s if wall_s > 0.0 else 0.0,
-            "phase": "paused" if self._pace.paused else self._phase,
-            "vehicles": [
-                {
-                    "sysid": view.sysid,
-                    "role": view.role,
-                    "label": view.label,
-                    "alive": view.alive,
-                    "stage": str(supervisor.pilots[view.sysid].stage),
-                    "mode": str(view.mode),
-                    "armed": view.armed,
-                    "p_ned": view.p_ned,
-                    "speed_m_s": _length(view.v_ned),
-                    "height_m": -view.p_ned[2] if view.p_ned is not None else None,
-                    "target_m": _distance(view.p_ned, at.get(target_of.get(view.sysid, -1))),
-                    "battery": view.remaining_j / view.capacity_j,
-                    "remaining_j": view.remaining_j,
-                    "endurance_s": _finite(view.endurance_s),
-                    "v": standing.v.get(view.sysid),
-                    "tau": standing.tau.get(view.sysid),
-                    "note": notes.get(view.sysid, ""),
-                }
-                for view in snapshot.vehicles
-            ],
-            "traffic": [{"callsign": t.callsign, "p_ned": t.p_ned} for t in snapshot.traffic],
-            "services": [
-                {
-                    "receiver": s.receiver,
-                    "tanker": s.tanker,
-                    "phase": str(s.phase),
-                    "energy_j": s.energy_j,
-                    "by": s.by,
-                }
-                for s in open_services
-            ],
-            "refuelled": len(self._refuelled()),
-            "goal": {
-                "pursue_within_m": goal.pursue.within_m if goal.pursue else None,
-                "pursue_for_s": goal.pursue.for_s if goal.pursue else None,
-                "pursue_held_s": metrics.pursuit_held_s,
-                "refuelled_at_least": goal.refuelled_at_least,
-            },
-            "events": [{"t_s": e.t_s, "sysid": e.sysid, "level": e.level, "text": e.text} for e in events],
-        }
-
-
-def _length(v: tuple[float, float, float]) -> float:
-    return float(sum(c * c for c in v) ** 0.5)
-
-
-def _distance(a: tuple[float, float, float] | None, b: tuple[float, float, float] | None) -> float | None:
-    return None if a is None or b is None else _length((a[0] - b[0], a[1] - b[1], a[2] - b[2]))
-
-
-def _finite(value: float) -> float | None:
-    return value if abs(value) < float("inf") else None
-
-
-def _versions() -> dict[str, str]:
-    names = ("skytender", "pymavlink", "numpy", "scipy", "numba")
-    return {"python": platform.python_version(), **{name: version(name) for name in names}}
+        wall_s = self._pace.running_wall_s if self._begun else 0.0
+        return picture(
+            supervisor,
+            phase="paused" if self._pace.paused else self._phase,
+            speed=supervisor.time_s / wall_s if wall_s > 0.0 else 0.0,
+            refuelled=len(supervisor.schedule.refuelled),
+            events=events,
+        )
 
 
 def _stdin_closed() -> bool:
@@ -377,6 +250,11 @@ def main(folder: Path, drop_datagrams: float) -> None:
         status, error = NOT_MET, str(problem)
     except OSError as problem:
         status, error = NOT_MET, f"{problem.filename or folder}: {problem.strerror}"
+    except Exception:
+        log = folder / "supervisor.log"
+        with contextlib.suppress(OSError):
+            log.write_text(traceback.format_exc(), encoding="utf-8")
+        error = f"this is a bug of the supervisor: please report it with {log}"
     _say({"exit": status, "outcome": outcome, "error": error})
     sys.exit(status)
 

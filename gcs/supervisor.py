@@ -226,7 +226,7 @@ class Supervisor:
         return self.planner.plan(
             snapshot,
             steered,
-            rendezvous=decision.goals,
+            rendezvous=decision.rendezvous,
             partners=decision.partners,
             targets_move=self.targets_move,
             period_s=self.scenario.clock.period_s,
@@ -326,6 +326,8 @@ def _sentence(record: Mapping[str, Any]) -> str:
     receiver, tanker = record["receiver"], record["tanker"]
     if record["kind"] == "decided":
         return f"Refuelling of {receiver} by {tanker} decided by {record['by']}"
+    if record["kind"] == "broken off":
+        return f"Transfer from {tanker} to {receiver} broken off, join again"
     if record["kind"] == "transfer":
         return f"Transfer from {tanker} to {receiver} begun"
     return f"Refuelling of {receiver} by {tanker} ended: {record['reason']}, {record['energy_j']:.0f} J"

@@ -8,8 +8,6 @@ The memory of one leader is a flat row of MEMORY_SIZE floats: where it was in it
 could have been, whether the escape is on, and how the present one goes.
 """
 
-# ruff: noqa: PLR0917 (a compiled kernel takes scalars, in the order of its equation)
-
 import math
 
 import numpy as np

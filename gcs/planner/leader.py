@@ -7,8 +7,6 @@ v_g dt is added: whole within cap_m of the goal, fading to none at twice that; a
 to none at |F_o| = k0/4, so that near obstacles the field alone decides. The sum is shortened to l, the speed limit.
 """
 
-# ruff: noqa: PLR0917 (a compiled kernel takes scalars, in the order of its equation)
-
 import math
 
 import numpy as np

@@ -13,8 +13,6 @@ Boxes are axis-aligned, cylinders stand upright and end in flat lids. Distances 
 the surface, negative within a volume. A point's surface is its centre, so its distance is never negative.
 """
 
-# ruff: noqa: PLR0917 (a compiled kernel takes scalars, in the order of its equation)
-
 import math
 
 import numpy as np

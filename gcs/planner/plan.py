@@ -1,8 +1,9 @@
 """One tick of planning: from the fleet's snapshot to a set point for every vehicle that is being steered.
 
-Each vehicle has a virtual leader (model.md 6). Targets' leaders follow a carrot along the scenario's path, pursuers' their
-slot of the formation, tankers' the rendezvous or their waiting place. A vehicle flies LOOKAHEAD_S behind its leader
-(model.md 5: 0.32 s of guidance, and half a grant), so everything that moves is looked at where it will be by then.
+Each vehicle has a virtual leader (model.md 6). Targets' leaders follow a carrot along the scenario's path, pursuers'
+their slot of the formation, tankers' the place above their receiver or where they wait. A vehicle flies LOOKAHEAD_S
+behind its leader (model.md 5: 0.32 s of guidance, and half a grant). So leaders keep formation with leaders, and
+everything else that moves is looked at where it will be by then.
 """
 
 from __future__ import annotations
@@ -77,6 +78,7 @@ class Planner:
         )
         self.obstacles = obstacle_table(scenario.obstacles)
         self._q: dict[int, NDArray[np.float64]] = {}
+        self._v: dict[int, Vec3] = {}
         self._memory: dict[int, NDArray[np.float64]] = {}
         self._paths = {
             target.sysid: formation.Path(target.path_m, closed=target.closed, laps=target.laps)
@@ -91,14 +93,14 @@ class Planner:
         snapshot: Snapshot,
         steered: frozenset[int],
         *,
-        rendezvous: Mapping[int, tuple[Vec3, Vec3]],
+        rendezvous: Mapping[int, int],
         partners: Iterable[tuple[int, int]],
         targets_move: bool,
         period_s: float,
     ) -> list[SetPoint]:
         """Set points for the vehicles in `steered`, in order of system id; each holds at the snapshot's time.
 
-        `rendezvous` gives place and velocity at which a tanker is expected; `partners` are pairs that may come close.
+        `rendezvous` says which receiver a tanker is to stand above; `partners` are pairs that may come close.
         """
         views = [view for view in snapshot.vehicles if view.sysid in steered and view.p_ned is not None]
         self._forget({view.sysid for view in views})
@@ -107,6 +109,7 @@ class Planner:
         for view in views:
             if view.sysid not in self._q:
                 self._q[view.sysid] = np.array(view.p_now_ned())
+                self._v[view.sysid] = STILL
                 self._memory[view.sysid] = fuzzy.new_memory(1)[0]
         wanted = self._wants(snapshot, views, rendezvous, targets_move=targets_move, period_s=period_s)
         others = [view for view in snapshot.vehicles if view.flying]
@@ -131,18 +134,19 @@ class Planner:
         for i, view in enumerate(views):
             set_points.append(SetPoint(view.sysid, _vec(q[i]), _vec(v_ned[i])))
             self._q[view.sysid], self._memory[view.sysid] = q_next[i], memory[i]
+            self._v[view.sysid] = set_points[-1].v_ned
         return set_points
 
     def _forget(self, kept: set[int]) -> None:
         """A vehicle that is not steered any more starts from where it is, should it come back."""
         for sysid in self._q.keys() - kept:
-            del self._q[sysid], self._memory[sysid]
+            del self._q[sysid], self._v[sysid], self._memory[sysid]
 
     def _wants(
         self,
         snapshot: Snapshot,
         views: list[VehicleView],
-        rendezvous: Mapping[int, tuple[Vec3, Vec3]],
+        rendezvous: Mapping[int, int],
         *,
         targets_move: bool,
         period_s: float,
@@ -154,8 +158,11 @@ class Planner:
         wants.update(self._formation(snapshot))
         for tanker in vehicles.tankers:
             waiting = tanker.home_m or (tanker.start_m[0], tanker.start_m[1], tanker.start_m[2] - tanker.takeoff_m)
-            p_ned, v_ned = rendezvous.get(tanker.sysid, (waiting, STILL))
-            wants[tanker.sysid] = _Wanted(_ahead(p_ned, v_ned), v_ned, tanker.speed_m_s)
+            (n, e, d), v_ned = waiting, STILL
+            if tanker.sysid in rendezvous:
+                (n, e, d), v_ned = self._led(snapshot.vehicle(rendezvous[tanker.sysid]))
+                d -= self._scenario.refuelling.height_m
+            wants[tanker.sysid] = _Wanted((n, e, d), v_ned, tanker.speed_m_s)
         return [wants.get(view.sysid, _Wanted(_vec(self._q[view.sysid]), STILL, 0.0)) for view in views]
 
     def _carrot(self, target: Target, moves: bool, period_s: float) -> _Wanted:
@@ -175,12 +182,13 @@ class Planner:
         wants = {}
         for target in self._scenario.vehicles.targets:
             lead = snapshot.vehicle(target.sysid)
-            mine = [p for p in self._scenario.vehicles.pursuers if self._target_of(p.target) == target.sysid]
+            vehicles = self._scenario.vehicles
+            mine = [p for p in vehicles.pursuers if vehicles.target_of(p) == target.sysid]
             flying = {p.sysid: snapshot.vehicle(p.sysid) for p in mine}
             here = {sysid: view.p_now_ned() for sysid, view in flying.items() if view.flying}
             if lead.p_ned is None or not here:
                 continue
-            centre = _ahead(lead.p_now_ned(), lead.v_ned)
+            centre, v_ned = self._led(lead)
             if self._slots_of.get(target.sysid) != frozenset(here):
                 self._slots_of[target.sysid] = frozenset(here)
                 offsets = formation.ring_offsets(len(here), rules.ring_m or 0.0, rules.height_m)
@@ -189,12 +197,14 @@ class Planner:
             for sysid in here:
                 offset = self._slots[sysid]
                 goal = (centre[0] + offset[0], centre[1] + offset[1], centre[2] + offset[2])
-                wants[sysid] = _Wanted(goal, lead.v_ned, self._scenario.planner.cruise_m_s)
+                wants[sysid] = _Wanted(goal, v_ned, self._scenario.planner.cruise_m_s)
         return wants
 
-    def _target_of(self, named: int | None) -> int | None:
-        targets = self._scenario.vehicles.targets
-        return named if named is not None else targets[0].sysid if targets else None
+    def _led(self, view: VehicleView) -> tuple[Vec3, Vec3]:
+        """Place and velocity with which to keep formation: the leader's; without one, the vehicle's, looked ahead."""
+        if view.sysid in self._q:
+            return _vec(self._q[view.sysid]), self._v[view.sysid]
+        return _ahead(view.p_now_ned(), view.v_ned), view.v_ned
 
     def _movers(
         self, snapshot: Snapshot, views: list[VehicleView], others: list[VehicleView]

@@ -10,8 +10,6 @@ F_g is -∇U_g up to ρ = cap and keeps its size beyond: uncapped, a far target 
 Forces are those of the field alone and have no unit; distances are metres, NED.
 """
 
-# ruff: noqa: PLR0917 (a compiled kernel takes scalars, in the order of its equation)
-
 import math
 from dataclasses import dataclass, fields
 

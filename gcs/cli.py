@@ -1,0 +1,266 @@
+"""`gcs`: the ground station on the command line. Commands load what they need when they run."""
+
+# ruff: noqa: PLC0415 - so that `gcs --help` and a mistyped option answer at once
+
+from __future__ import annotations
+
+import json
+import sys
+import traceback
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+if TYPE_CHECKING:
+    from gcs.run import View
+    from gcs.scenario import Scenario
+
+BAD_INPUT = 2
+INTERNAL_ERROR = 70
+INTERRUPTED = 130
+SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
+
+
+def _limits(wanted: str, holds: Callable[[Any], bool]) -> Callable[[click.Context, click.Parameter, Any], Any]:
+    """A callback that refuses a value outside its limits; `nan` lies in none."""
+
+    def check(ctx: click.Context, param: click.Parameter, value: Any) -> Any:
+        if value is not None and not holds(value):
+            raise click.BadParameter(f"{value} is not {wanted}.", ctx, param)
+        return value
+
+    return check
+
+
+def _is_udpout(text: str) -> bool:
+    kind, _, rest = text.partition(":")
+    host, _, port = rest.rpartition(":")
+    return kind == "udpout" and bool(host) and port.isascii() and port.isdigit() and 0 < int(port) < 65536
+
+
+@click.group(context_settings=SETTINGS)
+@click.version_option(package_name="skytender", message="%(prog)s %(version)s")
+def cli() -> None:
+    """Fly a fleet of simulated quadrotors over real MAVLink, and refuel it in the air.
+
+    \b
+    Start here:
+      gcs run demo             five pursuers, a moving target and a tanker, live in this terminal
+      gcs run demo --lockstep  the same as fast as the machine can
+      gcs launch demo          only its vehicles, for QGroundControl, MAVSDK or MAVProxy
+
+    A SCENARIO is a YAML file, or the name of one that ships with the program, such as demo. Copy that one to write your
+    own: it explains each of its keys.
+
+    `gcs COMMAND --help` explains a command. `simvehicle --help` is one vehicle by itself.
+    """
+
+
+@cli.command(short_help="Fly a scenario and watch it.")
+@click.argument("scenario")
+@click.option("--lockstep", is_flag=True, help="As fast as the machine can; the result does not depend on its load.")
+@click.option(
+    "--speed",
+    type=float,
+    callback=_limits("a speed above 0 and up to 1000", lambda speed: 0.0 < speed <= 1000.0),
+    metavar="X",
+    help="Session seconds per second on the wall, above 0 and up to 1000.",
+)
+@click.option(
+    "--seed",
+    type=int,
+    callback=_limits("a whole number from 0 to 2^63 - 1", lambda seed: 0 <= seed < 1 << 63),
+    metavar="N",
+    help="Of everything random, instead of the scenario's.",
+)
+@click.option(
+    "--out",
+    type=click.Path(path_type=Path),
+    metavar="DIR",
+    help="The session's folder, which must not exist yet.  [default: sessions/NAME-TIME]",
+)
+@click.option("--plain", is_flag=True, help="Lines of text instead of the live table; also used without a terminal.")
+@click.option("--json", "as_json", is_flag=True, help="One JSON object per second on stdout, for other programs.")
+@click.option(
+    "--drop-datagrams",
+    type=float,
+    callback=_limits("a share from 0 to 0.9", lambda share: 0.0 <= share <= 0.9),
+    default=0.0,
+    metavar="SHARE",
+    help="For tests: drop this share (0 to 0.9) of the supervised link's datagrams, both ways; they are sent again and "
+    "the flight must not change.",
+)
+def run(
+    scenario: str,
+    lockstep: bool,
+    speed: float | None,
+    seed: int | None,
+    out: Path | None,
+    plain: bool,
+    as_json: bool,
+    drop_datagrams: float,
+) -> int:
+    """Fly SCENARIO: start its vehicles, command them over MAVLink, and keep a record of everything.
+
+    In a terminal a live table shows each vehicle's mode, position, battery, competition and refuelling. Ctrl-C stops
+    the session and saves it; a second Ctrl-C does not wait for that.
+
+    \b
+    Examples:
+      gcs run demo
+      gcs run demo --speed 2 --out first-flight
+      gcs run my-scenario.yaml --lockstep --seed 7 --plain
+
+    The session's folder holds the resolved scenario (scenario.yaml), every MAVLink frame (session.tlog), every decision
+    with its reasons (decisions.jsonl), the vehicles' logs (vehicles/) and the result (summary.json).
+
+    \b
+    Exit status:
+      0    the scenario's goal was met
+      1    it was not met
+      2    bad input; nothing has flown
+      130  stopped by Ctrl-C (143 by SIGTERM); what was flown is saved
+      70   an error of the program itself
+    """
+    if lockstep and speed is not None:
+        raise click.UsageError("--lockstep and --speed exclude each other: lockstep is as fast as the machine can.")
+    if plain and as_json:
+        raise click.UsageError("--plain and --json exclude each other: choose what goes to stdout.")
+    from gcs.run import make_folder
+    from gcs.run import run as fly
+
+    resolved = _resolve(_load(scenario), lockstep, speed, seed)
+    folder = make_folder(out, resolved)
+    click.echo(f"{resolved.name}: starting; the session's folder is {folder}", err=as_json)
+    view, tell = _view(resolved.name, plain, as_json)
+    arguments = ["--drop-datagrams", str(drop_datagrams)]
+
+    def finish(verdict: dict[str, Any]) -> None:
+        if as_json:
+            click.echo(json.dumps({"type": "end", **verdict, "session": str(folder)}))
+
+    return fly(folder, view, tell, arguments=arguments, finish=finish)
+
+
+def _resolve(scenario: Scenario, lockstep: bool, speed: float | None, seed: int | None) -> Scenario:
+    """The scenario with the command line's clock and seed; the options' own limits are the scenario's."""
+    clock: dict[str, Any] = {}
+    if lockstep:
+        clock = {"mode": "lockstep"}
+    elif speed is not None:
+        clock = {"mode": "real", "speed": speed}
+    update: dict[str, Any] = {} if seed is None else {"seed": seed}
+    return scenario.model_copy(update={**update, "clock": scenario.clock.model_copy(update=clock)})
+
+
+def _load(scenario: str) -> Scenario:
+    """The scenario of that name or file; what is wrong with it goes to stderr, one line each, and ends the program."""
+    from gcs.configs import find
+    from gcs.scenario import ScenarioError, load
+
+    try:
+        return load(find(scenario))
+    except ScenarioError as error:
+        click.echo(str(error), err=True)
+        raise click.exceptions.Exit(BAD_INPUT) from None
+
+
+def _view(name: str, plain: bool, as_json: bool) -> tuple[View, Callable[[str], object]]:
+    """What shows the session, and what writes its last lines."""
+    if as_json:
+        from gcs.console.plain import JsonView
+
+        return JsonView(click.echo), lambda line: click.echo(line, err=True)
+    from rich.console import Console
+
+    console = Console()
+    if plain or not console.is_terminal or console.is_dumb_terminal:
+        from gcs.console.plain import PlainView
+
+        return PlainView(click.echo), click.echo
+    from gcs.console.table import TableView
+
+    return TableView(name, console), click.echo
+
+
+@cli.command(short_help="Start a scenario's vehicles for another ground station.")
+@click.argument("scenario")
+@click.option(
+    "--connect",
+    callback=_limits("an address; write udpout:HOST:PORT, such as udpout:127.0.0.1:14550", _is_udpout),
+    metavar="udpout:HOST:PORT",
+    help="All vehicles speak to this address.  [default: each listens at a port of its own]",
+)
+@click.option(
+    "--out", type=click.Path(path_type=Path), metavar="DIR", help="Keep parameters and logs in this new folder."
+)
+@click.option("--json", "as_json", is_flag=True, help="The vehicles' addresses as one line of JSON.")
+def launch(scenario: str, connect: str | None, out: Path | None, as_json: bool) -> int:
+    """Start SCENARIO's pursuers, targets and tankers, and nothing else: no supervisor, no traffic, no goal.
+
+    They stand at their starts, on the wall clock, until another ground station commands them, targets included: nobody
+    flies their path. All are there from the beginning, also those that would join later. Ctrl-C ends them. A vehicle
+    that dies is reported at once with its last lines.
+
+    \b
+    Examples:
+      gcs launch demo
+      gcs launch demo --connect udpout:127.0.0.1:14550    QGroundControl finds them by itself
+
+    Without --connect each vehicle listens on 127.0.0.1 at a port that the system chooses. The table printed says where
+    to send to: give it to the ground station as it is, e.g. `mavproxy.py --master=udpout:127.0.0.1:41234`.
+
+    \b
+    Exit status:
+      130  ended by Ctrl-C (143 by SIGTERM)
+      1    every vehicle has died
+      2    bad input, or vehicles that could not be started
+      70   an error of the program itself
+    """
+    from gcs.run import launch as start
+
+    resolved = _load(scenario)
+    click.echo(f"starting {len(resolved.vehicles.all)} vehicles ...", err=True)
+    return start(resolved, out, connect, _print_json if as_json else _print_addresses)
+
+
+def _print_json(vehicles: list[dict[str, Any]]) -> None:
+    click.echo(json.dumps({"vehicles": vehicles}))
+
+
+def _print_addresses(vehicles: list[dict[str, Any]]) -> None:
+    rows = [("id", "role", "address"), *((str(v["sysid"]), v["role"], v["address"]) for v in vehicles)]
+    for sysid, role, address in rows:
+        click.echo(f"{sysid:>3}  {role:<7}  {address}")
+    click.echo("Ctrl-C ends them.", err=True)
+
+
+def run_argv(argv: list[str] | None = None) -> int:
+    """Run one command line; the exit status."""
+    try:
+        return int(cli.main(argv, standalone_mode=False) or 0)
+    except click.ClickException as error:
+        error.show()
+        return error.exit_code
+    except (KeyboardInterrupt, click.Abort):
+        return INTERRUPTED
+    except Exception as error:
+        place = traceback.extract_tb(error.__traceback__)[-1]
+        where = f"{Path(place.filename).name}:{place.lineno}"
+        click.echo(f"gcs: internal error, please report it: {type(error).__name__} at {where}: {error}", err=True)
+        return INTERNAL_ERROR
+
+
+def main() -> None:
+    """Entry point."""
+    for stream in (sys.stdout, sys.stderr):
+        reconfigure = getattr(stream, "reconfigure", None)
+        if reconfigure is not None:
+            reconfigure(errors="replace")  # a name that the terminal cannot show must not end a session
+    sys.exit(run_argv())
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,99 @@
+"""Who is refuelled next: winner-take-all as the schedule uses it (contract.md, Competition in the schedule).
+
+Needs are the bids. A winner must lead for the dwell time; near ties are cut short by `decide_within_s`; and a vehicle
+that would not last until a rendezvous is served before anyone else.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from gcs.competition import advance, normalise, revive, share
+from gcs.fleet import Snapshot, VehicleView
+from gcs.profiles import STEERABLE
+from gcs.scenario import Competition
+
+
+@dataclass(frozen=True)
+class Standing:
+    """The competition as it stands, by system id: state v, bid τ and need; who leads, and with which share."""
+
+    v: dict[int, float] = field(default_factory=dict)
+    tau: dict[int, float] = field(default_factory=dict)
+    need: dict[int, float] = field(default_factory=dict)
+    leader: int | None = None
+    share: float = 0.0
+
+
+class Contest:
+    """The competition's memory from tick to tick."""
+
+    def __init__(self, rules: Competition) -> None:
+        self._rules = rules
+        self._v: dict[int, float] = {}
+        self._leading_since_s = 0.0
+        self._begun_s: float | None = None
+        self._last_s: float | None = None
+        self.standing = Standing()
+
+    def advance(self, snapshot: Snapshot, served: Collection[int]) -> None:
+        """Let those who compete do so up to the snapshot's time; `served` are those whose turn it is already."""
+        now_s, rules = snapshot.time_s, self._rules
+        dt_s = now_s - self._last_s if self._last_s is not None else 0.0
+        self._last_s = now_s
+        competitors = [view for view in snapshot.of_role("pursuer") if view.sysid not in served and self._enters(view)]
+        if not competitors:
+            self._v, self._begun_s = {}, None
+            self.standing = Standing()
+            return
+        if self._begun_s is None:
+            self._begun_s = now_s
+        sysids = [view.sysid for view in competitors]
+        needs = [view.need for view in competitors]
+        tau = normalise(needs, low=rules.floor, high=rules.high)
+        v = np.array([self._v.get(sysid, rules.floor) for sysid in sysids])
+        v = revive(advance(v, tau, dt_s, p=rules.p, rate=rules.rate), rules.floor)
+        leader, held = sysids[int(v.argmax())], share(v, rules.p, rules.floor)
+        if leader != self.standing.leader or held < rules.share:
+            self._leading_since_s = now_s
+        self._v = dict(zip(sysids, map(float, v), strict=True))
+        bids = dict(zip(sysids, map(float, tau), strict=True))
+        self.standing = Standing(dict(self._v), bids, dict(zip(sysids, needs, strict=True)), leader, held)
+
+    def winner(
+        self, snapshot: Snapshot, tanker: VehicleView, speed_m_s: float, reserve_s: float
+    ) -> tuple[int, str] | None:
+        """Who a free tanker serves next, and by what: `urgency`, `competition` or `timeout`; None while undecided."""
+        standing, rules, now_s = self.standing, self._rules, snapshot.time_s
+        if not standing.v:
+            return None
+        urgent = []
+        for sysid in standing.v:
+            view = snapshot.vehicle(sysid)
+            rendezvous_s = math.dist(tanker.p_now_ned(), view.p_now_ned()) / speed_m_s
+            if view.endurance_s < rendezvous_s + reserve_s:
+                urgent.append((view.endurance_s, sysid))
+        if urgent:
+            return min(urgent)[1], "urgency"
+        leads_s = now_s - self._leading_since_s
+        if standing.leader is not None and standing.share >= rules.share and leads_s >= rules.dwell_s:
+            return standing.leader, "competition"
+        if self._begun_s is not None and now_s - self._begun_s >= rules.decide_within_s:
+            return max(standing.v, key=lambda sysid: (standing.v[sysid], -sysid)), "timeout"
+        return None
+
+    def award(self, sysid: int, now_s: float) -> None:
+        """The winner leaves; the others go on, and the next decision takes its own time."""
+        self._v.pop(sysid, None)
+        left = {key: value for key, value in self.standing.v.items() if key != sysid}
+        self.standing = Standing(left, self.standing.tau, self.standing.need, None, 0.0)
+        self._leading_since_s = now_s
+        self._begun_s = now_s if left else None
+
+    def _enters(self, view: VehicleView) -> bool:
+        """Only vehicles that can receive compete."""
+        return view.flying and view.mode in STEERABLE and view.need >= self._rules.need_from

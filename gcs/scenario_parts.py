@@ -1,0 +1,318 @@
+"""The parts that a scenario is made of: vehicles, obstacles, and the rules of planner, competition and refuelling.
+
+Frozen, strict, and NED: with the validation context {"axes": "paper"} geometry is turned from paper axes as it is read.
+"""
+
+import math
+from collections.abc import Callable
+from datetime import UTC, datetime
+from typing import Annotated, Any, ClassVar, Literal
+
+from pydantic import AfterValidator, AwareDatetime, BaseModel, ConfigDict, Field, ValidationInfo
+
+STEP_S = 0.004  # the vehicles' own step: a grant is a whole number of them
+
+
+def _into_ned(value: Any, info: ValidationInfo) -> Any:
+    """A height, or a vector of two or three (also roll, pitch, yaw): from paper axes it is half a turn about north."""
+    if info.context != {"axes": "paper"}:
+        return value
+    return (value[0], *(0.0 - part for part in value[1:])) if isinstance(value, tuple) else 0.0 - value
+
+
+def known_axes(value: str, info: ValidationInfo) -> str:
+    if value == "paper" and info.context != {"axes": "paper"}:
+        raise ValueError("must be 'ned' here: only a file is converted from paper axes")
+    return "ned"
+
+
+Flag = Annotated[bool, Field(strict=True)]
+Count = Annotated[int, Field(strict=True, ge=0, lt=1 << 63)]
+SysId = Annotated[int, Field(strict=True, ge=1, le=254)]
+Label = Annotated[str, Field(pattern=r"^[^\x00-\x1f\x7f-\x9f]{1,32}$")]
+ParamName = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,15}$")]
+Number = Annotated[float, Field(strict=True)]
+Positive = Annotated[float, Field(strict=True, gt=0)]
+NotNegative = Annotated[float, Field(strict=True, ge=0)]
+Fraction = Annotated[float, Field(strict=True, ge=0, le=1)]
+Percent = Annotated[float, Field(strict=True, ge=0, le=100)]
+Metres = Annotated[float, Field(strict=True, gt=0, le=1e5)]
+Speed = Annotated[float, Field(strict=True, gt=0, le=100)]
+Degrees = Annotated[float, Field(strict=True, ge=-180, le=180)]
+Seconds = Annotated[float, Field(strict=True, ge=0, le=86_400)]
+Joules = Annotated[float, Field(strict=True, gt=0, le=1e9)]  # whole joules travel as 32-bit integers
+Coordinate = Annotated[float, Field(strict=True, ge=-1e5, le=1e5)]
+Height = Annotated[Coordinate, AfterValidator(_into_ned)]
+Plane = Annotated[tuple[Coordinate, Coordinate], AfterValidator(_into_ned)]
+Vec3 = Annotated[tuple[Coordinate, Coordinate, Coordinate], AfterValidator(_into_ned)]
+Angles = Annotated[tuple[Degrees, Degrees, Degrees], AfterValidator(_into_ned)]
+Route = Annotated[tuple[Vec3, ...], Field(min_length=1)]
+EARLIEST, LATEST = datetime(1970, 1, 1, tzinfo=UTC), datetime(2200, 1, 1, tzinfo=UTC)
+
+
+class Part(BaseModel):
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, use_attribute_docstrings=True)
+
+
+class Origin(Part):
+    """Where the local frame's zero lies; the height is above mean sea level."""
+
+    lat_deg: Annotated[float, Field(strict=True, ge=-89, le=89)]
+    lon_deg: Degrees
+    alt_m: Annotated[float, Field(strict=True, ge=-1000, le=20_000)]
+
+
+class Clock(Part):
+    """lockstep: as fast as the machine can; real: paced at `speed`. `epoch` is the date of session time zero."""
+
+    mode: Literal["lockstep", "real"] = "real"
+    speed: Annotated[float, Field(strict=True, gt=0, le=1000)] = 1.0
+    period_s: Annotated[float, Field(strict=True, ge=STEP_S, le=1)] = 0.1
+    epoch: Annotated[AwareDatetime, Field(ge=EARLIEST, lt=LATEST)] = datetime(2026, 1, 1, tzinfo=UTC)
+
+
+class Pursue(Part):
+    within_m: Metres
+    for_s: Seconds
+
+
+class Goal(Part):
+    """What makes the session a success."""
+
+    pursue: Pursue | None = None
+    refuelled_at_least: Count = 0
+    duration_s: Annotated[float, Field(strict=True, gt=0, le=86_400)]
+
+
+class Battery(Part):
+    """P = hover_w (T/mg)^(3/2) + avionics_w (model.md 9) [choice]."""
+
+    capacity_j: Joules
+    initial_percent: Percent = 100.0
+    hover_w: Positive = 200.0
+    avionics_w: NotNegative = 10.0
+
+
+class VehicleBase(Part):
+    role: ClassVar[str]
+
+    sysid: SysId
+    name: Label | None = None
+    start_m: Vec3
+    velocity_m_s: Vec3 = (0.0, 0.0, 0.0)
+    attitude_deg: Angles = (0.0, 0.0, 0.0)
+    """roll, pitch, yaw"""
+    airborne: Flag = False
+    """starts flying; there is then no ground"""
+    join_s: Seconds = 0.0
+    takeoff_m: Metres = 2.5
+    """the height above the ground to which it climbs first"""
+    battery: Battery
+    params: dict[ParamName, Number] = {}
+    """further MAVLink parameters"""
+
+    @property
+    def label(self) -> str:
+        """For messages: `NAME (3)`, or `pursuer 3`."""
+        return f"{self.name} ({self.sysid})" if self.name else f"{self.role} {self.sysid}"
+
+
+class Pursuer(VehicleBase):
+    role = "pursuer"
+
+    target: SysId | None = None
+    """the target's sysid; without it the first target"""
+
+
+class Target(VehicleBase):
+    role = "target"
+
+    path_m: Route
+    speed_m_s: Speed
+    laps: Annotated[int, Field(strict=True, ge=1, le=1_000_000)] = 1
+    closed: Flag = False
+    """the path leads from its last point back to its first"""
+
+
+class Tanker(VehicleBase):
+    role = "tanker"
+
+    reserve_j: NotNegative = 10_000.0
+    """kept to get home"""
+    speed_m_s: Speed = 5.0
+    home_m: Vec3 | None = None
+    """where it waits; without it above its start"""
+
+
+class Vehicles(Part):
+    """By role. A file may add `defaults`: keys that `load` gives to each vehicle that lacks them."""
+
+    model_config = ConfigDict(json_schema_extra=lambda schema: schema["properties"].update(defaults={"type": "object"}))
+
+    pursuers: tuple[Pursuer, ...] = ()
+    targets: tuple[Target, ...] = ()
+    tankers: tuple[Tanker, ...] = ()
+
+    def target_of(self, pursuer: Pursuer) -> int | None:
+        """The system id of the target that a pursuer follows: the one it names, else the first; None without any."""
+        if pursuer.target is not None:
+            return pursuer.target
+        return self.targets[0].sysid if self.targets else None
+
+    @property
+    def all(self) -> tuple[Pursuer | Target | Tanker, ...]:
+        """Every vehicle, in order of system id."""
+        return tuple(sorted((*self.pursuers, *self.targets, *self.tankers), key=lambda vehicle: vehicle.sysid))
+
+
+Kind = Literal["point", "sphere", "box", "cylinder"]
+_KEYS: dict[Kind, set[str]] = {
+    "point": set(),
+    "box": set(),
+    "sphere": {"radius_m"},
+    "cylinder": {"radius_m", "bottom_m", "top_m"},
+}
+
+
+class Obstacle(Part):
+    """A point, a sphere round its centre, a box between two opposite corners, or an upright cylinder round (x, y).
+
+    All are read alike, by `kind`, `low_m`, `high_m` and `radius_m` (0 for points and boxes).
+    """
+
+    name: Label | None = None
+    point_m: Vec3 | None = None
+    sphere_m: Vec3 | None = None
+    box_m: tuple[Vec3, Vec3] | None = None
+    cylinder_m: Plane | None = None
+    radius_m: Annotated[float, Field(strict=True, ge=0, le=1e5)] = 0.0
+    bottom_m: Height | None = None
+    top_m: Height | None = None
+
+    @property
+    def kind(self) -> Kind:
+        return next(kind for kind in _KEYS if getattr(self, f"{kind}_m") is not None)
+
+    @property
+    def low_m(self) -> Vec3:
+        """NED; the least coordinates of the box, of the cylinder's axis, or the point or centre itself."""
+        return self._corner(min)
+
+    @property
+    def high_m(self) -> Vec3:
+        """NED; the greatest coordinates of the same."""
+        return self._corner(max)
+
+    def _corner(self, of: Callable[[float, float], float]) -> Vec3:
+        a = b = self.point_m or self.sphere_m or (0.0, 0.0, 0.0)
+        if self.box_m:
+            a, b = self.box_m
+        elif self.cylinder_m:
+            a, b = (*self.cylinder_m, self.top_m or 0.0), (*self.cylinder_m, self.bottom_m or 0.0)
+        return of(a[0], b[0]), of(a[1], b[1]), of(a[2], b[2])
+
+    def clearance_m(self, p_ned: Vec3) -> float:
+        """The distance in m from p_ned to the surface (a point's is its centre); negative inside."""
+        beyond = [max(low - x, x - high) for low, x, high in zip(self.low_m, p_ned, self.high_m, strict=True)]
+        if self.kind == "cylinder":
+            beyond = [math.hypot(beyond[0], beyond[1]) - self.radius_m, beyond[2]]
+        outside = math.hypot(*(max(distance, 0.0) for distance in beyond))
+        return (outside or max(beyond)) - (self.radius_m if self.kind == "sphere" else 0.0)
+
+    def fault(self) -> str:
+        """What keeps the keys from being one solid, as a sentence; empty if nothing does."""
+        kinds = [kind for kind in _KEYS if getattr(self, f"{kind}_m") is not None]
+        if len(kinds) != 1:
+            return f"an obstacle needs exactly one of {', '.join(f'{kind}_m' for kind in _KEYS)}"
+        for key in ("radius_m", "bottom_m", "top_m"):
+            given = getattr(self, key) is not None and (key != "radius_m" or self.radius_m > 0)
+            if given != (key in _KEYS[kinds[0]]):
+                return f"a {kinds[0]} {'has no' if given else 'needs'} {key}"
+        if self.box_m and any(low == high for low, high in zip(*self.box_m, strict=True)):
+            return "a box needs corners that differ in each direction"
+        if self.bottom_m is not None and self.top_m is not None and self.top_m >= self.bottom_m:
+            return "a cylinder's top_m must lie above its bottom_m"
+        return ""
+
+
+class Mover(Part):
+    """Traffic: flies its path from session time `start_s`, reported by ADSB_VEHICLE; nobody steers it."""
+
+    callsign: Annotated[str, Field(pattern=r"^[A-Za-z0-9_-]{1,8}$")]
+    path_m: Route
+    speed_m_s: Speed
+    closed: Flag = False
+    start_s: Seconds = 0.0
+
+
+class Planner(Part):
+    """Potential field (model.md 6) [seed: k0, k1, a, b, ranges] and fuzzy escape (model.md 7)."""
+
+    method: Literal["potential_field"] = "potential_field"
+    escape: Flag = True
+    cruise_m_s: Speed = 1.5
+    k0: Positive = 15.0
+    k1: Positive = 2.0
+    a: NotNegative = 0.5
+    b: Annotated[float, Field(strict=True, gt=0, lt=1)] = 0.5
+    attraction_range_m: Metres = 1.0
+    repulsion_range_m: Metres = 1.0
+    step_m: Metres = 0.1
+    separation_m: Annotated[float, Field(strict=True, ge=0, le=1e5)] = 0.6
+    """the least distance between any two vehicles that are not partners of a transfer"""
+    leash_m: Metres = 2.0
+    """how far the planned point may run ahead of its vehicle"""
+
+
+class Formation(Part):
+    """A ring around the target, `height_m` above it; without `ring_m` the target itself attracts."""
+
+    ring_m: Metres | None = None
+    height_m: Coordinate = 0.0
+
+
+class Competition(Part):
+    """Winner-take-all (model.md 8): exponent p, rate c, values in [floor, high]; who competes, when it is decided."""
+
+    enabled: Flag = True
+    p: Annotated[float, Field(strict=True, ge=1, le=100)] = 2.0
+    rate: Positive = 5.0
+    floor: Positive = 0.01
+    high: Positive = 1.0
+    need_from: Fraction = 0.5
+    share: Annotated[float, Field(strict=True, gt=0, lt=1)] = 0.9
+    dwell_s: Seconds = 2.0
+    decide_within_s: Seconds = 30.0
+
+
+class Refuelling(Part):
+    """Where the tanker stands (`height_m` above the receiver), when a transfer may run, and how much flows."""
+
+    enabled: Flag = True
+    height_m: Metres = 1.2
+    capture_m: Metres = 1.5
+    relative_speed_m_s: Speed = 0.5
+    hold_s: Seconds = 1.0
+    rate_w: Positive = 2000.0
+    until: Annotated[float, Field(strict=True, gt=0, le=1)] = 0.9
+    """of the receiver's capacity"""
+    reserve_s: Seconds = 20.0
+    """served first: who cannot last until the rendezvous and this long after it"""
+    limit_j: Joules | None = None
+
+
+class Blackout(Part):
+    sysid: SysId
+    from_s: Seconds
+    to_s: Seconds
+
+
+class Radio(Part):
+    """What happens to frames on the air, each way: shares of all frames, and seconds (contract.md, Clock)."""
+
+    loss: Fraction = 0.0
+    delay_s: Seconds = 0.0
+    jitter_s: Seconds = 0.0
+    duplicate: Fraction = 0.0
+    reorder: Fraction = 0.0
+    blackouts: tuple[Blackout, ...] = ()

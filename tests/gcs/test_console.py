@@ -1,0 +1,431 @@
+"""The console: what a person reads of a session, in the room there is; and the client of a session's socket."""
+
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from io import StringIO
+from pathlib import Path
+from typing import Any
+
+import pytest
+from rich.console import Console
+
+from gcs.console.client import Client, Lines
+from gcs.console.plain import JsonView, PlainView, farewell, minutes, news, progress
+from gcs.console.table import ASCII as ASCII_GLYPHS
+from gcs.console.table import TableView, bar, number, render
+
+
+def vehicle(sysid: int, role: str = "pursuer", **other: Any) -> dict[str, Any]:
+    return {
+        "sysid": sysid,
+        "role": role,
+        "label": f"{role} {sysid}",
+        "alive": True,
+        "stage": "fly",
+        "mode": "offboard",
+        "armed": True,
+        "p_ned": [3.25, -1.5, -2.125],
+        "speed_m_s": 0.75,
+        "height_m": 2.125,
+        "target_m": 2.5,
+        "battery": 0.71,
+        "remaining_j": 17000,
+        "endurance_s": 81.0,
+        "v": None,
+        "tau": None,
+        "note": "",
+    } | other
+
+
+def snapshot(*vehicles: dict[str, Any], **other: Any) -> dict[str, Any]:
+    return {
+        "type": "snapshot",
+        "t_s": 52.3,
+        "duration_s": 150.0,
+        "speed": 4.98,
+        "phase": "flying",
+        "vehicles": list(vehicles),
+        "traffic": [],
+        "services": [],
+        "refuelled": 2,
+        "goal": {"pursue_within_m": 3.5, "pursue_for_s": 20, "pursue_held_s": 12.0, "refuelled_at_least": 3},
+        "events": [],
+    } | other
+
+
+def event(t_s: float, sysid: int, text: str, level: str = "info") -> dict[str, Any]:
+    return {"t_s": t_s, "sysid": sysid, "level": level, "text": text}
+
+
+SERVICE = {"receiver": 5, "tanker": 201, "phase": "transfer", "energy_j": 3120, "by": "competition"}
+EVENTS = [event(40.0 + i, 5, f"happening {i}") for i in range(5)]
+
+
+def demo(**other: Any) -> dict[str, Any]:
+    return snapshot(
+        vehicle(1, v=0.93),
+        vehicle(2, battery=0.42, p_ned=[-12.34, 103.45, -3.0], v=0.02),
+        vehicle(3, battery=0.15, endurance_s=20.0, v=0.05),
+        vehicle(4, mode="hold"),
+        vehicle(5, mode="refuel", note="served by 201: transfer"),
+        vehicle(101, "target", target_m=None),
+        vehicle(201, "tanker", target_m=None, note="serves 5: transfer"),
+        **({"services": [SERVICE], "events": EVENTS} | other),
+    )
+
+
+def picture(content: dict[str, Any], width: int, height: int, *, unicode: bool = True) -> list[str]:
+    console = Console(file=StringIO(), width=width, height=height, record=True)
+    console.print(render(content, name="demo", width=width, height=height, unicode=unicode))
+    return console.export_text().splitlines()
+
+
+def rows(lines: list[str]) -> list[str]:
+    """The fleet's rows."""
+    return [line for line in lines if re.match(r"[ !] +\d+ +(pursuer|target|tanker) ", line)]
+
+
+@pytest.mark.parametrize("width", [40, 60, 80, 110, 160, 300])
+@pytest.mark.parametrize("height", [10, 23, 50])
+def test_the_table_never_exceeds_its_room(width: int, height: int) -> None:
+    lines = picture(demo(), width, height)
+    assert len(lines) <= height
+    assert max(map(len, lines)) <= width
+
+
+def test_seven_vehicles_and_all_else_fit_eighty_by_twenty_four() -> None:
+    lines = picture(demo(), 80, 23)
+    text = "\n".join(lines)
+    assert len(rows(lines)) == 7
+    for part in ("demo", "52.3 / 150 s", "×4.98", "12/20 s", "2/3", "-12.3", "103.5", "42%", "1:21", "0.93 1st", "tgt"):
+        assert part in text
+    assert "pursuer 5 ← tanker 201  transfer, 3120 J, by competition" in text
+    assert all(f"happening {i}" in text for i in range(5))
+
+
+def test_a_wide_table_adds_decimals_and_notes() -> None:
+    text = "\n".join(picture(demo(), 160, 40))
+    assert "-12.34" in text
+    assert "103.45" in text
+    assert "served by 201: transfer" in text
+    assert "battery low" in text
+
+
+def test_vehicles_in_trouble_come_first_and_are_marked() -> None:
+    content = snapshot(
+        vehicle(1),
+        vehicle(2, battery=0.19),
+        vehicle(3, mode="land"),
+        vehicle(4, battery=0.02),
+        vehicle(5, alive=False),
+        vehicle(6, battery=0.21),
+    )
+    shown = rows(picture(content, 80, 23))
+    assert [row.split()[0:2] for row in shown[:4]] == [["!", "5"], ["!", "3"], ["!", "4"], ["!", "2"]]
+    assert [row.split()[0] for row in shown[4:]] == ["1", "6"]
+    assert "DEAD" in shown[0]
+
+
+def test_of_254_vehicles_the_worst_are_shown_and_the_rest_are_counted() -> None:
+    fleet = [vehicle(i, battery=0.25 + 0.7 * (i * 37 % 254) / 254) for i in range(1, 255)]
+    fleet[76] |= {"alive": False}
+    fleet[199] |= {"battery": 0.1}
+    lines = picture(snapshot(*fleet), 80, 23)
+    shown = rows(lines)
+    assert [row.split()[:2] for row in shown[:2]] == [["!", "77"], ["!", "200"]]
+    healthy = sorted((v for v in fleet if v["sysid"] not in (77, 200)), key=lambda v: v["battery"])
+    assert [int(row.split()[0]) for row in shown[2:]] == [v["sysid"] for v in healthy[: len(shown) - 2]]
+    rest = 254 - len(shown)
+    assert f"… {rest} more: {rest} offboard" in lines
+    assert len(lines) <= 23
+
+
+def test_only_the_single_greatest_value_leads() -> None:
+    ahead = rows(picture(snapshot(vehicle(1, v=0.4), vehicle(2, v=0.5)), 80, 23))
+    assert ["1st" in row for row in ahead] == [False, True]
+    equal = rows(picture(snapshot(vehicle(1, v=0.5), vehicle(2, v=0.5)), 80, 23))
+    assert not any("1st" in row for row in equal)
+
+
+def test_without_unicode_the_table_is_pure_ascii() -> None:
+    assert "\n".join(picture(demo(), 80, 23, unicode=False)).isascii()
+
+
+def test_what_is_not_known_yet_shows_as_a_dash() -> None:
+    unknown = vehicle(1, p_ned=None, height_m=None, speed_m_s=None, target_m=None, battery=None, endurance_s=None)
+    (row,) = rows(picture(snapshot(unknown, t_s=0.0), 80, 23))
+    assert row.split() == ["1", "pursuer", "offboard", *"------"]
+
+
+def test_text_from_the_air_cannot_steer_the_terminal() -> None:
+    content = demo(events=[event(1.0, 5, "\x1b[2Jgone [red]\nnext\x07")])
+    text = "\n".join(picture(content, 120, 30))
+    assert "\x1b" not in text
+    assert "[2Jgone [red] next" in text
+    assert "\x1b" not in "".join(news(None, content))
+
+
+def test_bars_are_full_only_at_the_end_and_empty_only_at_zero() -> None:
+    drawn = [bar(share, 4, ASCII_GLYPHS, "").plain for share in (0.0, 0.001, 0.5, 1.0, 7.0)]
+    assert drawn == ["....", "#...", "##..", "####", "####"]
+
+
+def test_numbers_keep_their_column() -> None:
+    assert [number(x, 5, 2) for x in (1.234, -12.34, -123.4, 99999.0, None)] == ["1.23", "-12.3", "-123", "99999", "-"]
+    assert number(-0.001, 5, 1) == "0.0"
+    assert [minutes(s) for s in (81.9, 0.0, 700.0, 1e9, None)] == ["1:21", "0:00", "11:40", "99+", "-"]
+
+
+def test_the_live_table_draws_at_most_eight_times_a_second_and_remembers_events() -> None:
+    out = StringIO()
+    console = Console(file=out, force_terminal=True, width=80, height=24)
+    view = TableView("demo", console)
+    for i in range(100):  # one second of wall time
+        view.show(demo(t_s=float(i), events=[event(float(i), 5, f"number {i}.")]))
+        view.tick(i / 100)
+    view.close()
+    drawn = out.getvalue().count("Ctrl-C")
+    assert 2 <= drawn <= 10
+    assert all(f"number {i}." in out.getvalue().split("Ctrl-C")[-1] for i in range(95, 100))
+
+
+def test_a_progress_line_says_time_modes_lowest_battery_and_goal() -> None:
+    assert progress(demo()) == (
+        "   52.3 s of 150 s | x4.98 | flying | 5 offboard, 1 hold, 1 refuel | lowest battery 15 % (pursuer 3) | "
+        "pursuit 12/20 s | refuelled 2/3"
+    )
+
+
+def test_each_event_becomes_one_line_with_its_level_and_vehicle() -> None:
+    lines = news(None, demo(events=[event(12.1, 5, "Refuel"), event(12.2, 3, "Battery empty", "critical")]))
+    assert lines == ["   12.1 s pursuer 5: Refuel", "   12.2 s CRITICAL: pursuer 3: Battery empty"]
+    death = "pursuer 3 (process 9) was killed by signal 9"
+    assert news(None, demo(events=[event(1.0, 3, death, "critical")])) == [f"    1.0 s CRITICAL: {death}"]
+
+
+def test_a_change_of_mode_is_told_once() -> None:
+    before, after = snapshot(vehicle(5)), snapshot(vehicle(5, mode="hold"), t_s=52.4)
+    assert news(before, after) == ["   52.4 s pursuer 5: offboard -> hold"]
+    assert news(before, after, [event(51.5, 5, "Set points lost: hold")]) == []
+    assert news(after, after) == []
+
+
+def test_refuelling_is_told_from_decision_to_end() -> None:
+    waiting, flowing, over = (demo(services=s, events=[]) for s in ([SERVICE | {"phase": "join"}], [SERVICE], []))
+    assert news(over, waiting) == ["   52.3 s refuelling pursuer 5 <- tanker 201: join (by competition)"]
+    assert news(waiting, flowing) == ["   52.3 s refuelling pursuer 5 <- tanker 201: transfer"]
+    decision = event(52.0, 5, "Refuelling of 5 by 201 decided by competition")
+    assert news(over, waiting | {"events": [decision]}) == ["   52.0 s pursuer 5: " + decision["text"]]
+    assert news(flowing, over) == ["   52.3 s refuelling pursuer 5 <- tanker 201: over, at least 3120 J given"]
+
+
+def test_plain_progress_comes_every_two_seconds_and_news_at_once() -> None:
+    lines: list[str] = []
+    view = PlainView(lines.append)
+    for tenth in range(50):
+        view.show(demo(events=[event(1.0, 5, "Refuel")] if tenth == 25 else []))
+        view.tick(tenth / 10)
+    assert [line.partition(" s ")[2][:9] for line in lines] == ["of 150 s ", "of 150 s ", "pursuer 5", "of 150 s "]
+
+
+def test_json_comes_every_second_and_leaves_no_event_out() -> None:
+    lines: list[str] = []
+    view = JsonView(lines.append)
+    for tenth in range(25):
+        view.show(demo(t_s=tenth / 10, events=[event(tenth / 10, 5, str(tenth))]))
+        view.tick(tenth / 10)
+    view.close()
+    shown = [json.loads(line) for line in lines]
+    assert [s["t_s"] for s in shown] == [0.0, 1.0, 2.0, 2.4]
+    assert [e["text"] for s in shown for e in s["events"]] == [str(i) for i in range(25)]
+
+
+SUMMARY = {
+    "refuelling": [{"receiver": 5, "tanker": 201, "end_s": 60.0, "energy_j": 9000, "by": "competition"}],
+    "min_separation_m": 0.71,
+    "min_clearance_m": None,
+    "sim_time_s": 150.0,
+    "wall_time_s": 30.5,
+    "speed_achieved": 4.918,
+    "lag_s": 0.5,
+    "digest": "sha256:ab",
+}
+
+
+def test_the_farewell_says_what_the_session_amounts_to() -> None:
+    assert farewell(SUMMARY, "met", None, Path("sessions/x")) == [
+        "outcome: met",
+        "refuelled: 5 by 201 (9000 J, competition)",
+        "minimum separation: 0.71 m",
+        "minimum clearance: -",
+        "speed: 4.92 (150.0 s flown in 30.5 s, 0.5 s behind its pace)",
+        "digest: sha256:ab",
+        "session: sessions/x",
+    ]
+    assert farewell(None, None, "no word from 3", Path("x")) == ["outcome: none", "error: no word from 3", "session: x"]
+
+
+def test_lines_arrive_whole_however_they_are_cut() -> None:
+    content = b'{"a": 1}\nnot json\n[1]\n{"b": "\xc3\xa9"}\n{"unfinished'
+    for size in range(1, len(content) + 1):
+        lines = Lines()
+        got = [m for i in range(0, len(content), size) for m in lines.feed(content[i : i + size])]
+        assert got == [{"a": 1}, {"b": "é"}]
+
+
+# A supervisor that speaks the protocol and does what its first word says; what it was told ends up in `told`.
+FAKE = """
+import json, os, signal, socket, sys, time
+behaviour, folder = sys.argv[1:3]
+signal.signal(signal.SIGINT, signal.SIG_IGN)
+say = lambda content: print(json.dumps(content), flush=True)
+snapshots = json.load(open(os.path.join(folder, "snapshots.json")))
+if behaviour == "dies":
+    print("something broke", file=sys.stderr)
+    os._exit(9)
+os.chdir(folder)
+server = socket.socket(socket.AF_UNIX)
+server.bind("session.sock")
+server.listen()
+say({"listening": True})
+client, _ = server.accept()
+if behaviour == "drops":
+    client.sendall(b'{"type": "snaps')
+    client.close()
+    client, _ = server.accept()
+for snapshot in snapshots:
+    client.sendall(json.dumps(snapshot).encode() + b"\\n")
+outcome, status = "met", 0
+if behaviour == "deaf":  # obeys neither the command nor the closed pipe
+    while True:
+        time.sleep(60)
+if behaviour == "waits":
+    open("told", "wb").write(client.makefile("rb").readline())
+    outcome, status = "interrupted", 130
+if behaviour == "ignores":  # ends only when its pipe closes
+    sys.stdin.read()
+    outcome, status = "interrupted", 130
+if behaviour == "misses":
+    outcome, status = "pursue", 1
+json.dump(json.load(open("canned.json")), open("summary.json", "w"))
+client.sendall(json.dumps({"type": "end", "outcome": outcome, "exit": status}).encode() + b"\\n")
+say({"exit": status, "outcome": outcome, "error": None})
+sys.exit(status)
+"""
+
+RUN = """
+import sys
+from pathlib import Path
+from gcs.console.plain import PlainView
+from gcs.run import run
+write = lambda line: print(line, flush=True)
+folder, *supervisor = sys.argv[1:]
+sys.exit(run(Path(folder), PlainView(write), write, supervisor=[sys.executable, *supervisor]))
+"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A session folder whose path is longer than a Unix socket's may be."""
+    deep = tmp_path / ("long" * 30)
+    deep.mkdir()
+    (deep / "fake.py").write_text(FAKE)
+    (deep / "snapshots.json").write_text(json.dumps([demo(), demo(t_s=53.0, events=[event(52.9, 5, "Refuelled")])]))
+    (deep / "canned.json").write_text(json.dumps(SUMMARY))
+    return deep
+
+
+@contextmanager
+def started(folder: Path, behaviour: str) -> Iterator[subprocess.Popen[str]]:
+    command = [sys.executable, "-c", RUN, str(folder), str(folder / "fake.py"), behaviour]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    try:
+        with process:
+            yield process
+    finally:
+        process.kill()
+
+
+def until(process: subprocess.Popen[str], words: str) -> None:
+    """Read the program's lines up to one with `words` in it."""
+    assert process.stdout is not None
+    for line in process.stdout:
+        if words in line:
+            return
+    raise AssertionError(f"ended without a word of {words}")
+
+
+@pytest.mark.parametrize(("behaviour", "status"), [("ends", 0), ("misses", 1), ("drops", 0)])
+def test_a_session_is_shown_summed_up_and_its_status_passed_on(folder: Path, behaviour: str, status: int) -> None:
+    with started(folder, behaviour) as process:
+        out, err = process.communicate(timeout=60)
+    assert process.returncode == status
+    assert "pursuer 5: Refuelled" in out
+    assert "refuelled: 5 by 201 (9000 J, competition)" in out
+    assert out.rstrip().endswith(f"session: {folder}")
+    assert err == ""
+
+
+@pytest.mark.parametrize(("number", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
+def test_a_signal_stops_the_session_once_and_saves_it(folder: Path, number: signal.Signals, status: int) -> None:
+    with started(folder, "waits") as process:
+        until(process, "Refuelled")
+        process.send_signal(number)
+        out, _ = process.communicate(timeout=60)
+    assert process.returncode == status
+    assert json.loads((folder / "told").read_text()) == {"command": "stop"}
+    assert "outcome: interrupted" in out
+
+
+def test_the_second_signal_closes_the_pipe(folder: Path) -> None:
+    with started(folder, "ignores") as process:
+        until(process, "Refuelled")
+        process.send_signal(signal.SIGINT)
+        process.send_signal(signal.SIGTERM)  # two of the same kind could arrive as one
+        out, _ = process.communicate(timeout=60)
+    assert process.returncode in (130, 143)
+    assert "outcome: interrupted" in out
+
+
+def test_a_supervisor_that_dies_is_reported_in_one_sentence(folder: Path) -> None:
+    with started(folder, "dies") as process:
+        out, err = process.communicate(timeout=60)
+    assert process.returncode == 70
+    said, sentence = err.splitlines()
+    assert said == "something broke"
+    assert sentence.startswith(f"gcs: the supervisor of {folder} ended with status 9")
+    assert out == ""
+
+
+def test_a_supervisor_that_is_killed_is_reported_with_its_signal(folder: Path) -> None:
+    with started(folder, "deaf") as process:
+        until(process, "Refuelled")
+        (supervisor,) = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
+        os.kill(int(supervisor), signal.SIGKILL)
+        _, err = process.communicate(timeout=60)
+    assert process.returncode == 70
+    assert "was killed by signal 9" in err
+
+
+def test_a_reader_that_goes_away_stops_the_session(folder: Path) -> None:
+    with started(folder, "waits") as process:
+        until(process, "happening 0")
+        assert process.stdout is not None
+        process.stdout.close()
+        process.wait(timeout=60)
+    assert json.loads((folder / "told").read_text()) == {"command": "stop"}
+
+
+def test_a_client_without_a_session_gets_an_os_error(tmp_path: Path) -> None:
+    with pytest.raises(FileNotFoundError):
+        Client(tmp_path)
+    shutil.rmtree(tmp_path)
+    with pytest.raises(FileNotFoundError):
+        Client(tmp_path)

@@ -19,7 +19,7 @@ from typing import Any, Self
 
 TLOG = "session.tlog"
 DECISIONS = "decisions.jsonl"
-BATCH_BYTES = 1 << 18
+BATCH_BYTES = 1 << 16
 
 _TIME = struct.Struct(">Q").pack
 _DIGEST_PREFIX = struct.Struct("<QB").pack

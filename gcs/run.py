@@ -22,7 +22,7 @@ from typing import Any, Protocol, Self
 import click
 
 from gcs.console.client import Client, Lines
-from gcs.console.plain import farewell
+from gcs.console.plain import clean, farewell
 from gcs.launch import Hatch, LaunchError, vehicle_order
 from gcs.scenario import Scenario, dump
 
@@ -256,7 +256,9 @@ def run(
         return INTERNAL_ERROR
     verdict = verdict or {"exit": BAD_INPUT, "outcome": "interrupted", "error": None}
     finish(verdict)
-    for line in farewell(_summary(folder), verdict.get("outcome"), verdict.get("error"), folder):
+    if verdict.get("error"):
+        print(f"gcs: {clean(verdict['error'])}", file=sys.stderr)
+    for line in farewell(_summary(folder), verdict.get("outcome"), folder):
         tell(line)
     failed = verdict["exit"] == INTERNAL_ERROR or verdict.get("error")
     return int(verdict["exit"]) if failed or not interrupted else 128 + interrupted

@@ -32,6 +32,8 @@ from gcs.supervisor import AUTOPILOT, TRAFFIC, Event, Supervisor
 MET, NOT_MET, BAD_INPUT, INTERNAL, INTERRUPTED = 0, 1, 2, 70, 130
 PUBLISH_EVERY_S = 0.1
 WATCH_EVERY_S = 0.05
+FLUSH_EVERY_S = 1.0
+"""What a killed supervisor can lose of its recording, at most, in wall time."""
 HELLO_WITHIN_S = 60.0
 
 
@@ -60,43 +62,46 @@ class Session:
         self._lost: list[int] = []
         self._published_s = 0.0
         self._watched_s = 0.0
+        self._flushed_s = 0.0
         self._phase = "starting"
         self._begun = False
+        self._wall_time_s = 0.0
 
     def run(self) -> tuple[int, str]:
         """Fly the session; exit status and outcome. Raises SessionError, LaunchError, RecorderError, OSError."""
-        _say({"listening": True})
-        interrupted = False
         try:
-            with Hatch() as self._hatch:
-                try:
-                    self._start_fleet()
-                    self._fly()
-                except _Stopped:
-                    interrupted = True
-                wall_time_s = self._pace.running_wall_s if self._begun else 0.0
-            self._recorder.close()
+            with self._recorder:
+                _say({"listening": True})
+                interrupted = self._fly_fleet()
             outcome = "interrupted" if interrupted else self._outcome()
             summarise(
                 self._supervisor,
                 self._link,
                 outcome=outcome,
                 completed=not interrupted,
-                wall_time_s=wall_time_s,
+                wall_time_s=self._wall_time_s,
                 lag_s=self._pace.lag_s,
             ).write(self._folder)
-        except BaseException:
-            with contextlib.suppress(RecorderError):
-                self._recorder.close()
-            raise
-        finally:
             self._phase = "ended"
+            status = INTERRUPTED if interrupted else MET if outcome == "met" else NOT_MET
+            self._publisher.publish(self._picture())
+            self._publisher.publish({"type": "end", "outcome": outcome, "exit": status})
+            return status, outcome
+        finally:
             self._link.close()
-        status = INTERRUPTED if interrupted else MET if outcome == "met" else NOT_MET
-        self._publisher.publish(self._picture())
-        self._publisher.publish({"type": "end", "outcome": outcome, "exit": status})
-        self._publisher.close()
-        return status, outcome
+            self._publisher.close()
+
+    def _fly_fleet(self) -> bool:
+        """The session from its first process to its last; True where it was interrupted."""
+        with Hatch() as self._hatch:
+            try:
+                self._start_fleet()
+                self._fly()
+            except _Stopped:
+                return True
+            finally:
+                self._wall_time_s = self._pace.running_wall_s if self._begun else 0.0
+        return False
 
     # start
 
@@ -135,8 +140,7 @@ class Session:
             supervisor.tick(self._watch)
             self._look_around()
             self._wait()
-        if self._link.joined:
-            self._link.collect(self._watch)
+        supervisor.finish(self._watch)
 
     def _wait(self) -> None:
         """Until the next tick is due, or while the session is paused, see who wants something."""
@@ -169,6 +173,9 @@ class Session:
         if now_s - self._published_s >= PUBLISH_EVERY_S:
             self._published_s = now_s
             self._publisher.publish(self._picture())
+        if now_s - self._flushed_s >= FLUSH_EVERY_S:
+            self._flushed_s = now_s
+            self._recorder.flush()
 
     def _lose(self, end: Ended) -> None:
         key = TRAFFIC if end.sysid == TRAFFIC[0] else (end.sysid, AUTOPILOT)

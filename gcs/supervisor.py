@@ -141,7 +141,9 @@ class Supervisor:
 
     def begin(self) -> None:
         """Send the first grant, which sets the vehicles' clocks and lets nobody move."""
-        self._grant_all({}, _Recording(0, [], [], []))
+        recording = _Recording(0, [], [], [])
+        self._grant_all({}, recording)
+        self._record(recording)
 
     def tick(self, idle: Callable[[], None]) -> None:
         """Collect the answers to the last grant, decide, and send the next one."""
@@ -163,14 +165,19 @@ class Supervisor:
         self.metrics.take(snapshot, set_points, decision.partners)
         self._record(recording)
 
+    def finish(self, idle: Callable[[], None]) -> None:
+        """Collect and record the answers to the last grant; nothing is decided any more."""
+        arrived, _ = self._hear(self._link.collect(idle), self.time_s)
+        self.snapshot = self.fleet.snapshot(self.time_s)
+        self._record(_Recording(self.time_ms, arrived, [], []))
+
     def lose(self, key: Key, why: str) -> None:
         """A process has died: hold it no longer, tell everyone, let the others go on."""
         self._link.leave(key)
         if key == TRAFFIC:
             self.events.append(Event(self.time_s, 255, "critical", why))
             return
-        if self.pilots[key[0]].stage is not Stage.DOWN:
-            self.fleet.lost(key[0])
+        self.fleet.lost(key[0])
         self.events.append(Event(self.time_s, key[0], "critical", why))
 
     # in

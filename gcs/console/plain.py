@@ -132,11 +132,9 @@ def _stamp(t_s: float) -> str:
     return f"{t_s:7.1f} s"
 
 
-def farewell(summary: Mapping[str, Any] | None, outcome: str | None, error: str | None, folder: Path) -> list[str]:
+def farewell(summary: Mapping[str, Any] | None, outcome: str | None, folder: Path) -> list[str]:
     """How the session ended, for a person; `summary` is None where none was written."""
     lines = [f"outcome: {clean(outcome or 'none')}"]
-    if error:
-        lines.append(f"error: {clean(error)}")
     if summary is not None:
         done = [r for r in summary["refuelling"] if r["end_s"] is not None]
         order = ", ".join(f"{r['receiver']} by {r['tanker']} ({r['energy_j']:.0f} J, {r['by']})" for r in done)

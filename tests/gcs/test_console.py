@@ -260,7 +260,7 @@ SUMMARY = {
 
 
 def test_the_farewell_says_what_the_session_amounts_to() -> None:
-    assert farewell(SUMMARY, "met", None, Path("sessions/x")) == [
+    assert farewell(SUMMARY, "met", Path("sessions/x")) == [
         "outcome: met",
         "refuelled: 5 by 201 (9000 J, competition)",
         "minimum separation: 0.71 m",
@@ -269,7 +269,7 @@ def test_the_farewell_says_what_the_session_amounts_to() -> None:
         "digest: sha256:ab",
         "session: sessions/x",
     ]
-    assert farewell(None, None, "no word from 3", Path("x")) == ["outcome: none", "error: no word from 3", "session: x"]
+    assert farewell(None, None, Path("x")) == ["outcome: none", "session: x"]
 
 
 def test_lines_arrive_whole_however_they_are_cut() -> None:

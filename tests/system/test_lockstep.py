@@ -1,0 +1,92 @@
+"""Lockstep: the same session is the same to the last bit, whatever the machine and the datagrams do."""
+
+from __future__ import annotations
+
+import contextlib
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from sessions import Outcome, fly, merged, small
+
+BUSY = "while True: sum(range(10_000))"
+
+
+def session(**changes: object) -> dict[str, object]:
+    return merged(small(goal={"duration_s": 25.0, "refuelled_at_least": 0}), changes)
+
+
+@pytest.fixture(scope="module")
+def plain(tmp_path_factory: pytest.TempPathFactory) -> Outcome:
+    return fly(session(), tmp_path_factory.mktemp("plain"), "--plain")
+
+
+@contextlib.contextmanager
+def busy_cores(count: int) -> Iterator[None]:
+    with contextlib.ExitStack() as stack:
+        for _ in range(count):
+            process = stack.enter_context(subprocess.Popen([sys.executable, "-c", BUSY]))
+            stack.callback(process.kill)
+        yield
+
+
+def vehicle_frames(outcome: Outcome) -> list[bytes]:
+    """What the vehicles sent, without their sequence numbers."""
+    return [bytes(m.get_msgbuf())[5:-2] for _, m in outcome.messages("LOCAL_POSITION_NED") if m.get_srcSystem() < 255]
+
+
+def test_the_digest_is_the_same_again(plain: Outcome, tmp_path: Path) -> None:
+    again = fly(session(), tmp_path, "--plain")
+    assert again.summary["digest"] == plain.summary["digest"]
+    assert (again.folder / "session.tlog").read_bytes() == (plain.folder / "session.tlog").read_bytes()
+
+
+def test_the_digest_is_the_same_on_a_loaded_machine(plain: Outcome, tmp_path: Path) -> None:
+    with busy_cores(4):
+        loaded = fly(session(), tmp_path, "--plain")
+    assert loaded.summary["digest"] == plain.summary["digest"]
+
+
+def test_the_digest_is_the_same_with_datagrams_dropped_and_sent_again(plain: Outcome, tmp_path: Path) -> None:
+    dropped = fly(session(), tmp_path, "--plain", "--drop-datagrams", "0.05")
+    assert dropped.summary["digest"] == plain.summary["digest"]
+    assert dropped.summary["link"]["lost"] == 0
+
+
+def test_the_digest_is_the_same_when_paced(plain: Outcome, tmp_path: Path) -> None:
+    paced = fly(session(clock={"mode": "real", "speed": 20.0}), tmp_path, "--plain")
+    assert paced.summary["digest"] == plain.summary["digest"]
+    assert paced.summary["speed_achieved"] <= 20.5
+
+
+def test_another_seed_without_radio_loss_changes_nothing(plain: Outcome, tmp_path: Path) -> None:
+    assert fly(session(), tmp_path, "--plain", "--seed", "7").summary["digest"] == plain.summary["digest"]
+
+
+def test_under_radio_loss_the_seed_decides(tmp_path: Path) -> None:
+    radio = session(radio={"loss": 0.2})
+    one = fly(radio, tmp_path / "one", "--plain", "--seed", "1")
+    same = fly(radio, tmp_path / "same", "--plain", "--seed", "1")
+    other = fly(radio, tmp_path / "other", "--plain", "--seed", "2")
+    assert one.summary["digest"] == same.summary["digest"]
+    assert one.summary["digest"] != other.summary["digest"]
+    assert one.summary["link"]["lost"] > 0
+    assert (one.truth(1).state[-1] != other.truth(1).state[-1]).any()
+    assert (one.truth(1).state == same.truth(1).state).all()
+
+
+def test_one_changed_set_point_changes_the_vehicles_own_frames_and_the_digest(plain: Outcome, tmp_path: Path) -> None:
+    moved = session()
+    moved["vehicles"]["targets"][0]["path_m"] = [[0.0, 0.001, -2.5]]  # type: ignore[index]
+    changed = fly(moved, tmp_path, "--plain")
+    assert changed.summary["digest"] != plain.summary["digest"]
+    assert vehicle_frames(changed) != vehicle_frames(plain)
+
+
+def test_the_tlog_is_in_session_time_and_in_order(plain: Outcome) -> None:
+    times = [t_s for t_s, _ in plain.messages()]
+    assert times == sorted(times)
+    assert times[0] == pytest.approx(0.0, abs=1e-6)
+    assert times[-1] == pytest.approx(25.0, abs=1e-6)

@@ -1,0 +1,112 @@
+"""Energy in the air: every joule is accounted for, whatever happens to the vehicles and to the radio."""
+
+from __future__ import annotations
+
+import signal
+from pathlib import Path
+
+import numpy as np
+import pytest
+from sessions import Outcome, Running, all_gone, demo, fly, merged, small
+
+EVERYONE = (1, 101, 201)
+
+
+def assert_ledgers_close(outcome: Outcome, sysids: tuple[int, ...]) -> None:
+    for sysid in sysids:
+        truth = outcome.truth(sysid)
+        assert truth.ledger_error_j() <= 1e-6 * truth.head["capacity_j"], sysid
+    given = sum(outcome.truth(sysid).energy[-1, 2] for sysid in sysids)
+    received = sum(outcome.truth(sysid).energy[-1, 1] for sysid in sysids)
+    assert received <= given
+
+
+def test_a_needy_vehicle_is_refuelled_up_to_the_level(tmp_path: Path) -> None:
+    outcome = fly(small(), tmp_path, "--plain")
+    assert outcome.status == 0, outcome.stderr
+    truth = outcome.truth(1)
+    assert truth.energy[:, 3].max() == pytest.approx(0.9 * 24000, abs=400)  # 2 kW, told twice a second
+    assert_ledgers_close(outcome, EVERYONE)
+    (service,) = outcome.summary["refuelling"]
+    assert service["energy_j"] == truth.energy[-1, 1] == outcome.truth(201).energy[-1, 2]
+    assert outcome.vehicle(201)["energy"]["lost_j"] == 0
+
+
+def test_joules_flow_only_while_the_tanker_is_there(tmp_path: Path) -> None:
+    outcome = fly(small(), tmp_path, "--plain")
+    receiver, tanker = outcome.truth(1), outcome.truth(201)
+    flowing = np.diff(receiver.energy[:, 1]) > 0
+    gap = np.linalg.norm(receiver.p_ned - tanker.p_ned, axis=1)[1:]
+    relative = np.linalg.norm(receiver.state[:, 3:6] - tanker.state[:, 3:6], axis=1)[1:]
+    assert flowing.any()
+    assert gap[flowing].max() <= 1.5 + 0.05
+    assert relative[flowing].max() <= 0.5 + 0.1
+
+
+def test_it_closes_when_the_tanker_is_pushed_out_of_the_capture_radius(tmp_path: Path) -> None:
+    """Traffic comes for the tanker, whose planner gives way; the receiver itself ends the transfer."""
+    pushed = small(
+        goal={"duration_s": 60.0, "refuelled_at_least": 0},
+        refuelling={"capture_m": 1.3, "rate_w": 500.0},
+        traffic=[
+            {"callsign": "PUSHER", "path_m": [[2.0, -9.0, -3.9], [2.0, 9.0, -3.9]], "speed_m_s": 0.8, "start_s": 8.0}
+        ],
+    )
+    outcome = fly(pushed, tmp_path, "--plain")
+    assert any(d["kind"] == "broken off" for d in outcome.decisions)
+    assert any("m away" in line or "moves at" in line for line in outcome.stdout.splitlines()), outcome.stdout
+    assert_ledgers_close(outcome, EVERYONE)
+    receiver = outcome.vehicle(1)["energy"]
+    tanker = outcome.vehicle(201)["energy"]
+    assert tanker["given_j"] == receiver["received_j"] + tanker["lost_j"]
+
+
+def test_it_closes_when_the_tanker_is_killed_in_mid_transfer(tmp_path: Path) -> None:
+    running = Running(small(clock={"mode": "real", "speed": 5.0}, goal={"duration_s": 40.0}), tmp_path, "--json")
+    try:
+        running.wait_for(lambda s: any(v["phase"] == "transfer" and v["energy_j"] > 1000 for v in s["services"]))
+        tanker = running.vehicle(201)
+        tanker.send_signal(signal.SIGKILL)
+        assert not all_gone([tanker])
+        outcome = running.finish()
+    finally:
+        running.stop()
+    assert outcome.status == 1
+    assert outcome.summary["outcome"] == "vehicle_lost"
+    assert outcome.vehicle(201)["final_mode"] == "dead"
+    assert_ledgers_close(outcome, EVERYONE)
+    (service,) = outcome.summary["refuelling"]
+    assert service["end_s"] is not None
+    assert service["energy_j"] == outcome.truth(1).energy[-1, 1]
+    lost_j = outcome.vehicle(201)["energy"]["lost_j"]
+    assert outcome.vehicle(201)["energy"]["given_j"] == service["energy_j"] + lost_j
+
+
+def test_it_closes_with_a_fifth_of_all_frames_lost(tmp_path: Path) -> None:
+    outcome = fly(merged(demo(), {"radio": {"loss": 0.2}}), tmp_path, "--plain")
+    sysids = (1, 2, 3, 4, 5, 101, 201)
+    assert outcome.summary["link"]["lost"] > 1000
+    assert len(outcome.summary["refuel_order"]) >= 3
+    assert_ledgers_close(outcome, sysids)
+    for sysid in sysids:
+        energy, truth = outcome.vehicle(sysid)["energy"], outcome.truth(sysid)
+        assert energy["drawn_j"] <= truth.energy[-1, 0]
+        assert energy["received_j"] <= truth.energy[-1, 1]
+    assert sum(outcome.truth(s).energy[-1, 1] for s in sysids) == sum(
+        s["energy_j"] for s in outcome.summary["refuelling"]
+    )
+
+
+@pytest.mark.parametrize("lost", ["first", "last"])
+def test_it_closes_when_the_first_or_last_counter_is_lost(tmp_path: Path, lost: str) -> None:
+    """The tanker's frames are dark around the transfer's start or end, as an undisturbed session shows them."""
+    clear = fly(small(), tmp_path / "clear", "--plain")
+    given = clear.truth(201)
+    moving = given.time_s[1:][np.diff(given.energy[:, 2]) > 0]
+    at_s = float(moving[0] if lost == "first" else moving[-1])
+    dark = {"sysid": 201, "from_s": at_s - 0.05, "to_s": at_s + 0.35}
+    outcome = fly(small(radio={"blackouts": [dark]}), tmp_path / "dark", "--plain")
+    assert_ledgers_close(outcome, EVERYONE)
+    receiver, tanker = outcome.truth(1).energy[-1], outcome.truth(201).energy[-1]
+    assert receiver[1] > 0
+    assert tanker[2] == receiver[1] + outcome.vehicle(201)["energy"]["lost_j"]

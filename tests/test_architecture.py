@@ -1,0 +1,140 @@
+"""The house's rules about who may import whom; a new module must find its place in these lists."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+
+HOUSE = {
+    "simvehicle": [
+        "geo params",
+        "dynamics differentiator guidance energy",
+        "controller",
+        "flight",
+        "modes transfer",
+        "mavlink.codec",
+        "mavlink.identity mavlink.parameters mavlink.commands",
+        "mavlink.telemetry",
+        "mavlink.streams",
+        "mavlink.connection",
+        "mavlink.lockstep",
+        "link",
+        "vehicle",
+        "truth services traffic",
+        "unit",
+        "process preload hatch",
+        "cli",
+    ],
+    "gcs": [
+        "yaml_source",
+        "scenario_parts",
+        "scenario configs",
+        "launch",
+        "mavlink.codec",
+        "mavlink.sequence mavlink.commands",
+        "profiles",
+        "clock impairment recorder",
+        "link",
+        "fleet",
+        "pilot",
+        "planner.obstacles planner.formation",
+        "planner.potential_field",
+        "planner.fuzzy",
+        "planner.leader",
+        "planner.plan",
+        "competition",
+        "contest",
+        "refuelling",
+        "metrics",
+        "supervisor",
+        "summary picture publish",
+        "supervise",
+        "console.client console.plain",
+        "console.table",
+        "run",
+        "cli",
+    ],
+}
+SANS_IO = ["simvehicle/mavlink", "gcs/mavlink"]
+PURE = ["simvehicle/modes.py", "simvehicle/transfer.py", "simvehicle/vehicle.py", "gcs/refuelling.py", "gcs/contest.py"]
+WORLD = {"socket", "time", "threading", "select", "selectors", "subprocess", "asyncio"}
+
+
+def modules(package: str) -> dict[str, Path]:
+    files = (ROOT / package).rglob("*.py")
+    names = {".".join(path.relative_to(ROOT).with_suffix("").parts[1:]): path for path in files}
+    return {name: path for name, path in names.items() if not name.endswith("__init__")}
+
+
+def imports(path: Path) -> set[str]:
+    """Absolute names that a module imports anywhere, `from a import b` as both `a` and `a.b`."""
+    found: set[str] = set()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, f"{path}: relative import"
+            found.add(node.module or "")
+            found |= {f"{node.module}.{alias.name}" for alias in node.names}
+    return found
+
+
+@pytest.mark.parametrize("package", HOUSE)
+def test_every_module_has_its_floor(package: str) -> None:
+    placed = [name for floor in HOUSE[package] for name in floor.split()]
+    assert sorted(placed) == sorted(modules(package))
+
+
+@pytest.mark.parametrize("package", HOUSE)
+def test_modules_import_only_from_floors_above_them(package: str) -> None:
+    floor_of = {name: i for i, floor in enumerate(HOUSE[package]) for name in floor.split()}
+    wrong = [
+        f"{name} imports {other}"
+        for name, path in modules(package).items()
+        for other in floor_of
+        if f"{package}.{other}" in imports(path) and floor_of[other] >= floor_of[name]
+    ]
+    assert not wrong
+
+
+def test_vehicle_and_ground_station_never_import_each_other() -> None:
+    for package, foreign in (("gcs", "simvehicle"), ("simvehicle", "gcs")):
+        for path in modules(package).values():
+            assert not [name for name in imports(path) if name.split(".")[0] == foreign], path
+
+
+@pytest.mark.parametrize("folder", SANS_IO)
+def test_protocol_modules_have_no_socket_clock_or_thread(folder: str) -> None:
+    for path in (ROOT / folder).glob("*.py"):
+        assert not imports(path) & WORLD, path
+
+
+@pytest.mark.parametrize("file", PURE)
+def test_logic_has_no_socket_clock_or_thread(file: str) -> None:
+    assert not imports(ROOT / file) & WORLD
+
+
+def test_no_mode_number_stands_outside_the_profiles() -> None:
+    for name, path in modules("gcs").items():
+        text = path.read_text(encoding="utf-8")
+        assert name == "profiles" or "custom_mode ==" not in text, name
+
+
+def test_top_level_holds_nothing_else() -> None:
+    allowed = {
+        "pyproject.toml",
+        "gcs",
+        "simvehicle",
+        "tests",
+        "configs",
+        "README.md",
+        "Makefile",
+        "LICENSE",
+        "CHANGELOG.md",
+    }
+    found = {path.name for path in ROOT.iterdir() if not path.name.startswith(".")}
+    assert found - {"sessions", "dist", "build"} <= allowed

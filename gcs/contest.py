@@ -17,6 +17,9 @@ from gcs.fleet import Snapshot, VehicleView
 from gcs.profiles import STEERABLE
 from gcs.scenario import Competition
 
+# Session times are sums of tick lengths; a dwell time must not slip a tick for their last bits.
+_ROUNDING_S = 1e-6
+
 
 @dataclass(frozen=True)
 class Standing:
@@ -34,8 +37,9 @@ class Contest:
 
     def __init__(self, rules: Competition) -> None:
         self._rules = rules
+        self._able: list[int] = []
         self._v: dict[int, float] = {}
-        self._leading_since_s = 0.0
+        self._leading_since_s: float | None = None
         self._begun_s: float | None = None
         self._last_s: float | None = None
         self.standing = Standing()
@@ -45,7 +49,10 @@ class Contest:
         now_s, rules = snapshot.time_s, self._rules
         dt_s = now_s - self._last_s if self._last_s is not None else 0.0
         self._last_s = now_s
-        competitors = [view for view in snapshot.of_role("pursuer") if view.sysid not in served and self._enters(view)]
+        self._able = [
+            view.sysid for view in snapshot.of_role("pursuer") if view.sysid not in served and _can_receive(view)
+        ]
+        competitors = [view for view in map(snapshot.vehicle, self._able) if view.need >= rules.need_from]
         if not competitors:
             self._v, self._begun_s = {}, None
             self.standing = Standing()
@@ -59,6 +66,8 @@ class Contest:
         v = revive(advance(v, tau, dt_s, p=rules.p, rate=rules.rate), rules.floor)
         leader, held = sysids[int(v.argmax())], share(v, rules.p, rules.floor)
         if leader != self.standing.leader or held < rules.share:
+            self._leading_since_s = None
+        if self._leading_since_s is None and held >= rules.share:
             self._leading_since_s = now_s
         self._v = dict(zip(sysids, map(float, v), strict=True))
         bids = dict(zip(sysids, map(float, tau), strict=True))
@@ -69,18 +78,18 @@ class Contest:
     ) -> tuple[int, str] | None:
         """Who a free tanker serves next, and by what: `urgency`, `competition` or `timeout`; None while undecided."""
         standing, rules, now_s = self.standing, self._rules, snapshot.time_s
-        if not standing.v:
-            return None
         urgent = []
-        for sysid in standing.v:
+        for sysid in self._able:
             view = snapshot.vehicle(sysid)
             rendezvous_s = math.dist(tanker.p_now_ned(), view.p_now_ned()) / speed_m_s
             if view.endurance_s < rendezvous_s + reserve_s:
                 urgent.append((view.endurance_s, sysid))
         if urgent:
             return min(urgent)[1], "urgency"
-        leads_s = now_s - self._leading_since_s
-        if standing.leader is not None and standing.share >= rules.share and leads_s >= rules.dwell_s:
+        if not standing.v:
+            return None
+        since_s = self._leading_since_s
+        if standing.leader is not None and since_s is not None and now_s - since_s >= rules.dwell_s - _ROUNDING_S:
             return standing.leader, "competition"
         if self._begun_s is not None and now_s - self._begun_s >= rules.decide_within_s:
             return max(standing.v, key=lambda sysid: (standing.v[sysid], -sysid)), "timeout"
@@ -89,11 +98,13 @@ class Contest:
     def award(self, sysid: int, now_s: float) -> None:
         """The winner leaves; the others go on, and the next decision takes its own time."""
         self._v.pop(sysid, None)
+        self._able.remove(sysid)
         left = {key: value for key, value in self.standing.v.items() if key != sysid}
         self.standing = Standing(left, self.standing.tau, self.standing.need, None, 0.0)
-        self._leading_since_s = now_s
+        self._leading_since_s = None
         self._begun_s = now_s if left else None
 
-    def _enters(self, view: VehicleView) -> bool:
-        """Only vehicles that can receive compete."""
-        return view.flying and view.mode in STEERABLE and view.need >= self._rules.need_from
+
+def _can_receive(view: VehicleView) -> bool:
+    """Only vehicles that can receive compete, or are served."""
+    return view.flying and view.mode in STEERABLE

@@ -21,6 +21,9 @@ Vec3 = tuple[float, float, float]
 ZERO: Vec3 = (0.0, 0.0, 0.0)
 POWER_WINDOW_S = 5.0
 HECTOJOULE = 100.0
+TEXT_CHARACTERS = 50
+TRAFFIC_FORGOTTEN_S = 10.0
+"""An aircraft that has been silent for so long could be anywhere: its range would fill the sky."""
 BATTERY_PARAMETERS = ("SIM_BAT_CAP_J", "SIM_BAT_INIT_J")
 
 
@@ -159,8 +162,10 @@ class _Track:
         self.given_told_s = -math.inf
         self.power_w = 0.0
         self.energy_source = "none"
+        self.initial_told = False
         self.parameters_told: set[str] = set()
         self.control_effort = 0.0
+        self.text_so_far = (0, "")
         self.drawn_history: list[tuple[float, float]] = []
 
     def view(self, now_s: float) -> VehicleView:
@@ -243,6 +248,7 @@ class Fleet:
             tuple(
                 TrafficView(callsign, p_ned, v_ned, max(time_s - seen_s, 0.0))
                 for _, (callsign, p_ned, v_ned, seen_s) in sorted(self._traffic.items())
+                if time_s - seen_s <= TRAFFIC_FORGOTTEN_S
             ),
         )
 
@@ -254,13 +260,15 @@ class Fleet:
 
     def _position(self, track: _Track, content: Any, time_s: float) -> None:
         numbers = (content.x, content.y, content.z, content.vx, content.vy, content.vz)
-        if all(map(math.isfinite, numbers)):
+        told_s = min(content.time_boot_ms / 1e3, time_s)
+        if all(map(math.isfinite, numbers)) and told_s >= track.position_s:
             track.p_local = numbers[:3]
             track.v_ned = numbers[3:]
-            track.position_s = min(content.time_boot_ms / 1e3, time_s)
+            track.position_s = told_s
 
     def _attitude(self, track: _Track, content: Any, time_s: float) -> None:
-        track.heading_rad = content.yaw
+        if math.isfinite(content.yaw):
+            track.heading_rad = content.yaw
 
     def _extended_state(self, track: _Track, content: Any, time_s: float) -> None:
         track.landed = content.landed_state in (mav.MAV_LANDED_STATE_ON_GROUND, mav.MAV_LANDED_STATE_UNDEFINED)
@@ -275,17 +283,16 @@ class Fleet:
     def _battery(self, track: _Track, content: Any, time_s: float) -> None:
         if content.id != 0:
             return
+        left_j = 0.01 * content.battery_remaining * track.capacity_j
+        if not track.initial_told and 0 <= content.battery_remaining <= 100:
+            drawn_j = HECTOJOULE * max(content.energy_consumed, 0)
+            track.initial_j = left_j + drawn_j + track.given_j - track.received_j
+            track.initial_told = True
         if content.energy_consumed >= 0:
             track.drawn_j = max(track.drawn_j, HECTOJOULE * content.energy_consumed)
             track.energy_source = "energy_consumed"
         elif 0 <= content.battery_remaining <= 100:
-            track.drawn_j = max(
-                track.drawn_j,
-                track.initial_j
-                + track.received_j
-                - track.given_j
-                - 0.01 * content.battery_remaining * track.capacity_j,
-            )
+            track.drawn_j = max(track.drawn_j, track.initial_j + track.received_j - track.given_j - left_j)
             track.energy_source = "battery_remaining"
         history = track.drawn_history
         history.append((time_s, track.drawn_j))
@@ -298,12 +305,12 @@ class Fleet:
     def _named_int(self, track: _Track, content: Any, time_s: float) -> None:
         if content.name == "XferOut":
             track.given_j = max(track.given_j, content.value)
-            track.given_told_s = time_s
+            track.given_told_s = max(track.given_told_s, min(content.time_boot_ms / 1e3, time_s))
         elif content.name == "XferIn":
             track.received_j = max(track.received_j, content.value)
 
     def _named_float(self, track: _Track, content: Any, time_s: float) -> None:
-        if content.name == "CtlEffort":
+        if content.name == "CtlEffort" and math.isfinite(content.value):
             track.control_effort = content.value
 
     def _parameter(self, track: _Track, content: Any, time_s: float) -> None:
@@ -314,11 +321,21 @@ class Fleet:
         track.parameters_told.add(content.param_id)
         if content.param_id == "SIM_BAT_INIT_J":
             track.initial_j = content.param_value
+            track.initial_told = True
         elif content.param_value > 0.0:
             track.capacity_j = content.param_value
 
     def _statustext(self, track: _Track, content: Any, time_s: float) -> None:
-        self.statustexts.append((track.member.sysid, content.severity, content.text))
+        """A text may come in chunks that share an id; a chunk that is not full is the last."""
+        text = content.text
+        if content.id:
+            said_id, said = track.text_so_far
+            text = said + text if said_id == content.id else text
+            track.text_so_far = (content.id, text)
+            if len(content.text) == TEXT_CHARACTERS:
+                return
+            track.text_so_far = (0, "")
+        self.statustexts.append((track.member.sysid, content.severity, text))
 
     def _ack(self, track: _Track, content: Any, time_s: float) -> None:
         self.acks.append((track.member.sysid, content))

@@ -62,7 +62,8 @@ class FleetLink:
         self._random = random.Random(seed)
         self._peers: dict[Key, _Peer] = {}
         self._expected: set[Key] = set()
-        self.refused: list[tuple[Key, tuple[str, int]]] = []
+        self.refused: dict[Key, tuple[str, int]] = {}
+        """who spoke with an id that another address has already, and from where; the first of each"""
         self.malformed = 0
         self.resent = 0
 
@@ -189,10 +190,8 @@ class FleetLink:
         while True:
             try:
                 datagram, address = self._socket.recvfrom(RECEIVE_BYTES)
-            except BlockingIOError:
-                return progress
             except OSError:
-                continue
+                return progress
             if not (self._drop and self._random.random() < self._drop):
                 progress |= self._take(datagram, address)
 
@@ -208,8 +207,7 @@ class FleetLink:
                 self._peers[key] = _Peer(key, address, TickCollector(*key))
             return False
         if peer.address != address:
-            if (key, address) not in self.refused:
-                self.refused.append((key, address))
+            self.refused.setdefault(key, address)
             return False
         peer.collector.feed(frames)
         progress = peer.collector.held > peer.held

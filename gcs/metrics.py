@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import itertools
 import math
-from collections import deque
 from collections.abc import Iterable
 
 import numpy as np
+from numba import njit
 from numpy.typing import NDArray
 
 from gcs.fleet import Snapshot, Vec3
@@ -27,7 +26,8 @@ class Metrics:
         self.target_of = _targets(scenario)
         self._within_m = scenario.goal.pursue.within_m if scenario.goal.pursue else math.inf
         self._last: dict[int, Vec3] = {}
-        self._plans: dict[int, deque[Vec3]] = {}
+        self._plans: dict[int, NDArray[np.float64]] = {}
+        self._planned: dict[int, int] = {}
         self._held_since_s: dict[int, float] = {}
         self.held_s: dict[int, float] = dict.fromkeys(self.target_of, 0.0)
         self.path_length_m: dict[int, float] = {}
@@ -53,21 +53,25 @@ class Metrics:
                 self.path_length_m[sysid] = self.path_length_m.get(sysid, 0.0) + math.dist(p_ned, self._last[sysid])
         self._last = here
         for sysid in self._plans.keys() - planned.keys():
-            del self._plans[sysid]
+            del self._plans[sysid], self._planned[sysid]
         for sysid, point in planned.items():
-            plan = self._plans.setdefault(sysid, deque(maxlen=PLAN_MEMORY))
-            plan.append(point)
-            if sysid in here and len(plan) == PLAN_MEMORY:
-                error_m = min(_distance_to_leg(here[sysid], a, b) for a, b in itertools.pairwise(plan))
+            plan = self._plans.setdefault(sysid, np.empty((PLAN_MEMORY, 3)))
+            count = self._planned.get(sysid, 0)
+            plan[count % PLAN_MEMORY] = point
+            self._planned[sysid] = count + 1
+            if sysid in here and count + 1 >= PLAN_MEMORY:
+                error_m = float(_distance_to_path(plan, (count + 1) % PLAN_MEMORY, *here[sysid]))
                 self.max_tracking_error_m[sysid] = max(self.max_tracking_error_m.get(sysid, 0.0), error_m)
 
     def _measure_distances(self, snapshot: Snapshot, here: dict[int, Vec3], partners: set[frozenset[int]]) -> None:
-        for (a, p_a), (b, p_b) in itertools.combinations(here.items(), 2):
-            if frozenset((a, b)) not in partners:
-                self.min_separation_m = min(self.min_separation_m, math.dist(p_a, p_b))
         if not here:
             return
         at = np.array(list(here.values()))
+        rows = {sysid: row for row, sysid in enumerate(here)}
+        close = np.array(
+            [[rows[sysid] for sysid in pair] for pair in partners if pair <= here.keys()], dtype=np.int64
+        ).reshape(-1, 2)
+        self.min_separation_m = min(self.min_separation_m, float(_least_separation(at, close)))
         if len(self._obstacles):
             self.min_clearance_m = min(self.min_clearance_m, float(obstacles.clearance(self._obstacles, at).min()))
         for aircraft in snapshot.traffic:
@@ -90,10 +94,37 @@ def _targets(scenario: Scenario) -> dict[int, int]:
     return {p.sysid: target for p in vehicles.pursuers if (target := vehicles.target_of(p)) is not None}
 
 
-def _distance_to_leg(p: Vec3, a: Vec3, b: Vec3) -> float:
-    along = [y - x for x, y in zip(a, b, strict=True)]
-    length2 = sum(c * c for c in along)
-    share = 0.0
-    if length2 > 0.0:
-        share = min(max(sum((z - x) * c for x, z, c in zip(a, p, along, strict=True)) / length2, 0.0), 1.0)
-    return math.dist(p, [x + share * c for x, c in zip(a, along, strict=True)])
+@njit(cache=True)
+def _distance_to_path(plan: NDArray[np.float64], oldest: int, n: float, e: float, d: float) -> float:
+    """Distance of a point to the polyline of a ring of points (k, 3) that begins at row `oldest`."""
+    least2 = math.inf
+    count = plan.shape[0]
+    for i in range(count - 1):
+        a, b = (oldest + i) % count, (oldest + i + 1) % count
+        along_n, along_e, along_d = plan[b, 0] - plan[a, 0], plan[b, 1] - plan[a, 1], plan[b, 2] - plan[a, 2]
+        off_n, off_e, off_d = n - plan[a, 0], e - plan[a, 1], d - plan[a, 2]
+        length2 = along_n * along_n + along_e * along_e + along_d * along_d
+        share = 0.0
+        if length2 > 0.0:
+            share = min(max((off_n * along_n + off_e * along_e + off_d * along_d) / length2, 0.0), 1.0)
+        off_n -= share * along_n
+        off_e -= share * along_e
+        off_d -= share * along_d
+        least2 = min(least2, off_n * off_n + off_e * off_e + off_d * off_d)
+    return math.sqrt(least2)
+
+
+@njit(cache=True)
+def _least_separation(at: NDArray[np.float64], close: NDArray[np.int64]) -> float:
+    """Least distance between any two of the points (n, 3), the pairs of rows in `close` (k, 2) left out."""
+    least2 = math.inf
+    for i in range(at.shape[0]):
+        for j in range(i):
+            gap2 = (at[i, 0] - at[j, 0]) ** 2 + (at[i, 1] - at[j, 1]) ** 2 + (at[i, 2] - at[j, 2]) ** 2
+            if gap2 < least2:
+                exempt = False
+                for k in range(close.shape[0]):
+                    exempt |= (close[k, 0] == i and close[k, 1] == j) or (close[k, 0] == j and close[k, 1] == i)
+                if not exempt:
+                    least2 = gap2
+    return math.sqrt(least2)

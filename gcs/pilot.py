@@ -20,6 +20,7 @@ from gcs.mavlink.codec import Message, message
 from gcs.profiles import NOT_GIVEN, STEERABLE, FlightMode
 
 RETRY_S = 1.0
+_ROUNDING_S = 1e-6
 REACHED_M = 0.3
 SET_POINTS_FIRST_S = 0.2
 """Set points flow for this long before offboard is asked for: PX4 wants them first."""
@@ -64,7 +65,7 @@ class Pilot:
     def decide(self, view: VehicleView, now_s: float) -> tuple[list[Wish], list[Message]]:
         """Commands and requests for now, given what is known of the vehicle; moves the stage on."""
         self._move_on(view, now_s)
-        if now_s - self._asked_s < RETRY_S:
+        if now_s - self._asked_s < RETRY_S - _ROUNDING_S:
             return [], []
         wishes: list[Wish] = []
         requests: list[Message] = []
@@ -77,7 +78,7 @@ class Pilot:
             wishes = [
                 self._wish(mav.MAV_CMD_NAV_TAKEOFF, 0.0, 0.0, 0.0, NOT_GIVEN, NOT_GIVEN, NOT_GIVEN, height),
             ]
-        elif self.stage is Stage.OFFBOARD and now_s - self._stage_since_s >= SET_POINTS_FIRST_S:
+        elif self.stage is Stage.OFFBOARD and now_s - self._stage_since_s >= SET_POINTS_FIRST_S - _ROUNDING_S:
             wishes = [self._wish(mav.MAV_CMD_DO_SET_MODE, *view.profile.offboard)]
         if wishes or requests:
             self._asked_s = now_s
@@ -103,7 +104,9 @@ class Pilot:
             if not view.armed:
                 return Stage.ARM
             assert view.p_ned is not None
-            return Stage.OFFBOARD if -view.p_ned[2] >= self._takeoff_m - REACHED_M else Stage.TAKEOFF
+            assert view.origin_offset_ned is not None
+            height_m = view.origin_offset_ned[2] - view.p_ned[2]
+            return Stage.OFFBOARD if height_m >= self._takeoff_m - REACHED_M else Stage.TAKEOFF
         if self.stage in (Stage.OFFBOARD, Stage.FLY):
             if view.mode is FlightMode.LAND or not view.armed:
                 return Stage.DOWN

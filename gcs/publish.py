@@ -53,7 +53,7 @@ class Publisher:
                 continue
             *lines, self._clients[client] = (self._clients[client] + chunk).split(b"\n")
             for line in lines:
-                with contextlib.suppress(ValueError):
+                with contextlib.suppress(ValueError, RecursionError):
                     content = json.loads(line)
                     if isinstance(content, dict) and isinstance(content.get("command"), str):
                         commands.append(content)

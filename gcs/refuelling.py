@@ -1,7 +1,7 @@
 """Who is refuelled next, by whom, and each step of the service: contract.md, Competition in the schedule and Transfer.
 
     decided → join → start receiver → start giver → transfer → stop giver → catch up → stop receiver → done
-                ▲                                      broken off by the receiver │
+                ▲                                      broken off by either side │
                 └─────────────────────────────────────────────────────────────────┘
 
 The schedule is pure but for its own memory: a snapshot and the results of earlier commands go in, wishes and records
@@ -31,6 +31,8 @@ COUNTER_SETTLES_S = 0.5
 """A giver's counter is trusted as a transfer's start when it was heard this long after the last one ended."""
 JOIN_WITHIN_S = 60.0
 START_WITHIN_S = 5.0
+REFUSALS = 5
+"""So often in a row a receiver may refuse before its service is given up: others wait for the tanker."""
 WORTH_J = 500.0
 FOLLOW_EVERY_US = 100_000.0
 COMMAND_TOKENS = "refuel"
@@ -69,6 +71,9 @@ class Service:
     in_at_start_j: int = 0
     energy_j: int = 0
     seen_refuel: bool = False
+    seen_giving: bool = False
+    ordered_j: int = 0
+    refusals: int = 0
     broken_off: bool = False
     ended_by: str = ""
 
@@ -142,6 +147,7 @@ class Schedule:
         """Move the competition and every service to the snapshot's time."""
         now_s = snapshot.time_s
         self._wishes, self._records = [], []
+        self.settle(snapshot)
         if self._contest is not None:
             self._contest.advance(snapshot, {service.receiver for service in self.open_services})
             for tanker in self._free_tankers(snapshot):
@@ -215,8 +221,9 @@ class Schedule:
         if not receiver.alive or not tanker.alive:
             self._finish(service, receiver, tanker, now_s, "a side died")
             return
-        if service.joined_at_s is not None:
-            service.energy_j = receiver.received_j - service.in_at_start_j
+        if service.phase is not Phase.JOIN:
+            service.seen_refuel |= receiver.mode is FlightMode.REFUEL
+            service.seen_giving |= tanker.mode is FlightMode.REFUEL
         _STEPS[service.phase](self, service, receiver, tanker, now_s)
 
     def _join(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
@@ -237,9 +244,9 @@ class Schedule:
                 service.joined_at_s = now_s
                 service.in_at_start_j = receiver.received_j
             service.near_since_s = None
-            service.seen_refuel = False
+            service.seen_refuel = service.seen_giving = False
             service.out_at_start_j = tanker.given_j
-            self._order(service, receiver, RECEIVE, self._limit_j(receiver, tanker))
+            self._order(service, receiver, RECEIVE, self._limit_j(service, receiver, tanker))
             self._go(service, Phase.START_RECEIVER, now_s)
         elif now_s - service.phase_since_s > JOIN_WITHIN_S:
             self._finish(service, receiver, tanker, now_s, "no rendezvous in time")
@@ -247,9 +254,17 @@ class Schedule:
     def _start_receiver(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
         accepted = self._answer(service, "receive")
         if accepted:
-            self._order(service, tanker, GIVE, self._limit_j(receiver, tanker))
+            service.refusals = 0
+            limit_j = self._limit_j(service, receiver, tanker)
+            service.ordered_j = math.floor(limit_j)
+            self._order(service, tanker, GIVE, limit_j)
             self._go(service, Phase.START_GIVER, now_s)
         elif accepted is False or now_s - service.phase_since_s > START_WITHIN_S:
+            service.refusals += 1
+            if service.refusals >= REFUSALS:
+                self._finish(service, receiver, tanker, now_s, "the receiver refused")
+                return
+            self._order(service, receiver, STOP, 0.0)  # it may have begun, and its acknowledgements been lost
             self._go(service, Phase.JOIN, now_s)
 
     def _start_giver(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
@@ -260,11 +275,13 @@ class Schedule:
             self._go(service, Phase.TRANSFER, now_s)
         elif accepted is False or now_s - service.phase_since_s > START_WITHIN_S:
             service.ended_by = "the giver refused"
-            self._stop(service, receiver, now_s)
+            self._order(service, tanker, STOP, 0.0)  # it may have begun, and its acknowledgements been lost
+            self._go(service, Phase.STOP_GIVER, now_s)
 
     def _transfer(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
-        service.seen_refuel |= receiver.mode is FlightMode.REFUEL
-        left = service.seen_refuel or now_s - service.phase_since_s > START_WITHIN_S
+        late = now_s - service.phase_since_s > START_WITHIN_S
+        receives = receiver.mode is FlightMode.REFUEL or not (service.seen_refuel or late)
+        gives = tanker.mode is FlightMode.REFUEL or not (service.seen_giving or late)
         reason = None
         if receiver.remaining_j >= self._rules.until * receiver.capacity_j:
             reason = "full"
@@ -274,8 +291,10 @@ class Schedule:
             reason = "tanker at its reserve"
         elif receiver.mode not in STEERABLE or tanker.mode not in STEERABLE:
             reason = "a side left formation flight"
-        elif left and receiver.mode is not FlightMode.REFUEL:
-            reason = "broken off by the receiver"
+        elif not gives and tanker.given_j - service.out_at_start_j >= service.ordered_j:
+            reason = "limit"
+        elif not (gives and receives):
+            reason = f"broken off by the {'receiver' if gives else 'giver'}"
             service.broken_off = True
         if reason is not None:
             service.ended_by = reason
@@ -323,9 +342,10 @@ class Schedule:
         receiver, tanker = snapshot.vehicle(service.receiver), snapshot.vehicle(service.tanker)
         return math.dist(receiver.p_now_ned(), tanker.p_now_ned())
 
-    def _limit_j(self, receiver: VehicleView, tanker: VehicleView) -> float:
+    def _limit_j(self, service: Service, receiver: VehicleView, tanker: VehicleView) -> float:
         room_j = receiver.capacity_j - receiver.remaining_j
-        return max(self._available_j(tanker, min(room_j, self._rules.limit_j or math.inf)), 1.0)
+        left_j = math.inf if self._rules.limit_j is None else self._rules.limit_j - service.energy_j
+        return max(self._available_j(tanker, min(room_j, left_j)), 1.0)
 
     def _order(self, service: Service, view: VehicleView, role: int, limit_j: float) -> None:
         giver = view.sysid == service.tanker

@@ -13,6 +13,7 @@ from pydantic import AfterValidator, ConfigDict, Field, ValidationError, model_v
 
 from gcs.scenario_parts import (
     STEP_S,
+    Attractor,
     Battery,
     Blackout,
     Clock,
@@ -28,6 +29,7 @@ from gcs.scenario_parts import (
     Planner,
     Pursue,
     Pursuer,
+    Pursuit,
     Radio,
     Refuelling,
     Tanker,
@@ -39,6 +41,7 @@ from gcs.scenario_parts import (
 from gcs.yaml_source import Conflict, Path, Problem, ScenarioError, conflict_error, emit, read
 
 __all__ = [
+    "Attractor",
     "Battery",
     "Blackout",
     "Clock",
@@ -52,6 +55,7 @@ __all__ = [
     "Problem",
     "Pursue",
     "Pursuer",
+    "Pursuit",
     "Radio",
     "Refuelling",
     "Scenario",
@@ -65,6 +69,7 @@ __all__ = [
 ]
 
 START_CLEARANCE_M = 0.3
+NO_PURSUIT = "a competition for targets needs a pursuer and a target"
 
 
 class Scenario(Part):
@@ -84,8 +89,10 @@ class Scenario(Part):
     goal: Goal
     vehicles: Vehicles
     obstacles: tuple[Obstacle, ...] = ()
+    attractors: tuple[Attractor, ...] = ()
     traffic: tuple[Mover, ...] = ()
     planner: Planner = Planner()
+    pursuit: Pursuit = Pursuit()
     formation: Formation = Formation()
     competition: Competition = Competition()
     refuelling: Refuelling = Refuelling()
@@ -115,6 +122,7 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
             ("goal", "refuelled_at_least"),
             "refuelled_at_least needs a pursuer, a tanker and refuelling enabled",
         ),
+        (s.pursuit.by == "competition" and not (pursuers and targets), ("pursuit", "by"), NO_PURSUIT),
         (s.formation.ring_m and not targets, ("formation", "ring_m"), "a formation needs a target"),
         (s.competition.floor >= s.competition.high, ("competition", "floor"), "floor must be below high"),
         (
@@ -153,6 +161,8 @@ def _vehicle_conflicts(s: Scenario) -> Iterator[Conflict]:
             yield Conflict(start, f"{vehicle.label} starts below the ground; in ned axes the third number is down")
         if isinstance(vehicle, Pursuer) and vehicle.target is not None and vehicle.target not in targets:
             yield Conflict((*path, "target"), f"{vehicle.label} follows {vehicle.target}, which is no target's sysid")
+        if isinstance(vehicle, Pursuer) and vehicle.target is not None and vehicle.waypoints_m:
+            yield Conflict((*path, "waypoints_m"), f"{vehicle.label} has waypoints_m and a target; leave one out")
         if isinstance(vehicle, Tanker) and vehicle.reserve_j >= vehicle.battery.capacity_j:
             yield Conflict((*path, "reserve_j"), f"{vehicle.label} has a reserve_j above its capacity_j")
         if isinstance(vehicle, Target):
@@ -166,7 +176,8 @@ def _vehicle_conflicts(s: Scenario) -> Iterator[Conflict]:
                 yield Conflict(start, sentence, ("obstacles", j))
         for other_path, other in placed[:i]:
             distance_m = math.dist(vehicle.start_m, other.start_m)
-            if distance_m < s.planner.separation_m and vehicle.join_s == other.join_s:
+            together = s.planner.vehicles_repel and vehicle.join_s == other.join_s
+            if together and distance_m < s.planner.separation_m:
                 sentence = f"{vehicle.label} starts {distance_m:.2f} m from {other.label}, below planner.separation_m"
                 yield Conflict(start, sentence, (*other_path, "start_m"))
 

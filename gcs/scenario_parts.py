@@ -122,6 +122,8 @@ class Pursuer(VehicleBase):
 
     target: SysId | None = None
     """the target's sysid; without it the first target"""
+    waypoints_m: tuple[Vec3, ...] = ()
+    """visited in order, within planner.step_m each, instead of a target; it stays at the last one"""
 
 
 class Target(VehicleBase):
@@ -155,6 +157,8 @@ class Vehicles(Part):
 
     def target_of(self, pursuer: Pursuer) -> int | None:
         """The system id of the target that a pursuer follows: the one it names, else the first; None without any."""
+        if pursuer.waypoints_m:
+            return None
         if pursuer.target is not None:
             return pursuer.target
         return self.targets[0].sysid if self.targets else None
@@ -243,6 +247,17 @@ class Mover(Part):
     speed_m_s: Speed
     closed: Flag = False
     start_s: Seconds = 0.0
+    attracts: Flag = False
+    """pursuers within planner.attraction_range_m are drawn to it, instead of repelled"""
+
+
+class Attractor(Part):
+    """A point that draws pursuers within its range, beside what they follow (paper eq. 5) [seed]."""
+
+    name: Label | None = None
+    point_m: Vec3
+    range_m: Metres | None = None
+    """without it planner.attraction_range_m"""
 
 
 class Planner(Part):
@@ -260,6 +275,8 @@ class Planner(Part):
     step_m: Metres = 0.1
     separation_m: Annotated[float, Field(strict=True, ge=0, le=1e5)] = 0.6
     """the least distance between any two vehicles that are not partners of a transfer"""
+    vehicles_repel: Flag = True
+    """false: each vehicle is planned as if it were alone, and may start where another does"""
     leash_m: Metres = 2.0
     """how far the planned point may run ahead of its vehicle"""
 
@@ -269,6 +286,18 @@ class Formation(Part):
 
     ring_m: Metres | None = None
     height_m: Coordinate = 0.0
+
+
+class Pursuit(Part):
+    """Who pursues: all, or for each target the winner of a competition by least predicted control effort."""
+
+    by: Literal["all", "competition"] = "all"
+    p: Annotated[float, Field(strict=True, ge=1, le=100)] = 2.0
+    rate: Positive = 5.0
+    share: Annotated[float, Field(strict=True, gt=0, lt=1)] = 0.9
+    """of all states to the power p, less the floor's own, that a challenger must hold to take over"""
+    hysteresis: NotNegative = 0.1
+    """how much of its predicted effort the present pursuer is forgiven"""
 
 
 class Competition(Part):

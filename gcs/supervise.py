@@ -60,6 +60,7 @@ class Session:
         self._pace = Pace(None if clock.mode == "lockstep" else clock.speed, time.monotonic)
         self._labels = {v.sysid: v.label for v in scenario.vehicles.all} | {255: "traffic"}
         self._lost: list[int] = []
+        self._told_refused: set[tuple[int, int]] = set()
         self._published_s = 0.0
         self._watched_s = 0.0
         self._flushed_s = 0.0
@@ -170,6 +171,10 @@ class Session:
             self._obey(command["command"])
         if _stdin_closed():
             raise _Stopped
+        for key in self._link.refused.keys() - self._told_refused:
+            self._told_refused.add(key)
+            host, port = self._link.refused[key]
+            self._event(key[0], "warning", f"Another vehicle says that it is {key[0]}, from {host}:{port}: ignored")
         if now_s - self._published_s >= PUBLISH_EVERY_S:
             self._published_s = now_s
             self._publisher.publish(self._picture())

@@ -105,6 +105,7 @@ class Supervisor:
             seed=scenario.seed,
         )
         self._queues = {v.sysid: CommandQueue(*SUPERVISOR) for v in scenario.vehicles.all}
+        self._under_way: set[tuple[int, str]] = set()
         self._gaps = GapCounter()
         self._heartbeat_due_ms = dict.fromkeys(self.pilots, 0)
         self._outbox: dict[int, list[Message]] = {sysid: [] for sysid in self.pilots}
@@ -210,6 +211,7 @@ class Supervisor:
             self._report(sysid, result, now_s)
 
     def _report(self, sysid: int, result: CommandResult, now_s: float) -> None:
+        self._under_way.discard((sysid, str(result.token)))
         self.schedule.result(str(result.token), result.outcome == "accepted")
         if result.outcome != "accepted":
             why = "timed out" if result.outcome == "timeout" else f"was refused (result {result.result})"
@@ -223,7 +225,8 @@ class Supervisor:
                 continue
             wishes, requests = self.pilots[view.sysid].decide(view, now_s)
             self._outbox[view.sysid] += requests
-            self._ask(wishes, now_s)
+            # What is on its way already is not lined up again: it would be carried out long after it was wanted.
+            self._ask([wish for wish in wishes if (wish.sysid, wish.token) not in self._under_way], now_s)
 
     def _plan(self, snapshot: Snapshot, decision: Decision) -> list[SetPoint]:
         steered = frozenset(sysid for sysid, pilot in self.pilots.items() if pilot.sends_set_points)
@@ -241,6 +244,7 @@ class Supervisor:
 
     def _ask(self, wishes: Iterable[Wish], now_s: float) -> None:
         for wish in wishes:
+            self._under_way.add((wish.sysid, wish.token))
             command = CommandLong(Target(wish.sysid, AUTOPILOT), wish.command, wish.params)
             self._outbox[wish.sysid] += self._queues[wish.sysid].send(command, now_s, token=wish.token)
 

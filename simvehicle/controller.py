@@ -1,7 +1,5 @@
 """Double closed-loop speed tracking: outer loop (model.md 2) [choice] and inner loop (model.md 3) [lineage]."""
 
-# ruff: noqa: PLR0917 (a compiled kernel takes scalars, in the order of its equation)
-
 from __future__ import annotations
 
 import math
@@ -97,7 +95,7 @@ def step(
     airframe: Airframe,
     limits: Limits,
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """Both loops and their differentiators, one step (model.md 2-4). All axes nwu.
+    """Both loops and their differentiators, one step (model.md 2-4, paper eqs. 13-21). All axes nwu.
 
     Args:
         velocity: (n, 3), m/s.

@@ -13,8 +13,6 @@ of G leave, cannot fail. The solve ends when |G| <= tolerance·A', that is when 
 more than `tolerance` rad/s², and makes that correction: what remains is of the order of its square.
 """
 
-# ruff: noqa: PLR0917 (a compiled kernel takes scalars, in the order of its equation)
-
 from __future__ import annotations
 
 import math
@@ -78,7 +76,7 @@ def solve(
 
 
 def step(x: ArrayLike, signal: ArrayLike, dt_s: float, *, epsilon: float) -> NDArray[np.float64]:
-    """One implicit step of differentiators (model.md 4) [lineage].
+    """One implicit step of differentiators (model.md 4, paper eq. 21) [lineage].
 
     Args:
         x: (..., 3), X1, X2, X3: the signal's estimate and its first two derivatives, in units of the signal per s^k.
@@ -90,8 +88,12 @@ def step(x: ArrayLike, signal: ArrayLike, dt_s: float, *, epsilon: float) -> NDA
         (..., 3), one step later.
 
     Raises:
-        ValueError: x does not end in 3, or the signal's shape is not that of x without its last axis.
+        ValueError: x does not end in 3, or the signal's shape is not that of x without its last axis; ε or the step is
+            not greater than 0 and finite.
     """
+    for name, value in (("epsilon", epsilon), ("dt_s", dt_s)):
+        if not 0.0 < value < math.inf:
+            raise ValueError(f"{name} is {value!r}, but it must be greater than 0 and finite")
     memory = np.asarray(x, dtype=np.float64)
     v = np.asarray(signal, dtype=np.float64)
     if memory.shape[-1:] != (ORDER,) or memory.shape[:-1] != v.shape:

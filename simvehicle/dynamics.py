@@ -4,8 +4,6 @@ Axes are the paper's, nwu: x north, y west, z up. The state holds the rates of t
 A plant state is (x, y, z, x', y', z', φ, θ, ψ, φ', θ', ψ'); inputs are (u1, tau2, tau3, tau4).
 """
 
-# ruff: noqa: PLR0917 (a compiled kernel takes scalars, in the order of its equation)
-
 from __future__ import annotations
 
 import math
@@ -94,7 +92,7 @@ def wrap_angle(angle: float) -> float:
 
 
 def derivative(state: ArrayLike, inputs: ArrayLike, *, airframe: Airframe) -> NDArray[np.float64]:
-    """Time derivative of plant states (model.md 1) [lineage].
+    """Time derivative of plant states (model.md 1, paper eq. 3) [lineage].
 
     Args:
         state: (n, 12), nwu axes, m, m/s, rad, rad/s.

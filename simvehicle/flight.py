@@ -7,8 +7,6 @@ Everything but the control effort and the two battery accounts starts afresh at 
 that a take-off, or motors started in the air, begins on the present state.
 """
 
-# ruff: noqa: PLR0917 (a compiled kernel takes scalars, in the order of its equation)
-
 from __future__ import annotations
 
 import zlib

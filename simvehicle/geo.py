@@ -11,6 +11,8 @@ from math import cos, degrees, radians
 
 from pymap3d import rcurve
 
+MOST_LATITUDE_DEG = 89.0
+
 
 @dataclass(frozen=True)
 class LocalFrame:
@@ -23,6 +25,12 @@ class LocalFrame:
     deg_per_east_m: float = field(init=False)
 
     def __post_init__(self) -> None:
+        """Raises ValueError for a place that is none, or so near a pole that east has no meaning."""
+        if not (abs(self.lat_deg) <= MOST_LATITUDE_DEG and abs(self.lon_deg) <= 180.0 and abs(self.alt_m) <= 1e5):
+            place = f"{self.lat_deg:g}, {self.lon_deg:g}, {self.alt_m:g}"
+            raise ValueError(
+                f"{place} is no origin: latitude within 89 deg, longitude within 180 deg, then height in m"
+            )
         north_radius_m = float(rcurve.meridian(self.lat_deg)) + self.alt_m
         east_radius_m = (float(rcurve.transverse(self.lat_deg)) + self.alt_m) * cos(radians(self.lat_deg))
         object.__setattr__(self, "deg_per_north_m", degrees(1.0 / north_radius_m))

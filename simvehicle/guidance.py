@@ -5,8 +5,6 @@ and q by three first-order lags r1, r2, r3: the reference r = r3 has continuous 
 The compiled kernels write the memory that they are given; the public functions leave theirs alone.
 """
 
-# ruff: noqa: PLR0917 (a compiled kernel takes scalars, in the order of its equation)
-
 from __future__ import annotations
 
 import math

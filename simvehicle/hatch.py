@@ -1,8 +1,8 @@
 """Preload once, fork a vehicle per line: contract.md, Processes.
 
-stdin: one JSON line per process, {"argv": ["--sysid", "1", …], "log": PATH}. stdout: {"ready": true} once preloaded, then
-{"sysid", "pid"} at each fork and {"sysid", "pid", "exit", "last_lines"} at each end; `exit` is negative for a signal.
-The end of stdin ends the hatch, and its children die with it, however it dies.
+stdin: one JSON line per process, {"argv": ["--sysid", "1", …], "log": PATH}. stdout: {"ready": true} once preloaded,
+then {"sysid", "pid"} at each fork and {"sysid", "pid", "exit", "last_lines"} at each end; `exit` is negative for a
+signal. The end of stdin ends the hatch, and its children die with it, however it dies.
 """
 
 from __future__ import annotations
@@ -22,7 +22,9 @@ from typing import Any
 
 PR_SET_PDEATHSIG = 1
 LAST_LINES = 8
+BAD_INPUT = 2
 INTERNAL_ERROR = 70
+CANNOT_WRITE = 74
 
 
 def run(main: Callable[[Sequence[str]], int], sysid_of: Callable[[Sequence[str]], int]) -> int:
@@ -32,7 +34,8 @@ def run(main: Callable[[Sequence[str]], int], sysid_of: Callable[[Sequence[str]]
     gc.freeze()
     libc = ctypes.CDLL(None, use_errno=True)
     _say({"ready": True})
-    with selectors.DefaultSelector() as selector:
+    # poll, not epoll: stdin may be a file or /dev/null, which epoll refuses.
+    with selectors.PollSelector() as selector:
         selector.register(0, selectors.EVENT_READ)
         children: dict[int, tuple[int, int, Path]] = {}
         pending = b""
@@ -47,10 +50,15 @@ def run(main: Callable[[Sequence[str]], int], sysid_of: Callable[[Sequence[str]]
                     return 0
                 *lines, pending = (pending + chunk).split(b"\n")
                 for line in lines:
-                    order = json.loads(line)
-                    argv, log = list(map(str, order["argv"])), Path(order["log"])
+                    try:
+                        order = json.loads(line)
+                        argv, log = list(map(str, order["argv"])), Path(order["log"])
+                    except (ValueError, KeyError, TypeError):
+                        print(f"hatch: no order: {line[:100]!r}", file=sys.stderr, flush=True)
+                        _end_all(pid for pid, _, _ in children.values())
+                        return BAD_INPUT
                     sysid = sysid_of(argv)
-                    pid = _fork(main, argv, log, libc, [selector.fileno(), *children])
+                    pid = _fork(main, argv, log, libc, list(children))
                     pidfd = os.pidfd_open(pid)
                     children[pidfd] = (pid, sysid, log)
                     selector.register(pidfd, selectors.EVENT_READ)
@@ -71,7 +79,11 @@ def _fork(
             os._exit(INTERNAL_ERROR)
         for fd in inherited:
             os.close(fd)
-        out = os.open(log, os.O_WRONLY | os.O_CREAT | os.O_APPEND | os.O_CLOEXEC, 0o644)
+        try:
+            out = os.open(log, os.O_WRONLY | os.O_CREAT | os.O_APPEND | os.O_CLOEXEC, 0o644)
+        except OSError as error:
+            print(f"hatch: cannot write {log}: {error.strerror}", file=sys.stderr)
+            raise SystemExit(CANNOT_WRITE) from error
         null = os.open(os.devnull, os.O_RDONLY)
         os.dup2(null, 0)
         os.dup2(out, 1)

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import errno
 import re
 import socket
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
+from simvehicle.mavlink.codec import Frame, split
 from simvehicle.mavlink.connection import Connection
 
 RECEIVE_BYTES = 65535
+MAGICS = (b"\xfd", b"\xfe")
+MOST_PEERS = 32
+"""A udpin link answers this many, those who spoke last."""
 _ADDRESS = re.compile(r"(udpin|udpout):(\[[0-9A-Fa-f:.]+\]|[^:\s]+):(\d{1,5})")
 
 
@@ -31,7 +36,8 @@ def parse_address(text: str) -> Address:
     """Read `udpin:HOST:PORT` or `udpout:HOST:PORT`; raises AddressError."""
     match = _ADDRESS.fullmatch(text)
     if match is None or int(match[3]) > 65535 or (match[1] == "udpout" and int(match[3]) == 0):
-        raise AddressError(f"'{text}' is no connection; write udpout:HOST:PORT or udpin:HOST:PORT, e.g. udpout:127.0.0.1:14550")
+        example = "write udpout:HOST:PORT or udpin:HOST:PORT, e.g. udpout:127.0.0.1:14550"
+        raise AddressError(f"'{text}' is no connection; {example}")
     return Address(match[1], match[2].strip("[]"), int(match[3]))
 
 
@@ -50,18 +56,31 @@ def open_socket(address: Address) -> socket.socket:
             made.connect((address.host, address.port))
     except OSError as error:
         made.close()
-        reason = "the port is in use" if error.errno == 98 else error.strerror or str(error)
+        reason = "the port is in use" if error.errno == errno.EADDRINUSE else error.strerror or str(error)
         raise AddressError(f"cannot use {address}: {reason}") from error
     return made
 
 
-class PlainLink:
-    """Plain MAVLink for whoever is there, one frame per datagram; a udpin link answers everyone who wrote to it."""
+class _Link:
+    """A socket with a conversation on it; leaving its context closes the socket."""
 
     def __init__(self, address: Address, connection: Connection) -> None:
-        self.address = address
         self.connection = connection
         self.socket = open_socket(address)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.socket.close()
+
+
+class PlainLink(_Link):
+    """Plain MAVLink for whoever is there, one frame per datagram; udpin answers everyone who spoke MAVLink to it."""
+
+    def __init__(self, address: Address, connection: Connection) -> None:
+        super().__init__(address, connection)
+        self.address = address
         self._peers: dict[tuple[str, int], None] = {}
 
     @property
@@ -69,18 +88,25 @@ class PlainLink:
         """The local port."""
         return int(self.socket.getsockname()[1])
 
-    def receive(self) -> list[bytes]:
-        """Every datagram that has come."""
-        datagrams = []
+    def receive(self) -> list[Frame]:
+        """Every intact frame that has come; whoever sent something like one is answered from now on.
+
+        Ground stations that know both begin with MAVLink 1 and change when they hear MAVLink 2.
+        """
+        frames: list[Frame] = []
         while True:
             try:
                 datagram, peer = self.socket.recvfrom(RECEIVE_BYTES)
-            except BlockingIOError:
-                return datagrams
-            except OSError:
+            except ConnectionError:
                 continue
-            datagrams.append(datagram)
-            self._peers.setdefault(peer)
+            except OSError:
+                return frames
+            frames += split(datagram)
+            if datagram[:1] in MAGICS:
+                self._peers.pop(peer, None)
+                self._peers[peer] = None
+                if len(self._peers) > MOST_PEERS:
+                    del self._peers[next(iter(self._peers))]
 
     def flush(self) -> None:
         """Send what waits on the connection; frames with nobody to hear them are dropped."""
@@ -95,12 +121,8 @@ class PlainLink:
                 continue
 
 
-class SupervisedLink:
+class SupervisedLink(_Link):
     """The link to the supervisor: whole datagrams, to and from its address only."""
-
-    def __init__(self, address: Address, connection: Connection) -> None:
-        self.connection = connection
-        self.socket = open_socket(address)
 
     def receive(self) -> bytes | None:
         """The next datagram, or None."""

@@ -1,7 +1,8 @@
 """Flight modes and failsafes as one table.
 
 The rules of the table:
-1. A rule applies when its event happens, the vehicle's mode is among `when` and its arming matches `armed` (None: both).
+1. A rule applies when its event happens, the vehicle's mode is among `when` and its arming matches `armed` (None:
+   both).
 2. The first rule that applies decides; an event without one is refused and changes nothing.
 3. Failsafes are events too. They are listed in FAILSAFES in the order in which they are looked at, worst first.
 4. Every change is announced, with the rule's words.
@@ -65,7 +66,10 @@ class Rule(NamedTuple):
 
 
 ANY = frozenset(Mode)
-_FLYING_OFFBOARD = frozenset({Mode.OFFBOARD, Mode.REFUEL})
+STEERED = frozenset({Mode.OFFBOARD, Mode.REFUEL})
+"""Modes that fly set points."""
+RESTING = frozenset({Mode.HOLD, Mode.LAND})
+"""Modes in which a vehicle on the ground stays there, motors off."""
 _NOT_LANDING = ANY - {Mode.LAND}
 _NOT_GOING_HOME = ANY - {Mode.LAND, Mode.RETURN}
 _I, _W, _C = Severity.INFO, Severity.WARNING, Severity.CRITICAL
@@ -84,12 +88,15 @@ RULES: tuple[Rule, ...] = (
     Rule(Event.RETURN, ANY, None, Mode.RETURN, None, _I, "Return to home"),
     Rule(Event.HOME_REACHED, frozenset({Mode.RETURN}), True, Mode.LAND, None, _I, "Home reached, land"),
     Rule(Event.TOUCHDOWN, frozenset({Mode.LAND}), True, None, False, _I, "Landed, disarmed"),
-    Rule(Event.REFUEL, _FLYING_OFFBOARD, True, Mode.REFUEL, None, _I, "Refuel"),
+    Rule(Event.REFUEL, STEERED, True, Mode.REFUEL, None, _I, "Refuel"),
     Rule(Event.REFUEL_END, frozenset({Mode.REFUEL}), None, Mode.OFFBOARD, None, _I, "Refuel ended, offboard"),
     Rule(Event.BATTERY_EMPTY, _NOT_LANDING, True, Mode.LAND, None, _C, "Failsafe: battery empty, land"),
     Rule(Event.GCS_LOST, _NOT_GOING_HOME, True, Mode.RETURN, None, _W, "Failsafe: ground station lost, return"),
-    Rule(Event.SETPOINTS_LOST, _FLYING_OFFBOARD, True, Mode.HOLD, None, _W, "Failsafe: set points lost, hold"),
+    Rule(Event.SETPOINTS_LOST, STEERED, True, Mode.HOLD, None, _W, "Failsafe: set points lost, hold"),
 )
+
+STAND_DOWN = Rule(Event.DISARM, ANY, True, Mode.HOLD, False, _W, "Failsafe on the ground, disarmed")
+"""What every failsafe does to a vehicle that stands on the ground."""
 
 FAILSAFES: tuple[Event, ...] = (Event.BATTERY_EMPTY, Event.GCS_LOST, Event.SETPOINTS_LOST)
 

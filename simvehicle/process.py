@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from typing import Protocol
 
 from simvehicle.link import PlainLink, SupervisedLink
-from simvehicle.mavlink.codec import Frame, split
+from simvehicle.mavlink.codec import Frame
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.lockstep import Bundle, Grants
 
@@ -43,11 +43,20 @@ def run_supervised(unit: Unit, link: SupervisedLink, plain: Sequence[PlainLink])
     poll = select.poll()
     poll.register(link.socket, select.POLLIN)
     heard_s = time.monotonic()
+    hello_due_s = heard_s
     started = False
     while True:
+        now_s = time.monotonic()
         if grants.time_ms is None:
-            link.send([hello])
-        poll.poll(1e3 * (HELLO_EVERY_S if grants.time_ms is None else SILENCE_S))
+            if now_s >= hello_due_s:
+                link.send([hello])
+                hello_due_s = now_s + HELLO_EVERY_S
+            wait_s = hello_due_s - now_s
+        else:
+            wait_s = heard_s + SILENCE_S - now_s
+            if wait_s <= 0.0:
+                return
+        poll.poll(max(1e3 * wait_s, 1.0))
         while (datagram := link.receive()) is not None:
             action = grants.feed(datagram)
             heard_s = time.monotonic()
@@ -58,8 +67,6 @@ def run_supervised(unit: Unit, link: SupervisedLink, plain: Sequence[PlainLink])
                 link.send(grants.answer(action))
                 for other in plain:
                     other.flush()
-        if grants.time_ms is not None and time.monotonic() - heard_s >= SILENCE_S:
-            return
 
 
 def _take(unit: Unit, bundle: Bundle, started: bool, link: SupervisedLink, plain: Sequence[PlainLink]) -> bool:
@@ -69,9 +76,8 @@ def _take(unit: Unit, bundle: Bundle, started: bool, link: SupervisedLink, plain
     for frame in bundle.frames:
         unit.receive(frame, link.connection)
     for other in plain:
-        for datagram in other.receive():
-            for frame in split(datagram):
-                unit.receive(frame, other.connection)
+        for frame in other.receive():
+            unit.receive(frame, other.connection)
     unit.advance(bundle.time_ms)
     return True
 
@@ -87,9 +93,8 @@ def run_free(unit: Unit, plain: Sequence[PlainLink], *, stop: Callable[[], bool]
             time.sleep(wait_ms / 1e3)
         now_ms = int(1e3 * (time.monotonic() - start_s))
         for link in plain:
-            for datagram in link.receive():
-                for frame in split(datagram):
-                    unit.receive(frame, link.connection)
+            for frame in link.receive():
+                unit.receive(frame, link.connection)
         unit.advance(now_ms)
         for link in plain:
             link.flush()

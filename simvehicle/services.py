@@ -12,22 +12,30 @@ from typing import Any
 
 from pymavlink.dialects.v20 import common as mav
 
+from simvehicle.maneuvers import SetPoint
 from simvehicle.mavlink import commands, parameters
 from simvehicle.mavlink.codec import Frame, decode, message
 from simvehicle.mavlink.commands import ACCEPTED, DENIED, TEMPORARILY_REJECTED, UNSUPPORTED, Request
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.parameters import ParameterError
-from simvehicle.mavlink.telemetry import TELEMETRY, autopilot_version
+from simvehicle.mavlink.telemetry import TELEMETRY, Vec3, autopilot_version
 from simvehicle.modes import Event, Mode, Severity
 from simvehicle.transfer import Neighbour, Order, Role
-from simvehicle.vehicle import SetPoint, Vehicle
+from simvehicle.vehicle import Vehicle
 
 COMPID = 1
 FORCE_ARM = (21196, 2989)
 COMPLAIN_EVERY_S = 5.0
 TRANSFER_RATE_HZ = 10.0
 COUNTERS_STAY_FAST_S = 2.0
-_FORCE_OR_ACCELERATION = mav.POSITION_TARGET_TYPEMASK_FORCE_SET
+TEXT_CHARACTERS = 50
+_NEVER_FLOWN = (
+    mav.POSITION_TARGET_TYPEMASK_AX_IGNORE
+    | mav.POSITION_TARGET_TYPEMASK_AY_IGNORE
+    | mav.POSITION_TARGET_TYPEMASK_AZ_IGNORE
+    | mav.POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE
+)
+"""Bits that a set point must set: accelerations, or forces, and yaw rates are not flown."""
 _SEVERITY = {
     Severity.INFO: mav.MAV_SEVERITY_INFO,
     Severity.WARNING: mav.MAV_SEVERITY_WARNING,
@@ -51,6 +59,7 @@ class Services:
         self._after_ack: list[Any] = []
         self._complained_s: dict[str, float] = {}
         self._fast_counters = False
+        self._long_texts = 0
         vehicle.on_change = self._hasten_heartbeats
 
     # in
@@ -75,8 +84,10 @@ class Services:
         vehicle = self.vehicle
         self._pace_counters()
         for severity, text in vehicle.announcements:
-            for connection in self.connections:
-                connection.put(message("STATUSTEXT")(severity=_SEVERITY[severity], text=text[:50], id=0, chunk_seq=0))
+            self._long_texts += len(text) > TEXT_CHARACTERS
+            for content in _status_texts(_SEVERITY[severity], text, self._long_texts):
+                for connection in self.connections:
+                    connection.put(content)
         vehicle.announcements.clear()
         snapshot = vehicle.snapshot()
         for connection in self.connections:
@@ -95,10 +106,10 @@ class Services:
         for connection in self.connections:
             connection.streams.hasten("HEARTBEAT", self.vehicle.time_ms)
 
-    def _complain(self, text: str) -> None:
-        """Warn by STATUSTEXT, but not about the same thing all the time."""
-        if self.vehicle.time_s - self._complained_s.get(text, -math.inf) >= COMPLAIN_EVERY_S:
-            self._complained_s[text] = self.vehicle.time_s
+    def _complain(self, about: str, text: str) -> None:
+        """Warn by STATUSTEXT, but not about the same kind of thing all the time."""
+        if self.vehicle.time_s - self._complained_s.get(about, -math.inf) >= COMPLAIN_EVERY_S:
+            self._complained_s[about] = self.vehicle.time_s
             self.vehicle.announce(Severity.WARNING, text)
 
     # messages
@@ -109,28 +120,20 @@ class Services:
 
     def _set_point(self, content: Any, frame: Frame, connection: Connection) -> None:
         if content.coordinate_frame != mav.MAV_FRAME_LOCAL_NED:
-            return self._complain(f"Set point ignored: frame {content.coordinate_frame}")
+            return self._complain("frame", f"Set point ignored: frame {content.coordinate_frame}")
         mask = content.type_mask
         use_position = (not mask & 1, not mask & 2, not mask & 4)
         use_velocity = (not mask & 8, not mask & 16, not mask & 32)
-        if mask & _FORCE_OR_ACCELERATION or not all(
-            p or v for p, v in zip(use_position, use_velocity, strict=True)
-        ):
-            return self._complain(f"Set point ignored: type_mask {mask}")
+        flown = all(p or v for p, v in zip(use_position, use_velocity, strict=True))
+        if mask & _NEVER_FLOWN != _NEVER_FLOWN or not flown:
+            return self._complain("type_mask", f"Set point ignored: type_mask {mask}")
         use_yaw = not mask & mav.POSITION_TARGET_TYPEMASK_YAW_IGNORE
-        p = [value if use else 0.0 for value, use in zip((content.x, content.y, content.z), use_position, strict=True)]
-        v = [value if use else 0.0 for value, use in zip((content.vx, content.vy, content.vz), use_velocity, strict=True)]
-        if not all(map(math.isfinite, (*p, *v, content.yaw if use_yaw else 0.0))):
-            return self._complain("Set point ignored: not a number")
-        self.vehicle.set_point(
-            SetPoint(
-                (p[0], p[1], p[2]),
-                (v[0], v[1], v[2]),
-                use_position,
-                content.yaw if use_yaw else None,
-                self.vehicle.time_s,
-            )
-        )
+        p_ned = _where_used((content.x, content.y, content.z), use_position)
+        v_ned = _where_used((content.vx, content.vy, content.vz), use_velocity)
+        if not all(map(math.isfinite, (*p_ned, *v_ned, content.yaw if use_yaw else 0.0))):
+            return self._complain("number", "Set point ignored: not a number")
+        yaw_rad = content.yaw if use_yaw else None
+        self.vehicle.set_point(SetPoint(p_ned, v_ned, use_position, yaw_rad, self.vehicle.time_s))
         return None
 
     def _command(self, content: Any, frame: Frame, connection: Connection) -> None:
@@ -161,11 +164,11 @@ class Services:
         index, row = found
         bytewise = self.vehicle.identity.integers_bytewise
         try:
-            value = parameters.value_from_wire(row, content.param_value, bytewise=bytewise)
+            value = parameters.value_from_wire(row, content.param_value, content.param_type, bytewise=bytewise)
             self.vehicle.parameters.set(row.name, value)
             self.vehicle.retune()
         except ParameterError as error:
-            self._complain(str(error))
+            self._complain(row.name, str(error))
         connection.put(self._param_value(row, self.vehicle.parameters[row.name], index))
 
     def _param_value(self, row: parameters.Row, value: float, index: int) -> Any:
@@ -184,6 +187,8 @@ class Services:
 
     def _arm(self, request: Request, connection: Connection) -> int:
         vehicle = self.vehicle
+        if request.params[0] not in (0.0, 1.0):
+            return DENIED
         if request.whole(1) == 1:
             reason = vehicle.arming_refusal()
             if reason is not None and request.whole(2) not in FORCE_ARM:
@@ -197,8 +202,10 @@ class Services:
 
     def _take_off(self, request: Request, connection: Connection) -> int:
         vehicle = self.vehicle
-        height_m = request.value(7, vehicle.parameters["MIS_TAKEOFF_ALT"])
-        if not math.isnan(request.params[6]) and not vehicle.identity.takeoff_altitude_is_relative:
+        height_m = request.value(7, 0.0)
+        if height_m == 0.0:
+            height_m = vehicle.parameters["MIS_TAKEOFF_ALT"]
+        elif not (vehicle.identity.takeoff_altitude_is_relative or request.altitude_is_relative):
             height_m -= vehicle.frame.to_global(*vehicle.home_ned)[2]
         if not 0.0 < height_m < 1e4:
             return DENIED
@@ -214,10 +221,16 @@ class Services:
         return self._result(self.vehicle.trigger(Event.HOLD))
 
     def _reposition(self, request: Request, connection: Connection) -> int:
-        numbers = request.params[4:7]
-        if not all(map(math.isfinite, numbers)):
+        vehicle, numbers = self.vehicle, request.params[4:7]
+        if not all(map(math.isfinite, numbers)) or not request.frame_is_known:
             return DENIED
-        return self._result(self.vehicle.reposition(self.vehicle.frame.to_local(*numbers)))
+        if request.frame == mav.MAV_FRAME_LOCAL_NED:
+            north, east, down = numbers
+        else:
+            north, east, down = vehicle.frame.to_local(*numbers)
+        if request.altitude_is_relative:
+            down = vehicle.home_ned[2] - numbers[2]
+        return self._result(vehicle.reposition((north, east, down)))
 
     def _do_set_mode(self, request: Request, connection: Connection) -> int:
         main, sub = request.whole(2), request.whole(3)
@@ -293,6 +306,23 @@ class Services:
     @staticmethod
     def _result(done: bool) -> int:
         return ACCEPTED if done else TEMPORARILY_REJECTED
+
+
+def _status_texts(severity: int, text: str, number: int) -> list[Any]:
+    """STATUSTEXT, in chunks that share an id where one cannot hold the text; an empty part ends a full last chunk."""
+    if len(text) <= TEXT_CHARACTERS:
+        return [message("STATUSTEXT")(severity=severity, text=text, id=0, chunk_seq=0)]
+    parts = [text[at : at + TEXT_CHARACTERS] for at in range(0, len(text) + 1, TEXT_CHARACTERS)]
+    return [
+        message("STATUSTEXT")(severity=severity, text=part, id=1 + number % 65535, chunk_seq=seq)
+        for seq, part in enumerate(parts)
+    ]
+
+
+def _where_used(numbers: Vec3, used: tuple[bool, bool, bool]) -> Vec3:
+    """The numbers, 0 where they are not used, since anything may stand there."""
+    first, second, third = (number if use else 0.0 for number, use in zip(numbers, used, strict=True))
+    return first, second, third
 
 
 _Handler = Callable[[Services, Any, Frame, Connection], None]

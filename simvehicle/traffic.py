@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +24,9 @@ from simvehicle.mavlink.telemetry import Vec3
 SYSID, COMPID = 255, 156
 REPORT_EVERY_MS = 100
 HEARTBEAT_EVERY_MS = 1000
+FARTHEST_M = 1e6
+FASTEST_M_S = 300.0
+"""ADSB_VEHICLE holds vertical speeds up to 327 m/s."""
 
 
 class TrafficError(ValueError):
@@ -42,19 +46,20 @@ class Mover:
     def at(self, time_s: float) -> tuple[Vec3, Vec3]:
         """Position and velocity at a time."""
         corners = [*self.path_ned, self.path_ned[0]] if self.closed else [*self.path_ned, *self.path_ned[-2::-1]]
-        legs = [(a, b, math.dist(a, b)) for a, b in zip(corners, corners[1:], strict=False)]
+        legs = [(a, b, math.dist(a, b)) for a, b in pairwise(corners)]
         around_m = sum(length for _, _, length in legs)
         if time_s <= self.start_s or around_m == 0.0:
             return self.path_ned[0], (0.0, 0.0, 0.0)
         way_m = (self.speed_m_s * (time_s - self.start_s)) % around_m
-        for a, b, length in legs:
-            if way_m <= length and length > 0.0:
-                share = way_m / length
-                p = tuple(x + share * (y - x) for x, y in zip(a, b, strict=True))
-                v = tuple(self.speed_m_s * (y - x) / length for x, y in zip(a, b, strict=True))
-                return (p[0], p[1], p[2]), (v[0], v[1], v[2])
+        legs = [leg for leg in legs if leg[2] > 0.0]
+        for a, b, length in legs:  # noqa: B007 - rounding may leave a rest of way after the last leg: that leg's end
+            if way_m <= length:
+                break
             way_m -= length
-        return self.path_ned[0], (0.0, 0.0, 0.0)
+        share = min(way_m / length, 1.0)
+        north, east, down = (x + share * (y - x) for x, y in zip(a, b, strict=True))
+        vn, ve, vd = (self.speed_m_s * (y - x) / length for x, y in zip(a, b, strict=True))
+        return (north, east, down), (vn, ve, vd)
 
 
 class Traffic:
@@ -128,16 +133,25 @@ def load(path: Path) -> tuple[LocalFrame, list[Mover]]:
         content = yaml.safe_load(path.read_text(encoding="utf-8"))
         origin = content["origin"]
         frame = LocalFrame(float(origin["lat_deg"]), float(origin["lon_deg"]), float(origin["alt_m"]))
-        movers = [
-            Mover(
-                str(mover["callsign"]),
-                tuple((float(n), float(e), float(d)) for n, e, d in mover["path_ned_m"]),
-                float(mover["speed_m_s"]),
-                bool(mover.get("closed", False)),
-                float(mover.get("start_s", 0.0)),
-            )
-            for mover in content["movers"]
-        ]
-    except (OSError, yaml.YAMLError, KeyError, TypeError, ValueError) as error:
-        raise TrafficError(f"{path}: no traffic file: {error}") from error
+        movers = [_mover(mover) for mover in content["movers"]]
+    except OSError as error:
+        raise TrafficError(f"{path}: {error.strerror}") from error
+    except KeyError as error:
+        raise TrafficError(f"{path}: no traffic file: {error} is missing") from error
+    except (yaml.YAMLError, TypeError, ValueError, OverflowError) as error:
+        raise TrafficError(f"{path}: no traffic file: {' '.join(str(error).split())}") from error
     return frame, movers
+
+
+def _mover(given: dict[str, Any]) -> Mover:
+    """One checked entry; raises KeyError, TypeError, ValueError."""
+    callsign = str(given["callsign"])
+    path = tuple((float(n), float(e), float(d)) for n, e, d in given["path_ned_m"])
+    speed_m_s, start_s = float(given["speed_m_s"]), float(given.get("start_s", 0.0))
+    if not path or not all(abs(x) <= FARTHEST_M for point in path for x in point):
+        raise ValueError(f"path_ned_m of {callsign} needs points within {FARTHEST_M:g} m")
+    if not 0.0 <= speed_m_s <= FASTEST_M_S:
+        raise ValueError(f"speed_m_s of {callsign} is {speed_m_s:g}, not from 0 to {FASTEST_M_S:g}")
+    if not math.isfinite(start_s):
+        raise ValueError(f"start_s of {callsign} is no time")
+    return Mover(callsign, path, speed_m_s, bool(given.get("closed", False)), start_s)

@@ -1,8 +1,9 @@
 """Giving and receiving energy in flight: contract.md, Energy and transfer.
 
-Joules move whole and fractions carry over. Each side keeps one counter for life, `given_j` or `received_j`, which it sends
-as XferOut and XferIn. A receiver credits by the largest XferOut that it has seen, so a lost frame costs nothing. Time is
-an argument; nothing here knows a message or a mode.
+Joules move whole and fractions carry over. Each side keeps one counter for life, `given_j` or `received_j`, which it
+sends as XferOut and XferIn. A receiver credits by the largest XferOut that it has seen, so a lost frame costs nothing.
+An order that has moved joules and ended is never begun again, or a late copy of it would credit them twice. Time is an
+argument; nothing here knows a message or a mode.
 """
 
 from __future__ import annotations
@@ -13,6 +14,9 @@ from math import dist, floor
 
 SILENCE_S = 1.0
 """Either side gives up when the other has shown no sign of life, or no progress, for this long."""
+
+
+OrderKey = tuple[int, int, int, int]
 
 
 class Role(IntEnum):
@@ -33,6 +37,11 @@ class Order:
     rate_w: float
     transfer_id: int
     giver_start_j: int
+
+    @property
+    def key(self) -> OrderKey:
+        """What tells one transfer from all others."""
+        return self.partner, self.role, self.transfer_id, self.giver_start_j
 
 
 @dataclass(frozen=True)
@@ -88,6 +97,15 @@ class Transfer:
     def moved_j(self) -> int:
         """Whole joules given or received by this transfer so far."""
         return self._moved_j
+
+    @property
+    def touched(self) -> bool:
+        """Whether joules have moved, or were heard to be on their way."""
+        return self._moved_j > 0 or self._heard_j > 0
+
+    def stopped_by(self, stop: Order) -> bool:
+        """Whether a STOP means this transfer: 0 stands for any partner or id."""
+        return stop.partner in (0, self.order.partner) and stop.transfer_id in (0, self.order.transfer_id)
 
     def give(self, dt_s: float, available_j: float) -> int:
         """Whole joules that leave the giver in `dt_s`, of what it has."""

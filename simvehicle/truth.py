@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Self
 
 import numpy as np
 
@@ -38,7 +39,7 @@ class TruthWriter:
             "gravity_m_s2": vehicle.parameters.flight().airframe.gravity_m_s2,
         }
         self._file = path.open("xb", buffering=0)
-        self._file.write(json.dumps(head, sort_keys=True).encode() + b"\n")
+        self._put(json.dumps(head, sort_keys=True).encode() + b"\n")
 
     def write(self, vehicle: Vehicle, steps: int) -> None:
         """One record at the vehicle's present time; `steps` were flown since the last one."""
@@ -57,4 +58,15 @@ class TruthWriter:
             vehicle.remaining_j,
             *thrust,
         )
-        self._file.write(np.asarray(numbers, dtype="<f8").tobytes())
+        self._put(np.asarray(numbers, dtype="<f8").tobytes())
+
+    def _put(self, content: bytes) -> None:
+        """Write all of it: a disk that is nearly full takes a part first and complains at the rest."""
+        while content:
+            content = content[self._file.write(content) :]
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._file.close()

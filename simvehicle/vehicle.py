@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,39 +15,29 @@ from numpy.typing import NDArray
 from simvehicle import flight
 from simvehicle.dynamics import attitude_ned_from_nwu, body_rates, ned_from_nwu
 from simvehicle.geo import LocalFrame
+from simvehicle.maneuvers import AT_REST, REACHED_M, Anchor, SetPoint, resting_place, wish
 from simvehicle.mavlink.identity import Identity
 from simvehicle.mavlink.parameters import Parameters
 from simvehicle.mavlink.telemetry import Snapshot, Vec3
-from simvehicle.modes import FAILSAFES, Event, Mode, Rule, Severity, rule_for
+from simvehicle.modes import FAILSAFES, RESTING, STAND_DOWN, STEERED, Event, Mode, Rule, Severity, rule_for
 from simvehicle.params import pack
-from simvehicle.transfer import Envelope, Neighbour, Order, Role, Transfer, refusal
+from simvehicle.transfer import Envelope, Neighbour, Order, OrderKey, Role, Transfer, refusal
+
+__all__ = ["STEP_MS", "SetPoint", "Start", "Vehicle"]
 
 STEP_MS = 4
 CHUNK_MS = 100
 """Modes, failsafes and transfer are looked at this often at least, however long the step asked for."""
-REACHED_M = 0.3
-NO_POSITION: Vec3 = (0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True)
 class Start:
     """Where and how a vehicle begins; `airborne`: armed, in offboard on its own state, and without a ground."""
 
-    p_ned: Vec3 = NO_POSITION
-    v_ned: Vec3 = NO_POSITION
-    attitude_ned_rad: Vec3 = NO_POSITION
+    p_ned: Vec3 = AT_REST
+    v_ned: Vec3 = AT_REST
+    attitude_ned_rad: Vec3 = AT_REST
     airborne: bool = False
-
-
-@dataclass(frozen=True)
-class SetPoint:
-    """What offboard control asked for last; `use_position` and `use_velocity` tell which axes count."""
-
-    p_ned: Vec3
-    v_ned: Vec3
-    use_position: tuple[bool, bool, bool]
-    yaw_ned_rad: float | None
-    time_s: float
 
 
 class Vehicle:
@@ -68,6 +58,7 @@ class Vehicle:
         self.transfer: Transfer | None = None
         self.transfer_ended_s = -math.inf
         self.neighbours: dict[int, Neighbour] = {}
+        self._ended_orders: set[OrderKey] = set()
         self.announcements: list[tuple[Severity, str]] = []
         self.on_change: Callable[[], None] = lambda: None
         self._initial_params = parameters.flight()
@@ -84,10 +75,8 @@ class Vehicle:
         self._power_w = 0.0
         self._gcs_seen_s: float | None = None
         self._setpoint: SetPoint | None = None
-        self._anchor_ned: Vec3 = start.p_ned
-        self._anchor_s = 0.0
-        self._takeoff_down_m = 0.0
-        self._return_down_m: float | None = None
+        self._anchor = Anchor(start.p_ned, 0.0, start.p_ned[2])
+        self._takeoff_down_m = start.p_ned[2]
         self._command = np.zeros((1, flight.COMMAND_SIZE))
         self._yaw_ned = start.attitude_ned_rad[2]
         if start.airborne:
@@ -118,7 +107,7 @@ class Vehicle:
     @property
     def landed(self) -> bool:
         """Standing on the ground."""
-        return self.ground and self.p_ned[2] >= 0.0 and self.v_ned == NO_POSITION
+        return self.ground and self.p_ned[2] >= 0.0 and self.v_ned == AT_REST
 
     @property
     def remaining_j(self) -> float:
@@ -187,15 +176,18 @@ class Vehicle:
         return None
 
     def take_off(self, height_m: float) -> bool:
-        """Climb to a height above home; False where the mode table refuses."""
-        self._takeoff_down_m = self.home_ned[2] - height_m
+        """Climb to a height above home, or stay where the vehicle is higher; False where the mode table refuses."""
+        if rule_for(Event.TAKEOFF, self.mode, self.armed) is None:
+            return False
+        self._takeoff_down_m = min(self.home_ned[2] - height_m, self.p_ned[2])
+        self._anchor = replace(self._anchor, down_m=self._takeoff_down_m)
         return self.trigger(Event.TAKEOFF)
 
     def reposition(self, p_ned: Vec3) -> bool:
-        """Hold at another place."""
-        if not self.trigger(Event.HOLD):
+        """Hold at another place; False where the vehicle is not flying."""
+        if self.landed or not self.armed or not self.trigger(Event.HOLD):
             return False
-        self._anchor_ned = p_ned
+        self._anchor = replace(self._anchor, p_ned=p_ned)
         return True
 
     def set_point(self, setpoint: SetPoint) -> None:
@@ -214,10 +206,13 @@ class Vehicle:
     def order(self, order: Order) -> str | None:
         """Begin or end a transfer; the reason where it is refused."""
         if order.role is Role.STOP:
-            self._end_transfer("stopped")
+            if self.transfer is not None and self.transfer.stopped_by(order):
+                self._end_transfer("stopped")
             return None
         if self.transfer is not None:
             return None if self.transfer.order == order else "another transfer is under way"
+        if order.key in self._ended_orders:
+            return "that transfer has ended; a new one needs a new id"
         if order.role is Role.RECEIVE:
             reason = refusal(self.neighbours.get(order.partner), self.p_ned, self.v_ned, self.time_s, self._envelope())
             if reason is not None:
@@ -246,11 +241,9 @@ class Vehicle:
         """Start the clock without a step; set points known so far become as old as now."""
         self.time_ms = time_ms
         self.unix_epoch_us = unix_us - 1000 * time_ms
-        self._anchor_s = self.time_s
+        self._anchor = replace(self._anchor, time_s=self.time_s)
         if self._setpoint is not None:
-            self._setpoint = SetPoint(
-                self._setpoint.p_ned, self._setpoint.v_ned, self._setpoint.use_position, None, self.time_s
-            )
+            self._setpoint = replace(self._setpoint, time_s=self.time_s)
 
     def advance(self, to_ms: int) -> None:
         """Fly to a time; whole steps of 4 ms, a remainder waits for the next call."""
@@ -277,46 +270,34 @@ class Vehicle:
 
     def _fill_command(self) -> None:
         row = self._command[0]
-        p_ned, v_ned, use, time_s, speed_m_s = self._wish()
-        row[flight.CMD_POSITION] = _nwu(p_ned)
-        row[flight.CMD_VELOCITY] = _nwu(v_ned)
-        row[flight.CMD_TIME_S] = time_s
-        row[flight.CMD_USE_POSITION] = use
+        wanted = wish(
+            self.mode,
+            self._setpoint,
+            self._anchor,
+            p_ned=self.p_ned,
+            home_ned=self.home_ned,
+            now_s=self.time_s,
+            parameters=self.parameters,
+        )
+        if self.mode in STEERED and self._setpoint is not None and self._setpoint.yaw_ned_rad is not None:
+            self._yaw_ned = self._setpoint.yaw_ned_rad
+        row[flight.CMD_POSITION] = _nwu(wanted.p_ned)
+        row[flight.CMD_VELOCITY] = _nwu(wanted.v_ned)
+        row[flight.CMD_TIME_S] = wanted.time_s
+        row[flight.CMD_USE_POSITION] = wanted.use_position
         row[flight.CMD_YAW] = -self._yaw_ned
-        row[flight.CMD_MOTORS] = float(self.armed and not (self.landed and self.mode in _RESTING))
+        row[flight.CMD_MOTORS] = float(self.armed and not (self.landed and self.mode in RESTING))
         row[flight.CMD_GROUND] = float(self.ground)
-        row[flight.CMD_SPEED_MAX] = speed_m_s
+        row[flight.CMD_SPEED_MAX] = wanted.speed_m_s
         row[flight.CMD_PERIOD_S] = CHUNK_MS / 1e3
-
-    def _wish(self) -> tuple[Vec3, Vec3, tuple[bool, bool, bool], float, float]:
-        """What the mode wants flown: position, velocity, axes with position, time of validity, speed limit."""
-        everything = (True, True, True)
-        fastest = self.parameters["MPC_XY_VEL_MAX"]
-        anchor = self._anchor_ned
-        if self.mode in (Mode.OFFBOARD, Mode.REFUEL) and self._setpoint is not None:
-            wish = self._setpoint
-            if wish.yaw_ned_rad is not None:
-                self._yaw_ned = wish.yaw_ned_rad
-            return wish.p_ned, wish.v_ned, wish.use_position, wish.time_s, fastest
-        if self.mode is Mode.TAKEOFF:
-            climb = min(self.parameters["MPC_TKO_SPEED"], fastest)
-            return (anchor[0], anchor[1], self._takeoff_down_m), NO_POSITION, everything, self.time_s, climb
-        if self.mode is Mode.LAND:
-            sink = (0.0, 0.0, self.parameters["MPC_LAND_SPEED"])
-            return anchor, sink, (True, True, False), self._anchor_s, fastest
-        if self.mode is Mode.RETURN and self._return_down_m is not None:
-            above_home = (self.home_ned[0], self.home_ned[1], self._return_down_m)
-            climbed = self.p_ned[2] <= self._return_down_m + REACHED_M
-            goal = above_home if climbed else (anchor[0], anchor[1], self._return_down_m)
-            return goal, NO_POSITION, everything, self.time_s, min(self.parameters["MPC_XY_CRUISE"], fastest)
-        return anchor, NO_POSITION, everything, self.time_s, fastest
 
     def _progress(self) -> None:
         """Events that the vehicle finds out by itself."""
         p_ned = self.p_ned
         if self.mode is Mode.TAKEOFF and p_ned[2] <= self._takeoff_down_m + 0.5 * REACHED_M:
             self.trigger(Event.TAKEOFF_DONE)
-            self._anchor_ned = (self._anchor_ned[0], self._anchor_ned[1], self._takeoff_down_m)
+            north, east, _ = self._anchor.p_ned
+            self._anchor = replace(self._anchor, p_ned=(north, east, self._takeoff_down_m))
         elif self.mode is Mode.RETURN and math.dist(p_ned[:2], self.home_ned[:2]) < REACHED_M:
             if math.hypot(*self.v_ned) < REACHED_M:
                 self.trigger(Event.HOME_REACHED)
@@ -336,7 +317,7 @@ class Vehicle:
             if happened[event]:
                 rule = rule_for(event, self.mode, self.armed)
                 if rule is not None:
-                    self._apply(rule if not self.landed else _STAND_DOWN)
+                    self._apply(rule if not self.landed else STAND_DOWN)
 
     def _battery_low(self) -> bool:
         return self.remaining_j < self.parameters["BAT_EMERGEN_THR"] * self.capacity_j
@@ -359,19 +340,13 @@ class Vehicle:
 
     def _enter(self, mode: Mode) -> None:
         """Fix what a mode keeps while it lasts: the place where the vehicle can come to rest, or stands."""
-        v_ned = self.v_ned
-        coast_s = 0.3 + math.hypot(*v_ned) / (2.0 * 2.5) if not self.landed else 0.0
         p_ned = self.p_ned
-        self._anchor_ned = (
-            p_ned[0] + coast_s * v_ned[0],
-            p_ned[1] + coast_s * v_ned[1],
-            min(p_ned[2] + coast_s * v_ned[2], 0.0) if self.ground else p_ned[2] + coast_s * v_ned[2],
-        )
-        self._anchor_s = self.time_s
+        place, down_m = resting_place(p_ned, self.v_ned, ground=self.ground, landed=self.landed), p_ned[2]
         if mode is Mode.TAKEOFF:
-            self._anchor_ned = p_ned
+            place, down_m = p_ned, self._takeoff_down_m
         elif mode is Mode.RETURN:
-            self._return_down_m = min(p_ned[2], self.home_ned[2] - self.parameters["RTL_RETURN_ALT"])
+            down_m = min(p_ned[2], self.home_ned[2] - self.parameters["RTL_RETURN_ALT"])
+        self._anchor = Anchor(place, self.time_s, down_m)
 
     # transfer
 
@@ -394,24 +369,22 @@ class Vehicle:
                 joules = transfer.credit(self.capacity_j - self.remaining_j)
                 self.received_j += joules
                 self.state[0, flight.REMAINING_J] += joules
+                if self.capacity_j - self.remaining_j < 1.0:
+                    reason = "the battery is full"
         if reason is not None:
             self._end_transfer(reason)
 
     def _end_transfer(self, reason: str) -> None:
         if self.transfer is None:
             return
-        verb = "gave" if self.transfer.order.role is Role.GIVE else "received"
-        self.announce(Severity.INFO, f"Transfer ended: {reason}, {verb} {self.transfer.moved_j} J")
+        verb = "Gave" if self.transfer.order.role is Role.GIVE else "Received"
+        self.announce(Severity.INFO, f"{verb} {self.transfer.moved_j} J: {reason}")
+        if self.transfer.touched:
+            self._ended_orders.add(self.transfer.order.key)
         self.transfer = None
         self.transfer_ended_s = self.time_s
         self.trigger(Event.REFUEL_END)
         self.on_change()
-
-
-_RESTING = frozenset({Mode.HOLD, Mode.LAND, Mode.RETURN})
-_STAND_DOWN = Rule(
-    Event.DISARM, frozenset(Mode), True, Mode.HOLD, False, Severity.WARNING, "Failsafe on the ground, disarmed"
-)
 
 
 def _tuple(v: NDArray[np.float64]) -> Vec3:

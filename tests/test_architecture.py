@@ -12,8 +12,8 @@ ROOT = Path(__file__).resolve().parents[1]
 HOUSE = {
     "simvehicle": [
         "geo params",
-        "dynamics differentiator guidance energy",
-        "controller",
+        "dynamics differentiator comparators energy",
+        "guidance controller",
         "flight",
         "modes transfer",
         "mavlink.codec",
@@ -23,10 +23,13 @@ HOUSE = {
         "mavlink.connection",
         "mavlink.lockstep",
         "link",
+        "maneuvers",
         "vehicle",
         "truth services traffic",
         "unit",
         "process preload hatch",
+        "paper_figures",
+        "paper",
         "cli",
     ],
     "gcs": [
@@ -46,6 +49,7 @@ HOUSE = {
         "planner.fuzzy",
         "planner.leader",
         "planner.plan",
+        "competition_steps",
         "competition",
         "contest",
         "refuelling",

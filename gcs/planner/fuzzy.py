@@ -61,7 +61,9 @@ def escape(
     field: Field,
     step_m: float | None = None,
 ) -> tuple[FloatArray, FloatArray]:
-    """Escape force (3,) at `q` (3,), m NED, and the leader's next memory (MEMORY_SIZE,) (model.md 7).
+    """Escape force (3,), NED in the units of `attraction`, at `q` (3,), m NED, and the leader's next memory.
+
+    The memory is (MEMORY_SIZE,) (model.md 7; paper eqs. 8, 9 and Table I) [seed], form [choice].
 
     Call it once for every step of the planned point, before the step. `attraction` and `repulsion` (3,) are the
     field's at `q`; `step_m` is the length of a full step, field.step_m by default: a slow leader makes shorter ones and

@@ -31,6 +31,7 @@ def advance(
     *,
     repulsors: FloatArray,
     moving: ArrayLike,
+    radii_m: ArrayLike = 0.0,
     ranges_m: ArrayLike,
     owner: ArrayLike,
     exempt: ArrayLike,
@@ -38,16 +39,22 @@ def advance(
     speed_m_s: ArrayLike,
     period_s: float,
     escape: bool,
+    attractors: ArrayLike = (),
+    attraction_ranges_m: ArrayLike = (),
+    drawn: ArrayLike | None = None,
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Next positions (n, 3) m, next memory (n, MEMORY_SIZE) and mean velocity (n, 3) m/s of n leaders, NED.
 
     q_ned, goals, goal_velocity: (n, 3), m and m/s, all at the start of the period; goals move on at their velocity
     within it. memory: `fuzzy.new_memory(n)` at first, then what the last call returned.
     repulsors: obstacle table (m1, COLUMNS) that repels everyone within field.repulsion_range_m.
-    moving (m2, 3) m, ranges_m (m2,): points that stand for vehicles and traffic, held where they are for the period
+    moving (m2, 3) m, radii_m (m2,) or one for all, ranges_m (m2,): points or spheres that stand for vehicles and
+    traffic, and how far from their surfaces they repel; held where they are for the period
     (widen their ranges for the age of their report). owner (m2,): the leader that each one is, which it does not repel;
     -1 for nobody's. exempt (n, m2): True where a leader is not repelled, as by its target or its partner in a transfer.
     speed_m_s: (n,), or one for all, >= 0. escape: whether the fuzzy escape helps out of local minima.
+    attractors (m3, 3) m, attraction_ranges_m (m3,): points beside the goal that draw a leader within their range
+    (paper eq. 10), held where they are for the period. drawn (n, m3): whom they draw, everyone without it.
 
     Leaders see each other where they were at the start, so that their order does not matter. The arguments are left as
     they are. ValueError names the argument whose shape is wrong or which holds a value that is not finite.
@@ -74,15 +81,23 @@ def advance(
     owned = np.flatnonzero(owners >= 0)
     exempted[owners[owned], owned] = True
 
+    others = _array("attractors", attractors, (-1, 3))
+    draws = np.ones((n, len(others)), dtype=np.bool_) if drawn is None else np.array(drawn, dtype=np.bool_)
+    if draws.shape != (n, len(others)):
+        raise ValueError(f"drawn has shape {draws.shape}; it must be {(n, len(others))}: leaders, attractors")
+
     start = q.copy()
     _advance_all(
         q,
         following,
         _array("goals", goals, (n, 3)),
         _array("goal_velocity", goal_velocity, (n, 3)),
+        others,
+        _array("attraction_ranges_m", attraction_ranges_m, (len(others),)),
+        draws,
         repulsors,
         *_everyone(n, len(repulsors)),
-        points(at),
+        points(at, radii_m),
         _array("ranges_m", ranges_m, (m,)),
         exempted,
         *_everyone(n, m),
@@ -118,6 +133,9 @@ def _advance_all(
     memory: FloatArray,
     goals: FloatArray,
     goal_velocity: FloatArray,
+    attractors: FloatArray,
+    attraction_ranges: FloatArray,
+    draws: BoolArray,
     obstacles: FloatArray,
     obstacle_rows: IntArray,
     obstacle_first: IntArray,
@@ -147,6 +165,14 @@ def _advance_all(
             ge = goals[i, 1] + goal_velocity[i, 1] * dt * step
             gd = goals[i, 2] + goal_velocity[i, 2] * dt * step
             an, ae, ad = attraction_to(gn, ge, gd, math.inf, q[i, 0], q[i, 1], q[i, 2], constants)
+            for k in range(attractors.shape[0]):
+                if draws[i, k]:
+                    hn, he, hd = attractors[k, 0], attractors[k, 1], attractors[k, 2]
+                    reach_m = attraction_ranges[k]
+                    fn, fe, fd = attraction_to(hn, he, hd, reach_m, q[i, 0], q[i, 1], q[i, 2], constants)
+                    an += fn
+                    ae += fe
+                    ad += fd
             on = 0.0
             oe = 0.0
             od = 0.0

@@ -1,9 +1,10 @@
 """One tick of planning: from the fleet's snapshot to a set point for every vehicle that is being steered.
 
 Each vehicle has a virtual leader (model.md 6). Targets' leaders follow a carrot along the scenario's path, pursuers'
-their slot of the formation, tankers' the place above their receiver or where they wait. A vehicle flies LOOKAHEAD_S
+their slot of the formation or their own way points, tankers' the place above their receiver or where they wait. A vehicle flies LOOKAHEAD_S
 behind its leader (model.md 5: 0.32 s of guidance, and half a grant). So leaders keep formation with leaders, and
-everything else that moves is looked at where it will be by then.
+everything else that moves is looked at where it will be by then. Targets are planned first, then pursuers, then
+tankers, so that each follows what the one before it does in this very period.
 """
 
 from __future__ import annotations
@@ -18,11 +19,14 @@ from numpy.typing import NDArray
 from gcs.fleet import Snapshot, Vec3, VehicleView
 from gcs.planner import formation, fuzzy, leader, obstacles
 from gcs.planner.potential_field import Field, widened_range
-from gcs.scenario import Obstacle, Scenario, Target
+from gcs.scenario import Obstacle, Scenario, Tanker, Target
 
 LOOKAHEAD_S = 0.37
 CATCH_UP_SPEED = 1.3
 """A target's leader may be this much faster than its carrot, so that it comes back after an obstacle."""
+ROLES = ("target", "pursuer", "tanker")
+OFF_PLAN_M = 1.0
+"""A vehicle farther than this from its plan is met where it flies, not where it is planned."""
 STILL: Vec3 = (0.0, 0.0, 0.0)
 
 
@@ -84,7 +88,12 @@ class Planner:
             target.sysid: formation.Path(target.path_m, closed=target.closed, laps=target.laps)
             for target in scenario.vehicles.targets
         }
+        self._begin: dict[int, Vec3] = {}
+        self._pursuing: Mapping[int, int] | None = None
         self._way_m = dict.fromkeys(self._paths, 0.0)
+        self._courses = {p.sysid: list(p.waypoints_m) for p in scenario.vehicles.pursuers if p.waypoints_m}
+        self._starts = {p.sysid: p.start_m for p in scenario.vehicles.pursuers if p.waypoints_m and p.airborne}
+        self._attracting = {mover.callsign for mover in scenario.traffic if mover.attracts}
         self._slots: dict[int, Vec3] = {}
         self._slots_of: dict[int, frozenset[int]] = {}
 
@@ -97,10 +106,12 @@ class Planner:
         partners: Iterable[tuple[int, int]],
         targets_move: bool,
         period_s: float,
+        pursuing: Mapping[int, int] | None = None,
     ) -> list[SetPoint]:
         """Set points for the vehicles in `steered`, in order of system id; each holds at the snapshot's time.
 
-        `rendezvous` says which receiver a tanker is to stand above; `partners` are pairs that may come close.
+        `rendezvous` says which receiver a tanker is to stand above; `partners` are pairs that may come close;
+        `pursuing` says which pursuer follows which target while the others hold, None that each follows its own.
         """
         views = [view for view in snapshot.vehicles if view.sysid in steered and view.p_ned is not None]
         self._forget({view.sysid for view in views})
@@ -108,34 +119,52 @@ class Planner:
             return []
         for view in views:
             if view.sysid not in self._q:
-                self._q[view.sysid] = np.array(view.p_now_ned())
+                self._q[view.sysid] = np.array(self._starts.pop(view.sysid, None) or view.p_now_ned())
                 self._v[view.sysid] = STILL
                 self._memory[view.sysid] = fuzzy.new_memory(1)[0]
-        wanted = self._wants(snapshot, views, rendezvous, targets_move=targets_move, period_s=period_s)
+        self._begin = {view.sysid: _vec(self._q[view.sysid]) for view in views}
+        self._pursuing = pursuing
+        for role in ROLES:
+            led = [view for view in views if view.role == role]
+            if led:
+                wanted = self._wants(role, snapshot, led, rendezvous, targets_move=targets_move, period_s=period_s)
+                self._move(snapshot, led, wanted, partners, period_s)
+        return [SetPoint(view.sysid, self._begin[view.sysid], self._v[view.sysid]) for view in views]
+
+    def _move(
+        self,
+        snapshot: Snapshot,
+        views: list[VehicleView],
+        wanted: list[_Wanted],
+        partners: Iterable[tuple[int, int]],
+        period_s: float,
+    ) -> None:
+        """Move the leaders of these vehicles by one period."""
         others = [view for view in snapshot.vehicles if view.flying]
-        q = np.array([self._q[view.sysid] for view in views])
-        at, ranges, owner = self._movers(snapshot, views, others)
+        at, radii, ranges, owner = self._movers(snapshot, views, others)
+        attractors, attraction_ranges, drawn = self._attractors(snapshot, views)
         q_next, memory, v_ned = leader.advance(
-            q,
+            np.array([self._q[view.sysid] for view in views]),
             np.array([self._memory[view.sysid] for view in views]),
             np.array([want.p_ned for want in wanted]),
             np.array([want.v_ned for want in wanted]),
             repulsors=self.obstacles,
             moving=at,
+            radii_m=radii,
             ranges_m=ranges,
             owner=owner,
-            exempt=self._exempt(views, others, len(at), partners),
+            exempt=self._exempt(snapshot, views, others, partners),
             field=self._field,
             speed_m_s=np.array([self._leashed(view, want.speed_m_s) for view, want in zip(views, wanted, strict=True)]),
             period_s=period_s,
             escape=self._scenario.planner.escape,
+            attractors=attractors,
+            attraction_ranges_m=attraction_ranges,
+            drawn=drawn,
         )
-        set_points = []
         for i, view in enumerate(views):
-            set_points.append(SetPoint(view.sysid, _vec(q[i]), _vec(v_ned[i])))
             self._q[view.sysid], self._memory[view.sysid] = q_next[i], memory[i]
-            self._v[view.sysid] = set_points[-1].v_ned
-        return set_points
+            self._v[view.sysid] = _vec(v_ned[i])
 
     def _forget(self, kept: set[int]) -> None:
         """A vehicle that is not steered any more starts from where it is, should it come back."""
@@ -144,6 +173,7 @@ class Planner:
 
     def _wants(
         self,
+        role: str,
         snapshot: Snapshot,
         views: list[VehicleView],
         rendezvous: Mapping[int, int],
@@ -151,19 +181,24 @@ class Planner:
         targets_move: bool,
         period_s: float,
     ) -> list[_Wanted]:
-        vehicles = self._scenario.vehicles
         wants: dict[int, _Wanted] = {}
-        for target in vehicles.targets:
-            wants[target.sysid] = self._carrot(target, targets_move, period_s)
-        wants.update(self._formation(snapshot))
-        for tanker in vehicles.tankers:
-            waiting = tanker.home_m or (tanker.start_m[0], tanker.start_m[1], tanker.start_m[2] - tanker.takeoff_m)
-            (n, e, d), v_ned = waiting, STILL
-            if tanker.sysid in rendezvous:
-                (n, e, d), v_ned = self._led(snapshot.vehicle(rendezvous[tanker.sysid]))
-                d -= self._scenario.refuelling.height_m
-            wants[tanker.sysid] = _Wanted((n, e, d), v_ned, tanker.speed_m_s)
+        if role == "target":
+            for target in self._scenario.vehicles.targets:
+                wants[target.sysid] = self._carrot(target, targets_move, period_s)
+        elif role == "pursuer":
+            wants = self._formation(snapshot) | {sysid: self._course(sysid) for sysid in self._courses.keys() & self._q}
+        else:
+            for tanker in self._scenario.vehicles.tankers:
+                wants[tanker.sysid] = self._station(tanker, snapshot, rendezvous.get(tanker.sysid))
         return [wants.get(view.sysid, _Wanted(_vec(self._q[view.sysid]), STILL, 0.0)) for view in views]
+
+    def _station(self, tanker: Tanker, snapshot: Snapshot, receiver: int | None) -> _Wanted:
+        """Above its receiver, or where it waits."""
+        if receiver is None:
+            n, e, d = tanker.start_m
+            return _Wanted(tanker.home_m or (n, e, d - tanker.takeoff_m), STILL, tanker.speed_m_s)
+        (n, e, d), v_ned = self._led(snapshot.vehicle(receiver))
+        return _Wanted((n, e, d - self._scenario.refuelling.height_m), v_ned, tanker.speed_m_s)
 
     def _carrot(self, target: Target, moves: bool, period_s: float) -> _Wanted:
         path = self._paths[target.sysid]
@@ -176,6 +211,15 @@ class Planner:
         v_ned = (direction[0] * target.speed_m_s, direction[1] * target.speed_m_s, direction[2] * target.speed_m_s)
         return _Wanted(p_ned, v_ned, CATCH_UP_SPEED * target.speed_m_s)
 
+    def _course(self, sysid: int) -> _Wanted:
+        """The next of a vehicle's own way points; at the last one it stays."""
+        course, here = self._courses[sysid], _vec(self._q[sysid])
+        if course and math.dist(here, course[0]) <= self._field.step_m:
+            course.pop(0)
+        if not course:
+            return _Wanted(here, STILL, 0.0)
+        return _Wanted(course[0], STILL, self._scenario.planner.cruise_m_s)
+
     def _formation(self, snapshot: Snapshot) -> dict[int, _Wanted]:
         """Each pursuer's slot around its target, assigned anew when the set of pursuers in the air changes."""
         rules = self._scenario.formation
@@ -183,8 +227,10 @@ class Planner:
         for target in self._scenario.vehicles.targets:
             lead = snapshot.vehicle(target.sysid)
             vehicles = self._scenario.vehicles
-            mine = [p for p in vehicles.pursuers if vehicles.target_of(p) == target.sysid]
-            flying = {p.sysid: snapshot.vehicle(p.sysid) for p in mine}
+            follows = self._pursuing
+            if follows is None:
+                follows = {p.sysid: on for p in vehicles.pursuers if (on := vehicles.target_of(p)) is not None}
+            flying = {sysid: snapshot.vehicle(sysid) for sysid in follows if follows[sysid] == target.sysid}
             here = {sysid: view.p_now_ned() for sysid, view in flying.items() if view.flying}
             if lead.p_ned is None or not here:
                 continue
@@ -201,15 +247,33 @@ class Planner:
         return wants
 
     def _led(self, view: VehicleView) -> tuple[Vec3, Vec3]:
-        """Place and velocity with which to keep formation: the leader's; without one, the vehicle's, looked ahead."""
-        if view.sysid in self._q:
-            return _vec(self._q[view.sysid]), self._v[view.sysid]
-        return _ahead(view.p_now_ned(), view.v_ned), view.v_ned
+        """Place and velocity with which to keep formation: the leader's; else the vehicle's own, looked ahead."""
+        flown = _ahead(view.p_now_ned(), view.v_ned)
+        if view.sysid in self._begin and math.dist(self._begin[view.sysid], flown) <= OFF_PLAN_M:
+            return self._begin[view.sysid], self._v[view.sysid]
+        return flown, view.v_ned
+
+    def _attractors(
+        self, snapshot: Snapshot, views: list[VehicleView]
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.bool_]]:
+        """Places and ranges of what draws pursuers beside their goals, and whom each one draws."""
+        default_m = self._scenario.planner.attraction_range_m
+        rows = [(*a.point_m, a.range_m or default_m) for a in self._scenario.attractors]
+        for aircraft in snapshot.traffic:
+            if aircraft.callsign in self._attracting:
+                rows.append((*_ahead(aircraft.p_ned, aircraft.v_ned, LOOKAHEAD_S + aircraft.age_s), default_m))
+        table = np.array(rows).reshape(-1, 4)
+        pursuers = np.array([view.role == "pursuer" for view in views])
+        return table[:, :3], table[:, 3], np.repeat(pursuers[:, np.newaxis], len(table), axis=1)
 
     def _movers(
         self, snapshot: Snapshot, views: list[VehicleView], others: list[VehicleView]
-    ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.int64]]:
-        """Places, ranges and owners of everything that moves and repels: vehicles in the air, then traffic."""
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], NDArray[np.int64]]:
+        """Places, radii, ranges and owners of everything that moves and repels: vehicles in the air, then traffic.
+
+        A vehicle is a sphere of the separation that the scenario demands: a leader pressed against it stays out.
+        A target must not push its pursuers from their ring, so its sphere ends where the ring is out of its range.
+        """
         rows = {view.sysid: i for i, view in enumerate(views)}
         at = [_ahead(view.p_now_ned(), view.v_ned) for view in others]
         speeds = [math.hypot(*view.v_ned) for view in others]
@@ -220,21 +284,38 @@ class Planner:
             ages.append(aircraft.age_s + self._scenario.clock.period_s)
         ranges = widened_range(self._field.repulsion_range_m, np.array(speeds), np.array(ages))
         owner = np.array([rows.get(view.sysid, -1) for view in others] + [-1] * len(snapshot.traffic), dtype=np.int64)
-        return np.array(at).reshape(-1, 3), np.broadcast_to(ranges, len(at)), owner
+        radii = np.array([self._radius_m(view) for view in others] + [0.0] * len(snapshot.traffic))
+        return np.array(at).reshape(-1, 3), radii, np.broadcast_to(ranges, len(at)), owner
+
+    def _radius_m(self, view: VehicleView) -> float:
+        separation_m, ring_m = self._scenario.planner.separation_m, self._scenario.formation.ring_m
+        if view.role != "target" or ring_m is None:
+            return separation_m
+        return min(max(ring_m - self._field.repulsion_range_m, 0.0), separation_m)
 
     def _exempt(
-        self, views: list[VehicleView], others: list[VehicleView], movers: int, partners: Iterable[tuple[int, int]]
+        self,
+        snapshot: Snapshot,
+        views: list[VehicleView],
+        others: list[VehicleView],
+        partners: Iterable[tuple[int, int]],
     ) -> NDArray[np.bool_]:
-        """Whom each leader need not keep away from: partners of a transfer; the pursuers, for the one they pursue."""
-        exempt = np.zeros((len(views), movers), dtype=bool)
-        close = {pair for a, b in partners for pair in ((a, b), (b, a))}
-        for i, view in enumerate(views):
-            for j, other in enumerate(others):
-                exempt[i, j] = (
-                    (view.sysid, other.sysid) in close
-                    or (view.role == "target" and other.role != "target")
-                    or (view.role == "pursuer" and other.role == "target" and self._scenario.formation.ring_m is None)
-                )
+        """Whom each leader need not keep away from: partners of a transfer; whom it pursues; what attracts it."""
+        exempt = np.zeros((len(views), len(others) + len(snapshot.traffic)), dtype=bool)
+        of_view, of_other = np.array([view.role for view in views]), np.array([other.role for other in others])
+        flying = exempt[:, : len(others)]
+        flying |= not self._scenario.planner.vehicles_repel
+        flying |= np.outer(of_view == "target", of_other != "target")
+        attracting = [aircraft.callsign in self._attracting for aircraft in snapshot.traffic]
+        exempt[:, len(others) :] = np.outer(of_view == "pursuer", np.array(attracting, dtype=bool))
+        if self._scenario.formation.ring_m is None:
+            flying |= np.outer(of_view == "pursuer", of_other == "target")
+        rows = {view.sysid: i for i, view in enumerate(views)}
+        columns = {other.sysid: j for j, other in enumerate(others)}
+        for a, b in partners:
+            for one, other in ((a, b), (b, a)):
+                if one in rows and other in columns:
+                    exempt[rows[one], columns[other]] = True
         return exempt
 
     def _leashed(self, view: VehicleView, speed_m_s: float) -> float:

@@ -86,7 +86,9 @@ def force(
     ranges_m: ArrayLike,
     field: Field,
 ) -> tuple[FloatArray, FloatArray]:
-    """Attraction (3,) and repulsion (3,) at `q_ned` (3,), m NED (model.md 6; paper eqs. 7, 10, 11).
+    """Attraction (3,) and repulsion (3,), NED without unit, at `q_ned` (3,), m NED (model.md 6; paper eqs. 7, 10, 11).
+
+    Form [choice], values [seed].
 
     `tracked` (m1, 3) attract at any distance, `waypoints` (m2, 3) within the field's attraction range; `repulsors` is
     an obstacle table (m, COLUMNS) with one repulsion range each, `ranges_m` (m,). ValueError when the shapes disagree.

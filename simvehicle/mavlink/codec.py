@@ -1,7 +1,7 @@
 """MAVLink 2 frames: bytes to messages and back, driven by one table.
 
-The table (ids, CRC seeds, field order, types) is taken from pymavlink's `common` dialect, a message at a time, when it is
-first needed. A message is a named tuple whose fields stand in wire order, so that packing is one `struct` call.
+The table (ids, CRC seeds, field order, types) is taken from pymavlink's `common` dialect, a message at a time, when it
+is first needed. A message is a named tuple whose fields stand in wire order, so that packing is one `struct` call.
 """
 
 from __future__ import annotations
@@ -46,6 +46,9 @@ class Schema(NamedTuple):
     make: Any
 
 
+_tuple_class: Any = namedtuple  # the fields come from the table, where no type checker can follow
+
+
 @cache
 def schema(msgid: int) -> Schema | None:
     """The table's row of a message id; None where the dialect has none."""
@@ -61,7 +64,8 @@ def schema(msgid: int) -> Schema | None:
             text.append(slot)
         elif length > 0:
             arrays.append((slot, length))
-    make = namedtuple(definition.msgname, definition.ordered_fieldnames)  # noqa: PYI024 - the fields come from the table
+    make: Any = _tuple_class(definition.msgname, definition.ordered_fieldnames)
+    make.MSGID = msgid
     return Schema(msgid, definition.crc_extra, definition.unpacker, tuple(arrays), tuple(text), make)
 
 
@@ -70,7 +74,6 @@ def message(name: str) -> Any:
     """The named-tuple class of a message by its MAVLink name, e.g. `message("ATTITUDE")`."""
     row = schema(getattr(common, f"MAVLINK_MSG_ID_{name}"))
     assert row is not None
-    row.make.MSGID = row.msgid
     return row.make
 
 
@@ -126,7 +129,8 @@ def split(datagram: bytes) -> Iterator[Frame]:
             stop > end
             or incompat & ~SIGNED
             or row is None
-            or mcrf4xx(datagram[start + 1 : check] + bytes((row.crc_extra,))) != _CHECKSUM.unpack_from(datagram, check)[0]
+            or mcrf4xx(datagram[start + 1 : check] + bytes((row.crc_extra,)))
+            != _CHECKSUM.unpack_from(datagram, check)[0]
         ):
             start += 1
             continue

@@ -1,6 +1,7 @@
 """MAV_CMD requests: COMMAND_LONG and COMMAND_INT in one shape, and the acknowledgement that each gets exactly once.
 
-Parameters that a sender leaves unset arrive as NaN (PX4's habit) or 0 (ArduPilot's); `value` reads both.
+Parameters that a sender leaves unset arrive as NaN (PX4's habit) or 0 (ArduPilot's): `value` reads the first, and a
+handler for which 0 has no meaning of its own reads the second.
 """
 
 from __future__ import annotations
@@ -26,6 +27,16 @@ class Request(NamedTuple):
     frame: int
     sender: tuple[int, int]
 
+    @property
+    def altitude_is_relative(self) -> bool:
+        """Whether param 7 counts from home and not from mean sea level."""
+        return self.frame in _RELATIVE_FRAMES
+
+    @property
+    def frame_is_known(self) -> bool:
+        """Whether params 5..7 stand in a frame that the vehicle can place itself in."""
+        return self.frame in _KNOWN_FRAMES
+
     def value(self, number: int, default: float) -> float:
         """Parameter `number` (1..7), or the default where it is NaN."""
         given = self.params[number - 1]
@@ -43,9 +54,11 @@ def request_from(content: Any, sender: tuple[int, int]) -> Request:
     if hasattr(content, "param7"):
         last = (content.param5, content.param6, content.param7)
         return Request(content.command, first + last, mav.MAV_FRAME_GLOBAL, sender)
-    scale = 1e-7 if content.frame not in _LOCAL_FRAMES else 1e-4
-    last = (content.x * scale, content.y * scale, content.z)
-    return Request(content.command, first + last, content.frame, sender)
+    scale = 1.0
+    if content.command in _WITH_A_PLACE:
+        scale = 1e-4 if content.frame in _LOCAL_FRAMES else 1e-7
+    x, y = (math.nan if number == _UNSET_INT else number * scale for number in (content.x, content.y))
+    return Request(content.command, (*first, x, y, content.z), content.frame, sender)
 
 
 def acknowledgement(request: Request, result: int) -> Any:
@@ -63,3 +76,10 @@ def acknowledgement(request: Request, result: int) -> Any:
 _LOCAL_FRAMES = frozenset(
     {mav.MAV_FRAME_LOCAL_NED, mav.MAV_FRAME_LOCAL_ENU, mav.MAV_FRAME_LOCAL_OFFSET_NED, mav.MAV_FRAME_BODY_FRD}
 )
+_RELATIVE_FRAMES = frozenset({mav.MAV_FRAME_GLOBAL_RELATIVE_ALT, mav.MAV_FRAME_GLOBAL_RELATIVE_ALT_INT})
+_KNOWN_FRAMES = _RELATIVE_FRAMES | {mav.MAV_FRAME_GLOBAL, mav.MAV_FRAME_GLOBAL_INT, mav.MAV_FRAME_LOCAL_NED}
+_WITH_A_PLACE = frozenset(
+    {mav.MAV_CMD_NAV_TAKEOFF, mav.MAV_CMD_NAV_LAND, mav.MAV_CMD_NAV_LOITER_UNLIM, mav.MAV_CMD_DO_REPOSITION}
+)
+"""Commands whose x and y in COMMAND_INT are scaled; those of all others are whole numbers as they are."""
+_UNSET_INT = 2**31 - 1

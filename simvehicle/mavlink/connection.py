@@ -30,14 +30,17 @@ class Connection:
         for stream in self.streams.due(snapshot.time_ms):
             self._outbox.append(stream.build(snapshot))
 
-    def frames(self) -> list[bytes]:
-        """Number, encode and hand out everything that waits."""
-        frames = []
-        for content in self._outbox:
-            frames.append(encode(content, seq=self._seq, sysid=self.sysid, compid=self.compid))
-            self._seq = (self._seq + 1) & 0xFF
-        self._outbox.clear()
-        return frames
+    def frames(self, most: int | None = None) -> list[bytes]:
+        """Number, encode and hand out what waits, at most `most` messages; the others go on waiting."""
+        handed_out = self._outbox[:most]
+        del self._outbox[:most]
+        return [self.number(content) for content in handed_out]
+
+    def number(self, content: Any) -> bytes:
+        """The frame of one message with this connection's next number, past everything that waits."""
+        frame = encode(content, seq=self._seq, sysid=self.sysid, compid=self.compid)
+        self._seq = (self._seq + 1) & 0xFF
+        return frame
 
 
 def pack(frames: list[bytes]) -> list[bytes]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from pymavlink.dialects.v20 import common as mav
@@ -18,8 +19,8 @@ class Identity:
     """One autopilot's numbers; `spoken` is what HEARTBEAT says of a mode, `heard` what a mode request may say."""
 
     autopilot: int
-    spoken: dict[Mode, int]
-    heard: dict[int, Mode]
+    spoken: Mapping[Mode, int]
+    heard: Mapping[int, Mode]
     integers_bytewise: bool
     takeoff_altitude_is_relative: bool
     capabilities: int

@@ -17,6 +17,7 @@ from simvehicle.mavlink.codec import Frame, decode, message, split
 from simvehicle.mavlink.connection import Connection, pack
 
 SUPERVISOR = (255, 190)
+FRAMES_A_TICK = 127
 
 
 class Bundle(NamedTuple):
@@ -62,7 +63,11 @@ class Grants:
         return Bundle(frames[:-1], grant.time_boot_ms, grant.time_unix_usec)
 
     def answer(self, bundle: Bundle) -> list[bytes]:
-        """Everything that waits on the connection, closed by the own SYSTEM_TIME with the grant's time."""
-        self._connection.put(message("SYSTEM_TIME")(time_unix_usec=bundle.unix_us, time_boot_ms=bundle.time_ms))
-        self._answer = pack(self._connection.frames())
+        """What waits on the connection, closed by the own SYSTEM_TIME with the grant's time.
+
+        A tick has at most 127 frames, or a lost datagram could hide in the 8 bits of a number; the rest waits.
+        """
+        frames = self._connection.frames(FRAMES_A_TICK - 1)
+        time = message("SYSTEM_TIME")(time_unix_usec=bundle.unix_us, time_boot_ms=bundle.time_ms)
+        self._answer = pack([*frames, self._connection.number(time)])
         return self._answer

@@ -1,7 +1,7 @@
 """The vehicle's parameters: one table of names, limits and meanings; changing a value changes the flight.
 
-Names are PX4's where PX4 has the same quantity, else SIM_*. Values are kept as float32 can hold them, because that is how
-MAVLink carries them. The wire's two encodings of integers (bytewise as PX4, by value as ArduPilot) stand at the end.
+Names are PX4's where PX4 has the same quantity, else SIM_*. Values are kept as float32 can hold them, because that is
+how MAVLink carries them. The wire's two encodings of integers (bytewise as PX4, by value as ArduPilot) stand last.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ import math
 import struct
 from collections.abc import Iterator
 from dataclasses import replace
+from difflib import get_close_matches
 from typing import Any, NamedTuple
 
 from pymavlink.dialects.v20 import common as mav
@@ -97,7 +98,8 @@ class Parameters:
     def _checked(name: str, value: float) -> float:
         row = _ROWS.get(name)
         if row is None:
-            raise ParameterError(f"unknown parameter {name}")
+            near = get_close_matches(name.upper(), _ROWS, 1)
+            raise ParameterError(f"unknown parameter {name}" + (f", did you mean {near[0]}?" if near else ""))
         if not (math.isfinite(value) and row.least <= value <= row.most):
             raise ParameterError(f"{name} = {value:g} is outside {row.least:g} .. {row.most:g}")
         return float(round(value)) if row.whole else _float32(value)
@@ -156,8 +158,13 @@ def value_message(row: Row, value: float, index: int, *, bytewise: bool) -> Any:
     )
 
 
-def value_from_wire(row: Row, wire: float, *, bytewise: bool) -> float:
-    """What a PARAM_SET's param_value means for this parameter."""
+def value_from_wire(row: Row, wire: float, kind: int, *, bytewise: bool) -> float:
+    """What a PARAM_SET's param_value of MAV_PARAM_TYPE `kind` means for this parameter; raises ParameterError.
+
+    Sent by value, every type says the same. Bytewise, another type's bytes would be another number.
+    """
+    if bytewise and kind != (mav.MAV_PARAM_TYPE_INT32 if row.whole else mav.MAV_PARAM_TYPE_REAL32):
+        raise ParameterError(f"{row.name} is {'an INT32' if row.whole else 'a REAL32'}: value refused")
     if row.whole and bytewise:
         return float(struct.unpack("<i", struct.pack("<f", wire))[0])
     return wire

@@ -1,4 +1,4 @@
-"""Which telemetry is due on one connection, and when: rates as the table has them until the other side asks for others."""
+"""Which telemetry is due on one connection, and when: at the table's rates until the other side asks for others."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ from pymavlink.dialects.v20 import common as mav
 from simvehicle.mavlink.telemetry import TELEMETRY, Stream
 
 FASTEST_MS = 4
+SLOWEST_MS = 2_000_000
+"""MESSAGE_INTERVAL tells intervals in 32 bits of µs."""
 
 
 class Streams:
@@ -32,7 +34,7 @@ class Streams:
         self._due_ms[key] = now_ms
 
     def set_interval(self, msgid: int, interval_us: float, now_ms: int) -> bool:
-        """MAV_CMD_SET_MESSAGE_INTERVAL: -1 stops, 0 restores the default; False where the vehicle has no such stream."""
+        """MAV_CMD_SET_MESSAGE_INTERVAL: -1 stops, 0 restores the default; False where there is no such stream."""
         known = False
         for stream in TELEMETRY:
             if stream.msgid == msgid:
@@ -42,7 +44,7 @@ class Streams:
                 elif interval_us == 0:
                     interval_ms = round(1e3 / stream.rate_hz) if stream.rate_hz else 0
                 else:
-                    interval_ms = max(round(interval_us / 1e3), FASTEST_MS)
+                    interval_ms = round(min(max(interval_us / 1e3, FASTEST_MS), SLOWEST_MS))
                 if msgid != mav.MAVLINK_MSG_ID_HEARTBEAT or interval_ms:
                     self._interval_ms[stream.key] = interval_ms
                     self._due_ms[stream.key] = now_ms

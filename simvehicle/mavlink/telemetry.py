@@ -100,7 +100,7 @@ def sys_status(s: Snapshot) -> Any:
         onboard_control_sensors_health=health,
         load=100,
         voltage_battery=round(1e3 * s.voltage_v),
-        current_battery=round(1e2 * s.power_w / s.voltage_v),
+        current_battery=_int16(1e2 * s.power_w / s.voltage_v),
         drop_rate_comm=0,
         errors_comm=0,
         errors_count1=0,
@@ -139,13 +139,13 @@ def global_position_int(s: Snapshot) -> Any:
     lat_deg, lon_deg, alt_m = s.frame.to_global(*s.p_ned)
     return message("GLOBAL_POSITION_INT")(
         time_boot_ms=s.time_ms,
-        lat=round(1e7 * lat_deg),
-        lon=round(1e7 * lon_deg),
-        alt=round(1e3 * alt_m),
-        relative_alt=round(1e3 * (s.home_ned[2] - s.p_ned[2])),
-        vx=_cm_s(s.v_ned[0]),
-        vy=_cm_s(s.v_ned[1]),
-        vz=_cm_s(s.v_ned[2]),
+        lat=_deg_e7(lat_deg),
+        lon=_deg_e7(lon_deg),
+        alt=_int32(1e3 * alt_m),
+        relative_alt=_int32(1e3 * (s.home_ned[2] - s.p_ned[2])),
+        vx=_int16(100.0 * s.v_ned[0]),
+        vy=_int16(100.0 * s.v_ned[1]),
+        vz=_int16(100.0 * s.v_ned[2]),
         hdg=round(1e2 * math.degrees(s.attitude_ned[2])) % 36000,
     )
 
@@ -156,15 +156,15 @@ def gps_raw_int(s: Snapshot) -> Any:
     return message("GPS_RAW_INT")(
         time_usec=s.unix_us,
         fix_type=mav.GPS_FIX_TYPE_3D_FIX,
-        lat=round(1e7 * lat_deg),
-        lon=round(1e7 * lon_deg),
-        alt=round(1e3 * alt_m),
+        lat=_deg_e7(lat_deg),
+        lon=_deg_e7(lon_deg),
+        alt=_int32(1e3 * alt_m),
         eph=70,
         epv=100,
-        vel=min(_cm_s(math.hypot(s.v_ned[0], s.v_ned[1])), UNKNOWN_U16 - 1),
+        vel=_int16(100.0 * math.hypot(s.v_ned[0], s.v_ned[1])),
         cog=round(1e2 * course_deg) % 36000,
         satellites_visible=14,
-        alt_ellipsoid=round(1e3 * alt_m),
+        alt_ellipsoid=_int32(1e3 * alt_m),
         h_acc=300,
         v_acc=500,
         vel_acc=100,
@@ -176,9 +176,9 @@ def gps_raw_int(s: Snapshot) -> Any:
 def home_position(s: Snapshot) -> Any:
     lat_deg, lon_deg, alt_m = s.frame.to_global(*s.home_ned)
     return message("HOME_POSITION")(
-        latitude=round(1e7 * lat_deg),
-        longitude=round(1e7 * lon_deg),
-        altitude=round(1e3 * alt_m),
+        latitude=_deg_e7(lat_deg),
+        longitude=_deg_e7(lon_deg),
+        altitude=_int32(1e3 * alt_m),
         x=s.home_ned[0],
         y=s.home_ned[1],
         z=s.home_ned[2],
@@ -192,9 +192,9 @@ def home_position(s: Snapshot) -> Any:
 
 def gps_global_origin(s: Snapshot) -> Any:
     return message("GPS_GLOBAL_ORIGIN")(
-        latitude=round(1e7 * s.frame.lat_deg),
-        longitude=round(1e7 * s.frame.lon_deg),
-        altitude=round(1e3 * s.frame.alt_m),
+        latitude=_deg_e7(s.frame.lat_deg),
+        longitude=_deg_e7(s.frame.lon_deg),
+        altitude=_int32(1e3 * s.frame.alt_m),
         time_usec=s.unix_us,
     )
 
@@ -208,11 +208,11 @@ def battery_status(s: Snapshot) -> Any:
         type=mav.MAV_BATTERY_TYPE_LIPO,
         temperature=32767,
         voltages=(cell_mv,) * CELLS + (UNKNOWN_U16,) * (10 - CELLS),
-        current_battery=round(1e2 * s.power_w / s.voltage_v),
-        current_consumed=round(1e3 * charge_ah),
-        energy_consumed=math.floor(s.drawn_j / 100.0),
+        current_battery=_int16(1e2 * s.power_w / s.voltage_v),
+        current_consumed=_int32(1e3 * charge_ah),
+        energy_consumed=_int32(math.floor(s.drawn_j / 100.0)),
         battery_remaining=s.percent,
-        time_remaining=round(s.remaining_j / s.power_w) if s.power_w > 0.0 else 0,
+        time_remaining=_int32(s.remaining_j / s.power_w) if s.power_w > 0.0 else 0,
         charge_state=mav.MAV_BATTERY_CHARGE_STATE_OK,
         voltages_ext=(0, 0, 0, 0),
         mode=0,
@@ -251,8 +251,8 @@ def follow_target(s: Snapshot) -> Any:
     return message("FOLLOW_TARGET")(
         timestamp=s.time_ms,
         est_capabilities=0b11,
-        lat=round(1e7 * lat_deg),
-        lon=round(1e7 * lon_deg),
+        lat=_deg_e7(lat_deg),
+        lon=_deg_e7(lon_deg),
         alt=alt_m,
         vel=s.v_ned,
         acc=(0.0, 0.0, 0.0),
@@ -264,11 +264,11 @@ def follow_target(s: Snapshot) -> Any:
 
 
 def xfer_out(s: Snapshot) -> Any:
-    return message("NAMED_VALUE_INT")(time_boot_ms=s.time_ms, name="XferOut", value=s.given_j)
+    return message("NAMED_VALUE_INT")(time_boot_ms=s.time_ms, name="XferOut", value=_int32(s.given_j))
 
 
 def xfer_in(s: Snapshot) -> Any:
-    return message("NAMED_VALUE_INT")(time_boot_ms=s.time_ms, name="XferIn", value=s.received_j)
+    return message("NAMED_VALUE_INT")(time_boot_ms=s.time_ms, name="XferIn", value=_int32(s.received_j))
 
 
 def autopilot_version(s: Snapshot, sysid: int) -> Any:
@@ -294,8 +294,17 @@ def _wrapped(angle_rad: float) -> float:
     return math.remainder(angle_rad, 2.0 * math.pi)
 
 
-def _cm_s(speed_m_s: float) -> int:
-    return min(max(round(100.0 * speed_m_s), -32768), 32767)
+def _int16(value: float) -> int:
+    """The nearest number that 16 bits hold: no state of a vehicle may be too great for its telemetry."""
+    return min(max(round(value), -(2**15)), 2**15 - 1)
+
+
+def _int32(value: float) -> int:
+    return min(max(round(value), -(2**31)), 2**31 - 1)
+
+
+def _deg_e7(angle_deg: float) -> int:
+    return round(1e7 * math.remainder(angle_deg, 360.0))
 
 
 class Stream(NamedTuple):

@@ -4,6 +4,8 @@ import math
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from gcs import competition
@@ -62,6 +64,32 @@ def test_extremes_stay_finite_and_bounded(p: float, n: int, smallest: float, dt_
     assert np.isfinite(after).all()
     assert (after >= 0).all()
     assert after.max() <= max(1.0, smallest) * (1 + 1e-9)
+
+
+@settings(max_examples=300, deadline=None)
+@given(
+    st.floats(1.1, 10.0),
+    st.one_of(st.integers(1, 12), st.just(1000)),
+    st.floats(-300.0, 0.0),
+    st.floats(-9.0, 6.0),
+    st.integers(0, 2**32 - 1),
+)
+def test_any_competition_stays_finite_ordered_and_bounded(
+    p: float, n: int, lg_v: float, lg_t: float, seed: int
+) -> None:
+    rng = np.random.default_rng(seed)
+    v, tau = 10.0 ** rng.uniform(lg_v, 0.0, n), rng.uniform(0.01, 1.0, n)
+    with np.errstate(over="raise", invalid="raise", divide="raise"):
+        after = competition.advance(v, tau, 10.0**lg_t, p=p, rate=1.0)
+    assert np.isfinite(after).all()
+    assert (after >= 0).all()
+    # Σ w_j stays below the larger of its start and the largest τ, where its growth turns negative.
+    assert (after**p).sum() <= max((v**p).sum(), tau.max()) * (1 + 1e-9)
+    # v_i/v_j = const · e^(c (τ_i - τ_j) t), where neither has left what floats hold
+    kept = np.flatnonzero(after > 1e-290)
+    gain = np.log(after[kept] / v[kept])
+    size = 1.0 + abs(10.0**lg_t) + abs(lg_v)
+    assert gain - gain[0] == pytest.approx((tau[kept] - tau[kept[0]]) * 10.0**lg_t, abs=1e-11 * size)
 
 
 def test_from_the_smallest_floats_it_grows_as_the_linear_law_says() -> None:
@@ -125,7 +153,8 @@ GOOD = {"v": [0.1, 0.2], "tau": [0.5, 1.0], "dt_s": 0.1, "p": 2, "rate": 5}
     ("name", "value"),
     [
         ("v", [0.1]), ("v", [0.1, -0.1]), ("v", [0.1, math.nan]), ("v", [[0.1, 0.2]]), ("tau", [0.5, 0.0]),
-        ("tau", [0.5, math.inf]), ("dt_s", -1), ("dt_s", math.inf), ("p", 0), ("p", math.nan), ("rate", 0),
+        ("tau", [0.5, math.inf]), ("dt_s", -1), ("dt_s", math.inf), ("p", 0), ("p", 0.999), ("p", math.nan),
+        ("rate", 0),
     ],
 )  # fmt: skip
 def test_advance_refuses_bad_arguments_by_name(name: str, value: object) -> None:
@@ -148,3 +177,10 @@ def test_a_floor_that_is_none_is_refused(floor: float) -> None:
         competition.revive([0.1], floor)
     with pytest.raises(ValueError, match="floor"):
         competition.share([0.1], 2, floor)
+
+
+def test_a_norm_below_one_is_refused_with_its_condition() -> None:
+    with pytest.raises(ValueError, match=r"p is 0\.5; it must be finite and at least 1"):
+        competition.share([0.1], 0.5, 0.01)
+    with pytest.raises(ValueError, match=r"p is 0\.5; it must be finite and at least 1"):
+        competition.advance([0.1], [1.0], 1.0, p=0.5, rate=1.0)

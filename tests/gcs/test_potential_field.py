@@ -4,6 +4,8 @@ import math
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from gcs.planner import obstacles
 from gcs.planner.potential_field import (
@@ -71,6 +73,52 @@ def test_repulsion_and_its_potential_are_continuous_at_both_edges(edge: float) -
         repulsion_potential(edge + d, 1.0, FIELD), abs=1e-6
     )
     assert repulsion_at((edge - d, 0, 0), table) == pytest.approx(repulsion_at((edge + d, 0, 0), table), abs=1e-6)
+
+
+fields = st.builds(
+    Field,
+    k0=st.floats(0.1, 100.0),
+    k1=st.floats(0.1, 20.0),
+    a=st.floats(0.0, 3.0),
+    b=st.floats(0.1, 0.9),
+    repulsion_range_m=st.floats(0.5, 5.0),
+    cap_m=st.floats(0.1, 10.0),
+)
+away = st.tuples(*[st.floats(-1.0, 1.0)] * 3).filter(lambda d: math.hypot(*d) > 0.1)
+
+
+@settings(max_examples=300, deadline=None)
+@given(fields, away, st.floats(0.03, 6.0))
+def test_any_field_is_minus_the_gradient_in_space(field: Field, direction: tuple[float, ...], rho: float) -> None:
+    q, h = rho * np.array(direction) / math.hypot(*direction), 1e-6 * rho
+    edges = (field.cap_m, field.repulsion_range_m, field.b * field.repulsion_range_m)
+    table = obstacles.points([(0, 0, 0)])
+
+    def slope(potential: object) -> np.ndarray:
+        def of(q: np.ndarray) -> float:
+            return potential(float(np.linalg.norm(q)))  # type: ignore[operator, no-any-return]
+
+        return np.array([(of(q + h * e) - of(q - h * e)) / (2 * h) for e in np.eye(3)])
+
+    # A central difference across an edge sees half of the bend: allow for its second derivative times h.
+    near_edge = 1e-3 if min(abs(rho - edge) for edge in edges) < 2 * h else 1e-5
+    repulsion = -slope(lambda d: repulsion_potential(d, field.repulsion_range_m, field))
+    size = field.k1 / rho**3 + field.k0 * rho
+    assert repulsion_at(q, table, field) == pytest.approx(repulsion, rel=1e-5, abs=near_edge * size)
+    attraction = -slope(lambda d: attraction_potential(d, field))
+    assert attraction_at(q, (0, 0, 0), field) == pytest.approx(attraction, rel=1e-5, abs=near_edge * size)
+
+
+@settings(max_examples=200, deadline=None)
+@given(fields, st.booleans())
+def test_any_repulsion_is_c1_at_both_edges(field: Field, inner: bool) -> None:
+    edge = field.repulsion_range_m * (field.b if inner else 1.0)
+    table, d = obstacles.points([(0, 0, 0)]), 1e-9 * edge
+    below, above = (repulsion_at((edge + s * d, 0, 0), table, field)[0] for s in (-1, 1))
+    steepest = field.k1 * (1 + field.a) * 4 / edge**4  # of F_o at the edge, times a range
+    assert below == pytest.approx(above, abs=10 * d * steepest)
+    potentials = [repulsion_potential(edge + s * d, field.repulsion_range_m, field) for s in (-1, 1)]
+    assert potentials[0] == pytest.approx(potentials[1], abs=4 * d * max(abs(below), abs(above)) + 1e-12 * field.k1)
 
 
 def test_potential_has_the_closed_value() -> None:

@@ -50,7 +50,26 @@ def test_a_ramp_gives_its_slope_and_the_bias_that_the_law_has():
     assert x[-1, 0] == pytest.approx(1.5 * H * 1000 - (EPSILON * 1.5) ** (9 / 7), abs=1e-9)
 
 
+@pytest.mark.parametrize("a", [0.4, -2.0])
+def test_a_parabola_gives_the_bias_that_the_law_has(a):
+    """With X3' = 0 the law reads X1 = v - sig(ε X2)^(9/7) - 2^(-9/5) sig(ε² X3)^(9/5); X1' = X2 and X2' = X3 follow."""
+    t = H * np.arange(1, 5001)
+    x1, x2, x3 = follow(0.5 * a * t**2)[-1]
+    lag = sig(EPSILON * x2, 9 / 7) + 2.0**-1.8 * sig(EPSILON**2 * a, 9 / 5)
+    assert 0.5 * a * t[-1] ** 2 - x1 == pytest.approx(lag, rel=2e-3)
+    bias = 9 / 7 * EPSILON * abs(EPSILON * x2) ** (2 / 7) * a + 0.5 * H * a  # a step's difference is its middle's slope
+    assert a * t[-1] - x2 == pytest.approx(bias, rel=5e-3)
+    assert x3 == pytest.approx(a, rel=2e-3)
+
+
 value = st.floats(-3.0, 3.0)
+
+
+@given(value, st.floats(-20.0, 20.0), st.floats(-200.0, 200.0), value)
+def test_a_mirrored_signal_is_differentiated_mirrored(x1, x2, x3, v):
+    x = differentiator.step((x1, x2, x3), v, H, epsilon=EPSILON)
+    mirrored = differentiator.step((-x1, -x2, -x3), -v, H, epsilon=EPSILON)
+    assert mirrored == pytest.approx(-x, rel=1e-12, abs=1e-12)
 
 
 @settings(max_examples=300, deadline=None)
@@ -110,3 +129,11 @@ def test_many_differentiators_step_as_each_alone():
 def test_wrong_shapes_are_refused():
     with pytest.raises(ValueError, match="but need"):
         differentiator.step(np.zeros((2, 3)), 0.0, H, epsilon=EPSILON)
+
+
+@pytest.mark.parametrize("epsilon", [0.0, -0.04, math.nan, math.inf])
+def test_an_epsilon_that_is_not_positive_is_refused(epsilon):
+    with pytest.raises(ValueError, match=r"^epsilon is .*, but it must be greater than 0 and finite"):
+        differentiator.step(np.zeros(3), 0.0, H, epsilon=epsilon)
+    with pytest.raises(ValueError, match=r"^dt_s is 0\.0, but"):
+        differentiator.step(np.zeros(3), 0.0, 0.0, epsilon=EPSILON)

@@ -180,8 +180,7 @@ class Running:
     def lines(self) -> Iterator[str]:
         """stdout, line by line; may be left and taken up again."""
         assert self.process.stdout is not None
-        for line in self.process.stdout:  # not `yield from`, which would close stdout with the generator
-            yield line
+        return iter(self.process.stdout.readline, "")
 
     def wait_for(self, wanted: Callable[[dict[str, Any]], bool]) -> dict[str, Any]:
         """The first `--json` snapshot that is as wanted; needs that option."""

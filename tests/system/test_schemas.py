@@ -19,7 +19,7 @@ def schema(name: str) -> dict[str, Any]:
     return loaded
 
 
-def test_the_shipped_summary_schema_is_the_summary(tmp_path: Path) -> None:
+def test_the_shipped_summary_schema_is_the_summary() -> None:
     assert schema("summary") == Summary.model_json_schema(by_alias=True)
 
 

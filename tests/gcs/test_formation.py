@@ -1,0 +1,76 @@
+"""Truth: a brute-force optimum for the slots, and a square by hand for the path."""
+
+import itertools
+import math
+
+import numpy as np
+import pytest
+
+from gcs.planner.formation import Path, assign, ring_offsets
+
+SQUARE = [(0.0, 0.0, -2.0), (4.0, 0.0, -2.0), (4.0, 4.0, -2.0), (0.0, 4.0, -2.0)]
+
+
+@pytest.mark.parametrize("count", [1, 2, 5, 9])
+def test_the_ring_is_even_level_and_starts_in_the_north(count: int) -> None:
+    offsets = ring_offsets(count, 3.0, 1.5)
+    assert offsets[0] == pytest.approx([3.0, 0.0, -1.5])
+    assert np.hypot(offsets[:, 0], offsets[:, 1]) == pytest.approx(np.full(count, 3.0))
+    chord_m = 2 * 3.0 * math.sin(math.pi / count)
+    assert np.linalg.norm(offsets - np.roll(offsets, 1, axis=0), axis=1) == pytest.approx(np.full(count, chord_m))
+
+
+def test_nobody_has_no_slots() -> None:
+    assert ring_offsets(0, 3.0, 0.0).shape == (0, 3)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_slots_are_the_brute_force_optimum(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    here = {sysid: tuple(rng.uniform(-5, 5, 3)) for sysid in (9, 2, 7, 4, 30)}
+    slots = ring_offsets(5, 2.0, 0.0)
+
+    def cost(order: tuple[int, ...]) -> float:
+        return sum(math.dist(here[sysid], slots[slot]) ** 2 for sysid, slot in zip(sorted(here), order, strict=True))
+
+    best = min(itertools.permutations(range(5)), key=cost)
+    assert assign(here, slots) == dict(zip(sorted(here), best, strict=True))
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_ways_into_the_slots_do_not_cross(seed: int) -> None:
+    """Least squared distances: for any two, (a - b)·(slot a - slot b) >= 0, so they never change sides."""
+    rng = np.random.default_rng(seed)
+    here = {sysid: tuple(rng.uniform(-5, 5, 3)) for sysid in range(1, 9)}
+    slots = ring_offsets(8, 2.0, 0.0)
+    slot_of = assign(here, slots)
+    for a, b in itertools.combinations(here, 2):
+        assert np.dot(np.subtract(here[a], here[b]), slots[slot_of[a]] - slots[slot_of[b]]) >= -1e-9
+
+
+def test_a_closed_path_goes_round_the_square() -> None:
+    path = Path(SQUARE, closed=True, laps=3)
+    assert path.length_m == 48.0
+    for lap in range(3):
+        assert path.at(16 * lap + 1.0) == ((1.0, 0.0, -2.0), (1.0, 0.0, 0.0))
+        assert path.at(16 * lap + 6.0) == ((4.0, 2.0, -2.0), (0.0, 1.0, 0.0))
+        assert path.at(16 * lap + 9.0) == ((3.0, 4.0, -2.0), (-1.0, 0.0, 0.0))
+        assert path.at(16 * lap + 15.0) == ((0.0, 1.0, -2.0), (0.0, -1.0, 0.0))
+        assert path.at(16 * lap + 4.0) == ((4.0, 0.0, -2.0), (0.0, 1.0, 0.0))
+
+
+def test_a_closed_path_ends_where_it_began_and_stands() -> None:
+    path = Path(SQUARE, closed=True, laps=2)
+    assert path.at(32.0) == path.at(1e9) == (SQUARE[0], (0.0, 0.0, 0.0))
+
+
+def test_an_open_path_ends_at_its_last_point_whatever_the_laps() -> None:
+    path = Path(SQUARE, closed=False, laps=1)
+    assert path.length_m == 12.0
+    assert path.at(11.0)[0] == (1.0, 4.0, -2.0)
+    assert path.at(12.0) == path.at(50.0) == (SQUARE[-1], (0.0, 0.0, 0.0))
+    assert path.at(-1.0)[0] == SQUARE[0]
+
+
+def test_a_path_of_one_point_stands_there() -> None:
+    assert Path([(1.0, 2.0, 3.0)], closed=False, laps=1).at(0.0) == ((1.0, 2.0, 3.0), (0.0, 0.0, 0.0))

@@ -1,0 +1,319 @@
+"""The supervised link on real loopback UDP; the test drives both ends by hand, by contract.md's rules for a vehicle."""
+
+import random
+import socket
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+
+from gcs.link import DATAGRAM_BYTES, SUPERVISOR, FleetLink
+from gcs.mavlink import codec
+from gcs.mavlink.codec import Frame, Message
+
+SYSTEM_TIME, HEARTBEAT = codec.msgid("SYSTEM_TIME"), codec.msgid("HEARTBEAT")
+BEAT = {"type": 2, "autopilot": 12, "base_mode": 0, "custom_mode": 0, "system_status": 3}
+
+
+def heartbeat() -> Message:
+    return codec.message("HEARTBEAT", **BEAT)
+
+
+def text(k: int) -> Message:
+    return codec.message("STATUSTEXT", severity=6, text=f"{k:04d}".ljust(50, "x"))
+
+
+class Vehicle:
+    """Answers a grant once every number since the last one is there, and repeats the same bytes when asked again."""
+
+    def __init__(self, link: FleetLink, sysid: int = 1, extra: int = 2, drop: float = 0.0) -> None:
+        self.sysid = sysid
+        self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self.socket.setblocking(False)
+        self.socket.connect(("127.0.0.1", link.port))
+        self.t_ms = -1
+        self.seq, self.expected, self.extra = 2, 0, extra
+        self.bundles: list[bytes] = []
+        self.heard: list[Frame] = []
+        self.last = b""
+        self.split_at = 0
+        self._random, self._drop = random.Random(sysid), drop
+
+    def frame(self, name: str, seq: int, **values: Any) -> bytes:
+        return codec.encode(name, seq, self.sysid, 1, **values)
+
+    def hello(self) -> None:
+        stamp = {"time_unix_usec": 0, "time_boot_ms": 0}
+        self.socket.send(self.frame("HEARTBEAT", 0, **BEAT) + self.frame("SYSTEM_TIME", 1, **stamp))
+
+    def pump(self) -> None:
+        """Take every datagram that has come, and answer."""
+        while True:
+            try:
+                bundle = self.socket.recv(65535)
+            except BlockingIOError:
+                return
+            self.bundles.append(bundle)
+            self.take(codec.split(bundle).frames)
+
+    def take(self, frames: list[Frame]) -> None:
+        granted_ms = codec.fields(frames[-1]).time_boot_ms
+        if granted_ms == self.t_ms:
+            self.send()
+            return
+        own = [frame for frame in frames if (frame.sysid, frame.compid) == SUPERVISOR]
+        assert [frame.seq for frame in own] == [(self.expected + k) % 256 for k in range(len(own))]
+        self.expected = (self.expected + len(own)) % 256
+        self.heard += frames
+        self.t_ms = granted_ms
+        told = [self.frame("HEARTBEAT", 0, **BEAT) for _ in range(self.extra)]
+        told.append(self.frame("SYSTEM_TIME", 0, time_unix_usec=0, time_boot_ms=granted_ms))
+        numbered = []
+        for raw in told:
+            message = codec.split(raw).frames[0]
+            numbered.append(codec.frame(Message(message.msgid, tuple(codec.fields(message))), self.seq, self.sysid, 1))
+            self.seq = (self.seq + 1) % 256
+        self.last = b"".join(numbered)
+        self.split_at = len(b"".join(numbered[:-1])) if self.split_at else 0
+        self.send()
+
+    def send(self) -> None:
+        for part in (self.last[: self.split_at], self.last[self.split_at :]):
+            if part and self._random.random() >= self._drop:
+                self.socket.send(part)
+
+
+@pytest.fixture
+def link() -> Iterator[FleetLink]:
+    made = FleetLink()
+    made.expect([(1, 1), (2, 1)])
+    yield made
+    made.close()
+
+
+@pytest.fixture
+def made_vehicles() -> Iterator[list[Vehicle]]:
+    made: list[Vehicle] = []
+    yield made
+    for vehicle in made:
+        vehicle.socket.close()
+
+
+def join(link: FleetLink, made: list[Vehicle], *sysids: int, **how: Any) -> list[Vehicle]:
+    for sysid in sysids:
+        made.append(Vehicle(link, sysid, **how))
+        made[-1].hello()
+    while not {(sysid, 1) for sysid in sysids} <= link.joined:
+        link.listen(1.0)
+    return made
+
+
+def test_a_hello_of_an_expected_vehicle_joins(link: FleetLink, made_vehicles: list[Vehicle]) -> None:
+    assert link.listen(0.0) == {(1, 1), (2, 1)}
+    stranger = Vehicle(link, 9)
+    stranger.hello()
+    join(link, made_vehicles, 1)
+    assert link.listen(0.0) == {(2, 1)}
+    assert link.joined == {(1, 1)}
+    stranger.socket.close()
+
+
+def test_what_is_no_hello_does_not_join(link: FleetLink, made_vehicles: list[Vehicle]) -> None:
+    one = Vehicle(link, 1)
+    made_vehicles.append(one)
+    one.socket.send(one.frame("HEARTBEAT", 0, **BEAT))
+    one.socket.send(b"\x00garbage that is no MAVLink")
+    join(link, made_vehicles, 2)
+    assert link.joined == {(2, 1)}
+    assert link.malformed == 1
+
+
+def test_a_second_address_of_the_same_vehicle_is_refused(link: FleetLink, made_vehicles: list[Vehicle]) -> None:
+    (one,) = join(link, made_vehicles, 1)
+    foreign = Vehicle(link, 1)
+    for _ in range(2):
+        foreign.hello()
+    join(link, made_vehicles, 2)
+    assert link.refused == {(1, 1): foreign.socket.getsockname()}
+    link.grant((1, 1), 0, 7, [heartbeat()], [])
+    one.pump()
+    foreign.socket.send(one.last)
+    assert [frame.seq for frame in link.collect(lambda: None)[1, 1]] == [2, 3, 4]
+    foreign.socket.close()
+
+
+def test_answers_come_back_in_order_of_system_id_and_end_with_the_time(
+    link: FleetLink, made_vehicles: list[Vehicle]
+) -> None:
+    two, one = join(link, made_vehicles, 2, 1)
+    for tick in range(120):  # numbers wrap
+        for key in ((1, 1), (2, 1)):
+            link.grant(key, 100 * tick, 7, [heartbeat(), heartbeat()], [])
+        two.pump()
+        one.pump()
+        answers = link.collect(lambda: None)
+        assert list(answers) == [(1, 1), (2, 1)]
+        for frames in answers.values():
+            assert [frame.msgid for frame in frames] == [HEARTBEAT, HEARTBEAT, SYSTEM_TIME]
+            assert frames[0].seq == (2 + 3 * tick) % 256
+    assert link.resent == 0
+
+
+def test_a_bundle_ends_with_the_grant_and_relayed_frames_stand_uncounted_before_it(
+    link: FleetLink, made_vehicles: list[Vehicle]
+) -> None:
+    (one,) = join(link, made_vehicles, 1)
+    relayed = codec.encode("HEARTBEAT", 77, 201, 1, **BEAT)
+    frames = link.grant((1, 1), 0, 1234, [heartbeat()], [relayed])
+    one.pump()
+    assert b"".join(frames) == one.bundles[0]
+    read = codec.split(one.bundles[0]).frames
+    assert [(f.sysid, f.compid, f.seq) for f in read] == [(255, 190, 0), (201, 1, 77), (255, 190, 1)]
+    assert read[1].raw == relayed
+    assert codec.fields(read[-1]) == (1234, 0)
+    link.collect(lambda: None)
+    link.grant((1, 1), 100, 1234, [heartbeat()], [])
+    one.pump()
+    assert [frame.seq for frame in codec.split(one.bundles[1]).frames] == [2, 3]
+
+
+def test_what_does_not_fit_into_1400_bytes_waits_for_the_next_bundle_in_order(
+    link: FleetLink, made_vehicles: list[Vehicle]
+) -> None:
+    (one,) = join(link, made_vehicles, 1)
+    for tick in range(6):
+        link.grant((1, 1), 100 * tick, 0, [text(k) for k in range(60)] if tick == 0 else [], [])
+        one.pump()
+        link.collect(lambda: None)
+    sizes = [len(bundle) for bundle in one.bundles]
+    assert max(sizes) <= DATAGRAM_BYTES
+    assert sizes[0] > 1000
+    texts = [codec.fields(frame).text for frame in one.heard if frame.msgid == codec.msgid("STATUSTEXT")]
+    assert [int(t[:4]) for t in texts] == list(range(60))
+
+
+def test_the_largest_frames_still_fit(link: FleetLink, made_vehicles: list[Vehicle]) -> None:
+    (one,) = join(link, made_vehicles, 1)
+    largest = codec.message("FILE_TRANSFER_PROTOCOL", target_network=0, target_system=1, target_component=1,
+                            payload=[255] * 251)  # fmt: skip
+    for tick in range(8):
+        link.grant((1, 1), 100 * tick, 0, [heartbeat(), *[largest] * 10] if tick == 0 else [], [])
+        one.pump()
+        link.collect(lambda: None)
+    assert max(map(len, one.bundles)) <= DATAGRAM_BYTES
+    assert sum(len(codec.split(bundle).frames) for bundle in one.bundles) == 8 + 11
+
+
+def test_after_silence_the_same_bytes_go_out_again_to_the_missing_one_only(
+    link: FleetLink, made_vehicles: list[Vehicle]
+) -> None:
+    one, two = join(link, made_vehicles, 1, 2)
+    for key in ((1, 1), (2, 1)):
+        link.grant(key, 0, 7, [heartbeat()], [])
+    two.pump()
+    silences = 0
+
+    def idle() -> None:
+        nonlocal silences
+        silences += 1
+        if silences == 3:
+            one.pump()
+
+    assert set(link.collect(idle)) == {(1, 1), (2, 1)}
+    two.pump()
+    one.pump()
+    assert link.resent >= 2
+    assert len(one.bundles) >= 3
+    assert len(set(one.bundles)) == len(two.bundles) == 1
+
+
+def test_an_answer_in_two_datagrams_is_one_tick(link: FleetLink, made_vehicles: list[Vehicle]) -> None:
+    (one,) = join(link, made_vehicles, 1)
+    one.split_at = 1
+    link.grant((1, 1), 0, 0, [], [])
+    one.pump()
+    assert len(link.collect(lambda: None)[1, 1]) == 3
+
+
+def test_who_leaves_in_mid_tick_is_not_waited_for_and_the_others_go_on(
+    link: FleetLink, made_vehicles: list[Vehicle]
+) -> None:
+    _, two = join(link, made_vehicles, 1, 2)
+    for key in ((1, 1), (2, 1)):
+        link.grant(key, 0, 7, [], [])
+    two.pump()
+    assert list(link.collect(lambda: link.leave((1, 1)))) == [(2, 1)]
+    assert link.joined == {(2, 1)}
+    link.grant((2, 1), 100, 7, [], [])
+    two.pump()
+    assert list(link.collect(lambda: None)) == [(2, 1)]
+    link.leave((2, 1))
+    assert link.collect(lambda: None) == {}
+
+
+def test_garbage_between_the_answers_is_counted_and_harms_nothing(
+    link: FleetLink, made_vehicles: list[Vehicle]
+) -> None:
+    (one,) = join(link, made_vehicles, 1)
+    link.grant((1, 1), 0, 0, [], [])
+    one.socket.send(b"\xfd\x09\x00")
+    one.socket.send(random.Random(1).randbytes(300))
+    one.pump()
+    assert len(link.collect(lambda: None)[1, 1]) == 3
+    assert link.malformed == 2
+
+
+def test_a_pause_repeats_the_last_bundle_and_the_answers_to_it_are_no_new_tick(
+    link: FleetLink, made_vehicles: list[Vehicle]
+) -> None:
+    (one,) = join(link, made_vehicles, 1)
+    for tick in range(3):
+        link.grant((1, 1), 100 * tick, 0, [], [])
+        one.pump()
+        assert len(link.collect(lambda: None)[1, 1]) == 3
+        link.repeat()
+        one.pump()
+    assert [codec.fields(codec.split(b).frames[-1]).time_boot_ms for b in one.bundles] == [0, 0, 100, 100, 200, 200]
+
+
+def flown(drop: float) -> tuple[list[bytes], int]:
+    link = FleetLink(drop=drop, seed=5)
+    link.expect([(1, 1), (2, 1)])
+    vehicles = [Vehicle(link, sysid, drop=drop) for sysid in (1, 2)]
+    while len(link.joined) < 2:
+        for vehicle in vehicles:
+            vehicle.hello()
+        link.listen(0.05)
+    frames = []
+
+    def pump() -> None:
+        for vehicle in vehicles:
+            vehicle.pump()
+
+    for tick in range(40):
+        for vehicle in vehicles:
+            link.grant((vehicle.sysid, 1), 100 * tick, 7, [text(tick)], [])
+        pump()
+        for answer in link.collect(pump).values():
+            frames += [frame.raw for frame in answer]
+    frames += [frame.raw for vehicle in vehicles for frame in vehicle.heard]
+    for vehicle in vehicles:
+        vehicle.socket.close()
+    link.close()
+    return frames, link.resent
+
+
+def test_lost_datagrams_are_sent_again_and_nothing_is_different() -> None:
+    whole, none = flown(0.0)
+    lossy, some = flown(0.1)
+    assert whole == lossy
+    assert (none, some > 5) == (0, True)
+
+
+def test_kernel_drops_are_read_from_the_kernel(link: FleetLink) -> None:
+    assert link.overflowed() == 0
+    link._socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
+        for _ in range(200):
+            sender.sendto(b"x" * 500, ("127.0.0.1", link.port))
+    assert 100 < link.overflowed() < 200

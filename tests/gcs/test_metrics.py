@@ -1,0 +1,117 @@
+"""Figures of hand-made flights: distances, paths, pursuit and tracking that are known beforehand."""
+
+import math
+from typing import Any
+
+import pytest
+
+from gcs.fleet import Snapshot, TrafficView, Vec3, VehicleView
+from gcs.metrics import PLAN_MEMORY, Metrics
+from gcs.planner.plan import SetPoint, obstacle_table
+from gcs.profiles import PX4, FlightMode
+from gcs.scenario import Obstacle, Scenario
+
+BATTERY = {"capacity_j": 1e4}
+
+
+def metrics(*obstacles: Obstacle) -> Metrics:
+    def vehicle(sysid: int, **more: Any) -> dict[str, Any]:
+        return {"sysid": sysid, "start_m": (float(sysid), 0.0, 0.0), "battery": BATTERY} | more
+
+    scenario = Scenario.model_validate({
+        "schema": 1, "name": "m", "axes": "ned", "origin": {"lat_deg": 47.0, "lon_deg": 8.0, "alt_m": 0.0},
+        "goal": {"duration_s": 60.0, "pursue": {"within_m": 3.0, "for_s": 5.0}},
+        "vehicles": {"pursuers": [vehicle(1), vehicle(2)],
+                     "targets": [vehicle(101, path_m=[(0.0, 0.0, 0.0)], speed_m_s=1.0)]},
+    })  # fmt: skip
+    return Metrics(scenario, obstacle_table(obstacles))
+
+
+def view(sysid: int, at: Vec3, v: Vec3 = (0.0, 0.0, 0.0), age_s: float = 0.0, landed: bool = False) -> VehicleView:
+    return VehicleView(
+        sysid=sysid, role="pursuer", label="", alive=True, profile=PX4, mode=FlightMode.OFFBOARD, armed=True,
+        landed=landed, heard_s=0.0, p_ned=at, v_ned=v, age_s=age_s, heading_rad=0.0,
+        origin_offset_ned=(0.0, 0.0, 0.0), ground_amsl_m=0.0, capacity_j=1e4, initial_j=1e4, battery_told=True,
+        drawn_j=0.0, received_j=0, given_j=0, given_told_s=0.0, power_w=0.0, energy_source="none", control_effort=0.0,
+    )  # fmt: skip
+
+
+def take(m: Metrics, t_s: float, *views: VehicleView, points: Any = (), partners: Any = (), traffic: Any = ()) -> None:
+    m.take(Snapshot(t_s, views, tuple(traffic)), points, partners)
+
+
+def test_nothing_flown_is_nothing_measured() -> None:
+    m = metrics()
+    take(m, 0.0, view(1, (0, 0, 0), landed=True), view(2, (0, 0, 0.1)))
+    assert (m.min_separation_m, m.min_clearance_m, m.path_length_m, m.pursuit_held_s) == (math.inf, math.inf, {}, 0.0)
+
+
+def test_least_separation_leaves_partners_out() -> None:
+    m = metrics()
+    take(m, 0.0, view(1, (0, 0, 0)), view(2, (3, 4, 0)), view(101, (0, 0, 0.5)), partners=[(101, 1)])
+    assert m.min_separation_m == 5.0
+    take(m, 0.1, view(1, (0, 0, 0)), view(2, (9, 9, 9)), view(101, (0, 0, 0.5)))
+    assert m.min_separation_m == 0.5
+
+
+def test_an_old_position_is_carried_forward() -> None:
+    m = metrics()
+    take(m, 0.0, view(1, (0, 0, 0), v=(2, 0, 0), age_s=0.5), view(2, (3, 0, 0)))
+    assert m.min_separation_m == 2.0
+
+
+def test_least_clearance_is_to_a_points_centre_a_volumes_surface_or_traffic() -> None:
+    m = metrics(Obstacle(point_m=(0, 5, 0)), Obstacle(sphere_m=(10, 0, 0), radius_m=2.0))
+    take(m, 0.0, view(1, (0, 0, 0)))
+    assert m.min_clearance_m == 5.0
+    take(m, 0.1, view(1, (4, 0, 0)))
+    assert m.min_clearance_m == 4.0
+    take(m, 0.2, view(1, (0, 0, 0)), traffic=[TrafficView("A", (0, -2.5, 0), (0, 1.0, 0), 1.0)])
+    assert m.min_clearance_m == 1.5
+
+
+def test_path_length_is_the_way_flown_without_the_gaps() -> None:
+    m = metrics()
+    for k, at in enumerate([(0, 0, 0), (3, 4, 0), (3, 4, 2)]):
+        take(m, 0.1 * k, view(1, at))
+    assert m.path_length_m == {1: 7.0}
+    take(m, 0.3, view(1, (50, 0, 0), landed=True))
+    take(m, 0.4, view(1, (60, 0, 0)))
+    take(m, 0.5, view(1, (61, 0, 0)))
+    assert m.path_length_m == {1: 8.0}
+
+
+def test_pursuit_is_the_longest_unbroken_run_of_the_worst_pursuer() -> None:
+    m = metrics()
+    for k in range(100):  # 1 is away at 4 s; 2 only comes at 7 s
+        first = (9.0, 0.0, 0.0) if k == 40 else (2.9, 0.0, 0.0)
+        second = (0.0, 3.0, 0.0) if k >= 70 else (0.0, 3.1, 0.0)
+        take(m, k / 10, view(1, first), view(2, second), view(101, (0.0, 0.0, 0.0)))
+    # From 4.1 to 9.9 s, and from 7.0 to 9.9 s.
+    assert m.held_s == pytest.approx({1: 5.8, 2: 2.9})
+    assert m.pursuit_held_s == pytest.approx(2.9)
+    take(m, 10.0, view(1, (0, 0, 0)), view(2, (0, 0, 0)), view(101, (0, 0, 0), landed=True))
+    take(m, 10.1, view(1, (0, 0, 0)), view(2, (0, 0, 0)), view(101, (0, 0, 0)))
+    assert m.pursuit_held_s == pytest.approx(2.9)
+
+
+def test_tracking_error_is_the_distance_from_the_planned_line_not_from_its_newest_point() -> None:
+    m = metrics()
+    for k in range(60):
+        planned = [SetPoint(1, (0.1 * k, 0.0, -4.0), (1.0, 0.0, 0.0))]
+        take(m, 0.1 * k, view(1, (max(0.1 * (k - 4), 0.0), 0.25 if k == 50 else 0.03, -4.0)), points=planned)
+        if k < PLAN_MEMORY - 1:
+            assert m.max_tracking_error_m == {}
+        elif k < 50:
+            assert m.max_tracking_error_m == pytest.approx({1: 0.03})
+    assert m.max_tracking_error_m == pytest.approx({1: 0.25})
+
+
+def test_a_plan_that_was_interrupted_is_not_joined_across_the_gap() -> None:
+    m = metrics()
+    for k in range(30):
+        take(m, 0.1 * k, view(1, (0.1 * k, 0, 0)), points=[SetPoint(1, (0.1 * k, 0.0, 0.0), (1.0, 0.0, 0.0))])
+    take(m, 3.0, view(1, (3, 0, 0)))
+    for k in range(PLAN_MEMORY - 1):
+        take(m, 4 + 0.1 * k, view(1, (50, 0, 0)), points=[SetPoint(1, (80.0, 0.0, 0.0), (0.0, 0.0, 0.0))])
+    assert m.max_tracking_error_m[1] == pytest.approx(0.0, abs=1e-9)

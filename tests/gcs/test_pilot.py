@@ -1,0 +1,152 @@
+"""From the ground into offboard control and back into it, as snapshots tell it."""
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import pytest
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.fleet import VehicleView
+from gcs.mavlink import codec
+from gcs.pilot import Pilot, Stage, Wish
+from gcs.profiles import ARDUCOPTER, PX4, FlightMode
+
+ARM, TAKEOFF, SET_MODE = 400, 22, 176
+
+
+def view(**changed: Any) -> VehicleView:
+    ground = VehicleView(
+        sysid=3, role="pursuer", label="pursuer 3", alive=True, profile=PX4, mode=FlightMode.HOLD, armed=False,
+        landed=True, heard_s=0.0, p_ned=(0.0, 0.0, 0.0), v_ned=(0.0, 0.0, 0.0), age_s=0.0, heading_rad=0.0,
+        origin_offset_ned=(0.0, 0.0, 0.0), ground_amsl_m=488.0, capacity_j=1e4, initial_j=1e4, battery_told=True,
+        drawn_j=0.0, received_j=0, given_j=0, given_told_s=0.0, power_w=0.0, energy_source="none", control_effort=0.0,
+    )  # fmt: skip
+    return replace(ground, **changed)
+
+
+ARMED = view(armed=True)
+CLIMBING = view(armed=True, landed=False, mode=FlightMode.TAKEOFF, p_ned=(0.0, 0.0, -1.0))
+UP = replace(CLIMBING, mode=FlightMode.HOLD, p_ned=(0.0, 0.0, -2.4))
+FLYING = replace(UP, mode=FlightMode.OFFBOARD)
+
+
+def commands(pilot: Pilot, seen: VehicleView, now_s: float) -> list[Wish]:
+    return pilot.decide(seen, now_s)[0]
+
+
+def brought_up() -> Pilot:
+    pilot = Pilot(3, 2.5)
+    for k, seen in enumerate((view(), ARMED, CLIMBING, UP, FLYING)):
+        pilot.decide(seen, 0.1 * k)
+    assert pilot.stage is Stage.FLY
+    return pilot
+
+
+def test_the_way_up_when_everything_is_granted() -> None:
+    pilot = Pilot(3, 2.5)
+    unknown = view(p_ned=None, origin_offset_ned=None, heard_s=-math.inf)
+    assert (commands(pilot, unknown, 0.0), pilot.stage) == ([], Stage.IDENTIFY)
+    (arm,) = commands(pilot, view(), 0.1)
+    assert (arm.sysid, arm.command, arm.params[:2]) == (3, ARM, (1.0, 0.0))
+    (takeoff,) = commands(pilot, ARMED, 0.2)
+    assert (takeoff.command, takeoff.params[6]) == (TAKEOFF, 490.5)
+    assert all(math.isnan(param) for param in takeoff.params[3:6])
+    assert commands(pilot, CLIMBING, 5.0) == []
+    assert not pilot.sends_set_points
+    assert commands(pilot, UP, 6.0) == []  # set points come first
+    assert pilot.sends_set_points
+    assert commands(pilot, UP, 6.1) == []
+    (offboard,) = commands(pilot, UP, 6.2)
+    assert (offboard.command, offboard.params[:3]) == (SET_MODE, PX4.offboard)
+    assert commands(pilot, FLYING, 6.3) == []
+    assert (pilot.stage, pilot.sends_set_points) == (Stage.FLY, True)
+
+
+def test_take_off_height_goes_by_the_profile() -> None:
+    pilot = Pilot(3, 2.5)
+    pilot.decide(view(profile=ARDUCOPTER), 0.0)
+    (takeoff,) = commands(pilot, view(profile=ARDUCOPTER, armed=True), 0.1)
+    assert takeoff.params[6] == 2.5
+
+
+@pytest.mark.parametrize("down_m", [-12.0, 30.0])
+def test_height_is_above_the_own_ground_wherever_the_common_origin_lies(down_m: float) -> None:
+    """A vehicle whose home is 12 m above the common origin is not up before it has left its ground."""
+    pilot, offset = Pilot(3, 2.5), (0.0, 0.0, down_m)
+    for k, seen in enumerate((view(), ARMED, CLIMBING)):
+        assert seen.p_ned is not None
+        pilot.decide(replace(seen, origin_offset_ned=offset, p_ned=(0.0, 0.0, seen.p_ned[2] + down_m)), 0.1 * k)
+    assert not pilot.sends_set_points
+    pilot.decide(replace(UP, origin_offset_ned=offset, p_ned=(0.0, 0.0, -2.4 + down_m)), 1.0)
+    assert pilot.sends_set_points
+
+
+def test_who_refuses_is_asked_again_every_second() -> None:
+    pilot = Pilot(3, 2.5)
+    asked = [k for k in range(400) if commands(pilot, view(), k / 10)]
+    assert asked == list(range(0, 400, 10))
+
+
+def test_a_vehicle_that_disarms_on_the_ground_is_armed_again() -> None:
+    pilot = Pilot(3, 2.5)
+    pilot.decide(view(), 0.0)
+    pilot.decide(ARMED, 0.1)
+    (again,) = commands(pilot, view(), 0.2)
+    assert (again.command, pilot.stage) == (ARM, Stage.ARM)
+
+
+def test_a_take_off_that_stops_too_low_is_asked_for_again() -> None:
+    pilot = Pilot(3, 2.5)
+    for k, seen in enumerate((view(), ARMED, CLIMBING)):
+        pilot.decide(seen, 0.1 * k)
+    (again,) = commands(pilot, replace(CLIMBING, mode=FlightMode.HOLD), 3.0)
+    assert again.command == TAKEOFF
+
+
+@pytest.mark.parametrize("mode", [FlightMode.HOLD, FlightMode.RETURN, FlightMode.OTHER, FlightMode.TAKEOFF])
+def test_from_any_other_mode_it_is_brought_back(mode: FlightMode) -> None:
+    pilot = brought_up()
+    assert commands(pilot, replace(FLYING, mode=mode), 10.0) == []
+    assert (pilot.stage, pilot.sends_set_points) == (Stage.OFFBOARD, True)
+    (offboard,) = commands(pilot, replace(FLYING, mode=mode), 10.2)
+    assert offboard.command == SET_MODE
+    pilot.decide(FLYING, 10.3)
+    assert pilot.stage is Stage.FLY
+
+
+def test_refuelling_is_flying() -> None:
+    pilot = brought_up()
+    assert commands(pilot, replace(FLYING, mode=FlightMode.REFUEL), 10.0) == []
+    assert pilot.stage is Stage.FLY
+
+
+@pytest.mark.parametrize(
+    "end", [replace(FLYING, mode=FlightMode.LAND), replace(FLYING, armed=False), replace(FLYING, alive=False)]
+)
+def test_one_that_lands_disarms_or_dies_is_down_for_good(end: VehicleView) -> None:
+    pilot = brought_up()
+    pilot.decide(end, 10.0)
+    assert (pilot.stage, pilot.sends_set_points) == (Stage.DOWN, False)
+    assert commands(pilot, FLYING, 20.0) == []
+    assert pilot.stage is Stage.DOWN
+
+
+def test_a_start_in_the_air_flies_at_once() -> None:
+    pilot = Pilot(3, 2.5)
+    assert commands(pilot, FLYING, 0.0) == []
+    assert pilot.stage is Stage.FLY
+
+
+def test_battery_parameters_are_read_until_told() -> None:
+    pilot = Pilot(3, 2.5)
+    assert pilot.decide(view(battery_told=False, heard_s=-math.inf), 0.0) == ([], [])
+    _, requests = pilot.decide(replace(FLYING, battery_told=False), 0.1)
+    read = [codec.fields(codec.split(codec.frame(request, 0, 255, 190)).frames[0]) for request in requests]
+    assert [(r.target_system, r.target_component, r.param_index, r.param_id) for r in read] == [
+        (3, mav.MAV_COMP_ID_AUTOPILOT1, -1, "SIM_BAT_CAP_J"),
+        (3, mav.MAV_COMP_ID_AUTOPILOT1, -1, "SIM_BAT_INIT_J"),
+    ]
+    assert pilot.decide(replace(FLYING, battery_told=False), 1.0) == ([], [])
+    assert len(pilot.decide(replace(FLYING, battery_told=False), 1.1)[1]) == 2
+    assert pilot.decide(FLYING, 2.1) == ([], [])

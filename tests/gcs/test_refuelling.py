@@ -1,0 +1,422 @@
+"""Services from the decision to the end, against scripted vehicles that answer commands as contract.md has them do."""
+
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import pytest
+
+from gcs.fleet import Snapshot, VehicleView
+from gcs.pilot import Wish
+from gcs.profiles import PX4, FlightMode
+from gcs.refuelling import GIVE, RECEIVE, STOP, Decision, Phase, Schedule, Service
+from gcs.scenario import Battery, Competition, Refuelling, Tanker
+
+RATE_W = 2000.0
+ORDER, INTERVAL, FOLLOW_TARGET = 31010, 511, 144
+
+
+def view(sysid: int, role: str, at: tuple[float, float, float], remaining_j: float, capacity_j: float) -> VehicleView:
+    return VehicleView(
+        sysid=sysid, role=role, label=f"{role} {sysid}", alive=True, profile=PX4, mode=FlightMode.OFFBOARD, armed=True,
+        landed=False, heard_s=0.0, p_ned=at, v_ned=(0.0, 0.0, 0.0), age_s=0.0, heading_rad=0.0,
+        origin_offset_ned=(0.0, 0.0, 0.0), ground_amsl_m=0.0, capacity_j=capacity_j, initial_j=remaining_j,
+        battery_told=True, drawn_j=0.0, received_j=0, given_j=0, given_told_s=0.0, power_w=0.0,
+        energy_source="energy_consumed", control_effort=0.0,
+    )  # fmt: skip
+
+
+def tanker(sysid: int = 201, **changed: Any) -> Tanker:
+    content: dict[str, Any] = {"sysid": sysid, "start_m": (0.0, 0.0, -6.0), "airborne": True, "reserve_j": 10_000.0}
+    return Tanker(**(content | {"battery": Battery(capacity_j=150_000.0)} | changed))
+
+
+@dataclass
+class Fleet:
+    """Vehicles in their places; orders are accepted at once and joules flow with every tick, unless told otherwise."""
+
+    views: dict[int, VehicleView]
+    refused: set[tuple[int, int]] = field(default_factory=set)
+    """(system id, role) of orders that are refused"""
+    unheard: set[tuple[int, int]] = field(default_factory=set)
+    """orders that are carried out but never acknowledged"""
+    orders: list[tuple[int, ...]] = field(default_factory=list)
+    active: dict[int, tuple[float, ...]] = field(default_factory=dict)
+
+    def set(self, sysid: int, **changed: Any) -> None:
+        self.views[sysid] = replace(self.views[sysid], **changed)
+
+    def obey(self, schedule: Schedule, wishes: tuple[Wish, ...]) -> None:
+        for wish in wishes:
+            if wish.command != ORDER:
+                continue
+            role = int(wish.params[1])
+            self.orders.append((wish.sysid, *map(int, wish.params[:6])))
+            refused = (wish.sysid, role) in self.refused
+            if (wish.sysid, role) not in self.unheard:
+                schedule.result(wish.token, not refused)
+            if refused:
+                continue
+            if role == STOP:
+                self.end(wish.sysid)
+            else:
+                self.active[wish.sysid] = wish.params
+                self.set(wish.sysid, mode=FlightMode.REFUEL)
+
+    def end(self, sysid: int) -> None:
+        self.active.pop(sysid, None)
+        if self.views[sysid].mode is FlightMode.REFUEL:
+            self.set(sysid, mode=FlightMode.OFFBOARD)
+
+    def flow(self, dt_s: float) -> None:
+        for sysid, params in list(self.active.items()):
+            partner = int(params[0])
+            if int(params[1]) == GIVE and int(self.active.get(partner, (0, 0))[1]) == RECEIVE:
+                given_j = round(RATE_W * dt_s)
+                self.set(sysid, given_j=self.views[sysid].given_j + given_j)
+                self.set(partner, received_j=self.views[partner].received_j + given_j)
+
+
+@dataclass
+class Play:
+    schedule: Schedule
+    fleet: Fleet
+    now_s: float = 0.0
+    decisions: list[Decision] = field(default_factory=list)
+
+    def tick(self) -> Decision:
+        for sysid, seen in self.fleet.views.items():
+            self.fleet.set(sysid, given_told_s=self.now_s if seen.alive else seen.given_told_s)
+        snapshot = Snapshot(self.now_s, tuple(self.fleet.views[key] for key in sorted(self.fleet.views)), ())
+        decision = self.schedule.decide(snapshot)
+        self.decisions.append(decision)
+        self.fleet.obey(self.schedule, decision.wishes)
+        self.fleet.flow(0.1)
+        self.now_s = round(self.now_s + 0.1, 6)
+        return decision
+
+    def until(self, phase: Phase, service: int = 0, within_s: float = 90.0) -> Service:
+        end_s = self.now_s + within_s
+        while not (len(self.schedule.services) > service and self.schedule.services[service].phase is phase):
+            assert self.now_s < end_s, [s.phase for s in self.schedule.services]
+            self.tick()
+        return self.schedule.services[service]
+
+    @property
+    def kinds(self) -> list[str]:
+        return [record["kind"] for decision in self.decisions for record in decision.records]
+
+
+def play(rules: Refuelling | None = None, tankers: tuple[Tanker, ...] = (), **competition: Any) -> Play:
+    """One receiver, 1, of 10 kJ with 4 kJ left, and a tanker, 201, above it."""
+    fleet = Fleet({
+        1: view(1, "pursuer", (0.0, 0.0, -4.8), 4_000.0, 10_000.0),
+        201: view(201, "tanker", (0.0, 0.0, -6.0), 150_000.0, 150_000.0),
+    })  # fmt: skip
+    rules = rules or Refuelling(rate_w=RATE_W, hold_s=1.0)
+    return Play(Schedule(Competition(**competition), rules, tankers or (tanker(),)), fleet)
+
+
+def test_a_whole_service_in_its_order() -> None:
+    game = play()
+    service = game.until(Phase.DONE)
+    assert service.ended_by == "full"
+    assert game.kinds == ["decided", "transfer", "served"]
+    assert [(who, role) for who, _, role, *_ in game.fleet.orders] == [
+        (1, RECEIVE), (201, GIVE), (201, STOP), (1, STOP)]  # fmt: skip
+    # 90 % of 10 kJ, 200 J a tick, 4 kJ at the start; the giver stops a tick after the level was seen.
+    assert 5_000 <= service.energy_j <= 5_400
+    assert game.fleet.views[201].given_j == service.energy_j
+    assert game.schedule.refuelled == [service]
+    assert None not in (service.decided_at_s, service.joined_at_s, service.start_s, service.end_s)
+    assert service.decided_at_s <= service.joined_at_s <= service.start_s < service.end_s  # type: ignore[operator]
+
+
+def test_the_command_on_the_wire_is_the_contracts() -> None:
+    """param1 partner, 2 role, 3 limit in J, 4 rate in W, 5 transfer id, 6 the giver's XferOut at the start."""
+    game = play()
+    game.fleet.set(201, given_j=777)
+    game.until(Phase.TRANSFER)
+    # room: 10 000 - 4 000
+    assert game.fleet.orders == [(1, 201, RECEIVE, 6000, 2000, 1, 777), (201, 1, GIVE, 6000, 2000, 1, 777)]
+    wishes = [wish for decision in game.decisions for wish in decision.wishes]
+    assert wishes[0].params[:2] == (FOLLOW_TARGET, 100_000.0)
+    assert (wishes[0].sysid, wishes[0].command) == (201, INTERVAL)
+    game.until(Phase.DONE)
+    last = game.decisions[-1].wishes[-1]
+    assert (last.sysid, last.command, last.params[:2]) == (201, INTERVAL, (FOLLOW_TARGET, 0.0))
+
+
+def test_partners_rendezvous_and_relays_while_it_lasts() -> None:
+    game = play()
+    game.fleet.set(201, p_ned=(20.0, 0.0, -6.0))
+    game.until(Phase.JOIN)
+    decision = game.tick()
+    assert (decision.rendezvous, decision.partners, decision.relays) == ({201: 1}, ((201, 1),), ())
+    game.fleet.set(201, p_ned=(14.0, 0.0, -6.0))
+    assert game.tick().relays == ((201, 1),)
+    game.fleet.set(201, p_ned=(0.0, 0.0, -6.0))
+    game.until(Phase.CATCH_UP)
+    assert game.tick().relays == ((201, 1),)
+    game.until(Phase.DONE)
+    assert game.tick() == Decision()
+
+
+@pytest.mark.parametrize(
+    "changed", [{"p_ned": (1.0, 0.0, -6.0)}, {"v_ned": (0.6, 0.0, 0.0)}, {"p_ned": (0.0, 0.0, -6.31)}]
+)
+def test_joining_waits_until_near_and_slow_for_the_hold_time(changed: dict[str, Any]) -> None:
+    game = play()
+    there = {key: getattr(game.fleet.views[201], key) for key in changed}
+    game.fleet.set(201, **changed)
+    game.until(Phase.JOIN)
+    for _ in range(100):
+        game.tick()
+    assert game.schedule.services[0].phase is Phase.JOIN
+    game.fleet.set(201, **there)
+    begin_s = game.now_s
+    assert game.until(Phase.START_RECEIVER).joined_at_s == pytest.approx(begin_s + 1.0, abs=0.11)
+
+
+def test_no_start_before_the_givers_counter_is_known() -> None:
+    game = play()
+    original = game.fleet.set
+
+    def deaf(sysid: int, **changed: Any) -> None:
+        if changed.keys() == {"given_told_s"}:
+            changed = {"given_told_s": 0.0}
+        original(sysid, **changed)
+
+    game.fleet.set = deaf  # type: ignore[method-assign]
+    game.until(Phase.JOIN)
+    for _ in range(60):
+        game.tick()
+    assert game.schedule.services[0].phase is Phase.JOIN
+    game.fleet.set = original  # type: ignore[method-assign]
+    game.until(Phase.START_RECEIVER, within_s=0.5)
+
+
+def test_a_rendezvous_that_does_not_come_about_is_given_up_and_the_tanker_is_free_again() -> None:
+    game = play()
+    game.fleet.set(201, p_ned=(9.0, 0.0, -6.0))
+    service = game.until(Phase.DONE)
+    assert service.ended_by == "no rendezvous in time"
+    assert game.fleet.orders == []
+    assert game.schedule.refuelled == []
+    game.until(Phase.JOIN, service=1)
+
+
+def test_a_receiver_that_refuses_is_asked_again_from_the_formation_and_given_up_in_the_end() -> None:
+    game = play()
+    game.fleet.refused = {(1, RECEIVE)}
+    service = game.until(Phase.DONE)
+    assert service.ended_by == "the receiver refused"
+    assert [role for _, _, role, *_ in game.fleet.orders].count(RECEIVE) == 5
+    assert GIVE not in [role for _, _, role, *_ in game.fleet.orders]
+
+
+def test_a_receiver_that_refuses_once_is_served_in_the_end() -> None:
+    game = play()
+    game.fleet.refused = {(1, RECEIVE)}
+    game.until(Phase.START_RECEIVER)
+    game.tick()
+    game.fleet.refused.clear()
+    assert game.until(Phase.DONE).ended_by == "full"
+
+
+def test_a_giver_that_refuses_ends_the_service_and_the_receiver_is_released() -> None:
+    game = play()
+    game.fleet.refused = {(201, GIVE)}
+    assert game.until(Phase.DONE).ended_by == "the giver refused"
+    assert game.fleet.views[1].mode is FlightMode.OFFBOARD
+    assert game.fleet.orders[-1][:3] == (1, 201, STOP)
+
+
+@pytest.mark.parametrize("order", [(1, RECEIVE), (201, GIVE)])
+def test_whoever_began_but_was_never_heard_to_is_told_to_stop(order: tuple[int, int]) -> None:
+    game = play()
+    game.fleet.unheard = {order}
+    game.until(Phase.START_RECEIVER if order[1] == RECEIVE else Phase.START_GIVER)
+    for _ in range(90):
+        game.tick()
+    stopped = {who for who, _, role, *_ in game.fleet.orders if role == STOP}
+    assert order[0] in stopped
+    game.fleet.unheard.clear()
+    game.until(Phase.DONE)
+    assert not game.fleet.active
+
+
+@pytest.mark.parametrize("order", [(201, STOP), (1, STOP)])
+def test_a_stop_that_is_never_acknowledged_holds_nothing_up_for_long(order: tuple[int, int]) -> None:
+    game = play()
+    game.fleet.unheard = {order}
+    game.until(Phase.STOP_GIVER)
+    assert game.until(Phase.DONE, within_s=8.0).ended_by == "full"
+
+
+@pytest.mark.parametrize("side", [1, 201])
+def test_a_transfer_that_one_side_breaks_off_is_joined_again(side: int) -> None:
+    game = play()
+    service = game.until(Phase.TRANSFER)
+    for _ in range(5):
+        game.tick()
+    before_j = game.fleet.views[201].given_j
+    game.fleet.end(side)
+    game.until(Phase.JOIN)
+    assert "broken off" in game.kinds
+    assert game.until(Phase.DONE) is service
+    assert service.ended_by == "full"
+    second = [order for order in game.fleet.orders if order[2] == GIVE][1]
+    assert second[6] == before_j  # the giver's XferOut at the new start
+    assert service.energy_j == game.fleet.views[1].received_j  # both parts
+
+
+def test_a_transfer_broken_off_before_it_was_seen_is_noticed_at_once() -> None:
+    game = play()
+    game.until(Phase.START_GIVER)
+    game.fleet.end(1)
+    game.until(Phase.STOP_GIVER, within_s=0.4)
+
+
+def test_a_giver_that_has_given_all_that_was_ordered_ends_the_service() -> None:
+    """Asked to fill up to 100 %, the receiver draws meanwhile: the joules ordered at the start never fill it."""
+    game = play(Refuelling(rate_w=RATE_W, until=1.0))
+    service = game.until(Phase.TRANSFER)
+    while game.fleet.views[201].given_j < 6000:
+        game.fleet.set(1, drawn_j=game.fleet.views[1].drawn_j + 21.0)
+        game.tick()
+    game.fleet.end(201)
+    game.until(Phase.DONE, within_s=4.0)
+    assert (service.ended_by, service.energy_j) == ("limit", 6000)
+
+
+def test_the_limit_of_a_service_ends_it() -> None:
+    game = play(Refuelling(rate_w=RATE_W, limit_j=1500.0))
+    service = game.until(Phase.DONE)
+    assert service.ended_by == "limit"
+    assert game.fleet.orders[1][3] == 1500
+    assert 1500 <= service.energy_j <= 1900
+
+
+def test_what_is_left_of_the_limit_is_ordered_after_a_break() -> None:
+    game = play(Refuelling(rate_w=RATE_W, limit_j=3000.0))
+    game.until(Phase.TRANSFER)
+    for _ in range(4):
+        game.tick()
+    game.fleet.end(1)
+    received_j = game.until(Phase.JOIN).energy_j
+    game.until(Phase.TRANSFER)
+    second = [order for order in game.fleet.orders if order[2] == GIVE][1]
+    assert second[3] == 3000 - received_j < 3000
+
+
+def test_a_tanker_gives_no_more_than_its_reserve_and_its_way_home_leave() -> None:
+    """At home, so the way is nothing but 1.2 m: 14 000 - 10 000 J, and no more."""
+    game = play()
+    game.fleet.set(201, initial_j=14_000.0)
+    service = game.until(Phase.TRANSFER)
+    assert game.fleet.orders[1][3] == 4000
+    game.until(Phase.DONE)
+    assert service.ended_by == "tanker at its reserve"
+    assert game.fleet.views[201].remaining_j >= 10_000.0 - 200.0
+    for _ in range(300):
+        game.tick()
+    assert len(game.schedule.services) == 1  # it is not asked again
+
+
+def test_the_way_home_costs() -> None:
+    """50 m at 5 m/s and 300 W are 3000 J."""
+    game = play(tankers=(tanker(home_m=(50.0, 0.0, -6.0)),))
+    game.fleet.set(201, initial_j=16_000.0, power_w=300.0)
+    game.until(Phase.TRANSFER)
+    assert game.fleet.orders[1][3] == 3000
+
+
+PHASES = [Phase.JOIN, Phase.START_RECEIVER, Phase.START_GIVER, Phase.TRANSFER, Phase.STOP_GIVER, Phase.CATCH_UP,
+          Phase.STOP_RECEIVER]  # fmt: skip
+
+
+@pytest.mark.parametrize("phase", PHASES)
+@pytest.mark.parametrize("side", [1, 201])
+def test_the_death_of_either_side_ends_it_and_frees_the_other(phase: Phase, side: int) -> None:
+    game = play()
+    service = game.until(phase)
+    game.fleet.set(side, alive=False)
+    game.fleet.active.pop(side, None)
+    game.tick()
+    assert (service.phase, service.ended_by) == (Phase.DONE, "a side died")
+    other = 201 if side == 1 else 1
+    assert game.fleet.views[other].mode is FlightMode.OFFBOARD
+    assert not [wish for wish in game.decisions[-1].wishes if wish.sysid == side]
+    assert game.tick() == Decision()
+
+
+@pytest.mark.parametrize("side", [1, 201])
+@pytest.mark.parametrize("phase", [Phase.JOIN, Phase.TRANSFER])
+def test_a_side_that_leaves_formation_flight_ends_it(phase: Phase, side: int) -> None:
+    game = play()
+    service = game.until(phase)
+    game.fleet.active.pop(side, None)
+    game.fleet.set(side, mode=FlightMode.RETURN)
+    game.until(Phase.DONE, within_s=5.0)
+    assert service.ended_by == "a side left formation flight"
+
+
+def test_in_radio_silence_every_phase_ends() -> None:
+    """Nothing is acknowledged and no counter moves any more: the tanker is free within the time-outs' sum."""
+    game = play()
+    service = game.until(Phase.TRANSFER)
+    game.fleet.unheard = {(who, role) for who in (1, 201) for role in (STOP, GIVE, RECEIVE)}
+    game.fleet.active.clear()
+    game.fleet.set(1, mode=FlightMode.OFFBOARD)
+    game.fleet.set(201, mode=FlightMode.OFFBOARD, p_ned=(9.0, 0.0, -6.0))
+    game.until(Phase.DONE, within_s=75.0)
+    assert service.ended_by == "no rendezvous in time"
+
+
+def test_joules_that_are_told_late_are_booked_on_their_service() -> None:
+    game = play()
+    first = game.until(Phase.DONE)
+    before_j = first.energy_j
+    game.fleet.set(1, received_j=game.fleet.views[1].received_j + 150, drawn_j=8_000.0)
+    second = game.until(Phase.DONE, service=1)
+    assert first.energy_j == before_j + 150
+    assert first.energy_j + second.energy_j == game.fleet.views[1].received_j
+    game.fleet.set(1, received_j=game.fleet.views[1].received_j + 30)
+    game.schedule.settle(Snapshot(game.now_s, tuple(game.fleet.views.values()), ()))
+    assert first.energy_j + second.energy_j == game.fleet.views[1].received_j
+
+
+def test_several_tankers_never_share_a_receiver_and_serve_by_need() -> None:
+    fleet = Fleet({k: view(k, "pursuer", (6.0 * k, 0.0, -4.8), 4_500.0 - 500.0 * k, 10_000.0) for k in range(1, 6)})
+    for sysid in (201, 202):
+        fleet.views[sysid] = view(sysid, "tanker", (0.0, 0.0, -6.0), 150_000.0, 150_000.0)
+    schedule = Schedule(Competition(), Refuelling(rate_w=RATE_W), (tanker(201), tanker(202)))
+    game = Play(schedule, fleet)
+    at_once = 0
+    while len(schedule.refuelled) < 5:
+        assert game.now_s < 120
+        decision = game.tick()
+        receivers = list(decision.rendezvous.values())
+        assert len(receivers) == len(set(receivers))
+        at_once = max(at_once, len(receivers))
+        for tanker_id, receiver in decision.rendezvous.items():
+            fleet.set(tanker_id, p_ned=(6.0 * receiver, 0.0, -6.0))
+    assert at_once == 2
+    assert [service.receiver for service in schedule.services] == [5, 4, 3, 2, 1]
+    assert {service.tanker for service in schedule.services} == {201, 202}
+    ids = {order[5] for order in fleet.orders}
+    assert ids == {1, 2, 3, 4, 5}
+
+
+@pytest.mark.parametrize("off", ["competition", "refuelling"])
+def test_switched_off_nothing_is_decided(off: str) -> None:
+    game = play(Refuelling(enabled=off != "refuelling"), enabled=off != "competition")
+    assert all(game.tick() == Decision() for _ in range(100))
+    assert game.schedule.standing.v == {}
+
+
+def test_the_record_of_a_service_is_the_summarys() -> None:
+    record = play().until(Phase.DONE).record()
+    assert list(record) == ["receiver", "tanker", "by", "decided_at_s", "joined_at_s", "start_s", "end_s", "energy_j",
+                            "bids"]  # fmt: skip
+    assert (record["receiver"], record["tanker"], record["by"], record["bids"]) == (1, 201, "competition", {"1": 1.0})

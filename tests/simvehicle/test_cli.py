@@ -1,0 +1,128 @@
+"""The command line: help for newcomers, and one sentence for what is wrong."""
+
+import socket
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from simvehicle.cli import run_argv, sysid_of
+
+FINE = ["--sysid", "1", "--connect", "udpin:127.0.0.1:0"]
+
+
+def complaint(argv: list[str], capfd: pytest.CaptureFixture[str]) -> str:
+    """What a bad command line is told: one line, status 2."""
+    assert run_argv(argv) == 2
+    out, err = capfd.readouterr()
+    assert out == ""
+    assert err.count("\n") == 1
+    assert err.startswith("simvehicle: ")
+    return err
+
+
+@pytest.mark.parametrize(
+    ("argv", "said"),
+    [
+        ([], "--sysid is missing"),
+        (["--connect", "udpin:127.0.0.1:0"], "--sysid is missing"),
+        (["--sysid", "1"], "nobody would hear it: give --connect udpout:127.0.0.1:14550"),
+        (["--sysid", "0", *FINE[2:]], "0 is not in the range 1<=x<=254"),
+        (["--sysid", "255", *FINE[2:]], "255 is not in the range 1<=x<=254"),
+        (["--sysid", "one", *FINE[2:]], "'one' is not a valid integer"),
+        (["--sysid", "1", "--connect", "127.0.0.1:14550"], "'127.0.0.1:14550' is no connection; write udpout:"),
+        (["--sysid", "1", "--supervised", "udpout:127.0.0.1"], "'udpout:127.0.0.1' is no connection"),
+        ([*FINE, "--connect", "udpout:no.such.host.invalid:1"], "cannot use udpout:no.such.host.invalid:1"),
+        ([*FINE, "--position", "0,0"], "'0,0' is not three numbers; write N,E,D"),
+        ([*FINE, "--position", "a,b,c"], "'a,b,c' is not three numbers"),
+        ([*FINE, "--position", "nan,0,0"], "no place or speed"),
+        ([*FINE, "--position", "0,0,1e30"], "no place or speed"),
+        ([*FINE, "--position", "0,0,2"], "--position lies below the ground: down must be 0 or negative"),
+        ([*FINE, "--home", "91,0,0"], "--home 91, 0, 0 is no origin"),
+        ([*FINE, "--home", "0,181,0"], "--home 0, 181, 0 is no origin"),
+        ([*FINE, "--autopilot", "dji"], "'dji' is not one of 'px4', 'ardupilot', 'generic'"),
+        ([*FINE, "--colour", "red"], "No such option"),
+        (["fly"], "No such command 'fly'"),
+        (["traffic", "none.yaml", "--supervised", "udpout:127.0.0.1:9"], "none.yaml: No such file"),
+        (["traffic", "none.yaml", "--supervised", "nowhere"], "'nowhere' is no connection"),
+    ],
+)
+def test_bad_command_line_is_told_in_one_sentence(
+    argv: list[str], said: str, capfd: pytest.CaptureFixture[str]
+) -> None:
+    assert said in complaint(argv, capfd)
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        (None, ": No such file or directory"),
+        (b"", ": write one 'NAME: number' per line."),
+        (b"\xff\xfe\x00\x80", " is no text file"),
+        (b"\x00\x01", ": unacceptable character"),
+        (b"just words", ": write one 'NAME: number' per line."),
+        (b"SIM_BAT_CAP_J: 100\nSIM_BAT_CAPJ: 5", ": unknown parameter SIM_BAT_CAPJ, did you mean SIM_BAT_CAP_J?"),
+        (b"MPC_LAND_SPEED: 99", ": MPC_LAND_SPEED = 99 is outside 0.1 .. 3"),
+        (b"MPC_LAND_SPEED: nan", ": MPC_LAND_SPEED = nan is outside 0.1 .. 3"),
+        (b"MPC_LAND_SPEED: 1\nMPC_XY_CRUISE: .nan", ", line 2: MPC_XY_CRUISE is '.nan', which is no number"),
+        (b"MPC_LAND_SPEED: fast", ", line 1: MPC_LAND_SPEED is 'fast', which is no number"),
+        (b"MPC_LAND_SPEED: true", ", line 1: MPC_LAND_SPEED is 'true', which is no number"),
+        (b"MPC_LAND_SPEED: [1]", ", line 1: write 'NAME: number'."),
+        (b"MPC_LAND_SPEED: 1\nMPC_LAND_SPEED: 2", ", line 2: MPC_LAND_SPEED is given twice"),
+        (b"SIM_BAT_CAP_J: " + b"9" * 400, ": SIM_BAT_CAP_J = inf is outside"),
+        (b"SIM_BAT_CAP_J: 10\nSIM_BAT_INIT_J: 11", ": SIM_BAT_INIT_J is above SIM_BAT_CAP_J"),
+        (b"a: {", ": while parsing"),
+    ],
+)
+def test_bad_parameter_file_is_named(
+    content: bytes | None, said: str, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "params.yaml"
+    if content is not None:
+        path.write_bytes(content)
+    assert f"--params {path}{said}" in complaint([*FINE, "--params", str(path)], capfd)
+
+
+def test_directory_for_a_file_is_named(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    assert "is a directory" in complaint([*FINE, "--params", str(tmp_path)], capfd)
+
+
+def test_truth_is_never_overwritten_and_needs_a_folder(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "1.truth"
+    path.write_text("precious")
+    assert f"--truth {path} exists already" in complaint([*FINE, "--truth", str(path)], capfd)
+    assert "No such file" in complaint([*FINE, "--truth", str(tmp_path / "none" / "1.truth")], capfd)
+    assert path.read_text() == "precious"
+
+
+def test_port_in_use_is_named(capfd: pytest.CaptureFixture[str]) -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:
+        other.bind(("127.0.0.1", 0))
+        address = f"udpin:127.0.0.1:{other.getsockname()[1]}"
+        told = complaint(["--sysid", "1", "--connect", address], capfd)
+    assert f"cannot use {address}: the port is in use" in told
+
+
+def test_help_is_a_page_for_newcomers_and_loads_no_compiler() -> None:
+    script = (
+        "import sys; from simvehicle.cli import run_argv; status = run_argv(['--help']);"
+        "sys.exit(status or 10 * bool({'numba', 'numpy', 'pymavlink'} & set(sys.modules)))"
+    )
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60, check=False)
+    assert done.returncode == 0, done.stderr
+    assert done.stderr == ""
+    for word in ("--sysid", "--connect", "--supervised", "--position", "--airborne", "--params", "hatch", "traffic",
+                 "Example: simvehicle --sysid 1 --connect udpout:127.0.0.1:14550", "Ctrl-C"):  # fmt: skip
+        assert word in " ".join(done.stdout.split())
+    assert len(done.stdout.splitlines()) < 60
+    assert max(map(len, done.stdout.splitlines())) <= 100
+
+
+@pytest.mark.parametrize(
+    ("argv", "sysid"),
+    [(["--sysid", "7"], 7), (["--home", "0,0,0", "--sysid", "254"], 254), (["traffic", "f"], 255), ([], 0),
+     (["--sysid"], 0), (["--sysid", "x"], 0), (["--sysid", "²"], 0)],
+)  # fmt: skip
+def test_argv_names_its_system(argv: list[str], sysid: int) -> None:
+    assert sysid_of(argv) == sysid

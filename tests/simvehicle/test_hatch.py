@@ -1,0 +1,208 @@
+"""The hatch as a real process: it forks, reports, and nothing outlives it."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import select
+import signal
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from pymavlink.dialects.v20 import common as mav
+
+WITHIN_S = 60.0
+PROGRAM = [sys.executable, "-c", "from simvehicle.cli import main; main()"]
+
+
+class Child:
+    """A process that the hatch made, by a descriptor that no other process can inherit the number of."""
+
+    def __init__(self, pid: int) -> None:
+        self.pid = pid
+        try:
+            self.fd = os.pidfd_open(pid)
+        except ProcessLookupError:
+            self.fd = -1
+
+    def ended(self, within_s: float = 0.0) -> bool:
+        return self.fd < 0 or bool(select.select([self.fd], [], [], within_s)[0])
+
+    def kill(self, how: signal.Signals = signal.SIGKILL) -> None:
+        signal.pidfd_send_signal(self.fd, how)
+
+    def close(self) -> None:
+        if self.fd >= 0:
+            os.close(self.fd)
+
+
+class Hatch:
+    """A running `simvehicle hatch`."""
+
+    def __init__(self, folder: Path, **popen: Any) -> None:
+        self.folder = folder
+        self.process = subprocess.Popen(
+            [*PROGRAM, "hatch"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, **popen
+        )
+        self._pending = b""
+        self.children: list[Child] = []
+
+    def line(self) -> dict[str, Any]:
+        """The next report."""
+        assert self.process.stdout is not None
+        deadline_s = time.monotonic() + WITHIN_S
+        while b"\n" not in self._pending:
+            left_s = deadline_s - time.monotonic()
+            assert select.select([self.process.stdout], [], [], max(left_s, 0.0))[0], "no report"
+            chunk = os.read(self.process.stdout.fileno(), 65536)
+            assert chunk, "the hatch has ended"
+            self._pending += chunk
+        line, _, self._pending = self._pending.partition(b"\n")
+        report: dict[str, Any] = json.loads(line)
+        return report
+
+    def write(self, raw: bytes) -> None:
+        assert self.process.stdin is not None
+        self.process.stdin.write(raw)
+        self.process.stdin.flush()
+
+    def order(self, *argv: str, log: str = "vehicle.log") -> bytes:
+        return json.dumps({"argv": argv, "log": str(self.folder / log)}).encode() + b"\n"
+
+    def fork(self, *argv: str, log: str = "vehicle.log") -> dict[str, Any]:
+        self.write(self.order(*argv, log=log))
+        report = self.line()
+        self.children.append(Child(report["pid"]))
+        return report
+
+    def fork_waiting(self, sysid: int) -> Child:
+        """A vehicle that waits for a ground station."""
+        self.fork("--sysid", str(sysid), "--connect", "udpin:127.0.0.1:0", log=f"{sysid}.log")
+        return self.children[-1]
+
+
+def all_gone(children: list[Child]) -> bool:
+    """Whether every process has ended, or does within 10 s."""
+    return all(child.ended(within_s=10.0) for child in children)
+
+
+@pytest.fixture
+def hatch(tmp_path: Path) -> Iterator[Hatch]:
+    running = Hatch(tmp_path)
+    try:
+        assert running.line() == {"ready": True}
+        yield running
+    finally:
+        running.process.kill()
+        running.process.wait()
+        for pipe in (running.process.stdin, running.process.stdout, running.process.stderr):
+            assert pipe is not None
+            with contextlib.suppress(BrokenPipeError):
+                pipe.close()
+        assert all_gone(running.children)
+        for child in running.children:
+            child.close()
+
+
+def test_vehicle_is_forked_and_speaks(hatch: Hatch) -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as ground:
+        ground.bind(("127.0.0.1", 0))
+        ground.settimeout(WITHIN_S)
+        report = hatch.fork("--sysid", "42", "--connect", f"udpout:127.0.0.1:{ground.getsockname()[1]}")
+        assert report == {"sysid": 42, "pid": report["pid"]}
+        (heartbeat,) = mav.MAVLink(None).parse_buffer(ground.recv(2000))
+    assert (heartbeat.get_type(), heartbeat.get_srcSystem()) == ("HEARTBEAT", 42)
+    assert os.getsid(report["pid"]) == hatch.process.pid  # a process session of its own
+
+
+def test_several_orders_in_one_write_and_one_order_in_two(hatch: Hatch) -> None:
+    argv = ("--connect", "udpin:127.0.0.1:0")
+    first, second, third = (hatch.order("--sysid", str(i), *argv, log=f"{i}.log") for i in (1, 2, 3))
+    hatch.write(first + second + third[:20])
+    hatch.write(third[20:])
+    reports = [hatch.line() for _ in range(3)]
+    hatch.children += [Child(report["pid"]) for report in reports]
+    assert [report["sysid"] for report in reports] == [1, 2, 3]
+
+
+def test_bad_argv_is_reported_with_status_2_and_its_sentence(hatch: Hatch) -> None:
+    good = hatch.fork_waiting(1)
+    forked = hatch.fork("--sysid", "7", "--connect", "nowhere", log="bad.log")
+    ended = hatch.line()
+    assert (ended["sysid"], ended["pid"], ended["exit"]) == (7, forked["pid"], 2)
+    assert len(ended["last_lines"]) == 1
+    assert "'nowhere' is no connection" in ended["last_lines"][0]
+    assert not good.ended()
+
+
+def test_vehicle_killed_by_a_signal_is_reported_negative_and_the_others_live(hatch: Hatch) -> None:
+    victim, other = hatch.fork_waiting(1), hatch.fork_waiting(2)
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as ground:  # 3 is heard, so its log is written
+        ground.bind(("127.0.0.1", 0))
+        ground.settimeout(WITHIN_S)
+        hatch.fork("--sysid", "3", "--connect", f"udpout:127.0.0.1:{ground.getsockname()[1]}", log="3.log")
+        ground.recv(2000)
+    victim.kill(signal.SIGSEGV)
+    assert hatch.line() | {"last_lines": []} == {"sysid": 1, "pid": victim.pid, "exit": -11, "last_lines": []}
+    hatch.children[-1].kill()
+    ended = hatch.line()
+    assert (ended["sysid"], ended["exit"]) == (3, -9)
+    assert "udpout:127.0.0.1:" in ended["last_lines"][0]
+    assert not other.ended()
+
+
+def test_end_of_stdin_ends_the_hatch_and_all_vehicles(hatch: Hatch) -> None:
+    for sysid in (1, 2):
+        hatch.fork_waiting(sysid)
+    assert hatch.process.stdin is not None
+    hatch.process.stdin.close()
+    assert hatch.process.wait(WITHIN_S) == 0
+    assert all_gone(hatch.children)
+
+
+@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGTERM])
+def test_vehicles_die_with_the_hatch(hatch: Hatch, how: signal.Signals) -> None:
+    for sysid in (1, 2):
+        hatch.fork_waiting(sysid)
+    hatch.process.send_signal(how)
+    assert hatch.process.wait(WITHIN_S) == -how
+    assert all_gone(hatch.children)
+
+
+def test_log_that_cannot_be_written_is_said_in_one_sentence(hatch: Hatch) -> None:
+    hatch.fork("--sysid", "1", "--connect", "udpin:127.0.0.1:0", log="none/vehicle.log")
+    ended = hatch.line()
+    assert (ended["sysid"], ended["exit"], ended["last_lines"]) == (1, 74, [])
+    assert hatch.process.stdin is not None
+    hatch.process.stdin.close()
+    assert hatch.process.stderr is not None
+    said = hatch.process.stderr.read().decode()
+    assert said.count("\n") == 1
+    assert "cannot write" in said
+    assert "No such file or directory" in said
+
+
+@pytest.mark.parametrize("line", [b"no json\n", b"[1]\n", b'{"argv": ["--sysid", "1"]}\n'])
+def test_order_that_is_none_ends_the_hatch_with_a_sentence(hatch: Hatch, line: bytes) -> None:
+    hatch.fork_waiting(1)
+    hatch.write(line)
+    assert hatch.process.wait(WITHIN_S) == 2
+    assert all_gone(hatch.children)
+    assert hatch.process.stderr is not None
+    said = hatch.process.stderr.read().decode()
+    assert said.startswith("hatch: no order: ")
+    assert said.count("\n") == 1
+
+
+def test_empty_stdin_compiles_and_ends_well() -> None:
+    with open(os.devnull, "rb") as nothing:
+        done = subprocess.run([*PROGRAM, "hatch"], stdin=nothing, capture_output=True, timeout=WITHIN_S, check=False)
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert json.loads(done.stdout) == {"ready": True}

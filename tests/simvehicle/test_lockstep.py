@@ -1,0 +1,167 @@
+"""The vehicle's side of the supervised link, fed with bundles that pymavlink made."""
+
+from typing import Any
+
+import pytest
+from pymavlink.dialects.v20 import common as mav
+
+from simvehicle.mavlink.codec import Frame, message, split
+from simvehicle.mavlink.connection import Connection
+from simvehicle.mavlink.lockstep import Bundle, Grants
+
+EPOCH_US = 1_700_000_000_000_000
+
+
+class Supervisor:
+    """Numbers frames in bundle order, as contract.md asks."""
+
+    def __init__(self, system: int = 255, component: int = 190) -> None:
+        self.mav = mav.MAVLink(None, system, component)
+
+    def frame(self, content: Any) -> bytes:
+        raw = bytes(content.pack(self.mav))
+        self.mav.seq = (self.mav.seq + 1) % 256
+        return raw
+
+    def heartbeat(self) -> bytes:
+        return self.frame(mav.MAVLink_heartbeat_message(6, 8, 0, 0, 4, 3))
+
+    def grant(self, time_ms: int) -> bytes:
+        return self.frame(mav.MAVLink_system_time_message(EPOCH_US + 1000 * time_ms, time_ms))
+
+
+@pytest.fixture
+def grants() -> Grants:
+    made = Grants(Connection(1))
+    made.hello(message("HEARTBEAT")(6, 2, 12, 0, 4, 3))
+    return made
+
+
+@pytest.fixture
+def supervisor() -> Supervisor:
+    return Supervisor()
+
+
+def taken(grants: Grants, datagram: bytes) -> Bundle:
+    bundle = grants.feed(datagram)
+    assert isinstance(bundle, Bundle)
+    return bundle
+
+
+def relayed(sysid: int = 9, seq: int = 77) -> bytes:
+    other = mav.MAVLink(None, sysid, 1)
+    other.seq = seq
+    return bytes(mav.MAVLink_named_value_int_message(0, b"XferOut", 5).pack(other))
+
+
+def read(datagrams: list[bytes]) -> list[Any]:
+    return [m for d in datagrams for m in mav.MAVLink(None).parse_buffer(d)]
+
+
+def test_hello_is_heartbeat_0_and_system_time_1() -> None:
+    hello = Grants(Connection(7)).hello(message("HEARTBEAT")(6, 2, 12, 0, 4, 3))
+    said = [(m.get_type(), m.get_seq(), m.get_srcSystem()) for m in read([hello])]
+    assert said == [("HEARTBEAT", 0, 7), ("SYSTEM_TIME", 1, 7)]
+
+
+def test_new_grant_is_taken_with_its_frames_in_order_and_answered_from_2(
+    grants: Grants, supervisor: Supervisor
+) -> None:
+    bundle = taken(grants, supervisor.heartbeat() + supervisor.heartbeat() + supervisor.grant(0))
+    assert [frame.seq for frame in bundle.frames] == [0, 1]
+    assert (bundle.time_ms, bundle.unix_us) == (0, EPOCH_US)
+    (answer,) = read(grants.answer(bundle))
+    assert (answer.get_type(), answer.get_seq()) == ("SYSTEM_TIME", 2)
+    assert (answer.time_boot_ms, answer.time_unix_usec) == (0, EPOCH_US)
+
+
+def test_same_grant_again_gets_the_same_bytes(grants: Grants, supervisor: Supervisor) -> None:
+    datagram = supervisor.heartbeat() + supervisor.grant(100)
+    answer = grants.answer(taken(grants, datagram))
+    assert [grants.feed(datagram) for _ in range(3)] == [answer] * 3
+    later = grants.answer(taken(grants, supervisor.grant(200)))
+    assert later != answer
+    assert grants.feed(datagram) is None  # older now
+
+
+def test_missing_number_waits_until_the_whole_bundle_comes(grants: Grants, supervisor: Supervisor) -> None:
+    grants.answer(taken(grants, supervisor.grant(0)))
+    frames = [supervisor.heartbeat() for _ in range(3)] + [supervisor.grant(100)]
+    for gone in range(3):
+        assert grants.feed(b"".join(f for i, f in enumerate(frames) if i != gone)) is None
+    assert grants.feed(frames[0] + frames[2] + frames[1] + frames[3]) is None
+    broken = bytearray(frames[1])
+    broken[12] ^= 1
+    assert grants.feed(frames[0] + bytes(broken) + frames[2] + frames[3]) is None
+    assert grants.time_ms == 0
+    assert taken(grants, b"".join(frames)).time_ms == 100
+
+
+def test_bundle_after_a_lost_one_waits(grants: Grants, supervisor: Supervisor) -> None:
+    first = supervisor.grant(0)
+    second = supervisor.grant(100)
+    assert grants.feed(second) is None
+    assert taken(grants, first).time_ms == 0
+    assert taken(grants, second).time_ms == 100
+
+
+def test_numbers_go_on_past_255(grants: Grants, supervisor: Supervisor) -> None:
+    for tick in range(600):
+        bundle = taken(grants, supervisor.heartbeat() + supervisor.grant(100 * tick))
+        answer = read(grants.answer(bundle))
+        assert answer[-1].get_seq() == (2 + tick) % 256
+
+
+def test_relayed_frames_are_passed_on_and_not_counted(grants: Grants, supervisor: Supervisor) -> None:
+    bundle = taken(grants, supervisor.heartbeat() + relayed() + relayed(seq=3) + supervisor.grant(0))
+    assert [(f.sysid, f.seq) for f in bundle.frames] == [(255, 0), (9, 77), (9, 3)]
+    assert taken(grants, supervisor.grant(100)).time_ms == 100
+
+
+@pytest.mark.parametrize("ids", [(254, 190), (255, 191), (255, 1), (1, 1)])
+def test_grant_of_anybody_else_is_ignored(grants: Grants, ids: tuple[int, int]) -> None:
+    assert grants.feed(Supervisor(*ids).grant(100)) is None
+    assert grants.time_ms is None
+
+
+@pytest.mark.parametrize("datagram", [b"", b"console text", b"\xfd" * 60, bytes(1400)])
+def test_garbage_is_ignored(grants: Grants, datagram: bytes) -> None:
+    assert grants.feed(datagram) is None
+
+
+def test_bundle_without_its_grant_at_the_end_is_ignored(grants: Grants, supervisor: Supervisor) -> None:
+    heartbeat, grant = supervisor.heartbeat(), supervisor.grant(0)
+    assert grants.feed(heartbeat) is None
+    assert grants.feed(heartbeat + grant + relayed()) is None
+    assert taken(grants, heartbeat + grant).time_ms == 0
+
+
+@pytest.mark.parametrize("count", [5, 60, 126, 127, 300])
+def test_long_answer_is_split_numbered_through_and_closed_by_the_time(count: int, supervisor: Supervisor) -> None:
+    connection = Connection(1)
+    grants = Grants(connection)
+    grants.hello(message("HEARTBEAT")(6, 2, 12, 0, 4, 3))
+    told: list[int] = []
+    seqs: list[int] = []
+    ticks = 0
+    for number in range(count):
+        connection.put(message("STATUSTEXT")(severity=6, text=f"{number:03}".ljust(50, "x"), id=0, chunk_seq=0))
+    while len(told) < count:
+        datagrams = grants.answer(taken(grants, supervisor.grant(100 * ticks)))
+        ticks += 1
+        assert all(len(d) <= 1400 for d in datagrams)
+        messages = read(datagrams)
+        assert len(messages) <= 127
+        assert [m.get_type() == "SYSTEM_TIME" for m in messages] == [False] * (len(messages) - 1) + [True]
+        told += [int(m.text[:3]) for m in messages[:-1]]
+        seqs += [m.get_seq() for m in messages]
+    assert told == list(range(count))
+    assert seqs == [(2 + i) % 256 for i in range(len(seqs))]
+    assert ticks == -(-count // 126)
+
+
+def test_frames_of_a_bundle_are_what_split_gives(grants: Grants, supervisor: Supervisor) -> None:
+    datagram = supervisor.heartbeat() + supervisor.grant(0)
+    bundle = taken(grants, datagram)
+    assert bundle.frames == tuple(split(datagram))[:-1]
+    assert all(isinstance(frame, Frame) for frame in bundle.frames)

@@ -4,19 +4,25 @@ VENV := .venv
 READY := $(VENV)/.ready
 CONSTRAINTS := tests/constraints.txt
 
-.PHONY: run test lint clean
+PEERS := .venv-peers
+PEERS_READY := $(PEERS)/.ready
+
+.PHONY: run test bench clean
 
 run: $(READY)
 	@$(VENV)/bin/gcs run demo
 
-test: $(READY)
+test: $(READY) $(PEERS_READY)
 	@$(VENV)/bin/ruff check .
 	@$(VENV)/bin/ruff format --check .
 	@$(VENV)/bin/mypy
-	@$(VENV)/bin/python -m pytest
+	@$(VENV)/bin/python -m pytest -n 3 --dist loadfile
+
+bench: $(READY)
+	@$(VENV)/bin/python tests/benchmarks
 
 clean:
-	rm -rf $(VENV) .mypy_cache .ruff_cache
+	rm -rf $(VENV) $(PEERS) .mypy_cache .ruff_cache
 
 $(READY): pyproject.toml $(CONSTRAINTS)
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
@@ -30,3 +36,13 @@ $(READY): pyproject.toml $(CONSTRAINTS)
 	@echo "[3/3] compiling the flight law (once)"
 	@$(VENV)/bin/simvehicle hatch </dev/null >/dev/null
 	@touch $@
+
+# MAVSDK and MAVProxy, which only tests/peers run; without MAVProxy's graphical part, whole it is 1.2 GB. Where they cannot
+# be had, those tests are skipped with the reason, and the next call tries again.
+$(PEERS_READY): tests/peers/constraints.txt
+	@echo "[peers] installing MAVSDK and MAVProxy for the tests in $(PEERS)"
+	@rm -rf $(PEERS)
+	@$(PYTHON) -m venv $(PEERS)
+	@if $(PEERS)/bin/python -m pip install --quiet --disable-pip-version-check --no-deps -r $< 2>$(PEERS)/pip.log; \
+	  then touch $@; \
+	  else { echo "MAVSDK and MAVProxy could not be installed:"; tail -n 1 $(PEERS)/pip.log; } | tee $(PEERS)/missing; fi

@@ -1,1 +1,36 @@
-"""MAVLink ground-station supervisor: plans, competes, refuels, records."""
+"""MAVLink ground-station supervisor: plans, competes, refuels, records.
+
+From Python: `Session`, and what it takes and gives. They load when they are first asked for.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from gcs.arrays import MissingExtra, Snapshot
+    from gcs.scenario import Scenario, ScenarioError, load
+    from gcs.session import Session, SessionError
+    from gcs.summary import Summary
+
+__all__ = ["MissingExtra", "Scenario", "ScenarioError", "Session", "SessionError", "Snapshot", "Summary", "load"]
+
+_HOME = {
+    "MissingExtra": "arrays",
+    "Scenario": "scenario",
+    "ScenarioError": "scenario",
+    "Session": "session",
+    "SessionError": "session",
+    "Snapshot": "arrays",
+    "Summary": "summary",
+    "load": "scenario",
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOME:
+        raise AttributeError(f"module 'gcs' has no attribute {name!r}")
+    return getattr(import_module(f"gcs.{_HOME[name]}"), name)
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

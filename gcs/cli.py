@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import json
+import re
 import sys
 import traceback
 from collections.abc import Callable
@@ -13,10 +14,13 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from gcs import cli_author
+from gcs.cli_author import ScenarioName, load_scenario, module_arguments
+
 if TYPE_CHECKING:
     from gcs.run import View
-    from gcs.scenario import Scenario
 
+NOT_MADE = 1
 BAD_INPUT = 2
 INTERNAL_ERROR = 70
 INTERRUPTED = 130
@@ -35,9 +39,8 @@ def _limits(wanted: str, holds: Callable[[Any], bool]) -> Callable[[click.Contex
 
 
 def _is_udpout(text: str) -> bool:
-    kind, _, rest = text.partition(":")
-    host, _, port = rest.rpartition(":")
-    return kind == "udpout" and bool(host) and port.isascii() and port.isdigit() and 0 < int(port) < 65536
+    match = re.fullmatch(r"udpout:(?:\[[0-9A-Fa-f:.]+\]|[^:\s]+):([0-9]{1,5})", text)
+    return match is not None and 0 < int(match[1]) < 65536
 
 
 @click.group(context_settings=SETTINGS)
@@ -50,16 +53,21 @@ def cli() -> None:
       gcs run demo             five pursuers, a moving target and a tanker, live in this terminal
       gcs run demo --lockstep  the same as fast as the machine can
       gcs launch demo          only its vehicles, for QGroundControl, MAVSDK or MAVProxy
+      gcs init                 a scenario of your own to start from; gcs validate draws it
+      gcs doctor               what keeps sessions from running here
 
-    A SCENARIO is a YAML file, or the name of one that ships with the program, such as demo. Copy that one to write your
-    own: it explains each of its keys.
+    A SCENARIO is a YAML file, or the name of one that ships with the program, such as demo.
 
     `gcs COMMAND --help` explains a command. `simvehicle --help` is one vehicle by itself.
     """
 
 
+for _command in (cli_author.init, cli_author.validate, cli_author.schema, cli_author.doctor):
+    cli.add_command(_command)
+
+
 @cli.command(short_help="Fly a scenario and watch it.")
-@click.argument("scenario")
+@click.argument("scenario", type=ScenarioName())
 @click.option("--lockstep", is_flag=True, help="As fast as the machine can; the result does not depend on its load.")
 @click.option(
     "--speed",
@@ -84,6 +92,14 @@ def cli() -> None:
 @click.option("--plain", is_flag=True, help="Lines of text instead of the live table; also used without a terminal.")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object per second on stdout, for other programs.")
 @click.option(
+    "--vehicles-per-process",
+    type=int,
+    callback=_limits("a number from 1 to 254", lambda number: 1 <= number <= 254),
+    metavar="K",
+    help="Fly up to K vehicles in each process, instead of the scenario's number: lighter and faster, and the same to "
+    "the last bit.",
+)
+@click.option(
     "--drop-datagrams",
     type=float,
     callback=_limits("a share from 0 to 0.9", lambda share: 0.0 <= share <= 0.9),
@@ -92,6 +108,14 @@ def cli() -> None:
     help="For tests: drop this share (0 to 0.9) of the supervised link's datagrams, both ways; they are sent again and "
     "the flight must not change.",
 )
+@click.option(
+    "--junit",
+    type=click.Path(dir_okay=False, writable=True, path_type=Path),
+    metavar="FILE",
+    help="Write the outcome as JUnit XML, a test case for each part of the goal.",
+)
+@click.option("--verbose", "-v", is_flag=True, help="Lines of text, with every vehicle's state.")
+@click.option("--quiet", "-q", is_flag=True, help="Say only what goes wrong; the exit status tells the rest.")
 def run(
     scenario: str,
     lockstep: bool,
@@ -100,7 +124,11 @@ def run(
     out: Path | None,
     plain: bool,
     as_json: bool,
+    vehicles_per_process: int | None,
     drop_datagrams: float,
+    junit: Path | None,
+    verbose: bool,
+    quiet: bool,
 ) -> int:
     """Fly SCENARIO: start its vehicles, command them over MAVLink, and keep a record of everything.
 
@@ -114,7 +142,8 @@ def run(
       gcs run my-scenario.yaml --lockstep --seed 7 --plain
 
     The session's folder holds the resolved scenario (scenario.yaml), every MAVLink frame (session.tlog), every decision
-    with its reasons (decisions.jsonl), the vehicles' logs (vehicles/) and the result (summary.json).
+    with its reasons (decisions.jsonl), what was said here (session.log), the vehicles' logs (vehicles/) and the result
+    (summary.json).
 
     \b
     Exit status:
@@ -128,47 +157,57 @@ def run(
         raise click.UsageError("--lockstep and --speed exclude each other: lockstep is as fast as the machine can.")
     if plain and as_json:
         raise click.UsageError("--plain and --json exclude each other: choose what goes to stdout.")
+    if quiet and (verbose or as_json or plain):
+        raise click.UsageError("--quiet excludes --verbose, --plain and --json.")
+    if verbose and as_json:
+        raise click.UsageError("--verbose and --json exclude each other: choose what goes to stdout.")
+    if junit is not None and not junit.parent.is_dir():
+        raise click.UsageError(f"--junit: there is no folder {junit.parent}.")
+    from gcs.console.plain import mute_stdout
     from gcs.run import make_folder
     from gcs.run import run as fly
+    from gcs.session_log import logged
 
-    resolved = _resolve(_load(scenario), lockstep, speed, seed)
+    resolved = load_scenario(scenario).flown(lockstep=lockstep, speed=speed, seed=seed)
+    if vehicles_per_process is not None:
+        resolved = resolved.model_copy(update={"vehicles_per_process": vehicles_per_process})
     folder = make_folder(out, resolved)
-    click.echo(f"{resolved.name}: starting; the session's folder is {folder}", err=as_json)
-    view, tell = _view(resolved.name, plain, as_json)
-    arguments = ["--drop-datagrams", str(drop_datagrams)]
+    if not quiet:
+        try:
+            click.echo(f"{resolved.name}: starting; the session's folder is {folder}", err=as_json)
+        except OSError:
+            mute_stdout()
+    shown, said = _view(resolved.name, plain, as_json, verbose=verbose, quiet=quiet)
+    arguments = ["--drop-datagrams", str(drop_datagrams), *module_arguments(scenario)]
+
+    error: str | None = None
 
     def finish(verdict: dict[str, Any]) -> None:
+        nonlocal error
+        error = verdict.get("error")
         if as_json:
             click.echo(json.dumps({"type": "end", **verdict, "session": str(folder)}))
 
-    return fly(folder, view, tell, arguments=arguments, finish=finish)
+    with logged(shown, said, folder) as (view, tell):
+        status = fly(folder, view, tell, arguments=arguments, finish=finish)
+    if junit is not None:
+        from gcs.junit import write
+
+        try:
+            write(junit, folder, resolved, error)
+        except OSError as problem:
+            click.echo(f"gcs: {junit} could not be written: {problem.strerror}", err=True)
+            return status or NOT_MADE
+    return status
 
 
-def _resolve(scenario: Scenario, lockstep: bool, speed: float | None, seed: int | None) -> Scenario:
-    """The scenario with the command line's clock and seed; the options' own limits are the scenario's."""
-    clock: dict[str, Any] = {}
-    if lockstep:
-        clock = {"mode": "lockstep"}
-    elif speed is not None:
-        clock = {"mode": "real", "speed": speed}
-    update: dict[str, Any] = {} if seed is None else {"seed": seed}
-    return scenario.model_copy(update={**update, "clock": scenario.clock.model_copy(update=clock)})
-
-
-def _load(scenario: str) -> Scenario:
-    """The scenario of that name or file; what is wrong with it goes to stderr, one line each, and ends the program."""
-    from gcs.configs import find
-    from gcs.scenario import ScenarioError, load
-
-    try:
-        return load(find(scenario))
-    except ScenarioError as error:
-        click.echo(str(error), err=True)
-        raise click.exceptions.Exit(BAD_INPUT) from None
-
-
-def _view(name: str, plain: bool, as_json: bool) -> tuple[View, Callable[[str], object]]:
+def _view(name: str, plain: bool, as_json: bool, *, verbose: bool, quiet: bool) -> tuple[View, Callable[[str], object]]:
     """What shows the session, and what writes its last lines."""
+    if quiet or verbose:
+        from gcs.console.plain import QuietView
+        from gcs.session_log import VerboseView
+
+        return (QuietView(), str) if quiet else (VerboseView(click.echo), click.echo)
     if as_json:
         from gcs.console.plain import JsonView
 
@@ -186,7 +225,7 @@ def _view(name: str, plain: bool, as_json: bool) -> tuple[View, Callable[[str], 
 
 
 @cli.command(short_help="Start a scenario's vehicles for another ground station.")
-@click.argument("scenario")
+@click.argument("scenario", type=ScenarioName())
 @click.option(
     "--connect",
     callback=_limits("an address; write udpout:HOST:PORT, such as udpout:127.0.0.1:14550", _is_udpout),
@@ -197,7 +236,8 @@ def _view(name: str, plain: bool, as_json: bool) -> tuple[View, Callable[[str], 
     "--out", type=click.Path(path_type=Path), metavar="DIR", help="Keep parameters and logs in this new folder."
 )
 @click.option("--json", "as_json", is_flag=True, help="The vehicles' addresses as one line of JSON.")
-def launch(scenario: str, connect: str | None, out: Path | None, as_json: bool) -> int:
+@click.option("--until-eof", is_flag=True, help="End them when standard input closes, as when the caller dies.")
+def launch(scenario: str, connect: str | None, out: Path | None, as_json: bool, until_eof: bool) -> int:
     """Start SCENARIO's pursuers, targets and tankers, and nothing else: no supervisor, no traffic, no goal.
 
     They stand at their starts, on the wall clock, until another ground station commands them, targets included: nobody
@@ -214,6 +254,7 @@ def launch(scenario: str, connect: str | None, out: Path | None, as_json: bool) 
 
     \b
     Exit status:
+      0    ended by --until-eof
       130  ended by Ctrl-C (143 by SIGTERM)
       1    every vehicle has died
       2    bad input, or vehicles that could not be started
@@ -221,9 +262,9 @@ def launch(scenario: str, connect: str | None, out: Path | None, as_json: bool) 
     """
     from gcs.run import launch as start
 
-    resolved = _load(scenario)
+    resolved = load_scenario(scenario)
     click.echo(f"starting {len(resolved.vehicles.all)} vehicles ...", err=True)
-    return start(resolved, out, connect, _print_json if as_json else _print_addresses)
+    return start(resolved, out, connect, _print_json if as_json else _print_addresses, until_eof=until_eof)
 
 
 def _print_json(vehicles: list[dict[str, Any]]) -> None:
@@ -235,6 +276,56 @@ def _print_addresses(vehicles: list[dict[str, Any]]) -> None:
     for sysid, role, address in rows:
         click.echo(f"{sysid:>3}  {role:<7}  {address}")
     click.echo("Ctrl-C ends them.", err=True)
+
+
+@cli.command(short_help="Fly the paper's examples and judge its claims.")
+@click.option("--out", type=click.Path(path_type=Path), metavar="DIR", help="A new folder.  [default: paper-TIME]")
+@click.option(
+    "--only",
+    metavar="NAME,NAME",
+    help="Some of example1 to example4, fig3, fig5 to fig14, loops, implicit; all by default.",
+)
+def paper(out: Path | None, only: str | None) -> int:
+    """Fly the examples of the paper that the algorithms come from, and judge each of its claims.
+
+    DIR then holds index.html (one page, readable without a network), claims.json, each figure as SVG and PNG, and the
+    recorded sessions. What counts as agreement was written down before anything was measured; a difference is printed.
+
+    \b
+    Examples:
+      gcs paper
+      gcs paper --only example2,fig13 --out second
+
+    \b
+    Exit status:
+      0    the page was made, whatever the claims came to
+      1    an example could not be flown, or a file could not be written
+      2    bad input; nothing has been done
+    """
+    from rich.console import Console
+
+    from gcs.paper import make as maker
+    from gcs.paper import page
+
+    try:
+        parts = maker.chosen(only)
+    except ValueError as error:
+        raise click.UsageError(f"--only: {error}.") from None
+    folder = out or maker.default_folder()
+    try:
+        judged = maker.make(folder, parts, Console(stderr=True))
+    except FileExistsError:
+        raise click.UsageError(f"{folder} exists already; give --out a folder that does not.") from None
+    except maker.PaperError as error:
+        click.echo(str(error), err=True)
+        return NOT_MADE
+    except OSError as error:
+        click.echo(f"{error.filename or folder}: {error.strerror}", err=True)
+        return NOT_MADE
+    for verdict, number in page.counted(judged).items():
+        click.echo(f"{verdict}: {number}")
+    click.echo(f"page: {folder / 'index.html'}")
+    return 0
 
 
 def run_argv(argv: list[str] | None = None) -> int:

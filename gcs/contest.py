@@ -7,7 +7,7 @@ that would not last until a rendezvous is served before anyone else.
 from __future__ import annotations
 
 import math
-from collections.abc import Collection
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -50,7 +50,7 @@ class Contest:
         dt_s = now_s - self._last_s if self._last_s is not None else 0.0
         self._last_s = now_s
         self._able = [
-            view.sysid for view in snapshot.of_role("pursuer") if view.sysid not in served and _can_receive(view)
+            view.sysid for view in snapshot.of_role("pursuer") if view.sysid not in served and can_receive(view)
         ]
         competitors = [view for view in map(snapshot.vehicle, self._able) if view.need >= rules.need_from]
         if not competitors:
@@ -74,18 +74,21 @@ class Contest:
         self.standing = Standing(dict(self._v), bids, dict(zip(sysids, needs, strict=True)), leader, held)
 
     def winner(
-        self, snapshot: Snapshot, tanker: VehicleView, speed_m_s: float, reserve_s: float
+        self,
+        snapshot: Snapshot,
+        tanker: VehicleView,
+        speed_m_s: float,
+        reserve_s: float,
+        free: Sequence[VehicleView] = (),
     ) -> tuple[int, str] | None:
-        """Who a free tanker serves next, and by what: `urgency`, `competition` or `timeout`; None while undecided."""
+        """Who a free tanker serves next, and by what: `urgency`, `competition` or `timeout`; None while undecided.
+
+        `free` are the tankers that have not been given anyone yet, for those who plan for several at once.
+        """
         standing, rules, now_s = self.standing, self._rules, snapshot.time_s
-        urgent = []
-        for sysid in self._able:
-            view = snapshot.vehicle(sysid)
-            rendezvous_s = math.dist(tanker.p_now_ned(), view.p_now_ned()) / speed_m_s
-            if view.endurance_s < rendezvous_s + reserve_s:
-                urgent.append((view.endurance_s, sysid))
-        if urgent:
-            return min(urgent)[1], "urgency"
+        urgent = most_urgent(snapshot, self._able, tanker, speed_m_s, reserve_s)
+        if urgent is not None:
+            return urgent, "urgency"
         if not standing.v:
             return None
         since_s = self._leading_since_s
@@ -105,6 +108,19 @@ class Contest:
         self._begun_s = now_s if left else None
 
 
-def _can_receive(view: VehicleView) -> bool:
+def most_urgent(
+    snapshot: Snapshot, able: Iterable[int], tanker: VehicleView, speed_m_s: float, reserve_s: float
+) -> int | None:
+    """The first to run empty of those who would not last until a rendezvous and `reserve_s` after it."""
+    urgent = []
+    for sysid in able:
+        view = snapshot.vehicle(sysid)
+        rendezvous_s = math.dist(tanker.p_now_ned(), view.p_now_ned()) / speed_m_s
+        if view.endurance_s < rendezvous_s + reserve_s:
+            urgent.append((view.endurance_s, sysid))
+    return min(urgent)[1] if urgent else None
+
+
+def can_receive(view: VehicleView) -> bool:
     """Only vehicles that can receive compete, or are served."""
-    return view.flying and view.mode in STEERABLE
+    return view.flying and view.fresh and view.mode in STEERABLE

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import pymap3d
@@ -20,6 +20,8 @@ from gcs.profiles import GENERIC, FlightMode, Profile, profile_of
 Vec3 = tuple[float, float, float]
 ZERO: Vec3 = (0.0, 0.0, 0.0)
 POWER_WINDOW_S = 5.0
+STALE_S = 1.5
+"""A position older than this is not believed any more."""
 HECTOJOULE = 100.0
 TEXT_CHARACTERS = 50
 TRAFFIC_FORGOTTEN_S = 10.0
@@ -89,11 +91,17 @@ class VehicleView:
         """In the air, armed, and its place known."""
         return self.alive and self.armed and not self.landed and self.p_ned is not None
 
+    @property
+    def fresh(self) -> bool:
+        """Lives, and has told its place lately: only then is it led, followed, refuelled and measured."""
+        return self.alive and self.age_s <= STALE_S
+
     def p_now_ned(self) -> Vec3:
-        """Position carried forward by its age; call only where `p_ned` is known."""
+        """Position carried forward by its age while that is fresh; call only where `p_ned` is known."""
         assert self.p_ned is not None
         n, e, d = self.p_ned
-        return (n + self.v_ned[0] * self.age_s, e + self.v_ned[1] * self.age_s, d + self.v_ned[2] * self.age_s)
+        age_s = min(self.age_s, STALE_S)
+        return (n + self.v_ned[0] * age_s, e + self.v_ned[1] * age_s, d + self.v_ned[2] * age_s)
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,13 +121,14 @@ class Snapshot:
     time_s: float
     vehicles: tuple[VehicleView, ...]
     traffic: tuple[TrafficView, ...]
+    _by_sysid: dict[int, VehicleView] = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "_by_sysid", {view.sysid: view for view in self.vehicles})
 
     def vehicle(self, sysid: int) -> VehicleView:
         """The vehicle with this id; KeyError where the scenario has none."""
-        for view in self.vehicles:
-            if view.sysid == sysid:
-                return view
-        raise KeyError(sysid)
+        return self._by_sysid[sysid]
 
     def of_role(self, role: str) -> tuple[VehicleView, ...]:
         """All vehicles of a role."""

@@ -29,11 +29,16 @@ class LaunchError(RuntimeError):
 
 @dataclass(frozen=True)
 class Order:
-    """One process to start: the system id it stands for, its arguments and its log."""
+    """One process to start: the system ids that live in it, its arguments and its log."""
 
-    sysid: int
+    sysids: tuple[int, ...]
     argv: tuple[str, ...]
     log: Path
+
+    @property
+    def sysid(self) -> int:
+        """The first, by which the hatch reports it."""
+        return self.sysids[0]
 
 
 @dataclass(frozen=True)
@@ -52,26 +57,42 @@ class Ended:
         return f"{label} (process {self.pid}) {how}{last}"
 
 
-def vehicle_order(vehicle: VehicleBase, scenario: Scenario, folder: Path, connection: Sequence[str]) -> Order:
-    """How to start one vehicle; writes its parameters to the session's folder. `connection` goes into its argv."""
-    log = folder / "vehicles" / f"{vehicle.sysid}.log"
-    params = folder / "vehicles" / f"{vehicle.sysid}.params.yaml"
-    params.write_text(yaml.safe_dump(vehicle_parameters(vehicle, scenario), sort_keys=True), encoding="utf-8")
-    origin = scenario.origin
-    argv = [
-        *("--sysid", str(vehicle.sysid)),
-        *connection,
-        *("--position", _triple(vehicle.start_m)),
-        *("--velocity", _triple(vehicle.velocity_m_s)),
-        *("--attitude", _triple(vehicle.attitude_deg)),
-        *("--home", _triple((origin.lat_deg, origin.lon_deg, origin.alt_m))),
-        *("--params", str(params)),
-    ]
-    if vehicle.airborne:
+def vehicle_orders(scenario: Scenario, folder: Path, connection: Sequence[str], *, per_process: int = 1) -> list[Order]:
+    """How to start the scenario's vehicles, up to `per_process` of them in one process; writes their parameters.
+
+    A block's system ids follow on each other, and all of it starts in the air or none. `connection` goes into argv.
+    """
+    blocks: list[list[VehicleBase]] = []
+    for vehicle in scenario.vehicles.all:
+        last = blocks[-1][-1] if blocks and len(blocks[-1]) < per_process else None
+        if last is not None and vehicle.sysid == last.sysid + 1 and vehicle.airborne == last.airborne:
+            blocks[-1].append(vehicle)
+        else:
+            blocks.append([vehicle])
+    return [vehicle_order(block, scenario, folder, connection) for block in blocks]
+
+
+def vehicle_order(block: Sequence[VehicleBase], scenario: Scenario, folder: Path, connection: Sequence[str]) -> Order:
+    """How to start vehicles whose system ids follow on each other in one process; writes their parameters."""
+    first, origin = block[0], scenario.origin
+    argv = ["--sysid", str(first.sysid), *connection]
+    if len(block) > 1:
+        argv += ["--count", str(len(block))]
+    for vehicle in block:
+        params = folder / "vehicles" / f"{vehicle.sysid}.params.yaml"
+        params.write_text(yaml.safe_dump(vehicle_parameters(vehicle, scenario), sort_keys=True), encoding="utf-8")
+        argv += [
+            *("--position", _triple(vehicle.start_m)),
+            *("--velocity", _triple(vehicle.velocity_m_s)),
+            *("--attitude", _triple(vehicle.attitude_deg)),
+            *("--params", str(params)),
+        ]
+        if scenario.truth:
+            argv += ["--truth", str(folder / "vehicles" / f"{vehicle.sysid}.truth")]
+    argv += ["--home", _triple((origin.lat_deg, origin.lon_deg, origin.alt_m))]
+    if first.airborne:
         argv.append("--airborne")
-    if scenario.truth:
-        argv += ["--truth", str(folder / "vehicles" / f"{vehicle.sysid}.truth")]
-    return Order(vehicle.sysid, tuple(argv), log)
+    return Order(tuple(vehicle.sysid for vehicle in block), tuple(argv), folder / "vehicles" / f"{first.sysid}.log")
 
 
 def vehicle_parameters(vehicle: VehicleBase, scenario: Scenario) -> dict[str, float]:
@@ -106,7 +127,7 @@ def traffic_order(scenario: Scenario, folder: Path, connection: Sequence[str]) -
     }
     path = folder / "vehicles" / "traffic.yaml"
     path.write_text(yaml.safe_dump(content), encoding="utf-8")
-    return Order(255, ("traffic", str(path), *connection), folder / "vehicles" / "traffic.log")
+    return Order((255,), ("traffic", str(path), *connection), folder / "vehicles" / "traffic.log")
 
 
 def _triple(numbers: Sequence[float]) -> str:

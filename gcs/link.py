@@ -62,6 +62,7 @@ class FleetLink:
         self._random = random.Random(seed)
         self._peers: dict[Key, _Peer] = {}
         self._expected: set[Key] = set()
+        self._awaited: set[Key] = set()
         self.refused: dict[Key, tuple[str, int]] = {}
         """who spoke with an id that another address has already, and from where; the first of each"""
         self.malformed = 0
@@ -81,6 +82,11 @@ class FleetLink:
     def joined(self) -> set[Key]:
         """Vehicles that have said hello and are still held."""
         return set(self._peers)
+
+    @property
+    def awaited(self) -> list[Key]:
+        """Who has not answered the last grant yet."""
+        return sorted(self._awaited)
 
     def overflowed(self) -> int:
         """Datagrams that the kernel dropped because nobody read them in time."""
@@ -109,6 +115,7 @@ class FleetLink:
         """Hold a vehicle no longer: an unfinished answer is dropped, the others go on."""
         self._peers.pop(key, None)
         self._expected.discard(key)
+        self._awaited.discard(key)
 
     def grant(
         self, key: Key, t_ms: int, unix_us: int, messages: Sequence[Message], relayed: Sequence[bytes]
@@ -133,6 +140,7 @@ class FleetLink:
         peer.bundle = b"".join(frames)
         peer.collector.begin(t_ms)
         peer.held = 0
+        self._awaited.add(key)
         self._send(peer)
         return frames
 
@@ -140,12 +148,14 @@ class FleetLink:
         """Every vehicle's answer to the last grant, in order of (system, component).
 
         Waits without spinning; after 20 ms without progress, doubling to 200 ms, the same bytes go out again to those
-        that are missing, and `idle` is called: it sees whether they still live and may call `leave`.
+        that are missing, and `idle` is called: it sees whether they still live and may call `leave`. Those that have
+        answered hear their last bundle every second, so that one that stalls does not make the others leave.
         """
         wait_s = RESEND_FIRST_S
+        repeat_s = time.monotonic() + REPEAT_S
         deadline_s = time.monotonic() + wait_s
         self._drain()
-        while self._missing():
+        while self._awaited:
             left_s = deadline_s - time.monotonic()
             if left_s > 0.0:
                 self._poll.poll(1e3 * left_s)
@@ -154,11 +164,14 @@ class FleetLink:
                     deadline_s = time.monotonic() + wait_s
                 continue
             idle()
-            for peer in self._missing():
+            for key in sorted(self._awaited):
                 self.resent += 1
-                self._send(peer)
+                self._send(self._peers[key])
             wait_s = min(2.0 * wait_s, RESEND_LAST_S)
             deadline_s = time.monotonic() + wait_s
+            if time.monotonic() >= repeat_s:
+                self.repeat()
+                repeat_s = time.monotonic() + REPEAT_S
         return {key: peer.collector.take() for key, peer in sorted(self._peers.items()) if peer.bundle}
 
     def repeat(self) -> None:
@@ -171,9 +184,6 @@ class FleetLink:
     def close(self) -> None:
         """Close the socket."""
         self._socket.close()
-
-    def _missing(self) -> list[_Peer]:
-        return [peer for peer in self._peers.values() if peer.bundle and not peer.collector.complete]
 
     def _frame(self, peer: _Peer, message: Message) -> bytes:
         return codec.frame(message, peer.counter.take(), *SUPERVISOR)
@@ -209,7 +219,8 @@ class FleetLink:
         if peer.address != address:
             self.refused.setdefault(key, address)
             return False
-        peer.collector.feed(frames)
+        if peer.collector.feed(frames):
+            self._awaited.discard(key)
         progress = peer.collector.held > peer.held
         peer.held = peer.collector.held
         return progress

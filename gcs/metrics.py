@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 from numba import njit
@@ -24,27 +24,42 @@ class Metrics:
     def __init__(self, scenario: Scenario, obstacle_table: NDArray[np.float64]) -> None:
         self._obstacles = obstacle_table
         self.target_of = _targets(scenario)
+        self._of_targets = scenario.pursuit.by == "competition"
         self._within_m = scenario.goal.pursue.within_m if scenario.goal.pursue else math.inf
         self._last: dict[int, Vec3] = {}
         self._plans: dict[int, NDArray[np.float64]] = {}
         self._planned: dict[int, int] = {}
         self._held_since_s: dict[int, float] = {}
-        self.held_s: dict[int, float] = dict.fromkeys(self.target_of, 0.0)
+        self.held_s: dict[int, float] = dict.fromkeys(
+            (t.sysid for t in scenario.vehicles.targets) if self._of_targets else self.target_of, 0.0
+        )
         self.path_length_m: dict[int, float] = {}
         self.max_tracking_error_m: dict[int, float] = {}
         self.min_separation_m = math.inf
         self.min_clearance_m = math.inf
 
-    def take(self, snapshot: Snapshot, set_points: Iterable[SetPoint], partners: Iterable[tuple[int, int]]) -> None:
-        """Count one tick; `partners` are pairs that may come close to each other."""
-        here = {view.sysid: view.p_now_ned() for view in snapshot.vehicles if view.flying}
+    def take(
+        self,
+        snapshot: Snapshot,
+        set_points: Iterable[SetPoint],
+        partners: Iterable[tuple[int, int]],
+        pursuing: Mapping[int, int] | None = None,
+    ) -> None:
+        """Count one tick; `partners` are pairs that may come close to each other.
+
+        `pursuing` says who pursues which target where one vehicle is chosen for each: it is then the targets that must
+        have their pursuer near.
+        """
+        if pursuing is not None:
+            self.target_of = dict(pursuing)
+        here = {view.sysid: view.p_now_ned() for view in snapshot.vehicles if view.flying and view.fresh}
         self._measure_paths(here, {point.sysid: point.p_ned for point in set_points})
         self._measure_distances(snapshot, here, {frozenset(pair) for pair in partners})
         self._measure_pursuit(snapshot.time_s, here)
 
     @property
     def pursuit_held_s(self) -> float:
-        """The longest time for which even the worst pursuer stayed with its target."""
+        """The longest time for which even the worst pursuer stayed with its target (or target had its pursuer)."""
         return min(self.held_s.values(), default=0.0)
 
     def _measure_paths(self, here: dict[int, Vec3], planned: dict[int, Vec3]) -> None:
@@ -80,13 +95,16 @@ class Metrics:
             self.min_clearance_m = min(self.min_clearance_m, nearest)
 
     def _measure_pursuit(self, now_s: float, here: dict[int, Vec3]) -> None:
+        near = set()
         for sysid, target in self.target_of.items():
-            near = sysid in here and target in here and math.dist(here[sysid], here[target]) <= self._within_m
-            if not near:
-                self._held_since_s.pop(sysid, None)
+            if sysid in here and target in here and math.dist(here[sysid], here[target]) <= self._within_m:
+                near.add(target if self._of_targets else sysid)
+        for key in self.held_s:
+            if key not in near:
+                self._held_since_s.pop(key, None)
                 continue
-            since_s = self._held_since_s.setdefault(sysid, now_s)
-            self.held_s[sysid] = max(self.held_s[sysid], now_s - since_s)
+            since_s = self._held_since_s.setdefault(key, now_s)
+            self.held_s[key] = max(self.held_s[key], now_s - since_s)
 
 
 def _targets(scenario: Scenario) -> dict[int, int]:

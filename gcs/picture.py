@@ -36,6 +36,7 @@ def picture(
                 "mode": str(view.mode),
                 "armed": view.armed,
                 "p_ned": view.p_ned,
+                "v_ned": view.v_ned,
                 "speed_m_s": math.hypot(*view.v_ned),
                 "height_m": -view.p_ned[2] if view.p_ned is not None else None,
                 "target_m": _distance_m(view.p_ned, at.get(target_of.get(view.sysid, -1))),

@@ -12,7 +12,7 @@ import hashlib
 import json
 import os
 import struct
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
@@ -24,6 +24,7 @@ BATCH_BYTES = 1 << 16
 _TIME = struct.Struct(">Q").pack
 _DIGEST_PREFIX = struct.Struct("<QB").pack
 _IN, _OUT, _DECISION = range(3)
+_encode = json.JSONEncoder(sort_keys=True, allow_nan=False, separators=(",", ":")).encode
 
 
 class RecorderError(Exception):
@@ -95,11 +96,26 @@ class Recorder:
         if len(batch) >= BATCH_BYTES or self._end is not None:
             self.flush()
 
-    def decision(self, decision: Mapping[str, Any]) -> None:
-        """Record a decision. Raises ValueError for NaN or infinity in it, TypeError for what JSON has no form for."""
-        self._decisions.batch += decision_line(decision)
+    def frames(self, t_us: int, raws: Sequence[bytes]) -> None:
+        """Record frames of one time in order, as `frame` does one."""
+        if raws:
+            time = _TIME(t_us)
+            batch = self._tlog.batch
+            batch += time
+            batch += time.join(raws)
+            if len(batch) >= BATCH_BYTES or self._end is not None:
+                self.flush()
+
+    def decision(self, decision: Mapping[str, Any]) -> bytes:
+        """Record a decision; its line, for `Digest.decision`.
+
+        Raises ValueError for NaN or infinity in it, TypeError for what JSON has no form for.
+        """
+        line = decision_line(decision)
+        self._decisions.batch += line
         if len(self._decisions.batch) >= BATCH_BYTES or self._end is not None:
             self.flush()
+        return line
 
     def flush(self) -> None:
         """Hand everything recorded so far to the system. Raises RecorderError."""
@@ -147,9 +163,9 @@ class Digest:
         """Whole frames (MAVLink 2) that were sent at `t_ms`, each once however often its datagram was repeated."""
         self._frames(_DIGEST_PREFIX(t_ms, _OUT), frames)
 
-    def decision(self, t_ms: int, decision: Mapping[str, Any]) -> None:
-        """A decision made at `t_ms`, in the form in which it is recorded."""
-        line = decision_line(decision)
+    def decision(self, t_ms: int, decision: Mapping[str, Any] | bytes) -> None:
+        """A decision made at `t_ms`, in the form in which it is recorded, or as the line that the recorder made."""
+        line = decision if isinstance(decision, bytes) else decision_line(decision)
         self._hash.update(_DIGEST_PREFIX(t_ms, _DECISION) + len(line).to_bytes(4, "little") + line)
 
     def hexdigest(self) -> str:
@@ -162,7 +178,7 @@ class Digest:
 
 def decision_line(decision: Mapping[str, Any]) -> bytes:
     """A decision as its line of `decisions.jsonl`: keys sorted, no NaN. Raises ValueError, TypeError as `json` does."""
-    return json.dumps(decision, sort_keys=True, allow_nan=False, separators=(",", ":")).encode() + b"\n"
+    return _encode(decision).encode() + b"\n"
 
 
 def _reason(error: OSError) -> str:

@@ -31,6 +31,8 @@ COUNTER_SETTLES_S = 0.5
 """A giver's counter is trusted as a transfer's start when it was heard this long after the last one ended."""
 JOIN_WITHIN_S = 60.0
 START_WITHIN_S = 5.0
+BREAKS = 5
+"""A service that was broken off so often ends; the receiver competes again, and so may the others."""
 REFUSALS = 5
 """So often in a row a receiver may refuse before its service is given up: others wait for the tanker."""
 WORTH_J = 500.0
@@ -68,6 +70,8 @@ class Service:
     start_s: float | None = None
     end_s: float | None = None
     out_at_start_j: int = 0
+    in_at_begin_j: int = 0
+    breaks: int = 0
     in_at_start_j: int = 0
     energy_j: int = 0
     seen_refuel: bool = False
@@ -109,8 +113,10 @@ class Decision:
 class Schedule:
     """The competition and all services of a session."""
 
-    def __init__(self, competition: Competition, refuelling: Refuelling, tankers: Sequence[Tanker]) -> None:
-        self._contest = Contest(competition) if competition.enabled and refuelling.enabled else None
+    def __init__(
+        self, competition: Competition, refuelling: Refuelling, tankers: Sequence[Tanker], own: Contest | None = None
+    ) -> None:
+        self._contest = (own or Contest(competition)) if competition.enabled and refuelling.enabled else None
         self._rules = refuelling
         self._tankers = {tanker.sysid: tanker for tanker in tankers}
         self._results: dict[str, bool] = {}
@@ -150,8 +156,9 @@ class Schedule:
         self.settle(snapshot)
         if self._contest is not None:
             self._contest.advance(snapshot, {service.receiver for service in self.open_services})
-            for tanker in self._free_tankers(snapshot):
-                self._award(self._contest, tanker, snapshot)
+            free = self._free_tankers(snapshot)
+            for i in range(len(free)):
+                self._award(self._contest, free[i:], snapshot)
         for service in self.open_services:
             self._serve(service, snapshot, now_s)
         open_services = self.open_services
@@ -176,6 +183,7 @@ class Schedule:
             for view in snapshot.of_role("tanker")
             if view.sysid not in busy
             and view.flying
+            and view.fresh
             and view.mode in STEERABLE
             and self._available_j(view, math.inf) >= WORTH_J
         ]
@@ -186,16 +194,16 @@ class Schedule:
         way_home_j = math.dist(tanker.p_now_ned(), rules.home_m or rules.start_m) / rules.speed_m_s * tanker.power_w
         return min(tanker.remaining_j - rules.reserve_j - way_home_j, limit_j)
 
-    def _award(self, contest: Contest, tanker: VehicleView, snapshot: Snapshot) -> None:
-        """Give a free tanker its next receiver, if one is decided."""
-        now_s, standing = snapshot.time_s, contest.standing
+    def _award(self, contest: Contest, free: Sequence[VehicleView], snapshot: Snapshot) -> None:
+        """Give the first of the free tankers its next receiver, if one is decided."""
+        now_s, standing, tanker = snapshot.time_s, contest.standing, free[0]
         speed_m_s = self._tankers[tanker.sysid].speed_m_s
-        won = contest.winner(snapshot, tanker, speed_m_s, self._rules.hold_s + self._rules.reserve_s)
+        won = contest.winner(snapshot, tanker, speed_m_s, self._rules.hold_s + self._rules.reserve_s, free)
         if won is None:
             return
         receiver, by = won
         contest.award(receiver, now_s)
-        bids = {sysid: standing.tau[sysid] for sysid in standing.v}
+        bids = {sysid: standing.tau[sysid] for sysid in standing.v or standing.tau}
         service = Service(len(self.services) + 1, receiver, tanker.sysid, by, bids, now_s, phase_since_s=now_s)
         self.services.append(service)
         self._ask(
@@ -227,8 +235,9 @@ class Schedule:
         _STEPS[service.phase](self, service, receiver, tanker, now_s)
 
     def _join(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
-        if not (receiver.flying and tanker.flying and receiver.mode in STEERABLE and tanker.mode in STEERABLE):
-            self._finish(service, receiver, tanker, now_s, "a side left formation flight")
+        reason = self._unfit(receiver, tanker)
+        if reason is not None:
+            self._finish(service, receiver, tanker, now_s, reason)
             return
         distance_m = math.dist(receiver.p_now_ned(), tanker.p_now_ned())
         relative_m_s = math.dist(receiver.v_ned, tanker.v_ned)
@@ -245,7 +254,7 @@ class Schedule:
                 service.in_at_start_j = receiver.received_j
             service.near_since_s = None
             service.seen_refuel = service.seen_giving = False
-            service.out_at_start_j = tanker.given_j
+            service.out_at_start_j, service.in_at_begin_j = tanker.given_j, receiver.received_j
             self._order(service, receiver, RECEIVE, self._limit_j(service, receiver, tanker))
             self._go(service, Phase.START_RECEIVER, now_s)
         elif now_s - service.phase_since_s > JOIN_WITHIN_S:
@@ -289,8 +298,8 @@ class Schedule:
             reason = "limit"
         elif self._available_j(tanker, math.inf) <= 0.0:
             reason = "tanker at its reserve"
-        elif receiver.mode not in STEERABLE or tanker.mode not in STEERABLE:
-            reason = "a side left formation flight"
+        elif (unfit := self._unfit(receiver, tanker)) is not None:
+            reason = unfit
         elif not gives and tanker.given_j - service.out_at_start_j >= service.ordered_j:
             reason = "limit"
         elif not (gives and receives):
@@ -306,13 +315,16 @@ class Schedule:
             self._go(service, Phase.CATCH_UP, now_s)
 
     def _catch_up(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
-        if now_s - service.phase_since_s >= CATCH_UP_S or receiver.mode is not FlightMode.REFUEL:
+        told = tanker.given_told_s > service.phase_since_s
+        caught_up = told and receiver.received_j - service.in_at_begin_j >= tanker.given_j - service.out_at_start_j
+        if caught_up or now_s - service.phase_since_s >= CATCH_UP_S or receiver.mode is not FlightMode.REFUEL:
             self._stop(service, receiver, now_s)
 
     def _stop_receiver(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
         if self._answer(service, "stop receiver") is None and now_s - service.phase_since_s <= START_WITHIN_S:
             return
-        if service.broken_off:
+        service.breaks += service.broken_off
+        if service.broken_off and service.breaks < BREAKS:
             service.broken_off = False
             self._records.append({"kind": "broken off", "receiver": receiver.sysid, "tanker": tanker.sysid})
             self._go(service, Phase.JOIN, now_s)
@@ -335,6 +347,16 @@ class Schedule:
 
     def _go(self, service: Service, phase: Phase, now_s: float) -> None:
         service.phase, service.phase_since_s = phase, now_s
+
+    @staticmethod
+    def _unfit(receiver: VehicleView, tanker: VehicleView) -> str | None:
+        """Why the two cannot keep formation any more."""
+        for view in (receiver, tanker):
+            if not view.fresh:
+                return f"no word from {view.label}"
+            if not view.flying or view.mode not in STEERABLE:
+                return f"{view.label} left formation flight"
+        return None
 
     # geometry and commands
 

@@ -22,8 +22,8 @@ from typing import Any, Protocol, Self
 import click
 
 from gcs.console.client import Client, Lines
-from gcs.console.plain import clean, farewell
-from gcs.launch import Hatch, LaunchError, vehicle_order
+from gcs.console.plain import QuietView, clean, farewell, mute_stdout
+from gcs.launch import Hatch, LaunchError, vehicle_orders
 from gcs.scenario import Scenario, dump
 
 MET, NOT_MET, BAD_INPUT, INTERNAL_ERROR = 0, 1, 2, 70
@@ -122,13 +122,16 @@ class Supervised:
     pipe, the kill.
     """
 
-    def __init__(self, folder: Path, arguments: Sequence[str], supervisor: Sequence[str]) -> None:
+    def __init__(
+        self, folder: Path, arguments: Sequence[str], supervisor: Sequence[str], pass_fds: Sequence[int] = ()
+    ) -> None:
         self._folder = folder
         self._process = subprocess.Popen(
             [*supervisor, str(folder), *arguments],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             start_new_session=True,
+            pass_fds=pass_fds,
         )
         assert self._process.stdin is not None
         assert self._process.stdout is not None
@@ -243,7 +246,7 @@ def run(
         try:
             interrupted = _watch(process, signals, view)
         finally:
-            with contextlib.suppress(BrokenPipeError):
+            with contextlib.suppress(OSError):
                 view.close()
         verdict, status = process.verdict, process.status
     if verdict is None and not interrupted:
@@ -258,8 +261,9 @@ def run(
     finish(verdict)
     if verdict.get("error"):
         print(f"gcs: {clean(verdict['error'])}", file=sys.stderr)
-    for line in farewell(_summary(folder), verdict.get("outcome"), folder):
-        tell(line)
+    with contextlib.suppress(OSError):  # nobody may be there to be told
+        for line in farewell(_summary(folder), verdict.get("outcome"), folder):
+            tell(line)
     failed = verdict["exit"] == INTERNAL_ERROR or verdict.get("error")
     return int(verdict["exit"]) if failed or not interrupted else 128 + interrupted
 
@@ -291,7 +295,12 @@ def _watch(process: Supervised, signals: Signals, view: View) -> int:
                 except BrokenPipeError:  # nobody reads our lines any more, as with `| head`
                     interrupted = interrupted or signal.SIGPIPE
                     process.interrupt(now_s)
-                    view = _Blind()
+                    view = QuietView()
+                    mute_stdout()
+                except OSError as error:  # the session goes on unseen
+                    print(f"gcs: cannot show the session: {error.strerror}; it goes on", file=sys.stderr)
+                    view = QuietView()
+                    mute_stdout()
                 if not watched.connected:
                     selector.unregister(watched)
                     watched = None
@@ -303,19 +312,6 @@ def _watch(process: Supervised, signals: Signals, view: View) -> int:
                 selector.register(watched, selectors.EVENT_READ)
 
 
-class _Blind:
-    """A view without a screen."""
-
-    def show(self, snapshot: Any) -> None:
-        pass
-
-    def tick(self, now_s: float) -> None:
-        pass
-
-    def close(self) -> None:
-        pass
-
-
 def _summary(folder: Path) -> dict[str, Any] | None:
     try:
         content = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
@@ -325,7 +321,12 @@ def _summary(folder: Path) -> dict[str, Any] | None:
 
 
 def launch(
-    scenario: Scenario, out: Path | None, connect: str | None, report: Callable[[list[dict[str, Any]]], object]
+    scenario: Scenario,
+    out: Path | None,
+    connect: str | None,
+    report: Callable[[list[dict[str, Any]]], object],
+    *,
+    until_eof: bool = False,
 ) -> int:
     """Start the scenario's vehicles for somebody else's ground station and keep them until Ctrl-C; the exit status.
 
@@ -340,7 +341,7 @@ def launch(
         else:
             folder = make_folder(out, scenario)
         signals = stack.enter_context(Signals())
-        orders = [vehicle_order(vehicle, scenario, folder, connection) for vehicle in scenario.vehicles.all]
+        orders = vehicle_orders(scenario, folder, connection)
         try:
             hatch = stack.enter_context(Hatch())
         except LaunchError as error:
@@ -355,8 +356,12 @@ def launch(
         selector = stack.enter_context(selectors.DefaultSelector())
         selector.register(hatch, selectors.EVENT_READ)
         selector.register(signals, selectors.EVENT_READ)
+        if until_eof:
+            selector.register(0, selectors.EVENT_READ)
         while alive:
-            selector.select(None if reported else POLL_S)
+            ready = selector.select(None if reported else POLL_S)
+            if any(key.fd == 0 and not os.read(0, 65536) for key, _ in ready):
+                return MET
             if arrived := signals.take():
                 return 128 + arrived[0]
             for ended in hatch.events()[1]:

@@ -11,6 +11,8 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import AfterValidator, ConfigDict, Field, ValidationError, model_validator
 
+from gcs import scenario_versions
+from gcs.scenario_grid import expand
 from gcs.scenario_parts import (
     STEP_S,
     Attractor,
@@ -69,6 +71,9 @@ __all__ = [
 ]
 
 START_CLEARANCE_M = 0.3
+LONGEST_RELAY_S = 0.2
+MOST_MOVERS = 100
+"""A tick holds at most 127 frames of one sender (contract.md, the supervised link)."""
 NO_PURSUIT = "a competition for targets needs a pursuer and a target"
 
 
@@ -97,8 +102,20 @@ class Scenario(Part):
     competition: Competition = Competition()
     refuelling: Refuelling = Refuelling()
     radio: Radio = Radio()
+    vehicles_per_process: Annotated[int, Field(strict=True, ge=1, le=254)] = 1
+    """how many fly in one process; nothing else depends on it"""
     truth: Flag = True
     """vehicles record what they themselves know (contract.md, A session's folder)"""
+
+    def flown(self, *, lockstep: bool = False, speed: float | None = None, seed: int | None = None) -> Self:
+        """The same with another clock or seed; what is left out stays. ValueError where a value is out of range."""
+        clock: dict[str, Any] = {}
+        if lockstep:
+            clock = {"mode": "lockstep"}
+        elif speed is not None:
+            clock = {"mode": "real", "speed": speed}
+        changed = self.model_dump(by_alias=True) | {"clock": {**self.clock.model_dump(), **clock}}
+        return type(self).model_validate(changed if seed is None else changed | {"seed": seed})
 
     @model_validator(mode="after")
     def _agrees(self) -> Self:
@@ -124,6 +141,16 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
         ),
         (s.pursuit.by == "competition" and not (pursuers and targets), ("pursuit", "by"), NO_PURSUIT),
         (s.formation.ring_m and not targets, ("formation", "ring_m"), "a formation needs a target"),
+        (
+            refuels and s.clock.period_s > LONGEST_RELAY_S,
+            ("clock", "period_s"),
+            f"refuelling needs a period_s of at most {LONGEST_RELAY_S}: transfers break off after 1 s of silence",
+        ),
+        (
+            len(s.traffic) > MOST_MOVERS,
+            ("traffic",),
+            f"one ADS-B receiver tells of at most {MOST_MOVERS} aircraft in time",
+        ),
         (s.competition.floor >= s.competition.high, ("competition", "floor"), "floor must be below high"),
         (
             s.refuelling.height_m >= s.refuelling.capture_m,
@@ -157,6 +184,8 @@ def _vehicle_conflicts(s: Scenario) -> Iterator[Conflict]:
             yield Conflict((*path, "join_s"), f"{vehicle.label} would join after the end, duration_s")
         if any(vehicle.velocity_m_s) and not vehicle.airborne:
             yield Conflict((*path, "velocity_m_s"), f"{vehicle.label} moves on the ground; it needs 'airborne: true'")
+        if vehicle.start_m[2] < 0 and not vehicle.airborne:
+            yield Conflict(start, f"{vehicle.label} starts above the ground; it needs 'airborne: true'")
         if vehicle.start_m[2] > 0 and not vehicle.airborne:
             yield Conflict(start, f"{vehicle.label} starts below the ground; in ned axes the third number is down")
         if isinstance(vehicle, Pursuer) and vehicle.target is not None and vehicle.target not in targets:
@@ -201,6 +230,10 @@ def _route_conflicts(path: Path, flier: Target | Mover) -> Iterator[Conflict]:
 def load(path: str | os.PathLike[str]) -> Scenario:
     """The scenario in the YAML file at `path`, in NED. Raises ScenarioError: what is wrong, and where."""
     document = read(path)
+    if (refusal := scenario_versions.refusal(document.data.get("schema"))) is not None:
+        raise ScenarioError([document.problem(("schema",), refusal)])
+    for listed in (("vehicles", "pursuers"), ("vehicles", "targets"), ("vehicles", "tankers"), ("obstacles",)):
+        expand(document, listed)
     vehicles = document.data.get("vehicles")
     if isinstance(vehicles, dict) and "defaults" in vehicles:
         defaults = ("vehicles", "defaults")

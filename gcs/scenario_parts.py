@@ -4,11 +4,23 @@ Frozen, strict, and NED: with the validation context {"axes": "paper"} geometry 
 """
 
 import math
+import re
 from collections.abc import Callable
 from datetime import UTC, datetime
-from typing import Annotated, Any, ClassVar, Literal
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
-from pydantic import AfterValidator, AwareDatetime, BaseModel, ConfigDict, Field, ValidationInfo
+from pydantic import (
+    AfterValidator,
+    AwareDatetime,
+    BaseModel,
+    ConfigDict,
+    Field,
+    ValidationInfo,
+    WithJsonSchema,
+    model_validator,
+)
+
+from gcs.yaml_source import did_you_mean
 
 STEP_S = 0.004  # the vehicles' own step: a grant is a whole number of them
 
@@ -40,7 +52,7 @@ Metres = Annotated[float, Field(strict=True, gt=0, le=1e5)]
 Speed = Annotated[float, Field(strict=True, gt=0, le=100)]
 Degrees = Annotated[float, Field(strict=True, ge=-180, le=180)]
 Seconds = Annotated[float, Field(strict=True, ge=0, le=86_400)]
-Joules = Annotated[float, Field(strict=True, gt=0, le=1e9)]  # whole joules travel as 32-bit integers
+Joules = Annotated[float, Field(strict=True, gt=0, le=1 << 24)]  # whole joules travel as 32-bit integers
 Coordinate = Annotated[float, Field(strict=True, ge=-1e5, le=1e5)]
 Height = Annotated[Coordinate, AfterValidator(_into_ned)]
 Plane = Annotated[tuple[Coordinate, Coordinate], AfterValidator(_into_ned)]
@@ -48,6 +60,27 @@ Vec3 = Annotated[tuple[Coordinate, Coordinate, Coordinate], AfterValidator(_into
 Angles = Annotated[tuple[Degrees, Degrees, Degrees], AfterValidator(_into_ned)]
 Route = Annotated[tuple[Vec3, ...], Field(min_length=1)]
 EARLIEST, LATEST = datetime(1970, 1, 1, tzinfo=UTC), datetime(2200, 1, 1, tzinfo=UTC)
+
+
+def _one_of(*known: str) -> Any:
+    """A shipped implementation's name, or MODULE:CLASS of somebody's own."""
+
+    def check(value: str) -> str:
+        if value not in known and not OWN.fullmatch(value):
+            raise ValueError(f"must be {', '.join(known)} or MODULE:CLASS{did_you_mean(value, known)}")
+        return value
+
+    schema = {"anyOf": [{"enum": list(known)}, {"pattern": f"^{OWN.pattern}$"}]}
+    return Annotated[str, AfterValidator(check), WithJsonSchema({"type": "string", **schema})]
+
+
+OWN = re.compile(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)*:[A-Za-z_]\w*")
+if TYPE_CHECKING:
+    Method = str
+    Policy = str
+else:
+    Method = _one_of("potential_field")
+    Policy = _one_of("winner_take_all", "greedy_nearest", "most_empty_first", "optimal")
 
 
 class Part(BaseModel):
@@ -260,10 +293,18 @@ class Attractor(Part):
     """without it planner.attraction_range_m"""
 
 
-class Planner(Part):
-    """Potential field (model.md 6) [seed: k0, k1, a, b, ranges] and fuzzy escape (model.md 7)."""
+def _named(key: str, value: Any) -> Any:
+    """`planner: MODULE:CLASS` is short for `planner: {method: MODULE:CLASS}`."""
+    return {key: value} if isinstance(value, str) else value
 
-    method: Literal["potential_field"] = "potential_field"
+
+class Planner(Part):
+    """Potential field (model.md 6) [seed: k0, k1, a, b, ranges] and fuzzy escape (model.md 7); or one's own."""
+
+    _short = model_validator(mode="before")(lambda value: _named("method", value))
+
+    method: Method = "potential_field"
+    """`potential_field`, or MODULE:CLASS of a planner for the pursuers (gcs/planner/own.py)"""
     escape: Flag = True
     cruise_m_s: Speed = 1.5
     k0: Positive = 15.0
@@ -303,7 +344,11 @@ class Pursuit(Part):
 class Competition(Part):
     """Winner-take-all (model.md 8): exponent p, rate c, values in [floor, high]; who competes, when it is decided."""
 
+    _short = model_validator(mode="before")(lambda value: _named("policy", value))
+
     enabled: Flag = True
+    policy: Policy = "winner_take_all"
+    """the competition, one to compare it with, or MODULE:CLASS (gcs/policies.py); others use need_from alone"""
     p: Annotated[float, Field(strict=True, ge=1, le=100)] = 2.0
     rate: Positive = 5.0
     floor: Positive = 0.01

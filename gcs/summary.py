@@ -56,7 +56,7 @@ class Refuelling(_Part):
 
     receiver: int
     tanker: int
-    by: Literal["competition", "timeout", "urgency"]
+    by: Literal["competition", "timeout", "urgency", "policy"]
     decided_at_s: float
     joined_at_s: float | None
     start_s: float | None

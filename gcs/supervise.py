@@ -7,23 +7,27 @@ closes. stdout carries two JSON lines: {"listening": true}, and {"exit", "outcom
 from __future__ import annotations
 
 import contextlib
+import gc
 import json
+import math
 import os
 import signal
 import sys
 import time
 import traceback
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 import click
 
+from gcs import plugins
 from gcs.clock import Pace
-from gcs.launch import Ended, Hatch, LaunchError, traffic_order, vehicle_order
+from gcs.launch import Ended, Hatch, LaunchError, traffic_order, vehicle_orders
 from gcs.link import BUFFER_BYTES, REPEAT_S, FleetLink
 from gcs.picture import picture
 from gcs.publish import Publisher
+from gcs.reader import Reader
 from gcs.recorder import Recorder, RecorderError
 from gcs.scenario import Scenario, ScenarioError, load
 from gcs.summary import summarise
@@ -35,6 +39,9 @@ WATCH_EVERY_S = 0.05
 FLUSH_EVERY_S = 1.0
 """What a killed supervisor can lose of its recording, at most, in wall time."""
 HELLO_WITHIN_S = 60.0
+SAY_WAITING_EVERY_S = 5.0
+GIVE_UP_S = 60.0
+"""How long the session stands still for a process that lives but does not answer, in wall time."""
 
 
 class _Stopped(Exception):
@@ -43,6 +50,10 @@ class _Stopped(Exception):
 
 class SessionError(Exception):
     """The session cannot go on; the text is for the person who started it."""
+
+
+class BadVehicleError(SessionError):
+    """A vehicle refused what the scenario gives it."""
 
 
 class Session:
@@ -56,11 +67,16 @@ class Session:
         self._publisher = Publisher(folder)
         self._supervisor = Supervisor(scenario, self._link, self._recorder)
         self._hatch: Hatch | None = None
+        self._unpublished: list[Event] = []
+        self.reader: Reader | None = None
+        """who is given every snapshot, as a program in Python is; not a client of the socket"""
         clock = scenario.clock
         self._pace = Pace(None if clock.mode == "lockstep" else clock.speed, time.monotonic)
         self._labels = {v.sysid: v.label for v in scenario.vehicles.all} | {255: "traffic"}
+        self._blocks: dict[int, tuple[int, ...]] = {}
         self._lost: list[int] = []
         self._told_refused: set[tuple[int, int]] = set()
+        self._answered_s = self._said_waiting_s = math.inf
         self._published_s = 0.0
         self._watched_s = 0.0
         self._flushed_s = 0.0
@@ -75,22 +91,31 @@ class Session:
                 _say({"listening": True})
                 interrupted = self._fly_fleet()
             outcome = "interrupted" if interrupted else self._outcome()
-            summarise(
-                self._supervisor,
-                self._link,
-                outcome=outcome,
-                completed=not interrupted,
-                wall_time_s=self._wall_time_s,
-                lag_s=self._pace.lag_s,
-            ).write(self._folder)
+            self._summarise(outcome)
             self._phase = "ended"
             status = INTERRUPTED if interrupted else MET if outcome == "met" else NOT_MET
-            self._publisher.publish(self._picture())
+            self._publisher.publish(self._next_picture())
             self._publisher.publish({"type": "end", "outcome": outcome, "exit": status})
             return status, outcome
+        except (SessionError, RecorderError):
+            if self._begun:
+                died = self._hatch is not None and not self._hatch.alive
+                with contextlib.suppress(OSError):  # a full disk may have no room for it either
+                    self._summarise("vehicle_lost" if died else "interrupted")
+            raise
         finally:
             self._link.close()
             self._publisher.close()
+
+    def _summarise(self, outcome: str) -> None:
+        summarise(
+            self._supervisor,
+            self._link,
+            outcome=outcome,
+            completed=self._supervisor.time_ms >= round(1e3 * self._scenario.goal.duration_s),
+            wall_time_s=self._wall_time_s,
+            lag_s=self._pace.lag_s,
+        ).write(self._folder)
 
     def _fly_fleet(self) -> bool:
         """The session from its first process to its last; True where it was interrupted."""
@@ -113,11 +138,13 @@ class Session:
             self._event(0, "warning", f"The kernel grants a receive buffer of {granted}, not 4 MiB: raise rmem_max")
         connection = ("--supervised", f"udpout:{self._link.host}:{self._link.port}")
         vehicles = self._scenario.vehicles.all
-        orders = [vehicle_order(vehicle, self._scenario, self._folder, connection) for vehicle in vehicles]
+        per_process = self._scenario.vehicles_per_process
+        orders = vehicle_orders(self._scenario, self._folder, connection, per_process=per_process)
         keys = [(vehicle.sysid, AUTOPILOT) for vehicle in vehicles]
         if self._scenario.traffic:
             orders.append(traffic_order(self._scenario, self._folder, connection))
             keys.append(TRAFFIC)
+        self._blocks = {order.sysid: order.sysids for order in orders}
         self._link.expect(keys)
         self._hatch.start(orders)
         deadline_s = time.monotonic() + HELLO_WITHIN_S
@@ -133,18 +160,22 @@ class Session:
         supervisor, pace = self._supervisor, self._pace
         self._phase = "flying"
         self._begun = True
+        gc.freeze()  # what lives now lives to the end: no collection need look at it again
         pace.start()
         supervisor.begin()
         end_ms = round(1e3 * self._scenario.goal.duration_s)
         while supervisor.time_ms < end_ms and self._link.joined:
             pace.next(self._scenario.clock.period_s)
             supervisor.tick(self._watch)
+            self._answered_s = self._said_waiting_s = time.monotonic()
             self._look_around()
             self._wait()
         supervisor.finish(self._watch)
+        self._serve_reader()
 
     def _wait(self) -> None:
         """Until the next tick is due, or while the session is paused, see who wants something."""
+        self._serve_reader()
         repeat_s = time.monotonic() + REPEAT_S
         while self._pace.paused or (left_s := self._pace.wait_s()) > 0.0:
             time.sleep(min(WATCH_EVERY_S, WATCH_EVERY_S if self._pace.paused else left_s))
@@ -152,6 +183,24 @@ class Session:
             if time.monotonic() >= repeat_s:
                 self._link.repeat()
                 repeat_s = time.monotonic() + REPEAT_S
+
+    def _serve_reader(self) -> None:
+        """A reader gets the snapshots that it asks for; in lockstep it is waited for."""
+        reader, supervisor = self.reader, self._supervisor
+        if reader is None or not reader.due(supervisor.snapshot.time_s):
+            return
+        repeat_s = time.monotonic() + REPEAT_S
+        lockstep = self._scenario.clock.mode == "lockstep"
+        while not reader.wants(WATCH_EVERY_S if lockstep else 0.0) and reader.open and lockstep:
+            self._watch()
+            if time.monotonic() >= repeat_s:
+                self._link.repeat()
+                repeat_s = time.monotonic() + REPEAT_S
+        if reader.stops:
+            raise _Stopped
+        if reader.asked:
+            self._gather_events()
+            reader.give({**self._picture(()), "t_s": supervisor.snapshot.time_s})
 
     def _look_around(self) -> None:
         """At most every 50 ms of wall time: the rest of the world."""
@@ -167,6 +216,9 @@ class Session:
             self._lose(end)
         if not self._hatch.alive:
             raise SessionError("the process that makes the vehicles (simvehicle hatch) has died, and they with it")
+        if now_s - self._said_waiting_s >= SAY_WAITING_EVERY_S and not self._pace.paused:
+            self._said_waiting_s = now_s
+            self._wait_for(now_s - self._answered_s)
         for command in self._publisher.poll():
             self._obey(command["command"])
         if _stdin_closed():
@@ -177,18 +229,29 @@ class Session:
             self._event(key[0], "warning", f"Another vehicle says that it is {key[0]}, from {host}:{port}: ignored")
         if now_s - self._published_s >= PUBLISH_EVERY_S:
             self._published_s = now_s
-            self._publisher.publish(self._picture())
+            self._publisher.publish(self._next_picture())
         if now_s - self._flushed_s >= FLUSH_EVERY_S:
             self._flushed_s = now_s
             self._recorder.flush()
 
+    def _wait_for(self, waited_s: float) -> None:
+        """Say whose answer the session waits for; after a minute, go on without them."""
+        for key in self._link.awaited:
+            label = self._labels.get(key[0], f"vehicle {key[0]}")
+            if waited_s < GIVE_UP_S:
+                self._event(key[0], "warning", f"{label} lives but has not answered for {waited_s:.0f} s of wall time")
+                continue
+            self._lost.append(key[0])
+            self._supervisor.lose(key, f"{label} lives but has not answered for {waited_s:.0f} s: given up")
+
     def _lose(self, end: Ended) -> None:
-        key = TRAFFIC if end.sysid == TRAFFIC[0] else (end.sysid, AUTOPILOT)
-        sentence = end.sentence(self._labels.get(end.sysid, f"vehicle {end.sysid}"))
+        sysids = self._blocks.get(end.sysid, (end.sysid,))
+        sentence = end.sentence(", ".join(self._labels.get(sysid, f"vehicle {sysid}") for sysid in sysids))
         if self._phase == "starting":
-            raise SessionError(sentence)
-        self._lost.append(end.sysid)
-        self._supervisor.lose(key, sentence)
+            raise (BadVehicleError if end.status == BAD_INPUT else SessionError)(sentence)
+        for sysid in sysids:
+            self._lost.append(sysid)
+            self._supervisor.lose(TRAFFIC if sysid == TRAFFIC[0] else (sysid, AUTOPILOT), sentence)
 
     def _obey(self, command: str) -> None:
         if command == "stop":
@@ -219,10 +282,21 @@ class Session:
             return "refuelled_at_least"
         return "met"
 
-    def _picture(self) -> dict[str, Any]:
+    def _gather_events(self) -> None:
+        """What is new, for the next picture and for the reader's."""
+        events, self._supervisor.events = self._supervisor.events, []
+        self._unpublished += events
+        if self.reader is not None:
+            self.reader.remember(events)
+
+    def _next_picture(self) -> dict[str, Any]:
         """The snapshot that clients see, with the events since the last one."""
+        self._gather_events()
+        events, self._unpublished = self._unpublished, []
+        return self._picture(events)
+
+    def _picture(self, events: Sequence[Event]) -> dict[str, Any]:
         supervisor = self._supervisor
-        events, supervisor.events = supervisor.events, []
         wall_s = self._pace.running_wall_s if self._begun else 0.0
         return picture(
             supervisor,
@@ -243,20 +317,37 @@ def _stdin_closed() -> bool:
 
 def _say(content: Mapping[str, Any]) -> None:
     with contextlib.suppress(BrokenPipeError):
-        print(json.dumps(content), flush=True)
+        print(json.dumps(content), file=sys.__stdout__, flush=True)
 
 
 @click.command()
 @click.argument("folder", type=click.Path(path_type=Path, file_okay=False, exists=True))
 @click.option("--drop-datagrams", type=click.FloatRange(0.0, 0.9), default=0.0)
-def main(folder: Path, drop_datagrams: float) -> None:
+@click.option("--modules", multiple=True)
+@click.option("--reader", type=int, default=None)
+@click.option("--every-ms", type=int, default=None)
+def main(
+    folder: Path,
+    drop_datagrams: float,
+    modules: tuple[str, ...],
+    reader: int | None,
+    every_ms: int | None,
+) -> None:
     """Run the session in FOLDER (scenario.yaml is there); started by `gcs run`."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     os.set_blocking(0, False)
     status, outcome, error = INTERNAL, "", None
     try:
-        status, outcome = Session(folder, load(folder / "scenario.yaml"), drop=drop_datagrams).run()
+        scenario = load(folder / "scenario.yaml")
+        plugins.look_in(modules)
+        with plugins.output_kept(scenario, folder):
+            session = Session(folder, scenario, drop=drop_datagrams)
+            if reader is not None:
+                session.reader = Reader(reader, every_ms or round(1e3 * scenario.clock.period_s))
+            status, outcome = session.run()
     except ScenarioError as problem:
+        status, error = BAD_INPUT, str(problem)
+    except BadVehicleError as problem:
         status, error = BAD_INPUT, str(problem)
     except (SessionError, LaunchError, RecorderError) as problem:
         status, error = NOT_MET, str(problem)

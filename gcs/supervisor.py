@@ -22,7 +22,10 @@ from gcs.mavlink.commands import CommandLong, CommandQueue, CommandResult, Targe
 from gcs.mavlink.sequence import GapCounter
 from gcs.metrics import Metrics
 from gcs.pilot import Pilot, Stage, Wish
-from gcs.planner.plan import Planner, SetPoint
+from gcs.planner.own import make_planner
+from gcs.planner.plan import SetPoint
+from gcs.policy_contest import make_contest
+from gcs.pursuit import Pursuit
 from gcs.recorder import Digest, Recorder
 from gcs.refuelling import Decision, Schedule
 from gcs.scenario import Scenario
@@ -40,8 +43,9 @@ SET_POINT_MASK = (
 WAIT_FOR_FLEET_S = 30.0
 _SEVERITY = {mav.MAV_SEVERITY_WARNING: "warning", mav.MAV_SEVERITY_NOTICE: "info", mav.MAV_SEVERITY_INFO: "info"}
 _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
+_FOLLOW_TARGET = codec.msgid("FOLLOW_TARGET")
+_NAMED_VALUE_INT = codec.msgid("NAMED_VALUE_INT")
 _SET_POINT = codec.msgid("SET_POSITION_TARGET_LOCAL_NED")
-_RELAYED_COUNTERS = {"XferOut", "XferIn"}
 
 
 @dataclass(frozen=True)
@@ -94,8 +98,15 @@ class Supervisor:
             ],
             GlobalOrigin(origin.lat_deg, origin.lon_deg, origin.alt_m),
         )
-        self.planner = Planner(scenario)
-        self.schedule = Schedule(scenario.competition, scenario.refuelling, scenario.vehicles.tankers)
+        self.planner, planner_guard = make_planner(scenario)
+        contest, policy_guard = make_contest(scenario)
+        self._guards = [guard for guard in (planner_guard, policy_guard) if guard is not None]
+        self.schedule = Schedule(scenario.competition, scenario.refuelling, scenario.vehicles.tankers, contest)
+        self.pursuit: Pursuit | None = None
+        if scenario.pursuit.by == "competition":
+            targets = [target.sysid for target in scenario.vehicles.targets]
+            pursuers = [p.sysid for p in scenario.vehicles.pursuers if not p.waypoints_m]
+            self.pursuit = Pursuit(scenario.pursuit, pursuers, targets, scenario.planner.cruise_m_s)
         self.metrics = Metrics(scenario, self.planner.obstacles)
         self.pilots = {v.sysid: Pilot(v.sysid, v.takeoff_m) for v in scenario.vehicles.all}
         self._join_ms = {v.sysid: round(1e3 * v.join_s) for v in scenario.vehicles.all}
@@ -109,7 +120,6 @@ class Supervisor:
         self._gaps = GapCounter()
         self._heartbeat_due_ms = dict.fromkeys(self.pilots, 0)
         self._outbox: dict[int, list[Message]] = {sysid: [] for sysid in self.pilots}
-        self._relay_ids = {codec.msgid("FOLLOW_TARGET"), codec.msgid("NAMED_VALUE_INT")}
         self._heartbeat = codec.message(
             "HEARTBEAT",
             type=mav.MAV_TYPE_GCS,
@@ -123,6 +133,7 @@ class Supervisor:
         self.sent = 0
         self.events: list[Event] = []
         self.targets_move = False
+        self._silent: set[int] = set()
         self.snapshot: Snapshot = self.fleet.snapshot(0.0)
 
     @property
@@ -150,20 +161,22 @@ class Supervisor:
         """Collect the answers to the last grant, decide, and send the next one."""
         answers = self._link.collect(idle)
         now_s = self.time_s
-        arrived, relayable = self._hear(answers, now_s)
+        arrived, delivered = self._hear(answers, now_s)
         self._take_acknowledgements(now_s)
         self.snapshot = snapshot = self.fleet.snapshot(now_s)
+        self._watch_silence(snapshot)
         decision = self.schedule.decide(snapshot)
         self._fly(snapshot, now_s)
-        set_points = self._plan(snapshot, decision)
+        pursuing = self.pursuit.decide(snapshot) if self.pursuit else None
+        set_points = self._plan(snapshot, decision, pursuing)
         self._ask(decision.wishes, now_s)
         for sysid, queue in self._queues.items():
             self._follow_up(sysid, queue.poll(now_s), now_s)
-        relays = self._relays(decision, relayable)
+        relays = self._relays(decision, delivered)
         recording = _Recording(self.time_ms, arrived, [], self._records(decision, set_points))
         self._queue_set_points(set_points, snapshot)
         self._grant_all(relays, recording)
-        self.metrics.take(snapshot, set_points, decision.partners)
+        self.metrics.take(snapshot, set_points, decision.partners, pursuing)
         self._record(recording)
 
     def finish(self, idle: Callable[[], None]) -> None:
@@ -186,20 +199,22 @@ class Supervisor:
     def _hear(self, answers: Mapping[Key, list[Frame]], now_s: float) -> tuple[list[bytes], dict[int, list[Frame]]]:
         """Let the radio deliver what came, and the fleet read it."""
         arrived: list[bytes] = []
-        relayable: dict[int, list[Frame]] = {}
+        delivered: dict[int, list[Frame]] = {}
         for key, frames in answers.items():
-            grants = [frame for frame in frames if frame.msgid == _SYSTEM_TIME]
-            told = [frame for frame in frames if frame.msgid != _SYSTEM_TIME]
-            delivered = list(self._radio.apply(key[0], "in", now_s, told))
-            for frame in (*delivered, *grants):
+            heard = frames
+            if not self._radio.clear:
+                told = [frame for frame in frames if frame.msgid != _SYSTEM_TIME]
+                grants = [frame for frame in frames if frame.msgid == _SYSTEM_TIME]
+                heard = [*self._radio.apply(key[0], "in", now_s, told), *grants]
+            for frame in heard:
                 self._gaps.feed(frame.sysid, frame.compid, frame.seq)
                 self.fleet.ingest(frame, now_s)
                 arrived.append(frame.raw)
-            relayable[key[0]] = [frame for frame in delivered if frame.msgid in self._relay_ids]
+            delivered[key[0]] = heard
         self.received += len(arrived)
         for sysid, severity, text in self.fleet.take_statustexts():
             self.events.append(Event(now_s, sysid, _SEVERITY.get(severity, "critical"), text))
-        return arrived, relayable
+        return arrived, delivered
 
     def _take_acknowledgements(self, now_s: float) -> None:
         for sysid, ack in self.fleet.take_acks():
@@ -217,18 +232,34 @@ class Supervisor:
             why = "timed out" if result.outcome == "timeout" else f"was refused (result {result.result})"
             self.events.append(Event(now_s, sysid, "warning", f"Command {result.command} ({result.token}) {why}"))
 
+    def _watch_silence(self, snapshot: Snapshot) -> None:
+        """Tell of vehicles that fall silent, and of their return."""
+        for view in snapshot.vehicles:
+            silent = view.alive and view.heard_s >= 0.0 and not view.fresh
+            if silent and view.sysid not in self._silent:
+                self._silent.add(view.sysid)
+                self.events.append(Event(snapshot.time_s, view.sysid, "warning", f"No word for {view.age_s:.1f} s"))
+            elif not silent and view.sysid in self._silent:
+                self._silent.discard(view.sysid)
+                if view.alive:
+                    self.events.append(Event(snapshot.time_s, view.sysid, "info", "Heard again"))
+
     # decide
 
     def _fly(self, snapshot: Snapshot, now_s: float) -> None:
         for view in snapshot.vehicles:
             if self.time_ms < self._join_ms[view.sysid]:
                 continue
-            wishes, requests = self.pilots[view.sysid].decide(view, now_s)
+            pilot = self.pilots[view.sysid]
+            before = pilot.stage
+            wishes, requests = pilot.decide(view, now_s)
+            if pilot.stage is Stage.DOWN and before is not Stage.DOWN and view.alive:
+                self.events.append(Event(now_s, view.sysid, "warning", "Lands, and takes no more part"))
             self._outbox[view.sysid] += requests
             # What is on its way already is not lined up again: it would be carried out long after it was wanted.
             self._ask([wish for wish in wishes if (wish.sysid, wish.token) not in self._under_way], now_s)
 
-    def _plan(self, snapshot: Snapshot, decision: Decision) -> list[SetPoint]:
+    def _plan(self, snapshot: Snapshot, decision: Decision, pursuing: Mapping[int, int] | None) -> list[SetPoint]:
         steered = frozenset(sysid for sysid, pilot in self.pilots.items() if pilot.sends_set_points)
         if not self.targets_move:
             ready = all(p.stage in (Stage.FLY, Stage.DOWN) for s, p in self.pilots.items() if self._join_ms[s] == 0)
@@ -240,6 +271,7 @@ class Supervisor:
             partners=decision.partners,
             targets_move=self.targets_move,
             period_s=self.scenario.clock.period_s,
+            pursuing=pursuing,
         )
 
     def _ask(self, wishes: Iterable[Wish], now_s: float) -> None:
@@ -248,13 +280,20 @@ class Supervisor:
             command = CommandLong(Target(wish.sysid, AUTOPILOT), wish.command, wish.params)
             self._outbox[wish.sysid] += self._queues[wish.sysid].send(command, now_s, token=wish.token)
 
-    def _relays(self, decision: Decision, relayable: Mapping[int, list[Frame]]) -> dict[int, list[_Relay]]:
+    def _relays(self, decision: Decision, delivered: Mapping[int, list[Frame]]) -> dict[int, list[_Relay]]:
         """The giver's FOLLOW_TARGET and counter for the receiver, the receiver's counter for the giver."""
         relays: dict[int, list[_Relay]] = {}
         for giver, receiver in decision.relays:
-            relays.setdefault(receiver, []).extend(_Relay(f.raw) for f in relayable.get(giver, ()))
-            relays.setdefault(giver, []).extend(_Relay(f.raw) for f in relayable.get(receiver, ()))
+            for source, reader, counter in ((giver, receiver, "XferOut"), (receiver, giver, "XferIn")):
+                frames = [frame for frame in delivered.get(source, ()) if self._is_relayed(frame, counter)]
+                relays.setdefault(reader, []).extend(_Relay(frame.raw) for frame in frames)
         return relays
+
+    def _is_relayed(self, frame: Frame, counter: str) -> bool:
+        """The giver's FOLLOW_TARGET goes to the receiver, and each side's own counter to the other."""
+        if frame.msgid == _NAMED_VALUE_INT:
+            return bool(codec.fields(frame).name == counter)
+        return frame.msgid == _FOLLOW_TARGET and counter == "XferOut"
 
     def _queue_set_points(self, set_points: Iterable[SetPoint], snapshot: Snapshot) -> None:
         for point in set_points:
@@ -300,6 +339,12 @@ class Supervisor:
         records: list[dict[str, Any]] = [{"t_s": t_s, **record} for record in decision.records]
         for record in records:
             self.events.append(Event(t_s, int(record["receiver"]), "info", _sentence(record)))
+        for record in self.pursuit.records if self.pursuit else ():
+            records.append({"t_s": t_s, **record})
+            self.events.append(Event(t_s, int(record["pursuer"]), "info", f"Pursues {record['target']} from now on"))
+        for problem in (problem for guard in self._guards for problem in guard.take()):
+            records.append({"t_s": t_s, **problem.record()})
+            self.events.append(Event(t_s, problem.sysid, "warning", problem.sentence))
         standing = self.schedule.standing
         if standing.v:
             records.append(
@@ -321,15 +366,12 @@ class Supervisor:
     def _record(self, recording: _Recording) -> None:
         """Recording and hashing wait until the grants are out: the vehicles fly meanwhile."""
         t_us = self.epoch_us + 1000 * recording.t_ms
-        for raw in recording.arrived:
-            self._recorder.frame(t_us, raw)
-        for raw in recording.sent:
-            self._recorder.frame(t_us, raw)
+        self._recorder.frames(t_us, recording.arrived)
+        self._recorder.frames(t_us, recording.sent)
         self.digest.frames_in(recording.t_ms, recording.arrived)
         self.digest.frames_out(recording.t_ms, recording.sent)
         for content in recording.decisions:
-            self._recorder.decision(content)
-            self.digest.decision(recording.t_ms, content)
+            self.digest.decision(recording.t_ms, self._recorder.decision(content))
 
 
 def _sentence(record: Mapping[str, Any]) -> str:

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
-from contextlib import ExitStack
 from importlib.metadata import version
 from itertools import pairwise
 from math import radians
@@ -20,6 +19,7 @@ import click
 
 EXIT_BAD_INPUT = 2
 EXIT_OUTPUT_LOST = 74
+LAST_SYSID = 254
 
 
 class _Triple(click.ParamType[tuple[float, float, float]]):
@@ -62,9 +62,13 @@ class _Triple(click.ParamType[tuple[float, float, float]]):
     help="Plain MAVLink: speak to a ground station (udpout) or wait for one (udpin). May be given several times.",
 )
 @click.option("--supervised", metavar="udpout:HOST:PORT", help="Take time and orders from a gcs supervisor.")
-@click.option("--position", type=_Triple("N,E,D"), default="0,0,0", help="Start in the local frame, m.")
-@click.option("--velocity", type=_Triple("N,E,D"), default="0,0,0", help="Velocity at start, m/s.")
-@click.option("--attitude", type=_Triple("R,P,Y"), default="0,0,0", help="Roll, pitch and yaw at start, deg.")
+@click.option(
+    "--position", type=_Triple("N,E,D"), multiple=True, default=("0,0,0",), help="Start in the local frame, m."
+)
+@click.option("--velocity", type=_Triple("N,E,D"), multiple=True, default=("0,0,0",), help="Velocity at start, m/s.")
+@click.option(
+    "--attitude", type=_Triple("R,P,Y"), multiple=True, default=("0,0,0",), help="Roll, pitch and yaw at start, deg."
+)
 @click.option("--airborne", is_flag=True, help="Start armed and in offboard, flying its own state; there is no ground.")
 @click.option(
     "--home",
@@ -73,7 +77,9 @@ class _Triple(click.ParamType[tuple[float, float, float]]):
     show_default=True,
     help="Origin of the local frame: degrees, degrees, m above mean sea level.",
 )
-@click.option("--params", type=click.Path(path_type=Path, dir_okay=False), help="YAML file of MAVLink parameters.")
+@click.option(
+    "--params", type=click.Path(path_type=Path, dir_okay=False), multiple=True, help="YAML file of MAVLink parameters."
+)
 @click.option(
     "--autopilot",
     type=click.Choice(["px4", "ardupilot", "generic"]),
@@ -81,7 +87,27 @@ class _Triple(click.ParamType[tuple[float, float, float]]):
     show_default=True,
     help="The autopilot that the vehicle says it is.",
 )
-@click.option("--truth", type=click.Path(path_type=Path, dir_okay=False), help="New file for what is true, per step.")
+@click.option(
+    "--truth",
+    type=click.Path(path_type=Path, dir_okay=False),
+    multiple=True,
+    help="New file for what is true, per step.",
+)
+@click.option(
+    "--state",
+    type=click.Path(path_type=Path, file_okay=False),
+    metavar="DIR",
+    help="Folder in which changed parameters outlive a reboot and the process; they count more than --params.",
+)
+@click.option(
+    "--count",
+    type=click.IntRange(1, 254),
+    default=1,
+    metavar="N",
+    help="Fly N vehicles in this process, with system ids from --sysid on and sockets of their own (a udpin port "
+    "counts up). --position, --velocity, --attitude, --params and --truth may then be given N times, one for each in "
+    "order; given once, all but --truth hold for all.",
+)
 @click.pass_context
 def cli(ctx: click.Context, /, **options: Any) -> None:
     """Fly one simulated quadrotor that speaks MAVLink 2 over UDP as PX4 would.
@@ -99,73 +125,99 @@ def _fly(
     sysid: int | None,
     connect: tuple[str, ...],
     supervised: str | None,
-    position: tuple[float, float, float],
-    velocity: tuple[float, float, float],
-    attitude: tuple[float, float, float],
+    position: tuple[tuple[float, float, float], ...],
+    velocity: tuple[tuple[float, float, float], ...],
+    attitude: tuple[tuple[float, float, float], ...],
     airborne: bool,
     home: tuple[float, float, float],
-    params: Path | None,
+    params: tuple[Path, ...],
     autopilot: str,
-    truth: Path | None,
+    truth: tuple[Path, ...],
+    state: Path | None,
+    count: int,
 ) -> int:
+    from simvehicle.block import Wanted, fly
     from simvehicle.geo import LocalFrame
-    from simvehicle.link import AddressError, PlainLink, SupervisedLink, parse_address
-    from simvehicle.mavlink.connection import Connection
+    from simvehicle.link import AddressError
     from simvehicle.mavlink.identity import IDENTITIES
-    from simvehicle.mavlink.parameters import ParameterError, Parameters
-    from simvehicle.process import run_free, run_supervised
-    from simvehicle.services import Services
-    from simvehicle.truth import TruthWriter
-    from simvehicle.unit import VehicleUnit
-    from simvehicle.vehicle import Start, Vehicle
+    from simvehicle.vehicle import Start
 
     if sysid is None:
         raise click.UsageError("--sysid is missing: give the vehicle a MAVLink system id from 1 to 254.")
+    if sysid + count - 1 > LAST_SYSID:
+        raise click.UsageError(f"--count {count}: system ids end at {LAST_SYSID}; begin at {LAST_SYSID + 1 - count}.")
     if not connect and supervised is None:
         raise click.UsageError("nobody would hear it: give --connect udpout:127.0.0.1:14550 or another address.")
-    if position[2] > 0.0 and not airborne:
+    if any(down > 0.0 for _, _, down in position) and not airborne:
         raise click.UsageError("--position lies below the ground: down must be 0 or negative.")
-    try:
-        parameters = Parameters(_read_params(params))
-    except ParameterError as error:
-        raise click.UsageError(f"--params {params}: {error}") from error
+    if count > 1 and len(truth) == 1:
+        raise click.UsageError(f"--truth is one file, but there are {count} vehicles: give it {count} times.")
     try:
         frame = LocalFrame(*home)
     except ValueError as error:
         raise click.UsageError(f"--home {error}") from error
-    roll, pitch, yaw = attitude
-    start = Start(position, velocity, (radians(roll), radians(pitch), radians(yaw)), airborne)
-    vehicle = Vehicle(IDENTITIES[autopilot], parameters, frame, start)
-    with ExitStack() as opened:
-        try:
-            connections = [Connection(sysid) for _ in connect]
-            plain = [
-                opened.enter_context(PlainLink(parse_address(text), connection))
-                for text, connection in zip(connect, connections, strict=True)
-            ]
-            link = None
-            if supervised is not None:
-                link = opened.enter_context(SupervisedLink(parse_address(supervised), Connection(sysid)))
-                connections.insert(0, link.connection)
-            writer = opened.enter_context(TruthWriter(truth, sysid, vehicle)) if truth else None
-        except AddressError as error:
-            raise click.UsageError(str(error)) from error
-        except FileExistsError as error:
-            raise click.UsageError(f"--truth {truth} exists already; name a new file.") from error
-        except OSError as error:
-            raise click.UsageError(f"--truth {truth}: {error.strerror}") from error
-        unit = VehicleUnit(vehicle, Services(vehicle, sysid, connections), writer)
-        try:
-            for other in plain:
-                print(f"vehicle {sysid}: {other.address} (local port {other.port})", flush=True)
-            if link is not None:
-                run_supervised(unit, link, plain)
-            else:
-                run_free(unit, plain)
-        except OSError as error:
-            print(f"vehicle {sysid}: cannot write {error.filename or truth}: {error.strerror}", file=sys.stderr)
-            return EXIT_OUTPUT_LOST
+    starts = [
+        Start(place, speed, (radians(roll), radians(pitch), radians(yaw)), airborne)
+        for place, speed, (roll, pitch, yaw) in zip(
+            _each("--position", position, count),
+            _each("--velocity", velocity, count),
+            _each("--attitude", attitude, count),
+            strict=True,
+        )
+    ]
+    files = zip(_each("--params", params or (None,), count), _each("--truth", truth or (None,), count), strict=True)
+    wanted = []
+    for i, (values, own_truth) in enumerate(files):
+        store = _state(state, sysid + i)
+        parameters = _parameters(values, store.values if store is not None else {})
+        wanted.append(Wanted(sysid + i, starts[i], parameters, own_truth, store))
+    for path in truth:
+        if path.exists():
+            raise click.UsageError(f"--truth {path} exists already; name a new file.")
+        if not path.parent.is_dir():
+            raise click.UsageError(f"--truth {path}: No such file or directory")
+    try:
+        fly(wanted, IDENTITIES[autopilot], frame, connect, supervised)
+    except AddressError as error:
+        raise click.UsageError(str(error)) from error
+    except OSError as error:
+        print(f"vehicle {sysid}: cannot write {error.filename or truth}: {error.strerror}", file=sys.stderr)
+        return EXIT_OUTPUT_LOST
     return 0
+
+
+def _each(option: str, values: tuple[Any, ...], count: int) -> tuple[Any, ...]:
+    """One value per vehicle: given once it holds for all."""
+    if len(values) not in (1, count):
+        vehicles = f"each of the {count} vehicles" if count > 1 else "the one vehicle"
+        raise click.UsageError(f"{option} is given {len(values)} times: give it once, or once for {vehicles}.")
+    return values * count if len(values) == 1 else values
+
+
+def _state(folder: Path | None, sysid: int) -> Any:
+    from simvehicle.state import StateError, StateFile
+
+    if folder is None:
+        return None
+    try:
+        return StateFile(folder, sysid)
+    except StateError as error:
+        raise click.UsageError(f"--state {folder}: {error}") from error
+    except OSError as error:
+        raise click.UsageError(f"--state {folder}: {error.strerror}") from error
+
+
+def _parameters(path: Path | None, kept: dict[str, float]) -> Any:
+    from simvehicle.mavlink.parameters import ParameterError, Parameters
+
+    try:
+        given = Parameters(_read_params(path))
+    except ParameterError as error:
+        raise click.UsageError(f"--params {path}: {error}") from error
+    try:
+        return given.with_kept(kept)
+    except ParameterError as error:
+        raise click.UsageError(f"--state: {error}") from error
 
 
 def _read_params(path: Path | None) -> dict[str, float]:
@@ -218,7 +270,7 @@ def traffic(file: Path, supervised: str) -> None:
     """Fly the movers of FILE and report them by ADSB_VEHICLE (system 255, component 156)."""
     from simvehicle.link import AddressError, SupervisedLink, parse_address
     from simvehicle.mavlink.connection import Connection
-    from simvehicle.process import run_supervised
+    from simvehicle.process import Seat, run_supervised
     from simvehicle.traffic import COMPID, SYSID, Traffic, TrafficError, load
 
     try:
@@ -229,7 +281,7 @@ def traffic(file: Path, supervised: str) -> None:
     except (AddressError, TrafficError) as error:
         raise click.UsageError(str(error)) from error
     with link:
-        run_supervised(Traffic(frame, movers, [connection]), link, [])
+        run_supervised([Seat(Traffic(frame, movers, [connection]), link, [])])
 
 
 @cli.command(short_help="Draw the paper's vehicle-only figures.")

@@ -139,12 +139,20 @@ def body_rates(attitude: ArrayLike, euler_rates: ArrayLike) -> NDArray[np.float6
     On the wire they are `ned_from_nwu` of this: (p, -q, -r).
     """
     angle, rate = np.asarray(attitude, dtype=np.float64), np.asarray(euler_rates, dtype=np.float64)
-    sin_roll, cos_roll = np.sin(angle[..., 0]), np.cos(angle[..., 0])
-    sin_pitch, cos_pitch = np.sin(angle[..., 1]), np.cos(angle[..., 1])
-    p = rate[..., 0] - rate[..., 2] * sin_pitch
-    q = rate[..., 1] * cos_roll + rate[..., 2] * sin_roll * cos_pitch
-    r = -rate[..., 1] * sin_roll + rate[..., 2] * cos_roll * cos_pitch
-    return np.stack([p, q, r], axis=-1)
+    rows = zip(angle.reshape(-1, 3).tolist(), rate.reshape(-1, 3).tolist(), strict=True)
+    return np.array([body_rates_of(roll, pitch, *rates) for (roll, pitch, _), rates in rows]).reshape(angle.shape)
+
+
+def body_rates_of(
+    roll: float, pitch: float, roll_rate: float, pitch_rate: float, yaw_rate: float
+) -> tuple[float, float, float]:
+    """`body_rates` of one attitude, on plain floats: telemetry asks for them in every grant."""
+    sin_roll, cos_roll, cos_pitch = math.sin(roll), math.cos(roll), math.cos(pitch)
+    return (
+        roll_rate - yaw_rate * math.sin(pitch),
+        pitch_rate * cos_roll + yaw_rate * sin_roll * cos_pitch,
+        -pitch_rate * sin_roll + yaw_rate * cos_roll * cos_pitch,
+    )
 
 
 def ned_from_nwu(v: ArrayLike) -> NDArray[np.float64]:

@@ -6,17 +6,23 @@ Places are NED in the local frame, m; times are s since boot.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import hypot
+from math import hypot, radians
 from typing import NamedTuple
 
+from simvehicle.follow import Followed, place_beside
 from simvehicle.mavlink.parameters import Parameters
 from simvehicle.mavlink.telemetry import Vec3
+from simvehicle.mission import Mission
 from simvehicle.modes import STEERED, Mode
 
 REACHED_M = 0.3
 AT_REST: Vec3 = (0.0, 0.0, 0.0)
 BRAKING_M_S2 = 2.5
 REACTION_S = 0.3
+FOLLOW_SILENCE_S = 3.0
+"""A vehicle that follows somebody holds when it has not heard of them for this long."""
+FOLLOW_ITS_HEIGHT = 2
+"""FLW_TGT_ALT_M for a height above the target; other values: above home."""
 _EVERYWHERE = (True, True, True)
 
 
@@ -33,11 +39,15 @@ class SetPoint:
 
 @dataclass(frozen=True)
 class Anchor:
-    """What a mode keeps while it lasts: a place, since when, and the down coordinate that it climbs or returns at."""
+    """What a mode keeps while it lasts: a place, since when, and the down coordinate that it climbs or returns at.
+
+    `speed_m_s` is the greatest speed on the way to the place, where one was asked for.
+    """
 
     p_ned: Vec3
     time_s: float
     down_m: float
+    speed_m_s: float | None = None
 
 
 class Wish(NamedTuple):
@@ -64,10 +74,14 @@ def wish(
     *,
     p_ned: Vec3,
     home_ned: Vec3,
+    return_ned: Vec3,
     now_s: float,
     parameters: Parameters,
+    mission: Mission | None = None,
+    followed: Followed | None = None,
+    blind: bool = False,
 ) -> Wish:
-    """What the mode wants flown from `now_s` on by a vehicle at `p_ned`."""
+    """What the mode wants flown from `now_s` on by a vehicle at `p_ned`; `blind`: it does not know where that is."""
     fastest = parameters["MPC_XY_VEL_MAX"]
     north, east, _ = anchor.p_ned
     if mode in STEERED and setpoint is not None:
@@ -76,10 +90,48 @@ def wish(
         climb = min(parameters["MPC_TKO_SPEED"], fastest)
         return Wish((north, east, anchor.down_m), AT_REST, _EVERYWHERE, now_s, climb)
     if mode is Mode.LAND:
-        sink = (0.0, 0.0, parameters["MPC_LAND_SPEED"])
-        return Wish(anchor.p_ned, sink, (True, True, False), anchor.time_s, fastest)
+        return landing(anchor, parameters, blind=blind)
+    if mode is Mode.MISSION and mission is not None:
+        return on_mission(mission, anchor, now_s=now_s, parameters=parameters)
+    if mode is Mode.FOLLOW:
+        return following(followed, anchor, home_ned=home_ned, now_s=now_s, parameters=parameters)
     if mode is Mode.RETURN:
         climbed = p_ned[2] <= anchor.down_m + REACHED_M
-        goal = (home_ned[0], home_ned[1], anchor.down_m) if climbed else (north, east, anchor.down_m)
+        goal = (return_ned[0], return_ned[1], anchor.down_m) if climbed else (north, east, anchor.down_m)
         return Wish(goal, AT_REST, _EVERYWHERE, now_s, min(parameters["MPC_XY_CRUISE"], fastest))
-    return Wish(anchor.p_ned, AT_REST, _EVERYWHERE, now_s, fastest)
+    return Wish(anchor.p_ned, AT_REST, _EVERYWHERE, now_s, min(anchor.speed_m_s or fastest, fastest))
+
+
+def landing(anchor: Anchor, parameters: Parameters, *, blind: bool = False) -> Wish:
+    """Sink over a place, or, `blind`, without knowing where that is: straight down as far as the velocity tells."""
+    sink = (0.0, 0.0, parameters["MPC_LAND_SPEED"])
+    held = (not blind, not blind, False)
+    return Wish(anchor.p_ned, sink, held, anchor.time_s, parameters["MPC_XY_VEL_MAX"])
+
+
+def on_mission(mission: Mission, anchor: Anchor, *, now_s: float, parameters: Parameters) -> Wish:
+    """What a mission wants flown; without a goal, to stay at the anchor."""
+    fastest = parameters["MPC_XY_VEL_MAX"]
+    goal = mission.goal_ned
+    if goal is None:
+        return Wish(anchor.p_ned, AT_REST, _EVERYWHERE, now_s, fastest)
+    if mission.landing:
+        return landing(Anchor(goal, anchor.time_s, goal[2]), parameters)
+    wanted = parameters["MPC_TKO_SPEED"] if mission.climbing else mission.speed_m_s or parameters["MPC_XY_CRUISE"]
+    return Wish(goal, AT_REST, _EVERYWHERE, now_s, min(wanted, fastest))
+
+
+def following(target: Followed | None, anchor: Anchor, *, home_ned: Vec3, now_s: float, parameters: Parameters) -> Wish:
+    """Where to be beside a target; without one, or when it has fallen silent, to stay at the anchor."""
+    fastest = parameters["MPC_XY_VEL_MAX"]
+    if target is None or now_s - target.time_s > FOLLOW_SILENCE_S:
+        return Wish(anchor.p_ned, AT_REST, _EVERYWHERE, now_s, fastest)
+    lowest_ned = target.p_ned if parameters["FLW_TGT_ALT_M"] == FOLLOW_ITS_HEIGHT else home_ned
+    place = place_beside(
+        target,
+        distance_m=parameters["FLW_TGT_DST"],
+        angle_rad=radians(parameters["FLW_TGT_FA"]),
+        down_m=lowest_ned[2] - parameters["FLW_TGT_HT"],
+    )
+    v_ned = (target.v_ned[0], target.v_ned[1], 0.0)
+    return Wish(place, v_ned, _EVERYWHERE, target.time_s, min(parameters["FLW_TGT_MAX_VEL"], fastest))

@@ -23,6 +23,9 @@ class Mode(StrEnum):
     LAND = "land"
     RETURN = "return"
     REFUEL = "refuel"
+    MISSION = "mission"
+    FOLLOW = "follow"
+    GUIDED = "guided"
 
 
 class Event(StrEnum):
@@ -40,9 +43,18 @@ class Event(StrEnum):
     TOUCHDOWN = "touchdown"
     REFUEL = "refuel"
     REFUEL_END = "refuel end"
+    MISSION = "mission"
+    MISSION_DONE = "mission done"
+    FOLLOW = "follow"
+    GUIDED = "guided"
+    GUIDED_HOLD = "guided hold"
+    CRASHED = "crashed"
     BATTERY_EMPTY = "battery empty"
     GCS_LOST = "ground station lost"
     SETPOINTS_LOST = "set points lost"
+    GPS_LOST = "GPS lost"
+    FENCE_HOLD = "fence breached, hold"
+    FENCE_RETURN = "fence breached, return"
 
 
 class Severity(StrEnum):
@@ -68,15 +80,17 @@ class Rule(NamedTuple):
 ANY = frozenset(Mode)
 STEERED = frozenset({Mode.OFFBOARD, Mode.REFUEL})
 """Modes that fly set points."""
-RESTING = frozenset({Mode.HOLD, Mode.LAND})
+RESTING = frozenset({Mode.HOLD, Mode.LAND, Mode.GUIDED})
 """Modes in which a vehicle on the ground stays there, motors off."""
 _NOT_LANDING = ANY - {Mode.LAND}
 _NOT_GOING_HOME = ANY - {Mode.LAND, Mode.RETURN}
+_NOT_TO_ARM_IN = frozenset({Mode.LAND, Mode.RETURN, Mode.FOLLOW})
+_STEERABLE = STEERED | {Mode.TAKEOFF, Mode.GUIDED}
 _I, _W, _C = Severity.INFO, Severity.WARNING, Severity.CRITICAL
 
 RULES: tuple[Rule, ...] = (
-    Rule(Event.ARM, ANY - {Mode.LAND, Mode.RETURN}, False, None, True, _I, "Armed"),
-    Rule(Event.ARM, frozenset({Mode.LAND, Mode.RETURN}), False, Mode.HOLD, True, _I, "Armed, hold"),
+    Rule(Event.ARM, ANY - _NOT_TO_ARM_IN, False, None, True, _I, "Armed"),
+    Rule(Event.ARM, _NOT_TO_ARM_IN, False, Mode.HOLD, True, _I, "Armed, hold"),
     Rule(Event.ARM, ANY, True, None, None, _I, ""),
     Rule(Event.DISARM, ANY, None, Mode.HOLD, False, _I, "Disarmed"),
     Rule(Event.TAKEOFF, ANY, True, Mode.TAKEOFF, None, _I, "Take-off"),
@@ -90,15 +104,33 @@ RULES: tuple[Rule, ...] = (
     Rule(Event.TOUCHDOWN, frozenset({Mode.LAND}), True, None, False, _I, "Landed, disarmed"),
     Rule(Event.REFUEL, STEERED, True, Mode.REFUEL, None, _I, "Refuel"),
     Rule(Event.REFUEL_END, frozenset({Mode.REFUEL}), None, Mode.OFFBOARD, None, _I, "Refuel ended, offboard"),
+    Rule(Event.TOUCHDOWN, frozenset({Mode.MISSION}), True, Mode.HOLD, False, _I, "Landed, disarmed"),
+    Rule(Event.MISSION, ANY, None, Mode.MISSION, None, _I, "Mission"),
+    Rule(Event.MISSION_DONE, frozenset({Mode.MISSION}), None, Mode.HOLD, None, _I, "Mission done, hold"),
+    Rule(Event.FOLLOW, ANY, True, Mode.FOLLOW, None, _I, "Follow"),
+    Rule(Event.GUIDED, _STEERABLE, None, None, None, _I, ""),
+    Rule(Event.GUIDED, ANY, None, Mode.GUIDED, None, _I, "Guided"),
+    Rule(Event.GUIDED_HOLD, ANY, None, Mode.GUIDED, None, _I, "Guided, hold"),
+    Rule(Event.CRASHED, ANY, True, Mode.HOLD, False, _C, "Crashed, disarmed"),
     Rule(Event.BATTERY_EMPTY, _NOT_LANDING, True, Mode.LAND, None, _C, "Failsafe: battery empty, land"),
     Rule(Event.GCS_LOST, _NOT_GOING_HOME, True, Mode.RETURN, None, _W, "Failsafe: ground station lost, return"),
     Rule(Event.SETPOINTS_LOST, STEERED, True, Mode.HOLD, None, _W, "Failsafe: set points lost, hold"),
+    Rule(Event.GPS_LOST, _NOT_LANDING, True, Mode.LAND, None, _C, "Failsafe: GPS lost, land"),
+    Rule(Event.FENCE_RETURN, _NOT_GOING_HOME, True, Mode.RETURN, None, _W, "Failsafe: geofence breached, return"),
+    Rule(Event.FENCE_HOLD, _NOT_GOING_HOME, True, Mode.HOLD, None, _W, "Failsafe: geofence breached, hold"),
 )
 
 STAND_DOWN = Rule(Event.DISARM, ANY, True, Mode.HOLD, False, _W, "Failsafe on the ground, disarmed")
 """What every failsafe does to a vehicle that stands on the ground."""
 
-FAILSAFES: tuple[Event, ...] = (Event.BATTERY_EMPTY, Event.GCS_LOST, Event.SETPOINTS_LOST)
+FAILSAFES: tuple[Event, ...] = (
+    Event.BATTERY_EMPTY,
+    Event.GPS_LOST,
+    Event.GCS_LOST,
+    Event.FENCE_RETURN,
+    Event.FENCE_HOLD,
+    Event.SETPOINTS_LOST,
+)
 
 
 def rule_for(event: Event, mode: Mode, armed: bool) -> Rule | None:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import select
+import sys
 import time
 from collections.abc import Callable, Sequence
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 from simvehicle.link import PlainLink, SupervisedLink
 from simvehicle.mavlink.codec import Frame
@@ -14,6 +15,7 @@ from simvehicle.mavlink.lockstep import Bundle, Grants
 
 HELLO_EVERY_S = 0.1
 SILENCE_S = 10.0
+EXIT_ABANDONED = 75
 FREE_TICK_MS = 20
 
 
@@ -33,68 +35,103 @@ class Unit(Protocol):
         """Go to a time and queue what became due."""
 
 
-def run_supervised(unit: Unit, link: SupervisedLink, plain: Sequence[PlainLink]) -> None:
-    """Live on the supervisor's clock until it has been silent for 10 s of wall time.
+class Seat(NamedTuple):
+    """A unit with its connections; `link` is None where it lives on the wall clock."""
+
+    unit: Unit
+    link: SupervisedLink | None
+    plain: Sequence[PlainLink]
+
+
+class _Granted:
+    """One unit on its supervised link, from its first hello to the supervisor's silence."""
+
+    def __init__(self, unit: Unit, link: SupervisedLink, plain: Sequence[PlainLink]) -> None:
+        self._unit, self._link, self._plain = unit, link, plain
+        self._grants = Grants(link.connection)
+        self._hello = self._grants.hello(unit.hello())
+        self._heard_s = 0.0
+        self._started = False
+
+    def look(self, now_s: float) -> bool:
+        """Say hello until the first bundle has come; False once the supervisor has been silent for too long."""
+        if self._grants.time_ms is not None:
+            return now_s - self._heard_s < SILENCE_S
+        self._link.send([self._hello])
+        return True
+
+    def take(self) -> None:
+        """Act on the datagram that waits."""
+        datagram = self._link.receive()
+        if datagram is None:
+            return
+        self._heard_s = time.monotonic()
+        action = self._grants.feed(datagram)
+        if isinstance(action, list):
+            self._link.send(action)
+        elif action is not None:
+            self._apply(action)
+            self._link.send(self._grants.answer(action))
+            for other in self._plain:
+                other.flush()
+
+    def _apply(self, bundle: Bundle) -> None:
+        """The first bundle sets the clock, every later one is flown to."""
+        unit = self._unit
+        if not self._started:
+            self._started = True
+            unit.start_clock(bundle.time_ms, bundle.unix_us)
+        for frame in bundle.frames:
+            unit.receive(frame, self._link.connection)
+        for other in self._plain:
+            for frame in other.receive():
+                unit.receive(frame, other.connection)
+        unit.advance(bundle.time_ms)
+
+
+def run_supervised(seats: Sequence[Seat]) -> None:
+    """Live on the supervisor's clock until it has been silent for 10 s of wall time, each unit by itself.
+
+    Raises SystemExit then: a supervisor that ends a session ends its vehicles.
 
     Frames from plain connections wait for the next grant, so that they act at a definite time of the session.
     """
-    grants = Grants(link.connection)
-    hello = grants.hello(unit.hello())
     poll = select.poll()
-    poll.register(link.socket, select.POLLIN)
-    heard_s = time.monotonic()
-    hello_due_s = heard_s
-    started = False
-    while True:
+    granted: dict[int, _Granted] = {}
+    for unit, link, plain in seats:
+        assert link is not None
+        granted[link.socket.fileno()] = _Granted(unit, link, plain)
+        poll.register(link.socket, select.POLLIN)
+    look_s = 0.0
+    while granted:
         now_s = time.monotonic()
-        if grants.time_ms is None:
-            if now_s >= hello_due_s:
-                link.send([hello])
-                hello_due_s = now_s + HELLO_EVERY_S
-            wait_s = hello_due_s - now_s
-        else:
-            wait_s = heard_s + SILENCE_S - now_s
-            if wait_s <= 0.0:
-                return
-        poll.poll(max(1e3 * wait_s, 1.0))
-        while (datagram := link.receive()) is not None:
-            action = grants.feed(datagram)
-            heard_s = time.monotonic()
-            if isinstance(action, list):
-                link.send(action)
-            elif action is not None:
-                started = _take(unit, action, started, link, plain)
-                link.send(grants.answer(action))
-                for other in plain:
-                    other.flush()
+        if now_s >= look_s:
+            look_s = now_s + HELLO_EVERY_S
+            for fd in [fd for fd, one in granted.items() if not one.look(now_s)]:
+                poll.unregister(fd)
+                del granted[fd]
+        if not granted:
+            print(f"The supervisor has been silent for {SILENCE_S:.0f} s: leaving", file=sys.stderr, flush=True)
+            raise SystemExit(EXIT_ABANDONED)
+        for fd, _ in poll.poll(1e3 * HELLO_EVERY_S):
+            granted[fd].take()
 
 
-def _take(unit: Unit, bundle: Bundle, started: bool, link: SupervisedLink, plain: Sequence[PlainLink]) -> bool:
-    """Apply a bundle: the first sets the clock, every later one is flown to; returns True, the clock being set."""
-    if not started:
-        unit.start_clock(bundle.time_ms, bundle.unix_us)
-    for frame in bundle.frames:
-        unit.receive(frame, link.connection)
-    for other in plain:
-        for frame in other.receive():
-            unit.receive(frame, other.connection)
-    unit.advance(bundle.time_ms)
-    return True
-
-
-def run_free(unit: Unit, plain: Sequence[PlainLink], *, stop: Callable[[], bool] = lambda: False) -> None:
+def run_free(seats: Sequence[Seat], *, stop: Callable[[], bool] = lambda: False) -> None:
     """Live on the wall clock, 50 ticks a second; ticks that come late are caught up with, never dropped."""
     start_s = time.monotonic()
-    unit.start_clock(0, time.time_ns() // 1000)
+    for unit, _, _ in seats:
+        unit.start_clock(0, time.time_ns() // 1000)
     now_ms = 0
     while not stop():
         wait_ms = now_ms + FREE_TICK_MS - 1e3 * (time.monotonic() - start_s)
         if wait_ms > 0.0:
             time.sleep(wait_ms / 1e3)
         now_ms = int(1e3 * (time.monotonic() - start_s))
-        for link in plain:
-            for frame in link.receive():
-                unit.receive(frame, link.connection)
-        unit.advance(now_ms)
-        for link in plain:
-            link.flush()
+        for unit, _, plain in seats:
+            for link in plain:
+                for frame in link.receive():
+                    unit.receive(frame, link.connection)
+            unit.advance(now_ms)
+            for link in plain:
+                link.flush()

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from math import dist, floor
+from math import dist, floor, inf
 
 SILENCE_S = 1.0
 """Either side gives up when the other has shown no sign of life, or no progress, for this long."""
@@ -138,3 +138,79 @@ class Transfer:
         if now_s - self._progress_s > SILENCE_S:
             return "the receiver takes no more"
         return None
+
+
+class Exchange:
+    """A vehicle's transfers over its life: both counters, the neighbours it knows, and the transfer in progress."""
+
+    def __init__(self) -> None:
+        self.given_j = 0
+        self.received_j = 0
+        self.current: Transfer | None = None
+        self.ended_s = -inf
+        self.neighbours: dict[int, Neighbour] = {}
+        self._ended_orders: set[OrderKey] = set()
+
+    def refuses(
+        self,
+        order: Order,
+        p_ned: tuple[float, float, float],
+        v_ned: tuple[float, float, float],
+        now_s: float,
+        envelope: Envelope,
+    ) -> str | None:
+        """Why an order to give or to receive cannot begin now; None when it can, or has."""
+        if self.current is not None:
+            return None if self.current.order == order else "another transfer is under way"
+        if order.key in self._ended_orders:
+            return "that transfer has ended; a new one needs a new id"
+        if order.role is Role.RECEIVE:
+            return refusal(self.neighbours.get(order.partner), p_ned, v_ned, now_s, envelope)
+        return None
+
+    def hear_counter(self, partner: int, name: str, value_j: int, now_s: float) -> None:
+        """XferOut or XferIn of the partner, as relayed."""
+        if self.current is None or self.current.order.partner != partner:
+            return
+        if name == "XferOut" and self.current.order.role is Role.RECEIVE:
+            self.current.hear_out(value_j)
+        elif name == "XferIn" and self.current.order.role is Role.GIVE:
+            self.current.hear_in(value_j, now_s)
+
+    def move(
+        self,
+        dt_s: float,
+        now_s: float,
+        p_ned: tuple[float, float, float],
+        v_ned: tuple[float, float, float],
+        *,
+        remaining_j: float,
+        capacity_j: float,
+        envelope: Envelope,
+    ) -> tuple[int, str | None]:
+        """Whole joules that go into the battery in `dt_s`, negative ones out of it, and why the transfer is over."""
+        transfer = self.current
+        if transfer is None:
+            return 0, None
+        if transfer.order.role is Role.GIVE:
+            joules = transfer.give(dt_s, remaining_j)
+            self.given_j += joules
+            return -joules, transfer.finished(now_s)
+        reason = refusal(self.neighbours.get(transfer.order.partner), p_ned, v_ned, now_s, envelope)
+        if reason is not None:
+            return 0, reason
+        joules = transfer.credit(capacity_j - remaining_j)
+        self.received_j += joules
+        full = capacity_j - (remaining_j + joules) < 1.0
+        return joules, "the battery is full" if full else None
+
+    def end(self, now_s: float) -> str:
+        """Close the transfer in progress; what it did, in words."""
+        assert self.current is not None
+        verb = "Gave" if self.current.order.role is Role.GIVE else "Received"
+        said = f"{verb} {self.current.moved_j} J"
+        if self.current.touched:
+            self._ended_orders.add(self.current.order.key)
+        self.current = None
+        self.ended_s = now_s
+        return said

@@ -10,10 +10,9 @@ of little-endian float64, one per grant:
 from __future__ import annotations
 
 import json
+import struct
 from pathlib import Path
 from typing import Self
-
-import numpy as np
 
 from simvehicle.vehicle import STEP_MS, Vehicle
 
@@ -43,14 +42,13 @@ class TruthWriter:
 
     def write(self, vehicle: Vehicle, steps: int) -> None:
         """One record at the vehicle's present time; `steps` were flown since the last one."""
-        snapshot = vehicle.snapshot()
-        thrust = vehicle.thrust_m_s2[0] if steps else np.empty(0)
+        thrust = vehicle.thrust_m_s2[0].tolist() if steps else ()
         numbers = (
             vehicle.time_s,
             float(steps),
-            *snapshot.p_ned,
-            *snapshot.v_ned,
-            *snapshot.attitude_ned,
+            *vehicle.p_ned,
+            *vehicle.v_ned,
+            *vehicle.attitude_ned,
             *vehicle.euler_rates_ned,
             vehicle.drawn_j,
             float(vehicle.received_j),
@@ -58,7 +56,7 @@ class TruthWriter:
             vehicle.remaining_j,
             *thrust,
         )
-        self._put(np.asarray(numbers, dtype="<f8").tobytes())
+        self._put(struct.pack(f"<{len(numbers)}d", *numbers))
 
     def _put(self, content: bytes) -> None:
         """Write all of it: a disk that is nearly full takes a part first and complains at the rest."""

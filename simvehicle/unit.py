@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+
 from simvehicle.mavlink.codec import Frame
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.telemetry import heartbeat
@@ -34,6 +36,13 @@ class VehicleUnit:
         """Fly to a time, queue what became due, write down what is true."""
         before_ms = self._vehicle.time_ms
         self._vehicle.advance(to_ms)
+        self._speak()
         self._services.report()
         if self._truth is not None:
             self._truth.write(self._vehicle, (self._vehicle.time_ms - before_ms) // STEP_MS)
+
+    def _speak(self) -> None:
+        """Say on stdout, which is the log of a session's vehicle, what STATUSTEXT tells the others."""
+        for severity, text in self._vehicle.announcements:
+            with contextlib.suppress(OSError):  # nobody may read it, or the disk may be full: it flies on
+                print(f"vehicle {self._services.sysid}: {self._vehicle.time_s:.1f} s: {severity}: {text}", flush=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from collections import Counter, deque
 from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from pathlib import Path
@@ -136,7 +137,7 @@ def farewell(summary: Mapping[str, Any] | None, outcome: str | None, folder: Pat
     """How the session ended, for a person; `summary` is None where none was written."""
     lines = [f"outcome: {clean(outcome or 'none')}"]
     if summary is not None:
-        done = [r for r in summary["refuelling"] if r["end_s"] is not None]
+        done = [r for r in summary["refuelling"] if r["energy_j"] > 0]
         order = ", ".join(f"{r['receiver']} by {r['tanker']} ({r['energy_j']:.0f} J, {r['by']})" for r in done)
         lines.append(f"refuelled: {order or 'nobody'}")
         lines.append(f"minimum separation: {_metres(summary['min_separation_m'])}")
@@ -152,6 +153,26 @@ def farewell(summary: Mapping[str, Any] | None, outcome: str | None, folder: Pat
 
 def _metres(value: float | None) -> str:
     return "-" if value is None else f"{value:.2f} m"
+
+
+def mute_stdout() -> None:
+    """Nobody can be told any more: what is still written to stdout goes nowhere, and is no error."""
+    null = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(null, 1)
+    os.close(null)
+
+
+class QuietView:
+    """Shows nothing."""
+
+    def show(self, snapshot: Any) -> None:
+        """Nothing."""
+
+    def tick(self, now_s: float) -> None:
+        """Nothing."""
+
+    def close(self) -> None:
+        """Nothing."""
 
 
 class PlainView:

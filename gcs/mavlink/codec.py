@@ -10,8 +10,9 @@ from __future__ import annotations
 
 import struct
 from collections import namedtuple
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import lru_cache
+from itertools import repeat
 from operator import itemgetter
 from typing import Any, NamedTuple, cast
 
@@ -40,6 +41,10 @@ _SEEDS = {msgid.to_bytes(3, "little"): (msgid, bytes([cls.crc_extra])) for msgid
 _UNKNOWN = (None, b"")
 # What any one seed byte can add to a checksum: CRC(body, seed) = CRC(body) >> 8 ^ one of these.
 _SEED_TERMS = frozenset(mcrf4xx(bytes([seed]), 0) for seed in range(256))
+
+# A checksum leaves the marker out. From this register the marker leads to the one that checksums begin with, so that a
+# frame need not be cut before it is summed.
+_BEFORE_MARKER = next(crc for crc in range(1 << 16) if mcrf4xx(_MARKER_BYTE, crc) == 0xFFFF)
 
 
 class Frame(NamedTuple):
@@ -87,7 +92,8 @@ class _Reader(NamedTuple):
     """What decoding needs of a layout."""
 
     payload_bytes: int  # uncut
-    unpack: Callable[[bytes], tuple[Any, ...]]  # a frame with such a payload → flat values
+    wire: struct.Struct  # of a frame with such a payload, its header skipped, without CRC
+    unpack: Callable[[bytes], tuple[Any, ...]]  # such a frame → flat values
     regroup: Callable[[Any], tuple[Any, ...]] | None  # flat values → one per field; None where they are the same
     text_at: tuple[int, ...]  # the fields that are character arrays
     record: Any
@@ -141,7 +147,7 @@ def _reader(msgid: int) -> _Reader:
         regroup = itemgetter(*takes) if len(takes) > 1 else lambda values: (values,)
     wire = struct.Struct(f"<{HEADER_BYTES}x{''.join(shape.formats)}")
     text_at = tuple(index for index, form in enumerate(shape.formats) if form[-1] == "s")
-    return _Reader(wire.size - HEADER_BYTES, wire.unpack_from, regroup, text_at, shape.record)
+    return _Reader(wire.size - HEADER_BYTES, wire, wire.unpack_from, regroup, text_at, shape.record)
 
 
 def layout(message: int | str) -> Layout:
@@ -211,17 +217,41 @@ def fields(frame: Frame) -> Any:
     for an id that the dialect lacks.
     """
     _, _, _, msgid, raw = frame
-    payload_bytes, unpack, regroup, text_at, record = _READERS[msgid]
+    payload_bytes, _, unpack, regroup, text_at, record = _READERS[msgid]
     if raw[1] < payload_bytes:
         raw = raw[: HEADER_BYTES + raw[1]].ljust(HEADER_BYTES + payload_bytes, b"\0")
     values = unpack(raw)
     if regroup is not None:
         values = regroup(values)
     if text_at:
-        values = list(values)
-        for index in text_at:
-            values[index] = _text(values[index])
+        values = _with_text(values, text_at)
     return _new(record, values)
+
+
+def record_bytes(msgid: int) -> int:
+    """How long header and uncut payload of a message are together. Raises ValueError for an id not in the dialect."""
+    return cast(int, _READERS[msgid].wire.size)
+
+
+def records(msgid: int, packed: bytes | memoryview) -> Iterable[Any]:
+    """What `fields` gives, for many frames of one message at once.
+
+    packed: header and uncut payload of each, `record_bytes` long, without gaps between them.
+    """
+    _, wire, _, regroup, text_at, record = _READERS[msgid]
+    rows: Iterable[tuple[Any, ...]] = wire.iter_unpack(packed)
+    if regroup is not None:
+        rows = map(regroup, rows)
+    if text_at:
+        rows = map(_with_text, rows, repeat(text_at))
+    return map(_new, repeat(record), rows)
+
+
+def _with_text(values: tuple[Any, ...], text_at: tuple[int, ...]) -> tuple[Any, ...]:
+    shown = list(values)
+    for index in text_at:
+        shown[index] = _text(shown[index])
+    return tuple(shown)
 
 
 @lru_cache(maxsize=4096)  # names recur: of counters, of parameters
@@ -241,7 +271,7 @@ def packer(message: int | str) -> Callable[..., bytes]:
 def _packer(msgid: int) -> Callable[..., bytes]:
     shape = _LAYOUTS[msgid]
     wire = struct.Struct(_HEADER + "".join(shape.formats))
-    pack, payload_bytes = wire.pack, wire.size - HEADER_BYTES
+    pack, pack_crc, payload_bytes = wire.pack, struct.Struct("<H").pack, wire.size - HEADER_BYTES
     id_low, id_high = msgid & 0xFFFF, msgid >> 16
     _, seed = _SEEDS[msgid.to_bytes(3, "little")]
     plain = all(len(form) == 1 for form in shape.formats)
@@ -255,7 +285,7 @@ def _packer(msgid: int) -> Callable[..., bytes]:
         if not body[-1]:
             payload = body[HEADER_BYTES:].rstrip(b"\0") or b"\0"
             body = body[:1] + bytes([len(payload)]) + body[2:HEADER_BYTES] + payload
-        return body + mcrf4xx(body[1:] + seed).to_bytes(CRC_BYTES, "little")
+        return body + pack_crc(mcrf4xx(body + seed, _BEFORE_MARKER))
 
     return pack_frame
 

@@ -85,16 +85,13 @@ class TickCollector:
         self._held: dict[int, Frame] = {}  # by steps after the last complete tick
         self._granted_ms: int | None = None
         self._end: int | None = None  # where the answer's SYSTEM_TIME stands
+        self.complete = False
+        """whether the tick is in"""
 
     @property
     def held(self) -> int:
         """How many frames of the unfinished tick have come: it grows when there is progress."""
         return len(self._held)
-
-    @property
-    def complete(self) -> bool:
-        end = self._end
-        return end is not None and len(self._held) > end and all(step in self._held for step in range(end + 1))
 
     def begin(self, t_ms: int) -> None:
         """Wait for the answer to the grant of `t_ms`. Raises RuntimeError while an earlier tick has not been taken."""
@@ -116,6 +113,8 @@ class TickCollector:
                 self._held.setdefault(step, frame)
                 if frame is last and answered_ms == self._granted_ms:
                     self._end = step
+        end = self._end
+        self.complete = end is not None and len(self._held) > end and all(step in self._held for step in range(end + 1))
         return self.complete
 
     def take(self) -> list[Frame]:
@@ -130,6 +129,7 @@ class TickCollector:
         self._held = {step - length: frame for step, frame in self._held.items()}
         self._next = (self._next + length) % NUMBERS
         self._granted_ms = self._end = None
+        self.complete = False
         return frames
 
     def _is_own(self, frame: Frame) -> bool:

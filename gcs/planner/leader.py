@@ -14,12 +14,12 @@ from numba import njit
 from numpy.typing import ArrayLike, NDArray
 
 from gcs.planner.fuzzy import MEMORY_SIZE, escape_force
+from gcs.planner.neighbours import IntArray, within_range
 from gcs.planner.obstacles import COLUMNS, FloatArray, points
 from gcs.planner.potential_field import CAP, K0, STEP, Field, attraction_to, repulsion_of_shape
 
 _UNFREE_SHARE = 0.25  # of k0: the repulsion at which nothing is fed forward any more
 
-IntArray = NDArray[np.int64]
 BoolArray = NDArray[np.bool_]
 
 
@@ -87,6 +87,8 @@ def advance(
         raise ValueError(f"drawn has shape {draws.shape}; it must be {(n, len(others))}: leaders, attractors")
 
     start = q.copy()
+    reach_m = speeds * period_s
+    spheres, ranges = points(at, radii_m), _array("ranges_m", ranges_m, (m,))
     _advance_all(
         q,
         following,
@@ -96,11 +98,11 @@ def advance(
         _array("attraction_ranges_m", attraction_ranges_m, (len(others),)),
         draws,
         repulsors,
-        *_everyone(n, len(repulsors)),
-        points(at, radii_m),
-        _array("ranges_m", ranges_m, (m,)),
+        *within_range(q, reach_m, repulsors, np.full(len(repulsors), field.repulsion_range_m)),
+        spheres,
+        ranges,
         exempted,
-        *_everyone(n, m),
+        *within_range(q, reach_m, spheres, ranges),
         field.constants(),
         field.repulsion_range_m,
         speeds,
@@ -110,18 +112,14 @@ def advance(
     return q, following, (q - start) / period_s
 
 
-def _everyone(n: int, m: int) -> tuple[IntArray, IntArray, IntArray]:
-    """Neighbour list in which each of n leaders has all m repulsors: rows, and where each leader's begin and end."""
-    return np.arange(m), np.zeros(n, dtype=np.int64), np.full(n, m, dtype=np.int64)
-
-
 def _array(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
     array = np.ascontiguousarray(value, dtype=np.float64)
     if array.size == 0 and shape[0] in (-1, 0):
         array = array.reshape(0, *shape[1:])
     if array.ndim != len(shape) or any(want not in (-1, have) for want, have in zip(shape, array.shape, strict=True)):
         raise ValueError(f"{name} has shape {array.shape}; it must be {shape}, -1 standing for any number")
-    if not np.isfinite(array).all():
+    # A sum is finite where all are, unless it overflows: that and a fault are then told apart.
+    if not math.isfinite(array.sum()) and not np.isfinite(array).all():
         row = int(np.argwhere(~np.isfinite(array))[0][0])
         raise ValueError(f"{name} holds a value that is not finite in row {row}; leave that row out or mend its data")
     return array

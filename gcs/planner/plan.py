@@ -24,6 +24,8 @@ from gcs.scenario import Obstacle, Scenario, Tanker, Target
 LOOKAHEAD_S = 0.37
 CATCH_UP_SPEED = 1.3
 """A target's leader may be this much faster than its carrot, so that it comes back after an obstacle."""
+FLOOR_M = 0.3
+"""No leader of a vehicle that has a ground goes lower than this above it: only landing does."""
 ROLES = ("target", "pursuer", "tanker")
 OFF_PLAN_M = 1.0
 """A vehicle farther than this from its plan is met where it flies, not where it is planned."""
@@ -94,6 +96,7 @@ class Planner:
         self._courses = {p.sysid: list(p.waypoints_m) for p in scenario.vehicles.pursuers if p.waypoints_m}
         self._starts = {p.sysid: p.start_m for p in scenario.vehicles.pursuers if p.waypoints_m and p.airborne}
         self._attracting = {mover.callsign for mover in scenario.traffic if mover.attracts}
+        self._grounded = {v.sysid for v in scenario.vehicles.all if not v.airborne}
         self._slots: dict[int, Vec3] = {}
         self._slots_of: dict[int, frozenset[int]] = {}
 
@@ -163,6 +166,9 @@ class Planner:
             drawn=drawn,
         )
         for i, view in enumerate(views):
+            if view.sysid in self._grounded and q_next[i, 2] > -FLOOR_M:
+                q_next[i, 2] = -FLOOR_M
+                v_ned[i] = (q_next[i] - np.array(self._begin[view.sysid])) / period_s
             self._q[view.sysid], self._memory[view.sysid] = q_next[i], memory[i]
             self._v[view.sysid] = _vec(v_ned[i])
 
@@ -190,7 +196,8 @@ class Planner:
         else:
             for tanker in self._scenario.vehicles.tankers:
                 wants[tanker.sysid] = self._station(tanker, snapshot, rendezvous.get(tanker.sysid))
-        return [wants.get(view.sysid, _Wanted(_vec(self._q[view.sysid]), STILL, 0.0)) for view in views]
+        cruise_m_s = self._scenario.planner.cruise_m_s  # who holds may still give way
+        return [wants.get(view.sysid, _Wanted(_vec(self._q[view.sysid]), STILL, cruise_m_s)) for view in views]
 
     def _station(self, tanker: Tanker, snapshot: Snapshot, receiver: int | None) -> _Wanted:
         """Above its receiver, or where it waits."""
@@ -221,7 +228,10 @@ class Planner:
         return _Wanted(course[0], STILL, self._scenario.planner.cruise_m_s)
 
     def _formation(self, snapshot: Snapshot) -> dict[int, _Wanted]:
-        """Each pursuer's slot around its target, assigned anew when the set of pursuers in the air changes."""
+        """Each pursuer's slot around its target, assigned anew when the set of pursuers in the air changes.
+
+        A target that is dead, silent, or not steered (it may be landing) leads nobody: its pursuers hold.
+        """
         rules = self._scenario.formation
         wants = {}
         for target in self._scenario.vehicles.targets:
@@ -232,7 +242,7 @@ class Planner:
                 follows = {p.sysid: on for p in vehicles.pursuers if (on := vehicles.target_of(p)) is not None}
             flying = {sysid: snapshot.vehicle(sysid) for sysid in follows if follows[sysid] == target.sysid}
             here = {sysid: view.p_now_ned() for sysid, view in flying.items() if view.flying}
-            if lead.p_ned is None or not here:
+            if not here or not (lead.flying and lead.fresh and target.sysid in self._begin):
                 continue
             centre, v_ned = self._led(lead)
             if self._slots_of.get(target.sysid) != frozenset(here):

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import struct
 from collections import namedtuple
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -39,8 +39,9 @@ class Schema(NamedTuple):
     """What the table knows of one message; `arrays` holds (first slot, length) of each array in wire order."""
 
     msgid: int
-    crc_extra: int
+    seed: bytes
     packer: struct.Struct
+    frame_pack: Callable[..., bytes]
     arrays: tuple[tuple[int, int], ...]
     text: tuple[int, ...]
     make: Any
@@ -66,7 +67,10 @@ def schema(msgid: int) -> Schema | None:
             arrays.append((slot, length))
     make: Any = _tuple_class(definition.msgname, definition.ordered_fieldnames)
     make.MSGID = msgid
-    return Schema(msgid, definition.crc_extra, definition.unpacker, tuple(arrays), tuple(text), make)
+    packer = definition.unpacker
+    frame_pack = struct.Struct(HEADER.format + packer.format.removeprefix("<")).pack
+    seed = bytes((definition.crc_extra,))
+    return Schema(msgid, seed, packer, frame_pack, tuple(arrays), tuple(text), make)
 
 
 @cache
@@ -88,10 +92,12 @@ def encode(content: Any, *, seq: int, sysid: int, compid: int) -> bytes:
             values[slot] = values[slot].encode("ascii", "replace")
         for slot, _ in reversed(row.arrays):
             values[slot : slot + 1] = values[slot]
-    payload = row.packer.pack(*values).rstrip(b"\0") or b"\0"
-    msgid = row.msgid
-    head = HEADER.pack(MAGIC, len(payload), 0, 0, seq, sysid, compid, msgid & 0xFFFF, msgid >> 16) + payload
-    return head + _CHECKSUM.pack(mcrf4xx(head[1:] + bytes((row.crc_extra,))))
+    size, msgid = row.packer.size, row.msgid
+    body = row.frame_pack(MAGIC, size, 0, 0, seq, sysid, compid, msgid & 0xFFFF, msgid >> 16, *values)
+    if not body[-1]:
+        payload = body[HEADER_BYTES:].rstrip(b"\0") or b"\0"
+        body = body[:1] + bytes((len(payload),)) + body[2:HEADER_BYTES] + payload
+    return body + _CHECKSUM.pack(mcrf4xx(body[1:] + row.seed))
 
 
 def decode(frame: Frame) -> Any | None:
@@ -129,8 +135,7 @@ def split(datagram: bytes) -> Iterator[Frame]:
             stop > end
             or incompat & ~SIGNED
             or row is None
-            or mcrf4xx(datagram[start + 1 : check] + bytes((row.crc_extra,)))
-            != _CHECKSUM.unpack_from(datagram, check)[0]
+            or mcrf4xx(datagram[start + 1 : check] + row.seed) != _CHECKSUM.unpack_from(datagram, check)[0]
         ):
             start += 1
             continue

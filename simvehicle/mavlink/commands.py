@@ -17,6 +17,7 @@ ACCEPTED: int = mav.MAV_RESULT_ACCEPTED
 TEMPORARILY_REJECTED: int = mav.MAV_RESULT_TEMPORARILY_REJECTED
 DENIED: int = mav.MAV_RESULT_DENIED
 UNSUPPORTED: int = mav.MAV_RESULT_UNSUPPORTED
+IN_PROGRESS: int = mav.MAV_RESULT_IN_PROGRESS
 
 
 class Request(NamedTuple):
@@ -79,7 +80,13 @@ _LOCAL_FRAMES = frozenset(
 _RELATIVE_FRAMES = frozenset({mav.MAV_FRAME_GLOBAL_RELATIVE_ALT, mav.MAV_FRAME_GLOBAL_RELATIVE_ALT_INT})
 _KNOWN_FRAMES = _RELATIVE_FRAMES | {mav.MAV_FRAME_GLOBAL, mav.MAV_FRAME_GLOBAL_INT, mav.MAV_FRAME_LOCAL_NED}
 _WITH_A_PLACE = frozenset(
-    {mav.MAV_CMD_NAV_TAKEOFF, mav.MAV_CMD_NAV_LAND, mav.MAV_CMD_NAV_LOITER_UNLIM, mav.MAV_CMD_DO_REPOSITION}
+    {
+        mav.MAV_CMD_NAV_TAKEOFF,
+        mav.MAV_CMD_NAV_LAND,
+        mav.MAV_CMD_NAV_LOITER_UNLIM,
+        mav.MAV_CMD_DO_REPOSITION,
+        mav.MAV_CMD_DO_SET_HOME,
+    }
 )
 """Commands whose x and y in COMMAND_INT are scaled; those of all others are whole numbers as they are."""
 _UNSET_INT = 2**31 - 1

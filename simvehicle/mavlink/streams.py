@@ -17,7 +17,8 @@ class Streams:
     """The schedule of one connection; times are ms since boot."""
 
     def __init__(self) -> None:
-        self._interval_ms = {s.key: round(1e3 / s.rate_hz) if s.rate_hz else 0 for s in TELEMETRY}
+        self._default_ms = {s.key: _interval_ms(s.rate_hz) for s in TELEMETRY}
+        self._interval_ms = dict(self._default_ms)
         self._due_ms = dict.fromkeys(self._interval_ms, 0)
 
     def due(self, now_ms: int) -> Iterator[Stream]:
@@ -42,7 +43,7 @@ class Streams:
                 if interval_us < 0:
                     interval_ms = 0
                 elif interval_us == 0:
-                    interval_ms = round(1e3 / stream.rate_hz) if stream.rate_hz else 0
+                    interval_ms = self._default_ms[stream.key]
                 else:
                     interval_ms = round(min(max(interval_us / 1e3, FASTEST_MS), SLOWEST_MS))
                 if msgid != mav.MAVLINK_MSG_ID_HEARTBEAT or interval_ms:
@@ -52,8 +53,12 @@ class Streams:
 
     def set_rate(self, key: str, rate_hz: float, now_ms: int) -> None:
         """Send one stream at a rate; 0 stops it."""
-        self._interval_ms[key] = round(1e3 / rate_hz) if rate_hz else 0
+        self._interval_ms[key] = _interval_ms(rate_hz)
         self._due_ms[key] = now_ms
+
+    def set_default(self, key: str, rate_hz: float) -> None:
+        """Send one stream at a rate from the beginning, and whenever the default is asked for."""
+        self._default_ms[key] = self._interval_ms[key] = _interval_ms(rate_hz)
 
     def interval_us(self, msgid: int) -> int | None:
         """MESSAGE_INTERVAL of a message: -1 when it is not sent; None where the vehicle has no such stream."""
@@ -61,3 +66,7 @@ class Streams:
             if stream.msgid == msgid:
                 return 1000 * self._interval_ms[stream.key] or -1
         return None
+
+
+def _interval_ms(rate_hz: float) -> int:
+    return round(1e3 / rate_hz) if rate_hz else 0

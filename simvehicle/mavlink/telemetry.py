@@ -7,17 +7,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from pymavlink.dialects.v20 import common as mav
 
-from simvehicle.geo import LocalFrame
+from simvehicle.failures import Failure
 from simvehicle.mavlink.codec import message
-from simvehicle.mavlink.identity import Identity
+from simvehicle.mavlink.snapshot import CELL_FULL_V, CELLS, Snapshot, Vec3
 from simvehicle.modes import Mode
 
-Vec3 = tuple[float, float, float]
+__all__ = ["ALL_HEALTHY", "TELEMETRY", "UNPROMPTED", "Snapshot", "Stream", "Vec3", "autopilot_version", "heartbeat"]
 
 UNKNOWN_U16 = 65535
 ALL_HEALTHY = (
@@ -31,48 +30,6 @@ ALL_HEALTHY = (
     | mav.MAV_SYS_STATUS_GEOFENCE
     | mav.MAV_SYS_STATUS_AHRS
 )
-CELLS = 4
-CELL_FULL_V, CELL_EMPTY_V = 4.2, 3.5
-
-
-@dataclass(frozen=True, slots=True)
-class Snapshot:
-    """A vehicle at one instant: SI units, NED axes, angles in rad, time since boot in ms."""
-
-    identity: Identity
-    frame: LocalFrame
-    time_ms: int
-    unix_us: int
-    mode: Mode
-    armed: bool
-    landed: bool
-    ready_to_arm: bool
-    p_ned: Vec3
-    v_ned: Vec3
-    attitude_ned: Vec3
-    rates_body: Vec3
-    target_p_ned: Vec3
-    target_v_ned: Vec3
-    target_yaw_ned: float
-    home_ned: Vec3
-    power_w: float
-    drawn_j: float
-    remaining_j: float
-    capacity_j: float
-    control_effort: float
-    given_j: int
-    received_j: int
-
-    @property
-    def voltage_v(self) -> float:
-        """Pack voltage, linear in the charge."""
-        share = min(max(self.remaining_j / self.capacity_j, 0.0), 1.0)
-        return CELLS * (CELL_EMPTY_V + (CELL_FULL_V - CELL_EMPTY_V) * share)
-
-    @property
-    def percent(self) -> int:
-        """Charge in whole percent."""
-        return min(max(round(100.0 * self.remaining_j / self.capacity_j), 0), 100)
 
 
 def heartbeat(s: Snapshot) -> Any:
@@ -86,14 +43,14 @@ def heartbeat(s: Snapshot) -> Any:
         autopilot=s.identity.autopilot,
         base_mode=base,
         custom_mode=s.identity.custom_mode(s.mode),
-        system_status=mav.MAV_STATE_STANDBY if s.landed else mav.MAV_STATE_ACTIVE,
+        system_status=mav.MAV_STATE_BOOT if s.booting else mav.MAV_STATE_STANDBY if s.landed else mav.MAV_STATE_ACTIVE,
         mavlink_version=3,
     )
 
 
 def sys_status(s: Snapshot) -> Any:
     present = ALL_HEALTHY | mav.MAV_SYS_STATUS_PREARM_CHECK
-    health = ALL_HEALTHY | (mav.MAV_SYS_STATUS_PREARM_CHECK if s.ready_to_arm else 0)
+    health = ALL_HEALTHY & ~_ill(s) | (mav.MAV_SYS_STATUS_PREARM_CHECK if s.ready_to_arm else 0)
     return message("SYS_STATUS")(
         onboard_control_sensors_present=present,
         onboard_control_sensors_enabled=present,
@@ -114,13 +71,28 @@ def sys_status(s: Snapshot) -> Any:
     )
 
 
+_ILL = {
+    Failure.GPS: mav.MAV_SYS_STATUS_SENSOR_GPS,
+    Failure.BATTERY: mav.MAV_SYS_STATUS_SENSOR_BATTERY,
+    Failure.MOTOR: mav.MAV_SYS_STATUS_SENSOR_MOTOR_OUTPUTS,
+}
+
+
+def _ill(s: Snapshot) -> int:
+    """Bits of what has failed, and of a fence that is breached."""
+    bits = mav.MAV_SYS_STATUS_GEOFENCE if s.outside_fence else 0
+    for failure in s.failed:
+        bits |= _ILL.get(failure, 0)
+    return int(bits)
+
+
 def extended_sys_state(s: Snapshot) -> Any:
     landed = mav.MAV_LANDED_STATE_IN_AIR
     if s.landed:
         landed = mav.MAV_LANDED_STATE_ON_GROUND
     elif s.mode is Mode.TAKEOFF:
         landed = mav.MAV_LANDED_STATE_TAKEOFF
-    elif s.mode is Mode.LAND:
+    elif s.mode is Mode.LAND or s.mission_landing:
         landed = mav.MAV_LANDED_STATE_LANDING
     return message("EXTENDED_SYS_STATE")(vtol_state=mav.MAV_VTOL_STATE_UNDEFINED, landed_state=landed)
 
@@ -155,7 +127,7 @@ def gps_raw_int(s: Snapshot) -> Any:
     course_deg = math.degrees(math.atan2(s.v_ned[1], s.v_ned[0]))
     return message("GPS_RAW_INT")(
         time_usec=s.unix_us,
-        fix_type=mav.GPS_FIX_TYPE_3D_FIX,
+        fix_type=mav.GPS_FIX_TYPE_NO_FIX if Failure.GPS in s.failed else mav.GPS_FIX_TYPE_3D_FIX,
         lat=_deg_e7(lat_deg),
         lon=_deg_e7(lon_deg),
         alt=_int32(1e3 * alt_m),
@@ -163,7 +135,7 @@ def gps_raw_int(s: Snapshot) -> Any:
         epv=100,
         vel=_int16(100.0 * math.hypot(s.v_ned[0], s.v_ned[1])),
         cog=round(1e2 * course_deg) % 36000,
-        satellites_visible=14,
+        satellites_visible=0 if Failure.GPS in s.failed else 14,
         alt_ellipsoid=_int32(1e3 * alt_m),
         h_acc=300,
         v_acc=500,
@@ -271,6 +243,59 @@ def xfer_in(s: Snapshot) -> Any:
     return message("NAMED_VALUE_INT")(time_boot_ms=s.time_ms, name="XferIn", value=_int32(s.received_j))
 
 
+def attitude_quaternion(s: Snapshot) -> Any:
+    half_roll, half_pitch, half_yaw = (0.5 * angle for angle in s.attitude_ned)
+    (sr, sp, sy), (cr, cp, cy) = (tuple(map(f, (half_roll, half_pitch, half_yaw))) for f in (math.sin, math.cos))
+    return message("ATTITUDE_QUATERNION")(
+        s.time_ms,
+        cr * cp * cy + sr * sp * sy,
+        sr * cp * cy - cr * sp * sy,
+        cr * sp * cy + sr * cp * sy,
+        cr * cp * sy - sr * sp * cy,
+        *s.rates_body,
+        repr_offset_q=(0.0, 0.0, 0.0, 0.0),
+    )
+
+
+def vfr_hud(s: Snapshot) -> Any:
+    speed_m_s = math.hypot(s.v_ned[0], s.v_ned[1])
+    return message("VFR_HUD")(
+        airspeed=math.hypot(*s.v_ned),
+        groundspeed=speed_m_s,
+        heading=round(math.degrees(s.attitude_ned[2])) % 360,
+        throttle=0,
+        alt=s.frame.alt_m - s.p_ned[2],
+        climb=-s.v_ned[2],
+    )
+
+
+def altitude(s: Snapshot) -> Any:
+    height_m = s.home_ned[2] - s.p_ned[2]
+    return message("ALTITUDE")(
+        time_usec=s.unix_us,
+        altitude_monotonic=s.frame.alt_m - s.p_ned[2],
+        altitude_amsl=s.frame.alt_m - s.p_ned[2],
+        altitude_local=-s.p_ned[2],
+        altitude_relative=height_m,
+        altitude_terrain=math.nan,
+        bottom_clearance=math.nan,
+    )
+
+
+def mission_current(s: Snapshot) -> Any:
+    """MISSION_CURRENT, in the words of MISSION_STATE: 1 none, 2 not begun, 3 flown, 4 paused, 5 flown to its end."""
+    state = 1
+    if s.mission_length:
+        done = s.mission_index >= s.mission_length
+        state = 5 if done else 3 if s.mode is Mode.MISSION and s.armed else 4 if s.mission_index else 2
+    return message("MISSION_CURRENT")(
+        seq=max(min(s.mission_index, s.mission_length - 1), 0),
+        total=s.mission_length,
+        mission_state=state,
+        mission_mode=2 - (s.mode is Mode.MISSION),
+    )
+
+
 def autopilot_version(s: Snapshot, sysid: int) -> Any:
     """AUTOPILOT_VERSION: version 1.15.0 of a development build, which QGroundControl accepts as new enough."""
     version = 1 << 24 | 15 << 16 | 0 << 8 | mav.FIRMWARE_VERSION_TYPE_DEV
@@ -316,6 +341,9 @@ class Stream(NamedTuple):
     build: Callable[[Snapshot], Any]
 
 
+UNPROMPTED = {"ATTITUDE_QUATERNION": 10.0, "VFR_HUD": 4.0, "ALTITUDE": 2.0}
+"""Streams beside the table's own rates, in Hz, for plain connections: QGroundControl requests none from a PX4."""
+
 TELEMETRY: tuple[Stream, ...] = (
     Stream("HEARTBEAT", mav.MAVLINK_MSG_ID_HEARTBEAT, 1.0, heartbeat),
     Stream("SYS_STATUS", mav.MAVLINK_MSG_ID_SYS_STATUS, 1.0, sys_status),
@@ -332,4 +360,8 @@ TELEMETRY: tuple[Stream, ...] = (
     Stream("XferOut", mav.MAVLINK_MSG_ID_NAMED_VALUE_INT, 1.0, xfer_out),
     Stream("XferIn", mav.MAVLINK_MSG_ID_NAMED_VALUE_INT, 1.0, xfer_in),
     Stream("FOLLOW_TARGET", mav.MAVLINK_MSG_ID_FOLLOW_TARGET, 0.0, follow_target),
+    Stream("MISSION_CURRENT", mav.MAVLINK_MSG_ID_MISSION_CURRENT, 0.0, mission_current),
+    Stream("ATTITUDE_QUATERNION", mav.MAVLINK_MSG_ID_ATTITUDE_QUATERNION, 0.0, attitude_quaternion),
+    Stream("ALTITUDE", mav.MAVLINK_MSG_ID_ALTITUDE, 0.0, altitude),
+    Stream("VFR_HUD", mav.MAVLINK_MSG_ID_VFR_HUD, 0.0, vfr_hud),
 )

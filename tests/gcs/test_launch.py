@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 import yaml
 
-from gcs.launch import Ended, Order, traffic_order, vehicle_order, vehicle_parameters
+from gcs.launch import Ended, Order, traffic_order, vehicle_order, vehicle_orders, vehicle_parameters
 from gcs.scenario import Scenario
 
 LINK = ("--supervised", "udpout:127.0.0.1:5000")
@@ -47,7 +47,7 @@ def options(order: Order) -> dict[str, str | None]:
 
 def test_a_vehicles_argv_says_all_of_the_scenario(folder: Path) -> None:
     world = scenario()
-    order = vehicle_order(world.vehicles.pursuers[0], world, folder, LINK)
+    order = vehicle_order([world.vehicles.pursuers[0]], world, folder, LINK)
     assert (order.sysid, order.log) == (3, folder / "vehicles" / "3.log")
     assert options(order) == {
         "--sysid": "3",
@@ -64,13 +64,13 @@ def test_a_vehicles_argv_says_all_of_the_scenario(folder: Path) -> None:
 
 def test_on_the_ground_and_without_truth_the_flags_are_missing(folder: Path) -> None:
     world = scenario(truth=False)
-    assert {"--airborne", "--truth"}.isdisjoint(vehicle_order(world.vehicles.pursuers[1], world, folder, LINK).argv)
+    assert {"--airborne", "--truth"}.isdisjoint(vehicle_order([world.vehicles.pursuers[1]], world, folder, LINK).argv)
 
 
 def test_parameters_are_the_scenarios_and_the_vehicles_own_win(folder: Path) -> None:
     world = scenario()
     first, second = world.vehicles.pursuers
-    vehicle_order(first, world, folder, LINK)
+    vehicle_order([first], world, folder, LINK)
     written = yaml.safe_load((folder / "vehicles" / "3.params.yaml").read_text())
     assert written == vehicle_parameters(first, world) == {
         "SIM_BAT_CAP_J": 24_000.0, "SIM_BAT_INIT_J": 14_400.0, "SIM_BAT_HOVER_W": 180.0, "SIM_BAT_AVION_W": 12.0,
@@ -93,7 +93,7 @@ def test_traffic_is_one_process_with_a_file_of_plain_yaml(folder: Path) -> None:
 def test_small_numbers_survive_the_command_line(folder: Path) -> None:
     world = scenario()
     tiny = world.vehicles.pursuers[1].model_copy(update={"start_m": (1e-17, -0.1 + 0.3, 12345.678901234567)})
-    words = options(vehicle_order(tiny, world, folder, LINK))["--position"]
+    words = options(vehicle_order([tiny], world, folder, LINK))["--position"]
     assert words is not None
     assert tuple(map(float, words.split(","))) == tiny.start_m
 
@@ -107,3 +107,18 @@ def test_small_numbers_survive_the_command_line(folder: Path) -> None:
 )
 def test_a_death_is_one_sentence(status: int, lines: tuple[str, ...], sentence: str) -> None:
     assert Ended(3, 77, status, lines).sentence("pursuer 3") == sentence
+
+
+def test_a_blocks_argv_lists_each_vehicles_own_values_in_order(folder: Path) -> None:
+    battery = {"capacity_j": 24_000.0}
+    vehicles = [{"sysid": s, "start_m": (3.0 * s, 0.0, 0.0), "battery": battery} for s in (3, 4, 5, 7)]
+    vehicles.append({"sysid": 8, "start_m": (90.0, 0.0, -5.0), "airborne": True, "battery": battery})
+    world = scenario(vehicles={"pursuers": vehicles})
+    orders = vehicle_orders(world, folder, LINK, per_process=2)
+    assert [order.sysids for order in orders] == [(3, 4), (5,), (7,), (8,)]
+    words = orders[0].argv
+    assert [words[i + 1] for i, word in enumerate(words) if word == "--position"] == ["9.0,0.0,0.0", "12.0,0.0,0.0"]
+    assert [Path(words[i + 1]).name for i, word in enumerate(words) if word == "--truth"] == ["3.truth", "4.truth"]
+    assert words[words.index("--count") + 1] == "2"
+    assert [order.argv.count("--airborne") for order in orders] == [0, 0, 0, 1]
+    assert [order.sysids for order in vehicle_orders(world, folder, LINK)] == [(3,), (4,), (5,), (7,), (8,)]

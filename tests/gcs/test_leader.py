@@ -237,3 +237,18 @@ def test_a_wrong_argument_is_refused_by_name(changed: dict[str, object], says: s
 def test_a_goal_that_is_not_a_number_is_refused() -> None:
     with pytest.raises(ValueError, match="goals"):
         one((0, 0, 0), (math.nan, 0, 0))
+
+
+def test_an_attractor_draws_within_its_range_and_only_whom_it_is_to_draw() -> None:
+    """Beside the goal straight ahead, both 3 m away: forces k0 each, so that two of three go half-way to the side."""
+    goals, still = [(3, 0, 0)] * 3, [(0, 0, 0)] * 3
+    how = {"speed_m_s": [1.0] * 3, "attractors": [(0, 3, 0)], "drawn": [[True], [True], [False]]}
+    near = tick([(0, 0, 0)] * 3, fuzzy.new_memory(3), goals, still, attraction_ranges_m=[3.5], **how)[2]
+    assert near == pytest.approx(np.array([(0.5**0.5, 0.5**0.5, 0), (0.5**0.5, 0.5**0.5, 0), (1, 0, 0)]))
+    far = tick([(0, 0, 0)] * 3, fuzzy.new_memory(3), goals, still, attraction_ranges_m=[2.5], **how)[2]
+    assert far == pytest.approx(np.array([(1, 0, 0)] * 3))
+
+
+def test_attractors_for_nobody_are_refused() -> None:
+    with pytest.raises(ValueError, match="drawn"):
+        one((0, 0, 0), (1, 0, 0), attractors=[(0, 3, 0)], attraction_ranges_m=[1.0], drawn=[[True], [True]])

@@ -14,7 +14,7 @@ from gcs.scenario import Obstacle, Scenario
 BATTERY = {"capacity_j": 1e4}
 
 
-def metrics(*obstacles: Obstacle) -> Metrics:
+def metrics(*obstacles: Obstacle, **more_of_it: Any) -> Metrics:
     def vehicle(sysid: int, **more: Any) -> dict[str, Any]:
         return {"sysid": sysid, "start_m": (float(sysid), 0.0, 0.0), "battery": BATTERY} | more
 
@@ -23,6 +23,7 @@ def metrics(*obstacles: Obstacle) -> Metrics:
         "goal": {"duration_s": 60.0, "pursue": {"within_m": 3.0, "for_s": 5.0}},
         "vehicles": {"pursuers": [vehicle(1), vehicle(2)],
                      "targets": [vehicle(101, path_m=[(0.0, 0.0, 0.0)], speed_m_s=1.0)]},
+        **more_of_it,
     })  # fmt: skip
     return Metrics(scenario, obstacle_table(obstacles))
 
@@ -115,3 +116,13 @@ def test_a_plan_that_was_interrupted_is_not_joined_across_the_gap() -> None:
     for k in range(PLAN_MEMORY - 1):
         take(m, 4 + 0.1 * k, view(1, (50, 0, 0)), points=[SetPoint(1, (80.0, 0.0, 0.0), (0.0, 0.0, 0.0))])
     assert m.max_tracking_error_m[1] == pytest.approx(0.0, abs=1e-9)
+
+
+def test_where_one_pursuer_is_chosen_it_is_the_target_that_must_be_followed() -> None:
+    m = metrics(pursuit={"by": "competition"})
+    for k in range(50):  # handed over from 1 to 2 at 2 s, without a gap
+        chosen = {1: 101} if k < 20 else {2: 101}
+        views = (view(1, (2.0 if k < 20 else 9.0, 0.0, 0.0)), view(2, (9.0 if k < 20 else 2.0, 0.0, 0.0)))
+        m.take(Snapshot(k / 10, (*views, view(101, (0.0, 0.0, 0.0))), ()), [], [], chosen)
+        assert m.target_of == chosen
+    assert m.held_s == pytest.approx({101: 4.9})

@@ -297,3 +297,68 @@ def test_obstacles_keep_their_shapes() -> None:
     for point in rng.uniform(-10, 10, (200, 3)):
         by_scenario = [shape.clearance_m(tuple(point)) for shape in shapes]
         assert surface(table, point)[0] == pytest.approx(by_scenario)
+
+
+COURSE = [(3.0, 0.0, -4.0), (3.0, 4.0, -4.0)]
+
+
+def test_way_points_are_visited_in_order_and_the_last_is_kept() -> None:
+    world = World(scenario(vehicles={"pursuers": [pursuer(1, 0, 0, -4) | {"waypoints_m": COURSE}]}))
+    planned = np.array([world.tick()[1] for _ in range(200)])
+    assert tuple(planned[0]) == (0.0, 0.0, -4.0)
+    nearest = [np.linalg.norm(planned - point, axis=1) for point in COURSE]
+    assert [d.min() <= 0.1 for d in nearest] == [True, True]
+    assert nearest[0].argmin() < nearest[1].argmin()
+    assert (planned[-20:] == planned[-1]).all()
+    assert math.dist(planned[-1], COURSE[-1]) <= 0.1
+    assert world.plan[0].v_ned == (0.0, 0.0, 0.0)
+
+
+@pytest.mark.parametrize("repel", [True, False])
+def test_vehicles_that_do_not_repel_are_planned_as_if_alone(repel: bool) -> None:
+    course = {"waypoints_m": [(6.0, 0.0, -4.0)]}
+    two = [pursuer(1, 0, 0, -4) | course, pursuer(2, 0.7, 0, -4) | course]
+    rules = {"vehicles_repel": repel}
+    alone = World(scenario(vehicles={"pursuers": two[:1]}, planner=rules)).fly(6.0)
+    together = World(scenario(vehicles={"pursuers": two}, planner=rules)).fly(6.0)
+    assert ([t[1] for t in together] == [t[1] for t in alone]) == (not repel)
+
+
+def test_only_the_chosen_pursuers_follow_and_the_others_hold() -> None:
+    content = {"pursuers": FIVE, "targets": [target(101, (9, 0, -4))]}
+    world = World(scenario(vehicles=content))
+    starts = dict(world.at)
+    how = {"rendezvous": {}, "partners": (), "targets_move": True, "period_s": PERIOD_S}
+    for _ in range(20):
+        plan = world.planner.plan(world.snapshot(), frozenset(world.at), pursuing={3: 101}, **how)
+    where = {point.sysid: point.p_ned for point in plan}
+    assert math.dist(where[3], (9, 0, -4)) < math.dist(starts[3], (9, 0, -4)) - 2.0
+    assert {sysid: where[sysid] for sysid in (1, 2, 4, 5)} == {sysid: starts[sysid] for sysid in (1, 2, 4, 5)}
+
+
+@pytest.mark.parametrize("attracts", [True, False])
+def test_traffic_draws_pursuers_or_keeps_them_away(attracts: bool) -> None:
+    mover = {"callsign": "BAIT", "path_m": [(3.0, 0.8, -4.0), (3.0, 9.0, -4.0)], "speed_m_s": 1.0, "attracts": attracts}
+    still = TrafficView("BAIT", (3.0, 0.8, -4.0), (0.0, 0.0, 0.0), 0.0)
+    made = scenario(vehicles={"pursuers": [pursuer(1, 0, 0, -4) | {"waypoints_m": [(6, 0, -4)]}]}, traffic=[mover])
+    world = World(made, traffic=lambda _: [still])
+    aside = max((where[1][1] for where in world.fly(6.0)), key=abs)
+    assert (aside > 0.1) if attracts else (aside < -0.01)
+
+
+def test_a_static_attractor_draws_those_that_pass_within_its_range() -> None:
+    made = scenario(
+        vehicles={"pursuers": [pursuer(1, 0, 0, -4) | {"waypoints_m": [(6, 0, -4)]}]},
+        attractors=[{"point_m": (3.0, 0.8, -4.0)}, {"point_m": (3.0, -4.0, -4.0), "range_m": 3.9}],
+    )
+    trail = [where[1][1] for where in World(made).fly(6.0)]
+    assert max(trail) > 0.1
+    assert min(trail) > -1e-9
+
+
+def test_a_tanker_meets_a_receiver_that_is_off_its_plan_where_it_flies() -> None:
+    content = {"pursuers": [pursuer(1, 0, 0, -4) | {"waypoints_m": [(6, 0, -4)]}], "tankers": [TANKER]}
+    world = World(scenario(vehicles=content, planner={"vehicles_repel": False}), held=frozenset({1}))
+    world.at[1] = (0.0, 5.0, -4.0)
+    world.fly(20.0, rendezvous={201: 1}, partners=[(201, 1)])
+    assert math.dist(world.at[201], (0.0, 5.0, -5.2)) < 0.05

@@ -31,11 +31,12 @@ class Bench:
         autopilot: str = "px4",
         params: dict[str, float] | None = None,
         start: Start | None = None,
+        store: Any = None,
     ) -> None:
         self.sysid = sysid
         self.vehicle = Vehicle(IDENTITIES[autopilot], Parameters(params), LocalFrame(*ORIGIN), start or Start())
         self.connection = Connection(sysid)
-        self.services = Services(self.vehicle, sysid, [self.connection])
+        self.services = Services(self.vehicle, sysid, [self.connection], store)
         self.heard: list[Any] = []
         self._parser = common.MAVLink(None)
         self._writers: dict[tuple[int, int], Any] = {}
@@ -141,6 +142,15 @@ class Bench:
         assert self.arm() == 0
         assert self.vehicle.take_off(height_m)
         self.fly(20.0, until=lambda b: b.vehicle.mode == "hold")
+        self.fly(3.0)
+        return self
+
+    def in_air_guided(self, height_m: float = 2.5) -> "Bench":
+        """In the air as an ArduCopter gets there: GUIDED, arm, take-off to a height in param 7."""
+        assert self.result(common.MAV_CMD_DO_SET_MODE, 1.0, 4.0) == 0
+        assert self.arm() == 0
+        assert self.result(common.MAV_CMD_NAV_TAKEOFF, *[0.0] * 6, height_m) == 0
+        self.fly(20.0, until=lambda b: b.vehicle.mode == "guided")
         self.fly(3.0)
         return self
 

@@ -126,3 +126,22 @@ def test_help_is_a_page_for_newcomers_and_loads_no_compiler() -> None:
 )  # fmt: skip
 def test_argv_names_its_system(argv: list[str], sysid: int) -> None:
     assert sysid_of(argv) == sysid
+
+
+def test_a_blocks_options_are_given_once_or_once_for_each(capfd: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    two = ["--position", "0,0,0", "--position", "5,0,0"]
+    assert "--position is given 2 times" in complaint([*FINE, *two, "--count", "3"], capfd)
+    assert "--position is given 2 times" in complaint([*FINE, *two], capfd)
+    assert "system ids end at 254; begin at 251" in complaint([*FINE, "--sysid", "252", "--count", "4"], capfd)
+    assert "give it 3 times" in complaint([*FINE, "--count", "3", "--truth", str(tmp_path / "t")], capfd)
+
+
+def test_broken_or_unusable_state_is_told_in_one_sentence(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    kept = tmp_path / "1.parameters.json"
+    for content, said in (
+        ("{", "1.parameters.json holds no parameters"),
+        ('{"NO_SUCH": 1}', "unknown parameter NO_SUCH"),
+    ):
+        kept.write_text(content)
+        assert said in complaint([*FINE, "--state", str(tmp_path)], capfd)
+    assert "--state" in complaint([*FINE, "--state", str(kept / "below")], capfd)

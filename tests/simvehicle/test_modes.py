@@ -11,7 +11,7 @@ _REFUSED = "refused"
 
 # (event, armed) → where each mode goes: a mode, None for "stays", or refused. `others` stands for modes not listed.
 EXPECTED: dict[tuple[Event, bool], dict[str, str | None]] = {
-    (Event.ARM, False): {"land": "hold", "return": "hold", "others": None},
+    (Event.ARM, False): {"land": "hold", "return": "hold", "follow": "hold", "others": None},
     (Event.ARM, True): {"others": None},
     (Event.DISARM, False): {"others": "hold"},
     (Event.DISARM, True): {"others": "hold"},
@@ -30,7 +30,7 @@ EXPECTED: dict[tuple[Event, bool], dict[str, str | None]] = {
     (Event.HOME_REACHED, False): {"others": _REFUSED},
     (Event.HOME_REACHED, True): {"return": "land", "others": _REFUSED},
     (Event.TOUCHDOWN, False): {"others": _REFUSED},
-    (Event.TOUCHDOWN, True): {"land": None, "others": _REFUSED},
+    (Event.TOUCHDOWN, True): {"land": None, "mission": "hold", "others": _REFUSED},
     (Event.REFUEL, False): {"others": _REFUSED},
     (Event.REFUEL, True): {"offboard": "refuel", "refuel": "refuel", "others": _REFUSED},
     (Event.REFUEL_END, False): {"refuel": "offboard", "others": _REFUSED},
@@ -41,6 +41,24 @@ EXPECTED: dict[tuple[Event, bool], dict[str, str | None]] = {
     (Event.GCS_LOST, True): {"land": _REFUSED, "return": _REFUSED, "others": "return"},
     (Event.SETPOINTS_LOST, False): {"others": _REFUSED},
     (Event.SETPOINTS_LOST, True): {"offboard": "hold", "refuel": "hold", "others": _REFUSED},
+    (Event.MISSION, False): {"others": "mission"},
+    (Event.MISSION, True): {"others": "mission"},
+    (Event.MISSION_DONE, False): {"mission": "hold", "others": _REFUSED},
+    (Event.MISSION_DONE, True): {"mission": "hold", "others": _REFUSED},
+    (Event.FOLLOW, False): {"others": _REFUSED},
+    (Event.FOLLOW, True): {"others": "follow"},
+    (Event.GUIDED, False): {"takeoff": None, "offboard": None, "refuel": None, "guided": None, "others": "guided"},
+    (Event.GUIDED, True): {"takeoff": None, "offboard": None, "refuel": None, "guided": None, "others": "guided"},
+    (Event.GUIDED_HOLD, False): {"others": "guided"},
+    (Event.GUIDED_HOLD, True): {"others": "guided"},
+    (Event.CRASHED, False): {"others": _REFUSED},
+    (Event.CRASHED, True): {"others": "hold"},
+    (Event.GPS_LOST, False): {"others": _REFUSED},
+    (Event.GPS_LOST, True): {"land": _REFUSED, "others": "land"},
+    (Event.FENCE_HOLD, False): {"others": _REFUSED},
+    (Event.FENCE_HOLD, True): {"land": _REFUSED, "return": _REFUSED, "others": "hold"},
+    (Event.FENCE_RETURN, False): {"others": _REFUSED},
+    (Event.FENCE_RETURN, True): {"land": _REFUSED, "return": _REFUSED, "others": "return"},
 }
 
 
@@ -61,15 +79,20 @@ def test_event_in_mode_and_arming_leads_where_it_should(event: Event, mode: Mode
         assert rule.mode == wanted
 
 
-@pytest.mark.parametrize(("event", "arming"), [(Event.ARM, True), (Event.DISARM, False), (Event.TOUCHDOWN, False)])
-def test_only_arm_disarm_and_touchdown_change_the_arming(event: Event, arming: bool) -> None:
+@pytest.mark.parametrize(
+    ("event", "arming"),
+    [(Event.ARM, True), (Event.DISARM, False), (Event.TOUCHDOWN, False), (Event.CRASHED, False)],
+)
+def test_only_arm_disarm_touchdown_and_crash_change_the_arming(event: Event, arming: bool) -> None:
     assert {rule.arming for rule in RULES if rule.event is event} <= {arming, None}
     changing = {rule.event for rule in RULES if rule.arming is not None}
-    assert changing == {Event.ARM, Event.DISARM, Event.TOUCHDOWN}
+    assert changing == {Event.ARM, Event.DISARM, Event.TOUCHDOWN, Event.CRASHED}
 
 
 def test_worst_failsafe_comes_first() -> None:
-    assert FAILSAFES == (Event.BATTERY_EMPTY, Event.GCS_LOST, Event.SETPOINTS_LOST)
+    landing = (Event.BATTERY_EMPTY, Event.GPS_LOST)
+    returning = (Event.GCS_LOST, Event.FENCE_RETURN)
+    assert (*landing, *returning, Event.FENCE_HOLD, Event.SETPOINTS_LOST) == FAILSAFES
 
 
 @pytest.mark.parametrize("mode", Mode)
@@ -81,11 +104,14 @@ def test_lesser_failsafe_never_undoes_a_worse_one(mode: Mode) -> None:
         assert first is None or second is None
 
 
-def test_failsafes_warn_and_the_battery_is_critical() -> None:
+def test_failsafes_warn_and_those_that_land_are_critical() -> None:
     loud = {rule.event: rule.severity for rule in RULES if rule.event in FAILSAFES}
     assert loud == {
         Event.BATTERY_EMPTY: Severity.CRITICAL,
+        Event.GPS_LOST: Severity.CRITICAL,
         Event.GCS_LOST: Severity.WARNING,
+        Event.FENCE_RETURN: Severity.WARNING,
+        Event.FENCE_HOLD: Severity.WARNING,
         Event.SETPOINTS_LOST: Severity.WARNING,
     }
     assert (STAND_DOWN.mode, STAND_DOWN.arming, STAND_DOWN.severity) == (Mode.HOLD, False, Severity.WARNING)

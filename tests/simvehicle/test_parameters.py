@@ -16,19 +16,31 @@ AIRBORNE = Start(p_ned=(0.0, 0.0, -5.0), airborne=True)
 FIXED = ("SIM_BAT_INIT_J", "SIM_GAIN_SET")
 
 
+def as_float(number: int) -> float:
+    return float(struct.unpack("<f", struct.pack("<i", number))[0])
+
+
 def set_value(bench: Any, name: str, value: float, kind: int = REAL32) -> Any:
-    (echo,) = bench.send(mav.MAVLink_param_set_message(1, 1, name.encode(), value, kind))
-    assert echo.param_id == name
+    """The PARAM_VALUE that answers a change; a PARAM_ERROR may stand before it."""
+    *errors, echo = bench.send(mav.MAVLink_param_set_message(1, 1, name.encode(), value, kind))
+    assert [m.get_type() for m in errors] in ([], ["PARAM_ERROR"])
+    assert (echo.get_type(), echo.param_id) == ("PARAM_VALUE", name)
     return echo
+
+
+def refusal(bench: Any, name: str, value: float, kind: int = REAL32) -> int:
+    """The code of the PARAM_ERROR that answers a change, the old value following it."""
+    before = bench.vehicle.parameters[name]
+    error, echo = bench.send(mav.MAVLink_param_set_message(1, 1, name.encode(), value, kind), source=(7, 8))
+    assert (error.get_type(), error.param_id, error.param_index) == ("PARAM_ERROR", name, echo.param_index)
+    assert (error.target_system, error.target_component) == (7, 8)
+    assert bench.vehicle.parameters[name] == before
+    return int(error.error)
 
 
 def read_value(bench: Any, name: str) -> Any:
     (value,) = bench.send(mav.MAVLink_param_request_read_message(1, 1, name.encode(), -1))
     return value
-
-
-def as_float(number: int) -> float:
-    return float(struct.unpack("<f", struct.pack("<i", number))[0])
 
 
 def test_list_gives_each_parameter_once_with_its_index(vehicle_bench: Any) -> None:
@@ -50,10 +62,16 @@ def test_parameter_is_read_alike_by_name_and_by_index(vehicle_bench: Any, row: A
 
 def test_unknown_name_or_index_is_not_answered_with_another_parameter(vehicle_bench: Any) -> None:
     bench = vehicle_bench()
-    assert bench.send(mav.MAVLink_param_request_read_message(1, 1, b"NO_SUCH", -1)) == []
-    assert bench.send(mav.MAVLink_param_request_read_message(1, 1, b"", len(TABLE))) == []
-    assert bench.send(mav.MAVLink_param_request_read_message(1, 1, b"", 32767)) == []
-    assert bench.send(mav.MAVLink_param_set_message(1, 1, b"NO_SUCH", 1.0, REAL32)) == []
+    for question, name, index in (
+        (mav.MAVLink_param_request_read_message(1, 1, b"NO_SUCH", -1), "NO_SUCH", -1),
+        (mav.MAVLink_param_request_read_message(1, 1, b"", len(TABLE)), "", len(TABLE)),
+        (mav.MAVLink_param_request_read_message(1, 1, b"", 32767), "", 32767),
+        (mav.MAVLink_param_set_message(1, 1, b"NO_SUCH", 1.0, REAL32), "NO_SUCH", -1),
+    ):
+        (error,) = bench.send(question)
+        assert (error.get_type(), error.error) == ("PARAM_ERROR", mav.MAV_PARAM_ERROR_DOES_NOT_EXIST)
+        assert (error.param_id, error.param_index) == (name, index)
+        assert (error.target_system, error.target_component) == (255, 190)
 
 
 @pytest.mark.parametrize("row", [r for r in TABLE if not r.whole and r.name not in FIXED], ids=lambda row: row.name)
@@ -122,6 +140,26 @@ def test_value_of_another_type_is_refused_where_its_bytes_would_be_another_numbe
     assert bench.vehicle.parameters["BAT_EMERGEN_THR"] == pytest.approx(0.05)
     assert bench.vehicle.parameters["SYS_AUTOSTART"] == 4001.0
     assert bench.texts == ["BAT_EMERGEN_THR is a REAL32: value refused", "SYS_AUTOSTART is an INT32: value refused"]
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "kind", "code"),
+    [
+        ("MPC_LAND_SPEED", 99.0, REAL32, mav.MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE),
+        ("MPC_LAND_SPEED", math.nan, REAL32, mav.MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE),
+        ("MPC_LAND_SPEED", -math.inf, REAL32, mav.MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE),
+        ("SIM_GAIN_RATE", 600.0, REAL32, mav.MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE),
+        ("GF_ACTION", as_float(9), INT32, mav.MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE),
+        ("SIM_BAT_INIT_J", 5000.0, REAL32, mav.MAV_PARAM_ERROR_READ_ONLY),
+        ("MPC_LAND_SPEED", as_float(1), INT32, 7),  # MAV_PARAM_ERROR_TYPE_MISMATCH of today's common.xml
+        ("GF_ACTION", 1.0, REAL32, 7),
+        ("GF_ACTION", 1.0, mav.MAV_PARAM_TYPE_UINT8, 7),
+    ],
+)
+def test_refused_value_is_answered_by_the_reason_and_kept(
+    vehicle_bench: Any, name: str, value: float, kind: int, code: int
+) -> None:
+    assert refusal(vehicle_bench(), name, value, kind) == code
 
 
 def test_value_of_another_type_is_taken_by_value(vehicle_bench: Any) -> None:

@@ -10,7 +10,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.geo import LocalFrame
 from simvehicle.mavlink.codec import encode
-from simvehicle.mavlink.identity import Identity
+from simvehicle.mavlink.identity import IDENTITIES
 from simvehicle.mavlink.telemetry import TELEMETRY, Snapshot, autopilot_version
 from simvehicle.vehicle import Start
 
@@ -146,7 +146,7 @@ def test_no_state_is_too_great_for_its_telemetry(vehicle_bench: Any, wild: dict[
 
 def test_version_is_new_enough_and_of_no_release() -> None:
     snapshot = Snapshot.__new__(Snapshot)
-    identity = Identity(0, {}, {}, True, True, 5)
+    identity = replace(IDENTITIES["px4"], capabilities=5)
     object.__setattr__(snapshot, "identity", identity)
     version = autopilot_version(snapshot, 9).flight_sw_version
     assert (version >> 24, version >> 16 & 255) >= (1, 4)

@@ -159,7 +159,14 @@ def read_truth(path: Path) -> Truth:
 class Running:
     """`gcs run` as a live process."""
 
-    def __init__(self, scenario: Mapping[str, Any] | str, folder: Path, *options: str, file_limit: int | None = None):
+    def __init__(
+        self,
+        scenario: Mapping[str, Any] | str,
+        folder: Path,
+        *options: str,
+        file_limit: int | None = None,
+        stdout: str | None = None,
+    ):
         self.folder = folder / "session"
         name = scenario
         if isinstance(scenario, Mapping):
@@ -170,7 +177,7 @@ class Running:
         limit = [] if file_limit is None else ["prlimit", f"--fsize={file_limit}"]
         self.process = subprocess.Popen(
             [*limit, *GCS, "run", str(name), "--out", str(self.folder), *options],
-            stdout=subprocess.PIPE,
+            stdout=subprocess.PIPE if stdout is None else os.open(stdout, os.O_WRONLY),
             stderr=subprocess.PIPE,
             text=True,
             start_new_session=True,

@@ -181,6 +181,7 @@ def test_without_the_tanker_nobody_is_refuelled_and_the_neediest_lands(tmp_path:
 def test_the_session_folder_is_as_promised(flown: Outcome) -> None:
     assert {path.name for path in flown.folder.iterdir()} == {
         "session.tlog",
+        "session.log",
         "decisions.jsonl",
         "scenario.yaml",
         "summary.json",

@@ -57,3 +57,4 @@ def test_an_empty_battery_lands_and_says_so(tmp_path: Path) -> None:
     assert outcome.truth(1).p_ned[-1, 2] == 0.0
     assert outcome.truth(1).energy[:, 3].min() > 0.0
     assert "battery empty" in outcome.stdout
+    assert "battery empty" in (outcome.folder / "vehicles" / "1.log").read_text(encoding="utf-8")

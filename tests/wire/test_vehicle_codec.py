@@ -11,7 +11,7 @@ from pymavlink.dialects.v20 import common
 
 from simvehicle.mavlink import codec
 from simvehicle.mavlink.telemetry import TELEMETRY
-from simvehicle.services import _MESSAGES
+from simvehicle.services import UNDERSTOOD
 
 CLASSES: dict[int, Any] = dict(common.mavlink_map)
 ANSWERS = (
@@ -22,8 +22,11 @@ ANSWERS = (
     common.MAVLINK_MSG_ID_MESSAGE_INTERVAL,
     common.MAVLINK_MSG_ID_SYSTEM_TIME,
     common.MAVLINK_MSG_ID_ADSB_VEHICLE,
+    common.MAVLINK_MSG_ID_PARAM_ERROR,
+    common.MAVLINK_MSG_ID_MISSION_ACK,
+    common.MAVLINK_MSG_ID_MISSION_ITEM_REACHED,
 )
-SPOKEN = sorted({stream.msgid for stream in TELEMETRY} | set(_MESSAGES) | set(ANSWERS))
+SPOKEN = sorted({stream.msgid for stream in TELEMETRY} | UNDERSTOOD | set(ANSWERS))
 RANGES = {"b": (-128, 127), "B": (0, 255), "h": (-(2**15), 2**15 - 1), "H": (0, 2**16 - 1)} | {
     "i": (-(2**31), 2**31 - 1),
     "I": (0, 2**32 - 1),

@@ -1,0 +1,49 @@
+"""The JSON Schema of a scenario file, for editors: what a file may say, which is more than what `Scenario` holds.
+
+A file may give keys once, in `vehicles.defaults`, instead of in each vehicle; so only `sysid` is required of a vehicle.
+A vehicle or an obstacle may be a grid of many, and a planner or a policy be named in short.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from gcs.scenario import Scenario
+
+VEHICLES = ("Pursuer", "Target", "Tanker")
+GRID = {
+    "type": "object",
+    "description": "Many alike, row by row; system ids count up.",
+    "properties": {
+        "count": {"type": "integer", "minimum": 1},
+        "columns": {"type": "integer", "minimum": 1},
+        "spacing_m": {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2},
+    },
+    "required": ["count", "columns", "spacing_m"],
+    "additionalProperties": False,
+}
+DRAFT = "https://json-schema.org/draft/2020-12/schema"
+
+
+def editor_schema() -> dict[str, Any]:
+    """JSON Schema (2020-12) of a scenario file; values that are right one by one but not together are not in it."""
+    schema = Scenario.model_json_schema()
+    parts = schema["$defs"]
+    keys: dict[str, Any] = {}
+    for name in VEHICLES:
+        parts[name]["required"] = ["sysid"]
+        keys |= parts[name]["properties"]
+    parts["Battery"].pop("required", None)
+    del keys["sysid"]
+    for name in (*VEHICLES, "Obstacle"):
+        parts[name]["properties"]["grid"] = GRID
+    for key in ("planner", "competition"):
+        part = schema["properties"][key]
+        schema["properties"][key] = {"anyOf": [{"$ref": part["$ref"]}, {"type": "string"}], "default": part["default"]}
+    parts["Vehicles"]["properties"]["defaults"] = {
+        "type": "object",
+        "description": "Keys that are given to each vehicle that lacks them.",
+        "properties": keys,
+        "additionalProperties": False,
+    }
+    return {"$schema": DRAFT, "title": "Skytender scenario", **{k: v for k, v in schema.items() if k != "title"}}

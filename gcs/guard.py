@@ -1,0 +1,130 @@
+"""Somebody else's code inside a tick: it may raise, never return, or answer nonsense, and the session goes on.
+
+A call is cut off after LIMIT_S of wall time by an interval timer, which also ends endless loops and sleeps (not a call
+into compiled code that never comes back). Who has been cut off is not asked again: ten of them in a row would end
+the patience that vehicles have with a silent supervisor.
+"""
+
+from __future__ import annotations
+
+import signal
+import threading
+import time
+import traceback
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from types import FrameType
+from typing import Any, Generic, TypeVar
+
+LIMIT_S = 1.0
+AGAIN_S = 0.05
+"""A call that swallows the cut is cut again."""
+MAX_TEXT = 200
+T = TypeVar("T")
+
+
+@dataclass(frozen=True)
+class Problem:
+    """What somebody's code did wrong, and the vehicle that is held for it."""
+
+    sysid: int
+    policy: str
+    problem: str
+
+    @property
+    def sentence(self) -> str:
+        """For a person."""
+        return f"{self.policy} {self.problem}; the vehicle is held"
+
+    def record(self) -> dict[str, Any]:
+        """For decisions.jsonl."""
+        return {"kind": "policy failed", "sysid": self.sysid, "policy": self.policy, "problem": self.problem}
+
+
+@dataclass(frozen=True)
+class Answer(Generic[T]):
+    """What a call returned."""
+
+    value: T
+
+
+class Guard:
+    """Calls one implementation on behalf of vehicles, and remembers who is held for what."""
+
+    def __init__(self, policy: str, limit_s: float = LIMIT_S) -> None:
+        self.policy = policy
+        self._limit_s = limit_s
+        self._told: dict[int, str] = {}
+        self._cut: set[int] = set()
+        self._new: list[Problem] = []
+        self._cut_now = False
+
+    def begin_tick(self) -> None:
+        """One call at most is cut off in each tick."""
+        self._cut_now = False
+
+    def call(self, sysid: int, function: Callable[[], T]) -> Answer[T] | None:
+        """What `function` returns for this vehicle; None where it failed, now or for good, and the vehicle is held."""
+        if sysid in self._cut or self._cut_now:
+            return None
+        try:
+            with _cut_off_after(self._limit_s):
+                return Answer(function())
+        except _Overrun:
+            self._cut.add(sysid)
+            self._cut_now = True
+            self.blame(sysid, f"did not answer within {self._limit_s:g} s and is not asked again")
+        except (Exception, SystemExit) as error:
+            self.blame(sysid, f"raised {_told(error)}")
+        return None
+
+    def blame(self, sysid: int, problem: str) -> None:
+        """A vehicle is held for this; said once until it is `cleared` or something else is wrong."""
+        if self._told.get(sysid) != problem:
+            self._told[sysid] = problem
+            self._new.append(Problem(sysid, self.policy, problem))
+
+    def clear(self, sysid: int) -> None:
+        """This vehicle got a good answer."""
+        self._told.pop(sysid, None)
+
+    def take(self) -> list[Problem]:
+        """The problems since the last call."""
+        taken, self._new = self._new, []
+        return taken
+
+
+def _told(error: BaseException) -> str:
+    """`ValueError at planner.py:12: text`, on one line."""
+    frames = traceback.extract_tb(error.__traceback__)
+    where = next((f for f in reversed(frames) if "site-packages" not in f.filename), frames[-1])
+    text = " ".join(str(error).split())[:MAX_TEXT]
+    return f"{type(error).__name__} at {Path(where.filename).name}:{where.lineno}" + (f": {text}" if text else "")
+
+
+class _Overrun(BaseException):
+    """No Exception: a policy's own `except Exception` must not swallow it."""
+
+
+def _cut(_: int, __: FrameType | None) -> None:
+    raise _Overrun
+
+
+@contextmanager
+def _cut_off_after(limit_s: float) -> Iterator[None]:
+    """Raise _Overrun in the body once the time is up. Without effect outside the main thread, which has the signals."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    handler = signal.signal(signal.SIGALRM, _cut)
+    begun_s = time.monotonic()
+    left_s, every_s = signal.setitimer(signal.ITIMER_REAL, limit_s, AGAIN_S)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
+        signal.signal(signal.SIGALRM, handler)
+        if left_s:
+            signal.setitimer(signal.ITIMER_REAL, max(left_s - (time.monotonic() - begun_s), 1e-3), every_s)

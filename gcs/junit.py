@@ -1,0 +1,80 @@
+"""A session's outcome as JUnit XML: one test case for each part of the scenario's goal, for CI systems to show."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree as ET
+
+from gcs.scenario import Goal, Scenario
+
+NO_XML = dict.fromkeys((*range(9), 11, 12, *range(14, 32), 0xFFFE, 0xFFFF), "\ufffd")
+"""Characters that no XML file may hold."""
+
+
+def cases(goal: Goal) -> list[tuple[str, str]]:
+    """(outcome that tells of its failure, name) of each part of a goal, in the order in which they are judged."""
+    parts = [("vehicle_lost", "no vehicle is lost"), ("duration_s", f"{goal.duration_s:g} s are flown")]
+    if goal.pursue is not None:
+        pursue = goal.pursue
+        parts.append(("pursue", f"every pursuer within {pursue.within_m:g} m of its target for {pursue.for_s:g} s"))
+    if goal.refuelled_at_least:
+        parts.append(("refuelled_at_least", f"at least {goal.refuelled_at_least} refuelled in flight"))
+    return parts
+
+
+def document(scenario: Scenario, summary: dict[str, Any] | None, error: str | None, folder: Path) -> str:
+    """The XML. `summary` is summary.json's content, None where none was written; `error` is why the session failed."""
+    parts = cases(scenario.goal)
+    outcome = summary["outcome"] if summary else "none"
+    kinds = [key for key, _ in parts]
+    failed_at = kinds.index(outcome) if outcome in kinds else None
+    suite = ET.Element("testsuite", name=scenario.name, tests=str(len(parts)))
+    counts = dict.fromkeys(("failures", "errors", "skipped"), 0)
+    wall_s = summary["wall_time_s"] if summary else 0.0
+    for i, (_, name) in enumerate(parts):
+        case = ET.SubElement(suite, "testcase", classname=f"skytender.{scenario.name}", name=name, time="0")
+        if i == 0:
+            case.set("time", f"{wall_s:.3f}")
+        if summary is None or error or outcome == "interrupted":
+            if i == 0:
+                counts["errors"] += 1
+                why = error or ("the session was interrupted" if summary else "the session left no summary")
+                ET.SubElement(case, "error", message=_text(why)).text = _text(f"{why}\nsession: {folder}")
+            else:
+                counts["skipped"] += 1
+                ET.SubElement(case, "skipped", message="not judged")
+        elif failed_at is not None and i >= failed_at:
+            if i == failed_at:
+                counts["failures"] += 1
+                ET.SubElement(case, "failure", message=f"outcome: {outcome}").text = _text(f"session: {folder}")
+            else:
+                counts["skipped"] += 1
+                ET.SubElement(case, "skipped", message=f"not judged: the outcome is {outcome}")
+    for key, number in counts.items():
+        suite.set(key, str(number))
+    suite.set("time", f"{wall_s:.3f}")
+    if summary is not None:
+        keys = ("seed", "clock", "digest", "sim_time_s", "min_separation_m", "min_clearance_m", "refuel_order")
+        properties = ET.Element("properties")
+        for key in keys:
+            ET.SubElement(properties, "property", name=key, value=_text(json.dumps(summary[key]).strip('"')))
+        suite.insert(0, properties)
+    root = ET.Element("testsuites")
+    root.append(suite)
+    ET.indent(root)
+    return ET.tostring(root, encoding="unicode", xml_declaration=True) + "\n"
+
+
+def write(path: Path, folder: Path, scenario: Scenario, error: str | None) -> None:
+    """Write the XML for the session in `folder`; raises OSError."""
+    try:
+        summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        summary = None
+    path.write_text(document(scenario, summary, error, folder), encoding="utf-8")
+
+
+def _text(words: str) -> str:
+    return words.translate(NO_XML)

@@ -1,0 +1,144 @@
+"""A recorded session as arrays: what each vehicle was told, what it flew, what it reported. Paper axes (x, y, z up)."""
+
+from __future__ import annotations
+
+import json
+import struct
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gcs.mavlink import codec
+from gcs.recorder import DECISIONS, TLOG
+
+Floats = NDArray[np.float64]
+
+NED_TO_PAPER = np.array([1.0, -1.0, -1.0])
+EFFORT = "CtlEffort"
+_STATES = 12
+_FIXED = 2 + _STATES + 4  # time, number of steps, states, four energies; then one thrust per step
+
+
+@dataclass(frozen=True)
+class Flight:
+    """One vehicle's session; k records of its own knowledge, j set points, r reports of control effort.
+
+    time_s (k,), p (k, 3) m, v (k, 3) m/s and attitude (k, 3) rad (φ, θ, ψ) are what the vehicle itself knows.
+    plan_time_s (j,), plan_p (j, 3), plan_v (j, 3) are the recorded set points; each velocity is reached one `period_s`
+    after it was sent. effort_time_s (r,), effort (r,) are the control efforts that it reported over MAVLink.
+    """
+
+    sysid: int
+    period_s: float
+    time_s: Floats
+    p: Floats
+    v: Floats
+    attitude: Floats
+    plan_time_s: Floats
+    plan_p: Floats
+    plan_v: Floats
+    effort_time_s: Floats
+    effort: Floats
+
+    def reference(self) -> tuple[Floats, Floats]:
+        """v_d (k, 3) m/s and v_d' (k, 3) m/s² at `time_s`: linear between the set points' velocities (model.md 5).
+
+        Before the first set point the vehicle flies on its own initial velocity.
+        """
+        reached_s = np.concatenate(([self.plan_time_s[0]], self.plan_time_s + self.period_s))
+        velocity = np.concatenate((self.v[:1], self.plan_v))
+        slope = np.diff(velocity, axis=0) / np.diff(reached_s)[:, np.newaxis]
+        leg = np.clip(np.searchsorted(reached_s, self.time_s - 1e-6) - 1, -1, len(slope) - 1)
+        v_d = np.column_stack([np.interp(self.time_s, reached_s, velocity[:, axis]) for axis in range(3)])
+        return v_d, np.where(((leg >= 0) & (self.time_s <= reached_s[-1] + 1e-6))[:, np.newaxis], slope[leg], 0.0)
+
+    @property
+    def arrived_s(self) -> float:
+        """When the planned point came to rest for good: the time of its first set point of the last, constant kind."""
+        changes = np.flatnonzero((self.plan_v != self.plan_v[-1]).any(axis=1))
+        return float(self.plan_time_s[changes[-1] + 1] if changes.size else self.plan_time_s[0])
+
+    @property
+    def constant_from_s(self) -> float:
+        """When the vehicle's reference became constant for good."""
+        return self.arrived_s + self.period_s
+
+    def effort_at(self, time_s: float | Floats) -> Floats:
+        """Reported control effort, linear between the reports and from 0 at the start."""
+        at = np.concatenate(([0.0], self.effort_time_s))
+        return np.asarray(np.interp(time_s, at, np.concatenate(([0.0], self.effort))))
+
+
+def read(folder: Path, sysids: list[int], period_s: float) -> list[Flight]:
+    """The flights of these vehicles in a session's folder. Raises OSError, ValueError where the recording lacks one."""
+    plans: dict[int, list[list[float]]] = {sysid: [] for sysid in sysids}
+    for decision in decisions(folder):
+        if decision["kind"] == "set_point" and decision["sysid"] in plans:
+            plans[decision["sysid"]].append([decision["t_s"], *decision["p_ned"], *decision["v_ned"]])
+    efforts: dict[int, list[tuple[float, float]]] = {sysid: [] for sysid in sysids}
+    for frame in _frames(folder / TLOG, codec.msgid("NAMED_VALUE_FLOAT")):
+        report = codec.fields(frame)
+        if report.name == EFFORT and frame.sysid in efforts:
+            efforts[frame.sysid].append((report.time_boot_ms / 1e3, report.value))
+    flights = []
+    for sysid in sysids:
+        if not plans[sysid] or not efforts[sysid]:
+            raise ValueError(f"{folder}: vehicle {sysid} was told or reported nothing; fly the session again")
+        plan, effort = np.array(plans[sysid]), np.array(efforts[sysid])
+        flown = _truth(folder / "vehicles" / f"{sysid}.truth")
+        flights.append(
+            Flight(
+                sysid=sysid,
+                period_s=period_s,
+                time_s=flown[:, 0],
+                p=flown[:, 2:5] * NED_TO_PAPER,
+                v=flown[:, 5:8] * NED_TO_PAPER,
+                attitude=flown[:, 8:11] * NED_TO_PAPER,
+                plan_time_s=plan[:, 0],
+                plan_p=plan[:, 1:4] * NED_TO_PAPER,
+                plan_v=plan[:, 4:7] * NED_TO_PAPER,
+                effort_time_s=effort[:, 0],
+                effort=effort[:, 1],
+            )
+        )
+    return flights
+
+
+def decisions(folder: Path) -> Iterator[dict[str, Any]]:
+    """Each recorded decision. Raises OSError."""
+    with (folder / DECISIONS).open(encoding="utf-8") as lines:
+        yield from map(json.loads, lines)
+
+
+def summary(folder: Path) -> dict[str, Any]:
+    """The session's summary.json. Raises OSError."""
+    content: dict[str, Any] = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+    return content
+
+
+def _truth(path: Path) -> Floats:
+    """Records (k, 18) of a truth file, without the thrusts; simvehicle/truth.py has the format."""
+    _, _, body = path.read_bytes().partition(b"\n")
+    numbers = np.frombuffer(body[: len(body) // 8 * 8], dtype="<f8")
+    rows, at = [], 0
+    while at + _FIXED <= len(numbers):
+        rows.append(numbers[at : at + _FIXED])
+        at += _FIXED + int(numbers[at + 1])
+    return np.array(rows).reshape(-1, _FIXED)
+
+
+def _frames(path: Path, wanted: int) -> Iterator[codec.Frame]:
+    """The frames of one message id in a tlog: 8 bytes of time, then the frame, again and again."""
+    raw, at = path.read_bytes(), 0
+    while at + 8 + codec.HEADER_BYTES <= len(raw):
+        _, flags, msgid = raw[at + 8], raw[at + 10], int.from_bytes(raw[at + 15 : at + 18], "little")
+        size = codec.HEADER_BYTES + raw[at + 9] + codec.CRC_BYTES
+        size += codec.SIGNATURE_BYTES if flags & codec.SIGNED else 0
+        if msgid == wanted:
+            (seq, sysid, compid) = struct.unpack_from("BBB", raw, at + 12)
+            yield codec.Frame(sysid, compid, seq, msgid, raw[at + 8 : at + 8 + size])
+        at += 8 + size

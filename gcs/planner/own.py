@@ -1,0 +1,137 @@
+"""A planner of somebody's own for the pursuers; targets and tankers stay with the shipped one.
+
+    class Straight:
+        def __init__(self, scenario): ...
+        def plan(self, vehicle, situation): return p_ned, v_ned
+
+A scenario names it: `planner: {method: MODULE:CLASS}`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from gcs import plugins
+from gcs.fleet import Snapshot, Vec3, VehicleView
+from gcs.guard import Guard
+from gcs.planner.plan import Planner, SetPoint
+from gcs.scenario import Obstacle, Scenario
+
+FARTHEST = 1e5
+"""m, and m/s: beyond every scenario."""
+
+
+@dataclass(frozen=True, slots=True)
+class Situation:
+    """What a planner may know beside the vehicle itself."""
+
+    time_s: float
+    period_s: float
+    """until it is asked again"""
+    snapshot: Snapshot
+    """everyone, as their messages tell; also traffic"""
+    pursuing: Mapping[int, int]
+    """the target's system id by the pursuer's"""
+    obstacles: tuple[Obstacle, ...]
+
+    def target(self, vehicle: VehicleView) -> VehicleView | None:
+        """What a vehicle pursues, once its place is known."""
+        sysid = self.pursuing.get(vehicle.sysid)
+        view = None if sysid is None else self.snapshot.vehicle(sysid)
+        return view if view is not None and view.p_ned is not None else None
+
+
+class PursuerPlanner(Protocol):
+    """One-method protocol; made once, as CLASS(scenario), before anything flies: what takes long belongs there."""
+
+    def plan(self, vehicle: VehicleView, situation: Situation) -> tuple[ArrayLike, ArrayLike]:
+        """Where `vehicle` is to be at situation.time_s (NED, m) and how fast it is to move on (NED, m/s)."""
+
+
+class OwnPlanner:
+    """The shipped planner, but for the pursuers, who fly what `planner` says; without a good answer they are held."""
+
+    def __init__(self, scenario: Scenario, planner: PursuerPlanner, guard: Guard) -> None:
+        self._scenario = scenario
+        self._shipped = Planner(scenario)
+        self._planner = planner
+        self._guard = guard
+        self._pursuers = frozenset(pursuer.sysid for pursuer in scenario.vehicles.pursuers)
+        vehicles = scenario.vehicles
+        self._follows = {p.sysid: on for p in vehicles.pursuers if (on := vehicles.target_of(p)) is not None}
+        self._held: dict[int, Vec3] = {}
+
+    @property
+    def obstacles(self) -> NDArray[np.float64]:
+        """The scenario's obstacles as the shipped planner's table."""
+        return self._shipped.obstacles
+
+    def plan(
+        self,
+        snapshot: Snapshot,
+        steered: frozenset[int],
+        *,
+        rendezvous: Mapping[int, int],
+        partners: Iterable[tuple[int, int]],
+        targets_move: bool,
+        period_s: float,
+        pursuing: Mapping[int, int] | None = None,
+    ) -> list[SetPoint]:
+        """As `Planner.plan`."""
+        follows = self._follows if pursuing is None else pursuing
+        situation = Situation(snapshot.time_s, period_s, snapshot, follows, self._scenario.obstacles)
+        points = self._shipped.plan(
+            snapshot,
+            steered - self._pursuers,
+            rendezvous=rendezvous,
+            partners=partners,
+            targets_move=targets_move,
+            period_s=period_s,
+            pursuing=pursuing,
+        )
+        self._guard.begin_tick()
+        own = [view for view in snapshot.of_role("pursuer") if view.sysid in steered and view.p_ned is not None]
+        self._held = {view.sysid: self._held.get(view.sysid, view.p_now_ned()) for view in own}
+        points += [self._point(view, situation) for view in own]
+        return sorted(points, key=lambda point: point.sysid)
+
+    def _point(self, view: VehicleView, situation: Situation) -> SetPoint:
+        answer = self._guard.call(view.sysid, lambda: _checked(self._planner.plan(view, situation)))
+        if answer is None:
+            return SetPoint(view.sysid, self._held[view.sysid], (0.0, 0.0, 0.0))
+        if isinstance(answer.value, str):
+            self._guard.blame(view.sysid, answer.value)
+            return SetPoint(view.sysid, self._held[view.sysid], (0.0, 0.0, 0.0))
+        self._guard.clear(view.sysid)
+        p_ned, v_ned = answer.value
+        self._held[view.sysid] = p_ned
+        return SetPoint(view.sysid, p_ned, v_ned)
+
+
+def _checked(answer: Any) -> tuple[Vec3, Vec3] | str:
+    """The answer as plain numbers, or what is wrong with it."""
+    try:
+        numbers = np.asarray(answer, dtype=np.float64)
+    except (TypeError, ValueError):
+        return f"returned {type(answer).__name__}, not (p_ned, v_ned) of three numbers each"
+    if numbers.shape != (2, 3):
+        return f"returned numbers of shape {numbers.shape}, not (p_ned, v_ned) of three numbers each"
+    if not (np.abs(numbers) <= FARTHEST).all():
+        bad = numbers[~(np.abs(numbers) <= FARTHEST)][0]
+        return f"returned {'NaN' if np.isnan(bad) else f'{bad:g}'}, which is no place or speed"
+    (n, e, d), (vn, ve, vd) = numbers.tolist()
+    return (n, e, d), (vn, ve, vd)
+
+
+def make_planner(scenario: Scenario) -> tuple[Planner | OwnPlanner, Guard | None]:
+    """The planner that a scenario names, and what guards it where it is not the shipped one. Raises ScenarioError."""
+    method = scenario.planner.method
+    if ":" not in method:
+        return Planner(scenario), None
+    guard = Guard(f"planner {method}")
+    return OwnPlanner(scenario, plugins.make("planner.method", method, "plan", scenario), guard), guard

@@ -1,0 +1,102 @@
+"""Planners and policies that a scenario names as MODULE:CLASS: found, imported, made; what is wrong is a sentence.
+
+Modules are looked for where Python looks, in the scenario's folder and in the current one.
+"""
+
+from __future__ import annotations
+
+import importlib
+import sys
+import traceback
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager, redirect_stdout
+from pathlib import Path
+from typing import Any
+
+from gcs.scenario import Scenario
+from gcs.yaml_source import Problem, ScenarioError, did_you_mean
+
+
+def named(scenario: Scenario) -> Iterator[tuple[str, str, str]]:
+    """(key, MODULE:CLASS, method that it must have) of each implementation that is not Skytender's own."""
+    if ":" in scenario.planner.method:
+        yield "planner.method", scenario.planner.method, "plan"
+    if ":" in scenario.competition.policy:
+        yield "competition.policy", scenario.competition.policy, "choose"
+
+
+def look_in(folders: Iterable[str | Path]) -> None:
+    """Let modules in these folders be found, before all others."""
+    for folder in reversed([str(Path(folder).resolve()) for folder in folders]):
+        if folder not in sys.path:
+            sys.path.insert(0, folder)
+
+
+@contextmanager
+def output_kept(scenario: Scenario, folder: Path) -> Iterator[None]:
+    """What somebody's own code prints goes to FOLDER/policies.log: the supervisor's own output is a protocol."""
+    if not any(named(scenario)):
+        yield
+        return
+    with (folder / "policies.log").open("w", encoding="utf-8", buffering=1) as log, redirect_stdout(log):
+        yield
+
+
+def check(scenario: Scenario, file: str) -> None:
+    """See that every implementation named is there, without making it. Raises ScenarioError, `file` named in it."""
+    problems = []
+    for key, name, method in named(scenario):
+        try:
+            find(name, method)
+        except ValueError as error:
+            problems.append(Problem(file, None, None, f"{key}: {error}"))
+    if problems:
+        raise ScenarioError(problems)
+
+
+def find(name: str, method: str) -> Any:
+    """The class that MODULE:CLASS means. Raises ValueError: one sentence, why it cannot be used."""
+    module_name, _, attribute = name.partition(":")
+    try:
+        module = importlib.import_module(module_name)
+    except ModuleNotFoundError as error:
+        if error.name is not None and (module_name == error.name or module_name.startswith(f"{error.name}.")):
+            raise ValueError(
+                f"there is no module {error.name!r}; put it beside the scenario or install its package"
+            ) from None
+        raise ValueError(
+            f"{module_name} needs the package {error.name!r}, which is not installed: install it"
+        ) from None
+    except (Exception, SystemExit) as error:
+        raise ValueError(f"{module_name} cannot be imported: {_where(error)}") from None
+    made = getattr(module, attribute, None)
+    if made is None:
+        near = did_you_mean(attribute, (word for word in dir(module) if not word.startswith("_")))
+        raise ValueError(f"{module_name} ({getattr(module, '__file__', '?')}) has no {attribute!r}{near}")
+    if not callable(made):
+        raise ValueError(f"{name} is no class")
+    if isinstance(made, type) and not callable(getattr(made, method, None)):
+        raise ValueError(f"{name} has no method {method!r}")
+    return made
+
+
+def make(key: str, name: str, method: str, scenario: Scenario) -> Any:
+    """The implementation itself, given the scenario. Raises ScenarioError where it cannot be made."""
+    try:
+        try:
+            made = find(name, method)(scenario)
+        except ValueError:
+            raise
+        except (Exception, SystemExit) as error:
+            raise ValueError(f"{name} cannot be made: {_where(error)}") from None
+        if not callable(getattr(made, method, None)):
+            raise ValueError(f"{name} makes something without the method {method!r}")
+    except ValueError as error:
+        raise ScenarioError([Problem(scenario.name, None, None, f"{key}: {error}")]) from None
+    return made
+
+
+def _where(error: BaseException) -> str:
+    place = traceback.extract_tb(error.__traceback__)[-1]
+    text = " ".join(str(error).split())
+    return f"{type(error).__name__} at {Path(place.filename).name}:{place.lineno}: {text}"

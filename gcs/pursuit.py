@@ -1,0 +1,121 @@
+"""Who pursues which target when only the vehicle with the least control effort is to do so (paper, abstract).
+
+Each target has a race of its own (model.md 8): every pursuer bids the control effort that it is predicted to need to
+reach it, the least wins. The winner pursues, the others hold. All is decided anew at each tick: a challenger takes over
+when its state holds the share that the rules demand, while the present pursuer is forgiven some of its effort, so that
+near ties do not swap back and forth [choice]. Targets choose in order of system id; whoever pursues one races for no
+other.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Sequence
+from typing import Any
+
+import numpy as np
+
+from gcs.competition import advance, normalise, revive, share
+from gcs.fleet import Snapshot, Vec3, VehicleView
+from gcs.profiles import STEERABLE
+from gcs.scenario import Pursuit as Rules
+
+GRAVITY_M_S2 = 9.8
+LOW, HIGH = 0.01, 1.0
+
+
+def predicted_effort(p_ned: Vec3, v_ned: Vec3, target_p_ned: Vec3, target_v_ned: Vec3, speed_m_s: float) -> float:
+    """Control effort to meet a target that flies on straight: g t + |Δv|, m/s (model.md 9) [choice].
+
+    t is the time to the meeting at `speed_m_s`: thrust carries the weight for that long, and Δv turns the present
+    velocity into the one that meets the target. A target that cannot be met costs as if it flew away for good: the time
+    at which the distance would be flown at a tenth of the speed.
+    """
+    offset, v_t = np.subtract(target_p_ned, p_ned), np.asarray(target_v_ned)
+    distance_m = float(np.linalg.norm(offset))
+    time_s = _meeting_s(offset, v_t, speed_m_s)
+    if time_s is None:
+        time_s = 10.0 * distance_m / speed_m_s
+    if distance_m == 0.0 or time_s == 0.0:
+        wanted = v_t
+    else:
+        wanted = offset / time_s + v_t
+        wanted *= min(1.0, speed_m_s / max(float(np.linalg.norm(wanted)), 1e-12))
+    return GRAVITY_M_S2 * time_s + float(np.linalg.norm(wanted - np.asarray(v_ned)))
+
+
+def _meeting_s(offset: np.ndarray[Any, Any], v_t: np.ndarray[Any, Any], speed_m_s: float) -> float | None:
+    """The least t >= 0 with |offset + v_t t| = speed t; None where there is none."""
+    a = float(v_t @ v_t) - speed_m_s**2
+    b, c = 2.0 * float(offset @ v_t), float(offset @ offset)
+    if c == 0.0:
+        return 0.0
+    if abs(a) < 1e-12:
+        return -c / b if b < 0.0 else None
+    root = b * b - 4.0 * a * c
+    if root < 0.0:
+        return None
+    times = [(-b + sign * math.sqrt(root)) / (2.0 * a) for sign in (-1.0, 1.0)]
+    return min((t for t in times if t >= 0.0), default=None)
+
+
+class Pursuit:
+    """The races' memory from tick to tick."""
+
+    def __init__(self, rules: Rules, pursuers: Collection[int], targets: Collection[int], speed_m_s: float) -> None:
+        self._rules = rules
+        self._pursuers = frozenset(pursuers)
+        self._targets = sorted(targets)
+        self._speed_m_s = speed_m_s
+        self._v: dict[int, dict[int, float]] = {target: {} for target in self._targets}
+        self._pursuer: dict[int, int] = {}
+        self._last_s: float | None = None
+        self.records: list[dict[str, Any]] = []
+        """decisions of the last tick: a target has a new pursuer"""
+
+    def decide(self, snapshot: Snapshot) -> dict[int, int]:
+        """Target of each pursuer that is to pursue, by system id, at the snapshot's time."""
+        dt_s = 0.0 if self._last_s is None else snapshot.time_s - self._last_s
+        self._last_s = snapshot.time_s
+        self.records = []
+        mine = (view for view in snapshot.vehicles if view.sysid in self._pursuers)
+        able = {view.sysid: view for view in mine if view.flying and view.mode in STEERABLE}
+        for target in self._targets:
+            if self._pursuer.get(target) not in able:
+                self._pursuer.pop(target, None)
+        for target in self._targets:
+            view = snapshot.vehicle(target)
+            if not view.flying:
+                self._pursuer.pop(target, None)
+                continue
+            busy = {pursuer for other, pursuer in self._pursuer.items() if other != target}
+            racing = [able[sysid] for sysid in sorted(able.keys() - busy)]
+            if racing:
+                self._race(view, racing, dt_s)
+        return {pursuer: target for target, pursuer in self._pursuer.items()}
+
+    def _race(self, target: VehicleView, racing: Sequence[VehicleView], dt_s: float) -> None:
+        rules, present = self._rules, self._pursuer.get(target.sysid)
+        efforts = {
+            view.sysid: predicted_effort(
+                view.p_now_ned(), view.v_ned, target.p_now_ned(), target.v_ned, self._speed_m_s
+            )
+            for view in racing
+        }
+        bids = [effort / (1.0 + rules.hysteresis) if sysid == present else effort for sysid, effort in efforts.items()]
+        tau = normalise(bids, low=LOW, high=HIGH, largest_wins=False)
+        v = np.array([self._v[target.sysid].get(sysid, LOW) for sysid in efforts])
+        v = revive(advance(v, tau, dt_s, p=rules.p, rate=rules.rate), LOW)
+        sysids = list(efforts)
+        self._v[target.sysid] = dict(zip(sysids, map(float, v), strict=True))
+        if present is None:
+            chosen = sysids[int(tau.argmax())]
+        else:
+            leads = share(v, rules.p, LOW) >= rules.share
+            chosen = sysids[int(v.argmax())] if leads else present
+        if chosen != present:
+            self._pursuer[target.sysid] = chosen
+            told = {str(sysid): effort for sysid, effort in efforts.items()}
+            self.records.append(
+                {"kind": "pursuit", "target": target.sysid, "pursuer": chosen, "before": present, "efforts": told}
+            )

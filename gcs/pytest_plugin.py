@@ -1,0 +1,155 @@
+"""pytest plugin: the `fleet` fixture, real vehicle processes for tests of your own MAVLink code.
+
+    def test_it_answers(fleet):
+        connection = mavutil.mavlink_connection(fleet[1].address)
+
+    @pytest.mark.fleet(3)              # system ids 1 to 3, in a row of 3 m to the east
+    @pytest.mark.fleet("demo")         # or the vehicles of a scenario: a file, or the name of a shipped one
+
+One vehicle without a mark. Addresses are of the system's choosing, so that tests may run in parallel; vehicles are
+ready when the test begins, and gone after it, also where pytest itself is killed.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import select
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+READY_WITHIN_S = 120.0
+GONE_WITHIN_S = 20.0
+MARK = "fleet(what): vehicles for the `fleet` fixture: how many (1 to 254), or a scenario's file or shipped name"
+
+
+@dataclass(frozen=True)
+class FleetVehicle:
+    """One vehicle process that listens for MAVLink."""
+
+    sysid: int
+    role: str
+    label: str
+    host: str
+    port: int
+    log: Path
+
+    @property
+    def address(self) -> str:
+        """For pymavlink and MAVProxy: `udpout:HOST:PORT`."""
+        return f"udpout:{self.host}:{self.port}"
+
+    @property
+    def url(self) -> str:
+        """For MAVSDK: `udpout://HOST:PORT`."""
+        return f"udpout://{self.host}:{self.port}"
+
+
+class FlyingFleet:
+    """The vehicles of one test, by system id."""
+
+    def __init__(self, vehicles: list[FleetVehicle]) -> None:
+        self._vehicles = {vehicle.sysid: vehicle for vehicle in vehicles}
+
+    def __getitem__(self, sysid: int) -> FleetVehicle:
+        return self._vehicles[sysid]
+
+    def __iter__(self) -> Iterator[FleetVehicle]:
+        return iter(self._vehicles.values())
+
+    def __len__(self) -> int:
+        return len(self._vehicles)
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Make the mark known."""
+    config.addinivalue_line("markers", MARK)
+
+
+@pytest.fixture
+def fleet(request: pytest.FixtureRequest) -> Iterator[FlyingFleet]:
+    """Real vehicle processes that answer at addresses of their own; see the mark `fleet`."""
+    mark = request.node.get_closest_marker("fleet")
+    what = mark.args[0] if mark is not None and mark.args else 1
+    with _started(what) as flying:
+        yield flying
+
+
+@contextlib.contextmanager
+def _started(what: int | str | os.PathLike[str]) -> Iterator[FlyingFleet]:
+    """`gcs launch` as a process that ends with its standard input."""
+    with tempfile.TemporaryDirectory(prefix="gcs-fleet-") as folder:
+        scenario = os.fspath(what) if not isinstance(what, int) else _row(what, Path(folder))
+        with (Path(folder) / "launch.log").open("w+", encoding="utf-8") as errors:
+            process = subprocess.Popen(
+                [sys.executable, "-m", "gcs.cli", "launch", scenario, "--json", "--until-eof"],
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=errors,
+                start_new_session=True,
+            )
+            assert process.stdin is not None
+            assert process.stdout is not None
+            try:
+                line = _line(process)
+                if line is None:
+                    errors.seek(0)
+                    pytest.fail(f"the fleet {what!r} did not start: {errors.read().strip()}", pytrace=False)
+                yield FlyingFleet([_vehicle(entry) for entry in json.loads(line)["vehicles"]])
+            finally:
+                process.stdin.close()
+                try:
+                    process.wait(GONE_WITHIN_S)
+                except subprocess.TimeoutExpired:
+                    process.kill()
+                    process.wait()
+                process.stdout.close()
+
+
+def _line(process: subprocess.Popen[bytes]) -> bytes | None:
+    """The line that tells the addresses; None where there is none in time."""
+    assert process.stdout is not None
+    os.set_blocking(process.stdout.fileno(), False)
+    said, deadline_s = b"", time.monotonic() + READY_WITHIN_S
+    while b"\n" not in said and time.monotonic() < deadline_s:
+        if select.select([process.stdout], [], [], max(deadline_s - time.monotonic(), 0.0))[0]:
+            chunk = os.read(process.stdout.fileno(), 65536)
+            if not chunk:
+                return None
+            said += chunk
+    return said if b"\n" in said else None
+
+
+def _vehicle(entry: dict[str, str | int]) -> FleetVehicle:
+    _, host, port = str(entry["address"]).rsplit(":", 2)
+    return FleetVehicle(
+        int(entry["sysid"]), str(entry["role"]), str(entry["label"]), host, int(port), Path(str(entry["log"]))
+    )
+
+
+def _row(count: int, folder: Path) -> str:
+    """A scenario of so many vehicles on the ground."""
+    if not 1 <= count <= 254:
+        pytest.fail(f"a fleet has 1 to 254 vehicles, not {count}", pytrace=False)
+    vehicles = [
+        {"sysid": i + 1, "start_m": [0.0, 3.0 * i, 0.0], "battery": {"capacity_j": 200_000}} for i in range(count)
+    ]
+    scenario = {
+        "schema": 1,
+        "name": "fleet-fixture",
+        "axes": "ned",
+        "origin": {"lat_deg": 47.397742, "lon_deg": 8.545594, "alt_m": 488.0},
+        "goal": {"duration_s": 86_400},
+        "vehicles": {"pursuers": vehicles},
+    }
+    path = folder / "fleet.yaml"
+    path.write_text(json.dumps(scenario), encoding="utf-8")
+    return str(path)

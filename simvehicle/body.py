@@ -1,0 +1,149 @@
+"""A vehicle's body: the state that the flight law flies, read in NED and SI, and one stretch of flight."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simvehicle import flight
+from simvehicle.dynamics import body_rates_of
+from simvehicle.maneuvers import AT_REST, Wish
+from simvehicle.mavlink.parameters import Parameters
+from simvehicle.mavlink.telemetry import Vec3
+from simvehicle.params import pack
+
+STEP_MS = 4
+CHUNK_MS = 100
+"""Modes, failsafes and transfer are looked at this often at least, however long the step asked for."""
+
+
+@dataclass(frozen=True)
+class Start:
+    """Where and how a vehicle begins; `airborne`: armed, in offboard on its own state, and without a ground."""
+
+    p_ned: Vec3 = AT_REST
+    v_ned: Vec3 = AT_REST
+    attitude_ned_rad: Vec3 = AT_REST
+    airborne: bool = False
+
+
+class Body:
+    """State of one quadrotor and its time; what it does is its vehicle's affair."""
+
+    def __init__(self, parameters: Parameters, start: Start) -> None:
+        self.parameters = parameters
+        self.time_ms = 0
+        self.ground = not start.airborne
+        initial = parameters.flight()
+        self.initial_j = initial.battery.initial_j
+        self.retune()
+        self.state: NDArray[np.float64] = flight.initial_state(
+            initial,
+            position_nwu=_nwu(start.p_ned),
+            velocity_nwu=_nwu(start.v_ned),
+            attitude_rad=(start.attitude_ned_rad[0], -start.attitude_ned_rad[1], -start.attitude_ned_rad[2]),
+            airborne=start.airborne,
+        )[np.newaxis]
+        self.thrust_m_s2: NDArray[np.float64] = np.empty((1, 0))
+        self.power_w = 0.0
+        self._command = np.zeros((1, flight.COMMAND_SIZE))
+
+    def retune(self) -> None:
+        """Fly with the parameters' present values from the next step on."""
+        self._packed = pack(self.parameters.flight())[np.newaxis]
+
+    @property
+    def time_s(self) -> float:
+        """Seconds since boot."""
+        return self.time_ms / 1e3
+
+    @property
+    def p_ned(self) -> Vec3:
+        """Position in the local frame, m."""
+        return _ned(self.state[0, flight.POSITION])
+
+    @property
+    def v_ned(self) -> Vec3:
+        """Velocity, m/s."""
+        return _ned(self.state[0, flight.VELOCITY])
+
+    @property
+    def attitude_ned(self) -> Vec3:
+        """Roll, pitch and yaw, rad."""
+        return _ned(self.state[0, flight.ATTITUDE])
+
+    @property
+    def euler_rates_ned(self) -> Vec3:
+        """Time derivatives of roll, pitch and yaw, rad/s."""
+        return _ned(self.state[0, flight.RATES])
+
+    @property
+    def rates_body(self) -> Vec3:
+        """Roll, pitch and yaw rate about the body's own axes (front, right, down), rad/s."""
+        roll, pitch, _ = self.state[0, flight.ATTITUDE].tolist()
+        p, q, r = body_rates_of(roll, pitch, *self.state[0, flight.RATES].tolist())
+        return (p, -q, -r)
+
+    @property
+    def reference_ned(self) -> tuple[Vec3, Vec3]:
+        """Position and velocity that the guidance really flies."""
+        return _ned(self.state[0, flight.REFERENCE_POSITION]), _ned(self.state[0, flight.REFERENCE_VELOCITY])
+
+    @property
+    def landed(self) -> bool:
+        """Standing on the ground."""
+        return self.ground and self.p_ned[2] >= 0.0 and self.v_ned == AT_REST
+
+    @property
+    def remaining_j(self) -> float:
+        """Energy in the battery."""
+        return float(self.state[0, flight.REMAINING_J])
+
+    @property
+    def drawn_j(self) -> float:
+        """Energy used by motors and avionics since boot."""
+        return float(self.state[0, flight.DRAWN_J])
+
+    @property
+    def capacity_j(self) -> float:
+        """What the battery holds."""
+        return self.parameters["SIM_BAT_CAP_J"]
+
+    @property
+    def control_effort(self) -> float:
+        """Integral of the control inputs' sizes."""
+        return float(self.state[0, flight.EFFORT])
+
+    def charge(self, joules: float) -> None:
+        """Put energy into the battery, or take it out where negative."""
+        self.state[0, flight.REMAINING_J] += joules
+
+    def fly(self, steps: int, wanted: Wish, *, yaw_ned_rad: float, motors: bool) -> None:
+        """Fly some steps of 4 ms towards a wish; `time_ms` is the caller's to move."""
+        row = self._command[0]
+        row[flight.CMD_POSITION] = _nwu(wanted.p_ned)
+        row[flight.CMD_VELOCITY] = _nwu(wanted.v_ned)
+        row[flight.CMD_TIME_S] = wanted.time_s
+        row[flight.CMD_USE_POSITION] = wanted.use_position
+        row[flight.CMD_YAW] = -yaw_ned_rad
+        row[flight.CMD_MOTORS] = float(motors)
+        row[flight.CMD_GROUND] = float(self.ground)
+        row[flight.CMD_SPEED_MAX] = wanted.speed_m_s
+        row[flight.CMD_PERIOD_S] = CHUNK_MS / 1e3
+        drawn_j = self.drawn_j
+        self.state, self.thrust_m_s2 = flight.advance(
+            self.state, self._command, self._packed, time_s=self.time_s, steps=steps
+        )
+        self.power_w = (self.drawn_j - drawn_j) / (steps * STEP_MS / 1e3)
+
+
+def _ned(v_nwu: NDArray[np.float64]) -> Vec3:
+    """Half a turn about north, on plain floats (contract.md, Frames); the same for roll, pitch, yaw and their rates."""
+    north, west, up = v_nwu.tolist()
+    return (north, -west, -up)
+
+
+def _nwu(v_ned: Vec3) -> Vec3:
+    return (v_ned[0], -v_ned[1], -v_ned[2])

@@ -1,0 +1,1 @@
+"""What the vehicle does with each MAVLink message: one module per microservice, each with its tables."""

@@ -1,0 +1,128 @@
+"""Missions, geofence and rally points: the protocol's plans put in force in the vehicle, and their progress told."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import partial
+
+from pymavlink.dialects.v20 import common as mav
+
+from simvehicle.mavlink.codec import message
+from simvehicle.mavlink.missions import MissionProtocol, Post
+from simvehicle.mavlink.plans import Item, PlanError, fence_from, item_from, legs_from, rally_from
+from simvehicle.microservices.desk import Call, Desk
+from simvehicle.modes import Severity
+
+GUIDED_ITEM = 2
+"""MISSION_ITEM.current of an item that is no part of a mission: fly there now."""
+CURRENT_HZ = 1.0
+
+
+class Planning:
+    """One vehicle's plans."""
+
+    def __init__(self, desk: Desk) -> None:
+        self._desk = desk
+        self.protocol = MissionProtocol(partial(_put_in_force, desk))
+
+    def receive(self, call: Call) -> None:
+        """Act on a message of the mission protocol."""
+        content, peer, channel, protocol = call.content, call.sender, call.connection, self.protocol
+        now_s = self._desk.vehicle.time_s
+        match call.frame.msgid:
+            case mav.MAVLINK_MSG_ID_MISSION_COUNT:
+                _send(protocol.count(content, peer, channel, now_s))
+            case mav.MAVLINK_MSG_ID_MISSION_ITEM_INT | mav.MAVLINK_MSG_ID_MISSION_ITEM:
+                if content.current == GUIDED_ITEM:
+                    _send([Post(channel, self._go_there(call))])
+                else:
+                    _send(protocol.item(content, peer, channel, now_s))
+            case mav.MAVLINK_MSG_ID_MISSION_REQUEST_LIST:
+                _send(protocol.tell_count(content, peer, channel))
+            case mav.MAVLINK_MSG_ID_MISSION_REQUEST_INT | mav.MAVLINK_MSG_ID_MISSION_REQUEST:
+                _send(protocol.request(content, peer, channel, current=self._current()))
+            case mav.MAVLINK_MSG_ID_MISSION_CLEAR_ALL:
+                _send(protocol.clear(content, peer, channel))
+            case mav.MAVLINK_MSG_ID_MISSION_WRITE_PARTIAL_LIST:
+                _send(protocol.partial(content, peer, channel))
+            case mav.MAVLINK_MSG_ID_MISSION_ACK:
+                protocol.cancel(content, peer)
+            case mav.MAVLINK_MSG_ID_MISSION_SET_CURRENT:
+                mission = self._desk.vehicle.mission
+                if mission is None or not mission.go_to(content.seq):
+                    self._desk.vehicle.announce(Severity.WARNING, f"Mission has no item {content.seq}")
+                self._tell_current()
+
+    def report(self) -> None:
+        """Queue what is due: requests repeated, and items reached since the last time."""
+        _send(self.protocol.due(self._desk.vehicle.time_s))
+        mission = self._desk.vehicle.mission
+        if mission is None or not mission.reached:
+            return
+        for seq in mission.reached:
+            for connection in self._desk.connections:
+                connection.put(message("MISSION_ITEM_REACHED")(seq=seq))
+        mission.reached.clear()
+        self._tell_current()
+
+    def _current(self) -> int:
+        mission = self._desk.vehicle.mission
+        return 0 if mission is None else mission.index
+
+    def _tell_current(self) -> None:
+        for connection in self._desk.connections:
+            connection.streams.hasten("MISSION_CURRENT", self._desk.vehicle.time_ms)
+
+    def _go_there(self, call: Call) -> object:
+        """A waypoint to fly to at once, as ArduPilot's ground stations send it in GUIDED."""
+        vehicle = self._desk.vehicle
+        result = mav.MAV_MISSION_ACCEPTED
+        try:
+            (leg,) = legs_from([item_from(call.content)], vehicle.frame, item_0_is_home=False)
+            place = leg.place
+            if place.north_m is None or place.east_m is None or place.height_m is None:
+                raise PlanError("no place", mav.MAV_MISSION_INVALID)
+            down_m = (vehicle.home_ned[2] if place.above_home else 0.0) - place.height_m
+            if not vehicle.reposition((place.north_m, place.east_m, down_m)):
+                result = mav.MAV_MISSION_ERROR
+        except PlanError as error:
+            result = error.result
+        system, component = call.sender
+        return message("MISSION_ACK")(target_system=system, target_component=component, type=result, mission_type=0)
+
+
+def _put_in_force(desk: Desk, kind: int, items: tuple[Item, ...]) -> None:
+    """Let the vehicle have a plan; raises PlanError, said aloud, and the old one stays."""
+    vehicle = desk.vehicle
+    try:
+        if kind == mav.MAV_MISSION_TYPE_MISSION:
+            vehicle.load_mission(legs_from(items, vehicle.frame, item_0_is_home=vehicle.identity.item_0_is_home))
+            desk.set_rate("MISSION_CURRENT", CURRENT_HZ)
+        elif kind == mav.MAV_MISSION_TYPE_FENCE:
+            vehicle.fence = fence_from(items, vehicle.frame)
+        else:
+            vehicle.rally_ned = rally_from(items, vehicle.frame)
+    except PlanError as error:
+        vehicle.announce(Severity.WARNING, f"Plan refused: {error}")
+        raise
+
+
+def _send(posts: Iterable[Post]) -> None:
+    for post in posts:
+        post.channel.put(post.content)
+
+
+MESSAGES = frozenset(
+    {
+        mav.MAVLINK_MSG_ID_MISSION_COUNT,
+        mav.MAVLINK_MSG_ID_MISSION_ITEM_INT,
+        mav.MAVLINK_MSG_ID_MISSION_ITEM,
+        mav.MAVLINK_MSG_ID_MISSION_REQUEST_LIST,
+        mav.MAVLINK_MSG_ID_MISSION_REQUEST_INT,
+        mav.MAVLINK_MSG_ID_MISSION_REQUEST,
+        mav.MAVLINK_MSG_ID_MISSION_CLEAR_ALL,
+        mav.MAVLINK_MSG_ID_MISSION_WRITE_PARTIAL_LIST,
+        mav.MAVLINK_MSG_ID_MISSION_ACK,
+        mav.MAVLINK_MSG_ID_MISSION_SET_CURRENT,
+    }
+)

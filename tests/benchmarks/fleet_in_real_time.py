@@ -1,0 +1,82 @@
+"""The fleet's session in a process of its own: `gcs.supervise` with two watchers, of late ticks and of CPU time.
+
+python fleet_in_real_time.py FOLDER
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import resource
+import sys
+import time
+from pathlib import Path
+
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.clock import Pace
+from gcs.mavlink import codec
+from gcs.scenario import load
+from gcs.supervise import Session
+
+HOT = ("HEARTBEAT", "LOCAL_POSITION_NED", "ATTITUDE", "GLOBAL_POSITION_INT", "BATTERY_STATUS", "NAMED_VALUE_FLOAT")
+PERIOD_US = 100_000.0
+
+
+class WatchedPace(Pace):
+    """Remembers the latest tick."""
+
+    latest_s = 0.0
+
+    def next(self, period_s: float) -> None:
+        before_s = self.lag_s
+        super().next(period_s)
+        self.latest_s = max(self.latest_s, self.lag_s - before_s)
+
+
+class Watched(Session):
+    """Asks every vehicle for the hot messages at 10 Hz, and measures the flight."""
+
+    def _fly(self) -> None:
+        self._pace = pace = WatchedPace(1.0, time.monotonic)
+        for sysid, outbox in self._supervisor._outbox.items():
+            for name in HOT:
+                outbox.append(
+                    codec.message(
+                        "COMMAND_LONG", target_system=sysid, target_component=1,
+                        command=mav.MAV_CMD_SET_MESSAGE_INTERVAL, confirmation=0, param1=float(codec.msgid(name)),
+                        param2=PERIOD_US, param3=0.0, param4=0.0, param5=0.0, param6=0.0, param7=0.0,
+                    )
+                )  # fmt: skip
+        assert self._hatch is not None
+        self._hatch.events()
+        pids = list(self._hatch.pids)
+        own, theirs, wall_s = _own_cpu_s(), sum(map(_cpu_s, pids)), time.monotonic()
+        super()._fly()
+        wall_s = time.monotonic() - wall_s
+        self.told = {
+            "latest_s": pace.latest_s,
+            "frames_s": self._supervisor.received / self._supervisor.time_s,
+            "supervisor_cpu_s": _own_cpu_s() - own,
+            "vehicles_cpu_s": sum(map(_cpu_s, pids)) - theirs,
+        }
+        self.told["supervisor"] = self.told["supervisor_cpu_s"] / wall_s
+        self.told["vehicles"] = self.told["vehicles_cpu_s"] / wall_s
+
+
+def _own_cpu_s() -> float:
+    used = resource.getrusage(resource.RUSAGE_SELF)
+    return used.ru_utime + used.ru_stime
+
+
+def _cpu_s(pid: int) -> float:
+    fields = Path(f"/proc/{pid}/stat").read_text(encoding="ascii").rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+if __name__ == "__main__":
+    os.set_blocking(0, False)
+    folder = Path(sys.argv[1])
+    session = Watched(folder, load(folder / "scenario.yaml"), drop=0.0)
+    session.run()
+    print(json.dumps(session.told))

@@ -1,0 +1,103 @@
+"""How figures are measured: CPU time, interleaved rounds, medians, and a calibration of the machine of the moment."""
+
+from __future__ import annotations
+
+import math
+import statistics
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from numba import njit
+
+REFERENCE_STEPS_S = 40.0e6
+"""What the calibration loop does per CPU second on the machine where these figures were first taken: two cores of an
+AMD EPYC under Firecracker, left to itself."""
+CALIBRATION_STEPS = 4_000_000
+ROUNDS = 7
+
+
+@dataclass(frozen=True)
+class Figure:
+    """One line of the table. The goal is for `value`, or for `ratio`: to be at least that, or, `at_most`, at most."""
+
+    id: int
+    name: str
+    value: float
+    unit: str
+    goal: float | None = None
+    at_most: bool = False
+    goal_is_ratio: bool = False
+    peer: str = ""
+    peer_value: float | None = None
+    cpu_s: float | None = None
+
+    @property
+    def ratio(self) -> float | None:
+        """How many times better than the peer."""
+        if not self.peer_value or not self.value:
+            return None
+        return self.peer_value / self.value if self.at_most else self.value / self.peer_value
+
+    @property
+    def met(self) -> bool | None:
+        """Whether the goal is reached; None where there is none."""
+        if self.goal is None:
+            return None
+        if self.goal_is_ratio:
+            return self.ratio is not None and self.ratio >= self.goal
+        return self.value <= self.goal if self.at_most else self.value >= self.goal
+
+
+@dataclass(frozen=True)
+class Scale:
+    """This machine's speed now over the reference's, in CPU time and on the wall: 1 is as fast."""
+
+    cpu: float
+    wall: float
+
+
+@njit
+def _pendulum(steps: int) -> float:
+    """Damped pendulum, Euler, on scalar floats: what the flight law's arithmetic is made of."""
+    angle, rate, dt = 1.0, 0.0, 1e-3
+    for _ in range(steps):
+        rate += dt * (-9.81 * math.sin(angle) - 0.1 * rate * math.sqrt(1.0 + rate * rate))
+        angle += dt * rate
+        rate /= 1.0 + 1e-9 * math.exp(-angle * angle)
+    return angle
+
+
+def calibrate() -> Scale:
+    """Run the loop and compare."""
+    _pendulum(1)
+    cpu, wall = [], []
+    for _ in range(ROUNDS):
+        wall_s, cpu_s = time.perf_counter(), time.process_time()
+        _pendulum(CALIBRATION_STEPS)
+        cpu.append(time.process_time() - cpu_s)
+        wall.append(time.perf_counter() - wall_s)
+    reference_s = CALIBRATION_STEPS / REFERENCE_STEPS_S
+    return Scale(reference_s / statistics.median(cpu), reference_s / statistics.median(wall))
+
+
+def cpu_times(*jobs: Callable[[], object], least_s: float = 0.02) -> list[float]:
+    """CPU seconds of one call of each job: medians over rounds in which they take turns."""
+    repeats = []
+    for job in jobs:
+        job()
+        count, spent = 0, 0.0
+        while spent < least_s:
+            begun = time.process_time()
+            job()
+            spent += time.process_time() - begun
+            count += 1
+        repeats.append(count)
+    rounds: list[list[float]] = [[] for _ in jobs]
+    for _ in range(ROUNDS):
+        for job, count, times in zip(jobs, repeats, rounds, strict=True):
+            begun = time.process_time()
+            for _ in range(count):
+                job()
+            times.append((time.process_time() - begun) / count)
+    return [statistics.median(times) for times in rounds]

@@ -1,0 +1,72 @@
+"""Somebody else's code may raise, hang, or swallow what would end it."""
+
+from __future__ import annotations
+
+import signal
+import time
+
+import pytest
+
+from gcs.guard import Guard
+
+
+def fails() -> None:
+    raise KeyError("a\nb")
+
+
+def hangs() -> None:
+    while True:
+        try:
+            time.sleep(60.0)
+        except Exception:
+            continue
+
+
+def test_an_answer_comes_through() -> None:
+    answer = Guard("planner a:B").call(1, lambda: 5)
+    assert answer is not None
+    assert answer.value == 5
+
+
+def test_who_raises_is_named_once_with_its_place_until_it_is_good_again() -> None:
+    guard = Guard("planner a:B")
+    for _ in range(3):
+        assert guard.call(1, fails) is None
+    (problem,) = guard.take()
+    assert problem.sysid == 1
+    assert problem.sentence.startswith("planner a:B raised KeyError at test_guard.py:")
+    assert problem.sentence.endswith("; the vehicle is held")
+    assert "\n" not in problem.sentence
+    guard.clear(1)
+    guard.call(1, fails)
+    assert len(guard.take()) == 1
+
+
+def test_an_exit_in_a_policy_does_not_end_the_session() -> None:
+    def leave() -> None:
+        raise SystemExit(3)
+
+    guard = Guard("planner a:B")
+    assert guard.call(1, leave) is None
+    assert guard.take()[0].problem.startswith("raised SystemExit")
+
+
+def test_who_hangs_is_cut_off_and_not_asked_again_and_one_is_cut_per_tick() -> None:
+    guard = Guard("planner a:B", limit_s=0.05)
+    guard.begin_tick()
+    assert guard.call(1, hangs) is None
+    assert guard.call(2, hangs) is None
+    assert [problem.sysid for problem in guard.take()] == [1]
+    guard.begin_tick()
+    assert guard.call(1, lambda: 5) is None
+    assert guard.call(3, lambda: 5) is not None
+
+
+def test_a_timer_that_was_running_goes_on() -> None:
+    before = signal.getitimer(signal.ITIMER_REAL)[0]
+    if not before:
+        pytest.skip("no timer runs in this test run")
+    Guard("planner a:B").call(1, lambda: 5)
+    after = signal.getitimer(signal.ITIMER_REAL)[0]
+    assert 0.0 < after <= before
+    assert after > before - 5.0

@@ -1,0 +1,63 @@
+"""The `fleet` fixture in somebody else's test suite, as pytest finds it by itself."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from importlib.metadata import entry_points
+from pathlib import Path
+
+import psutil
+
+THEIRS = """
+import pytest
+from pymavlink import mavutil
+
+PIDS = "{folder}/pids"
+
+def beat(address):
+    connection = mavutil.mavlink_connection(address, source_system=254)
+    connection.mav.heartbeat_send(6, 8, 0, 0, 0)
+    message = connection.recv_match(type="HEARTBEAT", blocking=True, timeout=20)
+    connection.close()
+    return message.get_srcSystem()
+
+@pytest.mark.fleet(2)
+def test_two_answer(fleet):
+    assert [beat(vehicle.address) for vehicle in fleet] == [1, 2]
+    assert fleet[1].port != fleet[2].port
+    assert fleet[2].url == f"udpout://127.0.0.1:{{fleet[2].port}}"
+    with open(PIDS, "w") as file:
+        print(*[str(vehicle.log.parent) for vehicle in fleet], sep="\\n", file=file)
+
+@pytest.mark.fleet("no-such-scenario")
+def test_a_fleet_that_cannot_start_is_one_sentence(fleet):
+    pass
+"""
+
+
+def test_real_vehicles_are_there_for_a_test_and_gone_after_it(tmp_path: Path) -> None:
+    (tmp_path / "test_theirs.py").write_text(THEIRS.format(folder=tmp_path))
+    words = [sys.executable, "-m", "pytest", "-q", "--strict-markers", "-p", "no:cacheprovider", "test_theirs.py"]
+    done = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, timeout=100, check=False)
+    assert "1 passed, 1 error" in done.stdout, done.stdout + done.stderr
+    assert re.search(r"the fleet 'no-such-scenario' did not start: .*no shipped scenario", done.stdout, re.DOTALL)
+    folders = (tmp_path / "pids").read_text().split()
+    assert not [folder for folder in folders if os.path.exists(folder)]
+    assert not [p for p in psutil.process_iter(["cmdline"]) if folders[0] in " ".join(p.info["cmdline"] or ())]
+
+
+def test_pytest_finds_the_plugin_by_itself() -> None:
+    (found,) = [point for point in entry_points(group="pytest11") if point.name == "skytender"]
+    assert found.value == "gcs.pytest_plugin"
+
+
+def test_loading_the_plugin_loads_nothing_heavy() -> None:
+    program = (
+        "import sys, gcs.pytest_plugin\n"
+        "sys.exit(str({'numba', 'numpy', 'pydantic', 'scipy', 'pymavlink', 'yaml', 'click'} & set(sys.modules)))"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
+    assert done.stderr == "set()\n"

@@ -1,0 +1,117 @@
+"""What one vehicle's trouble does to the others: nothing that they need not suffer."""
+
+from __future__ import annotations
+
+import json
+import signal
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from sessions import Running, demo, fly, merged, small
+
+OPEN = {"refuelling": {"enabled": False}}
+PURSUERS = (1, 2, 3, 4, 5)
+
+
+def paced(**changes: Any) -> dict[str, Any]:
+    goal = {"duration_s": 60.0, "refuelled_at_least": 0}
+    return merged(demo(), {"clock": {"mode": "real", "speed": 5.0}, "goal": goal, **changes})
+
+
+def test_pursuers_hold_when_their_target_dies(tmp_path: Path) -> None:
+    running = Running(paced(**OPEN), tmp_path, "--json")
+    try:
+        running.wait_for(lambda s: s["t_s"] > 20.0)
+        running.vehicle(101).send_signal(signal.SIGKILL)
+        outcome = running.finish()
+    finally:
+        running.stop()
+    assert outcome.summary["outcome"] == "vehicle_lost"
+    for sysid in PURSUERS:
+        truth = outcome.truth(sysid)
+        late = truth.time_s > 40.0
+        assert np.ptp(truth.p_ned[late], axis=0).max() < 1.0
+        assert truth.p_ned[late, 2].max() < -0.3
+
+
+def test_pursuers_stay_in_the_air_when_their_target_lands(tmp_path: Path) -> None:
+    content = paced(clock={"mode": "lockstep"}, **OPEN)
+    content["vehicles"]["targets"][0]["battery"] = {"capacity_j": 24000, "initial_percent": 30}
+    outcome = fly(content, tmp_path, "--plain")
+    target = outcome.truth(101)
+    assert target.p_ned[-1, 2] == 0.0
+    landed_s = float(target.time_s[np.flatnonzero(target.p_ned[:, 2] < 0.0)[-1]])
+    for sysid in (1, 2):
+        truth = outcome.truth(sysid)
+        assert truth.p_ned[truth.time_s > landed_s - 5.0, 2].max() < -0.3
+    assert "takes no more part" in outcome.stdout
+
+
+def test_separation_is_not_measured_from_places_that_nobody_told(tmp_path: Path) -> None:
+    dark = [{"sysid": 101, "from_s": 25.0, "to_s": 40.0}]
+    outcome = fly(paced(clock={"mode": "lockstep"}, radio={"blackouts": dark}, **OPEN), tmp_path, "--plain")
+    truths = {sysid: outcome.truth(sysid).p_ned for sysid in (*PURSUERS, 101, 201)}
+    rows = min(len(p) for p in truths.values())
+    names = sorted(truths)
+    least = min(
+        float(np.linalg.norm(truths[a][:rows] - truths[b][:rows], axis=1).min())
+        for i, a in enumerate(names)
+        for b in names[:i]
+    )
+    assert least >= 0.6
+    assert "No word for" in outcome.stdout
+    assert "Heard again" in outcome.stdout
+
+
+def test_a_vehicle_that_stalls_does_not_make_the_others_leave(tmp_path: Path) -> None:
+    """Longer than the 10 s of silence after which a vehicle leaves its supervisor."""
+    content = small(clock={"mode": "real", "speed": 2.0}, goal={"duration_s": 20.0, "refuelled_at_least": 0})
+    running = Running(content, tmp_path, "--json")
+    try:
+        running.wait_for(lambda s: s["t_s"] > 3.0)
+        stalled = running.vehicle(1)
+        stalled.suspend()
+        told: list[str] = []
+        for line in running.lines():
+            told += [event["text"] for event in json.loads(line).get("events", ())]
+            if any("has not answered for 1" in text for text in told):
+                break
+        stalled.resume()
+        outcome = running.finish()
+    finally:
+        running.stop()
+    assert any("pursuer 1 lives but has not answered" in text for text in told)
+    assert outcome.status == 0
+    assert outcome.summary["completed"] is True
+
+
+def test_a_session_whose_vehicles_all_died_is_not_complete(tmp_path: Path) -> None:
+    running = Running(small(clock={"mode": "real", "speed": 2.0}), tmp_path, "--json")
+    try:
+        running.wait_for(lambda s: s["t_s"] > 2.0)
+        for sysid in (1, 101, 201):
+            running.vehicle(sysid).send_signal(signal.SIGKILL)
+        outcome = running.finish()
+    finally:
+        running.stop()
+    assert outcome.summary["completed"] is False
+    assert outcome.summary["outcome"] == "vehicle_lost"
+
+
+def test_parameters_that_a_vehicle_refuses_are_bad_input(tmp_path: Path) -> None:
+    content = small()
+    content["vehicles"]["pursuers"][0]["params"] = {"MPC_XY_VELMAX": 3.0}
+    outcome = fly(content, tmp_path, "--plain")
+    assert outcome.status == 2
+    assert "MPC_XY_VEL_MAX" in outcome.stderr
+
+
+def test_a_view_that_cannot_be_written_does_not_end_the_session(tmp_path: Path) -> None:
+    running = Running(small(), tmp_path, "--plain", stdout="/dev/full")
+    try:
+        outcome = running.finish()
+    finally:
+        running.stop()
+    assert outcome.summary["outcome"] == "met"
+    assert "Traceback" not in outcome.stderr

@@ -30,17 +30,13 @@ ALARM = re.compile(
 @contextmanager
 def mavproxy(peers: Path, port: int, folder: Path) -> Iterator[Conversation]:
     """MAVProxy at a port, with its files in a folder."""
-    log = folder / "mavproxy.txt"
     argv = [str(peers / "python"), "-u", str(peers / "mavproxy.py"), f"--master=udpin:127.0.0.1:{port}"]
     argv += [f"--state-basedir={folder}", "--aircraft=peer"]
-    with (
-        log.open("w", encoding="utf-8") as out,
-        subprocess.Popen(
-            argv, cwd=folder, stdin=subprocess.PIPE, stdout=out, stderr=subprocess.STDOUT, text=True
-        ) as process,
-    ):
+    with subprocess.Popen(
+        argv, cwd=folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT
+    ) as process:
         try:
-            yield Conversation(process, log)
+            yield Conversation(process)
         finally:
             process.kill()
 

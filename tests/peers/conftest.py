@@ -26,7 +26,7 @@ def peers() -> Path:
     if missing.exists():
         pytest.skip(missing.read_text(encoding="utf-8").strip())
     if not (PEERS / ".ready").exists():
-        pytest.skip("MAVSDK and MAVProxy are not installed: call make test, or make peers")
+        pytest.skip("MAVSDK and MAVProxy are not installed: call make test")
     return PEERS / "bin"
 
 

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from gcs import cli_author
+from gcs import cli_author, cli_check
 from gcs.cli_author import ScenarioName, load_scenario, module_arguments
 
 if TYPE_CHECKING:
@@ -62,7 +62,7 @@ def cli() -> None:
     """
 
 
-for _command in (cli_author.init, cli_author.validate, cli_author.schema, cli_author.doctor):
+for _command in (cli_author.init, cli_author.validate, cli_author.schema, cli_author.doctor, cli_check.check):
     cli.add_command(_command)
 
 

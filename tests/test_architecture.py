@@ -78,7 +78,12 @@ HOUSE = {
         "paper.examples",
         "paper.robustness",
         "paper.make",
-        "cli_author",
+        "check.dialogue",
+        "check.judges check.report",
+        "check.asking",
+        "check.presence check.connect check.parameters check.preparation",
+        "check.questions check.wire",
+        "cli_author cli_check",
         "cli",
     ],
 }

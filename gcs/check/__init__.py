@@ -1,0 +1,1 @@
+"""A conformance check of any vehicle: what MAVSDK, QGroundControl and MAVProxy ask, and what they would miss."""

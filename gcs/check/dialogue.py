@@ -1,0 +1,240 @@
+"""Asking a vehicle one question after another, as its peers do: no socket and no clock here, time is an argument.
+
+A question is asked, asked again as patient peers do, and judged by what came back meanwhile. What a missing answer
+means to whom stands with the question (`misses`): nothing here knows one peer from another.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Literal, NamedTuple
+
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.mavlink import codec
+from gcs.mavlink.codec import Frame, Message
+from gcs.profiles import Profile, profile_of
+
+OWN = (255, 190)
+HEARTBEAT_EVERY_S = 1.0
+FIND_WITHIN_S = 10.0
+REPEAT_S = 0.5
+TRIES = 3
+STREAM_EVERY_S = 0.05
+
+Outcome = Literal["ok", "late", "missing", "wrong", "skipped"]
+VEHICLE_TYPES = frozenset(range(mav.MAV_TYPE_ENUM_END)) - {
+    mav.MAV_TYPE_GCS,
+    mav.MAV_TYPE_ADSB,
+    mav.MAV_TYPE_GIMBAL,
+    mav.MAV_TYPE_CAMERA,
+    mav.MAV_TYPE_ONBOARD_CONTROLLER,
+    mav.MAV_TYPE_ANTENNA_TRACKER,
+    mav.MAV_TYPE_CHARGING_STATION,
+}
+
+
+class Heard(NamedTuple):
+    """A message that the vehicle sent: its name, its fields in MAVLink's own units (None for one that no dialect of
+    ours holds), and when it came."""
+
+    name: str
+    fields: Any
+    at_s: float
+
+
+@dataclass
+class Vehicle:
+    """What is known so far of the vehicle that is asked."""
+
+    sysid: int
+    compid: int
+    latest: dict[str, Heard] = field(default_factory=dict)
+    arrivals_s: dict[str, list[float]] = field(default_factory=dict)
+    parameters: dict[str, Any] = field(default_factory=dict)
+    """PARAM_VALUE's fields by name"""
+    backwards: str = ""
+    """the first message whose time_boot_ms was lower than the one before"""
+    _boot_ms: dict[str, int] = field(default_factory=dict)
+
+    def take(self, heard: Heard) -> None:
+        """Remember one message."""
+        self.latest[heard.name] = heard
+        self.arrivals_s.setdefault(heard.name, []).append(heard.at_s)
+        boot_ms = getattr(heard.fields, "time_boot_ms", None)
+        if boot_ms is not None:
+            if boot_ms < self._boot_ms.get(heard.name, 0) and not self.backwards:
+                self.backwards = heard.name
+            self._boot_ms[heard.name] = boot_ms
+        if heard.name == "PARAM_VALUE":
+            self.parameters[heard.fields.param_id] = heard.fields
+
+    def of(self, name: str) -> Any:
+        """The newest message of this name, or None."""
+        heard = self.latest.get(name)
+        return None if heard is None else heard.fields
+
+    @property
+    def profile(self) -> Profile:
+        """Which autopilot it says that it is."""
+        return profile_of(self.of("HEARTBEAT").autopilot)
+
+    @property
+    def capabilities(self) -> int:
+        """AUTOPILOT_VERSION's capability bits; 0 where it was never told."""
+        version = self.of("AUTOPILOT_VERSION")
+        return 0 if version is None else int(version.capabilities)
+
+    @property
+    def armed(self) -> bool:
+        """By its last HEARTBEAT."""
+        return bool(self.of("HEARTBEAT").base_mode & mav.MAV_MODE_FLAG_SAFETY_ARMED)
+
+
+class Verdict(NamedTuple):
+    """What came of a question; `text` says what was found, for a person."""
+
+    outcome: Outcome
+    text: str = ""
+
+
+Judge = Callable[[Vehicle, Sequence[Heard]], "Verdict | None"]
+"""What was heard since the question was first asked → the verdict, None while it may still come."""
+
+
+@dataclass(frozen=True)
+class Question:
+    """One thing that peers ask or wait for, and what each of them shows where it does not come.
+
+    `ask` is sent at once and again every `repeat_s`, `tries` times in all; then `at_end` has the last word. With
+    `streams` its messages go out every 50 ms meanwhile, beginning `lead_s` before the question.
+    """
+
+    key: str
+    what: str
+    misses: Mapping[str, str]
+    judge: Judge
+    ask: Callable[[Vehicle], Sequence[Message]] = lambda _: ()
+    at_end: Callable[[Vehicle, Sequence[Heard]], Verdict] = lambda *_: Verdict("missing", "no answer")
+    when: Callable[[Vehicle], str] = lambda _: ""
+    """why it does not apply to this vehicle; empty where it does"""
+    repeat_s: float = REPEAT_S
+    tries: int = TRIES
+    streams: Callable[[Vehicle], Sequence[Message]] | None = None
+    lead_s: float = 0.0
+
+
+@dataclass(frozen=True)
+class Finding:
+    """A question's outcome; `after_s` is how long the answer took, from the first asking."""
+
+    question: Question
+    outcome: Outcome
+    text: str
+    after_s: float | None
+
+
+class Dialogue:
+    """All questions to one vehicle, one at a time. The driver feeds frames, and sends what `poll` returns."""
+
+    def __init__(self, questions: Iterable[Question], sysid: int | None = None) -> None:
+        self.vehicle: Vehicle | None = None
+        self.others: set[int] = set()
+        """system ids of further vehicles that were heard"""
+        self.findings: list[Finding] = []
+        self._wanted = sysid
+        self._left = deque(questions)
+        self._heard: list[Heard] = []
+        self._asked = 0
+        self._lead_until_s: float | None = None
+        self._first_s = self._due_s = 0.0
+        self._heartbeat_s = -HEARTBEAT_EVERY_S
+        self._stream_s = 0.0
+
+    @property
+    def current(self) -> Question | None:
+        """The question that is being asked; None before the vehicle was heard and at the end."""
+        return self._left[0] if self.vehicle is not None and self._left else None
+
+    @property
+    def done(self) -> bool:
+        """Whether every question has its finding."""
+        return not self._left
+
+    def take(self, frame: Frame, now_s: float) -> None:
+        """Take in one frame that came."""
+        name = codec.name(frame.msgid)
+        try:
+            content = codec.fields(frame)
+        except ValueError:
+            content = None
+        if name == "HEARTBEAT" and content.type in VEHICLE_TYPES and content.autopilot != mav.MAV_AUTOPILOT_INVALID:
+            if self.vehicle is None and self._wanted in (None, frame.sysid):
+                self.vehicle = Vehicle(frame.sysid, frame.compid)
+            elif self.vehicle is not None and frame.sysid != self.vehicle.sysid:
+                self.others.add(frame.sysid)
+        if self.vehicle is None or (frame.sysid, frame.compid) != (self.vehicle.sysid, self.vehicle.compid):
+            return
+        heard = Heard(name, content, now_s)
+        self.vehicle.take(heard)
+        self._heard.append(heard)
+
+    def poll(self, now_s: float) -> list[Message]:
+        """Judge what has come, move on, and say what to send now."""
+        out: list[Message] = []
+        if now_s - self._heartbeat_s >= HEARTBEAT_EVERY_S:
+            self._heartbeat_s = now_s
+            out.append(HEARTBEAT)
+        while (question := self.current) is not None:
+            assert self.vehicle is not None
+            if not self._asked and self._lead_until_s is None:
+                if why := question.when(self.vehicle):
+                    self._close(Verdict("skipped", why), None)
+                    continue
+                self._lead_until_s = now_s + question.lead_s
+            if question.streams is not None and now_s >= self._stream_s:
+                self._stream_s = now_s + STREAM_EVERY_S
+                out += question.streams(self.vehicle)
+            assert self._lead_until_s is not None
+            if now_s < self._lead_until_s:
+                return out
+            if not self._asked:
+                self._heard = []
+                self._first_s = now_s
+                out += self._ask(question, now_s)
+                return out
+            if (verdict := question.judge(self.vehicle, self._heard)) is not None:
+                self._close(verdict, self._heard[-1].at_s - self._first_s if self._heard else None)
+                continue
+            if now_s < self._due_s:
+                return out
+            if self._asked < question.tries:
+                out += self._ask(question, now_s)
+                return out
+            self._close(question.at_end(self.vehicle, self._heard), None)
+        return out
+
+    def _ask(self, question: Question, now_s: float) -> Sequence[Message]:
+        assert self.vehicle is not None
+        self._asked += 1
+        self._due_s = now_s + question.repeat_s
+        return question.ask(self.vehicle)
+
+    def _close(self, verdict: Verdict, after_s: float | None) -> None:
+        outcome, text = verdict
+        if outcome == "ok" and self._asked > 1:
+            outcome, text = "late", f"came only after it was asked {self._asked} times"
+        self.findings.append(Finding(self._left.popleft(), outcome, text, after_s))
+        self._heard, self._asked, self._lead_until_s = [], 0, None
+
+
+HEARTBEAT = codec.message(
+    "HEARTBEAT",
+    type=mav.MAV_TYPE_GCS,
+    autopilot=mav.MAV_AUTOPILOT_INVALID,
+    base_mode=0,
+    custom_mode=0,
+    system_status=mav.MAV_STATE_ACTIVE,
+)

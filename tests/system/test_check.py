@@ -1,0 +1,138 @@
+"""`gcs check` against real vehicle processes, some of whose replies never arrive."""
+
+from __future__ import annotations
+
+import json
+import select
+import socket
+import subprocess
+import sys
+import threading
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
+from typing import Any
+
+import pytest
+from pymavlink.dialects.v20 import common as mav
+
+VEHICLE = [sys.executable, "-c", "from simvehicle.cli import main; main()"]
+CHECK = [sys.executable, "-m", "gcs.cli", "check", "--json", "--within", "60"]
+SWALLOWED = {
+    mav.MAVLINK_MSG_ID_BATTERY_STATUS: "stream-battery-status",
+    mav.MAVLINK_MSG_ID_PING: "ping",
+    mav.MAVLINK_MSG_ID_TIMESYNC: "timesync",
+    mav.MAVLINK_MSG_ID_PARAM_ERROR: "parameter-unknown",
+}
+"""Each swallowed message is one question's only answer."""
+
+
+def port_of(vehicle: subprocess.Popen[str]) -> int:
+    """The port that the vehicle says it got."""
+    assert vehicle.stdout is not None
+    return int(vehicle.stdout.readline().rsplit(" ", 1)[1].strip(")\n"))
+
+
+@contextmanager
+def swallowing(to_port: int, msgids: set[int]) -> Iterator[int]:
+    """A port that passes datagrams on to a vehicle and back, without these messages on the way back."""
+    with (
+        socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as near,
+        socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as far,
+    ):
+        near.bind(("127.0.0.1", 0))
+        far.connect(("127.0.0.1", to_port))
+        stop, stopped = socket.socketpair()
+
+        def pass_on() -> None:
+            asker = None
+            while True:
+                ready = select.select([near, far, stopped], [], [])[0]
+                if stopped in ready:
+                    return
+                if near in ready:
+                    datagram, asker = near.recvfrom(65535)
+                    far.send(datagram)
+                if far in ready:
+                    datagram = far.recv(65535)
+                    if asker and int.from_bytes(datagram[7:10], "little") not in msgids:
+                        near.sendto(datagram, asker)
+
+        thread = threading.Thread(target=pass_on)
+        thread.start()
+        try:
+            yield near.getsockname()[1]
+        finally:
+            stop.close()
+            thread.join()
+            stopped.close()
+
+
+@pytest.fixture(scope="module")
+def checked() -> dict[str, tuple[int, dict[str, Any]]]:
+    """(exit status, what was found) for each autopilot, and for one whose replies are swallowed; all at once."""
+    runs = {"px4": ["--arm"], "ardupilot": ["--arm"], "generic": [], "swallowed": []}
+    with ExitStack() as stack:
+        checks = {}
+        for name, options in runs.items():
+            autopilot = ["--autopilot", "px4" if name == "swallowed" else name]
+            argv = [*VEHICLE, "--sysid", "3", "--connect", "udpin:127.0.0.1:0", *autopilot]
+            vehicle = stack.enter_context(subprocess.Popen(argv, stdout=subprocess.PIPE, text=True))
+            stack.callback(vehicle.kill)
+            port = port_of(vehicle)
+            if name == "swallowed":
+                port = stack.enter_context(swallowing(port, set(SWALLOWED)))
+            argv = [*CHECK, "--connect", f"udpout:127.0.0.1:{port}", *options]
+            process = subprocess.Popen(argv, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            checks[name] = stack.enter_context(process)
+            stack.callback(process.kill)
+        outputs = {name: process.communicate(timeout=90)[0] for name, process in checks.items()}
+        return {name: (checks[name].returncode, json.loads(output)) for name, output in outputs.items()}
+
+
+@pytest.mark.parametrize("autopilot", ["px4", "ardupilot"])
+def test_our_vehicle_makes_no_peer_miss_anything(checked: dict[str, Any], autopilot: str) -> None:
+    status, found = checked[autopilot]
+    assert [f for f in found["findings"] if f["outcome"] in ("missing", "wrong")] == []
+    assert status == 0
+    assert found["autopilot"] == autopilot
+    assert {"arm", "disarm", "offboard", "parameter-list"} <= {f["key"] for f in found["findings"]}
+
+
+def test_a_generic_autopilot_is_named_as_what_qgroundcontrol_cannot_command(checked: dict[str, Any]) -> None:
+    status, found = checked["generic"]
+    faults = [f for f in found["findings"] if f["outcome"] in ("missing", "wrong")]
+    assert [f["key"] for f in faults] == ["autopilot"]
+    assert list(faults[0]["misses"]) == ["QGroundControl"]
+    assert status == 1
+
+
+def test_exactly_the_replies_that_are_swallowed_are_named(checked: dict[str, Any]) -> None:
+    status, found = checked["swallowed"]
+    assert {f["key"] for f in found["findings"] if f["outcome"] in ("missing", "wrong")} == set(SWALLOWED.values())
+    assert all(f["misses"] for f in found["findings"] if f["outcome"] == "missing")
+    assert status == 1
+
+
+def test_nobody_there_is_one_sentence() -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as silent:
+        silent.bind(("127.0.0.1", 0))
+        to = f"udpout:127.0.0.1:{silent.getsockname()[1]}"
+        done = subprocess.run([*CHECK, "--connect", to, "--within", "0.5"], capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    assert done.stderr.splitlines()[-1].startswith("gcs: no vehicle's HEARTBEAT came within 0.5 s")
+    assert "Traceback" not in done.stderr
+
+
+def test_a_port_in_use_and_an_address_that_is_none_are_named() -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
+        taken.bind(("127.0.0.1", 0))
+        address = f"udpin:127.0.0.1:{taken.getsockname()[1]}"
+        for connect, words in (
+            (address, "in use"),
+            ("14550", "no connection"),
+            ("udpout:no-such-host.invalid:1", "no-such"),
+        ):
+            done = subprocess.run([*CHECK, "--connect", connect], capture_output=True, text=True, check=False)
+            assert done.returncode == 2
+            assert words in done.stderr
+            assert "Traceback" not in done.stderr

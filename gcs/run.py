@@ -205,7 +205,7 @@ class Supervised:
         except OSError:
             return False
         if self._insistence:
-            self.client.send("stop")
+            self.client.say("stop")
         return True
 
     def interrupt(self, now_s: float) -> None:
@@ -215,7 +215,7 @@ class Supervised:
             self._insistence = 2
         if self._insistence == 1:
             if self.client is not None:
-                self.client.send("stop")
+                self.client.say("stop")
         elif self._insistence == 2:
             with contextlib.suppress(BrokenPipeError):
                 self._in.close()

@@ -5,14 +5,12 @@ from __future__ import annotations
 import json
 import os
 import socket
-from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+
+from gcs.console.source import Message
 
 SOCKET = "session.sock"
 READ_BYTES = 1 << 16
-
-Message = Mapping[str, Any]
 
 
 class Client:
@@ -55,12 +53,16 @@ class Client:
             messages += self._lines.feed(chunk)
         return messages
 
-    def send(self, command: str) -> None:
-        """Ask the session for `pause`, `resume` or `stop`."""
+    def send(self, command: Message) -> None:
+        """Hand a command over; a session that does not take it at once is let go of."""
         try:
-            self._socket.sendall(json.dumps({"command": command}).encode() + b"\n")
+            self._socket.sendall(json.dumps(command).encode() + b"\n")
         except OSError:
             self.connected = False
+
+    def say(self, word: str) -> None:
+        """A command of one word: `pause`, `resume` or `stop`."""
+        self.send({"command": word})
 
     def close(self) -> None:
         """Let go of the session, which goes on."""

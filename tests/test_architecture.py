@@ -48,7 +48,7 @@ HOUSE = {
         "mavlink.codec",
         "mavlink.sequence mavlink.commands mavlink.batch",
         "profiles",
-        "clock impairment recorder",
+        "clock impairment recorder tlog",
         "link",
         "fleet",
         "pilot",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
@@ -26,6 +26,8 @@ class Happening:
     level: str
     """info, warning or critical"""
     text: str
+    kind: str = "session"
+    """text, mode, failsafe, ack, decision, operator, link, death or session"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,7 +134,12 @@ def from_picture(picture: Mapping[str, Any]) -> Snapshot:
         endurance_s=column("endurance_s"),
         v=column("v"),
         tau=column("tau"),
-        services=tuple(Serving(**service) for service in picture["services"]),
+        services=tuple(Serving(**_known(Serving, service)) for service in picture["services"]),
         refuelled=int(picture["refuelled"]),
-        events=tuple(Happening(**event) for event in picture["events"]),
+        events=tuple(Happening(**_known(Happening, event)) for event in picture["events"]),
     )
+
+
+def _known(kind: type[Happening] | type[Serving], content: Mapping[str, Any]) -> dict[str, Any]:
+    """Those of a message's keys that the class has."""
+    return {field.name: content[field.name] for field in fields(kind) if field.name in content}

@@ -2,76 +2,81 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable
 from typing import Any
 
-from gcs.refuelling import Service
-from gcs.supervisor import Event, Supervisor
+from gcs import explain
+from gcs.events import Event
+from gcs.refuelling import Phase
+from gcs.rows import distance_m, event_row, traffic_row, vehicle_row
+from gcs.scene import goal_of
+from gcs.supervisor import Supervisor
+from gcs.trouble import state, troubles
 
 
 def picture(
     supervisor: Supervisor, *, phase: str, speed: float, refuelled: int, events: Iterable[Event]
 ) -> dict[str, Any]:
     """The present state; `speed` is session time over wall time so far, `events` are those that nobody was told yet."""
-    scenario, snapshot = supervisor.scenario, supervisor.snapshot
-    standing, goal = supervisor.schedule.standing, scenario.goal
-    services = supervisor.schedule.open_services
-    at = {view.sysid: view.p_ned for view in snapshot.vehicles}
-    target_of = supervisor.metrics.target_of
-    notes = _notes(services)
+    scenario, snapshot, schedule = supervisor.scenario, supervisor.snapshot, supervisor.schedule
+    services = schedule.open_services
+    tanker_m_s = {tanker.sysid: tanker.speed_m_s for tanker in scenario.vehicles.tankers}
     return {
         "type": "snapshot",
         "t_s": supervisor.time_s,
-        "duration_s": goal.duration_s,
+        "duration_s": scenario.goal.duration_s,
         "speed": speed,
         "phase": phase,
-        "vehicles": [
-            {
-                "sysid": view.sysid,
-                "role": view.role,
-                "label": view.label,
-                "alive": view.alive,
-                "stage": str(supervisor.pilots[view.sysid].stage),
-                "mode": str(view.mode),
-                "armed": view.armed,
-                "p_ned": view.p_ned,
-                "v_ned": view.v_ned,
-                "speed_m_s": math.hypot(*view.v_ned),
-                "height_m": -view.p_ned[2] if view.p_ned is not None else None,
-                "target_m": _distance_m(view.p_ned, at.get(target_of.get(view.sysid, -1))),
-                "battery": view.remaining_j / view.capacity_j,
-                "remaining_j": view.remaining_j,
-                "endurance_s": view.endurance_s if math.isfinite(view.endurance_s) else None,
-                "v": standing.v.get(view.sysid),
-                "tau": standing.tau.get(view.sysid),
-                "note": notes.get(view.sysid, ""),
-            }
-            for view in snapshot.vehicles
-        ],
-        "traffic": [{"callsign": aircraft.callsign, "p_ned": aircraft.p_ned} for aircraft in snapshot.traffic],
+        "vehicles": _vehicles(supervisor),
+        "traffic": [traffic_row(aircraft) for aircraft in snapshot.traffic],
+        "competition": explain.competition_of(schedule.standing, scenario.competition),
         "services": [
-            {"receiver": s.receiver, "tanker": s.tanker, "phase": str(s.phase), "energy_j": s.energy_j, "by": s.by}
+            explain.service_of(s, snapshot, scenario.refuelling, scenario.competition, tanker_m_s[s.tanker])
             for s in services
         ],
+        "history": explain.history_of(schedule.services),
         "refuelled": refuelled,
-        "goal": {
-            "pursue_within_m": goal.pursue.within_m if goal.pursue else None,
-            "pursue_for_s": goal.pursue.for_s if goal.pursue else None,
-            "pursue_held_s": supervisor.metrics.pursuit_held_s,
-            "refuelled_at_least": goal.refuelled_at_least,
-        },
-        "events": [{"t_s": e.t_s, "sysid": e.sysid, "level": e.level, "text": e.text} for e in events],
+        "goal": {**goal_of(scenario.goal), "pursue_held_s": supervisor.metrics.pursuit_held_s},
+        "inspected": {},
+        "events": [event_row(event) for event in events],
     }
 
 
-def _notes(services: Iterable[Service]) -> dict[int, str]:
-    notes = {}
-    for service in services:
-        notes[service.receiver] = f"served by {service.tanker}: {service.phase}"
-        notes[service.tanker] = f"serves {service.receiver}: {service.phase}"
-    return notes
-
-
-def _distance_m(a: tuple[float, float, float] | None, b: tuple[float, float, float] | None) -> float | None:
-    return None if a is None or b is None else math.dist(a, b)
+def _vehicles(supervisor: Supervisor) -> list[dict[str, Any]]:
+    snapshot, standing, quality = supervisor.snapshot, supervisor.schedule.standing, supervisor.quality
+    now_s = snapshot.time_s
+    services = supervisor.schedule.open_services
+    notes = explain.notes_of(services)
+    waiting = {service.receiver for service in services if service.phase is Phase.JOIN}
+    served, serving = {service.receiver for service in services}, {service.tanker for service in services}
+    at = {view.sysid: view.p_ned for view in snapshot.vehicles}
+    aims = {point.sysid: point.p_ned for point in supervisor.set_points}
+    target_of = supervisor.metrics.target_of
+    rows = []
+    for view in snapshot.vehicles:
+        sysid, pilot = view.sysid, supervisor.pilots[view.sysid]
+        lost_share = quality.lost_share(sysid)
+        rows.append(
+            vehicle_row(
+                view,
+                now_s,
+                stage=str(pilot.stage),
+                target_m=distance_m(view.p_ned, at.get(target_of.get(sysid, -1))),
+                v=standing.v.get(sysid),
+                tau=standing.tau.get(sysid),
+                note=notes.get(sysid, ""),
+                lost=quality.lost(sysid),
+                lost_share=lost_share,
+                aim_ned=aims.get(sysid),
+                state=state(
+                    view,
+                    competing=standing.v or standing.tau,
+                    leader=standing.leader,
+                    waiting=waiting,
+                    served=served - waiting,
+                    serving=serving,
+                ),
+                found=troubles(view, now_s, lost_share=lost_share, down=pilot.down),
+            )
+        )
+    return rows

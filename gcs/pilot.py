@@ -62,6 +62,11 @@ class Pilot:
         """Whether set points should flow."""
         return self.stage in (Stage.OFFBOARD, Stage.FLY)
 
+    @property
+    def down(self) -> bool:
+        """Whether it flies no more, for good."""
+        return self.stage is Stage.DOWN
+
     def decide(self, view: VehicleView, now_s: float) -> tuple[list[Wish], list[Message]]:
         """Commands and requests for now, given what is known of the vehicle; moves the stage on."""
         self._move_on(view, now_s)

@@ -1,6 +1,6 @@
 """The session's socket: snapshots out, operators' commands in, newline-delimited JSON (contract.md, Processes).
 
-A reader that is slow is dropped, never waited for.
+A client first reads the greeting, a line of type "session". One that reads slowly is dropped, never waited for.
 """
 
 from __future__ import annotations
@@ -11,17 +11,26 @@ import os
 import socket
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 NAME = "session.sock"
 READ_BYTES = 65536
 BACKLOG_BYTES = 1 << 20
 
 
+class Request(NamedTuple):
+    """What one client asks for: an object with a text under "command"."""
+
+    client: int
+    """whose it is, while it is connected"""
+    content: dict[str, Any]
+
+
 class Publisher:
     """The server end of `OUT/session.sock`."""
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, greeting: Mapping[str, Any] | None = None) -> None:
+        self._greeting = greeting
         self._path = folder / NAME
         directory = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
         try:
@@ -31,8 +40,15 @@ class Publisher:
         finally:
             os.close(directory)
         self._clients: dict[socket.socket, bytes] = {}
+        self._numbers: dict[socket.socket, int] = {}
+        self._known = 0
 
-    def poll(self) -> list[dict[str, Any]]:
+    @property
+    def clients(self) -> frozenset[int]:
+        """Who is connected, by the number that requests carry."""
+        return frozenset(self._numbers.values())
+
+    def poll(self) -> list[Request]:
         """Take new clients and what the present ones ask for; never waits. Lines that are no commands are ignored."""
         with contextlib.suppress(BlockingIOError):
             while True:
@@ -40,6 +56,10 @@ class Publisher:
                 client.setblocking(False)
                 client.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, BACKLOG_BYTES)
                 self._clients[client] = b""
+                self._known += 1
+                self._numbers[client] = self._known
+                if self._greeting is not None:
+                    self._send(client, _line(self._greeting))
         commands = []
         for client in list(self._clients):
             try:
@@ -51,24 +71,28 @@ class Publisher:
             if not chunk or len(self._clients[client]) > READ_BYTES:
                 self._drop(client)
                 continue
+            number = self._numbers[client]
             *lines, self._clients[client] = (self._clients[client] + chunk).split(b"\n")
             for line in lines:
                 with contextlib.suppress(ValueError, RecursionError):
                     content = json.loads(line)
                     if isinstance(content, dict) and isinstance(content.get("command"), str):
-                        commands.append(content)
+                        commands.append(Request(number, content))
         return commands
 
     def publish(self, content: Mapping[str, Any]) -> None:
         """Send one line to every client; who cannot take it whole is dropped."""
-        line = json.dumps(content, allow_nan=False).encode() + b"\n"
+        line = _line(content)
         for client in list(self._clients):
-            try:
-                whole = client.send(line) == len(line)
-            except OSError:
-                whole = False
-            if not whole:
-                self._drop(client)
+            self._send(client, line)
+
+    def reply(self, request: Request, ok: bool, text: str) -> None:
+        """Answer who asked, if it is still there: whether its command is taken, and a sentence."""
+        given = request.content.get("id")
+        line = _line({"type": "reply", "id": given if isinstance(given, str | int) else None, "ok": ok, "text": text})
+        for client, number in list(self._numbers.items()):
+            if number == request.client:
+                self._send(client, line)
 
     def close(self) -> None:
         """Let everyone go and take the socket away."""
@@ -78,6 +102,19 @@ class Publisher:
         with contextlib.suppress(OSError):
             self._path.unlink()
 
+    def _send(self, client: socket.socket, line: bytes) -> None:
+        try:
+            whole = client.send(line) == len(line)
+        except OSError:
+            whole = False
+        if not whole:
+            self._drop(client)
+
     def _drop(self, client: socket.socket) -> None:
         self._clients.pop(client, None)
+        self._numbers.pop(client, None)
         client.close()
+
+
+def _line(content: Mapping[str, Any]) -> bytes:
+    return json.dumps(content, allow_nan=False).encode() + b"\n"

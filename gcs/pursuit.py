@@ -33,7 +33,7 @@ def predicted_effort(p_ned: Vec3, v_ned: Vec3, target_p_ned: Vec3, target_v_ned:
     """
     offset, v_t = np.subtract(target_p_ned, p_ned), np.asarray(target_v_ned)
     distance_m = float(np.linalg.norm(offset))
-    time_s = _meeting_s(offset, v_t, speed_m_s)
+    time_s = meeting_s(offset, v_t, speed_m_s)
     if time_s is None:
         time_s = 10.0 * distance_m / speed_m_s
     if distance_m == 0.0 or time_s == 0.0:
@@ -44,7 +44,7 @@ def predicted_effort(p_ned: Vec3, v_ned: Vec3, target_p_ned: Vec3, target_v_ned:
     return GRAVITY_M_S2 * time_s + float(np.linalg.norm(wanted - np.asarray(v_ned)))
 
 
-def _meeting_s(offset: np.ndarray[Any, Any], v_t: np.ndarray[Any, Any], speed_m_s: float) -> float | None:
+def meeting_s(offset: np.ndarray[Any, Any], v_t: np.ndarray[Any, Any], speed_m_s: float) -> float | None:
     """The least t >= 0 with |offset + v_t t| = speed t; None where there is none."""
     a = float(v_t @ v_t) - speed_m_s**2
     b, c = 2.0 * float(offset @ v_t), float(offset @ offset)

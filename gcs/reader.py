@@ -14,7 +14,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import asdict
 from typing import Any
 
-from gcs.supervisor import Event
+from gcs.events import Event
 
 NEXT, STOP = b"n", b"s"
 BUFFER_BYTES = 1 << 20

@@ -16,12 +16,14 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
+import numpy as np
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.contest import Contest, Standing
 from gcs.fleet import Snapshot, VehicleView
 from gcs.pilot import Wish
 from gcs.profiles import STEERABLE, FlightMode
+from gcs.pursuit import meeting_s
 from gcs.scenario import Competition, Refuelling, Tanker
 
 STOP, GIVE, RECEIVE = 0, 1, 2
@@ -80,6 +82,11 @@ class Service:
     refusals: int = 0
     broken_off: bool = False
     ended_by: str = ""
+    need: float = 0.0
+    need_is_largest: bool = True
+    share: float = 0.0
+    meets_in_s: float | None = None
+    """as was known at the decision: who needed what, and how long the tanker's way was"""
 
     def record(self) -> dict[str, Any]:
         """The service as the summary tells it."""
@@ -92,7 +99,7 @@ class Service:
             "start_s": self.start_s,
             "end_s": self.end_s,
             "energy_j": self.energy_j,
-            "bids": _by_text(self.bids),
+            "bids": by_text(self.bids),
         }
 
 
@@ -205,6 +212,11 @@ class Schedule:
         contest.award(receiver, now_s)
         bids = {sysid: standing.tau[sysid] for sysid in standing.v or standing.tau}
         service = Service(len(self.services) + 1, receiver, tanker.sysid, by, bids, now_s, phase_since_s=now_s)
+        view = snapshot.vehicle(receiver)
+        service.need, service.share = view.need, standing.share
+        service.need_is_largest = view.need >= max(standing.need.values(), default=0.0)
+        way = np.subtract(view.p_now_ned(), tanker.p_now_ned())
+        service.meets_in_s = meeting_s(way, np.asarray(view.v_ned), speed_m_s)
         self.services.append(service)
         self._ask(
             tanker.sysid, mav.MAV_CMD_SET_MESSAGE_INTERVAL, self._token(service, "stream"), _FOLLOW, FOLLOW_EVERY_US
@@ -215,9 +227,9 @@ class Schedule:
                 "receiver": receiver,
                 "tanker": tanker.sysid,
                 "by": by,
-                "bids": _by_text(bids),
-                "v": _by_text(standing.v),
-                "need": _by_text(standing.need),
+                "bids": by_text(bids),
+                "v": by_text(standing.v),
+                "need": by_text(standing.need),
                 "share": standing.share,
             }
         )
@@ -399,7 +411,7 @@ class Schedule:
         return f"{COMMAND_TOKENS} {service.number} {what}"
 
 
-def _by_text(numbers: Mapping[int, float]) -> dict[str, float]:
+def by_text(numbers: Mapping[int, float]) -> dict[str, float]:
     """JSON's keys are text."""
     return {str(sysid): number for sysid, number in sorted(numbers.items())}
 

@@ -23,15 +23,17 @@ import click
 
 from gcs import plugins
 from gcs.clock import Pace
+from gcs.events import Event, Kind, Level
 from gcs.launch import Ended, Hatch, LaunchError, traffic_order, vehicle_orders
 from gcs.link import BUFFER_BYTES, REPEAT_S, FleetLink
 from gcs.picture import picture
-from gcs.publish import Publisher
+from gcs.publish import Publisher, Request
 from gcs.reader import Reader
 from gcs.recorder import Recorder, RecorderError
 from gcs.scenario import Scenario, ScenarioError, load
+from gcs.scene import session_line
 from gcs.summary import summarise
-from gcs.supervisor import AUTOPILOT, TRAFFIC, Event, Supervisor
+from gcs.supervisor import AUTOPILOT, TRAFFIC, Supervisor
 
 MET, NOT_MET, BAD_INPUT, INTERNAL, INTERRUPTED = 0, 1, 2, 70, 130
 PUBLISH_EVERY_S = 0.1
@@ -64,7 +66,7 @@ class Session:
         self._scenario = scenario
         self._link = FleetLink(drop=drop, seed=scenario.seed)
         self._recorder = Recorder(folder)
-        self._publisher = Publisher(folder)
+        self._publisher = Publisher(folder, session_line(scenario, str(folder.resolve())))
         self._supervisor = Supervisor(scenario, self._link, self._recorder)
         self._hatch: Hatch | None = None
         self._unpublished: list[Event] = []
@@ -219,14 +221,16 @@ class Session:
         if now_s - self._said_waiting_s >= SAY_WAITING_EVERY_S and not self._pace.paused:
             self._said_waiting_s = now_s
             self._wait_for(now_s - self._answered_s)
-        for command in self._publisher.poll():
-            self._obey(command["command"])
+        for request in self._publisher.poll():
+            self._obey(request)
         if _stdin_closed():
             raise _Stopped
         for key in self._link.refused.keys() - self._told_refused:
             self._told_refused.add(key)
             host, port = self._link.refused[key]
-            self._event(key[0], "warning", f"Another vehicle says that it is {key[0]}, from {host}:{port}: ignored")
+            self._event(
+                key[0], "warning", f"Another vehicle says that it is {key[0]}, from {host}:{port}: ignored", "link"
+            )
         if now_s - self._published_s >= PUBLISH_EVERY_S:
             self._published_s = now_s
             self._publisher.publish(self._next_picture())
@@ -239,7 +243,9 @@ class Session:
         for key in self._link.awaited:
             label = self._labels.get(key[0], f"vehicle {key[0]}")
             if waited_s < GIVE_UP_S:
-                self._event(key[0], "warning", f"{label} lives but has not answered for {waited_s:.0f} s of wall time")
+                self._event(
+                    key[0], "warning", f"{label} lives but has not answered for {waited_s:.0f} s of wall time", "link"
+                )
                 continue
             self._lost.append(key[0])
             self._supervisor.lose(key, f"{label} lives but has not answered for {waited_s:.0f} s: given up")
@@ -253,19 +259,23 @@ class Session:
             self._lost.append(sysid)
             self._supervisor.lose(TRAFFIC if sysid == TRAFFIC[0] else (sysid, AUTOPILOT), sentence)
 
-    def _obey(self, command: str) -> None:
+    def _obey(self, request: Request) -> None:
+        command = request.content["command"]
         if command == "stop":
+            self._publisher.reply(request, True, "The session stops.")
             raise _Stopped
         if command == "pause":
             self._pace.pause()
         elif command == "resume":
             self._pace.resume()
         else:
+            self._publisher.reply(request, False, f"This session knows no command '{command}'.")
             return
-        self._event(0, "info", f"Operator: {command}")
+        self._publisher.reply(request, True, f"The session is {'paused' if self._pace.paused else 'running'}.")
+        self._event(0, "info", f"Operator: {command}", "operator")
 
-    def _event(self, sysid: int, level: str, text: str) -> None:
-        self._supervisor.events.append(Event(self._supervisor.time_s, sysid, level, text))
+    def _event(self, sysid: int, level: Level, text: str, kind: Kind = "session") -> None:
+        self._supervisor.events.append(Event(self._supervisor.time_s, sysid, level, text, kind))
 
     # tell
 

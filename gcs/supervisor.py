@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 
 from pymavlink.dialects.v20 import common as mav
 
+from gcs.events import Event, Level
 from gcs.fleet import Fleet, GlobalOrigin, Member, Snapshot
 from gcs.impairment import Blackout, Impairment
 from gcs.link import SUPERVISOR, FleetLink, Key
@@ -21,11 +22,13 @@ from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.commands import CommandLong, CommandQueue, CommandResult, Target
 from gcs.mavlink.sequence import GapCounter
 from gcs.metrics import Metrics
+from gcs.news import Watch
 from gcs.pilot import Pilot, Stage, Wish
 from gcs.planner.own import make_planner
 from gcs.planner.plan import SetPoint
 from gcs.policy_contest import make_contest
 from gcs.pursuit import Pursuit
+from gcs.quality import LinkQuality
 from gcs.recorder import Digest, Recorder
 from gcs.refuelling import Decision, Schedule
 from gcs.scenario import Scenario
@@ -41,21 +44,15 @@ SET_POINT_MASK = (
     | mav.POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE
 )
 WAIT_FOR_FLEET_S = 30.0
-_SEVERITY = {mav.MAV_SEVERITY_WARNING: "warning", mav.MAV_SEVERITY_NOTICE: "info", mav.MAV_SEVERITY_INFO: "info"}
+_SEVERITY: dict[int, Level] = {
+    mav.MAV_SEVERITY_WARNING: "warning",
+    mav.MAV_SEVERITY_NOTICE: "info",
+    mav.MAV_SEVERITY_INFO: "info",
+}
 _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
 _FOLLOW_TARGET = codec.msgid("FOLLOW_TARGET")
 _NAMED_VALUE_INT = codec.msgid("NAMED_VALUE_INT")
 _SET_POINT = codec.msgid("SET_POSITION_TARGET_LOCAL_NED")
-
-
-@dataclass(frozen=True)
-class Event:
-    """Something that a person wants to hear of."""
-
-    t_s: float
-    sysid: int
-    level: str
-    text: str
 
 
 class _Relay(NamedTuple):
@@ -118,6 +115,7 @@ class Supervisor:
         self._queues = {v.sysid: CommandQueue(*SUPERVISOR) for v in scenario.vehicles.all}
         self._under_way: set[tuple[int, str]] = set()
         self._gaps = GapCounter()
+        self.quality = LinkQuality(self._gaps)
         self._heartbeat_due_ms = dict.fromkeys(self.pilots, 0)
         self._outbox: dict[int, list[Message]] = {sysid: [] for sysid in self.pilots}
         self._heartbeat = codec.message(
@@ -133,7 +131,8 @@ class Supervisor:
         self.sent = 0
         self.events: list[Event] = []
         self.targets_move = False
-        self._silent: set[int] = set()
+        self._watch = Watch()
+        self.set_points: list[SetPoint] = []
         self.snapshot: Snapshot = self.fleet.snapshot(0.0)
 
     @property
@@ -164,11 +163,11 @@ class Supervisor:
         arrived, delivered = self._hear(answers, now_s)
         self._take_acknowledgements(now_s)
         self.snapshot = snapshot = self.fleet.snapshot(now_s)
-        self._watch_silence(snapshot)
+        self.events += self._watch.look(snapshot)
         decision = self.schedule.decide(snapshot)
         self._fly(snapshot, now_s)
         pursuing = self.pursuit.decide(snapshot) if self.pursuit else None
-        set_points = self._plan(snapshot, decision, pursuing)
+        self.set_points = set_points = self._plan(snapshot, decision, pursuing)
         self._ask(decision.wishes, now_s)
         for sysid, queue in self._queues.items():
             self._follow_up(sysid, queue.poll(now_s), now_s)
@@ -189,10 +188,10 @@ class Supervisor:
         """A process has died: hold it no longer, tell everyone, let the others go on."""
         self._link.leave(key)
         if key == TRAFFIC:
-            self.events.append(Event(self.time_s, 255, "critical", why))
+            self.events.append(Event(self.time_s, 255, "critical", why, "death"))
             return
         self.fleet.lost(key[0])
-        self.events.append(Event(self.time_s, key[0], "critical", why))
+        self.events.append(Event(self.time_s, key[0], "critical", why, "death"))
 
     # in
 
@@ -211,9 +210,10 @@ class Supervisor:
                 self.fleet.ingest(frame, now_s)
                 arrived.append(frame.raw)
             delivered[key[0]] = heard
+            self.quality.take(key[0], len(heard), now_s)
         self.received += len(arrived)
         for sysid, severity, text in self.fleet.take_statustexts():
-            self.events.append(Event(now_s, sysid, _SEVERITY.get(severity, "critical"), text))
+            self.events.append(Event(now_s, sysid, _SEVERITY.get(severity, "critical"), text, "text"))
         return arrived, delivered
 
     def _take_acknowledgements(self, now_s: float) -> None:
@@ -230,19 +230,8 @@ class Supervisor:
         self.schedule.result(str(result.token), result.outcome == "accepted")
         if result.outcome != "accepted":
             why = "timed out" if result.outcome == "timeout" else f"was refused (result {result.result})"
-            self.events.append(Event(now_s, sysid, "warning", f"Command {result.command} ({result.token}) {why}"))
-
-    def _watch_silence(self, snapshot: Snapshot) -> None:
-        """Tell of vehicles that fall silent, and of their return."""
-        for view in snapshot.vehicles:
-            silent = view.alive and view.heard_s >= 0.0 and not view.fresh
-            if silent and view.sysid not in self._silent:
-                self._silent.add(view.sysid)
-                self.events.append(Event(snapshot.time_s, view.sysid, "warning", f"No word for {view.age_s:.1f} s"))
-            elif not silent and view.sysid in self._silent:
-                self._silent.discard(view.sysid)
-                if view.alive:
-                    self.events.append(Event(snapshot.time_s, view.sysid, "info", "Heard again"))
+            text = f"Command {result.command} ({result.token}) {why}"
+            self.events.append(Event(now_s, sysid, "warning", text, "ack"))
 
     # decide
 
@@ -254,7 +243,7 @@ class Supervisor:
             before = pilot.stage
             wishes, requests = pilot.decide(view, now_s)
             if pilot.stage is Stage.DOWN and before is not Stage.DOWN and view.alive:
-                self.events.append(Event(now_s, view.sysid, "warning", "Lands, and takes no more part"))
+                self.events.append(Event(now_s, view.sysid, "warning", "Lands, and takes no more part", "failsafe"))
             self._outbox[view.sysid] += requests
             # What is on its way already is not lined up again: it would be carried out long after it was wanted.
             self._ask([wish for wish in wishes if (wish.sysid, wish.token) not in self._under_way], now_s)
@@ -338,13 +327,14 @@ class Supervisor:
         t_s = self.time_s
         records: list[dict[str, Any]] = [{"t_s": t_s, **record} for record in decision.records]
         for record in records:
-            self.events.append(Event(t_s, int(record["receiver"]), "info", _sentence(record)))
+            self.events.append(Event(t_s, int(record["receiver"]), "info", _sentence(record), "decision"))
         for record in self.pursuit.records if self.pursuit else ():
             records.append({"t_s": t_s, **record})
-            self.events.append(Event(t_s, int(record["pursuer"]), "info", f"Pursues {record['target']} from now on"))
+            text = f"Pursues {record['target']} from now on"
+            self.events.append(Event(t_s, int(record["pursuer"]), "info", text, "decision"))
         for problem in (problem for guard in self._guards for problem in guard.take()):
             records.append({"t_s": t_s, **problem.record()})
-            self.events.append(Event(t_s, problem.sysid, "warning", problem.sentence))
+            self.events.append(Event(t_s, problem.sysid, "warning", problem.sentence, "decision"))
         standing = self.schedule.standing
         if standing.v:
             records.append(

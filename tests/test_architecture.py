@@ -50,8 +50,9 @@ HOUSE = {
         "profiles",
         "clock impairment recorder tlog",
         "link",
-        "fleet",
-        "pilot",
+        "fleet events quality",
+        "pilot trouble news scene",
+        "rows",
         "planner.obstacles planner.formation",
         "planner.potential_field planner.neighbours",
         "planner.fuzzy",
@@ -62,7 +63,7 @@ HOUSE = {
         "competition",
         "contest pursuit policies",
         "policy_contest refuelling",
-        "metrics",
+        "metrics explain",
         "supervisor",
         "summary picture publish reader",
         "supervise",
@@ -100,6 +101,11 @@ PURE = [
     "gcs/refuelling.py",
     "gcs/contest.py",
     "gcs/pursuit.py",
+    "gcs/trouble.py",
+    "gcs/rows.py",
+    "gcs/scene.py",
+    "gcs/explain.py",
+    "gcs/news.py",
 ]
 WORLD = {"socket", "time", "threading", "select", "selectors", "subprocess", "asyncio"}
 

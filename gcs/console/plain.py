@@ -46,6 +46,12 @@ def told(snapshot: Snapshot, event: Mapping[str, Any]) -> str:
     return text if text.startswith(who) else f"{who}: {text}"
 
 
+def worth_a_line(event: Mapping[str, Any]) -> bool:
+    """Whether lines of text tell of an event: modes they read off the vehicles, and what is granted goes unsaid."""
+    kind = event.get("kind")
+    return kind not in ("mode", "failsafe") and (kind != "ack" or event["level"] != "info")
+
+
 def goal_parts(snapshot: Snapshot) -> list[tuple[str, float, float, str]]:
     """(what, how much, of how much, unit) for each part of the session's goal."""
     goal = snapshot["goal"]
@@ -187,6 +193,7 @@ class PlainView:
 
     def show(self, snapshot: Snapshot) -> None:
         """Take in the newest state."""
+        snapshot = {**snapshot, "events": [event for event in snapshot["events"] if worth_a_line(event)]}
         for line in news(self._last, snapshot, self._recent):
             self._write(line)
         self._recent.extend(snapshot["events"])

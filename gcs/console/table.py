@@ -16,7 +16,7 @@ from rich.live import Live
 from rich.table import Table
 from rich.text import Text
 
-from gcs.console.plain import Snapshot, clean, counts, goal_parts, minutes, name_of, told
+from gcs.console.plain import Snapshot, clean, counts, goal_parts, minutes, name_of, told, worth_a_line
 
 LOW_BATTERY = 0.2
 HALF_BATTERY = 0.5
@@ -315,7 +315,7 @@ class TableView:
 
     def show(self, snapshot: Snapshot) -> None:
         """Take in the newest state."""
-        self._events.extend(snapshot["events"])
+        self._events.extend(event for event in snapshot["events"] if worth_a_line(event))
         self._newest = {**snapshot, "events": list(self._events)}
 
     def tick(self, now_s: float) -> None:

@@ -41,6 +41,8 @@ class GapCounter:
 
     def __init__(self) -> None:
         self.lost = 0
+        self.lost_of: dict[int, int] = {}
+        """the same by system id; one that has lost nothing is not in it"""
         self._newest: dict[tuple[int, int], int] = {}
         self._missing: dict[tuple[int, int], set[int]] = {}
 
@@ -58,13 +60,17 @@ class GapCounter:
             self._newest[sender] = seq
         elif 0 < ahead < HALF:
             skipped = {(newest + step) % NUMBERS for step in range(1, ahead)}
-            self.lost += len(skipped)
+            self._count(sysid, len(skipped))
             self._newest[sender] = seq
             # A number half a turn old can no longer be told from a new one.
             self._missing[sender] = {old for old in missing | skipped if (seq - old) % NUMBERS < HALF}
         elif seq in missing:
             missing.remove(seq)
-            self.lost -= 1
+            self._count(sysid, -1)
+
+    def _count(self, sysid: int, lost: int) -> None:
+        self.lost += lost
+        self.lost_of[sysid] = self.lost_of.get(sysid, 0) + lost
 
 
 def is_hello(frames: Sequence[Frame]) -> bool:

@@ -5,8 +5,8 @@ from typing import Any
 
 import pytest
 
+from gcs.events import Event
 from gcs.picture import picture
-from gcs.supervisor import Event
 
 
 def shown(session: Any, **changed: Any) -> dict[str, Any]:
@@ -54,6 +54,6 @@ def test_a_service_is_noted_on_both_sides(scripted: Any) -> None:
 
 
 def test_events_phase_speed_and_services_are_passed_on(scripted: Any) -> None:
-    content = shown(scripted(), phase="paused", refuelled=3, events=[Event(1.5, 7, "warning", "So")])
-    assert content["events"] == [{"t_s": 1.5, "sysid": 7, "level": "warning", "text": "So"}]
+    content = shown(scripted(), phase="paused", refuelled=3, events=[Event(1.5, 7, "warning", "So", "link")])
+    assert content["events"] == [{"t_s": 1.5, "sysid": 7, "level": "warning", "text": "So", "kind": "link"}]
     assert (content["phase"], content["speed"], content["refuelled"]) == ("paused", 5.0, 3)

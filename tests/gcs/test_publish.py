@@ -5,6 +5,7 @@ import os
 import socket
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -50,6 +51,10 @@ def closed(client: socket.socket) -> bool:
     return True
 
 
+def asked(publisher: Publisher) -> list[dict[str, Any]]:
+    return [request.content for request in publisher.poll()]
+
+
 def test_every_client_gets_every_line_from_when_it_came(publisher: Publisher, tmp_path: Path) -> None:
     with connect(tmp_path) as first:
         publisher.poll()
@@ -66,9 +71,9 @@ def test_commands_come_in_whole_however_they_are_cut(publisher: Publisher, tmp_p
         assert publisher.poll() == []
         first.sendall(b'{"command": "pa')
         second.sendall(b'{"command": "stop"}\n{"command": "resume"}\n')
-        assert publisher.poll() == [{"command": "stop"}, {"command": "resume"}]
+        assert asked(publisher) == [{"command": "stop"}, {"command": "resume"}]
         first.sendall(b'use"}\n')
-        assert publisher.poll() == [{"command": "pause"}]
+        assert asked(publisher) == [{"command": "pause"}]
 
 
 @pytest.mark.parametrize(
@@ -79,7 +84,7 @@ def test_lines_that_are_no_commands_are_ignored(publisher: Publisher, tmp_path: 
     with connect(tmp_path) as client:
         publisher.poll()
         client.sendall(garbage + b'{"command": "pause"}\n')
-        assert publisher.poll() == [{"command": "pause"}]
+        assert asked(publisher) == [{"command": "pause"}]
 
 
 def test_a_line_without_end_costs_its_sender_the_connection(publisher: Publisher, tmp_path: Path) -> None:
@@ -132,3 +137,37 @@ def test_closing_lets_everyone_go(tmp_path: Path) -> None:
         publisher.close()
         assert client.recv(1) == b""
     assert not (tmp_path / NAME).exists()
+
+
+def test_a_client_reads_the_greeting_before_anything_else(tmp_path: Path) -> None:
+    publisher = Publisher(tmp_path, {"type": "session", "name": "x"})
+    with connect(tmp_path) as first:
+        publisher.poll()
+        publisher.publish({"t_s": 1})
+        with connect(tmp_path) as second:
+            publisher.poll()
+            publisher.publish({"t_s": 2})
+            greeting = {"type": "session", "name": "x"}
+            assert lines(first, 3) == [greeting, {"t_s": 1}, {"t_s": 2}]
+            assert lines(second, 2) == [greeting, {"t_s": 2}]
+    publisher.close()
+
+
+def test_a_reply_goes_to_who_asked_and_carries_the_id(publisher: Publisher, tmp_path: Path) -> None:
+    with connect(tmp_path) as first, connect(tmp_path) as second:
+        publisher.poll()
+        second.sendall(b'{"command": "hold", "id": "a7"}\n{"command": "land", "id": NaN}\n')
+        hold, land = publisher.poll()
+        publisher.reply(hold, True, "Yes.")
+        publisher.reply(land, False, "No.")
+        publisher.publish({"t_s": 1})
+        assert lines(second, 3) == [
+            {"type": "reply", "id": "a7", "ok": True, "text": "Yes."},
+            {"type": "reply", "id": None, "ok": False, "text": "No."},
+            {"t_s": 1},
+        ]
+        assert lines(first, 1) == [{"t_s": 1}]
+        assert hold.client in publisher.clients
+    publisher.poll()
+    assert hold.client not in publisher.clients
+    publisher.reply(hold, True, "Nobody hears it.")

@@ -1,0 +1,103 @@
+"""Competition and services as numbers to show, and in a sentence why a tanker flies where it flies."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import numpy as np
+
+from gcs.contest import Standing
+from gcs.fleet import Snapshot, Vec3
+from gcs.pursuit import meeting_s
+from gcs.refuelling import Phase, Service, by_text
+from gcs.scenario import Competition, Refuelling
+
+HISTORY = 20
+
+
+def competition_of(standing: Standing, rules: Competition) -> dict[str, Any]:
+    """The competition as it stands; `threshold` is the share that wins it once it is held long enough."""
+    behind = [sysid for sysid in standing.v if sysid != standing.leader]
+    return {
+        "v": by_text(standing.v),
+        "tau": by_text(standing.tau),
+        "leader": standing.leader,
+        "share": standing.share if standing.leader is not None else None,
+        "runner_up": max(behind, key=lambda sysid: (standing.v[sysid], -sysid), default=None),
+        "threshold": rules.share,
+    }
+
+
+def service_of(
+    service: Service, snapshot: Snapshot, rules: Refuelling, competition: Competition, speed_m_s: float
+) -> dict[str, Any]:
+    """A service under way; `speed_m_s` is its tanker's."""
+    return {
+        "receiver": service.receiver,
+        "tanker": service.tanker,
+        "phase": str(service.phase),
+        "energy_j": service.energy_j,
+        "by": service.by,
+        "decided_at_s": service.decided_at_s,
+        "joined_at_s": service.joined_at_s,
+        "rendezvous_ned": rendezvous_ned(service, snapshot, rules.height_m, speed_m_s),
+        "bids": by_text(service.bids),
+        "why": why(service, snapshot, rules, competition),
+    }
+
+
+def history_of(services: Iterable[Service]) -> list[dict[str, Any]]:
+    """The last services that have ended, in the order of their decisions."""
+    keys = ("receiver", "tanker", "by", "decided_at_s", "joined_at_s", "start_s", "end_s", "energy_j")
+    ended = [service for service in services if service.phase is Phase.DONE]
+    return [
+        {**{key: getattr(service, key) for key in keys}, "reason": service.ended_by} for service in ended[-HISTORY:]
+    ]
+
+
+def rendezvous_ned(service: Service, snapshot: Snapshot, height_m: float, speed_m_s: float) -> Vec3 | None:
+    """Where the tanker meets its receiver if that flies straight on; above it where it is, once they have met."""
+    receiver, tanker = snapshot.vehicle(service.receiver), snapshot.vehicle(service.tanker)
+    if receiver.p_ned is None or tanker.p_ned is None:
+        return None
+    n, e, d = receiver.p_now_ned()
+    place = (n, e, d - height_m)
+    if service.phase is not Phase.JOIN:
+        return place
+    left_s = meeting_s(np.subtract(place, tanker.p_now_ned()), np.asarray(receiver.v_ned), speed_m_s) or 0.0
+    vn, ve, vd = receiver.v_ned
+    return (place[0] + vn * left_s, place[1] + ve * left_s, place[2] + vd * left_s)
+
+
+def why(service: Service, snapshot: Snapshot, rules: Refuelling, competition: Competition) -> str:
+    """One sentence for a person: by what this receiver was chosen, and when its tanker meets it."""
+    receiver, tanker = snapshot.vehicle(service.receiver).label, snapshot.vehicle(service.tanker).label
+    need = f"its need {service.need:.2f}"
+    if service.by == "competition":
+        largest = "is the largest" if service.need_is_largest else "had been the largest"
+        reason = f"{need} {largest} and it held {100.0 * service.share:.0f} % of the competition"
+        reason += f" for {competition.dwell_s:g} s"
+    elif service.by == "timeout":
+        reason = f"nobody held {100.0 * competition.share:.0f} % of the competition within"
+        reason += f" {competition.decide_within_s:g} s, and it was ahead with {need}"
+    elif service.by == "urgency":
+        reason = f"it would be empty within {rules.hold_s + rules.reserve_s:g} s of the rendezvous"
+    elif service.by == "operator":
+        reason = f"the operator asked for it ({need})"
+    else:
+        reason = f"the policy {competition.policy} chose it ({need})"
+    met = ""
+    if service.meets_in_s is not None and service.phase is Phase.JOIN and service.joined_at_s is None:
+        left_s = max(service.decided_at_s + service.meets_in_s - snapshot.time_s, 0.0)
+        met = f"; {tanker} meets it in {left_s:.0f} s" if left_s >= 0.5 else f"; {tanker} closes in on it"
+    return f"{receiver[:1].upper()}{receiver[1:]} is refuelled next: {reason}{met}."
+
+
+def notes_of(services: Iterable[Service]) -> Mapping[int, str]:
+    """What each side of a service under way does, by system id."""
+    notes = {}
+    for service in services:
+        notes[service.receiver] = f"served by {service.tanker}: {service.phase}"
+        notes[service.tanker] = f"serves {service.receiver}: {service.phase}"
+    return notes

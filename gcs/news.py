@@ -1,0 +1,57 @@
+"""What happens to vehicles, read off their snapshots: changes of mode, failsafes, silence and its end."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from gcs.events import Event
+from gcs.fleet import Snapshot, VehicleView
+from gcs.profiles import STEERABLE, FlightMode
+
+GOING_DOWN = frozenset({FlightMode.RETURN, FlightMode.LAND})
+
+
+class Watch:
+    """Remembers what each vehicle did; `look` tells what is new."""
+
+    def __init__(self) -> None:
+        self._modes: dict[int, FlightMode] = {}
+        self._silent: set[int] = set()
+
+    def look(self, snapshot: Snapshot, ordered: Collection[int] = ()) -> list[Event]:
+        """What has changed since the last snapshot.
+
+        `ordered` are the system ids of those whose modes somebody commands: their changes are no failsafes.
+        """
+        events: list[Event] = []
+        for view in snapshot.vehicles:
+            self._watch_mode(view, snapshot.time_s, view.sysid in ordered, events)
+            self._watch_silence(view, snapshot.time_s, events)
+        return events
+
+    def _watch_mode(self, view: VehicleView, now_s: float, ordered: bool, events: list[Event]) -> None:
+        if view.heard_s < 0.0:
+            return
+        before = self._modes.get(view.sysid)
+        if before is view.mode:
+            return
+        self._modes[view.sysid] = view.mode
+        if before is None:
+            return
+        told = f"{before} -> {view.mode}"
+        if view.armed and not ordered and view.mode in GOING_DOWN and before not in GOING_DOWN:
+            events.append(Event(now_s, view.sysid, "critical", told, "failsafe"))
+        elif view.armed and not ordered and view.mode is FlightMode.HOLD and before in STEERABLE:
+            events.append(Event(now_s, view.sysid, "warning", told, "failsafe"))
+        else:
+            events.append(Event(now_s, view.sysid, "info", told, "mode"))
+
+    def _watch_silence(self, view: VehicleView, now_s: float, events: list[Event]) -> None:
+        silent = view.alive and view.heard_s >= 0.0 and not view.fresh
+        if silent and view.sysid not in self._silent:
+            self._silent.add(view.sysid)
+            events.append(Event(now_s, view.sysid, "warning", f"No word for {view.age_s:.1f} s", "link"))
+        elif not silent and view.sysid in self._silent:
+            self._silent.discard(view.sysid)
+            if view.alive:
+                events.append(Event(now_s, view.sysid, "info", "Heard again", "link"))

@@ -1,0 +1,53 @@
+"""How well each vehicle is heard: gaps in its sequence numbers, so far and lately."""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass, field
+
+from gcs.mavlink.sequence import GapCounter
+
+WINDOW_S = 10.0
+SAMPLE_EVERY_S = 1.0
+_ROUNDING_S = 1e-6
+
+
+@dataclass
+class _Heard:
+    """One vehicle's counts, and what they were at earlier times: (s, received, lost)."""
+
+    received: int = 0
+    samples: deque[tuple[float, int, int]] = field(default_factory=lambda: deque([(0.0, 0, 0)]))
+
+
+class LinkQuality:
+    """Counts frames by system id; `gaps` must be fed every frame, this only their number."""
+
+    def __init__(self, gaps: GapCounter) -> None:
+        self._gaps = gaps
+        self._heard: dict[int, _Heard] = {}
+
+    def take(self, sysid: int, frames: int, now_s: float) -> None:
+        """Count frames of a vehicle that were delivered at `now_s`."""
+        heard = self._heard.get(sysid)
+        if heard is None:
+            heard = self._heard[sysid] = _Heard()
+        heard.received += frames
+        samples = heard.samples
+        if now_s - samples[-1][0] >= SAMPLE_EVERY_S - _ROUNDING_S:
+            samples.append((now_s, heard.received, self.lost(sysid)))
+            while now_s - samples[1][0] >= WINDOW_S - _ROUNDING_S:
+                samples.popleft()
+
+    def lost(self, sysid: int) -> int:
+        """Frames of this vehicle that never came: gaps in its numbers so far."""
+        return self._gaps.lost_of.get(sysid, 0)
+
+    def lost_share(self, sysid: int) -> float | None:
+        """Lost of all frames sent in the last `WINDOW_S` or so, 0..1; None where there were none."""
+        heard = self._heard.get(sysid)
+        if heard is None:
+            return None
+        _, received, lost = heard.samples[0]
+        got, missed = heard.received - received, max(self.lost(sysid) - lost, 0)
+        return missed / (got + missed) if got + missed else None

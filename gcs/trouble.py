@@ -1,0 +1,115 @@
+"""What is wrong with a vehicle, and what part it has in the refuelling: a few words each, from its messages alone.
+
+Pure functions of a `VehicleView`: a session, a passive monitor and a replay all tell the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable
+from enum import StrEnum
+from typing import NamedTuple
+
+from gcs.fleet import STALE_S, VehicleView
+from gcs.profiles import FlightMode
+
+WELL, LOOK, ACT = range(3)
+"""Severities: nothing is wrong; look at it; do something."""
+
+SILENT_S = 3.0
+"""HEARTBEATs come every second: three in a row are missing."""
+BATTERY_LOOK, BATTERY_ACT = 0.2, 0.1
+EMPTIES_LOOK_S, EMPTIES_ACT_S = 60.0, 30.0
+LOSS_LOOK, LOSS_ACT = 0.2, 0.6
+
+
+class Trouble(NamedTuple):
+    """One thing that is wrong, in a word or a few."""
+
+    text: str
+    severity: int
+
+
+class State(StrEnum):
+    """A vehicle's part in the refuelling."""
+
+    IDLE = "idle"
+    COMPETING = "competing"
+    LEADS = "leads"
+    WAITS = "waits"
+    """its turn has been decided, its tanker is on the way"""
+    SERVED = "served"
+    SERVES = "serves"
+    LOST = "lost"
+
+
+def troubles(
+    view: VehicleView,
+    now_s: float,
+    *,
+    lost_share: float | None = None,
+    down: bool = False,
+    ordered: bool = False,
+) -> list[Trouble]:
+    """Everything that is wrong with a vehicle, worst first; [] when it is well.
+
+    `down`: it has flown, or was to fly, and does no more. `ordered`: an operator has taken it, so that hold, return and
+    land are no surprise.
+    """
+    if not view.alive:
+        return [Trouble("dead", ACT)]
+    if view.heard_s < 0.0:
+        return [Trouble("no word yet", LOOK)] if now_s >= SILENT_S else []
+    found = []
+    silent_s = now_s - view.heard_s
+    if silent_s >= SILENT_S:
+        found.append(Trouble(f"no word {silent_s:.0f} s", ACT))
+    if view.p_ned is None:
+        found.append(Trouble("no position", LOOK))
+    elif view.age_s > STALE_S:
+        found.append(Trouble("position old", LOOK))
+    found += _energy(view)
+    if view.armed and view.mode in (FlightMode.RETURN, FlightMode.LAND):
+        found.append(Trouble(str(view.mode), LOOK if ordered else ACT))
+    elif down and not ordered:
+        found.append(Trouble("not flying", ACT))
+    if lost_share is not None and lost_share >= LOSS_LOOK:
+        found.append(Trouble(f"loses {100.0 * lost_share:.0f} %", ACT if lost_share >= LOSS_ACT else LOOK))
+    return sorted(found, key=lambda trouble: -trouble.severity)
+
+
+def _energy(view: VehicleView) -> list[Trouble]:
+    if view.energy_source == "none":
+        return []
+    found = []
+    share = view.remaining_j / view.capacity_j
+    if share < BATTERY_LOOK:
+        found.append(Trouble(f"battery {100.0 * max(share, 0.0):.0f} %", ACT if share < BATTERY_ACT else LOOK))
+    if view.flying and view.endurance_s < EMPTIES_LOOK_S:
+        left_s = max(view.endurance_s, 0.0)
+        found.append(Trouble(f"empties in {left_s:.0f} s", ACT if left_s < EMPTIES_ACT_S else LOOK))
+    return found
+
+
+def severity(found: Iterable[Trouble]) -> int:
+    """The worst of them."""
+    return max((trouble.severity for trouble in found), default=WELL)
+
+
+def state(
+    view: VehicleView,
+    *,
+    competing: Collection[int] = (),
+    leader: int | None = None,
+    waiting: Collection[int] = (),
+    served: Collection[int] = (),
+    serving: Collection[int] = (),
+) -> State:
+    """Its part in the refuelling, by the system ids of those who have one."""
+    if not view.alive:
+        return State.LOST
+    for part, ids in ((State.SERVES, serving), (State.SERVED, served), (State.WAITS, waiting)):
+        if view.sysid in ids:
+            return part
+    if view.sysid == leader:
+        return State.LEADS
+    return State.COMPETING if view.sysid in competing else State.IDLE

@@ -19,8 +19,9 @@ import time
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from arducopter_motion import GUIDED, LAND, LOITER, MODES, PARAMETERS, REAL32, RTL, STEP_S, ZERO, Copter, Vec3
+from arducopter_motion import GUIDED, LAND, LOITER, MODES, PARAMETERS, REAL32, RTL, Copter
 from arducopter_telemetry import Telemetry
+from motion import STEP_S, ZERO, Vec3
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
 PARAMETERS_PER_STEP = 5
@@ -173,13 +174,13 @@ class ArduCopter:
         if not all(map(math.isfinite, values)):
             return
         p, v = (m.x, m.y, m.z), (m.vx, m.vy, m.vz)
-        cos, sin = math.cos(self.copter.yaw), math.sin(self.copter.yaw)
+        cos, sin = math.cos(self.copter.body.yaw), math.sin(self.copter.body.yaw)
         if m.coordinate_frame in (mav.MAV_FRAME_BODY_NED, mav.MAV_FRAME_BODY_OFFSET_NED):
             p, v = ((cos * u[0] - sin * u[1], sin * u[0] + cos * u[1], u[2]) for u in (p, v))
         if m.coordinate_frame in (mav.MAV_FRAME_BODY_OFFSET_NED, mav.MAV_FRAME_LOCAL_OFFSET_NED):
-            p = (p[0] + self.copter.p[0], p[1] + self.copter.p[1], p[2] + self.copter.p[2])
+            p = (p[0] + self.copter.body.p[0], p[1] + self.copter.body.p[1], p[2] + self.copter.body.p[2])
         elif m.coordinate_frame == mav.MAV_FRAME_BODY_NED:
-            p = (p[0] + self.copter.p[0], p[1] + self.copter.p[1], p[2])
+            p = (p[0] + self.copter.body.p[0], p[1] + self.copter.body.p[1], p[2])
         self.copter.aim(None if no_p else p, ZERO if no_v else v, None if no_yaw else m.yaw)
 
     # commands: each returns its MAV_RESULT

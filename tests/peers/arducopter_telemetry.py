@@ -7,10 +7,9 @@ import math
 import time
 from typing import Any
 
-from arducopter_motion import ZERO, Copter, Place
+from arducopter_motion import Copter
+from motion import ZERO, Place
 from pymavlink.dialects.v20 import ardupilotmega as mav
-
-GRAVITY_M_S2 = 9.80665
 
 
 class Telemetry:
@@ -77,31 +76,28 @@ class Telemetry:
         )
 
     def _attitude(self) -> Any:
-        north, east, _ = self.copter.a
-        cos, sin = math.cos(self.copter.yaw), math.sin(self.copter.yaw)
-        pitch = -math.atan2(cos * north + sin * east, GRAVITY_M_S2)
-        roll = math.atan2(cos * east - sin * north, GRAVITY_M_S2)
-        yaw = math.remainder(self.copter.yaw, math.tau)
+        roll, pitch = self.copter.body.tilt
+        yaw = math.remainder(self.copter.body.yaw, math.tau)
         return mav.MAVLink_attitude_message(self._ms, roll, pitch, yaw, 0.0, 0.0, 0.0)
 
     def _local_position_ned(self) -> Any:
         if not self.has_origin:
             return None
-        return mav.MAVLink_local_position_ned_message(self._ms, *self.copter.p, *self.copter.v)
+        return mav.MAVLink_local_position_ned_message(self._ms, *self.copter.body.p, *self.copter.body.v)
 
     def _global_position_int(self) -> Any:
         if not self.has_origin:
             return mav.MAVLink_global_position_int_message(self._ms, 0, 0, 0, 0, 0, 0, 0, 0)
-        lat, lon, alt_m = self.place.to_global(self.copter.p)
-        v_cm_s = [round(100.0 * v) for v in self.copter.v]
-        above_mm = round(1000.0 * (self.copter.home[2] - self.copter.p[2]))
-        heading = round(100.0 * math.degrees(self.copter.yaw)) % 36000
+        lat, lon, alt_m = self.place.to_global(self.copter.body.p)
+        v_cm_s = [round(100.0 * v) for v in self.copter.body.v]
+        above_mm = round(1000.0 * (self.copter.home[2] - self.copter.body.p[2]))
+        heading = round(100.0 * math.degrees(self.copter.body.yaw)) % 36000
         return mav.MAVLink_global_position_int_message(
             self._ms, lat, lon, round(1000.0 * alt_m), above_mm, *v_cm_s, heading
         )
 
     def _gps_raw_int(self) -> Any:
-        lat, lon, alt_m = self.place.to_global(self.copter.p)
+        lat, lon, alt_m = self.place.to_global(self.copter.body.p)
         us, alt_mm = 1000 * self._ms, round(1000.0 * alt_m)
         return mav.MAVLink_gps_raw_int_message(us, 6, lat, lon, alt_mm, 121, 200, 65535, 65535, 10)
 
@@ -110,9 +106,9 @@ class Telemetry:
         return mav.MAVLink_extended_sys_state_message(0, in_air if self.copter.flying else on_ground)
 
     def _vfr_hud(self) -> Any:
-        speed_m_s = math.hypot(*self.copter.v[:2])
-        heading, alt_m = round(math.degrees(self.copter.yaw)) % 360, self.place.to_global(self.copter.p)[2]
-        return mav.MAVLink_vfr_hud_message(speed_m_s, speed_m_s, heading, 35, alt_m, -self.copter.v[2])
+        speed_m_s = math.hypot(*self.copter.body.v[:2])
+        heading, alt_m = round(math.degrees(self.copter.body.yaw)) % 360, self.place.to_global(self.copter.body.p)[2]
+        return mav.MAVLink_vfr_hud_message(speed_m_s, speed_m_s, heading, 35, alt_m, -self.copter.body.v[2])
 
     def _mission_current(self) -> Any:
         return mav.MAVLink_mission_current_message(0)

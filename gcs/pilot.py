@@ -17,7 +17,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.fleet import BATTERY_PARAMETERS, VehicleView
 from gcs.mavlink.codec import Message, message
-from gcs.profiles import NOT_GIVEN, STEERABLE, FlightMode
+from gcs.profiles import STEERABLE, FlightMode
 
 RETRY_S = 1.0
 _ROUNDING_S = 1e-6
@@ -81,7 +81,7 @@ class Pilot:
         elif self.stage is Stage.TAKEOFF and view.mode is not FlightMode.TAKEOFF:
             height = view.profile.takeoff_param7(self._takeoff_m, view.ground_amsl_m)
             wishes = [
-                self._wish(mav.MAV_CMD_NAV_TAKEOFF, 0.0, 0.0, 0.0, NOT_GIVEN, NOT_GIVEN, NOT_GIVEN, height),
+                self._wish(mav.MAV_CMD_NAV_TAKEOFF, 0.0, 0.0, 0.0, *[view.profile.not_given] * 3, height),
             ]
         elif self.stage is Stage.OFFBOARD and now_s - self._stage_since_s >= SET_POINTS_FIRST_S - _ROUNDING_S:
             wishes = [self._wish(mav.MAV_CMD_DO_SET_MODE, *view.profile.offboard)]

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+import struct
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
+from typing import Literal
 
 from pymavlink.dialects.v20 import common as mav
 
@@ -19,24 +21,37 @@ class FlightMode(StrEnum):
     LAND = "land"
     RETURN = "return"
     REFUEL = "refuel"
+    MANUAL = "manual"
     OTHER = "other"
 
 
 STEERABLE = frozenset({FlightMode.OFFBOARD, FlightMode.REFUEL})
 """Modes in which a vehicle follows set points."""
+End = Literal["hold", "return", "land"]
+Params = tuple[float, ...]
 
 
 @dataclass(frozen=True)
 class Profile:
     """One autopilot's habits.
 
-    `modes` reads HEARTBEAT.custom_mode; `offboard` holds params 1..3 of the MAV_CMD_DO_SET_MODE that starts offboard.
+    `modes` reads HEARTBEAT.custom_mode; `offboard`, `hold` and `arming` hold params 1..3 of the MAV_CMD_DO_SET_MODE
+    that starts offboard, that lets it stand where it is, and that it wants before it is armed unless its mode is among
+    `arms_in`. `not_given` is what an unset command parameter is. `integers_bytewise`: an integer parameter's bytes
+    stand in PARAM_VALUE's float, else its value does. `home_is_local`: HOME_POSITION's x, y, z are home's place in the
+    local frame, else they say nothing.
     """
 
     name: str
     modes: Mapping[int, FlightMode]
-    offboard: tuple[float, float, float]
+    offboard: Params
+    hold: Params
+    arming: Params
+    arms_in: frozenset[FlightMode]
     takeoff_is_amsl: bool
+    not_given: float
+    integers_bytewise: bool
+    home_is_local: bool
 
     def mode(self, custom_mode: int) -> FlightMode:
         """The mode in a HEARTBEAT."""
@@ -45,6 +60,31 @@ class Profile:
     def takeoff_param7(self, height_m: float, ground_amsl_m: float) -> float:
         """MAV_CMD_NAV_TAKEOFF's altitude for a climb to `height_m` above a ground at `ground_amsl_m`."""
         return height_m + ground_amsl_m if self.takeoff_is_amsl else height_m
+
+    def parameter(self, value: float, param_type: int) -> float:
+        """PARAM_VALUE's number, whatever its type."""
+        form = _INTEGERS.get(param_type)
+        if form is None or not self.integers_bytewise:
+            return value
+        return float(struct.unpack_from(form, struct.pack("<f", value))[0])
+
+    def ending(self, end: End) -> tuple[int, Params]:
+        """The command, with its parameters, that takes a vehicle out of offboard: stand there, go home, or land."""
+        if end == "hold":
+            return int(mav.MAV_CMD_DO_SET_MODE), self.hold
+        if end == "return":
+            return int(mav.MAV_CMD_NAV_RETURN_TO_LAUNCH), ()
+        return int(mav.MAV_CMD_NAV_LAND), (0.0, 0.0, 0.0, *[self.not_given] * 3, 0.0)
+
+
+_INTEGERS = {
+    mav.MAV_PARAM_TYPE_UINT8: "<B",
+    mav.MAV_PARAM_TYPE_INT8: "<b",
+    mav.MAV_PARAM_TYPE_UINT16: "<H",
+    mav.MAV_PARAM_TYPE_INT16: "<h",
+    mav.MAV_PARAM_TYPE_UINT32: "<I",
+    mav.MAV_PARAM_TYPE_INT32: "<i",
+}
 
 
 def _px4(main: int, sub: int = 0) -> int:
@@ -56,6 +96,8 @@ _CUSTOM = float(mav.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED)
 PX4 = Profile(
     name="px4",
     modes={
+        **dict.fromkeys(map(_px4, (1, 2, 3, 5, 7)), FlightMode.MANUAL),
+        _px4(3, 1): FlightMode.MANUAL,
         _px4(4, 2): FlightMode.TAKEOFF,
         _px4(4, 3): FlightMode.HOLD,
         _px4(4, 5): FlightMode.RETURN,
@@ -64,11 +106,18 @@ PX4 = Profile(
         _px4(6, 1): FlightMode.REFUEL,
     },
     offboard=(_CUSTOM, 6.0, 0.0),
+    hold=(_CUSTOM, 4.0, 3.0),
+    arming=(_CUSTOM, 4.0, 3.0),
+    arms_in=frozenset({FlightMode.HOLD, FlightMode.TAKEOFF, FlightMode.OTHER}),
     takeoff_is_amsl=True,
+    not_given=math.nan,
+    integers_bytewise=True,
+    home_is_local=True,
 )
 ARDUCOPTER = Profile(
     name="ardupilot",
     modes={
+        **dict.fromkeys((0, 1, 2, 13, 16), FlightMode.MANUAL),
         4: FlightMode.OFFBOARD,
         5: FlightMode.HOLD,
         6: FlightMode.RETURN,
@@ -76,17 +125,20 @@ ARDUCOPTER = Profile(
         17: FlightMode.HOLD,
     },
     offboard=(_CUSTOM, 4.0, 0.0),
+    hold=(_CUSTOM, 17.0, 0.0),
+    arming=(_CUSTOM, 4.0, 0.0),
+    arms_in=frozenset({FlightMode.OFFBOARD}),
     takeoff_is_amsl=False,
+    not_given=0.0,
+    integers_bytewise=False,
+    home_is_local=False,
 )
-GENERIC = Profile("generic", PX4.modes, PX4.offboard, takeoff_is_amsl=False)
+GENERIC = replace(PX4, name="generic", takeoff_is_amsl=False)
 
 _BY_AUTOPILOT = {mav.MAV_AUTOPILOT_PX4: PX4, mav.MAV_AUTOPILOT_ARDUPILOTMEGA: ARDUCOPTER}
+PROFILES = {profile.name: profile for profile in (PX4, ARDUCOPTER, GENERIC)}
 
 
 def profile_of(autopilot: int) -> Profile:
     """The profile for HEARTBEAT.autopilot."""
     return _BY_AUTOPILOT.get(autopilot, GENERIC)
-
-
-NOT_GIVEN = math.nan
-"""What an unset command parameter is, to an autopilot that tells it from 0."""

@@ -1,5 +1,6 @@
 """Mode numbers against pymavlink's own tables, and what autopilots want of a command."""
 
+import struct
 import warnings
 
 import pytest
@@ -12,7 +13,7 @@ with warnings.catch_warnings():
 
 MODES = [
     ("TAKEOFF", FlightMode.TAKEOFF), ("LOITER", FlightMode.HOLD), ("RTL", FlightMode.RETURN),
-    ("LAND", FlightMode.LAND), ("OFFBOARD", FlightMode.OFFBOARD), ("MANUAL", FlightMode.OTHER),
+    ("LAND", FlightMode.LAND), ("OFFBOARD", FlightMode.OFFBOARD), ("MANUAL", FlightMode.MANUAL), ("POSCTL", FlightMode.MANUAL),
     ("MISSION", FlightMode.OTHER),
 ]  # fmt: skip
 
@@ -27,7 +28,7 @@ def test_px4_modes_are_mavutils(name: str, mode: FlightMode) -> None:
     ("name", "mode"),
     [
         ("GUIDED", FlightMode.OFFBOARD), ("LOITER", FlightMode.HOLD), ("BRAKE", FlightMode.HOLD),
-        ("RTL", FlightMode.RETURN), ("LAND", FlightMode.LAND), ("STABILIZE", FlightMode.OTHER),
+        ("RTL", FlightMode.RETURN), ("LAND", FlightMode.LAND), ("STABILIZE", FlightMode.MANUAL), ("POSHOLD", FlightMode.MANUAL), ("AUTO", FlightMode.OTHER),
     ],
 )  # fmt: skip
 def test_arducopter_modes_are_mavutils(name: str, mode: FlightMode) -> None:
@@ -41,6 +42,33 @@ def test_the_command_for_offboard_asks_for_the_mode_that_reads_as_offboard(profi
     assert flag == 1  # MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
     custom = int(main) if profile is ARDUCOPTER else int(main) << 16 | int(sub) << 24
     assert profile.mode(custom) is FlightMode.OFFBOARD
+
+
+@pytest.mark.parametrize("profile", [PX4, GENERIC, ARDUCOPTER])
+def test_the_modes_that_are_asked_for_read_as_what_they_are_asked_for(profile: Profile) -> None:
+    def read(params: tuple[float, ...]) -> FlightMode:
+        _, main, sub = map(int, params)
+        return profile.mode(main if profile is ARDUCOPTER else main << 16 | sub << 24)
+
+    assert read(profile.hold) is FlightMode.HOLD
+    assert read(profile.arming) in profile.arms_in
+
+
+@pytest.mark.parametrize("profile", [PX4, ARDUCOPTER])
+def test_an_integer_parameter_reads_by_its_bytes_from_px4_and_by_its_value_from_ardupilot(profile: Profile) -> None:
+    bytewise = struct.unpack("<f", struct.pack("<i", -70_000))[0]
+    sent = bytewise if profile is PX4 else -70_000.0
+    assert profile.parameter(sent, mavutil.mavlink.MAV_PARAM_TYPE_INT32) == -70_000.0
+    assert profile.parameter(0.25, mavutil.mavlink.MAV_PARAM_TYPE_REAL32) == 0.25
+
+
+def test_a_vehicle_can_be_told_to_stand_to_go_home_and_to_land() -> None:
+    for profile in (PX4, ARDUCOPTER, GENERIC):
+        assert profile.ending("hold") == (mavutil.mavlink.MAV_CMD_DO_SET_MODE, profile.hold)
+        assert profile.ending("return")[0] == mavutil.mavlink.MAV_CMD_NAV_RETURN_TO_LAUNCH
+        command, params = profile.ending("land")
+        assert command == mavutil.mavlink.MAV_CMD_NAV_LAND
+        assert len(params) == 7
 
 
 @pytest.mark.parametrize(("autopilot", "profile"), [(12, PX4), (3, ARDUCOPTER), (0, GENERIC), (8, GENERIC)])

@@ -66,7 +66,8 @@ def acknowledged(
         if not acks:
             return None
         if acks[0].result != mav.MAV_RESULT_ACCEPTED:
-            said = f"refused: {result_name(acks[0].result)}"
+            texts = "; ".join(dict.fromkeys(content.text for content in _named(heard, "STATUSTEXT")))
+            said = f"refused: {result_name(acks[0].result)}" + (f", {texts}" if texts else "")
             return Verdict("ok" if may_refuse else "wrong", said)
         if then is None:
             return OK

@@ -13,8 +13,8 @@ with warnings.catch_warnings():
 
 MODES = [
     ("TAKEOFF", FlightMode.TAKEOFF), ("LOITER", FlightMode.HOLD), ("RTL", FlightMode.RETURN),
-    ("LAND", FlightMode.LAND), ("OFFBOARD", FlightMode.OFFBOARD), ("MANUAL", FlightMode.MANUAL), ("POSCTL", FlightMode.MANUAL),
-    ("MISSION", FlightMode.OTHER),
+    ("LAND", FlightMode.LAND), ("OFFBOARD", FlightMode.OFFBOARD),
+    ("MANUAL", FlightMode.MANUAL), ("POSCTL", FlightMode.MANUAL), ("MISSION", FlightMode.OTHER),
 ]  # fmt: skip
 
 
@@ -28,7 +28,8 @@ def test_px4_modes_are_mavutils(name: str, mode: FlightMode) -> None:
     ("name", "mode"),
     [
         ("GUIDED", FlightMode.OFFBOARD), ("LOITER", FlightMode.HOLD), ("BRAKE", FlightMode.HOLD),
-        ("RTL", FlightMode.RETURN), ("LAND", FlightMode.LAND), ("STABILIZE", FlightMode.MANUAL), ("POSHOLD", FlightMode.MANUAL), ("AUTO", FlightMode.OTHER),
+        ("RTL", FlightMode.RETURN), ("LAND", FlightMode.LAND),
+        ("STABILIZE", FlightMode.MANUAL), ("POSHOLD", FlightMode.MANUAL), ("AUTO", FlightMode.OTHER),
     ],
 )  # fmt: skip
 def test_arducopter_modes_are_mavutils(name: str, mode: FlightMode) -> None:

@@ -1,6 +1,7 @@
 """Flown by MAVSDK, in the peers' own Python: `with_mavsdk.py PORT SCENE [SYSIDS]`; fails where a scene does."""
 
 import asyncio
+import contextlib
 import math
 import sys
 import time
@@ -19,16 +20,39 @@ PER_M = math.degrees(1.0 / 6.37e6)
 NAN = float("nan")
 
 
-async def until(what, ask, holds, within_s=WITHIN_S):
-    """The first answer that holds, asked 20 times a second."""
-    deadline_s = time.monotonic() + within_s
-    while True:
-        answer = await ask()
-        if answer is not None and holds(answer):
-            return answer
-        if time.monotonic() > deadline_s:
-            raise AssertionError(f"{what}: not within {within_s} s; last: {answer}")
-        await asyncio.sleep(0.05)
+async def first_that(what, ask, updates, holds, within_s=WITHIN_S):
+    """The first answer that holds, of what is known now and of every update after it."""
+    answers, last = asyncio.Queue(), None
+
+    async def listen():
+        async for answer in updates():
+            answers.put_nowait(answer)
+
+    async def look():
+        answers.put_nowait(await ask())
+
+    try:
+        async with asyncio.timeout(within_s), asyncio.TaskGroup() as group:
+            # tasks begin in order: it listens before it looks, so that nothing falls between
+            tasks = [group.create_task(listen()), group.create_task(look())]
+            while last is None or not holds(last):
+                last = await answers.get()
+            for task in tasks:
+                task.cancel()
+    except TimeoutError:
+        raise AssertionError(f"{what}: not within {within_s} s; last: {last}") from None
+    return last
+
+
+async def until(what, source, name, holds, within_s=WITHIN_S):
+    """The first value of a plugin's that holds."""
+    return await first_that(what, getattr(source, name), getattr(source, f"subscribe_{name}"), holds, within_s)
+
+
+async def next_of(updates, count):
+    """The next updates of a stream, as they come."""
+    async with contextlib.aclosing(updates()) as stream, asyncio.timeout(WITHIN_S):
+        return [await anext(stream) for _ in range(count)]
 
 
 class Pilot:
@@ -42,36 +66,36 @@ class Pilot:
         self.failure = FailureAsync(system)
 
     async def mode(self, wanted):
-        await until(f"mode {wanted.name}", self.telemetry.flight_mode, lambda mode: mode == wanted)
+        await until(f"mode {wanted.name}", self.telemetry, "flight_mode", lambda mode: mode == wanted)
 
     async def near(self, north, east, down, within_m=0.4):
         def there(m):
             p = m.position
             return math.dist((p.north_m, p.east_m, p.down_m), (north, east, down)) < within_m
 
-        await until(f"{north}, {east}, {down}", self.telemetry.position_velocity_ned, there)
+        await until(f"{north}, {east}, {down}", self.telemetry, "position_velocity_ned", there)
 
     async def ready(self):
-        await until("health_all_ok", self.telemetry.health_all_ok, bool)
+        await until("health_all_ok", self.telemetry, "health_all_ok", bool)
 
     async def in_air(self):
         await self.ready()
         await self.action.arm()
-        await until("armed", self.telemetry.armed, bool)
+        await until("armed", self.telemetry, "armed", bool)
         await self.action.takeoff()
-        await until("in_air", self.telemetry.in_air, bool)
+        await until("in_air", self.telemetry, "in_air", bool)
         await self.mode(FlightMode.HOLD)
 
     async def down_and_disarmed(self):
-        await until("landed", self.telemetry.landed_state, lambda s: s == LandedState.ON_GROUND)
-        await until("disarmed", self.telemetry.armed, lambda armed: not armed)
+        await until("landed", self.telemetry, "landed_state", lambda s: s == LandedState.ON_GROUND)
+        await until("disarmed", self.telemetry, "armed", lambda armed: not armed)
 
 
 async def flight(pilot):
     """Arm, take-off, hold, goto, return, land, disarm; what telemetry tells meanwhile; parameters."""
     await pilot.in_air()
     telemetry = pilot.telemetry
-    home = await until("home", telemetry.home, lambda h: math.isfinite(h.latitude_deg))
+    home = await until("home", telemetry, "home", lambda h: math.isfinite(h.latitude_deg))
     assert abs(home.latitude_deg - 47.397742) < 1e-5
     position = await telemetry.position()
     assert 0.5 < position.relative_altitude_m < 5.0, position
@@ -108,9 +132,9 @@ async def flight(pilot):
     await pilot.mode(FlightMode.RETURN_TO_LAUNCH)
     await pilot.down_and_disarmed()
     await pilot.action.arm()
-    await until("armed", telemetry.armed, bool)
+    await until("armed", telemetry, "armed", bool)
     await pilot.action.disarm()
-    await until("disarmed", telemetry.armed, lambda armed: not armed)
+    await until("disarmed", telemetry, "armed", lambda armed: not armed)
 
 
 async def offboard(pilot):
@@ -121,7 +145,7 @@ async def offboard(pilot):
     await pilot.mode(FlightMode.OFFBOARD)
     await pilot.near(1.5, 1.0, -2.0)
     await pilot.offboard.set_velocity_ned(VelocityNedYaw(1.0, 0.0, 0.0, 0.0))
-    await until("1 m/s", pilot.telemetry.velocity_ned, lambda v: abs(v.north_m_s - 1.0) < 0.15)
+    await until("1 m/s", pilot.telemetry, "velocity_ned", lambda v: abs(v.north_m_s - 1.0) < 0.15)
     await pilot.offboard.stop()
     await pilot.mode(FlightMode.HOLD)
     await pilot.action.land()
@@ -141,7 +165,7 @@ def waypoint(home, north_m, east_m, height_m, speed_m_s=NAN, wait_s=NAN, stop=Fa
 async def mission(pilot):
     """Uploaded, downloaded, flown, paused, continued, flown to its end with a return; cleared."""
     await pilot.ready()
-    home = await until("home", pilot.telemetry.home, lambda h: math.isfinite(h.latitude_deg))
+    home = await until("home", pilot.telemetry, "home", lambda h: math.isfinite(h.latitude_deg))
     items = [
         waypoint(home, 0, 0, 2.0, 3.0),
         waypoint(home, 6, 0, 2.5, 2.0),
@@ -155,14 +179,14 @@ async def mission(pilot):
     await pilot.action.arm()
     await pilot.mission.start_mission()
     await pilot.mode(FlightMode.MISSION)
-    await until("first item", pilot.mission.mission_progress, lambda p: p.current >= 1)
+    await until("first item", pilot.mission, "mission_progress", lambda p: p.current >= 1)
     await pilot.mission.pause_mission()
     await pilot.mode(FlightMode.HOLD)
     progress = await pilot.mission.mission_progress()
     assert progress.total == 3, progress
     await pilot.mission.start_mission()
     await pilot.mode(FlightMode.MISSION)
-    await until("finished", pilot.mission.is_mission_finished, bool)
+    await until("finished", pilot.mission, "mission_progress", lambda p: p.current == p.total)
     await pilot.down_and_disarmed()
     p = (await pilot.telemetry.position_velocity_ned()).position
     assert math.hypot(p.north_m, p.east_m) < 0.5, p
@@ -204,15 +228,13 @@ async def allow_failures(pilot):
     await pilot.param.set_param_int("SYS_FAILURE_EN", 1)
     pilot.failure.destroy()
     pilot.failure = FailureAsync(pilot.system)
-
-    async def allowed():
-        try:
-            await pilot.failure.inject(FailureUnit.SYSTEM_BATTERY, FailureType.OK, 0)
-        except FailureError:
-            return False
-        return True
-
-    await until("failures allowed", allowed, bool, 6.0)
+    async with contextlib.aclosing(pilot.telemetry.subscribe_position()) as stream, asyncio.timeout(6.0):
+        async for _ in stream:
+            try:
+                await pilot.failure.inject(FailureUnit.SYSTEM_BATTERY, FailureType.OK, 0)
+            except FailureError:
+                continue
+            break
 
 
 async def failures(pilot):
@@ -225,15 +247,15 @@ async def failures(pilot):
         pass
     await allow_failures(pilot)
     await pilot.failure.inject(FailureUnit.SYSTEM_BATTERY, FailureType.OFF, 0)
-    await until("empty", pilot.telemetry.battery, lambda b: b.remaining_percent == 0.0)
+    await until("empty", pilot.telemetry, "battery", lambda b: b.remaining_percent == 0.0)
     await pilot.mode(FlightMode.LAND)
     await pilot.failure.inject(FailureUnit.SYSTEM_BATTERY, FailureType.OK, 0)
     await pilot.action.hold()
     await pilot.failure.inject(FailureUnit.SENSOR_GPS, FailureType.OFF, 0)
-    await until("no fix", pilot.telemetry.gps_info, lambda g: g.num_satellites == 0)
+    await until("no fix", pilot.telemetry, "gps_info", lambda g: g.num_satellites == 0)
     await pilot.mode(FlightMode.LAND)
     await pilot.down_and_disarmed()
-    await until("unhealthy", pilot.telemetry.health_all_ok, lambda ok: not ok)
+    await until("unhealthy", pilot.telemetry, "health_all_ok", lambda ok: not ok)
     try:
         await pilot.action.arm()
         raise AssertionError("armed without GPS")
@@ -242,7 +264,8 @@ async def failures(pilot):
     await pilot.failure.inject(FailureUnit.SENSOR_GPS, FailureType.OK, 0)
     await pilot.in_air()
     await pilot.failure.inject(FailureUnit.SYSTEM_MAVLINK_SIGNAL, FailureType.OFF, 0)
-    await until("silent", pilot.system.is_connected, lambda connected: not connected)
+    connected = pilot.system.is_connected, pilot.system.is_connected_state
+    await first_that("silent", *connected, lambda connected: not connected)
 
 
 async def motor(pilot):
@@ -257,9 +280,9 @@ async def identity(pilot):
     """Arm, take-off, hold, goto and return under another autopilot's numbers; integers in its own encoding."""
     await pilot.ready()
     await pilot.action.arm()
-    await until("armed", pilot.telemetry.armed, bool)
+    await until("armed", pilot.telemetry, "armed", bool)
     await pilot.action.takeoff()
-    await until("high", pilot.telemetry.position, lambda p: p.relative_altitude_m > 1.8)
+    await until("high", pilot.telemetry, "position", lambda p: p.relative_altitude_m > 1.8)
     await pilot.action.hold()
     await pilot.mode(FlightMode.HOLD)
     home = await pilot.telemetry.home()
@@ -300,11 +323,11 @@ async def four(pilots):
     for pilot in pilots.values():
         await pilot.ready()
     await second.action.arm()
-    await until("second armed", second.telemetry.armed, bool)
-    await asyncio.sleep(1.5)
-    assert [await p.telemetry.armed() for p in (first, third, fourth)] == [False] * 3
+    await until("second armed", second.telemetry, "armed", bool)
+    for other in (first, third, fourth):
+        assert await next_of(other.telemetry.subscribe_armed, 2) == [False, False]
     await second.action.takeoff()
-    await until("second in air", second.telemetry.in_air, bool)
+    await until("second in air", second.telemetry, "in_air", bool)
     await fourth.in_air()
     assert [await p.telemetry.in_air() for p in (first, second, third, fourth)] == [False, True, False, True]
     await second.offboard.set_position_ned(PositionNedYaw(2.0, 4.0, -3.0, 0.0))
@@ -334,7 +357,11 @@ async def main():
         async def known():
             return {await s.get_system_id(): s for s in await mavsdk.get_systems()}
 
-        systems = await until("systems", known, lambda found: set(found) >= wanted)
+        async def new():
+            async for _ in mavsdk.on_new_system():
+                yield await known()
+
+        systems = await first_that("systems", known, new, lambda found: set(found) >= wanted)
         pilots = {sysid: Pilot(systems[sysid]) for sysid in wanted}
         began_s = time.monotonic()
         await (four(pilots) if scene == "four" else globals()[scene](pilots[1]))

@@ -12,7 +12,7 @@ from simvehicle.dynamics import body_rates_of
 from simvehicle.maneuvers import AT_REST, Wish
 from simvehicle.mavlink.parameters import Parameters
 from simvehicle.mavlink.telemetry import Vec3
-from simvehicle.params import pack
+from simvehicle.params import P_YAW_RATE, pack
 
 STEP_MS = 4
 CHUNK_MS = 100
@@ -110,6 +110,11 @@ class Body:
     def capacity_j(self) -> float:
         """What the battery holds."""
         return self.parameters["SIM_BAT_CAP_J"]
+
+    @property
+    def fastest_turn_rad_s(self) -> float:
+        """The greatest yaw rate of the guidance."""
+        return float(self._packed[0, P_YAW_RATE])
 
     @property
     def control_effort(self) -> float:

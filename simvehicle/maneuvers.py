@@ -28,13 +28,23 @@ _EVERYWHERE = (True, True, True)
 
 @dataclass(frozen=True)
 class SetPoint:
-    """What offboard control asked for last; `use_position`: the axes on which a position counts beside the velocity."""
+    """What offboard control asked for last; `use_position`: the axes on which a position counts beside the velocity.
+
+    Of yaw and yaw rate at most one counts; where both are None the yaw stays.
+    """
 
     p_ned: Vec3
     v_ned: Vec3
     use_position: tuple[bool, bool, bool]
     yaw_ned_rad: float | None
     time_s: float
+    yaw_rate_rad_s: float | None = None
+
+    def yaw_after(self, dt_s: float, yaw_ned_rad: float, *, fastest_rad_s: float) -> float:
+        """Which yaw it wants `dt_s` after another was wanted, rad."""
+        if self.yaw_rate_rad_s is not None:
+            return yaw_ned_rad + dt_s * min(max(self.yaw_rate_rad_s, -fastest_rad_s), fastest_rad_s)
+        return yaw_ned_rad if self.yaw_ned_rad is None else self.yaw_ned_rad
 
 
 @dataclass(frozen=True)

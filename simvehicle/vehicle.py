@@ -250,8 +250,9 @@ class Vehicle(Body):
             self.thrust_m_s2 = np.concatenate(thrusts, axis=1)
 
     def _fly(self, steps: int) -> None:
-        if self.mode in STEERED and self._setpoint is not None and self._setpoint.yaw_ned_rad is not None:
-            self._yaw_ned = self._setpoint.yaw_ned_rad
+        if self.mode in STEERED and self._setpoint is not None:
+            dt_s, fastest_rad_s = steps * STEP_MS / 1e3, self.fastest_turn_rad_s
+            self._yaw_ned = self._setpoint.yaw_after(dt_s, self._yaw_ned, fastest_rad_s=fastest_rad_s)
         turning = self.armed and Failure.MOTOR not in self.failed
         at_rest = self.landed and self.mode in RESTING
         wanted = wish(

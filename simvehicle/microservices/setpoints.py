@@ -16,9 +16,15 @@ _NEVER_FLOWN = (
     mav.POSITION_TARGET_TYPEMASK_AX_IGNORE
     | mav.POSITION_TARGET_TYPEMASK_AY_IGNORE
     | mav.POSITION_TARGET_TYPEMASK_AZ_IGNORE
-    | mav.POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE
 )
-"""Bits that a set point must set: accelerations, or forces, and yaw rates are not flown."""
+"""Bits that a set point must set: accelerations, or forces, are not flown."""
+_TRAVELLING = frozenset({mav.MAV_FRAME_LOCAL_OFFSET_NED, mav.MAV_FRAME_BODY_OFFSET_NED, mav.MAV_FRAME_BODY_FRD})
+"""Frames whose places count from where the vehicle is when they come."""
+_TURNED = frozenset({mav.MAV_FRAME_BODY_NED, mav.MAV_FRAME_BODY_OFFSET_NED, mav.MAV_FRAME_BODY_FRD})
+"""Frames whose velocities point forward, right and down by the vehicle's yaw when they come; roll and pitch play no
+part. Places are turned too where they also travel: those of BODY_NED are LOCAL_NED's, as MAV_FRAME has it. A yaw counts
+from north in every frame."""
+_LOCAL = _TRAVELLING | _TURNED | {mav.MAV_FRAME_LOCAL_NED}
 _RELATIVE = frozenset({mav.MAV_FRAME_GLOBAL_RELATIVE_ALT, mav.MAV_FRAME_GLOBAL_RELATIVE_ALT_INT})
 _GLOBAL = _RELATIVE | {mav.MAV_FRAME_GLOBAL, mav.MAV_FRAME_GLOBAL_INT}
 
@@ -30,7 +36,7 @@ def heartbeat(desk: Desk, call: Call) -> None:
 
 def local_set_point(desk: Desk, call: Call) -> None:
     content = call.content
-    if content.coordinate_frame != mav.MAV_FRAME_LOCAL_NED:
+    if content.coordinate_frame not in _LOCAL:
         return desk.complain("frame", f"Set point ignored: frame {content.coordinate_frame}")
     return _fly(desk, content, (content.x, content.y, content.z))
 
@@ -45,21 +51,37 @@ def global_set_point(desk: Desk, call: Call) -> None:
     return _fly(desk, content, (north, east, down))
 
 
-def _fly(desk: Desk, content: Any, place_ned: Vec3) -> None:
-    mask = content.type_mask
+def _fly(desk: Desk, content: Any, place: Vec3) -> None:
+    vehicle, mask, frame = desk.vehicle, content.type_mask, content.coordinate_frame
     use_position = (not mask & 1, not mask & 2, not mask & 4)
     use_velocity = (not mask & 8, not mask & 16, not mask & 32)
-    flown = all(p or v for p, v in zip(use_position, use_velocity, strict=True))
-    if mask & _NEVER_FLOWN != _NEVER_FLOWN or not flown:
-        return desk.complain("type_mask", f"Set point ignored: type_mask {mask}")
     use_yaw = not mask & mav.POSITION_TARGET_TYPEMASK_YAW_IGNORE
-    p_ned = _where_used(place_ned, use_position)
+    use_yaw_rate = not mask & mav.POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE
+    flown = all(p or v for p, v in zip(use_position, use_velocity, strict=True)) and not (use_yaw and use_yaw_rate)
+    halved = frame in _TURNED and any(use[0] != use[1] for use in (use_position, use_velocity))
+    if mask & _NEVER_FLOWN != _NEVER_FLOWN or not flown or halved:
+        return desk.complain("type_mask", f"Set point ignored: type_mask {mask}")
+    p_ned = _where_used(place, use_position)
     v_ned = _where_used((content.vx, content.vy, content.vz), use_velocity)
-    if not all(map(math.isfinite, (*p_ned, *v_ned, content.yaw if use_yaw else 0.0))):
+    turn = (content.yaw if use_yaw else 0.0, content.yaw_rate if use_yaw_rate else 0.0)
+    if not all(map(math.isfinite, (*p_ned, *v_ned, *turn))):
         return desk.complain("number", "Set point ignored: not a number")
-    yaw_rad = content.yaw if use_yaw else None
-    desk.vehicle.set_point(SetPoint(p_ned, v_ned, use_position, yaw_rad, desk.vehicle.time_s))
+    yaw_ned = vehicle.attitude_ned[2]
+    if frame in _TURNED:
+        v_ned = _turned(v_ned, yaw_ned)
+    if frame in _TRAVELLING:
+        offset_ned = _turned(p_ned, yaw_ned) if frame in _TURNED else p_ned
+        north, east, down = (here + away for here, away in zip(vehicle.p_ned, offset_ned, strict=True))
+        p_ned = _where_used((north, east, down), use_position)
+    yaw_rad, yaw_rate = turn[0] if use_yaw else None, turn[1] if use_yaw_rate else None
+    vehicle.set_point(SetPoint(p_ned, v_ned, use_position, yaw_rad, vehicle.time_s, yaw_rate))
     return None
+
+
+def _turned(v: Vec3, yaw_rad: float) -> Vec3:
+    """A vector given as forward, right, down, in NED: turned about down by the yaw."""
+    cos, sin = math.cos(yaw_rad), math.sin(yaw_rad)
+    return cos * v[0] - sin * v[1], sin * v[0] + cos * v[1], v[2]
 
 
 def follow_target(desk: Desk, call: Call) -> None:

@@ -177,10 +177,9 @@ class ArduCopter:
         cos, sin = math.cos(self.copter.body.yaw), math.sin(self.copter.body.yaw)
         if m.coordinate_frame in (mav.MAV_FRAME_BODY_NED, mav.MAV_FRAME_BODY_OFFSET_NED):
             p, v = ((cos * u[0] - sin * u[1], sin * u[0] + cos * u[1], u[2]) for u in (p, v))
-        if m.coordinate_frame in (mav.MAV_FRAME_BODY_OFFSET_NED, mav.MAV_FRAME_LOCAL_OFFSET_NED):
-            p = (p[0] + self.copter.body.p[0], p[1] + self.copter.body.p[1], p[2] + self.copter.body.p[2])
-        elif m.coordinate_frame == mav.MAV_FRAME_BODY_NED:
-            p = (p[0] + self.copter.body.p[0], p[1] + self.copter.body.p[1], p[2])
+        if m.coordinate_frame != mav.MAV_FRAME_LOCAL_NED:
+            here = self.copter.body.p
+            p = (p[0] + here[0], p[1] + here[1], p[2] + here[2])
         self.copter.aim(None if no_p else p, ZERO if no_v else v, None if no_yaw else m.yaw)
 
     # commands: each returns its MAV_RESULT

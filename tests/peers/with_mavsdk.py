@@ -11,7 +11,7 @@ from mavsdk.asyncio.plugins.action import ActionAsync, ActionError
 from mavsdk.asyncio.plugins.failure import FailureAsync, FailureError, FailureType, FailureUnit
 from mavsdk.asyncio.plugins.follow_me import Config, FollowMeAsync, TargetLocation
 from mavsdk.asyncio.plugins.mission import MissionAsync, MissionItem, MissionPlan
-from mavsdk.asyncio.plugins.offboard import OffboardAsync, PositionNedYaw, VelocityNedYaw
+from mavsdk.asyncio.plugins.offboard import OffboardAsync, PositionNedYaw, VelocityBodyYawspeed, VelocityNedYaw
 from mavsdk.asyncio.plugins.param import ParamAsync, ParamError
 from mavsdk.asyncio.plugins.telemetry import FlightMode, LandedState, TelemetryAsync
 
@@ -138,7 +138,7 @@ async def flight(pilot):
 
 
 async def offboard(pilot):
-    """Offboard refused without set points, then position, then velocity, then land."""
+    """Offboard by position, by velocity, by velocity and turn of the body's own, then land."""
     await pilot.in_air()
     await pilot.offboard.set_position_ned(PositionNedYaw(1.5, 1.0, -2.0, 0.0))
     await pilot.offboard.start()
@@ -146,6 +146,9 @@ async def offboard(pilot):
     await pilot.near(1.5, 1.0, -2.0)
     await pilot.offboard.set_velocity_ned(VelocityNedYaw(1.0, 0.0, 0.0, 0.0))
     await until("1 m/s", pilot.telemetry, "velocity_ned", lambda v: abs(v.north_m_s - 1.0) < 0.15)
+    await pilot.offboard.set_velocity_body(VelocityBodyYawspeed(0.5, 0.0, 0.0, 40.0))
+    await until("turned east", pilot.telemetry, "attitude_euler", lambda a: a.yaw_deg > 90.0)
+    await until("0.5 m/s east", pilot.telemetry, "velocity_ned", lambda v: v.east_m_s > 0.4)
     await pilot.offboard.stop()
     await pilot.mode(FlightMode.HOLD)
     await pilot.action.land()

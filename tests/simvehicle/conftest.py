@@ -90,11 +90,12 @@ class Bench:
         *,
         mask: int = BOTH,
         yaw: float = 0.0,
+        yaw_rate: float = 0.0,
         frame: int = 1,
         target: tuple[int, int] | None = None,
     ) -> None:
         """SET_POSITION_TARGET_LOCAL_NED; what the mask ignores is sent as NaN, as strangers do."""
-        numbers = [*p_ned, *v_ned, math.nan, math.nan, math.nan, yaw, 0.0]
+        numbers = [*p_ned, *v_ned, math.nan, math.nan, math.nan, yaw, yaw_rate]
         for bit in range(9):
             if mask & 1 << bit:
                 numbers[bit] = math.nan

@@ -269,9 +269,9 @@ def test_position_and_yaw_turns_the_vehicle(vehicle_bench: Any) -> None:
     [
         ({"mask": 0xFFFF}, "Set point ignored: type_mask 65535"),
         ({"mask": 3072}, "Set point ignored: type_mask 3072"),  # with acceleration
-        ({"mask": 1479}, "Set point ignored: type_mask 1479"),  # with yaw rate
+        ({"mask": 448}, "Set point ignored: type_mask 448"),  # with both yaw and yaw rate
         ({"mask": POSITION_ONLY | 1}, f"Set point ignored: type_mask {POSITION_ONLY | 1}"),
-        ({"frame": mav.MAV_FRAME_BODY_NED}, "Set point ignored: frame 8"),
+        ({"frame": mav.MAV_FRAME_LOCAL_ENU}, "Set point ignored: frame 4"),
         ({"p_ned": (math.nan, 0.0, 0.0)}, "Set point ignored: not a number"),
         ({"v_ned": (0.0, math.inf, 0.0)}, "Set point ignored: not a number"),
         ({"yaw": math.nan, "mask": POSITION_AND_YAW}, "Set point ignored: not a number"),

@@ -97,7 +97,7 @@ class _Triple(click.ParamType[tuple[float, float, float]]):
     "--state",
     type=click.Path(path_type=Path, file_okay=False),
     metavar="DIR",
-    help="Folder in which changed parameters outlive a reboot and the process; they count more than --params.",
+    help="Folder in which changed parameters (they count more than --params) and plans outlive reboot and process.",
 )
 @click.option(
     "--count",

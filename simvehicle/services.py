@@ -53,11 +53,12 @@ class Services:
         self.connections = list(connections)
         self._desk = Desk(vehicle, sysid, self.connections, store)
         self._planning = planning.Planning(self._desk)
-        self._reboot = service.Reboot(self._desk, self._planning.protocol.forget)
+        self._reboot = service.Reboot(self._desk, self._planning.restart)
         self._commands = {**COMMANDS, mav.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN: self._reboot.ask}
         self._fast_counters = False
         self._long_texts = 0
         vehicle.on_change = self._hasten_heartbeats
+        self._planning.restart()
 
     def receive(self, frame: Frame, connection: Connection) -> None:
         """Act on one frame; answers wait on the same connection."""

@@ -1,10 +1,22 @@
-"""Where a vehicle's parameters outlive its process: one small JSON file per vehicle in a folder of the user's."""
+"""Where a vehicle's parameters and plans outlive its process: two JSON files per vehicle in a folder of the user's."""
 
 from __future__ import annotations
 
 import json
+import math
 import os
+from collections.abc import Iterable
 from pathlib import Path
+from typing import Any
+
+Row = tuple[float, ...]
+"""One item of a plan as the wire carries it: command, frame, params 1..4, x, y, z, autocontinue."""
+_KINDS = ("mission", "fence", "rally")
+"""The file's names of MAV_MISSION_TYPE 0, 1 and 2."""
+_WHOLE = {0: (0, 2**16 - 1), 1: (0, 255), 6: (-(2**31), 2**31 - 1), 7: (-(2**31), 2**31 - 1), 9: (0, 255)}
+"""Places in a row that hold whole numbers, and what their fields can hold; the others are 32-bit floats."""
+_ROW_LENGTH = 10
+_LARGEST_FLOAT = 3.4028235e38
 
 
 class StateError(ValueError):
@@ -12,27 +24,69 @@ class StateError(ValueError):
 
 
 class StateFile:
-    """The parameters of one vehicle that were ever changed, as SYSID.parameters.json in `folder`, made where missing.
+    """What one vehicle was ever given: SYSID.parameters.json and SYSID.plans.json in `folder`, made where missing.
 
-    `values` is what is kept now.
+    `values` holds the parameters that were changed, `plans` the items in force by MAV_MISSION_TYPE.
     """
 
     def __init__(self, folder: Path, sysid: int) -> None:
         """Read what was kept before; raises StateError, and OSError where the folder cannot be used."""
         folder.mkdir(parents=True, exist_ok=True)
         self.path = folder / f"{sysid}.parameters.json"
-        self.values: dict[str, float] = {}
+        self.plans_path = folder / f"{sysid}.plans.json"
         try:
-            content = json.loads(self.path.read_text(encoding="utf-8"))
-            self.values = {str(name): float(value) for name, value in content.items()}
-        except FileNotFoundError:
-            pass
+            self.values = {str(name): float(value) for name, value in _read(self.path).items()}
         except (ValueError, AttributeError, TypeError) as error:
-            raise StateError(f"{self.path} holds no parameters: mend it, or delete it to begin afresh") from error
+            raise _broken(self.path, "parameters") from error
+        try:
+            content = _read(self.plans_path)
+            self.plans = {_KINDS.index(name): tuple(map(_row, rows)) for name, rows in content.items()}
+        except (ValueError, AttributeError, TypeError) as error:
+            raise _broken(self.plans_path, "plans") from error
 
     def keep(self, name: str, value: float) -> None:
-        """Keep one value with the others; the old file stays whole until the new one is. Raises OSError."""
+        """Keep one parameter with the others; the old file stays whole until the new one is. Raises OSError."""
         self.values[name] = value
-        new = self.path.with_suffix(".new")
-        new.write_text(json.dumps(self.values, indent=1) + "\n", encoding="utf-8")
-        os.replace(new, self.path)
+        _write(self.path, json.dumps(self.values, indent=1))
+
+    def keep_plan(self, kind: int, rows: Iterable[Row]) -> None:
+        """Keep the plan of a kind in the place of the one before; the others stay. Raises OSError."""
+        self.plans[kind] = tuple(rows)
+        plans = (
+            f" {json.dumps(_KINDS[kind])}: [\n" + ",\n".join(f"  {json.dumps(row)}" for row in rows) + "\n ]"
+            for kind, rows in sorted(self.plans.items())
+        )
+        _write(self.plans_path, "{\n" + ",\n".join(plans) + "\n}")
+
+
+def _read(path: Path) -> Any:
+    try:
+        return json.loads(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        return {}
+
+
+def _write(path: Path, text: str) -> None:
+    new = path.with_suffix(".new")
+    new.write_text(text + "\n", encoding="utf-8")
+    os.replace(new, path)
+
+
+def _broken(path: Path, what: str) -> StateError:
+    return StateError(f"{path} holds no {what}: mend it, or delete it to begin afresh")
+
+
+def _row(values: Any) -> Row:
+    """One item; raises ValueError or TypeError for what no message could carry."""
+    numbers = tuple(values)
+    if len(numbers) != _ROW_LENGTH:
+        raise ValueError(f"{len(numbers)} numbers")
+    for at, number in enumerate(numbers):
+        if at in _WHOLE:
+            least, most = _WHOLE[at]
+            fits = isinstance(number, int) and least <= number <= most
+        else:
+            fits = not math.isfinite(number) or abs(number) <= _LARGEST_FLOAT
+        if not fits:
+            raise ValueError(f"{number} in place {at}")
+    return numbers

@@ -41,6 +41,18 @@ class Item(NamedTuple):
     autocontinue: int = 1
 
 
+def row_of(item: Item) -> tuple[float, ...]:
+    """An item as ten plain numbers, for whoever keeps it."""
+    return (item.command, item.frame, *item.params, item.x, item.y, item.z, item.autocontinue)
+
+
+def item_of(row: Sequence[float]) -> Item:
+    """The item that `row_of` made these numbers of."""
+    command, frame, first, second, third, fourth, x, y, z, autocontinue = row
+    params = (first, second, third, fourth)
+    return Item(int(command), int(frame), params, int(x), int(y), z, int(autocontinue))
+
+
 def item_from(content: Any) -> Item:
     """The item in a MISSION_ITEM_INT, or in a MISSION_ITEM, whose places are floats."""
     x, y = content.x, content.y

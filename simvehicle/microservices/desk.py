@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any, NamedTuple, Protocol
 
 from simvehicle.mavlink.codec import Frame
@@ -16,10 +16,15 @@ COMPLAIN_EVERY_S = 5.0
 
 
 class Store(Protocol):
-    """Where parameters outlive a reboot."""
+    """Where parameters and plans outlive a reboot; a plan is rows of numbers by MAV_MISSION_TYPE (`plans.row_of`)."""
+
+    plans: dict[int, tuple[tuple[float, ...], ...]]
 
     def keep(self, name: str, value: float) -> None:
         """Keep a value that was changed."""
+
+    def keep_plan(self, kind: int, rows: Iterable[tuple[float, ...]]) -> None:
+        """Keep a plan that was taken."""
 
 
 class Desk:

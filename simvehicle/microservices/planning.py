@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Iterable
-from functools import partial
 
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.mavlink.codec import message
 from simvehicle.mavlink.missions import MissionProtocol, Post
-from simvehicle.mavlink.plans import Item, PlanError, fence_from, item_from, legs_from, rally_from
+from simvehicle.mavlink.plans import Item, PlanError, fence_from, item_from, item_of, legs_from, rally_from, row_of
 from simvehicle.microservices.desk import Call, Desk
 from simvehicle.modes import Severity
 
@@ -23,7 +23,22 @@ class Planning:
 
     def __init__(self, desk: Desk) -> None:
         self._desk = desk
-        self.protocol = MissionProtocol(partial(_put_in_force, desk))
+        self.protocol = MissionProtocol(self._take)
+
+    def _take(self, kind: int, items: tuple[Item, ...]) -> None:
+        _put_in_force(self._desk, kind, items)
+        if self._desk.store is not None:
+            self._desk.store.keep_plan(kind, map(row_of, items))
+
+    def restart(self) -> None:
+        """Have what the store has kept, and nothing else; a plan that is refused now is none."""
+        self.protocol.forget()
+        store = self._desk.store
+        for kind, rows in store.plans.items() if store is not None else ():
+            items = tuple(map(item_of, rows))
+            with contextlib.suppress(PlanError):
+                _put_in_force(self._desk, kind, items)
+                self.protocol.plans[kind] = items
 
     def receive(self, call: Call) -> None:
         """Act on a message of the mission protocol."""

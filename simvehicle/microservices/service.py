@@ -46,13 +46,13 @@ def inject_failure(desk: Desk, request: Request, connection: Connection) -> int:
 class Reboot:
     """MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN: in progress for a second of the vehicle's time, then done.
 
-    Clock, place and battery go on; mode, plans, failures and set points are forgotten. Parameters come back as they
-    were at start or, with a store, as they are.
+    Clock, place and battery go on; mode, failures and set points are forgotten. Parameters come back as they were at
+    start or, with a store, as they are; so do plans, and without a store there are none.
     """
 
-    def __init__(self, desk: Desk, forget: Callable[[], None]) -> None:
+    def __init__(self, desk: Desk, restart_plans: Callable[[], None]) -> None:
         self._desk = desk
-        self._forget = forget
+        self._restart_plans = restart_plans
         self._at_start = desk.vehicle.parameters.values()
         self._asked: tuple[Request, Connection, float] | None = None
 
@@ -86,8 +86,8 @@ class Reboot:
         self._asked = None
         if self._desk.store is None:
             vehicle.parameters.restore(self._at_start)
-        self._forget()
         vehicle.restart()
+        self._restart_plans()
         vehicle.booting = False
         vehicle.announce(Severity.INFO, "Booted")
         vehicle.on_change()

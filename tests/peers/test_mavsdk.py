@@ -38,11 +38,11 @@ def test_four_on_one_port_obey_only_their_own(peers: Path, port: int, fly: Any) 
     flown(peers, port, "four", "1", "2", "3", "4")
 
 
-def test_parameters_survive_a_reboot_with_a_state(peers: Path, port: int, fly: Any, tmp_path: Path) -> None:
+def test_parameters_and_mission_survive_a_reboot_with_a_state(peers: Path, port: int, fly: Any, tmp_path: Path) -> None:
     fly(port, 1, "--state", str(tmp_path / "state"))
     flown(peers, port, "reboot_keeps")
 
 
-def test_parameters_are_forgotten_by_a_reboot_without_a_state(peers: Path, port: int, fly: Any) -> None:
+def test_parameters_and_mission_are_forgotten_by_a_reboot_without_a_state(peers: Path, port: int, fly: Any) -> None:
     fly(port)
     flown(peers, port, "reboot_forgets")

@@ -304,20 +304,24 @@ async def identity(pilot):
 
 
 async def rebooted(pilot):
+    """A parameter and the length of a mission after a reboot, both having been changed before it."""
     await pilot.ready()
+    home = await until("home", pilot.telemetry, "home", lambda h: math.isfinite(h.latitude_deg))
     await pilot.param.set_param_float("MPC_XY_CRUISE", 3.5)
+    await pilot.mission.upload_mission(MissionPlan([waypoint(home, 0, 0, 2.0), waypoint(home, 6, 0, 2.5)]))
     await pilot.action.reboot()
-    return await pilot.param.get_param_float("MPC_XY_CRUISE")
+    kept = await pilot.mission.download_mission()
+    return await pilot.param.get_param_float("MPC_XY_CRUISE"), len(kept.mission_items)
 
 
 async def reboot_keeps(pilot):
-    """A changed parameter is still there."""
-    assert await rebooted(pilot) == 3.5
+    """A changed parameter and a mission are still there."""
+    assert await rebooted(pilot) == (3.5, 2)
 
 
 async def reboot_forgets(pilot):
-    """A changed parameter is what it was at start."""
-    assert await rebooted(pilot) == 5.0
+    """A changed parameter is what it was at start, and there is no mission."""
+    assert await rebooted(pilot) == (5.0, 0)
 
 
 async def four(pilots):

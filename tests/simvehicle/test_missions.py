@@ -1,10 +1,13 @@
 """Missions, geofence and rally points: uploaded, downloaded and flown."""
 
 import math
+from pathlib import Path
 from typing import Any
 
 import pytest
 from pymavlink.dialects.v20 import common as mav
+
+from simvehicle.state import StateError, StateFile
 
 ACCEPTED, TEMPORARILY_REJECTED, DENIED = 0, 1, 2
 REL = mav.MAV_FRAME_GLOBAL_RELATIVE_ALT_INT
@@ -85,6 +88,83 @@ def test_what_was_uploaded_is_downloaded(vehicle_bench: Any) -> None:
     assert [[getattr(m, name) for name in told] for m in back] == [[getattr(m, name) for name in told] for m in sent]
     assert [m.current for m in back] == [1, 0, 0, 0, 0]
     assert download(bench, FENCE) == download(bench, RALLY) == []
+
+
+def fence_and_rally(bench: Any) -> tuple[list[Any], list[Any]]:
+    circle = mav.MAV_CMD_NAV_FENCE_CIRCLE_INCLUSION
+    fence = [item(bench, circle, (0.0, 0.0, 0.0), (30.0, math.nan, math.nan, 0.0), kind=FENCE)]
+    return fence, [item(bench, mav.MAV_CMD_NAV_RALLY_POINT, (4.0, -2.0, 3.0), kind=RALLY)]
+
+
+def told(items: list[Any]) -> list[str]:
+    """Items as they stand on the wire."""
+    return [m.to_json() for m in items]
+
+
+@pytest.mark.parametrize("anew", ["reboot", "process"])
+def test_plans_survive_reboot_and_process_with_a_state_and_are_flown(
+    vehicle_bench: Any, tmp_path: Path, anew: str
+) -> None:
+    bench = vehicle_bench(store=StateFile(tmp_path, 1))
+    fence, rally = fence_and_rally(bench)
+    for plan, kind in ((whole(bench), MISSION), (fence, FENCE), (rally, RALLY)):
+        assert upload(bench, plan, kind) == ACCEPTED
+    before = [told(download(bench, kind)) for kind in (MISSION, FENCE, RALLY)]
+    if anew == "reboot":
+        bench.command(mav.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, 1.0)
+        bench.tick(12)
+    else:
+        bench = vehicle_bench(store=StateFile(tmp_path, 1))
+    assert [told(download(bench, kind)) for kind in (MISSION, FENCE, RALLY)] == before
+    assert bench.vehicle.fence.breached(31.0, 0.0)
+    assert [p[:2] for p in bench.vehicle.rally_ned] == [pytest.approx((4.0, -2.0), abs=0.02)]
+    bench.arm()
+    assert mission_mode(bench) == ACCEPTED
+    bench.fly(20.0, until=lambda b: 2 in reached(b))
+    other = vehicle_bench(store=StateFile(tmp_path, 2))
+    assert download(other) == []
+
+
+def test_cleared_and_refused_plans_are_not_kept(vehicle_bench: Any, tmp_path: Path) -> None:
+    bench = vehicle_bench(store=StateFile(tmp_path, 1))
+    upload(bench, whole(bench))
+    upload(bench, fence_and_rally(bench)[1], RALLY)
+    assert upload(bench, [item(bench, 9999)]) != ACCEPTED
+    bench.send(mav.MAVLink_mission_clear_all_message(1, 1, RALLY))
+    again = vehicle_bench(store=StateFile(tmp_path, 1))
+    assert [len(download(again, kind)) for kind in (MISSION, FENCE, RALLY)] == [5, 0, 0]
+
+
+def test_plan_that_was_kept_for_another_home_is_refused_aloud_and_the_others_stay(
+    vehicle_bench: Any, tmp_path: Path
+) -> None:
+    store = StateFile(tmp_path, 1)
+    store.keep_plan(MISSION, [(16, REL, 0.0, 0.0, 0.0, 0.0, -338000000, 1512000000, 3.0, 1)])
+    store.keep_plan(RALLY, [(5100, REL, 0.0, 0.0, 0.0, 0.0, 473977420, 85455940, 3.0, 1)])
+    bench = vehicle_bench(store=StateFile(tmp_path, 1))
+    bench.tick()
+    assert bench.texts == ["Plan refused: item 0: farther away than 100 km"]
+    assert [len(download(bench, kind)) for kind in (MISSION, FENCE, RALLY)] == [0, 0, 1]
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "[]",
+        "{",
+        '{"mission": 5}',
+        '{"route": []}',
+        '{"mission": [[16]]}',
+        '{"rally": [[5100, 3, 0, 0, 0, 0, 0.5, 0, 0, 1]]}',
+        '{"fence": [[70000, 3, 0, 0, 0, 0, 0, 0, 0, 1]]}',
+        '{"mission": [[16, 3, 1e300, 0, 0, 0, 0, 0, 0, 1]]}',
+        '{"mission": [[16, 3, "x", 0, 0, 0, 0, 0, 0, 1]]}',
+    ],
+)
+def test_broken_file_of_plans_is_named(tmp_path: Path, content: str) -> None:
+    (tmp_path / "1.plans.json").write_text(content)
+    with pytest.raises(StateError, match=r"1\.plans\.json holds no plans"):
+        StateFile(tmp_path, 1)
 
 
 def test_whole_mission_is_flown_from_the_ground_and_back(vehicle_bench: Any) -> None:

@@ -2,23 +2,92 @@
 
 from __future__ import annotations
 
+import signal
+import sys
+import time
+from typing import ClassVar
+
+from textual import events
 from textual.app import App
 
+from gcs.console.ink import Glyphs, own_glyphs
+from gcs.console.job import can_suspend
+from gcs.console.main_screen import MainScreen
 from gcs.console.source import Source
+from gcs.console.watch import Watch
+
+BEAT_S = 0.2
+"""The screen is looked at, and drawn where it has changed, this often: 5 Hz."""
 
 
 class ConsoleApp(App[int]):
-    """The app's shell around one source."""
+    """The app's shell around one source; `owner` means that closing it by Ctrl-C asks to stop the session."""
 
-    def __init__(self, source: Source, title: str = "") -> None:
+    ENABLE_COMMAND_PALETTE = False
+    CSS: ClassVar[str] = ""
+    AUTO_FOCUS = None
+
+    def __init__(self, source: Source, title: str = "", *, owner: bool = False, glyphs: Glyphs | None = None) -> None:
         super().__init__()
-        self._source = source
+        self.source = source
         self.title = title
+        self.owner = owner
+        self.glyphs = glyphs or own_glyphs(sys.__stderr__.encoding if sys.__stderr__ else "ascii")
+        self.seen = Watch()
+        self.heard_s = time.monotonic()
+        self.main = MainScreen()
+
+    def on_mount(self) -> None:
+        """Begin to look."""
+        self.push_screen(self.main)
+        self.set_interval(BEAT_S, self.beat)
+        self.call_after_refresh(self.beat)
+
+    def beat(self) -> None:
+        """Take in what has come and show it."""
+        news = self.seen.take(self.source.receive())
+        if news:
+            self.heard_s = time.monotonic()
+        if self.seen.end is not None:
+            self.exit(0)
+            return
+        self.main.beat(news)
+
+    def lost(self) -> list[str]:
+        """What this terminal cannot show, in sentences."""
+        lost = []
+        if self.no_color:
+            lost.append("No colour (NO_COLOR is set): signs, words, bold and reverse say the same.")
+        if not self.glyphs.unicode:
+            lost.append("No Unicode: the map and the curves are drawn four times as coarse.")
+        return lost
+
+    def action_suspend_process(self) -> None:
+        """Give the terminal back to the shell, if there is one that can continue us."""
+        if can_suspend():
+            super().action_suspend_process()
+        else:
+            self.main.notice("there is no shell here that could continue the console: Ctrl-Z does nothing")
+
+    def on_resize(self, event: events.Resize) -> None:
+        """A question in a terminal that has become too small is taken as not answered."""
+        if self.main.is_mounted and self.main.too_small(event.size) and len(self.screen_stack) > 2:
+            while self.screen is not self.main:
+                self.pop_screen()
 
 
-def show(source: Source, title: str = "") -> int:
+def show(source: Source, title: str = "", *, owner: bool = False) -> int:
     """Show `source` in this terminal until it ends or the person closes it; the exit status."""
+    app = ConsoleApp(source, title, owner=owner)
+
+    def leave(*_: object) -> None:
+        app.call_later(app.exit, 0)
+
+    handlers = {number: signal.signal(number, leave) for number in (signal.SIGTERM, signal.SIGHUP)}
     try:
-        return ConsoleApp(source, title).run() or 0
+        app.run()
+        return app.return_code or 0
     finally:
+        for number, handler in handlers.items():
+            signal.signal(number, handler)
         source.close()

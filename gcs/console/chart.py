@@ -1,0 +1,73 @@
+"""Curves over time, as characters."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from gcs.console.canvas import Canvas
+from gcs.console.ink import Glyphs, Lines, left, number, right
+
+AXIS = 5
+LABEL = 9
+CURVES = ("curve1", "curve2", "curve3", "curve4", "curve5", "curve6")
+
+
+def chart(
+    samples: Sequence[tuple[float, Mapping[str, float]]],
+    names: Sequence[str],
+    marks: Sequence[tuple[float, str]],
+    *,
+    width: int,
+    height: int,
+    glyphs: Glyphs,
+    span_s: float,
+) -> Lines:
+    """The curves `names` of `samples`, each (time in s, {name: value from 0}), over the last `span_s`.
+
+    Every curve has its name and value at its right end, as far as there is room; `marks` are (time in s, text) to be
+    drawn as upright lines. Time runs to the right, the newest sample is at the edge.
+    """
+    columns, rows = width - AXIS - LABEL, height - 1
+    if columns < 8 or rows < 3 or not samples:
+        return []
+    end_s = samples[-1][0]
+    begin_s = end_s - span_s
+    top = max(1.0, *(value for _, values in samples for name in names if (value := values.get(name)) is not None), 0.0)
+    canvas = Canvas(columns, rows, glyphs)
+
+    def x(t_s: float) -> float:
+        return (t_s - begin_s) / span_s * (canvas.width - 1)
+
+    def y(value: float) -> float:
+        return (1.0 - value / top) * (canvas.height - 1)
+
+    for share in (0.0, 0.5, 1.0):
+        canvas.line((0, y(share * top)), (canvas.width - 1, y(share * top)), "faint", every=4 if glyphs.unicode else 3)
+    for t_s, text in marks:
+        if begin_s <= t_s <= end_s:
+            canvas.line((x(t_s), 0), (x(t_s), canvas.height - 1), "mark", 1, every=2)
+            canvas.put(int(x(t_s) // canvas.per_column) + 1, 0, text, "mark", 1)
+    labels: dict[int, tuple[str, str]] = {}
+    for order, name in enumerate(names):
+        style = CURVES[order % len(CURVES)]
+        points = [(x(t_s), y(values[name])) for t_s, values in samples if t_s >= begin_s and name in values]
+        if len(points) == 1:
+            canvas.dot(*points[0], style, 9 - order)
+        canvas.path(points, style, max(2, 9 - order))
+        value = samples[-1][1].get(name)
+        if value is not None:
+            row = min(rows - 1, max(0, int(y(value) // canvas.per_row)))
+            for shift in sorted(range(-rows, rows), key=abs):
+                if 0 <= row + shift < rows and row + shift not in labels:
+                    labels[row + shift] = (f" {name:>3} {value:.2f}", style)
+                    break
+    lines: Lines = []
+    axis = {0: top, (rows - 1) // 2: None, rows - 1: 0.0}
+    for row, line in enumerate(canvas.lines()):
+        value = axis.get(row)
+        text, style = labels.get(row, ("", ""))
+        shown = right(number(value, AXIS - 1, 1), AXIS - 1) if value is not None else " " * (AXIS - 1)
+        lines.append([(f"{shown} ", "dim"), *line, (left(text, LABEL), style)])
+    first, last = f"{max(begin_s, 0.0) if begin_s > -1 else begin_s:.0f} s", f"{end_s:.0f} s"
+    lines.append([(" " * AXIS + left(first, columns - len(last)) + last + " " * LABEL, "dim")])
+    return lines

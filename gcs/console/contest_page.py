@@ -1,0 +1,125 @@
+"""The competition for the next refuelling: its course, the bids, who wins by what margin, and why the tanker flies."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from gcs.console.chart import CURVES, chart
+from gcs.console.ink import Glyphs, Line, Lines, bar, fitted, left, titled, wrapped
+from gcs.console.plain import clean
+from gcs.console.watch import Watch, margin
+
+MOST_CURVES = len(CURVES)
+SPAN_S = 60.0
+
+
+def verdict(watch: Watch) -> Line:
+    """Who leads by how much, in one line."""
+    competition = watch.competition
+    if not competition.get("v"):
+        return [("nobody competes at present", "dim")]
+    leader, ahead = competition.get("leader"), margin(competition)
+    if leader is None or ahead is None:
+        return [("undecided", "info"), (f", {len(competition['v'])} compete", "")]
+    share, threshold = 100.0 * float(competition["share"]), 100.0 * float(competition.get("threshold") or 0.9)
+    line: Line = [(watch.name(leader), "lead"), (f" leads with {share:.0f} % of the competition, ", "")]
+    if ahead >= 0.0:
+        line.append((f"{100.0 * ahead:.0f} points above the {threshold:.0f} % it needs", "well"))
+    else:
+        line.append((f"{-100.0 * ahead:.0f} points short of the {threshold:.0f} % it needs", "info"))
+    if (runner_up := competition.get("runner_up")) is not None:
+        line.append((f"; {watch.name(runner_up)} is next", ""))
+    return line
+
+
+def names(watch: Watch) -> list[str]:
+    """The vehicles whose curves are drawn: those ahead, the greatest v first."""
+    values: Mapping[str, float] = {str(k): float(x) for k, x in (watch.competition.get("v") or {}).items()}
+    if not values and watch.contest:
+        values = watch.contest[-1][1]
+    return sorted(values, key=lambda name: (-values[name], name))[:MOST_CURVES]
+
+
+def why(watch: Watch, width: int, most: int) -> Lines:
+    """Why each tanker flies where it flies."""
+    lines: Lines = []
+    for service in watch.snapshot.get("services") or ():
+        sentence = clean(service.get("why") or "") or (
+            f"{watch.name(service.get('tanker'))} serves {watch.name(service.get('receiver'))}, "
+            f"decided by {clean(service.get('by') or '?')}."
+        )
+        state = f"{clean(service.get('phase') or '')}, {float(service.get('energy_j') or 0.0):.0f} J given"
+        for order, text in enumerate(wrapped(f"{sentence} ({state})", width - 2)):
+            lines.append([("  " if order else "> ", "meet"), (text, "")])
+    return lines[:most] or [[("  no tanker is under way", "dim")]]
+
+
+def compact(watch: Watch, *, width: int, height: int, glyphs: Glyphs) -> Lines:
+    """Verdict, reason and curves in little room."""
+    reasons = why(watch, width, 3)
+    lines: Lines = [fitted(verdict(watch), width, glyphs), *reasons]
+    return [*lines, *_curves(watch, width, height - len(lines), glyphs)]
+
+
+def _curves(watch: Watch, width: int, height: int, glyphs: Glyphs) -> Lines:
+    return chart(
+        watch.contest,
+        names(watch),
+        [(t_s, name) for t_s, name in watch.handovers],
+        width=width,
+        height=height,
+        glyphs=glyphs,
+        span_s=SPAN_S,
+    )
+
+
+def page(watch: Watch, *, width: int, height: int, glyphs: Glyphs) -> Lines:
+    """All of it: reasons, curves, bids, and the services that have ended."""
+    lines: Lines = [fitted([(" ", ""), *verdict(watch)], width, glyphs), *why(watch, width, 4)]
+    bids, past = _bids(watch, glyphs), _past(watch)
+    below = min(max(len(bids), len(past), 3) + 1, max(4, height // 3))
+    lines.append(titled("v over time, 60 s", width, glyphs))
+    curves = _curves(watch, width, height - len(lines) - below, glyphs)
+    room = height - len(lines) - below
+    lines += [*curves, *([] for _ in range(room - len(curves)))]
+    half = min(46, width // 2)
+    first = titled("bids", half - 1, glyphs)
+    second = titled("services so far", width - half, glyphs)
+    lines.append([*first, (" ", ""), *second])
+    for order in range(below - 1):
+        one = bids[order] if order < len(bids) else []
+        other = past[order] if order < len(past) else []
+        lines.append([*fitted(one, half, glyphs), *fitted(other, width - half, glyphs)])
+    return lines
+
+
+def _bids(watch: Watch, glyphs: Glyphs) -> Lines:
+    """v and need of everyone in it, the greatest v first."""
+    competition = watch.competition
+    values = {str(k): float(x) for k, x in (competition.get("v") or {}).items()}
+    needs: dict[str, Any] = {str(k): x for k, x in (competition.get("tau") or {}).items()}
+    top = max([1.0, *values.values()])
+    lines: Lines = [[(f"  {'vehicle':<12} {'v':>5} {'':<12} {'bid':>5}", "heading")]] if values else []
+    curves = dict(zip(names(watch), CURVES, strict=False))
+    for name in sorted(values, key=lambda name: (-values[name], name)):
+        tau = needs.get(name)
+        style = curves.get(name, "")
+        bid = "-" if tau is None else f"{float(tau):.2f}"
+        text = f"  {left(watch.name(name), 12)} {values[name]:5.2f} "
+        lines.append([(text, style), *bar(values[name] / top, 12, glyphs, style or "charge"), (f" {bid:>5}", "")])
+    return lines
+
+
+def _past(watch: Watch) -> Lines:
+    """What was served, the last one first."""
+    lines: Lines = []
+    for service in reversed(watch.snapshot.get("history") or ()):
+        when = service.get("end_s")
+        stamp = "-" if when is None else f"{float(when):.1f}"
+        text = f"{stamp:>7} s  {watch.name(service.get('receiver'))} by {watch.name(service.get('tanker'))}"
+        text += f", {float(service.get('energy_j') or 0.0):.0f} J, {clean(service.get('by') or '')}"
+        if reason := clean(service.get("reason") or ""):
+            text += f", {reason}"
+        lines.append([(text, "")])
+    return lines or [[("    none", "dim")]]

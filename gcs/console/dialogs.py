@@ -1,0 +1,216 @@
+"""What stands in front of the pages for a moment: a question, a choice, the help page, words to look for."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import ClassVar, TypeVar
+
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Vertical
+from textual.screen import ModalScreen
+from textual.widgets import Input
+
+from gcs.console.ink import Glyphs, Line, Lines, fitted, wrapped
+from gcs.console.palette import GROUND, RAISED
+from gcs.console.panel import Panel
+
+FRAME = f"""
+    align: center middle;
+    background: {GROUND} 60%;
+"""
+BOX = f"""
+    width: 64;
+    max-width: 96%;
+    height: auto;
+    max-height: 96%;
+    padding: 1 2;
+    background: {RAISED};
+    border: FRAME #5c7894;
+"""
+
+
+Answer = TypeVar("Answer")
+
+
+class Dialog(ModalScreen[Answer]):
+    """A box in the middle; its frame is drawn with what the terminal can show."""
+
+    DEFAULT_CSS = (
+        "Dialog {"
+        + FRAME
+        + "} Dialog > #box {"
+        + BOX.replace("FRAME", "round")
+        + "} Dialog.-ascii > #box {"
+        + BOX.replace("FRAME", "ascii")
+        + "} Dialog #lines { height: auto; } Dialog Input { border: none; height: 1; padding: 0; }"
+    )
+
+    def __init__(self, glyphs: Glyphs) -> None:
+        super().__init__(classes="" if glyphs.unicode else "-ascii")
+        self.glyphs = glyphs
+
+    def compose(self) -> ComposeResult:
+        """One panel in the box."""
+        with Vertical(id="box"):
+            yield Panel(self.paint, id="lines")
+
+    def paint(self, width: int, height: int) -> Lines:
+        """What the box says."""
+        raise NotImplementedError
+
+    def on_mount(self) -> None:
+        """Give the box the height of what it says."""
+        self.call_after_refresh(self.fit)
+
+    def fit(self) -> None:
+        """Take the height that the lines need, as far as there is room."""
+        panel = self.query_one("#lines", Panel)
+        width = max(panel.size.width, 20)
+        panel.styles.height = min(len(self.paint(width, 1000)), max(3, self.size.height - 6))
+        panel.redraw()
+
+    def redraw(self) -> None:
+        """Show what has changed."""
+        self.query_one("#lines", Panel).redraw()
+
+
+class Confirm(Dialog[bool]):
+    """A question; `insist` also takes a second Ctrl-C as yes."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("y,enter", "answer(True)"),
+        Binding("n,escape,q", "answer(False)"),
+        Binding("ctrl+c", "interrupt", priority=True),
+    ]
+
+    def __init__(self, question: str, detail: str, glyphs: Glyphs, *, insist: bool = False) -> None:
+        super().__init__(glyphs)
+        self._question, self._detail, self._insist = question, detail, insist
+
+    def paint(self, width: int, height: int) -> Lines:
+        """The question, what it means, and the keys."""
+        lines: Lines = [[(text, "name raised")] for text in wrapped(self._question, width)]
+        if self._detail:
+            lines += [[(text, "dim raised")] for text in wrapped(self._detail, width)]
+        yes = "y, Enter or Ctrl-C" if self._insist else "y or Enter"
+        return [*lines, [], [(yes, "key"), (" yes    ", "raised"), ("n or Esc", "key"), (" no", "raised")]]
+
+    def action_answer(self, yes: bool) -> None:
+        """Close with the answer."""
+        self.dismiss(yes)
+
+    def action_interrupt(self) -> None:
+        """A second Ctrl-C confirms the first; anywhere else it cancels."""
+        self.dismiss(self._insist)
+
+
+class Choose(Dialog[int | None]):
+    """One of several vehicles, by arrows or by typing its id."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("up,k", "move(-1)"),
+        Binding("down,j", "move(1)"),
+        Binding("enter,y", "take"),
+        Binding("escape,n,q,ctrl+c", "cancel", priority=True),
+    ]
+
+    def __init__(self, question: str, options: Sequence[tuple[int, str]], glyphs: Glyphs) -> None:
+        super().__init__(glyphs)
+        self._question, self._options = question, options
+        self._at = 0
+        self._typed = ""
+
+    def paint(self, width: int, height: int) -> Lines:
+        """The question, the options around the present one, and the keys."""
+        room = min(12, max(1, height - 4))
+        top = min(max(0, self._at - room // 2), max(0, len(self._options) - room))
+        lines: Lines = [[(text, "name raised")] for text in wrapped(self._question, width)]
+        for order, (_, text) in enumerate(self._options[top : top + room], top):
+            chosen = order == self._at
+            line: Line = [(f" {self.glyphs.chosen if chosen else ' '} {text}", "")]
+            lines.append([(t, "raised chosen" if chosen else "raised") for t, _ in fitted(line, width, self.glyphs)])
+        keys = [("Enter", "key"), (" yes    ", "raised"), ("Esc", "key"), (" no    ", "raised")]
+        return [*lines, [], [*keys, ("up down", "key"), (" or an id", "raised")]]
+
+    def action_move(self, step: int) -> None:
+        """The next option."""
+        self._at = (self._at + step) % len(self._options)
+        self._typed = ""
+        self.redraw()
+
+    def on_key(self, event: object) -> None:
+        """A digit of an id."""
+        letter = getattr(event, "character", None)
+        if letter and letter.isdigit():
+            for typed in (self._typed + letter, letter):
+                found = [i for i, (sysid, _) in enumerate(self._options) if str(sysid).startswith(typed)]
+                if found:
+                    self._typed, self._at = typed, found[0]
+                    self.redraw()
+                    return
+
+    def action_take(self) -> None:
+        """Close with the present option."""
+        self.dismiss(self._options[self._at][0])
+
+    def action_cancel(self) -> None:
+        """Close without one."""
+        self.dismiss(None)
+
+
+class Help(Dialog[None]):
+    """The help page; it scrolls where it does not fit."""
+
+    DEFAULT_CSS = "Help > #box { width: 78; }"
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("escape,q,question_mark,enter,ctrl+c", "close", priority=True),
+        Binding("up,k", "move(-1)"),
+        Binding("down,j,space", "move(1)"),
+    ]
+
+    def __init__(self, lines: Lines, glyphs: Glyphs) -> None:
+        super().__init__(glyphs)
+        self._shown, self._at = lines, 0
+
+    def paint(self, width: int, height: int) -> Lines:
+        """As much as there is room for."""
+        self._at = max(0, min(self._at, len(self._shown) - height))
+        return [[(text, f"{names} raised") for text, names in line] for line in self._shown[self._at :]]
+
+    def action_move(self, step: int) -> None:
+        """Scroll."""
+        self._at += step
+        self.redraw()
+
+    def action_close(self) -> None:
+        """Back to the pages."""
+        self.dismiss(None)
+
+
+class Look(Dialog[str | None]):
+    """Words to look for in the events."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [Binding("escape,ctrl+c", "cancel", priority=True)]
+
+    def __init__(self, words: str, glyphs: Glyphs) -> None:
+        super().__init__(glyphs)
+        self._words = words
+
+    def compose(self) -> ComposeResult:
+        """The prompt and a line to write in."""
+        with Vertical(id="box"):
+            yield Panel(self.paint, id="lines")
+            yield Input(self._words)
+
+    def paint(self, width: int, height: int) -> Lines:
+        """What to do."""
+        return [[("Show only events with these words (Enter; nothing shows all)", "name raised")]]
+
+    def on_input_submitted(self, event: Input.Submitted) -> None:
+        """Close with the words."""
+        self.dismiss(event.value.strip())
+
+    def action_cancel(self) -> None:
+        """Leave the filter as it is."""
+        self.dismiss(None)

@@ -1,0 +1,93 @@
+"""What happened, newest last, and which of it is shown."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from gcs.console.ink import Glyphs, Line, Lines, fitted, left
+from gcs.console.plain import clean
+from gcs.console.watch import Watch
+
+LEVELS = ("info", "warning", "critical")
+KINDS = ("text", "mode", "failsafe", "ack", "decision", "operator", "link", "death", "session")
+STYLES = {"info": "", "warning": "look", "critical": "act"}
+WHO = 12
+
+Event = Mapping[str, Any]
+
+
+@dataclass
+class Filter:
+    """An event is shown when it is at least of `level`, and of `kind`, `sysid` and `words` where these are set."""
+
+    level: str = "info"
+    kind: str = ""
+    sysid: int | None = None
+    words: str = ""
+
+    def lets(self, event: Event, who: str = "") -> bool:
+        """Whether `event`, of the vehicle named `who`, is shown."""
+        level = str(event.get("level") or "info")
+        if level in LEVELS and LEVELS.index(level) < LEVELS.index(self.level):
+            return False
+        if self.kind and kind_of(event) != self.kind:
+            return False
+        if self.sysid is not None and event.get("sysid") != self.sysid:
+            return False
+        return not self.words or self.words.lower() in f"{who} {event.get('text')}".lower()
+
+    @property
+    def open(self) -> bool:
+        """Whether it lets everything through."""
+        return self == Filter()
+
+    def said(self) -> str:
+        """What is set, for a person."""
+        parts = [f"{self.level} and worse" if self.level == "warning" else self.level if self.level != "info" else ""]
+        parts += [self.kind, f"vehicle {self.sysid}" if self.sysid is not None else ""]
+        parts += [f'"{self.words}"' if self.words else ""]
+        return ", ".join(part for part in parts if part) or "all"
+
+    def next_level(self) -> None:
+        """The next stricter level, or all again."""
+        self.level = LEVELS[(LEVELS.index(self.level) + 1) % len(LEVELS)]
+
+    def next_kind(self) -> None:
+        """The next kind, or all again."""
+        every = ("", *KINDS)
+        self.kind = every[(every.index(self.kind) + 1) % len(every)]
+
+
+def kind_of(event: Event) -> str:
+    """What sort of thing happened."""
+    return str(event.get("kind") or ("text" if event.get("sysid") else "session"))
+
+
+def matching(watch: Watch, chosen: Filter) -> list[Event]:
+    """The events that pass, oldest first."""
+    if chosen.open:
+        return list(watch.events)
+    return [event for event in watch.events if chosen.lets(event, watch.name(event.get("sysid")))]
+
+
+def line(watch: Watch, event: Event, width: int, glyphs: Glyphs) -> Line:
+    """One event: when, how bad, what sort, who, what."""
+    level = str(event.get("level") or "info")
+    style = STYLES.get(level, "")
+    mark = {"warning": glyphs.look, "critical": glyphs.act}.get(level, " ")
+    who, text = watch.name(event.get("sysid")), clean(event.get("text") or "")
+    if text.startswith(who):
+        text = text[len(who) :].lstrip(": ")
+    shown: Line = [(f"{float(event.get('t_s') or 0.0):7.1f} ", "dim"), (f"{mark} ", style)]
+    if width >= 60:
+        shown.append((left(kind_of(event), 9), "dim"))
+    shown += [(left(who, WHO) + " ", style or "who"), (text, style)]
+    return fitted(shown, width, glyphs)
+
+
+def lines(watch: Watch, events: Sequence[Event], *, width: int, height: int, back: int, glyphs: Glyphs) -> Lines:
+    """The last `height` of `events`, or those `back` lines before."""
+    last = max(len(events) - back, min(height, len(events)))
+    return [line(watch, event, width, glyphs) for event in events[max(0, last - height) : last]]

@@ -1,0 +1,231 @@
+"""The fleet as a table: as many columns as fit, vehicles in trouble first and always in sight."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from gcs.console.ink import Glyphs, Line, Lines, Span, bar, fitted, left, number, right, whole
+from gcs.console.plain import clean, minutes
+from gcs.console.watch import Vehicle, battery_share, severity, troubles
+
+LEAST_WORDS = 12
+LOW, HALF = 0.2, 0.5
+SEVERITY_STYLES = ("", "look", "act")
+STATES = {"competing": "compet", "leads": "leads", "waits": "waits", "served": "served", "serves": "serves"}
+
+Cell = Callable[[Vehicle, Glyphs, int], Line]
+
+
+@dataclass(frozen=True)
+class Column:
+    """Title with unit, width, what is dropped first (the highest rank), and what a vehicle has there."""
+
+    title: str
+    width: int
+    rank: int
+    cell: Cell
+    justify: Callable[[str, int], str] = right
+    wide: int = 0
+    """its width where there is room to spare"""
+
+
+def _figure(key: str, decimals: int, scale: float = 1.0) -> Cell:
+    def cell(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
+        value = vehicle.get(key)
+        return [(right(number(None if value is None else scale * value, width, decimals), width), "")]
+
+    return cell
+
+
+def _axis(axis: int) -> Cell:
+    def cell(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
+        p_ned = vehicle.get("p_ned")
+        return [(right(number(None if p_ned is None else p_ned[axis], width, 1), width), "")]
+
+    return cell
+
+
+def identity(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
+    """The vehicle's id with the mark of its trouble in front."""
+    level = severity(vehicle)
+    mark = (" ", glyphs.look, glyphs.act)[level]
+    return [(mark + right(str(vehicle["sysid"]), width - 1), SEVERITY_STYLES[level])]
+
+
+def _role(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
+    role = clean(vehicle.get("role") or "vehicle")
+    return [(left(role, width), f"craft {role}")]
+
+
+def mode(vehicle: Vehicle) -> Span:
+    """Its flight mode, or that it is dead."""
+    if not vehicle.get("alive", True):
+        return "DEAD", "act"
+    word = clean(vehicle.get("mode") or "-")
+    return word, {"return": "look", "land": "look", "hold": "held", "refuel": "meet"}.get(word, "")
+
+
+def _mode(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
+    text, style = mode(vehicle)
+    return [(left(text, width), style)]
+
+
+def _armed(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
+    armed = vehicle.get("armed")
+    text = "-" if armed is None else glyphs.yes if armed else glyphs.no
+    return [(f" {text} ", "" if armed else "dim")]
+
+
+def battery_style(share: float) -> str:
+    """How a charge is drawn: calm down to a fifth; whether someone has to act is for the trouble to say."""
+    return "look" if share < LOW else "half" if share < HALF else "charge"
+
+
+def _battery(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
+    share = battery_share(vehicle)
+    if share is None:
+        return [(left("-", width), "dim")]
+    style = battery_style(share)
+    return [*bar(share, width - 5, glyphs, style), (f"{100.0 * share:4.0f}%", style)]
+
+
+def _joules(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
+    return [(right(whole(vehicle.get("remaining_j"), width), width), "")]
+
+
+def _minutes(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
+    return [(right(minutes(vehicle.get("endurance_s")), width), "")]
+
+
+def _loss(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
+    share = vehicle.get("lost_share")
+    if share is None:
+        return [(right("-", width), "dim")]
+    return [(right(number(100.0 * share, width, 0), width), "look" if share >= 0.05 else "")]
+
+
+def _competition(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
+    state, v = str(vehicle.get("state") or ""), vehicle.get("v")
+    word = STATES.get(state, clean(state))
+    if state in ("idle", "") and v is None:
+        return [(left("-" if state else "", width), "dim")]
+    if state in ("competing", "") and v is not None:
+        return [(left(f"v {v:.2f}", width), "")]
+    style = {"leads": "lead", "served": "meet", "serves": "meet", "lost": "dim"}.get(state, "")
+    if v is not None and width >= 11:
+        word = f"{word} {v:.2f}"
+    return [(left(word, width), style)]
+
+
+COLUMNS = (
+    Column(" id", 4, 0, identity, left),
+    Column("role", 3, 0, _role, left, wide=7),
+    Column("mode", 8, 0, _mode, left),
+    Column("arm", 3, 6, _armed, left),
+    Column("N m", 5, 5, _axis(0), wide=6),
+    Column("E m", 5, 5, _axis(1), wide=6),
+    Column("h m", 4, 3, _figure("height_m", 1), wide=5),
+    Column("m/s", 4, 4, _figure("speed_m_s", 1)),
+    Column("tgt", 4, 4, _figure("target_m", 1), wide=5),
+    Column("battery", 9, 0, _battery, left, wide=12),
+    Column("J", 5, 3, _joules, wide=6),
+    Column("left", 5, 2, _minutes),
+    Column("age", 3, 3, _figure("age_s", 1), wide=5),
+    Column("ls%", 3, 4, _loss),
+    Column("energy", 6, 2, _competition, left, wide=11),
+)
+WIDE_TITLES = {"tgt": "tgt m", "age": "age s", "ls%": "ls%", "left": "min", "energy": "competition"}
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Which columns stand in a table of some width, how wide, and what room is left for words of trouble."""
+
+    columns: tuple[tuple[Column, int], ...]
+    gap: int
+    words: int
+
+
+def layout(width: int) -> Layout:
+    """The columns that fit; the least important ones are left out, the roomy widths taken where possible."""
+    shown = list(COLUMNS)
+
+    def taken(columns: Sequence[Column], *, wide: bool, gap: int) -> int:
+        return sum(c.wide or c.width if wide else c.width for c in columns) + gap * (len(columns) - 1)
+
+    while taken(shown, wide=False, gap=1) > width and any(c.rank for c in shown):
+        worst = max(c.rank for c in shown)
+        shown = [c for c in shown if c.rank != worst]
+    wide = taken(shown, wide=True, gap=1) <= width
+    gap = 2 if wide and taken(shown, wide=True, gap=2) + 2 + LEAST_WORDS <= width else 1
+    words = width - taken(shown, wide=wide, gap=gap) - gap
+    widths = tuple((c, c.wide or c.width if wide else c.width) for c in shown)
+    return Layout(widths, gap, words if words >= LEAST_WORDS else 0)
+
+
+def heading(plan: Layout) -> Line:
+    """The titles over their columns."""
+    line: Line = []
+    for column, width in plan.columns:
+        title = WIDE_TITLES.get(column.title, column.title) if width >= (column.wide or 99) else column.title
+        line += [(column.justify(title, width), "heading"), (" " * plan.gap, "heading")]
+    return [*line, (left("trouble", plan.words), "heading")] if plan.words else line[:-1]
+
+
+def row(vehicle: Vehicle, plan: Layout, glyphs: Glyphs, *, chosen: bool) -> Line:
+    """One vehicle."""
+    line: Line = []
+    for column, width in plan.columns:
+        line += [*column.cell(vehicle, glyphs, width), (" " * plan.gap, "")]
+    if plan.words:
+        note = ", ".join(troubles(vehicle)) or clean(vehicle.get("note") or "")
+        style = SEVERITY_STYLES[severity(vehicle)] or "dim"
+        line += fitted([(note, style)], plan.words, glyphs)
+    else:
+        line = line[:-1]
+    if not vehicle.get("alive", True):
+        line = [(text, style or "dim") for text, style in line]
+    return [(text, f"{style} chosen") for text, style in line] if chosen else line
+
+
+def window(vehicles: Sequence[Vehicle], room: int, chosen: int | None, top: int) -> tuple[list[Vehicle], int, int]:
+    """(the vehicles shown, how many of them are pinned at the top, the new `top`) of an ordered fleet.
+
+    Those in trouble stay in sight, in up to a half of the room, however far the rest is scrolled; `top` is the first
+    of the others that is shown, and moves as little as keeps the chosen one in sight.
+    """
+    if len(vehicles) <= room or room <= 0:
+        return list(vehicles[: max(room, 0)]), 0, 0
+    pinned = min(sum(1 for v in vehicles if severity(v)), room // 2)
+    rest, room = vehicles[pinned:], room - pinned
+    at = next((i for i, v in enumerate(rest) if v["sysid"] == chosen), None)
+    top = min(max(top, 0), len(rest) - room)
+    if at is not None:
+        top = min(max(top, at - room + 1), at)
+    return [*vehicles[:pinned], *rest[top : top + room]], pinned, top
+
+
+def table(
+    vehicles: Sequence[Vehicle], *, width: int, height: int, glyphs: Glyphs, chosen: int | None, top: int
+) -> tuple[Lines, list[int], int]:
+    """(lines, the system id on each line from the second on, the new `top`); the last line counts those not shown."""
+    plan = layout(width)
+    room = height - 1
+    hidden_line = len(vehicles) > room
+    shown, _, top = window(vehicles, room - hidden_line, chosen, top)
+    lines: Lines = [heading(plan)]
+    lines += [row(vehicle, plan, glyphs, chosen=vehicle["sysid"] == chosen) for vehicle in shown]
+    if hidden_line:
+        lines.append(_hidden(len(vehicles) - len(shown), vehicles, {v["sysid"] for v in shown}, glyphs))
+    return lines, [vehicle["sysid"] for vehicle in shown], top
+
+
+def _hidden(count: int, vehicles: Sequence[Vehicle], shown: set[Any], glyphs: Glyphs) -> Line:
+    levels = [severity(v) for v in vehicles if v["sysid"] not in shown]
+    acts, looks = levels.count(2), levels.count(1)
+    line: Line = [(f"{glyphs.more} {count} more", "dim")]
+    if acts or looks:
+        line.append((f", {acts} to act on, {looks} to look at: scroll", "act" if acts else "look"))
+    return line

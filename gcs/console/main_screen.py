@@ -1,0 +1,505 @@
+"""The pages between the lines at the top and the keys at the bottom, and what each key does there."""
+
+from __future__ import annotations
+
+import time
+from typing import TYPE_CHECKING, ClassVar
+
+from textual import events
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Container, Horizontal, Vertical
+from textual.geometry import Size
+from textual.screen import Screen
+
+from gcs.console import contest_page, events_log, fleet_table, heading, help_page, plan_view, vehicle_page
+from gcs.console.canvas import Canvas
+from gcs.console.dialogs import Choose, Confirm, Help, Look
+from gcs.console.ink import Line, Lines, fitted, number, titled, wrapped
+from gcs.console.orders import ORDERS, Order, command, question, ready, targets
+from gcs.console.palette import GROUND, RAISED
+from gcs.console.panel import Panel
+from gcs.console.plain import clean
+from gcs.console.watch import Vehicle, Watch, ordered
+
+if TYPE_CHECKING:
+    from gcs.console.app import ConsoleApp
+
+LEAST = Size(80, 24)
+WIDE = Size(120, 30)
+NOTICE_S = 8.0
+SILENT_S = 3.0
+ORDERINGS = ("id", "battery", "competition")
+SEEK_S = 10.0
+SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
+FLEET_SHARE = 0.6
+
+
+class MainScreen(Screen[None]):
+    """Everything but the dialogs."""
+
+    app: ConsoleApp
+
+    DEFAULT_CSS = f"""
+    MainScreen {{ background: {GROUND}; overflow: hidden; }}
+    MainScreen Panel {{ background: {GROUND}; }}
+    #session, #goal, #trouble, #keys {{ height: 1; }}
+    #keys {{ background: {RAISED}; }}
+    #body {{ height: 1fr; }}
+    .page {{ display: none; }}
+    #left {{ width: 1fr; }}
+    #right {{ width: 60; display: none; padding: 0 0 0 1; }}
+    #recent {{ height: 6; }}
+    #course {{ height: 15; }}
+    #small {{ display: none; }}
+    """
+    BINDINGS: ClassVar[list[BindingType]] = [
+        *(Binding(str(i), f"page('{name}')") for i, name in enumerate(heading.PAGES, 1)),
+        Binding("tab", "turn(1)"),
+        Binding("shift+tab", "turn(-1)"),
+        Binding("up", "move(-1, 0)"),
+        Binding("down", "move(1, 0)"),
+        Binding("left", "move(0, -1)"),
+        Binding("right", "move(0, 1)"),
+        Binding("shift+up", "pan(1, 0)"),
+        Binding("shift+down", "pan(-1, 0)"),
+        Binding("shift+left", "pan(0, -1)"),
+        Binding("shift+right", "pan(0, 1)"),
+        Binding("pageup", "leaf(-1)"),
+        Binding("pagedown", "leaf(1)"),
+        Binding("home", "end(-1)"),
+        Binding("end", "end(1)"),
+        Binding("n", "choose(1)"),
+        Binding("N", "choose(-1)"),
+        Binding("enter", "page('vehicle')"),
+        Binding("escape", "page('fleet')"),
+        Binding("o", "order_by"),
+        Binding("z", "zoom(1)"),
+        Binding("Z", "zoom(-1)"),
+        Binding("plus,equals_sign", "faster(1)"),
+        Binding("minus", "faster(-1)"),
+        Binding("space", "play"),
+        Binding("c", "follow"),
+        Binding("a", "fit"),
+        Binding("w", "filter('level')"),
+        Binding("k", "filter('kind')"),
+        Binding("v", "filter('vehicle')"),
+        Binding("0", "filter('none')"),
+        Binding("slash", "words"),
+        Binding("question_mark", "help"),
+        Binding("q", "close"),
+        Binding("ctrl+c", "interrupt", priority=True),
+        Binding("ctrl+z", "app.suspend_process", priority=True),
+        *(Binding(order.key, f"ask('{order.command}')") for order in ORDERS),
+    ]
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.page = "fleet"
+        self.chosen: int | None = None
+        self.order_by = "id"
+        self.filter = events_log.Filter()
+        self.plan = plan_view.PlanView()
+        self.small_plan = plan_view.PlanView()
+        self._top = 0
+        self._on_row: list[int] = []
+        self._back = self._scrolled = self._most = 0
+        self._notice: tuple[str, str, float] | None = None
+        self._asked = 0
+        self._names: dict[str, str] = {}
+        self._inspected: int | None = None
+
+    def compose(self) -> ComposeResult:
+        """The same panels always; which of them show depends on page and size."""
+        yield Panel(self._session, id="session")
+        yield Panel(self._goal, id="goal")
+        yield Panel(self._trouble, id="trouble")
+        with Container(id="body"):
+            with Horizontal(id="page-fleet", classes="page"):
+                with Vertical(id="left"):
+                    yield Panel(self._fleet, id="fleet", pointed=self._point_fleet)
+                    yield Panel(self._recent, id="recent")
+                with Vertical(id="right"):
+                    yield Panel(self._small_map, id="small-map")
+                    yield Panel(self._course, id="course")
+            yield Panel(self._map, id="page-map", classes="page", pointed=self._point_map)
+            yield Panel(self._contest, id="page-competition", classes="page")
+            yield Panel(self._events, id="page-events", classes="page", pointed=self._point_events)
+            yield Panel(self._vehicle, id="page-vehicle", classes="page", pointed=self._point_vehicle)
+        yield Panel(self._keys, id="keys")
+        yield Panel(self._too_small, id="small")
+
+    def on_mount(self) -> None:
+        """Show the first page."""
+        self._arrange()
+
+    # what is shown
+
+    @property
+    def seen(self) -> Watch:
+        """What has been told."""
+        return self.app.seen
+
+    def beat(self, news: bool) -> None:
+        """Show what has changed."""
+        for reply in self.seen.replies:
+            what = self._names.pop(str(reply.get("id")), "")
+            text = clean(reply.get("text") or ("taken" if reply.get("ok") else "not taken"))
+            self.notice(f"{what}: {text}" if what else text, "well" if reply.get("ok") else "act")
+        self.seen.replies.clear()
+        if self.chosen not in self.seen.vehicles:
+            fleet = self._ordered()
+            self.chosen = fleet[0]["sysid"] if fleet else None
+        self._inspect()
+        self.redraw()
+
+    def redraw(self) -> None:
+        """Paint every panel that can be seen."""
+        for panel in self.query(Panel):
+            if panel.display and panel.region.size:
+                panel.redraw()
+
+    def notice(self, text: str, style: str = "info") -> None:
+        """Say something for a few seconds, in place of the keys."""
+        self._notice = (text, style, time.monotonic() + NOTICE_S)
+        self.redraw()
+
+    def too_small(self, size: Size) -> bool:
+        """Whether there is no room for the pages."""
+        return size.width < LEAST.width or size.height < LEAST.height
+
+    def on_resize(self, event: events.Resize) -> None:
+        """Lay the panels out anew."""
+        self._arrange(event.size)
+
+    def _arrange(self, size: Size | None = None) -> None:
+        size = size or self.size
+        small = self.too_small(size)
+        for panel in ("session", "goal", "trouble", "body", "keys"):
+            self.query_one(f"#{panel}").display = not small
+        self.query_one("#small").display = small
+        for name in heading.PAGES:
+            self.query_one(f"#page-{name}").display = name == self.page
+        wide = size.width >= WIDE.width and size.height >= WIDE.height
+        self.query_one("#right").display = wide
+        self.query_one("#right").styles.width = max(44, size.width - 104)
+        self.query_one("#recent").styles.height = max(6, size.height // 4) if wide else 6
+        self.call_after_refresh(self.redraw)
+
+    def _session(self, width: int, height: int) -> Lines:
+        app = self.app
+        line = heading.session_line(self.seen, app.title, app.source.connected, width, app.glyphs)
+        silent_s = time.monotonic() - app.heard_s
+        if app.source.connected and self.seen.snapshot and silent_s >= SILENT_S and not self.seen.replay:
+            note: Line = [(f" no news for {silent_s:.0f} s ", "look")]
+            return [[*fitted(line, width - len(note[0][0]), app.glyphs), *note]]
+        return [line]
+
+    def _goal(self, width: int, height: int) -> Lines:
+        return [heading.goal_line(self.seen, self.page, width, self.app.glyphs)]
+
+    def _trouble(self, width: int, height: int) -> Lines:
+        return [heading.trouble_line(self.seen, width, self.app.glyphs)]
+
+    def _keys(self, width: int, height: int) -> Lines:
+        glyphs = self.app.glyphs
+        if self._notice is not None and time.monotonic() < self._notice[2]:
+            text, style, _ = self._notice
+            return [[(t, f"notice {style} raised") for t, _ in fitted([(f" {text}", "")], width, glyphs)]]
+        keys = help_page.bottom(self.page, control=self.seen.control, replay=self.seen.replay is not None)
+        return [heading.keys_line(keys, width)]
+
+    def _too_small(self, width: int, height: int) -> Lines:
+        text = (
+            f"This terminal is {width} x {height}: the console needs {LEAST.width} x {LEAST.height}. "
+            "Make it larger, or close the console with q; the session goes on."
+        )
+        return [[(line, "look")] for line in wrapped(text, width)]
+
+    def _ordered(self) -> list[Vehicle]:
+        return ordered(self.seen.vehicles.values(), self.order_by)
+
+    def _fleet(self, width: int, height: int) -> Lines:
+        lines, self._on_row, self._top = fleet_table.table(
+            self._ordered(), width=width, height=height, glyphs=self.app.glyphs, chosen=self.chosen, top=self._top
+        )
+        return lines
+
+    def _recent(self, width: int, height: int) -> Lines:
+        glyphs, found = self.app.glyphs, events_log.matching(self.seen, self.filter)
+        note: Line = [] if self.filter.open else [(self.filter.said(), "info")]
+        shown = events_log.lines(self.seen, found, width=width, height=height - 1, back=0, glyphs=glyphs)
+        return [titled("events", width, glyphs, note), *shown]
+
+    def _small_map(self, width: int, height: int) -> Lines:
+        glyphs = self.app.glyphs
+        drawn = plan_view.draw(
+            self.seen, self.small_plan, width=width, height=height - 1, glyphs=glyphs, chosen=self.chosen
+        )
+        return [titled("map", width, glyphs), *drawn]
+
+    def _course(self, width: int, height: int) -> Lines:
+        glyphs = self.app.glyphs
+        rest = contest_page.compact(self.seen, width=width, height=height - 1, glyphs=glyphs)
+        return [titled("competition", width, glyphs), *rest]
+
+    def _map(self, width: int, height: int) -> Lines:
+        return plan_view.draw(
+            self.seen, self.plan, width=width, height=height, glyphs=self.app.glyphs, chosen=self.chosen
+        )
+
+    def _contest(self, width: int, height: int) -> Lines:
+        return contest_page.page(self.seen, width=width, height=height, glyphs=self.app.glyphs)
+
+    def _events(self, width: int, height: int) -> Lines:
+        glyphs, found = self.app.glyphs, events_log.matching(self.seen, self.filter)
+        self._back = min(self._back, max(0, len(found) - (height - 1)))
+        note: Line = [(f"{self.filter.said()}: {len(found)} of {len(self.seen.events)}", "info")]
+        if self._back:
+            note.append((f", {self._back} newer below", "look"))
+        shown = events_log.lines(self.seen, found, width=width, height=height - 1, back=self._back, glyphs=glyphs)
+        return [titled("events", width, glyphs, note), *(shown or [[("  none", "dim")]])]
+
+    def _vehicle(self, width: int, height: int) -> Lines:
+        lines, self._most = vehicle_page.page(
+            self.seen, self.chosen, width=width, height=height, back=self._scrolled, glyphs=self.app.glyphs
+        )
+        self._scrolled = min(self._scrolled, self._most)
+        return lines
+
+    def _inspect(self) -> None:
+        """Ask for all that the shown vehicle sends, and for nothing any more when its page is left."""
+        wanted = self.chosen if self.page == "vehicle" else None
+        if wanted != self._inspected and self.app.source.connected:
+            self._inspected = wanted
+            self.app.source.send({"command": "inspect", "sysid": wanted})
+
+    # where to look
+
+    def action_page(self, name: str) -> None:
+        """Show a page."""
+        self.page = name
+        self._scrolled = 0
+        self._inspect()
+        self._arrange()
+
+    def action_turn(self, step: int) -> None:
+        """The next page."""
+        pages = heading.PAGES
+        self.action_page(pages[(pages.index(self.page) + step) % len(pages)])
+
+    def action_choose(self, step: int) -> None:
+        """The next vehicle in the table's order."""
+        fleet = [vehicle["sysid"] for vehicle in self._ordered()]
+        if fleet:
+            at = fleet.index(self.chosen) if self.chosen in fleet else -1
+            self.chosen = fleet[(at + step) % len(fleet)]
+            if self.plan.follow is not None:
+                self.plan.follow = self.chosen
+            self._scrolled = 0
+            self._inspect()
+            self.redraw()
+
+    def action_move(self, down: int, across: int) -> None:
+        """Arrows: along the fleet, over the map, through events and messages; across in a replay: in time."""
+        if across and self.seen.replay is not None:
+            self.app.source.send({"command": "seek", "t_s": self.seen.t_s + SEEK_S * across})
+        elif self.page == "map":
+            self.action_pan(-down, across)
+        elif down:
+            self._go(down)
+
+    def action_leaf(self, step: int) -> None:
+        """A page's height at once."""
+        self._go(step * max(1, self.size.height - 8))
+
+    def action_end(self, where: int) -> None:
+        """To the first or the last."""
+        self._go(where * 1_000_000)
+
+    def _go(self, down: int) -> None:
+        if self.page == "events":
+            self._back = max(0, self._back - down)
+        elif self.page == "vehicle":
+            self._scrolled = min(max(0, self._scrolled + down), self._most)
+        elif self.page == "fleet":
+            fleet = [vehicle["sysid"] for vehicle in self._ordered()]
+            if fleet:
+                at = fleet.index(self.chosen) if self.chosen in fleet else 0
+                self.chosen = fleet[min(max(at + down, 0), len(fleet) - 1)]
+        self.redraw()
+
+    def action_order_by(self) -> None:
+        """Another order of the fleet."""
+        self.order_by = ORDERINGS[(ORDERINGS.index(self.order_by) + 1) % len(ORDERINGS)]
+        self.notice(f"the fleet is ordered by {self.order_by}; trouble comes first")
+
+    def action_pan(self, north: int, east: int) -> None:
+        """Move the map."""
+        if self.page == "map":
+            size = self.query_one("#page-map").size
+            canvas = Canvas(size.width, size.height, self.app.glyphs)
+            self.plan.pan(north, east, (canvas.width, canvas.height))
+            self.redraw()
+
+    def action_zoom(self, steps: int) -> None:
+        """Nearer or farther."""
+        if self.page == "map":
+            self.plan.zoom(steps)
+            self.redraw()
+
+    def action_follow(self) -> None:
+        """Keep the chosen vehicle in the middle of the map, or no longer."""
+        self.plan.follow = None if self.plan.follow is not None else self.chosen
+        if self.plan.follow is not None:
+            self.plan.fit = False
+        said = f"follows {self.seen.name(self.chosen)}" if self.plan.follow is not None else "follows nobody"
+        self.notice(f"the map {said}")
+
+    def action_fit(self) -> None:
+        """Show everything on the map."""
+        self.plan.fit, self.plan.follow = True, None
+        self.redraw()
+
+    def action_filter(self, what: str) -> None:
+        """Change which events are shown."""
+        chosen = self.filter
+        if what == "level":
+            chosen.next_level()
+        elif what == "kind":
+            chosen.next_kind()
+        elif what == "vehicle":
+            chosen.sysid = None if chosen.sysid is not None else self.chosen
+        else:
+            self.filter = events_log.Filter()
+        self._back = 0
+        if self.page != "events":
+            self.notice(f"events shown: {self.filter.said()}")
+        self.redraw()
+
+    def action_words(self) -> None:
+        """Ask for words that the events shown have to contain."""
+
+        def take(words: str | None) -> None:
+            if words is not None:
+                self.filter.words = words
+                self._back = 0
+                self.redraw()
+
+        self.app.push_screen(Look(self.filter.words, self.app.glyphs), take)
+
+    def action_help(self) -> None:
+        """The help page."""
+        app = self.app
+        replay = self.seen.replay is not None
+        lines = help_page.page(control=self.seen.control, replay=replay, lost=app.lost(), glyphs=app.glyphs)
+        app.push_screen(Help(lines, app.glyphs))
+
+    def _point_fleet(self, column: int, row: int, turn: int) -> None:
+        if turn:
+            self._go(turn)
+        elif 0 < row <= len(self._on_row):
+            self.chosen = self._on_row[row - 1]
+            self.redraw()
+
+    def _point_map(self, column: int, row: int, turn: int) -> None:
+        if turn:
+            self.action_zoom(-turn)
+
+    def _point_events(self, column: int, row: int, turn: int) -> None:
+        self._go(3 * turn)
+
+    def _point_vehicle(self, column: int, row: int, turn: int) -> None:
+        self._go(3 * turn)
+
+    # replay
+
+    def action_play(self) -> None:
+        """Pause the replay, or go on."""
+        if (replay := self.seen.replay) is not None:
+            self.app.source.send({"command": "resume" if replay.get("paused") else "pause"})
+
+    def action_faster(self, step: int) -> None:
+        """The next speed of a replay; on the map of a running session, zoom."""
+        replay = self.seen.replay
+        if replay is None:
+            self.action_zoom(step)
+            return
+        speed = float(replay.get("speed") or 1.0)
+        nearest = min(range(len(SPEEDS)), key=lambda i: abs(SPEEDS[i] - speed))
+        wanted = SPEEDS[min(max(nearest + step, 0), len(SPEEDS) - 1)]
+        self.app.source.send({"command": "speed", "speed": wanted})
+
+    # orders
+
+    def action_ask(self, name: str) -> None:
+        """An operator's key: ask, then send."""
+        if self.seen.replay is not None and name == "pause":
+            self.action_play()
+        elif not self.seen.control:
+            self.notice("this source takes no commands")
+        else:
+            order = ready(next(order for order in ORDERS if order.command == name), self.seen)
+            sysid = self.chosen if order.of_vehicle else None
+            if order.of_vehicle and sysid is None:
+                self.notice("no vehicle is chosen")
+            elif order.command == "retarget":
+                self._ask_target(order, sysid)
+            else:
+                self._confirm(order, sysid)
+
+    def _confirm(self, order: Order, sysid: int | None, *, insist: bool = False) -> None:
+        def answer(yes: bool | None) -> None:
+            if yes:
+                self._send(order, sysid)
+
+        vehicle = self.seen.vehicles.get(-1 if sysid is None else sysid)
+        detail = "" if vehicle is None else _state(vehicle)
+        asked = question(order, self.seen, sysid)
+        self.app.push_screen(Confirm(asked, detail, self.app.glyphs, insist=insist), answer)
+
+    def _ask_target(self, order: Order, sysid: int | None) -> None:
+        options = [(target, self.seen.name(target)) for target in targets(self.seen)]
+        if not options:
+            self.notice("there is no target")
+            return
+
+        def answer(target: int | None) -> None:
+            if target is not None:
+                self._send(order, sysid, target)
+
+        self.app.push_screen(Choose(question(order, self.seen, sysid), options, self.app.glyphs), answer)
+
+    def _send(self, order: Order, sysid: int | None, target: int | None = None) -> None:
+        self._asked += 1
+        content = command(order, sysid, target, self._asked)
+        what = f"{order.name} {self.seen.name(sysid)}" if sysid is not None else order.name
+        self._names[str(content["id"])] = what
+        self.app.source.send(content)
+        self.notice(f"{what}: sent")
+
+    def action_interrupt(self) -> None:
+        """Ctrl-C: the session's own console asks to stop it, any other closes."""
+        stop = next(order for order in ORDERS if order.command == "stop")
+        if self.app.owner and self.app.source.connected:
+            self._confirm(stop, None, insist=True)
+        elif self.app.owner:
+            self.app.exit(0, return_code=INTERRUPTED)
+        else:
+            self.action_close()
+
+    def action_close(self) -> None:
+        """Close the console."""
+        self.app.exit(0)
+
+
+INTERRUPTED = 130
+"""The console's exit status when its person wants the end of a session that cannot be told yet."""
+
+
+def _state(vehicle: Vehicle) -> str:
+    """What the operator should have in view while deciding."""
+    mode, _ = fleet_table.mode(vehicle)
+    share = vehicle.get("battery")
+    battery = "" if share is None else f", battery {100.0 * float(share):.0f} %"
+    return f"{mode}, {number(vehicle.get('height_m'), 6)} m high{battery}"

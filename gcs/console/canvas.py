@@ -97,7 +97,7 @@ class Canvas:
             if text:
                 letter = text
             elif not dots:
-                letter, style = " ", run_style  # noqa: PLW2901 - a blank takes any style
+                letter, style = " ", "" if "chosen" in run_style else run_style  # noqa: PLW2901 - a blank takes any ink
             else:
                 letter = chr(_BRAILLE_START + dots) if self._fine else _HALVES[dots]
             if style != run_style and run:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from gcs.console.canvas import Canvas
 from gcs.console.ink import Glyphs, Lines, left, number, right
@@ -10,6 +10,12 @@ from gcs.console.ink import Glyphs, Lines, left, number, right
 AXIS = 5
 LABEL = 9
 CURVES = ("curve1", "curve2", "curve3", "curve4", "curve5", "curve6")
+
+
+def curve_styles(names: Iterable[str]) -> dict[str, str]:
+    """A style for each name that does not depend on who is ahead."""
+    every = sorted(names, key=lambda name: (len(name), name))
+    return {name: CURVES[order % len(CURVES)] for order, name in enumerate(every)}
 
 
 def chart(
@@ -25,12 +31,13 @@ def chart(
     """The curves `names` of `samples`, each (time in s, {name: value from 0}), over the last `span_s`.
 
     Every curve has its name and value at its right end, as far as there is room; `marks` are (time in s, text) to be
-    drawn as upright lines. Time runs to the right, the newest sample is at the edge.
+    drawn as upright lines. Time runs to the right, from 0 until `span_s` is full, then with the newest sample at the
+    edge.
     """
     columns, rows = width - AXIS - LABEL, height - 1
     if columns < 8 or rows < 3 or not samples:
         return []
-    end_s = samples[-1][0]
+    end_s = max(samples[-1][0], span_s)
     begin_s = end_s - span_s
     top = max(1.0, *(value for _, values in samples for name in names if (value := values.get(name)) is not None), 0.0)
     canvas = Canvas(columns, rows, glyphs)
@@ -48,8 +55,9 @@ def chart(
             canvas.line((x(t_s), 0), (x(t_s), canvas.height - 1), "mark", 1, every=2)
             canvas.put(int(x(t_s) // canvas.per_column) + 1, 0, text, "mark", 1)
     labels: dict[int, tuple[str, str]] = {}
+    styles = curve_styles(samples[-1][1])
     for order, name in enumerate(names):
-        style = CURVES[order % len(CURVES)]
+        style = styles.get(name, CURVES[0])
         points = [(x(t_s), y(values[name])) for t_s, values in samples if t_s >= begin_s and name in values]
         if len(points) == 1:
             canvas.dot(*points[0], style, 9 - order)
@@ -68,6 +76,6 @@ def chart(
         text, style = labels.get(row, ("", ""))
         shown = right(number(value, AXIS - 1, 1), AXIS - 1) if value is not None else " " * (AXIS - 1)
         lines.append([(f"{shown} ", "dim"), *line, (left(text, LABEL), style)])
-    first, last = f"{max(begin_s, 0.0) if begin_s > -1 else begin_s:.0f} s", f"{end_s:.0f} s"
+    first, last = f"{begin_s:.0f} s", f"{end_s:.0f} s"
     lines.append([(" " * AXIS + left(first, columns - len(last)) + last + " " * LABEL, "dim")])
     return lines

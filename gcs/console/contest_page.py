@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from gcs.console.chart import CURVES, chart
+from gcs.console.chart import CURVES, chart, curve_styles
 from gcs.console.ink import Glyphs, Line, Lines, bar, fitted, left, titled, wrapped
 from gcs.console.plain import clean
 from gcs.console.watch import Watch, margin
@@ -22,14 +22,12 @@ def verdict(watch: Watch) -> Line:
     leader, ahead = competition.get("leader"), margin(competition)
     if leader is None or ahead is None:
         return [("undecided", "info"), (f", {len(competition['v'])} compete", "")]
-    share, threshold = 100.0 * float(competition["share"]), 100.0 * float(competition.get("threshold") or 0.9)
-    line: Line = [(watch.name(leader), "lead"), (f" leads with {share:.0f} % of the competition, ", "")]
-    if ahead >= 0.0:
-        line.append((f"{100.0 * ahead:.0f} points above the {threshold:.0f} % it needs", "well"))
-    else:
-        line.append((f"{-100.0 * ahead:.0f} points short of the {threshold:.0f} % it needs", "info"))
+    share, needed = 100.0 * float(competition["share"]), 100.0 * float(competition.get("threshold") or 0.9)
+    line: Line = [(watch.name(leader), "lead"), (f" leads with {share:.0f} %", "")]
+    line.append((f", margin {100.0 * ahead:+.0f}", "well" if ahead >= 0.0 else "info"))
+    line.append((f" (needs {needed:.0f} %)", "dim"))
     if (runner_up := competition.get("runner_up")) is not None:
-        line.append((f"; {watch.name(runner_up)} is next", ""))
+        line.append((f", then {watch.name(runner_up)}", ""))
     return line
 
 
@@ -101,10 +99,10 @@ def _bids(watch: Watch, glyphs: Glyphs) -> Lines:
     needs: dict[str, Any] = {str(k): x for k, x in (competition.get("tau") or {}).items()}
     top = max([1.0, *values.values()])
     lines: Lines = [[(f"  {'vehicle':<12} {'v':>5} {'':<12} {'bid':>5}", "heading")]] if values else []
-    curves = dict(zip(names(watch), CURVES, strict=False))
+    styles, drawn = curve_styles(values), names(watch)
     for name in sorted(values, key=lambda name: (-values[name], name)):
         tau = needs.get(name)
-        style = curves.get(name, "")
+        style = styles[name] if name in drawn else ""
         bid = "-" if tau is None else f"{float(tau):.2f}"
         text = f"  {left(watch.name(name), 12)} {values[name]:5.2f} "
         lines.append([(text, style), *bar(values[name] / top, 12, glyphs, style or "charge"), (f" {bid:>5}", "")])

@@ -53,7 +53,7 @@ class Dialog(ModalScreen[Answer]):
     def compose(self) -> ComposeResult:
         """One panel in the box."""
         with Vertical(id="box"):
-            yield Panel(self.paint, id="lines")
+            yield Panel(self.paint, id="lines", ground="raised")
 
     def paint(self, width: int, height: int) -> Lines:
         """What the box says."""
@@ -90,11 +90,11 @@ class Confirm(Dialog[bool]):
 
     def paint(self, width: int, height: int) -> Lines:
         """The question, what it means, and the keys."""
-        lines: Lines = [[(text, "name raised")] for text in wrapped(self._question, width)]
+        lines: Lines = [[(text, "name")] for text in wrapped(self._question, width)]
         if self._detail:
-            lines += [[(text, "dim raised")] for text in wrapped(self._detail, width)]
+            lines += [[(text, "dim")] for text in wrapped(self._detail, width)]
         yes = "y, Enter or Ctrl-C" if self._insist else "y or Enter"
-        return [*lines, [], [(yes, "key"), (" yes    ", "raised"), ("n or Esc", "key"), (" no", "raised")]]
+        return [*lines, [], [(yes, "key"), (" yes    ", ""), ("n or Esc", "key"), (" no", "")]]
 
     def action_answer(self, yes: bool) -> None:
         """Close with the answer."""
@@ -125,13 +125,13 @@ class Choose(Dialog[int | None]):
         """The question, the options around the present one, and the keys."""
         room = min(12, max(1, height - 4))
         top = min(max(0, self._at - room // 2), max(0, len(self._options) - room))
-        lines: Lines = [[(text, "name raised")] for text in wrapped(self._question, width)]
+        lines: Lines = [[(text, "name")] for text in wrapped(self._question, width)]
         for order, (_, text) in enumerate(self._options[top : top + room], top):
             chosen = order == self._at
             line: Line = [(f" {self.glyphs.chosen if chosen else ' '} {text}", "")]
-            lines.append([(t, "raised chosen" if chosen else "raised") for t, _ in fitted(line, width, self.glyphs)])
-        keys = [("Enter", "key"), (" yes    ", "raised"), ("Esc", "key"), (" no    ", "raised")]
-        return [*lines, [], [*keys, ("up down", "key"), (" or an id", "raised")]]
+            lines.append([(t, "chosen" if chosen else "") for t, _ in fitted(line, width, self.glyphs)])
+        keys = [("Enter", "key"), (" yes    ", ""), ("Esc", "key"), (" no    ", "")]
+        return [*lines, [], [*keys, ("up down", "key"), (" or an id", "")]]
 
     def action_move(self, step: int) -> None:
         """The next option."""
@@ -176,7 +176,7 @@ class Help(Dialog[None]):
     def paint(self, width: int, height: int) -> Lines:
         """As much as there is room for."""
         self._at = max(0, min(self._at, len(self._shown) - height))
-        return [[(text, f"{names} raised") for text, names in line] for line in self._shown[self._at :]]
+        return [[(text, f"{names}") for text, names in line] for line in self._shown[self._at :]]
 
     def action_move(self, step: int) -> None:
         """Scroll."""
@@ -200,12 +200,12 @@ class Look(Dialog[str | None]):
     def compose(self) -> ComposeResult:
         """The prompt and a line to write in."""
         with Vertical(id="box"):
-            yield Panel(self.paint, id="lines")
+            yield Panel(self.paint, id="lines", ground="raised")
             yield Input(self._words)
 
     def paint(self, width: int, height: int) -> Lines:
         """What to do."""
-        return [[("Show only events with these words (Enter; nothing shows all)", "name raised")]]
+        return [[("Show only events with these words (Enter; nothing shows all)", "name")]]
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         """Close with the words."""

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from gcs.console.ink import Glyphs, Line, Lines, Span, bar, fitted, left, number, right, whole
+from gcs.console.ink import Glyphs, Line, Lines, Span, bar, fitted, left, number, right, width_of
 from gcs.console.plain import clean, minutes
 from gcs.console.watch import Vehicle, battery_share, severity, troubles
 
@@ -28,7 +28,8 @@ class Column:
     cell: Cell
     justify: Callable[[str, int], str] = right
     wide: int = 0
-    """its width where there is room to spare"""
+    wide_title: str = ""
+    """its width and title where there is room to spare"""
 
 
 def _figure(key: str, decimals: int, scale: float = 1.0) -> Cell:
@@ -75,7 +76,7 @@ def _mode(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
 def _armed(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
     armed = vehicle.get("armed")
     text = "-" if armed is None else glyphs.yes if armed else glyphs.no
-    return [(f" {text} ", "" if armed else "dim")]
+    return [(text.center(width), "" if armed else "dim")]
 
 
 def battery_style(share: float) -> str:
@@ -88,11 +89,11 @@ def _battery(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
     if share is None:
         return [(left("-", width), "dim")]
     style = battery_style(share)
-    return [*bar(share, width - 5, glyphs, style), (f"{100.0 * share:4.0f}%", style)]
+    return [*bar(share, width - 4, glyphs, style), (f"{100.0 * share:3.0f}%", style)]
 
 
 def _joules(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
-    return [(right(whole(vehicle.get("remaining_j"), width), width), "")]
+    return [(right(number(vehicle.get("remaining_j"), width, 0), width), "")]
 
 
 def _minutes(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
@@ -120,23 +121,22 @@ def _competition(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
 
 
 COLUMNS = (
-    Column(" id", 4, 0, identity, left),
-    Column("role", 3, 0, _role, left, wide=7),
-    Column("mode", 8, 0, _mode, left),
-    Column("arm", 3, 6, _armed, left),
-    Column("N m", 5, 5, _axis(0), wide=6),
-    Column("E m", 5, 5, _axis(1), wide=6),
-    Column("h m", 4, 3, _figure("height_m", 1), wide=5),
-    Column("m/s", 4, 4, _figure("speed_m_s", 1)),
-    Column("tgt", 4, 4, _figure("target_m", 1), wide=5),
-    Column("battery", 9, 0, _battery, left, wide=12),
-    Column("J", 5, 3, _joules, wide=6),
-    Column("left", 5, 2, _minutes),
-    Column("age", 3, 3, _figure("age_s", 1), wide=5),
-    Column("ls%", 3, 4, _loss),
-    Column("energy", 6, 2, _competition, left, wide=11),
+    Column(" id", 4, 0, identity, left, 4),
+    Column("rol", 3, 0, _role, left, 7, "role"),
+    Column("mode", 8, 0, _mode, left, 8),
+    Column("a", 1, 6, _armed, left, 3, "arm"),
+    Column("N m", 4, 5, _axis(0), right, 6),
+    Column("E m", 4, 5, _axis(1), right, 6),
+    Column("h m", 4, 3, _figure("height_m", 1), right, 5),
+    Column("m/s", 4, 4, _figure("speed_m_s", 1), right, 4),
+    Column("tgt", 4, 4, _figure("target_m", 1), right, 6, "tgt m"),
+    Column("battery", 8, 0, _battery, left, 12),
+    Column("J", 5, 3, _joules, right, 6),
+    Column("min", 5, 2, _minutes, right, 5),
+    Column("age", 3, 3, _figure("age_s", 1), right, 5, "age s"),
+    Column("ls%", 3, 4, _loss, right, 4, "los%"),
+    Column("state", 6, 2, _competition, left, 11, "competition"),
 )
-WIDE_TITLES = {"tgt": "tgt m", "age": "age s", "ls%": "ls%", "left": "min", "energy": "competition"}
 
 
 @dataclass(frozen=True)
@@ -153,7 +153,7 @@ def layout(width: int) -> Layout:
     shown = list(COLUMNS)
 
     def taken(columns: Sequence[Column], *, wide: bool, gap: int) -> int:
-        return sum(c.wide or c.width if wide else c.width for c in columns) + gap * (len(columns) - 1)
+        return sum(c.wide if wide else c.width for c in columns) + gap * (len(columns) - 1)
 
     while taken(shown, wide=False, gap=1) > width and any(c.rank for c in shown):
         worst = max(c.rank for c in shown)
@@ -161,7 +161,7 @@ def layout(width: int) -> Layout:
     wide = taken(shown, wide=True, gap=1) <= width
     gap = 2 if wide and taken(shown, wide=True, gap=2) + 2 + LEAST_WORDS <= width else 1
     words = width - taken(shown, wide=wide, gap=gap) - gap
-    widths = tuple((c, c.wide or c.width if wide else c.width) for c in shown)
+    widths = tuple((c, c.wide if wide else c.width) for c in shown)
     return Layout(widths, gap, words if words >= LEAST_WORDS else 0)
 
 
@@ -169,7 +169,7 @@ def heading(plan: Layout) -> Line:
     """The titles over their columns."""
     line: Line = []
     for column, width in plan.columns:
-        title = WIDE_TITLES.get(column.title, column.title) if width >= (column.wide or 99) else column.title
+        title = column.wide_title if width == column.wide and column.wide_title else column.title
         line += [(column.justify(title, width), "heading"), (" " * plan.gap, "heading")]
     return [*line, (left("trouble", plan.words), "heading")] if plan.words else line[:-1]
 
@@ -215,11 +215,17 @@ def table(
     room = height - 1
     hidden_line = len(vehicles) > room
     shown, _, top = window(vehicles, room - hidden_line, chosen, top)
-    lines: Lines = [heading(plan)]
-    lines += [row(vehicle, plan, glyphs, chosen=vehicle["sysid"] == chosen) for vehicle in shown]
+    lines: Lines = [_filled(heading(plan), width, "heading")]
+    for vehicle in shown:
+        mine = vehicle["sysid"] == chosen
+        lines.append(_filled(row(vehicle, plan, glyphs, chosen=mine), width, "chosen" if mine else ""))
     if hidden_line:
         lines.append(_hidden(len(vehicles) - len(shown), vehicles, {v["sysid"] for v in shown}, glyphs))
     return lines, [vehicle["sysid"] for vehicle in shown], top
+
+
+def _filled(line: Line, width: int, style: str) -> Line:
+    return [*line, (" " * max(0, width - width_of(line)), style)]
 
 
 def _hidden(count: int, vehicles: Sequence[Vehicle], shown: set[Any], glyphs: Glyphs) -> Line:

@@ -47,33 +47,39 @@ def _pace(replay: Mapping[str, Any] | None, snapshot: Mapping[str, Any]) -> str:
 
 def goal_line(watch: Watch, page: str, width: int, glyphs: Glyphs) -> Line:
     """The pages, the present one marked, and how far the goal is."""
-    line: Line = []
-    for order, name in enumerate(PAGES, 1):
-        shown = f"[{order} {name}]" if name == page else f" {order} {name} "
-        line.append((shown, "tab chosen" if name == page else "tab"))
     goal: Line = []
-    parts = list(_goal(watch))
-    for what, have, need, text in parts:
+    for what, have, need, text in _goal(watch):
         style = "well" if have >= need else "info"
         goal += [("  " if goal else "", ""), (f"{what} ", "dim"), (text, style)]
         if width >= 120:
             goal += [(" ", ""), *bar(have / need if need else 1.0, 10, glyphs, style)]
-    gap = width - width_of(line) - width_of(goal) - 1
-    if gap < 1:
-        return fitted([*line, (" ", ""), *goal], width, glyphs)
-    return [*line, (" " * gap, ""), *goal, (" ", "")]
+    for short in (False, True):
+        line = _tabs(page, short=short)
+        gap = width - width_of(line) - width_of(goal) - 1
+        if gap >= 1:
+            break
+    return fitted([*line, (" " * max(gap, 1), ""), *goal, (" ", "")], width, glyphs)
+
+
+def _tabs(page: str, *, short: bool) -> Line:
+    """The pages with their keys; `short` names the present one alone."""
+    line: Line = []
+    for order, name in enumerate(PAGES, 1):
+        text = f"{order} {name}" if name == page or not short else str(order)
+        line.append((f"[{text}]", "tab chosen") if name == page else (f" {text} ", "tab"))
+    return line
 
 
 def _goal(watch: Watch) -> Iterable[tuple[str, float, float, str]]:
     goal = {**(watch.session.get("goal") or {}), **(watch.snapshot.get("goal") or {})}
     if goal.get("pursue_for_s") is not None:
         have, need = float(goal.get("pursue_held_s") or 0.0), float(goal["pursue_for_s"])
-        yield "pursued", have, need, f"{have:.0f}/{need:.0f} s"
+        yield "pursue", have, need, f"{have:.0f}/{need:.0f} s"
     refuelled, wanted = int(watch.snapshot.get("refuelled") or 0), goal.get("refuelled_at_least")
     if wanted:
-        yield "refuelled", refuelled, int(wanted), f"{refuelled}/{wanted}"
+        yield "refuel", refuelled, int(wanted), f"{refuelled}/{wanted}"
     elif refuelled:
-        yield "refuelled", 1, 1, str(refuelled)
+        yield "refuel", 1, 1, str(refuelled)
 
 
 def trouble_line(watch: Watch, width: int, glyphs: Glyphs) -> Line:

@@ -47,20 +47,19 @@ LEGEND = (
     ("energy", "leads, v 0.93: its value in the competition   served, serves: in a refuelling   waits"),
 )
 BOTTOM: dict[str, Keys] = {
-    "fleet": (("up/dn", "choose"), ("enter", "vehicle"), ("o", "order")),
-    "map": (("arrows", "pan"), ("z/Z", "zoom"), ("c", "follow"), ("a", "all"), ("n", "next")),
+    "fleet": (("enter", "vehicle"),),
+    "map": (("arrows", "pan"), ("z Z", "zoom"), ("c", "follow"), ("a", "all"), ("n", "next")),
     "competition": (("n", "next"),),
     "events": (("w", "level"), ("k", "kind"), ("v", "vehicle"), ("/", "words"), ("0", "all")),
-    "vehicle": (("n/N", "next, last"), ("up/dn", "scroll")),
+    "vehicle": (("n N", "next, last"), ("up down", "scroll")),
 }
 
 
 def bottom(page: str, *, control: bool, replay: bool) -> Keys:
     """The keys that the last line shows, the most wanted first."""
-    keys: list[tuple[str, str]] = [("?", "help"), *BOTTOM[page]]
+    keys: list[tuple[str, str]] = [("?", "help"), ("q", "close"), *BOTTOM[page]]
     if replay:
-        keys += [("space", "pause"), ("left/right", "seek"), ("+/-", "speed")]
-    keys.append(("q", "close"))
+        keys += [("space", "pause"), ("left right", "seek"), ("+ -", "speed")]
     if control:
         keys += [(order.key, order.name) for order in ORDERS]
     return tuple(keys)

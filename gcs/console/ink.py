@@ -62,25 +62,16 @@ def own_glyphs(encoding: str) -> Glyphs:
 
 
 def number(value: float | None, width: int, decimals: int = 1) -> str:
-    """`value` with as many decimals as fit `width`; `-` for unknown."""
+    """`value` with as many decimals as fit `width`, else in thousands (`12k`) or millions; `-` for unknown."""
     if value is None:
         return "-"
     shown = ""
-    for places in range(decimals, -1, -1):
-        shown = f"{value:.{places}f}"
-        if len(shown) <= width:
-            break
-    return shown.replace("-", "") if float(shown) == 0.0 else shown
-
-
-def whole(value: float | None, width: int) -> str:
-    """`value` without decimals; in thousands (`12k`) where it does not fit `width`."""
-    if value is None:
-        return "-"
-    shown = f"{value:.0f}"
-    if len(shown) > width:
-        shown = f"{value / 1e3:.0f}k"
-    return shown if len(shown) <= width else f"{value / 1e6:.0f}M"
+    for scale, unit, most in ((1.0, "", decimals), (1e3, "k", 1), (1e6, "M", 1), (1e9, "G", 1)):
+        for places in range(most, -1, -1):
+            shown = f"{value / scale:.{places}f}{unit}"
+            if len(shown) <= width:
+                return shown.replace("-", "") if float(shown.rstrip("kMG")) == 0.0 and not unit else shown
+    return shown
 
 
 def bar(share: float, width: int, glyphs: Glyphs, style: str) -> Line:

@@ -49,7 +49,7 @@ class MainScreen(Screen[None]):
     .page {{ display: none; }}
     #left {{ width: 1fr; }}
     #right {{ width: 60; display: none; padding: 0 0 0 1; }}
-    #recent {{ height: 6; }}
+    .page, #recent, #small-map, #small {{ height: 1fr; }}
     #course {{ height: 15; }}
     #small {{ display: none; }}
     """
@@ -105,7 +105,7 @@ class MainScreen(Screen[None]):
         self._on_row: list[int] = []
         self._back = self._scrolled = self._most = 0
         self._notice: tuple[str, str, float] | None = None
-        self._asked = 0
+        self._asked = self._fleet_size = 0
         self._names: dict[str, str] = {}
         self._inspected: int | None = None
 
@@ -151,6 +151,9 @@ class MainScreen(Screen[None]):
             fleet = self._ordered()
             self.chosen = fleet[0]["sysid"] if fleet else None
         self._inspect()
+        if len(self._ordered()) != self._fleet_size:
+            self._fleet_size = len(self._ordered())
+            self._arrange()
         self.redraw()
 
     def redraw(self) -> None:
@@ -168,6 +171,10 @@ class MainScreen(Screen[None]):
         """Whether there is no room for the pages."""
         return size.width < LEAST.width or size.height < LEAST.height
 
+    def check_action(self, action: str, parameters: tuple[object, ...]) -> bool:
+        """In a terminal that is too small nothing can be seen, and nothing asked for, but the end."""
+        return action in ("close", "interrupt", "app.suspend_process") or not self.too_small(self.size)
+
     def on_resize(self, event: events.Resize) -> None:
         """Lay the panels out anew."""
         self._arrange(event.size)
@@ -183,8 +190,13 @@ class MainScreen(Screen[None]):
         wide = size.width >= WIDE.width and size.height >= WIDE.height
         self.query_one("#right").display = wide
         self.query_one("#right").styles.width = max(44, size.width - 104)
-        self.query_one("#recent").styles.height = max(6, size.height // 4) if wide else 6
+        self._share_left(size)
         self.call_after_refresh(self.redraw)
+
+    def _share_left(self, size: Size) -> None:
+        """The fleet has the lines that it needs, and leaves the events at least six."""
+        body = size.height - 4
+        self.query_one("#fleet").styles.height = max(4, min(len(self._ordered()) + 2, body - max(6, body // 5)))
 
     def _session(self, width: int, height: int) -> Lines:
         app = self.app
@@ -217,6 +229,8 @@ class MainScreen(Screen[None]):
         return [[(line, "look")] for line in wrapped(text, width)]
 
     def _ordered(self) -> list[Vehicle]:
+        if not self.seen.vehicles:
+            return [{**known, "mode": "starting"} for known in self.seen.known.values()]
         return ordered(self.seen.vehicles.values(), self.order_by)
 
     def _fleet(self, width: int, height: int) -> Lines:

@@ -21,7 +21,7 @@ COLOURS: dict[str, str] = {
     "grid": "#2c353e",
     "title": "bold #9fb3c8",
     "name": "bold #e8eef4",
-    "heading": "#8795a3 underline",
+    "heading": f"#8795a3 on {RAISED}",
     "who": "#a9bccf",
     "well": "#86b894",
     "well-line": "#7f9c88",

@@ -19,11 +19,14 @@ Pointed = Callable[[int, int, int], object]
 
 
 class Panel(Widget):
-    """Shows what `paint(width, height)` returns. `pointed(column, row, turn)` hears clicks (0) and the wheel (±1)."""
+    """Shows what `paint(width, height)` returns, on the style `ground`. `pointed(column, row, turn)` hears clicks (0) and the wheel (±1)."""
 
-    def __init__(self, paint: Paint, *, id: str, classes: str = "", pointed: Pointed | None = None) -> None:
+    def __init__(
+        self, paint: Paint, *, id: str, classes: str = "", ground: str = "", pointed: Pointed | None = None
+    ) -> None:
         super().__init__(id=id, classes=classes)
         self._paint = paint
+        self._ground = ground
         self._pointed = pointed
         self._lines: Lines = []
         self._strips: list[Strip] = []
@@ -48,14 +51,14 @@ class Panel(Widget):
     def _strip(self, line: list[tuple[str, str]]) -> Strip:
         colour = not self.app.no_color
         width = self.size.width
-        segments = [Segment(text, style(names, colour)) for text, names in line if text]
-        return Strip(segments, width_of(line)).adjust_cell_length(width, style("", colour))
+        segments = [Segment(text, style(f"{self._ground} {names}", colour)) for text, names in line if text]
+        return Strip(segments, width_of(line)).adjust_cell_length(width, style(self._ground, colour))
 
     def render_line(self, y: int) -> Strip:
         """One line as it was last painted."""
         if y < len(self._strips):
             return self._strips[y]
-        return Strip.blank(self.size.width, style("", not self.app.no_color))
+        return Strip.blank(self.size.width, style(self._ground, not self.app.no_color))
 
     def on_resize(self) -> None:
         """Paint for the new size, all of it."""

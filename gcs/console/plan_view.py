@@ -9,6 +9,7 @@ from typing import Any
 
 from gcs.console.canvas import Canvas, Point
 from gcs.console.ink import Glyphs, Lines
+from gcs.console.plain import clean
 from gcs.console.watch import Vehicle, Watch, severity
 
 ZOOM = 1.25
@@ -18,7 +19,7 @@ STILL_M_S = 0.1
 _ARROWS = "↑↗→↘↓↙←↖"
 _ASCII_ARROWS = "^^>vvv<^"
 _TROUBLED = {1: "look", 2: "act"}
-GRID, PATH, TRAIL, AIM, WALL, MARK, LABEL, CRAFT, CHOSEN = range(9)
+GRID, PATH, TRAIL, AIM, WALL, LABEL, MARK, CRAFT, CHOSEN = range(9)
 
 
 @dataclass
@@ -117,10 +118,17 @@ def draw(watch: Watch, view: PlanView, *, width: int, height: int, glyphs: Glyph
         if craft.get("p_ned"):
             column, row = cell(craft["p_ned"][0], craft["p_ned"][1])
             canvas.put(column, row, "◆" if glyphs.unicode else "X", "traffic", CRAFT)
-            _label(canvas, column, row, str(craft.get("callsign") or ""), "traffic")
     ranked = sorted(watch.vehicles.values(), key=lambda v: (v["sysid"] != chosen, -severity(v), v["sysid"]))
-    for vehicle in ranked:
-        _craft(canvas, vehicle, cell, glyphs, chosen)
+    seen = [vehicle for vehicle in ranked if vehicle.get("p_ned") is not None]
+    for vehicle in reversed(seen):
+        canvas.put(*cell(*vehicle["p_ned"][:2]), symbol(vehicle, glyphs), _style(vehicle, chosen), CRAFT)
+    for vehicle in seen:
+        text = f"{vehicle['sysid']}{'!' if severity(vehicle) else ''}"
+        anyway = vehicle["sysid"] == chosen
+        _label(canvas, *cell(*vehicle["p_ned"][:2]), text, _style(vehicle, chosen), anyway=anyway)
+    for craft in watch.snapshot.get("traffic") or ():
+        if craft.get("p_ned"):
+            _label(canvas, *cell(*craft["p_ned"][:2]), clean(craft.get("callsign") or ""), "traffic")
     cells = max(1, round(scale_m / view.m_per_dot / canvas.per_column))
     ends, rule = ("├┤", "─") if glyphs.unicode else ("||", "-")
     canvas.put(1, height - 1, f"{ends[0]}{rule * (cells - 1)}{ends[1]} {scale_m:g} m", "scale", CHOSEN)
@@ -163,18 +171,9 @@ def _rendezvous(canvas: Canvas, service: Mapping[str, Any], watch: Watch, at: An
     canvas.put(column, row, "◎" if glyphs.unicode else "@", "meet", MARK)
 
 
-def _craft(canvas: Canvas, vehicle: Vehicle, cell: Any, glyphs: Glyphs, chosen: int | None) -> None:
-    here = vehicle.get("p_ned")
-    if here is None:
-        return
-    column, row = cell(here[0], here[1])
-    sysid = vehicle["sysid"]
+def _style(vehicle: Vehicle, chosen: int | None) -> str:
     style = _TROUBLED.get(severity(vehicle)) or f"craft {vehicle.get('role', '')}"
-    if sysid == chosen:
-        style += " chosen"
-    rank = CHOSEN if sysid == chosen or severity(vehicle) else CRAFT
-    canvas.put(column, row, symbol(vehicle, glyphs), style, rank)
-    _label(canvas, column, row, f"{sysid}{'!' if severity(vehicle) else ''}", style, anyway=sysid == chosen)
+    return f"{style} chosen" if vehicle["sysid"] == chosen else style
 
 
 def symbol(vehicle: Vehicle, glyphs: Glyphs) -> str:
@@ -190,10 +189,19 @@ def symbol(vehicle: Vehicle, glyphs: Glyphs) -> str:
 
 
 def _label(canvas: Canvas, column: int, row: int, text: str, style: str, *, anyway: bool = False) -> None:
-    """Beside its symbol, wherever there is room; nowhere if there is none."""
-    places = ((column + 1, row), (column - len(text), row), (column, row - 1), (column, row + 1))
-    for x, y in places:
-        if text and canvas.free(x, y, len(text)):
+    """Beside its symbol where it can be read, with nothing written next to it; nowhere if there is no such place."""
+    length = len(text)
+    for x, y, margin in (
+        (column + 1, row, 0),
+        (column - length, row, -1),
+        (column, row - 1, -1),
+        (column, row + 1, -1),
+    ):
+        if (
+            text
+            and canvas.free(x + margin, y, length + 1)
+            and (margin == 0 or y == row or canvas.free(x, y, length + 1))
+        ):
             canvas.put(x, y, text, style, LABEL)
             return
     if anyway:

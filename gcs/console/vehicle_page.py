@@ -9,7 +9,7 @@ from typing import Any
 from gcs.console.events_log import Filter, matching
 from gcs.console.events_log import line as event_line
 from gcs.console.fleet_table import battery_style, mode
-from gcs.console.ink import Glyphs, Line, Lines, bar, fitted, left, number, titled, whole, wrapped
+from gcs.console.ink import Glyphs, Line, Lines, bar, fitted, left, number, titled, wrapped
 from gcs.console.plain import clean, minutes
 from gcs.console.watch import Vehicle, Watch, battery_share, severity, troubles
 
@@ -48,21 +48,21 @@ def _state(watch: Watch, vehicle: Vehicle, width: int, glyphs: Glyphs) -> Lines:
     share, capacity = battery_share(vehicle), known.get("capacity_j")
     battery: Line = [("-", "dim")]
     if share is not None:
-        battery = [*bar(share, 12, glyphs, battery_style(share)), (f" {100.0 * share:.0f} %", battery_style(share))]
-    energy = (
-        f"{whole(vehicle.get('remaining_j'), 8)} of {whole(capacity, 8)} J, {minutes(vehicle.get('endurance_s'))} min"
-    )
+        style_now = battery_style(share)
+        battery = [*bar(share, 8, glyphs, style_now), (f" {100.0 * share:.0f} %", style_now)]
+        battery.append((f", {minutes(vehicle.get('endurance_s'))} min", ""))
+    landed = ", landed" if vehicle.get("landed") else ""
     facts: list[tuple[str, Line]] = [
-        ("mode", [(text, style), (f", {'armed' if vehicle.get('armed') else 'disarmed'}", "")]),
+        ("mode", [(text, style), (", armed" if vehicle.get("armed") else ", disarmed", "")]),
         ("battery", battery),
-        ("stage", [(clean(vehicle.get("stage") or "-") + (", landed" if vehicle.get("landed") else ""), "")]),
-        ("energy", [(energy, "")]),
-        ("position", [(_vector(vehicle.get("p_ned")) + " m NED", "")]),
-        ("power", [(f"{number(vehicle.get('power_w'), 8)} W, {clean(vehicle.get('energy_source') or 'unknown')}", "")]),
-        ("velocity", [(_vector(vehicle.get("v_ned")) + " m/s NED", "")]),
+        ("stage", [(clean(vehicle.get("stage") or "-") + landed, "")]),
+        ("energy J", [(f"{number(vehicle.get('remaining_j'), 8, 0)} of {number(capacity, 8, 0)}", "")]),
+        ("NED m", [(_vector(vehicle.get("p_ned")), "")]),
+        ("power W", [(f"{number(vehicle.get('power_w'), 8)}, {clean(vehicle.get('energy_source') or '-')}", "")]),
+        ("v NED m/s", [(_vector(vehicle.get("v_ned")), "")]),
         ("competition", [(_competition(vehicle), "")]),
-        ("set point", [(_vector(vehicle.get("aim_ned")) + " m NED", "")]),
-        ("target", [(f"{number(vehicle.get('target_m'), 8, 2)} m away", "")]),
+        ("set point m", [(_vector(vehicle.get("aim_ned")), "")]),
+        ("target m", [(number(vehicle.get("target_m"), 8, 2), "")]),
         ("heading", [(_degrees(vehicle.get("heading_rad")), "")]),
         ("link", [(_link(vehicle), "")]),
     ]
@@ -80,7 +80,7 @@ def _fact(name: str, value: Line) -> Line:
 
 
 def _vector(value: Any) -> str:
-    return "-" if value is None else "  ".join(f"{number(x, 8, 2):>7}" for x in value)
+    return "-" if value is None else " ".join(f"{number(x, 8, 2):>8}" for x in value)
 
 
 def _degrees(heading_rad: float | None) -> str:
@@ -96,7 +96,7 @@ def _competition(vehicle: Vehicle) -> str:
 def _link(vehicle: Vehicle) -> str:
     share = vehicle.get("lost_share")
     lost = "-" if share is None else f"{100.0 * float(share):.1f} % lost"
-    return f"{lost}, {vehicle.get('lost', '-')} in all, heard {number(vehicle.get('heard_s'), 6)} s ago"
+    return f"{lost} ({vehicle.get('lost', '-')}), {number(vehicle.get('heard_s'), 5)} s ago"
 
 
 def _told(watch: Watch, sysid: int, width: int, glyphs: Glyphs) -> Lines:
@@ -109,7 +109,9 @@ def _told(watch: Watch, sysid: int, width: int, glyphs: Glyphs) -> Lines:
     for name in sorted(messages):
         message = messages[name]
         age = message.get("age_s")
-        numbers = f"{number(message.get('rate_hz'), 5):>6} Hz {number(age, 6):>6} s ago {message.get('count', 0):>7}"
+        numbers = (
+            f"{number(message.get('rate_hz'), 5):>6} Hz {number(age, 6):>6} s ago {message.get('count', 0):>7} so far"
+        )
         lines.append(fitted([(" " + left(clean(name), 30), "who"), (numbers, "dim")], width, glyphs))
         fields = "   ".join(f"{clean(key)}={_value(value)}" for key, value in (message.get("fields") or {}).items())
         lines += [[("   " + text, "")] for text in wrapped(fields, width - 4) if text]

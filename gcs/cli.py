@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from gcs import cli_author, cli_check
+from gcs import cli_author, cli_check, cli_watch
 from gcs.cli_author import ScenarioName, load_scenario, module_arguments
 
 if TYPE_CHECKING:
@@ -50,9 +50,10 @@ def cli() -> None:
 
     \b
     Start here:
-      gcs run demo             five pursuers, a moving target and a tanker, live in this terminal
+      gcs run demo             five pursuers, a moving target and a tanker, in a console in this terminal
       gcs run demo --lockstep  the same as fast as the machine can
       gcs launch demo          only its vehicles, for QGroundControl, MAVSDK or MAVProxy
+      gcs monitor              a further console on a session that runs
       gcs init                 a scenario of your own to start from; gcs validate draws it
       gcs doctor               what keeps sessions from running here
 
@@ -62,7 +63,14 @@ def cli() -> None:
     """
 
 
-for _command in (cli_author.init, cli_author.validate, cli_author.schema, cli_author.doctor, cli_check.check):
+for _command in (
+    cli_author.init,
+    cli_author.validate,
+    cli_author.schema,
+    cli_author.doctor,
+    cli_watch.monitor,
+    cli_check.check,
+):
     cli.add_command(_command)
 
 
@@ -89,7 +97,7 @@ for _command in (cli_author.init, cli_author.validate, cli_author.schema, cli_au
     metavar="DIR",
     help="The session's folder, which must not exist yet.  [default: sessions/NAME-TIME]",
 )
-@click.option("--plain", is_flag=True, help="Lines of text instead of the live table; also used without a terminal.")
+@click.option("--plain", is_flag=True, help="Lines of text instead of the console; also used without a terminal.")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object per second on stdout, for other programs.")
 @click.option(
     "--vehicles-per-process",
@@ -132,8 +140,9 @@ def run(
 ) -> int:
     """Fly SCENARIO: start its vehicles, command them over MAVLink, and keep a record of everything.
 
-    In a terminal a live table shows each vehicle's mode, position, battery, competition and refuelling. Ctrl-C stops
-    the session and saves it; a second Ctrl-C does not wait for that.
+    In a terminal a console shows fleet, map, competition and events, and takes an operator's commands; `?` there
+    explains it. Closing it (q) or losing it leaves the session flying, told in lines; `gcs monitor` opens it again.
+    Ctrl-C stops the session and saves it (the console asks first); a second Ctrl-C does not wait for that.
 
     \b
     Examples:
@@ -177,7 +186,7 @@ def run(
             click.echo(f"{resolved.name}: starting; the session's folder is {folder}", err=as_json)
         except OSError:
             mute_stdout()
-    shown, said = _view(resolved.name, plain, as_json, verbose=verbose, quiet=quiet)
+    shown, said = _view(folder, resolved.name, plain, as_json, verbose=verbose, quiet=quiet)
     arguments = ["--drop-datagrams", str(drop_datagrams), *module_arguments(scenario)]
 
     error: str | None = None
@@ -189,7 +198,8 @@ def run(
             click.echo(json.dumps({"type": "end", **verdict, "session": str(folder)}))
 
     with logged(shown, said, folder) as (view, tell):
-        status = fly(folder, view, tell, arguments=arguments, finish=finish)
+        stderr = getattr(shown, "stderr", None)
+        status = fly(folder, view, tell, arguments=arguments, finish=finish, stderr=stderr)
     if junit is not None:
         from gcs.junit import write
 
@@ -201,27 +211,23 @@ def run(
     return status
 
 
-def _view(name: str, plain: bool, as_json: bool, *, verbose: bool, quiet: bool) -> tuple[View, Callable[[str], object]]:
+def _view(
+    folder: Path, name: str, plain: bool, as_json: bool, *, verbose: bool, quiet: bool
+) -> tuple[View, Callable[[str], object]]:
     """What shows the session, and what writes its last lines."""
+    from gcs.console.plain import JsonView, PlainView, QuietView
+
     if quiet or verbose:
-        from gcs.console.plain import QuietView
         from gcs.session_log import VerboseView
 
         return (QuietView(), str) if quiet else (VerboseView(click.echo), click.echo)
     if as_json:
-        from gcs.console.plain import JsonView
-
         return JsonView(click.echo), lambda line: click.echo(line, err=True)
-    from rich.console import Console
+    from gcs.terminal import ConsoleView, usable
 
-    console = Console()
-    if plain or not console.is_terminal or console.is_dumb_terminal:
-        from gcs.console.plain import PlainView
-
+    if plain or not usable():
         return PlainView(click.echo), click.echo
-    from gcs.console.table import TableView
-
-    return TableView(name, console), click.echo
+    return ConsoleView(folder, name, PlainView(click.echo), click.echo), click.echo
 
 
 @cli.command(short_help="Start a scenario's vehicles for another ground station.")

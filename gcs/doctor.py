@@ -220,9 +220,9 @@ def _terminal() -> Iterator[Finding]:
     seen = f"{size.columns} x {size.lines}, {sys.stdout.encoding}, TERM={os.environ.get('TERM', '')}"
     advice = ""
     if os.environ.get("TERM", "dumb") == "dumb":
-        advice = "set TERM (such as xterm-256color) for the live table; without it `gcs run` writes lines"
+        advice = "set TERM (such as xterm-256color) for the console; without it `gcs run` writes lines"
     elif size.columns < COLUMNS or size.lines < LINES:
-        advice = f"the live table wants {COLUMNS} x {LINES}: make the window larger, or use --plain"
+        advice = f"the console needs {COLUMNS} x {LINES}: make the window larger, or use --plain"
     elif "utf" not in sys.stdout.encoding.lower():
         advice = "set a UTF-8 locale (LANG=C.UTF-8), or use --plain"
     yield Finding("note" if advice else "ok", "terminal", seen, advice)

@@ -17,7 +17,7 @@ from collections.abc import Callable, Sequence
 from datetime import datetime
 from pathlib import Path
 from types import TracebackType
-from typing import Any, Protocol, Self
+from typing import IO, Any, Protocol, Self
 
 import click
 
@@ -123,13 +123,19 @@ class Supervised:
     """
 
     def __init__(
-        self, folder: Path, arguments: Sequence[str], supervisor: Sequence[str], pass_fds: Sequence[int] = ()
+        self,
+        folder: Path,
+        arguments: Sequence[str],
+        supervisor: Sequence[str],
+        pass_fds: Sequence[int] = (),
+        stderr: IO[bytes] | None = None,
     ) -> None:
         self._folder = folder
         self._process = subprocess.Popen(
             [*supervisor, str(folder), *arguments],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
+            stderr=stderr,
             start_new_session=True,
             pass_fds=pass_fds,
         )
@@ -237,12 +243,14 @@ def run(
     arguments: Sequence[str] = (),
     supervisor: Sequence[str] = SUPERVISOR,
     finish: Callable[[dict[str, Any]], object] = lambda _: None,
+    stderr: IO[bytes] | None = None,
 ) -> int:
     """Fly the session prepared in `folder`; the exit status (contract.md, A session's folder).
 
     `view` shows it while it flies, `finish` gets the supervisor's last word, and `tell` the lines that sum it up.
+    `stderr` takes what the supervisor says there; our own standard error without it.
     """
-    with Signals() as signals, Supervised(folder, arguments, supervisor) as process:
+    with Signals() as signals, Supervised(folder, arguments, supervisor, stderr=stderr) as process:
         try:
             interrupted = _watch(process, signals, view)
         finally:
@@ -286,24 +294,23 @@ def _watch(process: Supervised, signals: Signals, view: View) -> int:
                     interrupted = interrupted or number
                 process.interrupt(now_s)
             process.insist(now_s)
-            if watched is not None:
-                try:
-                    for content in watched.receive():
-                        if content.get("type") == "snapshot":
-                            view.show(content)
-                    view.tick(now_s)
-                except BrokenPipeError:  # nobody reads our lines any more, as with `| head`
-                    interrupted = interrupted or signal.SIGPIPE
-                    process.interrupt(now_s)
-                    view = QuietView()
-                    mute_stdout()
-                except OSError as error:  # the session goes on unseen
-                    print(f"gcs: cannot show the session: {error.strerror}; it goes on", file=sys.stderr)
-                    view = QuietView()
-                    mute_stdout()
-                if not watched.connected:
-                    selector.unregister(watched)
-                    watched = None
+            try:
+                for content in watched.receive() if watched is not None else ():
+                    if content.get("type") == "snapshot":
+                        view.show(content)
+                view.tick(now_s)
+            except BrokenPipeError:  # nobody reads our lines any more, as with `| head`
+                interrupted = interrupted or signal.SIGPIPE
+                process.interrupt(now_s)
+                view = QuietView()
+                mute_stdout()
+            except OSError as error:  # the session goes on unseen
+                print(f"gcs: cannot show the session: {error.strerror}; it goes on", file=sys.stderr)
+                view = QuietView()
+                mute_stdout()
+            if watched is not None and not watched.connected:
+                selector.unregister(watched)
+                watched = None
             if ended:
                 return interrupted
             if process.connect(now_s):

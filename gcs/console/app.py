@@ -3,38 +3,28 @@
 from __future__ import annotations
 
 import signal
-import sys
 import time
-from typing import ClassVar
 
 from textual import events
-from textual.app import App
 
-from gcs.console.ink import Glyphs, own_glyphs
+from gcs.console.ink import Glyphs
 from gcs.console.job import can_suspend
 from gcs.console.main_screen import MainScreen
+from gcs.console.shell import Shell
 from gcs.console.source import Source
-from gcs.console.watch import Watch
 
 BEAT_S = 0.2
 """The screen is looked at, and drawn where it has changed, this often: 5 Hz."""
 
 
-class ConsoleApp(App[int]):
-    """The app's shell around one source; `owner` means that closing it by Ctrl-C asks to stop the session."""
+class ConsoleApp(Shell):
+    """The app's shell around one source; `owner` means that its Ctrl-C asks to stop the session."""
 
     ENABLE_COMMAND_PALETTE = False
-    CSS: ClassVar[str] = ""
     AUTO_FOCUS = None
 
     def __init__(self, source: Source, title: str = "", *, owner: bool = False, glyphs: Glyphs | None = None) -> None:
-        super().__init__()
-        self.source = source
-        self.title = title
-        self.owner = owner
-        self.glyphs = glyphs or own_glyphs(sys.__stderr__.encoding if sys.__stderr__ else "ascii")
-        self.seen = Watch()
-        self.heard_s = time.monotonic()
+        super().__init__(source, title, owner=owner, glyphs=glyphs)
         self.main = MainScreen()
 
     def on_mount(self) -> None:
@@ -52,15 +42,6 @@ class ConsoleApp(App[int]):
             self.exit(0)
             return
         self.main.beat(news)
-
-    def lost(self) -> list[str]:
-        """What this terminal cannot show, in sentences."""
-        lost = []
-        if self.no_color:
-            lost.append("No colour (NO_COLOR is set): signs, words, bold and reverse say the same.")
-        if not self.glyphs.unicode:
-            lost.append("No Unicode: the map and the curves are drawn four times as coarse.")
-        return lost
 
     def action_suspend_process(self) -> None:
         """Give the terminal back to the shell, if there is one that can continue us."""

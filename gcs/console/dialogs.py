@@ -67,7 +67,7 @@ class Dialog(ModalScreen[Answer]):
         """Take the height that the lines need, as far as there is room."""
         panel = self.query_one("#lines", Panel)
         width = max(panel.size.width, 20)
-        panel.styles.height = min(len(self.paint(width, 1000)), max(3, self.size.height - 6))
+        panel.styles.height = min(len(self.paint(width, 1000)), max(3, self.size.height - 8))
         panel.redraw()
 
     def redraw(self) -> None:

@@ -76,7 +76,7 @@ def page(*, control: bool, replay: bool, lost: list[str], glyphs: Glyphs) -> Lin
             [],
             [
                 (
-                    "Operator (each asks before it acts; the answer shows below, what the vehicle says is an event)",
+                    "Operator (each key asks first; what the vehicle answers is an event)",
                     "name",
                 )
             ],

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 from textual import events
 from textual.app import ComposeResult
@@ -20,10 +20,8 @@ from gcs.console.orders import ORDERS, Order, command, question, ready, targets
 from gcs.console.palette import GROUND, RAISED
 from gcs.console.panel import Panel
 from gcs.console.plain import clean
+from gcs.console.shell import Shell
 from gcs.console.watch import Vehicle, Watch, ordered
-
-if TYPE_CHECKING:
-    from gcs.console.app import ConsoleApp
 
 LEAST = Size(80, 24)
 WIDE = Size(120, 30)
@@ -38,7 +36,7 @@ FLEET_SHARE = 0.6
 class MainScreen(Screen[None]):
     """Everything but the dialogs."""
 
-    app: ConsoleApp
+    app: Shell
 
     DEFAULT_CSS = f"""
     MainScreen {{ background: {GROUND}; overflow: hidden; }}

@@ -19,7 +19,10 @@ Pointed = Callable[[int, int, int], object]
 
 
 class Panel(Widget):
-    """Shows what `paint(width, height)` returns, on the style `ground`. `pointed(column, row, turn)` hears clicks (0) and the wheel (±1)."""
+    """Shows what `paint(width, height)` returns, on the style `ground`.
+
+    `pointed(column, row, turn)` hears clicks (0) and the wheel (±1).
+    """
 
     def __init__(
         self, paint: Paint, *, id: str, classes: str = "", ground: str = "", pointed: Pointed | None = None

@@ -2,24 +2,19 @@
 
 import json
 import os
-import re
 import shutil
 import signal
 import subprocess
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
-from io import StringIO
 from pathlib import Path
 from typing import Any
 
 import pytest
-from rich.console import Console
 
 from gcs.console.client import Client, Lines
-from gcs.console.plain import JsonView, PlainView, farewell, minutes, news, progress
-from gcs.console.table import ASCII as ASCII_GLYPHS
-from gcs.console.table import TableView, bar, number, render
+from gcs.console.plain import JsonView, PlainView, farewell, news, progress
 
 
 def vehicle(sysid: int, role: str = "pursuer", **other: Any) -> dict[str, Any]:
@@ -81,119 +76,11 @@ def demo(**other: Any) -> dict[str, Any]:
     )
 
 
-def picture(content: dict[str, Any], width: int, height: int, *, unicode: bool = True) -> list[str]:
-    console = Console(file=StringIO(), width=width, height=height, record=True)
-    console.print(render(content, name="demo", width=width, height=height, unicode=unicode))
-    return console.export_text().splitlines()
-
-
-def rows(lines: list[str]) -> list[str]:
-    """The fleet's rows."""
-    return [line for line in lines if re.match(r"[ !] +\d+ +(pursuer|target|tanker) ", line)]
-
-
-@pytest.mark.parametrize("width", [40, 60, 80, 110, 160, 300])
-@pytest.mark.parametrize("height", [10, 23, 50])
-def test_the_table_never_exceeds_its_room(width: int, height: int) -> None:
-    lines = picture(demo(), width, height)
-    assert len(lines) <= height
-    assert max(map(len, lines)) <= width
-
-
-def test_seven_vehicles_and_all_else_fit_eighty_by_twenty_four() -> None:
-    lines = picture(demo(), 80, 23)
-    text = "\n".join(lines)
-    assert len(rows(lines)) == 7
-    for part in ("demo", "52.3 / 150 s", "×4.98", "12/20 s", "2/3", "-12.3", "103.5", "42%", "1:21", "0.93 1st", "tgt"):
-        assert part in text
-    assert "pursuer 5 ← tanker 201  transfer, 3120 J, by competition" in text
-    assert all(f"happening {i}" in text for i in range(5))
-
-
-def test_a_wide_table_adds_decimals_and_notes() -> None:
-    text = "\n".join(picture(demo(), 160, 40))
-    assert "-12.34" in text
-    assert "103.45" in text
-    assert "served by 201: transfer" in text
-    assert "battery low" in text
-
-
-def test_vehicles_in_trouble_come_first_and_are_marked() -> None:
-    content = snapshot(
-        vehicle(1),
-        vehicle(2, battery=0.19),
-        vehicle(3, mode="land"),
-        vehicle(4, battery=0.02),
-        vehicle(5, alive=False),
-        vehicle(6, battery=0.21),
-    )
-    shown = rows(picture(content, 80, 23))
-    assert [row.split()[0:2] for row in shown[:4]] == [["!", "5"], ["!", "3"], ["!", "4"], ["!", "2"]]
-    assert [row.split()[0] for row in shown[4:]] == ["1", "6"]
-    assert "DEAD" in shown[0]
-
-
-def test_of_254_vehicles_the_worst_are_shown_and_the_rest_are_counted() -> None:
-    fleet = [vehicle(i, battery=0.25 + 0.7 * (i * 37 % 254) / 254) for i in range(1, 255)]
-    fleet[76] |= {"alive": False}
-    fleet[199] |= {"battery": 0.1}
-    lines = picture(snapshot(*fleet), 80, 23)
-    shown = rows(lines)
-    assert [row.split()[:2] for row in shown[:2]] == [["!", "77"], ["!", "200"]]
-    healthy = sorted((v for v in fleet if v["sysid"] not in (77, 200)), key=lambda v: v["battery"])
-    assert [int(row.split()[0]) for row in shown[2:]] == [v["sysid"] for v in healthy[: len(shown) - 2]]
-    rest = 254 - len(shown)
-    assert f"… {rest} more: {rest} offboard" in lines
-    assert len(lines) <= 23
-
-
-def test_only_the_single_greatest_value_leads() -> None:
-    ahead = rows(picture(snapshot(vehicle(1, v=0.4), vehicle(2, v=0.5)), 80, 23))
-    assert ["1st" in row for row in ahead] == [False, True]
-    equal = rows(picture(snapshot(vehicle(1, v=0.5), vehicle(2, v=0.5)), 80, 23))
-    assert not any("1st" in row for row in equal)
-
-
-def test_without_unicode_the_table_is_pure_ascii() -> None:
-    assert "\n".join(picture(demo(), 80, 23, unicode=False)).isascii()
-
-
-def test_what_is_not_known_yet_shows_as_a_dash() -> None:
-    unknown = vehicle(1, p_ned=None, height_m=None, speed_m_s=None, target_m=None, battery=None, endurance_s=None)
-    (row,) = rows(picture(snapshot(unknown, t_s=0.0), 80, 23))
-    assert row.split() == ["1", "pursuer", "offboard", *"------"]
-
-
 def test_text_from_the_air_cannot_steer_the_terminal() -> None:
     content = demo(events=[event(1.0, 5, "\x1b[2Jgone [red]\nnext\x07")])
-    text = "\n".join(picture(content, 120, 30))
-    assert "\x1b" not in text
-    assert "[2Jgone [red] next" in text
-    assert "\x1b" not in "".join(news(None, content))
-
-
-def test_bars_are_full_only_at_the_end_and_empty_only_at_zero() -> None:
-    drawn = [bar(share, 4, ASCII_GLYPHS, "").plain for share in (0.0, 0.001, 0.5, 1.0, 7.0)]
-    assert drawn == ["....", "#...", "##..", "####", "####"]
-
-
-def test_numbers_keep_their_column() -> None:
-    assert [number(x, 5, 2) for x in (1.234, -12.34, -123.4, 99999.0, None)] == ["1.23", "-12.3", "-123", "99999", "-"]
-    assert number(-0.001, 5, 1) == "0.0"
-    assert [minutes(s) for s in (81.9, 0.0, 700.0, 1e9, None)] == ["1:21", "0:00", "11:40", "99+", "-"]
-
-
-def test_the_live_table_draws_at_most_eight_times_a_second_and_remembers_events() -> None:
-    out = StringIO()
-    console = Console(file=out, force_terminal=True, width=80, height=24)
-    view = TableView("demo", console)
-    for i in range(100):  # one second of wall time
-        view.show(demo(t_s=float(i), events=[event(float(i), 5, f"number {i}.")]))
-        view.tick(i / 100)
-    view.close()
-    drawn = out.getvalue().count("Ctrl-C")
-    assert 2 <= drawn <= 10
-    assert all(f"number {i}." in out.getvalue().split("Ctrl-C")[-1] for i in range(95, 100))
+    (line,) = news(None, content)
+    assert "\x1b" not in line
+    assert "[2Jgone [red] next" in line
 
 
 def test_a_progress_line_says_time_modes_lowest_battery_and_goal() -> None:

@@ -46,6 +46,12 @@ def circle(n: float, e: float, radius: float, corners: int = 24) -> list[list[fl
     return [[n + radius * math.cos(a), e + radius * math.sin(a)] for a in angles]
 
 
+def known(sysid: int, role: str, capacity_j: int, path_ned: list[list[float]]) -> dict[str, Any]:
+    """What the session message says of a vehicle."""
+    named = {"sysid": sysid, "role": role, "label": f"{role} {sysid}"}
+    return {**named, "capacity_j": capacity_j, "path_ned": path_ned}
+
+
 def session(**other: Any) -> dict[str, Any]:
     """What the socket tells first."""
     path = [[6.0 * math.sin(a), 9.0 * math.cos(a) * math.cos(a / 2), -3.0] for a in (0.2618 * i for i in range(25))]
@@ -60,12 +66,23 @@ def session(**other: Any) -> dict[str, Any]:
         "control": True,
         "separation_m": 0.6,
         "vehicles": [
-            *({"sysid": s, "role": "pursuer", "label": f"pursuer {s}", "capacity_j": 24000, "path_ned": []} for s in PURSUERS),
+            *(
+                {"sysid": s, "role": "pursuer", "label": f"pursuer {s}", "capacity_j": 24000, "path_ned": []}
+                for s in PURSUERS
+            ),
             {"sysid": TARGET, "role": "target", "label": "target 101", "capacity_j": 60000, "path_ned": path},
             {"sysid": TANKER, "role": "tanker", "label": "tanker 201", "capacity_j": 150000, "path_ned": []},
         ],
         "obstacles": [
-            {"name": name, "kind": "cylinder", "label": name, "outline_ne": circle(n, e, r), "centre_ned": [n, e, -3.0], "bottom_d": 0.0, "top_d": -6.0}
+            {
+                "name": name,
+                "kind": "cylinder",
+                "label": name,
+                "outline_ne": circle(n, e, r),
+                "centre_ned": [n, e, -3.0],
+                "bottom_d": 0.0,
+                "top_d": -6.0,
+            }
             for name, n, e, r in (("mast", 4.0, 5.0, 0.8), ("silo", -3.0, -6.0, 1.4), ("tree", -4.5, 3.5, 0.6))
         ],
         "bases": [{"name": "home", "p_ned": [-6.5, -9.0, 0.0]}],
@@ -177,7 +194,9 @@ def snapshot(t_s: float, *, since_s: float | None = None, **other: Any) -> dict[
         "speed": 4.98,
         "phase": "flying",
         "vehicles": list(fleet.values()),
-        "traffic": [{"callsign": "HB-JET", "p_ned": [6.0, -8.0 + 0.2 * t_s, -20.0], "v_ned": [0.0, 0.2, 0.0], "age_s": 0.1}],
+        "traffic": [
+            {"callsign": "HB-JET", "p_ned": [6.0, -8.0 + 0.2 * t_s, -20.0], "v_ned": [0.0, 0.2, 0.0], "age_s": 0.1}
+        ],
         "services": services,
         "competition": {
             "v": v,
@@ -189,7 +208,12 @@ def snapshot(t_s: float, *, since_s: float | None = None, **other: Any) -> dict[
         },
         "history": HISTORY if t_s >= 34.9 else [],
         "refuelled": 1 if t_s >= 34.9 else 0,
-        "goal": {"pursue_within_m": 3.5, "pursue_for_s": 20.0, "pursue_held_s": min(t_s, 12.0), "refuelled_at_least": 3},
+        "goal": {
+            "pursue_within_m": 3.5,
+            "pursue_for_s": 20.0,
+            "pursue_held_s": min(t_s, 12.0),
+            "refuelled_at_least": 3,
+        },
         "events": [
             {"t_s": t, "sysid": s, "level": level, "kind": kind, "text": text}
             for t, s, level, kind, text in EVENTS
@@ -198,11 +222,15 @@ def snapshot(t_s: float, *, since_s: float | None = None, **other: Any) -> dict[
     } | other
 
 
+def _told(count: int, rate_hz: float, age_s: float, **fields: Any) -> dict[str, Any]:
+    return {"count": count, "rate_hz": rate_hz, "age_s": age_s, "fields": fields}
+
+
 INSPECTED = {
-    "ATTITUDE": {"count": 482, "rate_hz": 10.0, "age_s": 0.1, "fields": {"time_boot_ms": 48200, "roll": 0.0213, "pitch": -0.0107, "yaw": 1.52, "rollspeed": 0.001, "pitchspeed": 0.0, "yawspeed": 0.02}},
-    "BATTERY_STATUS": {"count": 96, "rate_hz": 2.0, "age_s": 0.4, "fields": {"id": 0, "battery_remaining": 71, "energy_consumed": 68, "voltages": [11100, 65535]}},
-    "HEARTBEAT": {"count": 51, "rate_hz": 1.0, "age_s": 0.4, "fields": {"type": 2, "autopilot": 12, "base_mode": 209, "custom_mode": 393216, "system_status": 4}},
-    "LOCAL_POSITION_NED": {"count": 482, "rate_hz": 10.0, "age_s": 0.1, "fields": {"x": 3.25, "y": -1.5, "z": -3.125, "vx": 0.31, "vy": -0.02, "vz": 0.0}},
+    "ATTITUDE": _told(482, 10.0, 0.1, time_boot_ms=48200, roll=0.0213, pitch=-0.0107, yaw=1.52, yawspeed=0.02),
+    "BATTERY_STATUS": _told(96, 2.0, 0.4, id=0, battery_remaining=71, energy_consumed=68, voltages=[11100, 65535]),
+    "HEARTBEAT": _told(51, 1.0, 0.4, type=2, autopilot=12, base_mode=209, custom_mode=393216, system_status=4),
+    "LOCAL_POSITION_NED": _told(482, 10.0, 0.1, x=3.25, y=-1.5, z=-3.125, vx=0.31, vy=-0.02, vz=0.0),
 }
 
 

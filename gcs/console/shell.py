@@ -1,0 +1,37 @@
+"""What the pages know of the app around them."""
+
+from __future__ import annotations
+
+import sys
+import time
+
+from textual.app import App
+
+from gcs.console.ink import Glyphs, own_glyphs
+from gcs.console.source import Source
+from gcs.console.watch import Watch
+
+
+class Shell(App[int]):
+    """One source, what it has told, and what the terminal can show.
+
+    `owner`: this console belongs to `gcs run`, whose session Ctrl-C is meant to stop.
+    """
+
+    def __init__(self, source: Source, title: str, *, owner: bool, glyphs: Glyphs | None) -> None:
+        super().__init__()
+        self.source = source
+        self.title = title
+        self.owner = owner
+        self.glyphs = glyphs or own_glyphs(sys.__stderr__.encoding if sys.__stderr__ else "ascii")
+        self.seen = Watch()
+        self.heard_s = time.monotonic()
+
+    def lost(self) -> list[str]:
+        """What this terminal cannot show, in sentences."""
+        lost = []
+        if self.no_color:
+            lost.append("No colour (NO_COLOR is set): signs, words, bold and reverse say the same.")
+        if not self.glyphs.unicode:
+            lost.append("No Unicode: the map and the curves are drawn four times as coarse.")
+        return lost

@@ -6,12 +6,15 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
+from pymavlink.dialects.v20 import common as mav
 
 from gcs.contest import Standing
 from gcs.fleet import Snapshot, Vec3
+from gcs.mavlink.commands import CommandResult
+from gcs.pilot import OPERATOR
 from gcs.pursuit import meeting_s
-from gcs.refuelling import Phase, Service, by_text
 from gcs.scenario import Competition, Refuelling
+from gcs.service import Phase, Service, by_text
 
 HISTORY = 20
 
@@ -94,10 +97,46 @@ def why(service: Service, snapshot: Snapshot, rules: Refuelling, competition: Co
     return f"{receiver[:1].upper()}{receiver[1:]} is refuelled next: {reason}{met}."
 
 
-def notes_of(services: Iterable[Service]) -> Mapping[int, str]:
-    """What each side of a service under way does, by system id."""
-    notes = {}
+def notes_of(services: Iterable[Service], asked: Iterable[int], out: Mapping[int, str]) -> Mapping[int, str]:
+    """What each vehicle has to do with refuelling, by system id: a side of a service, `asked` for next, or `out`."""
+    notes = {**dict.fromkeys(asked, "refuelled next, by the operator"), **out}
     for service in services:
         notes[service.receiver] = f"served by {service.tanker}: {service.phase}"
         notes[service.tanker] = f"serves {service.receiver}: {service.phase}"
     return notes
+
+
+def sentence(record: Mapping[str, Any]) -> str:
+    """A decision for a person."""
+    receiver, tanker = record["receiver"], record["tanker"]
+    if record["kind"] == "decided":
+        return f"Refuelling of {receiver} by {tanker} decided by {record['by']}"
+    if record["kind"] == "broken off":
+        return f"Transfer from {tanker} to {receiver} broken off, join again"
+    if record["kind"] == "transfer":
+        return f"Transfer from {tanker} to {receiver} begun"
+    return f"Refuelling of {receiver} by {tanker} ended: {record['reason']}, {record['energy_j']:.0f} J"
+
+
+def acknowledged(result: CommandResult) -> str:
+    """How a command ended, for a person."""
+    refused = _RESULTS.get(result.result, "") if result.result is not None else ""
+    if str(result.token).startswith(OPERATOR):
+        order = str(result.token).removeprefix(OPERATOR).strip().capitalize()
+        if result.outcome == "timeout":
+            return f"{order} was not acknowledged, though it was sent {result.attempts} times"
+        return f"{order} accepted" if result.outcome == "accepted" else f"{order} refused: {refused or result.result}"
+    how = {
+        "accepted": "was accepted",
+        "timeout": "timed out",
+        "rejected": f"was refused (result {result.result}{f', {refused}' if refused else ''})",
+    }
+    return f"Command {result.command} ({result.token}) {how[result.outcome]}"
+
+
+_RESULTS = {
+    mav.MAV_RESULT_TEMPORARILY_REJECTED: "not possible now",
+    mav.MAV_RESULT_DENIED: "denied",
+    mav.MAV_RESULT_UNSUPPORTED: "not supported",
+    mav.MAV_RESULT_FAILED: "failed",
+}

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Mapping
 
 from gcs.events import Event
 from gcs.fleet import Snapshot, VehicleView
-from gcs.profiles import STEERABLE, FlightMode
+from gcs.profiles import STEERABLE, End, FlightMode
 
 GOING_DOWN = frozenset({FlightMode.RETURN, FlightMode.LAND})
 
@@ -18,18 +18,21 @@ class Watch:
         self._modes: dict[int, FlightMode] = {}
         self._silent: set[int] = set()
 
-    def look(self, snapshot: Snapshot, ordered: Collection[int] = ()) -> list[Event]:
+    def look(self, snapshot: Snapshot, ordered: Mapping[int, End] | None) -> list[Event]:
         """What has changed since the last snapshot.
 
-        `ordered` are the system ids of those whose modes somebody commands: their changes are no failsafes.
+        `ordered` says what somebody wants vehicles to fly instead of the plan: that is no failsafe. None: nobody here
+        commands them, so that no change of mode can be told from an order.
         """
         events: list[Event] = []
         for view in snapshot.vehicles:
-            self._watch_mode(view, snapshot.time_s, view.sysid in ordered, events)
+            wanted = str(view.mode) if ordered is None else ordered.get(view.sysid)
+            by_order = view.mode == wanted or (wanted == "return" and view.mode is FlightMode.LAND)
+            self._watch_mode(view, snapshot.time_s, by_order, events)
             self._watch_silence(view, snapshot.time_s, events)
         return events
 
-    def _watch_mode(self, view: VehicleView, now_s: float, ordered: bool, events: list[Event]) -> None:
+    def _watch_mode(self, view: VehicleView, now_s: float, by_order: bool, events: list[Event]) -> None:
         if view.heard_s < 0.0:
             return
         before = self._modes.get(view.sysid)
@@ -39,9 +42,9 @@ class Watch:
         if before is None:
             return
         told = f"{before} -> {view.mode}"
-        if view.armed and not ordered and view.mode in GOING_DOWN and before not in GOING_DOWN:
+        if view.armed and not by_order and view.mode in GOING_DOWN and before not in GOING_DOWN:
             events.append(Event(now_s, view.sysid, "critical", told, "failsafe"))
-        elif view.armed and not ordered and view.mode is FlightMode.HOLD and before in STEERABLE:
+        elif view.armed and not by_order and view.mode is FlightMode.HOLD and before in STEERABLE:
             events.append(Event(now_s, view.sysid, "warning", told, "failsafe"))
         else:
             events.append(Event(now_s, view.sysid, "info", told, "mode"))

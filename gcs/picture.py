@@ -7,9 +7,9 @@ from typing import Any
 
 from gcs import explain
 from gcs.events import Event
-from gcs.refuelling import Phase
 from gcs.rows import distance_m, event_row, traffic_row, vehicle_row
 from gcs.scene import goal_of
+from gcs.service import Phase
 from gcs.supervisor import Supervisor
 from gcs.trouble import state, troubles
 
@@ -37,7 +37,7 @@ def picture(
         "history": explain.history_of(schedule.services),
         "refuelled": refuelled,
         "goal": {**goal_of(scenario.goal), "pursue_held_s": supervisor.metrics.pursuit_held_s},
-        "inspected": {},
+        "inspected": supervisor.inspection.told(snapshot.time_s),
         "events": [event_row(event) for event in events],
     }
 
@@ -46,7 +46,7 @@ def _vehicles(supervisor: Supervisor) -> list[dict[str, Any]]:
     snapshot, standing, quality = supervisor.snapshot, supervisor.schedule.standing, supervisor.quality
     now_s = snapshot.time_s
     services = supervisor.schedule.open_services
-    notes = explain.notes_of(services)
+    notes = explain.notes_of(services, supervisor.schedule.asked, supervisor.schedule.out)
     waiting = {service.receiver for service in services if service.phase is Phase.JOIN}
     served, serving = {service.receiver for service in services}, {service.tanker for service in services}
     at = {view.sysid: view.p_ned for view in snapshot.vehicles}
@@ -76,7 +76,7 @@ def _vehicles(supervisor: Supervisor) -> list[dict[str, Any]]:
                     served=served - waiting,
                     serving=serving,
                 ),
-                found=troubles(view, now_s, lost_share=lost_share, down=pilot.down),
+                found=troubles(view, now_s, lost_share=lost_share, down=pilot.down, ordered=pilot.ordered is not None),
             )
         )
     return rows

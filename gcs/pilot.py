@@ -5,7 +5,8 @@
                                       └───────────┘
 
 A vehicle that starts in the air and already follows set points goes from `identify` straight to `fly`. One that lands,
-whatever its reason, is `down` and stays there.
+whatever its reason, is `down` and stays there. One that an operator takes is his from any stage (`operator`). From both
+it comes back by `rejoin`: from where it is, through as many of these stages as that needs.
 """
 
 from __future__ import annotations
@@ -17,9 +18,11 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.fleet import BATTERY_PARAMETERS, VehicleView
 from gcs.mavlink.codec import Message, message
-from gcs.profiles import STEERABLE, FlightMode
+from gcs.profiles import STEERABLE, End, FlightMode
 
 RETRY_S = 1.0
+PILOT, OPERATOR = "pilot", "operator"
+"""How the tokens of commands begin: whose wish it is."""
 _ROUNDING_S = 1e-6
 REACHED_M = 0.3
 SET_POINTS_FIRST_S = 0.2
@@ -35,6 +38,7 @@ class Stage(StrEnum):
     OFFBOARD = "start offboard"
     FLY = "fly"
     DOWN = "down"
+    TAKEN = "operator"
 
 
 @dataclass(frozen=True)
@@ -56,6 +60,10 @@ class Pilot:
         self._takeoff_m = takeoff_m
         self._stage_since_s = 0.0
         self._asked_s = -RETRY_S
+        self.ordered: End | None = None
+        """what an operator wants it to fly; None while it is the planner's"""
+        self._told = False
+        self._rejoins = False
 
     @property
     def sends_set_points(self) -> bool:
@@ -67,9 +75,23 @@ class Pilot:
         """Whether it flies no more, for good."""
         return self.stage is Stage.DOWN
 
-    def decide(self, view: VehicleView, now_s: float) -> tuple[list[Wish], list[Message]]:
-        """Commands and requests for now, given what is known of the vehicle; moves the stage on."""
-        self._move_on(view, now_s)
+    def take(self, mode: End) -> None:
+        """An operator wants it to hold, return or land, and to be left alone then."""
+        self.ordered, self._told = mode, False
+
+    def rejoin(self) -> None:
+        """Bring a vehicle back that was taken or is down, from where it is."""
+        self.ordered, self._rejoins = None, True
+        self.stage, self._asked_s = Stage.IDENTIFY, -RETRY_S
+
+    def decide(self, view: VehicleView, now_s: float, *, bound: bool = False) -> tuple[list[Wish], list[Message]]:
+        """Commands and requests for now, given what is known of the vehicle; moves the stage on.
+
+        While it is `bound`, to end a transfer in order, an operator's order waits.
+        """
+        self._move_on(view, now_s, bound)
+        if self.stage is Stage.TAKEN:
+            return self._tell(view), []
         if now_s - self._asked_s < RETRY_S - _ROUNDING_S:
             return [], []
         wishes: list[Wish] = []
@@ -89,8 +111,18 @@ class Pilot:
             self._asked_s = now_s
         return wishes, requests
 
-    def _move_on(self, view: VehicleView, now_s: float) -> None:
-        stage = self._next(view)
+    def _tell(self, view: VehicleView) -> list[Wish]:
+        """The operator's order, once; one whose motors are off stays where it is without being told."""
+        if self._told or self.ordered is None:
+            return []
+        self._told = True
+        if not view.armed:
+            return []
+        command, params = view.profile.ending(self.ordered)
+        return [self._wish(command, *params, token=f"{OPERATOR} {self.ordered}")]
+
+    def _move_on(self, view: VehicleView, now_s: float, bound: bool) -> None:
+        stage = Stage.TAKEN if self.ordered is not None and view.alive and not bound else self._next(view)
         if stage is not self.stage:
             self.stage = stage
             self._stage_since_s = now_s
@@ -99,28 +131,39 @@ class Pilot:
     def _next(self, view: VehicleView) -> Stage:
         if not view.alive:
             return Stage.DOWN
+        if self.stage is Stage.TAKEN:
+            return Stage.TAKEN
         if self.stage is Stage.IDENTIFY:
             if view.p_ned is None or view.heard_s < 0.0:
                 return Stage.IDENTIFY
-            return Stage.FLY if view.flying and view.mode in STEERABLE else Stage.ARM
+            if view.flying and view.mode in STEERABLE:
+                return Stage.FLY
+            if self._rejoins and view.flying:
+                return self._climbed(view)
+            return Stage.ARM
         if self.stage is Stage.ARM:
             return Stage.TAKEOFF if view.armed else Stage.ARM
         if self.stage is Stage.TAKEOFF:
-            if not view.armed:
-                return Stage.ARM
-            assert view.p_ned is not None
-            assert view.origin_offset_ned is not None
-            height_m = view.origin_offset_ned[2] - view.p_ned[2]
-            return Stage.OFFBOARD if height_m >= self._takeoff_m - REACHED_M else Stage.TAKEOFF
+            return self._climbed(view) if view.armed else Stage.ARM
         if self.stage in (Stage.OFFBOARD, Stage.FLY):
-            if view.mode is FlightMode.LAND or not view.armed:
-                return Stage.DOWN
-            return Stage.FLY if view.mode in STEERABLE else Stage.OFFBOARD
+            if view.mode in STEERABLE and view.armed:
+                self._rejoins = False
+                return Stage.FLY
+            if self._rejoins:  # it may still be on its way down
+                return Stage.OFFBOARD if view.armed else Stage.ARM
+            return Stage.DOWN if view.mode is FlightMode.LAND or not view.armed else Stage.OFFBOARD
         return Stage.DOWN
 
-    def _wish(self, command: int, *params: float) -> Wish:
+    def _climbed(self, view: VehicleView) -> Stage:
+        """Whether it is high enough to follow set points."""
+        assert view.p_ned is not None
+        assert view.origin_offset_ned is not None
+        height_m = view.origin_offset_ned[2] - view.p_ned[2]
+        return Stage.OFFBOARD if height_m >= self._takeoff_m - REACHED_M else Stage.TAKEOFF
+
+    def _wish(self, command: int, *params: float, token: str = "") -> Wish:
         filled = (*params, *(0.0 for _ in range(7 - len(params))))
-        return Wish(self.sysid, command, filled, f"pilot {self.stage}")  # type: ignore[arg-type]
+        return Wish(self.sysid, command, filled, token or f"{PILOT} {self.stage}")  # type: ignore[arg-type]
 
     def _read(self, name: str) -> Message:
         return message(

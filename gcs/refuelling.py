@@ -11,20 +11,19 @@ come out. It never knows a socket or a clock.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
-from enum import StrEnum
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.contest import Contest, Standing
+from gcs.contest import Contest, Standing, can_receive
 from gcs.fleet import Snapshot, VehicleView
 from gcs.pilot import Wish
 from gcs.profiles import STEERABLE, FlightMode
 from gcs.pursuit import meeting_s
 from gcs.scenario import Competition, Refuelling, Tanker
+from gcs.service import Decision, Phase, Service, by_text
 
 STOP, GIVE, RECEIVE = 0, 1, 2
 RELAY_WITHIN_M = 15.0
@@ -42,81 +41,6 @@ FOLLOW_EVERY_US = 100_000.0
 COMMAND_TOKENS = "refuel"
 
 
-class Phase(StrEnum):
-    """How far one service is."""
-
-    JOIN = "join"
-    START_RECEIVER = "start receiver"
-    START_GIVER = "start giver"
-    TRANSFER = "transfer"
-    STOP_GIVER = "stop giver"
-    CATCH_UP = "catch up"
-    STOP_RECEIVER = "stop receiver"
-    DONE = "done"
-
-
-@dataclass
-class Service:
-    """One tanker serving one receiver, from the decision to the end."""
-
-    number: int
-    receiver: int
-    tanker: int
-    by: str
-    bids: dict[int, float]
-    decided_at_s: float
-    phase: Phase = Phase.JOIN
-    phase_since_s: float = 0.0
-    near_since_s: float | None = None
-    joined_at_s: float | None = None
-    start_s: float | None = None
-    end_s: float | None = None
-    out_at_start_j: int = 0
-    in_at_begin_j: int = 0
-    breaks: int = 0
-    in_at_start_j: int = 0
-    energy_j: int = 0
-    seen_refuel: bool = False
-    seen_giving: bool = False
-    ordered_j: int = 0
-    refusals: int = 0
-    broken_off: bool = False
-    ended_by: str = ""
-    need: float = 0.0
-    need_is_largest: bool = True
-    share: float = 0.0
-    meets_in_s: float | None = None
-    """as was known at the decision: who needed what, and how long the tanker's way was"""
-
-    def record(self) -> dict[str, Any]:
-        """The service as the summary tells it."""
-        return {
-            "receiver": self.receiver,
-            "tanker": self.tanker,
-            "by": self.by,
-            "decided_at_s": self.decided_at_s,
-            "joined_at_s": self.joined_at_s,
-            "start_s": self.start_s,
-            "end_s": self.end_s,
-            "energy_j": self.energy_j,
-            "bids": by_text(self.bids),
-        }
-
-
-@dataclass(frozen=True)
-class Decision:
-    """What the schedule wants now: whom each tanker is to stand above, commands, and records of what happened."""
-
-    rendezvous: dict[int, int] = field(default_factory=dict)
-    """receiver by tanker"""
-    wishes: tuple[Wish, ...] = ()
-    relays: tuple[tuple[int, int], ...] = ()
-    """(giver, receiver) pairs between which frames are relayed"""
-    partners: tuple[tuple[int, int], ...] = ()
-    """(tanker, receiver) pairs that need not keep their distance from each other"""
-    records: tuple[dict[str, Any], ...] = ()
-
-
 class Schedule:
     """The competition and all services of a session."""
 
@@ -130,6 +54,10 @@ class Schedule:
         self._wishes: list[Wish] = []
         self._records: list[dict[str, Any]] = []
         self.services: list[Service] = []
+        self.out: dict[int, str] = {}
+        """who neither competes, is served nor serves, and why; a service of theirs is broken off"""
+        self.asked: list[int] = []
+        """who is served before anybody else, in this order"""
 
     @property
     def standing(self) -> Standing:
@@ -152,6 +80,15 @@ class Schedule:
         for receiver, service in newest.items():
             service.energy_j = snapshot.vehicle(receiver).received_j - service.in_at_start_j
 
+    def bound(self, sysid: int) -> bool:
+        """Whether a vehicle is needed until its service has been broken off in the order that saves every joule."""
+        for service in self.open_services:
+            if sysid == service.receiver and service.phase is not Phase.JOIN:
+                return True
+            if sysid == service.tanker and service.phase in (Phase.START_GIVER, Phase.TRANSFER, Phase.STOP_GIVER):
+                return True
+        return False
+
     def result(self, token: str, accepted: bool) -> None:
         """The result of a command whose wish carried this token."""
         self._results[token] = accepted
@@ -161,11 +98,14 @@ class Schedule:
         now_s = snapshot.time_s
         self._wishes, self._records = [], []
         self.settle(snapshot)
+        self._prune(snapshot)
         if self._contest is not None:
-            self._contest.advance(snapshot, {service.receiver for service in self.open_services})
+            served = {service.receiver for service in self.open_services}
+            self._contest.advance(snapshot, served | self.out.keys())
+        if self._rules.enabled:
             free = self._free_tankers(snapshot)
             for i in range(len(free)):
-                self._award(self._contest, free[i:], snapshot)
+                self._award(free[i:], snapshot)
         for service in self.open_services:
             self._serve(service, snapshot, now_s)
         open_services = self.open_services
@@ -189,6 +129,7 @@ class Schedule:
             view
             for view in snapshot.of_role("tanker")
             if view.sysid not in busy
+            and view.sysid not in self.out
             and view.flying
             and view.fresh
             and view.mode in STEERABLE
@@ -201,22 +142,40 @@ class Schedule:
         way_home_j = math.dist(tanker.p_now_ned(), rules.home_m or rules.start_m) / rules.speed_m_s * tanker.power_w
         return min(tanker.remaining_j - rules.reserve_j - way_home_j, limit_j)
 
-    def _award(self, contest: Contest, free: Sequence[VehicleView], snapshot: Snapshot) -> None:
+    def _prune(self, snapshot: Snapshot) -> None:
+        """Who is dead, out or being served is asked for no more."""
+        served = {service.receiver for service in self.open_services}
+        gone = served | self.out.keys()
+        self.asked = [sysid for sysid in self.asked if sysid not in gone and snapshot.vehicle(sysid).alive]
+
+    def _next(self, free: Sequence[VehicleView], snapshot: Snapshot) -> tuple[int, str] | None:
+        """Who the first of the free tankers serves next, and by what; None while undecided."""
+        for sysid in self.asked:
+            if can_receive(snapshot.vehicle(sysid)):
+                self.asked.remove(sysid)
+                return sysid, "operator"
+        if self._contest is None:
+            return None
+        speed_m_s = self._tankers[free[0].sysid].speed_m_s
+        reserve_s = self._rules.hold_s + self._rules.reserve_s
+        return self._contest.winner(snapshot, free[0], speed_m_s, reserve_s, free)
+
+    def _award(self, free: Sequence[VehicleView], snapshot: Snapshot) -> None:
         """Give the first of the free tankers its next receiver, if one is decided."""
-        now_s, standing, tanker = snapshot.time_s, contest.standing, free[0]
-        speed_m_s = self._tankers[tanker.sysid].speed_m_s
-        won = contest.winner(snapshot, tanker, speed_m_s, self._rules.hold_s + self._rules.reserve_s, free)
+        now_s, standing, tanker = snapshot.time_s, self.standing, free[0]
+        won = self._next(free, snapshot)
         if won is None:
             return
         receiver, by = won
-        contest.award(receiver, now_s)
+        if self._contest is not None:
+            self._contest.award(receiver, now_s)
         bids = {sysid: standing.tau[sysid] for sysid in standing.v or standing.tau}
         service = Service(len(self.services) + 1, receiver, tanker.sysid, by, bids, now_s, phase_since_s=now_s)
         view = snapshot.vehicle(receiver)
         service.need, service.share = view.need, standing.share
         service.need_is_largest = view.need >= max(standing.need.values(), default=0.0)
         way = np.subtract(view.p_now_ned(), tanker.p_now_ned())
-        service.meets_in_s = meeting_s(way, np.asarray(view.v_ned), speed_m_s)
+        service.meets_in_s = meeting_s(way, np.asarray(view.v_ned), self._tankers[tanker.sysid].speed_m_s)
         self.services.append(service)
         self._ask(
             tanker.sysid, mav.MAV_CMD_SET_MESSAGE_INTERVAL, self._token(service, "stream"), _FOLLOW, FOLLOW_EVERY_US
@@ -273,6 +232,10 @@ class Schedule:
             self._finish(service, receiver, tanker, now_s, "no rendezvous in time")
 
     def _start_receiver(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
+        if (out := self._out(receiver, tanker)) is not None:
+            service.ended_by = out
+            self._stop(service, receiver, now_s)
+            return
         accepted = self._answer(service, "receive")
         if accepted:
             service.refusals = 0
@@ -294,8 +257,10 @@ class Schedule:
             service.start_s = now_s if service.start_s is None else service.start_s
             self._records.append({"kind": "transfer", "receiver": receiver.sysid, "tanker": tanker.sysid})
             self._go(service, Phase.TRANSFER, now_s)
-        elif accepted is False or now_s - service.phase_since_s > START_WITHIN_S:
-            service.ended_by = "the giver refused"
+            return
+        out = self._out(receiver, tanker)
+        if out or accepted is False or now_s - service.phase_since_s > START_WITHIN_S:
+            service.ended_by = out or "the giver refused"
             self._order(service, tanker, STOP, 0.0)  # it may have begun, and its acknowledgements been lost
             self._go(service, Phase.STOP_GIVER, now_s)
 
@@ -360,9 +325,17 @@ class Schedule:
     def _go(self, service: Service, phase: Phase, now_s: float) -> None:
         service.phase, service.phase_since_s = phase, now_s
 
-    @staticmethod
-    def _unfit(receiver: VehicleView, tanker: VehicleView) -> str | None:
-        """Why the two cannot keep formation any more."""
+    def _out(self, receiver: VehicleView, tanker: VehicleView) -> str | None:
+        """Why one of the two is to take no part."""
+        for view in (receiver, tanker):
+            if view.sysid in self.out:
+                return f"{view.label} {self.out[view.sysid]}"
+        return None
+
+    def _unfit(self, receiver: VehicleView, tanker: VehicleView) -> str | None:
+        """Why the two cannot keep formation any more, or are not to."""
+        if (out := self._out(receiver, tanker)) is not None:
+            return out
         for view in (receiver, tanker):
             if not view.fresh:
                 return f"no word from {view.label}"
@@ -409,11 +382,6 @@ class Schedule:
     @staticmethod
     def _token(service: Service, what: str) -> str:
         return f"{COMMAND_TOKENS} {service.number} {what}"
-
-
-def by_text(numbers: Mapping[int, float]) -> dict[str, float]:
-    """JSON's keys are text."""
-    return {str(sysid): number for sysid, number in sorted(numbers.items())}
 
 
 _FOLLOW = float(mav.MAVLINK_MSG_ID_FOLLOW_TARGET)

@@ -56,7 +56,7 @@ class Refuelling(_Part):
 
     receiver: int
     tanker: int
-    by: Literal["competition", "timeout", "urgency", "policy"]
+    by: Literal["competition", "timeout", "urgency", "policy", "operator"]
     decided_at_s: float
     joined_at_s: float | None
     start_s: float | None
@@ -84,7 +84,8 @@ class Summary(_Part):
     scenario: str
     seed: int
     clock: Literal["lockstep", "real"]
-    speed: float
+    speed: float | None
+    """the pace that was asked for, in session time over wall time; null in lockstep, which has none"""
     sim_time_s: float
     wall_time_s: float
     speed_achieved: float
@@ -123,7 +124,7 @@ def summarise(
         scenario=scenario.name,
         seed=scenario.seed,
         clock=scenario.clock.mode,
-        speed=scenario.clock.speed,
+        speed=scenario.clock.speed if scenario.clock.mode == "real" else None,
         sim_time_s=supervisor.time_s,
         wall_time_s=wall_time_s,
         speed_achieved=supervisor.time_s / wall_time_s if wall_time_s > 0.0 else 0.0,

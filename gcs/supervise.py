@@ -22,12 +22,13 @@ from typing import Any
 import click
 
 from gcs import plugins
+from gcs.clients import Clients
 from gcs.clock import Pace
 from gcs.events import Event, Kind, Level
 from gcs.launch import Ended, Hatch, LaunchError, traffic_order, vehicle_orders
 from gcs.link import BUFFER_BYTES, REPEAT_S, FleetLink
 from gcs.picture import picture
-from gcs.publish import Publisher, Request
+from gcs.publish import Publisher
 from gcs.reader import Reader
 from gcs.recorder import Recorder, RecorderError
 from gcs.scenario import Scenario, ScenarioError, load
@@ -74,6 +75,7 @@ class Session:
         """who is given every snapshot, as a program in Python is; not a client of the socket"""
         clock = scenario.clock
         self._pace = Pace(None if clock.mode == "lockstep" else clock.speed, time.monotonic)
+        self._clients = Clients(self._publisher, self._supervisor, self._pace)
         self._labels = {v.sysid: v.label for v in scenario.vehicles.all} | {255: "traffic"}
         self._blocks: dict[int, tuple[int, ...]] = {}
         self._lost: list[int] = []
@@ -126,6 +128,7 @@ class Session:
                 self._start_fleet()
                 self._fly()
             except _Stopped:
+                self._supervisor.stop()
                 return True
             finally:
                 self._wall_time_s = self._pace.running_wall_s if self._begun else 0.0
@@ -221,9 +224,7 @@ class Session:
         if now_s - self._said_waiting_s >= SAY_WAITING_EVERY_S and not self._pace.paused:
             self._said_waiting_s = now_s
             self._wait_for(now_s - self._answered_s)
-        for request in self._publisher.poll():
-            self._obey(request)
-        if _stdin_closed():
+        if self._clients.serve() or _stdin_closed():
             raise _Stopped
         for key in self._link.refused.keys() - self._told_refused:
             self._told_refused.add(key)
@@ -258,21 +259,6 @@ class Session:
         for sysid in sysids:
             self._lost.append(sysid)
             self._supervisor.lose(TRAFFIC if sysid == TRAFFIC[0] else (sysid, AUTOPILOT), sentence)
-
-    def _obey(self, request: Request) -> None:
-        command = request.content["command"]
-        if command == "stop":
-            self._publisher.reply(request, True, "The session stops.")
-            raise _Stopped
-        if command == "pause":
-            self._pace.pause()
-        elif command == "resume":
-            self._pace.resume()
-        else:
-            self._publisher.reply(request, False, f"This session knows no command '{command}'.")
-            return
-        self._publisher.reply(request, True, f"The session is {'paused' if self._pace.paused else 'running'}.")
-        self._event(0, "info", f"Operator: {command}", "operator")
 
     def _event(self, sysid: int, level: Level, text: str, kind: Kind = "session") -> None:
         self._supervisor.events.append(Event(self._supervisor.time_s, sysid, level, text, kind))

@@ -9,13 +9,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any
 
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.events import Event, Level
+from gcs.explain import acknowledged, sentence
 from gcs.fleet import Fleet, GlobalOrigin, Member, Snapshot
 from gcs.impairment import Blackout, Impairment
+from gcs.inspection import Inspection
 from gcs.link import SUPERVISOR, FleetLink, Key
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
@@ -23,15 +25,18 @@ from gcs.mavlink.commands import CommandLong, CommandQueue, CommandResult, Targe
 from gcs.mavlink.sequence import GapCounter
 from gcs.metrics import Metrics
 from gcs.news import Watch
-from gcs.pilot import Pilot, Stage, Wish
+from gcs.operator import Answer, Operator
+from gcs.pilot import OPERATOR, PILOT, Pilot, Stage, Wish
 from gcs.planner.own import make_planner
 from gcs.planner.plan import SetPoint
 from gcs.policy_contest import make_contest
 from gcs.pursuit import Pursuit
 from gcs.quality import LinkQuality
 from gcs.recorder import Digest, Recorder
-from gcs.refuelling import Decision, Schedule
+from gcs.refuelling import Schedule
+from gcs.relays import Relay, relayed
 from gcs.scenario import Scenario
+from gcs.service import Decision
 
 AUTOPILOT = mav.MAV_COMP_ID_AUTOPILOT1
 TRAFFIC: Key = (255, 156)
@@ -50,15 +55,7 @@ _SEVERITY: dict[int, Level] = {
     mav.MAV_SEVERITY_INFO: "info",
 }
 _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
-_FOLLOW_TARGET = codec.msgid("FOLLOW_TARGET")
-_NAMED_VALUE_INT = codec.msgid("NAMED_VALUE_INT")
 _SET_POINT = codec.msgid("SET_POSITION_TARGET_LOCAL_NED")
-
-
-class _Relay(NamedTuple):
-    """A frame of one vehicle on its way to another, header unchanged."""
-
-    raw: bytes
 
 
 @dataclass
@@ -106,6 +103,7 @@ class Supervisor:
             self.pursuit = Pursuit(scenario.pursuit, pursuers, targets, scenario.planner.cruise_m_s)
         self.metrics = Metrics(scenario, self.planner.obstacles)
         self.pilots = {v.sysid: Pilot(v.sysid, v.takeoff_m) for v in scenario.vehicles.all}
+        self.operator = Operator(scenario, self.pilots, self.schedule)
         self._join_ms = {v.sysid: round(1e3 * v.join_s) for v in scenario.vehicles.all}
         self._radio = Impairment(
             **scenario.radio.model_dump(exclude={"blackouts"}),
@@ -132,6 +130,8 @@ class Supervisor:
         self.events: list[Event] = []
         self.targets_move = False
         self._watch = Watch()
+        self.inspection = Inspection()
+        self._deaths: list[dict[str, Any]] = []
         self.set_points: list[SetPoint] = []
         self.snapshot: Snapshot = self.fleet.snapshot(0.0)
 
@@ -163,15 +163,15 @@ class Supervisor:
         arrived, delivered = self._hear(answers, now_s)
         self._take_acknowledgements(now_s)
         self.snapshot = snapshot = self.fleet.snapshot(now_s)
-        self.events += self._watch.look(snapshot)
+        self.events += self._watch.look(snapshot, self.operator.ordered)
         decision = self.schedule.decide(snapshot)
         self._fly(snapshot, now_s)
-        pursuing = self.pursuit.decide(snapshot) if self.pursuit else None
+        pursuing = self.pursuit.decide(snapshot) if self.pursuit else self.operator.pursuing
         self.set_points = set_points = self._plan(snapshot, decision, pursuing)
         self._ask(decision.wishes, now_s)
         for sysid, queue in self._queues.items():
             self._follow_up(sysid, queue.poll(now_s), now_s)
-        relays = self._relays(decision, delivered)
+        relays = relayed(decision.relays, delivered)
         recording = _Recording(self.time_ms, arrived, [], self._records(decision, set_points))
         self._queue_set_points(set_points, snapshot)
         self._grant_all(relays, recording)
@@ -182,11 +182,26 @@ class Supervisor:
         """Collect and record the answers to the last grant; nothing is decided any more."""
         arrived, _ = self._hear(self._link.collect(idle), self.time_s)
         self.snapshot = self.fleet.snapshot(self.time_s)
-        self._record(_Recording(self.time_ms, arrived, [], []))
+        self._record(_Recording(self.time_ms, arrived, [], self._told()))
+
+    def stop(self) -> None:
+        """Record what has been ordered and who has died since the last tick: there is none after it."""
+        self._record(_Recording(self.time_ms, [], [], self._told()))
+
+    def obey(self, order: Mapping[str, Any]) -> Answer:
+        """Take an operator's order, or say why not."""
+        answer, event = self.operator.obey(order, self.fleet.snapshot(self.time_s))
+        self.events.append(event)
+        return answer
+
+    def note(self, command: str, answer: Answer) -> None:
+        """Tell and record a command that the session's clock has carried out."""
+        self.events.append(self.operator.note(self.time_s, command, answer))
 
     def lose(self, key: Key, why: str) -> None:
         """A process has died: hold it no longer, tell everyone, let the others go on."""
         self._link.leave(key)
+        self._deaths.append({"t_s": self.time_s, "kind": "death", "sysid": key[0], "text": why})
         if key == TRAFFIC:
             self.events.append(Event(self.time_s, 255, "critical", why, "death"))
             return
@@ -211,6 +226,8 @@ class Supervisor:
                 arrived.append(frame.raw)
             delivered[key[0]] = heard
             self.quality.take(key[0], len(heard), now_s)
+            if key[0] in self.inspection.wanted:
+                self.inspection.take(heard, now_s)
         self.received += len(arrived)
         for sysid, severity, text in self.fleet.take_statustexts():
             self.events.append(Event(now_s, sysid, _SEVERITY.get(severity, "critical"), text, "text"))
@@ -228,10 +245,8 @@ class Supervisor:
     def _report(self, sysid: int, result: CommandResult, now_s: float) -> None:
         self._under_way.discard((sysid, str(result.token)))
         self.schedule.result(str(result.token), result.outcome == "accepted")
-        if result.outcome != "accepted":
-            why = "timed out" if result.outcome == "timeout" else f"was refused (result {result.result})"
-            text = f"Command {result.command} ({result.token}) {why}"
-            self.events.append(Event(now_s, sysid, "warning", text, "ack"))
+        level: Level = "info" if result.outcome == "accepted" else "warning"
+        self.events.append(Event(now_s, sysid, level, acknowledged(result), "ack"))
 
     # decide
 
@@ -241,7 +256,9 @@ class Supervisor:
                 continue
             pilot = self.pilots[view.sysid]
             before = pilot.stage
-            wishes, requests = pilot.decide(view, now_s)
+            wishes, requests = pilot.decide(view, now_s, bound=self.schedule.bound(view.sysid))
+            if (pilot.stage is Stage.TAKEN) != (before is Stage.TAKEN) or any(_is_order(w.token) for w in wishes):
+                self._withdraw(view.sysid)
             if pilot.stage is Stage.DOWN and before is not Stage.DOWN and view.alive:
                 self.events.append(Event(now_s, view.sysid, "warning", "Lands, and takes no more part", "failsafe"))
             self._outbox[view.sysid] += requests
@@ -251,8 +268,9 @@ class Supervisor:
     def _plan(self, snapshot: Snapshot, decision: Decision, pursuing: Mapping[int, int] | None) -> list[SetPoint]:
         steered = frozenset(sysid for sysid, pilot in self.pilots.items() if pilot.sends_set_points)
         if not self.targets_move:
-            ready = all(p.stage in (Stage.FLY, Stage.DOWN) for s, p in self.pilots.items() if self._join_ms[s] == 0)
-            self.targets_move = ready or self.time_s > WAIT_FOR_FLEET_S
+            ready = (Stage.FLY, Stage.DOWN, Stage.TAKEN)
+            all_ready = all(p.stage in ready for s, p in self.pilots.items() if self._join_ms[s] == 0)
+            self.targets_move = all_ready or self.time_s > WAIT_FOR_FLEET_S
         return self.planner.plan(
             snapshot,
             steered,
@@ -263,26 +281,16 @@ class Supervisor:
             pursuing=pursuing,
         )
 
+    def _withdraw(self, sysid: int) -> None:
+        """What pilot or operator wanted before counts no more, and must not be repeated after what they want now."""
+        for token in self._queues[sysid].withdraw(lambda token: _is_order(token) or str(token).startswith(PILOT)):
+            self._under_way.discard((sysid, token))
+
     def _ask(self, wishes: Iterable[Wish], now_s: float) -> None:
         for wish in wishes:
             self._under_way.add((wish.sysid, wish.token))
             command = CommandLong(Target(wish.sysid, AUTOPILOT), wish.command, wish.params)
             self._outbox[wish.sysid] += self._queues[wish.sysid].send(command, now_s, token=wish.token)
-
-    def _relays(self, decision: Decision, delivered: Mapping[int, list[Frame]]) -> dict[int, list[_Relay]]:
-        """The giver's FOLLOW_TARGET and counter for the receiver, the receiver's counter for the giver."""
-        relays: dict[int, list[_Relay]] = {}
-        for giver, receiver in decision.relays:
-            for source, reader, counter in ((giver, receiver, "XferOut"), (receiver, giver, "XferIn")):
-                frames = [frame for frame in delivered.get(source, ()) if self._is_relayed(frame, counter)]
-                relays.setdefault(reader, []).extend(_Relay(frame.raw) for frame in frames)
-        return relays
-
-    def _is_relayed(self, frame: Frame, counter: str) -> bool:
-        """The giver's FOLLOW_TARGET goes to the receiver, and each side's own counter to the other."""
-        if frame.msgid == _NAMED_VALUE_INT:
-            return bool(codec.fields(frame).name == counter)
-        return frame.msgid == _FOLLOW_TARGET and counter == "XferOut"
 
     def _queue_set_points(self, set_points: Iterable[SetPoint], snapshot: Snapshot) -> None:
         for point in set_points:
@@ -297,7 +305,7 @@ class Supervisor:
 
     # out
 
-    def _grant_all(self, relays: Mapping[int, list[_Relay]], recording: _Recording) -> None:
+    def _grant_all(self, relays: Mapping[int, list[Relay]], recording: _Recording) -> None:
         """Send everyone the next bundle; the first one carries T = 0 and lets nobody move."""
         now_s = self.time_s
         grant_ms = self.time_ms + self.period_ms if recording.t_ms or self._begun else 0
@@ -306,7 +314,7 @@ class Supervisor:
             sysid = key[0]
             if key != TRAFFIC and grant_ms < self._join_ms[sysid]:
                 continue
-            messages: list[Message | _Relay] = []
+            messages: list[Message | Relay] = []
             if key != TRAFFIC:
                 if self.time_ms >= self._heartbeat_due_ms[sysid]:
                     self._heartbeat_due_ms[sysid] = self.time_ms + round(1e3 * HEARTBEAT_EVERY_S)
@@ -316,7 +324,7 @@ class Supervisor:
                 messages += relays.get(sysid, ())
                 messages = list(self._radio.apply(sysid, "out", now_s, messages))
             own = [m for m in messages if isinstance(m, Message)]
-            foreign = [m.raw for m in messages if isinstance(m, _Relay)]
+            foreign = [m.raw for m in messages if isinstance(m, Relay)]
             recording.sent += self._link.grant(key, grant_ms, self.epoch_us + 1000 * grant_ms, own, foreign)
         self.sent += len(recording.sent)
         self.time_ms = grant_ms
@@ -325,9 +333,10 @@ class Supervisor:
 
     def _records(self, decision: Decision, set_points: Iterable[SetPoint]) -> list[dict[str, Any]]:
         t_s = self.time_s
-        records: list[dict[str, Any]] = [{"t_s": t_s, **record} for record in decision.records]
-        for record in records:
-            self.events.append(Event(t_s, int(record["receiver"]), "info", _sentence(record), "decision"))
+        made = [{"t_s": t_s, **record} for record in decision.records]
+        records = [*self._told(), *made]
+        for record in made:
+            self.events.append(Event(t_s, int(record["receiver"]), "info", sentence(record), "decision"))
         for record in self.pursuit.records if self.pursuit else ():
             records.append({"t_s": t_s, **record})
             text = f"Pursues {record['target']} from now on"
@@ -353,6 +362,11 @@ class Supervisor:
         ]
         return records
 
+    def _told(self) -> list[dict[str, Any]]:
+        """Who has died, and what operators have commanded, since the last call."""
+        deaths, self._deaths = self._deaths, []
+        return deaths + self.operator.take_records()
+
     def _record(self, recording: _Recording) -> None:
         """Recording and hashing wait until the grants are out: the vehicles fly meanwhile."""
         t_us = self.epoch_us + 1000 * recording.t_ms
@@ -364,13 +378,5 @@ class Supervisor:
             self.digest.decision(recording.t_ms, self._recorder.decision(content))
 
 
-def _sentence(record: Mapping[str, Any]) -> str:
-    """A decision for a person."""
-    receiver, tanker = record["receiver"], record["tanker"]
-    if record["kind"] == "decided":
-        return f"Refuelling of {receiver} by {tanker} decided by {record['by']}"
-    if record["kind"] == "broken off":
-        return f"Transfer from {tanker} to {receiver} broken off, join again"
-    if record["kind"] == "transfer":
-        return f"Transfer from {tanker} to {receiver} begun"
-    return f"Refuelling of {receiver} by {tanker} ended: {record['reason']}, {record['energy_j']:.0f} J"
+def _is_order(token: Any) -> bool:
+    return str(token).startswith(OPERATOR)

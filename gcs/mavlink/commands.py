@@ -13,6 +13,7 @@ Rules:
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any, Literal, NamedTuple
 
@@ -153,6 +154,21 @@ class CommandQueue:
         line = self._waiting.setdefault((command.target, command.command), deque())
         line.append(_Flight(command, timeout_s, retries, token))
         return [self._attempt(line[0], now_s)] if len(line) == 1 else []
+
+    def withdraw(self, unwanted: Callable[[Any], bool]) -> list[Any]:
+        """Send no more those whose token is `unwanted`; the tokens of those never sent, which so have no result.
+
+        One that is under way is not sent again: it ends by its acknowledgement or its time-out.
+        """
+        never_sent: list[Any] = []
+        for line in self._waiting.values():
+            for flight in list(line)[1:]:
+                if unwanted(flight.token):
+                    line.remove(flight)
+                    never_sent.append(flight.token)
+            if unwanted(line[0].token):
+                line[0].retries = 0
+        return never_sent
 
     def on_ack(self, sysid: int, compid: int, ack: Any, now_s: float) -> Step:
         """Take in COMMAND_ACK's fields from this sender; one to someone else, or of nothing in flight, is ignored."""

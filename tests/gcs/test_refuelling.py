@@ -8,8 +8,9 @@ import pytest
 from gcs.fleet import Snapshot, VehicleView
 from gcs.pilot import Wish
 from gcs.profiles import PX4, FlightMode
-from gcs.refuelling import GIVE, RECEIVE, STOP, Decision, Phase, Schedule, Service
+from gcs.refuelling import GIVE, RECEIVE, STOP, Schedule
 from gcs.scenario import Battery, Competition, Refuelling, Tanker
+from gcs.service import Decision, Phase, Service
 
 RATE_W = 2000.0
 ORDER, INTERVAL, FOLLOW_TARGET = 31010, 511, 144

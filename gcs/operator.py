@@ -1,0 +1,205 @@
+"""What operators order: who is taken out of the planner's hands and given back, who is served next, who follows whom.
+
+    hold, return, land   the vehicle is the operator's; it flies that, and takes no part in anything, until `rejoin`
+    rejoin               back to the planner, from wherever it is; also one that a failsafe has landed
+    refuel               served next, as soon as a tanker is free
+    skip                 out of the competition; the same again: back in it
+    retarget             follows another target from now on
+
+An order that makes no sense is not taken, and a sentence says why. Taken or not, it is an event and a decision. This
+module only says who is to do what: the pilots and the schedule it is given carry it out, tick by tick.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
+
+from gcs.events import Event
+from gcs.fleet import Snapshot, VehicleView
+from gcs.pilot import Pilot
+from gcs.profiles import End
+from gcs.refuelling import Schedule
+from gcs.scenario import Scenario
+
+TAKEN: dict[str, tuple[End, str]] = {
+    "hold": ("hold", "holds where it is"),
+    "return": ("return", "returns to its home and lands there"),
+    "land": ("land", "lands where it is"),
+}
+OUT_TAKEN, OUT_SKIPPED = "taken by the operator", "skipped by the operator"
+
+
+class Answer(NamedTuple):
+    """Whether an order is taken, and a sentence about it."""
+
+    taken: bool
+    text: str
+
+
+class Operator:
+    """The orders so far, and what follows from them."""
+
+    def __init__(self, scenario: Scenario, pilots: Mapping[int, Pilot], schedule: Schedule) -> None:
+        vehicles = scenario.vehicles
+        self._pilots = pilots
+        self._schedule = schedule
+        self._refuels = bool(scenario.refuelling.enabled and vehicles.tankers)
+        self._until = scenario.refuelling.until
+        self._targets = {target.sysid for target in vehicles.targets}
+        self._races = scenario.pursuit.by == "competition"
+        self._follows = {p.sysid: on for p in vehicles.pursuers if (on := vehicles.target_of(p)) is not None}
+        self._skipped: set[int] = set()
+        self._records: list[dict[str, Any]] = []
+        self.pursuing: dict[int, int] | None = None
+        """the target of each pursuer once an operator has changed one; None: as the scenario says"""
+
+    @property
+    def ordered(self) -> dict[int, End]:
+        """What each vehicle that is in an operator's hands is to fly."""
+        return {sysid: pilot.ordered for sysid, pilot in self._pilots.items() if pilot.ordered is not None}
+
+    def obey(self, content: Mapping[str, Any], snapshot: Snapshot) -> tuple[Answer, Event]:
+        """Take an order, an object of the session's socket, or refuse it; never raises.
+
+        `snapshot` is what is known at present; its time is the order's.
+        """
+        command, sysid, target = content["command"], _number(content.get("sysid")), _number(content.get("target"))
+        answer = self._judge(command, sysid, target, snapshot)
+        return answer, self.note(snapshot.time_s, command, answer, sysid, target)
+
+    def note(
+        self, t_s: float, command: str, answer: Answer, sysid: int | None = None, target: int | None = None
+    ) -> Event:
+        """Record an operator's command, also one that somebody else carries out; what to tell of it."""
+        named = {"sysid": sysid, "target": target}
+        self._records.append(
+            {
+                "t_s": t_s,
+                "kind": "operator",
+                "command": command,
+                **{key: value for key, value in named.items() if value is not None},
+                "taken": answer.taken,
+                "text": answer.text,
+            }
+        )
+        known = sysid if sysid in self._pilots else 0
+        return Event(t_s, known or 0, "info" if answer.taken else "warning", f"Operator: {answer.text}", "operator")
+
+    def take_records(self) -> list[dict[str, Any]]:
+        """The commands since the last call, as decisions."""
+        taken, self._records = self._records, []
+        return taken
+
+    def _judge(self, command: str, sysid: int | None, target: int | None, snapshot: Snapshot) -> Answer:
+        if sysid is None:
+            return Answer(False, f"The command {command} needs a sysid, the system id of a vehicle.")
+        if sysid not in self._pilots:
+            return Answer(False, f"There is no vehicle {sysid} in this session.")
+        view = snapshot.vehicle(sysid)
+        if not view.alive:
+            return Answer(False, f"{_name(view)} is dead.")
+        if view.heard_s < 0.0:
+            return Answer(False, f"{_name(view)} has not said anything yet.")
+        if command == "retarget":
+            return self._retarget(view, target, snapshot)
+        return _COMMANDS[command](self, view, command)
+
+    def _take(self, view: VehicleView, command: str) -> Answer:
+        mode, does = TAKEN[command]
+        self._pilots[view.sysid].take(mode)
+        self._schedule.out[view.sysid] = OUT_TAKEN
+        if not view.armed:
+            does = "stays on the ground"
+        elif self._schedule.bound(view.sysid):
+            does += ", once its transfer is broken off,"
+        return Answer(True, f"{_name(view)} {does} until it rejoins.")
+
+    def _rejoin(self, view: VehicleView, command: str) -> Answer:
+        pilot = self._pilots[view.sysid]
+        if pilot.ordered is None and not pilot.down:
+            return Answer(False, f"{_name(view)} flies by the plan already: nobody has taken it.")
+        if view.energy_source != "none" and view.remaining_j <= 0.0:
+            return Answer(False, f"{_name(view)} has no energy left to fly with.")
+        pilot.rejoin()
+        self._schedule.out.pop(view.sysid, None)
+        if view.sysid in self._skipped:
+            self._schedule.out[view.sysid] = OUT_SKIPPED
+        how = "flies by the plan again" if view.flying else "takes off and flies by the plan again"
+        return Answer(True, f"{_name(view)} {how}.")
+
+    def _refuel(self, view: VehicleView, command: str) -> Answer:
+        name, schedule = _name(view), self._schedule
+        refusal = self._no_receiver(view)
+        if refusal is None and any(view.sysid == service.receiver for service in schedule.open_services):
+            refusal = f"{name} is being refuelled already."
+        if refusal is None and view.sysid in schedule.asked:
+            refusal = f"{name} is refuelled next already."
+        if refusal is None and view.sysid in schedule.out:
+            back = "rejoin it" if self._pilots[view.sysid].ordered is not None else "skip it again"
+            refusal = f"{name} is {schedule.out[view.sysid]}: {back} first."
+        if refusal is None and not view.flying:
+            refusal = f"{name} is not flying."
+        if refusal is None and view.remaining_j >= self._until * view.capacity_j:
+            share = f"{100.0 * view.remaining_j / view.capacity_j:.0f} %"
+            refusal = f"{name} has {share}, and is filled up to {100.0 * self._until:.0f} %."
+        if refusal is not None:
+            return Answer(False, refusal)
+        schedule.asked.append(view.sysid)
+        return Answer(True, f"{name} is refuelled next, as soon as a tanker is free.")
+
+    def _skip(self, view: VehicleView, command: str) -> Answer:
+        if (refusal := self._no_receiver(view)) is not None:
+            return Answer(False, refusal)
+        taken = self._pilots[view.sysid].ordered is not None
+        if view.sysid in self._skipped:
+            self._skipped.discard(view.sysid)
+            if not taken:
+                self._schedule.out.pop(view.sysid, None)
+            return Answer(True, f"{_name(view)} competes for the tanker again.")
+        self._skipped.add(view.sysid)
+        if not taken:
+            self._schedule.out[view.sysid] = OUT_SKIPPED
+        served = any(view.sysid == service.receiver for service in self._schedule.open_services)
+        after = "; its refuelling is broken off" if served else ""
+        return Answer(True, f"{_name(view)} is not refuelled until it is let back in{after}.")
+
+    def _no_receiver(self, view: VehicleView) -> str | None:
+        if not self._refuels:
+            return "Nobody is refuelled in this session."
+        return None if view.role == "pursuer" else f"{_name(view)} is no pursuer: only these are refuelled."
+
+    def _retarget(self, view: VehicleView, target: int | None, snapshot: Snapshot) -> Answer:
+        if self._races:
+            return Answer(False, "Who pursues which target is decided by a competition in this session.")
+        if view.sysid not in self._follows:
+            return Answer(False, f"{_name(view)} follows no target.")
+        if target not in self._targets:
+            there = ", ".join(map(str, sorted(self._targets)))
+            return Answer(False, f"The command retarget needs a target, one of {there}.")
+        lead = snapshot.vehicle(target)
+        if not lead.alive:
+            return Answer(False, f"{_name(lead)} is dead.")
+        follows = self.pursuing or self._follows
+        if follows[view.sysid] == target:
+            return Answer(False, f"{_name(view)} follows {lead.label} already.")
+        self.pursuing = {**follows, view.sysid: target}
+        return Answer(True, f"{_name(view)} follows {lead.label} from now on.")
+
+
+_COMMANDS: dict[str, Callable[[Operator, VehicleView, str], Answer]] = {
+    **dict.fromkeys(TAKEN, Operator._take),
+    "rejoin": Operator._rejoin,
+    "refuel": Operator._refuel,
+    "skip": Operator._skip,
+}
+COMMANDS = (*_COMMANDS, "retarget")
+
+
+def _number(value: Any) -> int | None:
+    """A system id as the schema of decisions takes it."""
+    return value if isinstance(value, int) and not isinstance(value, bool) and 1 <= value <= 254 else None
+
+
+def _name(view: VehicleView) -> str:
+    return view.label[:1].upper() + view.label[1:]

@@ -159,3 +159,23 @@ def test_command_that_does_not_fit_is_refused_and_leaves_no_trace(queue: Command
     with pytest.raises(ValueError, match=r"COMMAND_LONG.target_system cannot be 256"):
         queue.send(CommandLong(Target(256, 1), ARM), 0.0)
     assert queue.idle
+
+
+def test_what_is_withdrawn_is_sent_no_more_and_what_waits_behind_it_goes(queue: CommandQueue) -> None:
+    queue.send(CommandLong(VEHICLE, ARM), 0.0, token="old")
+    queue.send(CommandLong(VEHICLE, ARM), 0.0, token="older")
+    queue.send(CommandLong(VEHICLE, TAKEOFF), 0.0, token="kept")
+    assert queue.withdraw(lambda token: token.startswith("old")) == ["older"]
+    assert queue.send(CommandLong(VEHICLE, ARM), 0.1, token="new") == []
+    step = queue.poll(0.5)
+    assert [decoded(message).command for message in step.messages] == [ARM, TAKEOFF]
+    assert [(result.token, result.outcome) for result in step.results] == [("old", "timeout")]
+    (ended,) = queue.on_ack(3, 1, ack(ARM), 0.6).results
+    assert (ended.token, ended.outcome) == ("new", "accepted")
+
+
+def test_a_withdrawn_command_may_still_be_acknowledged(queue: CommandQueue) -> None:
+    queue.send(CommandLong(VEHICLE, ARM), 0.0, token="old")
+    assert queue.withdraw(lambda _: True) == []
+    assert [result.outcome for result in queue.on_ack(3, 1, ack(ARM), 0.1).results] == ["accepted"]
+    assert queue.idle

@@ -32,6 +32,9 @@ def test_in_flight_it_shows_place_distance_battery_and_goal(scripted: Any) -> No
     assert first["p_ned"] == pytest.approx([3.0, 0.0, -4.0], abs=1e-3)
     assert (first["height_m"], first["target_m"]) == pytest.approx((4.0, 3.0), abs=1e-3)
     assert (first["mode"], first["armed"], first["stage"]) == ("offboard", True, "fly")
+    assert (first["autopilot"], first["landed"], first["state"], first["severity"]) == ("px4", False, "idle", 0)
+    assert (first["age_s"], first["heard_s"], first["lost"], first["lost_share"]) == (0.0, 0.0, 0, 0.0)
+    assert (first["aim_ned"], first["energy_source"]) == (pytest.approx([3.0, 0.0, -4.0], abs=0.2), "energy_consumed")
     # 50 hJ of 20 kJ
     assert (first["battery"], first["remaining_j"]) == (0.75, 15_000.0)
     assert content["goal"] == {
@@ -50,7 +53,10 @@ def test_a_service_is_noted_on_both_sides(scripted: Any) -> None:
     notes = {vehicle["sysid"]: vehicle["note"] for vehicle in content["vehicles"]}
     phase = content["services"][0]["phase"]
     assert notes == {1: f"served by 201: {phase}", 101: "", 201: f"serves 1: {phase}"}
-    assert (content["services"][0]["receiver"], content["services"][0]["by"]) == (1, "competition")
+    service = content["services"][0]
+    assert (service["receiver"], service["by"], service["bids"]) == (1, "competition", {"1": 1.0})
+    assert service["why"].startswith("Pursuer 1 is refuelled next: its need 0.40 is the largest")
+    assert {vehicle["sysid"]: vehicle["state"] for vehicle in content["vehicles"]}[201] == "serves"
 
 
 def test_events_phase_speed_and_services_are_passed_on(scripted: Any) -> None:

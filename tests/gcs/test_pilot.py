@@ -150,3 +150,100 @@ def test_battery_parameters_are_read_until_told() -> None:
     assert pilot.decide(replace(FLYING, battery_told=False), 1.0) == ([], [])
     assert len(pilot.decide(replace(FLYING, battery_told=False), 1.1)[1]) == 2
     assert pilot.decide(FLYING, 2.1) == ([], [])
+
+
+@pytest.mark.parametrize(
+    ("order", "profile", "command", "params"),
+    [
+        ("hold", PX4, SET_MODE, (1.0, 4.0, 3.0)),
+        ("hold", ARDUCOPTER, SET_MODE, (1.0, 17.0, 0.0)),
+        ("return", PX4, 20, ()),
+        ("land", ARDUCOPTER, 21, ()),
+    ],
+)
+def test_one_that_is_taken_is_told_so_once_and_left_alone(order: Any, profile: Any, command: int, params: Any) -> None:
+    pilot, seen = brought_up(), replace(FLYING, profile=profile)
+    pilot.take(order)
+    (told,) = commands(pilot, seen, 10.0)
+    assert (told.command, told.params[: len(params)], told.token) == (command, params, f"operator {order}")
+    assert (pilot.stage, pilot.sends_set_points, pilot.down) == (Stage.TAKEN, False, False)
+    for k, mode in enumerate((FlightMode.OFFBOARD, FlightMode.HOLD, FlightMode.LAND)):
+        assert commands(pilot, replace(seen, mode=mode), 20.0 + k) == []
+        assert pilot.stage is Stage.TAKEN
+
+
+def test_while_it_is_bound_an_order_waits_and_set_points_go_on() -> None:
+    pilot = brought_up()
+    pilot.take("hold")
+    assert pilot.decide(FLYING, 10.0, bound=True) == ([], [])
+    assert pilot.sends_set_points
+    assert len(pilot.decide(FLYING, 10.1)[0]) == 1
+
+
+def test_one_with_its_motors_off_stays_there_without_a_word() -> None:
+    pilot = Pilot(3, 2.5)
+    pilot.take("hold")
+    assert commands(pilot, view(), 0.1) == []
+    assert commands(pilot, view(), 5.0) == []
+    assert pilot.stage is Stage.TAKEN
+
+
+def test_another_order_replaces_the_one_before() -> None:
+    pilot = brought_up()
+    pilot.take("hold")
+    commands(pilot, FLYING, 10.0)
+    pilot.take("land")
+    assert [wish.token for wish in commands(pilot, FLYING, 11.0)] == ["operator land"]
+
+
+def test_one_that_rejoins_in_the_air_gets_set_points_and_no_take_off() -> None:
+    pilot = brought_up()
+    pilot.take("hold")
+    commands(pilot, FLYING, 10.0)
+    held = replace(UP, mode=FlightMode.HOLD)
+    pilot.rejoin()
+    assert pilot.ordered is None
+    sent = [wish.command for k in range(10) for wish in commands(pilot, held, 20.0 + 0.1 * k)]
+    assert sent == [SET_MODE]
+    pilot.decide(FLYING, 21.0)
+    assert pilot.stage is Stage.FLY
+
+
+def test_one_that_rejoins_while_it_lands_is_caught_and_one_that_is_low_climbs() -> None:
+    pilot = brought_up()
+    pilot.take("land")
+    commands(pilot, FLYING, 10.0)
+    pilot.rejoin()
+    landing = replace(UP, mode=FlightMode.LAND)
+    assert [wish.command for k in range(4) for wish in commands(pilot, landing, 11.0 + 0.1 * k)] == [SET_MODE]
+    assert pilot.stage is Stage.OFFBOARD
+    pilot.rejoin()
+    low = replace(landing, p_ned=(0.0, 0.0, -0.5))
+    assert [wish.command for wish in commands(pilot, low, 12.0)] == [TAKEOFF]
+
+
+@pytest.mark.parametrize("by", ["order", "failsafe"])
+def test_one_that_has_landed_takes_off_again_when_it_rejoins(by: str) -> None:
+    pilot = brought_up()
+    if by == "order":
+        pilot.take("land")
+    landed = view(mode=FlightMode.LAND)
+    pilot.decide(landed, 10.0)
+    assert pilot.stage is (Stage.TAKEN if by == "order" else Stage.DOWN)
+    pilot.rejoin()
+    sent = [
+        wish.command for k, seen in enumerate((landed, ARMED, CLIMBING, UP)) for wish in commands(pilot, seen, 20.0 + k)
+    ]
+    assert sent == [ARM, TAKEOFF]
+    assert [wish.command for k in range(4) for wish in commands(pilot, UP, 24.0 + 0.1 * k)] == [SET_MODE]
+    pilot.decide(FLYING, 25.0)
+    assert pilot.stage is Stage.FLY
+    pilot.decide(replace(FLYING, mode=FlightMode.LAND), 26.0)
+    assert pilot.stage is Stage.DOWN
+
+
+def test_a_dead_vehicle_is_nobodys() -> None:
+    pilot = brought_up()
+    pilot.take("hold")
+    assert commands(pilot, replace(FLYING, alive=False), 10.0) == []
+    assert pilot.stage is Stage.DOWN

@@ -160,6 +160,8 @@ def test_a_dead_vehicle_is_told_and_the_others_fly_on(scripted: Any) -> None:
     assert session.supervisor.events[-1].level == "critical"
     assert not session.supervisor.snapshot.vehicle(1).alive
     assert session.supervisor.pilots[1].stage is Stage.DOWN
+    (death,) = [d for d in map(json.loads, _decisions(session)) if d["kind"] == "death"]
+    assert death == {"t_s": 1.0, "kind": "death", "sysid": 1, "text": "pursuer 1 (process 9) was killed by signal 9"}
     assert max(t_ms for t_ms, key, _ in session.link.bundles if key == (1, 1)) == 1000
     assert session.link.bundles[-1][0] == 2000
 

@@ -1,0 +1,69 @@
+"""The latest of everything that chosen vehicles send."""
+
+import json
+import math
+from typing import Any
+
+import pytest
+from pymavlink.dialects.v20 import common
+
+from gcs.inspection import Inspection
+from gcs.mavlink import codec
+from gcs.mavlink.codec import Frame
+
+
+def frame(name: str, sysid: int = 1, **fields: Any) -> Frame:
+    return codec.split(codec.encode(name, 0, sysid, 1, **fields)).frames[0]
+
+
+def attitude(sysid: int = 1, roll: float = 0.25) -> Frame:
+    return frame("ATTITUDE", sysid, time_boot_ms=5, roll=roll, pitch=0.5, yaw=math.nan, rollspeed=0.0, pitchspeed=0.0,
+                 yawspeed=0.0)  # fmt: skip
+
+
+def test_the_latest_is_told_as_pymavlink_reads_it() -> None:
+    inspection = Inspection()
+    inspection.want({1})
+    inspection.take([attitude(roll=0.1), attitude(roll=0.75)], 3.0)
+    told = inspection.told(4.5)["1"]["ATTITUDE"]
+    (read,) = common.MAVLink(None).parse_buffer(attitude(roll=0.75).raw)
+    theirs = {key: value for key, value in read.to_dict().items() if key != "mavpackettype"}
+    assert told["fields"].pop("yaw") is None
+    assert math.isnan(theirs.pop("yaw"))
+    assert told["fields"] == theirs
+    assert (told["count"], told["age_s"], told["rate_hz"]) == (2, 1.5, None)
+
+
+def test_texts_and_arrays_are_json() -> None:
+    inspection = Inspection()
+    inspection.want({1})
+    inspection.take([frame("STATUSTEXT", severity=4, text="Hold")], 0.0)
+    battery = {"id": 0, "battery_function": 0, "type": 0, "temperature": 0, "voltages": [7] * 10, "current_battery": -1,
+               "current_consumed": -1, "energy_consumed": 4, "battery_remaining": 9}  # fmt: skip
+    inspection.take([frame("BATTERY_STATUS", **battery)], 0.0)
+    told = json.loads(json.dumps(inspection.told(0.0), allow_nan=False))["1"]
+    assert told["STATUSTEXT"]["fields"]["text"] == "Hold"
+    assert told["BATTERY_STATUS"]["fields"]["voltages"] == [7] * 10
+
+
+@pytest.mark.parametrize("every_s", [0.1, 0.5, 1.0])
+def test_the_rate_is_how_often_it_comes(every_s: float) -> None:
+    inspection = Inspection()
+    inspection.want({1})
+    for k in range(100):
+        inspection.take([attitude()], k * every_s)
+    assert inspection.told(100 * every_s)["1"]["ATTITUDE"]["rate_hz"] == pytest.approx(1.0 / every_s)
+
+
+def test_nothing_is_kept_of_others_and_nothing_once_nobody_looks() -> None:
+    inspection = Inspection()
+    inspection.take([attitude()], 0.0)
+    inspection.want({1, 2})
+    inspection.take([attitude(1), attitude(3)], 0.0)
+    assert {key: list(messages) for key, messages in inspection.told(0.0).items()} == {"1": ["ATTITUDE"], "2": []}
+    inspection.want({2})
+    assert inspection.told(0.0) == {"2": {}}
+    inspection.want({1})
+    assert inspection.told(0.0) == {"1": {}}
+    inspection.want(())
+    assert inspection.told(0.0) == {}

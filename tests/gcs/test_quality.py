@@ -1,0 +1,57 @@
+"""How well each vehicle is heard, so far and lately."""
+
+import pytest
+
+from gcs.mavlink.sequence import GapCounter
+from gcs.quality import LinkQuality
+
+
+class Radio:
+    """Numbers of two vehicles' frames, ten a second each; of vehicle 2 the first `lost` of a second never come."""
+
+    def __init__(self) -> None:
+        self.gaps = GapCounter()
+        self.quality = LinkQuality(self.gaps)
+        self.sent = 0
+
+    def second(self, lost: int = 0) -> None:
+        now_s = self.sent / 10 + 1.0
+        for k in range(self.sent, self.sent + 10):
+            self.gaps.feed(1, 1, k % 256)
+            if k % 10 >= lost:
+                self.gaps.feed(2, 1, k % 256)
+        self.quality.take(1, 10, now_s)
+        self.quality.take(2, 10 - lost, now_s)
+        self.sent += 10
+
+
+def test_what_is_lost_is_counted_by_vehicle() -> None:
+    radio = Radio()
+    radio.second()
+    for _ in range(5):
+        radio.second(lost=3)
+    assert (radio.quality.lost(1), radio.quality.lost(2)) == (0, 15)
+    assert radio.gaps.lost == 15
+
+
+def test_the_share_is_that_of_the_last_ten_seconds() -> None:
+    radio = Radio()
+    assert radio.quality.lost_share(2) is None
+    radio.second()
+    assert radio.quality.lost_share(2) == 0.0
+    for _ in range(30):
+        radio.second(lost=4)
+    assert radio.quality.lost_share(2) == pytest.approx(0.4)
+    assert radio.quality.lost_share(1) == 0.0
+    for _ in range(11):
+        radio.second()
+    assert radio.quality.lost_share(2) == 0.0
+    assert radio.quality.lost(2) == 120
+
+
+def test_one_that_says_nothing_any_more_has_no_share() -> None:
+    radio = Radio()
+    radio.second()
+    for k in range(2, 30):
+        radio.quality.take(2, 0, float(k))
+    assert radio.quality.lost_share(2) is None

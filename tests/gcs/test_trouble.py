@@ -1,0 +1,84 @@
+"""What is wrong with a vehicle, worst first, and its part in the refuelling."""
+
+import math
+from typing import Any
+
+import pytest
+from views import view
+
+from gcs.profiles import FlightMode
+from gcs.trouble import ACT, LOOK, WELL, State, severity, state, troubles
+
+NOW_S = 100.0
+
+
+def test_a_vehicle_that_is_well_has_no_trouble() -> None:
+    assert troubles(view(), NOW_S) == []
+    assert severity([]) == WELL
+
+
+@pytest.mark.parametrize(
+    ("changed", "how", "text", "how_bad"),
+    [
+        ({"alive": False}, {}, "dead", ACT),
+        ({"heard_s": -math.inf}, {}, "no word yet", LOOK),
+        ({"heard_s": 96.0}, {}, "no word 4 s", ACT),
+        ({"p_ned": None}, {}, "no position", LOOK),
+        ({"age_s": 2.0}, {}, "position old", LOOK),
+        ({"drawn_j": 8_500.0}, {}, "battery 15 %", LOOK),
+        ({"drawn_j": 9_200.0}, {}, "battery 8 %", ACT),
+        ({"drawn_j": 10_400.0, "power_w": 0.0}, {}, "battery 0 %", ACT),
+        ({"power_w": 100.0}, {}, "empties in 50 s", LOOK),
+        ({"power_w": 250.0}, {}, "empties in 20 s", ACT),
+        ({"mode": FlightMode.LAND}, {}, "land", ACT),
+        ({"mode": FlightMode.RETURN}, {}, "return", ACT),
+        ({"mode": FlightMode.RETURN}, {"ordered": True}, "return", LOOK),
+        ({"armed": False, "landed": True}, {"down": True}, "not flying", ACT),
+        ({}, {"lost_share": 0.3}, "loses 30 %", LOOK),
+        ({}, {"lost_share": 0.7}, "loses 70 %", ACT),
+    ],
+)
+def test_each_trouble_has_its_words_and_its_weight(changed: Any, how: Any, text: str, how_bad: int) -> None:
+    found = troubles(view(**changed), NOW_S, **how)
+    assert [trouble.text for trouble in found] == [text]
+    assert severity(found) == how_bad
+
+
+@pytest.mark.parametrize(
+    ("changed", "how"),
+    [
+        ({"drawn_j": 9_900.0, "energy_source": "none", "power_w": 0.0}, {}),  # it has not told any energy
+        ({"armed": False, "landed": True, "mode": FlightMode.LAND}, {}),  # it has landed and is done
+        ({"armed": False, "landed": True}, {"down": True, "ordered": True}),
+        ({"armed": False, "landed": True, "power_w": 250.0}, {}),  # nothing falls from the ground
+        ({}, {"lost_share": 0.1}),
+    ],
+)
+def test_what_is_in_order_is_no_trouble(changed: Any, how: Any) -> None:
+    assert troubles(view(**changed), NOW_S, **how) == []
+
+
+def test_the_worst_comes_first() -> None:
+    found = troubles(view(age_s=2.0, drawn_j=9_500.0, mode=FlightMode.LAND), NOW_S, lost_share=0.3)
+    assert [trouble.severity for trouble in found] == sorted((trouble.severity for trouble in found), reverse=True)
+    assert {"battery 5 %", "land", "position old", "loses 30 %"} <= {trouble.text for trouble in found}
+
+
+def test_before_three_seconds_nobody_need_have_spoken() -> None:
+    assert troubles(view(heard_s=-math.inf), 2.9) == []
+
+
+@pytest.mark.parametrize(
+    ("parts", "part"),
+    [
+        ({}, State.IDLE),
+        ({"competing": {3}}, State.COMPETING),
+        ({"competing": {3}, "leader": 3}, State.LEADS),
+        ({"waiting": {3}, "competing": {3}}, State.WAITS),
+        ({"served": {3}}, State.SERVED),
+        ({"serving": {3}}, State.SERVES),
+    ],
+)
+def test_a_vehicles_part_in_the_refuelling(parts: Any, part: State) -> None:
+    assert state(view(), **parts) is part
+    assert state(view(alive=False), **parts) is State.LOST

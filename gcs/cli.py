@@ -43,6 +43,21 @@ def _is_udpout(text: str) -> bool:
     return match is not None and 0 < int(match[1]) < 65536
 
 
+def _someone(ctx: click.Context, param: click.Parameter, value: str | None) -> str | None:
+    """A --connect is an address whose host can be found."""
+    _limits("an address; write udpout:HOST:PORT, such as udpout:127.0.0.1:14550", _is_udpout)(ctx, param, value)
+    if value is not None:
+        from socket import SOCK_DGRAM, getaddrinfo
+
+        host, _, port = value.removeprefix("udpout:").rpartition(":")
+        try:
+            getaddrinfo(host.strip("[]"), int(port), type=SOCK_DGRAM)
+        except (OSError, UnicodeError) as error:
+            reason = getattr(error, "strerror", None) or "it is no name of a host"
+            raise click.BadParameter(f"{value}: the host {host} cannot be found: {reason}.", ctx, param) from None
+    return value
+
+
 @click.group(context_settings=SETTINGS)
 @click.version_option(package_name="skytender", message="%(prog)s %(version)s")
 def cli() -> None:
@@ -234,7 +249,7 @@ def _view(
 @click.argument("scenario", type=ScenarioName())
 @click.option(
     "--connect",
-    callback=_limits("an address; write udpout:HOST:PORT, such as udpout:127.0.0.1:14550", _is_udpout),
+    callback=_someone,
     metavar="udpout:HOST:PORT",
     help="All vehicles speak to this address.  [default: each listens at a port of its own]",
 )

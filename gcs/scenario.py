@@ -72,6 +72,9 @@ __all__ = [
 
 START_CLEARANCE_M = 0.3
 LONGEST_RELAY_S = 0.2
+TRANSFER_SILENCE_S = 1.0
+TRANSFER_HOPS = 4
+"""Giver, supervisor, receiver and back: within the silence the giver's joules must be seen to have arrived."""
 MOST_MOVERS = 100
 """A tick holds at most 127 frames of one sender (contract.md, the supervised link)."""
 NO_PURSUIT = "a competition for targets needs a pursuer and a target"
@@ -129,6 +132,8 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
     steps, sysids = s.clock.period_s / STEP_S, {vehicle.sysid for vehicle in s.vehicles.all}
     pursue, pursuers, targets, tankers = s.goal.pursue, s.vehicles.pursuers, s.vehicles.targets, s.vehicles.tankers
     refuels = s.refuelling.enabled and pursuers and tankers
+    mean_delay_s = s.radio.delay_s + 0.5 * s.radio.jitter_s
+    longest_delay_s = max(TRANSFER_SILENCE_S - 2.0 * s.clock.period_s, 0.0) / TRANSFER_HOPS
     rules: list[tuple[Any, Path, str]] = [
         (not sysids, ("vehicles",), "there must be at least one vehicle"),
         (abs(steps - round(steps)) > 1e-6, ("clock", "period_s"), f"period_s must be a multiple of {STEP_S} s"),
@@ -145,6 +150,12 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
             refuels and s.clock.period_s > LONGEST_RELAY_S,
             ("clock", "period_s"),
             f"refuelling needs a period_s of at most {LONGEST_RELAY_S}: transfers break off after 1 s of silence",
+        ),
+        (
+            refuels and mean_delay_s > longest_delay_s + 1e-9,
+            ("radio", "delay_s"),
+            f"refuelling needs delay_s + jitter_s / 2 of at most {longest_delay_s:g} s, not {mean_delay_s:g}: "
+            "transfers break off after 1 s of silence; or set 'refuelling: {enabled: false}'",
         ),
         (
             len(s.traffic) > MOST_MOVERS,

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from simvehicle.geo import LocalFrame
-from simvehicle.link import Address, PlainLink, SupervisedLink, parse_address
+from simvehicle.link import Address, PlainLink, SupervisedLink, parse_address, parse_supervisor
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.identity import Identity
 from simvehicle.mavlink.parameters import Parameters
@@ -40,7 +40,7 @@ def fly(
     Raises AddressError and OSError before anything flies, OSError with a file name when truth cannot be written.
     """
     addresses = [parse_address(text) for text in connect]
-    supervisor = parse_address(supervised) if supervised is not None else None
+    supervisor = parse_supervisor(supervised) if supervised is not None else None
     with ExitStack() as opened:
         seats = [
             _seat(one, identity, frame, [_own(address, i) for address in addresses], supervisor, opened)

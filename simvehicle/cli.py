@@ -260,7 +260,7 @@ def hatch() -> None:
     from simvehicle.preload import warm_up
 
     warm_up()
-    sys.exit(hatch.run(run_argv, sysid_of))
+    sys.exit(hatch.run(run_argv, sysid_of, title_of))
 
 
 @cli.command(short_help="Fly the movers of a file and report them by ADSB_VEHICLE.")
@@ -268,14 +268,14 @@ def hatch() -> None:
 @click.option("--supervised", metavar="udpout:HOST:PORT", required=True, help="The gcs supervisor to report to.")
 def traffic(file: Path, supervised: str) -> None:
     """Fly the movers of FILE and report them by ADSB_VEHICLE (system 255, component 156)."""
-    from simvehicle.link import AddressError, SupervisedLink, parse_address
+    from simvehicle.link import AddressError, SupervisedLink, parse_supervisor
     from simvehicle.mavlink.connection import Connection
     from simvehicle.process import Seat, run_supervised
     from simvehicle.traffic import COMPID, SYSID, Traffic, TrafficError, load
 
     try:
         connection = Connection(SYSID, COMPID)
-        address = parse_address(supervised)
+        address = parse_supervisor(supervised)
         frame, movers = load(file)
         link = SupervisedLink(address, connection)
     except (AddressError, TrafficError) as error:
@@ -318,6 +318,16 @@ def sysid_of(argv: Sequence[str]) -> int:
         if word == "--sysid" and following.isdecimal():
             return int(following)
     return 0
+
+
+def title_of(argv: Sequence[str]) -> str:
+    """What a process of this argv calls itself: `simvehicle 3`, a block `simvehicle 3-27`, or `simvehicle traffic`."""
+    first = sysid_of(argv)
+    if not 0 < first <= LAST_SYSID:
+        return "simvehicle traffic" if first else "simvehicle"
+    counts = [int(following) for word, following in pairwise(argv) if word == "--count" and following.isdecimal()]
+    last = first + (counts[-1] if counts else 1) - 1
+    return f"simvehicle {first}" if last == first else f"simvehicle {first}-{last}"
 
 
 def run_argv(argv: Sequence[str]) -> int:

@@ -2,7 +2,7 @@
 
 stdin: one JSON line per process, {"argv": ["--sysid", "1", …], "log": PATH}. stdout: {"ready": true} once preloaded,
 then {"sysid", "pid"} at each fork and {"sysid", "pid", "exit", "last_lines"} at each end; `exit` is negative for a
-signal. The end of stdin ends the hatch, and its children die with it, however it dies.
+signal. The end of stdin ends the hatch, and its children die with it, however it dies. `ps` shows `simvehicle 1`.
 """
 
 from __future__ import annotations
@@ -20,6 +20,8 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
+from setproctitle import setproctitle
+
 PR_SET_PDEATHSIG = 1
 LAST_LINES = 8
 BAD_INPUT = 2
@@ -27,8 +29,12 @@ INTERNAL_ERROR = 70
 CANNOT_WRITE = 74
 
 
-def run(main: Callable[[Sequence[str]], int], sysid_of: Callable[[Sequence[str]], int]) -> int:
-    """Serve until stdin ends. `main` runs one vehicle from its argv in a child; `sysid_of` names it."""
+def run(
+    main: Callable[[Sequence[str]], int],
+    sysid_of: Callable[[Sequence[str]], int],
+    title_of: Callable[[Sequence[str]], str],
+) -> int:
+    """Serve until stdin ends. `main` runs one vehicle from its argv in a child; `sysid_of` and `title_of` name it."""
     with contextlib.suppress(PermissionError):
         os.setsid()
     gc.freeze()
@@ -58,7 +64,7 @@ def run(main: Callable[[Sequence[str]], int], sysid_of: Callable[[Sequence[str]]
                         _end_all(pid for pid, _, _ in children.values())
                         return BAD_INPUT
                     sysid = sysid_of(argv)
-                    pid = _fork(main, argv, log, libc, list(children))
+                    pid = _fork(main, argv, title_of(argv), log, libc, list(children))
                     pidfd = os.pidfd_open(pid)
                     children[pidfd] = (pid, sysid, log)
                     selector.register(pidfd, selectors.EVENT_READ)
@@ -66,7 +72,12 @@ def run(main: Callable[[Sequence[str]], int], sysid_of: Callable[[Sequence[str]]
 
 
 def _fork(
-    main: Callable[[Sequence[str]], int], argv: list[str], log: Path, libc: ctypes.CDLL, inherited: list[int]
+    main: Callable[[Sequence[str]], int],
+    argv: list[str],
+    title: str,
+    log: Path,
+    libc: ctypes.CDLL,
+    inherited: list[int],
 ) -> int:
     parent = os.getpid()
     pid = os.fork()
@@ -79,6 +90,7 @@ def _fork(
             os._exit(INTERNAL_ERROR)
         for fd in inherited:
             os.close(fd)
+        setproctitle(title)
         try:
             out = os.open(log, os.O_WRONLY | os.O_CREAT | os.O_APPEND | os.O_CLOEXEC, 0o644)
         except OSError as error:

@@ -41,6 +41,17 @@ def parse_address(text: str) -> Address:
     return Address(match[1], match[2].strip("[]"), int(match[3]))
 
 
+def parse_supervisor(text: str) -> Address:
+    """Read the supervisor's address, `udpout:HOST:PORT`: a vehicle speaks to it first. Raises AddressError."""
+    address = parse_address(text)
+    if address.kind != "udpout":
+        spoken_to = f"udpout:{address.host}:{address.port or 'PORT'}"
+        raise AddressError(
+            f"'{text}' waits for others, but a vehicle speaks to its supervisor first: write {spoken_to}"
+        )
+    return address
+
+
 def open_socket(address: Address) -> socket.socket:
     """A non-blocking UDP socket, bound for udpin and connected for udpout; raises AddressError."""
     try:

@@ -11,6 +11,7 @@ from simvehicle.mavlink.parameters import ParameterError
 from simvehicle.microservices.desk import Call, Desk, MessageHandler
 
 NO_INDEX = -1
+CAPACITY = "SIM_BAT_CAP_J"
 
 
 def tell_all(desk: Desk, call: Call) -> None:
@@ -39,6 +40,9 @@ def change(desk: Desk, call: Call) -> None:
         value = parameters.value_from_wire(
             row, content.param_value, content.param_type, bytewise=vehicle.identity.integers_bytewise
         )
+        if row.name == CAPACITY and row.least <= value < vehicle.remaining_j:
+            text = f"{CAPACITY} = {value:g}: the battery holds {vehicle.remaining_j:.0f} J"
+            raise ParameterError(text, parameters.OUT_OF_RANGE)
         taken = vehicle.parameters.set(row.name, value)
         vehicle.retune()
         if desk.store is not None:

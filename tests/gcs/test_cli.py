@@ -85,6 +85,8 @@ def test_both_names_of_the_program_say_their_version() -> None:
         (["run"], "Missing argument 'SCENARIO'."),
         (["launch", "demo", "--connect", "udpin:127.0.0.1:14550"], "write udpout:HOST:PORT"),
         (["launch", "demo", "--connect", "udpout:127.0.0.1:0"], "write udpout:HOST:PORT"),
+        (["launch", "demo", "--connect", "udpout:nowhere.invalid:14550"], "the host nowhere.invalid cannot be found"),
+        (["launch", "demo", "--connect", f"udpout:{'x' * 70}.y:14550"], "cannot be found"),
         (["fly", "demo"], "No such command 'fly'."),
     ],
 )

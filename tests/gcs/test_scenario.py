@@ -246,6 +246,29 @@ def test_values_that_do_not_go_together_are_refused_in_place(path: Path, old: st
     assert said in refusal(path, changed(SMALL, old, new))
 
 
+@pytest.mark.parametrize(
+    ("radio", "said"),
+    [
+        ("{delay_s: 0.2}", ""),
+        ("{jitter_s: 0.3}", ""),
+        ("{delay_s: 0.2, jitter_s: 0.1}", "refuelling needs delay_s + jitter_s / 2 of at most 0.2 s, not 0.25: "),
+        ("{delay_s: 3}", "transfers break off after 1 s of silence; or set 'refuelling: {enabled: false}'"),
+    ],
+)
+def test_a_radio_too_slow_for_any_transfer_is_refused_where_somebody_is_refuelled(
+    path: Path, radio: str, said: str
+) -> None:
+    with_radio = SMALL + f"radio: {radio}\n"
+    loaded(path, with_radio)  # nobody is refuelled
+    tanker = "  tankers: [{sysid: 9, start_m: [20, 0, 0], battery: {capacity_j: 90000}}]\n"
+    refuelled = changed(with_radio, "radio:", f"{tanker}radio:")
+    if said:
+        assert said in refusal(path, refuelled)
+        loaded(path, refuelled + "refuelling: {enabled: false}\n")
+    else:
+        loaded(path, refuelled)
+
+
 def test_starts_may_lie_outside_the_margin_or_be_shared_one_after_the_other(path: Path) -> None:
     loaded(path, SMALL + "obstacles: [{point_m: [5, 0, -0.31]}]\n")
     loaded(path, changed(SMALL, "sysid: 2, start_m: [5, 0, 0]", "sysid: 2, join_s: 5, start_m: [0, 0, 0]"))

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from simvehicle.cli import run_argv, sysid_of
+from simvehicle.cli import run_argv, sysid_of, title_of
 
 FINE = ["--sysid", "1", "--connect", "udpin:127.0.0.1:0"]
 
@@ -33,6 +33,8 @@ def complaint(argv: list[str], capfd: pytest.CaptureFixture[str]) -> str:
         (["--sysid", "one", *FINE[2:]], "'one' is not a valid integer"),
         (["--sysid", "1", "--connect", "127.0.0.1:14550"], "'127.0.0.1:14550' is no connection; write udpout:"),
         (["--sysid", "1", "--supervised", "udpout:127.0.0.1"], "'udpout:127.0.0.1' is no connection"),
+        (["--sysid", "1", "--supervised", "udpin:127.0.0.1:9"], "write udpout:127.0.0.1:9"),
+        (["traffic", "none.yaml", "--supervised", "udpin:127.0.0.1:0"], "write udpout:127.0.0.1:PORT"),
         ([*FINE, "--connect", "udpout:no.such.host.invalid:1"], "cannot use udpout:no.such.host.invalid:1"),
         ([*FINE, "--position", "0,0"], "'0,0' is not three numbers; write N,E,D"),
         ([*FINE, "--position", "a,b,c"], "'a,b,c' is not three numbers"),
@@ -126,6 +128,15 @@ def test_help_is_a_page_for_newcomers_and_loads_no_compiler() -> None:
 )  # fmt: skip
 def test_argv_names_its_system(argv: list[str], sysid: int) -> None:
     assert sysid_of(argv) == sysid
+
+
+@pytest.mark.parametrize(
+    ("argv", "title"),
+    [(["--sysid", "7"], "simvehicle 7"), (["traffic", "f"], "simvehicle traffic"), ([], "simvehicle"),
+     (["--sysid", "7", "--count", "3"], "simvehicle 7-9"), (["--count", "x", "--sysid", "7"], "simvehicle 7")],
+)  # fmt: skip
+def test_argv_gives_its_process_a_title(argv: list[str], title: str) -> None:
+    assert title_of(argv) == title
 
 
 def test_a_blocks_options_are_given_once_or_once_for_each(capfd: pytest.CaptureFixture[str], tmp_path: Path) -> None:

@@ -118,6 +118,8 @@ def test_vehicle_is_forked_and_speaks(hatch: Hatch) -> None:
         report = hatch.fork("--sysid", "42", "--connect", f"udpout:127.0.0.1:{ground.getsockname()[1]}")
         assert report == {"sysid": 42, "pid": report["pid"]}
         (heartbeat,) = mav.MAVLink(None).parse_buffer(ground.recv(2000))
+        assert Path(f"/proc/{report['pid']}/cmdline").read_bytes().rstrip(b"\0") == b"simvehicle 42"
+        assert Path(f"/proc/{report['pid']}/comm").read_text().strip() == "simvehicle 42"
     assert (heartbeat.get_type(), heartbeat.get_srcSystem()) == ("HEARTBEAT", 42)
     assert os.getsid(report["pid"]) == hatch.process.pid  # a process session of its own
 

@@ -77,7 +77,8 @@ def test_unknown_name_or_index_is_not_answered_with_another_parameter(vehicle_be
 @pytest.mark.parametrize("row", [r for r in TABLE if not r.whole and r.name not in FIXED], ids=lambda row: row.name)
 def test_value_is_set_and_kept_where_it_is_out_of_range(vehicle_bench: Any, row: Any) -> None:
     bench = vehicle_bench()
-    wanted = struct.unpack("<f", struct.pack("<f", row.default * 0.98 or row.least + 0.5))[0]
+    share = 1.02 if row.name == "SIM_BAT_CAP_J" else 0.98  # a full battery's capacity can only grow
+    wanted = struct.unpack("<f", struct.pack("<f", row.default * share or row.least + 0.5))[0]
     assert set_value(bench, row.name, wanted).param_value == pytest.approx(wanted, rel=1e-6)
     bench.tick(60)
     for bad in (row.least - 1.0, row.most * 1.01 + 1.0, math.nan, math.inf):
@@ -117,6 +118,16 @@ def test_initial_charge_and_gain_set_are_fixed_at_run_time(vehicle_bench: Any, n
     bench.tick()
     assert bench.vehicle.parameters[name] == before
     assert bench.texts == [f"{name} can only be given at start"]
+
+
+def test_a_battery_never_holds_more_than_its_capacity(vehicle_bench: Any) -> None:
+    bench = vehicle_bench(start=AIRBORNE)
+    holds_j = bench.vehicle.remaining_j
+    assert refusal(bench, "SIM_BAT_CAP_J", 0.9 * holds_j) == mav.MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE
+    bench.tick()
+    assert bench.texts == [f"SIM_BAT_CAP_J = {0.9 * holds_j:g}: the battery holds {holds_j:.0f} J"]
+    assert set_value(bench, "SIM_BAT_CAP_J", 2.0 * holds_j).param_value == 2.0 * holds_j
+    assert set_value(bench, "SIM_BAT_CAP_J", 1.1 * holds_j).param_value == pytest.approx(1.1 * holds_j)
 
 
 @pytest.mark.parametrize(("autopilot", "bytewise"), [("px4", True), ("generic", True), ("ardupilot", False)])

@@ -260,7 +260,7 @@ class Supervisor:
             if (pilot.stage is Stage.TAKEN) != (before is Stage.TAKEN) or any(_is_order(w.token) for w in wishes):
                 self._withdraw(view.sysid)
             if pilot.stage is Stage.DOWN and before is not Stage.DOWN and view.alive:
-                self.events.append(Event(now_s, view.sysid, "warning", "Lands, and takes no more part", "failsafe"))
+                self.events.append(Event(now_s, view.sysid, "warning", "Lands, and takes no more part", "decision"))
             self._outbox[view.sysid] += requests
             # What is on its way already is not lined up again: it would be carried out long after it was wanted.
             self._ask([wish for wish in wishes if (wish.sysid, wish.token) not in self._under_way], now_s)

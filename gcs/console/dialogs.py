@@ -207,6 +207,11 @@ class Look(Dialog[str | None]):
         """What to do."""
         return [[("Show only events with these words (Enter; nothing shows all)", "name")]]
 
+    def on_mount(self) -> None:
+        """Let the keys go to the line."""
+        super().on_mount()
+        self.query_one(Input).focus()
+
     def on_input_submitted(self, event: Input.Submitted) -> None:
         """Close with the words."""
         self.dismiss(event.value.strip())

@@ -67,7 +67,10 @@ def bottom(page: str, *, control: bool, replay: bool) -> Keys:
 
 def page(*, control: bool, replay: bool, lost: list[str], glyphs: Glyphs) -> Lines:
     """Everything; `lost` says what this terminal cannot show."""
-    lines: Lines = [[("Keys", "name")]]
+    lines: Lines = []
+    if lost:
+        lines += [[("This terminal", "name")], *([(f"  {text}", "look")] for text in lost), []]
+    lines.append([("Keys", "name")])
     lines += [_entry(*entry) for entry in EVERYWHERE]
     if replay:
         lines += [[], [("Replay", "name")], *(_entry(*entry) for entry in REPLAY)]
@@ -97,8 +100,6 @@ def page(*, control: bool, replay: bool, lost: list[str], glyphs: Glyphs) -> Lin
         "traffic": "◆" if unicode else "X",
     }
     lines += [[], [("Signs", "name")], *(_entry(name, text.format(**signs)) for name, text in LEGEND)]
-    if lost:
-        lines += [[], [("This terminal", "name")], *([(f"  {text}", "")] for text in lost)]
     return lines
 
 

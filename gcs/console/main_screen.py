@@ -103,7 +103,7 @@ class MainScreen(Screen[None]):
         self._on_row: list[int] = []
         self._back = self._scrolled = self._most = 0
         self._notice: tuple[str, str, float] | None = None
-        self._asked = self._fleet_size = 0
+        self._asked = self._fleet_size = self._matched = 0
         self._names: dict[str, str] = {}
         self._inspected: int | None = None
 
@@ -265,6 +265,9 @@ class MainScreen(Screen[None]):
 
     def _events(self, width: int, height: int) -> Lines:
         glyphs, found = self.app.glyphs, events_log.matching(self.seen, self.filter)
+        if self._back:  # who reads what is past is not to lose his place
+            self._back += max(0, len(found) - self._matched)
+        self._matched = len(found)
         self._back = min(self._back, max(0, len(found) - (height - 1)))
         note: Line = [(f"{self.filter.said()}: {len(found)} of {len(self.seen.events)}", "info")]
         if self._back:

@@ -14,6 +14,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import codecs_of_a_tick
+import console_drawn
 import laws
 import sessions_timed
 from measure import REFERENCE_STEPS_S, Figure, calibrate
@@ -37,6 +38,7 @@ def main() -> None:
         6: lambda: laws.planning(scale),
         7: laws.competing,
         8: lambda: laws.recording(scale),
+        9: console_drawn.figures,
     }
     wanted = [int(number) for number in options.only.split(",")] if options.only else list(figures)
     console = Console(width=None if sys.stdout.isatty() else 170)

@@ -30,7 +30,14 @@ class Screen:
     """A program that has a pseudo terminal, `columns` x `rows`, as its controlling terminal."""
 
     def __init__(
-        self, command: Sequence[str], *, columns: int = 100, rows: int = 30, cwd: Path | None = None, **environment: str
+        self,
+        command: Sequence[str],
+        *,
+        columns: int = 100,
+        rows: int = 30,
+        cwd: Path | None = None,
+        pass_fds: Sequence[int] = (),
+        **environment: str,
     ) -> None:
         self._keys, terminal = pty.openpty()
         self._terminal = terminal
@@ -44,6 +51,7 @@ class Screen:
             cwd=cwd,
             env={**os.environ, "TERM": "xterm-256color", "LC_ALL": "C.UTF-8", **environment},
             start_new_session=True,
+            pass_fds=pass_fds,
             preexec_fn=_take_terminal,  # noqa: PLW1509 - nothing here has threads
         )
         self.seen = b""

@@ -135,6 +135,15 @@ class PlainLink(_Link):
 class SupervisedLink(_Link):
     """The link to the supervisor: whole datagrams, to and from its address only."""
 
+    @property
+    def waiting(self) -> bool:
+        """Whether a datagram has come that was not received yet."""
+        try:
+            self.socket.recv(1, socket.MSG_PEEK)
+        except OSError:
+            return False
+        return True
+
     def receive(self) -> bytes | None:
         """The next datagram, or None."""
         try:

@@ -54,9 +54,12 @@ class _Granted:
         self._started = False
 
     def look(self, now_s: float) -> bool:
-        """Say hello until the first bundle has come; False once the supervisor has been silent for too long."""
+        """Say hello until the first bundle has come; False once the supervisor has been silent for too long.
+
+        A vehicle that the machine has kept from running has not listened: what waits for it is no silence.
+        """
         if self._grants.time_ms is not None:
-            return now_s - self._heard_s < SILENCE_S
+            return now_s - self._heard_s < SILENCE_S or self._link.waiting
         self._link.send([self._hello])
         return True
 

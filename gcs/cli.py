@@ -192,7 +192,10 @@ def run(
     from gcs.run import run as fly
     from gcs.session_log import logged
 
-    resolved = load_scenario(scenario).flown(lockstep=lockstep, speed=speed, seed=seed)
+    try:
+        resolved = load_scenario(scenario).flown(lockstep=lockstep, speed=speed, seed=seed)
+    except ValueError as refusal:
+        raise click.UsageError(f"{refusal}.") from None
     if vehicles_per_process is not None:
         resolved = resolved.model_copy(update={"vehicles_per_process": vehicles_per_process})
     folder = make_folder(out, resolved)
@@ -284,7 +287,11 @@ def launch(scenario: str, connect: str | None, out: Path | None, as_json: bool, 
     from gcs.run import launch as start
 
     resolved = load_scenario(scenario)
-    click.echo(f"starting {len(resolved.vehicles.all)} vehicles ...", err=True)
+    for sysid, external in resolved.vehicles.external.items():
+        click.echo(f"vehicle {sysid} is not launched: it is expected at {external.connect}", err=True)
+    if not resolved.vehicles.launched:
+        raise click.UsageError(f"{scenario} has nothing to launch: all its vehicles are external.")
+    click.echo(f"starting {len(resolved.vehicles.launched)} vehicles ...", err=True)
     return start(resolved, out, connect, _print_json if as_json else _print_addresses, until_eof=until_eof)
 
 

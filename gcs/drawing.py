@@ -39,8 +39,10 @@ def facts(scenario: Scenario) -> list[str]:
         battery = vehicle.battery
         lasts_s = 0.01 * battery.initial_percent * battery.capacity_j / (battery.hover_w + battery.avionics_w)
         line = f"{MARKS[vehicle.role]} {vehicle.label}: starts at {_place(vehicle.start_m)}, hovers for {lasts_s:.0f} s"
+        if vehicle.external is not None:
+            line = f"{MARKS[vehicle.role]} {vehicle.label}: expected at {vehicle.external.connect}, wherever it stands"
         if isinstance(vehicle, Target):
-            way_m = length_m([vehicle.start_m, vehicle.path_m[0]], False)
+            way_m = 0.0 if vehicle.external else length_m([vehicle.start_m, vehicle.path_m[0]], False)
             way_m += vehicle.laps * length_m(vehicle.path_m, vehicle.closed)
             line += f"; its path is {way_m:.1f} m long, {way_m / vehicle.speed_m_s:.0f} s"
         lines.append(line)
@@ -78,16 +80,17 @@ def _routes(scenario: Scenario) -> Iterator[tuple[str, Sequence[Point], bool]]:
     for mover in scenario.traffic:
         yield TRAFFIC, mover.path_m, mover.closed
     for target in scenario.vehicles.targets:
-        yield ROUTE, (target.start_m, target.path_m[0]), False
+        if target.external is None:
+            yield ROUTE, (target.start_m, target.path_m[0]), False
         yield ROUTE, target.path_m, target.closed
     for pursuer in scenario.vehicles.pursuers:
         if pursuer.waypoints_m:
-            yield COURSE, (pursuer.start_m, *pursuer.waypoints_m), False
+            yield COURSE, pursuer.waypoints_m if pursuer.external else (pursuer.start_m, *pursuer.waypoints_m), False
 
 
 def bounds(scenario: Scenario) -> tuple[Plane, Plane]:
     """((north, east) of the south-west corner, of the north-east corner) of everything, with a margin."""
-    points: list[Point] = [vehicle.start_m for vehicle in scenario.vehicles.all]
+    points: list[Point] = [vehicle.start_m for vehicle in scenario.vehicles.launched] or [(0.0, 0.0, 0.0)]
     points += [point for _, route, _ in _routes(scenario) for point in route]
     points += [attractor.point_m for attractor in scenario.attractors]
     for shape in scenario.obstacles:
@@ -122,7 +125,7 @@ def text(scenario: Scenario, columns: int = 78, rows: int = 30) -> list[str]:
         put((shape.low_m[0] + shape.high_m[0]) / 2, (shape.low_m[1] + shape.high_m[1]) / 2, OBSTACLE)
     for attractor in scenario.attractors:
         put(attractor.point_m[0], attractor.point_m[1], ATTRACTOR)
-    for vehicle in scenario.vehicles.all:
+    for vehicle in scenario.vehicles.launched:
         put(vehicle.start_m[0], vehicle.start_m[1], MARKS[vehicle.role])
     bar_m = 10.0 ** math.floor(math.log10(max(width * metres / 2.0, 1e-9)))
     bar = "-" * max(round(bar_m / metres) - 1, 1)
@@ -158,7 +161,7 @@ def image(scenario: Scenario, path: Path) -> None:
         axes.plot([p[1] for p in points], [p[0] for p in points], style, color=color, linewidth=1.0)
     looks = {"pursuer": ("o", "C0"), "target": ("*", "C3"), "tanker": ("s", "C2")}
     for role, (marker, color) in looks.items():
-        fleet = [vehicle for vehicle in scenario.vehicles.all if vehicle.role == role]
+        fleet = [vehicle for vehicle in scenario.vehicles.launched if vehicle.role == role]
         if fleet:
             north, east = [v.start_m[0] for v in fleet], [v.start_m[1] for v in fleet]
             axes.plot(east, north, marker, color=color, label=f"{role} (start)")
@@ -167,7 +170,8 @@ def image(scenario: Scenario, path: Path) -> None:
             axes.annotate(vehicle.name or str(vehicle.sysid), where, (4, 4), textcoords="offset points", fontsize=8)
     if scenario.formation.ring_m:
         for target in scenario.vehicles.targets:
-            _circle(axes, target.start_m, scenario.formation.ring_m, fill=False, color="C0", linestyle="--")
+            centre = target.path_m[0] if target.external else target.start_m
+            _circle(axes, centre, scenario.formation.ring_m, fill=False, color="C0", linestyle="--")
     for attractor in scenario.attractors:
         axes.plot(attractor.point_m[1], attractor.point_m[0], "P", color="C1")
         reach_m = attractor.range_m or scenario.planner.attraction_range_m

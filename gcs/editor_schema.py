@@ -1,6 +1,7 @@
 """The JSON Schema of a scenario file, for editors: what a file may say, which is more than what `Scenario` holds.
 
-A file may give keys once, in `vehicles.defaults`, instead of in each vehicle; so only `sysid` is required of a vehicle.
+A file may give keys once, in `vehicles.defaults`, instead of in each vehicle; so only `sysid` is
+required of a vehicle, which one that is external may give in its block.
 A vehicle or an obstacle may be a grid of many, and a planner or a policy be named in short.
 """
 
@@ -31,9 +32,11 @@ def editor_schema() -> dict[str, Any]:
     parts = schema["$defs"]
     keys: dict[str, Any] = {}
     for name in VEHICLES:
-        parts[name]["required"] = ["sysid"]
+        del parts[name]["required"]
+        parts[name]["anyOf"] = [{"required": ["sysid"]}, {"required": ["external"]}]
         keys |= parts[name]["properties"]
-    parts["Battery"].pop("required", None)
+    for name in ("Battery", "External"):
+        parts[name].pop("required", None)
     del keys["sysid"]
     for name in (*VEHICLES, "Obstacle"):
         parts[name]["properties"]["grid"] = GRID

@@ -58,12 +58,12 @@ class Ended:
 
 
 def vehicle_orders(scenario: Scenario, folder: Path, connection: Sequence[str], *, per_process: int = 1) -> list[Order]:
-    """How to start the scenario's vehicles, up to `per_process` of them in one process; writes their parameters.
+    """How to start what is to be launched, up to `per_process` vehicles in one process; writes their parameters.
 
     A block's system ids follow on each other, and all of it starts in the air or none. `connection` goes into argv.
     """
     blocks: list[list[VehicleBase]] = []
-    for vehicle in scenario.vehicles.all:
+    for vehicle in scenario.vehicles.launched:
         last = blocks[-1][-1] if blocks and len(blocks[-1]) < per_process else None
         if last is not None and vehicle.sysid == last.sysid + 1 and vehicle.airborne == last.airborne:
             blocks[-1].append(vehicle)

@@ -11,7 +11,7 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import AfterValidator, ConfigDict, Field, ValidationError, model_validator
 
-from gcs import scenario_versions
+from gcs import scenario_external, scenario_versions
 from gcs.scenario_grid import expand
 from gcs.scenario_parts import (
     STEP_S,
@@ -20,14 +20,11 @@ from gcs.scenario_parts import (
     Blackout,
     Clock,
     Competition,
-    Count,
-    Flag,
     Formation,
     Goal,
     Mover,
     Obstacle,
     Origin,
-    Part,
     Planner,
     Pursue,
     Pursuer,
@@ -40,6 +37,7 @@ from gcs.scenario_parts import (
     Vehicles,
     known_axes,
 )
+from gcs.scenario_values import Count, Flag, Part
 from gcs.yaml_source import Conflict, Path, Problem, ScenarioError, conflict_error, emit, read
 
 __all__ = [
@@ -108,15 +106,18 @@ class Scenario(Part):
     vehicles_per_process: Annotated[int, Field(strict=True, ge=1, le=254)] = 1
     """how many fly in one process; nothing else depends on it"""
     truth: Flag = True
-    """vehicles record what they themselves know (contract.md, A session's folder)"""
+    """launched vehicles record what they themselves know (contract.md, A session's folder)"""
 
     def flown(self, *, lockstep: bool = False, speed: float | None = None, seed: int | None = None) -> Self:
-        """The same with another clock or seed; what is left out stays. ValueError where a value is out of range."""
+        """The same with another clock or seed; what is left out stays. ValueError where a value cannot be had."""
         clock: dict[str, Any] = {}
         if lockstep:
             clock = {"mode": "lockstep"}
         elif speed is not None:
             clock = {"mode": "real", "speed": speed}
+        mode, rate = clock.get("mode", self.clock.mode), clock.get("speed", self.clock.speed)
+        if (refusal := scenario_external.clock_refusal(self.vehicles.all, mode, rate)) is not None:
+            raise ValueError(refusal)
         changed = self.model_dump(by_alias=True) | {"clock": {**self.clock.model_dump(), **clock}}
         return type(self).model_validate(changed if seed is None else changed | {"seed": seed})
 
@@ -134,7 +135,9 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
     refuels = s.refuelling.enabled and pursuers and tankers
     mean_delay_s = s.radio.delay_s + 0.5 * s.radio.jitter_s
     longest_delay_s = max(TRANSFER_SILENCE_S - 2.0 * s.clock.period_s, 0.0) / TRANSFER_HOPS
+    clock_refused = scenario_external.clock_refusal(s.vehicles.all, s.clock.mode, s.clock.speed)
     rules: list[tuple[Any, Path, str]] = [
+        (clock_refused, ("clock", "mode" if s.clock.mode == "lockstep" else "speed"), clock_refused or ""),
         (not sysids, ("vehicles",), "there must be at least one vehicle"),
         (abs(steps - round(steps)) > 1e-6, ("clock", "period_s"), f"period_s must be a multiple of {STEP_S} s"),
         (pursue and pursue.for_s > s.goal.duration_s, ("goal", "pursue", "for_s"), "for_s is longer than duration_s"),
@@ -191,13 +194,14 @@ def _vehicle_conflicts(s: Scenario) -> Iterator[Conflict]:
     yield from _repeats("name", [((*path, "name"), vehicle.name) for path, vehicle in placed if vehicle.name])
     for i, (path, vehicle) in enumerate(placed):
         start = (*path, "start_m")
+        yield from scenario_external.conflicts(path, vehicle)
         if vehicle.join_s >= s.goal.duration_s:
             yield Conflict((*path, "join_s"), f"{vehicle.label} would join after the end, duration_s")
-        if any(vehicle.velocity_m_s) and not vehicle.airborne:
+        if any(vehicle.velocity_m_s) and not vehicle.airborne and vehicle.external is None:
             yield Conflict((*path, "velocity_m_s"), f"{vehicle.label} moves on the ground; it needs 'airborne: true'")
-        if vehicle.start_m[2] < 0 and not vehicle.airborne:
+        if vehicle.start_m[2] < 0 and not vehicle.airborne and vehicle.external is None:
             yield Conflict(start, f"{vehicle.label} starts above the ground; it needs 'airborne: true'")
-        if vehicle.start_m[2] > 0 and not vehicle.airborne:
+        if vehicle.start_m[2] > 0 and not vehicle.airborne and vehicle.external is None:
             yield Conflict(start, f"{vehicle.label} starts below the ground; in ned axes the third number is down")
         if isinstance(vehicle, Pursuer) and vehicle.target is not None and vehicle.target not in targets:
             yield Conflict((*path, "target"), f"{vehicle.label} follows {vehicle.target}, which is no target's sysid")
@@ -209,12 +213,16 @@ def _vehicle_conflicts(s: Scenario) -> Iterator[Conflict]:
             yield from _route_conflicts((*path, "path_m"), vehicle)
             if vehicle.laps > 1 and not vehicle.closed:
                 yield Conflict((*path, "laps"), "more than one lap needs 'closed: true'")
+        if vehicle.external is not None:
+            continue  # it is where it is
         for j, obstacle in enumerate(s.obstacles):
             if not obstacle.fault() and obstacle.clearance_m(vehicle.start_m) < START_CLEARANCE_M:
                 what = obstacle.name or f"{obstacle.kind} {j + 1}"
                 sentence = f"{vehicle.label} starts inside or within {START_CLEARANCE_M} m of the obstacle {what}"
                 yield Conflict(start, sentence, ("obstacles", j))
         for other_path, other in placed[:i]:
+            if other.external is not None:
+                continue
             distance_m = math.dist(vehicle.start_m, other.start_m)
             together = s.planner.vehicles_repel and vehicle.join_s == other.join_s
             if together and distance_m < s.planner.separation_m:
@@ -252,8 +260,11 @@ def load(path: str | os.PathLike[str]) -> Scenario:
             raise ScenarioError([document.problem(defaults, "vehicles.defaults must be a block of keys")])
         for key in ("pursuers", "targets", "tankers"):
             group = vehicles.get(key)
-            for i in range(len(group) if isinstance(group, list) else 0):
+            for i, vehicle in enumerate(group if isinstance(group, list) else ()):
+                own = tuple(vehicle) if isinstance(vehicle, dict) else ()
                 document.inherit(defaults, ("vehicles", key, i))
+                if isinstance(vehicle, dict):
+                    scenario_external.inherited(vehicle, own)
         del vehicles["defaults"]
     try:
         return Scenario.model_validate(document.data, context={"axes": document.data.get("axes")})

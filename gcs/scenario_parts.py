@@ -1,6 +1,6 @@
 """The parts that a scenario is made of: vehicles, obstacles, and the rules of planner, competition and refuelling.
 
-Frozen, strict, and NED: with the validation context {"axes": "paper"} geometry is turned from paper axes as it is read.
+Frozen, strict, and NED (gcs/scenario_values.py).
 """
 
 import math
@@ -9,27 +9,36 @@ from collections.abc import Callable
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
-from pydantic import (
-    AfterValidator,
-    AwareDatetime,
-    BaseModel,
-    ConfigDict,
-    Field,
-    ValidationInfo,
-    WithJsonSchema,
-    model_validator,
-)
+from pydantic import AfterValidator, AwareDatetime, ConfigDict, Field, ValidationInfo, WithJsonSchema, model_validator
 
+from gcs.scenario_external import External, filled
+from gcs.scenario_values import (
+    Angles,
+    Coordinate,
+    Count,
+    Degrees,
+    Flag,
+    Fraction,
+    Height,
+    Joules,
+    Label,
+    Metres,
+    NotNegative,
+    Number,
+    ParamName,
+    Part,
+    Percent,
+    Plane,
+    Positive,
+    Route,
+    Seconds,
+    Speed,
+    SysId,
+    Vec3,
+)
 from gcs.yaml_source import did_you_mean
 
 STEP_S = 0.004  # the vehicles' own step: a grant is a whole number of them
-
-
-def _into_ned(value: Any, info: ValidationInfo) -> Any:
-    """A height, or a vector of two or three (also roll, pitch, yaw): from paper axes it is half a turn about north."""
-    if info.context != {"axes": "paper"}:
-        return value
-    return (value[0], *(0.0 - part for part in value[1:])) if isinstance(value, tuple) else 0.0 - value
 
 
 def known_axes(value: str, info: ValidationInfo) -> str:
@@ -38,27 +47,6 @@ def known_axes(value: str, info: ValidationInfo) -> str:
     return "ned"
 
 
-Flag = Annotated[bool, Field(strict=True)]
-Count = Annotated[int, Field(strict=True, ge=0, lt=1 << 63)]
-SysId = Annotated[int, Field(strict=True, ge=1, le=254)]
-Label = Annotated[str, Field(pattern=r"^[^\x00-\x1f\x7f-\x9f]{1,32}$")]
-ParamName = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,15}$")]
-Number = Annotated[float, Field(strict=True)]
-Positive = Annotated[float, Field(strict=True, gt=0)]
-NotNegative = Annotated[float, Field(strict=True, ge=0)]
-Fraction = Annotated[float, Field(strict=True, ge=0, le=1)]
-Percent = Annotated[float, Field(strict=True, ge=0, le=100)]
-Metres = Annotated[float, Field(strict=True, gt=0, le=1e5)]
-Speed = Annotated[float, Field(strict=True, gt=0, le=100)]
-Degrees = Annotated[float, Field(strict=True, ge=-180, le=180)]
-Seconds = Annotated[float, Field(strict=True, ge=0, le=86_400)]
-Joules = Annotated[float, Field(strict=True, gt=0, le=1 << 24)]  # whole joules travel as 32-bit integers
-Coordinate = Annotated[float, Field(strict=True, ge=-1e5, le=1e5)]
-Height = Annotated[Coordinate, AfterValidator(_into_ned)]
-Plane = Annotated[tuple[Coordinate, Coordinate], AfterValidator(_into_ned)]
-Vec3 = Annotated[tuple[Coordinate, Coordinate, Coordinate], AfterValidator(_into_ned)]
-Angles = Annotated[tuple[Degrees, Degrees, Degrees], AfterValidator(_into_ned)]
-Route = Annotated[tuple[Vec3, ...], Field(min_length=1)]
 EARLIEST, LATEST = datetime(1970, 1, 1, tzinfo=UTC), datetime(2200, 1, 1, tzinfo=UTC)
 
 
@@ -81,10 +69,6 @@ if TYPE_CHECKING:
 else:
     Method = _one_of("potential_field")
     Policy = _one_of("winner_take_all", "greedy_nearest", "most_empty_first", "optimal")
-
-
-class Part(BaseModel):
-    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, use_attribute_docstrings=True)
 
 
 class Origin(Part):
@@ -128,6 +112,7 @@ class Battery(Part):
 
 class VehicleBase(Part):
     role: ClassVar[str]
+    _external = model_validator(mode="before")(filled)
 
     sysid: SysId
     name: Label | None = None
@@ -141,8 +126,10 @@ class VehicleBase(Part):
     takeoff_m: Metres = 2.5
     """the height above the ground to which it climbs first"""
     battery: Battery
-    params: dict[ParamName, Number] = {}
+    params: dict[ParamName, Number] = {}  # noqa: RUF012 - pydantic copies it
     """further MAVLink parameters"""
+    external: External | None = None
+    """expected there rather than launched; start_m then means nothing, it is where it is"""
 
     @property
     def label(self) -> str:
@@ -200,6 +187,16 @@ class Vehicles(Part):
     def all(self) -> tuple[Pursuer | Target | Tanker, ...]:
         """Every vehicle, in order of system id."""
         return tuple(sorted((*self.pursuers, *self.targets, *self.tankers), key=lambda vehicle: vehicle.sysid))
+
+    @property
+    def launched(self) -> tuple[Pursuer | Target | Tanker, ...]:
+        """Those that a session starts itself, in order of system id."""
+        return tuple(vehicle for vehicle in self.all if vehicle.external is None)
+
+    @property
+    def external(self) -> dict[int, External]:
+        """Those that somebody else has started, by system id."""
+        return {vehicle.sysid: vehicle.external for vehicle in self.all if vehicle.external is not None}
 
 
 Kind = Literal["point", "sphere", "box", "cylinder"]

@@ -88,7 +88,7 @@ def test_a_mistake_is_told_with_its_place_and_status_2() -> None:
     done = gcs("validate", str(path))
     assert done.exit_code == 2
     (line,) = done.output.splitlines()
-    assert line.startswith("my-scenario.yaml:65:11: competition.policy must be winner_take_all, ")
+    assert line.startswith("my-scenario.yaml:68:11: competition.policy must be winner_take_all, ")
     assert "did you mean 'winner_take_all'?" in line
 
 

@@ -1,0 +1,135 @@
+"""Vehicles that are expected rather than launched: where they are heard, and what of a vehicle's keys is theirs.
+
+    - external: {connect: "udpin:127.0.0.1:14550", sysid: 3, capacity_j: 250000}
+
+`sysid` and the battery's `capacity_j` may stand in the block or beside it. Such a vehicle is where it is, flies with
+the parameters that it has and on the real clock: what only a launch could give it is refused.
+"""
+
+import re
+from collections.abc import Iterable, Iterator
+from typing import Annotated, Any, Literal, NamedTuple, Protocol
+
+from pydantic import AfterValidator, Field
+
+from gcs.scenario_values import Joules, Part, SysId
+from gcs.yaml_source import Conflict, Path
+
+LAUNCH_ONLY = ("airborne", "velocity_m_s", "attitude_deg", "params")
+NOT_INHERITED = (*LAUNCH_ONLY, "start_m")
+"""Keys that `vehicles.defaults` gives to launched vehicles alone."""
+NOWHERE = (0.0, 0.0, 0.0)
+CONNECT = re.compile(r"(?P<way>udpin|udpout):(?P<host>\[[0-9A-Fa-f:.]+\]|[^:\s\[\]]+):(?P<port>[0-9]{1,5})")
+_FORM = "must be udpin:HOST:PORT, where the vehicle speaks to, or udpout:HOST:PORT, where it listens"
+
+
+class Endpoint(NamedTuple):
+    """One `connect`: whether we wait there, or speak first."""
+
+    listens: bool
+    host: str
+    port: int
+
+
+def endpoint(connect: str) -> Endpoint:
+    """What a `connect` says. Raises ValueError."""
+    match = CONNECT.fullmatch(connect)
+    if match is None or not 0 < int(match["port"]) < 65536:
+        raise ValueError(_FORM)
+    return Endpoint(match["way"] == "udpin", match["host"].strip("[]"), int(match["port"]))
+
+
+def _checked(value: str) -> str:
+    endpoint(value)
+    return value
+
+
+Wait = Annotated[float, Field(strict=True, gt=0, le=3600)]
+
+
+class External(Part):
+    """A vehicle that somebody else has started; `gcs run` waits for it, arms it and flies it."""
+
+    connect: Annotated[str, AfterValidator(_checked)]
+    """`udpin:HOST:PORT`: the vehicle speaks to us there; `udpout:HOST:PORT`: it listens there. Several may share one"""
+    sysid: SysId | None = None
+    autopilot: Literal["auto", "px4", "ardupilot", "generic"] = "auto"
+    """whose habits it has; `auto`: as its HEARTBEAT says"""
+    capacity_j: Joules
+    """what its battery holds when full"""
+    found_within_s: Wait = 30.0
+    """wall time to wait for its first HEARTBEAT before the session is called off"""
+    arm_within_s: Wait = 90.0
+    """session time in which it must have found its place and let itself be armed, or it is left out"""
+    at_end: Literal["hold", "return", "land"] = "hold"
+    """what it is told at the session's end, however that comes"""
+
+
+class _Vehicle(Protocol):
+    sysid: int
+    join_s: float
+
+    @property
+    def label(self) -> str: ...
+    @property
+    def battery(self) -> Any: ...
+    @property
+    def external(self) -> External | None: ...
+
+
+def filled(value: Any) -> Any:
+    """A vehicle's keys, those that the block and its vehicle share being in both places."""
+    block = value.get("external") if isinstance(value, dict) else None
+    if not isinstance(block, dict):
+        return value
+    value, block = dict(value), dict(block)
+    value["external"] = block
+    value.setdefault("start_m", NOWHERE)
+    for beside, inside in ((value, block), (block, value)):
+        if beside.get("sysid") is not None and inside.get("sysid") is None:
+            inside["sysid"] = beside["sysid"]
+    battery = value.setdefault("battery", {})
+    if isinstance(battery, dict):
+        battery = value["battery"] = dict(battery)
+        for beside, inside in ((battery, block), (block, battery)):
+            if beside.get("capacity_j") is not None and inside.get("capacity_j") is None:
+                inside["capacity_j"] = beside["capacity_j"]
+        battery.setdefault("capacity_j", 1.0)  # it is the block that lacks it, and that says so once
+    return value
+
+
+def inherited(vehicle: dict[str, Any], own: Iterable[str]) -> None:
+    """Take from an external vehicle what defaults gave it and only a launch can use; `own` are its own keys."""
+    block = vehicle.get("external")
+    if isinstance(block, dict):
+        unused = {*NOT_INHERITED, *(("battery",) if "capacity_j" in block else ())}
+        for key in unused - set(own):
+            vehicle.pop(key, None)
+
+
+def conflicts(path: Path, vehicle: Any) -> Iterator[Conflict]:
+    """What an external vehicle's keys say that cannot be, or not together."""
+    block: External | None = vehicle.external
+    if block is None:
+        return
+    for key in LAUNCH_ONLY:
+        given = getattr(vehicle, key)
+        if any(given) if isinstance(given, tuple) else given:
+            yield Conflict((*path, key), f"{vehicle.label} is external: {key} is for launched vehicles; leave it out")
+    if block.sysid != vehicle.sysid:
+        yield Conflict((*path, "external", "sysid"), f"{vehicle.label} is given another sysid here: {block.sysid}")
+    if block.capacity_j != vehicle.battery.capacity_j:
+        yield Conflict((*path, "external", "capacity_j"), f"{vehicle.label} is given two values of capacity_j")
+    if vehicle.role == "tanker" and vehicle.home_m is None:
+        yield Conflict(path, f"{vehicle.label} is external: say where it waits, home_m")
+
+
+def clock_refusal(vehicles: Iterable[_Vehicle], mode: str, speed: float) -> str | None:
+    """Why this clock cannot be had with these vehicles; None where it can."""
+    labels = [vehicle.label for vehicle in vehicles if vehicle.external is not None]
+    if not labels or (mode == "real" and speed == 1.0):
+        return None
+    who = labels[0] if len(labels) == 1 else f"{labels[0]} and {len(labels) - 1} more"
+    lives = "lives" if len(labels) == 1 else "live"
+    asked = "lockstep" if mode == "lockstep" else f"speed {speed:g}"
+    return f"{who} (external) {lives} on the real clock, which nobody can hurry or stop: {asked} cannot be had"

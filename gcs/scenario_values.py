@@ -1,0 +1,42 @@
+"""What a scenario's values may be: numbers with limits, places that are turned into NED, and what every part shares.
+
+With the validation context {"axes": "paper"} geometry is turned from paper axes as it is read.
+"""
+
+from typing import Annotated, Any
+
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationInfo
+
+
+def _into_ned(value: Any, info: ValidationInfo) -> Any:
+    """A height, or a vector of two or three (also roll, pitch, yaw): from paper axes it is half a turn about north."""
+    if info.context != {"axes": "paper"}:
+        return value
+    return (value[0], *(0.0 - part for part in value[1:])) if isinstance(value, tuple) else 0.0 - value
+
+
+Flag = Annotated[bool, Field(strict=True)]
+Count = Annotated[int, Field(strict=True, ge=0, lt=1 << 63)]
+SysId = Annotated[int, Field(strict=True, ge=1, le=254)]
+Label = Annotated[str, Field(pattern=r"^[^\x00-\x1f\x7f-\x9f]{1,32}$")]
+ParamName = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,15}$")]
+Number = Annotated[float, Field(strict=True)]
+Positive = Annotated[float, Field(strict=True, gt=0)]
+NotNegative = Annotated[float, Field(strict=True, ge=0)]
+Fraction = Annotated[float, Field(strict=True, ge=0, le=1)]
+Percent = Annotated[float, Field(strict=True, ge=0, le=100)]
+Metres = Annotated[float, Field(strict=True, gt=0, le=1e5)]
+Speed = Annotated[float, Field(strict=True, gt=0, le=100)]
+Degrees = Annotated[float, Field(strict=True, ge=-180, le=180)]
+Seconds = Annotated[float, Field(strict=True, ge=0, le=86_400)]
+Joules = Annotated[float, Field(strict=True, gt=0, le=1 << 24)]  # whole joules travel as 32-bit integers
+Coordinate = Annotated[float, Field(strict=True, ge=-1e5, le=1e5)]
+Height = Annotated[Coordinate, AfterValidator(_into_ned)]
+Plane = Annotated[tuple[Coordinate, Coordinate], AfterValidator(_into_ned)]
+Vec3 = Annotated[tuple[Coordinate, Coordinate, Coordinate], AfterValidator(_into_ned)]
+Angles = Annotated[tuple[Degrees, Degrees, Degrees], AfterValidator(_into_ned)]
+Route = Annotated[tuple[Vec3, ...], Field(min_length=1)]
+
+
+class Part(BaseModel):
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, use_attribute_docstrings=True)

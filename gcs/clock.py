@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 
@@ -9,10 +10,13 @@ class Pace:
     """When the next grant is due on the wall, and how far the session has fallen behind.
 
     A tick that comes late moves all later ones: the session slows down for everyone, and never hurries to catch up.
+    Not so where some vehicles live on the real clock (`keeps_up`): then a late tick grants the periods that have gone
+    by at once, and the session's time stays the wall's.
     """
 
-    def __init__(self, speed: float | None, wall_s: Callable[[], float]) -> None:
+    def __init__(self, speed: float | None, wall_s: Callable[[], float], *, keeps_up: bool = False) -> None:
         """`speed` None is lockstep; `wall_s` reads a monotonic clock."""
+        self._keeps_up = keeps_up
         self._speed = speed
         self._wall_s = wall_s
         self._start_wall_s = wall_s()
@@ -25,15 +29,21 @@ class Pace:
         """Let the first tick be due now."""
         self._start_wall_s = self._due_wall_s = self._wall_s()
 
-    def next(self, period_s: float) -> None:
-        """Schedule the tick after this one, which takes place now."""
+    def next(self, period_s: float) -> int:
+        """Schedule the tick after this one, which takes place now; how many periods this one is to grant."""
         if self._speed is None:
-            return
+            return 1
         late_s = self._wall_s() - self._due_wall_s
+        if self._keeps_up:
+            missed = max(math.floor(late_s * self._speed / period_s), 0)
+            self.lag_s += missed * period_s / self._speed
+            self._due_wall_s += (1 + missed) * period_s / self._speed
+            return 1 + missed
         if late_s > 0.0:
             self.lag_s += late_s
             self._due_wall_s += late_s
         self._due_wall_s += period_s / self._speed
+        return 1
 
     def wait_s(self) -> float:
         """Wall time until the next tick is due; 0 in lockstep."""

@@ -15,6 +15,8 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from pymavlink.dialects.v20 import common as mav
+
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.sequence import SequenceCounter, TickCollector, is_hello
@@ -26,6 +28,15 @@ BUFFER_BYTES = 4 << 20
 RESEND_FIRST_S, RESEND_LAST_S = 0.02, 0.2
 REPEAT_S = 1.0
 GRANT_BYTES = codec.HEADER_BYTES + 12 + codec.CRC_BYTES
+
+OUR_HEARTBEAT = codec.message(
+    "HEARTBEAT",
+    type=mav.MAV_TYPE_GCS,
+    autopilot=mav.MAV_AUTOPILOT_INVALID,
+    base_mode=0,
+    custom_mode=0,
+    system_status=mav.MAV_STATE_ACTIVE,
+)
 
 Key = tuple[int, int]
 
@@ -50,10 +61,7 @@ class FleetLink:
         """Bind a port of the system's choice. `drop` loses that share of datagrams, both ways, below the protocol."""
         self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self._socket.setblocking(False)
-        for size in (BUFFER_BYTES, BUFFER_BYTES // 4, BUFFER_BYTES // 16):
-            self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, size)
-            if self.buffer_bytes >= size:
-                break
+        widen(self._socket)
         self._socket.bind((host, 0))
         self.host = host
         self._poll = select.poll()
@@ -90,16 +98,7 @@ class FleetLink:
 
     def overflowed(self) -> int:
         """Datagrams that the kernel dropped because nobody read them in time."""
-        try:
-            inode = str(Path(f"/proc/self/fd/{self._socket.fileno()}").readlink()).strip("socket:[]")
-            rows = Path("/proc/net/udp").read_text(encoding="ascii").splitlines()[1:]
-        except OSError:
-            return 0
-        for row in rows:
-            columns = row.split()
-            if columns[9] == inode:
-                return int(columns[12])
-        return 0
+        return kernel_drops(self._socket)
 
     def expect(self, keys: Iterable[Key]) -> None:
         """Let these vehicles join when they say hello."""
@@ -224,6 +223,30 @@ class FleetLink:
         progress = peer.collector.held > peer.held
         peer.held = peer.collector.held
         return progress
+
+
+def widen(of: socket.socket) -> None:
+    """Ask the kernel for as much of a receive buffer as it grants, up to 4 MiB."""
+    for size in (BUFFER_BYTES, BUFFER_BYTES // 4, BUFFER_BYTES // 16):
+        of.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, size)
+        if of.getsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF) // 2 >= size:
+            break
+
+
+def kernel_drops(of: socket.socket) -> int:
+    """Datagrams that the kernel dropped because nobody read this socket in time."""
+    rows: list[str] = []
+    try:
+        inode = str(Path(f"/proc/self/fd/{of.fileno()}").readlink()).strip("socket:[]")
+        for table in ("udp", "udp6"):
+            with contextlib.suppress(FileNotFoundError):
+                rows += Path(f"/proc/net/{table}").read_text(encoding="ascii").splitlines()[1:]
+    except OSError:
+        return 0
+    for columns in map(str.split, rows):
+        if columns[9] == inode:
+            return int(columns[12])
+    return 0
 
 
 _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")

@@ -76,3 +76,17 @@ def test_a_pause_is_neither_running_time_nor_lag(wall: Wall) -> None:
     pace.next(0.1)
     assert pace.lag_s == pytest.approx(0.0, abs=1e-9)
     assert pace.running_wall_s == pytest.approx(0.05)
+
+
+def test_beside_the_real_clock_a_late_tick_grants_what_has_gone_by_and_says_so(wall: Wall) -> None:
+    """Ticks at 0, 0.1, 0.55 and 0.6 s: the third is four periods late, which the fourth need not know."""
+    pace = Pace(1.0, wall, keeps_up=True)
+    pace.start()
+    begun_s, granted = wall.now_s, []
+    for at_s in (0.0, 0.1, 0.55, 0.6):
+        wall.now_s = begun_s + at_s
+        granted.append(pace.next(0.1))
+    assert granted == [1, 1, 4, 1]
+    assert pace.lag_s == pytest.approx(0.3)
+    assert pace.wait_s() == pytest.approx(0.1)
+    assert sum(granted) * 0.1 == pytest.approx(wall.now_s + pace.wait_s() - begun_s)

@@ -1,0 +1,249 @@
+"""The link to vehicles that somebody else has started: plain MAVLink over UDP, one frame per datagram.
+
+A vehicle is known by its system id and component 1, and by the address of its first HEARTBEAT; whoever says the same
+from elsewhere is refused and reported. Several vehicles may speak to one port, each from its own address or all
+through one router. What has come by the tick is delivered at the tick.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import select
+import socket
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.link import OUR_HEARTBEAT, RECEIVE_BYTES, SUPERVISOR, Key, kernel_drops, widen
+from gcs.mavlink import codec
+from gcs.mavlink.boot_clock import BootClock
+from gcs.mavlink.codec import Frame, Message
+from gcs.mavlink.sequence import SequenceCounter
+from gcs.scenario_external import External, endpoint
+
+AUTOPILOT = mav.MAV_COMP_ID_AUTOPILOT1
+ANNOUNCE_EVERY_S = 1.0
+REPEAT_AFTER_S = 0.2
+"""A session that stands still for longer goes on sending its last set points: autopilots leave offboard without."""
+MOST_STRANGERS = 32
+MAVLINK_1 = b"\xfe"
+_HEARTBEAT = codec.msgid("HEARTBEAT")
+_POSITION = codec.msgid("LOCAL_POSITION_NED")
+_SET_POINT = codec.msgid("SET_POSITION_TARGET_LOCAL_NED")
+
+Address = Any
+"""As `socket` gives it: host and port, and two more numbers with IPv6."""
+
+
+class ExternalError(Exception):
+    """An address that cannot be used; the text is for the person who wrote it."""
+
+
+@dataclass
+class _Door:
+    """One `connect`: its socket, and for udpout where the vehicle listens."""
+
+    connect: str
+    socket: socket.socket
+    remote: Address | None
+    counters: dict[Address, SequenceCounter] = field(default_factory=dict)
+    speakers: set[Address] = field(default_factory=set)
+    """addresses of vehicles"""
+    strangers: set[Address] = field(default_factory=set)
+    """who speaks MAVLink 1: some autopilots go on to MAVLink 2 when they hear it"""
+
+    def send(self, message: Message | bytes, address: Address) -> bytes:
+        counter = self.counters.setdefault(address, SequenceCounter())
+        raw = message if isinstance(message, bytes) else codec.frame(message, counter.take(), *SUPERVISOR)
+        with contextlib.suppress(OSError):  # nobody there yet, or no room: as on the air, it is lost
+            self.socket.sendto(raw, address)
+        return raw
+
+
+@dataclass
+class _Peer:
+    """One vehicle."""
+
+    key: Key
+    door: _Door
+    address: Address | None = None
+    clock: BootClock = field(default_factory=BootClock)
+    frames: list[Frame] = field(default_factory=list)
+    set_point: Message | None = None
+
+
+class ExternalLink:
+    """All vehicles of a session that were not launched."""
+
+    def __init__(self, expected: Mapping[int, External], now_s: Callable[[], float]) -> None:
+        """Open a socket for each address; `now_s` reads the session's clock. Raises ExternalError."""
+        self._now_s = now_s
+        self._doors: dict[str, _Door] = {}
+        self._peers: dict[int, _Peer] = {}
+        self._poll = select.poll()
+        self._kept = False
+        self._announced_s = self._sent_s = -ANNOUNCE_EVERY_S
+        self.refused: dict[Key, tuple[str, int]] = {}
+        """who spoke with an id that another address has already, and from where; the first of each"""
+        self.malformed = 0
+        self._rebooted: set[int] = set()
+        for sysid, external in expected.items():
+            if external.connect not in self._doors:
+                try:
+                    self._doors[external.connect] = _open(external.connect)
+                except ExternalError:
+                    self.close()
+                    raise
+            self._peers[sysid] = _Peer((sysid, AUTOPILOT), self._doors[external.connect])
+        for door in self._doors.values():
+            self._poll.register(door.socket, select.POLLIN)
+
+    @property
+    def joined(self) -> set[Key]:
+        """Vehicles that have been heard and are still held."""
+        return {peer.key for peer in self._peers.values() if peer.address is not None}
+
+    @property
+    def missing(self) -> set[Key]:
+        """Vehicles that have not been heard yet."""
+        return {peer.key for peer in self._peers.values() if peer.address is None}
+
+    @property
+    def buffer_bytes(self) -> int:
+        """The least receive buffer that the kernel granted."""
+        return min(door.socket.getsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF) // 2 for door in self._doors.values())
+
+    def overflowed(self) -> int:
+        """Datagrams that the kernel dropped because nobody read them in time."""
+        return sum(kernel_drops(door.socket) for door in self._doors.values())
+
+    def offsets_s(self) -> dict[int, float]:
+        """What added to a vehicle's own time gives the session's, by system id."""
+        known = {sysid: peer.clock.offset_s for sysid, peer in self._peers.items()}
+        return {sysid: offset_s for sysid, offset_s in known.items() if offset_s is not None}
+
+    def take_rebooted(self) -> set[int]:
+        """Whose clock has begun anew since the last call."""
+        taken, self._rebooted = self._rebooted, set()
+        return taken
+
+    def listen(self, wait_s: float) -> None:
+        """Look for vehicles for at most `wait_s`, and let them know that someone is here."""
+        now_s = time.monotonic()
+        if now_s - self._announced_s >= ANNOUNCE_EVERY_S:
+            self._announced_s = now_s
+            for door in self._doors.values():
+                for address in (door.remote,) if door.remote else (door.speakers | door.strangers):
+                    door.send(OUR_HEARTBEAT, address)
+        self.rest(wait_s)
+
+    def begin(self) -> None:
+        """The session's clock runs from now: what comes is kept for its ticks."""
+        self._drain()
+        self._kept = True
+        for peer in self._peers.values():
+            peer.clock = BootClock()
+
+    def rest(self, wait_s: float) -> None:
+        """Take in what comes in the next `wait_s`, when it comes."""
+        deadline_s = time.monotonic() + wait_s
+        while (left_s := deadline_s - time.monotonic()) > 0.0:
+            if self._poll.poll(1e3 * left_s):
+                self._drain()
+
+    def grant(self, key: Key, messages: Sequence[Message], relayed: Sequence[bytes]) -> list[bytes]:
+        """Send one vehicle what is for it now; the frames. The clock that it lives on needs no grant."""
+        peer = self._peers[key[0]]
+        self._sent_s = time.monotonic()
+        set_points = [message for message in messages if message.msgid == _SET_POINT]
+        peer.set_point = set_points[-1] if set_points else None
+        items: list[Message | bytes] = [*messages, *relayed]
+        return [peer.door.send(item, peer.address) for item in items]
+
+    def collect(self) -> dict[Key, list[Frame]]:
+        """What has come from each vehicle since the last call, in order of system id."""
+        self._drain()
+        taken = {peer.key: peer.frames for _, peer in sorted(self._peers.items()) if peer.address is not None}
+        for peer in self._peers.values():
+            peer.frames = []
+        return taken
+
+    def stand_in(self) -> None:
+        """While the session stands still: hear, and send the last set points again."""
+        self._drain()
+        if time.monotonic() - self._sent_s >= REPEAT_AFTER_S:
+            self._sent_s = time.monotonic()
+            for peer in self._peers.values():
+                if peer.set_point is not None:
+                    peer.door.send(peer.set_point, peer.address)
+
+    def close(self) -> None:
+        """Close the sockets."""
+        for door in self._doors.values():
+            door.socket.close()
+
+    def _drain(self) -> None:
+        for door in self._doors.values():
+            while True:
+                try:
+                    datagram, address = door.socket.recvfrom(RECEIVE_BYTES)
+                except BlockingIOError:
+                    break
+                except OSError:  # a udpout whose other end is not there: told once for each datagram sent
+                    continue
+                self._take(door, datagram, address)
+
+    def _take(self, door: _Door, datagram: bytes, address: Address) -> None:
+        frames, malformed, _ = codec.split(datagram)
+        if address in door.speakers:
+            self.malformed += malformed
+        elif datagram[:1] == MAVLINK_1 and len(door.strangers) < MOST_STRANGERS:
+            door.strangers.add(address)
+        for frame in frames:
+            peer = self._peers.get(frame.sysid)
+            if peer is None:
+                continue
+            if peer.address is None and peer.door is door and _is_autopilot(frame):
+                peer.address = address
+                door.speakers.add(address)
+            if peer.address != address or peer.door is not door:
+                if peer.address is not None and frame.compid == AUTOPILOT:
+                    self.refused.setdefault(peer.key, (str(address[0]), int(address[1])))
+                continue
+            if self._kept:
+                peer.frames.append(frame)
+                if frame.msgid == _POSITION and frame.compid == AUTOPILOT:
+                    rebooted = peer.clock.feed(codec.fields(frame).time_boot_ms / 1e3, self._now_s())
+                    self._rebooted |= {frame.sysid} if rebooted else set()
+
+
+def _is_autopilot(frame: Frame) -> bool:
+    """Whether this is the HEARTBEAT of a vehicle, not of its camera, its companion or another ground station."""
+    if frame.msgid != _HEARTBEAT or frame.compid != AUTOPILOT:
+        return False
+    return bool(codec.fields(frame).autopilot != mav.MAV_AUTOPILOT_INVALID)
+
+
+def _open(connect: str) -> _Door:
+    listens, host, port = endpoint(connect)
+    try:
+        family, _, _, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)[0]
+        made = socket.socket(family, socket.SOCK_DGRAM)
+    except OSError as error:
+        raise ExternalError(f"{connect} is no address here: {error.strerror or error}") from None
+    made.setblocking(False)
+    widen(made)
+    try:
+        if listens:
+            made.bind(address)
+        else:
+            made.connect(address)
+    except OSError as error:
+        made.close()
+        what = "cannot be listened at" if listens else "cannot be spoken to"
+        help_ = "; does another ground station listen there?" if listens else ""
+        raise ExternalError(f"{connect} {what}: {error.strerror}{help_}") from None
+    return _Door(connect, made, None if listens else address)

@@ -1,0 +1,41 @@
+"""A vehicle's own clock seen from the session's: which moment was its `time_boot_ms`?
+
+A message that was `delay` on its way arrives at arrival = boot + offset + delay. The least of arrival - boot over the
+last half minute or minute is the offset with the shortest way; clocks drift, so older arrivals are forgotten.
+"""
+
+from __future__ import annotations
+
+import math
+
+WINDOW_S = 30.0
+REBOOT_S = 1.0
+"""A boot time that falls by more than this is another boot; by less, a message that was overtaken."""
+
+
+class BootClock:
+    """The offset of one vehicle's clock; times are s."""
+
+    def __init__(self) -> None:
+        self._least_s = self._least_before_s = math.inf
+        self._window_began_s = -math.inf
+        self._newest_boot_s = -math.inf
+
+    def feed(self, boot_s: float, arrival_s: float) -> bool:
+        """A message said `boot_s` and arrived at `arrival_s`; whether the vehicle has booted anew."""
+        rebooted = boot_s < self._newest_boot_s - REBOOT_S
+        if rebooted:
+            self._least_s = self._least_before_s = math.inf
+            self._window_began_s = arrival_s
+        elif arrival_s - self._window_began_s >= WINDOW_S:
+            self._least_before_s, self._least_s = self._least_s, math.inf
+            self._window_began_s = arrival_s
+        self._newest_boot_s = boot_s if rebooted else max(self._newest_boot_s, boot_s)
+        self._least_s = min(self._least_s, arrival_s - boot_s)
+        return rebooted
+
+    @property
+    def offset_s(self) -> float | None:
+        """What added to a boot time gives the session's; None before the first message."""
+        offset_s = min(self._least_s, self._least_before_s)
+        return offset_s if math.isfinite(offset_s) else None

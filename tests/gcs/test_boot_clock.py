@@ -1,0 +1,32 @@
+"""A vehicle's clock seen from the session's: offsets that the test itself makes are found again."""
+
+import pytest
+
+from gcs.mavlink.boot_clock import WINDOW_S, BootClock
+
+OFFSET_S = 812.5
+
+
+def test_the_offset_is_that_of_the_message_that_came_the_quickest_way() -> None:
+    clock = BootClock()
+    assert clock.offset_s is None
+    for k, delay_s in enumerate((0.08, 0.02, 0.3, 0.05)):
+        clock.feed(0.1 * k, 0.1 * k + OFFSET_S + delay_s)
+    assert clock.offset_s == pytest.approx(OFFSET_S + 0.02)
+
+
+def test_a_clock_that_runs_slower_is_followed() -> None:
+    """100 ppm for ten minutes are 60 ms; what is older than two windows is forgotten, which leaves at most 6 ms."""
+    clock = BootClock()
+    for k in range(6000):
+        clock.feed(0.1 * k * (1.0 - 1e-4), 0.1 * k + OFFSET_S)
+    now_offset_s = OFFSET_S + 599.9 * 1e-4
+    assert now_offset_s - 2.0 * WINDOW_S * 1e-4 <= clock.offset_s <= now_offset_s  # type: ignore[operator]
+
+
+def test_another_boot_begins_a_new_offset_and_a_message_that_was_overtaken_does_not() -> None:
+    clock = BootClock()
+    assert not clock.feed(100.0, 100.0 + OFFSET_S)
+    assert not clock.feed(99.8, 100.1 + OFFSET_S)
+    assert clock.feed(0.5, 130.0)
+    assert clock.offset_s == pytest.approx(129.5)

@@ -1,0 +1,276 @@
+"""The link to strangers' vehicles, over real sockets on the loopback; the vehicles' bytes are pymavlink's."""
+
+import select
+import socket
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import pytest
+from pymavlink.dialects.v20 import ardupilotmega as mav
+
+from gcs.external import ExternalError, ExternalLink
+from gcs.link import FleetLink
+from gcs.mavlink import codec
+from gcs.mixed_link import MixedLink
+from gcs.scenario_external import External
+
+WITHIN_S = 5.0
+KEYS = {1: (1, 1), 2: (2, 1)}
+
+
+class Vehicle:
+    """One socket, and what pymavlink writes to it and reads from it."""
+
+    def __init__(self, sysid: int, compid: int = 1) -> None:
+        self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self.socket.bind(("127.0.0.1", 0))
+        self.socket.setblocking(False)
+        self.mav = mav.MAVLink(None, srcSystem=sysid, srcComponent=compid)
+        self.port = self.socket.getsockname()[1]
+
+    def packed(self, message: Any) -> bytes:
+        return bytes(message.pack(self.mav))
+
+    def heartbeat(self, autopilot: int = mav.MAV_AUTOPILOT_PX4) -> bytes:
+        return self.packed(mav.MAVLink_heartbeat_message(2, autopilot, 0x81, 6 << 16, 4, 3))
+
+    def position(self, boot_ms: int) -> bytes:
+        return self.packed(mav.MAVLink_local_position_ned_message(boot_ms, 1, 2, 3, 0, 0, 0))
+
+    def say(self, port: int, *datagrams: bytes) -> None:
+        for datagram in datagrams:
+            self.socket.sendto(datagram, ("127.0.0.1", port))
+
+    def hear(self, count: int) -> list[Any]:
+        """The messages of the next datagrams, which must hold one each."""
+        heard: list[Any] = []
+        poll = select.poll()
+        poll.register(self.socket, select.POLLIN)
+        while len(heard) < count and poll.poll(1e3 * WITHIN_S):
+            (message,) = self.mav.parse_buffer(self.socket.recv(65536))
+            heard.append(message)
+        assert len(heard) == count
+        return heard
+
+
+def free_port() -> int:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as one:
+        one.bind(("127.0.0.1", 0))
+        return int(one.getsockname()[1])
+
+
+@pytest.fixture
+def stand() -> Iterator[Callable[..., Any]]:
+    """Makes vehicles, and links that expect them; closes all."""
+    made: list[Any] = []
+
+    def make(what: Any) -> Any:
+        made.append(what)
+        return what
+
+    yield make
+    for one in made:
+        (one if isinstance(one, ExternalLink | MixedLink) else one.socket).close()
+
+
+def block(connect: str, sysid: int = 1) -> External:
+    return External(connect=connect, sysid=sysid, capacity_j=1e5)
+
+
+def udpin(*sysids: int, now_s: Callable[[], float] = time.monotonic) -> tuple[ExternalLink, int]:
+    port = free_port()
+    return ExternalLink({sysid: block(f"udpin:127.0.0.1:{port}", sysid) for sysid in sysids}, now_s), port
+
+
+def until(link: ExternalLink, holds: Callable[[], bool]) -> None:
+    deadline_s = time.monotonic() + WITHIN_S
+    while not holds():
+        assert time.monotonic() < deadline_s
+        link.listen(0.01)
+
+
+def test_vehicles_on_one_port_are_known_by_their_first_heartbeat_and_answered_where_they_are(stand: Any) -> None:
+    link, port = udpin(1, 2)
+    stand(link)
+    one, two = stand(Vehicle(1)), stand(Vehicle(2))
+    one.say(port, one.position(5), one.heartbeat())
+    until(link, lambda: link.joined == {KEYS[1]})
+    assert link.missing == {KEYS[2]}
+    two.say(port, two.heartbeat())
+    until(link, lambda: not link.missing)
+    message = codec.message("PING", time_usec=7, seq=1, target_system=0, target_component=0)
+    sent = link.grant(KEYS[1], [message, message], [])
+    assert [frame[4] for frame in sent] == [0, 1]
+    assert [(m.get_type(), m.get_srcSystem(), m.get_seq()) for m in one.hear(2)] == [("PING", 255, 0), ("PING", 255, 1)]
+    (first,) = link.grant(KEYS[2], [message], [])
+    assert first[4] == 0  # numbers are counted for each address
+    assert [m.get_type() for m in two.hear(1)] == ["PING"]
+
+
+def test_what_comes_between_two_ticks_is_delivered_at_the_second(stand: Any) -> None:
+    link, port = udpin(1)
+    stand(link)
+    one = stand(Vehicle(1))
+    one.say(port, one.heartbeat())
+    until(link, lambda: not link.missing)
+    link.begin()
+    one.say(port, one.position(100), one.position(200))
+    frames: list[codec.Frame] = []
+    deadline_s = time.monotonic() + WITHIN_S
+    while len(frames) < 2 and time.monotonic() < deadline_s:
+        link.rest(0.01)
+        frames += link.collect()[KEYS[1]]
+    assert [codec.fields(frame).time_boot_ms for frame in frames] == [100, 200]
+    assert link.collect() == {KEYS[1]: []}
+
+
+def test_the_vehicles_clock_is_compared_with_the_sessions(stand: Any) -> None:
+    now_s = 50.0
+    link, port = udpin(1, now_s=lambda: now_s)
+    stand(link)
+    one = stand(Vehicle(1))
+    one.say(port, one.heartbeat())
+    until(link, lambda: not link.missing)
+    link.begin()
+    one.say(port, one.position(20_000))
+    until(link, lambda: bool(link.offsets_s()))
+    assert link.offsets_s() == {1: pytest.approx(30.0)}
+    one.say(port, one.position(100))
+    until(link, lambda: link.take_rebooted() == {1})
+
+
+@pytest.mark.parametrize(
+    ("compid", "autopilot"),
+    [(mav.MAV_COMP_ID_GIMBAL, mav.MAV_AUTOPILOT_INVALID), (191, mav.MAV_AUTOPILOT_PX4), (1, mav.MAV_AUTOPILOT_INVALID)],
+)
+def test_a_gimbal_a_companion_and_a_ground_station_are_no_vehicle(stand: Any, compid: int, autopilot: int) -> None:
+    link, port = udpin(1)
+    stand(link)
+    other, one = stand(Vehicle(1, compid)), stand(Vehicle(1))
+    other.say(port, other.heartbeat(autopilot))
+    one.say(port, one.heartbeat())
+    until(link, lambda: not link.missing)
+    link.grant(KEYS[1], [codec.message("PING", time_usec=1, seq=1, target_system=0, target_component=0)], [])
+    assert one.hear(1)[0].get_type() == "PING"
+
+
+def test_a_second_vehicle_with_the_same_id_is_reported_and_refused(stand: Any) -> None:
+    link, port = udpin(1)
+    stand(link)
+    one, twin = stand(Vehicle(1)), stand(Vehicle(1))
+    one.say(port, one.heartbeat())
+    until(link, lambda: not link.missing)
+    link.begin()
+    twin.say(port, twin.heartbeat(), twin.position(1))
+    until(link, lambda: bool(link.refused))
+    assert link.refused == {KEYS[1]: ("127.0.0.1", twin.port)}
+    assert link.collect() == {KEYS[1]: []}
+
+
+def test_console_text_before_the_first_frame_is_passed_over_and_broken_frames_after_it_are_counted(stand: Any) -> None:
+    link, port = udpin(1)
+    stand(link)
+    one = stand(Vehicle(1))
+    one.say(port, b"\n\nInit ArduCopter V4.5.5\n\nFree RAM: 131072\n", b"Ready to FLY " + one.heartbeat())
+    until(link, lambda: not link.missing)
+    assert link.malformed == 0
+    broken = bytearray(one.heartbeat())
+    broken[-1] ^= 0xFF
+    one.say(port, bytes(broken), one.heartbeat()[:-4])
+    until(link, lambda: link.malformed == 2)
+
+
+def test_vehicles_behind_a_router_share_one_address(stand: Any) -> None:
+    link, port = udpin(1, 2)
+    stand(link)
+    router, two = stand(Vehicle(1)), stand(Vehicle(2))
+    router.say(port, router.heartbeat() + two.heartbeat())
+    until(link, lambda: not link.missing)
+    link.begin()
+    router.say(port, two.position(7) + router.position(8))
+    collected: dict[Any, list[Any]] = {KEYS[1]: [], KEYS[2]: []}
+    deadline_s = time.monotonic() + WITHIN_S
+    while not all(collected.values()) and time.monotonic() < deadline_s:
+        link.rest(0.01)
+        for key, frames in link.collect().items():
+            collected[key] += [codec.fields(frame).time_boot_ms for frame in frames]
+    assert collected == {KEYS[1]: [8], KEYS[2]: [7]}
+
+
+def test_a_vehicle_that_listens_is_spoken_to_first(stand: Any) -> None:
+    one = stand(Vehicle(1))
+    link = stand(ExternalLink({1: block(f"udpout:127.0.0.1:{one.port}")}, time.monotonic))
+    link.listen(0.0)
+    (heartbeat,) = one.hear(1)
+    assert (heartbeat.get_type(), heartbeat.type) == ("HEARTBEAT", mav.MAV_TYPE_GCS)
+    one.say(link._peers[1].door.socket.getsockname()[1], one.heartbeat())
+    until(link, lambda: not link.missing)
+
+
+def test_who_speaks_mavlink_1_hears_mavlink_2_and_may_go_over_to_it(stand: Any) -> None:
+    link, port = udpin(1)
+    stand(link)
+    one = stand(Vehicle(1))
+    old = mav.MAVLink_heartbeat_message(2, 12, 0x81, 0, 4, 3).pack(one.mav, force_mavlink1=True)
+    one.say(port, bytes(old))
+    until(link, lambda: bool(select.select([one.socket], [], [], 0)[0]))
+    assert one.hear(1)[0].get_type() == "HEARTBEAT"
+    assert link.missing == {KEYS[1]}
+
+
+def test_while_the_session_stands_still_the_last_set_point_goes_out_again(stand: Any) -> None:
+    link, port = udpin(1)
+    stand(link)
+    one = stand(Vehicle(1))
+    one.say(port, one.heartbeat())
+    until(link, lambda: not link.missing)
+    point = codec.message(
+        "SET_POSITION_TARGET_LOCAL_NED", time_boot_ms=1, target_system=1, target_component=1, coordinate_frame=1,
+        type_mask=3520, x=1.0, y=2.0, z=-3.0, vx=0.0, vy=0.0, vz=0.0, afx=0.0, afy=0.0, afz=0.0, yaw=0.0, yaw_rate=0.0,
+    )  # fmt: skip
+    link.grant(KEYS[1], [point], [])
+    until(link, lambda: link.stand_in() is None and bool(select.select([one.socket], [], [], 0.0)[0]))
+    heard = one.hear(1)
+    deadline_s = time.monotonic() + WITHIN_S
+    while len(heard) < 2 and time.monotonic() < deadline_s:
+        link.rest(0.01)
+        link.stand_in()
+        heard += one.hear(1) if select.select([one.socket], [], [], 0.0)[0] else []
+    assert [(m.get_type(), m.x, m.get_seq()) for m in heard] == [
+        ("SET_POSITION_TARGET_LOCAL_NED", 1.0, 0), ("SET_POSITION_TARGET_LOCAL_NED", 1.0, 1),
+    ]  # fmt: skip
+
+
+def test_an_address_that_cannot_be_had_is_named_with_the_reason(stand: Any) -> None:
+    taken = stand(Vehicle(9))
+    with pytest.raises(ExternalError, match=f"^udpin:127.0.0.1:{taken.port} cannot be listened at: Address already in"):
+        ExternalLink({1: block(f"udpin:127.0.0.1:{taken.port}")}, time.monotonic)
+    with pytest.raises(ExternalError, match=r"^udpout:no\.such\.host\.invalid:14550 is no address here"):
+        ExternalLink({1: block("udpout:no.such.host.invalid:14550")}, time.monotonic)
+
+
+@contextmanager
+def mixed() -> Iterator[tuple[MixedLink, Vehicle]]:
+    external, port = udpin(1)
+    link, one = MixedLink(FleetLink(), external), Vehicle(1)
+    try:
+        one.say(port, one.heartbeat())
+        until(external, lambda: not external.missing)
+        yield link, one
+    finally:
+        link.close()
+        one.socket.close()
+
+
+def test_a_mixed_fleet_needs_no_grant_for_strangers_and_no_wait() -> None:
+    with mixed() as (link, one):
+        ping = codec.message("PING", time_usec=1, seq=1, target_system=0, target_component=0)
+        sent = link.grant(KEYS[1], 100, 0, [ping], [])
+        assert [codec.split(raw).frames[0].msgid for raw in sent] == [codec.msgid("PING")]  # and no SYSTEM_TIME
+        assert link.collect(lambda: pytest.fail("a stranger was waited for")) == {KEYS[1]: []}
+        assert one.hear(1)[0].get_type() == "PING"
+        assert link.joined == {KEYS[1]}
+        link.leave(KEYS[1])
+        assert link.joined == set()

@@ -51,6 +51,10 @@ class Clients:
         return Answer(False, f"There is no command '{command[:32]}'{hint}")
 
     def _tell_clock(self, command: str) -> Answer:
+        if command == "pause" and self._supervisor.externals.rules:
+            answer = Answer(False, "The session cannot pause: external vehicles live on the real clock.")
+            self._supervisor.note(command, answer)
+            return answer
         if command == "pause":
             self._pace.pause()
         elif command == "resume":

@@ -1,7 +1,10 @@
 """What the fleet told, as one immutable snapshot: telemetry in, SI units and the common NED frame out.
 
-The common frame is the scenario's origin. A vehicle's own local frame is moved there by its GPS_GLOBAL_ORIGIN; until
-that has come its position is unknown, and nothing is planned for it.
+The common frame is the scenario's origin. A vehicle's own local frame is moved there by its GPS_GLOBAL_ORIGIN, or by
+HOME_POSITION where that says where home lies in it; until one has come its position is unknown, and nothing is planned
+for it. It is moved and not turned: the axes of two tangent planes d apart at latitude φ differ by d/(R cos φ), R the
+earth's radius, so that a place at a distance r from its origin is off by r d/(R cos φ): 0.12 m for 100 m and 5 km at
+47 degrees.
 """
 
 from __future__ import annotations
@@ -23,6 +26,8 @@ POWER_WINDOW_S = 5.0
 STALE_S = 1.5
 """A position older than this is not believed any more."""
 HECTOJOULE = 100.0
+LANDED_M = 0.3
+"""A vehicle that does not tell whether it has landed is in the air above this height."""
 TEXT_CHARACTERS = 50
 TRAFFIC_FORGOTTEN_S = 10.0
 """An aircraft that has been silent for so long could be anywhere: its range would fill the sky."""
@@ -70,6 +75,15 @@ class VehicleView:
     power_w: float
     energy_source: str
     control_effort: float
+    ground_down_m: float | None = None
+    """the ground under its home, or else under its origin, in the common frame; None while that is unknown"""
+
+    @property
+    def height_m(self) -> float | None:
+        """Height above its ground."""
+        if self.p_ned is None or self.ground_down_m is None:
+            return None
+        return self.ground_down_m - self.p_ned[2]
 
     @property
     def remaining_j(self) -> float:
@@ -144,6 +158,10 @@ class Member:
     label: str
     capacity_j: float
     initial_j: float
+    external: bool = False
+    """not launched by the session: its clock is its own, and it may lack any message"""
+    profile: Profile | None = None
+    """whose habits it has; None: as its HEARTBEAT says"""
 
 
 class _Track:
@@ -152,7 +170,11 @@ class _Track:
     def __init__(self, member: Member) -> None:
         self.member = member
         self.alive = True
-        self.profile = GENERIC
+        self.profile = member.profile or GENERIC
+        self.clock_offset_s: float | None = None if member.external else 0.0
+        self.landed_told = not member.external
+        self.home_amsl_m: float | None = None
+        self.home_down_m: float | None = None
         self.mode = FlightMode.OTHER
         self.armed = False
         self.landed = True
@@ -163,6 +185,7 @@ class _Track:
         self.heading_rad = 0.0
         self.offset: Vec3 | None = None
         self.origin_alt_m = 0.0
+        self.origin_told = False
         self.capacity_j = member.capacity_j
         self.initial_j = member.initial_j
         self.drawn_j = 0.0
@@ -185,6 +208,12 @@ class _Track:
                 self.p_local[1] + self.offset[1],
                 self.p_local[2] + self.offset[2],
             )
+        ground_down_m = self.home_down_m
+        if ground_down_m is None and self.offset is not None:
+            ground_down_m = self.offset[2]
+        landed = self.landed
+        if not self.landed_told and p_ned is not None and ground_down_m is not None:
+            landed = ground_down_m - p_ned[2] < LANDED_M
         return VehicleView(
             sysid=self.member.sysid,
             role=self.member.role,
@@ -193,14 +222,15 @@ class _Track:
             profile=self.profile,
             mode=self.mode,
             armed=self.armed,
-            landed=self.landed,
+            landed=landed,
             heard_s=self.heard_s,
             p_ned=p_ned,
             v_ned=self.v_ned,
             age_s=max(now_s - self.position_s, 0.0),
             heading_rad=self.heading_rad,
             origin_offset_ned=self.offset,
-            ground_amsl_m=self.origin_alt_m,
+            ground_amsl_m=self.origin_alt_m if self.home_amsl_m is None else self.home_amsl_m,
+            ground_down_m=ground_down_m,
             capacity_j=self.capacity_j,
             initial_j=self.initial_j,
             battery_told=len(self.parameters_told) == len(BATTERY_PARAMETERS),
@@ -239,6 +269,14 @@ class Fleet:
         """A vehicle's process has died."""
         self._tracks[sysid].alive = False
 
+    def found(self, sysid: int) -> None:
+        """A vehicle that was lost is heard again."""
+        self._tracks[sysid].alive = True
+
+    def set_clock(self, sysid: int, offset_s: float) -> None:
+        """What added to this vehicle's own time gives the session's."""
+        self._tracks[sysid].clock_offset_s = offset_s
+
     def take_statustexts(self) -> list[tuple[int, int, str]]:
         """(system id, severity, text) of each STATUSTEXT since the last call."""
         taken, self.statustexts = self.statustexts, []
@@ -262,14 +300,14 @@ class Fleet:
         )
 
     def _heartbeat(self, track: _Track, content: Any, time_s: float) -> None:
-        track.profile = profile_of(content.autopilot)
+        track.profile = track.member.profile or profile_of(content.autopilot)
         track.mode = track.profile.mode(content.custom_mode)
         track.armed = bool(content.base_mode & mav.MAV_MODE_FLAG_SAFETY_ARMED)
         track.heard_s = time_s
 
     def _position(self, track: _Track, content: Any, time_s: float) -> None:
         numbers = (content.x, content.y, content.z, content.vx, content.vy, content.vz)
-        told_s = min(content.time_boot_ms / 1e3, time_s)
+        told_s = _session_s(track, content.time_boot_ms, time_s)
         if all(map(math.isfinite, numbers)) and told_s >= track.position_s:
             track.p_local = numbers[:3]
             track.v_ned = numbers[3:]
@@ -280,14 +318,33 @@ class Fleet:
             track.heading_rad = content.yaw
 
     def _extended_state(self, track: _Track, content: Any, time_s: float) -> None:
+        track.landed_told = True
         track.landed = content.landed_state in (mav.MAV_LANDED_STATE_ON_GROUND, mav.MAV_LANDED_STATE_UNDEFINED)
 
     def _global_origin(self, track: _Track, content: Any, time_s: float) -> None:
-        lat_deg, lon_deg, alt_m = 1e-7 * content.latitude, 1e-7 * content.longitude, 1e-3 * content.altitude
+        track.offset = self._ned(content)
+        track.origin_alt_m = 1e-3 * content.altitude
+        track.origin_told = True
+
+    def _home(self, track: _Track, content: Any, time_s: float) -> None:
+        """An external vehicle's ground; and where its frame lies, if it says so by no other message."""
+        if not track.member.external:
+            return
+        home_ned = self._ned(content)
+        track.home_amsl_m, track.home_down_m = 1e-3 * content.altitude, home_ned[2]
+        local = (content.x, content.y, content.z)
+        if track.origin_told or not track.profile.home_is_local or not all(map(math.isfinite, local)):
+            return
+        track.offset = (home_ned[0] - local[0], home_ned[1] - local[1], home_ned[2] - local[2])
+        track.origin_alt_m = track.home_amsl_m + content.z
+
+    def _ned(self, content: Any) -> Vec3:
+        """A message's latitude, longitude and altitude in the common frame."""
         o = self._origin
-        north, east, down = pymap3d.geodetic2ned(lat_deg, lon_deg, alt_m, o.lat_deg, o.lon_deg, o.alt_m)
-        track.offset = (float(north), float(east), float(down))
-        track.origin_alt_m = alt_m
+        north, east, down = pymap3d.geodetic2ned(
+            1e-7 * content.latitude, 1e-7 * content.longitude, 1e-3 * content.altitude, o.lat_deg, o.lon_deg, o.alt_m
+        )
+        return float(north), float(east), float(down)
 
     def _battery(self, track: _Track, content: Any, time_s: float) -> None:
         if content.id != 0:
@@ -314,7 +371,7 @@ class Fleet:
     def _named_int(self, track: _Track, content: Any, time_s: float) -> None:
         if content.name == "XferOut":
             track.given_j = max(track.given_j, content.value)
-            track.given_told_s = max(track.given_told_s, min(content.time_boot_ms / 1e3, time_s))
+            track.given_told_s = max(track.given_told_s, _session_s(track, content.time_boot_ms, time_s))
         elif content.name == "XferIn":
             track.received_j = max(track.received_j, content.value)
 
@@ -323,16 +380,17 @@ class Fleet:
             track.control_effort = content.value
 
     def _parameter(self, track: _Track, content: Any, time_s: float) -> None:
-        if not (math.isfinite(content.param_value) and content.param_value >= 0.0):
-            return
         if content.param_id not in BATTERY_PARAMETERS:
+            return
+        value = track.profile.parameter(content.param_value, content.param_type)
+        if not (math.isfinite(value) and value >= 0.0):
             return
         track.parameters_told.add(content.param_id)
         if content.param_id == "SIM_BAT_INIT_J":
-            track.initial_j = content.param_value
+            track.initial_j = value
             track.initial_told = True
-        elif content.param_value > 0.0:
-            track.capacity_j = content.param_value
+        elif value > 0.0:
+            track.capacity_j = value
 
     def _statustext(self, track: _Track, content: Any, time_s: float) -> None:
         """A text may come in chunks that share an id; a chunk that is not full is the last."""
@@ -361,12 +419,18 @@ class Fleet:
         self._traffic[content.ICAO_address] = (content.callsign, p_ned, v_ned, time_s - content.tslc)
 
 
+def _session_s(track: _Track, boot_ms: int, time_s: float) -> float:
+    """When a vehicle said something, by its own clock if that is known; it was not later than now."""
+    return time_s if track.clock_offset_s is None else min(boot_ms / 1e3 + track.clock_offset_s, time_s)
+
+
 _HANDLERS: Mapping[int, Callable[[Fleet, _Track, Any, float], None]] = {
     mav.MAVLINK_MSG_ID_HEARTBEAT: Fleet._heartbeat,
     mav.MAVLINK_MSG_ID_LOCAL_POSITION_NED: Fleet._position,
     mav.MAVLINK_MSG_ID_ATTITUDE: Fleet._attitude,
     mav.MAVLINK_MSG_ID_EXTENDED_SYS_STATE: Fleet._extended_state,
     mav.MAVLINK_MSG_ID_GPS_GLOBAL_ORIGIN: Fleet._global_origin,
+    mav.MAVLINK_MSG_ID_HOME_POSITION: Fleet._home,
     mav.MAVLINK_MSG_ID_BATTERY_STATUS: Fleet._battery,
     mav.MAVLINK_MSG_ID_NAMED_VALUE_INT: Fleet._named_int,
     mav.MAVLINK_MSG_ID_NAMED_VALUE_FLOAT: Fleet._named_float,

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 
 from gcs.events import Event
-from gcs.fleet import Snapshot, VehicleView
+from gcs.fleet import STALE_S, Snapshot, VehicleView
 from gcs.profiles import STEERABLE, End, FlightMode
 
 GOING_DOWN = frozenset({FlightMode.RETURN, FlightMode.LAND})
@@ -50,7 +51,7 @@ class Watch:
             events.append(Event(now_s, view.sysid, "info", told, "mode"))
 
     def _watch_silence(self, view: VehicleView, now_s: float, events: list[Event]) -> None:
-        silent = view.alive and view.heard_s >= 0.0 and not view.fresh
+        silent = view.alive and view.heard_s >= 0.0 and STALE_S < view.age_s < math.inf
         if silent and view.sysid not in self._silent:
             self._silent.add(view.sysid)
             events.append(Event(now_s, view.sysid, "warning", f"No word for {view.age_s:.1f} s", "link"))

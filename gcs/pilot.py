@@ -37,6 +37,7 @@ class Stage(StrEnum):
     TAKEOFF = "take off"
     OFFBOARD = "start offboard"
     FLY = "fly"
+    YIELDED = "yielded"
     DOWN = "down"
     TAKEN = "operator"
 
@@ -64,6 +65,8 @@ class Pilot:
         """what an operator wants it to fly; None while it is the planner's"""
         self._told = False
         self._rejoins = False
+        self.left_out = ""
+        """why it takes no part, as a sentence; empty while it does"""
 
     @property
     def sends_set_points(self) -> bool:
@@ -94,19 +97,8 @@ class Pilot:
             return self._tell(view), []
         if now_s - self._asked_s < RETRY_S - _ROUNDING_S:
             return [], []
-        wishes: list[Wish] = []
-        requests: list[Message] = []
-        if not view.battery_told and view.heard_s >= 0.0:
-            requests = [self._read(name) for name in BATTERY_PARAMETERS]
-        if self.stage is Stage.ARM:
-            wishes = [self._wish(mav.MAV_CMD_COMPONENT_ARM_DISARM, 1.0, 0.0)]
-        elif self.stage is Stage.TAKEOFF and view.mode is not FlightMode.TAKEOFF:
-            height = view.profile.takeoff_param7(self._takeoff_m, view.ground_amsl_m)
-            wishes = [
-                self._wish(mav.MAV_CMD_NAV_TAKEOFF, 0.0, 0.0, 0.0, *[view.profile.not_given] * 3, height),
-            ]
-        elif self.stage is Stage.OFFBOARD and now_s - self._stage_since_s >= SET_POINTS_FIRST_S - _ROUNDING_S:
-            wishes = [self._wish(mav.MAV_CMD_DO_SET_MODE, *view.profile.offboard)]
+        requests = self._requests(view) if not view.battery_told and view.heard_s >= 0.0 else []
+        wishes = self._wanted(view, now_s)
         if wishes or requests:
             self._asked_s = now_s
         return wishes, requests
@@ -120,6 +112,20 @@ class Pilot:
             return []
         command, params = view.profile.ending(self.ordered)
         return [self._wish(command, *params, token=f"{OPERATOR} {self.ordered}")]
+
+    def _requests(self, view: VehicleView) -> list[Message]:
+        return [self._read(name) for name in BATTERY_PARAMETERS]
+
+    def _wanted(self, view: VehicleView, now_s: float) -> list[Wish]:
+        """The command that the stage needs."""
+        if self.stage is Stage.ARM:
+            return [self._wish(mav.MAV_CMD_COMPONENT_ARM_DISARM, 1.0, 0.0)]
+        if self.stage is Stage.TAKEOFF and view.mode is not FlightMode.TAKEOFF:
+            height = view.profile.takeoff_param7(self._takeoff_m, view.ground_amsl_m)
+            return [self._wish(mav.MAV_CMD_NAV_TAKEOFF, 0.0, 0.0, 0.0, *[view.profile.not_given] * 3, height)]
+        if self.stage is Stage.OFFBOARD and now_s - self._stage_since_s >= SET_POINTS_FIRST_S - _ROUNDING_S:
+            return [self._wish(mav.MAV_CMD_DO_SET_MODE, *view.profile.offboard)]
+        return []
 
     def _move_on(self, view: VehicleView, now_s: float, bound: bool) -> None:
         stage = Stage.TAKEN if self.ordered is not None and view.alive and not bound else self._next(view)

@@ -12,6 +12,7 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from gcs.fleet import VehicleView
 from gcs.link import FleetLink
+from gcs.mixed_link import MixedLink
 from gcs.supervisor import Supervisor
 
 FILE = "summary.json"
@@ -90,11 +91,12 @@ class Summary(_Part):
     wall_time_s: float
     speed_achieved: float
     lag_s: float
-    """how much the session's clock fell behind its pace"""
+    """how much the session's clock fell behind its pace; with external vehicles, what late ticks had to catch up"""
     completed: bool
     outcome: str
     """`met`, the first part of the goal that was not met, `vehicle_lost` or `interrupted`"""
     digest: str | None
+    """null with external vehicles: their flight never repeats"""
     versions: dict[str, str]
     min_separation_m: float | None
     min_clearance_m: float | None
@@ -110,7 +112,13 @@ class Summary(_Part):
 
 
 def summarise(
-    supervisor: Supervisor, link: FleetLink, *, outcome: str, completed: bool, wall_time_s: float, lag_s: float
+    supervisor: Supervisor,
+    link: FleetLink | MixedLink,
+    *,
+    outcome: str,
+    completed: bool,
+    wall_time_s: float,
+    lag_s: float,
 ) -> Summary:
     """What a session that has ended amounts to; the link must still be open."""
     scenario, metrics, schedule = supervisor.scenario, supervisor.metrics, supervisor.schedule
@@ -131,7 +139,7 @@ def summarise(
         lag_s=lag_s,
         completed=completed,
         outcome=outcome,
-        digest=supervisor.digest.hexdigest(),
+        digest=None if scenario.vehicles.external else supervisor.digest.hexdigest(),
         versions=_versions(),
         min_separation_m=_finite(metrics.min_separation_m),
         min_clearance_m=_finite(metrics.min_clearance_m),

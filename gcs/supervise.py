@@ -22,11 +22,14 @@ from typing import Any
 import click
 
 from gcs import plugins
+from gcs.arrivals import Arrivals
 from gcs.clients import Clients
 from gcs.clock import Pace
 from gcs.events import Event, Kind, Level
+from gcs.external import ExternalError, ExternalLink
 from gcs.launch import Ended, Hatch, LaunchError, traffic_order, vehicle_orders
 from gcs.link import BUFFER_BYTES, REPEAT_S, FleetLink
+from gcs.mixed_link import MixedLink
 from gcs.picture import picture
 from gcs.publish import Publisher
 from gcs.reader import Reader
@@ -41,10 +44,12 @@ PUBLISH_EVERY_S = 0.1
 WATCH_EVERY_S = 0.05
 FLUSH_EVERY_S = 1.0
 """What a killed supervisor can lose of its recording, at most, in wall time."""
-HELLO_WITHIN_S = 60.0
 SAY_WAITING_EVERY_S = 5.0
-GIVE_UP_S = 60.0
-"""How long the session stands still for a process that lives but does not answer, in wall time."""
+GIVE_UP_S, GIVE_UP_SOON_S = 60.0, 5.0
+"""How long the session stands still for a process that lives but does not answer, in wall time; the second is with
+external vehicles, which fly on meanwhile."""
+HAND_BACK_S = 2.5
+"""How long external vehicles have at the end to obey; their HEARTBEAT, once a second, shows that they do."""
 
 
 class _Stopped(Exception):
@@ -65,7 +70,15 @@ class Session:
     def __init__(self, folder: Path, scenario: Scenario, *, drop: float) -> None:
         self._folder = folder
         self._scenario = scenario
-        self._link = FleetLink(drop=drop, seed=scenario.seed)
+        external = scenario.vehicles.external
+        clock = scenario.clock
+        speed = None if clock.mode == "lockstep" else clock.speed
+        self._pace = Pace(speed, time.monotonic, keeps_up=bool(external))
+        self._link: FleetLink | MixedLink = FleetLink(drop=drop, seed=scenario.seed)
+        if external:
+            strangers = ExternalLink(external, lambda: self._pace.running_wall_s)
+            self._link = MixedLink(self._link, strangers)
+        self._sleep = strangers.rest if external else time.sleep
         self._recorder = Recorder(folder)
         self._publisher = Publisher(folder, session_line(scenario, str(folder.resolve())))
         self._supervisor = Supervisor(scenario, self._link, self._recorder)
@@ -73,8 +86,6 @@ class Session:
         self._unpublished: list[Event] = []
         self.reader: Reader | None = None
         """who is given every snapshot, as a program in Python is; not a client of the socket"""
-        clock = scenario.clock
-        self._pace = Pace(None if clock.mode == "lockstep" else clock.speed, time.monotonic)
         self._clients = Clients(self._publisher, self._supervisor, self._pace)
         self._labels = {v.sysid: v.label for v in scenario.vehicles.all} | {255: "traffic"}
         self._blocks: dict[int, tuple[int, ...]] = {}
@@ -123,7 +134,8 @@ class Session:
 
     def _fly_fleet(self) -> bool:
         """The session from its first process to its last; True where it was interrupted."""
-        with Hatch() as self._hatch:
+        own = self._scenario.vehicles.launched or self._scenario.traffic
+        with Hatch() if own else contextlib.nullcontext() as self._hatch:
             try:
                 self._start_fleet()
                 self._fly()
@@ -132,17 +144,30 @@ class Session:
                 return True
             finally:
                 self._wall_time_s = self._pace.running_wall_s if self._begun else 0.0
+                if self._begun and isinstance(self._link, MixedLink):
+                    self._hand_back()
         return False
+
+    def _hand_back(self) -> None:
+        """External vehicles must not be left in offboard without anyone who steers them."""
+        supervisor = self._supervisor
+        supervisor.hand_back()
+        deadline_s = time.monotonic() + HAND_BACK_S
+        with contextlib.suppress(RecorderError):  # it has been reported, or will be; what matters now is sent before
+            while supervisor.exchange(self._pace.running_wall_s):
+                if time.monotonic() > deadline_s:
+                    self._event(0, "critical", "Not every external vehicle has obeyed at the end: look after them")
+                    break
+                self._sleep(WATCH_EVERY_S)
 
     # start
 
     def _start_fleet(self) -> None:
-        assert self._hatch is not None
         if self._link.buffer_bytes < BUFFER_BYTES:
             granted = f"{self._link.buffer_bytes >> 10} KiB"
             self._event(0, "warning", f"The kernel grants a receive buffer of {granted}, not 4 MiB: raise rmem_max")
         connection = ("--supervised", f"udpout:{self._link.host}:{self._link.port}")
-        vehicles = self._scenario.vehicles.all
+        vehicles = self._scenario.vehicles.launched
         per_process = self._scenario.vehicles_per_process
         orders = vehicle_orders(self._scenario, self._folder, connection, per_process=per_process)
         keys = [(vehicle.sysid, AUTOPILOT) for vehicle in vehicles]
@@ -151,13 +176,16 @@ class Session:
             keys.append(TRAFFIC)
         self._blocks = {order.sysid: order.sysids for order in orders}
         self._link.expect(keys)
-        self._hatch.start(orders)
-        deadline_s = time.monotonic() + HELLO_WITHIN_S
-        while missing := self._link.listen(WATCH_EVERY_S):
+        if self._hatch is not None:
+            self._hatch.start(orders)
+        arrivals, began_s = Arrivals(self._labels, self._scenario.vehicles.external), time.monotonic()
+        while missing := {sysid for sysid, _ in self._link.listen(WATCH_EVERY_S)}:
             self._watch()
-            if time.monotonic() > deadline_s:
-                names = ", ".join(self._labels[sysid] for sysid, _ in sorted(missing))
-                raise SessionError(f"no word from {names} within {HELLO_WITHIN_S:.0f} s of their start")
+            waited_s = time.monotonic() - began_s
+            for sysid, text in arrivals.look(missing, waited_s):
+                self._event(sysid, "info", text)
+            if (why := arrivals.too_late(missing, waited_s)) is not None:
+                raise SessionError(why)
 
     # fly
 
@@ -167,11 +195,13 @@ class Session:
         self._begun = True
         gc.freeze()  # what lives now lives to the end: no collection need look at it again
         pace.start()
+        if isinstance(self._link, MixedLink):
+            self._link.external.begin()
         supervisor.begin()
         end_ms = round(1e3 * self._scenario.goal.duration_s)
         while supervisor.time_ms < end_ms and self._link.joined:
-            pace.next(self._scenario.clock.period_s)
-            supervisor.tick(self._watch)
+            periods = pace.next(self._scenario.clock.period_s)
+            supervisor.tick(self._watch, periods)
             self._answered_s = self._said_waiting_s = time.monotonic()
             self._look_around()
             self._wait()
@@ -183,7 +213,7 @@ class Session:
         self._serve_reader()
         repeat_s = time.monotonic() + REPEAT_S
         while self._pace.paused or (left_s := self._pace.wait_s()) > 0.0:
-            time.sleep(min(WATCH_EVERY_S, WATCH_EVERY_S if self._pace.paused else left_s))
+            self._sleep(min(WATCH_EVERY_S, WATCH_EVERY_S if self._pace.paused else left_s))
             self._watch()
             if time.monotonic() >= repeat_s:
                 self._link.repeat()
@@ -214,12 +244,10 @@ class Session:
 
     def _watch(self) -> None:
         """Deaths, operators, the parent's pipe; and a fresh picture for those who look."""
-        assert self._hatch is not None
         self._watched_s = now_s = time.monotonic()
-        _, ended = self._hatch.events()
-        for end in ended:
+        for end in self._hatch.events()[1] if self._hatch is not None else ():
             self._lose(end)
-        if not self._hatch.alive:
+        if self._hatch is not None and not self._hatch.alive:
             raise SessionError("the process that makes the vehicles (simvehicle hatch) has died, and they with it")
         if now_s - self._said_waiting_s >= SAY_WAITING_EVERY_S and not self._pace.paused:
             self._said_waiting_s = now_s
@@ -243,7 +271,7 @@ class Session:
         """Say whose answer the session waits for; after a minute, go on without them."""
         for key in self._link.awaited:
             label = self._labels.get(key[0], f"vehicle {key[0]}")
-            if waited_s < GIVE_UP_S:
+            if waited_s < (GIVE_UP_SOON_S if self._scenario.vehicles.external else GIVE_UP_S):
                 self._event(
                     key[0], "warning", f"{label} lives but has not answered for {waited_s:.0f} s of wall time", "link"
                 )
@@ -268,7 +296,7 @@ class Session:
     def _outcome(self) -> str:
         """`met`, or the first part of the goal that was not."""
         goal, supervisor = self._scenario.goal, self._supervisor
-        if self._lost:
+        if self._lost or supervisor.externals.lost:
             return "vehicle_lost"
         if supervisor.time_ms < round(1e3 * goal.duration_s):
             return "duration_s"
@@ -345,7 +373,7 @@ def main(
         status, error = BAD_INPUT, str(problem)
     except BadVehicleError as problem:
         status, error = BAD_INPUT, str(problem)
-    except (SessionError, LaunchError, RecorderError) as problem:
+    except (SessionError, LaunchError, RecorderError, ExternalError) as problem:
         status, error = NOT_MET, str(problem)
     except OSError as problem:
         status, error = NOT_MET, f"{problem.filename or folder}: {problem.strerror}"

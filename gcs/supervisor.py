@@ -13,20 +13,22 @@ from typing import Any
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.events import Event, Level
-from gcs.explain import acknowledged, sentence
-from gcs.fleet import Fleet, GlobalOrigin, Member, Snapshot
-from gcs.impairment import Blackout, Impairment
+from gcs.crew import make_fleet, make_pilots, make_radio
+from gcs.events import Event, Kind, Level
+from gcs.explain import LEVELS, acknowledged, sentence
+from gcs.externals import ENDING, Externals
+from gcs.fleet import Snapshot
 from gcs.inspection import Inspection
-from gcs.link import SUPERVISOR, FleetLink, Key
+from gcs.link import OUR_HEARTBEAT, SUPERVISOR, FleetLink, Key
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.commands import CommandLong, CommandQueue, CommandResult, Target
 from gcs.mavlink.sequence import GapCounter
 from gcs.metrics import Metrics
+from gcs.mixed_link import MixedLink
 from gcs.news import Watch
 from gcs.operator import Answer, Operator
-from gcs.pilot import OPERATOR, PILOT, Pilot, Stage, Wish
+from gcs.pilot import OPERATOR, PILOT, Stage, Wish
 from gcs.planner.own import make_planner
 from gcs.planner.plan import SetPoint
 from gcs.policy_contest import make_contest
@@ -49,11 +51,7 @@ SET_POINT_MASK = (
     | mav.POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE
 )
 WAIT_FOR_FLEET_S = 30.0
-_SEVERITY: dict[int, Level] = {
-    mav.MAV_SEVERITY_WARNING: "warning",
-    mav.MAV_SEVERITY_NOTICE: "info",
-    mav.MAV_SEVERITY_INFO: "info",
-}
+_SETTLED = frozenset({Stage.FLY, Stage.YIELDED, Stage.DOWN, Stage.TAKEN})
 _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
 _SET_POINT = codec.msgid("SET_POSITION_TARGET_LOCAL_NED")
 
@@ -71,27 +69,14 @@ class _Recording:
 class Supervisor:
     """A session's brain: everything between the link and the recorder."""
 
-    def __init__(self, scenario: Scenario, link: FleetLink, recorder: Recorder) -> None:
+    def __init__(self, scenario: Scenario, link: FleetLink | MixedLink, recorder: Recorder) -> None:
         self.scenario = scenario
         self.period_ms = round(1e3 * scenario.clock.period_s)
         self.epoch_us = round(1e6 * scenario.clock.epoch.timestamp())
         self._link = link
         self._recorder = recorder
         self.digest = Digest()
-        origin = scenario.origin
-        self.fleet = Fleet(
-            [
-                Member(
-                    v.sysid,
-                    v.role,
-                    v.label,
-                    v.battery.capacity_j,
-                    v.battery.capacity_j * v.battery.initial_percent / 100.0,
-                )
-                for v in scenario.vehicles.all
-            ],
-            GlobalOrigin(origin.lat_deg, origin.lon_deg, origin.alt_m),
-        )
+        self.fleet = make_fleet(scenario)
         self.planner, planner_guard = make_planner(scenario)
         contest, policy_guard = make_contest(scenario)
         self._guards = [guard for guard in (planner_guard, policy_guard) if guard is not None]
@@ -102,28 +87,18 @@ class Supervisor:
             pursuers = [p.sysid for p in scenario.vehicles.pursuers if not p.waypoints_m]
             self.pursuit = Pursuit(scenario.pursuit, pursuers, targets, scenario.planner.cruise_m_s)
         self.metrics = Metrics(scenario, self.planner.obstacles)
-        self.pilots = {v.sysid: Pilot(v.sysid, v.takeoff_m) for v in scenario.vehicles.all}
+        self.pilots = make_pilots(scenario)
         self.operator = Operator(scenario, self.pilots, self.schedule)
+        self.externals = Externals(scenario)
+        self._wait_for_fleet_s = WAIT_FOR_FLEET_S + self.externals.patience_s
         self._join_ms = {v.sysid: round(1e3 * v.join_s) for v in scenario.vehicles.all}
-        self._radio = Impairment(
-            **scenario.radio.model_dump(exclude={"blackouts"}),
-            blackouts=[Blackout(b.sysid, b.from_s, b.to_s) for b in scenario.radio.blackouts],
-            seed=scenario.seed,
-        )
+        self._radio = make_radio(scenario)
         self._queues = {v.sysid: CommandQueue(*SUPERVISOR) for v in scenario.vehicles.all}
         self._under_way: set[tuple[int, str]] = set()
         self._gaps = GapCounter()
         self.quality = LinkQuality(self._gaps)
         self._heartbeat_due_ms = dict.fromkeys(self.pilots, 0)
         self._outbox: dict[int, list[Message]] = {sysid: [] for sysid in self.pilots}
-        self._heartbeat = codec.message(
-            "HEARTBEAT",
-            type=mav.MAV_TYPE_GCS,
-            autopilot=mav.MAV_AUTOPILOT_INVALID,
-            base_mode=0,
-            custom_mode=0,
-            system_status=mav.MAV_STATE_ACTIVE,
-        )
         self.time_ms = 0
         self.received = 0
         self.sent = 0
@@ -156,8 +131,9 @@ class Supervisor:
         self._grant_all({}, recording)
         self._record(recording)
 
-    def tick(self, idle: Callable[[], None]) -> None:
-        """Collect the answers to the last grant, decide, and send the next one."""
+    def tick(self, idle: Callable[[], None], periods: int = 1) -> None:
+        """Collect the answers to the last grant, decide, and send the next one, of so many periods."""
+        self._periods = periods
         answers = self._link.collect(idle)
         now_s = self.time_s
         arrived, delivered = self._hear(answers, now_s)
@@ -166,6 +142,7 @@ class Supervisor:
         self.events += self._watch.look(snapshot, self.operator.ordered)
         decision = self.schedule.decide(snapshot)
         self._fly(snapshot, now_s)
+        self._keep_streams(snapshot)
         pursuing = self.pursuit.decide(snapshot) if self.pursuit else self.operator.pursuing
         self.set_points = set_points = self._plan(snapshot, decision, pursuing)
         self._ask(decision.wishes, now_s)
@@ -228,9 +205,14 @@ class Supervisor:
             self.quality.take(key[0], len(heard), now_s)
             if key[0] in self.inspection.wanted:
                 self.inspection.take(heard, now_s)
+        if isinstance(self._link, MixedLink):
+            strangers = self._link.external
+            self.externals.hear(delivered, strangers.offsets_s(), strangers.take_rebooted(), self.fleet, now_s)
         self.received += len(arrived)
         for sysid, severity, text in self.fleet.take_statustexts():
-            self.events.append(Event(now_s, sysid, _SEVERITY.get(severity, "critical"), text, "text"))
+            if self.externals.repeats(sysid, text, now_s):
+                continue
+            self.events.append(Event(now_s, sysid, LEVELS.get(severity, "critical"), text, "text"))
         return arrived, delivered
 
     def _take_acknowledgements(self, now_s: float) -> None:
@@ -245,6 +227,8 @@ class Supervisor:
     def _report(self, sysid: int, result: CommandResult, now_s: float) -> None:
         self._under_way.discard((sysid, str(result.token)))
         self.schedule.result(str(result.token), result.outcome == "accepted")
+        if self.externals.settles(sysid, result, now_s):
+            return
         level: Level = "info" if result.outcome == "accepted" else "warning"
         self.events.append(Event(now_s, sysid, level, acknowledged(result), "ack"))
 
@@ -260,24 +244,35 @@ class Supervisor:
             if (pilot.stage is Stage.TAKEN) != (before is Stage.TAKEN) or any(_is_order(w.token) for w in wishes):
                 self._withdraw(view.sysid)
             if pilot.stage is Stage.DOWN and before is not Stage.DOWN and view.alive:
-                self.events.append(Event(now_s, view.sysid, "warning", "Lands, and takes no more part", "decision"))
+                why = pilot.left_out or "Lands, and takes no more part"
+                kind: Kind = "session" if pilot.left_out else "decision"
+                self.events.append(Event(now_s, view.sysid, "warning", why, kind))
+            elif pilot.stage is Stage.YIELDED and before is not Stage.YIELDED:
+                why = f"Somebody else flies it ({view.mode}): it takes part again when it is put into offboard"
+                self.events.append(Event(now_s, view.sysid, "warning", why))
             self._outbox[view.sysid] += requests
             # What is on its way already is not lined up again: it would be carried out long after it was wanted.
             self._ask([wish for wish in wishes if (wish.sysid, wish.token) not in self._under_way], now_s)
 
+    def _keep_streams(self, snapshot: Snapshot) -> None:
+        wishes, messages = self.externals.decide(snapshot)
+        for sysid, requests in messages.items():
+            self._outbox[sysid] += requests
+        self._ask(wishes, snapshot.time_s)
+        self.events += self.externals.take_events()
+
     def _plan(self, snapshot: Snapshot, decision: Decision, pursuing: Mapping[int, int] | None) -> list[SetPoint]:
         steered = frozenset(sysid for sysid, pilot in self.pilots.items() if pilot.sends_set_points)
         if not self.targets_move:
-            ready = (Stage.FLY, Stage.DOWN, Stage.TAKEN)
-            all_ready = all(p.stage in ready for s, p in self.pilots.items() if self._join_ms[s] == 0)
-            self.targets_move = all_ready or self.time_s > WAIT_FOR_FLEET_S
+            ready = all(p.stage in _SETTLED for s, p in self.pilots.items() if self._join_ms[s] == 0)
+            self.targets_move = ready or self.time_s > self._wait_for_fleet_s
         return self.planner.plan(
             snapshot,
             steered,
             rendezvous=decision.rendezvous,
             partners=decision.partners,
             targets_move=self.targets_move,
-            period_s=self.scenario.clock.period_s,
+            period_s=self._periods * self.scenario.clock.period_s,
             pursuing=pursuing,
         )
 
@@ -308,7 +303,7 @@ class Supervisor:
     def _grant_all(self, relays: Mapping[int, list[Relay]], recording: _Recording) -> None:
         """Send everyone the next bundle; the first one carries T = 0 and lets nobody move."""
         now_s = self.time_s
-        grant_ms = self.time_ms + self.period_ms if recording.t_ms or self._begun else 0
+        grant_ms = self.time_ms + self._periods * self.period_ms if recording.t_ms or self._begun else 0
         self._begun = True
         for key in sorted(self._link.joined):
             sysid = key[0]
@@ -318,7 +313,7 @@ class Supervisor:
             if key != TRAFFIC:
                 if self.time_ms >= self._heartbeat_due_ms[sysid]:
                     self._heartbeat_due_ms[sysid] = self.time_ms + round(1e3 * HEARTBEAT_EVERY_S)
-                    messages.append(self._heartbeat)
+                    messages.append(OUR_HEARTBEAT)
                 messages += self._outbox[sysid]
                 self._outbox[sysid] = []
                 messages += relays.get(sysid, ())
@@ -330,6 +325,30 @@ class Supervisor:
         self.time_ms = grant_ms
 
     _begun = False
+    _periods = 1
+
+    def hand_back(self) -> None:
+        """Nobody steers the external vehicles any more: tell them what to do then. `exchange` sends it."""
+        self._outbox = {sysid: [] for sysid in self._outbox}
+        stages = {sysid: pilot.stage for sysid, pilot in self.pilots.items()}
+        self._ask(self.externals.hand_back(self.snapshot, stages), self.time_s)
+        self.events += self.externals.take_events()
+
+    def exchange(self, now_s: float) -> bool:
+        """After the last tick: send external vehicles what is left, hear them; whether one has not obeyed yet."""
+        assert isinstance(self._link, MixedLink)
+        arrived, _ = self._hear(self._link.external.collect(), now_s)
+        self._take_acknowledgements(now_s)
+        sent: list[bytes] = []
+        for sysid in self.externals.rules:
+            self._follow_up(sysid, self._queues[sysid].poll(now_s), now_s)
+            if (sysid, AUTOPILOT) in self._link.joined:
+                sent += self._link.external.grant((sysid, AUTOPILOT), self._outbox[sysid], ())
+            self._outbox[sysid] = []
+        self.sent += len(sent)
+        self._record(_Recording(round(1e3 * now_s), arrived, sent, []))
+        self.snapshot = self.fleet.snapshot(now_s)
+        return self.externals.awaits(self.snapshot) or any(token == ENDING for _, token in self._under_way)
 
     def _records(self, decision: Decision, set_points: Iterable[SetPoint]) -> list[dict[str, Any]]:
         t_s = self.time_s

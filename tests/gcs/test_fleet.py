@@ -9,7 +9,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.fleet import Fleet, GlobalOrigin, Member, Snapshot, VehicleView
 from gcs.mavlink import codec
-from gcs.profiles import PX4, FlightMode
+from gcs.profiles import PX4, FlightMode, Profile
 
 ORIGIN = GlobalOrigin(47.397742, 8.545594, 488.0)
 DEG_E7 = (473977420, 85455940, 488000)
@@ -262,3 +262,103 @@ def test_a_text_in_chunks_is_told_as_one(fleet: Fleet) -> None:
         seen(fleet, frame("STATUSTEXT", severity=4, text=part.encode(), id=7, chunk_seq=seq))
     seen(fleet, frame("STATUSTEXT", severity=6, text=b"Short"))
     assert fleet.take_statustexts() == [(3, 4, words), (3, 6, "Short")]
+
+
+# vehicles that the session has not launched
+
+
+def strangers(profile: Profile | None = None) -> Fleet:
+    return Fleet([Member(3, "pursuer", "pursuer 3", CAPACITY_J, CAPACITY_J, external=True, profile=profile)], ORIGIN)
+
+
+def home(at: tuple[float, float, float], local: tuple[float, float, float]) -> codec.Frame:
+    lat, lon, alt = (float(x) for x in pymap3d.ned2geodetic(*at, ORIGIN.lat_deg, ORIGIN.lon_deg, ORIGIN.alt_m))
+    return frame(
+        "HOME_POSITION", latitude=round(1e7 * lat), longitude=round(1e7 * lon), altitude=round(1e3 * alt),
+        x=local[0], y=local[1], z=local[2], q=[1.0, 0.0, 0.0, 0.0],
+    )  # fmt: skip
+
+
+def test_a_strangers_time_is_its_own_and_told_by_its_clock() -> None:
+    fleet = strangers()
+    for one in (heartbeat(), origin()):
+        fleet.ingest(one, 10.0)
+    fleet.set_clock(3, -590.0)
+    fleet.ingest(position(t_ms=600_000), 10.3)
+    assert fleet.snapshot(10.5).vehicle(3).age_s == pytest.approx(0.5)
+    fleet.set_clock(3, 300.0)  # it has booted: another clock, whose times are the later ones all the same
+    fleet.ingest(position(t_ms=1_000), 301.2)
+    assert fleet.snapshot(301.2).vehicle(3).age_s == pytest.approx(0.2)
+
+
+@pytest.mark.parametrize("autopilot", [12, 0])
+def test_home_aligns_a_frame_whose_origin_is_not_told(autopilot: int) -> None:
+    """Home lies 30 m north of the scenario's origin and 4 m north of the vehicle's own."""
+    fleet = strangers()
+    for one in (
+        heartbeat(autopilot=autopilot),
+        home((30.0, -7.0, 2.0), (4.0, 0.0, -1.0)),
+        position(at=(1.0, 2.0, -5.0)),
+    ):
+        fleet.ingest(one, 0.0)
+    view = fleet.snapshot(0.0).vehicle(3)
+    assert view.p_ned == pytest.approx((27.0, -5.0, -2.0), abs=0.01)
+    assert view.height_m == pytest.approx(4.0, abs=0.01)
+    assert view.ground_amsl_m == pytest.approx(486.0, abs=0.01)
+    lat, lon, alt = pymap3d.ned2geodetic(0.0, 100.0, 0.0, ORIGIN.lat_deg, ORIGIN.lon_deg, ORIGIN.alt_m)
+    fleet.ingest(origin(round(1e7 * lat), round(1e7 * lon), round(1e3 * alt)), 1.0)
+    assert fleet.snapshot(1.0).vehicle(3).p_ned == pytest.approx((1.0, 102.0, -5.0), abs=0.02)
+
+
+def test_arducopters_home_does_not_align_it_since_it_says_nothing_of_its_frame() -> None:
+    fleet = strangers()
+    for one in (heartbeat(autopilot=3, custom_mode=4), home((30.0, 0.0, 2.0), (0.0, 0.0, 0.0)), position()):
+        fleet.ingest(one, 0.0)
+    view = fleet.snapshot(0.0).vehicle(3)
+    assert (view.p_ned, view.origin_offset_ned) == (None, None)
+    assert view.ground_amsl_m == pytest.approx(486.0, abs=0.01)
+
+
+@pytest.mark.parametrize(("distance_m", "reach_m"), [(1000.0, 200.0), (5000.0, 100.0), (5000.0, 500.0)])
+@pytest.mark.parametrize("bearing_rad", [0.0, 0.8, 1.6, 3.9])
+def test_frames_that_are_moved_and_not_turned_are_off_by_no_more_than_the_stated_bound(
+    distance_m: float, reach_m: float, bearing_rad: float
+) -> None:
+    """|p| d/(R cos φ), against pymap3d's way over the ellipsoid; and it is no empty bound: half of it is reached."""
+    common = (ORIGIN.lat_deg, ORIGIN.lon_deg, ORIGIN.alt_m)
+    there = (distance_m * math.cos(bearing_rad), distance_m * math.sin(bearing_rad), 0.0)
+    own = pymap3d.ned2geodetic(*there, *common)
+    bound_m = reach_m * distance_m / (6_350_000.0 * math.cos(math.radians(ORIGIN.lat_deg)))
+    errors = []
+    for k in range(12):
+        local = (reach_m * math.cos(k * math.pi / 6), reach_m * math.sin(k * math.pi / 6), 0.0)
+        truth = pymap3d.geodetic2ned(*pymap3d.ned2geodetic(*local, *own), *common)
+        errors.append(
+            math.dist(truth, [a + b for a, b in zip(local, pymap3d.geodetic2ned(*own, *common), strict=True)])
+        )
+    assert 0.5 * bound_m <= max(errors) <= bound_m
+
+
+def test_a_stranger_that_never_says_whether_it_has_landed_is_in_the_air_when_it_is_high() -> None:
+    fleet = strangers()
+    for one in (heartbeat(), origin(), position(at=(0.0, 0.0, -0.1))):
+        fleet.ingest(one, 0.0)
+    assert fleet.snapshot(0.0).vehicle(3).landed
+    fleet.ingest(position(t_ms=100, at=(0.0, 0.0, -1.0)), 0.1)
+    assert fleet.snapshot(0.1).vehicle(3).flying
+    fleet.ingest(frame("EXTENDED_SYS_STATE", landed_state=1), 0.2)
+    assert fleet.snapshot(0.2).vehicle(3).landed
+
+
+def test_the_scenario_may_know_better_than_the_heartbeat_whose_habits_a_vehicle_has() -> None:
+    fleet = strangers(PX4)
+    fleet.ingest(heartbeat(autopilot=0), 0.0)
+    assert fleet.snapshot(0.0).vehicle(3).profile is PX4
+
+
+def test_a_lost_vehicle_may_be_found_again() -> None:
+    fleet = strangers()
+    fleet.lost(3)
+    assert not fleet.snapshot(0.0).vehicle(3).alive
+    fleet.found(3)
+    assert fleet.snapshot(0.0).vehicle(3).alive

@@ -1,0 +1,52 @@
+"""Who is still missing before a session begins, what is said of it, and when waiting makes no sense any more."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Mapping
+
+from gcs.scenario_external import External
+
+HELLO_WITHIN_S = 60.0
+"""Wall time that launched vehicles have for their first word."""
+SAY_AGAIN_S = 5.0
+
+
+class Arrivals:
+    """Waits for launched vehicles and for those that somebody else has started; times are s since it began."""
+
+    def __init__(self, labels: Mapping[int, str], external: Mapping[int, External]) -> None:
+        self._labels = labels
+        self._external = external
+        self._awaited: set[int] = set()
+        self._said_s = -math.inf
+
+    def look(self, missing: Collection[int], waited_s: float) -> list[tuple[int, str]]:
+        """(system id, words) of what is new about external vehicles, now that these system ids are missing."""
+        strangers = self._external.keys() & set(missing)
+        news = [(sysid, f"{self._labels[sysid]} is there") for sysid in sorted(self._awaited - strangers)]
+        if waited_s - self._said_s >= SAY_AGAIN_S:
+            self._said_s = waited_s
+            where = {sysid: self._external[sysid].connect for sysid in sorted(strangers)}
+            news += [(sysid, f"Waiting for {self._labels[sysid]} at {at}") for sysid, at in where.items()]
+        self._awaited = strangers
+        return news
+
+    def too_late(self, missing: Collection[int], waited_s: float) -> str | None:
+        """Why the session cannot begin, as a sentence; None while there is hope."""
+        late = [sysid for sysid in sorted(missing) if waited_s > self._patience_s(sysid)]
+        strangers = [sysid for sysid in late if sysid in self._external]
+        if strangers:
+            names = ", ".join(f"{self._labels[sysid]} at {self._external[sysid].connect}" for sysid in strangers)
+            return (
+                f"no HEARTBEAT of {names} within {self._patience_s(strangers[0]):g} s: is it switched on, has it that "
+                "system id, and does it speak MAVLink 2 to that address? (found_within_s gives it longer)"
+            )
+        if late:
+            names = ", ".join(self._labels[sysid] for sysid in late)
+            return f"no word from {names} within {HELLO_WITHIN_S:.0f} s of their start"
+        return None
+
+    def _patience_s(self, sysid: int) -> float:
+        external = self._external.get(sysid)
+        return HELLO_WITHIN_S if external is None else external.found_within_s

@@ -1,0 +1,45 @@
+"""What a scenario says of its vehicles, made into those who look after them: fleet, pilots, radio."""
+
+from __future__ import annotations
+
+from gcs.external_pilot import ExternalPilot
+from gcs.fleet import Fleet, GlobalOrigin, Member
+from gcs.impairment import Blackout, Impairment
+from gcs.pilot import Pilot
+from gcs.profiles import PROFILES
+from gcs.scenario import Scenario
+
+
+def make_fleet(scenario: Scenario) -> Fleet:
+    """The collector of all vehicles' telemetry."""
+    origin = scenario.origin
+    members = [
+        Member(
+            v.sysid,
+            v.role,
+            v.label,
+            v.battery.capacity_j,
+            v.battery.capacity_j * v.battery.initial_percent / 100.0,
+            external=v.external is not None,
+            profile=PROFILES.get(v.external.autopilot) if v.external else None,
+        )
+        for v in scenario.vehicles.all
+    ]
+    return Fleet(members, GlobalOrigin(origin.lat_deg, origin.lon_deg, origin.alt_m))
+
+
+def make_pilots(scenario: Scenario) -> dict[int, Pilot]:
+    """A pilot for each vehicle, by system id."""
+    return {
+        v.sysid: ExternalPilot(v.sysid, v.takeoff_m, v.external) if v.external else Pilot(v.sysid, v.takeoff_m)
+        for v in scenario.vehicles.all
+    }
+
+
+def make_radio(scenario: Scenario) -> Impairment:
+    """The radio between vehicles and supervisor."""
+    return Impairment(
+        **scenario.radio.model_dump(exclude={"blackouts"}),
+        blackouts=[Blackout(b.sysid, b.from_s, b.to_s) for b in scenario.radio.blackouts],
+        seed=scenario.seed,
+    )

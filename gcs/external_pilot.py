@@ -1,0 +1,145 @@
+"""A stranger's vehicle into the air: its own autopilot has the last word, and so has whoever else holds a transmitter.
+
+    identify → arm → take off → start offboard → fly ⇄ yielded
+        └────────┴─ not within arm_within_s: left out
+
+1. Nothing is asked of it before it has told where it is. It is armed in the mode that its autopilot wants for that.
+2. A refusal is the autopilot's right: it is asked again, until `arm_within_s` have passed. Then it is left out.
+3. Put into another mode by someone else than us, it is theirs (`yielded`): nothing is asked of it, but set points flow
+   on, so that it can be handed back by putting it into offboard. Hold alone is taken for a failsafe's doing, and
+   offboard asked for again. Before it has been in offboard, a mode that nobody steers by hand is but on its way there:
+   a HEARTBEAT may be a second old.
+4. What an operator orders goes before all that, and so does his wish to have it back.
+5. While it is silent nothing changes; it may come back.
+"""
+
+from __future__ import annotations
+
+import math
+
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.fleet import VehicleView
+from gcs.mavlink.codec import Message
+from gcs.pilot import Pilot, Stage, Wish
+from gcs.profiles import STEERABLE, FlightMode
+from gcs.scenario_external import External
+
+FAR_M = 5000.0
+"""No origin is farther from the scenario's: the frames would not be parallel enough any more (gcs/fleet.py)."""
+SET_POINTS_FIRST_S = 1.0
+"""PX4 wants a second of set points before offboard."""
+PARAMETER_TRIES = 3
+"""A stranger may not know our battery's parameters, and need not say so."""
+NEAR_SHARE = 0.2
+"""Of the height of a take-off that may be missing at its end: autopilots are content with less than we are."""
+OURS = frozenset({FlightMode.TAKEOFF, FlightMode.HOLD})
+"""Modes from which offboard is asked for again."""
+THEIRS = frozenset({FlightMode.MANUAL, FlightMode.RETURN, FlightMode.LAND})
+"""Modes that are not on the way into offboard."""
+_FLOWN = frozenset({Stage.OFFBOARD, Stage.FLY, Stage.YIELDED})
+_BEFORE_FLIGHT = frozenset({Stage.IDENTIFY, Stage.ARM, Stage.TAKEOFF})
+
+
+class ExternalPilot(Pilot):
+    """One external vehicle's way into the air and into offboard."""
+
+    def __init__(self, sysid: int, takeoff_m: float, rules: External) -> None:
+        super().__init__(sysid, takeoff_m)
+        self._rules = rules
+        self._now_s = 0.0
+        self._begun_s = math.inf
+        self._silent = False
+        self._took_off = False
+        self._reads = 0
+
+    @property
+    def sends_set_points(self) -> bool:
+        """Whether set points should flow."""
+        return self.stage in _FLOWN and not self._silent
+
+    def decide(self, view: VehicleView, now_s: float, *, bound: bool = False) -> tuple[list[Wish], list[Message]]:
+        """As `Pilot.decide`; a silent vehicle is asked for nothing."""
+        if self.stage is not Stage.IDENTIFY:
+            self._begun_s = min(self._begun_s, now_s)
+        elif self._begun_s == math.inf or self._took_off:  # at first, and when it is brought back
+            self._begun_s, self._took_off = now_s, False
+        self._now_s, self._silent = now_s, not view.alive
+        if self._silent:
+            return [], []
+        return super().decide(view, now_s, bound=bound)
+
+    def _requests(self, view: VehicleView) -> list[Message]:
+        if self._reads >= PARAMETER_TRIES:
+            return []
+        self._reads += 1
+        return super()._requests(view)
+
+    def _wanted(self, view: VehicleView, now_s: float) -> list[Wish]:
+        profile = view.profile
+        if self.stage is Stage.ARM and view.mode not in profile.arms_in:
+            return [self._wish(mav.MAV_CMD_DO_SET_MODE, *profile.arming)]
+        if self.stage is Stage.TAKEOFF and not view.landed:
+            return []
+        if self.stage is Stage.OFFBOARD and now_s - self._stage_since_s < SET_POINTS_FIRST_S:
+            return []
+        if self.stage is Stage.DOWN and self.left_out and view.armed and view.landed:
+            return [self._wish(mav.MAV_CMD_COMPONENT_ARM_DISARM, 0.0, 0.0)]
+        return super()._wanted(view, now_s)
+
+    def _next(self, view: VehicleView) -> Stage:
+        stage = self.stage
+        if stage in _BEFORE_FLIGHT:
+            if self._hopeless(view):
+                return Stage.DOWN
+            stage = self._before_flight(view)
+        if stage not in _FLOWN or stage is not self.stage:
+            return stage if stage is not self.stage or stage in _BEFORE_FLIGHT else super()._next(view)
+        if not view.armed and view.landed:
+            return Stage.DOWN
+        if view.mode in STEERABLE:
+            self._rejoins = False
+            return Stage.FLY
+        if stage is Stage.OFFBOARD:
+            return Stage.YIELDED if view.mode in THEIRS and not self._rejoins else Stage.OFFBOARD
+        return Stage.OFFBOARD if stage is Stage.FLY and view.mode in OURS else Stage.YIELDED
+
+    def _before_flight(self, view: VehicleView) -> Stage:
+        if view.p_ned is None or view.heard_s < 0.0:
+            return Stage.IDENTIFY
+        if self.stage is Stage.IDENTIFY:
+            return self._when_flying(view) if view.flying else Stage.ARM
+        if not view.armed:
+            return Stage.ARM
+        self._took_off = True
+        if view.landed:
+            return Stage.TAKEOFF
+        if view.mode in THEIRS:
+            return Stage.YIELDED
+        assert view.height_m is not None
+        return Stage.OFFBOARD if view.height_m >= self._takeoff_m * (1.0 - NEAR_SHARE) else Stage.TAKEOFF
+
+    def _when_flying(self, view: VehicleView) -> Stage:
+        """It is in the air already when it is met."""
+        self._took_off = True
+        if view.mode in STEERABLE:
+            return Stage.FLY
+        return Stage.OFFBOARD if view.mode in OURS or self._rejoins else Stage.YIELDED
+
+    def _hopeless(self, view: VehicleView) -> bool:
+        """Whether it is to be left out, and why."""
+        offset, waited_s = view.origin_offset_ned, self._rules.arm_within_s
+        if offset is not None and math.hypot(*offset[:2]) > FAR_M:
+            away = f"{math.hypot(*offset[:2]) / 1e3:.1f} km"
+            self.left_out = f"Its origin is {away} from the scenario's: is one of them wrong? Left out"
+        elif self._now_s - self._begun_s <= waited_s or not view.landed:
+            return False
+        elif view.origin_offset_ned is None:
+            self.left_out = f"Has not told where its frame lies within {waited_s:g} s: left out"
+        elif view.p_ned is None:
+            self.left_out = f"Has not told where it is within {waited_s:g} s: left out"
+        elif not view.armed:
+            self.left_out = f"Has not let itself be armed within {waited_s:g} s: left out"
+        else:
+            self.left_out = f"Has not taken off within {waited_s:g} s: left out"
+        return True

@@ -1,0 +1,159 @@
+"""What a session does for vehicles that it has not launched, tick by tick, beside what it does for all.
+
+Streams are asked for and checked, clocks compared, silence judged, and repetitions kept from the person who looks on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.events import Event, Kind, Level
+from gcs.fleet import Fleet, Snapshot
+from gcs.mavlink.codec import Frame, Message
+from gcs.mavlink.commands import CommandResult
+from gcs.mavlink.streams import Ask, Streams, needs
+from gcs.pilot import Stage, Wish
+from gcs.profiles import STEERABLE, End
+from gcs.scenario import Scenario
+
+LOST_S = 10.0
+"""A vehicle that has been silent for so long is counted as lost, until it is heard again."""
+SAY_AGAIN_S = 10.0
+NO_ORIGIN_S = 5.0
+STEERED = frozenset({Stage.ARM, Stage.TAKEOFF, Stage.OFFBOARD, Stage.FLY})
+ENDING = "end"
+_ENDS: Mapping[End, str] = {"hold": "hold", "return": "return to where it took off", "land": "land"}
+
+
+class Externals:
+    """All external vehicles of a session."""
+
+    def __init__(self, scenario: Scenario) -> None:
+        self.rules = scenario.vehicles.external
+        wanted = needs(scenario.clock.period_s)
+        self.patience_s = max((block.arm_within_s for block in self.rules.values()), default=0.0)
+        """how much longer than others their fleets wait until they are in the air"""
+        self.streams = {sysid: Streams(sysid, wanted) for sysid in self.rules}
+        self.lost: set[int] = set()
+        self._heard_s = dict.fromkeys(self.rules, 0.0)
+        self._said_s: dict[tuple[int, str], float] = {}
+        self._asks: dict[int, list[Ask]] = {sysid: [] for sysid in self.rules}
+        self._origin_noted: set[int] = set()
+        self._handed_back: set[int] = set()
+        self._events: list[Event] = []
+        self._now_s = 0.0
+
+    def hear(
+        self,
+        delivered: Mapping[int, list[Frame]],
+        offsets_s: Mapping[int, float],
+        rebooted: Iterable[int],
+        fleet: Fleet,
+        now_s: float,
+    ) -> None:
+        """Take what has been delivered at this tick, and what the link knows of the vehicles' clocks."""
+        self._now_s = now_s
+        for sysid, offset_s in offsets_s.items():
+            fleet.set_clock(sysid, offset_s)
+        for sysid in rebooted:
+            self.streams[sysid].restart()
+            self._note(sysid, "warning", "Its clock has begun anew: it has booted")
+        for sysid, streams in self.streams.items():
+            own = [frame for frame in delivered.get(sysid, ()) if frame.compid == mav.MAV_COMP_ID_AUTOPILOT1]
+            for frame in own:
+                streams.heard(frame.msgid)
+            if own:
+                self._heard_s[sysid] = now_s
+                if sysid in self.lost:
+                    self.lost.discard(sysid)
+                    streams.restart()
+                    fleet.found(sysid)
+                    self._note(sysid, "warning", "Heard again: it is not lost")
+            elif now_s - self._heard_s[sysid] >= LOST_S and sysid not in self.lost:
+                self.lost.add(sysid)
+                fleet.lost(sysid)
+                self._note(sysid, "critical", f"No word for {LOST_S:.0f} s: it is counted as lost until it is heard")
+
+    def decide(self, snapshot: Snapshot) -> tuple[list[Wish], dict[int, list[Message]]]:
+        """Commands, and messages by system id, that keep the streams flowing."""
+        now_s = snapshot.time_s
+        wishes: list[Wish] = []
+        messages: dict[int, list[Message]] = {}
+        for sysid, streams in self.streams.items():
+            view = snapshot.vehicle(sysid)
+            if not view.alive:
+                continue
+            known = view.origin_offset_ned is not None
+            asks, messages[sysid] = streams.poll(now_s, origin_known=known)
+            self._asks[sysid] += asks
+            for sentence in streams.check(now_s):
+                self._note(sysid, "warning", sentence)
+            if not known and now_s >= NO_ORIGIN_S and sysid not in self._origin_noted:
+                self._origin_noted.add(sysid)
+                said = "Does not say where its frame lies (GPS_GLOBAL_ORIGIN, HOME_POSITION): it stays where it is"
+                self._note(sysid, "warning", said)
+            elif known and sysid in self._origin_noted:
+                self._origin_noted.discard(sysid)
+                self._note(sysid, "info", "Its frame is known now")
+            for ask in self._asks[sysid]:
+                params = (*ask.command.params, *[0.0] * (7 - len(ask.command.params)))
+                wishes.append(Wish(sysid, ask.command.command, params, ask.token))  # type: ignore[arg-type]
+            self._asks[sysid] = []
+        return wishes, messages
+
+    def settles(self, sysid: int, result: CommandResult, now_s: float) -> bool:
+        """Take a command's result; whether nobody needs to hear of it."""
+        token = str(result.token)
+        if sysid not in self.rules:
+            return False
+        if Streams.owns(token):
+            self._asks[sysid] += self.streams[sysid].answered(token, result.outcome == "accepted")
+            return True
+        return result.outcome != "accepted" and self.repeats(sysid, token, now_s)
+
+    def repeats(self, sysid: int, text: str, now_s: float) -> bool:
+        """Whether an external vehicle says what it has said a moment ago."""
+        if sysid not in self.rules:
+            return False
+        said_s = self._said_s.get((sysid, text))
+        if said_s is not None and now_s - said_s < SAY_AGAIN_S:
+            return True
+        self._said_s[sysid, text] = now_s
+        return False
+
+    def hand_back(self, snapshot: Snapshot, stages: Mapping[int, Stage]) -> list[Wish]:
+        """What is said to those whom we steer, at the end: nobody does any more.
+
+        One that somebody else has taken over, or that is on the ground unarmed, is left alone; one that stands armed on
+        the ground is disarmed.
+        """
+        wishes = []
+        for sysid, rules in self.rules.items():
+            view = snapshot.vehicle(sysid)
+            if not view.armed or stages[sysid] not in STEERED:
+                continue
+            command, params = int(mav.MAV_CMD_COMPONENT_ARM_DISARM), (0.0, 0.0)
+            told = "disarm"
+            if not view.landed:
+                command, params = view.profile.ending(rules.at_end)  # type: ignore[assignment]
+                told = _ENDS[rules.at_end]
+            self._note(sysid, "info", f"Told to {told}: the session ends, and nobody steers it any more", "session")
+            self._handed_back.add(sysid)
+            filled = (*params, *[0.0] * (7 - len(params)))
+            wishes.append(Wish(sysid, command, filled, ENDING))  # type: ignore[arg-type]
+        return wishes
+
+    def awaits(self, snapshot: Snapshot) -> bool:
+        """Whether one that was handed back still says that it follows set points."""
+        views = map(snapshot.vehicle, self._handed_back)
+        return any(view.alive and view.armed and (view.landed or view.mode in STEERABLE) for view in views)
+
+    def take_events(self) -> list[Event]:
+        """What is to be told since the last call."""
+        taken, self._events = self._events, []
+        return taken
+
+    def _note(self, sysid: int, level: Level, text: str, kind: Kind = "link") -> None:
+        self._events.append(Event(self._now_s, sysid, level, text, kind))

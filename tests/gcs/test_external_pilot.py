@@ -1,0 +1,193 @@
+"""A stranger's vehicle into the air, as snapshots tell it: what is asked, when, and when nothing is."""
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import pytest
+from pymavlink.dialects.v20 import ardupilotmega as mav
+
+from gcs.external_pilot import FAR_M, PARAMETER_TRIES, ExternalPilot
+from gcs.fleet import VehicleView
+from gcs.pilot import Stage
+from gcs.profiles import ARDUCOPTER, PX4, FlightMode, Profile
+from gcs.scenario_external import External
+
+ARM, TAKEOFF, SET_MODE = mav.MAV_CMD_COMPONENT_ARM_DISARM, mav.MAV_CMD_NAV_TAKEOFF, mav.MAV_CMD_DO_SET_MODE
+
+
+def view(**changed: Any) -> VehicleView:
+    ground = VehicleView(
+        sysid=3, role="pursuer", label="pursuer 3", alive=True, profile=PX4, mode=FlightMode.HOLD, armed=False,
+        landed=True, heard_s=0.0, p_ned=(10.0, 0.0, -2.0), v_ned=(0.0, 0.0, 0.0), age_s=0.0, heading_rad=0.0,
+        origin_offset_ned=(10.0, 0.0, -2.0), ground_amsl_m=490.0, ground_down_m=-2.0, capacity_j=1e4, initial_j=1e4,
+        battery_told=True, drawn_j=0.0, received_j=0, given_j=0, given_told_s=0.0, power_w=0.0, energy_source="none",
+        control_effort=0.0,
+    )  # fmt: skip
+    return replace(ground, **changed)
+
+
+ARMED = view(armed=True)
+UP = view(armed=True, landed=False, p_ned=(10.0, 0.0, -4.2))
+FLYING = replace(UP, mode=FlightMode.OFFBOARD)
+
+
+def pilot(**rules: Any) -> ExternalPilot:
+    block = External(connect="udpin:127.0.0.1:14550", capacity_j=1e4, **{"arm_within_s": 20.0, **rules})
+    return ExternalPilot(3, 2.5, block)
+
+
+def told(made: ExternalPilot, seen: VehicleView, now_s: float) -> list[int]:
+    return [wish.command for wish in made.decide(seen, now_s)[0]]
+
+
+def flying() -> ExternalPilot:
+    made = pilot()
+    for k, seen in enumerate((view(), ARMED, UP, FLYING)):
+        made.decide(seen, float(k))
+    assert made.stage is Stage.FLY
+    return made
+
+
+def test_px4_is_armed_in_hold_takes_off_to_a_height_above_the_sea_and_hears_set_points_first() -> None:
+    made = pilot()
+    assert told(made, view(mode=FlightMode.MANUAL), 0.0) == [SET_MODE]
+    assert told(made, view(), 1.0) == [ARM]
+    (takeoff,) = made.decide(ARMED, 2.0)[0]
+    assert (takeoff.command, takeoff.params[6]) == (TAKEOFF, 492.5)
+    assert told(made, UP, 5.0) == []
+    assert made.sends_set_points
+    assert told(made, UP, 5.9) == []
+    (offboard,) = made.decide(UP, 6.0)[0]
+    assert (offboard.command, offboard.params[:3]) == (SET_MODE, (1.0, 6.0, 0.0))
+    assert told(made, FLYING, 7.0) == []
+    assert made.stage is Stage.FLY
+
+
+def test_arducopter_goes_to_guided_first_and_takes_off_to_a_height_above_the_ground_once() -> None:
+    made = pilot()
+    stabilize = view(profile=ARDUCOPTER, mode=FlightMode.MANUAL)
+    guided = replace(stabilize, mode=FlightMode.OFFBOARD)
+    (mode,) = made.decide(stabilize, 0.0)[0]
+    assert (mode.command, mode.params[:2]) == (SET_MODE, (1.0, 4.0))
+    assert told(made, guided, 1.0) == [ARM]
+    (takeoff,) = made.decide(replace(guided, armed=True), 2.0)[0]
+    assert (takeoff.command, takeoff.params[3:]) == (TAKEOFF, (0.0, 0.0, 0.0, 2.5))
+    climbing = replace(guided, armed=True, landed=False, p_ned=(10.0, 0.0, -3.0))
+    assert told(made, climbing, 4.0) == []
+    told(made, replace(climbing, p_ned=(10.0, 0.0, -4.3)), 6.0)
+    told(made, replace(climbing, p_ned=(10.0, 0.0, -4.3)), 6.1)
+    assert made.stage is Stage.FLY
+
+
+def test_arming_is_asked_for_again_until_the_time_is_up_and_then_left() -> None:
+    made = pilot()
+    asked = [told(made, view(), 0.5 * k) for k in range(40)]
+    assert asked[::2] == [[ARM]] * 20
+    assert not made.left_out
+    assert told(made, view(), 20.5) == []
+    assert made.stage is Stage.DOWN
+    assert made.left_out == "Has not let itself be armed within 20 s: left out"
+
+
+@pytest.mark.parametrize(
+    ("missing", "why"),
+    [
+        ({"origin_offset_ned": None, "p_ned": None}, "Has not told where its frame lies within 20 s: left out"),
+        ({"p_ned": None}, "Has not told where it is within 20 s: left out"),
+    ],
+)
+def test_nothing_is_asked_of_a_vehicle_whose_place_is_unknown(missing: dict[str, None], why: str) -> None:
+    made = pilot()
+    assert [told(made, view(**missing), float(k)) for k in range(21)] == [[]] * 21
+    assert (made.stage, made.sends_set_points) == (Stage.IDENTIFY, False)
+    made.decide(view(**missing), 21.0)
+    assert (made.stage, made.left_out) == (Stage.DOWN, why)
+
+
+def test_an_origin_beyond_what_parallel_frames_allow_is_refused_at_once() -> None:
+    made = pilot()
+    made.decide(view(origin_offset_ned=(0.0, FAR_M + 1.0, 0.0)), 0.0)
+    assert (made.stage, made.left_out) == (
+        Stage.DOWN, "Its origin is 5.0 km from the scenario's: is one of them wrong? Left out",
+    )  # fmt: skip
+
+
+def test_one_that_was_armed_and_never_left_the_ground_is_disarmed_when_it_is_left_out() -> None:
+    made = pilot()
+    made.decide(ARMED, 0.0)
+    (disarm,) = made.decide(ARMED, 21.0)[0]
+    assert (disarm.command, disarm.params[0]) == (ARM, 0.0)
+    assert made.left_out == "Has not taken off within 20 s: left out"
+
+
+@pytest.mark.parametrize("mode", [FlightMode.MANUAL, FlightMode.RETURN, FlightMode.LAND, FlightMode.OTHER])
+def test_one_that_somebody_else_takes_is_his_until_he_puts_it_back_into_offboard(mode: FlightMode) -> None:
+    made = flying()
+    assert [told(made, replace(FLYING, mode=mode), 10.0 + k) for k in range(5)] == [[]] * 5
+    assert (made.stage, made.sends_set_points) == (Stage.YIELDED, True)
+    assert told(made, replace(FLYING, mode=FlightMode.HOLD), 15.0) == []
+    assert made.stage is Stage.YIELDED
+    made.decide(FLYING, 16.0)
+    assert made.stage is Stage.FLY
+
+
+def test_a_heartbeat_that_is_older_than_the_take_off_is_no_takeover() -> None:
+    """EXTENDED_SYS_STATE may tell of the air before HEARTBEAT, once a second, tells of the mode."""
+    made = pilot()
+    told(made, view(mode=FlightMode.OTHER), 0.0)
+    told(made, replace(ARMED, mode=FlightMode.OTHER), 1.0)
+    assert told(made, replace(ARMED, mode=FlightMode.OTHER, landed=False), 1.5) == []
+    assert made.stage is Stage.TAKEOFF
+    told(made, replace(UP, mode=FlightMode.OTHER), 3.0)
+    assert told(made, replace(UP, mode=FlightMode.OTHER), 4.0) == [SET_MODE]
+
+
+def test_one_that_is_taken_while_it_climbs_is_let_go() -> None:
+    made = pilot()
+    for k, seen in enumerate((view(), ARMED, replace(UP, mode=FlightMode.MANUAL))):
+        made.decide(seen, float(k))
+    assert made.stage is Stage.YIELDED
+
+
+def test_after_a_failsafes_hold_offboard_is_asked_for_again() -> None:
+    made = flying()
+    held = replace(FLYING, mode=FlightMode.HOLD)
+    told(made, held, 10.0)
+    assert told(made, held, 11.1) == [SET_MODE]
+
+
+def test_a_silent_vehicle_is_told_nothing_and_goes_on_when_it_is_heard() -> None:
+    made = flying()
+    assert told(made, replace(FLYING, alive=False), 10.0) == []
+    assert (made.stage, made.sends_set_points) == (Stage.FLY, False)
+    made.decide(FLYING, 30.0)
+    assert (made.stage, made.sends_set_points) == (Stage.FLY, True)
+
+
+def test_one_that_lands_and_disarms_takes_no_more_part() -> None:
+    made = flying()
+    made.decide(replace(FLYING, mode=FlightMode.LAND), 10.0)
+    made.decide(view(mode=FlightMode.LAND), 20.0)
+    assert (made.stage, made.left_out) == (Stage.DOWN, "")
+
+
+@pytest.mark.parametrize(
+    ("mode", "stage"),
+    [
+        (FlightMode.OFFBOARD, Stage.FLY), (FlightMode.HOLD, Stage.OFFBOARD), (FlightMode.MANUAL, Stage.YIELDED),
+    ],
+)  # fmt: skip
+def test_one_that_flies_already_is_taken_as_it_is(mode: FlightMode, stage: Stage) -> None:
+    made = pilot()
+    made.decide(replace(UP, mode=mode), 0.0)
+    assert made.stage is stage
+
+
+@pytest.mark.parametrize("profile", [PX4, ARDUCOPTER])
+def test_a_stranger_that_knows_no_parameter_of_ours_is_not_asked_for_ever(profile: Profile) -> None:
+    made = pilot()
+    unknown = view(profile=profile, battery_told=False)
+    requests = [made.decide(unknown, float(k))[1] for k in range(10)]
+    assert [len(asked) for asked in requests] == [2] * PARAMETER_TRIES + [0] * (10 - PARAMETER_TRIES)
+    assert math.isfinite(unknown.capacity_j)

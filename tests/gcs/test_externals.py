@@ -1,0 +1,153 @@
+"""What a session does for vehicles that it has not launched, tick by tick; the frames are pymavlink's."""
+
+from typing import Any
+
+import pytest
+from pymavlink.dialects.v20 import ardupilotmega as mav
+
+from gcs.externals import LOST_S, SAY_AGAIN_S, Externals
+from gcs.fleet import Fleet, GlobalOrigin, Member
+from gcs.mavlink import codec
+from gcs.mavlink.commands import CommandResult, Target
+from gcs.pilot import Stage
+from gcs.scenario import Scenario
+
+LAT, LON, ALT = 47.0, 8.0, 400.0
+
+
+class Tower:
+    """One external vehicle, 3, and what the session does about it; time is the test's."""
+
+    def __init__(self, **rules: Any) -> None:
+        block = {"connect": "udpin:127.0.0.1:14550", "sysid": 3, "capacity_j": 1e5, **rules}
+        scenario = Scenario.model_validate({
+            "schema": 1, "name": "tower", "axes": "ned", "origin": {"lat_deg": LAT, "lon_deg": LON, "alt_m": ALT},
+            "goal": {"duration_s": 60.0}, "vehicles": {"pursuers": [{"external": block}]},
+        })  # fmt: skip
+        self.externals = Externals(scenario)
+        self.fleet = Fleet([Member(3, "pursuer", "pursuer 3", 1e5, 1e5, external=True)], GlobalOrigin(LAT, LON, ALT))
+        self.sender = mav.MAVLink(None, srcSystem=3, srcComponent=1)
+
+    def hear(self, now_s: float, *messages: Any, compid: int = 1, rebooted: tuple[int, ...] = ()) -> None:
+        self.sender.srcComponent = compid
+        frames = codec.split(b"".join(bytes(message.pack(self.sender)) for message in messages)).frames
+        for frame in frames:
+            self.fleet.ingest(frame, now_s)
+        self.externals.hear({3: frames}, {3: -100.0}, rebooted, self.fleet, now_s)
+
+    def decide(self, now_s: float) -> dict[str, int]:
+        wishes, _ = self.externals.decide(self.fleet.snapshot(now_s))
+        return {wish.token: wish.command for wish in wishes}
+
+    def said(self) -> list[tuple[str, str]]:
+        return [(event.level, event.text) for event in self.externals.take_events()]
+
+    def end(self, stage: Stage) -> list[tuple[int, tuple[float, ...]]]:
+        wishes = self.externals.hand_back(self.fleet.snapshot(0.0), {3: stage})
+        return [(wish.command, wish.params) for wish in wishes]
+
+
+def heartbeat(autopilot: int = 12, custom_mode: int = 6 << 16, base_mode: int = 0x81) -> Any:
+    return mav.MAVLink_heartbeat_message(2, autopilot, base_mode, custom_mode, 4, 3)
+
+
+def landed(state: int) -> Any:
+    return mav.MAVLink_extended_sys_state_message(0, state)
+
+
+def origin() -> Any:
+    return mav.MAVLink_gps_global_origin_message(round(1e7 * LAT), round(1e7 * LON), round(1e3 * ALT))
+
+
+def result(token: str, outcome: str = "rejected") -> CommandResult:
+    return CommandResult(400, Target(3, 1), outcome, 4, 1, token)  # type: ignore[arg-type]
+
+
+def test_ten_seconds_of_silence_count_as_lost_until_it_is_heard() -> None:
+    tower = Tower()
+    tower.hear(0.0, heartbeat(), origin())
+    tower.decide(0.0)
+    tower.hear(LOST_S - 0.1)
+    assert (tower.externals.lost, tower.said()) == (set(), [])
+    tower.hear(LOST_S)
+    assert tower.externals.lost == {3}
+    assert not tower.fleet.snapshot(LOST_S).vehicle(3).alive
+    assert tower.said() == [("critical", "No word for 10 s: it is counted as lost until it is heard")]
+    assert tower.decide(LOST_S) == {}
+    tower.hear(LOST_S + 3.0, heartbeat())
+    assert tower.externals.lost == set()
+    assert tower.fleet.snapshot(LOST_S + 3.0).vehicle(3).alive
+    assert tower.said() == [("warning", "Heard again: it is not lost")]
+    assert "stream LOCAL_POSITION_NED" in tower.decide(LOST_S + 3.0)  # it may have booted meanwhile
+
+
+def test_the_words_of_its_gimbal_are_not_its_own() -> None:
+    tower = Tower()
+    tower.hear(0.0, heartbeat())
+    tower.hear(LOST_S, heartbeat(), compid=mav.MAV_COMP_ID_GIMBAL)
+    assert tower.externals.lost == {3}
+
+
+def test_an_unknown_origin_is_told_once_and_so_is_that_it_is_known() -> None:
+    tower = Tower()
+    tower.hear(0.0, heartbeat())
+    for k in range(60):
+        tower.decide(0.1 * k)
+    assert [text for _, text in tower.said() if "frame" in text] == [
+        "Does not say where its frame lies (GPS_GLOBAL_ORIGIN, HOME_POSITION): it stays where it is"
+    ]
+    tower.hear(6.0, origin())
+    tower.decide(6.0)
+    assert ("info", "Its frame is known now") in tower.said()
+
+
+def test_a_vehicle_that_boots_is_asked_for_its_streams_again() -> None:
+    tower = Tower()
+    tower.hear(0.0, heartbeat())
+    tower.decide(0.0)
+    assert "stream ATTITUDE" not in tower.decide(1.0)
+    tower.hear(2.0, heartbeat(), rebooted=(3,))
+    assert tower.said() == [("warning", "Its clock has begun anew: it has booted")]
+    assert "stream ATTITUDE" in tower.decide(2.0)
+
+
+def test_a_refused_stream_is_nobodys_news_and_a_refused_arming_is_once_in_a_while() -> None:
+    tower = Tower()
+    tower.decide(0.0)
+    assert tower.externals.settles(3, result("stream ATTITUDE"), 1.0)
+    assert tower.externals.settles(3, result("origin HOME_POSITION", "timeout"), 1.0)
+    assert tower.decide(1.1) == {"origin home": mav.MAV_CMD_GET_HOME_POSITION}
+    told = [not tower.externals.settles(3, result("pilot arm"), 1.0 + k) for k in range(12)]
+    assert [k for k, said in enumerate(told) if said] == [0, int(SAY_AGAIN_S)]
+    assert not tower.externals.settles(3, result("pilot arm", "accepted"), 20.0)
+    assert not tower.externals.settles(4, result("pilot arm"), 20.0)  # one of ours
+
+
+@pytest.mark.parametrize(
+    ("autopilot", "custom_mode", "at_end", "command", "params"),
+    [
+        (12, 6 << 16, "hold", mav.MAV_CMD_DO_SET_MODE, (1.0, 4.0, 3.0)),
+        (3, 4, "hold", mav.MAV_CMD_DO_SET_MODE, (1.0, 17.0)),
+        (12, 6 << 16, "return", mav.MAV_CMD_NAV_RETURN_TO_LAUNCH, ()),
+        (3, 4, "land", mav.MAV_CMD_NAV_LAND, ()),
+    ],
+)
+def test_at_the_end_it_is_told_what_the_scenario_says_until_its_mode_shows_it(
+    autopilot: int, custom_mode: int, at_end: str, command: int, params: tuple[float, ...]
+) -> None:
+    tower = Tower(at_end=at_end)
+    tower.hear(0.0, heartbeat(autopilot, custom_mode), landed(mav.MAV_LANDED_STATE_IN_AIR))
+    ((told, values),) = tower.end(Stage.FLY)
+    assert (told, values[: len(params)], len(values)) == (command, params, 7)
+    assert tower.externals.awaits(tower.fleet.snapshot(0.0))
+    tower.hear(1.0, heartbeat(autopilot, 17 if autopilot == 3 else 4 << 16 | 3 << 24))
+    assert not tower.externals.awaits(tower.fleet.snapshot(1.0))
+
+
+def test_at_the_end_one_on_the_ground_is_disarmed_and_one_that_is_somebody_elses_is_left_alone() -> None:
+    tower = Tower()
+    tower.hear(0.0, heartbeat(), landed(mav.MAV_LANDED_STATE_ON_GROUND))
+    assert tower.end(Stage.TAKEOFF) == [(mav.MAV_CMD_COMPONENT_ARM_DISARM, (0.0,) * 7)]
+    assert tower.end(Stage.YIELDED) == tower.end(Stage.DOWN) == []
+    tower.hear(1.0, heartbeat(base_mode=0x01))
+    assert tower.end(Stage.ARM) == []

@@ -1,0 +1,101 @@
+"""`gcs run` with nothing but strangers: a PX4 made of MAVSDK's server plugins, and scripted ArduCopters."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pymap3d
+import pytest
+from sessions import Outcome, Running
+from strangers import ARDUCOPTER, free_port, strangers
+
+ORIGIN = (47.397742, 8.545594, 488.0)
+PX4, COPTER, TARGET = 5, 6, 8
+RING_M, HEIGHT_M = 2.0, 2.5
+CAPACITY_J = 250_000.0
+REFUSE_S = "8"
+pytestmark = pytest.mark.timeout(60)
+
+
+OWN_ORIGIN_M = {PX4: (-3.0, -2.0, -1.0), COPTER: (1.0, 5.0, -0.5), TARGET: (2.0, 0.0, 0.0)}
+"""Where each vehicle's own origin lies, and it stands at the start, in the scenario's frame: north, east, down."""
+
+
+def own_origin(sysid: int) -> list[str]:
+    """The origin as an option of its program."""
+    lat, lon, alt = pymap3d.ned2geodetic(*OWN_ORIGIN_M[sysid], *ORIGIN)
+    return ["--origin", f"{lat:.7f},{lon:.7f},{alt:.2f}"]
+
+
+@pytest.fixture(scope="module")
+def flown(peers: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Outcome]:
+    """Three strangers on one port, each with an origin of its own: two pursue the third, which flies a path."""
+    folder = tmp_path_factory.mktemp("nobody-of-ours")
+    port = free_port()
+    external = {"connect": f"udpin:127.0.0.1:{port}", "capacity_j": CAPACITY_J}
+    path = [[0, 0, -HEIGHT_M], [10, 0, -HEIGHT_M]]
+    vehicles: dict[str, Any] = {
+        "pursuers": [{"external": {"sysid": PX4, **external}}, {"external": {"sysid": COPTER, **external}}],
+        "targets": [{"external": {"sysid": TARGET, **external}, "path_m": path, "speed_m_s": 0.5}],
+    }
+    scenario = {
+        "schema": 1,
+        "name": "strangers",
+        "axes": "ned",
+        "origin": dict(zip(("lat_deg", "lon_deg", "alt_m"), ORIGIN, strict=True)),
+        "vehicles": vehicles,
+        "formation": {"ring_m": RING_M},
+        "goal": {"duration_s": 26.0, "pursue": {"within_m": 3.0, "for_s": 3.0}},
+    }
+    to = ["--connect", f"udpout:127.0.0.1:{port}"]
+    px4 = [str(peers / "python"), str(Path(__file__).with_name("mavsdk_vehicle.py")), "--sysid", str(PX4), *to]
+    px4 += [*own_origin(PX4), "--refuse-arming-s", REFUSE_S]
+    copter = [*ARDUCOPTER, "--sysid", str(COPTER), *to, *own_origin(COPTER), "--refuse-arming-s", REFUSE_S]
+    target = [*ARDUCOPTER, "--sysid", str(TARGET), *to, *own_origin(TARGET), "--refuse-intervals"]
+    running = Running(scenario, folder, "--json")
+    try:
+        running.wait_for(lambda seen: any("Waiting for" in event["text"] for event in seen["events"]))
+        with strangers(folder, px4, copter, target):  # now, so that they are asked to arm while they still refuse
+            yield running.finish()
+    finally:
+        running.stop()
+
+
+def test_the_whole_job_is_done_by_strangers(flown: Outcome) -> None:
+    summary = flown.summary
+    assert (flown.status, summary["outcome"], summary["completed"]) == (0, "met", True), flown.stdout + flown.stderr
+    assert (summary["clock"], summary["digest"]) == ("real", None)
+    assert summary["min_separation_m"] > 0.6
+    assert summary["link"]["lost"] == 0
+
+
+def test_each_is_where_its_own_origin_says(flown: Outcome) -> None:
+    """Judged by what each says and where its origin was put: at the end both stand on the target's ring."""
+    last = {message.get_srcSystem(): message for _, message in flown.messages("LOCAL_POSITION_NED")}
+    assert set(last) == set(OWN_ORIGIN_M)
+    place = {
+        sysid: [at + start for at, start in zip((m.x, m.y, m.z), OWN_ORIGIN_M[sysid], strict=True)]
+        for sysid, m in last.items()
+    }
+    for sysid in (PX4, COPTER):
+        assert math.dist(place[sysid], place[TARGET]) == pytest.approx(RING_M, abs=0.6), sysid
+    assert -place[TARGET][2] == pytest.approx(HEIGHT_M, abs=0.3)
+
+
+def test_energy_comes_from_what_each_reports(flown: Outcome) -> None:
+    """All hover at 350 W by their scripts, for most of the time; a PX4 of MAVSDK tells only percent."""
+    assert flown.vehicle(PX4)["energy"]["source"] == "battery_remaining"
+    least_s, most_s = flown.summary["sim_time_s"] - 14.0, flown.summary["sim_time_s"]
+    for sysid in OWN_ORIGIN_M:
+        drawn_j = flown.vehicle(sysid)["energy"]["drawn_j"]
+        assert 350.0 * least_s - 0.01 * CAPACITY_J < drawn_j < 400.0 * most_s + 0.01 * CAPACITY_J, sysid
+
+
+def test_refusals_of_both_kinds_were_shown_and_overcome(flown: Outcome) -> None:
+    said = (flown.folder / "session.log").read_text(encoding="utf-8")
+    assert "Arm: Need Position Estimate" in said
+    assert "Preflight Fail: ekf2 missing data" in said
+    assert {flown.vehicle(sysid)["final_mode"] for sysid in OWN_ORIGIN_M} == {"hold"}

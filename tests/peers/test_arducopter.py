@@ -51,6 +51,7 @@ def test_it_is_flown_in_guided_and_returns() -> None:
         assert station.all_of("STATUSTEXT")[-1].text.startswith(("PreArm:", "Arm:"))
         origin = station.hear("GPS_GLOBAL_ORIGIN")
         assert (origin.latitude, origin.longitude, origin.altitude) == (474000000, 85000000, 400000)
+        station.hear("HOME_POSITION")
         kinds = {message.get_type() for message in station.heard} - {"COMMAND_ACK", "STATUSTEXT"}
         assert kinds == {"HEARTBEAT", "GPS_GLOBAL_ORIGIN", "HOME_POSITION"}
         assert station.command(mav.MAV_CMD_SET_MESSAGE_INTERVAL, mav.MAVLINK_MSG_ID_LOCAL_POSITION_NED, 1e5) == ACCEPTED

@@ -22,6 +22,7 @@ from typing import Any
 import click
 
 from gcs import plugins
+from gcs.ahead import compile_ahead
 from gcs.arrivals import Arrivals
 from gcs.clients import Clients
 from gcs.clock import Pace
@@ -178,6 +179,7 @@ class Session:
         self._link.expect(keys)
         if self._hatch is not None:
             self._hatch.start(orders)
+        compile_ahead(self._scenario)
         arrivals, began_s = Arrivals(self._labels, self._scenario.vehicles.external), time.monotonic()
         while missing := {sysid for sysid, _ in self._link.listen(WATCH_EVERY_S)}:
             self._watch()

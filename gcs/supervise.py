@@ -22,7 +22,6 @@ from typing import Any
 import click
 
 from gcs import plugins
-from gcs.ahead import compile_ahead
 from gcs.arrivals import Arrivals
 from gcs.clients import Clients
 from gcs.clock import Pace
@@ -35,6 +34,7 @@ from gcs.picture import picture
 from gcs.publish import Publisher
 from gcs.reader import Reader
 from gcs.recorder import Recorder, RecorderError
+from gcs.rehearsal import rehearse
 from gcs.scenario import Scenario, ScenarioError, load
 from gcs.scene import session_line
 from gcs.summary import summarise
@@ -179,7 +179,7 @@ class Session:
         self._link.expect(keys)
         if self._hatch is not None:
             self._hatch.start(orders)
-        compile_ahead(self._scenario)
+        rehearse(self._scenario)  # while the vehicles come up
         arrivals, began_s = Arrivals(self._labels, self._scenario.vehicles.external), time.monotonic()
         while missing := {sysid for sysid, _ in self._link.listen(WATCH_EVERY_S)}:
             self._watch()

@@ -70,7 +70,7 @@ HOUSE = {
         "contest pursuit policies service",
         "policy_contest refuelling explain",
         "metrics operator",
-        "ahead",
+        "rehearsal",
         "supervisor",
         "summary picture publish reader",
         "clients",

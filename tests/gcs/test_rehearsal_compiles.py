@@ -12,12 +12,12 @@ SHOW = """
 import json
 from numba.core.dispatcher import Dispatcher
 from gcs import metrics
-from gcs.ahead import compile_ahead
+from gcs.rehearsal import rehearse
 from gcs.configs import find
 from gcs.planner import fuzzy, leader, obstacles, potential_field
 from gcs.scenario import load
 
-compile_ahead(load(find("demo")))
+rehearse(load(find("demo")))
 modules = (metrics, leader, fuzzy, obstacles, potential_field)
 print(json.dumps([
     name
@@ -30,7 +30,7 @@ print(json.dumps([
 
 @pytest.fixture(scope="module")
 def uncompiled() -> list[str]:
-    """Functions that a process of its own has not compiled after `compile_ahead`."""
+    """Functions that a process of its own has not compiled after `rehearse`."""
     done = subprocess.run([sys.executable, "-c", SHOW], capture_output=True, text=True, check=True)
     found: list[str] = json.loads(done.stdout)
     return found

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -46,6 +47,7 @@ class Body:
             attitude_rad=(start.attitude_ned_rad[0], -start.attitude_ned_rad[1], -start.attitude_ned_rad[2]),
             airborne=start.airborne,
         )[np.newaxis]
+        self._now: list[float] = self.state[0].tolist()  # the state as plain floats: read often, computed once a grant
         self.thrust_m_s2: NDArray[np.float64] = np.empty((1, 0))
         self.power_w = 0.0
         self._command = np.zeros((1, flight.COMMAND_SIZE))
@@ -62,34 +64,34 @@ class Body:
     @property
     def p_ned(self) -> Vec3:
         """Position in the local frame, m."""
-        return _ned(self.state[0, flight.POSITION])
+        return _ned(self._now[flight.POSITION])
 
     @property
     def v_ned(self) -> Vec3:
         """Velocity, m/s."""
-        return _ned(self.state[0, flight.VELOCITY])
+        return _ned(self._now[flight.VELOCITY])
 
     @property
     def attitude_ned(self) -> Vec3:
         """Roll, pitch and yaw, rad."""
-        return _ned(self.state[0, flight.ATTITUDE])
+        return _ned(self._now[flight.ATTITUDE])
 
     @property
     def euler_rates_ned(self) -> Vec3:
         """Time derivatives of roll, pitch and yaw, rad/s."""
-        return _ned(self.state[0, flight.RATES])
+        return _ned(self._now[flight.RATES])
 
     @property
     def rates_body(self) -> Vec3:
         """Roll, pitch and yaw rate about the body's own axes (front, right, down), rad/s."""
-        roll, pitch, _ = self.state[0, flight.ATTITUDE].tolist()
-        p, q, r = body_rates_of(roll, pitch, *self.state[0, flight.RATES].tolist())
+        roll, pitch, _ = self._now[flight.ATTITUDE]
+        p, q, r = body_rates_of(roll, pitch, *self._now[flight.RATES])
         return (p, -q, -r)
 
     @property
     def reference_ned(self) -> tuple[Vec3, Vec3]:
         """Position and velocity that the guidance really flies."""
-        return _ned(self.state[0, flight.REFERENCE_POSITION]), _ned(self.state[0, flight.REFERENCE_VELOCITY])
+        return _ned(self._now[flight.REFERENCE_POSITION]), _ned(self._now[flight.REFERENCE_VELOCITY])
 
     @property
     def landed(self) -> bool:
@@ -99,12 +101,12 @@ class Body:
     @property
     def remaining_j(self) -> float:
         """Energy in the battery."""
-        return float(self.state[0, flight.REMAINING_J])
+        return self._now[flight.REMAINING_J]
 
     @property
     def drawn_j(self) -> float:
         """Energy used by motors and avionics since boot."""
-        return float(self.state[0, flight.DRAWN_J])
+        return self._now[flight.DRAWN_J]
 
     @property
     def capacity_j(self) -> float:
@@ -119,34 +121,37 @@ class Body:
     @property
     def control_effort(self) -> float:
         """Integral of the control inputs' sizes."""
-        return float(self.state[0, flight.EFFORT])
+        return self._now[flight.EFFORT]
 
     def charge(self, joules: float) -> None:
         """Put energy into the battery, or take it out where negative."""
         self.state[0, flight.REMAINING_J] += joules
+        self._now = self.state[0].tolist()
 
     def fly(self, steps: int, wanted: Wish, *, yaw_ned_rad: float, motors: bool) -> None:
         """Fly some steps of 4 ms towards a wish; `time_ms` is the caller's to move."""
-        row = self._command[0]
-        row[flight.CMD_POSITION] = _nwu(wanted.p_ned)
-        row[flight.CMD_VELOCITY] = _nwu(wanted.v_ned)
-        row[flight.CMD_TIME_S] = wanted.time_s
-        row[flight.CMD_USE_POSITION] = wanted.use_position
-        row[flight.CMD_YAW] = -yaw_ned_rad
-        row[flight.CMD_MOTORS] = float(motors)
-        row[flight.CMD_GROUND] = float(self.ground)
-        row[flight.CMD_SPEED_MAX] = wanted.speed_m_s
-        row[flight.CMD_PERIOD_S] = CHUNK_MS / 1e3
+        self._command[0] = (  # in the order of flight.CMD_…
+            *_nwu(wanted.p_ned),
+            *_nwu(wanted.v_ned),
+            wanted.time_s,
+            *wanted.use_position,
+            -yaw_ned_rad,
+            motors,
+            self.ground,
+            wanted.speed_m_s,
+            CHUNK_MS / 1e3,
+        )
         drawn_j = self.drawn_j
         self.state, self.thrust_m_s2 = flight.advance(
             self.state, self._command, self._packed, time_s=self.time_s, steps=steps
         )
+        self._now = self.state[0].tolist()
         self.power_w = (self.drawn_j - drawn_j) / (steps * STEP_MS / 1e3)
 
 
-def _ned(v_nwu: NDArray[np.float64]) -> Vec3:
+def _ned(v_nwu: Sequence[float]) -> Vec3:
     """Half a turn about north, on plain floats (contract.md, Frames); the same for roll, pitch, yaw and their rates."""
-    north, west, up = v_nwu.tolist()
+    north, west, up = v_nwu
     return (north, -west, -up)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from simvehicle.failures import Failure
 from simvehicle.geo import LocalFrame
@@ -15,8 +15,7 @@ CELLS = 4
 CELL_FULL_V, CELL_EMPTY_V = 4.2, 3.5
 
 
-@dataclass(frozen=True, slots=True)
-class Snapshot:
+class Snapshot(NamedTuple):
     """A vehicle at one instant: SI units, NED axes, angles in rad, time since boot in ms."""
 
     identity: Identity

@@ -102,6 +102,8 @@ def named_value_int(desk: Desk, call: Call) -> None:
 
 def _where_used(numbers: Vec3, used: tuple[bool, bool, bool]) -> Vec3:
     """The numbers, 0 where they are not used, since anything may stand there."""
+    if all(used):
+        return numbers
     first, second, third = (number if use else 0.0 for number, use in zip(numbers, used, strict=True))
     return first, second, third
 

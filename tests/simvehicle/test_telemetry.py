@@ -39,7 +39,7 @@ def test_local_state_is_ned_in_si(vehicle_bench: Any) -> None:
 
 @pytest.mark.parametrize("p_ned", [(30.0, -40.0, -12.0), (-80.0, 55.0, 0.0)])
 def test_global_position_agrees_with_the_ellipsoid(vehicle_bench: Any, p_ned: tuple[float, float, float]) -> None:
-    s = replace(flying(vehicle_bench), p_ned=p_ned)
+    s = flying(vehicle_bench)._replace(p_ned=p_ned)
     m = told(s, "GLOBAL_POSITION_INT")
     lat, lon, alt = pymap3d.ned2geodetic(*p_ned, *ORIGIN)
     assert 1e-7 * m.lat == pytest.approx(lat, abs=7e-8)  # 0.5 of rounding, and 1 mm at 100 m
@@ -67,7 +67,7 @@ def test_origin_home_and_follow_target_stand_in_one_frame(vehicle_bench: Any) ->
 
 
 def test_battery_is_told_in_hectojoules_and_percent(vehicle_bench: Any) -> None:
-    s = replace(flying(vehicle_bench), drawn_j=12_399.0, remaining_j=11_000.0, capacity_j=20_000.0, power_w=210.0)
+    s = flying(vehicle_bench)._replace(drawn_j=12_399.0, remaining_j=11_000.0, capacity_j=20_000.0, power_w=210.0)
     battery, status = told(s, "BATTERY_STATUS"), told(s, "SYS_STATUS")
     assert battery.energy_consumed == 123
     assert battery.battery_remaining == status.battery_remaining == 55
@@ -139,15 +139,13 @@ def test_position_target_is_what_is_really_flown(vehicle_bench: Any) -> None:
     ],
 )
 def test_no_state_is_too_great_for_its_telemetry(vehicle_bench: Any, wild: dict[str, Any]) -> None:
-    s = replace(flying(vehicle_bench), **wild)
+    s = flying(vehicle_bench)._replace(**wild)
     for stream in TELEMETRY:
         told(s, stream.key)
 
 
-def test_version_is_new_enough_and_of_no_release() -> None:
-    snapshot = Snapshot.__new__(Snapshot)
-    identity = replace(IDENTITIES["px4"], capabilities=5)
-    object.__setattr__(snapshot, "identity", identity)
+def test_version_is_new_enough_and_of_no_release(vehicle_bench: Any) -> None:
+    snapshot = flying(vehicle_bench)._replace(identity=replace(IDENTITIES["px4"], capabilities=5))
     version = autopilot_version(snapshot, 9).flight_sw_version
     assert (version >> 24, version >> 16 & 255) >= (1, 4)
     assert version & 255 != mav.FIRMWARE_VERSION_TYPE_OFFICIAL

@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 import pymap3d
 from pymavlink.dialects.v20 import common as mav
@@ -43,8 +43,7 @@ class GlobalOrigin:
     alt_m: float
 
 
-@dataclass(frozen=True, slots=True)
-class VehicleView:
+class VehicleView(NamedTuple):
     """One vehicle as its messages show it at the snapshot's time. None: not told yet.
 
     Positions and velocities are in the common NED frame; `age_s` is how old the position is. Energies are in J.

@@ -291,9 +291,9 @@ class Supervisor:
         for point in set_points:
             offset = snapshot.vehicle(point.sysid).origin_offset_ned
             assert offset is not None
-            n, e, d = (x - o for x, o in zip(point.p_ned, offset, strict=True))
+            (north, east, down), (north_0, east_0, down_0) = point.p_ned, offset
             values = (
-                *(self.time_ms, n, e, d, *point.v_ned, 0.0, 0.0, 0.0, 0.0, 0.0),
+                *(self.time_ms, north - north_0, east - east_0, down - down_0, *point.v_ned, 0.0, 0.0, 0.0, 0.0, 0.0),
                 *(SET_POINT_MASK, point.sysid, AUTOPILOT, mav.MAV_FRAME_LOCAL_NED),
             )
             self._outbox[point.sysid].append(Message(_SET_POINT, values))

@@ -113,14 +113,16 @@ class TickCollector:
         answered_ms = codec.fields(last).time_boot_ms if self._is_own(last) and last.msgid == _SYSTEM_TIME else None
         if answered_ms is not None and answered_ms < self._granted_ms:
             return self.complete  # repeated so late that its numbers may have come round to new ones
+        held, first, (system, component) = self._held, self._next, self._sender
         for frame in frames:
-            step = (frame.seq - self._next) % NUMBERS
-            if step < HALF - 1 and self._is_own(frame):
-                self._held.setdefault(step, frame)
+            sysid, compid, seq, _, _ = frame
+            step = (seq - first) % NUMBERS
+            if step < HALF - 1 and sysid == system and compid == component:
+                held.setdefault(step, frame)
                 if frame is last and answered_ms == self._granted_ms:
                     self._end = step
         end = self._end
-        self.complete = end is not None and len(self._held) > end and all(step in self._held for step in range(end + 1))
+        self.complete = end is not None and all(map(held.__contains__, range(end + 1)))
         return self.complete
 
     def take(self) -> list[Frame]:

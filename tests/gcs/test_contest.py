@@ -1,7 +1,6 @@
 """Who is next: the state against an adaptive solver, decisions against the rules in contract.md."""
 
 import itertools
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -24,7 +23,7 @@ def view(sysid: int, need: float, role: str = "pursuer", **changed: Any) -> Vehi
         drawn_j=1e4 * need, received_j=0, given_j=0, given_told_s=0.0, power_w=10.0, energy_source="energy_consumed",
         control_effort=0.0,
     )  # fmt: skip
-    return replace(made, **changed)
+    return made._replace(**changed)
 
 
 TANKER = view(200, 0.0, "tanker")
@@ -122,7 +121,7 @@ def test_urgency_counts_the_tankers_way(away_m: float, urgent: bool) -> None:
 )  # fmt: skip
 def test_only_who_can_receive_and_needs_it_competes(changed: dict[str, Any]) -> None:
     contest = Contest(RULES)
-    contest.advance(Snapshot(0.0, (view(1, 0.6), replace(view(2, 0.9), **changed)), ()), ())
+    contest.advance(Snapshot(0.0, (view(1, 0.6), view(2, 0.9)._replace(**changed)), ()), ())
     assert set(contest.standing.v) == {1}
 
 

@@ -1,7 +1,6 @@
 """From the ground into offboard control and back into it, as snapshots tell it."""
 
 import math
-from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -22,13 +21,13 @@ def view(**changed: Any) -> VehicleView:
         origin_offset_ned=(0.0, 0.0, 0.0), ground_amsl_m=488.0, capacity_j=1e4, initial_j=1e4, battery_told=True,
         drawn_j=0.0, received_j=0, given_j=0, given_told_s=0.0, power_w=0.0, energy_source="none", control_effort=0.0,
     )  # fmt: skip
-    return replace(ground, **changed)
+    return ground._replace(**changed)
 
 
 ARMED = view(armed=True)
 CLIMBING = view(armed=True, landed=False, mode=FlightMode.TAKEOFF, p_ned=(0.0, 0.0, -1.0))
-UP = replace(CLIMBING, mode=FlightMode.HOLD, p_ned=(0.0, 0.0, -2.4))
-FLYING = replace(UP, mode=FlightMode.OFFBOARD)
+UP = CLIMBING._replace(mode=FlightMode.HOLD, p_ned=(0.0, 0.0, -2.4))
+FLYING = UP._replace(mode=FlightMode.OFFBOARD)
 
 
 def commands(pilot: Pilot, seen: VehicleView, now_s: float) -> list[Wish]:
@@ -76,9 +75,9 @@ def test_height_is_above_the_own_ground_wherever_the_common_origin_lies(down_m: 
     pilot, offset = Pilot(3, 2.5), (0.0, 0.0, down_m)
     for k, seen in enumerate((view(), ARMED, CLIMBING)):
         assert seen.p_ned is not None
-        pilot.decide(replace(seen, origin_offset_ned=offset, p_ned=(0.0, 0.0, seen.p_ned[2] + down_m)), 0.1 * k)
+        pilot.decide(seen._replace(origin_offset_ned=offset, p_ned=(0.0, 0.0, seen.p_ned[2] + down_m)), 0.1 * k)
     assert not pilot.sends_set_points
-    pilot.decide(replace(UP, origin_offset_ned=offset, p_ned=(0.0, 0.0, -2.4 + down_m)), 1.0)
+    pilot.decide(UP._replace(origin_offset_ned=offset, p_ned=(0.0, 0.0, -2.4 + down_m)), 1.0)
     assert pilot.sends_set_points
 
 
@@ -100,16 +99,16 @@ def test_a_take_off_that_stops_too_low_is_asked_for_again() -> None:
     pilot = Pilot(3, 2.5)
     for k, seen in enumerate((view(), ARMED, CLIMBING)):
         pilot.decide(seen, 0.1 * k)
-    (again,) = commands(pilot, replace(CLIMBING, mode=FlightMode.HOLD), 3.0)
+    (again,) = commands(pilot, CLIMBING._replace(mode=FlightMode.HOLD), 3.0)
     assert again.command == TAKEOFF
 
 
 @pytest.mark.parametrize("mode", [FlightMode.HOLD, FlightMode.RETURN, FlightMode.OTHER, FlightMode.TAKEOFF])
 def test_from_any_other_mode_it_is_brought_back(mode: FlightMode) -> None:
     pilot = brought_up()
-    assert commands(pilot, replace(FLYING, mode=mode), 10.0) == []
+    assert commands(pilot, FLYING._replace(mode=mode), 10.0) == []
     assert (pilot.stage, pilot.sends_set_points) == (Stage.OFFBOARD, True)
-    (offboard,) = commands(pilot, replace(FLYING, mode=mode), 10.2)
+    (offboard,) = commands(pilot, FLYING._replace(mode=mode), 10.2)
     assert offboard.command == SET_MODE
     pilot.decide(FLYING, 10.3)
     assert pilot.stage is Stage.FLY
@@ -117,12 +116,12 @@ def test_from_any_other_mode_it_is_brought_back(mode: FlightMode) -> None:
 
 def test_refuelling_is_flying() -> None:
     pilot = brought_up()
-    assert commands(pilot, replace(FLYING, mode=FlightMode.REFUEL), 10.0) == []
+    assert commands(pilot, FLYING._replace(mode=FlightMode.REFUEL), 10.0) == []
     assert pilot.stage is Stage.FLY
 
 
 @pytest.mark.parametrize(
-    "end", [replace(FLYING, mode=FlightMode.LAND), replace(FLYING, armed=False), replace(FLYING, alive=False)]
+    "end", [FLYING._replace(mode=FlightMode.LAND), FLYING._replace(armed=False), FLYING._replace(alive=False)]
 )
 def test_one_that_lands_disarms_or_dies_is_down_for_good(end: VehicleView) -> None:
     pilot = brought_up()
@@ -141,14 +140,14 @@ def test_a_start_in_the_air_flies_at_once() -> None:
 def test_battery_parameters_are_read_until_told() -> None:
     pilot = Pilot(3, 2.5)
     assert pilot.decide(view(battery_told=False, heard_s=-math.inf), 0.0) == ([], [])
-    _, requests = pilot.decide(replace(FLYING, battery_told=False), 0.1)
+    _, requests = pilot.decide(FLYING._replace(battery_told=False), 0.1)
     read = [codec.fields(codec.split(codec.frame(request, 0, 255, 190)).frames[0]) for request in requests]
     assert [(r.target_system, r.target_component, r.param_index, r.param_id) for r in read] == [
         (3, mav.MAV_COMP_ID_AUTOPILOT1, -1, "SIM_BAT_CAP_J"),
         (3, mav.MAV_COMP_ID_AUTOPILOT1, -1, "SIM_BAT_INIT_J"),
     ]
-    assert pilot.decide(replace(FLYING, battery_told=False), 1.0) == ([], [])
-    assert len(pilot.decide(replace(FLYING, battery_told=False), 1.1)[1]) == 2
+    assert pilot.decide(FLYING._replace(battery_told=False), 1.0) == ([], [])
+    assert len(pilot.decide(FLYING._replace(battery_told=False), 1.1)[1]) == 2
     assert pilot.decide(FLYING, 2.1) == ([], [])
 
 

@@ -253,7 +253,7 @@ def test_slots_are_assigned_anew_when_one_is_lost() -> None:
     world = World(scenario(vehicles={"pursuers": FIVE, "targets": [target(101, (0, 0, -4))]}, formation=RING))
     world.fly(15.0)
     whole = world.snapshot()
-    lost = replace(whole, vehicles=tuple(replace(v, alive=v.sysid != 3) for v in whole.vehicles))
+    lost = replace(whole, vehicles=tuple(v._replace(alive=v.sysid != 3) for v in whole.vehicles))
     wanted = world.planner._formation(lost)
     assert set(wanted) == {1, 2, 4, 5}
     goals = [want.p_ned for want in wanted.values()]
@@ -267,9 +267,9 @@ def test_unknown_places_are_not_planned_for_and_a_vehicle_given_back_starts_wher
     how: dict[str, Any] = {"rendezvous": {}, "partners": (), "targets_move": False, "period_s": PERIOD_S}
     snapshot = world.snapshot()
     assert [point.sysid for point in world.planner.plan(snapshot, frozenset({2, 101}), **how)] == [2, 101]
-    moved = replace(snapshot, vehicles=(replace(snapshot.vehicles[0], p_ned=(9.0, 9.0, -9.0)), *snapshot.vehicles[1:]))
+    moved = replace(snapshot, vehicles=(snapshot.vehicles[0]._replace(p_ned=(9.0, 9.0, -9.0)), *snapshot.vehicles[1:]))
     assert world.planner.plan(moved, frozenset({1}), **how)[0].p_ned == (9.0, 9.0, -9.0)
-    blind = replace(snapshot, vehicles=tuple(replace(v, p_ned=None) for v in snapshot.vehicles))
+    blind = replace(snapshot, vehicles=tuple(v._replace(p_ned=None) for v in snapshot.vehicles))
     assert world.planner.plan(blind, frozenset({1, 2, 101}), **how) == []
 
 

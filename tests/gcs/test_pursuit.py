@@ -1,6 +1,5 @@
 """Who pursues: predicted efforts by hand, and the races' rules."""
 
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -24,7 +23,7 @@ def view(sysid: int, *at: float, role: str = "pursuer", **changed: Any) -> Vehic
         origin_offset_ned=STILL, ground_amsl_m=0.0, capacity_j=1e4, initial_j=1e4, battery_told=True, drawn_j=0.0,
         received_j=0, given_j=0, given_told_s=0.0, power_w=10.0, energy_source="energy_consumed", control_effort=0.0,
     )  # fmt: skip
-    return replace(made, **changed)
+    return made._replace(**changed)
 
 
 def pursuit(targets: tuple[int, ...] = (101,), pursuers: tuple[int, ...] = (1, 2, 3), **rules: Any) -> Pursuit:

@@ -1,6 +1,6 @@
 """Services from the decision to the end, against scripted vehicles that answer commands as contract.md has them do."""
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any
 
 import pytest
@@ -44,7 +44,7 @@ class Fleet:
     active: dict[int, tuple[float, ...]] = field(default_factory=dict)
 
     def set(self, sysid: int, **changed: Any) -> None:
-        self.views[sysid] = replace(self.views[sysid], **changed)
+        self.views[sysid] = self.views[sysid]._replace(**changed)
 
     def obey(self, schedule: Schedule, wishes: tuple[Wish, ...]) -> None:
         for wish in wishes:

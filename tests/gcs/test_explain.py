@@ -30,7 +30,7 @@ def test_the_place_of_meeting_is_where_both_arrive_at_once() -> None:
 
 def test_once_joined_the_place_is_above_the_receiver() -> None:
     assert rendezvous_ned(service(phase=Phase.TRANSFER), snapshot(RECEIVER, TANKER), 1.2, 2.0) == (10.0, 0.0, -5.2)
-    lost = snapshot(replace(RECEIVER, p_ned=None), TANKER)
+    lost = snapshot(RECEIVER._replace(p_ned=None), TANKER)
     assert rendezvous_ned(service(), lost, 1.2, 2.0) is None
 
 

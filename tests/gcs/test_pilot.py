@@ -161,13 +161,13 @@ def test_battery_parameters_are_read_until_told() -> None:
     ],
 )
 def test_one_that_is_taken_is_told_so_once_and_left_alone(order: Any, profile: Any, command: int, params: Any) -> None:
-    pilot, seen = brought_up(), replace(FLYING, profile=profile)
+    pilot, seen = brought_up(), FLYING._replace(profile=profile)
     pilot.take(order)
     (told,) = commands(pilot, seen, 10.0)
     assert (told.command, told.params[: len(params)], told.token) == (command, params, f"operator {order}")
     assert (pilot.stage, pilot.sends_set_points, pilot.down) == (Stage.TAKEN, False, False)
     for k, mode in enumerate((FlightMode.OFFBOARD, FlightMode.HOLD, FlightMode.LAND)):
-        assert commands(pilot, replace(seen, mode=mode), 20.0 + k) == []
+        assert commands(pilot, seen._replace(mode=mode), 20.0 + k) == []
         assert pilot.stage is Stage.TAKEN
 
 
@@ -199,7 +199,7 @@ def test_one_that_rejoins_in_the_air_gets_set_points_and_no_take_off() -> None:
     pilot = brought_up()
     pilot.take("hold")
     commands(pilot, FLYING, 10.0)
-    held = replace(UP, mode=FlightMode.HOLD)
+    held = UP._replace(mode=FlightMode.HOLD)
     pilot.rejoin()
     assert pilot.ordered is None
     sent = [wish.command for k in range(10) for wish in commands(pilot, held, 20.0 + 0.1 * k)]
@@ -213,11 +213,11 @@ def test_one_that_rejoins_while_it_lands_is_caught_and_one_that_is_low_climbs() 
     pilot.take("land")
     commands(pilot, FLYING, 10.0)
     pilot.rejoin()
-    landing = replace(UP, mode=FlightMode.LAND)
+    landing = UP._replace(mode=FlightMode.LAND)
     assert [wish.command for k in range(4) for wish in commands(pilot, landing, 11.0 + 0.1 * k)] == [SET_MODE]
     assert pilot.stage is Stage.OFFBOARD
     pilot.rejoin()
-    low = replace(landing, p_ned=(0.0, 0.0, -0.5))
+    low = landing._replace(p_ned=(0.0, 0.0, -0.5))
     assert [wish.command for wish in commands(pilot, low, 12.0)] == [TAKEOFF]
 
 
@@ -237,12 +237,12 @@ def test_one_that_has_landed_takes_off_again_when_it_rejoins(by: str) -> None:
     assert [wish.command for k in range(4) for wish in commands(pilot, UP, 24.0 + 0.1 * k)] == [SET_MODE]
     pilot.decide(FLYING, 25.0)
     assert pilot.stage is Stage.FLY
-    pilot.decide(replace(FLYING, mode=FlightMode.LAND), 26.0)
+    pilot.decide(FLYING._replace(mode=FlightMode.LAND), 26.0)
     assert pilot.stage is Stage.DOWN
 
 
 def test_a_dead_vehicle_is_nobodys() -> None:
     pilot = brought_up()
     pilot.take("hold")
-    assert commands(pilot, replace(FLYING, alive=False), 10.0) == []
+    assert commands(pilot, FLYING._replace(alive=False), 10.0) == []
     assert pilot.stage is Stage.DOWN

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Any
 
 from gcs.fleet import Snapshot, VehicleView
@@ -18,7 +17,7 @@ def view(sysid: int = 3, role: str = "pursuer", **changed: Any) -> VehicleView:
         battery_told=True, drawn_j=5_000.0, received_j=0, given_j=0, given_told_s=0.0, power_w=10.0,
         energy_source="energy_consumed", control_effort=0.0,
     )  # fmt: skip
-    return replace(well, **changed)
+    return well._replace(**changed)
 
 
 def snapshot(*views: VehicleView, time_s: float = 100.0) -> Snapshot:

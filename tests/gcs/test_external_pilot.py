@@ -1,7 +1,6 @@
 """A stranger's vehicle into the air, as snapshots tell it: what is asked, when, and when nothing is."""
 
 import math
-from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -24,12 +23,12 @@ def view(**changed: Any) -> VehicleView:
         battery_told=True, drawn_j=0.0, received_j=0, given_j=0, given_told_s=0.0, power_w=0.0, energy_source="none",
         control_effort=0.0,
     )  # fmt: skip
-    return replace(ground, **changed)
+    return ground._replace(**changed)
 
 
 ARMED = view(armed=True)
 UP = view(armed=True, landed=False, p_ned=(10.0, 0.0, -4.2))
-FLYING = replace(UP, mode=FlightMode.OFFBOARD)
+FLYING = UP._replace(mode=FlightMode.OFFBOARD)
 
 
 def pilot(**rules: Any) -> ExternalPilot:
@@ -67,16 +66,16 @@ def test_px4_is_armed_in_hold_takes_off_to_a_height_above_the_sea_and_hears_set_
 def test_arducopter_goes_to_guided_first_and_takes_off_to_a_height_above_the_ground_once() -> None:
     made = pilot()
     stabilize = view(profile=ARDUCOPTER, mode=FlightMode.MANUAL)
-    guided = replace(stabilize, mode=FlightMode.OFFBOARD)
+    guided = stabilize._replace(mode=FlightMode.OFFBOARD)
     (mode,) = made.decide(stabilize, 0.0)[0]
     assert (mode.command, mode.params[:2]) == (SET_MODE, (1.0, 4.0))
     assert told(made, guided, 1.0) == [ARM]
-    (takeoff,) = made.decide(replace(guided, armed=True), 2.0)[0]
+    (takeoff,) = made.decide(guided._replace(armed=True), 2.0)[0]
     assert (takeoff.command, takeoff.params[3:]) == (TAKEOFF, (0.0, 0.0, 0.0, 2.5))
-    climbing = replace(guided, armed=True, landed=False, p_ned=(10.0, 0.0, -3.0))
+    climbing = guided._replace(armed=True, landed=False, p_ned=(10.0, 0.0, -3.0))
     assert told(made, climbing, 4.0) == []
-    told(made, replace(climbing, p_ned=(10.0, 0.0, -4.3)), 6.0)
-    told(made, replace(climbing, p_ned=(10.0, 0.0, -4.3)), 6.1)
+    told(made, climbing._replace(p_ned=(10.0, 0.0, -4.3)), 6.0)
+    told(made, climbing._replace(p_ned=(10.0, 0.0, -4.3)), 6.1)
     assert made.stage is Stage.FLY
 
 
@@ -124,9 +123,9 @@ def test_one_that_was_armed_and_never_left_the_ground_is_disarmed_when_it_is_lef
 @pytest.mark.parametrize("mode", [FlightMode.MANUAL, FlightMode.RETURN, FlightMode.LAND, FlightMode.OTHER])
 def test_one_that_somebody_else_takes_is_his_until_he_puts_it_back_into_offboard(mode: FlightMode) -> None:
     made = flying()
-    assert [told(made, replace(FLYING, mode=mode), 10.0 + k) for k in range(5)] == [[]] * 5
+    assert [told(made, FLYING._replace(mode=mode), 10.0 + k) for k in range(5)] == [[]] * 5
     assert (made.stage, made.sends_set_points) == (Stage.YIELDED, True)
-    assert told(made, replace(FLYING, mode=FlightMode.HOLD), 15.0) == []
+    assert told(made, FLYING._replace(mode=FlightMode.HOLD), 15.0) == []
     assert made.stage is Stage.YIELDED
     made.decide(FLYING, 16.0)
     assert made.stage is Stage.FLY
@@ -136,30 +135,30 @@ def test_a_heartbeat_that_is_older_than_the_take_off_is_no_takeover() -> None:
     """EXTENDED_SYS_STATE may tell of the air before HEARTBEAT, once a second, tells of the mode."""
     made = pilot()
     told(made, view(mode=FlightMode.OTHER), 0.0)
-    told(made, replace(ARMED, mode=FlightMode.OTHER), 1.0)
-    assert told(made, replace(ARMED, mode=FlightMode.OTHER, landed=False), 1.5) == []
+    told(made, ARMED._replace(mode=FlightMode.OTHER), 1.0)
+    assert told(made, ARMED._replace(mode=FlightMode.OTHER, landed=False), 1.5) == []
     assert made.stage is Stage.TAKEOFF
-    told(made, replace(UP, mode=FlightMode.OTHER), 3.0)
-    assert told(made, replace(UP, mode=FlightMode.OTHER), 4.0) == [SET_MODE]
+    told(made, UP._replace(mode=FlightMode.OTHER), 3.0)
+    assert told(made, UP._replace(mode=FlightMode.OTHER), 4.0) == [SET_MODE]
 
 
 def test_one_that_is_taken_while_it_climbs_is_let_go() -> None:
     made = pilot()
-    for k, seen in enumerate((view(), ARMED, replace(UP, mode=FlightMode.MANUAL))):
+    for k, seen in enumerate((view(), ARMED, UP._replace(mode=FlightMode.MANUAL))):
         made.decide(seen, float(k))
     assert made.stage is Stage.YIELDED
 
 
 def test_after_a_failsafes_hold_offboard_is_asked_for_again() -> None:
     made = flying()
-    held = replace(FLYING, mode=FlightMode.HOLD)
+    held = FLYING._replace(mode=FlightMode.HOLD)
     told(made, held, 10.0)
     assert told(made, held, 11.1) == [SET_MODE]
 
 
 def test_a_silent_vehicle_is_told_nothing_and_goes_on_when_it_is_heard() -> None:
     made = flying()
-    assert told(made, replace(FLYING, alive=False), 10.0) == []
+    assert told(made, FLYING._replace(alive=False), 10.0) == []
     assert (made.stage, made.sends_set_points) == (Stage.FLY, False)
     made.decide(FLYING, 30.0)
     assert (made.stage, made.sends_set_points) == (Stage.FLY, True)
@@ -167,7 +166,7 @@ def test_a_silent_vehicle_is_told_nothing_and_goes_on_when_it_is_heard() -> None
 
 def test_one_that_lands_and_disarms_takes_no_more_part() -> None:
     made = flying()
-    made.decide(replace(FLYING, mode=FlightMode.LAND), 10.0)
+    made.decide(FLYING._replace(mode=FlightMode.LAND), 10.0)
     made.decide(view(mode=FlightMode.LAND), 20.0)
     assert (made.stage, made.left_out) == (Stage.DOWN, "")
 
@@ -180,7 +179,7 @@ def test_one_that_lands_and_disarms_takes_no_more_part() -> None:
 )  # fmt: skip
 def test_one_that_flies_already_is_taken_as_it_is(mode: FlightMode, stage: Stage) -> None:
     made = pilot()
-    made.decide(replace(UP, mode=mode), 0.0)
+    made.decide(UP._replace(mode=mode), 0.0)
     assert made.stage is stage
 
 

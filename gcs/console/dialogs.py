@@ -175,8 +175,15 @@ class Help(Dialog[None]):
 
     def paint(self, width: int, height: int) -> Lines:
         """As much as there is room for."""
-        self._at = max(0, min(self._at, len(self._shown) - height))
-        return [[(text, f"{names}") for text, names in line] for line in self._shown[self._at :]]
+        room = height if height >= len(self._shown) else height - 1
+        self._at = max(0, min(self._at, len(self._shown) - room))
+        lines = self._shown[self._at : self._at + room]
+        if room == height:
+            return lines
+        return [
+            *lines,
+            [(f"lines {self._at + 1}-{self._at + room} of {len(self._shown)}  ", "dim"), ("up down", "key")],
+        ]
 
     def action_move(self, step: int) -> None:
         """Scroll."""

@@ -265,6 +265,17 @@ def test_without_colour_none_is_used_and_trouble_still_stands_out(
     drive(steps, flown)
 
 
+def test_the_help_page_scrolls_where_it_does_not_fit(flown: Messages) -> None:
+    async def steps(shown: Shown) -> None:
+        await shown.press("question_mark")
+        assert "lines 1-" in shown.text()
+        assert "Signs" not in shown.text()
+        await shown.press(*["down"] * 40)
+        assert "Signs" in shown.text()
+
+    drive(steps, flown)
+
+
 def test_before_the_first_snapshot_the_vehicles_are_starting() -> None:
     lines = screen([session()])
     assert "starting 7 vehicles" in lines[2]

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from gcs.console.canvas import Canvas
+from gcs.console.canvas import Canvas, Point
 from gcs.console.ink import Glyphs, Lines, left, number, right
 
 AXIS = 5
 LABEL = 9
+GAP_S = 2.0
+"""Samples farther apart are not joined: nobody competed between them."""
 CURVES = ("curve1", "curve2", "curve3", "curve4", "curve5", "curve6")
 
 
@@ -55,13 +57,18 @@ def chart(
             canvas.line((x(t_s), 0), (x(t_s), canvas.height - 1), "mark", 1, every=2)
             canvas.put(int(x(t_s) // canvas.per_column) + 1, 0, text, "mark", 1)
     labels: dict[int, tuple[str, str]] = {}
-    styles = curve_styles(samples[-1][1])
+    styles = curve_styles(names)
     for order, name in enumerate(names):
-        style = styles.get(name, CURVES[0])
-        points = [(x(t_s), y(values[name])) for t_s, values in samples if t_s >= begin_s and name in values]
-        if len(points) == 1:
-            canvas.dot(*points[0], style, 9 - order)
-        canvas.path(points, style, max(2, 9 - order))
+        style = styles[name]
+        run: list[Point] = []
+        last_s = begin_s
+        for t_s, values in samples:
+            if t_s >= begin_s and name in values:
+                if t_s - last_s > GAP_S:
+                    run = []
+                here = (x(t_s), y(values[name]))
+                canvas.path([*run[-1:], here, here], style, max(2, 9 - order))
+                run, last_s = [here], t_s
         value = samples[-1][1].get(name)
         if value is not None:
             row = min(rows - 1, max(0, int(y(value) // canvas.per_row)))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any
 
 from gcs.console.chart import CURVES, chart, curve_styles
@@ -32,11 +31,15 @@ def verdict(watch: Watch) -> Line:
 
 
 def names(watch: Watch) -> list[str]:
-    """The vehicles whose curves are drawn: those ahead, the greatest v first."""
-    values: Mapping[str, float] = {str(k): float(x) for k, x in (watch.competition.get("v") or {}).items()}
-    if not values and watch.contest:
-        values = watch.contest[-1][1]
-    return sorted(values, key=lambda name: (-values[name], name))[:MOST_CURVES]
+    """The vehicles whose curves are drawn: the greatest v now first, then who was greatest while the curves show."""
+    now = {str(name): float(value) for name, value in (watch.competition.get("v") or {}).items()}
+    best: dict[str, float] = {}
+    for t_s, values in watch.contest:
+        if t_s >= watch.t_s - SPAN_S:
+            for name, value in values.items():
+                best[name] = max(best.get(name, 0.0), value)
+    every = sorted({*now, *best}, key=lambda name: (-now.get(name, -1.0), -best.get(name, 0.0), name))
+    return every[:MOST_CURVES]
 
 
 def why(watch: Watch, width: int, most: int) -> Lines:
@@ -99,10 +102,11 @@ def _bids(watch: Watch, glyphs: Glyphs) -> Lines:
     needs: dict[str, Any] = {str(k): x for k, x in (competition.get("tau") or {}).items()}
     top = max([1.0, *values.values()])
     lines: Lines = [[(f"  {'vehicle':<12} {'v':>5} {'':<12} {'bid':>5}", "heading")]] if values else []
-    styles, drawn = curve_styles(values), names(watch)
+    drawn = names(watch)
+    styles = curve_styles(drawn)
     for name in sorted(values, key=lambda name: (-values[name], name)):
         tau = needs.get(name)
-        style = styles[name] if name in drawn else ""
+        style = styles.get(name, "")
         bid = "-" if tau is None else f"{float(tau):.2f}"
         text = f"  {left(watch.name(name), 12)} {values[name]:5.2f} "
         lines.append([(text, style), *bar(values[name] / top, 12, glyphs, style or "charge"), (f" {bid:>5}", "")])

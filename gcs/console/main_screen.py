@@ -7,19 +7,17 @@ from typing import ClassVar
 
 from textual import events
 from textual.app import ComposeResult
-from textual.binding import Binding, BindingType
+from textual.binding import BindingType
 from textual.containers import Container, Horizontal, Vertical
 from textual.geometry import Size
 from textual.screen import Screen
 
-from gcs.console import contest_page, events_log, fleet_table, heading, help_page, plan_view, vehicle_page
+from gcs.console import contest_page, events_log, fleet_table, heading, help_page, layout, plan_view, vehicle_page
 from gcs.console.canvas import Canvas
-from gcs.console.dialogs import Choose, Confirm, Help, Look
-from gcs.console.ink import Line, Lines, fitted, number, titled, wrapped
-from gcs.console.orders import ORDERS, Order, command, question, ready, targets
-from gcs.console.palette import GROUND, RAISED
+from gcs.console.desk import Desk
+from gcs.console.dialogs import Help, Look
+from gcs.console.ink import Line, Lines, fitted, titled, wrapped
 from gcs.console.panel import Panel
-from gcs.console.plain import clean
 from gcs.console.shell import Shell
 from gcs.console.watch import Vehicle, Watch, ordered
 
@@ -28,8 +26,6 @@ WIDE = Size(120, 30)
 NOTICE_S = 8.0
 SILENT_S = 3.0
 ORDERINGS = ("id", "battery", "competition")
-SEEK_S = 10.0
-SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
 FLEET_SHARE = 0.6
 
 
@@ -38,58 +34,8 @@ class MainScreen(Screen[None]):
 
     app: Shell
 
-    DEFAULT_CSS = f"""
-    MainScreen {{ background: {GROUND}; overflow: hidden; }}
-    MainScreen Panel {{ background: {GROUND}; }}
-    #session, #goal, #trouble, #keys {{ height: 1; }}
-    #keys {{ background: {RAISED}; }}
-    #body {{ height: 1fr; }}
-    .page {{ display: none; }}
-    #left {{ width: 1fr; }}
-    #right {{ width: 60; display: none; padding: 0 0 0 1; }}
-    .page, #recent, #small-map, #small {{ height: 1fr; }}
-    #course {{ height: 15; }}
-    #small {{ display: none; }}
-    """
-    BINDINGS: ClassVar[list[BindingType]] = [
-        *(Binding(str(i), f"page('{name}')") for i, name in enumerate(heading.PAGES, 1)),
-        Binding("tab", "turn(1)"),
-        Binding("shift+tab", "turn(-1)"),
-        Binding("up", "move(-1, 0)"),
-        Binding("down", "move(1, 0)"),
-        Binding("left", "move(0, -1)"),
-        Binding("right", "move(0, 1)"),
-        Binding("shift+up", "pan(1, 0)"),
-        Binding("shift+down", "pan(-1, 0)"),
-        Binding("shift+left", "pan(0, -1)"),
-        Binding("shift+right", "pan(0, 1)"),
-        Binding("pageup", "leaf(-1)"),
-        Binding("pagedown", "leaf(1)"),
-        Binding("home", "end(-1)"),
-        Binding("end", "end(1)"),
-        Binding("n", "choose(1)"),
-        Binding("N", "choose(-1)"),
-        Binding("enter", "page('vehicle')"),
-        Binding("escape", "page('fleet')"),
-        Binding("o", "order_by"),
-        Binding("z", "zoom(1)"),
-        Binding("Z", "zoom(-1)"),
-        Binding("plus,equals_sign", "faster(1)"),
-        Binding("minus", "faster(-1)"),
-        Binding("space", "play"),
-        Binding("c", "follow"),
-        Binding("a", "fit"),
-        Binding("w", "filter('level')"),
-        Binding("k", "filter('kind')"),
-        Binding("v", "filter('vehicle')"),
-        Binding("0", "filter('none')"),
-        Binding("slash", "words"),
-        Binding("question_mark", "help"),
-        Binding("q", "close"),
-        Binding("ctrl+c", "interrupt", priority=True),
-        Binding("ctrl+z", "app.suspend_process", priority=True),
-        *(Binding(order.key, f"ask('{order.command}')") for order in ORDERS),
-    ]
+    DEFAULT_CSS = layout.CSS
+    BINDINGS: ClassVar[list[BindingType]] = layout.KEYS
 
     def __init__(self) -> None:
         super().__init__()
@@ -103,8 +49,7 @@ class MainScreen(Screen[None]):
         self._on_row: list[int] = []
         self._back = self._scrolled = self._most = 0
         self._notice: tuple[str, str, float] | None = None
-        self._asked = self._fleet_size = self._matched = 0
-        self._names: dict[str, str] = {}
+        self._fleet_size = self._matched = 0
         self._inspected: int | None = None
 
     def compose(self) -> ComposeResult:
@@ -129,6 +74,7 @@ class MainScreen(Screen[None]):
 
     def on_mount(self) -> None:
         """Show the first page."""
+        self.desk = Desk(self.app, self.notice)
         self._arrange()
 
     # what is shown
@@ -141,9 +87,7 @@ class MainScreen(Screen[None]):
     def beat(self, news: bool) -> None:
         """Show what has changed."""
         for reply in self.seen.replies:
-            what = self._names.pop(str(reply.get("id")), "")
-            text = clean(reply.get("text") or ("taken" if reply.get("ok") else "not taken"))
-            self.notice(f"{what}: {text}" if what else text, "well" if reply.get("ok") else "act")
+            self.notice(*self.desk.answered(reply))
         self.seen.replies.clear()
         if self.chosen not in self.seen.vehicles:
             fleet = self._ordered()
@@ -318,7 +262,7 @@ class MainScreen(Screen[None]):
     def action_move(self, down: int, across: int) -> None:
         """Arrows: along the fleet, over the map, through events and messages; across in a replay: in time."""
         if across and self.seen.replay is not None:
-            self.app.source.send({"command": "seek", "t_s": self.seen.t_s + SEEK_S * across})
+            self.desk.seek(across)
         elif self.page == "map":
             self.action_pan(-down, across)
         elif down:
@@ -427,81 +371,29 @@ class MainScreen(Screen[None]):
     def _point_vehicle(self, column: int, row: int, turn: int) -> None:
         self._go(3 * turn)
 
-    # replay
+    # what is sent
 
     def action_play(self) -> None:
         """Pause the replay, or go on."""
-        if (replay := self.seen.replay) is not None:
-            self.app.source.send({"command": "resume" if replay.get("paused") else "pause"})
+        self.desk.play()
 
     def action_faster(self, step: int) -> None:
         """The next speed of a replay; on the map of a running session, zoom."""
-        replay = self.seen.replay
-        if replay is None:
+        if self.seen.replay is None:
             self.action_zoom(step)
-            return
-        speed = float(replay.get("speed") or 1.0)
-        nearest = min(range(len(SPEEDS)), key=lambda i: abs(SPEEDS[i] - speed))
-        wanted = SPEEDS[min(max(nearest + step, 0), len(SPEEDS) - 1)]
-        self.app.source.send({"command": "speed", "speed": wanted})
-
-    # orders
+        else:
+            self.desk.hurry(step)
 
     def action_ask(self, name: str) -> None:
         """An operator's key: ask, then send."""
-        if self.seen.replay is not None and name == "pause":
-            self.action_play()
-        elif not self.seen.control:
-            self.notice("this source takes no commands")
-        else:
-            order = ready(next(order for order in ORDERS if order.command == name), self.seen)
-            sysid = self.chosen if order.of_vehicle else None
-            if order.of_vehicle and sysid is None:
-                self.notice("no vehicle is chosen")
-            elif order.command == "retarget":
-                self._ask_target(order, sysid)
-            else:
-                self._confirm(order, sysid)
-
-    def _confirm(self, order: Order, sysid: int | None, *, insist: bool = False) -> None:
-        def answer(yes: bool | None) -> None:
-            if yes:
-                self._send(order, sysid)
-
-        vehicle = self.seen.vehicles.get(-1 if sysid is None else sysid)
-        detail = "" if vehicle is None else _state(vehicle)
-        asked = question(order, self.seen, sysid)
-        self.app.push_screen(Confirm(asked, detail, self.app.glyphs, insist=insist), answer)
-
-    def _ask_target(self, order: Order, sysid: int | None) -> None:
-        options = [(target, self.seen.name(target)) for target in targets(self.seen)]
-        if not options:
-            self.notice("there is no target")
-            return
-
-        def answer(target: int | None) -> None:
-            if target is not None:
-                self._send(order, sysid, target)
-
-        self.app.push_screen(Choose(question(order, self.seen, sysid), options, self.app.glyphs), answer)
-
-    def _send(self, order: Order, sysid: int | None, target: int | None = None) -> None:
-        self._asked += 1
-        content = command(order, sysid, target, self._asked)
-        what = f"{order.name} {self.seen.name(sysid)}" if sysid is not None else order.name
-        self._names[str(content["id"])] = what
-        self.app.source.send(content)
-        self.notice(f"{what}: sent")
+        self.desk.ask(name, self.chosen)
 
     def action_interrupt(self) -> None:
         """Ctrl-C: the session's own console asks to stop it, any other closes."""
-        stop = next(order for order in ORDERS if order.command == "stop")
         if self.app.owner and self.app.source.connected:
-            self._confirm(stop, None, insist=True)
-        elif self.app.owner:
-            self.app.exit(0, return_code=INTERRUPTED)
+            self.desk.ask("stop", None, insist=True)
         else:
-            self.action_close()
+            self.app.exit(0, return_code=INTERRUPTED if self.app.owner else 0)
 
     def action_close(self) -> None:
         """Close the console."""
@@ -510,11 +402,3 @@ class MainScreen(Screen[None]):
 
 INTERRUPTED = 130
 """The console's exit status when its person wants the end of a session that cannot be told yet."""
-
-
-def _state(vehicle: Vehicle) -> str:
-    """What the operator should have in view while deciding."""
-    mode, _ = fleet_table.mode(vehicle)
-    share = vehicle.get("battery")
-    battery = "" if share is None else f", battery {100.0 * float(share):.0f} %"
-    return f"{mode}, {number(vehicle.get('height_m'), 6)} m high{battery}"

@@ -1,4 +1,4 @@
-"""One tanker serving one receiver: how far it is, what is known of it, and what a tick decides."""
+"""One refuelling service: how far it is, what is known of it, what a tick decides; and the desk where services ask."""
 
 from __future__ import annotations
 
@@ -83,6 +83,38 @@ class Decision:
     partners: tuple[tuple[int, int], ...] = ()
     """(tanker, receiver) pairs that need not keep their distance from each other"""
     records: tuple[dict[str, Any], ...] = ()
+
+
+class Desk:
+    """What services want of vehicles in this tick, what they tell of themselves, and the answers to earlier wishes."""
+
+    def __init__(self) -> None:
+        self.wishes: list[Wish] = []
+        self.records: list[dict[str, Any]] = []
+        self._results: dict[str, bool] = {}
+
+    def clear(self) -> None:
+        """Begin a tick; answers stay."""
+        self.wishes, self.records = [], []
+
+    def ask(self, sysid: int, command: int, token: str, *params: float) -> None:
+        """Want a command of a vehicle; an answer to an earlier one with the same token counts no more."""
+        self._results.pop(token, None)
+        filled = (*params, *(0.0 for _ in range(7 - len(params))))
+        self.wishes.append(Wish(sysid, command, filled, token))  # type: ignore[arg-type]
+
+    def hear(self, token: str, accepted: bool) -> None:
+        """The result of a command whose wish carried this token."""
+        self._results[token] = accepted
+
+    def answer(self, token: str) -> bool | None:
+        """Whether the command of this token was accepted; None while there is no result."""
+        return self._results.get(token)
+
+
+def token(service: Service, what: str) -> str:
+    """The mark by which a service knows the result of one of its commands."""
+    return f"refuel {service.number} {what}"
 
 
 def by_text(numbers: Mapping[int, float]) -> dict[str, float]:

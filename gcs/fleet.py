@@ -17,15 +17,15 @@ from typing import Any, NamedTuple
 import pymap3d
 from pymavlink.dialects.v20 import common as mav
 
+from gcs.energy import BatteryReport, EnergyEstimator, Fact
+from gcs.mavlink.battery import battery_status, sys_status
 from gcs.mavlink.codec import Frame, fields
 from gcs.profiles import GENERIC, FlightMode, Profile, profile_of
 
 Vec3 = tuple[float, float, float]
 ZERO: Vec3 = (0.0, 0.0, 0.0)
-POWER_WINDOW_S = 5.0
 STALE_S = 1.5
 """A position older than this is not believed any more."""
-HECTOJOULE = 100.0
 LANDED_M = 0.3
 """A vehicle that does not tell whether it has landed is in the air above this height."""
 TEXT_CHARACTERS = 50
@@ -187,17 +187,21 @@ class _Track:
         self.origin_told = False
         self.capacity_j = member.capacity_j
         self.initial_j = member.initial_j
-        self.drawn_j = 0.0
-        self.received_j = 0
+        self.energy = EnergyEstimator()
+        self.told_in_j = 0
+        self.booked_j = 0
+        self.counts = False
         self.given_j = 0
         self.given_told_s = -math.inf
-        self.power_w = 0.0
-        self.energy_source = "none"
         self.initial_told = False
         self.parameters_told: set[str] = set()
         self.control_effort = 0.0
         self.text_so_far = (0, "")
-        self.drawn_history: list[tuple[float, float]] = []
+
+    @property
+    def received_j(self) -> int:
+        """By its own counter, and by the book of bases that charged it without one."""
+        return self.told_in_j + self.booked_j
 
     def view(self, now_s: float) -> VehicleView:
         p_ned = None
@@ -233,12 +237,12 @@ class _Track:
             capacity_j=self.capacity_j,
             initial_j=self.initial_j,
             battery_told=len(self.parameters_told) == len(BATTERY_PARAMETERS),
-            drawn_j=self.drawn_j,
+            drawn_j=self.energy.drawn_j,
             received_j=self.received_j,
             given_j=self.given_j,
             given_told_s=self.given_told_s,
-            power_w=self.power_w,
-            energy_source=self.energy_source,
+            power_w=self.energy.power_w,
+            energy_source=str(self.energy.source),
             control_effort=self.control_effort,
         )
 
@@ -252,6 +256,7 @@ class Fleet:
         self._traffic: dict[int, tuple[str, Vec3, Vec3, float]] = {}
         self.statustexts: list[tuple[int, int, str]] = []
         self.acks: list[tuple[int, Any]] = []
+        self.facts: list[tuple[int, Fact]] = []
 
     def ingest(self, frame: Frame, time_s: float) -> None:
         """Take one frame that was delivered at a session time."""
@@ -285,6 +290,15 @@ class Fleet:
         """(system id, COMMAND_ACK) of each acknowledgement since the last call."""
         taken, self.acks = self.acks, []
         return taken
+
+    def take_facts(self) -> list[tuple[int, Fact]]:
+        """(system id, fact) of what batteries showed since the last call."""
+        taken, self.facts = self.facts, []
+        return taken
+
+    def book(self, sysid: int, joules: int) -> None:
+        """Energy that a vehicle was given by a base and cannot tell of itself."""
+        self._tracks[sysid].booked_j += joules
 
     def snapshot(self, time_s: float) -> Snapshot:
         """Everything known at a session time."""
@@ -346,33 +360,38 @@ class Fleet:
         return float(north), float(east), float(down)
 
     def _battery(self, track: _Track, content: Any, time_s: float) -> None:
-        if content.id != 0:
+        if content.id == 0:
+            self._take_battery(track, battery_status(content, time_s))
+
+    def _system_status(self, track: _Track, content: Any, time_s: float) -> None:
+        self._take_battery(track, sys_status(content, time_s))
+
+    def _take_battery(self, track: _Track, report: BatteryReport) -> None:
+        if not track.energy.heeds(report):
             return
-        left_j = 0.01 * content.battery_remaining * track.capacity_j
-        if not track.initial_told and 0 <= content.battery_remaining <= 100:
-            drawn_j = HECTOJOULE * max(content.energy_consumed, 0)
-            track.initial_j = left_j + drawn_j + track.given_j - track.received_j
+        facts = track.energy.take(
+            report,
+            capacity_j=track.capacity_j,
+            moved_j=track.told_in_j - track.given_j,
+            booked_j=track.booked_j,
+            initial_j=track.initial_j if track.initial_told else None,
+            armed=track.armed,
+            swappable=not track.counts,
+        )
+        if not track.initial_told and report.remaining is not None:
+            left_j = report.remaining * track.capacity_j
+            track.initial_j = left_j + track.energy.drawn_j + track.given_j - track.received_j
             track.initial_told = True
-        if content.energy_consumed >= 0:
-            track.drawn_j = max(track.drawn_j, HECTOJOULE * content.energy_consumed)
-            track.energy_source = "energy_consumed"
-        elif 0 <= content.battery_remaining <= 100:
-            track.drawn_j = max(track.drawn_j, track.initial_j + track.received_j - track.given_j - left_j)
-            track.energy_source = "battery_remaining"
-        history = track.drawn_history
-        history.append((time_s, track.drawn_j))
-        while len(history) > 2 and time_s - history[1][0] >= POWER_WINDOW_S:
-            history.pop(0)
-        span_s = history[-1][0] - history[0][0]
-        if span_s > 0.0:
-            track.power_w = (history[-1][1] - history[0][1]) / span_s
+        track.initial_j += sum(fact.gained_j for fact in facts)
+        self.facts += [(track.member.sysid, fact) for fact in facts]
 
     def _named_int(self, track: _Track, content: Any, time_s: float) -> None:
         if content.name == "XferOut":
             track.given_j = max(track.given_j, content.value)
             track.given_told_s = max(track.given_told_s, _session_s(track, content.time_boot_ms, time_s))
         elif content.name == "XferIn":
-            track.received_j = max(track.received_j, content.value)
+            track.told_in_j = max(track.told_in_j, content.value)
+        track.counts |= content.name in ("XferOut", "XferIn")
 
     def _named_float(self, track: _Track, content: Any, time_s: float) -> None:
         if content.name == "CtlEffort" and math.isfinite(content.value):
@@ -431,6 +450,7 @@ _HANDLERS: Mapping[int, Callable[[Fleet, _Track, Any, float], None]] = {
     mav.MAVLINK_MSG_ID_GPS_GLOBAL_ORIGIN: Fleet._global_origin,
     mav.MAVLINK_MSG_ID_HOME_POSITION: Fleet._home,
     mav.MAVLINK_MSG_ID_BATTERY_STATUS: Fleet._battery,
+    mav.MAVLINK_MSG_ID_SYS_STATUS: Fleet._system_status,
     mav.MAVLINK_MSG_ID_NAMED_VALUE_INT: Fleet._named_int,
     mav.MAVLINK_MSG_ID_NAMED_VALUE_FLOAT: Fleet._named_float,
     mav.MAVLINK_MSG_ID_PARAM_VALUE: Fleet._parameter,

@@ -360,6 +360,9 @@ class Supervisor:
             records.append({"t_s": t_s, **record})
             text = f"Pursues {record['target']} from now on"
             self.events.append(Event(t_s, int(record["pursuer"]), "info", text, "decision"))
+        for sysid, fact in self.fleet.take_facts():
+            records.append({"t_s": t_s, "kind": "battery", "sysid": sysid, **fact.record()})
+            self.events.append(Event(t_s, sysid, "warning", fact.text))
         for problem in (problem for guard in self._guards for problem in guard.take()):
             records.append({"t_s": t_s, **problem.record()})
             self.events.append(Event(t_s, problem.sysid, "warning", problem.sentence, "decision"))

@@ -1,0 +1,53 @@
+"""What MAVLink says of a battery, from its units (mV, cA, hJ, %) into SI."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from gcs.energy import BatteryReport
+
+HECTOJOULE = 100.0
+NO_CELL = 65535
+UNKNOWN = -1
+
+
+def voltage_v(cells_mv: Sequence[int], more_mv: Sequence[int] = ()) -> float | None:
+    """Sum of the cells: `cells_mv` up to the first that is 65535, and only if there is none `more_mv`, 0 where none."""
+    total_mv = 0
+    for cell_mv in cells_mv:
+        if cell_mv == NO_CELL:
+            break
+        total_mv += cell_mv
+    else:
+        total_mv += sum(more_mv)
+    return 1e-3 * total_mv if total_mv else None
+
+
+def battery_status(content: Any, time_s: float) -> BatteryReport:
+    """BATTERY_STATUS's fields, heard at a session time in s."""
+    return BatteryReport(
+        time_s=time_s,
+        consumed_j=None if content.energy_consumed < 0 else HECTOJOULE * content.energy_consumed,
+        power_w=_power_w(voltage_v(content.voltages, content.voltages_ext), content.current_battery),
+        remaining=_share(content.battery_remaining),
+    )
+
+
+def sys_status(content: Any, time_s: float) -> BatteryReport:
+    """What SYS_STATUS says of the battery, heard at a session time in s."""
+    return BatteryReport(
+        time_s=time_s,
+        consumed_j=None,
+        power_w=_power_w(voltage_v((content.voltage_battery,)), content.current_battery),
+        remaining=_share(content.battery_remaining),
+        second_hand=True,
+    )
+
+
+def _power_w(volts: float | None, current_ca: int) -> float | None:
+    return None if volts is None or current_ca == UNKNOWN else 1e-2 * current_ca * volts
+
+
+def _share(percent: int) -> float | None:
+    return 0.01 * percent if 0 <= percent <= 100 else None

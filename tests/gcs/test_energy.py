@@ -1,0 +1,272 @@
+"""Energy from what autopilots report: integrals against closed forms, messages as pymavlink makes them."""
+
+from __future__ import annotations
+
+import math
+import random
+from typing import Any
+
+import pytest
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.energy import GAP_S, BatteryReport, EnergyEstimator, Fact, Source
+from gcs.mavlink import battery, codec
+
+CAPACITY_J = 100_000.0
+CELLS = [65535] * 10
+
+
+def told(kind: str, **changed: Any) -> Any:
+    """A message's fields as they come off the wire, packed by pymavlink."""
+    cls = getattr(mav, f"MAVLink_{kind.lower()}_message")
+    content = dict.fromkeys(cls.fieldnames, 0) | changed
+    raw = cls(**{name: content[name] for name in cls.fieldnames}).pack(mav.MAVLink(None, srcSystem=3, srcComponent=1))
+    (frame,) = codec.split(bytes(raw)).frames
+    return codec.fields(frame)
+
+
+def status(**changed: Any) -> BatteryReport:
+    quiet = {"energy_consumed": -1, "current_battery": -1, "battery_remaining": -1, "voltages": CELLS}
+    return battery.battery_status(told("BATTERY_STATUS", **(quiet | {"voltages_ext": [0] * 4} | changed)), 2.0)
+
+
+def power(time_s: float, power_w: float | None, remaining: float | None = None) -> BatteryReport:
+    return BatteryReport(time_s, None, power_w, remaining)
+
+
+def share(time_s: float, remaining: float) -> BatteryReport:
+    return BatteryReport(time_s, None, None, remaining)
+
+
+def heard(*reports: BatteryReport, **known: Any) -> tuple[EnergyEstimator, list[Fact]]:
+    estimator = EnergyEstimator()
+    facts: list[Fact] = []
+    for report in reports:
+        facts += estimator.take(report, capacity_j=CAPACITY_J, **known)
+    return estimator, facts
+
+
+# MAVLink's units
+
+
+def test_a_battery_status_is_read_in_si() -> None:
+    """Four cells of 3.9 V at 12.5 A are 195 W; 73 hJ; 64 %."""
+    report = status(
+        voltages=[3900] * 4 + [65535] * 6, current_battery=1250, energy_consumed=73, battery_remaining=64
+    )  # fmt: skip
+    assert (report.time_s, report.consumed_j) == (2.0, 7300.0)
+    assert report.power_w == pytest.approx(195.0)
+    assert report.remaining == pytest.approx(0.64)
+
+
+def test_fourteen_cells_are_summed() -> None:
+    assert status(voltages=[4000] * 10, voltages_ext=[4000] * 4, current_battery=100).power_w == pytest.approx(56.0)
+
+
+def test_more_cells_count_only_after_ten() -> None:
+    report = status(voltages=[4000] * 3 + [65535] * 7, voltages_ext=[4000] * 4, current_battery=100)
+    assert report.power_w == pytest.approx(12.0)
+
+
+def test_a_pack_above_65_v_spreads_over_two_cells() -> None:
+    """The message's definition: cell 0 at 65534 mV, the rest in cell 1."""
+    assert status(voltages=[65534, 4466] + [65535] * 8, current_battery=100).power_w == pytest.approx(70.0)
+
+
+@pytest.mark.parametrize("unknown", [{"current_battery": -1}, {"voltages": CELLS}, {"voltages": [0] * 10}])
+def test_power_is_unknown_without_current_or_voltage(unknown: dict[str, Any]) -> None:
+    full = {"voltages": [16000, *CELLS[1:]], "current_battery": 1000}
+    assert status(**full).power_w == pytest.approx(160.0)
+    assert status(**(full | unknown)).power_w is None
+
+
+@pytest.mark.parametrize(("percent", "expected"), [(-1, None), (0, 0.0), (100, 1.0), (101, None), (-128, None)])
+def test_a_share_that_is_none_is_not_told(percent: int, expected: float | None) -> None:
+    assert status(battery_remaining=percent).remaining == expected
+
+
+def test_a_sys_status_tells_the_same_at_second_hand() -> None:
+    content = told("SYS_STATUS", voltage_battery=15600, current_battery=1250, battery_remaining=64)
+    report = battery.sys_status(content, 2.0)
+    assert report.power_w == pytest.approx(195.0)
+    assert report.remaining == pytest.approx(0.64)
+    assert report.second_hand
+    assert report.consumed_j is None
+    content = told("SYS_STATUS", voltage_battery=65535, current_battery=1250, battery_remaining=-1)
+    assert battery.sys_status(content, 2.0) == BatteryReport(2.0, None, None, None, second_hand=True)
+
+
+# current times voltage
+
+
+def test_a_ramp_is_integrated_exactly_whatever_the_spacing() -> None:
+    """100 W + 7 W/s · t over 0..20 s: 2000 + 7·200 J."""
+    rng = random.Random(4)
+    times = sorted({0.0, 20.0, *(rng.uniform(0.0, 20.0) for _ in range(40))})
+    estimator, facts = heard(*(power(t, 100.0 + 7.0 * t) for t in times))
+    assert estimator.drawn_j == pytest.approx(2000.0 + 1400.0, rel=1e-12)
+    assert estimator.source == "current_voltage"
+    assert not facts
+
+
+def test_a_sine_is_integrated_within_the_trapezoid_rules_bound() -> None:
+    """∫ 200 + 100 sin t over 0..2π is 400π; the rule is off by at most (b-a) h²/12 max|f''|."""
+    n = 200
+    h = 2.0 * math.pi / n
+    estimator, _ = heard(*(power(h * k, 200.0 + 100.0 * math.sin(h * k)) for k in range(n + 1)))
+    assert abs(estimator.drawn_j - 400.0 * math.pi) <= 2.0 * math.pi * h * h / 12.0 * 100.0
+
+
+def test_a_gap_is_bridged_by_the_mean_of_both_ends_and_told() -> None:
+    estimator, facts = heard(power(0.0, 100.0), power(1.0, 100.0), power(11.0, 300.0), power(12.0, 300.0))
+    assert estimator.drawn_j == pytest.approx(100.0 + 200.0 * 10.0 + 300.0)
+    assert estimator.bridged_s == pytest.approx(10.0)
+    assert [fact.text for fact in facts] == ["No current or voltage for 10.0 s: bridged by the mean of both ends"]
+
+
+def test_samples_that_are_late_or_twice_draw_nothing() -> None:
+    estimator, _ = heard(power(0.0, 100.0), power(2.0, 100.0), power(2.0, 900.0), power(1.0, 900.0), power(3.0, 100.0))
+    assert estimator.drawn_j == pytest.approx(300.0)
+
+
+def test_a_charging_current_is_no_energy_drawn_back() -> None:
+    estimator, _ = heard(power(0.0, 100.0), power(1.0, 100.0), power(1.5, -400.0), power(3.0, -400.0))
+    assert estimator.drawn_j == pytest.approx(100.0 + 25.0)
+
+
+# which source
+
+
+def test_the_autopilots_own_total_goes_before_everything() -> None:
+    reports = [BatteryReport(float(t), 500.0 * t, 100.0, 1.0 - 0.01 * t) for t in range(5)]
+    estimator, _ = heard(*reports)
+    assert (estimator.source, estimator.drawn_j) == (Source.ENERGY_CONSUMED, 2000.0)
+    assert estimator.power_w == pytest.approx(500.0)
+
+
+def test_a_share_is_what_is_left_where_nothing_else_is_told() -> None:
+    estimator, _ = heard(*(share(10.0 * k, 0.80 - 0.01 * k) for k in range(11)))
+    assert estimator.source == "battery_remaining"
+    assert estimator.drawn_j == pytest.approx(0.10 * CAPACITY_J)
+    assert estimator.power_w == pytest.approx(100.0)  # 1 % of 100 kJ every 10 s
+
+
+def test_nothing_told_is_no_source() -> None:
+    estimator, _ = heard(status())
+    assert (estimator.source, estimator.drawn_j, estimator.power_w) == (Source.NONE, 0.0, 0.0)
+
+
+def test_a_source_that_falls_silent_gives_its_place_and_not_a_joule_is_lost_or_counted_twice() -> None:
+    """100 W throughout, told by the total until 10 s, then by V·I alone, then by both again."""
+    reports = [BatteryReport(float(t), 100.0 * t if t <= 10 or t > 30 else None, 100.0, None) for t in range(41)]
+    estimator = EnergyEstimator()
+    sources = []
+    for report in reports:
+        estimator.take(report, capacity_j=CAPACITY_J)
+        sources.append((report.time_s, str(estimator.source)))
+    assert estimator.drawn_j == pytest.approx(4000.0)
+    assert dict(sources)[10.0 + GAP_S] == "energy_consumed"
+    assert dict(sources)[11.0 + GAP_S] == "current_voltage"
+    assert dict(sources)[31.0] == "energy_consumed"
+
+
+def test_a_total_that_comes_late_does_not_bring_what_was_drawn_before_the_first_word() -> None:
+    estimator, _ = heard(*(power(float(t), 100.0) for t in range(11)), BatteryReport(11.0, 50_000.0, 100.0, None))
+    drawn_j = estimator.drawn_j
+    estimator.take(BatteryReport(12.0, 50_100.0, 100.0, None), capacity_j=CAPACITY_J)
+    assert drawn_j == pytest.approx(1000.0)
+    assert estimator.drawn_j == pytest.approx(1100.0)
+
+
+def test_sys_status_counts_only_while_battery_status_is_silent() -> None:
+    def second_hand(t: float, power_w: float) -> BatteryReport:
+        return BatteryReport(t, None, power_w, None, second_hand=True)
+
+    estimator, _ = heard(second_hand(0.0, 900.0), power(1.0, 100.0), second_hand(1.5, 900.0), power(2.0, 100.0))
+    assert estimator.drawn_j == pytest.approx(100.0)
+    alone, _ = heard(*(second_hand(float(t), 50.0) for t in range(21)))
+    assert alone.source == "current_voltage"
+    assert alone.drawn_j == pytest.approx(50.0 * (20.0 - (GAP_S + 1.0)))  # it is waited for first
+
+
+def test_energy_drawn_never_falls_whatever_is_reported() -> None:
+    rng = random.Random(11)
+    estimator, before_j = EnergyEstimator(), 0.0
+    for k in range(2000):
+        total_j, power_w, left = (
+            rng.choice([None, value]) for value in (rng.uniform(0, 1e5), rng.uniform(-500, 500), rng.random())
+        )
+        report = BatteryReport(0.7 * k + rng.uniform(-3, 9), total_j, power_w, left, second_hand=rng.random() < 0.3)
+        estimator.take(
+            report, capacity_j=CAPACITY_J, armed=rng.random() < 0.5, moved_j=rng.randint(0, 900), booked_j=k * 3
+        )  # fmt: skip
+        assert estimator.drawn_j >= before_j
+        before_j = estimator.drawn_j
+
+
+# restarts, swaps, bases
+
+
+def test_an_autopilot_that_was_restarted_goes_on_from_its_old_total() -> None:
+    known = {"capacity_j": CAPACITY_J, "armed": False}
+    estimator = EnergyEstimator()
+    for t, total_j in enumerate((0.0, 20_000.0, 0.0, 500.0)):
+        estimator.take(BatteryReport(float(t), total_j, None, None), **known)  # type: ignore[arg-type]
+    assert estimator.drawn_j == 20_500.0
+
+
+def test_a_frame_that_was_overtaken_is_no_restart() -> None:
+    estimator, _ = heard(*(BatteryReport(0.5 * k, j, None, None) for k, j in enumerate((0.0, 900.0, 100.0, 950.0))),
+                         armed=False)  # fmt: skip
+    assert estimator.drawn_j == 950.0
+
+
+def test_a_swapped_battery_is_a_fact_with_what_it_brought() -> None:
+    estimator, facts = heard(share(0.0, 0.5), share(10.0, 0.3), share(20.0, 0.95), share(30.0, 0.90), armed=False)
+    (fact,) = facts
+    assert fact.gained_j == pytest.approx(0.65 * CAPACITY_J)
+    assert "swapped" in fact.text
+    assert estimator.drawn_j == pytest.approx(0.25 * CAPACITY_J)
+    # initial 50 kJ + 65 kJ = drawn 25 kJ + remaining 90 kJ
+    assert 0.5 * CAPACITY_J + fact.gained_j - estimator.drawn_j == pytest.approx(0.9 * CAPACITY_J)
+
+
+def test_no_battery_is_swapped_in_the_air_nor_by_a_small_rise() -> None:
+    _, facts = heard(share(0.0, 0.3), share(10.0, 0.95), armed=True)
+    assert not facts
+    _, facts = heard(share(0.0, 0.30), share(10.0, 0.45), armed=False)
+    assert not facts
+
+
+def test_a_share_that_flickers_is_not_drawn_over_and_over() -> None:
+    estimator, _ = heard(*(share(float(k), 0.50 - 0.01 * (k % 2)) for k in range(100)))
+    assert estimator.drawn_j == pytest.approx(0.01 * CAPACITY_J)
+
+
+def test_energy_received_in_the_air_is_expected_and_not_drawn() -> None:
+    estimator = EnergyEstimator()
+    estimator.take(share(0.0, 0.40), capacity_j=CAPACITY_J)
+    estimator.take(share(1.0, 0.60), capacity_j=CAPACITY_J, moved_j=25_000)
+    assert estimator.drawn_j == pytest.approx(5_000.0)  # 40 kJ + 25 kJ - 60 kJ
+
+
+@pytest.mark.parametrize("rises", [True, False])
+def test_what_a_base_booked_counts_once_whether_the_autopilots_share_rises_or_not(rises: bool) -> None:
+    """40 %, 30 kJ booked on the ground, then 10 kJ flown: drawn is 10 kJ, and no battery was swapped."""
+    estimator, facts = EnergyEstimator(), []
+    facts += estimator.take(share(0.0, 0.40), capacity_j=CAPACITY_J, armed=False)
+    for k in range(1, 31):
+        left = 0.40 + 0.01 * k if rises else 0.40
+        facts += estimator.take(share(float(k), left), capacity_j=CAPACITY_J, booked_j=1000.0 * k, armed=False)
+    top = 0.70 if rises else 0.40
+    for k in range(1, 11):
+        facts += estimator.take(share(60.0 + k, top - 0.01 * k), capacity_j=CAPACITY_J, booked_j=30_000.0)
+    assert not facts
+    assert estimator.drawn_j == pytest.approx(10_000.0)
+
+
+def test_a_battery_that_is_swapped_at_the_base_gains_only_what_the_book_does_not_explain() -> None:
+    estimator = EnergyEstimator()
+    estimator.take(share(0.0, 0.20), capacity_j=CAPACITY_J, armed=False)
+    facts = estimator.take(share(30.0, 1.00), capacity_j=CAPACITY_J, booked_j=50_000.0, armed=False)
+    assert [fact.gained_j for fact in facts] == [pytest.approx(30_000.0)]

@@ -32,13 +32,14 @@ class Happening:
 
 @dataclass(frozen=True, slots=True)
 class Serving:
-    """One tanker serving one receiver at the moment."""
+    """One tanker, or one base, serving one receiver at the moment."""
 
     receiver: int
-    tanker: int
+    tanker: int | None
     phase: str
     energy_j: int
     by: str
+    base: str | None = None
 
 
 @dataclass(frozen=True, slots=True)

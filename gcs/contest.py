@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from gcs.competition import advance, normalise, revive, share
-from gcs.fleet import Snapshot, VehicleView
+from gcs.fleet import Snapshot, Vec3, VehicleView
 from gcs.profiles import STEERABLE
 from gcs.scenario import Competition
 
@@ -85,8 +85,14 @@ class Contest:
 
         `free` are the tankers that have not been given anyone yet, for those who plan for several at once.
         """
+        return self.winner_at([tanker.p_now_ned()], snapshot, speed_m_s, reserve_s)
+
+    def winner_at(
+        self, places: Sequence[Vec3], snapshot: Snapshot, speed_m_s: float, reserve_s: float
+    ) -> tuple[int, str] | None:
+        """The same where givers are at some places; urgent is who would not last until the nearest."""
         standing, rules, now_s = self.standing, self._rules, snapshot.time_s
-        urgent = most_urgent(snapshot, self._able, tanker, speed_m_s, reserve_s)
+        urgent = urgent_of(snapshot, self._able, places, speed_m_s, reserve_s)
         if urgent is not None:
             return urgent, "urgency"
         if not standing.v:
@@ -112,11 +118,18 @@ def most_urgent(
     snapshot: Snapshot, able: Iterable[int], tanker: VehicleView, speed_m_s: float, reserve_s: float
 ) -> int | None:
     """The first to run empty of those who would not last until a rendezvous and `reserve_s` after it."""
+    return urgent_of(snapshot, able, [tanker.p_now_ned()], speed_m_s, reserve_s)
+
+
+def urgent_of(
+    snapshot: Snapshot, able: Iterable[int], places: Sequence[Vec3], speed_m_s: float, reserve_s: float
+) -> int | None:
+    """The same for the nearest of several places; common NED frame, m."""
     urgent = []
     for sysid in able:
         view = snapshot.vehicle(sysid)
-        rendezvous_s = math.dist(tanker.p_now_ned(), view.p_now_ned()) / speed_m_s
-        if view.endurance_s < rendezvous_s + reserve_s:
+        way_m = min((math.dist(place, view.p_now_ned()) for place in places), default=math.inf)
+        if view.endurance_s < way_m / speed_m_s + reserve_s:
             urgent.append((view.endurance_s, sysid))
     return min(urgent)[1] if urgent else None
 

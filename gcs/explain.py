@@ -40,18 +40,24 @@ def competition_of(standing: Standing, rules: Competition) -> dict[str, Any]:
 
 
 def service_of(
-    service: Service, snapshot: Snapshot, rules: Refuelling, competition: Competition, speed_m_s: float
+    service: Service,
+    snapshot: Snapshot,
+    rules: Refuelling,
+    competition: Competition,
+    speed_m_s: float,
+    base_ned: Vec3 | None = None,
 ) -> dict[str, Any]:
-    """A service under way; `speed_m_s` is its tanker's."""
+    """A service under way; `speed_m_s` is its tanker's, `base_ned` its base's place."""
     return {
         "receiver": service.receiver,
         "tanker": service.tanker,
+        "base": service.base,
         "phase": str(service.phase),
         "energy_j": service.energy_j,
         "by": service.by,
         "decided_at_s": service.decided_at_s,
         "joined_at_s": service.joined_at_s,
-        "rendezvous_ned": rendezvous_ned(service, snapshot, rules.height_m, speed_m_s),
+        "rendezvous_ned": base_ned or rendezvous_ned(service, snapshot, rules.height_m, speed_m_s),
         "bids": by_text(service.bids),
         "why": why(service, snapshot, rules, competition),
     }
@@ -59,7 +65,7 @@ def service_of(
 
 def history_of(services: Iterable[Service]) -> list[dict[str, Any]]:
     """The last services that have ended, in the order of their decisions."""
-    keys = ("receiver", "tanker", "by", "decided_at_s", "joined_at_s", "start_s", "end_s", "energy_j")
+    keys = ("receiver", "tanker", "base", "by", "decided_at_s", "joined_at_s", "start_s", "end_s", "energy_j")
     ended = [service for service in services if service.phase is Phase.DONE]
     return [
         {**{key: getattr(service, key) for key in keys}, "reason": service.ended_by} for service in ended[-HISTORY:]
@@ -68,6 +74,8 @@ def history_of(services: Iterable[Service]) -> list[dict[str, Any]]:
 
 def rendezvous_ned(service: Service, snapshot: Snapshot, height_m: float, speed_m_s: float) -> Vec3 | None:
     """Where the tanker meets its receiver if that flies straight on; above it where it is, once they have met."""
+    if service.tanker is None:
+        return None
     receiver, tanker = snapshot.vehicle(service.receiver), snapshot.vehicle(service.tanker)
     if receiver.p_ned is None or tanker.p_ned is None:
         return None
@@ -82,7 +90,7 @@ def rendezvous_ned(service: Service, snapshot: Snapshot, height_m: float, speed_
 
 def why(service: Service, snapshot: Snapshot, rules: Refuelling, competition: Competition) -> str:
     """One sentence for a person: by what this receiver was chosen, and when its tanker meets it."""
-    receiver, tanker = snapshot.vehicle(service.receiver).label, snapshot.vehicle(service.tanker).label
+    receiver = snapshot.vehicle(service.receiver).label
     need = f"its need {service.need:.2f}"
     if service.by == "competition":
         largest = "is the largest" if service.need_is_largest else "had been the largest"
@@ -100,27 +108,45 @@ def why(service: Service, snapshot: Snapshot, rules: Refuelling, competition: Co
     met = ""
     if service.meets_in_s is not None and service.phase is Phase.JOIN and service.joined_at_s is None:
         left_s = max(service.decided_at_s + service.meets_in_s - snapshot.time_s, 0.0)
-        met = f"; {tanker} meets it in {left_s:.0f} s" if left_s >= 0.5 else f"; {tanker} closes in on it"
-    return f"{receiver[:1].upper()}{receiver[1:]} is refuelled next: {reason}{met}."
+        if service.tanker is None:
+            met = f"; it is there in {left_s:.0f} s" if left_s >= 0.5 else "; it is nearly there"
+        else:
+            tanker = snapshot.vehicle(service.tanker).label
+            met = f"; {tanker} meets it in {left_s:.0f} s" if left_s >= 0.5 else f"; {tanker} closes in on it"
+    where = (
+        "" if service.base is None else f" at base {service.base}, for it cannot take a transfer ({service.why_base})"
+    )
+    return f"{receiver[:1].upper()}{receiver[1:]} is refuelled next{where}: {reason}{met}."
 
 
 def notes_of(services: Iterable[Service], asked: Iterable[int], out: Mapping[int, str]) -> Mapping[int, str]:
     """What each vehicle has to do with refuelling, by system id: a side of a service, `asked` for next, or `out`."""
     notes = {**dict.fromkeys(asked, "refuelled next, by the operator"), **out}
     for service in services:
-        notes[service.receiver] = f"served by {service.tanker}: {service.phase}"
-        notes[service.tanker] = f"serves {service.receiver}: {service.phase}"
+        notes[service.receiver] = f"served by {service.giver}: {service.phase}"
+        if service.tanker is not None:
+            notes[service.tanker] = f"serves {service.receiver}: {service.phase}"
     return notes
 
 
 def sentence(record: Mapping[str, Any]) -> str:
     """A decision for a person."""
-    receiver, tanker = record["receiver"], record["tanker"]
-    if record["kind"] == "decided":
+    receiver, kind = record["receiver"], record["kind"]
+    if kind == "unable":
+        return f"Vehicle {receiver} cannot take a transfer: {record['reason']}; only a base can serve it"
+    if "base" in record:
+        where = f"at base {record['base']}"
+        if kind == "decided":
+            return f"Refuelling of {receiver} {where} decided by {record['by']}: it {record['reason']}"
+        if kind == "transfer":
+            return f"Charging of {receiver} {where} begun"
+        return f"Refuelling of {receiver} {where} ended: {record['reason']}, {record['energy_j']:.0f} J"
+    tanker = record["tanker"]
+    if kind == "decided":
         return f"Refuelling of {receiver} by {tanker} decided by {record['by']}"
-    if record["kind"] == "broken off":
+    if kind == "broken off":
         return f"Transfer from {tanker} to {receiver} broken off, join again"
-    if record["kind"] == "transfer":
+    if kind == "transfer":
         return f"Transfer from {tanker} to {receiver} begun"
     return f"Refuelling of {receiver} by {tanker} ended: {record['reason']}, {record['energy_j']:.0f} J"
 

@@ -56,11 +56,13 @@ class ExternalPilot(Pilot):
     @property
     def sends_set_points(self) -> bool:
         """Whether set points should flow."""
-        return self.stage in _FLOWN and not self._silent
+        return (self.stage in _FLOWN or super().sends_set_points) and not self._silent
 
     def decide(self, view: VehicleView, now_s: float, *, bound: bool = False) -> tuple[list[Wish], list[Message]]:
         """As `Pilot.decide`; a silent vehicle is asked for nothing."""
-        if self.stage is not Stage.IDENTIFY:
+        if self.stage is Stage.BASE:
+            self._begun_s = now_s  # what it is given to be armed in begins anew when it leaves
+        elif self.stage is not Stage.IDENTIFY:
             self._begun_s = min(self._begun_s, now_s)
         elif self._begun_s == math.inf or self._took_off:  # at first, and when it is brought back
             self._begun_s, self._took_off = now_s, False
@@ -95,6 +97,8 @@ class ExternalPilot(Pilot):
             stage = self._before_flight(view)
         if stage not in _FLOWN or stage is not self.stage:
             return stage if stage is not self.stage or stage in _BEFORE_FLIGHT else super()._next(view)
+        if self.grounded and stage is not Stage.YIELDED:
+            return Stage.BASE
         if not view.armed and view.landed:
             return Stage.DOWN
         if view.mode in STEERABLE:

@@ -44,7 +44,7 @@ class Operator:
         vehicles = scenario.vehicles
         self._pilots = pilots
         self._schedule = schedule
-        self._refuels = bool(scenario.refuelling.enabled and vehicles.tankers)
+        self._refuels = bool(scenario.refuelling.enabled and (vehicles.tankers or scenario.bases))
         self._until = scenario.refuelling.until
         self._targets = {target.sysid for target in vehicles.targets}
         self._races = scenario.pursuit.by == "competition"
@@ -146,7 +146,7 @@ class Operator:
         if refusal is not None:
             return Answer(False, refusal)
         schedule.asked.append(view.sysid)
-        return Answer(True, f"{name} is refuelled next, as soon as a tanker is free.")
+        return Answer(True, f"{name} is refuelled next, as soon as a {self._giver(view)} is free.")
 
     def _skip(self, view: VehicleView, command: str) -> Answer:
         if (refusal := self._no_receiver(view)) is not None:
@@ -156,13 +156,16 @@ class Operator:
             self._skipped.discard(view.sysid)
             if not taken:
                 self._schedule.out.pop(view.sysid, None)
-            return Answer(True, f"{_name(view)} competes for the tanker again.")
+            return Answer(True, f"{_name(view)} competes for the {self._giver(view)} again.")
         self._skipped.add(view.sysid)
         if not taken:
             self._schedule.out[view.sysid] = OUT_SKIPPED
         served = any(view.sysid == service.receiver for service in self._schedule.open_services)
         after = "; its refuelling is broken off" if served else ""
         return Answer(True, f"{_name(view)} is not refuelled until it is let back in{after}.")
+
+    def _giver(self, view: VehicleView) -> str:
+        return "base" if view.sysid in self._schedule.unable else "tanker"
 
     def _no_receiver(self, view: VehicleView) -> str | None:
         if not self._refuels:

@@ -7,6 +7,7 @@ from typing import Any
 
 from gcs import explain
 from gcs.events import Event
+from gcs.fleet import Vec3
 from gcs.rows import distance_m, event_row, traffic_row, vehicle_row
 from gcs.scene import goal_of
 from gcs.service import Phase
@@ -20,7 +21,8 @@ def picture(
     """The present state; `speed` is session time over wall time so far, `events` are those that nobody was told yet."""
     scenario, snapshot, schedule = supervisor.scenario, supervisor.snapshot, supervisor.schedule
     services = schedule.open_services
-    tanker_m_s = {tanker.sysid: tanker.speed_m_s for tanker in scenario.vehicles.tankers}
+    tanker_m_s: dict[int | None, float] = {tanker.sysid: tanker.speed_m_s for tanker in scenario.vehicles.tankers}
+    base_ned: dict[str | None, Vec3] = {base.name: base.position_m for base in scenario.bases}
     return {
         "type": "snapshot",
         "t_s": supervisor.time_s,
@@ -31,10 +33,21 @@ def picture(
         "traffic": [traffic_row(aircraft) for aircraft in snapshot.traffic],
         "competition": explain.competition_of(schedule.standing, scenario.competition),
         "services": [
-            explain.service_of(s, snapshot, scenario.refuelling, scenario.competition, tanker_m_s[s.tanker])
+            explain.service_of(
+                s,
+                snapshot,
+                scenario.refuelling,
+                scenario.competition,
+                tanker_m_s.get(s.tanker, 0.0),
+                base_ned.get(s.base),
+            )
             for s in services
         ],
         "history": explain.history_of(schedule.services),
+        "bases": [
+            {"name": stock.base.name, "remaining_j": stock.remaining_j, "stock_j": stock.base.stock_j}
+            for stock in schedule.stocks
+        ],
         "refuelled": refuelled,
         "goal": {**goal_of(scenario.goal), "pursue_held_s": supervisor.metrics.pursuit_held_s},
         "inspected": supervisor.inspection.told(snapshot.time_s),
@@ -48,7 +61,8 @@ def _vehicles(supervisor: Supervisor) -> list[dict[str, Any]]:
     services = supervisor.schedule.open_services
     notes = explain.notes_of(services, supervisor.schedule.asked, supervisor.schedule.out)
     waiting = {service.receiver for service in services if service.phase is Phase.JOIN}
-    served, serving = {service.receiver for service in services}, {service.tanker for service in services}
+    served = {service.receiver for service in services}
+    serving = {service.tanker for service in services if service.tanker is not None}
     at = {view.sysid: view.p_ned for view in snapshot.vehicles}
     aims = {point.sysid: point.p_ned for point in supervisor.set_points}
     target_of = supervisor.metrics.target_of
@@ -76,7 +90,13 @@ def _vehicles(supervisor: Supervisor) -> list[dict[str, Any]]:
                     served=served - waiting,
                     serving=serving,
                 ),
-                found=troubles(view, now_s, lost_share=lost_share, down=pilot.down, ordered=pilot.ordered is not None),
+                found=troubles(
+                    view,
+                    now_s,
+                    lost_share=lost_share,
+                    down=pilot.down,
+                    ordered=pilot.ordered is not None or sysid in supervisor.grounded,
+                ),
             )
         )
     return rows

@@ -5,8 +5,9 @@
                                       └───────────┘
 
 A vehicle that starts in the air and already follows set points goes from `identify` straight to `fly`. One that lands,
-whatever its reason, is `down` and stays there. One that an operator takes is his from any stage (`operator`). From both
-it comes back by `rejoin`: from where it is, through as many of these stages as that needs.
+whatever its reason, is `down` and stays there, unless it was to land: then it is `at a base`, and comes back by `arm`.
+One that an operator takes is his from any stage (`operator`). From that and from `down` it comes back by `rejoin`: from
+where it is, through as many of these stages as that needs.
 """
 
 from __future__ import annotations
@@ -25,6 +26,8 @@ PILOT, OPERATOR = "pilot", "operator"
 """How the tokens of commands begin: whose wish it is."""
 _ROUNDING_S = 1e-6
 REACHED_M = 0.3
+DISARMS_ITSELF_S = 3.0
+"""Most autopilots disarm by themselves so long after touchdown."""
 SET_POINTS_FIRST_S = 0.2
 """Set points flow for this long before offboard is asked for: PX4 wants them first."""
 
@@ -38,6 +41,7 @@ class Stage(StrEnum):
     OFFBOARD = "start offboard"
     FLY = "fly"
     YIELDED = "yielded"
+    BASE = "at a base"
     DOWN = "down"
     TAKEN = "operator"
 
@@ -58,6 +62,9 @@ class Pilot:
     def __init__(self, sysid: int, takeoff_m: float) -> None:
         self.sysid = sysid
         self.stage = Stage.IDENTIFY
+        self.grounded = False
+        """whether the schedule wants it to land where it is, and to stay there"""
+        self._comes_down = False
         self._takeoff_m = takeoff_m
         self._stage_since_s = 0.0
         self._asked_s = -RETRY_S
@@ -71,7 +78,7 @@ class Pilot:
     @property
     def sends_set_points(self) -> bool:
         """Whether set points should flow."""
-        return self.stage in (Stage.OFFBOARD, Stage.FLY)
+        return self.stage in (Stage.OFFBOARD, Stage.FLY) or (self.stage is Stage.BASE and not self._comes_down)
 
     @property
     def down(self) -> bool:
@@ -103,6 +110,16 @@ class Pilot:
             self._asked_s = now_s
         return wishes, requests
 
+    def _come_down(self, view: VehicleView, now_s: float) -> list[Wish]:
+        """Land; and disarm where the autopilot does not so by itself."""
+        if view.landed:
+            waited = now_s - self._stage_since_s >= DISARMS_ITSELF_S and now_s - self._asked_s >= DISARMS_ITSELF_S
+            return [self._wish(mav.MAV_CMD_COMPONENT_ARM_DISARM, 0.0, 0.0)] if view.armed and waited else []
+        if view.mode is FlightMode.LAND:
+            return []
+        command, params = view.profile.ending("land")
+        return [self._wish(command, *params)]
+
     def _tell(self, view: VehicleView) -> list[Wish]:
         """The operator's order, once; one whose motors are off stays where it is without being told."""
         if self._told or self.ordered is None:
@@ -125,7 +142,7 @@ class Pilot:
             return [self._wish(mav.MAV_CMD_NAV_TAKEOFF, 0.0, 0.0, 0.0, *[view.profile.not_given] * 3, height)]
         if self.stage is Stage.OFFBOARD and now_s - self._stage_since_s >= SET_POINTS_FIRST_S - _ROUNDING_S:
             return [self._wish(mav.MAV_CMD_DO_SET_MODE, *view.profile.offboard)]
-        return []
+        return self._come_down(view, now_s) if self.stage is Stage.BASE else []
 
     def _move_on(self, view: VehicleView, now_s: float, bound: bool) -> None:
         stage = Stage.TAKEN if self.ordered is not None and view.alive and not bound else self._next(view)
@@ -133,6 +150,7 @@ class Pilot:
             self.stage = stage
             self._stage_since_s = now_s
             self._asked_s = now_s - RETRY_S
+        self._comes_down = view.landed or view.mode not in STEERABLE
 
     def _next(self, view: VehicleView) -> Stage:
         if not view.alive:
@@ -151,6 +169,10 @@ class Pilot:
             return Stage.TAKEOFF if view.armed else Stage.ARM
         if self.stage is Stage.TAKEOFF:
             return self._climbed(view) if view.armed else Stage.ARM
+        if self.grounded and self.stage in (Stage.OFFBOARD, Stage.FLY, Stage.BASE):
+            return Stage.BASE
+        if self.stage is Stage.BASE:
+            return Stage.OFFBOARD if view.flying else Stage.ARM
         if self.stage in (Stage.OFFBOARD, Stage.FLY):
             if view.mode in STEERABLE and view.armed:
                 self._rejoins = False

@@ -1,21 +1,28 @@
 """Who is refuelled next and by whom: contract.md, Competition in the schedule.
 
 The schedule is pure but for its own memory: a snapshot and the results of earlier commands go in, wishes and records
-come out. It never knows a socket or a clock. How one service goes on from its decision: gcs/tanker_service.py.
+come out. It never knows a socket or a clock. How one service goes on from its decision: gcs/tanker_service.py and
+gcs/base_service.py.
+
+Vehicles that cannot take energy in the air compete by themselves, for the places at bases: by the same rules, since a
+tanker is of no use to them, nor a place at a base to the others.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
+from gcs.ability import Ability
+from gcs.base_service import BaseSteps, Stock
 from gcs.contest import Contest, Standing, can_receive
 from gcs.fleet import Snapshot, VehicleView
 from gcs.profiles import STEERABLE
 from gcs.pursuit import meeting_s
-from gcs.scenario import Competition, Refuelling, Tanker
+from gcs.scenario import Base, Competition, Refuelling, Tanker
 from gcs.service import Decision, Desk, Phase, Service, by_text
 from gcs.tanker_service import TankerSteps
 
@@ -27,10 +34,23 @@ class Schedule:
     """The competition and all services of a session."""
 
     def __init__(
-        self, competition: Competition, refuelling: Refuelling, tankers: Sequence[Tanker], own: Contest | None = None
+        self,
+        competition: Competition,
+        refuelling: Refuelling,
+        tankers: Sequence[Tanker],
+        own: Contest | None = None,
+        *,
+        bases: Sequence[Base] = (),
+        can_receive: Mapping[int, bool | None] | None = None,
+        cruise_m_s: float = 1.5,
     ) -> None:
-        self._contest = (own or Contest(competition)) if competition.enabled and refuelling.enabled else None
+        """`own` takes the competition's place for the tankers. `can_receive`: who can take energy in the air, by system
+        id, None where it is to be found out; those who are not named can. `cruise_m_s`: how fast they fly to a base."""
+        competes = competition.enabled and refuelling.enabled
+        self._contest = (own or Contest(competition)) if competes else None
+        self._base_contest = Contest(competition) if competes and bases else None
         self._rules = refuelling
+        self._cruise_m_s = cruise_m_s
         self._tankers = {tanker.sysid: tanker for tanker in tankers}
         self.services: list[Service] = []
         self.out: dict[int, str] = {}
@@ -39,11 +59,30 @@ class Schedule:
         """who is served before anybody else, in this order"""
         self._desk = Desk()
         self._steps = TankerSteps(refuelling, self._tankers, self._desk, self.out)
+        self._bases = BaseSteps(refuelling, bases, self._desk, self.out, need_from=competition.need_from)
+        self._ability = Ability(can_receive or {})
 
     @property
     def standing(self) -> Standing:
-        """The competition as it stands."""
-        return Standing() if self._contest is None else self._contest.standing
+        """The competition for the tankers as it stands, or where nobody competes for them the one for the bases."""
+        by_tanker, by_base = self.standings
+        return by_tanker if by_tanker.tau or not by_base.tau else by_base
+
+    @property
+    def standings(self) -> tuple[Standing, Standing]:
+        """The competitions as they stand: for the tankers, and for the bases."""
+        tanker, base = self._contest, self._base_contest
+        return Standing() if tanker is None else tanker.standing, Standing() if base is None else base.standing
+
+    @property
+    def unable(self) -> Mapping[int, str]:
+        """Who cannot take energy in the air, and how that is known: only a base can serve them."""
+        return self._ability.unable
+
+    @property
+    def stocks(self) -> list[Stock]:
+        """The bases, in the scenario's order, and what they have."""
+        return list(self._bases.stocks.values())
 
     @property
     def open_services(self) -> list[Service]:
@@ -64,7 +103,7 @@ class Schedule:
     def bound(self, sysid: int) -> bool:
         """Whether a vehicle is needed until its service has been broken off in the order that saves every joule."""
         for service in self.open_services:
-            if sysid == service.receiver and service.phase is not Phase.JOIN:
+            if sysid == service.receiver and service.phase not in (Phase.JOIN, Phase.LAND, Phase.TAKE_OFF):
                 return True
             if sysid == service.tanker and service.phase in (Phase.START_GIVER, Phase.TRANSFER, Phase.STOP_GIVER):
                 return True
@@ -77,31 +116,45 @@ class Schedule:
     def decide(self, snapshot: Snapshot) -> Decision:
         """Move the competition and every service to the snapshot's time."""
         self._desk.clear()
+        self._bases.booked = {}
         self.settle(snapshot)
         self._prune(snapshot)
+        self._ability.decide(snapshot, self._desk)
+        self._compete(snapshot)
+        for service in self.open_services:
+            (self._steps if service.base is None else self._bases).serve(service, snapshot)
+        in_air = {s.tanker: s for s in self.open_services if s.tanker is not None}
+        at_base = [service for service in self.open_services if service.base is not None]
+        return Decision(
+            rendezvous={tanker: service.receiver for tanker, service in in_air.items()},
+            wishes=tuple(self._desk.wishes),
+            relays=tuple(
+                (tanker, service.receiver)
+                for tanker, service in in_air.items()
+                if service.phase is not Phase.JOIN or self._distance_m(tanker, service, snapshot) < RELAY_WITHIN_M
+            ),
+            partners=tuple((tanker, service.receiver) for tanker, service in in_air.items()),
+            stations=self._bases.stations(at_base),
+            grounded=self._bases.grounded(at_base),
+            beacons=self._bases.beacons(at_base, snapshot),
+            booked=self._bases.booked,
+            records=tuple(self._desk.records),
+        )
+
+    def _compete(self, snapshot: Snapshot) -> None:
+        """Move both competitions on, and give every free tanker and base who is decided for it."""
+        served = {service.receiver for service in self.open_services} | self.out.keys()
+        unable = self._ability.unable.keys()
         if self._contest is not None:
-            served = {service.receiver for service in self.open_services}
-            self._contest.advance(snapshot, served | self.out.keys())
+            self._contest.advance(snapshot, served | unable | self._ability.unknown)
+        if self._base_contest is not None:
+            self._base_contest.advance(snapshot, served | {v.sysid for v in snapshot.vehicles} - unable)
         if self._rules.enabled:
             free = self._free_tankers(snapshot)
             for i in range(len(free)):
                 self._award(free[i:], snapshot)
-        for service in self.open_services:
-            self._steps.serve(service, snapshot)
-        open_services = self.open_services
-        return Decision(
-            rendezvous={service.tanker: service.receiver for service in open_services},
-            wishes=tuple(self._desk.wishes),
-            relays=tuple(
-                (service.tanker, service.receiver)
-                for service in open_services
-                if service.phase is not Phase.JOIN or self._distance_m(service, snapshot) < RELAY_WITHIN_M
-            ),
-            partners=tuple((service.tanker, service.receiver) for service in open_services),
-            records=tuple(self._desk.records),
-        )
-
-    # the decision
+            while self._award_base(snapshot):
+                pass
 
     def _free_tankers(self, snapshot: Snapshot) -> list[VehicleView]:
         busy = {service.tanker for service in self.open_services}
@@ -122,49 +175,84 @@ class Schedule:
         gone = served | self.out.keys()
         self.asked = [sysid for sysid in self.asked if sysid not in gone and snapshot.vehicle(sysid).alive]
 
+    def _asked_for(self, snapshot: Snapshot, *, base: bool) -> int | None:
+        """Who is asked for next of those whom a base, or a tanker, can serve."""
+        for sysid in self.asked:
+            known = sysid not in self._ability.unknown
+            if known and (sysid in self.unable) == base and can_receive(snapshot.vehicle(sysid)):
+                self.asked.remove(sysid)
+                return sysid
+        return None
+
     def _next(self, free: Sequence[VehicleView], snapshot: Snapshot) -> tuple[int, str] | None:
         """Who the first of the free tankers serves next, and by what; None while undecided."""
-        for sysid in self.asked:
-            if can_receive(snapshot.vehicle(sysid)):
-                self.asked.remove(sysid)
-                return sysid, "operator"
-        if self._contest is None:
-            return None
+        asked = self._asked_for(snapshot, base=False)
+        if asked is not None or self._contest is None:
+            return None if asked is None else (asked, "operator")
         speed_m_s = self._tankers[free[0].sysid].speed_m_s
         reserve_s = self._rules.hold_s + self._rules.reserve_s
         return self._contest.winner(snapshot, free[0], speed_m_s, reserve_s, free)
 
     def _award(self, free: Sequence[VehicleView], snapshot: Snapshot) -> None:
         """Give the first of the free tankers its next receiver, if one is decided."""
-        now_s, standing, tanker = snapshot.time_s, self.standing, free[0]
+        standing, tanker = self.standings[0], free[0]
         won = self._next(free, snapshot)
         if won is None:
             return
         receiver, by = won
         if self._contest is not None:
-            self._contest.award(receiver, now_s)
-        bids = {sysid: standing.tau[sysid] for sysid in standing.v or standing.tau}
-        service = Service(len(self.services) + 1, receiver, tanker.sysid, by, bids, now_s, phase_since_s=now_s)
+            self._contest.award(receiver, snapshot.time_s)
         view = snapshot.vehicle(receiver)
-        service.need, service.share = view.need, standing.share
-        service.need_is_largest = view.need >= max(standing.need.values(), default=0.0)
+        service = self._decide(standing, view, tanker.sysid, by, snapshot.time_s)
         way = np.subtract(view.p_now_ned(), tanker.p_now_ned())
         service.meets_in_s = meeting_s(way, np.asarray(view.v_ned), self._tankers[tanker.sysid].speed_m_s)
-        self.services.append(service)
         self._steps.begin(service)
+        self._tell(service, standing)
+
+    def _award_base(self, snapshot: Snapshot) -> bool:
+        """Give a free base its next receiver, the nearest base to who is decided; whether there was any."""
+        busy = {service.base for service in self.open_services}
+        free = [stock.base for stock in self.stocks if stock.base.name not in busy and stock.remaining_j >= WORTH_J]
+        standing, contest = self.standings[1], self._base_contest
+        asked = self._asked_for(snapshot, base=True) if free else None
+        won = None if asked is None else (asked, "operator")
+        if free and won is None and contest is not None:
+            reserve_s = self._rules.hold_s + self._rules.reserve_s
+            won = contest.winner_at([base.above_m for base in free], snapshot, self._cruise_m_s, reserve_s)
+        if won is None:
+            return False
+        receiver, by = won
+        if contest is not None:
+            contest.award(receiver, snapshot.time_s)
+        view = snapshot.vehicle(receiver)
+        base = min(free, key=lambda base: math.dist(base.above_m, view.p_now_ned()))
+        service = self._decide(standing, view, None, by, snapshot.time_s)
+        service.base, service.why_base = base.name, self.unable[receiver]
+        service.meets_in_s = math.dist(base.above_m, view.p_now_ned()) / self._cruise_m_s
+        self._tell(service, standing, {"reason": f"cannot take a transfer: {service.why_base}"})
+        return True
+
+    def _decide(self, standing: Standing, view: VehicleView, tanker: int | None, by: str, now_s: float) -> Service:
+        bids = {sysid: standing.tau[sysid] for sysid in standing.v or standing.tau}
+        service = Service(len(self.services) + 1, view.sysid, tanker, by, bids, now_s, phase_since_s=now_s)
+        service.need, service.share = view.need, standing.share
+        service.need_is_largest = view.need >= max(standing.need.values(), default=0.0)
+        self.services.append(service)
+        return service
+
+    def _tell(self, service: Service, standing: Standing, more: Mapping[str, Any] | None = None) -> None:
         self._desk.records.append(
             {
                 "kind": "decided",
-                "receiver": receiver,
-                "tanker": tanker.sysid,
-                "by": by,
-                "bids": by_text(bids),
+                **service.sides,
+                **(more or {}),
+                "by": service.by,
+                "bids": by_text(service.bids),
                 "v": by_text(standing.v),
                 "need": by_text(standing.need),
                 "share": standing.share,
             }
         )
 
-    def _distance_m(self, service: Service, snapshot: Snapshot) -> float:
-        receiver, tanker = snapshot.vehicle(service.receiver), snapshot.vehicle(service.tanker)
-        return math.dist(receiver.p_now_ned(), tanker.p_now_ned())
+    def _distance_m(self, tanker: int, service: Service, snapshot: Snapshot) -> float:
+        return math.dist(snapshot.vehicle(service.receiver).p_now_ned(), snapshot.vehicle(tanker).p_now_ned())

@@ -11,7 +11,8 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import AfterValidator, ConfigDict, Field, ValidationError, model_validator
 
-from gcs import scenario_external, scenario_versions
+from gcs import scenario_bases, scenario_external, scenario_versions
+from gcs.scenario_bases import Base
 from gcs.scenario_grid import expand
 from gcs.scenario_parts import (
     STEP_S,
@@ -42,6 +43,7 @@ from gcs.yaml_source import Conflict, Path, Problem, ScenarioError, conflict_err
 
 __all__ = [
     "Attractor",
+    "Base",
     "Battery",
     "Blackout",
     "Clock",
@@ -97,6 +99,7 @@ class Scenario(Part):
     obstacles: tuple[Obstacle, ...] = ()
     attractors: tuple[Attractor, ...] = ()
     traffic: tuple[Mover, ...] = ()
+    bases: tuple[Base, ...] = ()
     planner: Planner = Planner()
     pursuit: Pursuit = Pursuit()
     formation: Formation = Formation()
@@ -123,7 +126,9 @@ class Scenario(Part):
 
     @model_validator(mode="after")
     def _agrees(self) -> Self:
-        if conflicts := [*_conflicts(self), *_vehicle_conflicts(self)]:
+        capture_m, pursuers = self.refuelling.capture_m, self.vehicles.pursuers
+        grounded = scenario_bases.conflicts(self.bases, pursuers, self.obstacles, capture_m=capture_m)
+        if conflicts := [*_conflicts(self), *_vehicle_conflicts(self), *grounded]:
             raise conflict_error(conflicts)
         return self
 
@@ -132,7 +137,7 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
     """Values that are right one by one but not together, the vehicles' own apart."""
     steps, sysids = s.clock.period_s / STEP_S, {vehicle.sysid for vehicle in s.vehicles.all}
     pursue, pursuers, targets, tankers = s.goal.pursue, s.vehicles.pursuers, s.vehicles.targets, s.vehicles.tankers
-    refuels = s.refuelling.enabled and pursuers and tankers
+    refuels = s.refuelling.enabled and pursuers and (tankers or s.bases)
     mean_delay_s = s.radio.delay_s + 0.5 * s.radio.jitter_s
     longest_delay_s = max(TRANSFER_SILENCE_S - 2.0 * s.clock.period_s, 0.0) / TRANSFER_HOPS
     clock_refused = scenario_external.clock_refusal(s.vehicles.all, s.clock.mode, s.clock.speed)
@@ -145,7 +150,7 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
         (
             s.goal.refuelled_at_least and not refuels,
             ("goal", "refuelled_at_least"),
-            "refuelled_at_least needs a pursuer, a tanker and refuelling enabled",
+            "refuelled_at_least needs a pursuer, a tanker or a base, and refuelling enabled",
         ),
         (s.pursuit.by == "competition" and not (pursuers and targets), ("pursuit", "by"), NO_PURSUIT),
         (s.formation.ring_m and not targets, ("formation", "ring_m"), "a formation needs a target"),

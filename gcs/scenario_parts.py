@@ -144,6 +144,14 @@ class Pursuer(VehicleBase):
     """the target's sysid; without it the first target"""
     waypoints_m: tuple[Vec3, ...] = ()
     """visited in order, within planner.step_m each, instead of a target; it stays at the last one"""
+    transfer: Flag | None = None
+    """whether it can take energy in the air, or only a base can serve it; without it external vehicles are asked"""
+
+    @property
+    def can_receive(self) -> bool | None:
+        """Whether it can take energy in the air; None where it is to be asked."""
+        asked = self.transfer is None and self.external is not None
+        return None if asked else self.transfer is not False
 
 
 class Target(VehicleBase):

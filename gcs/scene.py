@@ -36,7 +36,7 @@ def session_line(
         "separation_m": scenario.planner.separation_m,
         "vehicles": [vehicle_of(vehicle) for vehicle in scenario.vehicles.all],
         "obstacles": [obstacle_of(shape, f"{shape.kind} {i + 1}") for i, shape in enumerate(scenario.obstacles)],
-        "bases": [],
+        "bases": [{"name": base.name, "p_ned": base.position_m} for base in scenario.bases],
         "goal": goal_of(scenario.goal),
     }
 

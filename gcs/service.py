@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
+from gcs.fleet import Vec3
 from gcs.pilot import Wish
 
 
@@ -14,22 +15,25 @@ class Phase(StrEnum):
     """How far one service is."""
 
     JOIN = "join"
+    LAND = "land at the base"
     START_RECEIVER = "start receiver"
     START_GIVER = "start giver"
     TRANSFER = "transfer"
     STOP_GIVER = "stop giver"
     CATCH_UP = "catch up"
     STOP_RECEIVER = "stop receiver"
+    TAKE_OFF = "take off"
     DONE = "done"
 
 
 @dataclass
 class Service:
-    """One tanker serving one receiver, from the decision to the end."""
+    """One tanker, or one base, serving one receiver, from the decision to the end."""
 
     number: int
     receiver: int
-    tanker: int
+    tanker: int | None
+    """None: a base serves it"""
     by: str
     bids: dict[int, float]
     decided_at_s: float
@@ -54,13 +58,30 @@ class Service:
     need_is_largest: bool = True
     share: float = 0.0
     meets_in_s: float | None = None
-    """as was known at the decision: who needed what, and how long the tanker's way was"""
+    """as was known at the decision: who needed what, and how long the way to each other was"""
+    base: str | None = None
+    why_base: str = ""
+    """why no tanker could serve it"""
+    charged_s: float = 0.0
+    fraction_j: float = 0.0
+    heard_in_j: int = 0
+    progress_s: float = 0.0
+
+    @property
+    def giver(self) -> str:
+        """For messages: the tanker's system id, or `base NAME`."""
+        return str(self.tanker) if self.base is None else f"base {self.base}"
+
+    @property
+    def sides(self) -> dict[str, Any]:
+        """Receiver and giver as every record of a service names them."""
+        base = {} if self.base is None else {"base": self.base}
+        return {"receiver": self.receiver, "tanker": self.tanker, **base}
 
     def record(self) -> dict[str, Any]:
         """The service as the summary tells it."""
         return {
-            "receiver": self.receiver,
-            "tanker": self.tanker,
+            **self.sides,
             "by": self.by,
             "decided_at_s": self.decided_at_s,
             "joined_at_s": self.joined_at_s,
@@ -69,6 +90,15 @@ class Service:
             "energy_j": self.energy_j,
             "bids": by_text(self.bids),
         }
+
+
+@dataclass(frozen=True)
+class Beacon:
+    """What a base tells the vehicle that it charges: where it is, and all that it has given so far."""
+
+    sysid: int
+    p_ned: Vec3
+    given_j: int
 
 
 @dataclass(frozen=True)
@@ -82,6 +112,13 @@ class Decision:
     """(giver, receiver) pairs between which frames are relayed"""
     partners: tuple[tuple[int, int], ...] = ()
     """(tanker, receiver) pairs that need not keep their distance from each other"""
+    stations: dict[int, Vec3] = field(default_factory=dict)
+    """where a vehicle that a base serves is to be, common NED frame"""
+    grounded: frozenset[int] = frozenset()
+    """who is to land where it is, and to stay on the ground"""
+    beacons: tuple[Beacon, ...] = ()
+    booked: dict[int, int] = field(default_factory=dict)
+    """joules that a base gave in this tick to vehicles that cannot count them"""
     records: tuple[dict[str, Any], ...] = ()
 
 

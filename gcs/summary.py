@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import platform
+from collections import defaultdict
 from importlib.metadata import version
 from pathlib import Path
 from typing import Literal, cast
@@ -56,7 +57,9 @@ class Refuelling(_Part):
     """One service, in the order of decision; times are null for steps that were not reached."""
 
     receiver: int
-    tanker: int
+    tanker: int | None
+    """null: a base served it"""
+    base: str | None = None
     by: Literal["competition", "timeout", "urgency", "policy", "operator"]
     decided_at_s: float
     joined_at_s: float | None
@@ -65,6 +68,17 @@ class Refuelling(_Part):
     energy_j: float
     bids: dict[str, float]
     """normalised need of each competitor at the decision, by system id"""
+
+
+class Base(_Part):
+    """A base's ledger: initial = given + remaining."""
+
+    name: str
+    initial_j: float
+    given_j: float
+    lost_j: float
+    """given, and never credited by a receiver"""
+    remaining_j: float
 
 
 class Link(_Part):
@@ -104,6 +118,7 @@ class Summary(_Part):
     refuelling: list[Refuelling]
     refuel_order: list[int]
     link: Link
+    bases: list[Base] = []
 
     def write(self, folder: Path) -> None:
         """Write summary.json into a session's folder; raises OSError."""
@@ -124,9 +139,9 @@ def summarise(
     scenario, metrics, schedule = supervisor.scenario, supervisor.metrics, supervisor.schedule
     snapshot = supervisor.fleet.snapshot(supervisor.time_s)
     schedule.settle(snapshot)
-    credited_j = dict.fromkeys(supervisor.pilots, 0)
+    credited_j: dict[int | str | None, int] = defaultdict(int)
     for service in schedule.services:
-        credited_j[service.tanker] += service.energy_j
+        credited_j[service.tanker if service.base is None else service.base] += service.energy_j
     return Summary(
         schema=1,
         scenario=scenario.name,
@@ -157,6 +172,16 @@ def summarise(
         ],
         refuelling=[Refuelling(**service.record()) for service in schedule.services],
         refuel_order=[service.receiver for service in schedule.refuelled],
+        bases=[
+            Base(
+                name=stock.base.name,
+                initial_j=stock.base.stock_j,
+                given_j=stock.given_j,
+                lost_j=stock.given_j - credited_j[stock.base.name],
+                remaining_j=stock.remaining_j,
+            )
+            for stock in schedule.stocks
+        ],
         link=Link(
             received=supervisor.received,
             sent=supervisor.sent,

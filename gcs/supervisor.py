@@ -13,6 +13,7 @@ from typing import Any
 
 from pymavlink.dialects.v20 import common as mav
 
+from gcs import beacons
 from gcs.crew import make_fleet, make_pilots, make_radio
 from gcs.events import Event, Kind, Level
 from gcs.explain import LEVELS, acknowledged, sentence
@@ -32,6 +33,7 @@ from gcs.pilot import OPERATOR, PILOT, Stage, Wish
 from gcs.planner.own import make_planner
 from gcs.planner.plan import SetPoint
 from gcs.policy_contest import make_contest
+from gcs.profiles import End
 from gcs.pursuit import Pursuit
 from gcs.quality import LinkQuality
 from gcs.recorder import Digest, Recorder
@@ -80,7 +82,15 @@ class Supervisor:
         self.planner, planner_guard = make_planner(scenario)
         contest, policy_guard = make_contest(scenario)
         self._guards = [guard for guard in (planner_guard, policy_guard) if guard is not None]
-        self.schedule = Schedule(scenario.competition, scenario.refuelling, scenario.vehicles.tankers, contest)
+        self.schedule = Schedule(
+            scenario.competition,
+            scenario.refuelling,
+            scenario.vehicles.tankers,
+            contest,
+            bases=scenario.bases,
+            can_receive={v.sysid: v.can_receive for v in scenario.vehicles.pursuers},
+            cruise_m_s=scenario.planner.cruise_m_s,
+        )
         self.pursuit: Pursuit | None = None
         if scenario.pursuit.by == "competition":
             targets = [target.sysid for target in scenario.vehicles.targets]
@@ -104,6 +114,8 @@ class Supervisor:
         self.sent = 0
         self.events: list[Event] = []
         self.targets_move = False
+        self.grounded: frozenset[int] = frozenset()
+        """who lands at a base, or stands at one"""
         self._watch = Watch()
         self.inspection = Inspection()
         self._deaths: list[dict[str, Any]] = []
@@ -139,8 +151,10 @@ class Supervisor:
         arrived, delivered = self._hear(answers, now_s)
         self._take_acknowledgements(now_s)
         self.snapshot = snapshot = self.fleet.snapshot(now_s)
-        self.events += self._watch.look(snapshot, self.operator.ordered)
+        ordered: dict[int, End] = dict.fromkeys(self.grounded, "land")
+        self.events += self._watch.look(snapshot, ordered | self.operator.ordered)
         decision = self.schedule.decide(snapshot)
+        self._serve_at_bases(decision)
         self._fly(snapshot, now_s)
         self._keep_streams(snapshot)
         pursuing = self.pursuit.decide(snapshot) if self.pursuit else self.operator.pursuing
@@ -234,6 +248,16 @@ class Supervisor:
 
     # decide
 
+    def _serve_at_bases(self, decision: Decision) -> None:
+        """Let land who is to land, and let bases speak to those they charge, or their books for those who cannot."""
+        self.grounded = decision.grounded
+        for sysid, pilot in self.pilots.items():
+            pilot.grounded = sysid in decision.grounded
+        for beacon in decision.beacons:
+            self._outbox[beacon.sysid] += beacons.messages(beacon, self.scenario.origin, self.time_ms)
+        for sysid, joules in decision.booked.items():
+            self.fleet.book(sysid, joules)
+
     def _fly(self, snapshot: Snapshot, now_s: float) -> None:
         for view in snapshot.vehicles:
             if self.time_ms < self._join_ms[view.sysid]:
@@ -274,6 +298,7 @@ class Supervisor:
             targets_move=self.targets_move,
             period_s=self._periods * self.scenario.clock.period_s,
             pursuing=pursuing,
+            stations=decision.stations,
         )
 
     def _withdraw(self, sysid: int) -> None:
@@ -366,18 +391,19 @@ class Supervisor:
         for problem in (problem for guard in self._guards for problem in guard.take()):
             records.append({"t_s": t_s, **problem.record()})
             self.events.append(Event(t_s, problem.sysid, "warning", problem.sentence, "decision"))
-        standing = self.schedule.standing
-        if standing.v:
-            records.append(
-                {
-                    "t_s": t_s,
-                    "kind": "competition",
-                    "v": {str(sysid): v for sysid, v in standing.v.items()},
-                    "tau": {str(sysid): tau for sysid, tau in standing.tau.items()},
-                    "leader": standing.leader,
-                    "share": standing.share,
-                }
-            )
+        for standing, giver in zip(self.schedule.standings, ({}, {"giver": "base"}), strict=True):
+            if standing.v:
+                records.append(
+                    {
+                        "t_s": t_s,
+                        "kind": "competition",
+                        **giver,
+                        "v": {str(sysid): v for sysid, v in standing.v.items()},
+                        "tau": {str(sysid): tau for sysid, tau in standing.tau.items()},
+                        "leader": standing.leader,
+                        "share": standing.share,
+                    }
+                )
         records += [
             {"t_s": t_s, "kind": "set_point", "sysid": point.sysid, "p_ned": point.p_ned, "v_ned": point.v_ned}
             for point in set_points

@@ -52,12 +52,13 @@ class TankerSteps:
 
     def begin(self, service: Service) -> None:
         """The tanker is to tell where it is often enough for its receiver."""
-        self._desk.ask(
-            service.tanker, mav.MAV_CMD_SET_MESSAGE_INTERVAL, token(service, "stream"), _FOLLOW, FOLLOW_EVERY_US
-        )
+        assert service.tanker is not None
+        stream = token(service, "stream")
+        self._desk.ask(service.tanker, mav.MAV_CMD_SET_MESSAGE_INTERVAL, stream, _FOLLOW, FOLLOW_EVERY_US)
 
     def serve(self, service: Service, snapshot: Snapshot) -> None:
         """Move one service to the snapshot's time."""
+        assert service.tanker is not None
         now_s = snapshot.time_s
         receiver, tanker = snapshot.vehicle(service.receiver), snapshot.vehicle(service.tanker)
         if not receiver.alive or not tanker.alive:
@@ -118,7 +119,7 @@ class TankerSteps:
         accepted = self._desk.answer(token(service, "give"))
         if accepted:
             service.start_s = now_s if service.start_s is None else service.start_s
-            self._desk.records.append({"kind": "transfer", "receiver": receiver.sysid, "tanker": tanker.sysid})
+            self._desk.records.append({"kind": "transfer", **service.sides})
             self._go(service, Phase.TRANSFER, now_s)
             return
         out = self._out(receiver, tanker)
@@ -168,7 +169,7 @@ class TankerSteps:
         service.breaks += service.broken_off
         if service.broken_off and service.breaks < BREAKS:
             service.broken_off = False
-            self._desk.records.append({"kind": "broken off", "receiver": receiver.sysid, "tanker": tanker.sysid})
+            self._desk.records.append({"kind": "broken off", **service.sides})
             self._go(service, Phase.JOIN, now_s)
         else:
             self._finish(service, receiver, tanker, now_s, service.ended_by)
@@ -214,6 +215,7 @@ class TankerSteps:
         return max(self.available_j(tanker, min(room_j, left_j)), 1.0)
 
     def _order(self, service: Service, view: VehicleView, role: int, limit_j: float) -> None:
+        assert service.tanker is not None
         giver = view.sysid == service.tanker
         partner = service.receiver if giver else service.tanker
         what = {GIVE: "give", RECEIVE: "receive", STOP: "stop giver" if giver else "stop receiver"}[role]

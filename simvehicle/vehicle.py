@@ -29,7 +29,6 @@ __all__ = ["STEP_MS", "SetPoint", "Start", "Vehicle"]
 FENCE_HOLD, FENCE_RETURN = 2, 3
 """What GF_ACTION may ask for, beside nothing and a warning."""
 
-
 NO_MISSION = Mission(())
 
 
@@ -215,7 +214,8 @@ class Vehicle(Body):
         reason = self.exchange.refuses(order, self.p_ned, self.v_ned, self.time_s, self._envelope())
         if reason is not None or self.transfer is not None:
             return reason
-        if not self.trigger(Event.REFUEL):
+        charged = order.role is Role.RECEIVE and self.landed and not self.armed  # at a base, in whatever mode
+        if not charged and not self.trigger(Event.REFUEL):
             return f"not from mode {self.mode}"
         self.exchange.current = Transfer(order, self.time_s)
         return None

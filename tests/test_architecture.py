@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import functools
 from pathlib import Path
 
 import pytest
@@ -43,7 +44,7 @@ HOUSE = {
         "scenario_values",
         "scenario_external",
         "scenario_parts scenario_versions",
-        "scenario_grid",
+        "scenario_grid scenario_bases",
         "scenario configs arrivals",
         "drawing editor_schema doctor",
         "launch guard plugins energy",
@@ -58,7 +59,7 @@ HOUSE = {
         "fleet events quality inspection relays",
         "pilot trouble news scene",
         "external_pilot externals rows service",
-        "crew tanker_service",
+        "crew tanker_service base_service ability beacons",
         "planner.obstacles planner.formation",
         "planner.potential_field planner.neighbours",
         "planner.fuzzy",
@@ -117,6 +118,8 @@ PURE = [
     "gcs/refuelling.py",
     "gcs/service.py",
     "gcs/tanker_service.py",
+    "gcs/base_service.py",
+    "gcs/ability.py",
     "gcs/contest.py",
     "gcs/pursuit.py",
     "gcs/trouble.py",
@@ -139,6 +142,7 @@ def modules(package: str) -> dict[str, Path]:
     return {name: path for name, path in names.items() if not name.endswith("__init__")}
 
 
+@functools.cache
 def imports(path: Path) -> set[str]:
     """Absolute names that a module imports anywhere, `from a import b` as both `a` and `a.b`."""
     found: set[str] = set()

@@ -47,7 +47,7 @@ def why(watch: Watch, width: int, most: int) -> Lines:
     lines: Lines = []
     for service in watch.snapshot.get("services") or ():
         sentence = clean(service.get("why") or "") or (
-            f"{watch.name(service.get('tanker'))} serves {watch.name(service.get('receiver'))}, "
+            f"{watch.giver(service)} serves {watch.name(service.get('receiver'))}, "
             f"decided by {clean(service.get('by') or '?')}."
         )
         state = f"{clean(service.get('phase') or '')}, {float(service.get('energy_j') or 0.0):.0f} J given"
@@ -119,7 +119,7 @@ def _past(watch: Watch) -> Lines:
     for service in reversed(watch.snapshot.get("history") or ()):
         when = service.get("end_s")
         stamp = "-" if when is None else f"{float(when):.1f}"
-        text = f"{stamp:>7} s  {watch.name(service.get('receiver'))} by {watch.name(service.get('tanker'))}"
+        text = f"{stamp:>7} s  {watch.name(service.get('receiver'))} by {watch.giver(service)}"
         text += f", {float(service.get('energy_j') or 0.0):.0f} J, {clean(service.get('by') or '')}"
         if reason := clean(service.get("reason") or ""):
             text += f", {reason}"

@@ -32,6 +32,12 @@ def name_of(snapshot: Snapshot, sysid: int | None) -> str:
     return "traffic" if sysid == 255 else f"vehicle {sysid}" if sysid else "supervisor"
 
 
+def giver_of(snapshot: Snapshot, service: Mapping[str, Any]) -> str:
+    """`tanker 201`, or `base pad`."""
+    base = service.get("base")
+    return name_of(snapshot, service["tanker"]) if base is None else f"base {clean(base)}"
+
+
 def minutes(duration_s: float | None) -> str:
     """`1:21` for 81 s; `-` for unknown."""
     if duration_s is None:
@@ -117,11 +123,11 @@ def _vehicle_news(previous: Snapshot, snapshot: Snapshot, explained: Container[i
 def _service_news(previous: Snapshot, snapshot: Snapshot, explained: Container[int | None]) -> list[str]:
     before, after = _services(previous), _services(snapshot)
     lines = []
-    for receiver, tanker in sorted({*before, *after}):
-        old, new = before.get((receiver, tanker)), after.get((receiver, tanker))
+    for receiver, giver in sorted({*before, *after}):
+        old, new = before.get((receiver, giver)), after.get((receiver, giver))
         if receiver in explained:
             continue
-        who = f"refuelling {name_of(snapshot, receiver)} <- {name_of(snapshot, tanker)}"
+        who = f"refuelling {name_of(snapshot, receiver)} <- {giver}"
         if old is None and new is not None:
             lines.append(f"{who}: {clean(new['phase'])} (by {clean(new['by'])})")
         elif new is None and old is not None:
@@ -131,12 +137,16 @@ def _service_news(previous: Snapshot, snapshot: Snapshot, explained: Container[i
     return lines
 
 
-def _services(snapshot: Snapshot) -> dict[tuple[int, int], Mapping[str, Any]]:
-    return {(service["receiver"], service["tanker"]): service for service in snapshot["services"]}
+def _services(snapshot: Snapshot) -> dict[tuple[int, str], Mapping[str, Any]]:
+    return {(service["receiver"], giver_of(snapshot, service)): service for service in snapshot["services"]}
 
 
 def _stamp(t_s: float) -> str:
     return f"{t_s:7.1f} s"
+
+
+def _giver(service: Mapping[str, Any]) -> str:
+    return f"by {service['tanker']}" if service.get("base") is None else f"at base {clean(service['base'])}"
 
 
 def farewell(summary: Mapping[str, Any] | None, outcome: str | None, folder: Path) -> list[str]:
@@ -144,7 +154,7 @@ def farewell(summary: Mapping[str, Any] | None, outcome: str | None, folder: Pat
     lines = [f"outcome: {clean(outcome or 'none')}"]
     if summary is not None:
         done = [r for r in summary["refuelling"] if r["energy_j"] > 0]
-        order = ", ".join(f"{r['receiver']} by {r['tanker']} ({r['energy_j']:.0f} J, {r['by']})" for r in done)
+        order = ", ".join(f"{r['receiver']} {_giver(r)} ({r['energy_j']:.0f} J, {r['by']})" for r in done)
         lines.append(f"refuelled: {order or 'nobody'}")
         lines.append(f"minimum separation: {_metres(summary['min_separation_m'])}")
         lines.append(f"minimum clearance: {_metres(summary['min_clearance_m'])}")

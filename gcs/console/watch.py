@@ -118,6 +118,11 @@ class Watch:
         found = {key: {str(v["sysid"]): v[key] for v in vehicles if v.get(key) is not None} for key in ("v", "tau")}
         return found if found["v"] else {}
 
+    def giver(self, service: Mapping[str, Any]) -> str:
+        """Who serves: `tanker 201`, or `base pad`."""
+        base = service.get("base")
+        return self.name(service.get("tanker")) if base is None else f"base {clean(base)}"
+
     def name(self, sysid: object) -> str:
         """`pursuer 5`; the session's own events carry no vehicle's id."""
         try:

@@ -81,21 +81,25 @@ class OwnPlanner:
         targets_move: bool,
         period_s: float,
         pursuing: Mapping[int, int] | None = None,
+        stations: Mapping[int, Vec3] | None = None,
     ) -> list[SetPoint]:
-        """As `Planner.plan`."""
+        """As `Planner.plan`, which also leads the pursuers that have a station."""
+        own_pursuers = self._pursuers - (stations or {}).keys()
         follows = self._follows if pursuing is None else pursuing
         situation = Situation(snapshot.time_s, period_s, snapshot, follows, self._scenario.obstacles)
         points = self._shipped.plan(
             snapshot,
-            steered - self._pursuers,
+            steered - own_pursuers,
             rendezvous=rendezvous,
             partners=partners,
             targets_move=targets_move,
             period_s=period_s,
             pursuing=pursuing,
+            stations=stations,
         )
         self._guard.begin_tick()
-        own = [view for view in snapshot.of_role("pursuer") if view.sysid in steered and view.p_ned is not None]
+        led = steered & own_pursuers
+        own = [view for view in snapshot.of_role("pursuer") if view.sysid in led and view.p_ned is not None]
         self._held = {view.sysid: self._held.get(view.sysid, view.p_now_ned()) for view in own}
         points += [self._point(view, situation) for view in own]
         return sorted(points, key=lambda point: point.sysid)

@@ -92,6 +92,7 @@ class Planner:
         }
         self._begin: dict[int, Vec3] = {}
         self._pursuing: Mapping[int, int] | None = None
+        self._stations: Mapping[int, Vec3] = {}
         self._way_m = dict.fromkeys(self._paths, 0.0)
         self._courses = {p.sysid: list(p.waypoints_m) for p in scenario.vehicles.pursuers if p.waypoints_m}
         self._starts = {p.sysid: p.start_m for p in scenario.vehicles.pursuers if p.waypoints_m and p.airborne}
@@ -110,11 +111,13 @@ class Planner:
         targets_move: bool,
         period_s: float,
         pursuing: Mapping[int, int] | None = None,
+        stations: Mapping[int, Vec3] | None = None,
     ) -> list[SetPoint]:
         """Set points for the vehicles in `steered`, in order of system id; each holds at the snapshot's time.
 
         `rendezvous` says which receiver a tanker is to stand above; `partners` are pairs that may come close;
-        `pursuing` says which pursuer follows which target while the others hold, None that each follows its own.
+        `pursuing` says which pursuer follows which target while the others hold, None that each follows its own;
+        `stations` says who is to be at a place instead.
         """
         views = [view for view in snapshot.vehicles if view.sysid in steered and view.p_ned is not None]
         self._forget({view.sysid for view in views})
@@ -126,7 +129,7 @@ class Planner:
                 self._v[view.sysid] = STILL
                 self._memory[view.sysid] = fuzzy.new_memory(1)[0]
         self._begin = {view.sysid: _vec(self._q[view.sysid]) for view in views}
-        self._pursuing = pursuing
+        self._pursuing, self._stations = pursuing, stations or {}
         for role in ROLES:
             led = [view for view in views if view.role == role]
             if led:
@@ -197,6 +200,7 @@ class Planner:
             for tanker in self._scenario.vehicles.tankers:
                 wants[tanker.sysid] = self._station(tanker, snapshot, rendezvous.get(tanker.sysid))
         cruise_m_s = self._scenario.planner.cruise_m_s  # who holds may still give way
+        wants |= {sysid: _Wanted(place, STILL, cruise_m_s) for sysid, place in self._stations.items()}
         return [wants.get(view.sysid, _Wanted(_vec(self._q[view.sysid]), STILL, cruise_m_s)) for view in views]
 
     def _station(self, tanker: Tanker, snapshot: Snapshot, receiver: int | None) -> _Wanted:

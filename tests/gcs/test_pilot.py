@@ -246,3 +246,46 @@ def test_a_dead_vehicle_is_nobodys() -> None:
     pilot.take("hold")
     assert commands(pilot, FLYING._replace(alive=False), 10.0) == []
     assert pilot.stage is Stage.DOWN
+
+
+def test_a_vehicle_that_is_to_be_grounded_lands_waits_and_comes_back_up() -> None:
+    pilot = brought_up()
+    pilot.grounded = True
+    (land,) = commands(pilot, FLYING, 10.0)
+    assert (land.command, pilot.stage) == (mav.MAV_CMD_NAV_LAND, Stage.BASE)
+    assert pilot.sends_set_points  # until it takes the command, or it would fly its failsafe
+    landing = replace(FLYING, mode=FlightMode.LAND)
+    assert commands(pilot, landing, 10.1) == []
+    assert not pilot.sends_set_points
+    landed = view(mode=FlightMode.LAND)
+    for k in range(100):
+        assert commands(pilot, landed, 14.0 + k) == []
+    assert pilot.stage is Stage.BASE
+    assert not pilot.down
+    pilot.grounded = False
+    (arm,) = commands(pilot, landed, 200.0)
+    assert (arm.command, arm.params[0], pilot.stage) == (ARM, 1.0, Stage.ARM)
+    (takeoff,) = commands(pilot, ARMED, 200.1)
+    assert takeoff.command == TAKEOFF
+    for k, seen in enumerate((CLIMBING, UP, FLYING)):
+        pilot.decide(seen, 201.0 + k)
+    assert pilot.stage is Stage.FLY
+
+
+def test_landing_at_a_base_is_asked_for_until_it_is_flown() -> None:
+    pilot = brought_up()
+    pilot.grounded = True
+    asked = [wish.command for k in range(31) for wish in commands(pilot, FLYING, 10.0 + 0.1 * k)]
+    assert asked == [mav.MAV_CMD_NAV_LAND] * 4
+    held = replace(FLYING, mode=FlightMode.HOLD)
+    assert [wish.command for wish in commands(pilot, held, 14.0)] == [mav.MAV_CMD_NAV_LAND]
+
+
+def test_an_autopilot_that_does_not_disarm_by_itself_is_disarmed_at_the_base() -> None:
+    pilot = brought_up()
+    pilot.grounded = True
+    commands(pilot, FLYING, 10.0)
+    landed = replace(ARMED, mode=FlightMode.LAND)
+    asked = [(k, wish) for k in range(80) for wish in commands(pilot, landed, 10.1 + 0.1 * k)]
+    assert [(wish.command, wish.params[0]) for _, wish in asked] == [(ARM, 0.0)] * 2
+    assert asked[0][0] >= 29

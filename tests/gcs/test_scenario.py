@@ -225,7 +225,7 @@ def test_a_missing_key_is_named_with_its_choices(path: Path) -> None:
         ("[4, 5, -6]", "[1, 2, -3]", "path_m repeats a point"),
         ("[4, 5, -6]]", "[4, 5, -6], [1, 2, -3]], closed: true", "s.yaml:11:100: path_m repeats a point"),
         ("path_m: [[1, 2, -3], [4, 5, -6]]", "path_m: []", "path_m must have at least 1 item, not 0"),
-        ("{duration_s: 10}", "{duration_s: 10, refuelled_at_least: 1}", "needs a pursuer, a tanker and refuelling"),
+        ("{duration_s: 10}", "{duration_s: 10, refuelled_at_least: 1}", "needs a pursuer, a tanker or a base"),
         ("name: small", "clock: {period_s: 0.03}\nname: small", "period_s must be a multiple of 0.004 s"),
         ("name: small", "competition: {floor: 1}\nname: small", "s.yaml:2:22: floor must be below high"),
         ("name: small", "refuelling: {height_m: 1.5}\nname: small", "height_m must be below capture_m"),

@@ -10,7 +10,7 @@ from gcs.summary import FILE, Summary, summarise
 FIELDS = [
     "schema", "scenario", "seed", "clock", "speed", "sim_time_s", "wall_time_s", "speed_achieved", "lag_s",
     "completed", "outcome", "digest", "versions", "min_separation_m", "min_clearance_m", "vehicles", "refuelling",
-    "refuel_order", "link",
+    "refuel_order", "link", "bases",
 ]  # fmt: skip
 
 

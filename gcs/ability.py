@@ -1,0 +1,64 @@
+"""Who can take energy in the air (contract.md, Energy and transfer): as the scenario says, or found out by asking.
+
+MAV_CMD_USER_1 may mean anything to a stranger's autopilot. So only a vehicle that has the parameter SIM_BAT_CAP_J is
+asked, and by a command that does nothing: to stop a transfer that it has not begun.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.fleet import Snapshot
+from gcs.service import Desk
+
+ASK_WITHIN_S = 10.0
+"""So long after its first word a vehicle may keep back its parameters."""
+BY_SCENARIO = "the scenario says so"
+NO_BATTERY_MODEL = "it has no SIM_BAT_CAP_J"
+REFUSED = "it does not know MAV_CMD_USER_1"
+
+
+class Ability:
+    """What is known by now of each vehicle that may be refuelled."""
+
+    def __init__(self, said: Mapping[int, bool | None]) -> None:
+        """`said` by system id: whether it can, None where it is to be asked."""
+        self.unable: dict[int, str] = {}
+        """who cannot, and how that is known"""
+        self.unknown = {sysid for sysid, can in said.items() if can is None}
+        self._news = [sysid for sysid, can in sorted(said.items()) if can is False]
+        for sysid in self._news:
+            self.unable[sysid] = BY_SCENARIO
+        self._heard_s: dict[int, float] = {}
+        self._asked: set[int] = set()
+
+    def decide(self, snapshot: Snapshot, desk: Desk) -> None:
+        """Ask whom there is to ask, and tell at the desk who turned out to be unable."""
+        for sysid in sorted(self.unknown):
+            view = snapshot.vehicle(sysid)
+            if view.heard_s < 0.0:
+                continue
+            heard_s = self._heard_s.setdefault(sysid, snapshot.time_s)
+            mark = f"refuel? {sysid}"
+            if sysid in self._asked:
+                if (accepted := desk.answer(mark)) is not None:
+                    self._learn(sysid, None if accepted else REFUSED)
+            elif view.battery_told:
+                self._asked.add(sysid)
+                desk.ask(sysid, mav.MAV_CMD_USER_1, mark)
+            elif snapshot.time_s - heard_s > ASK_WITHIN_S:
+                self._learn(sysid, NO_BATTERY_MODEL)
+        desk.records += [self._record(sysid) for sysid in self._news]
+        self._news = []
+
+    def _learn(self, sysid: int, why_not: str | None) -> None:
+        self.unknown.discard(sysid)
+        if why_not is not None:
+            self.unable[sysid] = why_not
+            self._news.append(sysid)
+
+    def _record(self, sysid: int) -> dict[str, Any]:
+        return {"kind": "unable", "receiver": sysid, "reason": self.unable[sysid]}

@@ -1,0 +1,265 @@
+"""A base's service, step by step: contract.md, Energy and transfer.
+
+    join (fly to above the base) → land → start receiver → transfer → catch up → stop receiver → take off → done
+
+A vehicle that knows transfers is charged by the same protocol as in the air, with the ground station as its partner:
+it hears where the base is and what it has given, and answers with its own counter. Its ledger and the base's so close
+to the joule. One that does not is charged by the book: what the base gave is what the vehicle received.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.fleet import Snapshot, Vec3, VehicleView
+from gcs.profiles import STEERABLE
+from gcs.scenario import Base, Refuelling
+from gcs.service import Beacon, Desk, Phase, Service, token
+
+STATION = 255
+"""The ground station's system id, the partner of a vehicle that a base charges."""
+STOP, RECEIVE = 0, 2
+REACH_WITHIN_S = 60.0
+"""beyond the time that the way to the base takes"""
+LAND_WITHIN_S = 60.0
+START_WITHIN_S = 5.0
+CATCH_UP_S = 1.0
+SILENCE_S = 1.0
+ASK_AGAIN_S = 1.0
+REFUSALS = 5
+EMPTY = "the base is empty"
+_BREAKS_OFF = (Phase.JOIN, Phase.LAND, Phase.START_RECEIVER, Phase.TRANSFER)
+_CHARGING = (Phase.LAND, Phase.START_RECEIVER, Phase.TRANSFER, Phase.CATCH_UP, Phase.STOP_RECEIVER)
+
+
+class Stock:
+    """A base and what it still has: initial = given + remaining."""
+
+    def __init__(self, base: Base) -> None:
+        self.base = base
+        self.given_j = 0
+
+    @property
+    def remaining_j(self) -> float:
+        """What it holds; a part of a joule is never given."""
+        return self.base.stock_j - self.given_j
+
+
+class BaseSteps:
+    """Moves every base's service from the decision to its end."""
+
+    def __init__(
+        self, rules: Refuelling, bases: Iterable[Base], desk: Desk, out: Mapping[int, str], *, need_from: float
+    ) -> None:
+        """`out`: who is not to be served, and why; a service of theirs is broken off."""
+        self._rules = rules
+        self._out = out
+        self._desk = desk
+        self._need_from = need_from
+        self.stocks = {base.name: Stock(base) for base in bases}
+        self.booked: dict[int, int] = {}
+        """joules given in this tick by the book, by receiver"""
+        self.stays: set[int] = set()
+        """who stays on the ground: too empty to fly on, and nothing left to charge it with"""
+
+    def grounded(self, services: Iterable[Service]) -> frozenset[int]:
+        """Who is to be on the ground now."""
+        self.stays -= self._out.keys()
+        return frozenset(self.stays | {service.receiver for service in services if service.phase in _CHARGING})
+
+    def stations(self, services: Iterable[Service]) -> dict[int, Vec3]:
+        """Where those are to be that still fly by set points."""
+        flies = (Phase.JOIN, Phase.LAND)
+        return {service.receiver: self._base(service).above_m for service in services if service.phase in flies}
+
+    def beacons(self, services: Iterable[Service], snapshot: Snapshot) -> tuple[Beacon, ...]:
+        """What the bases tell vehicles that can hear it."""
+        return tuple(
+            Beacon(service.receiver, self._base(service).position_m, self._stock(service).given_j)
+            for service in services
+            if service.phase in _CHARGING and snapshot.vehicle(service.receiver).battery_told
+        )
+
+    def serve(self, service: Service, snapshot: Snapshot) -> None:
+        """Move one service to the snapshot's time."""
+        receiver = snapshot.vehicle(service.receiver)
+        if not receiver.alive:
+            self._finish(service, snapshot.time_s, "the receiver died")
+            return
+        if receiver.sysid in self._out and service.phase in _BREAKS_OFF:
+            reason = f"{receiver.label} {self._out[receiver.sysid]}"
+            if service.phase in (Phase.JOIN, Phase.LAND):
+                self._finish(service, snapshot.time_s, reason)
+            else:
+                self._stop(service, reason, snapshot.time_s)
+            return
+        _STEPS[service.phase](self, service, receiver, snapshot.time_s)
+
+    def _join(self, service: Service, receiver: VehicleView, now_s: float) -> None:
+        if not receiver.fresh:
+            self._finish(service, now_s, f"no word from {receiver.label}")
+            return
+        if not receiver.flying or receiver.mode not in STEERABLE:
+            self._finish(service, now_s, f"{receiver.label} left formation flight")
+            return
+        base = self._base(service)
+        off_m, speed_m_s = math.dist(receiver.p_now_ned(), base.above_m), math.hypot(*receiver.v_ned)
+        if off_m > 0.5 * base.radius_m or speed_m_s > self._rules.relative_speed_m_s:
+            service.near_since_s = None
+        elif service.near_since_s is None:
+            service.near_since_s = now_s
+        if service.near_since_s is not None and now_s - service.near_since_s >= self._rules.hold_s:
+            self._go(service, Phase.LAND, now_s)
+        elif now_s - service.phase_since_s > REACH_WITHIN_S + (service.meets_in_s or 0.0):
+            self._finish(service, now_s, "did not reach the base in time")
+
+    def _land(self, service: Service, receiver: VehicleView, now_s: float) -> None:
+        if receiver.landed and not receiver.armed and receiver.fresh:
+            base = self._base(service)
+            off_m = math.dist(receiver.p_now_ned()[:2], base.position_m[:2])
+            if off_m > base.radius_m:
+                self._leave(service, receiver, now_s, f"landed {off_m:.1f} m from the base")
+                return
+            service.joined_at_s = now_s
+            service.in_at_start_j = service.in_at_begin_j = service.heard_in_j = receiver.received_j
+            self._begin(service, receiver, now_s)
+        elif now_s - service.phase_since_s > LAND_WITHIN_S:
+            self._leave(service, receiver, now_s, "did not land")
+
+    def _begin(self, service: Service, receiver: VehicleView, now_s: float) -> None:
+        stock = self._stock(service)
+        room_j = self._rules.until * receiver.capacity_j - receiver.remaining_j
+        limit_j = math.inf if self._rules.limit_j is None else self._rules.limit_j
+        service.ordered_j = math.floor(max(min(room_j, limit_j, stock.remaining_j), 0.0))
+        service.out_at_start_j = stock.given_j
+        if service.ordered_j < 1:
+            self._leave(service, receiver, now_s, "full" if stock.remaining_j >= 1.0 else EMPTY)
+        elif receiver.battery_told:
+            self._order(service, RECEIVE)
+            self._go(service, Phase.START_RECEIVER, now_s)
+        else:
+            self._charge_from_now(service, now_s)
+
+    def _start_receiver(self, service: Service, receiver: VehicleView, now_s: float) -> None:
+        accepted = self._desk.answer(token(service, "receive"))
+        waited_s = now_s - service.phase_since_s
+        if accepted:
+            self._charge_from_now(service, now_s)
+        elif waited_s > START_WITHIN_S or (accepted is False and waited_s >= ASK_AGAIN_S):
+            service.refusals += 1
+            if service.refusals >= REFUSALS:
+                self._stop(service, "the receiver refused", now_s)
+                return
+            self._order(service, RECEIVE)
+            self._go(service, Phase.START_RECEIVER, now_s)
+
+    def _charge_from_now(self, service: Service, now_s: float) -> None:
+        service.start_s = service.charged_s = service.progress_s = now_s
+        self._desk.records.append({"kind": "transfer", **service.sides})
+        self._go(service, Phase.TRANSFER, now_s)
+
+    def _transfer(self, service: Service, receiver: VehicleView, now_s: float) -> None:
+        counts = receiver.battery_told
+        if receiver.received_j > service.heard_in_j:
+            service.heard_in_j, service.progress_s = receiver.received_j, now_s
+        if receiver.armed or not receiver.landed:
+            self._stop(service, f"{receiver.label} left the base", now_s)
+        elif counts and now_s - service.progress_s > SILENCE_S:
+            self._stop(service, "the receiver takes no more", now_s)
+        elif self._given_j(service) >= service.ordered_j:
+            self._stop(service, self._why_enough(service, receiver), now_s)
+        elif counts or receiver.fresh:
+            joules = self._give(service, now_s - service.charged_s)
+            if not counts:
+                self.booked[receiver.sysid] = joules
+        service.charged_s = now_s
+
+    def _give(self, service: Service, span_s: float) -> int:
+        """Whole joules that leave the base in a while; fractions carry over."""
+        stock = self._stock(service)
+        wanted_j = service.fraction_j + stock.base.rate_w * span_s
+        whole_j = math.floor(min(wanted_j, service.ordered_j - self._given_j(service)))
+        service.fraction_j = min(wanted_j - whole_j, 1.0)
+        stock.given_j += whole_j
+        return whole_j
+
+    def _why_enough(self, service: Service, receiver: VehicleView) -> str:
+        if self._stock(service).remaining_j < 1.0:
+            return EMPTY
+        limited = self._rules.limit_j is not None and service.ordered_j >= math.floor(self._rules.limit_j)
+        return "limit" if limited else "full"
+
+    def _stop(self, service: Service, reason: str, now_s: float) -> None:
+        service.ended_by = reason
+        self._go(service, Phase.CATCH_UP, now_s)
+
+    def _catch_up(self, service: Service, receiver: VehicleView, now_s: float) -> None:
+        if not receiver.battery_told:
+            self._leave(service, receiver, now_s, service.ended_by)
+            return
+        caught_up = receiver.received_j - service.in_at_begin_j >= self._given_j(service)
+        if caught_up or now_s - service.phase_since_s >= CATCH_UP_S:
+            self._order(service, STOP)
+            self._go(service, Phase.STOP_RECEIVER, now_s)
+
+    def _stop_receiver(self, service: Service, receiver: VehicleView, now_s: float) -> None:
+        answered = self._desk.answer(token(service, "stop receiver")) is not None
+        if answered or now_s - service.phase_since_s > START_WITHIN_S:
+            self._leave(service, receiver, now_s, service.ended_by)
+
+    def _leave(self, service: Service, receiver: VehicleView, now_s: float, reason: str) -> None:
+        """Let it take off again, unless it would be back at once and there is nothing to come back for."""
+        service.ended_by = reason
+        if reason == EMPTY and receiver.need >= self._need_from:
+            self.stays.add(receiver.sysid)
+            self._finish(service, now_s, f"{EMPTY}, and {receiver.label} stays on the ground")
+        else:
+            self._go(service, Phase.TAKE_OFF, now_s)
+
+    def _take_off(self, service: Service, receiver: VehicleView, now_s: float) -> None:
+        if receiver.flying and receiver.mode in STEERABLE:
+            self._finish(service, now_s, service.ended_by)
+
+    def _finish(self, service: Service, now_s: float, reason: str) -> None:
+        service.phase, service.end_s, service.ended_by = Phase.DONE, now_s, reason
+        self._desk.records.append({"kind": "served", "reason": reason, **service.record()})
+
+    def _go(self, service: Service, phase: Phase, now_s: float) -> None:
+        service.phase, service.phase_since_s = phase, now_s
+
+    def _base(self, service: Service) -> Base:
+        return self._stock(service).base
+
+    def _stock(self, service: Service) -> Stock:
+        assert service.base is not None
+        return self.stocks[service.base]
+
+    def _given_j(self, service: Service) -> int:
+        return self._stock(service).given_j - service.out_at_start_j
+
+    def _order(self, service: Service, role: int) -> None:
+        self._desk.ask(
+            service.receiver,
+            mav.MAV_CMD_USER_1,
+            token(service, "receive" if role == RECEIVE else "stop receiver"),
+            float(STATION),
+            float(role),
+            float(service.ordered_j),
+            self._base(service).rate_w,
+            float(service.number),
+            float(service.out_at_start_j),
+        )
+
+
+_STEPS = {
+    Phase.JOIN: BaseSteps._join,
+    Phase.LAND: BaseSteps._land,
+    Phase.START_RECEIVER: BaseSteps._start_receiver,
+    Phase.TRANSFER: BaseSteps._transfer,
+    Phase.CATCH_UP: BaseSteps._catch_up,
+    Phase.STOP_RECEIVER: BaseSteps._stop_receiver,
+    Phase.TAKE_OFF: BaseSteps._take_off,
+}

@@ -1,0 +1,65 @@
+"""Who can take energy in the air: as the scenario says, by its parameters, by its answer."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import pytest
+
+from gcs.ability import Ability
+from gcs.fleet import Snapshot, VehicleView
+from gcs.profiles import PX4, FlightMode
+from gcs.service import Desk
+
+VIEW = VehicleView(
+    sysid=1, role="pursuer", label="pursuer 1", alive=True, profile=PX4, mode=FlightMode.HOLD, armed=False,
+    landed=True, heard_s=0.0, p_ned=None, v_ned=(0.0, 0.0, 0.0), age_s=0.0, heading_rad=0.0, origin_offset_ned=None,
+    ground_amsl_m=0.0, capacity_j=1e4, initial_j=1e4, battery_told=True, drawn_j=0.0, received_j=0, given_j=0,
+    given_told_s=0.0, power_w=0.0, energy_source="none", control_effort=0.0,
+)  # fmt: skip
+
+
+def run(
+    ability: Ability, desk: Desk, seconds: float, *, told: bool = True, heard: bool = True, at_s: float = 0.0
+) -> None:
+    for k in range(round(seconds / 0.5) + 1):
+        seen = replace(VIEW, battery_told=told, heard_s=0.0 if heard else -math.inf)
+        ability.decide(Snapshot(at_s + 0.5 * k, (seen,), ()), desk)
+
+
+def test_who_is_not_asked_is_as_the_scenario_says() -> None:
+    desk, ability = Desk(), Ability({1: True, 2: False})
+    run(ability, desk, 20.0)
+    assert desk.wishes == []
+    assert ability.unable == {2: "the scenario says so"}
+    assert [record["receiver"] for record in desk.records] == [2]
+
+
+def test_a_vehicle_with_a_battery_model_is_asked_once_by_a_command_that_does_nothing() -> None:
+    desk, ability = Desk(), Ability({1: None})
+    run(ability, desk, 5.0)
+    (wish,) = desk.wishes
+    assert (wish.sysid, wish.command, wish.params) == (1, 31010, (0.0,) * 7)
+    assert (ability.unknown, ability.unable) == ({1}, {})
+
+
+@pytest.mark.parametrize("accepted", [True, False])
+def test_its_answer_decides(accepted: bool) -> None:
+    desk, ability = Desk(), Ability({1: None})
+    run(ability, desk, 1.0)
+    desk.hear(desk.wishes[0].token, accepted)
+    run(ability, desk, 1.0, at_s=2.0)
+    assert ability.unknown == set()
+    assert ability.unable == ({} if accepted else {1: "it does not know MAV_CMD_USER_1"})
+
+
+def test_a_stranger_without_a_battery_model_is_sent_nothing_and_waited_for_ten_seconds() -> None:
+    desk, ability = Desk(), Ability({1: None})
+    run(ability, desk, 30.0, heard=False)
+    assert ability.unknown == {1}
+    run(ability, desk, 10.0, told=False, at_s=31.0)
+    assert ability.unknown == {1}
+    run(ability, desk, 1.0, told=False, at_s=41.5)
+    assert ability.unable == {1: "it has no SIM_BAT_CAP_J"}
+    assert desk.wishes == []

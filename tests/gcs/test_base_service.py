@@ -313,3 +313,35 @@ def test_one_that_leaves_formation_flight_on_its_way_is_given_up() -> None:
     game.until(Phase.JOIN)
     game.set(1, mode=FlightMode.RETURN)
     assert game.until(Phase.DONE).ended_by == "pursuer 1 left formation flight"
+
+
+def test_one_that_an_operator_asks_for_goes_to_the_base_next_whatever_its_need() -> None:
+    game = world(view(1), view(2, initial_j=8_000.0, p_ned=(0.0, 4.0, -4.8)))
+    game.schedule.asked.append(2)
+    service = game.until(Phase.DONE)
+    assert (service.receiver, service.by, service.energy_j) == (2, "operator", 1_000)
+
+
+@pytest.mark.parametrize("phase", [Phase.JOIN, Phase.LAND, Phase.TRANSFER])
+def test_one_that_is_taken_out_leaves_its_service_in_order(phase: Phase) -> None:
+    game = world()
+    game.until(phase)
+    for _ in range(3 * (phase is Phase.TRANSFER)):
+        game.tick()
+    game.schedule.out[1] = "is out"
+    service = game.until(Phase.DONE)
+    assert service.ended_by == "pursuer 1 is out"
+    assert game.schedule.stocks[0].given_j == service.energy_j == (600 if phase is Phase.TRANSFER else 0)
+    assert [role for _, _, role, *_ in game.orders] == ([RECEIVE, STOP] if phase is Phase.TRANSFER else [])
+
+
+def test_only_a_charge_binds_a_vehicle() -> None:
+    game = world()
+    bound = {}
+    while not game.schedule.services or game.schedule.services[0].phase is not Phase.DONE:
+        game.tick()
+        if game.schedule.services:
+            bound[game.schedule.services[0].phase] = game.schedule.bound(1)
+    free = {Phase.JOIN, Phase.LAND, Phase.TAKE_OFF, Phase.DONE}
+    assert {phase for phase, is_bound in bound.items() if not is_bound} <= free
+    assert bound[Phase.TRANSFER]

@@ -220,7 +220,9 @@ class BaseSteps:
             self._go(service, Phase.TAKE_OFF, now_s)
 
     def _take_off(self, service: Service, receiver: VehicleView, now_s: float) -> None:
-        if receiver.flying and receiver.mode in STEERABLE:
+        base = self._base(service)
+        up = receiver.flying and receiver.mode in STEERABLE
+        if up and math.dist(receiver.p_now_ned(), base.position_m) > base.radius_m:
             self._finish(service, now_s, service.ended_by)
 
     def _finish(self, service: Service, now_s: float, reason: str) -> None:

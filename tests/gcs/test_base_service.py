@@ -44,6 +44,7 @@ class World:
     """whether receivers credit what the base's XferOut tells"""
     accepts: bool = True
     stays_away: bool = False
+    climbs_m: float = 2.5
     now_s: float = 0.0
     told: int = 0
     starts: dict[int, int] = field(default_factory=dict)
@@ -68,7 +69,8 @@ class World:
                 n, e, _ = seen.p_ned or (0.0, 0.0, 0.0)
                 self.set(sysid, landed=True, armed=False, mode=FlightMode.LAND, p_ned=(n, e, 0.0))
             elif not on_ground and seen.landed:
-                self.set(sysid, landed=False, armed=True, mode=FlightMode.OFFBOARD)
+                n, e, _ = seen.p_ned or (0.0, 0.0, 0.0)
+                self.set(sysid, landed=False, armed=True, mode=FlightMode.OFFBOARD, p_ned=(n, e, -self.climbs_m))
         for beacon in decision.beacons:
             if self.hears and beacon.sysid in self.starts:
                 gained = beacon.given_j - self.starts[beacon.sysid] - self.credited.get(beacon.sysid, 0)
@@ -345,3 +347,14 @@ def test_only_a_charge_binds_a_vehicle() -> None:
     free = {Phase.JOIN, Phase.LAND, Phase.TAKE_OFF, Phase.DONE}
     assert {phase for phase, is_bound in bound.items() if not is_bound} <= free
     assert bound[Phase.TRANSFER]
+
+
+def test_a_base_is_taken_until_its_vehicle_is_off_it() -> None:
+    """Some autopilots follow set points as soon as they are armed, and say late that they stand on the ground."""
+    game = world(climbs_m=0.5)
+    game.until(Phase.TAKE_OFF)
+    for _ in range(20):
+        game.tick()
+    assert game.schedule.services[0].phase is Phase.TAKE_OFF
+    game.set(1, p_ned=(10.0, 0.0, -2.5))
+    assert game.until(Phase.DONE).ended_by == "full"

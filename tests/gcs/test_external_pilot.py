@@ -190,3 +190,28 @@ def test_a_stranger_that_knows_no_parameter_of_ours_is_not_asked_for_ever(profil
     requests = [made.decide(unknown, float(k))[1] for k in range(10)]
     assert [len(asked) for asked in requests] == [2] * PARAMETER_TRIES + [0] * (10 - PARAMETER_TRIES)
     assert math.isfinite(unknown.capacity_j)
+
+
+def test_at_a_base_it_lands_and_has_its_whole_time_again_to_be_armed() -> None:
+    made = flying()
+    made.grounded = True
+    assert told(made, FLYING, 100.0) == [mav.MAV_CMD_NAV_LAND]
+    assert (made.stage, made.sends_set_points) == (Stage.BASE, True)
+    made.decide(replace(FLYING, mode=FlightMode.LAND), 101.0)
+    assert not made.sends_set_points
+    for k in range(60):
+        assert told(made, view(mode=FlightMode.LAND), 110.0 + k) == []
+    made.grounded = False
+    assert told(made, view(mode=FlightMode.LAND), 200.0) == [SET_MODE]
+    assert told(made, view(), 210.0) == [ARM]
+    assert told(made, ARMED, 211.0) == [TAKEOFF]
+    made.decide(UP, 215.0)
+    assert made.stage is Stage.OFFBOARD
+
+
+def test_one_that_someone_holds_is_not_landed_at_a_base() -> None:
+    made = flying()
+    made.decide(replace(FLYING, mode=FlightMode.MANUAL), 10.0)
+    made.grounded = True
+    assert told(made, replace(FLYING, mode=FlightMode.MANUAL), 11.0) == []
+    assert made.stage is Stage.YIELDED

@@ -197,7 +197,7 @@ def test_at_a_base_it_lands_and_has_its_whole_time_again_to_be_armed() -> None:
     made.grounded = True
     assert told(made, FLYING, 100.0) == [mav.MAV_CMD_NAV_LAND]
     assert (made.stage, made.sends_set_points) == (Stage.BASE, True)
-    made.decide(replace(FLYING, mode=FlightMode.LAND), 101.0)
+    made.decide(FLYING._replace(mode=FlightMode.LAND), 101.0)
     assert not made.sends_set_points
     for k in range(60):
         assert told(made, view(mode=FlightMode.LAND), 110.0 + k) == []
@@ -211,7 +211,7 @@ def test_at_a_base_it_lands_and_has_its_whole_time_again_to_be_armed() -> None:
 
 def test_one_that_someone_holds_is_not_landed_at_a_base() -> None:
     made = flying()
-    made.decide(replace(FLYING, mode=FlightMode.MANUAL), 10.0)
+    made.decide(FLYING._replace(mode=FlightMode.MANUAL), 10.0)
     made.grounded = True
-    assert told(made, replace(FLYING, mode=FlightMode.MANUAL), 11.0) == []
+    assert told(made, FLYING._replace(mode=FlightMode.MANUAL), 11.0) == []
     assert made.stage is Stage.YIELDED

@@ -254,7 +254,7 @@ def test_a_vehicle_that_is_to_be_grounded_lands_waits_and_comes_back_up() -> Non
     (land,) = commands(pilot, FLYING, 10.0)
     assert (land.command, pilot.stage) == (mav.MAV_CMD_NAV_LAND, Stage.BASE)
     assert pilot.sends_set_points  # until it takes the command, or it would fly its failsafe
-    landing = replace(FLYING, mode=FlightMode.LAND)
+    landing = FLYING._replace(mode=FlightMode.LAND)
     assert commands(pilot, landing, 10.1) == []
     assert not pilot.sends_set_points
     landed = view(mode=FlightMode.LAND)
@@ -277,7 +277,7 @@ def test_landing_at_a_base_is_asked_for_until_it_is_flown() -> None:
     pilot.grounded = True
     asked = [wish.command for k in range(31) for wish in commands(pilot, FLYING, 10.0 + 0.1 * k)]
     assert asked == [mav.MAV_CMD_NAV_LAND] * 4
-    held = replace(FLYING, mode=FlightMode.HOLD)
+    held = FLYING._replace(mode=FlightMode.HOLD)
     assert [wish.command for wish in commands(pilot, held, 14.0)] == [mav.MAV_CMD_NAV_LAND]
 
 
@@ -285,7 +285,7 @@ def test_an_autopilot_that_does_not_disarm_by_itself_is_disarmed_at_the_base() -
     pilot = brought_up()
     pilot.grounded = True
     commands(pilot, FLYING, 10.0)
-    landed = replace(ARMED, mode=FlightMode.LAND)
+    landed = ARMED._replace(mode=FlightMode.LAND)
     asked = [(k, wish) for k in range(80) for wish in commands(pilot, landed, 10.1 + 0.1 * k)]
     assert [(wish.command, wish.params[0]) for _, wish in asked] == [(ARM, 0.0)] * 2
     assert asked[0][0] >= 29

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from gcs import cli_author, cli_check, cli_watch
+from gcs import cli_author, cli_check, cli_report, cli_watch
 from gcs.cli_author import ScenarioName, load_scenario, module_arguments
 
 if TYPE_CHECKING:
@@ -69,6 +69,7 @@ def cli() -> None:
       gcs run demo --lockstep  the same as fast as the machine can
       gcs launch demo          only its vehicles, for QGroundControl, MAVSDK or MAVProxy
       gcs monitor              a further console on a session that runs
+      gcs report SESSION       a page of what it recorded: paths, energy, competition, distances
       gcs init                 a scenario of your own to start from; gcs validate draws it
       gcs doctor               what keeps sessions from running here
 
@@ -85,6 +86,7 @@ for _command in (
     cli_author.doctor,
     cli_watch.monitor,
     cli_check.check,
+    cli_report.report,
 ):
     cli.add_command(_command)
 
@@ -137,6 +139,7 @@ for _command in (
     metavar="FILE",
     help="Write the outcome as JUnit XML, a test case for each part of the goal.",
 )
+@click.option("--no-report", is_flag=True, help="Leave out report.html; gcs report makes it later.")
 @click.option("--verbose", "-v", is_flag=True, help="Lines of text, with every vehicle's state.")
 @click.option("--quiet", "-q", is_flag=True, help="Say only what goes wrong; the exit status tells the rest.")
 def run(
@@ -150,6 +153,7 @@ def run(
     vehicles_per_process: int | None,
     drop_datagrams: float,
     junit: Path | None,
+    no_report: bool,
     verbose: bool,
     quiet: bool,
 ) -> int:
@@ -166,8 +170,8 @@ def run(
       gcs run my-scenario.yaml --lockstep --seed 7 --plain
 
     The session's folder holds the resolved scenario (scenario.yaml), every MAVLink frame (session.tlog), every decision
-    with its reasons (decisions.jsonl), what was said here (session.log), the vehicles' logs (vehicles/) and the result
-    (summary.json).
+    with its reasons (decisions.jsonl), what was said here (session.log), the vehicles' logs (vehicles/), the result
+    (summary.json) and a page that shows it all (report.html).
 
     \b
     Exit status:
@@ -218,6 +222,8 @@ def run(
     with logged(shown, said, folder) as (view, tell):
         stderr = getattr(shown, "stderr", None)
         status = fly(folder, view, tell, arguments=arguments, finish=finish, stderr=stderr)
+        if not no_report:
+            cli_report.after_run(folder, tell)
     if junit is not None:
         from gcs.junit import write
 

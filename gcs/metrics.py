@@ -75,7 +75,7 @@ class Metrics:
             plan[count % PLAN_MEMORY] = point
             self._planned[sysid] = count + 1
             if sysid in here and count + 1 >= PLAN_MEMORY:
-                error_m = float(_distance_to_path(plan, (count + 1) % PLAN_MEMORY, *here[sysid]))
+                error_m = float(distance_to_path(plan, (count + 1) % PLAN_MEMORY, *here[sysid]))
                 self.max_tracking_error_m[sysid] = max(self.max_tracking_error_m.get(sysid, 0.0), error_m)
 
     def _measure_distances(self, snapshot: Snapshot, here: dict[int, Vec3], partners: set[frozenset[int]]) -> None:
@@ -86,7 +86,7 @@ class Metrics:
         close = np.array(
             [[rows[sysid] for sysid in pair] for pair in partners if pair <= here.keys()], dtype=np.int64
         ).reshape(-1, 2)
-        self.min_separation_m = min(self.min_separation_m, float(_least_separation(at, close)))
+        self.min_separation_m = min(self.min_separation_m, float(closest_pair(at, close)[0]))
         if len(self._obstacles):
             self.min_clearance_m = min(self.min_clearance_m, float(obstacles.clearance(self._obstacles, at).min()))
         for aircraft in snapshot.traffic:
@@ -113,7 +113,7 @@ def _targets(scenario: Scenario) -> dict[int, int]:
 
 
 @njit(cache=True)
-def _distance_to_path(plan: NDArray[np.float64], oldest: int, n: float, e: float, d: float) -> float:
+def distance_to_path(plan: NDArray[np.float64], oldest: int, n: float, e: float, d: float) -> float:
     """Distance of a point to the polyline of a ring of points (k, 3) that begins at row `oldest`."""
     least2 = math.inf
     count = plan.shape[0]
@@ -133,9 +133,11 @@ def _distance_to_path(plan: NDArray[np.float64], oldest: int, n: float, e: float
 
 
 @njit(cache=True)
-def _least_separation(at: NDArray[np.float64], close: NDArray[np.int64]) -> float:
-    """Least distance between any two of the points (n, 3), the pairs of rows in `close` (k, 2) left out."""
+def closest_pair(at: NDArray[np.float64], close: NDArray[np.int64]) -> tuple[float, int, int]:
+    """Least distance between any two of the points (n, 3), and their rows; the pairs of rows in `close` (k, 2) are left
+    out. (inf, -1, -1) where no pair is left."""
     least2 = math.inf
+    one, other = -1, -1
     for i in range(at.shape[0]):
         for j in range(i):
             gap2 = (at[i, 0] - at[j, 0]) ** 2 + (at[i, 1] - at[j, 1]) ** 2 + (at[i, 2] - at[j, 2]) ** 2
@@ -144,5 +146,5 @@ def _least_separation(at: NDArray[np.float64], close: NDArray[np.int64]) -> floa
                 for k in range(close.shape[0]):
                     exempt |= (close[k, 0] == i and close[k, 1] == j) or (close[k, 0] == j and close[k, 1] == i)
                 if not exempt:
-                    least2 = gap2
-    return math.sqrt(least2)
+                    least2, one, other = gap2, j, i
+    return math.sqrt(least2), one, other

@@ -1,0 +1,84 @@
+"""`gcs report`: a recorded session as one page."""
+
+# ruff: noqa: PLC0415 - so that `gcs --help` answers at once
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import click
+
+NOT_MADE, BAD_INPUT = 1, 2
+
+
+@click.command(short_help="Make a recorded session's report, one page.")
+@click.argument("session", type=click.Path(path_type=Path))
+@click.option(
+    "--out",
+    type=click.Path(dir_okay=False, path_type=Path),
+    metavar="FILE",
+    help="Write the page here.  [default: report.html in the session's folder]",
+)
+@click.option("--quiet", "-q", is_flag=True, help="Say only what goes wrong.")
+def report(session: Path, out: Path | None, quiet: bool) -> int:
+    """Make report.html of SESSION, a folder that `gcs run` left: outcome and reasons, paths from above and in space,
+    tracking, attitude, energy, competition, refuellings, distances, link, the numbers, and how to reproduce it.
+
+    The page is one file that needs no network, for a screen of any width or for paper. `gcs run` makes it too; this makes
+    it again, or of a session that was killed: what its files cannot tell, the page says at its top. An older report is
+    replaced.
+
+    \b
+    Examples:
+      gcs report sessions/demo-20260101-120000
+      gcs report first-flight --out first-flight.html
+
+    \b
+    Exit status:
+      0    the report was made
+      1    it could not be written
+      2    SESSION is no session's folder
+      130  stopped by Ctrl-C; an older report is left as it was
+      70   an error of the program itself
+    """
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
+
+    from gcs.report.make import make
+    from gcs.report.page import MissingPlotly
+    from gcs.report.recorded import NoSession
+
+    if out is not None and not out.parent.is_dir():
+        raise click.UsageError(f"--out: there is no folder {out.parent}.")
+    columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), TimeElapsedColumn())
+    console = Console(stderr=True)
+    try:
+        with Progress(*columns, console=console, transient=True, disable=quiet or not console.is_terminal) as shown:
+            task = shown.add_task("reading", total=1.0)
+            made = make(session, out, lambda what, share: shown.update(task, description=what, completed=share))
+    except NoSession as error:
+        click.echo(str(error), err=True)
+        return BAD_INPUT
+    except MissingPlotly as error:
+        click.echo(str(error), err=True)
+        return NOT_MADE
+    except OSError as error:
+        click.echo(f"{error.filename or session}: {error.strerror}", err=True)
+        return NOT_MADE
+    if not quiet:
+        click.echo(f"report: {made}")
+    return 0
+
+
+def after_run(folder: Path, tell: Callable[[str], object]) -> None:
+    """The report at a session's end: where it lies is told; that it could not be made is a warning, whatever it was."""
+    try:
+        from gcs.report.make import make
+
+        tell(f"report: {make(folder)}")
+    except KeyboardInterrupt:
+        click.echo(f"gcs: the report was left out; gcs report {folder} makes it", err=True)
+    except Exception as error:  # a session that was flown must not fail by its report
+        why = f"{error.strerror}" if isinstance(error, OSError) else str(error) or type(error).__name__
+        click.echo(f"gcs: warning: no report was made: {why}; gcs report {folder} tries again", err=True)

@@ -1,0 +1,1 @@
+"""A recorded session as one page for a person: data out of the folder, figures, page."""

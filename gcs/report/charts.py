@@ -1,0 +1,270 @@
+"""The figures as data for the page's script: which lines, in which units, with which marks and limits.
+
+With many vehicles a figure shows the range of all of them, and lines only of the chosen; every vehicle's line is there
+to be chosen.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from gcs.drawing import legs
+from gcs.report import decimate
+from gcs.report.findings import Findings
+from gcs.report.pack import Pack
+from gcs.report.series import Floats, Series, Track
+from gcs.scenario import Obstacle
+
+MANY = 16
+"""With more vehicles than this, lines of all would hide each other."""
+BUCKETS, BUCKETS_OF_MANY = 1000, 400
+"""Pixels of a figure's width; of many vehicles each line has fewer, so that the page stays small."""
+PATH_PIXELS = 1500
+CORNERS = 24
+DEGREES = 180.0 / math.pi
+CHOSEN = 6
+
+Lines = Mapping[int, Series]
+
+
+@dataclass
+class Panel:
+    """One pair of axes: lines by vehicle, or lines of their own by name; limits are horizontal lines."""
+
+    title: str
+    unit: str
+    of_vehicles: Lines
+    of_session: Mapping[str, Series] | None = None
+    limits: Sequence[tuple[float, str]] = ()
+    digits: int = 2
+    from_zero: bool = False
+
+
+class Charts:
+    """Turns findings into the page's model; `pack` holds the numbers."""
+
+    def __init__(self, findings: Findings) -> None:
+        self._found = findings
+        self.end_s = max(findings.end_s, 1e-3)
+        self.pack = Pack(0.0, self.end_s)
+        self.many = len(findings.vehicles) > MANY
+        self.buckets = BUCKETS_OF_MANY if self.many else BUCKETS
+
+    def model(self) -> dict[str, Any]:
+        """What the script draws: the vehicles, and each figure by its name; a figure without data is left out."""
+        found = self._found
+        figures: dict[str, Any] = {"plan": self._plan(), **self._of_time()}
+        if found.services:
+            figures["timeline"] = self._timeline()
+        if found.ledgers:
+            figures["ledger"] = {"kind": "ledger", "rows": found.ledgers}
+        return {
+            "end_s": self.end_s,
+            "many": self.many,
+            "vehicles": [{"id": v.sysid, "role": v.role, "label": v.label} for v in found.vehicles],
+            "chosen": notable(found) if self.many else [v.sysid for v in found.vehicles],
+            "figures": {name: figure for name, figure in figures.items() if figure},
+        }
+
+    def _of_time(self) -> dict[str, Any]:
+        found, scenario = self._found, self._found.scenario
+        goal = scenario.goal.pursue if scenario else None
+        within = [(goal.within_m, f"goal: within {goal.within_m:g} m")] if goal else []
+        apart = [(scenario.planner.separation_m, "separation wanted")] if scenario else []
+        share = [(scenario.competition.share, "share that wins")] if scenario else []
+        attitudes = found.attitudes.items()
+        roll, pitch, yaw = (
+            {sysid: Series(told[i].t_s, DEGREES * told[i].values) for sysid, told in attitudes} for i in range(3)
+        )
+        spans = [
+            {"from": s.start_s, "to": s.end_s if s.end_s is not None else self.end_s, "id": s.receiver}
+            for s in found.services
+            if s.start_s is not None
+        ]
+        decided = [{"t_s": s.decided_at_s, "id": s.receiver, "label": f"→ {s.receiver}"} for s in found.services]
+        near = found.nearness
+        return {
+            "target": self._time([Panel("Distance to target", "m", near.to_target, limits=within, from_zero=True)]),
+            "error": self._time([Panel("Tracking error", "m", found.errors, digits=3, from_zero=True)]),
+            "motion": self._time(
+                [
+                    Panel("Speed", "m/s", found.speeds, from_zero=True),
+                    Panel("Height", "m", found.heights),
+                ]
+            ),
+            "attitude": self._time(
+                [Panel("Roll", "°", roll, digits=1), Panel("Pitch", "°", pitch, digits=1), Panel("Yaw", "°", yaw)]
+            ),
+            "battery": self._time([Panel("Battery", "%", found.battery_percent, digits=1, from_zero=True)], spans=spans),
+            "contest": self._time(
+                [
+                    Panel("State v of each competitor", "1", found.contest.v, digits=3),
+                    Panel("Leader's share of Σ vᵖ", "1", {}, {"share": found.contest.share}, share, digits=3),
+                ],
+                marks=decided,
+            ),
+            "nearness": self._time(
+                [
+                    Panel("Least separation of two vehicles", "m", {}, {"separation": near.separation}, apart),
+                    Panel("Least clearance to obstacles and traffic", "m", {}, {"clearance": near.clearance}),
+                ],
+            ),
+            "link": self._time(
+                [
+                    Panel("Frames received", "1/s", found.rates, digits=0, from_zero=True),
+                    Panel("Frames missing so far", "1", found.losses, digits=0, from_zero=True),
+                ]
+            ),
+        }
+
+    def _time(
+        self, panels: list[Panel], marks: Sequence[Mapping[str, Any]] = (), spans: Sequence[Mapping[str, Any]] = ()
+    ) -> dict[str, Any] | None:
+        made = [self._panel(panel) for panel in panels]
+        if not any(panel["lines"] or panel["own"] for panel in made):
+            return None
+        return {"kind": "time", "panels": made, "marks": list(marks), "spans": list(spans)}
+
+    def _panel(self, panel: Panel) -> dict[str, Any]:
+        known = {s: line for s, line in panel.of_vehicles.items() if np.isfinite(line.values).any()}
+        own = {name: line for name, line in (panel.of_session or {}).items() if np.isfinite(line.values).any()}
+        made: dict[str, Any] = {
+            "title": panel.title,
+            "unit": "" if panel.unit == "1" else panel.unit,
+            "digits": panel.digits,
+            "zero": panel.from_zero,
+            "limits": [{"y": y, "label": label} for y, label in panel.limits],
+            "lines": [{"id": s, **self.pack.line(self._fewer(line))} for s, line in sorted(known.items())],
+            "own": [
+                {"label": name, **self.pack.line(decimate.min_max(line, BUCKETS, 0.0, self.end_s))}
+                for name, line in own.items()
+            ],
+        }
+        if self.many and len(known) > MANY:
+            t_s, least, median, greatest = decimate.band(list(known.values()), BUCKETS_OF_MANY, 0.0, self.end_s)
+            names = zip(("least", "median", "greatest"), (least, median, greatest), strict=True)
+            made["band"] = {name: self.pack.line(Series(t_s, values)) for name, values in names}
+            made["band"]["count"] = len(known)
+        return made
+
+    def _fewer(self, line: Series) -> Series:
+        return decimate.min_max(line, self.buckets, 0.0, self.end_s)
+
+    def _plan(self) -> dict[str, Any] | None:
+        found = self._found
+        if not found.tracks:
+            return None
+        places = [track.p_ned for track in (*found.tracks.values(), *found.traffic.values()) if len(track.t_s)]
+        span_m = np.ptp(np.concatenate(places), axis=0).max() if places else 1.0
+        apart_m = max(float(span_m), 1.0) / PATH_PIXELS
+        shapes = found.scenario.obstacles if found.scenario else ()
+        return {
+            "kind": "plan",
+            "paths": [{"id": s, "p": self.pack.path(path_of(t, apart_m))} for s, t in sorted(found.tracks.items())],
+            "traffic": [
+                {"label": name, "p": self.pack.path(path_of(track, apart_m))} for name, track in found.traffic.items()
+            ],
+            "planned": [
+                [[round(x, 3) for x in point] for leg in legs(t.path_m, t.closed) for point in leg]
+                for t in (found.scenario.vehicles.targets if found.scenario else ())
+            ],
+            "solids": [solid(shape) for shape in shapes if shape.kind != "point"],
+            "points": [[round(x, 3) for x in shape.low_m] for shape in shapes if shape.kind == "point"],
+            "meets": self._meets(),
+        }
+
+    def _meets(self) -> list[dict[str, Any]]:
+        """Where each transfer began."""
+        meets = []
+        for service in self._found.services:
+            track = self._found.tracks.get(service.receiver)
+            if service.start_s is None or track is None:
+                continue
+            place = track.at(np.array([service.start_s]))[0]
+            if np.isfinite(place).all():
+                text = f"{service.tanker} → {service.receiver}, {service.start_s:.1f} s, {service.energy_j:.0f} J"
+                meets.append({"p": [round(float(x), 3) for x in place], "text": text})
+        return meets
+
+    def _timeline(self) -> dict[str, Any]:
+        found = self._found
+        labels = {v.sysid: v.label for v in found.vehicles}
+        bars = []
+        for s in found.services:
+            end_s = s.end_s if s.end_s is not None else self.end_s
+            steps = [s.decided_at_s, s.joined_at_s, s.start_s]
+            row = labels.get(s.receiver, str(s.receiver))
+            bids = sorted(s.bids.items(), key=lambda bid: -bid[1])[:5]
+            told = ", ".join(f"{sysid}: {bid:.2f}" for sysid, bid in bids)
+            text = f"tanker {s.tanker}, by {s.by}, {s.energy_j:.0f} J ({s.reason})<br>bids {told or 'none'}"
+            for stage, (begin, *later) in enumerate((steps, steps[1:], steps[2:])):
+                if begin is not None:
+                    until = next((t for t in later if t is not None), end_s)
+                    bars.append({"row": row, "stage": stage, "from": begin, "to": until, "text": text})
+        rows = list(dict.fromkeys(labels.get(s.receiver, str(s.receiver)) for s in found.services))
+        return {"kind": "timeline", "rows": rows, "bars": bars}
+
+
+def path_of(track: Track, apart_m: float) -> Floats:
+    """A track's points, thinned, with gaps where it was silent for long."""
+    after = np.flatnonzero(np.diff(track.t_s) > 2.0) + 1
+    return decimate.thin(np.insert(track.p_ned, after, np.nan, axis=0), apart_m)
+
+
+def notable(found: Findings) -> list[int]:
+    """The vehicles that a reader would look at first, of many: by error, battery, distance to target, loss."""
+    picks: list[int] = []
+    worst: Iterable[tuple[Lines, int, bool]] = (
+        (found.errors, 2, True),
+        (found.battery_percent, 2, False),
+        (found.nearness.to_target, 1, True),
+        (found.speeds, 1, True),
+    )
+    for lines, count, greatest in worst:
+        extremes = {
+            s: float(np.nanmax(line.values) if greatest else -np.nanmin(line.values))
+            for s, line in lines.items()
+            if np.isfinite(line.values).any() and s not in picks
+        }
+        picks += sorted(extremes, key=lambda s: (-extremes[s], s))[:count]
+    return sorted(picks[:CHOSEN])
+
+
+def solid(shape: Obstacle) -> dict[str, Any]:
+    """An obstacle with extent: its outline from above [[n, e], …], and a mesh: vertices [[n, e, d], …], triangles."""
+    (n0, e0, d0), (n1, e1, d1) = shape.low_m, shape.high_m
+    turn = 2.0 * math.pi * np.arange(CORNERS) / CORNERS
+    ring = np.column_stack((np.cos(turn), np.sin(turn)))
+    if shape.kind == "box":
+        outline = np.array([(n0, e0), (n1, e0), (n1, e1), (n0, e1)])
+    else:
+        outline = np.array([n0, e0]) + shape.radius_m * ring
+    if shape.kind == "sphere":
+        heights = np.linspace(-1.0, 1.0, 9)
+        radii = np.sqrt(1.0 - heights**2)
+        levels = [
+            np.column_stack((np.array([n0, e0]) + shape.radius_m * r * ring, np.full(CORNERS, d0 + shape.radius_m * h)))
+            for h, r in zip(heights, radii, strict=True)
+        ]
+    else:
+        levels = [np.column_stack((outline, np.full(len(outline), d))) for d in (d1, d0)]
+    count = len(outline)
+    triangles = []
+    for level in range(len(levels) - 1):
+        for k in range(count):
+            a, b = level * count + k, level * count + (k + 1) % count
+            triangles += [(a, b, a + count), (b, b + count, a + count)]
+    last = (len(levels) - 1) * count
+    for lid in (0, last):
+        triangles += [(lid, lid + k, lid + k + 1) for k in range(1, count - 1)]
+    return {
+        "label": shape.name or shape.kind,
+        "outline": np.round(outline, 3).tolist(),
+        "vertices": np.round(np.concatenate(levels), 3).tolist(),
+        "triangles": triangles,
+    }

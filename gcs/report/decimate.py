@@ -1,0 +1,94 @@
+"""Fewer points that draw the same picture: per bucket of time the smallest and the largest value, where they were.
+
+A line drawn through them covers the same pixels as one through all, if a bucket is no wider than a pixel, and no
+extreme is lost however few they are. Paths in space are thinned by distance instead.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from gcs.report.series import Floats, Series
+
+
+def min_max(series: Series, buckets: int, begin_s: float, end_s: float) -> Series:
+    """At most 2 points, or 3 with a gap, of each of `buckets` equal parts of [begin_s, end_s], in order of time.
+
+    Of the values in a part the smallest and the largest are kept, each the first of its kind, and one NaN if there is
+    any. A series of at most 2 points per bucket stays as it is. ValueError unless buckets > 0 and begin_s < end_s.
+    """
+    if buckets <= 0 or not begin_s < end_s:
+        raise ValueError(f"{buckets} buckets from {begin_s} s to {end_s} s hold nothing")
+    t_s, values = series
+    if len(t_s) <= 2 * buckets:
+        return series
+    bucket = np.clip(((t_s - begin_s) * (buckets / (end_s - begin_s))).astype(np.int64), 0, buckets - 1)
+    first = np.flatnonzero(np.diff(bucket, prepend=-1))
+    gap = np.isnan(values)
+    kept = [first[:0]]
+    for of, filler in ((np.minimum, np.inf), (np.maximum, -np.inf)):
+        filled = np.where(gap, filler, values)
+        extreme = np.repeat(of.reduceat(filled, first), np.diff(np.append(first, len(values))))
+        kept.append(_first_of_each(bucket, (filled == extreme) & ~gap))
+    kept.append(_first_of_each(bucket, gap))
+    chosen = np.unique(np.concatenate(kept))
+    return Series(t_s[chosen], values[chosen])
+
+
+def _first_of_each(bucket: NDArray[np.int64], holds: NDArray[np.bool_]) -> NDArray[np.int64]:
+    """The first place in each bucket at which something holds."""
+    places = np.flatnonzero(holds)
+    return places[np.diff(bucket[places], prepend=-1) > 0]
+
+
+def band(many: list[Series], buckets: int, begin_s: float, end_s: float) -> tuple[Floats, Floats, Floats, Floats]:
+    """(times, least, median, greatest), each (buckets,): over all series, in equal parts of [begin_s, end_s].
+
+    Least and greatest are those of any value in a part; the median is that of the series' own means in it. NaN where
+    a part is empty.
+    """
+    least, greatest = np.full(buckets, np.inf), np.full(buckets, -np.inf)
+    means = np.full((len(many), buckets), np.nan)
+    for row, (t_s, values) in enumerate(many):
+        known = ~np.isnan(values)
+        bucket = ((t_s[known] - begin_s) * (buckets / (end_s - begin_s))).astype(np.int64)
+        bucket = np.clip(bucket, 0, buckets - 1)
+        np.minimum.at(least, bucket, values[known])
+        np.maximum.at(greatest, bucket, values[known])
+        count = np.bincount(bucket, minlength=buckets)
+        total = np.bincount(bucket, weights=values[known], minlength=buckets)
+        means[row] = np.where(count > 0, total / np.maximum(count, 1), np.nan)
+    empty = least > greatest
+    median = np.full(buckets, np.nan)
+    if len(many):
+        median[~empty] = np.nanmedian(means[:, ~empty], axis=0)
+    least[empty] = greatest[empty] = np.nan
+    t_s = begin_s + (np.arange(buckets) + 0.5) * ((end_s - begin_s) / buckets)
+    return t_s, least, median, greatest
+
+
+def thin(path: Floats, apart_m: float) -> Floats:
+    """Points (m, 3) of a path (k, 3), so that each one left out is less than `apart_m` from the last one kept.
+
+    First and last of each stretch stay; of points in a row that are NaN one stays, as a gap.
+    """
+    return path[_kept(np.ascontiguousarray(path), apart_m * apart_m)]
+
+
+@njit(cache=True)
+def _kept(path: Floats, apart_m2: float) -> NDArray[np.bool_]:
+    """Kernel: (k,) which points `thin` keeps."""
+    kept = np.zeros(path.shape[0], dtype=np.bool_)
+    last = -1
+    for k in range(path.shape[0]):
+        if np.isnan(path[k, 0]):
+            kept[k] = last >= 0
+            last = -1
+            continue
+        ends = k + 1 == path.shape[0] or np.isnan(path[k + 1, 0])
+        if last < 0 or ends or ((path[k] - path[last]) ** 2).sum() >= apart_m2:
+            kept[k] = True
+            last = k
+    return kept

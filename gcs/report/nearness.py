@@ -1,0 +1,190 @@
+"""How near things came in a session, over time: vehicles to each other, to obstacles, to their targets, to their plans.
+
+Times are the planner's ticks, and places those that the ground station knew then, so that the extremes are those of the
+summary (gcs/metrics.py judges with the same kernels).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from gcs.metrics import PLAN_MEMORY, closest_pair, distance_to_path
+from gcs.planner import obstacles
+from gcs.planner.plan import obstacle_table
+from gcs.report.recorded import P_NED, SYSID, T_S, Recorded
+from gcs.report.series import Floats, Series, Track
+
+BLOCK_TICKS = 2000
+_ROUNDING_S = 1e-6
+
+
+@dataclass(frozen=True)
+class Nearness:
+    """Series over the ticks; NaN where there was nothing to measure."""
+
+    separation: Series
+    """the least distance of any two vehicles in flight that were not partners of a refuelling"""
+    pair: NDArray[np.int64]
+    """(k, 2) which two those were, system ids"""
+    clearance: Series
+    """the least distance of any vehicle in flight to an obstacle's surface or to another aircraft"""
+    nearest: NDArray[np.int64]
+    """(k,) which vehicle that was"""
+    to_target: dict[int, Series]
+    """each pursuer's distance to what it pursues"""
+    held_s: dict[int, float]
+    """the longest time for which it stayed within the goal's distance; empty without such a goal"""
+
+
+def measure(recorded: Recorded, flown: Mapping[int, Track], others: Mapping[str, Track]) -> Nearness:
+    """All of it; empty series where nobody's track is known."""
+    scenario = recorded.scenario
+    period_s = scenario.clock.period_s if scenario else 0.1
+    ticks = int(recorded.end_s / period_s + _ROUNDING_S) if flown else 0
+    t_s = period_s * np.arange(1, ticks + 1)
+    sysids = np.array(sorted(flown), dtype=np.int64)
+    rows = {sysid: row for row, sysid in enumerate(sysids.tolist())}
+    separation, clearance = np.full(ticks, np.nan), np.full(ticks, np.nan)
+    pair, nearest = np.zeros((ticks, 2), dtype=np.int64), np.zeros(ticks, dtype=np.int64)
+    shapes = obstacle_table(scenario.obstacles) if scenario else np.empty((0, obstacles.COLUMNS))
+    partners = _partners(recorded, rows)
+    pursued = _pursued(recorded, t_s)
+    to_target = {sysid: np.full(ticks, np.nan) for sysid in pursued if sysid in rows}
+    for begin in range(0, ticks, BLOCK_TICKS):
+        some = slice(begin, min(begin + BLOCK_TICKS, ticks))
+        at = np.stack([flown[sysid].at(t_s[some]) for sysid in sysids.tolist()], axis=1)
+        _separations(at, t_s[some], partners, separation[some], pair[some])
+        near = np.full(at.shape[:2], np.inf)
+        if len(shapes):
+            near = obstacles.clearance(shapes, np.nan_to_num(at.reshape(-1, 3))).reshape(at.shape[:2])
+        for other in others.values():
+            there = other.at(t_s[some])[:, np.newaxis]
+            near = np.fmin(near, np.linalg.norm(at - there, axis=2))
+        near = np.where(np.isnan(at[:, :, 0]), np.inf, near)
+        which = near.argmin(axis=1)
+        least = near[np.arange(len(near)), which]
+        clearance[some] = np.where(np.isfinite(least), least, np.nan)
+        nearest[some] = sysids[which]
+        for sysid in to_target:
+            for target in np.unique(pursued[sysid][some]).tolist():
+                if target in rows:
+                    distance = np.linalg.norm(at[:, rows[sysid]] - at[:, rows[target]], axis=1)
+                    chosen = pursued[sysid][some] == target
+                    to_target[sysid][some][chosen] = distance[chosen]
+    pairs = np.where(pair < 0, 0, sysids[pair]) if len(sysids) else pair
+    pursue = scenario.goal.pursue if scenario else None
+    return Nearness(
+        Series(t_s, separation),
+        pairs,
+        Series(t_s, clearance),
+        nearest,
+        {sysid: Series(t_s, values) for sysid, values in to_target.items()},
+        {s: longest_s(t_s, values <= pursue.within_m) for s, values in to_target.items()} if pursue else {},
+    )
+
+
+def longest_s(t_s: Floats, holds: NDArray[np.bool_]) -> float:
+    """The longest time from the first to the last of samples in a row at which something held."""
+    edges = np.flatnonzero(np.diff(np.concatenate(([False], holds, [False])).astype(np.int8)))
+    begins, ends = edges[::2], edges[1::2] - 1
+    return float((t_s[ends] - t_s[begins]).max(initial=0.0))
+
+
+def tracking_errors(recorded: Recorded, flown: Mapping[int, Track]) -> dict[int, Series]:
+    """Each vehicle's distance in m from the path of its latest set points, at each of them."""
+    period_s = recorded.scenario.clock.period_s if recorded.scenario else 0.1
+    points = recorded.set_points
+    order = np.argsort(points[:, SYSID], kind="stable")
+    points = points[order]
+    found = {}
+    for sysid in np.unique(points[:, SYSID]).astype(int).tolist():
+        if sysid in flown:
+            low, high = np.searchsorted(points[:, SYSID], (sysid, sysid + 1))
+            own = points[low:high]
+            t_s = np.ascontiguousarray(own[:, T_S])
+            at = flown[sysid].at(t_s)
+            errors = _errors(t_s, np.ascontiguousarray(own[:, P_NED]), at, 1.5 * period_s, PLAN_MEMORY)
+            found[sysid] = Series(t_s, errors)
+    return found
+
+
+def _partners(recorded: Recorded, rows: Mapping[int, int]) -> Floats:
+    """(k, 4) rows of tanker and receiver, and from when to when they were partners."""
+    open_since: dict[tuple[int, int], float] = {}
+    spans: list[tuple[float, float, float, float]] = []
+    for decision in recorded.decisions:
+        if decision["kind"] not in ("decided", "served"):
+            continue
+        key = decision["tanker"], decision["receiver"]
+        if decision["kind"] == "decided":
+            open_since[key] = decision["t_s"]
+        elif key in open_since and set(key) <= rows.keys():
+            spans.append((rows[key[0]], rows[key[1]], open_since.pop(key), decision["t_s"]))
+    spans += [(rows[t], rows[r], since, math.inf) for (t, r), since in open_since.items() if {t, r} <= rows.keys()]
+    return np.array(spans, dtype=np.float64).reshape(-1, 4)
+
+
+def _pursued(recorded: Recorded, t_s: Floats) -> dict[int, NDArray[np.int64]]:
+    """(k,) whom each pursuer pursues at each tick; 0 for nobody."""
+    scenario = recorded.scenario
+    if scenario is None:
+        return {}
+    pursuers = scenario.vehicles.pursuers
+    if scenario.pursuit.by != "competition":
+        fixed = {p.sysid: scenario.vehicles.target_of(p) for p in pursuers}
+        return {s: np.full(len(t_s), target, dtype=np.int64) for s, target in fixed.items() if target is not None}
+    found = {p.sysid: np.zeros(len(t_s), dtype=np.int64) for p in pursuers}
+    for decision in recorded.decisions:
+        if decision["kind"] == "pursuit":
+            since = np.searchsorted(t_s, decision["t_s"] - _ROUNDING_S)
+            for targets in found.values():
+                targets[since:][targets[since:] == decision["target"]] = 0
+            if decision["pursuer"] in found:
+                found[decision["pursuer"]][since:] = decision["target"]
+    return found
+
+
+@njit(cache=True)
+def _separations(at: Floats, t_s: Floats, partners: Floats, separation: Floats, pair: NDArray[np.int64]) -> None:
+    """Kernel: fills the least distance (k,) and the rows of its pair (k, 2) from places (k, n, 3), NaN for not flying.
+
+    partners (m, 4): rows of a pair, and from when to when its distance does not count.
+    """
+    close = np.empty((partners.shape[0], 2), dtype=np.int64)
+    for k in range(at.shape[0]):
+        rows = np.flatnonzero(~np.isnan(at[k, :, 0]))
+        here = np.empty((rows.size, 3))
+        place = np.full(at.shape[1], -1, dtype=np.int64)
+        for i in range(rows.size):
+            here[i] = at[k, rows[i]]
+            place[rows[i]] = i
+        m = 0
+        for s in range(partners.shape[0]):
+            if partners[s, 2] - 1e-6 <= t_s[k] < partners[s, 3] - 1e-6:
+                close[m, 0], close[m, 1] = place[int(partners[s, 0])], place[int(partners[s, 1])]
+                m += 1
+        least_m, one, other = closest_pair(here, close[:m])
+        if one >= 0:
+            separation[k] = least_m
+            pair[k, 0], pair[k, 1] = rows[one], rows[other]
+
+
+@njit(cache=True)
+def _errors(t_s: Floats, plan: Floats, at: Floats, longest_s: float, memory: int) -> Floats:
+    """Kernel: distance (k,) of places (k, 3) to the polyline of the `memory` latest points of a plan (k, 3); NaN where
+    there are not yet so many without a pause longer than `longest_s`, or the place is not known."""
+    found = np.full(t_s.size, np.nan)
+    since = 0
+    for k in range(t_s.size):
+        if k > 0 and t_s[k] - t_s[k - 1] > longest_s:
+            since = k
+        if k - since + 1 >= memory and not np.isnan(at[k, 0]):
+            path = plan[k - memory + 1 : k + 1]
+            found[k] = distance_to_path(path, 0, at[k, 0], at[k, 1], at[k, 2])
+    return found

@@ -1,0 +1,379 @@
+"""report.html: one file that needs no network, with the outcome first; the figures are drawn by page.js.
+
+plotly.js comes whole from the package `plotly`, which pins and licenses it, and is compressed on the page to 2 MB: its
+partial bundles are smaller, but no package index of Python carries them, so they would be a copy of our own to look
+after. Browsers unpack it themselves (DecompressionStream, since 2023).
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Sequence
+from datetime import UTC, datetime
+from html import escape
+from importlib.resources import files
+from importlib.util import find_spec
+from pathlib import Path
+from string import Template
+from typing import Any
+
+from gcs.report.charts import Charts
+from gcs.report.findings import Findings, finite
+from gcs.report.pack import packed
+
+MOST_NAMED = 40
+_MARKS = {"bad": "✗", "warn": "!", "note": "·"}
+_PAGE = Template("""<!doctype html>
+<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
+<title>$title</title><style>$style</style></head><body>
+<header>
+<p class="soft small">Session report</p>
+<h1>$title</h1>
+<p class="soft">$about</p>
+<p class="verdict $verdict_level">$verdict</p>
+$problems
+$goal
+$missing
+$cards
+<nav aria-label="sections">$links</nav>
+</header>
+<fieldset class="picker"><legend>$picker</legend></fieldset>
+<main>
+$sections
+</main>
+<footer class="soft small"><p>Made by gcs report on $when. Lines are drawn by the smallest and largest value of each
+$bucket_s; every value is in session.tlog.</p></footer>
+<noscript><p class="verdict bad">The figures need JavaScript; the text and the tables do not.</p></noscript>
+<script type="application/json" id="model">$model</script>
+<script type="text/plain" id="series">$series</script>
+<script type="text/plain" id="plotly">$plotly</script>
+<script>$script</script>
+</body></html>
+""")
+
+
+class MissingPlotly(Exception):
+    """The package that draws the figures is not installed; the message says what to do."""
+
+
+def text(findings: Findings) -> str:
+    """The page. Raises MissingPlotly."""
+    charts = Charts(findings)
+    model = charts.model()
+    sections = [made for made in _sections(findings, set(model["figures"])) if made]
+    recorded = findings.recorded
+    name = findings.scenario.name if findings.scenario else recorded.folder.resolve().name
+    picker = "Vehicles drawn as lines, of all:" if charts.many else "Vehicles:"
+    level = "warn" if findings.summary is None else "good" if findings.summary.outcome == "met" else "bad"
+    return _PAGE.substitute(
+        title=escape(name),
+        style=_asset("page.css"),
+        about=escape(_about(findings)),
+        verdict=escape(findings.outcome),
+        verdict_level=level,
+        problems=_problems(findings),
+        goal=_goal(findings),
+        missing=_missing(recorded.problems),
+        cards=_cards(findings),
+        links="".join(f'<a href="#{part}">{escape(title)}</a>' for part, title, _ in sections),
+        picker=picker,
+        sections="\n".join(f'<section id="{part}"><h2>{escape(title)}</h2>{body}</section>' for part, title, body in sections),
+        when=datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC"),
+        bucket_s=f"{charts.end_s / charts.buckets:.2g} s",
+        model=json.dumps(model, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c"),
+        series=charts.pack.text(),
+        plotly=packed(_plotly()),
+        script=_asset("page.js"),
+    )
+
+
+def _asset(name: str) -> str:
+    return files("gcs.report").joinpath(name).read_text(encoding="utf-8")
+
+
+def _plotly() -> bytes:
+    """plotly.js, found without importing its package, which takes a while."""
+    spec = find_spec("plotly")
+    place = Path(spec.origin).parent / "package_data" / "plotly.min.js" if spec and spec.origin else None
+    if place is None or not place.is_file():
+        raise MissingPlotly("plotly, which draws the figures, is not installed: pip install 'plotly>=6,<8'")
+    return place.read_bytes()
+
+
+# the head
+
+
+def _about(found: Findings) -> str:
+    counts: dict[str, int] = {}
+    for vehicle in found.vehicles:
+        counts[vehicle.role] = counts.get(vehicle.role, 0) + 1
+    fleet = ", ".join(f"{n} {role}{'' if n == 1 else 's'}" for role, n in counts.items()) or "no vehicle is known"
+    words = [f"{fleet}; {found.end_s:.1f} s flown"]
+    if found.summary is not None:
+        pace = "in lockstep" if found.summary.clock == "lockstep" else f"on the clock at speed {found.summary.speed:g}"
+        words.append(f"{pace}, {found.summary.speed_achieved:.2g} times as fast as the wall clock")
+    if found.scenario is not None and found.scenario.description:
+        words.insert(0, found.scenario.description)
+    return ". ".join(words).replace(". in", ", in").replace(". on", ", on") + "."
+
+
+def _problems(found: Findings) -> str:
+    problems = found.problems
+    if not problems:
+        return '<p class="good">Nothing went wrong in flight.</p>' if found.tracks else ""
+    items = "".join(
+        f'<li class="{p.level}">{_MARKS[p.level]} <span>{escape(p.text)}</span></li>' for p in problems[:MOST_NAMED]
+    )
+    if len(problems) > MOST_NAMED:
+        items += f'<li class="note"><span>and {len(problems) - MOST_NAMED} more</span></li>'
+    return f'<ul class="problems" aria-label="what went wrong">{items}</ul>'
+
+
+def _goal(found: Findings) -> str:
+    if not found.parts:
+        return ""
+    words = {True: ("good", "✓ reached"), False: ("bad", "✗ not reached"), None: ("warn", "? not known")}
+    rows = "".join(
+        f'<tr><td class="{words[part.met][0]}">{words[part.met][1]}</td><td>{escape(part.wanted)}</td>'
+        f"<td>{escape(part.reached)}</td></tr>"
+        for part in found.parts
+    )
+    return f'<table class="goal"><tr><th></th><th>goal</th><th>what was reached</th></tr>{rows}</table>'
+
+
+def _missing(problems: Sequence[str]) -> str:
+    if not problems:
+        return ""
+    items = "".join(f"<li>{escape(problem)}</li>" for problem in problems)
+    return f'<div class="missing"><b>What this report could not show, or not wholly</b><ul>{items}</ul></div>'
+
+
+def _cards(found: Findings) -> str:
+    cards: list[tuple[str, str, str]] = []
+    summary, near = found.summary, found.nearness
+    separation, clearance = found.least(near.separation), found.least(near.clearance)
+    if separation:
+        cards.append(("least separation", f"{separation[0]:.2f} m", f"at {separation[1]:.1f} s"))
+    if clearance:
+        cards.append(("least clearance", f"{clearance[0]:.2f} m", f"at {clearance[1]:.1f} s"))
+    pursuers = {v.sysid for v in found.vehicles if v.role != "tanker"}
+    error = found.greatest({s: line for s, line in found.errors.items() if s in pursuers})
+    if error:
+        cards.append(("greatest tracking error", f"{error[0]:.2f} m", f"vehicle {error[1]}, tankers apart"))
+    lowest = {s: float(b.values.min()) for s, b in found.battery_percent.items() if len(b.values)}
+    if lowest:
+        whose = min(lowest, key=lambda sysid: lowest[sysid])
+        cards.append(("lowest battery", f"{lowest[whose]:.0f} %", f"vehicle {whose}"))
+    if found.services:
+        moved = sum(s.energy_j for s in found.services)
+        done = sum(s.energy_j > 0 for s in found.services)
+        cards.append(("refuellings", str(done), f"{moved / 1e3:.1f} kJ moved"))
+    if summary is not None:
+        cards.append(("frames lost", str(summary.link.lost), f"of {summary.link.received} received"))
+    items = "".join(f"<div><dt>{escape(t)}</dt><dd>{escape(v)}<small>{escape(s)}</small></dd></div>" for t, v, s in cards)
+    return f'<dl class="cards">{items}</dl>' if cards else ""
+
+
+# the sections
+
+
+def _sections(found: Findings, figures: set[str]) -> Iterable[tuple[str, str, str] | None]:
+    """(id, title, HTML) of each section; None where there is nothing to show."""
+
+    def figure(name: str, told: str, *, view: str = "", kind: str = "") -> str:
+        if name not in figures:
+            return ""
+        shown = f' data-view="{view}"' if view else ""
+        plot = (
+            f'<div class="plot {kind}" data-figure="{name}"{shown} role="img" aria-label="{escape(told)}">'
+            '<p class="waiting">drawing …</p></div>'
+        )
+        if view == "space":
+            plot = plot.replace('class="plot ', 'class="plot only-screen ')
+            plot += plot.replace("only-screen", "only-print").replace('data-view="space"', 'data-view="drawn"')
+        return f"<figure>{plot}<figcaption>{escape(told)}</figcaption></figure>"
+
+    def section(part: str, title: str, *bodies: str) -> tuple[str, str, str] | None:
+        return (part, title, "".join(bodies)) if any(bodies) else None
+
+    yield section(
+        "paths",
+        "Paths",
+        _pair(
+            figure(
+                "plan",
+                "From above, north up. Numbers stand where vehicles ended, crosses and grey shapes are obstacles, "
+                "diamonds the places where transfers began; dashed: the targets' path as planned.",
+                view="plan",
+                kind="square",
+            ),
+            figure("plan", "The same in space; drag to turn it.", view="space", kind="square"),
+        ),
+    )
+    yield section(
+        "pursuit",
+        "Pursuit and tracking",
+        figure("target", "How far each pursuer was from its target."),
+        figure(
+            "error",
+            "How far each vehicle was from the path of its latest set points. Of tankers it is large where they hasten "
+            "to a rendezvous.",
+        ),
+    )
+    yield section(
+        "motion",
+        "Speed, height and attitude",
+        _pair(
+            figure("motion", "Speed over ground and up, and height above the scenario's origin."),
+            figure("attitude", "Roll, pitch and yaw as the vehicles told them (NED)."),
+        ),
+    )
+    yield section(
+        "energy",
+        "Battery and energy ledger",
+        figure("battery", "What each battery held, by initial + received − drawn − given; shaded: transfers received."),
+        figure("ledger", "Where each vehicle's energy came from, and where it went: the two sides are equal."),
+    )
+    yield section(
+        "competition",
+        "Competition",
+        figure(
+            "contest",
+            "The state v of each competitor, and the leader's share; dotted: a decision hands the tanker over to the "
+            "vehicle named. Gaps: nobody competed.",
+        ),
+    )
+    yield section(
+        "refuelling",
+        "Refuelling",
+        figure(
+            "timeline",
+            "Each refuelling from its decision: the tanker on its way, in formation until the transfer begins, the "
+            "transfer until the service is done.",
+        ),
+        _services(found),
+    )
+    yield section(
+        "distances",
+        "Separation and clearance",
+        figure(
+            "nearness",
+            "The least distance of any two vehicles in flight, partners of a refuelling apart; and of any vehicle to an "
+            "obstacle's surface (a point's centre) or another aircraft.",
+        ),
+    )
+    yield section("link", "Link", figure("link", "Frames heard of each vehicle, and gaps in their numbers."), _link(found))
+    yield section("numbers", "The numbers", _numbers(found))
+    yield section("again", "How to reproduce it", _again(found))
+
+
+def _pair(*figures: str) -> str:
+    there = [one for one in figures if one]
+    return f'<div class="pair">{"".join(there)}</div>' if len(there) > 1 else "".join(there)
+
+
+def _table(caption: str, heads: Sequence[str], rows: Iterable[Sequence[Any]], words: Sequence[str] = ()) -> str:
+    """A table that sorts; columns named in `words` hold words, the others numbers."""
+    kinds = [' class="word"' if head in words else "" for head in heads]
+    head = "".join(f'<th scope="col"{kind}>{escape(name)}</th>' for name, kind in zip(heads, kinds, strict=True))
+    body = "".join(
+        "<tr>" + "".join(f"<td{kind}>{escape(_cell(v))}</td>" for v, kind in zip(row, kinds, strict=True)) + "</tr>"
+        for row in rows
+    )
+    if not body:
+        return ""
+    return (
+        f'<div class="scroll" tabindex="0" role="region" aria-label="{escape(caption)}"><table class="sorts">'
+        f"<caption>{escape(caption)}</caption><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></div>"
+    )
+
+
+def _cell(value: Any) -> str:
+    if value is None:
+        return "–"
+    return f"{value:.2f}" if isinstance(value, float) else str(value)
+
+
+def _time(value: float | None) -> str | None:
+    return None if value is None else f"{value:.1f}"
+
+
+def _services(found: Findings) -> str:
+    rows = []
+    for s in found.services:
+        bids = sorted(s.bids.items(), key=lambda bid: -bid[1])
+        told = " · ".join(f"{sysid}: {bid:.2f}" for sysid, bid in bids[:4]) + (" …" if len(bids) > 4 else "")
+        times = (_time(s.decided_at_s), _time(s.joined_at_s), _time(s.start_s), _time(s.end_s))
+        rows.append((s.receiver, s.tanker, s.by, *times, f"{s.energy_j:.0f}", s.reason, told))
+    heads = ("receiver", "tanker", "by", "decided (s)", "joined (s)", "transfer (s)", "done (s)", "energy (J)", "ended", "bids")
+    return _table("Each refuelling, with the highest bids (τ)", heads, rows, ("by", "ended", "bids"))
+
+
+def _link(found: Findings) -> str:
+    if found.summary is None:
+        return ""
+    link = found.summary.link
+    names = ("received", "sent", "lost", "malformed", "overflowed", "command_retries")
+    told = ("frames received", "frames sent", "lost (gaps)", "malformed", "dropped by the system", "commands sent again")
+    return _table("The session's link", told, [[getattr(link, name) for name in names]])
+
+
+def _numbers(found: Findings) -> str:
+    summary = found.summary
+    of = {v.sysid: v for v in summary.vehicles} if summary else {}
+    rows = []
+    for vehicle in found.vehicles:
+        sysid = vehicle.sysid
+        told = of.get(sysid)
+        energy = told.energy if told else None
+        speed = found.greatest({sysid: found.speeds[sysid]}) if sysid in found.speeds else None
+        error = found.greatest({sysid: found.errors[sysid]}) if sysid in found.errors else None
+        battery = found.battery_percent.get(sysid)
+        link = found.links.get(sysid)
+        whole = ("initial_j", "drawn_j", "received_j", "given_j", "lost_j", "remaining_j")
+        rows.append(
+            (
+                vehicle.label,
+                vehicle.role,
+                told.final_mode if told else None,
+                f"{told.path_length_m:.1f}" if told else None,
+                f"{error[0]:.3f}" if error else None,
+                speed[0] if speed else None,
+                f"{told.control_effort:.0f}" if told else None,
+                *(f"{getattr(energy, name):.0f}" if energy else None for name in whole),
+                f"{battery.values.min():.1f}" if battery is not None and len(battery.values) else None,
+                int(link.lost.values[-1]) if link is not None else None,
+                finite(link.longest_silence_s) if link is not None else None,
+            )
+        )
+    heads = (
+        *("vehicle", "role", "final mode", "path (m)", "greatest error (m)", "top speed (m/s)", "control effort"),
+        *("initial (J)", "drawn (J)", "received (J)", "given (J)", "lost (J)", "remaining (J)"),
+        *("lowest battery (%)", "frames lost", "longest silence (s)"),
+    )
+    return _table("Each vehicle", heads, rows, ("vehicle", "role", "final mode"))
+
+
+def _again(found: Findings) -> str:
+    folder, summary = found.recorded.folder.resolve(), found.summary
+    parts = []
+    if found.scenario is not None:
+        words = [f"gcs run {folder.name}/scenario.yaml --seed {found.scenario.seed} --out again"]
+        if found.scenario.clock.mode == "lockstep":
+            words.insert(0, words.pop() + " --lockstep")
+        parts.append(
+            f"<p>With the same versions, from beside the session's folder:</p><pre><code>{escape(words[0])}</code></pre>"
+        )
+    if summary is not None:
+        same = "The digest in again/summary.json is then the one below." if summary.digest else (
+            "There is no digest: vehicles took part that cannot be reproduced."
+        )
+        parts.append(f"<p>{same}</p>")
+        facts = [("scenario", summary.scenario), ("seed", summary.seed), ("clock", summary.clock)]
+        facts += [("digest", summary.digest), *summary.versions.items()]
+        rows = "".join(f"<tr><th>{escape(k)}</th><td>{escape(str(v))}</td></tr>" for k, v in facts)
+        parts.append(f'<table class="goal">{rows}</table>')
+    if found.scenario is not None:
+        source = (found.recorded.folder / "scenario.yaml").read_text(encoding="utf-8", errors="replace")
+        parts.append(f"<details><summary>scenario.yaml, as flown</summary><pre>{escape(source)}</pre></details>")
+    return "".join(parts)

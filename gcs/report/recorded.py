@@ -1,0 +1,258 @@
+"""What a session left in its folder, read once: each file by itself, so that one that is missing or broken costs only
+what it alone could tell. `Recorded.problems` says what that is."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+from pydantic import ValidationError
+
+from gcs import summary as summaries
+from gcs import tlog
+from gcs.recorder import DECISIONS, TLOG
+from gcs.scenario import Scenario, ScenarioError, load
+from gcs.summary import Summary
+
+SCENARIO = "scenario.yaml"
+WANTED = {
+    "LOCAL_POSITION_NED": ("time_boot_ms", "x", "y", "z", "vx", "vy", "vz"),
+    "ATTITUDE": ("time_boot_ms", "roll", "pitch", "yaw"),
+    "HEARTBEAT": ("base_mode",),
+    "EXTENDED_SYS_STATE": ("landed_state",),
+    "GPS_GLOBAL_ORIGIN": ("latitude", "longitude", "altitude"),
+    "BATTERY_STATUS": ("id", "energy_consumed", "battery_remaining"),
+    "NAMED_VALUE_INT": ("name", "value"),
+    "PARAM_VALUE": ("param_id", "param_value"),
+    "STATUSTEXT": ("severity", "text", "id", "chunk_seq"),
+    "ADSB_VEHICLE": ("ICAO_address", "lat", "lon", "altitude", "heading", "hor_velocity", "ver_velocity", "callsign"),
+}
+"""The messages that a report is made from, and the fields that it needs of them."""
+AUTOPILOT = 1
+BLOCK_BYTES = 1 << 22
+_SET_POINT = b'{"kind":"set_point","p_ned":['
+# Between the numbers of a set point's line, in the one form in which the recorder writes it.
+_BETWEEN = ((b'],"sysid":', b","), (b',"t_s":', b","), (b',"v_ned":[', b","), (b"]}\n", b","), (_SET_POINT, b""))
+SYSID, T_S, P_NED, V_NED = 3, 4, slice(0, 3), slice(5, 8)
+"""Columns of `Recorded.set_points`."""
+
+Progress = Callable[[float], object]
+
+
+class NoSession(Exception):
+    """The folder is no session's; the message is a sentence that names it."""
+
+
+@dataclass
+class Recorded:
+    """A session as its files tell it; None or empty for what they do not."""
+
+    folder: Path
+    summary: Summary | None = None
+    scenario: Scenario | None = None
+    tables: dict[str, NDArray[Any]] = field(default_factory=dict)
+    """by message: t_s of the session, sysid, compid and the fields of WANTED, in the order of arrival"""
+    decisions: list[dict[str, Any]] = field(default_factory=list)
+    """every decision but the set points"""
+    set_points: NDArray[np.float64] = field(default_factory=lambda: np.empty((0, 8)))
+    """(n, 8) in the order of decision"""
+    traffic_count: NDArray[np.int64] = field(default_factory=lambda: np.zeros((256, 0), dtype=np.int64))
+    """(256, seconds) frames received of each vehicle's autopilot in each second"""
+    traffic_lost: NDArray[np.int64] = field(default_factory=lambda: np.zeros((256, 0), dtype=np.int64))
+    """(256, seconds) gaps in their sequence numbers"""
+    end_s: float = 0.0
+    problems: list[str] = field(default_factory=list)
+
+
+def read(folder: Path, progress: Progress = lambda _: None) -> Recorded:
+    """What the folder holds. Raises NoSession where that is no session at all."""
+    if not folder.is_dir():
+        raise NoSession(f"{folder} is no folder; give the folder of a session, such as gcs run leaves it.")
+    if not any((folder / name).is_file() for name in (TLOG, DECISIONS, summaries.FILE)):
+        raise NoSession(
+            f"{folder} is no session's folder: it holds none of {TLOG}, {DECISIONS} and {summaries.FILE}."
+        )
+    recorded = Recorded(folder)
+    _read_summary(recorded)
+    _read_scenario(recorded)
+    _read_decisions(recorded, lambda share: progress(0.4 * share))
+    _read_tlog(recorded, lambda share: progress(0.4 + 0.6 * share))
+    if not recorded.end_s and recorded.summary is not None:
+        recorded.end_s = recorded.summary.sim_time_s
+    return recorded
+
+
+def _read_summary(recorded: Recorded) -> None:
+    path = recorded.folder / summaries.FILE
+    lost = "the outcome, the digest and the link's counts are not known"
+    try:
+        recorded.summary = Summary.model_validate_json(path.read_bytes())
+    except FileNotFoundError:
+        recorded.problems.append(f"{path.name} is missing, as after a session that was killed: {lost}.")
+    except OSError as error:
+        recorded.problems.append(f"{path.name} cannot be read ({error.strerror}): {lost}.")
+    except ValidationError as error:
+        first = error.errors()[0]
+        where = ".".join(map(str, first["loc"])) or "the whole"
+        recorded.problems.append(f"{path.name} is not as it should be ({where}: {first['msg']}): {lost}.")
+
+
+def _read_scenario(recorded: Recorded) -> None:
+    path = recorded.folder / SCENARIO
+    lost = "goal, obstacles, roles and capacities are not known"
+    try:
+        recorded.scenario = load(path)
+    except ScenarioError as error:
+        why = "is missing" if not path.exists() else f"cannot be read ({str(error).splitlines()[0]})"
+        recorded.problems.append(f"{path.name} {why}: {lost}.")
+
+
+def _read_decisions(recorded: Recorded, progress: Progress) -> None:
+    path = recorded.folder / DECISIONS
+    points: list[NDArray[np.float64]] = []
+    broken = 0
+    try:
+        size = max(path.stat().st_size, 1)
+        done = 0
+        with path.open("rb") as file:
+            while lines := file.readlines(BLOCK_BYTES):
+                done += sum(map(len, lines))
+                plain = [line for line in lines if line.startswith(_SET_POINT)]
+                table = _set_points(plain)
+                rest: Iterable[bytes] = (line for line in lines if not line.startswith(_SET_POINT))
+                points.append(table if table is not None else np.empty((0, 8)))
+                broken += _take_decisions(recorded, rest if table is not None else lines, points)
+                progress(done / size)
+    except OSError as error:
+        why = "is missing" if isinstance(error, FileNotFoundError) else f"cannot be read ({error.strerror})"
+        recorded.problems.append(f"{path.name} {why}: plan, tracking error and competition cannot be shown.")
+    if broken:
+        lines_are = "1 line that is" if broken == 1 else f"{broken} lines that are"
+        recorded.problems.append(f"{path.name} has {lines_are} no decision, cut short or foreign; passed over.")
+    recorded.set_points = np.concatenate(points) if points else np.empty((0, 8))
+
+
+def _set_points(lines: list[bytes]) -> NDArray[np.float64] | None:
+    """(n, 8) numbers of set points' lines; None where not all are in the recorder's form. JSON takes ten times as
+    long, and there are a million and more of these."""
+    text = b"".join(lines)
+    for form, comma in _BETWEEN:
+        text = text.replace(form, comma)
+    if text.strip(b"0123456789+-.eE,"):
+        return None
+    try:
+        numbers = np.fromstring(text.rstrip(b",").decode(), sep=",") if text else np.empty(0)
+    except (ValueError, DeprecationWarning):  # numpy's word for text that does not end as numbers do
+        return None
+    return numbers.reshape(-1, 8) if len(numbers) == 8 * len(lines) else None
+
+
+def _take_decisions(recorded: Recorded, lines: Iterable[bytes], points: list[NDArray[np.float64]]) -> int:
+    """Take decisions line by line; how many were none."""
+    broken = 0
+    for line in lines:
+        try:
+            decision = json.loads(line)
+            if decision["kind"] == "set_point":
+                row = [*decision["p_ned"], decision["sysid"], decision["t_s"], *decision["v_ned"]]
+                points.append(np.array(row, dtype=np.float64).reshape(1, 8))
+            else:
+                recorded.decisions.append({**decision, "t_s": float(decision["t_s"])})
+        except (ValueError, TypeError, KeyError):
+            broken += 1
+    return broken
+
+
+def _read_tlog(recorded: Recorded, progress: Progress) -> None:
+    scenario = recorded.scenario
+    epoch_us = round(1e6 * scenario.clock.epoch.timestamp()) if scenario else None
+    pieces: dict[str, list[NDArray[Any]]] = {name: [] for name in WANTED}
+    newest = np.full(256, -1, dtype=np.int64)
+    missing = np.zeros((256, 256), dtype=np.bool_)
+    try:
+        log = tlog.read(recorded.folder / TLOG)
+        for chunk in log.chunks():
+            heads = chunk.heads
+            if len(heads):
+                epoch_us = int(heads[0, tlog.T_US]) if epoch_us is None else epoch_us
+                for name, fields in WANTED.items():
+                    pieces[name].append(_columns(chunk.table(name), fields, epoch_us))
+                recorded.end_s = max(recorded.end_s, 1e-6 * (int(heads[-1, tlog.T_US]) - epoch_us))
+                _count(recorded, heads, epoch_us, newest, missing)
+            progress(chunk.read_share)
+        recorded.problems += log.problems
+    except OSError as error:
+        why = "is missing" if isinstance(error, FileNotFoundError) else f"cannot be read ({error.strerror})"
+        recorded.problems.append(f"{TLOG} {why}: paths, speeds, batteries, distances and link cannot be shown.")
+    recorded.tables = {name: np.concatenate(tables) for name, tables in pieces.items() if tables}
+
+
+def _columns(table: NDArray[Any], fields: tuple[str, ...], epoch_us: int) -> NDArray[Any]:
+    """A table's times in session seconds, senders and these fields alone."""
+    kept = [(name, table.dtype[name]) for name in ("sysid", "compid", *fields)]
+    columns = np.empty(len(table), dtype=[("t_s", np.float64), *kept])
+    columns["t_s"] = 1e-6 * (table["t_us"] - epoch_us)
+    for name, _ in kept:
+        columns[name] = table[name]
+    return columns
+
+
+def _count(
+    recorded: Recorded, heads: NDArray[np.int64], epoch_us: int, newest: NDArray[np.int64], missing: NDArray[np.bool_]
+) -> None:
+    own = heads[heads[:, tlog.COMPID] == AUTOPILOT]
+    second = (own[:, tlog.T_US] - epoch_us) // 1_000_000
+    # A foreign time, years away, must not make a table of years.
+    sane = (second >= 0) & (second < 7 * 86_400)
+    own, second = own[sane], second[sane]
+    seconds = int(second.max(initial=-1)) + 1
+    grown = seconds - recorded.traffic_count.shape[1]
+    if grown > 0:
+        recorded.traffic_count = np.pad(recorded.traffic_count, ((0, 0), (0, grown)))
+        recorded.traffic_lost = np.pad(recorded.traffic_lost, ((0, 0), (0, grown)))
+    _gaps(
+        own[:, tlog.SYSID], own[:, tlog.SEQ], second, newest, missing, recorded.traffic_count, recorded.traffic_lost
+    )
+
+
+@njit(cache=True)
+def _gaps(
+    sysid: NDArray[np.int64],
+    seq: NDArray[np.int64],
+    second: NDArray[np.int64],
+    newest: NDArray[np.int64],
+    missing: NDArray[np.bool_],
+    count: NDArray[np.int64],
+    lost: NDArray[np.int64],
+) -> None:
+    """Kernel: counts frames and gaps as gcs.mavlink.sequence.GapCounter does, second by second; a frame that comes
+    again, as relayed ones do, is neither. A frame that comes late makes good its gap in the second in which it comes.
+
+    newest (256,) and missing (256, 256) are the memory from call to call.
+    """
+    for i in range(sysid.size):
+        sender, number, now = sysid[i], seq[i], second[i]
+        if newest[sender] < 0:
+            newest[sender] = number
+            count[sender, now] += 1
+            continue
+        ahead = (number - newest[sender]) % 256
+        if 0 < ahead < 128:
+            for step in range(1, ahead):
+                missing[sender, (newest[sender] + step) % 256] = True
+            for step in range(ahead):  # a number half a turn old can no longer be told from a new one
+                missing[sender, (number - 128 - step) % 256] = False
+            missing[sender, number] = False
+            lost[sender, now] += ahead - 1
+            newest[sender] = number
+            count[sender, now] += 1
+        elif missing[sender, number]:
+            missing[sender, number] = False
+            lost[sender, now] -= 1
+            count[sender, now] += 1

@@ -1,0 +1,311 @@
+"""Time series of a session, out of what was recorded: per vehicle motion, attitude, battery, competition and link.
+
+Session seconds, SI, the common NED frame. A series is times (k,) and values (k,); NaN in the values is a gap.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+import pymap3d
+from numpy.typing import NDArray
+
+from gcs.fleet import HECTOJOULE, STALE_S
+from gcs.report.recorded import AUTOPILOT, Recorded
+
+Floats = NDArray[np.float64]
+GAP_S = 2.0
+"""Silence longer than this is drawn as a gap."""
+LATE_S = 5.0
+"""A vehicle's own time is believed where it is at most this much before the arrival: else its clock is another one."""
+ARMED, ON_GROUND, UNDEFINED_STATE = 0x80, 1, 0
+
+
+class Series(NamedTuple):
+    """Times (k,) in s, ascending, and values (k,)."""
+
+    t_s: Floats
+    values: Floats
+
+
+@dataclass(frozen=True)
+class Vehicle:
+    """Who flew."""
+
+    sysid: int
+    role: str
+    label: str
+
+
+@dataclass(frozen=True)
+class Track:
+    """One vehicle's positions (k, 3) m and velocities (k, 3) m/s, common NED frame, by the times when they were true."""
+
+    t_s: Floats
+    p_ned: Floats
+    v_ned: Floats
+    armed: Series
+    in_air: Series
+
+    def flying(self, t_s: Floats) -> NDArray[np.bool_]:
+        """(k,) whether it was armed and in the air at each time, and had told its place lately."""
+        last = np.searchsorted(self.t_s, t_s, side="right") - 1
+        age_s = np.where(last >= 0, t_s - self.t_s[np.maximum(last, 0)], np.inf) if len(self.t_s) else t_s + np.inf
+        return (age_s <= STALE_S) & (held(self.armed, t_s) > 0.0) & (held(self.in_air, t_s) > 0.0)
+
+    def at(self, t_s: Floats) -> Floats:
+        """(k, 3) places as the ground station knew them: the last one told, carried forward by its age; NaN where the
+        vehicle did not fly or had not told its place lately."""
+        if not len(self.t_s):
+            return np.full((len(t_s), 3), np.nan)
+        last = np.maximum(np.searchsorted(self.t_s, t_s, side="right") - 1, 0)
+        carried = self.p_ned[last] + self.v_ned[last] * (t_s - self.t_s[last])[:, np.newaxis]
+        return np.where(self.flying(t_s)[:, np.newaxis], carried, np.nan)
+
+
+def held(series: Series, t_s: Floats) -> Floats:
+    """(k,) the latest value at each time, as of a state that holds until it changes; 0 before the first."""
+    if not len(series.t_s):
+        return np.zeros(len(t_s))
+    last = np.searchsorted(series.t_s, t_s, side="right") - 1
+    return np.where(last >= 0, series.values[np.maximum(last, 0)], 0.0)
+
+
+def vehicles(recorded: Recorded) -> list[Vehicle]:
+    """Everyone who flew, in order of system id, as the scenario, else the summary, else the recording names them."""
+    if recorded.scenario is not None:
+        return [Vehicle(v.sysid, v.role, v.label) for v in recorded.scenario.vehicles.all]
+    if recorded.summary is not None:
+        return [Vehicle(v.sysid, v.role, f"{v.role} {v.sysid}") for v in recorded.summary.vehicles]
+    heard = np.unique(_own(recorded, "LOCAL_POSITION_NED")["sysid"]) if recorded.tables else []
+    return [Vehicle(int(sysid), "vehicle", f"vehicle {sysid}") for sysid in heard]
+
+
+def tracks(recorded: Recorded) -> dict[int, Track]:
+    """Each vehicle's track, as far as it told where its own frame's zero lies."""
+    if not recorded.tables:
+        return {}
+    origins = _by_vehicle(_own(recorded, "GPS_GLOBAL_ORIGIN"))
+    zero = _zero(recorded, origins)
+    armed = _by_vehicle(_own(recorded, "HEARTBEAT"))
+    landed = _by_vehicle(_own(recorded, "EXTENDED_SYS_STATE"))
+    found = {}
+    for sysid, rows in _by_vehicle(_own(recorded, "LOCAL_POSITION_NED")).items():
+        if sysid not in origins or zero is None:
+            continue
+        offset = np.array(pymap3d.geodetic2ned(*_place(origins[sysid][0]), *zero), dtype=np.float64)
+        t_s = _told_s(rows)
+        p_ned = np.column_stack([rows[axis] for axis in "xyz"]).astype(np.float64) + offset
+        v_ned = np.column_stack([rows[f"v{axis}"] for axis in "xyz"]).astype(np.float64)
+        # In the order in which they were true; what came late and out of order changes nothing that is known.
+        good = np.isfinite(p_ned).all(axis=1) & np.isfinite(v_ned).all(axis=1)
+        good &= t_s >= np.maximum.accumulate(np.where(good, t_s, -np.inf))
+        beats, states = armed.get(sysid), landed.get(sysid)
+        found[sysid] = Track(
+            t_s[good],
+            p_ned[good],
+            v_ned[good],
+            _state(beats, None if beats is None else beats["base_mode"] & ARMED > 0),
+            _state(states, None if states is None else ~np.isin(states["landed_state"], (ON_GROUND, UNDEFINED_STATE))),
+        )
+    return found
+
+
+def traffic(recorded: Recorded) -> dict[str, Track]:
+    """The tracks of other aircraft, by callsign; each report holds until the next."""
+    table = recorded.tables.get("ADSB_VEHICLE")
+    zero = _zero(recorded, {})
+    if table is None or not len(table) or zero is None:
+        return {}
+    found = {}
+    for address in np.unique(table["ICAO_address"]):
+        rows = table[table["ICAO_address"] == address]
+        _, first = np.unique(rows["t_s"], return_index=True)  # each vehicle's relay hears the same
+        rows = rows[first]
+        places = pymap3d.geodetic2ned(1e-7 * rows["lat"], 1e-7 * rows["lon"], 1e-3 * rows["altitude"], *zero)
+        heading_rad, speed_m_s = np.radians(1e-2 * rows["heading"]), 1e-2 * rows["hor_velocity"]
+        v_ned = (speed_m_s * np.cos(heading_rad), speed_m_s * np.sin(heading_rad), -1e-2 * rows["ver_velocity"])
+        always = Series(np.array([-math.inf]), np.ones(1))
+        name = rows["callsign"][0].decode("ascii", "replace") or f"{address:06X}"
+        found[name] = Track(
+            rows["t_s"], np.column_stack(places), np.column_stack(v_ned).astype(np.float64), always, always
+        )
+    return found
+
+
+def attitudes(recorded: Recorded) -> dict[int, tuple[Series, Series, Series]]:
+    """Roll, pitch and yaw in rad of each vehicle, NED."""
+    if not recorded.tables:
+        return {}
+    found = {}
+    for sysid, rows in _by_vehicle(_own(recorded, "ATTITUDE")).items():
+        t_s = _told_s(rows)
+        order = np.argsort(t_s, kind="stable")
+        roll, pitch, yaw = (
+            Series(t_s[order], rows[name][order].astype(np.float64)) for name in ("roll", "pitch", "yaw")
+        )
+        found[sysid] = (roll, pitch, yaw)
+    return found
+
+
+def with_gaps(series: Series, gap_s: float = GAP_S) -> Series:
+    """The series with a NaN in the middle of each silence longer than `gap_s`."""
+    after = np.flatnonzero(np.diff(series.t_s) > gap_s)
+    if not len(after):
+        return series
+    middle_s = 0.5 * (series.t_s[after] + series.t_s[after + 1])
+    return Series(np.insert(series.t_s, after + 1, middle_s), np.insert(series.values, after + 1, np.nan))
+
+
+@dataclass(frozen=True)
+class Battery:
+    """What a battery held, in J, at each report of it, and what it can hold."""
+
+    capacity_j: float
+    remaining: Series
+
+
+def batteries(recorded: Recorded) -> dict[int, Battery]:
+    """Each vehicle's battery by its messages alone: initial + received - drawn - given (contract.md, Energy)."""
+    if not recorded.tables:
+        return {}
+    parameters = _by_vehicle(_own(recorded, "PARAM_VALUE"))
+    counters = _by_vehicle(_own(recorded, "NAMED_VALUE_INT"))
+    fitted = {v.sysid: v.battery for v in recorded.scenario.vehicles.all} if recorded.scenario else {}
+    ledgers = {v.sysid: v.energy for v in recorded.summary.vehicles} if recorded.summary else {}
+    found = {}
+    for sysid, rows in _by_vehicle(_own(recorded, "BATTERY_STATUS")).items():
+        rows = rows[rows["id"] == 0]
+        told = {row["param_id"]: float(row["param_value"]) for row in parameters.get(sysid, ())}
+        capacity_j = told.get(b"SIM_BAT_CAP_J") or (fitted[sysid].capacity_j if sysid in fitted else 0.0)
+        if not len(rows) or not capacity_j:
+            continue
+        if sysid in ledgers:
+            initial_j = ledgers[sysid].initial_j
+        elif b"SIM_BAT_INIT_J" in told:
+            initial_j = told[b"SIM_BAT_INIT_J"]
+        else:
+            initial_j = 0.01 * (fitted[sysid].initial_percent if sysid in fitted else 100.0) * capacity_j
+        moved_j = np.zeros(len(rows))
+        for name, sign in ((b"XferIn", 1.0), (b"XferOut", -1.0)):
+            count = counters.get(sysid, np.empty(0))
+            count = count[count["name"] == name] if len(count) else count
+            if len(count):
+                total = np.maximum.accumulate(count["value"]).astype(np.float64)
+                moved_j += sign * held(Series(count["t_s"], total), rows["t_s"])
+        if (rows["energy_consumed"] >= 0).all():
+            left_j = initial_j + moved_j - HECTOJOULE * np.maximum.accumulate(rows["energy_consumed"])
+        else:
+            left_j = np.where(rows["battery_remaining"] >= 0, 0.01 * rows["battery_remaining"] * capacity_j, np.nan)
+        found[sysid] = Battery(capacity_j, Series(rows["t_s"].copy(), left_j))
+    return found
+
+
+@dataclass(frozen=True)
+class Contest:
+    """The competition for the next refuelling: each one's state v, and the leader's share."""
+
+    v: dict[int, Series]
+    share: Series
+    leader: Series
+    """system id; NaN: nobody leads"""
+
+
+def contest(recorded: Recorded) -> Contest:
+    """The competition as it was decided tick by tick; gaps where nobody competed."""
+    lines = [decision for decision in recorded.decisions if decision["kind"] == "competition"]
+    t_s = np.array([line["t_s"] for line in lines], dtype=np.float64)
+    states: dict[int, list[tuple[float, float]]] = {}
+    for line in lines:
+        for sysid, v in line["v"].items():
+            states.setdefault(int(sysid), []).append((line["t_s"], v))
+    gap_s = 2.5 * (recorded.scenario.clock.period_s if recorded.scenario else 0.1)
+    v_of = {}
+    for sysid, points in sorted(states.items()):
+        table = np.array(points, dtype=np.float64)
+        v_of[sysid] = with_gaps(Series(table[:, 0], table[:, 1]), gap_s)
+    share = Series(t_s, np.array([line["share"] for line in lines], dtype=np.float64))
+    leader = [math.nan if line["leader"] is None else float(line["leader"]) for line in lines]
+    return Contest(v_of, with_gaps(share, gap_s), Series(t_s, np.array(leader, dtype=np.float64)))
+
+
+@dataclass(frozen=True)
+class Link:
+    """What was heard of a vehicle, second by second."""
+
+    rate_hz: Series
+    lost: Series
+    """frames missing so far, by the gaps in its numbers"""
+    longest_silence_s: float
+    """between two positions"""
+
+
+def links(recorded: Recorded, flown: dict[int, Track]) -> dict[int, Link]:
+    """The link of each vehicle that was heard."""
+    found = {}
+    for sysid in np.flatnonzero(recorded.traffic_count.sum(axis=1)).tolist():
+        # The last second is seldom whole; its rate would be a drop that never was.
+        counts, lost = recorded.traffic_count[sysid], recorded.traffic_lost[sysid]
+        whole = max(min(len(counts), int(recorded.end_s + 1e-6)), 1)
+        t_s = np.arange(whole) + 0.5
+        silence_s = np.diff(flown[sysid].t_s).max(initial=0.0) if sysid in flown else math.nan
+        found[sysid] = Link(
+            Series(t_s, counts[:whole].astype(np.float64)),
+            Series(t_s, np.cumsum(lost)[:whole].astype(np.float64)),
+            float(silence_s),
+        )
+    return found
+
+
+def texts(recorded: Recorded, worst: int = 4) -> list[tuple[float, int, int, str]]:
+    """(time in s, system id, severity, text) of the STATUSTEXTs at least as severe as this, MAV_SEVERITY."""
+    if not recorded.tables:
+        return []
+    rows = _own(recorded, "STATUSTEXT")
+    rows = rows[(rows["severity"] <= worst) & (rows["chunk_seq"] == 0)]
+    return [
+        (float(row["t_s"]), int(row["sysid"]), int(row["severity"]), row["text"].decode("ascii", "replace"))
+        for row in rows
+    ]
+
+
+def _own(recorded: Recorded, message: str) -> NDArray[Any]:
+    """A message's rows that vehicles' autopilots sent."""
+    table = recorded.tables[message]
+    return table[(table["compid"] == AUTOPILOT) & (table["sysid"] < 255)]
+
+
+def _by_vehicle(rows: NDArray[Any]) -> dict[int, NDArray[Any]]:
+    """Rows of each sender, in their order."""
+    order = np.argsort(rows["sysid"], kind="stable")
+    ordered = rows[order]
+    sysids, first = np.unique(ordered["sysid"], return_index=True)
+    return dict(zip(sysids.tolist(), np.split(ordered, first[1:]), strict=True)) if len(sysids) else {}
+
+
+def _told_s(rows: NDArray[Any]) -> Floats:
+    """When each row was true: by the vehicle's own clock where that is the session's."""
+    own_s = 1e-3 * rows["time_boot_ms"].astype(np.float64)
+    late_s = rows["t_s"] - own_s
+    return np.where((late_s >= 0.0) & (late_s <= LATE_S), own_s, rows["t_s"])
+
+
+def _state(rows: NDArray[Any] | None, values: NDArray[Any] | None) -> Series:
+    if rows is None or values is None:
+        return Series(np.empty(0), np.empty(0))
+    return Series(rows["t_s"].copy(), values.astype(np.float64))
+
+
+def _place(row: Any) -> tuple[float, float, float]:
+    return 1e-7 * float(row["latitude"]), 1e-7 * float(row["longitude"]), 1e-3 * float(row["altitude"])
+
+
+def _zero(recorded: Recorded, origins: dict[int, NDArray[Any]]) -> tuple[float, float, float] | None:
+    """The common frame's zero (° ° m): the scenario's, else the first vehicle's."""
+    if recorded.scenario is not None:
+        origin = recorded.scenario.origin
+        return origin.lat_deg, origin.lon_deg, origin.alt_m
+    return _place(origins[min(origins)][0]) if origins else None

@@ -43,6 +43,7 @@ class Panel:
     limits: Sequence[tuple[float, str]] = ()
     digits: int = 2
     from_zero: bool = False
+    span: tuple[float, float] | None = None
 
 
 class Charts:
@@ -88,6 +89,9 @@ class Charts:
         ]
         decided = [{"t_s": s.decided_at_s, "id": s.receiver, "label": f"→ {s.receiver}"} for s in found.services]
         near = found.nearness
+        frames = [Panel("Frames received", "1/s", found.rates, digits=0, from_zero=True)]
+        if any(line.values.max(initial=0.0) > 0.0 for line in found.losses.values()):
+            frames.append(Panel("Frames missing so far", "1", found.losses, digits=0, from_zero=True))
         return {
             "target": self._time([Panel("Distance to target", "m", near.to_target, limits=within, from_zero=True)]),
             "error": self._time([Panel("Tracking error", "m", found.errors, digits=3, from_zero=True)]),
@@ -103,8 +107,8 @@ class Charts:
             "battery": self._time([Panel("Battery", "%", found.battery_percent, digits=1, from_zero=True)], spans=spans),
             "contest": self._time(
                 [
-                    Panel("State v of each competitor", "1", found.contest.v, digits=3),
-                    Panel("Leader's share of Σ vᵖ", "1", {}, {"share": found.contest.share}, share, digits=3),
+                    Panel("State v of each competitor", "1", found.contest.v, digits=3, span=(-0.03, 1.06)),
+                    Panel("Leader's share of Σ vᵖ", "1", {}, {"share": found.contest.share}, share, 3, span=(-0.03, 1.06)),
                 ],
                 marks=decided,
             ),
@@ -114,12 +118,7 @@ class Charts:
                     Panel("Least clearance to obstacles and traffic", "m", {}, {"clearance": near.clearance}),
                 ],
             ),
-            "link": self._time(
-                [
-                    Panel("Frames received", "1/s", found.rates, digits=0, from_zero=True),
-                    Panel("Frames missing so far", "1", found.losses, digits=0, from_zero=True),
-                ]
-            ),
+            "link": self._time(frames),
         }
 
     def _time(
@@ -138,6 +137,7 @@ class Charts:
             "unit": "" if panel.unit == "1" else panel.unit,
             "digits": panel.digits,
             "zero": panel.from_zero,
+            "range": panel.span,
             "limits": [{"y": y, "label": label} for y, label in panel.limits],
             "lines": [{"id": s, **self.pack.line(self._fewer(line))} for s, line in sorted(known.items())],
             "own": [

@@ -6,11 +6,13 @@
   const model = JSON.parse(document.getElementById("model").textContent);
   const chosen = new Set(model.chosen);
   const vehicleOf = new Map(model.vehicles.map((vehicle) => [vehicle.id, vehicle]));
-  const CONFIG = {
-    responsive: false, displaylogo: false, modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d"],
+  // Only these buttons: by default there is one that would send the figure to a server.
+  const BUTTONS = { flat: [["toImage"], ["zoom2d", "pan2d"], ["zoomIn2d", "zoomOut2d", "resetScale2d"]], space: [["toImage"], ["resetCameraDefault3d"]] };
+  const config = (div) => ({
+    responsive: false, displaylogo: false, displayModeBar: narrow(div) ? false : "hover", modeBarButtons: div.dataset.view === "space" && webgl ? BUTTONS.space : BUTTONS.flat,
     toImageButtonOptions: { format: "svg" },
-  };
-  const PRINT_WIDTH = 680;
+  });
+  const PRINTED = { whole: 680, half: 332, height: 0.82 }; // A4 within its margins, in CSS pixels
   const STAGES = ["on the way", "in formation", "transfer"];
   let printing = false;
   let range = null; // the zoom that all figures over time share
@@ -66,15 +68,16 @@
 
   // figures
 
-  const narrow = (div) => (printing ? PRINT_WIDTH : div.clientWidth) < 560;
+  const widthOf = (div) => (printing ? PRINTED[div.closest(".pair") ? "half" : "whole"] : div.clientWidth);
+  const narrow = (div) => widthOf(div) < 560;
   function frame(div, height) {
     const { ink, soft, paper } = look();
     return {
-      width: printing ? PRINT_WIDTH : div.clientWidth, height, autosize: false, paper_bgcolor: paper, plot_bgcolor: paper,
-      font: { family: "system-ui, Segoe UI, Roboto, DejaVu Sans, sans-serif", size: 12, color: ink },
+      width: widthOf(div), height: printing ? PRINTED.height * height : height, autosize: false, paper_bgcolor: paper, plot_bgcolor: paper,
+      font: { family: "system-ui, Segoe UI, Roboto, DejaVu Sans, sans-serif", size: printing ? 10 : 12, color: ink },
       margin: { l: 52, r: 12, t: 26, b: 40 }, showlegend: false, hovermode: "closest",
       hoverlabel: { namelength: -1 }, dragmode: narrow(div) && !printing ? false : "zoom", uirevision: "keep",
-      legend: { orientation: "h", x: 0, y: 1.02, yanchor: "bottom", font: { color: soft } },
+      legend: { orientation: "h", traceorder: "normal", x: 0, y: 1.02, yanchor: "bottom", font: { color: soft } },
     };
   }
   const axis = (more) => {
@@ -100,7 +103,7 @@
       const top = 1 - k * (part + gap);
       const name = k ? `yaxis${k + 1}` : "yaxis";
       const short = k ? `y${k + 1}` : "y";
-      layout[name] = axis({ domain: [Math.max(top - part, 0), top], rangemode: panel.zero ? "tozero" : "normal", anchor: "x" });
+      layout[name] = axis({ domain: [Math.max(top - part, 0), top], rangemode: panel.zero ? "tozero" : "normal", anchor: "x", ...(panel.range && { range: panel.range }) });
       layout.annotations.push(heading(`<b>${panel.title}</b>${panel.unit ? ` (${panel.unit})` : ""}`, top));
       const tell = `%{y:.${panel.digits}f} ${panel.unit} at %{x:.1f} s`;
       const own = { type: "scatter", mode: "lines", yaxis: short, hovertemplate: tell };
@@ -116,11 +119,18 @@
         layout.annotations.push({ text: limit.label, x: 1, xref: "paper", xanchor: "right", y: limit.y, yref: short, yanchor: "bottom", showarrow: false, font: { size: 11, color: soft } });
       }
     });
+    let labelled = -Infinity;
     for (const mark of figure.marks) {
       layout.shapes.push({ type: "line", x0: mark.t_s, x1: mark.t_s, yref: "paper", y0: 0, y1: 1, line: { color: soft, width: 1, dash: "dot" } });
-      if (figure.marks.length <= (narrow(div) ? 6 : 24)) {
-        layout.annotations.push({ text: mark.label, x: mark.t_s, y: 1 - part - gap / 2, yref: "paper", yanchor: "middle", showarrow: false, font: { size: 11, color: pen(mark.id).color }, bgcolor: layout.paper_bgcolor });
-      }
+      if ((mark.t_s - labelled) / model.end_s < 32 / widthOf(div)) continue; // the dots' hover names every one
+      labelled = mark.t_s;
+      layout.annotations.push({ text: mark.label, x: mark.t_s, xanchor: "left", y: 1 - part / 2, yref: "paper", showarrow: false, font: { size: 12, color: chosen.has(mark.id) ? pen(mark.id).color : soft } });
+    }
+    if (figure.marks.length) {
+      data.push({
+        type: "scatter", mode: "markers", x: figure.marks.map((m) => m.t_s), y: figure.marks.map(() => 1), name: "decided",
+        marker: { size: 6, color: soft }, text: figure.marks.map((m) => label(m.id)), hovertemplate: "%{text} is next, %{x:.1f} s",
+      });
     }
     for (const span of figure.spans) {
       if (!chosen.has(span.id)) continue;
@@ -146,37 +156,47 @@
     const data = [];
     const columns = (points) => [0, 1, 2].map((k) => points.map((point) => point[k]));
     const base = { type: kind, mode: "lines", hoverinfo: "name" };
-    figure.solids.forEach((one) => {
-      if (view === "space") {
-        const [n, e, d] = columns(one.vertices);
-        const [i, j, k] = columns(one.triangles);
-        data.push({ type: "mesh3d", ...at(n, e, d), i, j, k, color: solid, opacity: 0.55, flatshading: true, name: one.label, hoverinfo: "name" });
-      } else {
-        const levels = view === "plan" ? [0] : [...new Set(one.vertices.map((v) => v[2]))];
-        const rings = view === "plan" ? [one.outline.map((p) => [...p, 0])] : levels.map((d) => one.vertices.filter((v) => v[2] === d));
-        for (const ring of rings) data.push({ ...base, ...at(...columns([...ring, ring[0]])), fill: "toself", fillcolor: crowd, line: { color: solid, width: 1 }, name: one.label, hoveron: "fills" });
+    // All solids are one trace: a hundred meshes would take seconds.
+    if (figure.solids.length && view === "space") {
+      const corners = [];
+      const faces = [];
+      for (const one of figure.solids) {
+        for (const face of one.triangles) faces.push(face.map((corner) => corner + corners.length));
+        corners.push(...one.vertices);
       }
-    });
+      const [i, j, k] = columns(faces);
+      data.push({ type: "mesh3d", ...at(...columns(corners)), i, j, k, color: solid, opacity: 0.55, flatshading: true, hoverinfo: "skip" });
+    } else if (figure.solids.length) {
+      const rings = [];
+      for (const one of figure.solids) {
+        const heights = view === "plan" ? [0] : [...new Set(one.vertices.map((v) => v[2]))];
+        for (const d of heights) {
+          const ring = view === "plan" ? one.outline.map((p) => [...p, 0]) : one.vertices.filter((v) => v[2] === d);
+          rings.push(...ring, ring[0], [NaN, NaN, NaN]);
+        }
+      }
+      data.push({ ...base, ...at(...columns(rings)), fill: "toself", fillcolor: crowd, line: { color: solid, width: 1 }, hoverinfo: "skip" });
+    }
     for (const route of figure.planned) {
       data.push({ ...base, ...at(...columns(route)), line: { color: soft, width: 1, dash: "dash" }, name: "target's path, as planned", opacity: 0.7 });
     }
-    for (const one of figure.traffic) data.push({ ...base, ...at(...path(one.p).map((a) => [...a])), line: { color: soft, width: 3, dash: "dot" }, name: `traffic ${one.label}` });
+    for (const one of figure.traffic) data.push({ ...base, ...at(...path(one.p).map((a) => [...a])), line: { color: soft, width: 3, dash: view === "space" ? "solid" : "dot" }, name: `traffic ${one.label}` });
     const known = figure.paths.map((one) => ({ id: one.id, axes: path(one.p).map((a) => [...a]) })).filter((one) => one.axes[0].length);
     if (model.many) {
       const all = [[], [], []];
       for (const one of known) all.forEach((column, k) => column.push(...one.axes[k], NaN));
-      data.push({ ...base, ...at(...all), line: { color: crowd, width: 1 }, name: "everyone", hoverinfo: "skip" });
+      data.push({ ...base, ...at(...all), line: view === "space" ? { color: solid, width: 1 } : { color: crowd, width: 1 }, name: "everyone", hoverinfo: "skip" });
     }
     const ends = [];
     for (const one of shown(known)) {
       const { color, dash, width } = pen(one.id);
-      data.push({ ...base, ...at(...one.axes), line: { color, dash, width: view === "space" ? 3 : width }, name: label(one.id) });
+      data.push({ ...base, ...at(...one.axes), line: view === "space" ? { color, width: 4 } : { color, dash, width }, name: label(one.id) });
       const last = one.axes[0].findLastIndex((v) => !Number.isNaN(v));
       ends.push({ point: one.axes.map((a) => a[last]), color, text: String(one.id) });
     }
     const spot = { type: kind, mode: "markers", hovertemplate: "%{text}<extra></extra>" };
     if (figure.points.length) {
-      data.push({ ...spot, ...at(...columns(figure.points)), marker: { symbol: "x", size: view === "space" ? 4 : 8, color: solid }, text: figure.points.map((p) => `obstacle, ${(-p[2]).toFixed(1)} m high`) });
+      data.push({ ...spot, ...at(...columns(figure.points)), marker: { symbol: view === "space" ? "square" : "x", size: view === "space" ? 4 : 8, color: solid }, text: figure.points.map((p) => `obstacle, ${(-p[2]).toFixed(1)} m high`) });
     }
     if (figure.meets.length) {
       data.push({ ...spot, ...at(...columns(figure.meets.map((m) => m.p))), marker: { symbol: "diamond-open", size: view === "space" ? 5 : 10, color: ink, line: { width: 1.5, color: ink } }, text: figure.meets.map((m) => `transfer ${m.text}`) });
@@ -187,9 +207,15 @@
     const layout = { ...frame(div, narrow(div) ? 380 : 500), dragmode: view === "space" ? "turntable" : narrow(div) && !printing ? false : "pan" };
     if (view === "space") {
       const direction = (title) => ({ title: { text: title }, gridcolor: grid, color: ink, backgroundcolor: paper, zerolinecolor: grid });
+      const spans = ["x", "y", "z"].map((k) => {
+        let [low, high] = [Infinity, -Infinity];
+        for (const one of data) for (const v of one[k]) { if (v < low) low = v; if (v > high) high = v; }
+        return Math.max(high - low, 1e-3);
+      });
+      const [x, y, z] = spans.map((span) => (1.35 * span) / Math.max(...spans)); // one scale in all directions, all in view
       layout.scene = {
-        xaxis: direction("east (m)"), yaxis: direction("north (m)"), zaxis: direction("height (m)"), aspectmode: "data",
-        camera: { eye: { x: -1.1, y: -1.5, z: 0.9 } },
+        xaxis: direction("east (m)"), yaxis: direction("north (m)"), zaxis: direction("height (m)"), aspectmode: "manual", aspectratio: { x, y, z },
+        camera: { eye: { x: -0.85, y: -1.4, z: 0.85 }, center: { x: 0, y: 0, z: -0.08 } },
       };
       layout.margin = { l: 0, r: 0, t: 0, b: 0 };
     } else if (view === "plan") {
@@ -198,7 +224,7 @@
     } else {
       layout.xaxis = axis({ visible: false });
       layout.yaxis = axis({ visible: false, scaleanchor: "x" });
-      layout.annotations = [heading("seen from the south-east, half from above; one scale in all directions", 0)];
+      layout.annotations = [heading("seen from the south-east, half from above", 0)];
     }
     return { data, layout };
   }
@@ -258,9 +284,9 @@
   const drawn = new Set();
   function draw(div) {
     const { data, layout } = drawing(div);
-    if (drawn.has(div)) return void Plotly.react(div, data, layout, CONFIG);
+    if (drawn.has(div)) return void Plotly.react(div, data, layout, config(div));
     div.replaceChildren();
-    Plotly.newPlot(div, data, layout, CONFIG);
+    Plotly.newPlot(div, data, layout, config(div));
     drawn.add(div);
     if (["time", "timeline"].includes(model.figures[div.dataset.figure].kind)) div.on("plotly_relayout", zoom);
   }
@@ -351,7 +377,9 @@
   }
   const mark = (name) => { root.dataset[name] = String(Math.round(performance.now())); };
   root.dataset.unpacked = String(Math.round(performance.now() - started));
-  for (const div of plots.filter((one) => !onPaper(one))) {
+  // What is costly comes last.
+  const costly = (div) => Number(div.dataset.view === "space");
+  for (const div of plots.filter((one) => !onPaper(one)).sort((a, b) => costly(a) - costly(b))) {
     draw(div);
     if (root.dataset.first === undefined) mark("first");
     await new Promise((resolve) => { setTimeout(resolve); }); // the reader may scroll meanwhile

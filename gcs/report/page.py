@@ -31,9 +31,9 @@ _PAGE = Template("""<!doctype html>
 <h1>$title</h1>
 <p class="soft">$about</p>
 <p class="verdict $verdict_level">$verdict</p>
+$missing
 $problems
 $goal
-$missing
 $cards
 <nav aria-label="sections">$links</nav>
 </header>
@@ -63,7 +63,7 @@ def text(findings: Findings) -> str:
     sections = [made for made in _sections(findings, set(model["figures"])) if made]
     recorded = findings.recorded
     name = findings.scenario.name if findings.scenario else recorded.folder.resolve().name
-    picker = "Vehicles drawn as lines, of all:" if charts.many else "Vehicles:"
+    picker = "Drawn singly:" if charts.many else "Vehicles:"
     level = "warn" if findings.summary is None else "good" if findings.summary.outcome == "met" else "bad"
     return _PAGE.substitute(
         title=escape(name),
@@ -203,11 +203,12 @@ def _sections(found: Findings, figures: set[str]) -> Iterable[tuple[str, str, st
             figure(
                 "plan",
                 "From above, north up. Numbers stand where vehicles ended, crosses and grey shapes are obstacles, "
-                "diamonds the places where transfers began; dashed: the targets' path as planned.",
+                "diamonds the places where transfers began; dashed grey: the targets' path as planned; dotted grey: "
+                "other aircraft.",
                 view="plan",
                 kind="square",
             ),
-            figure("plan", "The same in space; drag to turn it.", view="space", kind="square"),
+            figure("plan", "The same in space.", view="space", kind="square"),
         ),
     )
     yield section(
@@ -224,7 +225,7 @@ def _sections(found: Findings, figures: set[str]) -> Iterable[tuple[str, str, st
         "motion",
         "Speed, height and attitude",
         _pair(
-            figure("motion", "Speed over ground and up, and height above the scenario's origin."),
+            figure("motion", "Speed, and height above the scenario's origin."),
             figure("attitude", "Roll, pitch and yaw as the vehicles told them (NED)."),
         ),
     )
@@ -262,7 +263,7 @@ def _sections(found: Findings, figures: set[str]) -> Iterable[tuple[str, str, st
             "obstacle's surface (a point's centre) or another aircraft.",
         ),
     )
-    yield section("link", "Link", figure("link", "Frames heard of each vehicle, and gaps in their numbers."), _link(found))
+    yield section("link", "Link", figure("link", _of_the_link(found)), _link(found))
     yield section("numbers", "The numbers", _numbers(found))
     yield section("again", "How to reproduce it", _again(found))
 
@@ -307,6 +308,12 @@ def _services(found: Findings) -> str:
         rows.append((s.receiver, s.tanker, s.by, *times, f"{s.energy_j:.0f}", s.reason, told))
     heads = ("receiver", "tanker", "by", "decided (s)", "joined (s)", "transfer (s)", "done (s)", "energy (J)", "ended", "bids")
     return _table("Each refuelling, with the highest bids (τ)", heads, rows, ("by", "ended", "bids"))
+
+
+def _of_the_link(found: Findings) -> str:
+    lost = sum(line.values[-1] for line in found.losses.values() if len(line.values))
+    gaps = "and gaps in their numbers" if lost else "and not one gap in their numbers"
+    return f"Frames heard of each vehicle, {gaps}."
 
 
 def _link(found: Findings) -> str:
@@ -358,11 +365,10 @@ def _again(found: Findings) -> str:
     folder, summary = found.recorded.folder.resolve(), found.summary
     parts = []
     if found.scenario is not None:
-        words = [f"gcs run {folder.name}/scenario.yaml --seed {found.scenario.seed} --out again"]
-        if found.scenario.clock.mode == "lockstep":
-            words.insert(0, words.pop() + " --lockstep")
+        pace = " --lockstep" if found.scenario.clock.mode == "lockstep" else ""
+        command = f"gcs run {folder.name}/scenario.yaml{pace} --seed {found.scenario.seed} --out again"
         parts.append(
-            f"<p>With the same versions, from beside the session's folder:</p><pre><code>{escape(words[0])}</code></pre>"
+            f"<p>With the same versions, from beside the session's folder:</p><pre><code>{escape(command)}</code></pre>"
         )
     if summary is not None:
         same = "The digest in again/summary.json is then the one below." if summary.digest else (

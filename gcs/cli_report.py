@@ -25,9 +25,9 @@ def report(session: Path, out: Path | None, quiet: bool) -> int:
     """Make report.html of SESSION, a folder that `gcs run` left: outcome and reasons, paths from above and in space,
     tracking, attitude, energy, competition, refuellings, distances, link, the numbers, and how to reproduce it.
 
-    The page is one file that needs no network, for a screen of any width or for paper. `gcs run` makes it too; this makes
-    it again, or of a session that was killed: what its files cannot tell, the page says at its top. An older report is
-    replaced.
+    The page is one file that needs no network, for a screen of any width or for paper. `gcs run` makes it too; this
+    makes it again, or of a session that was killed: what its files cannot tell, the page says at its top. An older
+    report is replaced.
 
     \b
     Examples:

@@ -24,7 +24,8 @@ MANY = 16
 """With more vehicles than this, lines of all would hide each other."""
 BUCKETS, BUCKETS_OF_MANY = 1000, 400
 """Pixels of a figure's width; of many vehicles each line has fewer, so that the page stays small."""
-PATH_PIXELS = 1500
+PATH_PIXELS, PATH_PIXELS_OF_MANY = 1500, 500
+"""A path's points are this share of the whole apart."""
 CORNERS = 24
 DEGREES = 180.0 / math.pi
 CHOSEN = 6
@@ -104,11 +105,15 @@ class Charts:
             "attitude": self._time(
                 [Panel("Roll", "°", roll, digits=1), Panel("Pitch", "°", pitch, digits=1), Panel("Yaw", "°", yaw)]
             ),
-            "battery": self._time([Panel("Battery", "%", found.battery_percent, digits=1, from_zero=True)], spans=spans),
+            "battery": self._time(
+                [Panel("Battery", "%", found.battery_percent, digits=1, from_zero=True)], spans=spans
+            ),
             "contest": self._time(
                 [
                     Panel("State v of each competitor", "1", found.contest.v, digits=3, span=(-0.03, 1.06)),
-                    Panel("Leader's share of Σ vᵖ", "1", {}, {"share": found.contest.share}, share, 3, span=(-0.03, 1.06)),
+                    Panel(
+                        "Leader's share of Σ vᵖ", "1", {}, {"share": found.contest.share}, share, 3, span=(-0.03, 1.06)
+                    ),
                 ],
                 marks=decided,
             ),
@@ -161,7 +166,7 @@ class Charts:
             return None
         places = [track.p_ned for track in (*found.tracks.values(), *found.traffic.values()) if len(track.t_s)]
         span_m = np.ptp(np.concatenate(places), axis=0).max() if places else 1.0
-        apart_m = max(float(span_m), 1.0) / PATH_PIXELS
+        apart_m = max(float(span_m), 1.0) / (PATH_PIXELS_OF_MANY if self.many else PATH_PIXELS)
         shapes = found.scenario.obstacles if found.scenario else ()
         return {
             "kind": "plan",

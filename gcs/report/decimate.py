@@ -65,8 +65,8 @@ def band(many: list[Series], buckets: int, begin_s: float, end_s: float) -> tupl
     if len(many):
         median[~empty] = np.nanmedian(means[:, ~empty], axis=0)
     least[empty] = greatest[empty] = np.nan
-    t_s = begin_s + (np.arange(buckets) + 0.5) * ((end_s - begin_s) / buckets)
-    return t_s, least, median, greatest
+    middles_s: Floats = begin_s + (np.arange(buckets).astype(np.float64) + 0.5) * ((end_s - begin_s) / buckets)
+    return middles_s, least, median, greatest
 
 
 def thin(path: Floats, apart_m: float) -> Floats:

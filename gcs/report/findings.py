@@ -78,9 +78,7 @@ class Findings:
     @cached_property
     def speeds(self) -> dict[int, Series]:
         """m/s"""
-        return {
-            s: series.with_gaps(Series(t.t_s, np.linalg.norm(t.v_ned, axis=1))) for s, t in self.tracks.items()
-        }
+        return {s: series.with_gaps(Series(t.t_s, np.linalg.norm(t.v_ned, axis=1))) for s, t in self.tracks.items()}
 
     @cached_property
     def heights(self) -> dict[int, Series]:
@@ -110,8 +108,7 @@ class Findings:
         found: list[Service] = []
         for decision in self.recorded.decisions:
             if decision["kind"] == "served":
-                keys = ("receiver", "tanker", "by", "decided_at_s", "joined_at_s", "start_s", "end_s", "energy_j")
-                found.append(Service(*(decision[key] for key in keys), decision["bids"], decision["reason"]))
+                found.append(Service(**{key: decision[key] for key in Service.__dataclass_fields__}))
         ended = {(s.receiver, s.tanker, s.decided_at_s) for s in found}
         if self.summary is not None:
             found += [
@@ -249,7 +246,7 @@ class Findings:
         if self.summary is None:
             return
         link = self.summary.link
-        counts = (
+        counts: tuple[tuple[int, str, Level], ...] = (
             (link.lost, "frames were lost", "warn"),
             (link.malformed, "datagrams held bytes that were no frame", "warn"),
             (link.overflowed, "datagrams were dropped by the system: its buffers are too small", "warn"),
@@ -257,7 +254,7 @@ class Findings:
         )
         for count, what, level in counts:
             if count:
-                yield Problem("note" if level == "note" else "warn", f"{count} {what}.")
+                yield Problem(level, f"{count} {what}.")
         if self.summary.lag_s >= 0.1:
             yield Problem("warn", f"The session fell {self.summary.lag_s:.1f} s behind its pace: the machine was busy.")
 

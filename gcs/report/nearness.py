@@ -47,7 +47,7 @@ def measure(recorded: Recorded, flown: Mapping[int, Track], others: Mapping[str,
     scenario = recorded.scenario
     period_s = scenario.clock.period_s if scenario else 0.1
     ticks = int(recorded.end_s / period_s + _ROUNDING_S) if flown else 0
-    t_s = period_s * np.arange(1, ticks + 1)
+    t_s: Floats = np.arange(1, ticks + 1).astype(np.float64) * period_s
     sysids = np.array(sorted(flown), dtype=np.int64)
     rows = {sysid: row for row, sysid in enumerate(sysids.tolist())}
     separation, clearance = np.full(ticks, np.nan), np.full(ticks, np.nan)
@@ -77,7 +77,7 @@ def measure(recorded: Recorded, flown: Mapping[int, Track], others: Mapping[str,
                     distance = np.linalg.norm(at[:, rows[sysid]] - at[:, rows[target]], axis=1)
                     chosen = pursued[sysid][some] == target
                     to_target[sysid][some][chosen] = distance[chosen]
-    pairs = np.where(pair < 0, 0, sysids[pair]) if len(sysids) else pair
+    pairs = sysids[pair] if len(sysids) else pair
     pursue = scenario.goal.pursue if scenario else None
     return Nearness(
         Series(t_s, separation),

@@ -215,7 +215,7 @@
       const [x, y, z] = spans.map((span) => (1.35 * span) / Math.max(...spans)); // one scale in all directions, all in view
       layout.scene = {
         xaxis: direction("east (m)"), yaxis: direction("north (m)"), zaxis: direction("height (m)"), aspectmode: "manual", aspectratio: { x, y, z },
-        camera: { eye: { x: -0.85, y: -1.4, z: 0.85 }, center: { x: 0, y: 0, z: -0.08 } },
+        camera: { eye: { x: -1.0, y: -1.6, z: 0.95 }, center: { x: 0, y: 0, z: -0.08 } },
       };
       layout.margin = { l: 0, r: 0, t: 0, b: 0 };
     } else if (view === "plan") {
@@ -382,6 +382,7 @@
   for (const div of plots.filter((one) => !onPaper(one)).sort((a, b) => costly(a) - costly(b))) {
     draw(div);
     if (root.dataset.first === undefined) mark("first");
+    if (!costly(div)) mark("flat");
     await new Promise((resolve) => { setTimeout(resolve); }); // the reader may scroll meanwhile
   }
   mark("all");

@@ -77,7 +77,9 @@ def text(findings: Findings) -> str:
         cards=_cards(findings),
         links="".join(f'<a href="#{part}">{escape(title)}</a>' for part, title, _ in sections),
         picker=picker,
-        sections="\n".join(f'<section id="{part}"><h2>{escape(title)}</h2>{body}</section>' for part, title, body in sections),
+        sections="\n".join(
+            f'<section id="{part}"><h2>{escape(title)}</h2>{body}</section>' for part, title, body in sections
+        ),
         when=datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC"),
         bucket_s=f"{charts.end_s / charts.buckets:.2g} s",
         model=json.dumps(model, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c"),
@@ -96,7 +98,7 @@ def _plotly() -> bytes:
     spec = find_spec("plotly")
     place = Path(spec.origin).parent / "package_data" / "plotly.min.js" if spec and spec.origin else None
     if place is None or not place.is_file():
-        raise MissingPlotly("plotly, which draws the figures, is not installed: pip install 'plotly>=6,<8'")
+        raise MissingPlotly("plotly, which draws the figures, is not installed: pip install 'plotly>=7,<8'")
     return place.read_bytes()
 
 
@@ -170,7 +172,9 @@ def _cards(found: Findings) -> str:
         cards.append(("refuellings", str(done), f"{moved / 1e3:.1f} kJ moved"))
     if summary is not None:
         cards.append(("frames lost", str(summary.link.lost), f"of {summary.link.received} received"))
-    items = "".join(f"<div><dt>{escape(t)}</dt><dd>{escape(v)}<small>{escape(s)}</small></dd></div>" for t, v, s in cards)
+    items = "".join(
+        f"<div><dt>{escape(t)}</dt><dd>{escape(v)}<small>{escape(s)}</small></dd></div>" for t, v, s in cards
+    )
     return f'<dl class="cards">{items}</dl>' if cards else ""
 
 
@@ -259,8 +263,8 @@ def _sections(found: Findings, figures: set[str]) -> Iterable[tuple[str, str, st
         "Separation and clearance",
         figure(
             "nearness",
-            "The least distance of any two vehicles in flight, partners of a refuelling apart; and of any vehicle to an "
-            "obstacle's surface (a point's centre) or another aircraft.",
+            "The least distance of any two vehicles in flight, partners of a refuelling apart; and of any vehicle to "
+            "an obstacle's surface (a point's centre) or another aircraft.",
         ),
     )
     yield section("link", "Link", figure("link", _of_the_link(found)), _link(found))
@@ -306,7 +310,18 @@ def _services(found: Findings) -> str:
         told = " · ".join(f"{sysid}: {bid:.2f}" for sysid, bid in bids[:4]) + (" …" if len(bids) > 4 else "")
         times = (_time(s.decided_at_s), _time(s.joined_at_s), _time(s.start_s), _time(s.end_s))
         rows.append((s.receiver, s.tanker, s.by, *times, f"{s.energy_j:.0f}", s.reason, told))
-    heads = ("receiver", "tanker", "by", "decided (s)", "joined (s)", "transfer (s)", "done (s)", "energy (J)", "ended", "bids")
+    heads = (
+        "receiver",
+        "tanker",
+        "by",
+        "decided (s)",
+        "joined (s)",
+        "transfer (s)",
+        "done (s)",
+        "energy (J)",
+        "ended",
+        "bids",
+    )
     return _table("Each refuelling, with the highest bids (τ)", heads, rows, ("by", "ended", "bids"))
 
 
@@ -321,8 +336,15 @@ def _link(found: Findings) -> str:
         return ""
     link = found.summary.link
     names = ("received", "sent", "lost", "malformed", "overflowed", "command_retries")
-    told = ("frames received", "frames sent", "lost (gaps)", "malformed", "dropped by the system", "commands sent again")
-    return _table("The session's link", told, [[getattr(link, name) for name in names]])
+    told = (
+        "frames received",
+        "frames sent",
+        "lost (gaps)",
+        "malformed",
+        "dropped by the system",
+        "commands sent again",
+    )
+    return _table("The session's link, frames", told, [[getattr(link, name) for name in names]])
 
 
 def _numbers(found: Findings) -> str:
@@ -371,8 +393,10 @@ def _again(found: Findings) -> str:
             f"<p>With the same versions, from beside the session's folder:</p><pre><code>{escape(command)}</code></pre>"
         )
     if summary is not None:
-        same = "The digest in again/summary.json is then the one below." if summary.digest else (
-            "There is no digest: vehicles took part that cannot be reproduced."
+        same = (
+            "The digest in again/summary.json is then the one below."
+            if summary.digest
+            else ("There is no digest: vehicles took part that cannot be reproduced.")
         )
         parts.append(f"<p>{same}</p>")
         facts = [("scenario", summary.scenario), ("seed", summary.seed), ("clock", summary.clock)]

@@ -36,6 +36,19 @@ WANTED = {
 """The messages that a report is made from, and the fields that it needs of them."""
 AUTOPILOT = 1
 BLOCK_BYTES = 1 << 22
+NEEDED: dict[str, tuple[str, ...]] = {
+    "competition": ("v", "leader", "share"),
+    "decided": ("receiver", "tanker", "by", "bids"),
+    "served": (
+        *("receiver", "tanker", "by", "reason", "bids"),
+        *("decided_at_s", "joined_at_s", "start_s", "end_s", "energy_j"),
+    ),
+    "broken off": ("receiver", "tanker"),
+    "pursuit": ("target", "pursuer"),
+    "policy failed": ("policy", "problem"),
+    "death": ("text",),
+}
+"""What a report reads of each kind of decision; a line without it is none."""
 _SET_POINT = b'{"kind":"set_point","p_ned":['
 # Between the numbers of a set point's line, in the one form in which the recorder writes it.
 _BETWEEN = ((b'],"sysid":', b","), (b',"t_s":', b","), (b',"v_ned":[', b","), (b"]}\n", b","), (_SET_POINT, b""))
@@ -75,9 +88,7 @@ def read(folder: Path, progress: Progress = lambda _: None) -> Recorded:
     if not folder.is_dir():
         raise NoSession(f"{folder} is no folder; give the folder of a session, such as gcs run leaves it.")
     if not any((folder / name).is_file() for name in (TLOG, DECISIONS, summaries.FILE)):
-        raise NoSession(
-            f"{folder} is no session's folder: it holds none of {TLOG}, {DECISIONS} and {summaries.FILE}."
-        )
+        raise NoSession(f"{folder} is no session's folder: it holds none of {TLOG}, {DECISIONS} and {summaries.FILE}.")
     recorded = Recorded(folder)
     _read_summary(recorded)
     _read_scenario(recorded)
@@ -162,6 +173,8 @@ def _take_decisions(recorded: Recorded, lines: Iterable[bytes], points: list[NDA
             if decision["kind"] == "set_point":
                 row = [*decision["p_ned"], decision["sysid"], decision["t_s"], *decision["v_ned"]]
                 points.append(np.array(row, dtype=np.float64).reshape(1, 8))
+            elif missing := [key for key in NEEDED.get(decision["kind"], ()) if key not in decision]:
+                raise KeyError(missing)
             else:
                 recorded.decisions.append({**decision, "t_s": float(decision["t_s"])})
         except (ValueError, TypeError, KeyError):
@@ -216,9 +229,7 @@ def _count(
     if grown > 0:
         recorded.traffic_count = np.pad(recorded.traffic_count, ((0, 0), (0, grown)))
         recorded.traffic_lost = np.pad(recorded.traffic_lost, ((0, 0), (0, grown)))
-    _gaps(
-        own[:, tlog.SYSID], own[:, tlog.SEQ], second, newest, missing, recorded.traffic_count, recorded.traffic_lost
-    )
+    _gaps(own[:, tlog.SYSID], own[:, tlog.SEQ], second, newest, missing, recorded.traffic_count, recorded.traffic_lost)
 
 
 @njit(cache=True)

@@ -42,7 +42,7 @@ class Vehicle:
 
 @dataclass(frozen=True)
 class Track:
-    """One vehicle's positions (k, 3) m and velocities (k, 3) m/s, common NED frame, by the times when they were true."""
+    """One vehicle's positions (k, 3) m and velocities (k, 3) m/s, common NED frame, at the times when they were so."""
 
     t_s: Floats
     p_ned: Floats
@@ -80,8 +80,8 @@ def vehicles(recorded: Recorded) -> list[Vehicle]:
         return [Vehicle(v.sysid, v.role, v.label) for v in recorded.scenario.vehicles.all]
     if recorded.summary is not None:
         return [Vehicle(v.sysid, v.role, f"{v.role} {v.sysid}") for v in recorded.summary.vehicles]
-    heard = np.unique(_own(recorded, "LOCAL_POSITION_NED")["sysid"]) if recorded.tables else []
-    return [Vehicle(int(sysid), "vehicle", f"vehicle {sysid}") for sysid in heard]
+    heard = np.unique(_own(recorded, "LOCAL_POSITION_NED")["sysid"]).tolist() if recorded.tables else []
+    return [Vehicle(sysid, "vehicle", f"vehicle {sysid}") for sysid in heard]
 
 
 def tracks(recorded: Recorded) -> dict[int, Track]:
@@ -177,11 +177,11 @@ def batteries(recorded: Recorded) -> dict[int, Battery]:
     fitted = {v.sysid: v.battery for v in recorded.scenario.vehicles.all} if recorded.scenario else {}
     ledgers = {v.sysid: v.energy for v in recorded.summary.vehicles} if recorded.summary else {}
     found = {}
-    for sysid, rows in _by_vehicle(_own(recorded, "BATTERY_STATUS")).items():
-        rows = rows[rows["id"] == 0]
+    reports = _own(recorded, "BATTERY_STATUS")
+    for sysid, rows in _by_vehicle(reports[reports["id"] == 0]).items():
         told = {row["param_id"]: float(row["param_value"]) for row in parameters.get(sysid, ())}
         capacity_j = told.get(b"SIM_BAT_CAP_J") or (fitted[sysid].capacity_j if sysid in fitted else 0.0)
-        if not len(rows) or not capacity_j:
+        if not capacity_j:
             continue
         if sysid in ledgers:
             initial_j = ledgers[sysid].initial_j
@@ -250,7 +250,7 @@ def links(recorded: Recorded, flown: dict[int, Track]) -> dict[int, Link]:
         # The last second is seldom whole; its rate would be a drop that never was.
         counts, lost = recorded.traffic_count[sysid], recorded.traffic_lost[sysid]
         whole = max(min(len(counts), int(recorded.end_s + 1e-6)), 1)
-        t_s = np.arange(whole) + 0.5
+        t_s: Floats = np.arange(whole).astype(np.float64) + 0.5
         silence_s = np.diff(flown[sysid].t_s).max(initial=0.0) if sysid in flown else math.nan
         found[sysid] = Link(
             Series(t_s, counts[:whole].astype(np.float64)),
@@ -275,7 +275,8 @@ def texts(recorded: Recorded, worst: int = 4) -> list[tuple[float, int, int, str
 def _own(recorded: Recorded, message: str) -> NDArray[Any]:
     """A message's rows that vehicles' autopilots sent."""
     table = recorded.tables[message]
-    return table[(table["compid"] == AUTOPILOT) & (table["sysid"] < 255)]
+    rows: NDArray[Any] = table[(table["compid"] == AUTOPILOT) & (table["sysid"] < 255)]
+    return rows
 
 
 def _by_vehicle(rows: NDArray[Any]) -> dict[int, NDArray[Any]]:

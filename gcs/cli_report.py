@@ -4,12 +4,14 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable
 from pathlib import Path
 
 import click
 
 NOT_MADE, BAD_INPUT = 1, 2
+PATIENCE_S = 2.0
 
 
 @click.command(short_help="Make a recorded session's report, one page.")
@@ -73,12 +75,19 @@ def report(session: Path, out: Path | None, quiet: bool) -> int:
 
 def after_run(folder: Path, tell: Callable[[str], object]) -> None:
     """The report at a session's end: where it lies is told; that it could not be made is a warning, whatever it was."""
+    patience = threading.Timer(PATIENCE_S, tell, ["making the report ... (Ctrl-C leaves it out)"])
+    patience.daemon = True
+    patience.start()
     try:
         from gcs.report.make import make
 
-        tell(f"report: {make(folder)}")
+        made = make(folder)
+        patience.cancel()
+        tell(f"report: {made}")
     except KeyboardInterrupt:
         click.echo(f"gcs: the report was left out; gcs report {folder} makes it", err=True)
     except Exception as error:  # a session that was flown must not fail by its report
         why = f"{error.strerror}" if isinstance(error, OSError) else str(error) or type(error).__name__
         click.echo(f"gcs: warning: no report was made: {why}; gcs report {folder} tries again", err=True)
+    finally:
+        patience.cancel()

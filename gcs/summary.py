@@ -7,14 +7,15 @@ import platform
 from collections import defaultdict
 from importlib.metadata import version
 from pathlib import Path
-from typing import Literal, cast
+from typing import TYPE_CHECKING, Literal, cast
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from gcs.fleet import VehicleView
-from gcs.link import FleetLink
-from gcs.mixed_link import MixedLink
-from gcs.supervisor import Supervisor
+if TYPE_CHECKING:  # who only reads a summary need not load the supervisor
+    from gcs.fleet import VehicleView
+    from gcs.link import FleetLink
+    from gcs.mixed_link import MixedLink
+    from gcs.supervisor import Supervisor
 
 FILE = "summary.json"
 

@@ -30,7 +30,7 @@ def make(folder: Path, out: Path | None = None, progress: Callable[[str, float],
     try:
         beside.write_text(content, encoding="utf-8")
         beside.replace(target)
-    except OSError:
+    except BaseException:
         beside.unlink(missing_ok=True)
         raise
     progress("done", 1.0)

@@ -100,8 +100,7 @@ def tracking_errors(recorded: Recorded, flown: Mapping[int, Track]) -> dict[int,
     """Each vehicle's distance in m from the path of its latest set points, at each of them."""
     period_s = recorded.scenario.clock.period_s if recorded.scenario else 0.1
     points = recorded.set_points
-    order = np.argsort(points[:, SYSID], kind="stable")
-    points = points[order]
+    points = points[np.lexsort((points[:, T_S], points[:, SYSID]))]
     found = {}
     for sysid in np.unique(points[:, SYSID]).astype(int).tolist():
         if sysid in flown:

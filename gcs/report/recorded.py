@@ -51,7 +51,8 @@ NEEDED: dict[str, tuple[str, ...]] = {
 """What a report reads of each kind of decision; a line without it is none."""
 _SET_POINT = b'{"kind":"set_point","p_ned":['
 # Between the numbers of a set point's line, in the one form in which the recorder writes it.
-_BETWEEN = ((b'],"sysid":', b","), (b',"t_s":', b","), (b',"v_ned":[', b","), (b"]}\n", b","), (_SET_POINT, b""))
+_END = b"]}\n"
+_BETWEEN = ((b'],"sysid":', b","), (b',"t_s":', b","), (b',"v_ned":[', b","), (_END, b","), (_SET_POINT, b""))
 SYSID, T_S, P_NED, V_NED = 3, 4, slice(0, 3), slice(5, 8)
 """Columns of `Recorded.set_points`."""
 
@@ -134,11 +135,13 @@ def _read_decisions(recorded: Recorded, progress: Progress) -> None:
         with path.open("rb") as file:
             while lines := file.readlines(BLOCK_BYTES):
                 done += sum(map(len, lines))
-                plain = [line for line in lines if line.startswith(_SET_POINT)]
+                plain: list[bytes] = []
+                others: list[bytes] = []
+                for line in lines:
+                    (plain if line.startswith(_SET_POINT) and line.endswith(_END) else others).append(line)
                 table = _set_points(plain)
-                rest: Iterable[bytes] = (line for line in lines if not line.startswith(_SET_POINT))
                 points.append(table if table is not None else np.empty((0, 8)))
-                broken += _take_decisions(recorded, rest if table is not None else lines, points)
+                broken += _take_decisions(recorded, others if table is not None else lines, points)
                 progress(done / size)
     except OSError as error:
         why = "is missing" if isinstance(error, FileNotFoundError) else f"cannot be read ({error.strerror})"

@@ -7,6 +7,7 @@ answers and events on 4, JSON ended by a NUL.
 from __future__ import annotations
 
 import base64
+import io
 import json
 import os
 import select
@@ -19,6 +20,8 @@ from collections.abc import Callable
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
+
+from PIL import Image
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 MISSING = "Chromium is not installed (Debian: apt-get install chromium)"
@@ -44,9 +47,10 @@ class Browser:
         self._profile = tempfile.TemporaryDirectory(prefix="skytender-chromium-", ignore_cleanup_errors=True)
         theirs_in, self._out = os.pipe()
         self._in, theirs_out = os.pipe()
+        # By bash: other shells know no descriptors above 9.
         pipes = f"3<&{theirs_in} 4>&{theirs_out}"
         self._process = subprocess.Popen(
-            ["sh", "-c", f'exec "$@" {pipes}', "sh", CHROMIUM, *FLAGS, f"--user-data-dir={self._profile.name}"],
+            ["bash", "-c", f'exec "$@" {pipes}', "bash", CHROMIUM, *FLAGS, f"--user-data-dir={self._profile.name}"],
             pass_fds=(theirs_in, theirs_out),
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
@@ -59,10 +63,14 @@ class Browser:
         self._read = b""
         self._number = 0
         self._session: str | None = None
-        target = self.call("Target.createTarget", url="about:blank")["targetId"]
-        self._session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
-        for domain in ("Page", "Runtime", "Network", "Log"):
-            self.call(f"{domain}.enable")
+        try:
+            target = self.call("Target.createTarget", url="about:blank")["targetId"]
+            self._session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+            for domain in ("Page", "Runtime", "Network", "Log"):
+                self.call(f"{domain}.enable")
+        except BaseException:
+            self.__exit__(None, None, None)
+            raise
         return self
 
     def __exit__(
@@ -129,6 +137,11 @@ class Browser:
         told = self.call("Runtime.evaluate", expression=expression, awaitPromise=True, returnByValue=True)
         assert "exceptionDetails" not in told, told["exceptionDetails"]
         return told["result"].get("value")
+
+    def picture_of(self, box: dict[str, float]) -> Image.Image:
+        """A part of the page, in CSS pixels from its top left corner."""
+        told = self.call("Page.captureScreenshot", format="png", captureBeyondViewport=True, clip={**box, "scale": 1})
+        return Image.open(io.BytesIO(base64.b64decode(told["data"])))
 
     def picture(self, to: Path, *, whole: bool = True) -> None:
         """A PNG of the page."""

@@ -166,6 +166,7 @@ class Running:
         *options: str,
         file_limit: int | None = None,
         stdout: str | None = None,
+        report: bool = False,
     ):
         self.folder = folder / "session"
         name = scenario
@@ -176,7 +177,7 @@ class Running:
 
         limit = [] if file_limit is None else ["prlimit", f"--fsize={file_limit}"]
         self.process = subprocess.Popen(
-            [*limit, *GCS, "run", str(name), "--out", str(self.folder), *options],
+            [*limit, *GCS, "run", str(name), "--out", str(self.folder), *([] if report else ["--no-report"]), *options],
             stdout=subprocess.PIPE if stdout is None else os.open(stdout, os.O_WRONLY),
             stderr=subprocess.PIPE,
             text=True,

@@ -1,0 +1,250 @@
+"""Series out of a session's files, against closed forms, pandas and what the session itself counted."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import pymap3d
+import pytest
+
+from gcs.mavlink import codec
+from gcs.mavlink.sequence import GapCounter
+from gcs.recorder import Recorder
+from gcs.report import nearness, series
+from gcs.report.findings import Findings
+from gcs.report.recorded import NoSession, Recorded, read
+from gcs.scenario import Scenario, dump
+
+LAT, LON, ALT = 47.0, 8.0, 400.0
+EPOCH_US = 1_767_225_600_000_000
+RADIUS_M, RATE = 10.0, 0.2
+OFFSET = (30.0, -20.0, 0.0)
+END_S = 60.0
+
+
+def scenario(**changed: Any) -> Scenario:
+    battery = {"capacity_j": 20_000.0}
+    content: dict[str, Any] = {
+        "schema": 1, "name": "circle", "axes": "ned", "origin": {"lat_deg": LAT, "lon_deg": LON, "alt_m": ALT},
+        "goal": {"duration_s": END_S, "pursue": {"within_m": 11.0, "for_s": 20.0}}, "clock": {"mode": "lockstep"},
+        "vehicles": {
+            "pursuers": [{"sysid": 1, "start_m": (10.0, 0.0, -5.0), "airborne": True, "battery": battery}],
+            "targets": [{"sysid": 101, "start_m": (0.0, 0.0, -5.0), "airborne": True, "battery": battery,
+                         "path_m": [(0.0, 0.0, -5.0)], "speed_m_s": 1.0}],
+        },
+        "obstacles": [{"sphere_m": (0.0, 14.0, -5.0), "radius_m": 1.0}],
+    }  # fmt: skip
+    return Scenario.model_validate(content | changed)
+
+
+def circle(t: float) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    """Place and velocity of who flies round the origin, 5 m high."""
+    c, s = math.cos(RATE * t), math.sin(RATE * t)
+    return (RADIUS_M * c, RADIUS_M * s, -5.0), (-RADIUS_M * RATE * s, RADIUS_M * RATE * c, 0.0)
+
+
+def record(folder: Path, off_plan_m: float = 0.25) -> None:
+    """Vehicle 1 flies a circle round target 101, which stands; its own frame's zero is OFFSET away; its set points lie
+    `off_plan_m` above it. It draws 100 W and is given 50 J/s from 20 s to 30 s. Of its frames one in 50 is missing."""
+    folder.mkdir()
+    (folder / "scenario.yaml").write_text(dump(scenario()), encoding="utf-8")
+    seq = {1: 0, 101: 0}
+    sent = 0
+
+    with Recorder(folder) as recorder:
+
+        def tell(t: float, sysid: int, message: str, /, **fields: Any) -> None:
+            nonlocal sent
+            sent += 1
+            if sysid != 1 or sent % 50:
+                recorder.frame(EPOCH_US + round(1e6 * t), codec.encode(message, seq[sysid], sysid, 1, **fields))
+            seq[sysid] = (seq[sysid] + 1) % 256
+
+        for k in range(1, round(END_S / 0.1) + 1):
+            t = k / 10
+            for sysid in (1, 101):
+                if k % 10 == 1:
+                    beat = {"type": 2, "autopilot": 12, "base_mode": 0x81, "custom_mode": 6 << 16, "system_status": 4}
+                    tell(t, sysid, "HEARTBEAT", **beat)
+                    tell(t, sysid, "EXTENDED_SYS_STATE", vtol_state=0, landed_state=2)
+                    lat, lon, alt = pymap3d.ned2geodetic(*(OFFSET if sysid == 1 else (0, 0, 0)), LAT, LON, ALT)
+                    place = {"latitude": round(1e7 * lat), "longitude": round(1e7 * lon), "altitude": round(1e3 * alt)}
+                    tell(t, sysid, "GPS_GLOBAL_ORIGIN", **place)
+                p, v = circle(t) if sysid == 1 else ((0.0, 0.0, -5.0), (0.0, 0.0, 0.0))
+                x, y, z = (a - b for a, b in zip(p, OFFSET if sysid == 1 else (0, 0, 0), strict=True))
+                state = {"x": x, "y": y, "z": z, "vx": v[0], "vy": v[1], "vz": v[2]}
+                tell(t, sysid, "LOCAL_POSITION_NED", time_boot_ms=100 * k, **state)
+            if k % 5 == 0:
+                given = round(50 * min(max(t - 20.0, 0.0), 10.0))
+                tell(t, 1, "NAMED_VALUE_INT", time_boot_ms=100 * k, name="XferIn", value=given)
+                status = {"battery_function": 0, "type": 0, "temperature": 0, "voltages": [65535] * 10}
+                rest = {"current_battery": -1, "current_consumed": -1, "battery_remaining": -1}
+                tell(t, 1, "BATTERY_STATUS", id=0, energy_consumed=round(t), **status, **rest)
+            point = [*circle(t)[0][:2], -5.0 - off_plan_m]
+            recorder.decision({"t_s": t, "kind": "set_point", "sysid": 1, "p_ned": point, "v_ned": circle(t)[1]})
+
+
+@pytest.fixture(scope="module")
+def recorded(tmp_path_factory: pytest.TempPathFactory) -> Recorded:
+    folder = tmp_path_factory.mktemp("report") / "session"
+    record(folder)
+    return read(folder)
+
+
+@pytest.fixture(scope="module")
+def tracks(recorded: Recorded) -> dict[int, series.Track]:
+    return series.tracks(recorded)
+
+
+def test_positions_are_in_the_common_frame(tracks: dict[int, series.Track]) -> None:
+    track = tracks[1]
+    north, east = track.p_ned[:, 0], track.p_ned[:, 1]
+    assert np.hypot(north, east) == pytest.approx(RADIUS_M, abs=0.02)
+    assert np.unwrap(np.arctan2(east, north)) == pytest.approx(RATE * track.t_s, abs=0.002)
+    assert np.linalg.norm(track.v_ned, axis=1) == pytest.approx(RADIUS_M * RATE, rel=1e-5)
+
+
+def test_a_place_is_carried_forward_for_as_long_as_it_is_fresh(tracks: dict[int, series.Track]) -> None:
+    last_s = tracks[1].t_s[-1]
+    here, soon, late = tracks[1].at(np.array([last_s, last_s + 0.5, last_s + 2.0]))
+    assert np.linalg.norm(soon - here) == pytest.approx(0.5 * RADIUS_M * RATE, rel=1e-6)
+    assert np.isnan(late).all()
+
+
+def test_the_set_points_read_in_bulk_are_those_that_json_reads(recorded: Recorded) -> None:
+    lines = (recorded.folder / "decisions.jsonl").read_text(encoding="utf-8").splitlines()
+    told = [json.loads(line) for line in lines]
+    rows = [[*d["p_ned"], d["sysid"], d["t_s"], *d["v_ned"]] for d in told]
+    assert np.array_equal(recorded.set_points, rows)
+
+
+def test_distances_are_those_of_the_circle(recorded: Recorded, tracks: dict[int, series.Track]) -> None:
+    near = nearness.measure(recorded, tracks, {})
+    known = ~np.isnan(near.separation.values)
+    assert known.sum() > 590
+    assert near.separation.values[known] == pytest.approx(RADIUS_M, abs=0.03)
+    # To the sphere of 1 m radius 14 m east of the middle, by the law of cosines; the target stands 13 m from it.
+    t_s = near.clearance.t_s[known]
+    gap = np.sqrt(RADIUS_M**2 + 14.0**2 - 2 * RADIUS_M * 14.0 * np.sin(RATE * t_s)) - 1.0
+    gap = np.minimum(gap, 13.0)
+    assert near.clearance.values[known] == pytest.approx(gap, abs=0.03)
+    assert near.clearance.values[known].min() == pytest.approx(3.0, abs=0.03)
+    assert near.held_s[1] == pytest.approx(END_S, abs=0.5)
+
+
+def test_the_tracking_error_is_the_distance_from_the_plan(recorded: Recorded, tracks: dict[int, series.Track]) -> None:
+    error = nearness.tracking_errors(recorded, tracks)[1]
+    known = error.values[~np.isnan(error.values)]
+    assert len(known) > 550
+    assert known == pytest.approx(0.25, abs=0.02)
+    assert np.isnan(error.values[:19]).all(), "a plan of fewer points is not yet a path"
+
+
+def test_the_battery_is_the_ledger(recorded: Recorded) -> None:
+    battery = series.batteries(recorded)[1]
+    t_s = battery.remaining.t_s
+    received = 50.0 * np.clip(t_s - 20.0, 0.0, 10.0)
+    assert battery.capacity_j == 20_000.0
+    # The counter may be one message old where its own was lost.
+    assert battery.remaining.values == pytest.approx(20_000.0 - 100.0 * np.round(t_s) + received, abs=26.0)
+
+
+def test_gaps_are_counted_as_the_link_counts_them(recorded: Recorded) -> None:
+    from gcs import tlog  # noqa: PLC0415 - the oracle's way to the frames
+
+    counter = GapCounter()
+    received = 0
+    for _, frame in tlog.read(recorded.folder / "session.tlog"):
+        counter.feed(frame.sysid, frame.compid, frame.seq)
+        received += 1
+    assert counter.lost > 5
+    assert recorded.traffic_lost.sum() == counter.lost
+    assert recorded.traffic_count.sum() == received
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_late_and_repeated_frames_are_counted_as_the_link_counts_them(tmp_path: Path, seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    numbers = [k % 256 for k in range(2000) if rng.random() > 0.1]
+    for _ in range(300):
+        at = int(rng.integers(0, len(numbers) - 6))
+        numbers.insert(at + int(rng.integers(1, 5)), numbers[at] if rng.random() < 0.5 else numbers.pop(at))
+    counter = GapCounter()
+    with Recorder(tmp_path) as recorder:
+        for k, number in enumerate(numbers):
+            counter.feed(7, 1, number)
+            recorder.frame(EPOCH_US + 20_000 * k, codec.encode("HEARTBEAT", number, 7, 1, type=2, autopilot=12,
+                           base_mode=0, custom_mode=0, system_status=4))  # fmt: skip
+    recorded = read(tmp_path)
+    assert recorded.traffic_lost.sum() == counter.lost > 0
+
+
+def test_rates_are_those_that_pandas_counts(recorded: Recorded, tracks: dict[int, series.Track]) -> None:
+    from gcs import tlog  # noqa: PLC0415 - the oracle's way to the frames
+
+    frames = [(t_us, frame.sysid) for t_us, frame in tlog.read(recorded.folder / "session.tlog") if frame.sysid == 1]
+    seconds = pd.Series([(t_us - EPOCH_US) // 1_000_000 for t_us, _ in frames])
+    link = series.links(recorded, tracks)[1]
+    counted = seconds.value_counts().sort_index()
+    assert link.rate_hz.values.tolist() == counted.loc[: len(link.rate_hz.values) - 1].tolist()
+    gaps_s = pd.Series(tracks[1].t_s).diff().max()
+    assert link.longest_silence_s == pytest.approx(gaps_s)
+
+
+def test_the_longest_time_that_something_held_is_from_first_to_last() -> None:
+    t_s = np.arange(10.0)
+    holds = np.array([1, 1, 0, 1, 1, 1, 1, 0, 0, 1], dtype=bool)
+    assert nearness.longest_s(t_s, holds) == 3.0
+    assert nearness.longest_s(t_s, np.zeros(10, dtype=bool)) == 0.0
+
+
+# folders that lack something
+
+
+def test_a_whole_session_leaves_only_its_summary_to_be_missed(recorded: Recorded) -> None:
+    (problem,) = recorded.problems
+    assert problem.startswith("summary.json is missing, as after a session that was killed")
+
+
+@pytest.mark.parametrize(
+    ("gone", "said"),
+    [
+        ("session.tlog", "session.tlog is missing: paths"),
+        ("decisions.jsonl", "decisions.jsonl is missing: plan"),
+        ("scenario.yaml", "scenario.yaml is missing: goal"),
+    ],
+)
+def test_a_missing_file_costs_what_it_alone_could_tell(tmp_path: Path, gone: str, said: str) -> None:
+    record(tmp_path / "session")
+    (tmp_path / "session" / gone).unlink()
+    found = Findings(read(tmp_path / "session"))
+    assert any(problem.startswith(said) for problem in found.recorded.problems)
+    assert bool(found.tracks) == (gone != "session.tlog")
+    assert bool(found.errors) == (gone == "scenario.yaml")
+    assert found.outcome == "No outcome is known"
+
+
+def test_broken_lines_of_decisions_are_counted_and_passed_over(tmp_path: Path) -> None:
+    folder = tmp_path / "session"
+    record(folder)
+    whole = read(folder)
+    path = folder / "decisions.jsonl"
+    lines = path.read_text(encoding="utf-8").splitlines()
+    spaced = json.dumps(json.loads(lines[1]))
+    foreign = ['{"kind":"served","t_s":3}', "no json", '{"t_s":1}', lines[5][:40]]
+    path.write_text("\n".join([lines[0], spaced, *lines[2:], *foreign]), encoding="utf-8")
+    broken = read(folder)
+    assert sorted(broken.set_points.tolist()) == sorted(whole.set_points.tolist())
+    assert "decisions.jsonl has 4 lines that are no decision, cut short or foreign; passed over." in broken.problems
+
+
+def test_what_is_no_session_is_called_so(tmp_path: Path) -> None:
+    with pytest.raises(NoSession, match="is no folder"):
+        read(tmp_path / "none")
+    with pytest.raises(NoSession, match=r"holds none of session\.tlog"):
+        read(tmp_path)

@@ -1,0 +1,240 @@
+"""The report of a session that was flown, in a browser: what stands on the page is drawn, and nothing is fetched."""
+
+from __future__ import annotations
+
+import base64
+import gzip
+import json
+import re
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from browser import CHROMIUM, MISSING, Browser
+from sessions import Outcome, demo, fly, merged
+
+from gcs.cli import run_argv
+from gcs.cli_report import after_run
+
+needs_chromium = pytest.mark.skipif(CHROMIUM is None, reason=MISSING)
+DRAWN = """new Promise((done) => {
+  const look = () => (document.documentElement.dataset.all ? done(true) : setTimeout(look, 20));
+  look();
+})"""
+# Of every figure: whether it shows, where, and how many lines and bars it holds.
+FIGURES = """[...document.querySelectorAll('.plot')].map((plot) => {
+  const box = plot.getBoundingClientRect();
+  return {
+    name: plot.dataset.figure, view: plot.dataset.view ?? '', shows: plot.getClientRects().length > 0,
+    box: {x: box.x + scrollX, y: box.y + scrollY, width: box.width, height: box.height},
+    marks: [...plot.querySelectorAll('path.js-line, .bars path, path.point')].filter((path) => {
+      const extent = path.getBBox();
+      return extent.width + extent.height > 0;
+    }).length,
+    axes: [...plot.querySelectorAll('.g-xtitle, .g-ytitle, .annotation-text')].map((title) => title.textContent),
+  };
+})"""
+FIGURE_NAMES = {
+    "plan",
+    "target",
+    "error",
+    "motion",
+    "attitude",
+    "battery",
+    "ledger",
+    "contest",
+    "timeline",
+    "nearness",
+    "link",
+}
+
+
+def report(folder: Path, *options: str) -> int:
+    return run_argv(["report", str(folder), *options])
+
+
+def copied(flown: Outcome, folder: Path) -> Path:
+    shutil.copytree(flown.folder, folder, ignore=shutil.ignore_patterns("*.sock", "report.html"))
+    return folder
+
+
+@pytest.fixture(scope="module")
+def flown(tmp_path_factory: pytest.TempPathFactory) -> Outcome:
+    """Thirty seconds of the demo: one refuelling, and the goal missed."""
+    changes = {"goal": {"duration_s": 30}}
+    return fly(merged(demo(), changes), tmp_path_factory.mktemp("report"), "--plain", report=True)
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    with Browser() as browser:
+        yield browser
+
+
+def model(page: Path) -> tuple[dict[str, Any], bytes]:
+    """What a page carries: its model, and its series."""
+    text = page.read_text(encoding="utf-8")
+    found = dict(re.findall(r'<script type="[^"]*" id="(model|series)">(.*?)</script>', text, re.DOTALL))
+    return json.loads(found["model"]), gzip.decompress(base64.b64decode(found["series"]))
+
+
+def test_a_run_ends_with_its_report(flown: Outcome) -> None:
+    assert flown.status == 1
+    page = flown.folder / "report.html"
+    assert f"report: {page}" in flown.stdout
+    text = page.read_text(encoding="utf-8")
+    assert "Too few were refuelled" in text
+    assert "Not reached: at least 3 refuelled in flight (1 refuelled)." in text
+    assert flown.summary["digest"] in text
+    assert not re.search(r"""(src|href|url)\s*[=(]\s*["']?(https?:)?//""", text)
+
+
+def test_its_numbers_are_the_summarys(flown: Outcome) -> None:
+    """The page's extremes come from the recording alone; the supervisor measured as it flew."""
+    content, raw = model(flown.folder / "report.html")
+
+    def values(line: dict[str, Any]) -> np.ndarray:
+        told = np.frombuffer(raw, dtype="<u2", count=line["n"], offset=line["at"] + 2 * line["n"]).astype(float)
+        told[told == 65535] = np.nan
+        return line["low"] + told * (line["high"] - line["low"]) / 65534
+
+    summary, figures = flown.summary, content["figures"]
+    separation, clearance = (panel["own"][0] for panel in figures["nearness"]["panels"])
+    assert np.nanmin(values(separation)) == pytest.approx(summary["min_separation_m"], abs=1e-9)
+    assert np.nanmin(values(clearance)) == pytest.approx(summary["min_clearance_m"], abs=1e-9)
+    errors = {line["id"]: np.nanmax(values(line)) for line in figures["error"]["panels"][0]["lines"]}
+    assert errors == pytest.approx({v["sysid"]: v["max_tracking_error_m"] for v in summary["vehicles"]}, abs=1e-9)
+    left = {line["id"]: values(line)[-1] for line in figures["battery"]["panels"][0]["lines"]}
+    capacity_j = {1: 24e3, 2: 24e3, 3: 24e3, 4: 24e3, 5: 24e3, 101: 60e3, 201: 150e3}
+    told = {v["sysid"]: 100 * v["energy"]["remaining_j"] / capacity_j[v["sysid"]] for v in summary["vehicles"]}
+    assert left == pytest.approx(told, abs=0.01)
+    done = [bar["to"] for bar in figures["timeline"]["bars"] if bar["stage"] == 2]
+    assert done[0] == summary["refuelling"][0]["end_s"]
+
+
+@needs_chromium
+@pytest.mark.parametrize(("width", "dark"), [(1280, False), (420, True)])
+def test_every_figure_is_drawn_and_nothing_is_fetched(flown: Outcome, browser: Browser, width: int, dark: bool) -> None:
+    browser.open(flown.folder / "report.html", width, dark=dark)
+    assert browser.evaluate(DRAWN)
+    shown = [figure for figure in browser.evaluate(FIGURES) if figure["shows"]]
+    assert {figure["name"] for figure in shown} == FIGURE_NAMES
+    assert {figure["view"] for figure in shown} >= {"plan", "space"}
+    for figure in shown:
+        colours = browser.picture_of(figure["box"]).convert("RGB").getcolors(1 << 24)
+        assert len(colours) > 20, f"{figure['name']} {figure['view']}: lines and letters have soft edges"
+        assert figure["box"]["x"] + figure["box"]["width"] <= width
+        if figure["view"] != "space":
+            assert figure["marks"] >= 1, figure["name"]
+            assert any("(" in title for title in figure["axes"]), f"{figure['name']} has units"
+    assert browser.evaluate("document.documentElement.scrollWidth") <= width
+    told = [
+        event for event in browser.events if event["method"] in ("Runtime.exceptionThrown", "Runtime.consoleAPICalled")
+    ]
+    told += [
+        event
+        for event in browser.events
+        if event["method"] == "Log.entryAdded" and event["params"]["entry"]["level"] == "error"
+    ]
+    assert not told
+    asked = [e["params"]["request"]["url"] for e in browser.events if e["method"] == "Network.requestWillBeSent"]
+    assert asked == [(flown.folder / "report.html").resolve().as_uri()]
+
+
+@needs_chromium
+def test_a_vehicle_can_be_left_out_of_every_figure(flown: Outcome, browser: Browser) -> None:
+    browser.open(flown.folder / "report.html")
+    browser.evaluate(DRAWN)
+    lines = "document.querySelectorAll('[data-figure=battery] path.js-line').length"
+    before = browser.evaluate(lines)
+    browser.evaluate("document.querySelector('.picker button').click()")
+    assert browser.evaluate("document.querySelector('.picker button').getAttribute('aria-pressed')") == "false"
+    assert browser.evaluate(lines) == before - 1 == 6
+
+
+@needs_chromium
+def test_no_figure_is_lost_on_paper(flown: Outcome, browser: Browser) -> None:
+    browser.open(flown.folder / "report.html", dark=True)
+    browser.evaluate(DRAWN)
+    pdf = browser.pdf()
+    assert pdf.startswith(b"%PDF")
+    assert len(re.findall(rb"/Type\s*/Page\b", pdf)) >= 4
+    browser.call("Emulation.setEmulatedMedia", media="print")
+    browser.evaluate("dispatchEvent(new Event('beforeprint'))")
+    printed = [figure for figure in browser.evaluate(FIGURES) if figure["shows"]]
+    assert {figure["name"] for figure in printed} == FIGURE_NAMES
+    assert {figure["view"] for figure in printed} == {"", "plan", "drawn"}, "a drawing in place of the view in space"
+    assert all(figure["marks"] for figure in printed)
+    assert max(figure["box"]["width"] for figure in printed) >= 600
+    sky = browser.picture_of(next(f["box"] for f in printed if f["view"] == "plan")).convert("RGB").getpixel((2, 2))
+    assert sky == (255, 255, 255), "paper is white, whatever the screen is"
+
+
+# folders that lack something
+
+
+def test_a_killed_sessions_report_says_what_it_lacks(
+    flown: Outcome, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """What is on the disk after `kill -9`: no summary, and files that end anywhere."""
+    folder = copied(flown, tmp_path / "killed")
+    (folder / "summary.json").unlink()
+    for name in ("session.tlog", "decisions.jsonl"):
+        (folder / name).write_bytes((folder / name).read_bytes()[:-7])
+    assert report(folder) == 0
+    assert capsys.readouterr().out == f"report: {folder / 'report.html'}\n"
+    top, _, _ = (folder / "report.html").read_text(encoding="utf-8").partition("<main>")
+    assert "No outcome is known" in top
+    assert "summary.json is missing, as after a session that was killed" in top
+    assert "session.tlog ends inside a frame" in top
+    assert "decisions.jsonl has 1 line that is no decision" in top
+    content, _ = model(folder / "report.html")
+    assert content["figures"].keys() == FIGURE_NAMES - {"ledger"}
+
+
+@pytest.mark.parametrize("kept", ["session.tlog", "decisions.jsonl", "summary.json"])
+def test_one_file_alone_makes_a_page(flown: Outcome, tmp_path: Path, kept: str) -> None:
+    folder = copied(flown, tmp_path / "poor")
+    for file in folder.iterdir():
+        if file.is_file() and file.name != kept:
+            file.unlink()
+    page = tmp_path / "page.html"
+    assert report(folder, "--out", str(page), "--quiet") == 0
+    top, _, _ = page.read_text(encoding="utf-8").partition("<main>")
+    assert top.count("is missing") == 3
+    assert not (folder / "report.html").exists()
+
+
+@needs_chromium
+def test_a_page_without_figures_is_no_error(flown: Outcome, tmp_path: Path, browser: Browser) -> None:
+    folder = tmp_path / "only"
+    folder.mkdir()
+    shutil.copy(flown.folder / "summary.json", folder)
+    assert report(folder, "--quiet") == 0
+    browser.open(folder / "report.html")
+    assert browser.evaluate(DRAWN)
+    assert not [event for event in browser.events if event["method"] == "Runtime.exceptionThrown"]
+
+
+def test_what_is_no_session_is_refused_in_a_sentence(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for folder in (tmp_path, tmp_path / "none"):
+        assert report(folder) == 2
+        said = capsys.readouterr().err
+        assert said.count("\n") == 1
+        assert str(folder) in said
+
+
+def test_a_report_that_cannot_be_written_fails_alone(
+    flown: Outcome, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = copied(flown, tmp_path / "session")
+    (folder / "report.html").mkdir()
+    told: list[str] = []
+    after_run(folder, told.append)
+    assert [line for line in told if not line.startswith("making")] == []
+    assert "warning: no report was made" in capsys.readouterr().err
+    assert report(folder) == 1
+    assert not list(folder.glob(".report*")), "nothing half written is left"

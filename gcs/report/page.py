@@ -22,6 +22,7 @@ from gcs.report.findings import Findings, finite
 from gcs.report.pack import packed
 
 MOST_NAMED = 40
+ORDERS = ("command", "taken", "said")
 _MARKS = {"bad": "✗", "warn": "!", "note": "·"}
 _PAGE = Template("""<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
@@ -392,11 +393,16 @@ def _again(found: Findings) -> str:
         parts.append(
             f"<p>With the same versions, from beside the session's folder:</p><pre><code>{escape(command)}</code></pre>"
         )
+    orders = [d for d in found.recorded.decisions if d["kind"] == "operator"]
+    if orders:
+        rows_of = [(f"{d['t_s']:.1f}", d["command"], "yes" if d["taken"] else "no", d["text"]) for d in orders]
+        table = _table("What the operator commanded", ("at (s)", "command", "taken", "said"), rows_of, ORDERS)
+        parts.append(f"<p>An operator took part; without the same orders the flight is another.</p>{table}")
     if summary is not None:
         same = (
             "The digest in again/summary.json is then the one below."
             if summary.digest
-            else ("There is no digest: vehicles took part that cannot be reproduced.")
+            else "There is no digest: vehicles took part whose flight never repeats."
         )
         parts.append(f"<p>{same}</p>")
         facts = [("scenario", summary.scenario), ("seed", summary.seed), ("clock", summary.clock)]

@@ -47,6 +47,7 @@ NEEDED: dict[str, tuple[str, ...]] = {
     "pursuit": ("target", "pursuer"),
     "policy failed": ("policy", "problem"),
     "death": ("text",),
+    "operator": ("command", "taken", "text"),
 }
 """What a report reads of each kind of decision; a line without it is none."""
 _SET_POINT = b'{"kind":"set_point","p_ned":['

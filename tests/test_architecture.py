@@ -93,7 +93,7 @@ HOUSE = {
         "report.series",
         "report.nearness report.decimate",
         "report.findings report.pack",
-        "report.charts",
+        "report.charts report.tables",
         "report.page",
         "report.make",
         "cli_report",

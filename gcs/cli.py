@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from gcs import cli_author, cli_check, cli_watch
+from gcs import cli_author, cli_check, cli_recorded, cli_watch
 from gcs.cli_author import ScenarioName, load_scenario, module_arguments
 
 if TYPE_CHECKING:
@@ -87,6 +87,7 @@ for _command in (
     cli_check.check,
 ):
     cli.add_command(_command)
+cli.add_command(cli_recorded.export)
 
 
 @cli.command(short_help="Fly a scenario and watch it.")

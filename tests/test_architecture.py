@@ -52,6 +52,8 @@ HOUSE = {
         "mavlink.streams",
         "profiles",
         "clock impairment recorder tlog",
+        "units tables",
+        "export",
         "link",
         "external",
         "mixed_link",
@@ -99,7 +101,7 @@ HOUSE = {
         "check.asking",
         "check.presence check.connect check.parameters check.preparation",
         "check.questions check.wire",
-        "cli_author cli_check cli_watch",
+        "cli_author cli_check cli_recorded cli_watch",
         "cli",
     ],
 }

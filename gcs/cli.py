@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from gcs import cli_author, cli_check, cli_recorded, cli_watch
+from gcs import cli_author, cli_check, cli_connect, cli_recorded, cli_watch
 from gcs.cli_author import ScenarioName, load_scenario, module_arguments
 
 if TYPE_CHECKING:
@@ -87,6 +87,8 @@ for _command in (
     cli_check.check,
 ):
     cli.add_command(_command)
+cli.add_command(cli_connect.monitor)
+cli.add_command(cli_recorded.replay)
 cli.add_command(cli_recorded.export)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from gcs.mavlink.sequence import GapCounter
@@ -38,6 +39,11 @@ class LinkQuality:
             samples.append((now_s, heard.received, self.lost(sysid)))
             while now_s - samples[1][0] >= WINDOW_S - _ROUNDING_S:
                 samples.popleft()
+
+    def resume(self, lost: Mapping[int, int], now_s: float) -> None:
+        """Go on at `now_s`, so many frames of each system id having been lost before; lately, none."""
+        self._gaps.lost_of = dict(lost)
+        self._heard = {sysid: _Heard(samples=deque([(now_s, 0, count)])) for sysid, count in lost.items()}
 
     def lost(self, sysid: int) -> int:
         """Frames of this vehicle that never came: gaps in its numbers so far."""

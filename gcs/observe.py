@@ -166,6 +166,12 @@ class Observer:
         """Let the next snapshot tell of something that no vehicle said."""
         self._events.append(event)
 
+    def resume(self, gaps: GapCounter, t_s: float) -> None:
+        """Count lost frames from `t_s` on where somebody has counted those before."""
+        self._gaps = gaps
+        self.quality = LinkQuality(gaps)
+        self.quality.begin(t_s)
+
     def forget_events(self, t_s: float) -> None:
         """Drop what a snapshot at `t_s` would tell of what has happened before: nobody was there to see it."""
         self._gather(self.view(t_s))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from gcs.mavlink.sequence import GapCounter
@@ -40,10 +39,9 @@ class LinkQuality:
             while now_s - samples[1][0] >= WINDOW_S - _ROUNDING_S:
                 samples.popleft()
 
-    def resume(self, lost: Mapping[int, int], now_s: float) -> None:
-        """Go on at `now_s`, so many frames of each system id having been lost before; lately, none."""
-        self._gaps.lost_of = dict(lost)
-        self._heard = {sysid: _Heard(samples=deque([(now_s, 0, count)])) for sysid, count in lost.items()}
+    def begin(self, now_s: float) -> None:
+        """What was lost lately is what is lost from `now_s` on."""
+        self._heard = {sysid: _Heard(samples=deque([(now_s, 0, lost)])) for sysid, lost in self._gaps.lost_of.items()}
 
     def lost(self, sysid: int) -> int:
         """Frames of this vehicle that never came: gaps in its numbers so far."""

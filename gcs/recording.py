@@ -21,6 +21,7 @@ from gcs import tlog
 from gcs.link import SUPERVISOR
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
+from gcs.mavlink.sequence import GapCounter
 from gcs.tlog import AT, MSGID, T_US
 
 IntArray = NDArray[np.int64]
@@ -77,6 +78,17 @@ class Directions:
 _STATION = bytes([mav.MAV_TYPE_GCS])
 
 
+class _Counted(NamedTuple):
+    """What has been counted of sequence numbers before a block."""
+
+    lost: IntArray
+    """of each system id"""
+    senders: IntArray
+    """heard so far, as sysid << 8 | compid; and of each the newest number, and which are missing, 256 bits"""
+    newest: IntArray
+    missing: ByteArray
+
+
 _NONE = np.empty(0, dtype=np.int64)
 
 
@@ -85,8 +97,7 @@ class _Block(NamedTuple):
 
     begin: int
     from_s: float
-    lost: IntArray
-    """frames lost of each system id before it"""
+    counted: _Counted
     keys: IntArray = _NONE
     places: IntArray = _NONE
     """in the file, of the last frame of each key"""
@@ -101,7 +112,8 @@ class _Block(NamedTuple):
 class Recording:
     """One .tlog. Raises OSError where it cannot be read.
 
-    epoch_us: the time that is 0 s; the first frame's without it. `problems` says what could not be read.
+    epoch_us: the time that is 0 s; the first frame's without it. block_bytes: of the index; by the file's size without
+    it. `problems` says what could not be read.
     """
 
     def __init__(
@@ -110,17 +122,16 @@ class Recording:
         *,
         epoch_us: int | None = None,
         session: bool = False,
+        block_bytes: int | None = None,
         progress: Callable[[float], None] = lambda _: None,
     ) -> None:
         self.path = path
         self._session = session
         self._blocks: list[_Block] = []
         self.frames = 0
-        block_bytes = max(BLOCK_BYTES, path.stat().st_size // MOST_BLOCKS)
+        block_bytes = block_bytes or max(BLOCK_BYTES, path.stat().st_size // MOST_BLOCKS)
         log = tlog.Tlog(path, chunk_bytes=block_bytes)
-        newest = np.full(SENDERS, -1, dtype=np.int64)
-        missing = np.zeros((SENDERS, 256), dtype=np.bool_)
-        lost = np.zeros(256, dtype=np.int64)
+        numbers = _Numbers()
         latest_us, last_us, first_us = -1, -1, None
         for chunk in log.chunks():
             heads = chunk.heads
@@ -133,12 +144,13 @@ class Recording:
                 if new or (self._blocks and heads[0, T_US] == last_us):
                     new = new or len(heads)
                     self._blocks[-1] = self._blocks[-1].with_more(keys[:new], places[:new])
-                    _count_lost(heads[:new], newest, missing, lost)
+                    numbers.count(heads[:new])
                 if new < len(heads):
                     latest_us = max(latest_us, int(heads[new, T_US]))
-                    block = _Block(int(places[new]) - tlog.TIME_BYTES, (latest_us - epoch_us) / 1e6, lost.copy())
+                    begin, from_s = int(places[new]) - tlog.TIME_BYTES, (latest_us - epoch_us) / 1e6
+                    block = _Block(begin, from_s, numbers.counted())
                     self._blocks.append(block.with_more(keys[new:], places[new:]))
-                    _count_lost(heads[new:], newest, missing, lost)
+                    numbers.count(heads[new:])
                 latest_us = max(latest_us, int(heads[:, T_US].max()))
                 last_us = int(heads[-1, T_US])
                 self.frames += len(heads)
@@ -194,10 +206,16 @@ class Recording:
                 told.append(Told((t_us - self._epoch_us) / 1e6, frame, directions.sent(t_us, frame)))
         return told
 
-    def lost_before(self, from_s: float) -> dict[int, int]:
-        """Frames of each system id that had been lost before the block of a time."""
-        lost = self._blocks[self._block_of(from_s)].lost
-        return {int(sysid): int(lost[sysid]) for sysid in np.flatnonzero(lost)}
+    def gaps_before(self, from_s: float) -> GapCounter:
+        """The sequence numbers as they had been counted before the block of a time."""
+        counted = self._blocks[self._block_of(from_s)].counted
+        missing = np.unpackbits(counted.missing, axis=1)
+        senders = {
+            (sender >> 8, sender & 0xFF): (newest, np.flatnonzero(numbers).tolist())
+            for sender, newest, numbers in zip(counted.senders.tolist(), counted.newest.tolist(), missing, strict=True)
+        }
+        lost_of = {int(sysid): int(counted.lost[sysid]) for sysid in np.flatnonzero(counted.lost)}
+        return GapCounter.resumed(lost_of, senders)
 
     def _block_of(self, t_s: float) -> int:
         """The last block that begins before a time."""
@@ -206,6 +224,25 @@ class Recording:
             if block.from_s < t_s:
                 at = index
         return at
+
+
+class _Numbers:
+    """Counts the gaps in all sequence numbers of a recording, as `GapCounter` counts them."""
+
+    def __init__(self) -> None:
+        self._newest = np.full(SENDERS, -1, dtype=np.int64)
+        self._missing = np.zeros((SENDERS, 256), dtype=np.bool_)
+        self._lost = np.zeros(256, dtype=np.int64)
+
+    def count(self, heads: IntArray) -> None:
+        """Go on with these frames."""
+        _count_lost(heads, self._newest, self._missing, self._lost)
+
+    def counted(self) -> _Counted:
+        """How far it is."""
+        senders = np.flatnonzero(self._newest >= 0)
+        missing = np.packbits(self._missing[senders], axis=1)
+        return _Counted(self._lost.copy(), senders, self._newest[senders], missing)
 
 
 def _subjects() -> IntArray:

@@ -34,10 +34,13 @@ class ReplayError(Exception):
 class Replay:
     """A recording and the fleet in it, at `t_s` of it. Raises ReplayError, OSError.
 
-    source: a session's folder, or a .tlog file. `problems`: what could not be read, a sentence each.
+    source: a session's folder, or a .tlog file. block_bytes: as of a `Recording`. `problems`: what could not be read, a
+    sentence each.
     """
 
-    def __init__(self, source: Path, progress: Callable[[float], None] = lambda _: None) -> None:
+    def __init__(
+        self, source: Path, progress: Callable[[float], None] = lambda _: None, *, block_bytes: int | None = None
+    ) -> None:
         self.problems: list[str] = []
         self._scenario: Scenario | None = None
         self._story: Story | None = None
@@ -50,7 +53,9 @@ class Replay:
         if not path.exists():
             missing = f"{source} has no {TLOG}" if source.is_dir() else f"{source} does not exist"
             raise ReplayError(f"{missing}; give a session's folder or a .tlog file.")
-        self._recording = Recording(path, epoch_us=epoch_us, session=source.is_dir(), progress=progress)
+        self._recording = Recording(
+            path, epoch_us=epoch_us, session=source.is_dir(), block_bytes=block_bytes, progress=progress
+        )
         self.problems += self._recording.problems
         if not self._recording.frames:
             raise ReplayError(" ".join(self._recording.problems) or f"{path} holds no MAVLink frame.")
@@ -70,7 +75,7 @@ class Replay:
                 observer.overhear(told.frame)
             else:
                 observer.hear(told.frame, told.t_s, counted=False)
-        observer.quality.resume(self._recording.lost_before(t_s), t_s)
+        observer.resume(self._recording.gaps_before(t_s), t_s)
         self._frames: Iterator[Told] = self._recording.play(t_s)
         self._next: Told | None = next(self._frames, None)
         self._dead = 0

@@ -30,8 +30,8 @@ def frame(kind: str, sysid: int = 1, compid: int = 1, **fields: Any) -> codec.Fr
     return codec.split(bytes(raw)).frames[0]
 
 
-def beat(sysid: int = 1, *, autopilot: int = PX4, kind: int = QUADROTOR, mode: int = 4 << 16 | 3 << 24, armed: bool = False,
-         status: int = 3, compid: int = 1) -> codec.Frame:  # fmt: skip
+def beat(sysid: int = 1, *, autopilot: int = PX4, kind: int = QUADROTOR, mode: int = 4 << 16 | 3 << 24,
+         armed: bool = False, status: int = 3, compid: int = 1) -> codec.Frame:  # fmt: skip
     base = 0x81 if armed else 0x01
     return frame("HEARTBEAT", sysid, compid, type=kind, autopilot=autopilot, base_mode=base, custom_mode=mode,
                  system_status=status)  # fmt: skip

@@ -113,8 +113,9 @@ def replay(session: Path, speed: float | None, from_s: float | None, plain: bool
 
 def _play(recording: Replay, speed: float | None, *, plain: bool, as_json: bool) -> int:
     from gcs.replay import ReplaySource
+    from gcs.terminal import usable
 
-    if not plain and not as_json and sys.stdout.isatty() and sys.stdin.isatty():
+    if not plain and not as_json and usable():
         from gcs.console.app import show
 
         return show(ReplaySource(recording, speed=speed or 1.0), recording.name)
@@ -123,9 +124,10 @@ def _play(recording: Replay, speed: float | None, *, plain: bool, as_json: bool)
     if speed is None:
         steps = Steps()
         source = ReplaySource(recording, clock=steps, patience_s=math.inf)
-        follow(source, click.echo, as_json=as_json, clock=steps, wait=steps.go_on)
+        follow(source, click.echo, as_json=as_json, clock=steps, wait=steps.go_on, over=lambda: recording.ended)
     else:
-        follow(ReplaySource(recording, speed=speed), click.echo, as_json=as_json)
+        source = ReplaySource(recording, speed=speed)
+        follow(source, click.echo, as_json=as_json, over=lambda: recording.ended)
     return 0
 
 

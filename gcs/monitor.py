@@ -17,7 +17,7 @@ from typing import Any, NamedTuple, cast
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.events import Event
-from gcs.mavlink import codec
+from gcs.mavlink import codec, older
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.commands import CommandLong, CommandQueue, CommandResult, Step, Target
 from gcs.mavlink.sequence import SequenceCounter
@@ -36,7 +36,6 @@ RECEIVE_BYTES = 65535
 ORDERS: Mapping[str, End] = {"hold": "hold", "return": "return", "land": "land"}
 FORM = "write udpin:HOST:PORT to listen, udpout:HOST:PORT or tcp:HOST:PORT to go to somebody who does"
 _ADDRESS = re.compile(r"(udpin|udpout|tcp):(\[[0-9A-Fa-f:.]+\]|[^:\s\[\]]+):([0-9]{1,5})")
-_MAVLINK_1 = 0xFE
 _COMMAND_ACK = codec.msgid("COMMAND_ACK")
 
 Peer = tuple[Any, ...]
@@ -74,8 +73,6 @@ class Air:
         self._stream = at.way == "tcp"
         self._pending = b""
         self.open = True
-        self.strange: set[Peer] = set()
-        """who speaks MAVLink 1, which is not read"""
         try:
             found = socket.getaddrinfo(at.host, at.port, type=socket.SOCK_STREAM if self._stream else socket.SOCK_DGRAM)
             family, kind, protocol, _, where = found[0]
@@ -103,6 +100,10 @@ class Air:
         """The port that it is at."""
         return int(self._socket.getsockname()[1])
 
+    def fileno(self) -> int:
+        """The socket's."""
+        return self._socket.fileno()
+
     def receive(self) -> Iterator[tuple[list[Frame], Peer]]:
         """What has come, with who sent it; never waits."""
         while self.open:
@@ -117,10 +118,7 @@ class Air:
                     return
                 yield self._cut(data), self._to or ()
                 continue
-            frames = codec.split(data).frames
-            if not frames and data[:1] == bytes([_MAVLINK_1]):
-                self.strange.add(tuple(peer))
-            yield frames, tuple(peer)
+            yield codec.split(data).frames or older.split(data), tuple(peer)
 
     def send(self, raw: bytes, peer: Peer) -> None:
         """Send a frame to somebody who was heard, or to the one that was gone to."""
@@ -167,7 +165,6 @@ class MonitorSource:
         self._control = control
         self._peers: dict[int, tuple[Peer, float]] = {}
         self._refused: set[tuple[int, Peer]] = set()
-        self._told_strange: set[Peer] = set()
         self._queues: dict[int, CommandQueue] = {}
         self._counter = SequenceCounter()
         self._replies: list[Mapping[str, Any]] = []
@@ -182,6 +179,10 @@ class MonitorSource:
         """The port that it is at."""
         return self._air.port
 
+    def fileno(self) -> int:
+        """For select: readable when something has come."""
+        return self._air.fileno()
+
     @property
     def connected(self) -> bool:
         """Whether it listens."""
@@ -193,10 +194,6 @@ class MonitorSource:
         for frames, peer in self._air.receive():
             for frame in frames:
                 self._hear(frame, peer, t_s)
-        for peer in self._air.strange - self._told_strange:
-            self._told_strange.add(peer)
-            text = f"{_where(peer)} speaks MAVLink 1, which is not read: set it to MAVLink 2"
-            self._observer.tell(Event(t_s, 0, "warning", text, "link"))
         if self._control:
             self._speak(t_s)
         messages, self._replies = self._replies, []

@@ -12,6 +12,7 @@ from collections.abc import Callable, Collection, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
+from gcs.events import Event
 from gcs.observe import Observer
 from gcs.recorder import DECISIONS, TLOG
 from gcs.recording import Recording, Told
@@ -179,7 +180,7 @@ class ReplaySource:
         self._shown_s = -math.inf
         self._replies: list[Message] = [replay.session()]
         for problem in replay.problems:
-            self._replies.append({"type": "reply", "id": None, "ok": False, "text": problem})
+            replay.observer.tell(Event(replay.t_s, 0, "warning", problem, "session"))
 
     @property
     def connected(self) -> bool:

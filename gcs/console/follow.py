@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import json
-import math
 import time
 from collections.abc import Callable
-from typing import Any
 
 from gcs.console.plain import JsonView, PlainView, mute_stdout
-from gcs.console.source import Source
+from gcs.console.source import Message, Source
 
 LOOK_EVERY_S = 0.1
 STEP_S = 0.5
@@ -38,36 +36,39 @@ def follow(
     as_json: bool,
     clock: Callable[[], float] = time.monotonic,
     wait: Callable[[], object] = lambda: time.sleep(LOOK_EVERY_S),
-    until_s: float = math.inf,
+    over: Callable[[], bool] = lambda: False,
 ) -> None:
-    """Show a source until it ends, has played to its end, or nobody reads any more; Ctrl-C raises KeyboardInterrupt.
+    """Show a source until it ends, is `over`, or nobody reads any more; Ctrl-C raises KeyboardInterrupt.
 
-    until_s: the time on `clock` at which to leave off.
+    clock, wait: by which what is shown now and then is due, and how the next look is waited for.
     """
     view: PlainView | JsonView = JsonView(write) if as_json else PlainView(write)
     try:
-        while not _shown(source, view, write, as_json=as_json) and source.connected and clock() < until_s:
+        end: Message | None = None
+        while end is None and not over():
+            end = _show(source, view, write, as_json=as_json)
             view.tick(clock())
-            wait()
+            if end is None and not over():
+                wait()
         view.close()
+        if end is not None:
+            write(json.dumps(end) if as_json else f"outcome: {end.get('outcome') or 'unknown'}")
     except BrokenPipeError:
         mute_stdout()
     finally:
         source.close()
 
 
-def _shown(source: Source, view: PlainView | JsonView, write: Callable[[str], object], *, as_json: bool) -> bool:
-    """Show what has come; whether it was the end."""
-    ended = False
+def _show(
+    source: Source, view: PlainView | JsonView, write: Callable[[str], object], *, as_json: bool
+) -> Message | None:
+    """Show what has come; the message that ends it, if that was among it."""
     for message in source.receive():
-        kind: Any = message.get("type")
+        kind = message.get("type")
         if kind == "snapshot":
             view.show(message)
-            ended = ended or message.get("phase") == "ended"
         elif kind == "end":
-            ended = True
+            return message
         elif kind == "session" and as_json:
             write(json.dumps(message))
-        elif kind == "reply" and not as_json:
-            write(str(message.get("text")))
-    return ended
+    return None

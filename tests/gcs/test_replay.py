@@ -141,7 +141,7 @@ def test_seeking_shows_what_playing_there_shows(session: Outcome, t_s: float) ->
 
 
 def test_a_long_log_is_opened_and_sought_in_at_once(tmp_path: Path) -> None:
-    """40 vehicles for ten minutes: 1.4 million frames. One second is the promise; the machine may be busy."""
+    """40 vehicles for ten minutes, 240,000 frames: a second of processor time is the promise."""
     sender = mav.MAVLink(None)
     stretch = []
     for tick in range(600):

@@ -102,7 +102,9 @@ class Observer:
         self._origin = None if scenario is None else GlobalOrigin(*scenario.origin.model_dump().values())
         self.fleet = Fleet(members, self._origin or GlobalOrigin(0.0, 0.0, 0.0))
         self._ears: dict[int, Ear] = {}
-        self._known = {member.sysid for member in members}
+        # A session's own vehicles tell all that the fleet reads, on its clock; those of others are strangers here too.
+        self._known = set() if scenario is None else {vehicle.sysid for vehicle in scenario.vehicles.launched}
+        self._expected = {member.sysid for member in members} - self._known
         self._gaps = GapCounter()
         self.quality = LinkQuality(self._gaps)
         self.inspection = Inspection()
@@ -117,7 +119,7 @@ class Observer:
     @property
     def sysids(self) -> list[int]:
         """The vehicles known so far."""
-        return sorted(self._known | self._ears.keys())
+        return sorted(self._known | self._expected | self._ears.keys())
 
     def component(self, sysid: int) -> int:
         """The component of a known vehicle that is its autopilot."""
@@ -269,8 +271,9 @@ class Observer:
         if role is None or content.autopilot == mav.MAV_AUTOPILOT_INVALID:
             return None
         ear = self._ears[frame.sysid] = Ear(frame.sysid, frame.compid)
-        label = f"{role} {frame.sysid}"
-        self.fleet.join(Member(frame.sysid, role, label, UNKNOWN_CAPACITY_J, UNKNOWN_CAPACITY_J))
+        if frame.sysid not in self._expected:
+            label = f"{role} {frame.sysid}"
+            self.fleet.join(Member(frame.sysid, role, label, UNKNOWN_CAPACITY_J, UNKNOWN_CAPACITY_J))
         kind = profile_of(content.autopilot).name
         self._events.append(Event(t_s, frame.sysid, "info", f"First heard of: {kind} autopilot", "link"))
         self.changed = True

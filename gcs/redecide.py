@@ -223,6 +223,11 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Verdict:
         if not (folder / name).exists():
             raise RedecideError(f"{folder} has no {name}: only a whole session's folder can be decided again.")
     scenario = load(folder / "scenario.yaml").model_copy(update={"radio": Radio()})
+    if scenario.vehicles.external:
+        raise RedecideError(
+            f"{folder} was flown with external vehicles, on their own clocks: only sessions whose vehicles were all "
+            "launched can be decided again."
+        )
     log = tlog.read(folder / TLOG)
     recorded = _Recorded(folder / DECISIONS)
     keys = [(vehicle.sysid, AUTOPILOT) for vehicle in scenario.vehicles.all]

@@ -49,7 +49,7 @@ HOUSE = {
         "drawing editor_schema doctor",
         "launch guard plugins",
         "mavlink.codec",
-        "mavlink.sequence mavlink.commands mavlink.batch mavlink.boot_clock",
+        "mavlink.sequence mavlink.commands mavlink.batch mavlink.boot_clock mavlink.older",
         "mavlink.streams",
         "profiles",
         "clock impairment recorder tlog",

@@ -18,7 +18,7 @@ import pytest
 from pymavlink.dialects.v20 import ardupilotmega as mav
 from sessions import GCS, Outcome, fly, small
 
-from gcs.redecide import redecide
+from gcs.redecide import RedecideError, redecide
 from gcs.replay import Replay, ReplayError, ReplaySource
 from gcs.scenario import load
 
@@ -360,9 +360,7 @@ def test_another_need_from_differs_first_where_somebody_competed_below_it(sessio
     verdict = redecide(folder)
     assert not verdict.agrees
     assert (verdict.differences[0].t_s, verdict.differences[0].kind) == (first["t_s"], "competition")
-    told = gcs("replay", str(folder), "--decide")
-    assert told.returncode == 1
-    assert told.stdout.splitlines()[1].startswith(f"first: {first['t_s']:.1f} s: competition")
+    assert verdict.differences[0].sentence == f"{first['t_s']:.1f} s: competition: recorded only"
 
 
 def test_orders_and_deaths_happen_again_where_they_are_recorded(session: Outcome, tmp_path: Path) -> None:
@@ -404,18 +402,22 @@ def test_a_log_of_another_scenario_is_not_decided(session: Outcome, tmp_path: Pa
     folder = copy(session, tmp_path / "other")
     text = (folder / "scenario.yaml").read_text()
     (folder / "scenario.yaml").write_text(re.sub(r"period_s: [\d.]+", "period_s: 0.2", text))
-    refused = gcs("replay", str(folder), "--decide")
-    assert refused.returncode == 2
-    assert "not the recording of this scenario" in " ".join(refused.stderr.split())
+    with pytest.raises(RedecideError, match="not the recording of this scenario"):
+        redecide(folder)
 
 
 @pytest.mark.parametrize("missing", ["session.tlog", "decisions.jsonl", "scenario.yaml"])
 def test_only_a_whole_folder_is_decided_again(session: Outcome, tmp_path: Path, missing: str) -> None:
     folder = copy(session, tmp_path / "half")
     (folder / missing).unlink()
-    refused = gcs("replay", str(folder), "--decide")
+    with pytest.raises(RedecideError, match=f"has no {missing}"):
+        redecide(folder)
+
+
+def test_a_log_alone_holds_no_decisions(session: Outcome) -> None:
+    refused = gcs("replay", str(session.folder / "session.tlog"), "--decide")
     assert refused.returncode == 2
-    assert f"has no {missing}" in refused.stderr
+    assert "no session's folder" in refused.stderr
 
 
 # the command

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from gcs import cli_author, cli_check, cli_report, cli_watch
+from gcs import cli_author, cli_check, cli_recorded, cli_report, cli_watch
 from gcs.cli_author import ScenarioName, load_scenario, module_arguments
 
 if TYPE_CHECKING:
@@ -68,7 +68,8 @@ def cli() -> None:
       gcs run demo             five pursuers, a moving target and a tanker, in a console in this terminal
       gcs run demo --lockstep  the same as fast as the machine can
       gcs launch demo          only its vehicles, for QGroundControl, MAVSDK or MAVProxy
-      gcs monitor              a further console on a session that runs
+      gcs monitor              a further console on a session that runs, or on any fleet with --connect
+      gcs replay               a recorded session, or any .tlog, in the console
       gcs report SESSION       a page of what it recorded: paths, energy, competition, distances
       gcs init                 a scenario of your own to start from; gcs validate draws it
       gcs doctor               what keeps sessions from running here
@@ -87,6 +88,8 @@ for _command in (
     cli_watch.monitor,
     cli_check.check,
     cli_report.report,
+    cli_recorded.replay,
+    cli_recorded.export,
 ):
     cli.add_command(_command)
 

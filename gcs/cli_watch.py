@@ -1,87 +1,104 @@
-"""`gcs monitor`: look at a session that runs already."""
+"""`gcs monitor`: look at a session that runs already, or at whoever is on the air."""
 
 # ruff: noqa: PLC0415 - so that `gcs --help` answers at once
 
 from __future__ import annotations
 
-import time
+import contextlib
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from gcs.console.client import SOCKET
 
-BAD_INPUT = 2
-WAIT_S = 0.125
+if TYPE_CHECKING:
+    from gcs.console.source import Source
 
 
-@click.command(short_help="Watch a session that runs already.")
+@click.command(short_help="Watch a session that runs already, or any fleet.")
 @click.argument("session", required=False, type=click.Path(path_type=Path, file_okay=False))
+@click.option(
+    "--connect",
+    metavar="udpin|udpout|tcp:HOST:PORT",
+    help="Watch whoever is heard there instead of a session: any autopilot, any number, nothing to configure.",
+)
+@click.option("--control", is_flag=True, help="With --connect: also speak; hold, return and land are for the asking.")
 @click.option("--plain", is_flag=True, help="Lines of text instead of the console; also used without a terminal.")
-def monitor(session: Path | None, plain: bool) -> int:
+@click.option("--json", "as_json", is_flag=True, help="One JSON object per second on stdout, for other programs.")
+def monitor(session: Path | None, connect: str | None, control: bool, plain: bool, as_json: bool) -> int:
     """Open a further console on SESSION, the folder of a session that runs; without it, on the newest in sessions/.
 
     Any number may watch one session, and command it. Closing one changes nothing for the session or the others. The
     monitor ends by itself when the session does.
 
+    With --connect it shows every vehicle that sends a HEARTBEAT to an address, PX4, ArduPilot or others. It only
+    listens: not even a HEARTBEAT leaves, unless --control is given.
+
     \b
     Examples:
       gcs monitor
       gcs monitor sessions/demo-20260101-120000
-      gcs monitor first-flight --plain
+      gcs monitor --connect udpin:127.0.0.1:14550
+      gcs monitor --connect udpin:0.0.0.0:14550 --control
 
     \b
     Exit status:
       0    closed, or the session has ended
-      2    no session runs there
+      2    no session runs there, or the address cannot be had
       70   an error of the program itself
     """
+    if plain and as_json:
+        raise click.UsageError("--plain and --json exclude each other: choose what goes to stdout.")
+    if connect is not None and session is not None:
+        raise click.UsageError("SESSION and --connect exclude each other: a session is watched, or who is on the air.")
+    if control and connect is None:
+        raise click.UsageError("--control is for --connect: a session takes its watchers' commands as it is.")
+    source, title = _session(session) if connect is None else _air(connect, control)
+    from gcs.terminal import usable
+
+    if not plain and not as_json and usable():
+        from gcs.console.app import show
+
+        return show(source, title)
+    from gcs.console.follow import follow
+
+    with contextlib.suppress(KeyboardInterrupt):
+        follow(source, click.echo, as_json=as_json)
+    return 0
+
+
+def _session(session: Path | None) -> tuple[Source, str]:
+    """The session in a folder, or the newest one. Raises click.UsageError where none runs."""
     folder = session or _newest()
     if folder is None:
         raise click.UsageError("no session runs under sessions/; name the folder of one that does.")
     from gcs.console.client import Client
+    from gcs.console.client_source import SessionSource
 
     try:
         Client(folder).close()
     except OSError:
         raise click.UsageError(f"no session runs in {folder}; `gcs run` starts one.") from None
-    from gcs.console.client_source import SessionSource
+    return SessionSource(folder), folder.name
 
-    source = SessionSource(folder)
-    from gcs.terminal import usable
 
-    if plain or not usable():
-        return _lines(source)
-    from gcs.console.app import show
+def _air(connect: str, control: bool) -> tuple[Source, str]:
+    """Whoever is heard at an address. Raises click.UsageError where nobody can be."""
+    from gcs.monitor import MonitorError, MonitorSource, address
 
-    return show(source, folder.name)
+    try:
+        at = address(connect)
+        source = MonitorSource(at, control=control)
+    except MonitorError as error:
+        raise click.UsageError(f"--connect: {error}") from None
+    if at.way == "udpin":
+        at = at._replace(port=source.port)
+        click.echo(f"gcs: listening at {at.text}; Ctrl-C ends it.", err=True)
+    return source, at.text
 
 
 def _newest() -> Path | None:
     """The folder of the session that opened its socket last."""
     sockets = [path for path in Path("sessions").glob(f"*/{SOCKET}") if path.is_socket()]
     return max(sockets, key=lambda path: path.stat().st_mtime).parent if sockets else None
-
-
-def _lines(source: object) -> int:
-    from gcs.console.client_source import SessionSource
-    from gcs.console.plain import PlainView, mute_stdout
-
-    assert isinstance(source, SessionSource)
-    view = PlainView(click.echo)
-    try:
-        while True:
-            for message in source.receive():
-                if message.get("type") == "snapshot":
-                    view.show(message)
-                elif message.get("type") == "end":
-                    view.close()
-                    click.echo(f"outcome: {message.get('outcome') or 'unknown'}")
-                    return 0
-            view.tick(time.monotonic())
-            time.sleep(WAIT_S)
-    except (BrokenPipeError, KeyboardInterrupt):
-        mute_stdout()
-        return 0
-    finally:
-        source.close()

@@ -76,6 +76,8 @@ class VehicleView(NamedTuple):
     control_effort: float
     ground_down_m: float | None = None
     """the ground under its home, or else under its origin, in the common frame; None while that is unknown"""
+    custom_mode: int = 0
+    """HEARTBEAT's, for those who name it to a person"""
 
     @property
     def height_m(self) -> float | None:
@@ -175,6 +177,7 @@ class _Track:
         self.home_amsl_m: float | None = None
         self.home_down_m: float | None = None
         self.mode = FlightMode.OTHER
+        self.custom_mode = 0
         self.armed = False
         self.landed = True
         self.heard_s = -math.inf
@@ -244,6 +247,7 @@ class _Track:
             power_w=self.energy.power_w,
             energy_source=str(self.energy.source),
             control_effort=self.control_effort,
+            custom_mode=self.custom_mode,
         )
 
 
@@ -252,7 +256,7 @@ class Fleet:
 
     def __init__(self, members: Iterable[Member], origin: GlobalOrigin) -> None:
         self._tracks = {member.sysid: _Track(member) for member in sorted(members, key=lambda m: m.sysid)}
-        self._origin = origin
+        self.origin = origin
         self._traffic: dict[int, tuple[str, Vec3, Vec3, float]] = {}
         self.statustexts: list[tuple[int, int, str]] = []
         self.acks: list[tuple[int, Any]] = []
@@ -268,6 +272,11 @@ class Fleet:
         if handler is None or track is None or frame.compid != mav.MAV_COMP_ID_AUTOPILOT1:
             return
         handler(self, track, fields(frame), time_s)
+
+    def join(self, member: Member) -> None:
+        """Take in a vehicle that nobody knew of before; the snapshot keeps its order of system ids."""
+        self._tracks[member.sysid] = _Track(member)
+        self._tracks = dict(sorted(self._tracks.items()))
 
     def lost(self, sysid: int) -> None:
         """A vehicle's process has died."""
@@ -315,6 +324,7 @@ class Fleet:
     def _heartbeat(self, track: _Track, content: Any, time_s: float) -> None:
         track.profile = track.member.profile or profile_of(content.autopilot)
         track.mode = track.profile.mode(content.custom_mode)
+        track.custom_mode = content.custom_mode
         track.armed = bool(content.base_mode & mav.MAV_MODE_FLAG_SAFETY_ARMED)
         track.heard_s = time_s
 
@@ -353,7 +363,7 @@ class Fleet:
 
     def _ned(self, content: Any) -> Vec3:
         """A message's latitude, longitude and altitude in the common frame."""
-        o = self._origin
+        o = self.origin
         north, east, down = pymap3d.geodetic2ned(
             1e-7 * content.latitude, 1e-7 * content.longitude, 1e-3 * content.altitude, o.lat_deg, o.lon_deg, o.alt_m
         )
@@ -426,7 +436,7 @@ class Fleet:
         self.acks.append((track.member.sysid, content))
 
     def _take_traffic(self, content: Any, time_s: float) -> None:
-        o = self._origin
+        o = self.origin
         north, east, down = pymap3d.geodetic2ned(
             1e-7 * content.lat, 1e-7 * content.lon, 1e-3 * content.altitude, o.lat_deg, o.lon_deg, o.alt_m
         )

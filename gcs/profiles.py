@@ -52,6 +52,15 @@ class Profile:
     not_given: float
     integers_bytewise: bool
     home_is_local: bool
+    names: Mapping[int, str]
+    """what the autopilot itself calls its modes, for those that `modes` has no word of its own for"""
+
+    def mode_name(self, custom_mode: int) -> str:
+        """The mode in a HEARTBEAT, for a person: in our words, else the autopilot's, else its number."""
+        mode = self.mode(custom_mode)
+        if mode not in (FlightMode.OTHER, FlightMode.MANUAL):
+            return str(mode)
+        return self.names.get(custom_mode, f"mode {custom_mode}" if mode is FlightMode.OTHER else str(mode))
 
     def mode(self, custom_mode: int) -> FlightMode:
         """The mode in a HEARTBEAT."""
@@ -113,6 +122,20 @@ PX4 = Profile(
     not_given=math.nan,
     integers_bytewise=True,
     home_is_local=True,
+    names={
+        _px4(1): "manual",
+        _px4(2): "altitude",
+        _px4(3): "position",
+        _px4(3, 1): "orbit",
+        _px4(4, 1): "ready",
+        _px4(4, 4): "mission",
+        _px4(4, 8): "follow",
+        _px4(4, 9): "precision land",
+        _px4(4, 10): "VTOL takeoff",
+        _px4(5): "acro",
+        _px4(7): "stabilized",
+        _px4(8): "rattitude",
+    },
 )
 ARDUCOPTER = Profile(
     name="ardupilot",
@@ -132,6 +155,29 @@ ARDUCOPTER = Profile(
     not_given=0.0,
     integers_bytewise=False,
     home_is_local=False,
+    names={
+        0: "stabilize",
+        1: "acro",
+        2: "altitude hold",
+        3: "auto",
+        7: "circle",
+        11: "drift",
+        13: "sport",
+        14: "flip",
+        15: "autotune",
+        16: "position hold",
+        18: "throw",
+        19: "avoid ADSB",
+        20: "guided, no GPS",
+        21: "smart return",
+        22: "flow hold",
+        23: "follow",
+        24: "zigzag",
+        25: "system id",
+        26: "autorotate",
+        27: "auto return",
+        28: "turtle",
+    },
 )
 GENERIC = replace(PX4, name="generic", takeoff_is_amsl=False)
 

@@ -39,6 +39,10 @@ class LinkQuality:
             while now_s - samples[1][0] >= WINDOW_S - _ROUNDING_S:
                 samples.popleft()
 
+    def begin(self, now_s: float) -> None:
+        """What was lost lately is what is lost from `now_s` on."""
+        self._heard = {sysid: _Heard(samples=deque([(now_s, 0, lost)])) for sysid, lost in self._gaps.lost_of.items()}
+
     def lost(self, sysid: int) -> int:
         """Frames of this vehicle that never came: gaps in its numbers so far."""
         return self._gaps.lost_of.get(sysid, 0)

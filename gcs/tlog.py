@@ -49,8 +49,10 @@ _SOME_SEED = np.isin(np.arange(1 << 16), _CRC)
 class Chunk:
     """A stretch of a recording."""
 
-    def __init__(self, octets: ByteArray, heads: IntArray, read_share: float) -> None:
+    def __init__(self, octets: ByteArray, heads: IntArray, read_share: float, begin: int) -> None:
         self.octets = octets
+        self.begin = begin
+        """where in the file `octets` begin"""
         self.heads = heads
         """(n, 6) in the file's order: T_US, AT, SYSID, COMPID, SEQ, MSGID"""
         self.read_share = read_share
@@ -60,7 +62,7 @@ class Chunk:
         """(time in µs since the Unix epoch, frame) in the file's order."""
         data = self.octets.tobytes()
         for t_us, at, sysid, compid, seq, msgid in self.heads.tolist():
-            yield t_us, Frame(sysid, compid, seq, msgid, _raw(data, at))
+            yield t_us, Frame(sysid, compid, seq, msgid, raw_at(data, at))
 
     def table(self, message: int | str) -> NDArray[Any]:
         """Every frame of one message as a structured array (n,): t_us, sysid, compid, seq, then the message's fields
@@ -91,14 +93,16 @@ class Tlog:
         for chunk in self.chunks():
             yield from chunk.frames()
 
-    def chunks(self) -> Iterator[Chunk]:
-        """The recording, stretch by stretch."""
+    def chunks(self, begin: int = 0) -> Iterator[Chunk]:
+        """The recording, stretch by stretch, from a place in the file on: where a frame's time begins."""
         self.problems = []
         carried = b""
-        done = frames = gaps = skipped = 0
+        done = begin
+        frames = gaps = skipped = 0
         last_end, look_at, last_us = 0, TIME_BYTES, -1
         with self.path.open("rb") as file:
             size = max(self.path.stat().st_size, 1)
+            file.seek(begin)
             while True:
                 block = file.read(self._chunk_bytes)
                 final = len(block) < self._chunk_bytes
@@ -110,7 +114,7 @@ class Tlog:
                 frames += len(heads)
                 gaps += more_gaps
                 skipped += more_skipped
-                yield Chunk(octets, heads, min(done / size, 1.0))
+                yield Chunk(octets, heads, min(done / size, 1.0), done - len(octets))
                 if final:
                     break
                 keep = max(last_end, look_at - TIME_BYTES)
@@ -139,7 +143,7 @@ def _problems(name: str, frames: int, gaps: int, skipped: int, left: int) -> Ite
         yield f"{name} ends with {left} bytes that belong to no MAVLink frame; they were passed over."
 
 
-def _raw(data: bytes, at: int) -> bytes:
+def raw_at(data: bytes, at: int) -> bytes:
     """The frame at a place, of MAVLink 1 in the form of MAVLink 2."""
     length = data[at + 1]
     if data[at] == codec.MARKER:

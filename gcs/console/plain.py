@@ -77,7 +77,8 @@ def counts(vehicles: Sequence[Mapping[str, Any]]) -> str:
 
 def progress(snapshot: Snapshot) -> str:
     """One line: time, speed, modes, lowest battery, goal."""
-    parts = [f"{_stamp(snapshot['t_s'])} of {snapshot['duration_s']:.0f} s", f"x{snapshot['speed']:.2f}"]
+    whole = "" if snapshot["duration_s"] is None else f" of {snapshot['duration_s']:.0f} s"
+    parts = [f"{_stamp(snapshot['t_s'])}{whole}", f"x{snapshot['speed']:.2f}"]
     parts += [clean(snapshot["phase"]), counts(snapshot["vehicles"])]
     known = [v for v in snapshot["vehicles"] if v["alive"] and v["battery"] is not None]
     if known:

@@ -6,7 +6,7 @@ at most 127 frames (contract.md, the supervised link, 3).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
@@ -45,6 +45,18 @@ class GapCounter:
         """the same by system id; one that has lost nothing is not in it"""
         self._newest: dict[tuple[int, int], int] = {}
         self._missing: dict[tuple[int, int], set[int]] = {}
+
+    @classmethod
+    def resumed(
+        cls, lost_of: Mapping[int, int], senders: Mapping[tuple[int, int], tuple[int, Iterable[int]]]
+    ) -> GapCounter:
+        """One that has counted already: frames lost by system id; each sender's newest number, and those missing."""
+        counter = cls()
+        counter.lost_of = dict(lost_of)
+        counter.lost = sum(lost_of.values())
+        for sender, (newest, missing) in senders.items():
+            counter._newest[sender], counter._missing[sender] = newest, set(missing)
+        return counter
 
     def feed(self, sysid: int, compid: int, seq: int) -> None:
         """Count a frame that was received."""

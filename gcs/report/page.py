@@ -267,7 +267,7 @@ def _sections(found: Findings, figures: set[str]) -> Iterable[tuple[str, str, st
             "an obstacle's surface (a point's centre) or another aircraft.",
         ),
     )
-    yield section("link", "Link", figure("link", _of_thetables.link(found)), tables.link(found))
+    yield section("link", "Link", figure("link", _of_the_link(found)), tables.link(found))
     yield section("numbers", "The numbers", tables.numbers(found))
     yield section("again", "How to reproduce it", tables.again(found))
 

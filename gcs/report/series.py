@@ -13,7 +13,8 @@ import numpy as np
 import pymap3d
 from numpy.typing import NDArray
 
-from gcs.fleet import HECTOJOULE, STALE_S
+from gcs.fleet import STALE_S
+from gcs.mavlink.battery import HECTOJOULE
 from gcs.report.recorded import AUTOPILOT, Recorded
 
 Floats = NDArray[np.float64]

@@ -1,0 +1,74 @@
+"""A source without a terminal: what it tells as lines of text, or as JSON for other programs."""
+
+from __future__ import annotations
+
+import json
+import time
+from collections.abc import Callable
+
+from gcs.console.plain import JsonView, PlainView, mute_stdout
+from gcs.console.source import Message, Source
+
+LOOK_EVERY_S = 0.1
+STEP_S = 0.5
+
+
+class Steps:
+    """A clock that goes on by one step when it is asked to: for what need not be waited for."""
+
+    def __init__(self, step_s: float = STEP_S) -> None:
+        self.now_s = 0.0
+        self._step_s = step_s
+
+    def __call__(self) -> float:
+        """The time."""
+        return self.now_s
+
+    def go_on(self) -> None:
+        """One step."""
+        self.now_s += self._step_s
+
+
+def follow(
+    source: Source,
+    write: Callable[[str], object],
+    *,
+    as_json: bool,
+    clock: Callable[[], float] = time.monotonic,
+    wait: Callable[[], object] = lambda: time.sleep(LOOK_EVERY_S),
+    over: Callable[[], bool] = lambda: False,
+) -> None:
+    """Show a source until it ends, is `over`, or nobody reads any more; Ctrl-C raises KeyboardInterrupt.
+
+    clock, wait: by which what is shown now and then is due, and how the next look is waited for.
+    """
+    view: PlainView | JsonView = JsonView(write) if as_json else PlainView(write)
+    try:
+        end: Message | None = None
+        while end is None and not over():
+            end = _show(source, view, write, as_json=as_json)
+            view.tick(clock())
+            if end is None and not over():
+                wait()
+        view.close()
+        if end is not None:
+            write(json.dumps(end) if as_json else f"outcome: {end.get('outcome') or 'unknown'}")
+    except BrokenPipeError:
+        mute_stdout()
+    finally:
+        source.close()
+
+
+def _show(
+    source: Source, view: PlainView | JsonView, write: Callable[[str], object], *, as_json: bool
+) -> Message | None:
+    """Show what has come; the message that ends it, if that was among it."""
+    for message in source.receive():
+        kind = message.get("type")
+        if kind == "snapshot":
+            view.show(message)
+        elif kind == "end":
+            return message
+        elif kind == "session" and as_json:
+            write(json.dumps(message))
+    return None

@@ -1,0 +1,220 @@
+"""What any autopilot says, in the words that the fleet reads: a stranger's frames in, the fleet's kind of frames out.
+
+The fleet reads a vehicle's own local frame and the global origin of that. Autopilots tell their places in several ways,
+count time since their own start, and some leave out what others say:
+
+- a local position is told as of the time at which it came;
+- the origin, where it is not told, follows from HOME_POSITION (of an autopilot whose home stands in the local frame),
+  or from a global position beside a local one;
+- of a vehicle that tells only global positions these are the local ones, in the common frame itself;
+- whether it has landed, where EXTENDED_SYS_STATE does not say, follows from HEARTBEAT's system status;
+- what its battery holds, where its capacity is unknown, is the share that it tells, of no number of joules.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Any, Literal, NamedTuple
+
+import pymap3d
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.fleet import GlobalOrigin, Vec3, VehicleView
+from gcs.mavlink import codec
+from gcs.mavlink.codec import Frame
+from gcs.profiles import profile_of
+
+AUTOPILOT = mav.MAV_COMP_ID_AUTOPILOT1
+TOGETHER_S = 1.0
+"""A local and a global position that came within this time tell of the same place."""
+_U16_UNKNOWN, _NOT_MEASURED = 65535, -1
+_HEARTBEAT = codec.msgid("HEARTBEAT")
+_LOCAL = codec.msgid("LOCAL_POSITION_NED")
+_GLOBAL = codec.msgid("GLOBAL_POSITION_INT")
+_ORIGIN = codec.msgid("GPS_GLOBAL_ORIGIN")
+_HOME = codec.msgid("HOME_POSITION")
+_STATE = codec.msgid("EXTENDED_SYS_STATE")
+_BATTERY = codec.msgid("BATTERY_STATUS")
+_STATUS = codec.msgid("SYS_STATUS")
+
+
+class Cell(NamedTuple):
+    """A battery as a stranger tells it; None: not measured."""
+
+    share: float | None = None
+    voltage_v: float | None = None
+    current_a: float | None = None
+
+    @property
+    def power_w(self) -> float | None:
+        """What is drawn at present."""
+        measured = self.voltage_v is not None and self.current_a is not None
+        return self.voltage_v * self.current_a if measured else None  # type: ignore[operator]
+
+
+class Ear:
+    """Listens to one vehicle. `hears` gives the frames that the fleet is to read in place of one."""
+
+    def __init__(self, sysid: int, compid: int) -> None:
+        self.sysid = sysid
+        self.compid = compid
+        self.cell = Cell()
+        self._home_is_local = False
+        self._system_status = mav.MAV_STATE_UNINIT
+        self._state_told = False
+        self._origin: GlobalOrigin | None = None
+        """of its local frame, told or derived"""
+        self._told = False
+        self._reads: Literal["", "local", "global"] = ""
+        """by which positions the fleet knows its place"""
+        self._local: tuple[float, Vec3] | None = None
+
+    def hears(self, frame: Frame, t_s: float, origin: GlobalOrigin | None) -> Iterator[Frame]:
+        """What the fleet, whose common frame begins at `origin`, is to read of a frame that came at `t_s`."""
+        msgid = frame.msgid
+        if msgid == _LOCAL:
+            yield from self._hear_local(codec.fields(frame), t_s)
+        elif msgid == _GLOBAL:
+            yield from self._hear_global(codec.fields(frame), t_s, origin)
+        elif msgid == _HOME:
+            content = codec.fields(frame)
+            if not self._told and self._home_is_local and _is_place(content.latitude, content.longitude):
+                yield from self._own(_origin_under(content))
+        elif msgid == _ORIGIN:
+            content = codec.fields(frame)
+            if _is_place(content.latitude, content.longitude):
+                self._told = True
+                yield from self._own(_origin_told(content))
+        else:
+            if msgid == _HEARTBEAT:
+                content = codec.fields(frame)
+                self._home_is_local = profile_of(content.autopilot).home_is_local
+                self._system_status = content.system_status
+            elif msgid == _STATE:
+                self._state_told = codec.fields(frame).landed_state != mav.MAV_LANDED_STATE_UNDEFINED
+            elif msgid in (_BATTERY, _STATUS):
+                self._hear_battery(codec.fields(frame), msgid)
+            yield frame if frame.compid == AUTOPILOT else frame._replace(compid=AUTOPILOT)
+
+    def origin_of(self, frame: Frame) -> GlobalOrigin | None:
+        """An origin for a common frame that nobody has given one yet, if this frame tells of a place on the globe."""
+        if frame.msgid not in (_ORIGIN, _HOME, _GLOBAL):
+            return None
+        content = codec.fields(frame)
+        if frame.msgid == _GLOBAL:
+            if not _is_place(content.lat, content.lon):
+                return None
+            return _origin(1e-7 * content.lat, 1e-7 * content.lon, 1e-3 * (content.alt - content.relative_alt))
+        if not _is_place(content.latitude, content.longitude):
+            return None
+        return _origin_under(content) if frame.msgid == _HOME and self._home_is_local else _origin_told(content)
+
+    def seen(self, view: VehicleView) -> tuple[VehicleView, float | None]:
+        """The fleet's view with what it could not know, and the share that the battery holds; None: not told.
+
+        A battery of unknown capacity holds that share of 100, its draw 0.
+        """
+        if not self._state_told:
+            flying = (mav.MAV_STATE_ACTIVE, mav.MAV_STATE_CRITICAL, mav.MAV_STATE_EMERGENCY)
+            view = view._replace(landed=not (view.armed and self._system_status in flying))
+        if math.isfinite(view.remaining_j) and view.capacity_j > 0.0:
+            return view, view.remaining_j / view.capacity_j
+        share = self.cell.share
+        view = view._replace(
+            capacity_j=100.0,
+            initial_j=100.0 * (1.0 if share is None else share),
+            drawn_j=0.0,
+            received_j=0,
+            given_j=0,
+            power_w=0.0,
+            energy_source="none" if share is None else "battery_remaining",
+        )
+        return view, share
+
+    def _hear_local(self, content: Any, t_s: float) -> Iterator[Frame]:
+        at = (content.x, content.y, content.z)
+        if not all(map(math.isfinite, at)):
+            return
+        self._local = (t_s, at)
+        if self._origin is None:
+            return
+        if self._reads != "local":
+            self._reads = "local"
+            yield self._origin_frame(self._origin)
+        yield self._position(t_s, at, (content.vx, content.vy, content.vz))
+
+    def _hear_global(self, content: Any, t_s: float, origin: GlobalOrigin | None) -> Iterator[Frame]:
+        if origin is None or not _is_place(content.lat, content.lon):
+            return
+        lat_deg, lon_deg, alt_m = 1e-7 * content.lat, 1e-7 * content.lon, 1e-3 * content.alt
+        if self._local is not None and t_s - self._local[0] <= TOGETHER_S:
+            if self._origin is None:
+                n, e, d = self._local[1]
+                self._origin = _origin(*pymap3d.ned2geodetic(-n, -e, -d, lat_deg, lon_deg, alt_m))
+            return
+        if self._reads != "global":
+            self._reads = "global"
+            yield self._origin_frame(origin)
+        n, e, d = pymap3d.geodetic2ned(lat_deg, lon_deg, alt_m, origin.lat_deg, origin.lon_deg, origin.alt_m)
+        v_ned = (0.01 * content.vx, 0.01 * content.vy, 0.01 * content.vz)
+        yield self._position(t_s, (float(n), float(e), float(d)), v_ned)
+
+    def _own(self, origin: GlobalOrigin) -> Iterator[Frame]:
+        """Its local frame begins here."""
+        self._origin = origin
+        if self._reads == "local":
+            yield self._origin_frame(origin)
+
+    def _hear_battery(self, content: Any, msgid: int) -> None:
+        if msgid == _BATTERY:
+            if content.id != 0:
+                return
+            cells = [mv for mv in content.voltages if mv != _U16_UNKNOWN]
+            voltage_v = 1e-3 * sum(cells) if cells else None
+        else:
+            voltage_v = 1e-3 * content.voltage_battery if content.voltage_battery != _U16_UNKNOWN else None
+        told = 0 <= content.battery_remaining <= 100
+        current_a = 0.01 * content.current_battery if content.current_battery >= 0 else None
+        self.cell = Cell(
+            0.01 * content.battery_remaining if told else self.cell.share,
+            self.cell.voltage_v if voltage_v is None else voltage_v,
+            self.cell.current_a if current_a is None else current_a,
+        )
+
+    def _position(self, t_s: float, at: Vec3, v_ned: Vec3) -> Frame:
+        names = ("x", "y", "z", "vx", "vy", "vz")
+        return self._frame(
+            _LOCAL, time_boot_ms=round(1e3 * t_s) % (1 << 32), **dict(zip(names, (*at, *v_ned), strict=True))
+        )
+
+    def _origin_frame(self, origin: GlobalOrigin) -> Frame:
+        return self._frame(
+            _ORIGIN,
+            latitude=round(1e7 * origin.lat_deg),
+            longitude=round(1e7 * origin.lon_deg),
+            altitude=round(1e3 * origin.alt_m),
+        )
+
+    def _frame(self, msgid: int, **fields: Any) -> Frame:
+        return Frame(self.sysid, AUTOPILOT, 0, msgid, codec.encode(msgid, 0, self.sysid, AUTOPILOT, **fields))
+
+
+def _is_place(lat: int, lon: int) -> bool:
+    """Autopilots without a fix tell 0, 0."""
+    return (lat, lon) != (0, 0) and abs(lat) <= 900_000_000 and abs(lon) <= 1_800_000_000
+
+
+def _origin_told(content: Any) -> GlobalOrigin:
+    return _origin(1e-7 * content.latitude, 1e-7 * content.longitude, 1e-3 * content.altitude)
+
+
+def _origin_under(home: Any) -> GlobalOrigin:
+    """The origin of the local frame in which HOME_POSITION's x, y, z stand."""
+    at = (home.x, home.y, home.z) if all(map(math.isfinite, (home.x, home.y, home.z))) else (0.0, 0.0, 0.0)
+    lat_deg, lon_deg, alt_m = 1e-7 * home.latitude, 1e-7 * home.longitude, 1e-3 * home.altitude
+    return _origin(*pymap3d.ned2geodetic(-at[0], -at[1], -at[2], lat_deg, lon_deg, alt_m))
+
+
+def _origin(lat_deg: Any, lon_deg: Any, alt_m: Any) -> GlobalOrigin:
+    return GlobalOrigin(float(lat_deg), float(lon_deg), float(alt_m))

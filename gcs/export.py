@@ -1,0 +1,368 @@
+"""A recorded session, or any .tlog, as tables: one per message type, per kind of decision, and of the vehicles' truth.
+
+Each table of a message begins with time_s (since the session's start), sysid, compid and direction (`from` a vehicle,
+`to` one), then the message's fields as `gcs.units` names and converts them. What goes through memory at once is a
+stretch of the log, whatever its length.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+from pymavlink.dialects.v20 import common as mav
+
+from gcs import tlog, units
+from gcs.recorder import DECISIONS, TLOG
+from gcs.scenario import ScenarioError, load
+from gcs.tables import Column, Tables
+from gcs.tlog import AT, COMPID, MSGID, SYSID, T_US, Chunk
+
+IntArray = NDArray[np.int64]
+Progress = Callable[[float], None]
+SUPERVISOR = (255, 190)
+LINES_AT_ONCE = 1 << 16
+TRUTH_BYTES = 1 << 22
+_RELAYED = np.array([mav.MAVLINK_MSG_ID_FOLLOW_TARGET, mav.MAVLINK_MSG_ID_NAMED_VALUE_INT])
+_AXES = ("n", "e", "d")
+_TRUTH_NAMES = {
+    **{axis: f"{axis}_ned_m" for axis in _AXES},
+    **{f"v{axis}": f"v{axis}_ned_m_s" for axis in _AXES},
+    **{angle: f"{angle}_rad" for angle in ("roll", "pitch", "yaw")},
+    **{f"{angle}_rate": f"{angle}_rate_rad_s" for angle in ("roll", "pitch", "yaw")},
+}
+
+
+class ExportError(Exception):
+    """Nothing can be exported; one sentence."""
+
+
+def export(source: Path, tables: Tables, progress: Progress = lambda _: None) -> list[str]:
+    """Write every table of a session's folder or of one .tlog; what could not be read, a sentence each.
+
+    `progress` is told the share that is done. Raises ExportError where there is nothing to export, OSError.
+    """
+    if source.is_dir():
+        return _export_session(source, tables, progress)
+    if not source.exists():
+        raise ExportError(f"{source} does not exist; give a session's folder or a .tlog file.")
+    log = tlog.read(source)
+    _export_frames(log, tables, None, progress)
+    if not tables.rows:
+        raise ExportError(" ".join(log.problems) or f"{source} holds no MAVLink frame.")
+    return log.problems
+
+
+def _export_session(folder: Path, tables: Tables, progress: Progress) -> list[str]:
+    frames, decisions, truths = folder / TLOG, folder / DECISIONS, sorted(folder.glob("vehicles/*.truth"))
+    present = [path for path in (frames, decisions, *truths) if path.exists()]
+    if not present:
+        raise ExportError(f"{folder} is no session's folder: it has neither {TLOG} nor {DECISIONS}.")
+    problems: list[str] = []
+    whole = max(sum(path.stat().st_size for path in present), 1)
+    done = 0
+
+    def part(path: Path) -> Progress:
+        begun, size = done, path.stat().st_size
+        return lambda share: progress((begun + share * size) / whole)
+
+    for path in (frames, decisions):
+        if path not in present:
+            problems.append(f"{folder} has no {path.name}: what it held is left out.")
+    if frames in present:
+        epoch_us = None
+        try:
+            epoch_us = round(1e6 * load(folder / "scenario.yaml").clock.epoch.timestamp())
+        except (OSError, ScenarioError):
+            problems.append(f"{folder / 'scenario.yaml'} cannot be read: time_s counts from the first frame.")
+        log = tlog.read(frames)
+        _export_frames(log, tables, epoch_us, part(frames), session=True)
+        problems += log.problems
+        done += frames.stat().st_size
+    if decisions in present:
+        problems += _export_decisions(decisions, tables, part(decisions))
+        done += decisions.stat().st_size
+    for truth in truths:
+        problems += _export_truth(truth, tables, part(truth))
+        done += truth.stat().st_size
+    return problems
+
+
+# frames
+
+
+def _export_frames(
+    log: tlog.Tlog, tables: Tables, epoch_us: int | None, progress: Progress, *, session: bool = False
+) -> None:
+    stations = np.zeros(1 << 16, dtype=np.bool_)
+    if session:
+        stations[_sender(*SUPERVISOR)] = True
+    answered_us = np.full(1 << 16, -1, dtype=np.int64)
+    for chunk in log.chunks():
+        heads = chunk.heads
+        if epoch_us is None and len(heads):
+            epoch_us = int(heads[0, T_US])
+        _learn_stations(chunk, stations)
+        sent = _sent(heads, stations, answered_us if session else answered_us[:0], _RELAYED)
+        for msgid in np.unique(heads[:, MSGID]).tolist():
+            if (shape := units.layout(msgid)) is None:
+                _unknown(chunk, msgid, tables, epoch_us or 0, sent)
+                continue
+            mine = heads[:, MSGID] == msgid
+            rows = chunk.table(msgid) if msgid in mav.mavlink_map else _payloads(chunk, heads[mine], shape.dtype)
+            columns = _own_columns(heads[mine], sent[mine], epoch_us or 0)
+            for column in shape.columns:
+                field = column.field if column.field in (rows.dtype.names or ()) else f"{column.field}_"
+                if msgid in mav.mavlink_map and column.field in ("sysid", "compid", "seq", "t_us"):
+                    field = f"{column.field}_"
+                columns[column.name] = column.values(rows[field])
+            tables.append(shape.name, columns)
+        progress(chunk.read_share)
+
+
+def _own_columns(heads: IntArray, sent: NDArray[np.bool_], epoch_us: int) -> dict[str, Column]:
+    return {
+        "time_s": (heads[:, T_US] - epoch_us) / 1e6,
+        "sysid": heads[:, SYSID].astype(np.uint8),
+        "compid": heads[:, COMPID].astype(np.uint8),
+        "direction": ["to" if one else "from" for one in sent.tolist()],
+    }
+
+
+def _sender(sysid: int, compid: int) -> int:
+    return sysid << 8 | compid
+
+
+def _learn_stations(chunk: Chunk, stations: NDArray[np.bool_]) -> None:
+    """Who says of itself that it is a ground station: what it sends goes to vehicles."""
+    beats = chunk.table("HEARTBEAT")
+    for beat in beats[beats["type"] == mav.MAV_TYPE_GCS]:
+        if beat["autopilot"] == mav.MAV_AUTOPILOT_INVALID:
+            stations[_sender(int(beat["sysid"]), int(beat["compid"]))] = True
+
+
+@njit(cache=True)
+def _sent(heads: IntArray, stations: NDArray[np.bool_], answered_us: IntArray, relayed: IntArray) -> NDArray[np.bool_]:
+    """Kernel: which frames were sent by a ground station.
+
+    In a session of ours (`answered_us` not empty) a vehicle's own frame that stands behind the SYSTEM_TIME with which
+    its answer of that tick ended has been relayed to another vehicle.
+    """
+    sent = np.zeros(heads.shape[0], dtype=np.bool_)
+    for i in range(heads.shape[0]):
+        sender = heads[i, 2] << 8 | heads[i, 3]
+        sent[i] = stations[sender]
+        if answered_us.size:
+            if heads[i, 5] == 2:
+                answered_us[sender] = heads[i, 0]
+            elif answered_us[sender] == heads[i, 0] and (heads[i, 5] == relayed[0] or heads[i, 5] == relayed[1]):
+                sent[i] = True
+    return sent
+
+
+def _payloads(chunk: Chunk, heads: IntArray, dtype: np.dtype[Any]) -> NDArray[Any]:
+    """Frames of one message that is not in MAVLink's common dialect, as records."""
+    packed = b"".join(
+        _payload(chunk, at)[: dtype.itemsize].ljust(dtype.itemsize, b"\0") for at in heads[:, AT].tolist()
+    )
+    return np.frombuffer(packed, dtype=dtype)
+
+
+def _payload(chunk: Chunk, at: int) -> bytes:
+    begin = at + (10 if chunk.octets[at] == 0xFD else 6)
+    return chunk.octets[begin : begin + int(chunk.octets[at + 1])].tobytes()
+
+
+def _unknown(chunk: Chunk, msgid: int, tables: Tables, epoch_us: int, sent: NDArray[np.bool_]) -> None:
+    """Messages of no known dialect: one table of all of them, their payloads as they came."""
+    mine = chunk.heads[:, MSGID] == msgid
+    heads = chunk.heads[mine]
+    columns = _own_columns(heads, sent[mine], epoch_us)
+    columns["msgid"] = heads[:, MSGID]
+    columns["payload_hex"] = [_payload(chunk, at).hex() for at in heads[:, AT].tolist()]
+    tables.append("UNKNOWN", columns)
+
+
+# decisions
+
+
+def _export_decisions(path: Path, tables: Tables, progress: Progress) -> list[str]:
+    """A table per kind: `decisions_set_point`; what a decision says of each vehicle is a row each in `…_by_vehicle`."""
+    shapes: dict[str, tuple[dict[str, type], dict[str, type]]] = {}
+    broken = 0
+    for _, record in _lines(path):
+        if record is None:
+            broken += 1
+        else:
+            _learn(shapes, record)
+    waiting: dict[str, list[dict[str, Any]]] = {}
+
+    def flush(name: str, types: Mapping[str, type]) -> None:
+        rows = waiting.pop(name, [])
+        if rows:
+            tables.append(name, {key: _typed([row.get(key) for row in rows], kind) for key, kind in types.items()})
+
+    for share, record in _lines(path):
+        if record is None:
+            continue
+        name = _table(record)
+        plain, vehicles = _flat(record)
+        rows = waiting.setdefault(name, [])
+        rows.append(plain)
+        if shapes[name][1]:
+            keys = {key: plain[key] for key in _KEYS if key in plain}
+            waiting.setdefault(f"{name}_by_vehicle", []).extend({**keys, **row} for row in vehicles)
+        if len(rows) >= LINES_AT_ONCE:
+            flush(name, shapes[name][0])
+            flush(f"{name}_by_vehicle", shapes[name][1])
+            progress(share)
+    for name, (types, by_vehicle) in shapes.items():
+        flush(name, types)
+        flush(f"{name}_by_vehicle", by_vehicle)
+    return [f"{path.name}: {broken} lines are no decision and were passed over."] if broken else []
+
+
+def _lines(path: Path) -> Iterator[tuple[float, dict[str, Any] | None]]:
+    """(share of the file that is read, decision or None where a line is none)"""
+    size, read = max(path.stat().st_size, 1), 0
+    with path.open("rb") as file:
+        for line in file:
+            read += len(line)
+            try:
+                record = json.loads(line)
+            except ValueError:
+                record = None
+            usable = isinstance(record, dict) and isinstance(record.get("kind"), str)
+            yield read / size, record if usable and isinstance(record.get("t_s"), int | float) else None
+
+
+def _table(record: Mapping[str, Any]) -> str:
+    return "decisions_" + "".join(c if c.isalnum() else "_" for c in record["kind"].lower())
+
+
+def _flat(record: Mapping[str, Any]) -> tuple[dict[str, Any], list[dict[str, Any]]]:
+    """A decision's own row, and the rows of what it says vehicle by vehicle."""
+    plain: dict[str, Any] = {"time_s": float(record["t_s"])}
+    by_vehicle: dict[int, dict[str, Any]] = {}
+    for key, value in record.items():
+        if key in ("kind", "t_s"):
+            continue
+        if isinstance(value, dict):
+            for sysid, number in value.items():
+                if sysid.isdigit():
+                    by_vehicle.setdefault(int(sysid), {"sysid": int(sysid)})[key] = number
+        elif isinstance(value, list) and len(value) == 3 and key.endswith("_ned"):
+            stem, unit = (key[:-4], "m_s") if key.startswith("v_") else (key[:-4], "m")
+            letter = "v" if unit == "m_s" else "" if stem == "p" else f"{stem}_"
+            plain |= {f"{letter}{axis}_ned_{unit}": x for axis, x in zip(_AXES, value, strict=True)}
+        elif isinstance(value, list):
+            plain[key] = json.dumps(value)
+        else:
+            plain[key] = value
+    return plain, [by_vehicle[sysid] for sysid in sorted(by_vehicle)]
+
+
+def _learn(shapes: dict[str, tuple[dict[str, type], dict[str, type]]], record: Mapping[str, Any]) -> None:
+    """Note a table's columns and their types; where they vary, the wider one."""
+    name = _table(record)
+    known = shapes.get(name)
+    if known is not None and name == "decisions_set_point":
+        return  # the bulk of all lines, and each like the others
+    own, by_vehicle = shapes.setdefault(name, ({}, {}))
+    plain, vehicles = _flat(record)
+    for types, rows in ((own, [plain]), (by_vehicle, vehicles)):
+        for row in rows:
+            if types is by_vehicle and not by_vehicle:
+                by_vehicle |= {key: type(plain[key]) for key in _KEYS if key in plain}
+            for key, value in row.items():
+                types[key] = _wider(types.get(key), value)
+
+
+_KEYS = ("time_s", "receiver", "tanker", "target", "pursuer")
+
+
+def _wider(known: type | None, value: Any) -> type:
+    """int, float, bool or str: the type of a column that held `known` so far; of nulls alone it is float."""
+    if value is None:
+        return float if known in (None, int) else known
+    new = type(value)
+    if known is None or known is new:
+        return new
+    return float if {known, new} <= {int, float} else str
+
+
+def _typed(values: list[Any], kind: type) -> Column:
+    if kind is str:
+        return ["" if value is None else str(value) for value in values]
+    if kind is bool:
+        return ["" if value is None else str(bool(value)).lower() for value in values]
+    if kind is int and None not in values:
+        return np.array(values, dtype=np.int64)
+    return np.array([np.nan if value is None else value for value in values], dtype=np.float64)
+
+
+# truth
+
+
+def _export_truth(path: Path, tables: Tables, progress: Progress) -> list[str]:
+    """`truth`: what a vehicle knew at each grant; `truth_thrust`: its thrust in each step."""
+    with path.open("rb") as file:
+        line = file.readline(1 << 16)
+        try:
+            head = json.loads(line)
+            names = [_TRUTH_NAMES.get(name, name) for name in head["state"]] + list(head["energy"])
+            sysid, step_s = int(head["sysid"]), float(head["step_s"])
+        except (ValueError, KeyError, TypeError):
+            return [f"{path.name} does not begin as a truth file; it is left out."]
+        size = max(path.stat().st_size, 1)
+        width = 2 + len(names)
+        pending = b""
+        while block := file.read(TRUTH_BYTES):
+            pending += block
+            numbers = np.frombuffer(pending[: len(pending) // 8 * 8], dtype="<f8")
+            starts = _truth_rows(numbers, width)
+            end = int(starts[-1])
+            _truth_tables(tables, numbers, starts[:-1], names, sysid, step_s)
+            pending = pending[8 * end :]
+            progress(file.tell() / size)
+    return [f"{path.name} ends inside a record; its last {len(pending)} bytes are left out."] if pending else []
+
+
+@njit(cache=True)
+def _truth_rows(numbers: NDArray[np.float64], width: int) -> IntArray:
+    """Kernel: where each whole record begins, and where the last one ends."""
+    starts = np.empty(numbers.size // width + 1, dtype=np.int64)
+    n = at = 0
+    while at + width <= numbers.size and at + width + int(numbers[at + 1]) <= numbers.size:
+        starts[n] = at
+        n += 1
+        at += width + int(numbers[at + 1])
+    starts[n] = at
+    return starts[: n + 1]
+
+
+def _truth_tables(
+    tables: Tables, numbers: NDArray[np.float64], starts: IntArray, names: list[str], sysid: int, step_s: float
+) -> None:
+    if not len(starts):
+        return
+    rows = numbers[starts[:, None] + np.arange(2 + len(names))]
+    columns: dict[str, Column] = {"time_s": rows[:, 0], "sysid": np.full(len(rows), sysid, dtype=np.uint8)}
+    tables.append("truth", columns | {name: rows[:, 2 + i] for i, name in enumerate(names)})
+    steps = rows[:, 1].astype(np.int64)
+    total = int(steps.sum())
+    if total:
+        begun = np.cumsum(steps) - steps
+        within = np.arange(total) - np.repeat(begun, steps)
+        left = np.repeat(steps, steps) - 1 - within
+        thrust = numbers[np.repeat(starts + 2 + len(names), steps) + within]
+        time_s = np.round(np.repeat(rows[:, 0], steps) - left * step_s, 9)
+        tables.append(
+            "truth_thrust",
+            {"time_s": time_s, "sysid": np.full(total, sysid, dtype=np.uint8), "thrust_body_m_s2": thrust},
+        )

@@ -1,0 +1,315 @@
+"""A .tlog to be played: what was said when, and from whom to whom, from any time on.
+
+One compiled pass over the file makes an index: it is cut into blocks, and each block knows the last place of every kind
+of message of every sender in it. What was known at a time is then fed from the last of each before its block, and what
+the block itself says; however long the recording is, that is a part of it.
+"""
+
+from __future__ import annotations
+
+import mmap
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+from pymavlink.dialects.v20 import common as mav
+
+from gcs import tlog
+from gcs.link import SUPERVISOR
+from gcs.mavlink import codec
+from gcs.mavlink.codec import Frame
+from gcs.mavlink.sequence import GapCounter
+from gcs.tlog import AT, MSGID, T_US
+
+IntArray = NDArray[np.int64]
+ByteArray = NDArray[np.uint8]
+
+BLOCK_BYTES = 1 << 19
+MOST_BLOCKS = 256
+READ_BYTES = 1 << 18
+WARM_S = 6.0
+"""A vehicle's draw is read off so much of what its battery said."""
+SENDERS = 1 << 16
+_SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
+_HEARTBEAT = codec.msgid("HEARTBEAT")
+_RELAYED = (codec.msgid("FOLLOW_TARGET"), codec.msgid("NAMED_VALUE_INT"))
+_BATTERY = codec.msgid("BATTERY_STATUS")
+
+
+class Told(NamedTuple):
+    """One frame of a recording: when it came, and whether it went to a vehicle."""
+
+    t_s: float
+    frame: Frame
+    sent: bool
+
+
+class Directions:
+    """Who sent what to whom, frame by frame.
+
+    Ground stations are known by their HEARTBEAT. In a session of ours a vehicle's own FOLLOW_TARGET or counter behind
+    the SYSTEM_TIME that ended its answer has been relayed to another.
+    """
+
+    def __init__(self, *, session: bool) -> None:
+        self._session = session
+        self._stations: set[tuple[int, int]] = {SUPERVISOR} if session else set()
+        self._answered: set[tuple[int, int]] = set()
+        self._t_us = -1
+
+    def sent(self, t_us: int, frame: Frame) -> bool:
+        """Whether this frame went to a vehicle."""
+        sender = (frame.sysid, frame.compid)
+        if t_us != self._t_us:
+            self._t_us = t_us
+            self._answered.clear()
+        if frame.msgid == _HEARTBEAT and frame.payload[4:5] == _STATION:
+            self._stations.add(sender)
+        if sender in self._stations:
+            return True
+        if self._session and frame.msgid == _SYSTEM_TIME:
+            self._answered.add(sender)
+        return frame.msgid in _RELAYED and sender in self._answered
+
+
+_STATION = bytes([mav.MAV_TYPE_GCS])
+
+
+class _Counted(NamedTuple):
+    """What has been counted of sequence numbers before a block."""
+
+    lost: IntArray
+    """of each system id"""
+    senders: IntArray
+    """heard so far, as sysid << 8 | compid; and of each the newest number, and which are missing, 256 bits"""
+    newest: IntArray
+    missing: ByteArray
+
+
+_NONE = np.empty(0, dtype=np.int64)
+
+
+class _Block(NamedTuple):
+    """A stretch of the file."""
+
+    begin: int
+    from_s: float
+    counted: _Counted
+    keys: IntArray = _NONE
+    places: IntArray = _NONE
+    """in the file, of the last frame of each key"""
+
+    def with_more(self, keys: IntArray, places: IntArray) -> _Block:
+        """The same with further frames at its end."""
+        keys, places = np.concatenate([self.keys, keys]), np.concatenate([self.places, places])
+        last = len(keys) - 1 - np.unique(keys[::-1], return_index=True)[1]
+        return self._replace(keys=keys[last], places=places[last])
+
+
+class Recording:
+    """One .tlog. Raises OSError where it cannot be read.
+
+    epoch_us: the time that is 0 s; the first frame's without it. block_bytes: of the index; by the file's size without
+    it. `problems` says what could not be read.
+    """
+
+    def __init__(
+        self,
+        path: Path,
+        *,
+        epoch_us: int | None = None,
+        session: bool = False,
+        block_bytes: int | None = None,
+        progress: Callable[[float], None] = lambda _: None,
+    ) -> None:
+        self.path = path
+        self._session = session
+        self._blocks: list[_Block] = []
+        self.frames = 0
+        block_bytes = block_bytes or max(BLOCK_BYTES, path.stat().st_size // MOST_BLOCKS)
+        log = tlog.Tlog(path, chunk_bytes=block_bytes)
+        numbers = _Numbers()
+        latest_us, last_us, first_us = -1, -1, None
+        for chunk in log.chunks():
+            heads = chunk.heads
+            if len(heads):
+                first_us = int(heads[0, T_US]) if first_us is None else first_us
+                epoch_us = first_us if epoch_us is None else epoch_us
+                keys, places = _keys(chunk.octets, heads, _SUBJECTS), chunk.begin + heads[:, AT]
+                # A block begins with a new time: whatever came at one time, as a tick's answers, is read together.
+                new = int(np.argmax(heads[:, T_US] != last_us)) if self._blocks else 0
+                if new or (self._blocks and heads[0, T_US] == last_us):
+                    new = new or len(heads)
+                    self._blocks[-1] = self._blocks[-1].with_more(keys[:new], places[:new])
+                    numbers.count(heads[:new])
+                if new < len(heads):
+                    latest_us = max(latest_us, int(heads[new, T_US]))
+                    begin, from_s = int(places[new]) - tlog.TIME_BYTES, (latest_us - epoch_us) / 1e6
+                    block = _Block(begin, from_s, numbers.counted())
+                    self._blocks.append(block.with_more(keys[new:], places[new:]))
+                    numbers.count(heads[new:])
+                latest_us = max(latest_us, int(heads[:, T_US].max()))
+                last_us = int(heads[-1, T_US])
+                self.frames += len(heads)
+            progress(chunk.read_share)
+        self.problems = log.problems
+        self._epoch_us = epoch_us or 0
+        self.from_s = 0.0 if first_us is None else (first_us - self._epoch_us) / 1e6
+        self.to_s = (latest_us - self._epoch_us) / 1e6 if self.frames else 0.0
+
+    def play(self, from_s: float) -> Iterator[Told]:
+        """Everything from the block of a time on, in the file's order: what came before that time is among it.
+
+        Times do not fall, also where the clock of who wrote the file was set back.
+        """
+        block = self._blocks[self._block_of(from_s)]
+        directions = Directions(session=self._session)
+        log, latest_s = tlog.Tlog(self.path, chunk_bytes=READ_BYTES), block.from_s
+        for chunk in log.chunks(block.begin):
+            for t_us, frame in chunk.frames():
+                latest_s = max(latest_s, (t_us - self._epoch_us) / 1e6)
+                yield Told(latest_s, frame, directions.sent(t_us, frame))
+
+    def before(self, from_s: float) -> list[Told]:
+        """What was known before the block of a time: the last of each kind of message, and of batteries a while more.
+
+        What went to vehicles is among it, told as the vehicles' own frames are.
+        """
+        at = self._block_of(from_s)
+        earlier = self._blocks[:at]
+        if not earlier:
+            return []
+        keys = np.concatenate([block.keys for block in reversed(earlier)])
+        places = np.concatenate([block.places for block in reversed(earlier)])
+        found = set(places[np.unique(keys, return_index=True)[1]].tolist())
+        warm_us = (from_s - WARM_S) * 1e6 + self._epoch_us
+        first = self._block_of(from_s - WARM_S)
+        if first < at:
+            for chunk in tlog.Tlog(self.path, chunk_bytes=READ_BYTES).chunks(earlier[first].begin):
+                if chunk.begin >= self._blocks[at].begin:
+                    break
+                heads = chunk.heads
+                wanted = (heads[:, MSGID] == _BATTERY) & (heads[:, T_US] >= warm_us)
+                wanted &= chunk.begin + heads[:, AT] < self._blocks[at].begin
+                found |= set((chunk.begin + heads[wanted, AT]).tolist())
+        directions = Directions(session=False)
+        told = []
+        with self.path.open("rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
+            for place in sorted(found):
+                record = data[place - 8 : place + tlog.LARGEST]
+                raw = tlog.raw_at(record, 8)
+                frame = Frame(raw[5], raw[6], raw[4], int.from_bytes(raw[7:10], "little"), raw)
+                t_us = int.from_bytes(record[:8], "big")
+                told.append(Told((t_us - self._epoch_us) / 1e6, frame, directions.sent(t_us, frame)))
+        return told
+
+    def gaps_before(self, from_s: float) -> GapCounter:
+        """The sequence numbers as they had been counted before the block of a time."""
+        counted = self._blocks[self._block_of(from_s)].counted
+        missing = np.unpackbits(counted.missing, axis=1)
+        senders = {
+            (sender >> 8, sender & 0xFF): (newest, np.flatnonzero(numbers).tolist())
+            for sender, newest, numbers in zip(counted.senders.tolist(), counted.newest.tolist(), missing, strict=True)
+        }
+        lost_of = {int(sysid): int(counted.lost[sysid]) for sysid in np.flatnonzero(counted.lost)}
+        return GapCounter.resumed(lost_of, senders)
+
+    def _block_of(self, t_s: float) -> int:
+        """The last block that begins before a time."""
+        at = 0
+        for index, block in enumerate(self._blocks):
+            if block.from_s < t_s:
+                at = index
+        return at
+
+
+class _Numbers:
+    """Counts the gaps in all sequence numbers of a recording, as `GapCounter` counts them."""
+
+    def __init__(self) -> None:
+        self._newest = np.full(SENDERS, -1, dtype=np.int64)
+        self._missing = np.zeros((SENDERS, 256), dtype=np.bool_)
+        self._lost = np.zeros(256, dtype=np.int64)
+
+    def count(self, heads: IntArray) -> None:
+        """Go on with these frames."""
+        _count_lost(heads, self._newest, self._missing, self._lost)
+
+    def counted(self) -> _Counted:
+        """How far it is."""
+        senders = np.flatnonzero(self._newest >= 0)
+        missing = np.packbits(self._missing[senders], axis=1)
+        return _Counted(self._lost.copy(), senders, self._newest[senders], missing)
+
+
+def _subjects() -> IntArray:
+    """(message id, where in its payload begins what sets one of them apart from another, and how long that is)."""
+    told_apart = {
+        "NAMED_VALUE_INT": "name",
+        "NAMED_VALUE_FLOAT": "name",
+        "PARAM_VALUE": "param_id",
+        "BATTERY_STATUS": "id",
+        "ADSB_VEHICLE": "ICAO_address",
+        "SET_POSITION_TARGET_LOCAL_NED": "target_system",
+    }
+    rows = []
+    for message, field in told_apart.items():
+        cls = mav.mavlink_map[codec.msgid(message)]
+        sizes = [
+            np.dtype(code if code not in "cs" else "S1").itemsize * max(length, 1)
+            for code, length in zip(cls.native_format.decode()[1:], cls.array_lengths, strict=True)
+        ]
+        at = cls.ordered_fieldnames.index(field)
+        rows.append((codec.msgid(message), sum(sizes[:at]), sizes[at]))
+    return np.array(rows, dtype=np.int64)
+
+
+_SUBJECTS = _subjects()
+
+
+@njit(cache=True)
+def _keys(data: ByteArray, heads: IntArray, subjects: IntArray) -> IntArray:
+    """Kernel: for each frame a number that is the same for the same sender, message and subject (FNV-1a, 64 bits)."""
+    keys = np.empty(heads.shape[0], dtype=np.int64)
+    prime = np.uint64(1099511628211)
+    for i in range(heads.shape[0]):
+        h = np.uint64(14695981039346656037)
+        for number in (heads[i, 2], heads[i, 3], heads[i, 5] & 0xFF, heads[i, 5] >> 8 & 0xFF, heads[i, 5] >> 16):
+            h = (h ^ np.uint64(number)) * prime
+        for s in range(subjects.shape[0]):
+            if subjects[s, 0] == heads[i, 5]:
+                at = heads[i, 1]
+                begin = at + (10 if data[at] == 0xFD else 6)
+                for k in range(subjects[s, 1], subjects[s, 1] + subjects[s, 2]):
+                    byte = data[begin + k] if k < data[at + 1] else np.uint8(0)
+                    h = (h ^ np.uint64(byte)) * prime
+        keys[i] = np.int64(h)
+    return keys
+
+
+@njit(cache=True)
+def _count_lost(heads: IntArray, newest: IntArray, missing: NDArray[np.bool_], lost: IntArray) -> None:
+    """Kernel: adds to `lost` (256) the gaps in each sender's numbers, as `sequence.GapCounter` counts them.
+
+    newest (senders,) and missing (senders, 256) go on from call to call. Relayed frames are old and change nothing.
+    """
+    for i in range(heads.shape[0]):
+        sender = heads[i, 2] << 8 | heads[i, 3]
+        seq = heads[i, 4]
+        if newest[sender] < 0:
+            newest[sender] = seq
+            continue
+        ahead = (seq - newest[sender]) % 256
+        if 0 < ahead < 128:
+            for step in range(1, ahead + 1):
+                missing[sender, (newest[sender] + step + 127) % 256] = False
+            for step in range(1, ahead):
+                missing[sender, (newest[sender] + step) % 256] = True
+                lost[heads[i, 2]] += 1
+            newest[sender] = seq
+        elif missing[sender, seq]:
+            missing[sender, seq] = False
+            lost[heads[i, 2]] -= 1

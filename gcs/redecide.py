@@ -1,0 +1,309 @@
+"""Planner and scheduler once more over a recorded session: what would today's code decide of the same telemetry?
+
+The recorded answers of each tick go to a supervisor in place of a link's, its grants go nowhere, and its decisions are
+held against the recorded ones instead of being written. Frames were recorded after the radio, which is therefore clear
+here. Deaths and operators' orders are no decisions: they are taken from the recording as they happened.
+"""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, cast
+
+from gcs import tlog
+from gcs.link import SUPERVISOR, FleetLink, Key
+from gcs.mavlink import codec
+from gcs.mavlink.codec import Frame, Message
+from gcs.operator import COMMANDS
+from gcs.recorder import DECISIONS, TLOG, Recorder, decision_line
+from gcs.scenario import Radio, load
+from gcs.summary import FILE as SUMMARY
+from gcs.supervisor import AUTOPILOT, TRAFFIC, Supervisor
+
+KEPT = 1000
+"""Differences that are remembered one by one; all are counted."""
+INPUTS = frozenset({"death", "operator"})
+_SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
+_ABOUT = ("sysid", "receiver", "tanker", "base", "giver", "target")
+
+Progress = Callable[[float], None]
+
+
+class RedecideError(Exception):
+    """The session cannot be decided again; one sentence."""
+
+
+@dataclass(frozen=True)
+class Difference:
+    """One decision of one tick: as recorded, and as made today; None where only the other side has it."""
+
+    t_s: float
+    kind: str
+    recorded: Mapping[str, Any] | None
+    today: Mapping[str, Any] | None
+
+    @property
+    def sentence(self) -> str:
+        """For a person: the time, what it is about, and the fields that differ."""
+        either = self.recorded or self.today or {}
+        about = ", ".join(f"{key} {either[key]}" for key in _ABOUT if key in either)
+        head = f"{self.t_s:.1f} s: {self.kind}{f' ({about})' if about else ''}"
+        if self.recorded is None:
+            return f"{head}: decided today only"
+        if self.today is None:
+            return f"{head}: recorded only"
+        changed = [key for key in {**self.recorded, **self.today} if self.recorded.get(key) != self.today.get(key)]
+        told = [f"{key} was {_short(self.recorded.get(key))}, is {_short(self.today.get(key))}" for key in changed]
+        return f"{head}: {'; '.join(told)}"
+
+    def record(self) -> dict[str, Any]:
+        """As one JSON object."""
+        return {
+            "type": "difference",
+            "t_s": self.t_s,
+            "kind": self.kind,
+            "recorded": self.recorded,
+            "today": self.today,
+        }
+
+
+def _short(value: Any) -> str:
+    if isinstance(value, float):
+        return f"{value:.6g}"
+    if isinstance(value, list | tuple):
+        return "(" + ", ".join(map(_short, value)) + ")"
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{key}: {_short(entry)}" for key, entry in value.items()) + "}"
+    return str(value)
+
+
+@dataclass
+class Subject:
+    """What one kind of decision about somebody comes to: its first difference, how many, and until when."""
+
+    first: Difference
+    count: int = 0
+    last_s: float = 0.0
+
+
+@dataclass
+class Verdict:
+    """What came of it: `compared` recorded decisions up to `until_s`; the first `KEPT` differences, all by kind."""
+
+    compared: int = 0
+    until_s: float = 0.0
+    differences: list[Difference] = field(default_factory=list)
+    by_kind: Counter[str] = field(default_factory=Counter)
+    subjects: dict[tuple[Any, ...], Subject] = field(default_factory=dict)
+    """the same by kind and whom they are about, in the order in which they begin"""
+    problems: list[str] = field(default_factory=list)
+
+    @property
+    def agrees(self) -> bool:
+        """Whether every decision is the same to the last digit."""
+        return not self.by_kind
+
+
+class RecordedLink:
+    """What a `FleetLink` is to a supervisor: it hands out what was recorded, and lets the grants go."""
+
+    def __init__(self, keys: Sequence[Key]) -> None:
+        self.joined: set[Key] = set(keys)
+        self._granted: set[Key] = set()
+        self.answers: Mapping[Key, list[Frame]] = {}
+
+    def leave(self, key: Key) -> None:
+        """As `FleetLink.leave`."""
+        self.joined.discard(key)
+        self._granted.discard(key)
+
+    def grant(
+        self, key: Key, t_ms: int, unix_us: int, messages: Sequence[Message], relayed: Sequence[bytes]
+    ) -> list[bytes]:
+        """As `FleetLink.grant`, but nothing is sent."""
+        self._granted.add(key)
+        return []
+
+    def collect(self, idle: Callable[[], None]) -> dict[Key, list[Frame]]:
+        """As `FleetLink.collect`: the answers of the tick that is being replayed."""
+        return {key: self.answers.get(key, []) for key in sorted(self._granted)}
+
+
+class Comparer:
+    """What a `Recorder` is to a supervisor: it keeps the decisions of the present tick, and no frame."""
+
+    def __init__(self) -> None:
+        self.made: list[dict[str, Any]] = []
+
+    def frames(self, t_us: int, raws: Sequence[bytes]) -> None:
+        """As `Recorder.frames`."""
+
+    def decision(self, decision: Mapping[str, Any]) -> bytes:
+        """As `Recorder.decision`."""
+        line = decision_line(decision)
+        if decision["kind"] not in INPUTS:
+            self.made.append(json.loads(line))
+        return line
+
+
+@dataclass
+class Tick:
+    """One tick of the recording: what each vehicle answered, and whether the supervisor went on."""
+
+    t_us: int
+    answers: dict[Key, list[Frame]] = field(default_factory=dict)
+    granted: bool = False
+
+
+def ticks(log: tlog.Tlog) -> Iterator[Tick]:
+    """A session's log tick by tick. A vehicle's answer ends with its SYSTEM_TIME; what it says later was relayed."""
+    tick: Tick | None = None
+    answered: set[Key] = set()
+    for t_us, frame in log:
+        if tick is None or t_us != tick.t_us:
+            if tick is not None:
+                yield tick
+            tick, answered = Tick(t_us), set()
+        key = (frame.sysid, frame.compid)
+        if key == SUPERVISOR:
+            tick.granted = True
+        elif key not in answered:
+            tick.answers.setdefault(key, []).append(frame)
+            if frame.msgid == _SYSTEM_TIME:
+                answered.add(key)
+    if tick is not None:
+        yield tick
+
+
+class _Recorded:
+    """The recorded decisions, tick by tick."""
+
+    def __init__(self, path: Path) -> None:
+        self._lines = self._read(path)
+        self._next = next(self._lines, None)
+        self.broken = 0
+
+    def until(self, t_s: float) -> list[dict[str, Any]]:
+        """Those up to a time that have not been handed out yet."""
+        taken = []
+        while self._next is not None and self._next["t_s"] <= t_s:
+            taken.append(self._next)
+            self._next = next(self._lines, None)
+        return taken
+
+    @property
+    def ended(self) -> bool:
+        """Whether there are no more."""
+        return self._next is None
+
+    def _read(self, path: Path) -> Iterator[dict[str, Any]]:
+        with path.open("rb") as file:
+            for line in file:
+                try:
+                    record = json.loads(line)
+                    usable = isinstance(record["t_s"], int | float) and isinstance(record["kind"], str)
+                except (ValueError, KeyError, TypeError):
+                    usable = False
+                if usable:
+                    yield record
+                else:
+                    self.broken += 1
+
+
+def redecide(folder: Path, progress: Progress = lambda _: None) -> Verdict:
+    """Decide a recorded session again. Raises RedecideError, ScenarioError, OSError.
+
+    Modules that the scenario names must be importable (`gcs.plugins.look_in`).
+    """
+    for name in (TLOG, DECISIONS, "scenario.yaml"):
+        if not (folder / name).exists():
+            raise RedecideError(f"{folder} has no {name}: only a whole session's folder can be decided again.")
+    scenario = load(folder / "scenario.yaml").model_copy(update={"radio": Radio()})
+    if scenario.vehicles.external:
+        raise RedecideError(
+            f"{folder} was flown with external vehicles, on their own clocks: only sessions whose vehicles were all "
+            "launched can be decided again."
+        )
+    log = tlog.read(folder / TLOG)
+    recorded = _Recorded(folder / DECISIONS)
+    keys = [(vehicle.sysid, AUTOPILOT) for vehicle in scenario.vehicles.all]
+    link = RecordedLink([*keys, TRAFFIC] if scenario.traffic else keys)
+    comparer = Comparer()
+    # The supervisor asks of link and recorder only what these two have.
+    supervisor = Supervisor(scenario, cast(FleetLink, link), cast(Recorder, comparer))
+    verdict = Verdict()
+    whole = (folder / SUMMARY).exists()
+    supervisor.begin()
+    end_s = scenario.goal.duration_s
+    for tick in ticks(log):
+        t_s = (tick.t_us - supervisor.epoch_us) / 1e6
+        if not tick.granted or (recorded.ended and not whole):
+            break
+        if round(1e3 * t_s) != supervisor.time_ms:
+            raise RedecideError(
+                f"{folder / TLOG} goes on at {t_s:.3f} s where {supervisor.time_s:.3f} s should come: it is not the "
+                "recording of this scenario, or of another clock."
+            )
+        lines = recorded.until(t_s)
+        for line in lines:
+            _relive(supervisor, line)
+        link.answers = tick.answers
+        comparer.made = []
+        supervisor.tick(_nobody_to_see)
+        supervisor.events.clear()
+        if recorded.ended and not whole:
+            break  # of a session that was killed, the last tick's decisions may not all have been written
+        _compare(verdict, t_s, [line for line in lines if line["kind"] not in INPUTS], comparer.made)
+        verdict.until_s = t_s
+        progress(min(t_s / end_s, 1.0))
+    verdict.problems += log.problems
+    if recorded.broken:
+        verdict.problems.append(f"{DECISIONS}: {recorded.broken} lines are no decision and were passed over.")
+    if not whole:
+        verdict.problems.append(f"{folder} has no {SUMMARY}: the session did not end, and was compared up to there.")
+    return verdict
+
+
+def _nobody_to_see() -> None:
+    """In a recording no process needs watching."""
+
+
+def _relive(supervisor: Supervisor, line: Mapping[str, Any]) -> None:
+    """Let an operator's order, or a death, happen again."""
+    if line["kind"] == "operator" and line.get("command") in COMMANDS:
+        supervisor.obey({key: line[key] for key in ("command", "sysid", "target") if key in line})
+    elif line["kind"] == "death":
+        sysid = int(line["sysid"])
+        supervisor.lose(TRAFFIC if sysid == TRAFFIC[0] else (sysid, AUTOPILOT), str(line.get("text", "")))
+
+
+def _compare(verdict: Verdict, t_s: float, recorded: Sequence[dict[str, Any]], today: Sequence[dict[str, Any]]) -> None:
+    verdict.compared += len(recorded)
+    if list(recorded) == list(today):
+        return
+    then, now = _by_subject(recorded), _by_subject(today)
+    for subject in dict.fromkeys((*then, *now)):
+        before, after = then.get(subject), now.get(subject)
+        if before != after:
+            difference = Difference(t_s, subject[0], before, after)
+            verdict.by_kind[subject[0]] += 1
+            about = verdict.subjects.setdefault(subject[:-1], Subject(difference))
+            about.count, about.last_s = about.count + 1, t_s
+            if len(verdict.differences) < KEPT:
+                verdict.differences.append(difference)
+
+
+def _by_subject(decisions: Sequence[dict[str, Any]]) -> dict[tuple[Any, ...], dict[str, Any]]:
+    """Decisions of one tick by their kind and whom they are about; the same twice is told apart by its number."""
+    found: dict[tuple[Any, ...], dict[str, Any]] = {}
+    for decision in decisions:
+        subject = (decision["kind"], *(decision.get(key) for key in _ABOUT))
+        count = 0
+        while (*subject, count) in found:
+            count += 1
+        found[*subject, count] = decision
+    return found

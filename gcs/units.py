@@ -1,0 +1,296 @@
+"""Names, units and frames of a message's fields as columns of a table: MAVLink's own units in, SI out.
+
+The units are those that MAVLink's definitions give (pymavlink's classes carry them). A conversion is one division or
+multiplication of the number that was sent, so that a decimal stays one: 473977420 degE7 is 47.397742. Angles are in
+rad; latitude and longitude stay in degrees, temperatures in °C, shares in percent, and nanoseconds whole numbers. What
+MAVLink writes for "not known" (65535 mV, -1 %) becomes NaN.
+
+`x` of a message whose name says LOCAL_NED is called `x_ned_m`. Where such a message has a `coordinate_frame` other than
+1, that column is right and the name is not.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+from functools import cache
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from pymavlink.dialects.v20 import ardupilotmega
+
+CLASSES: Mapping[int, Any] = ardupilotmega.mavlink_map
+"""pymavlink's message classes by id: MAVLink's common messages, and ArduPilot's own."""
+
+STANDARD_GRAVITY_M_S2 = 9.80665
+BYTES_SHOWN = 16
+"""An array of bytes longer than this is one column of hexadecimal text."""
+
+
+class Scale(NamedTuple):
+    """SI = sent · `times` / `over`, called by its unit's `suffix`."""
+
+    suffix: str
+    times: float = 1.0
+    over: float = 1.0
+
+
+_DEGREE = math.pi / 180.0
+UNITS: Mapping[str, Scale] = {
+    "s": Scale("s"),
+    "ds": Scale("s", over=1e1),
+    "cs": Scale("s", over=1e2),
+    "ms": Scale("s", over=1e3),
+    "us": Scale("s", over=1e6),
+    "ns": Scale("ns"),
+    "m": Scale("m"),
+    "dam": Scale("m", 10.0),
+    "dm": Scale("m", over=1e1),
+    "cm": Scale("m", over=1e2),
+    "mm": Scale("m", over=1e3),
+    "cm^2": Scale("m2", over=1e4),
+    "l": Scale("m3", over=1e3),
+    "cm^3": Scale("m3", over=1e6),
+    "cm^3/min": Scale("m3_s", over=6e7),
+    "m/s": Scale("m_s"),
+    "m/s*5": Scale("m_s", over=5.0),
+    "dm/s": Scale("m_s", over=1e1),
+    "cm/s": Scale("m_s", over=1e2),
+    "mm/s": Scale("m_s", over=1e3),
+    "m/s/s": Scale("m_s2"),
+    "mG": Scale("m_s2", STANDARD_GRAVITY_M_S2, 1e3),
+    "rad": Scale("rad"),
+    "deg": Scale("rad", _DEGREE),
+    "deg/2": Scale("rad", 2.0 * _DEGREE),
+    "cdeg": Scale("rad", _DEGREE, 1e2),
+    "degE5": Scale("rad", _DEGREE, 1e5),
+    "degE7": Scale("deg", over=1e7),
+    "rad/s": Scale("rad_s"),
+    "mrad/s": Scale("rad_s", over=1e3),
+    "deg/s": Scale("rad_s", _DEGREE),
+    "cdeg/s": Scale("rad_s", _DEGREE, 1e2),
+    "ddeg/s": Scale("rad_s", _DEGREE, 1e1),
+    "rpm": Scale("rad_s", math.pi, 30.0),
+    "Hz": Scale("hz"),
+    "degC": Scale("degc"),
+    "cdegC": Scale("degc", over=1e2),
+    "Pa": Scale("pa"),
+    "hPa": Scale("pa", 1e2),
+    "mbar": Scale("pa", 1e2),
+    "kPa": Scale("pa", 1e3),
+    "gauss": Scale("t", over=1e4),
+    "mgauss": Scale("t", over=1e7),
+    "V": Scale("v"),
+    "cV": Scale("v", over=1e2),
+    "mV": Scale("v", over=1e3),
+    "A": Scale("a"),
+    "cA": Scale("a", over=1e2),
+    "mA": Scale("a", over=1e3),
+    "mAh": Scale("c", 3.6),
+    "Ah": Scale("c", 3600.0),
+    "hJ": Scale("j", 1e2),
+    "W": Scale("w"),
+    "g": Scale("kg", over=1e3),
+    "kg": Scale("kg"),
+    "%": Scale("percent"),
+    "d%": Scale("percent", over=1e1),
+    "c%": Scale("percent", over=1e2),
+    "dB": Scale("db"),
+    "pix": Scale("pixels"),
+    "bytes": Scale("bytes"),
+    "KiB/s": Scale("bytes_s", 1024.0),
+    "MiB": Scale("bytes", 1048576.0),
+    "MiB/s": Scale("bytes_s", 1048576.0),
+    "bits/s": Scale("bits_s"),
+}
+
+_U8, _U16, _U32, _I8, _I16, _I32 = 255, 65535, 4294967295, 127, 32767, 2147483647
+UNKNOWN: Mapping[tuple[str, str], float] = {
+    ("SYS_STATUS", "voltage_battery"): _U16,
+    ("SYS_STATUS", "current_battery"): -1,
+    ("SYS_STATUS", "battery_remaining"): -1,
+    ("GPS_RAW_INT", "vel"): _U16,
+    ("GPS_RAW_INT", "cog"): _U16,
+    ("GPS2_RAW", "vel"): _U16,
+    ("GPS2_RAW", "cog"): _U16,
+    ("HIL_GPS", "vel"): _U16,
+    ("HIL_GPS", "cog"): _U16,
+    ("GLOBAL_POSITION_INT", "hdg"): _U16,
+    ("BATTERY_STATUS", "temperature"): _I16,
+    ("BATTERY_STATUS", "voltages"): _U16,
+    ("BATTERY_STATUS", "current_battery"): -1,
+    ("BATTERY_STATUS", "current_consumed"): -1,
+    ("BATTERY_STATUS", "energy_consumed"): -1,
+    ("BATTERY_STATUS", "battery_remaining"): -1,
+    ("HIGH_LATENCY2", "battery"): -1,
+    ("CONTROL_SYSTEM_STATE", "airspeed"): -1,
+    ("HIL_OPTICAL_FLOW", "distance"): -1,
+    ("DISTANCE_SENSOR", "covariance"): _U8,
+    ("OBSTACLE_DISTANCE", "distances"): _U16,
+    ("WINCH_STATUS", "temperature"): _I16,
+    ("ONBOARD_COMPUTER_STATUS", "temperature_board"): _I8,
+    ("ONBOARD_COMPUTER_STATUS", "temperature_core"): _I8,
+    ("ONBOARD_COMPUTER_STATUS", "fan_speed"): _I16,
+    ("ONBOARD_COMPUTER_STATUS", "ram_usage"): _U32,
+    ("ONBOARD_COMPUTER_STATUS", "ram_total"): _U32,
+    ("ONBOARD_COMPUTER_STATUS", "storage_usage"): _U32,
+    ("ONBOARD_COMPUTER_STATUS", "storage_total"): _U32,
+    ("ONBOARD_COMPUTER_STATUS", "link_tx_rate"): _U32,
+    ("ONBOARD_COMPUTER_STATUS", "link_rx_rate"): _U32,
+    ("ONBOARD_COMPUTER_STATUS", "link_tx_max"): _U32,
+    ("ONBOARD_COMPUTER_STATUS", "link_rx_max"): _U32,
+    **{("CAMERA_FOV_STATUS", f"{what}_{of}"): _I32 for what in ("lat", "lon", "alt") for of in ("camera", "image")},
+    ("LOGGING_DATA", "first_message_offset"): _U8,
+    ("LOGGING_DATA_ACKED", "first_message_offset"): _U8,
+}
+"""What MAVLink's definitions say a field holds when it is not known (their attribute `invalid`), where that is a number
+that would pass for a measurement and the field has a unit. 0 is left as it is: it may be one."""
+
+_NED = {
+    "LOCAL_POSITION_NED": "x y z vx vy vz",
+    "LOCAL_POSITION_NED_COV": "x y z vx vy vz ax ay az",
+    "POSITION_TARGET_LOCAL_NED": "x y z vx vy vz afx afy afz",
+    "SET_POSITION_TARGET_LOCAL_NED": "x y z vx vy vz afx afy afz",
+    "POSITION_TARGET_GLOBAL_INT": "vx vy vz afx afy afz",
+    "SET_POSITION_TARGET_GLOBAL_INT": "vx vy vz afx afy afz",
+    "GLOBAL_POSITION_INT": "vx vy vz",
+    "GLOBAL_POSITION_INT_COV": "vx vy vz",
+    "HOME_POSITION": "x y z",
+    "SET_HOME_POSITION": "x y z",
+    "FOLLOW_TARGET": "vel acc",
+    "ATT_POS_MOCAP": "x y z",
+    "SIM_STATE": "vn ve vd",
+    "GPS_INPUT": "vn ve vd",
+    "HIL_GPS": "vn ve vd",
+    "HIL_STATE": "vx vy vz",
+    "HIL_STATE_QUATERNION": "vx vy vz",
+    "UTM_GLOBAL_POSITION": "vx vy vz",
+}
+_GYRO, _RATES = "xacc yacc zacc xgyro ygyro zgyro xmag ymag zmag", "rollspeed pitchspeed yawspeed"
+_BODY = {
+    "ATTITUDE": _RATES,
+    "ATTITUDE_QUATERNION": _RATES,
+    "ATTITUDE_QUATERNION_COV": _RATES,
+    "HIL_STATE": f"{_RATES} xacc yacc zacc",
+    "HIL_STATE_QUATERNION": f"{_RATES} xacc yacc zacc",
+    "SIM_STATE": "xacc yacc zacc xgyro ygyro zgyro",
+    "SCALED_IMU": _GYRO,
+    "SCALED_IMU2": _GYRO,
+    "SCALED_IMU3": _GYRO,
+    "HIGHRES_IMU": _GYRO,
+    "HIL_SENSOR": _GYRO,
+    "RAW_IMU": _GYRO,
+}
+_FRAMES = {
+    (message, field): frame
+    for frame, fields in (("ned", _NED), ("body", _BODY))
+    for message, names in fields.items()
+    for field in names.split()
+}
+# A unit that a field's name ends with already; the column says its own.
+_SAID = re.compile(r"_(ns|usec|us|ms|s|mm|cm|m|cdeg|deg|int|mah|ma|mv|cv|pct|percent)$")
+OWN = ("time_s", "sysid", "compid", "direction")
+"""The columns that every message's table begins with."""
+
+
+Values = NDArray[Any] | list[str]
+
+
+class Column(NamedTuple):
+    """One column of a message's table, from field `field`, for an array its `element`."""
+
+    name: str
+    field: str
+    element: int | None
+    scale: Scale | None
+    unknown: float | None
+    kind: str
+    """`number`, `text` or `bytes`"""
+
+    def values(self, sent: NDArray[Any]) -> Values:
+        """This column of what was sent in `field`, (n,) or (n, elements): SI, unknown values NaN."""
+        if self.element is not None:
+            sent = sent[:, self.element]
+        if self.kind == "text":
+            return [bytes(text).partition(b"\0")[0].decode("utf-8", "replace") for text in sent.tolist()]
+        if self.kind == "bytes":
+            return [row.tobytes().hex() for row in sent]
+        scale = self.scale
+        if self.unknown is not None or (scale is not None and (scale.times != 1.0 or scale.over != 1.0)):
+            si = sent.astype(np.float64)
+            if scale is not None and scale.times != 1.0:
+                si *= scale.times
+            if scale is not None and scale.over != 1.0:
+                si /= scale.over
+            if self.unknown is not None:
+                si[sent == self.unknown] = np.nan
+            return si
+        return np.ascontiguousarray(sent)
+
+
+class Layout(NamedTuple):
+    """A message as a table: how its payload lies (little-endian, packed, uncut), and its columns."""
+
+    name: str
+    dtype: np.dtype[Any]
+    columns: tuple[Column, ...]
+
+
+@cache
+def layout(msgid: int) -> Layout | None:
+    """The table of a message; None for an id that is in no dialect that pymavlink ships."""
+    cls = CLASSES.get(msgid)
+    if cls is None:
+        return None
+    codes, lengths = cls.native_format.decode()[1:], cls.array_lengths
+    types: list[tuple[Any, ...]] = []
+    for name, code, length in zip(cls.ordered_fieldnames, codes, lengths, strict=True):
+        if code in "cs":
+            types.append((name, f"S{length or 1}"))
+        else:
+            types.append((name, np.dtype(f"<{code}"), (length,)) if length else (name, np.dtype(f"<{code}")))
+    text = {name for name, code in zip(cls.ordered_fieldnames, codes, strict=True) if code in "cs"}
+    size = dict(zip(cls.ordered_fieldnames, lengths, strict=True))
+    byte = {name for name, code in zip(cls.ordered_fieldnames, codes, strict=True) if code in "Bb"}
+    columns: list[Column] = []
+    taken = set(OWN)
+    for name in cls.fieldnames:
+        scale = _scale(cls.fieldunits_by_name.get(name, ""))
+        unknown = UNKNOWN.get((cls.msgname, name))
+        title = _title(cls.msgname, name, scale, taken)
+        taken.add(title)
+        if name in text:
+            columns.append(Column(title, name, None, None, None, "text"))
+        elif name in byte and size[name] > BYTES_SHOWN and scale is None:
+            columns.append(Column(f"{title}_hex", name, None, None, None, "bytes"))
+        elif size[name]:
+            stem, suffix = (
+                (title, "") if scale is None else (title.removesuffix(f"_{scale.suffix}"), f"_{scale.suffix}")
+            )
+            columns += [
+                Column(f"{stem}_{index}{suffix}", name, index, scale, unknown, "number") for index in range(size[name])
+            ]
+        else:
+            columns.append(Column(title, name, None, scale, unknown, "number"))
+    return Layout(cls.msgname, np.dtype(types), tuple(columns))
+
+
+def _scale(unit: str) -> Scale | None:
+    if not unit:
+        return None
+    return UNITS.get(unit) or Scale(re.sub(r"[^a-z0-9]+", "_", unit.lower()).strip("_"))
+
+
+def _title(message: str, field: str, scale: Scale | None, taken: set[str]) -> str:
+    """`vx_ned_m_s`; a field whose column's name is taken keeps its own name in front: `field_seq`."""
+    stem = field.lower()
+    if scale is not None:
+        stem = _SAID.sub("", stem)
+    if frame := _FRAMES.get((message, field)):
+        stem = f"{stem}_{frame}"
+    title = stem if scale is None else f"{stem}_{scale.suffix}"
+    if title in taken:
+        title = f"sent_{title}"
+    return title if title not in taken else f"{title}_{field.lower()}"

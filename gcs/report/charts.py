@@ -192,7 +192,7 @@ class Charts:
                 continue
             place = track.at(np.array([service.start_s]))[0]
             if np.isfinite(place).all():
-                text = f"{service.tanker} → {service.receiver}, {service.start_s:.1f} s, {service.energy_j:.0f} J"
+                text = f"{service.giver} → {service.receiver}, {service.start_s:.1f} s, {service.energy_j:.0f} J"
                 meets.append({"p": [round(float(x), 3) for x in place], "text": text})
         return meets
 
@@ -206,7 +206,7 @@ class Charts:
             row = labels.get(s.receiver, str(s.receiver))
             bids = sorted(s.bids.items(), key=lambda bid: -bid[1])[:5]
             told = ", ".join(f"{sysid}: {bid:.2f}" for sysid, bid in bids)
-            text = f"tanker {s.tanker}, by {s.by}, {s.energy_j:.0f} J ({s.reason})<br>bids {told or 'none'}"
+            text = f"by {s.giver}, decided by {s.by}, {s.energy_j:.0f} J ({s.reason})<br>bids {told or 'none'}"
             for stage, (begin, *later) in enumerate((steps, steps[1:], steps[2:])):
                 if begin is not None:
                     until = next((t for t in later if t is not None), end_s)

@@ -45,7 +45,8 @@ class Service:
     """One refuelling, with why it ended."""
 
     receiver: int
-    tanker: int
+    tanker: int | None
+    base: str | None
     by: str
     decided_at_s: float
     joined_at_s: float | None
@@ -54,6 +55,11 @@ class Service:
     energy_j: float
     bids: Mapping[str, float]
     reason: str
+
+    @property
+    def giver(self) -> str:
+        """Who gives, for a person."""
+        return f"base {self.base}" if self.tanker is None else f"tanker {self.tanker}"
 
 
 class Findings:
@@ -74,6 +80,10 @@ class Findings:
         self.nearness = nearness.measure(recorded, self.tracks, self.traffic)
         self.errors = nearness.tracking_errors(recorded, self.tracks)
         self.texts = series.texts(recorded)
+        lost = sorted(set(series.heard(recorded)) - self.tracks.keys())
+        if lost:
+            where = f"The paths of {few(lost)} are not known: it was never told where their frame's zero lies."
+            recorded.problems.append(where)
 
     @cached_property
     def speeds(self) -> dict[int, Series]:
@@ -108,7 +118,8 @@ class Findings:
         found: list[Service] = []
         for decision in self.recorded.decisions:
             if decision["kind"] == "served":
-                found.append(Service(**{key: decision[key] for key in Service.__dataclass_fields__}))
+                told: dict[str, Any] = {"base": None, **decision}
+                found.append(Service(**{key: told[key] for key in Service.__dataclass_fields__}))
         ended = {(s.receiver, s.tanker, s.decided_at_s) for s in found}
         if self.summary is not None:
             found += [
@@ -119,7 +130,7 @@ class Findings:
         elif self.recorded.decisions:
             for d in self.recorded.decisions:
                 if d["kind"] == "decided" and (d["receiver"], d["tanker"], d["t_s"]) not in ended:
-                    pair = d["receiver"], d["tanker"], d["by"], d["t_s"]
+                    pair = d["receiver"], d["tanker"], d.get("base"), d["by"], d["t_s"]
                     found.append(Service(*pair, None, None, None, 0.0, d["bids"], "not ended"))
         return sorted(found, key=lambda service: service.decided_at_s)
 
@@ -196,6 +207,8 @@ class Findings:
         for decision in self.recorded.decisions:
             if decision["kind"] == "policy failed":
                 failed.setdefault(f"{decision['policy']} {decision['problem']}", []).append(decision)
+            elif decision["kind"] == "unable":
+                yield Problem("warn", f"Vehicle {decision['receiver']} was not refuelled: {decision['reason']}.")
             elif decision["kind"] == "death":
                 yield Problem("bad", f"{decision['text']} ({decision['t_s']:.1f} s)")
         for what, times in failed.items():
@@ -237,7 +250,7 @@ class Findings:
         for s in self.services:
             if s.energy_j <= 0 and s.reason != "not ended":
                 when = f"decided at {s.decided_at_s:.1f} s"
-                yield Problem("warn", f"Refuelling of {s.receiver} by {s.tanker} moved no energy: {s.reason} ({when}).")
+                yield Problem("warn", f"Refuelling of {s.receiver} by {s.giver} moved no energy: {s.reason} ({when}).")
         lost = {row["id"]: row["lost_j"] for row in self.ledgers if row["lost_j"] > 0}
         if lost:
             yield Problem("warn", f"{sum(lost.values()):.0f} J given by {few(sorted(lost))} were never credited.")

@@ -238,14 +238,15 @@ def _sections(found: Findings, figures: set[str]) -> Iterable[tuple[str, str, st
         "Battery and energy ledger",
         figure("battery", "What each battery held, by initial + received − drawn − given; shaded: transfers received."),
         figure("ledger", "Where each vehicle's energy came from, and where it went: the two sides are equal."),
+        tables.bases(found),
     )
     yield section(
         "competition",
         "Competition",
         figure(
             "contest",
-            "The state v of each competitor, and the leader's share; dotted: a decision hands the tanker over to the "
-            "vehicle named. Gaps: nobody competed.",
+            "The state v of each competitor, and the leader's share; dotted: a decision hands a tanker, or a base, to "
+            "the vehicle named. Gaps: nobody competed.",
         ),
     )
     yield section(
@@ -253,8 +254,8 @@ def _sections(found: Findings, figures: set[str]) -> Iterable[tuple[str, str, st
         "Refuelling",
         figure(
             "timeline",
-            "Each refuelling from its decision: the tanker on its way, in formation until the transfer begins, the "
-            "transfer until the service is done.",
+            "Each refuelling from its decision: on the way, in formation (or at the base) until the transfer begins, "
+            "the transfer until the service is done.",
         ),
         tables.services(found),
     )

@@ -47,6 +47,7 @@ NEEDED: dict[str, tuple[str, ...]] = {
     "pursuit": ("target", "pursuer"),
     "policy failed": ("policy", "problem"),
     "death": ("text",),
+    "unable": ("receiver", "reason"),
     "operator": ("command", "taken", "text"),
 }
 """What a report reads of each kind of decision; a line without it is none."""

@@ -81,8 +81,13 @@ def vehicles(recorded: Recorded) -> list[Vehicle]:
         return [Vehicle(v.sysid, v.role, v.label) for v in recorded.scenario.vehicles.all]
     if recorded.summary is not None:
         return [Vehicle(v.sysid, v.role, f"{v.role} {v.sysid}") for v in recorded.summary.vehicles]
-    heard = np.unique(_own(recorded, "LOCAL_POSITION_NED")["sysid"]).tolist() if recorded.tables else []
-    return [Vehicle(sysid, "vehicle", f"vehicle {sysid}") for sysid in heard]
+    return [Vehicle(sysid, "vehicle", f"vehicle {sysid}") for sysid in heard(recorded)]
+
+
+def heard(recorded: Recorded) -> list[int]:
+    """The system ids that told a position."""
+    sysids: list[int] = np.unique(_own(recorded, "LOCAL_POSITION_NED")["sysid"]).tolist() if recorded.tables else []
+    return sysids
 
 
 def tracks(recorded: Recorded) -> dict[int, Track]:
@@ -197,12 +202,21 @@ def batteries(recorded: Recorded) -> dict[int, Battery]:
             if len(count):
                 total = np.maximum.accumulate(count["value"]).astype(np.float64)
                 moved_j += sign * held(Series(count["t_s"], total), rows["t_s"])
+            elif sign > 0.0:
+                moved_j += held(_booked(recorded, sysid), rows["t_s"])
         if (rows["energy_consumed"] >= 0).all():
             left_j = initial_j + moved_j - HECTOJOULE * np.maximum.accumulate(rows["energy_consumed"])
         else:
             left_j = np.where(rows["battery_remaining"] >= 0, 0.01 * rows["battery_remaining"] * capacity_j, np.nan)
         found[sysid] = Battery(capacity_j, Series(rows["t_s"].copy(), left_j))
     return found
+
+
+def _booked(recorded: Recorded, sysid: int) -> Series:
+    """What bases gave to a vehicle that counts nothing itself: the sum of its services, each at its end."""
+    served = [d for d in recorded.decisions if d["kind"] == "served" and d["receiver"] == sysid and d.get("base")]
+    total_j = np.cumsum(np.array([d["energy_j"] for d in served], dtype=np.float64))
+    return Series(np.array([d["t_s"] for d in served], dtype=np.float64), total_j)
 
 
 @dataclass(frozen=True)
@@ -216,8 +230,9 @@ class Contest:
 
 
 def contest(recorded: Recorded) -> Contest:
-    """The competition as it was decided tick by tick; gaps where nobody competed."""
-    lines = [decision for decision in recorded.decisions if decision["kind"] == "competition"]
+    """The competition for the tankers as it was decided tick by tick; gaps where nobody competed."""
+    every = (decision for decision in recorded.decisions if decision["kind"] == "competition")
+    lines = [decision for decision in every if "giver" not in decision]
     t_s = np.array([line["t_s"] for line in lines], dtype=np.float64)
     states: dict[int, list[tuple[float, float]]] = {}
     for line in lines:

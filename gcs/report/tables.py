@@ -44,11 +44,11 @@ def services(found: Findings) -> str:
         bids = sorted(s.bids.items(), key=lambda bid: -bid[1])
         told = " · ".join(f"{sysid}: {bid:.2f}" for sysid, bid in bids[:4]) + (" …" if len(bids) > 4 else "")
         times = (_time(s.decided_at_s), _time(s.joined_at_s), _time(s.start_s), _time(s.end_s))
-        rows.append((s.receiver, s.tanker, s.by, *times, f"{s.energy_j:.0f}", s.reason, told))
+        rows.append((s.receiver, s.giver, s.by, *times, f"{s.energy_j:.0f}", s.reason, told))
     heads = (
         "receiver",
-        "tanker",
-        "by",
+        "served by",
+        "decided by",
         "decided (s)",
         "joined (s)",
         "transfer (s)",
@@ -57,7 +57,20 @@ def services(found: Findings) -> str:
         "ended",
         "bids",
     )
-    return _table("Each refuelling, with the highest bids (τ)", heads, rows, ("by", "ended", "bids"))
+    return _table(
+        "Each refuelling, with the highest bids (τ)", heads, rows, ("served by", "decided by", "ended", "bids")
+    )
+
+
+def bases(found: Findings) -> str:
+    """Each base's ledger; empty where there is none."""
+    keys = ("initial_j", "given_j", "lost_j", "remaining_j")
+    rows = [
+        (base.name, *(f"{getattr(base, key):.0f}" for key in keys))
+        for base in (found.summary.bases if found.summary else ())
+    ]
+    heads = ("base", "initial (J)", "given (J)", "lost (J)", "remaining (J)")
+    return _table("Each base: initial = given + remaining", heads, rows, ("base",))
 
 
 def link(found: Findings) -> str:

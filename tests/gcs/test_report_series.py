@@ -203,6 +203,24 @@ def test_the_longest_time_that_something_held_is_from_first_to_last() -> None:
     assert nearness.longest_s(t_s, np.zeros(10, dtype=bool)) == 0.0
 
 
+def test_energy_from_a_base_counts_for_a_vehicle_that_does_not_count_itself(recorded: Recorded) -> None:
+    served = {"t_s": 40.0, "kind": "served", "receiver": 1, "tanker": None, "base": "north", "energy_j": 500.0}
+    tables = {**recorded.tables, "NAMED_VALUE_INT": recorded.tables["NAMED_VALUE_INT"][:0]}
+    uncounted = Recorded(recorded.folder, None, recorded.scenario, tables, [served])
+    remaining = series.batteries(uncounted)[1].remaining
+    drawn = 20_000.0 - remaining.values - 100.0 * np.round(remaining.t_s)
+    assert drawn[remaining.t_s < 40.0] == pytest.approx(0.0, abs=1.0)
+    assert drawn[remaining.t_s >= 40.0] == pytest.approx(-500.0, abs=1.0)
+
+
+def test_who_never_told_an_origin_is_named_as_missing(recorded: Recorded) -> None:
+    origins = recorded.tables["GPS_GLOBAL_ORIGIN"]
+    tables = {**recorded.tables, "GPS_GLOBAL_ORIGIN": origins[origins["sysid"] != 101]}
+    found = Findings(Recorded(recorded.folder, None, recorded.scenario, tables, end_s=END_S))
+    assert found.tracks.keys() == {1}
+    assert "The paths of 101 are not known" in found.recorded.problems[0]
+
+
 # folders that lack something
 
 

@@ -208,7 +208,9 @@ class Findings:
             if decision["kind"] == "policy failed":
                 failed.setdefault(f"{decision['policy']} {decision['problem']}", []).append(decision)
             elif decision["kind"] == "unable":
-                yield Problem("warn", f"Vehicle {decision['receiver']} was not refuelled: {decision['reason']}.")
+                yield Problem(
+                    "note", f"Vehicle {decision['receiver']} takes no energy in the air: {decision['reason']}."
+                )
             elif decision["kind"] == "death":
                 yield Problem("bad", f"{decision['text']} ({decision['t_s']:.1f} s)")
         for what, times in failed.items():

@@ -286,6 +286,7 @@
     const { data, layout } = drawing(div);
     if (drawn.has(div)) return void Plotly.react(div, data, layout, config(div));
     div.replaceChildren();
+    div.style.minHeight = "0";
     Plotly.newPlot(div, data, layout, config(div));
     drawn.add(div);
     if (["time", "timeline"].includes(model.figures[div.dataset.figure].kind)) div.on("plotly_relayout", zoom);

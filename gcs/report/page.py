@@ -113,9 +113,8 @@ def _about(found: Findings) -> str:
     words = [f"{fleet}; {found.end_s:.1f} s flown"]
     if found.summary is not None:
         pace = "in lockstep" if found.summary.clock == "lockstep" else f"on the clock at speed {found.summary.speed:g}"
-        words.append(
-            f"{pace}, {found.summary.speed_achieved:.{0 if found.summary.speed_achieved >= 10 else 1}f} times as fast as the wall clock"
-        )
+        faster = found.summary.speed_achieved
+        words.append(f"{pace}, {faster:.{0 if faster >= 10 else 1}f} times as fast as the wall clock")
     if found.scenario is not None and found.scenario.description:
         words.insert(0, found.scenario.description)
     return ". ".join(words).replace(". in", ", in").replace(". on", ", on") + "."

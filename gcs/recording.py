@@ -204,7 +204,8 @@ class Recording:
                 frame = Frame(raw[5], raw[6], raw[4], int.from_bytes(raw[7:10], "little"), raw)
                 t_us = int.from_bytes(record[:8], "big")
                 told.append(Told((t_us - self._epoch_us) / 1e6, frame, directions.sent(t_us, frame)))
-        return told
+        # Batteries last: what they say is read by what was armed, given and received.
+        return sorted(told, key=lambda each: each.frame.msgid == _BATTERY)
 
     def gaps_before(self, from_s: float) -> GapCounter:
         """The sequence numbers as they had been counted before the block of a time."""

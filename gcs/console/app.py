@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import time
 
@@ -59,6 +60,8 @@ class ConsoleApp(Shell):
 
 def show(source: Source, title: str = "", *, owner: bool = False) -> int:
     """Show `source` in this terminal until it ends or the person closes it; the exit status."""
+    for size in ("COLUMNS", "LINES"):  # where somebody exported them, they would outlive every resize
+        os.environ.pop(size, None)
     app = ConsoleApp(source, title, owner=owner)
 
     def leave(*_: object) -> None:

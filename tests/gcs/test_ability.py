@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 
 import pytest
 
@@ -24,7 +23,7 @@ def run(
     ability: Ability, desk: Desk, seconds: float, *, told: bool = True, heard: bool = True, at_s: float = 0.0
 ) -> None:
     for k in range(round(seconds / 0.5) + 1):
-        seen = replace(VIEW, battery_told=told, heard_s=0.0 if heard else -math.inf)
+        seen = VIEW._replace(battery_told=told, heard_s=0.0 if heard else -math.inf)
         ability.decide(Snapshot(at_s + 0.5 * k, (seen,), ()), desk)
 
 

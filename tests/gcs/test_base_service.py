@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any
 
 import pytest
@@ -31,7 +31,7 @@ def view(sysid: int, role: str = "pursuer", **changed: Any) -> VehicleView:
         battery_told=True, drawn_j=0.0, received_j=0, given_j=0, given_told_s=0.0, power_w=0.0,
         energy_source="energy_consumed", control_effort=0.0,
     )  # fmt: skip
-    return replace(seen, **changed)
+    return seen._replace(**changed)
 
 
 @dataclass
@@ -53,7 +53,7 @@ class World:
     decisions: list[Decision] = field(default_factory=list)
 
     def set(self, sysid: int, **changed: Any) -> None:
-        self.views[sysid] = replace(self.views[sysid], **changed)
+        self.views[sysid] = self.views[sysid]._replace(**changed)
 
     def tick(self) -> Decision:
         decision = self.schedule.decide(Snapshot(self.now_s, tuple(self.views[key] for key in sorted(self.views)), ()))

@@ -13,7 +13,7 @@ from gcs.rehearsal import rehearse
 from gcs.scenario import load
 
 scenario = load(find("paper/example1"))
-kernels = [leader._advance_all, obstacles._clearances, metrics._distance_to_path, metrics._least_separation]
+kernels = [leader._advance_all, obstacles._clearances, metrics.distance_to_path, metrics.closest_pair]
 before = [len(kernel.signatures) for kernel in kernels]
 rehearse(scenario)
 loaded = set(sys.modules)

@@ -28,10 +28,11 @@ class WatchedPace(Pace):
 
     latest_s = 0.0
 
-    def next(self, period_s: float) -> None:
+    def next(self, period_s: float) -> int:
         before_s = self.lag_s
-        super().next(period_s)
+        periods = super().next(period_s)
         self.latest_s = max(self.latest_s, self.lag_s - before_s)
+        return periods
 
 
 class Watched(Session):

@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from operator import itemgetter
 from typing import Any, NamedTuple
 
 import pymap3d
@@ -293,17 +294,17 @@ class Fleet:
     def take_statustexts(self) -> list[tuple[int, int, str]]:
         """(system id, severity, text) of each STATUSTEXT since the last call."""
         taken, self.statustexts = self.statustexts, []
-        return taken
+        return sorted(taken, key=itemgetter(0))
 
     def take_acks(self) -> list[tuple[int, Any]]:
         """(system id, COMMAND_ACK) of each acknowledgement since the last call."""
         taken, self.acks = self.acks, []
-        return taken
+        return sorted(taken, key=itemgetter(0))
 
     def take_facts(self) -> list[tuple[int, Fact]]:
         """(system id, fact) of what batteries showed since the last call."""
         taken, self.facts = self.facts, []
-        return taken
+        return sorted(taken, key=itemgetter(0))
 
     def book(self, sysid: int, joules: int) -> None:
         """Energy that a vehicle was given by a base and cannot tell of itself."""

@@ -11,7 +11,8 @@ import random
 import select
 import socket
 import time
-from collections.abc import Callable, Iterable, Sequence
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -71,6 +72,7 @@ class FleetLink:
         self._peers: dict[Key, _Peer] = {}
         self._expected: set[Key] = set()
         self._awaited: set[Key] = set()
+        self._whole: deque[Key] = deque()
         self.refused: dict[Key, tuple[str, int]] = {}
         """who spoke with an id that another address has already, and from where; the first of each"""
         self.malformed = 0
@@ -144,7 +146,11 @@ class FleetLink:
         return frames
 
     def collect(self, idle: Callable[[], None]) -> dict[Key, list[Frame]]:
-        """Every vehicle's answer to the last grant, in order of (system, component).
+        """Every vehicle's answer to the last grant, in order of (system, component); waits as `answers` does."""
+        return dict(sorted(self.answers(idle)))
+
+    def answers(self, idle: Callable[[], None]) -> Iterator[tuple[Key, list[Frame]]]:
+        """Every vehicle's answer to the last grant as soon as it is whole, so that it is read while others still fly.
 
         Waits without spinning; after 20 ms without progress, doubling to 200 ms, the same bytes go out again to those
         that are missing, and `idle` is called: it sees whether they still live and may call `leave`. Those that have
@@ -154,7 +160,13 @@ class FleetLink:
         repeat_s = time.monotonic() + REPEAT_S
         deadline_s = time.monotonic() + wait_s
         self._drain()
-        while self._awaited:
+        while self._awaited or self._whole:
+            while self._whole:
+                key = self._whole.popleft()
+                if key in self._peers:
+                    yield key, self._peers[key].collector.take()
+            if not self._awaited:
+                continue
             left_s = deadline_s - time.monotonic()
             if left_s > 0.0:
                 self._poll.poll(1e3 * left_s)
@@ -171,7 +183,6 @@ class FleetLink:
             if time.monotonic() >= repeat_s:
                 self.repeat()
                 repeat_s = time.monotonic() + REPEAT_S
-        return {key: peer.collector.take() for key, peer in sorted(self._peers.items()) if peer.bundle}
 
     def repeat(self) -> None:
         """Send every last bundle again, so that vehicles know during a pause that they are not forgotten."""
@@ -218,8 +229,9 @@ class FleetLink:
         if peer.address != address:
             self.refused.setdefault(key, address)
             return False
-        if peer.collector.feed(frames):
+        if peer.collector.feed(frames) and key in self._awaited:
             self._awaited.discard(key)
+            self._whole.append(key)
         progress = peer.collector.held > peer.held
         peer.held = peer.collector.held
         return progress

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from gcs.external import ExternalLink
 from gcs.link import FleetLink, Key
@@ -72,14 +72,22 @@ class MixedLink:
         return self._fleet.grant(key, t_ms, unix_us, messages, relayed)
 
     def collect(self, idle: Callable[[], None]) -> dict[Key, list[Frame]]:
-        """Launched vehicles' answers to the last grant, and what external ones have sent, in order of system id."""
+        """What `answers` gives, in order of system id."""
+        return dict(sorted(self.answers(idle)))
+
+    def answers(self, idle: Callable[[], None]) -> Iterator[tuple[Key, list[Frame]]]:
+        """Launched vehicles' answers to the last grant, then what external ones have sent."""
 
         def wait() -> None:
             self.external.stand_in()
             idle()
 
-        answers = self._fleet.collect(wait) | self.external.collect()
-        return {key: answers[key] for key in sorted(answers) if key not in self._given_up}
+        for key, frames in self._fleet.answers(wait):
+            if key not in self._given_up:
+                yield key, frames
+        for key, frames in self.external.collect().items():
+            if key not in self._given_up:
+                yield key, frames
 
     def repeat(self) -> None:
         """Send launched vehicles their last bundle again."""

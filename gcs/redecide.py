@@ -114,7 +114,7 @@ class RecordedLink:
     def __init__(self, keys: Sequence[Key]) -> None:
         self.joined: set[Key] = set(keys)
         self._granted: set[Key] = set()
-        self.answers: Mapping[Key, list[Frame]] = {}
+        self.recorded: Mapping[Key, list[Frame]] = {}
 
     def leave(self, key: Key) -> None:
         """As `FleetLink.leave`."""
@@ -128,9 +128,10 @@ class RecordedLink:
         self._granted.add(key)
         return []
 
-    def collect(self, idle: Callable[[], None]) -> dict[Key, list[Frame]]:
-        """As `FleetLink.collect`: the answers of the tick that is being replayed."""
-        return {key: self.answers.get(key, []) for key in sorted(self._granted)}
+    def answers(self, idle: Callable[[], None]) -> Iterator[tuple[Key, list[Frame]]]:
+        """As `FleetLink.answers`: those of the tick that is being replayed."""
+        for key in sorted(self._granted):
+            yield key, self.recorded.get(key, [])
 
 
 class Comparer:
@@ -251,7 +252,7 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Verdict:
         lines = recorded.until(t_s)
         for line in lines:
             _relive(supervisor, line)
-        link.answers = tick.answers
+        link.recorded = tick.answers
         comparer.made = []
         supervisor.tick(_nobody_to_see)
         supervisor.events.clear()

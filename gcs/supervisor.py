@@ -146,9 +146,8 @@ class Supervisor:
     def tick(self, idle: Callable[[], None], periods: int = 1) -> None:
         """Collect the answers to the last grant, decide, and send the next one, of so many periods."""
         self._periods = periods
-        answers = self._link.collect(idle)
         now_s = self.time_s
-        arrived, delivered = self._hear(answers, now_s)
+        arrived, delivered = self._hear(self._link.answers(idle), now_s)
         self._take_acknowledgements(now_s)
         self.snapshot = snapshot = self.fleet.snapshot(now_s)
         ordered: dict[int, End] = dict.fromkeys(self.grounded, "land")
@@ -163,15 +162,16 @@ class Supervisor:
         for sysid, queue in self._queues.items():
             self._follow_up(sysid, queue.poll(now_s), now_s)
         relays = relayed(decision.relays, delivered)
-        recording = _Recording(self.time_ms, arrived, [], self._records(decision, set_points))
+        recording = _Recording(self.time_ms, arrived, [], [])
         self._queue_set_points(set_points, snapshot)
         self._grant_all(relays, recording)
+        recording.decisions += self._records(now_s, decision, set_points)
         self.metrics.take(snapshot, set_points, decision.partners, pursuing)
         self._record(recording)
 
     def finish(self, idle: Callable[[], None]) -> None:
         """Collect and record the answers to the last grant; nothing is decided any more."""
-        arrived, _ = self._hear(self._link.collect(idle), self.time_s)
+        arrived, _ = self._hear(self._link.answers(idle), self.time_s)
         self.snapshot = self.fleet.snapshot(self.time_s)
         self._record(_Recording(self.time_ms, arrived, [], self._told()))
 
@@ -201,11 +201,16 @@ class Supervisor:
 
     # in
 
-    def _hear(self, answers: Mapping[Key, list[Frame]], now_s: float) -> tuple[list[bytes], dict[int, list[Frame]]]:
-        """Let the radio deliver what came, and the fleet read it."""
-        arrived: list[bytes] = []
-        delivered: dict[int, list[Frame]] = {}
-        for key, frames in answers.items():
+    def _hear(
+        self, answers: Iterable[tuple[Key, list[Frame]]], now_s: float
+    ) -> tuple[list[bytes], dict[int, list[Frame]]]:
+        """Let the radio deliver what came, and the fleet read it, each vehicle's as it comes.
+
+        Nothing that is read of one depends on another, so whose answer came first shows nowhere: what is given back is
+        in order of system id, as are the texts, acknowledgements and facts that the fleet keeps.
+        """
+        heard_of: dict[Key, list[Frame]] = {}
+        for key, frames in answers:
             heard = frames
             if not self._radio.clear:
                 told = [frame for frame in frames if frame.msgid != _SYSTEM_TIME]
@@ -214,11 +219,13 @@ class Supervisor:
             for frame in heard:
                 self._gaps.feed(frame.sysid, frame.compid, frame.seq)
                 self.fleet.ingest(frame, now_s)
-                arrived.append(frame.raw)
-            delivered[key[0]] = heard
+            heard_of[key] = heard
             self.quality.take(key[0], len(heard), now_s)
             if key[0] in self.inspection.wanted:
                 self.inspection.take(heard, now_s)
+        in_order = sorted(heard_of.items())
+        arrived = [frame.raw for _, heard in in_order for frame in heard]
+        delivered = {key[0]: heard for key, heard in in_order}
         if isinstance(self._link, MixedLink):
             strangers = self._link.external
             self.externals.hear(delivered, strangers.offsets_s(), strangers.take_rebooted(), self.fleet, now_s)
@@ -362,7 +369,7 @@ class Supervisor:
     def exchange(self, now_s: float) -> bool:
         """After the last tick: send external vehicles what is left, hear them; whether one has not obeyed yet."""
         assert isinstance(self._link, MixedLink)
-        arrived, _ = self._hear(self._link.external.collect(), now_s)
+        arrived, _ = self._hear(self._link.external.collect().items(), now_s)
         self._take_acknowledgements(now_s)
         sent: list[bytes] = []
         for sysid in self.externals.rules:
@@ -375,8 +382,7 @@ class Supervisor:
         self.snapshot = self.fleet.snapshot(now_s)
         return self.externals.awaits(self.snapshot) or any(token == ENDING for _, token in self._under_way)
 
-    def _records(self, decision: Decision, set_points: Iterable[SetPoint]) -> list[dict[str, Any]]:
-        t_s = self.time_s
+    def _records(self, t_s: float, decision: Decision, set_points: Iterable[SetPoint]) -> list[dict[str, Any]]:
         made = [{"t_s": t_s, **record} for record in decision.records]
         records = [*self._told(), *made]
         for record in made:

@@ -1,6 +1,6 @@
 """A session without sockets or processes: a supervisor, and a link whose vehicles follow a script."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -75,7 +75,7 @@ class ScriptedLink:
         self.vehicles = {(vehicle.sysid, 1): vehicle for vehicle in vehicles}
         self.joined: set[Key] = set(self.vehicles)
         self.bundles: list[tuple[int, Key, list[Frame]]] = []
-        self.answers: list[list[Frame]] = []
+        self.answered: list[list[Frame]] = []
         self.malformed = 0
         self._granted: dict[Key, int] = {}
         self._seq = 0
@@ -98,10 +98,11 @@ class ScriptedLink:
         self.vehicles[key].hear(frames)
         return raws
 
-    def collect(self, idle: Callable[[], None]) -> Mapping[Key, list[Frame]]:
+    def answers(self, idle: Callable[[], None]) -> Iterator[tuple[Key, list[Frame]]]:
+        """The last first: in which order answers come must not matter."""
         answers = {key: self.vehicles[key].answer(t_ms) for key, t_ms in sorted(self._granted.items())}
-        self.answers.append([frame for frames in answers.values() for frame in frames])
-        return answers
+        self.answered.append([frame for frames in answers.values() for frame in frames])
+        yield from reversed(answers.items())
 
     def sent(self, name: str, key: Key | None = None) -> list[tuple[int, Any]]:
         """(grant, fields) of every message of a name that the supervisor itself sent."""

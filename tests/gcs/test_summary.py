@@ -64,7 +64,7 @@ def test_the_dead_are_named_so_and_frames_are_counted(scripted: Any) -> None:
     made = summary(session)
     assert [vehicle.final_mode for vehicle in made.vehicles] == ["dead", "offboard", "offboard"]
     assert made.link.sent == sum(len(frames) for _, _, frames in session.link.bundles)
-    assert made.link.received == sum(map(len, session.link.answers))
+    assert made.link.received == sum(map(len, session.link.answered))
     assert (made.link.lost, made.link.malformed, made.link.command_retries) == (0, 0, 0)
 
 

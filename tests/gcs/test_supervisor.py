@@ -45,7 +45,7 @@ def test_frames_are_recorded_in_the_order_in_which_they_came(scripted: Any) -> N
         end = at + 8 + 12 + data[at + 9]
         frames.append(data[at + 8 : end])
         at = end
-    came = [frame.raw for frame in frames_of(session.link.answers)]
+    came = [frame.raw for frame in frames_of(session.link.answered)]
     assert [raw for raw in frames if raw[5] != 255] == came
     assert session.supervisor.received == len(came)
     assert session.supervisor.sent == len(frames) - len(came)
@@ -196,7 +196,7 @@ def test_partners_frames_are_relayed_with_their_headers(scripted: Any) -> None:
         content = {"name": name, "value": value, "time_boot_ms": 0}
         session.link.vehicles[sysid, 1].more = [("NAMED_VALUE_INT", content)]
     session.fly(1)
-    raw = {f.sysid: f.raw for f in session.link.answers[-1] if f.msgid == codec.msgid("NAMED_VALUE_INT")}
+    raw = {f.sysid: f.raw for f in session.link.answered[-1] if f.msgid == codec.msgid("NAMED_VALUE_INT")}
     bundles = {key[0]: frames for _, key, frames in session.link.bundles[-3:]}
     assert raw[201] in [frame.raw for frame in bundles[1]]
     assert raw[1] in [frame.raw for frame in bundles[201]]
@@ -209,4 +209,4 @@ def test_finishing_takes_the_last_answers_and_sends_nothing(scripted: Any) -> No
     sent, before = session.supervisor.sent, session.supervisor.received
     session.supervisor.finish(lambda: None)
     assert session.supervisor.sent == sent
-    assert session.supervisor.received == before + len(session.link.answers[-1])
+    assert session.supervisor.received == before + len(session.link.answered[-1])

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from gcs import cli_author, cli_check, cli_recorded, cli_report, cli_watch
-from gcs.cli_author import ScenarioName, load_scenario, module_arguments
+from gcs.cli_author import ScenarioName, ScenarioRefused, load_scenario, module_arguments
 
 if TYPE_CHECKING:
     from gcs.run import View
@@ -195,12 +195,17 @@ def run(
     if junit is not None and not junit.parent.is_dir():
         raise click.UsageError(f"--junit: there is no folder {junit.parent}.")
     from gcs.console.plain import mute_stdout
+    from gcs.junit import flown, refused
     from gcs.run import make_folder
     from gcs.run import run as fly
     from gcs.session_log import logged
 
     try:
         resolved = load_scenario(scenario).flown(lockstep=lockstep, speed=speed, seed=seed)
+    except ScenarioRefused as refusal:
+        if junit is not None:
+            _write_junit(junit, refused(scenario, refusal.text))
+        raise
     except ValueError as refusal:
         raise click.UsageError(f"{refusal}.") from None
     if vehicles_per_process is not None:
@@ -227,15 +232,19 @@ def run(
         status = fly(folder, view, tell, arguments=arguments, finish=finish, stderr=stderr)
         if not no_report:
             cli_report.after_run(folder, tell)
-    if junit is not None:
-        from gcs.junit import write
-
-        try:
-            write(junit, folder, resolved, error)
-        except OSError as problem:
-            click.echo(f"gcs: {junit} could not be written: {problem.strerror}", err=True)
-            return status or NOT_MADE
+    if junit is not None and not _write_junit(junit, flown(folder, resolved, error)):
+        return status or NOT_MADE
     return status
+
+
+def _write_junit(path: Path, xml: str) -> bool:
+    """Write the file for CI; whether that worked."""
+    try:
+        path.write_text(xml, encoding="utf-8")
+    except OSError as problem:
+        click.echo(f"gcs: {path} could not be written: {problem.strerror}", err=True)
+        return False
+    return True
 
 
 def _view(

@@ -34,8 +34,16 @@ class ScenarioName(click.ParamType[str]):
         return [*shipped, CompletionItem(incomplete, type="file")]
 
 
+class ScenarioRefused(click.exceptions.Exit):
+    """A scenario that cannot be flown: ends the program once its mistakes, `text`, have been told."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__(BAD_INPUT)
+        self.text = text
+
+
 def load_scenario(scenario: str) -> Scenario:
-    """The scenario of that name or file; what is wrong with it goes to stderr, one line each, and ends the program."""
+    """The scenario of that name or file. Raises ScenarioRefused, once what is wrong has gone to stderr line by line."""
     from gcs import plugins
     from gcs.configs import find
     from gcs.scenario import ScenarioError, load
@@ -48,7 +56,7 @@ def load_scenario(scenario: str) -> Scenario:
         return loaded
     except ScenarioError as error:
         click.echo(str(error), err=True)
-        raise click.exceptions.Exit(BAD_INPUT) from None
+        raise ScenarioRefused(str(error)) from None
 
 
 def module_arguments(scenario: str) -> list[str]:

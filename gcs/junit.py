@@ -67,13 +67,24 @@ def document(scenario: Scenario, summary: dict[str, Any] | None, error: str | No
     return ET.tostring(root, encoding="unicode", xml_declaration=True) + "\n"
 
 
-def write(path: Path, folder: Path, scenario: Scenario, error: str | None) -> None:
-    """Write the XML for the session in `folder`; raises OSError."""
+def refused(scenario: str, why: str) -> str:
+    """The XML for a scenario, by name or file, that could not be flown: one test case, in error."""
+    root = ET.Element("testsuites")
+    counts = {"tests": "1", "failures": "0", "errors": "1", "skipped": "0", "time": "0"}
+    suite = ET.SubElement(root, "testsuite", {"name": _text(scenario)} | counts)
+    case = ET.SubElement(suite, "testcase", classname="skytender", name="the scenario can be flown", time="0")
+    ET.SubElement(case, "error", message=_text(why.splitlines()[0])).text = _text(why)
+    ET.indent(root)
+    return ET.tostring(root, encoding="unicode", xml_declaration=True) + "\n"
+
+
+def flown(folder: Path, scenario: Scenario, error: str | None) -> str:
+    """The XML for the session in `folder`."""
     try:
         summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
     except (OSError, ValueError):
         summary = None
-    path.write_text(document(scenario, summary, error, folder), encoding="utf-8")
+    return document(scenario, summary, error, folder)
 
 
 def _text(words: str) -> str:

@@ -9,6 +9,7 @@ from xml.etree import ElementTree as ET
 import pytest
 
 from gcs import load
+from gcs.cli import run_argv
 from gcs.configs import find
 from gcs.junit import document
 
@@ -52,3 +53,17 @@ def test_each_part_of_the_goal_is_a_case_and_the_counts_agree(outcome: str | Non
 def test_an_error_is_told_even_with_what_no_xml_may_hold() -> None:
     (case, *_) = suite(None, "died \x00 at <once>").iter("testcase")
     assert case[0].get("message") == "died \ufffd at <once>"
+
+
+def test_a_scenario_that_cannot_be_flown_is_an_error_in_the_file_too(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    scenario, out = tmp_path / "mine.yaml", tmp_path / "outcome.xml"
+    scenario.write_text("schema: 1\nname: mine\nsped: 3\n")
+    assert run_argv(["run", str(scenario), "--junit", str(out), "--out", str(tmp_path / "session")]) == 2
+    (found,) = ET.parse(out).getroot()
+    assert verdicts(found) == ["error"]
+    assert [found.get(key) for key in ("tests", "errors", "failures")] == ["1", "1", "0"]
+    assert "sped" in "".join(found.itertext())
+    assert "sped" in capsys.readouterr().err
+    assert not (tmp_path / "session").exists()

@@ -10,10 +10,13 @@ import shutil
 import signal
 import subprocess
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
-from sessions import ROOT
+import yaml
+from sessions import ROOT, small
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 PROGRAMS = Path(sys.executable).parent
@@ -29,6 +32,9 @@ UNTIL = {
     "gcs run demo --lockstep --plain": "Take-off",
     "gcs run demo --lockstep --json": '"type": "snapshot"',
     "gcs run fleet": "Take-off",
+    "gcs monitor": "offboard",
+    "gcs monitor --connect udpin:127.0.0.1:14550": "First heard of",
+    "gcs replay flown": "Take-off",
     "gcs launch demo": "tanker",
     "gcs launch demo --json": '"vehicles"',
     "gcs launch demo --connect udpout:127.0.0.1:14550": "tanker",
@@ -36,6 +42,31 @@ UNTIL = {
     "simvehicle --sysid 1 --count 25 --connect udpout:127.0.0.1:14550": "vehicle 25: ",
 }
 """What goes on until someone ends it: the words on stdout after which Ctrl-C does."""
+
+COMPANIONS = {
+    "gcs monitor": "gcs run demo --plain",
+    "gcs monitor --connect udpin:127.0.0.1:14550": "simvehicle --sysid 1 --connect udpout:127.0.0.1:14550",
+    "gcs check --connect udpin:127.0.0.1:14550": "simvehicle --sysid 1 --connect udpout:127.0.0.1:14550",
+}
+"""What runs meanwhile in the reader's other terminal."""
+
+
+@contextmanager
+def beside(command: str, folder: Path) -> Iterator[None]:
+    """Its companion, if it has one, until it has said a first line and from then on."""
+    if command not in COMPANIONS:
+        yield
+        return
+    argv = words(COMPANIONS[command])
+    with subprocess.Popen(argv, cwd=folder, stdout=subprocess.PIPE, text=True, env=environment()) as companion:
+        assert companion.stdout is not None
+        lines = iter(companion.stdout.readline, "")
+        assert any("vehicle 1: " in line or "offboard" in line for line in lines)
+        try:
+            yield
+        finally:
+            companion.send_signal(signal.SIGINT)
+            companion.communicate(timeout=60)
 
 
 @pytest.fixture(scope="module")
@@ -59,6 +90,11 @@ def test_the_commands_are_found() -> None:
 
 @pytest.mark.parametrize("command", [c for c in dict.fromkeys(COMMANDS) if c not in MAKE])
 def test_a_command_does_what_the_reader_expects(command: str, folder: Path) -> None:
+    with beside(command, folder):
+        does_what_is_said(command, folder)
+
+
+def does_what_is_said(command: str, folder: Path) -> None:
     if command in UNTIL:
         process = subprocess.Popen(
             words(command), cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment()
@@ -75,6 +111,9 @@ def test_a_command_does_what_the_reader_expects(command: str, folder: Path) -> N
         return
     done = subprocess.run(words(command), cwd=folder, capture_output=True, text=True, timeout=100, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
+    if "--decide" in command:
+        assert "decisions" in done.stdout
+        assert done.stdout.rstrip().endswith("agree")
     if command == "gcs schema":
         json.loads(done.stdout)
     if "--junit" in command:
@@ -134,3 +173,13 @@ def test_the_ci_example_runs_the_demo_in_lockstep_and_keeps_its_folder() -> None
     assert "demo --lockstep" in flown
     out = flown.split("--out ")[1].split()[0]
     assert f"            {out}\n" in text.split("upload-artifact")[1]
+
+
+def test_the_printed_vehicles_of_ones_own_and_bases_make_a_scenario(tmp_path: Path) -> None:
+    external, bases = (yaml.safe_load(block) for block in re.findall(r"```yaml\n(.*?)```", README, re.DOTALL))
+    content = small(clock={"mode": "real", "speed": 1.0}) | bases
+    content["vehicles"] = content["vehicles"] | external["vehicles"]
+    (tmp_path / "own.yaml").write_text(yaml.safe_dump(content))
+    done = subprocess.run(words("gcs validate own.yaml"), cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert "pursuer 3" in done.stdout

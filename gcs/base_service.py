@@ -14,10 +14,10 @@ from collections.abc import Iterable, Mapping
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.fleet import Snapshot, Vec3, VehicleView
 from gcs.profiles import STEERABLE
 from gcs.scenario import Base, Refuelling
 from gcs.service import Beacon, Desk, Phase, Service, token
+from gcs.views import Snapshot, Vec3, VehicleView
 
 STATION = 255
 """The ground station's system id, the partner of a vehicle that a base charges."""

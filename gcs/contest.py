@@ -13,9 +13,9 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from gcs.competition import advance, normalise, revive, share
-from gcs.fleet import Snapshot, Vec3, VehicleView
 from gcs.profiles import STEERABLE
 from gcs.scenario import Competition
+from gcs.views import Snapshot, Vec3, VehicleView
 
 # Session times are sums of tick lengths; a dwell time must not slip a tick for their last bits.
 _ROUNDING_S = 1e-6

@@ -20,10 +20,11 @@ from typing import Any, Literal, NamedTuple
 import pymap3d
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.fleet import GlobalOrigin, Vec3, VehicleView
+from gcs.fleet import GlobalOrigin
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
 from gcs.profiles import profile_of
+from gcs.views import Vec3, VehicleView
 
 AUTOPILOT = mav.MAV_COMP_ID_AUTOPILOT1
 TOGETHER_S = 1.0

@@ -10,12 +10,12 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.contest import Standing
 from gcs.events import Level
-from gcs.fleet import Snapshot, Vec3
 from gcs.mavlink.commands import CommandResult
 from gcs.pilot import OPERATOR
 from gcs.pursuit import meeting_s
 from gcs.scenario import Competition, Refuelling
 from gcs.service import Phase, Service, by_text
+from gcs.views import Snapshot, Vec3
 
 HISTORY = 20
 LEVELS: dict[int, Level] = {

@@ -19,11 +19,11 @@ import math
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.fleet import VehicleView
 from gcs.mavlink.codec import Message
 from gcs.pilot import Pilot, Stage, Wish
 from gcs.profiles import STEERABLE, FlightMode
 from gcs.scenario_external import External
+from gcs.views import VehicleView
 
 FAR_M = 5000.0
 """No origin is farther from the scenario's: the frames would not be parallel enough any more (gcs/fleet.py)."""

@@ -10,13 +10,14 @@ from collections.abc import Iterable, Mapping
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.events import Event, Kind, Level
-from gcs.fleet import Fleet, Snapshot
+from gcs.fleet import Fleet
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.commands import CommandResult
 from gcs.mavlink.streams import Ask, Streams, needs
 from gcs.pilot import Stage, Wish
 from gcs.profiles import STEERABLE, End
 from gcs.scenario import Scenario
+from gcs.views import Snapshot
 
 LOST_S = 10.0
 """A vehicle that has been silent for so long is counted as lost, until it is heard again."""

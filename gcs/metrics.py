@@ -9,10 +9,10 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from gcs.fleet import Snapshot, Vec3
 from gcs.planner import obstacles
 from gcs.planner.plan import SetPoint
 from gcs.scenario import Scenario
+from gcs.views import Snapshot, Vec3
 
 PLAN_MEMORY = 20
 """Set points against which a vehicle's way is held: it flies a few ticks behind its plan."""

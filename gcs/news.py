@@ -6,8 +6,8 @@ import math
 from collections.abc import Mapping
 
 from gcs.events import Event
-from gcs.fleet import STALE_S, Snapshot, VehicleView
 from gcs.profiles import STEERABLE, End, FlightMode
+from gcs.views import STALE_S, Snapshot, VehicleView
 
 GOING_DOWN = frozenset({FlightMode.RETURN, FlightMode.LAND})
 

@@ -15,7 +15,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.ears import AUTOPILOT, Ear
 from gcs.events import Event, Level
-from gcs.fleet import Fleet, GlobalOrigin, Member, Snapshot, Vec3, VehicleView
+from gcs.fleet import Fleet, GlobalOrigin, Member
 from gcs.inspection import Inspection
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
@@ -27,6 +27,7 @@ from gcs.rows import distance_m, event_row, traffic_row, vehicle_row
 from gcs.scenario import Scenario
 from gcs.scene import session_line
 from gcs.trouble import State, troubles
+from gcs.views import Snapshot, Vec3, VehicleView
 
 Kind = Literal["monitor", "replay"]
 UNKNOWN_CAPACITY_J = math.nan

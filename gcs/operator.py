@@ -16,11 +16,11 @@ from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
 from gcs.events import Event
-from gcs.fleet import Snapshot, VehicleView
 from gcs.pilot import Pilot
 from gcs.profiles import End
 from gcs.refuelling import Schedule
 from gcs.scenario import Scenario
+from gcs.views import Snapshot, VehicleView
 
 TAKEN: dict[str, tuple[End, str]] = {
     "hold": ("hold", "holds where it is"),

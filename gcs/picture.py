@@ -7,12 +7,12 @@ from typing import Any
 
 from gcs import explain
 from gcs.events import Event
-from gcs.fleet import Vec3
 from gcs.rows import distance_m, event_row, traffic_row, vehicle_row
 from gcs.scene import goal_of
 from gcs.service import Phase
 from gcs.supervisor import Supervisor
 from gcs.trouble import state, troubles
+from gcs.views import Vec3
 
 
 def picture(

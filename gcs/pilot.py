@@ -17,9 +17,10 @@ from enum import StrEnum
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.fleet import BATTERY_PARAMETERS, VehicleView
+from gcs.fleet import BATTERY_PARAMETERS
 from gcs.mavlink.codec import Message, message
 from gcs.profiles import STEERABLE, End, FlightMode
+from gcs.views import VehicleView
 
 RETRY_S = 1.0
 PILOT, OPERATOR = "pilot", "operator"

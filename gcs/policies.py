@@ -16,8 +16,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-from gcs.fleet import VehicleView
 from gcs.scenario import Refuelling, Scenario
+from gcs.views import VehicleView
 
 WINNER_TAKE_ALL = "winner_take_all"
 MOST_PLANNED = 6

@@ -8,10 +8,10 @@ from typing import Any
 from gcs import plugins
 from gcs.competition import normalise
 from gcs.contest import Contest, Standing, can_receive, most_urgent
-from gcs.fleet import Snapshot, VehicleView
 from gcs.guard import Guard
 from gcs.policies import SHIPPED, WINNER_TAKE_ALL, RefuellingPolicy, Request
 from gcs.scenario import Competition, Refuelling, Scenario
+from gcs.views import Snapshot, VehicleView
 
 
 class PolicyContest(Contest):

@@ -16,9 +16,9 @@ from typing import Any
 import numpy as np
 
 from gcs.competition import advance, normalise, revive, share
-from gcs.fleet import Snapshot, Vec3, VehicleView
 from gcs.profiles import STEERABLE
 from gcs.scenario import Pursuit as Rules
+from gcs.views import Snapshot, Vec3, VehicleView
 
 GRAVITY_M_S2 = 9.8
 LOW, HIGH = 0.01, 1.0

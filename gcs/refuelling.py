@@ -19,12 +19,12 @@ import numpy as np
 from gcs.ability import Ability
 from gcs.base_service import BaseSteps, Stock
 from gcs.contest import Contest, Standing, can_receive
-from gcs.fleet import Snapshot, VehicleView
 from gcs.profiles import STEERABLE
 from gcs.pursuit import meeting_s
 from gcs.scenario import Base, Competition, Refuelling, Tanker
 from gcs.service import Decision, Desk, Phase, Service, by_text
 from gcs.tanker_service import TankerSteps
+from gcs.views import Snapshot, VehicleView
 
 RELAY_WITHIN_M = 15.0
 WORTH_J = 500.0

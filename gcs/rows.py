@@ -10,8 +10,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from gcs.events import Event
-from gcs.fleet import TrafficView, Vec3, VehicleView
 from gcs.trouble import State, Trouble, severity
+from gcs.views import TrafficView, Vec3, VehicleView
 
 
 def vehicle_row(

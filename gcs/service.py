@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
-from gcs.fleet import Vec3
 from gcs.pilot import Wish
+from gcs.views import Vec3
 
 
 class Phase(StrEnum):

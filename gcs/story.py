@@ -16,12 +16,12 @@ from typing import Any
 from gcs import explain
 from gcs.contest import Standing
 from gcs.events import Event, Level
-from gcs.fleet import Snapshot, Vec3
 from gcs.operator import TAKEN
 from gcs.profiles import End
 from gcs.scenario import Scenario
 from gcs.service import Phase, Service
 from gcs.trouble import state
+from gcs.views import Snapshot, Vec3
 
 _SET_POINT = b'{"kind":"set_point"'
 STANDS_S = 0.35

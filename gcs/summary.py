@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Literal, cast
 from pydantic import BaseModel, ConfigDict, Field
 
 if TYPE_CHECKING:  # who only reads a summary need not load the supervisor
-    from gcs.fleet import VehicleView
     from gcs.link import FleetLink
     from gcs.mixed_link import MixedLink
     from gcs.supervisor import Supervisor
+    from gcs.views import VehicleView
 
 FILE = "summary.json"
 

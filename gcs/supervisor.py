@@ -18,7 +18,6 @@ from gcs.crew import make_fleet, make_pilots, make_radio
 from gcs.events import Event, Kind, Level
 from gcs.explain import LEVELS, acknowledged, sentence
 from gcs.externals import ENDING, Externals
-from gcs.fleet import Snapshot
 from gcs.inspection import Inspection
 from gcs.link import OUR_HEARTBEAT, SUPERVISOR, FleetLink, Key
 from gcs.mavlink import codec
@@ -41,6 +40,7 @@ from gcs.refuelling import Schedule
 from gcs.relays import Relay, relayed
 from gcs.scenario import Scenario
 from gcs.service import Decision
+from gcs.views import Snapshot
 
 AUTOPILOT = mav.MAV_COMP_ID_AUTOPILOT1
 TRAFFIC: Key = (255, 156)

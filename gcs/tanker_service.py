@@ -15,10 +15,10 @@ from collections.abc import Mapping
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.fleet import Snapshot, VehicleView
 from gcs.profiles import STEERABLE, FlightMode
 from gcs.scenario import Refuelling, Tanker
 from gcs.service import Desk, Phase, Service, token
+from gcs.views import Snapshot, VehicleView
 
 STOP, GIVE, RECEIVE = 0, 1, 2
 CATCH_UP_S = 1.0

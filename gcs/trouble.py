@@ -9,8 +9,8 @@ from collections.abc import Collection, Iterable
 from enum import StrEnum
 from typing import NamedTuple
 
-from gcs.fleet import STALE_S, VehicleView
 from gcs.profiles import FlightMode
+from gcs.views import STALE_S, VehicleView
 
 WELL, LOOK, ACT = range(3)
 """Severities: nothing is wrong; look at it; do something."""

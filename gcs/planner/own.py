@@ -17,10 +17,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gcs import plugins
-from gcs.fleet import Snapshot, Vec3, VehicleView
 from gcs.guard import Guard
 from gcs.planner.plan import Planner, SetPoint
 from gcs.scenario import Obstacle, Scenario
+from gcs.views import Snapshot, Vec3, VehicleView
 
 FARTHEST = 1e5
 """m, and m/s: beyond every scenario."""

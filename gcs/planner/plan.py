@@ -16,10 +16,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from gcs.fleet import Snapshot, Vec3, VehicleView
 from gcs.planner import formation, fuzzy, leader, obstacles
 from gcs.planner.potential_field import Field, widened_range
 from gcs.scenario import Obstacle, Scenario, Tanker, Target
+from gcs.views import Snapshot, Vec3, VehicleView
 
 LOOKAHEAD_S = 0.37
 CATCH_UP_SPEED = 1.3

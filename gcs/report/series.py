@@ -13,9 +13,9 @@ import numpy as np
 import pymap3d
 from numpy.typing import NDArray
 
-from gcs.fleet import STALE_S
 from gcs.mavlink.battery import HECTOJOULE
 from gcs.report.recorded import AUTOPILOT, Recorded
+from gcs.views import STALE_S
 
 Floats = NDArray[np.float64]
 GAP_S = 2.0

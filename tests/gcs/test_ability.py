@@ -7,9 +7,9 @@ import math
 import pytest
 
 from gcs.ability import Ability
-from gcs.fleet import Snapshot, VehicleView
 from gcs.profiles import PX4, FlightMode
 from gcs.service import Desk
+from gcs.views import Snapshot, VehicleView
 
 VIEW = VehicleView(
     sysid=1, role="pursuer", label="pursuer 1", alive=True, profile=PX4, mode=FlightMode.HOLD, armed=False,

@@ -10,13 +10,13 @@ from typing import Any
 import pytest
 
 from gcs.explain import sentence
-from gcs.fleet import Snapshot, VehicleView
 from gcs.pilot import Wish
 from gcs.profiles import PX4, FlightMode
 from gcs.refuelling import Schedule
 from gcs.scenario import Base, Battery, Competition, Refuelling, Tanker
 from gcs.service import Decision, Phase, Service
 from gcs.tanker_service import RECEIVE, STOP
+from gcs.views import Snapshot, VehicleView
 
 ORDER = 31010
 PAD = Base(name="pad", position_m=(10.0, 0.0, 0.0), rate_w=2000.0, stock_j=50_000.0)

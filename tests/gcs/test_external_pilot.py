@@ -7,10 +7,10 @@ import pytest
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.external_pilot import FAR_M, PARAMETER_TRIES, ExternalPilot
-from gcs.fleet import VehicleView
 from gcs.pilot import Stage
 from gcs.profiles import ARDUCOPTER, PX4, FlightMode, Profile
 from gcs.scenario_external import External
+from gcs.views import VehicleView
 
 ARM, TAKEOFF, SET_MODE = mav.MAV_CMD_COMPONENT_ARM_DISARM, mav.MAV_CMD_NAV_TAKEOFF, mav.MAV_CMD_DO_SET_MODE
 

@@ -5,11 +5,11 @@ from typing import Any
 
 import pytest
 
-from gcs.fleet import Snapshot, TrafficView, Vec3, VehicleView
 from gcs.metrics import PLAN_MEMORY, Metrics
 from gcs.planner.plan import SetPoint, obstacle_table
 from gcs.profiles import PX4, FlightMode
 from gcs.scenario import Obstacle, Scenario
+from gcs.views import Snapshot, TrafficView, Vec3, VehicleView
 
 BATTERY = {"capacity_j": 1e4}
 

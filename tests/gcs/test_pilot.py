@@ -6,10 +6,10 @@ from typing import Any
 import pytest
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.fleet import VehicleView
 from gcs.mavlink import codec
 from gcs.pilot import Pilot, Stage, Wish
 from gcs.profiles import ARDUCOPTER, PX4, FlightMode
+from gcs.views import VehicleView
 
 ARM, TAKEOFF, SET_MODE = 400, 22, 176
 

@@ -10,12 +10,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from gcs.fleet import Snapshot, TrafficView, Vec3, VehicleView
 from gcs.planner.formation import assign, ring_offsets
 from gcs.planner.obstacles import surface
 from gcs.planner.plan import Planner, SetPoint, obstacle_table
 from gcs.profiles import PX4, FlightMode
 from gcs.scenario import Obstacle, Scenario
+from gcs.views import Snapshot, TrafficView, Vec3, VehicleView
 
 PERIOD_S = 0.1
 LAG_S = 0.37

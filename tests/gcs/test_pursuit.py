@@ -7,10 +7,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gcs.fleet import Snapshot, Vec3, VehicleView
 from gcs.profiles import PX4, FlightMode
 from gcs.pursuit import GRAVITY_M_S2, Pursuit, predicted_effort
 from gcs.scenario import Pursuit as Rules
+from gcs.views import Snapshot, Vec3, VehicleView
 
 STILL: Vec3 = (0.0, 0.0, 0.0)
 SPEED = 2.0

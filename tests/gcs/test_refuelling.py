@@ -5,13 +5,13 @@ from typing import Any
 
 import pytest
 
-from gcs.fleet import Snapshot, VehicleView
 from gcs.pilot import Wish
 from gcs.profiles import PX4, FlightMode
 from gcs.refuelling import Schedule
 from gcs.scenario import Battery, Competition, Refuelling, Tanker
 from gcs.service import Decision, Phase, Service
 from gcs.tanker_service import GIVE, RECEIVE, STOP
+from gcs.views import Snapshot, VehicleView
 
 RATE_W = 2000.0
 ORDER, INTERVAL, FOLLOW_TARGET = 31010, 511, 144

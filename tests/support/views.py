@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from gcs.fleet import Snapshot, VehicleView
 from gcs.profiles import PX4, FlightMode
+from gcs.views import Snapshot, VehicleView
 
 
 def view(sysid: int = 3, role: str = "pursuer", **changed: Any) -> VehicleView:

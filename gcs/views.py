@@ -1,0 +1,121 @@
+"""The fleet at one instant, immutable: what everything that decides, shows or records reads."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from gcs.profiles import FlightMode, Profile
+
+Vec3 = tuple[float, float, float]
+ZERO: Vec3 = (0.0, 0.0, 0.0)
+STALE_S = 1.5
+"""A position older than this is not believed any more."""
+
+
+class VehicleView(NamedTuple):
+    """One vehicle as its messages show it at the snapshot's time. None: not told yet.
+
+    Positions and velocities are in the common NED frame; `age_s` is how old the position is. Energies are in J.
+    """
+
+    sysid: int
+    role: str
+    label: str
+    alive: bool
+    profile: Profile
+    mode: FlightMode
+    armed: bool
+    landed: bool
+    heard_s: float
+    p_ned: Vec3 | None
+    v_ned: Vec3
+    age_s: float
+    heading_rad: float
+    origin_offset_ned: Vec3 | None
+    ground_amsl_m: float
+    capacity_j: float
+    initial_j: float
+    battery_told: bool
+    drawn_j: float
+    received_j: int
+    given_j: int
+    given_told_s: float
+    power_w: float
+    energy_source: str
+    control_effort: float
+    ground_down_m: float | None = None
+    """the ground under its home, or else under its origin, in the common frame; None while that is unknown"""
+    custom_mode: int = 0
+    """HEARTBEAT's, for those who name it to a person"""
+
+    @property
+    def height_m(self) -> float | None:
+        """Height above its ground."""
+        if self.p_ned is None or self.ground_down_m is None:
+            return None
+        return self.ground_down_m - self.p_ned[2]
+
+    @property
+    def remaining_j(self) -> float:
+        """What the battery holds, by the vehicle's messages alone (contract.md, Energy and transfer)."""
+        return self.initial_j + self.received_j - self.drawn_j - self.given_j
+
+    @property
+    def need(self) -> float:
+        """The share of the battery that is gone."""
+        return 1.0 - self.remaining_j / self.capacity_j
+
+    @property
+    def endurance_s(self) -> float:
+        """How long the battery lasts at the present draw."""
+        return self.remaining_j / self.power_w if self.power_w > 0.0 else math.inf
+
+    @property
+    def flying(self) -> bool:
+        """In the air, armed, and its place known."""
+        return self.alive and self.armed and not self.landed and self.p_ned is not None
+
+    @property
+    def fresh(self) -> bool:
+        """Lives, and has told its place lately: only then is it led, followed, refuelled and measured."""
+        return self.alive and self.age_s <= STALE_S
+
+    def p_now_ned(self) -> Vec3:
+        """Position carried forward by its age while that is fresh; call only where `p_ned` is known."""
+        assert self.p_ned is not None
+        n, e, d = self.p_ned
+        age_s = min(self.age_s, STALE_S)
+        return (n + self.v_ned[0] * age_s, e + self.v_ned[1] * age_s, d + self.v_ned[2] * age_s)
+
+
+@dataclass(frozen=True, slots=True)
+class TrafficView:
+    """Another aircraft by its ADSB_VEHICLE; common NED frame."""
+
+    callsign: str
+    p_ned: Vec3
+    v_ned: Vec3
+    age_s: float
+
+
+@dataclass(frozen=True, slots=True)
+class Snapshot:
+    """The fleet at one instant of the session; vehicles in order of system id."""
+
+    time_s: float
+    vehicles: tuple[VehicleView, ...]
+    traffic: tuple[TrafficView, ...]
+    _by_sysid: dict[int, VehicleView] = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "_by_sysid", {view.sysid: view for view in self.vehicles})
+
+    def vehicle(self, sysid: int) -> VehicleView:
+        """The vehicle with this id; KeyError where the scenario has none."""
+        return self._by_sysid[sysid]
+
+    def of_role(self, role: str) -> tuple[VehicleView, ...]:
+        """All vehicles of a role."""
+        return tuple(view for view in self.vehicles if view.role == role)

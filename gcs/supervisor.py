@@ -8,7 +8,6 @@ What the tick at T decides leaves with the grant up to T + period, and is flown 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from pymavlink.dialects.v20 import common as mav
@@ -16,7 +15,7 @@ from pymavlink.dialects.v20 import common as mav
 from gcs import beacons
 from gcs.crew import make_fleet, make_pilots, make_radio
 from gcs.events import Event, Kind, Level
-from gcs.explain import LEVELS, acknowledged, sentence
+from gcs.explain import LEVELS, acknowledged
 from gcs.externals import ENDING, Externals
 from gcs.inspection import Inspection
 from gcs.link import OUR_HEARTBEAT, SUPERVISOR, FleetLink, Key
@@ -36,6 +35,7 @@ from gcs.profiles import End
 from gcs.pursuit import Pursuit
 from gcs.quality import LinkQuality
 from gcs.recorder import Digest, Recorder
+from gcs.records import Recording, records_of_tick
 from gcs.refuelling import Schedule
 from gcs.relays import Relay, relayed
 from gcs.scenario import Scenario
@@ -56,16 +56,6 @@ WAIT_FOR_FLEET_S = 30.0
 _SETTLED = frozenset({Stage.FLY, Stage.YIELDED, Stage.DOWN, Stage.TAKEN})
 _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
 _SET_POINT = codec.msgid("SET_POSITION_TARGET_LOCAL_NED")
-
-
-@dataclass
-class _Recording:
-    """What one tick leaves behind, kept until the grants are out."""
-
-    t_ms: int
-    arrived: list[bytes]
-    sent: list[bytes]
-    decisions: list[dict[str, Any]]
 
 
 class Supervisor:
@@ -139,7 +129,7 @@ class Supervisor:
 
     def begin(self) -> None:
         """Send the first grant, which sets the vehicles' clocks and lets nobody move."""
-        recording = _Recording(0, [], [], [])
+        recording = Recording(0, [], [], [])
         self._grant_all({}, recording)
         self._record(recording)
 
@@ -162,7 +152,7 @@ class Supervisor:
         for sysid, queue in self._queues.items():
             self._follow_up(sysid, queue.poll(now_s), now_s)
         relays = relayed(decision.relays, delivered)
-        recording = _Recording(self.time_ms, arrived, [], [])
+        recording = Recording(self.time_ms, arrived, [], [])
         self._queue_set_points(set_points, snapshot)
         self._grant_all(relays, recording)
         recording.decisions += self._records(now_s, decision, set_points)
@@ -173,11 +163,11 @@ class Supervisor:
         """Collect and record the answers to the last grant; nothing is decided any more."""
         arrived, _ = self._hear(self._link.answers(idle), self.time_s)
         self.snapshot = self.fleet.snapshot(self.time_s)
-        self._record(_Recording(self.time_ms, arrived, [], self._told()))
+        self._record(Recording(self.time_ms, arrived, [], self._told()))
 
     def stop(self) -> None:
         """Record what has been ordered and who has died since the last tick: there is none after it."""
-        self._record(_Recording(self.time_ms, [], [], self._told()))
+        self._record(Recording(self.time_ms, [], [], self._told()))
 
     def obey(self, order: Mapping[str, Any]) -> Answer:
         """Take an operator's order, or say why not."""
@@ -332,7 +322,7 @@ class Supervisor:
 
     # out
 
-    def _grant_all(self, relays: Mapping[int, list[Relay]], recording: _Recording) -> None:
+    def _grant_all(self, relays: Mapping[int, list[Relay]], recording: Recording) -> None:
         """Send everyone the next bundle; the first one carries T = 0 and lets nobody move."""
         now_s = self.time_s
         grant_ms = self.time_ms + self._periods * self.period_ms if recording.t_ms or self._begun else 0
@@ -378,58 +368,31 @@ class Supervisor:
                 sent += self._link.external.grant((sysid, AUTOPILOT), self._outbox[sysid], ())
             self._outbox[sysid] = []
         self.sent += len(sent)
-        self._record(_Recording(round(1e3 * now_s), arrived, sent, []))
+        self._record(Recording(round(1e3 * now_s), arrived, sent, []))
         self.snapshot = self.fleet.snapshot(now_s)
         return self.externals.awaits(self.snapshot) or any(token == ENDING for _, token in self._under_way)
 
     def _records(self, t_s: float, decision: Decision, set_points: Iterable[SetPoint]) -> list[dict[str, Any]]:
-        made = [{"t_s": t_s, **record} for record in decision.records]
-        records = [*self._told(), *made]
-        for record in made:
-            self.events.append(Event(t_s, int(record["receiver"]), "info", sentence(record), "decision"))
-        for record in self.pursuit.records if self.pursuit else ():
-            records.append({"t_s": t_s, **record})
-            text = f"Pursues {record['target']} from now on"
-            self.events.append(Event(t_s, int(record["pursuer"]), "info", text, "decision"))
-        for sysid, fact in self.fleet.take_facts():
-            records.append({"t_s": t_s, "kind": "battery", "sysid": sysid, **fact.record()})
-            self.events.append(Event(t_s, sysid, "warning", fact.text))
-        for problem in (problem for guard in self._guards for problem in guard.take()):
-            records.append({"t_s": t_s, **problem.record()})
-            self.events.append(Event(t_s, problem.sysid, "warning", problem.sentence, "decision"))
-        for standing, giver in zip(self.schedule.standings, ({}, {"giver": "base"}), strict=True):
-            if standing.v:
-                records.append(
-                    {
-                        "t_s": t_s,
-                        "kind": "competition",
-                        **giver,
-                        "v": {str(sysid): v for sysid, v in standing.v.items()},
-                        "tau": {str(sysid): tau for sysid, tau in standing.tau.items()},
-                        "leader": standing.leader,
-                        "share": standing.share,
-                    }
-                )
-        records += [
-            {"t_s": t_s, "kind": "set_point", "sysid": point.sysid, "p_ned": point.p_ned, "v_ned": point.v_ned}
-            for point in set_points
-        ]
-        return records
+        records, events = records_of_tick(
+            t_s,
+            decision,
+            set_points,
+            pursued=self.pursuit.records if self.pursuit else (),
+            facts=self.fleet.take_facts(),
+            problems=[problem for guard in self._guards for problem in guard.take()],
+            standings=self.schedule.standings,
+        )
+        self.events += events
+        return self._told() + records
 
     def _told(self) -> list[dict[str, Any]]:
         """Who has died, and what operators have commanded, since the last call."""
         deaths, self._deaths = self._deaths, []
         return deaths + self.operator.take_records()
 
-    def _record(self, recording: _Recording) -> None:
+    def _record(self, recording: Recording) -> None:
         """Recording and hashing wait until the grants are out: the vehicles fly meanwhile."""
-        t_us = self.epoch_us + 1000 * recording.t_ms
-        self._recorder.frames(t_us, recording.arrived)
-        self._recorder.frames(t_us, recording.sent)
-        self.digest.frames_in(recording.t_ms, recording.arrived)
-        self.digest.frames_out(recording.t_ms, recording.sent)
-        for content in recording.decisions:
-            self.digest.decision(recording.t_ms, self._recorder.decision(content))
+        recording.write(self._recorder, self.digest, self.epoch_us)
 
 
 def _is_order(token: Any) -> bool:

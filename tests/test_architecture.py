@@ -75,7 +75,7 @@ HOUSE = {
         "contest pursuit policies",
         "policy_contest refuelling explain",
         "metrics operator",
-        "rehearsal",
+        "rehearsal records",
         "supervisor story",
         "summary picture publish reader replay",
         "clients redecide",

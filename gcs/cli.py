@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import json
-import re
 import sys
 import traceback
 from collections.abc import Callable
@@ -15,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from gcs import cli_author, cli_check, cli_recorded, cli_report, cli_watch
+from gcs.addresses import address
 from gcs.cli_author import ScenarioName, ScenarioRefused, load_scenario, module_arguments
 
 if TYPE_CHECKING:
@@ -38,23 +38,20 @@ def _limits(wanted: str, holds: Callable[[Any], bool]) -> Callable[[click.Contex
     return check
 
 
-def _is_udpout(text: str) -> bool:
-    match = re.fullmatch(r"udpout:(?:\[[0-9A-Fa-f:.]+\]|[^:\s]+):([0-9]{1,5})", text)
-    return match is not None and 0 < int(match[1]) < 65536
-
-
 def _someone(ctx: click.Context, param: click.Parameter, value: str | None) -> str | None:
     """A --connect is an address whose host can be found."""
-    _limits("an address; write udpout:HOST:PORT, such as udpout:127.0.0.1:14550", _is_udpout)(ctx, param, value)
     if value is not None:
         from socket import SOCK_DGRAM, getaddrinfo
 
-        host, _, port = value.removeprefix("udpout:").rpartition(":")
+        at = address(value, "udpout")
+        if at is None:
+            form = "write udpout:HOST:PORT, such as udpout:127.0.0.1:14550"
+            raise click.BadParameter(f"{value} is not an address; {form}.", ctx, param)
         try:
-            getaddrinfo(host.strip("[]"), int(port), type=SOCK_DGRAM)
+            getaddrinfo(at.host, at.port, type=SOCK_DGRAM)
         except (OSError, UnicodeError) as error:
             reason = getattr(error, "strerror", None) or "it is no name of a host"
-            raise click.BadParameter(f"{value}: the host {host} cannot be found: {reason}.", ctx, param) from None
+            raise click.BadParameter(f"{value}: the host {at.host} cannot be found: {reason}.", ctx, param) from None
     return value
 
 
@@ -319,8 +316,8 @@ def _print_json(vehicles: list[dict[str, Any]]) -> None:
 
 def _print_addresses(vehicles: list[dict[str, Any]]) -> None:
     rows = [("id", "role", "address"), *((str(v["sysid"]), v["role"], v["address"]) for v in vehicles)]
-    for sysid, role, address in rows:
-        click.echo(f"{sysid:>3}  {role:<7}  {address}")
+    for sysid, role, where in rows:
+        click.echo(f"{sysid:>3}  {role:<7}  {where}")
     click.echo("Ctrl-C ends them.", err=True)
 
 

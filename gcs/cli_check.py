@@ -5,17 +5,17 @@
 from __future__ import annotations
 
 import json
-import re
 
 import click
 
+from gcs.addresses import address
+
 NOT_PASSED, BAD_INPUT = 1, 2
 PEER_NAMES = {"mavsdk": "MAVSDK", "qgroundcontrol": "QGroundControl", "mavproxy": "MAVProxy"}
-CONNECTION = re.compile(r"udp(in|out):[^:]+:\d{1,5}")
 
 
 def _connection(_: click.Context, __: click.Parameter, value: str) -> str:
-    if not CONNECTION.fullmatch(value) or int(value.rsplit(":", 1)[1]) > 65535:
+    if address(value, "udpin", "udpout") is None:
         raise click.BadParameter(
             f"{value!r} is no connection; write udpin:HOST:PORT to listen, udpout:HOST:PORT to speak to a listener."
         )

@@ -85,10 +85,10 @@ def _session(session: Path | None) -> tuple[Source, str]:
 
 def _air(connect: str, control: bool) -> tuple[Source, str]:
     """Whoever is heard at an address. Raises click.UsageError where nobody can be."""
-    from gcs.monitor import MonitorError, MonitorSource, address
+    from gcs.monitor import MonitorError, MonitorSource, place
 
     try:
-        at = address(connect)
+        at = place(connect)
         source = MonitorSource(at, control=control)
     except MonitorError as error:
         raise click.UsageError(f"--connect: {error}") from None

@@ -8,14 +8,14 @@ from __future__ import annotations
 
 import contextlib
 import math
-import re
 import socket
 import time
 from collections.abc import Callable, Iterator, Mapping
-from typing import Any, NamedTuple, cast
+from typing import Any, cast
 
 from pymavlink.dialects.v20 import common as mav
 
+from gcs.addresses import Address, address
 from gcs.events import Event
 from gcs.mavlink import codec, older
 from gcs.mavlink.codec import Frame, Message
@@ -35,7 +35,6 @@ BUFFER_BYTES = 1 << 22
 RECEIVE_BYTES = 65535
 ORDERS: Mapping[str, End] = {"hold": "hold", "return": "return", "land": "land"}
 FORM = "write udpin:HOST:PORT to listen, udpout:HOST:PORT or tcp:HOST:PORT to go to somebody who does"
-_ADDRESS = re.compile(r"(udpin|udpout|tcp):(\[[0-9A-Fa-f:.]+\]|[^:\s\[\]]+):([0-9]{1,5})")
 _COMMAND_ACK = codec.msgid("COMMAND_ACK")
 
 Peer = tuple[Any, ...]
@@ -45,25 +44,12 @@ class MonitorError(Exception):
     """Nothing can be heard there; one sentence."""
 
 
-class Address(NamedTuple):
-    """Where to listen (`udpin`), or whom to go to."""
-
-    way: str
-    host: str
-    port: int
-
-    @property
-    def text(self) -> str:
-        """As it is written."""
-        return f"{self.way}:{f'[{self.host}]' if ':' in self.host else self.host}:{self.port}"
-
-
-def address(text: str) -> Address:
+def place(text: str) -> Address:
     """Read an address. Raises MonitorError."""
-    match = _ADDRESS.fullmatch(text)
-    if match is None or not 0 <= int(match[3]) < 65536 or (match[1] != "udpin" and not int(match[3])):
+    at = address(text, "udpin", "udpout", "tcp")
+    if at is None:
         raise MonitorError(f"{text!r} is no address: {FORM}, such as udpin:127.0.0.1:14550.")
-    return Address(match[1], match[2].strip("[]"), int(match[3]))
+    return at
 
 
 class Air:

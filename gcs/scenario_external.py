@@ -6,12 +6,12 @@
 the parameters that it has and on the real clock: what only a launch could give it is refused.
 """
 
-import re
 from collections.abc import Iterable, Iterator
 from typing import Annotated, Any, Literal, NamedTuple, Protocol
 
 from pydantic import AfterValidator, Field
 
+from gcs.addresses import address
 from gcs.scenario_values import Joules, Part, SysId
 from gcs.yaml_source import Conflict, Path
 
@@ -19,7 +19,6 @@ LAUNCH_ONLY = ("airborne", "velocity_m_s", "attitude_deg", "params")
 NOT_INHERITED = (*LAUNCH_ONLY, "start_m")
 """Keys that `vehicles.defaults` gives to launched vehicles alone."""
 NOWHERE = (0.0, 0.0, 0.0)
-CONNECT = re.compile(r"(?P<way>udpin|udpout):(?P<host>\[[0-9A-Fa-f:.]+\]|[^:\s\[\]]+):(?P<port>[0-9]{1,5})")
 _FORM = "must be udpin:HOST:PORT, where the vehicle speaks to, or udpout:HOST:PORT, where it listens"
 
 
@@ -33,10 +32,10 @@ class Endpoint(NamedTuple):
 
 def endpoint(connect: str) -> Endpoint:
     """What a `connect` says. Raises ValueError."""
-    match = CONNECT.fullmatch(connect)
-    if match is None or not 0 < int(match["port"]) < 65536:
+    at = address(connect, "udpin", "udpout")
+    if at is None or not at.port:
         raise ValueError(_FORM)
-    return Endpoint(match["way"] == "udpin", match["host"].strip("[]"), int(match["port"]))
+    return Endpoint(at.way == "udpin", at.host, at.port)
 
 
 def _checked(value: str) -> str:

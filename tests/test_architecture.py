@@ -40,7 +40,7 @@ HOUSE = {
         "cli",
     ],
     "gcs": [
-        "yaml_source",
+        "addresses yaml_source",
         "scenario_values",
         "scenario_external",
         "scenario_parts scenario_versions",

@@ -7,7 +7,9 @@ import select
 import socket
 import time
 from collections.abc import Callable, Sequence
+from typing import Any
 
+from gcs.addresses import address
 from gcs.check.dialogue import FIND_WITHIN_S, OWN, Dialogue, Finding
 from gcs.mavlink import codec
 from gcs.mavlink.sequence import SequenceCounter
@@ -24,18 +26,22 @@ class Wire:
     """One connection, `udpin:HOST:PORT` or `udpout:HOST:PORT`; a listener answers whoever spoke last."""
 
     def __init__(self, connect: str) -> None:
-        kind, host, port = connect.split(":")
-        self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        at = address(connect, "udpin", "udpout")
+        if at is None:
+            raise CheckError(f"--connect {connect} is no address; write udpin:HOST:PORT or udpout:HOST:PORT")
+        try:
+            family, _, _, _, where = socket.getaddrinfo(at.host, at.port, type=socket.SOCK_DGRAM)[0]
+            self._socket = socket.socket(family, socket.SOCK_DGRAM)
+        except OSError as error:
+            raise CheckError(f"--connect {connect}: {error.strerror}; give another address") from None
         self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, BUFFER_BYTES)
         self._socket.setblocking(False)
         self._counter = SequenceCounter()
-        self._peers: dict[int, tuple[str, int]] = {}
+        self._peers: dict[int, Any] = {}
         try:
-            self._to: tuple[str, int] | None = None
-            if kind == "udpin":
-                self._socket.bind((host, int(port)))
-            else:
-                self._to = (socket.gethostbyname(host), int(port))
+            self._to: Any = None if at.way == "udpin" else where
+            if self._to is None:
+                self._socket.bind(where)
         except OSError as error:
             self._socket.close()
             raise CheckError(f"--connect {connect}: {error.strerror}; give another address") from None

@@ -20,7 +20,7 @@ from pymavlink import mavutil
 from pymavlink.dialects.v20 import common
 from sessions import GCS, small
 
-from gcs.monitor import MonitorError, MonitorSource, address
+from gcs.monitor import MonitorError, MonitorSource, place
 
 mav = mavutil.mavlink
 PATIENCE_S = 40.0
@@ -132,7 +132,7 @@ def test_launched_vehicles_are_heard_and_not_a_byte_is_said_to_them(tmp_path: Pa
 
 def test_with_control_it_is_a_ground_station_whose_order_to_land_is_flown() -> None:
     """A real vehicle in the air, in the same process only the source that a console would have."""
-    source = MonitorSource(address("udpin:127.0.0.1:0"), control=True)
+    source = MonitorSource(place("udpin:127.0.0.1:0"), control=True)
     argv = [*GCS[:1], "-c", "from simvehicle.cli import main; main()"]
     argv += ["--sysid", "7", "--connect", f"udpout:127.0.0.1:{source.port}", "--airborne", "--position", "0,0,-1.5"]
     process = subprocess.Popen(argv, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -171,7 +171,7 @@ def test_with_control_it_is_a_ground_station_whose_order_to_land_is_flown() -> N
 def test_only_control_sends_a_heartbeat() -> None:
     """A vehicle of pymavlink's, speaking MAVLink 1 as that does by default, whose socket would hear it."""
     for control in (False, True):
-        source = MonitorSource(address("udpin:127.0.0.1:0"), control=control)
+        source = MonitorSource(place("udpin:127.0.0.1:0"), control=control)
         vehicle = mavutil.mavlink_connection(f"udpout:127.0.0.1:{source.port}", source_system=3)
         try:
             vehicle.mav.heartbeat_send(mav.MAV_TYPE_QUADROTOR, mav.MAV_AUTOPILOT_ARDUPILOTMEGA, 81, 4, 4)
@@ -193,7 +193,7 @@ def _events(messages: list[Any]) -> list[dict[str, Any]]:
 
 
 def test_a_second_vehicle_of_the_same_id_is_told_and_not_believed() -> None:
-    source = MonitorSource(address("udpin:127.0.0.1:0"))
+    source = MonitorSource(place("udpin:127.0.0.1:0"))
     first, second = (mavutil.mavlink_connection(f"udpout:127.0.0.1:{source.port}", source_system=3) for _ in range(2))
     try:
         told: list[Any] = []
@@ -220,7 +220,7 @@ def test_a_second_vehicle_of_the_same_id_is_told_and_not_believed() -> None:
 def test_a_stream_is_read_however_it_is_cut() -> None:
     """TCP, a byte at a time at first."""
     server = socket.create_server(("127.0.0.1", 0))
-    source = MonitorSource(address(f"tcp:127.0.0.1:{server.getsockname()[1]}"))
+    source = MonitorSource(place(f"tcp:127.0.0.1:{server.getsockname()[1]}"))
     peer, _ = server.accept()
     try:
         sender = common.MAVLink(None, srcSystem=4, srcComponent=1)
@@ -249,7 +249,7 @@ def test_a_stream_is_read_however_it_is_cut() -> None:
 )
 def test_what_is_no_address_is_refused(text: str) -> None:
     with pytest.raises(MonitorError, match="is no address: write udpin:HOST:PORT"):
-        address(text)
+        place(text)
 
 
 def test_bad_addresses_and_ports_in_use_are_a_sentence_and_status_2() -> None:

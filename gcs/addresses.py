@@ -1,0 +1,28 @@
+"""Where MAVLink is spoken, as people write it: udpin:HOST:PORT listens, udpout: and tcp:HOST:PORT go to a listener."""
+
+import re
+from typing import NamedTuple
+
+_FORM = re.compile(r"(udpin|udpout|tcp):(\[[0-9A-Fa-f:.]+\]|[^:\s\[\]]+):([0-9]{1,5})")
+
+
+class Address(NamedTuple):
+    """Where to listen (`udpin`), or whom to go to. The host of IPv6 stands here without its brackets."""
+
+    way: str
+    host: str
+    port: int
+
+    @property
+    def text(self) -> str:
+        """As it is written."""
+        return f"{self.way}:{f'[{self.host}]' if ':' in self.host else self.host}:{self.port}"
+
+
+def address(text: str, *ways: str) -> Address | None:
+    """What `text` says, if it is an address of one of these ways; a listener's port may be 0, any that is free."""
+    match = _FORM.fullmatch(text)
+    if match is None or match[1] not in ways:
+        return None
+    at = Address(match[1], match[2].strip("[]"), int(match[3]))
+    return at if at.port < 65536 and (at.port or at.way == "udpin") else None

@@ -299,7 +299,7 @@ def launch(scenario: str, connect: str | None, out: Path | None, as_json: bool, 
       2    bad input, or vehicles that could not be started
       70   an error of the program itself
     """
-    from gcs.run import launch as start
+    from gcs.launch_only import launch as start
 
     resolved = load_scenario(scenario)
     for sysid, external in resolved.vehicles.external.items():

@@ -90,7 +90,7 @@ HOUSE = {
         "console.main_screen",
         "console.app console.follow",
         "console.__main__ run",
-        "terminal",
+        "terminal launch_only",
         "arrays junit session_log",
         "session",
         "report.recorded",

@@ -26,7 +26,7 @@ WIDE = Size(120, 30)
 NOTICE_S = 8.0
 SILENT_S = 3.0
 ORDERINGS = ("id", "battery", "competition")
-FLEET_SHARE = 0.6
+INTERRUPTED = 130  # the exit status when its person wants the end of a session that cannot be told yet
 
 
 class MainScreen(Screen[None]):
@@ -398,7 +398,3 @@ class MainScreen(Screen[None]):
     def action_close(self) -> None:
         """Close the console."""
         self.app.exit(0)
-
-
-INTERRUPTED = 130
-"""The console's exit status when its person wants the end of a session that cannot be told yet."""

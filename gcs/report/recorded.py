@@ -55,7 +55,7 @@ _SET_POINT = b'{"kind":"set_point","p_ned":['
 # Between the numbers of a set point's line, in the one form in which the recorder writes it.
 _END = b"]}\n"
 _BETWEEN = ((b'],"sysid":', b","), (b',"t_s":', b","), (b',"v_ned":[', b","), (_END, b","), (_SET_POINT, b""))
-SYSID, T_S, P_NED, V_NED = 3, 4, slice(0, 3), slice(5, 8)
+SYSID, T_S, P_NED = 3, 4, slice(0, 3)
 """Columns of `Recorded.set_points`."""
 
 Progress = Callable[[float], object]

@@ -17,11 +17,12 @@ from typing import Any
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.link import OUR_HEARTBEAT, RECEIVE_BYTES, SUPERVISOR, Key, kernel_drops, widen
+from gcs.link import RECEIVE_BYTES, SUPERVISOR, Key, kernel_drops, widen
 from gcs.mavlink import codec
 from gcs.mavlink.boot_clock import BootClock
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.sequence import SequenceCounter
+from gcs.mavlink.station import OUR_HEARTBEAT
 from gcs.scenario_external import External, endpoint
 
 AUTOPILOT = mav.MAV_COMP_ID_AUTOPILOT1

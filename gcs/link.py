@@ -16,8 +16,6 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from pymavlink.dialects.v20 import common as mav
-
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.sequence import SequenceCounter, TickCollector, is_hello
@@ -29,15 +27,6 @@ BUFFER_BYTES = 4 << 20
 RESEND_FIRST_S, RESEND_LAST_S = 0.02, 0.2
 REPEAT_S = 1.0
 GRANT_BYTES = codec.HEADER_BYTES + 12 + codec.CRC_BYTES
-
-OUR_HEARTBEAT = codec.message(
-    "HEARTBEAT",
-    type=mav.MAV_TYPE_GCS,
-    autopilot=mav.MAV_AUTOPILOT_INVALID,
-    base_mode=0,
-    custom_mode=0,
-    system_status=mav.MAV_STATE_ACTIVE,
-)
 
 Key = tuple[int, int]
 

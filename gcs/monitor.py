@@ -13,14 +13,13 @@ import time
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any, cast
 
-from pymavlink.dialects.v20 import common as mav
-
 from gcs.addresses import Address, address
 from gcs.events import Event
 from gcs.mavlink import codec, older
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.commands import CommandLong, CommandQueue, CommandResult, Step, Target
 from gcs.mavlink.sequence import SequenceCounter
+from gcs.mavlink.station import OUR_HEARTBEAT
 from gcs.observe import Observer
 from gcs.profiles import End
 
@@ -254,7 +253,7 @@ class MonitorSource:
     def _speak(self, t_s: float) -> None:
         if t_s - self._beat_s >= HEARTBEAT_EVERY_S:
             self._beat_s = t_s
-            raw = codec.frame(_HEARTBEAT, self._counter.take(), *OWN)
+            raw = codec.frame(OUR_HEARTBEAT, self._counter.take(), *OWN)
             peers = {self._air.to} if self._air.to is not None else {peer for peer, _ in self._peers.values()}
             for peer in sorted(peers, key=str):
                 self._air.send(raw, peer)
@@ -279,13 +278,3 @@ def _unanswered(result: CommandResult) -> str:
 
 def _where(peer: Peer) -> str:
     return f"{peer[0]}:{peer[1]}"
-
-
-_HEARTBEAT = codec.message(
-    "HEARTBEAT",
-    type=mav.MAV_TYPE_GCS,
-    autopilot=mav.MAV_AUTOPILOT_INVALID,
-    base_mode=0,
-    custom_mode=0,
-    system_status=mav.MAV_STATE_ACTIVE,
-)

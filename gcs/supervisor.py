@@ -18,11 +18,12 @@ from gcs.events import Event, Kind, Level
 from gcs.explain import LEVELS, acknowledged
 from gcs.externals import ENDING, Externals
 from gcs.inspection import Inspection
-from gcs.link import OUR_HEARTBEAT, SUPERVISOR, FleetLink, Key
+from gcs.link import SUPERVISOR, FleetLink, Key
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.commands import CommandLong, CommandQueue, CommandResult, Target
 from gcs.mavlink.sequence import GapCounter
+from gcs.mavlink.station import OUR_HEARTBEAT
 from gcs.metrics import Metrics
 from gcs.mixed_link import MixedLink
 from gcs.news import Watch

@@ -15,6 +15,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
+from gcs.mavlink.station import OUR_HEARTBEAT
 from gcs.profiles import Profile, profile_of
 
 OWN = (255, 190)
@@ -186,7 +187,7 @@ class Dialogue:
         out: list[Message] = []
         if now_s - self._heartbeat_s >= HEARTBEAT_EVERY_S:
             self._heartbeat_s = now_s
-            out.append(HEARTBEAT)
+            out.append(OUR_HEARTBEAT)
         while (question := self.current) is not None:
             assert self.vehicle is not None
             if not self._asked and self._lead_until_s is None:
@@ -228,13 +229,3 @@ class Dialogue:
             outcome, text = "late", f"came only after it was asked {self._asked} times"
         self.findings.append(Finding(self._left.popleft(), outcome, text, after_s))
         self._heard, self._asked, self._lead_until_s = [], 0, None
-
-
-HEARTBEAT = codec.message(
-    "HEARTBEAT",
-    type=mav.MAV_TYPE_GCS,
-    autopilot=mav.MAV_AUTOPILOT_INVALID,
-    base_mode=0,
-    custom_mode=0,
-    system_status=mav.MAV_STATE_ACTIVE,
-)

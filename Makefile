@@ -16,7 +16,7 @@ test: $(READY) $(PEERS_READY)
 	@$(VENV)/bin/ruff check .
 	@$(VENV)/bin/ruff format --check .
 	@$(VENV)/bin/mypy
-	@$(VENV)/bin/python -m pytest -n 3 --dist loadfile
+	@PYTHONDONTWRITEBYTECODE= $(VENV)/bin/python -m pytest -n 4 --dist loadfile --no-loadscope-reorder
 
 bench: $(READY)
 	@$(VENV)/bin/python tests/benchmarks

@@ -1,6 +1,21 @@
-"""What all tests need of their own process."""
+"""What all tests need of their own process, and the order in which they are run."""
 
+import os
 import signal
+
+import pytest
 
 # A shell that starts the tests in the background lets them ignore SIGINT, and every program under test inherits that.
 signal.signal(signal.SIGINT, signal.default_int_handler)
+
+# OpenBLAS starts a thread per core in every process that imports NumPy, a quarter of what starting a session costs; a
+# session's matrices are far too small for them, and the tests start hundreds of processes.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+LONGEST = ("tests/system/test_readme.py", "tests/peers/test_mavsdk.py")
+SESSIONS = ("tests/peers/", "tests/system/")
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Long files first, so that none is left for one worker alone at the end; the many short tests fill up."""
+    items.sort(key=lambda item: (not item.nodeid.startswith(LONGEST), not item.nodeid.startswith(SESSIONS)))

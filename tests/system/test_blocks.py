@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 from pymavlink.dialects.v20 import common
-from sessions import Running, all_gone, fly, merged, small
+from sessions import Outcome, Running, all_gone, fly, merged, small
 
 SIMVEHICLE = [sys.executable, "-c", "from simvehicle.cli import main; main()"]
 
@@ -32,8 +32,18 @@ def six(**changes: Any) -> dict[str, Any]:
     return merged(content, changes)
 
 
-def test_digest_and_truth_do_not_depend_on_how_vehicles_share_processes(tmp_path: Path) -> None:
-    flown = [fly(six(), tmp_path / str(k), "--plain", "--vehicles-per-process", str(k)) for k in (1, 3, 6)]
+def shared(folder: Path, by: int) -> Outcome:
+    return fly(six(), folder / str(by), "--plain", "--vehicles-per-process", str(by))
+
+
+@pytest.fixture(scope="module")
+def each_alone(tmp_path_factory: pytest.TempPathFactory) -> Outcome:
+    """The six, each in a process of its own."""
+    return shared(tmp_path_factory.mktemp("blocks"), 1)
+
+
+def test_digest_and_truth_do_not_depend_on_how_vehicles_share_processes(each_alone: Outcome, tmp_path: Path) -> None:
+    flown = [each_alone, shared(tmp_path, 3), shared(tmp_path, 6)]
     assert len({outcome.summary["digest"] for outcome in flown}) == 1
     assert len({(outcome.folder / "session.tlog").read_bytes() for outcome in flown}) == 1
     assert flown[0].summary["refuelling"]
@@ -64,11 +74,12 @@ def test_a_blocks_death_names_all_its_vehicles_and_the_others_fly_on(tmp_path: P
         session.stop()
 
 
-def test_a_machine_that_cannot_keep_up_slows_the_clock_for_all_and_says_by_how_much(tmp_path: Path) -> None:
-    lockstep = fly(six(), tmp_path / "lockstep", "--plain")
-    hurried = fly(six(clock={"mode": "real", "speed": 1000.0}), tmp_path / "hurried", "--plain")
+def test_a_machine_that_cannot_keep_up_slows_the_clock_for_all_and_says_by_how_much(
+    each_alone: Outcome, tmp_path: Path
+) -> None:
+    hurried = fly(six(clock={"mode": "real", "speed": 1000.0}), tmp_path, "--plain")
     summary = hurried.summary
-    assert summary["digest"] == lockstep.summary["digest"]
+    assert summary["digest"] == each_alone.summary["digest"]
     assert summary["speed_achieved"] < 1000.0
     assert summary["lag_s"] == pytest.approx(summary["wall_time_s"] - 25.0 / 1000.0, abs=0.2)
     ends = {float(hurried.truth(sysid).time_s[-1]) for sysid in range(101, 107)}

@@ -11,12 +11,12 @@ import psutil
 import pytest
 from sessions import Outcome, Running, all_gone, demo, fly, merged, small
 
-SLOW = {"clock": {"mode": "real", "speed": 2.0}, "goal": {"duration_s": 120.0, "refuelled_at_least": 0}}
+PACED = {"clock": {"mode": "real", "speed": 5.0}, "goal": {"duration_s": 300.0, "refuelled_at_least": 0}}
 
 
 @pytest.fixture
 def running(tmp_path: Path) -> Iterator[Running]:
-    session = Running(merged(demo(), SLOW), tmp_path, "--json")
+    session = Running(merged(demo(), PACED), tmp_path, "--json")
     try:
         session.wait_for(lambda s: s["t_s"] > 4.0)
         yield session

@@ -12,6 +12,12 @@ from sessions import Outcome, Running, all_gone, demo, fly, merged, small
 EVERYONE = (1, 101, 201)
 
 
+@pytest.fixture(scope="module")
+def clear(tmp_path_factory: pytest.TempPathFactory) -> Outcome:
+    """The small session, undisturbed."""
+    return fly(small(), tmp_path_factory.mktemp("clear"), "--plain")
+
+
 def assert_ledgers_close(outcome: Outcome, sysids: tuple[int, ...]) -> None:
     for sysid in sysids:
         truth = outcome.truth(sysid)
@@ -21,20 +27,18 @@ def assert_ledgers_close(outcome: Outcome, sysids: tuple[int, ...]) -> None:
     assert received <= given
 
 
-def test_a_needy_vehicle_is_refuelled_up_to_the_level(tmp_path: Path) -> None:
-    outcome = fly(small(), tmp_path, "--plain")
-    assert outcome.status == 0, outcome.stderr
-    truth = outcome.truth(1)
+def test_a_needy_vehicle_is_refuelled_up_to_the_level(clear: Outcome) -> None:
+    assert clear.status == 0, clear.stderr
+    truth = clear.truth(1)
     assert truth.energy[:, 3].max() == pytest.approx(0.9 * 24000, abs=400)  # 2 kW, told twice a second
-    assert_ledgers_close(outcome, EVERYONE)
-    (service,) = outcome.summary["refuelling"]
-    assert service["energy_j"] == truth.energy[-1, 1] == outcome.truth(201).energy[-1, 2]
-    assert outcome.vehicle(201)["energy"]["lost_j"] == 0
+    assert_ledgers_close(clear, EVERYONE)
+    (service,) = clear.summary["refuelling"]
+    assert service["energy_j"] == truth.energy[-1, 1] == clear.truth(201).energy[-1, 2]
+    assert clear.vehicle(201)["energy"]["lost_j"] == 0
 
 
-def test_joules_flow_only_while_the_tanker_is_there(tmp_path: Path) -> None:
-    outcome = fly(small(), tmp_path, "--plain")
-    receiver, tanker = outcome.truth(1), outcome.truth(201)
+def test_joules_flow_only_while_the_tanker_is_there(clear: Outcome) -> None:
+    receiver, tanker = clear.truth(1), clear.truth(201)
     flowing = np.diff(receiver.energy[:, 1]) > 0
     gap = np.linalg.norm(receiver.p_ned - tanker.p_ned, axis=1)[1:]
     relative = np.linalg.norm(receiver.state[:, 3:6] - tanker.state[:, 3:6], axis=1)[1:]
@@ -98,14 +102,13 @@ def test_it_closes_with_a_fifth_of_all_frames_lost(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("lost", ["first", "last"])
-def test_it_closes_when_the_first_or_last_counter_is_lost(tmp_path: Path, lost: str) -> None:
-    """The tanker's frames are dark around the transfer's start or end, as an undisturbed session shows them."""
-    clear = fly(small(), tmp_path / "clear", "--plain")
+def test_it_closes_when_the_first_or_last_counter_is_lost(clear: Outcome, tmp_path: Path, lost: str) -> None:
+    """The tanker's frames are dark around the transfer's start or end, as the undisturbed session shows them."""
     given = clear.truth(201)
     moving = given.time_s[1:][np.diff(given.energy[:, 2]) > 0]
     at_s = float(moving[0] if lost == "first" else moving[-1])
     dark = {"sysid": 201, "from_s": at_s - 0.05, "to_s": at_s + 0.35}
-    outcome = fly(small(radio={"blackouts": [dark]}), tmp_path / "dark", "--plain")
+    outcome = fly(small(radio={"blackouts": [dark]}), tmp_path, "--plain")
     assert_ledgers_close(outcome, EVERYONE)
     receiver, tanker = outcome.truth(1).energy[-1], outcome.truth(201).energy[-1]
     assert receiver[1] > 0

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-import os
 import re
 import struct
 import subprocess
@@ -17,9 +16,10 @@ import duckdb
 import numpy as np
 import pandas as pd
 import pytest
+from commands import gcs
 from pymavlink import mavutil
 from pymavlink.dialects.v20 import ardupilotmega as mav
-from sessions import GCS, fly, small
+from sessions import fly, small
 
 from gcs import tables, tlog, units
 from gcs.export import ExportError, export
@@ -254,10 +254,6 @@ def test_what_is_no_recording_is_refused_in_a_sentence(tmp_path: Path) -> None:
                          (tmp_path / "nowhere", "does not exist")):  # fmt: skip
         with pytest.raises(ExportError, match=word):
             export(source, tables.CsvTables(tmp_path))
-
-
-def gcs(*argv: str, **environment: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run([*GCS, *argv], capture_output=True, text=True, check=False, env={**os.environ, **environment})
 
 
 def test_the_command_writes_a_folder_once(tmp_path: Path) -> None:

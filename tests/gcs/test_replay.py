@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from commands import gcs
 from pymavlink.dialects.v20 import ardupilotmega as mav
 from sessions import GCS, Outcome, fly, small
 
@@ -47,10 +48,6 @@ def replay(session: Outcome) -> Replay:
 def rows(snapshot: dict[str, Any]) -> dict[int, dict[str, Any]]:
     json.dumps(snapshot, allow_nan=False)
     return {row["sysid"]: row for row in snapshot["vehicles"]}
-
-
-def gcs(*argv: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run([*GCS, *argv], capture_output=True, text=True, check=False)
 
 
 # playing

@@ -13,10 +13,12 @@ from contextlib import ExitStack, contextmanager
 from typing import Any
 
 import pytest
+from commands import gcs
 from pymavlink.dialects.v20 import common as mav
+from sessions import GCS
 
 VEHICLE = [sys.executable, "-c", "from simvehicle.cli import main; main()"]
-CHECK = [sys.executable, "-m", "gcs.cli", "check", "--json", "--within", "60"]
+CHECK = ["check", "--json", "--within", "60"]
 SWALLOWED = {
     mav.MAVLINK_MSG_ID_BATTERY_STATUS: "stream-battery-status",
     mav.MAVLINK_MSG_ID_PING: "ping",
@@ -81,7 +83,7 @@ def checked() -> dict[str, tuple[int, dict[str, Any]]]:
             port = port_of(vehicle)
             if name == "swallowed":
                 port = stack.enter_context(swallowing(port, set(SWALLOWED)))
-            argv = [*CHECK, "--connect", f"udpout:127.0.0.1:{port}", *options]
+            argv = [*GCS, *CHECK, "--connect", f"udpout:127.0.0.1:{port}", *options]
             process = subprocess.Popen(argv, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
             checks[name] = stack.enter_context(process)
             stack.callback(process.kill)
@@ -117,7 +119,7 @@ def test_nobody_there_is_one_sentence() -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as silent:
         silent.bind(("127.0.0.1", 0))
         to = f"udpout:127.0.0.1:{silent.getsockname()[1]}"
-        done = subprocess.run([*CHECK, "--connect", to, "--within", "0.5"], capture_output=True, text=True, check=False)
+        done = gcs(*CHECK, "--connect", to, "--within", "0.5")
     assert done.returncode == 2
     assert done.stderr.splitlines()[-1].startswith("gcs: no vehicle's HEARTBEAT came within 0.5 s")
     assert "Traceback" not in done.stderr
@@ -132,7 +134,7 @@ def test_a_port_in_use_and_an_address_that_is_none_are_named() -> None:
             ("14550", "no connection"),
             ("udpout:no-such-host.invalid:1", "no-such"),
         ):
-            done = subprocess.run([*CHECK, "--connect", connect], capture_output=True, text=True, check=False)
+            done = gcs(*CHECK, "--connect", connect)
             assert done.returncode == 2
             assert words in done.stderr
             assert "Traceback" not in done.stderr

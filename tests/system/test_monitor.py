@@ -16,6 +16,7 @@ from typing import Any
 
 import pytest
 import yaml
+from commands import gcs
 from pymavlink import mavutil
 from pymavlink.dialects.v20 import common
 from sessions import GCS, small
@@ -266,7 +267,7 @@ def test_bad_addresses_and_ports_in_use_are_a_sentence_and_status_2() -> None:
             (("session", "--connect", "udpin:127.0.0.1:0"), "exclude each other"),
             (("--control",), "--control is for --connect"),
         ):
-            refused = subprocess.run([*GCS, "monitor", "--plain", *argv], capture_output=True, text=True, check=False)
+            refused = gcs("monitor", "--plain", *argv)
             assert refused.returncode == 2, refused.stderr
             assert word in " ".join(refused.stderr.split())
             assert "Traceback" not in refused.stderr

@@ -8,6 +8,7 @@ from importlib import resources
 from pathlib import Path
 
 import jsonschema
+from commands import gcs
 from sessions import GCS
 
 PARTS = "example2,fig3,fig6,loops"
@@ -39,11 +40,11 @@ def test_a_part_of_it_is_flown_measured_judged_and_drawn(tmp_path: Path) -> None
 
 def test_an_existing_folder_and_an_unknown_part_are_refused_before_anything_flies(tmp_path: Path) -> None:
     (tmp_path / "page").mkdir()
-    done = paper("--out", str(tmp_path / "page"), "--only", "example1")
+    done = gcs("paper", "--out", str(tmp_path / "page"), "--only", "example1")
     assert done.returncode == 2
     assert "exists already" in done.stderr
     assert not list((tmp_path / "page").iterdir())
-    done = paper("--out", str(tmp_path / "other"), "--only", "fig99")
+    done = gcs("paper", "--out", str(tmp_path / "other"), "--only", "fig99")
     assert done.returncode == 2
     assert "no part 'fig99'" in done.stderr
     assert not (tmp_path / "other").exists()

@@ -73,6 +73,10 @@ class Desk:
         self._app.source.send(content)
         self._say(f"{what}: sent")
 
+    def concerns(self, reply: Message) -> bool:
+        """Whether a reply is worth a notice: to an order, or a refusal; that a page may be filled shows by itself."""
+        return not reply.get("ok") or str(reply.get("id")) in self._names
+
     def answered(self, reply: Message) -> tuple[str, str]:
         """(a notice, its style) of a reply."""
         what = self._names.pop(str(reply.get("id")), "")

@@ -11,7 +11,7 @@ from textual.containers import Vertical
 from textual.screen import ModalScreen
 from textual.widgets import Input
 
-from gcs.console.ink import Glyphs, Line, Lines, fitted, wrapped
+from gcs.console.ink import Glyphs, Line, Lines, fitted, width_of, wrapped
 from gcs.console.palette import GROUND, RAISED
 from gcs.console.panel import Panel
 
@@ -159,6 +159,17 @@ class Choose(Dialog[int | None]):
         self.dismiss(None)
 
 
+def _hanging(line: Line, width: int) -> Lines:
+    """The line over as many as it needs; its last span goes on below itself."""
+    if width_of(line) <= width:
+        return [line]
+    *head, (text, style) = line
+    indent = width_of(head) or len(text) - len(text.lstrip())
+    first, *rest = wrapped(text, max(width - indent, 1))
+    lead: Line = head or [(" " * indent, "")]
+    return [[*lead, (first, style)], *([(" " * indent, ""), (more, style)] for more in rest)]
+
+
 class Help(Dialog[None]):
     """The help page; it scrolls where it does not fit."""
 
@@ -175,14 +186,15 @@ class Help(Dialog[None]):
 
     def paint(self, width: int, height: int) -> Lines:
         """As much as there is room for."""
-        room = height if height >= len(self._shown) else height - 1
-        self._at = max(0, min(self._at, len(self._shown) - room))
-        lines = self._shown[self._at : self._at + room]
+        shown = [part for line in self._shown for part in _hanging(line, width)]
+        room = height if height >= len(shown) else height - 1
+        self._at = max(0, min(self._at, len(shown) - room))
+        lines = shown[self._at : self._at + room]
         if room == height:
             return lines
         return [
             *lines,
-            [(f"lines {self._at + 1}-{self._at + room} of {len(self._shown)}  ", "dim"), ("up down", "key")],
+            [(f"lines {self._at + 1}-{self._at + room} of {len(shown)}  ", "dim"), ("up down", "key")],
         ]
 
     def action_move(self, step: int) -> None:

@@ -87,7 +87,8 @@ class MainScreen(Screen[None]):
     def beat(self, news: bool) -> None:
         """Show what has changed."""
         for reply in self.seen.replies:
-            self.notice(*self.desk.answered(reply))
+            if self.desk.concerns(reply):
+                self.notice(*self.desk.answered(reply))
         self.seen.replies.clear()
         if self.chosen not in self.seen.vehicles:
             fleet = self._ordered()
@@ -164,9 +165,10 @@ class MainScreen(Screen[None]):
         return [heading.keys_line(keys, width)]
 
     def _too_small(self, width: int, height: int) -> Lines:
+        goes_on = "" if self.seen.replay is not None else "; the session goes on"
         text = (
             f"This terminal is {width} x {height}: the console needs {LEAST.width} x {LEAST.height}. "
-            "Make it larger, or close the console with q; the session goes on."
+            f"Make it larger, or close the console with q{goes_on}."
         )
         return [[(line, "look")] for line in wrapped(text, width)]
 

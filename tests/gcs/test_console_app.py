@@ -14,6 +14,7 @@ import pytest
 from feed import INSPECTED, crowd, flight, session, snapshot
 from pilots import Shown, drive, screen
 
+from gcs.console import help_page
 from gcs.console.ink import ASCII
 
 SCREENS = Path(__file__).parent / "screens"
@@ -272,6 +273,33 @@ def test_the_help_page_scrolls_where_it_does_not_fit(flown: Messages) -> None:
         assert "Signs" not in shown.text()
         await shown.press(*["down"] * 40)
         assert "Signs" in shown.text()
+
+    drive(steps, flown)
+
+
+def test_the_help_page_says_all_of_its_words_at_80_columns(flown: Messages) -> None:
+    def words(text: str) -> list[str]:
+        return [word for word in text.split() if any(letter.isalnum() for letter in word)]
+
+    async def steps(shown: Shown) -> None:
+        await shown.press("question_mark")
+        read = shown.text()
+        for _ in range(60):
+            await shown.press("down")
+            read += shown.text()
+        said = help_page.page(control=True, replay=False, lost=[], glyphs=shown.app.glyphs)
+        assert set(words(" ".join(text for line in said for text, _ in line))) <= set(words(read))
+
+    drive(steps, flown)
+
+
+def test_filling_a_page_is_no_notice_and_a_refusal_is_one(flown: Messages) -> None:
+    async def steps(shown: Shown) -> None:
+        keys = shown.lines()[-1]
+        await shown.feed({"type": "reply", "ok": True, "text": "Snapshots tell everything that vehicle 3 sends."})
+        assert shown.lines()[-1] == keys
+        await shown.feed({"type": "reply", "ok": False, "text": "There is no vehicle 9 in this session."})
+        assert "There is no vehicle 9 in this session." in shown.lines()[-1]
 
     drive(steps, flown)
 

@@ -152,8 +152,10 @@ def _giver(service: Mapping[str, Any]) -> str:
 
 def farewell(summary: Mapping[str, Any] | None, outcome: str | None, folder: Path) -> list[str]:
     """How the session ended, for a person; `summary` is None where none was written."""
-    lines = [f"outcome: {clean(outcome or 'none')}"]
+    lines = [f"outcome: {clean(outcome or (summary or {}).get('outcome') or 'none')}"]
     if summary is not None:
+        if lost := [f"{v['role']} {v['sysid']}" for v in summary["vehicles"] if v["final_mode"] == "dead"]:
+            lines.append(f"lost: {clean(', '.join(lost))}")
         done = [r for r in summary["refuelling"] if r["energy_j"] > 0]
         order = ", ".join(f"{r['receiver']} {_giver(r)} ({r['energy_j']:.0f} J, {r['by']})" for r in done)
         lines.append(f"refuelled: {order or 'nobody'}")

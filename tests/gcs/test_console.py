@@ -143,6 +143,11 @@ SUMMARY = {
     "speed_achieved": 4.918,
     "lag_s": 0.5,
     "digest": "sha256:ab",
+    "outcome": "met",
+    "vehicles": [
+        {"sysid": 3, "role": "pursuer", "final_mode": "offboard"},
+        {"sysid": 201, "role": "tanker", "final_mode": "offboard"},
+    ],
 }
 
 
@@ -157,6 +162,12 @@ def test_the_farewell_says_what_the_session_amounts_to() -> None:
         "session: sessions/x",
     ]
     assert farewell(None, None, Path("x")) == ["outcome: none", "session: x"]
+
+
+def test_the_farewell_names_who_was_lost_also_where_the_supervisor_could_not_say_the_outcome() -> None:
+    vehicles = [dict(vehicle, final_mode="dead") for vehicle in SUMMARY["vehicles"]]
+    lines = farewell({**SUMMARY, "outcome": "vehicle_lost", "vehicles": vehicles}, "", Path("sessions/x"))
+    assert lines[:2] == ["outcome: vehicle_lost", "lost: pursuer 3, tanker 201"]
 
 
 def test_lines_arrive_whole_however_they_are_cut() -> None:

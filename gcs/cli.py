@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import sys
 import traceback
@@ -381,6 +382,9 @@ def run_argv(argv: list[str] | None = None) -> int:
     except (KeyboardInterrupt, click.Abort):
         return INTERRUPTED
     except Exception as error:
+        if isinstance(error, OSError) and error.errno == errno.ENOSPC:
+            click.echo(f"gcs: {error.filename or 'standard output'} cannot be written: {error.strerror}", err=True)
+            return NOT_MADE
         place = traceback.extract_tb(error.__traceback__)[-1]
         where = f"{Path(place.filename).name}:{place.lineno}"
         click.echo(f"gcs: internal error, please report it: {type(error).__name__} at {where}: {error}", err=True)

@@ -55,6 +55,14 @@ def test_help_loads_nothing_heavy(words: tuple[str, ...]) -> None:
     assert (done.returncode, done.stderr) == (0, "")
 
 
+@pytest.mark.parametrize("words", [("schema",), ("doctor",), ("run", "--help")])
+def test_a_full_disk_behind_standard_output_is_one_sentence(words: tuple[str, ...]) -> None:
+    with Path("/dev/full").open("w") as full:
+        done = subprocess.run([GCS, *words], stdout=full, stderr=subprocess.PIPE, text=True, timeout=100, check=False)
+    sentence = "gcs: standard output cannot be written: No space left on device\n"
+    assert (done.returncode, done.stderr) == (1, sentence)
+
+
 @pytest.mark.parametrize("command", ["run", "launch"])
 def test_help_has_what_it_does_examples_and_exit_statuses(command: str) -> None:
     page = CliRunner().invoke(cli, [command, "--help"])

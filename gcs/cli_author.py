@@ -203,5 +203,5 @@ def doctor(as_json: bool) -> int:
         if finding.advice:
             click.echo(f"{'':<8} -> {finding.advice}")
     if not as_json:
-        click.echo(f"{worst['problem']} problems, {worst['note']} notes")
+        click.echo(", ".join(f"{number} {level}{'s' * (number != 1)}" for level, number in reversed(worst.items())))
     return NOT_MADE if worst["problem"] else 0

@@ -165,6 +165,9 @@ def test_the_doctor_says_what_to_do_about_a_missing_program(monkeypatch: pytest.
     lines = done.output.splitlines()
     at = lines.index("problem  simvehicle: not found")
     assert lines[at + 1].strip() == "-> it comes with Skytender: install that again with pip"
+    problems, notes = (sum(line.startswith(level) for line in lines) for level in ("problem ", "note "))
+    assert lines[-1] == f"{problems} problem{'s' * (problems != 1)}, {notes} note{'s' * (notes != 1)}"
+    assert (problems, lines[-1].partition(",")[0]) == (1, "1 problem")
 
 
 @pytest.mark.parametrize(

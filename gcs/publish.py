@@ -1,6 +1,7 @@
 """The session's socket: snapshots out, operators' commands in, newline-delimited JSON (contract.md, Processes).
 
-A client first reads the greeting, a line of type "session". One that reads slowly is dropped, never waited for.
+A client first reads the greeting, a line of type "session": it ends with the last events that were told before, and how
+many those were in all. One that reads slowly is dropped, never waited for.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ import contextlib
 import json
 import os
 import socket
+from collections import deque
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -16,6 +18,8 @@ from typing import Any, NamedTuple
 NAME = "session.sock"
 READ_BYTES = 65536
 BACKLOG_BYTES = 1 << 20
+REMEMBERED = 200
+"""Events that a client is told which came after them."""
 
 
 class Request(NamedTuple):
@@ -42,6 +46,8 @@ class Publisher:
         self._clients: dict[socket.socket, bytes] = {}
         self._numbers: dict[socket.socket, int] = {}
         self._known = 0
+        self._events: deque[Any] = deque(maxlen=REMEMBERED)
+        self._told = 0
 
     @property
     def clients(self) -> frozenset[int]:
@@ -59,7 +65,8 @@ class Publisher:
                 self._known += 1
                 self._numbers[client] = self._known
                 if self._greeting is not None:
-                    self._send(client, _line(self._greeting))
+                    earlier = {"events": list(self._events), "told": self._told}
+                    self._send(client, _line({**self._greeting, **earlier}))
         commands = []
         for client in list(self._clients):
             try:
@@ -81,7 +88,10 @@ class Publisher:
         return commands
 
     def publish(self, content: Mapping[str, Any]) -> None:
-        """Send one line to every client; who cannot take it whole is dropped."""
+        """Send one line to every client; who cannot take it whole is dropped. Its events are kept for later clients."""
+        events = content.get("events") or ()
+        self._events.extend(events)
+        self._told += len(events)
         line = _line(content)
         for client in list(self._clients):
             self._send(client, line)

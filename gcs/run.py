@@ -20,6 +20,7 @@ from typing import IO, Any, Protocol, Self
 import click
 
 from gcs.console.client import Client, Lines
+from gcs.console.earlier import Earlier
 from gcs.console.plain import QuietView, clean, farewell, mute_stdout
 from gcs.scenario import Scenario, dump
 
@@ -278,6 +279,7 @@ def _watch(process: Supervised, signals: Signals, view: View) -> int:
         for source in (process, process.death, signals):
             selector.register(source, selectors.EVENT_READ)
         watched: Client | None = None
+        earlier = Earlier()
         while True:
             selector.select(POLL_S)
             now_s = time.monotonic()
@@ -290,7 +292,7 @@ def _watch(process: Supervised, signals: Signals, view: View) -> int:
                 process.interrupt(now_s)
             process.insist(now_s)
             try:
-                for content in watched.receive() if watched is not None else ():
+                for content in earlier.joined(watched.receive()) if watched is not None else ():
                     if content.get("type") == "snapshot":
                         view.show(content)
                 view.tick(now_s)

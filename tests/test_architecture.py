@@ -82,7 +82,7 @@ HOUSE = {
         "clients redecide",
         "supervise",
         "console.source",
-        "console.client console.plain",
+        "console.client console.plain console.earlier",
         "console.ink console.job console.palette console.client_source",
         "console.watch console.canvas console.panel",
         "console.chart console.plan_view console.fleet_table console.heading console.events_log console.orders",

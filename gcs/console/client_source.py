@@ -7,6 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from gcs.console.client import Client
+from gcs.console.earlier import Earlier
 from gcs.console.source import Message
 
 RETRY_S = 0.25
@@ -21,6 +22,7 @@ class SessionSource:
         self._folder = folder
         self._clock = clock
         self._client: Client | None = None
+        self._earlier = Earlier()
         self._retry_s = self._heard_s = float("-inf")
         self._inspect: Message | None = None
         self._over = False
@@ -40,7 +42,7 @@ class SessionSource:
             self._connect()
         if self._client is None:
             return self._gone(now_s)
-        messages = self._client.receive()
+        messages = self._earlier.joined(self._client.receive())
         if messages or self._client.connected:
             self._heard_s = now_s
         self._over = any(message.get("type") == "end" for message in messages)

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from gcs.publish import NAME, READ_BYTES, Publisher
+from gcs.publish import NAME, READ_BYTES, REMEMBERED, Publisher
 
 
 @pytest.fixture
@@ -147,9 +147,26 @@ def test_a_client_reads_the_greeting_before_anything_else(tmp_path: Path) -> Non
         with connect(tmp_path) as second:
             publisher.poll()
             publisher.publish({"t_s": 2})
-            greeting = {"type": "session", "name": "x"}
+            greeting = {"type": "session", "name": "x", "events": [], "told": 0}
             assert lines(first, 3) == [greeting, {"t_s": 1}, {"t_s": 2}]
             assert lines(second, 2) == [greeting, {"t_s": 2}]
+    publisher.close()
+
+
+def test_who_comes_late_is_greeted_with_the_last_events_and_how_many_there_were(tmp_path: Path) -> None:
+    publisher = Publisher(tmp_path, {"type": "session"})
+    publisher.publish({"t_s": 0, "events": [{"n": 0}, {"n": 1}]})  # nobody is there yet
+    with connect(tmp_path) as first:
+        publisher.poll()
+        assert lines(first, 1) == [{"type": "session", "events": [{"n": 0}, {"n": 1}], "told": 2}]
+        for n in range(2, REMEMBERED + 5):
+            publisher.publish({"t_s": n, "events": [{"n": n}]})
+        with connect(tmp_path) as second:
+            publisher.poll()
+            (greeting,) = lines(second, 1)
+            assert isinstance(greeting, dict)
+            assert [event["n"] for event in greeting["events"]] == list(range(5, REMEMBERED + 5))
+            assert greeting["told"] == REMEMBERED + 5
     publisher.close()
 
 

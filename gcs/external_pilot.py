@@ -6,9 +6,9 @@
 1. Nothing is asked of it before it has told where it is. It is armed in the mode that its autopilot wants for that.
 2. A refusal is the autopilot's right: it is asked again, until `arm_within_s` have passed. Then it is left out.
 3. Put into another mode by someone else than us, it is theirs (`yielded`): nothing is asked of it, but set points flow
-   on, so that it can be handed back by putting it into offboard. Hold alone is taken for a failsafe's doing, and
-   offboard asked for again. Before it has been in offboard, a mode that nobody steers by hand is but on its way there:
-   a HEARTBEAT may be a second old.
+   on, so that it can be handed back by putting it into offboard. Hold is no exception, unless our own set points may
+   just have failed to reach it: then it is the autopilot's answer to that, and offboard is asked for again. Before it
+   has been in offboard, a mode that nobody steers by hand is but on its way there: a HEARTBEAT may be a second old.
 4. What an operator orders goes before all that, and so does his wish to have it back.
 5. While it is silent nothing changes; it may come back.
 """
@@ -33,8 +33,13 @@ PARAMETER_TRIES = 3
 """A stranger may not know our battery's parameters, and need not say so."""
 NEAR_SHARE = 0.2
 """Of the height of a take-off that may be missing at its end: autopilots are content with less than we are."""
-OURS = frozenset({FlightMode.TAKEOFF, FlightMode.HOLD})
-"""Modes from which offboard is asked for again."""
+ON_THE_WAY = frozenset({FlightMode.TAKEOFF, FlightMode.HOLD})
+"""Modes from which offboard is asked for, of one that flies already when it is met."""
+LATE_S, QUIET_S = 0.5, 1.0
+"""Autopilots leave offboard so soon after the last set point (PX4's COM_OF_LOSS_T: 1 s, 0.5 s in older ones): a session
+that stood still for longer, or a link that was quiet for longer, may have been why."""
+BLAMED_S = 3.0
+"""How long after that a hold is our own doing: it may need a HEARTBEAT or two to be told."""
 THEIRS = frozenset({FlightMode.MANUAL, FlightMode.RETURN, FlightMode.LAND})
 """Modes that are not on the way into offboard."""
 _FLOWN = frozenset({Stage.OFFBOARD, Stage.FLY, Stage.YIELDED})
@@ -52,6 +57,7 @@ class ExternalPilot(Pilot):
         self._silent = False
         self._took_off = False
         self._reads = 0
+        self._decided_s = self._starved_s = -math.inf
 
     @property
     def sends_set_points(self) -> bool:
@@ -66,7 +72,10 @@ class ExternalPilot(Pilot):
             self._begun_s = min(self._begun_s, now_s)
         elif self._begun_s == math.inf or self._took_off:  # at first, and when it is brought back
             self._begun_s, self._took_off = now_s, False
-        self._now_s, self._silent = now_s, not view.alive
+        if now_s - self._decided_s > LATE_S or view.age_s > QUIET_S or not view.alive:
+            self._starved_s = now_s
+        self._now_s = self._decided_s = now_s
+        self._silent = not view.alive
         if self._silent:
             return [], []
         return super().decide(view, now_s, bound=bound)
@@ -106,7 +115,8 @@ class ExternalPilot(Pilot):
             return Stage.FLY
         if stage is Stage.OFFBOARD:
             return Stage.YIELDED if view.mode in THEIRS and not self._rejoins else Stage.OFFBOARD
-        return Stage.OFFBOARD if stage is Stage.FLY and view.mode in OURS else Stage.YIELDED
+        starved = self._now_s - self._starved_s <= BLAMED_S
+        return Stage.OFFBOARD if starved and stage is Stage.FLY and view.mode is FlightMode.HOLD else Stage.YIELDED
 
     def _before_flight(self, view: VehicleView) -> Stage:
         if view.p_ned is None or view.heard_s < 0.0:
@@ -128,7 +138,7 @@ class ExternalPilot(Pilot):
         self._took_off = True
         if view.mode in STEERABLE:
             return Stage.FLY
-        return Stage.OFFBOARD if view.mode in OURS or self._rejoins else Stage.YIELDED
+        return Stage.OFFBOARD if view.mode in ON_THE_WAY or self._rejoins else Stage.YIELDED
 
     def _hopeless(self, view: VehicleView) -> bool:
         """Whether it is to be left out, and why."""

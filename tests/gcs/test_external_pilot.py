@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
-from gcs.external_pilot import FAR_M, PARAMETER_TRIES, ExternalPilot
+from gcs.external_pilot import BLAMED_S, FAR_M, LATE_S, PARAMETER_TRIES, QUIET_S, ExternalPilot
 from gcs.pilot import Stage
 from gcs.profiles import ARDUCOPTER, PX4, FlightMode, Profile
 from gcs.scenario_external import External
@@ -120,7 +120,9 @@ def test_one_that_was_armed_and_never_left_the_ground_is_disarmed_when_it_is_lef
     assert made.left_out == "Has not taken off within 20 s: left out"
 
 
-@pytest.mark.parametrize("mode", [FlightMode.MANUAL, FlightMode.RETURN, FlightMode.LAND, FlightMode.OTHER])
+@pytest.mark.parametrize(
+    "mode", [FlightMode.MANUAL, FlightMode.RETURN, FlightMode.LAND, FlightMode.TAKEOFF, FlightMode.OTHER]
+)
 def test_one_that_somebody_else_takes_is_his_until_he_puts_it_back_into_offboard(mode: FlightMode) -> None:
     made = flying()
     assert [told(made, FLYING._replace(mode=mode), 10.0 + k) for k in range(5)] == [[]] * 5
@@ -149,11 +151,54 @@ def test_one_that_is_taken_while_it_climbs_is_let_go() -> None:
     assert made.stage is Stage.YIELDED
 
 
-def test_after_a_failsafes_hold_offboard_is_asked_for_again() -> None:
+HELD = FLYING._replace(mode=FlightMode.HOLD)
+
+
+def steered(made: ExternalPilot, from_s: float, until_s: float, seen: VehicleView = FLYING) -> list[int]:
+    """Ten ticks a second of the same; what is asked in them."""
+    ticks = range(round(10 * from_s), round(10 * until_s))
+    return [command for k in ticks for command in told(made, seen, k / 10.0)]
+
+
+@pytest.mark.parametrize("profile", [PX4, ARDUCOPTER])
+def test_a_hold_while_set_points_reach_it_is_somebody_elses_wish_until_he_gives_it_back(profile: Profile) -> None:
     made = flying()
-    held = FLYING._replace(mode=FlightMode.HOLD)
-    told(made, held, 10.0)
-    assert told(made, held, 11.1) == [SET_MODE]
+    steered(made, 3.1, 10.0, FLYING._replace(profile=profile))
+    assert steered(made, 10.0, 30.0, HELD._replace(profile=profile)) == []
+    assert (made.stage, made.sends_set_points) == (Stage.YIELDED, True)
+    made.decide(FLYING._replace(profile=profile), 30.0)
+    assert made.stage is Stage.FLY
+
+
+def test_after_a_hold_because_the_session_stood_still_offboard_is_asked_for_again() -> None:
+    made = flying()
+    steered(made, 3.1, 10.0)
+    assert steered(made, 10.0 + 2 * LATE_S, 11.0 + 2 * LATE_S) == []  # a HEARTBEAT may take a second
+    assert steered(made, 12.0, 13.5, HELD) == [SET_MODE]
+    made.decide(FLYING, 13.5)
+    assert made.stage is Stage.FLY
+
+
+def test_after_a_hold_because_the_link_was_quiet_offboard_is_asked_for_again() -> None:
+    made = flying()
+    steered(made, 3.1, 10.0)
+    steered(made, 10.0, 11.0, FLYING._replace(age_s=2 * QUIET_S))
+    assert steered(made, 11.0, 12.5, HELD) == [SET_MODE]
+
+
+def test_a_hold_long_after_the_session_stood_still_is_not_put_down_to_that() -> None:
+    made = flying()
+    steered(made, 3.1, 10.0)
+    steered(made, 11.0, 11.5 + BLAMED_S)
+    assert steered(made, 11.5 + BLAMED_S, 20.0, HELD) == []
+    assert made.stage is Stage.YIELDED
+
+
+def test_a_hold_that_comes_with_its_first_words_after_silence_is_our_doing() -> None:
+    made = flying()
+    steered(made, 3.1, 10.0)
+    steered(made, 10.0, 25.0, FLYING._replace(alive=False))
+    assert steered(made, 25.0, 26.5, HELD) == [SET_MODE]
 
 
 def test_a_silent_vehicle_is_told_nothing_and_goes_on_when_it_is_heard() -> None:

@@ -18,7 +18,7 @@ class Arrivals:
     def __init__(self, labels: Mapping[int, str], external: Mapping[int, External]) -> None:
         self._labels = labels
         self._external = external
-        self._awaited: set[int] = set()
+        self._awaited = set(external)
         self._said_s = -math.inf
 
     def look(self, missing: Collection[int], waited_s: float) -> list[tuple[int, str]]:

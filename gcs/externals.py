@@ -13,14 +13,16 @@ from gcs.events import Event, Kind, Level
 from gcs.fleet import Fleet
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.commands import CommandResult
-from gcs.mavlink.streams import Ask, Streams, needs
+from gcs.mavlink.streams import CHECK_S, SLOW_SHARE, Ask, Streams, needs
 from gcs.pilot import Stage, Wish
 from gcs.profiles import STEERABLE, End
 from gcs.scenario import Scenario
-from gcs.views import Snapshot
+from gcs.views import Snapshot, VehicleView
 
 LOST_S = 10.0
 """A vehicle that has been silent for so long is counted as lost, until it is heard again."""
+SILENT_S = CHECK_S * SLOW_SHARE
+"""A silence so long would make every stream look slow."""
 SAY_AGAIN_S = 10.0
 NO_ORIGIN_S = 5.0
 STEERED = frozenset({Stage.ARM, Stage.TAKEOFF, Stage.OFFBOARD, Stage.FLY})
@@ -43,6 +45,7 @@ class Externals:
         self._asks: dict[int, list[Ask]] = {sysid: [] for sysid in self.rules}
         self._origin_noted: set[int] = set()
         self._handed_back: set[int] = set()
+        self._answers: dict[int, str] = {}
         self._events: list[Event] = []
         self._now_s = 0.0
 
@@ -89,6 +92,8 @@ class Externals:
             known = view.origin_offset_ned is not None
             asks, messages[sysid] = streams.poll(now_s, origin_known=known)
             self._asks[sysid] += asks
+            if now_s - self._heard_s[sysid] > SILENT_S:
+                streams.count_anew(now_s)
             for sentence in streams.check(now_s):
                 self._note(sysid, "warning", sentence)
             if not known and now_s >= NO_ORIGIN_S and sysid not in self._origin_noted:
@@ -112,6 +117,8 @@ class Externals:
         if Streams.owns(token):
             self._asks[sysid] += self.streams[sysid].answered(token, result.outcome == "accepted")
             return True
+        if token == ENDING:
+            self._answers[sysid] = _answer(result)
         return result.outcome != "accepted" and self.repeats(sysid, token, now_s)
 
     def repeats(self, sysid: int, text: str, now_s: float) -> bool:
@@ -148,8 +155,24 @@ class Externals:
 
     def awaits(self, snapshot: Snapshot) -> bool:
         """Whether one that was handed back still says that it follows set points."""
-        views = map(snapshot.vehicle, self._handed_back)
-        return any(view.alive and view.armed and (view.landed or view.mode in STEERABLE) for view in views)
+        return bool(self._steered_still(snapshot))
+
+    def tell_disobedience(self, snapshot: Snapshot) -> None:
+        """Name who has not done in time what it was told at the end, and what it answered to that."""
+        for view in self._steered_still(snapshot):
+            answer = self._answers.get(view.sysid, "it has not answered yet")
+            state = "on the ground and armed" if view.landed else f"in {view.mode}"
+            text = f"Still {state} though nobody steers it any more ({answer}): look after it"
+            self._note(view.sysid, "critical", text, "session")
+
+    def _steered_still(self, snapshot: Snapshot) -> list[VehicleView]:
+        views = map(snapshot.vehicle, sorted(self._handed_back))
+        return [view for view in views if view.alive and view.armed and (view.landed or view.mode in STEERABLE)]
+
+    def missing_streams(self, sysid: int) -> list[str]:
+        """Names of the messages that do not come as they should; none of a vehicle that is not external."""
+        streams = self.streams.get(sysid)
+        return [] if streams is None else list(streams.missing)
 
     def take_events(self) -> list[Event]:
         """What is to be told since the last call."""
@@ -158,3 +181,14 @@ class Externals:
 
     def _note(self, sysid: int, level: Level, text: str, kind: Kind = "link") -> None:
         self._events.append(Event(self._now_s, sysid, level, text, kind))
+
+
+def _answer(result: CommandResult) -> str:
+    """What came back to a command, for a person."""
+    if result.outcome == "timeout":
+        return f"it has not answered, though it was told {result.attempts} times"
+    if result.outcome == "accepted":
+        return "it answered that it would"
+    known = mav.enums["MAV_RESULT"].get(result.result)
+    why = known.name.removeprefix("MAV_RESULT_").replace("_", " ").lower() if known else f"result {result.result}"
+    return f"it answered: {why}"

@@ -52,6 +52,8 @@ class Vehicle(_Part):
     path_length_m: float
     control_effort: float
     energy: Energy
+    missing_streams: list[str] = []
+    """messages that an external vehicle was asked for and did not send at the end, or at less than half the rate"""
 
 
 class Refuelling(_Part):
@@ -168,6 +170,7 @@ def summarise(
                 path_length_m=metrics.path_length_m.get(view.sysid, 0.0),
                 control_effort=view.control_effort,
                 energy=_ledger(view, view.given_j - credited_j[view.sysid]),
+                missing_streams=supervisor.externals.missing_streams(view.sysid),
             )
             for view in snapshot.vehicles
         ],

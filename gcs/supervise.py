@@ -157,7 +157,7 @@ class Session:
         with contextlib.suppress(RecorderError):  # it has been reported, or will be; what matters now is sent before
             while supervisor.exchange(self._pace.running_wall_s):
                 if time.monotonic() > deadline_s:
-                    self._event(0, "critical", "Not every external vehicle has obeyed at the end: look after them")
+                    supervisor.tell_disobedience()
                     break
                 self._sleep(WATCH_EVERY_S)
 
@@ -181,11 +181,13 @@ class Session:
             self._hatch.start(orders)
         rehearse(self._scenario)  # while the vehicles come up
         arrivals, began_s = Arrivals(self._labels, self._scenario.vehicles.external), time.monotonic()
-        while missing := {sysid for sysid, _ in self._link.listen(WATCH_EVERY_S)}:
-            self._watch()
+        missing: set[int] | None = None
+        while missing is None or missing:
+            missing = {sysid for sysid, _ in self._link.listen(WATCH_EVERY_S)}
             waited_s = time.monotonic() - began_s
             for sysid, text in arrivals.look(missing, waited_s):
                 self._event(sysid, "info", text)
+            self._watch()
             if (why := arrivals.too_late(missing, waited_s)) is not None:
                 raise SessionError(why)
 

@@ -357,6 +357,11 @@ class Supervisor:
         self._ask(self.externals.hand_back(self.snapshot, stages), self.time_s)
         self.events += self.externals.take_events()
 
+    def tell_disobedience(self) -> None:
+        """Name the external vehicles that have not obeyed, now that nobody waits for them any longer."""
+        self.externals.tell_disobedience(self.snapshot)
+        self.events += self.externals.take_events()
+
     def exchange(self, now_s: float) -> bool:
         """After the last tick: send external vehicles what is left, hear them; whether one has not obeyed yet."""
         assert isinstance(self._link, MixedLink)

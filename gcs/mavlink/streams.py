@@ -140,6 +140,12 @@ class Streams:
         self._counted_since_s = now_s
         return news
 
+    def count_anew(self, now_s: float) -> None:
+        """The vehicle says nothing at all: no message of it is missing more than another."""
+        if self._counted_since_s is not None:
+            self._counted_since_s = now_s
+            self._count = dict.fromkeys(self._needs, 0)
+
     def _ask_the_old_way(self) -> list[Message]:
         """REQUEST_DATA_STREAM for the groups of what is missing; on later tries for all, and then each at its rate."""
         rates: dict[int, float] = {}

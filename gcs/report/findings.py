@@ -272,6 +272,10 @@ class Findings:
                 yield Problem(level, f"{count} {what}.")
         if self.summary.lag_s >= 0.1:
             yield Problem("warn", f"The session fell {self.summary.lag_s:.1f} s behind its pace: the machine was busy.")
+        for vehicle in self.summary.vehicles:
+            if vehicle.missing_streams:
+                what = " and ".join(vehicle.missing_streams)
+                yield Problem("warn", f"Vehicle {vehicle.sysid} did not send {what} as often as it was asked to.")
 
     def greatest(self, lines: Mapping[int, Series]) -> tuple[float, int] | None:
         """The greatest value of any line, and whose."""

@@ -23,6 +23,13 @@ def test_who_is_waited_for_is_said_now_and_then_and_who_comes_at_once() -> None:
     assert waiting.look({2}, SAY_AGAIN_S) == [(2, f"Waiting for pursuer 2 at {AT}")]
 
 
+def test_who_was_there_before_anyone_looked_is_said_too() -> None:
+    waiting = arrivals()
+    assert waiting.look({2, 101}, 0.0) == [(1, "pursuer 1 is there"), (2, f"Waiting for pursuer 2 at {AT}")]
+    assert waiting.look(set(), 0.1) == [(2, "pursuer 2 is there")]
+    assert arrivals().look(set(), 0.0) == [(1, "pursuer 1 is there"), (2, "pursuer 2 is there")]
+
+
 def test_each_has_its_own_patience() -> None:
     waiting = arrivals()
     assert waiting.too_late({1, 2, 101}, 10.0) is None

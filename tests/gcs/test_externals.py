@@ -5,7 +5,7 @@ from typing import Any
 import pytest
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
-from gcs.externals import LOST_S, SAY_AGAIN_S, Externals
+from gcs.externals import ENDING, LOST_S, SAY_AGAIN_S, Externals
 from gcs.fleet import Fleet, GlobalOrigin, Member
 from gcs.mavlink import codec
 from gcs.mavlink.commands import CommandResult, Target
@@ -142,6 +142,57 @@ def test_at_the_end_it_is_told_what_the_scenario_says_until_its_mode_shows_it(
     assert tower.externals.awaits(tower.fleet.snapshot(0.0))
     tower.hear(1.0, heartbeat(autopilot, 17 if autopilot == 3 else 4 << 16 | 3 << 24))
     assert not tower.externals.awaits(tower.fleet.snapshot(1.0))
+
+
+@pytest.mark.parametrize(
+    ("outcome", "code", "said"),
+    [
+        ("rejected", mav.MAV_RESULT_DENIED, "it answered: denied"),
+        ("rejected", mav.MAV_RESULT_TEMPORARILY_REJECTED, "it answered: temporarily rejected"),
+        ("rejected", 77, "it answered: result 77"),
+        ("timeout", None, "it has not answered, though it was told 4 times"),
+        ("accepted", mav.MAV_RESULT_ACCEPTED, "it answered that it would"),
+        (None, None, "it has not answered yet"),
+    ],
+)
+def test_who_does_not_obey_at_the_end_is_named_with_its_answer(outcome: Any, code: Any, said: str) -> None:
+    tower = Tower()
+    tower.hear(0.0, heartbeat(), landed(mav.MAV_LANDED_STATE_IN_AIR))
+    tower.end(Stage.FLY)
+    if outcome is not None:
+        tower.externals.settles(3, CommandResult(176, Target(3, 1), outcome, code, 4, ENDING), 1.0)
+    tower.said()
+    tower.externals.tell_disobedience(tower.fleet.snapshot(1.0))
+    text = f"Still in offboard though nobody steers it any more ({said}): look after it"
+    assert tower.said() == [("critical", text)]
+    tower.hear(1.0, heartbeat(custom_mode=4 << 16 | 3 << 24))
+    tower.externals.tell_disobedience(tower.fleet.snapshot(1.0))
+    assert tower.said() == []
+
+
+def test_streams_that_do_not_come_are_named_of_external_vehicles_only() -> None:
+    tower = Tower()
+    for k in range(60):
+        tower.hear(0.1 * k, heartbeat(), mav.MAVLink_attitude_message(100 * k, 0, 0, 0, 0, 0, 0))
+        tower.decide(0.1 * k)
+    assert tower.externals.missing_streams(3) == [
+        "BATTERY_STATUS", "EXTENDED_SYS_STATE", "LOCAL_POSITION_NED", "SYS_STATUS",
+    ]  # fmt: skip
+    assert tower.externals.missing_streams(4) == []
+
+
+def test_of_one_that_says_nothing_at_all_no_stream_is_said_to_be_missing() -> None:
+    tower = Tower()
+    streams = [
+        mav.MAVLink_attitude_message(0, 0, 0, 0, 0, 0, 0), mav.MAVLink_local_position_ned_message(0, 0, 0, 0, 0, 0, 0),
+        landed(mav.MAV_LANDED_STATE_IN_AIR), mav.MAVLink_battery_status_message(0, 0, 0, 0, [0] * 10, 0, 0, 0, 50),
+        mav.MAVLink_sys_status_message(0, 0, 0, 0, 0, 0, 50, 0, 0, 0, 0, 0, 0),
+    ]  # fmt: skip
+    for k in range(300):
+        tower.hear(0.1 * k, *(() if 72 <= k < 160 else (heartbeat(), *streams)))
+        tower.decide(0.1 * k)
+    assert tower.externals.missing_streams(3) == []
+    assert not [text for _, text in tower.said() if "come" in text]
 
 
 def test_at_the_end_one_on_the_ground_is_disarmed_and_one_that_is_somebody_elses_is_left_alone() -> None:

@@ -74,6 +74,14 @@ def test_what_was_not_reached_comes_first_and_counts_come_last() -> None:
     assert [part.met for part in findings.parts] == [True, True, False]
 
 
+def test_a_vehicle_that_did_not_send_what_it_was_asked_for_is_named() -> None:
+    one, two = summary().model_dump()["vehicles"]
+    one["missing_streams"] = ["ATTITUDE", "SYS_STATUS"]
+    text = "Vehicle 1 did not send ATTITUDE and SYS_STATUS as often as it was asked to."
+    assert ("warn", text) in sentences(found(summary=summary(vehicles=[one, two])))
+    assert not [said for _, said in sentences(found()) if "asked to" in said]
+
+
 def test_alike_words_of_many_are_said_once() -> None:
     texts = [(float(k), k, "Failsafe: battery empty, land") for k in range(1, 13)]
     (problem,) = [p for p in sentences(found(tables=said(2, *texts))) if "Failsafe" in p[1]]

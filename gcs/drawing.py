@@ -10,12 +10,12 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-from gcs.scenario import Obstacle, Scenario, Target
+from gcs.scenario import Obstacle, Scenario, Target, VehicleBase
 
 Point = tuple[float, ...]
 Plane = tuple[float, float]
 MARKS = {"pursuer": "P", "target": "T", "tanker": "K"}
-ROUTE, OBSTACLE, TRAFFIC, COURSE, ATTRACTOR = ".", "#", "~", ":", "+"
+ROUTE, OBSTACLE, TRAFFIC, COURSE, ATTRACTOR, BASE = ".", "#", "~", ":", "+", "B"
 CELL_ASPECT = 2.0
 """A terminal's cell is about twice as high as wide."""
 MARGIN_M = 1.0
@@ -41,11 +41,16 @@ def facts(scenario: Scenario) -> list[str]:
         line = f"{MARKS[vehicle.role]} {vehicle.label}: starts at {_place(vehicle.start_m)}, hovers for {lasts_s:.0f} s"
         if vehicle.external is not None:
             line = f"{MARKS[vehicle.role]} {vehicle.label}: expected at {vehicle.external.connect}, wherever it stands"
+            if (first := drawn_at(vehicle)) is not None:
+                line += f"; drawn at {_place(first)}, where it is sent first"
         if isinstance(vehicle, Target):
             way_m = 0.0 if vehicle.external else length_m([vehicle.start_m, vehicle.path_m[0]], False)
             way_m += vehicle.laps * length_m(vehicle.path_m, vehicle.closed)
             line += f"; its path is {way_m:.1f} m long, {way_m / vehicle.speed_m_s:.0f} s"
         lines.append(line)
+    for base in scenario.bases:
+        line = f"{BASE} base {base.name}: at {_place(base.position_m)}, holds {base.stock_j / 1e3:g} kJ"
+        lines.append(f"{line} and gives {base.rate_w:g} W")
     for i, obstacle in enumerate(scenario.obstacles):
         name = obstacle.name or f"{obstacle.kind} {i + 1}"
         lines.append(f"{OBSTACLE} {name}: {_extent(obstacle)}")
@@ -63,6 +68,20 @@ def facts(scenario: Scenario) -> list[str]:
 
 def _place(p_ned: Point) -> str:
     return f"N {p_ned[0]:.1f} E {p_ned[1]:.1f}, {0.0 - p_ned[2]:.1f} m high"
+
+
+def drawn_at(vehicle: VehicleBase) -> Point | None:
+    """Where a vehicle stands in the plan: an external one where it is sent first, for nobody knows where it starts."""
+    if vehicle.external is None:
+        return vehicle.start_m
+    firsts: list[Point] = [*getattr(vehicle, "path_m", ())[:1], *getattr(vehicle, "waypoints_m", ())[:1]]
+    home: Point | None = getattr(vehicle, "home_m", None)
+    return firsts[0] if firsts else home
+
+
+def _drawn(scenario: Scenario) -> list[tuple[VehicleBase, Point]]:
+    places = [(vehicle, drawn_at(vehicle)) for vehicle in scenario.vehicles.all]
+    return [(vehicle, place) for vehicle, place in places if place is not None]
 
 
 def _extent(shape: Obstacle) -> str:
@@ -90,7 +109,8 @@ def _routes(scenario: Scenario) -> Iterator[tuple[str, Sequence[Point], bool]]:
 
 def bounds(scenario: Scenario) -> tuple[Plane, Plane]:
     """((north, east) of the south-west corner, of the north-east corner) of everything, with a margin."""
-    points: list[Point] = [vehicle.start_m for vehicle in scenario.vehicles.launched] or [(0.0, 0.0, 0.0)]
+    points: list[Point] = [place for _, place in _drawn(scenario)] or [(0.0, 0.0, 0.0)]
+    points += [base.position_m for base in scenario.bases]
     points += [point for _, route, _ in _routes(scenario) for point in route]
     points += [attractor.point_m for attractor in scenario.attractors]
     for shape in scenario.obstacles:
@@ -125,8 +145,10 @@ def text(scenario: Scenario, columns: int = 78, rows: int = 30) -> list[str]:
         put((shape.low_m[0] + shape.high_m[0]) / 2, (shape.low_m[1] + shape.high_m[1]) / 2, OBSTACLE)
     for attractor in scenario.attractors:
         put(attractor.point_m[0], attractor.point_m[1], ATTRACTOR)
-    for vehicle in scenario.vehicles.launched:
-        put(vehicle.start_m[0], vehicle.start_m[1], MARKS[vehicle.role])
+    for base in scenario.bases:
+        put(base.position_m[0], base.position_m[1], BASE)
+    for vehicle, place in _drawn(scenario):
+        put(place[0], place[1], MARKS[vehicle.role])
     bar_m = 10.0 ** math.floor(math.log10(max(width * metres / 2.0, 1e-9)))
     bar = "-" * max(round(bar_m / metres) - 1, 1)
     return [*("".join(row).rstrip() for row in cells), "", f"|{bar}| {bar_m:g} m, north is up"]
@@ -161,13 +183,19 @@ def image(scenario: Scenario, path: Path) -> None:
         axes.plot([p[1] for p in points], [p[0] for p in points], style, color=color, linewidth=1.0)
     looks = {"pursuer": ("o", "C0"), "target": ("*", "C3"), "tanker": ("s", "C2")}
     for role, (marker, color) in looks.items():
-        fleet = [vehicle for vehicle in scenario.vehicles.launched if vehicle.role == role]
-        if fleet:
-            north, east = [v.start_m[0] for v in fleet], [v.start_m[1] for v in fleet]
-            axes.plot(east, north, marker, color=color, label=f"{role} (start)")
-        for vehicle in fleet:
-            where = (vehicle.start_m[1], vehicle.start_m[0])
-            axes.annotate(vehicle.name or str(vehicle.sysid), where, (4, 4), textcoords="offset points", fontsize=8)
+        for external, filled, when in ((False, "full", "start"), (True, "none", "external, sent here first")):
+            fleet = [(v, p) for v, p in _drawn(scenario) if v.role == role and (v.external is not None) == external]
+            if fleet:
+                north, east = [p[0] for _, p in fleet], [p[1] for _, p in fleet]
+                axes.plot(east, north, marker, color=color, fillstyle=filled, label=f"{role} ({when})")
+            for vehicle, p in fleet:
+                name = vehicle.name or str(vehicle.sysid)
+                axes.annotate(name, (p[1], p[0]), (4, 4), textcoords="offset points", fontsize=8)
+    for base in scenario.bases:
+        north_m, east_m, _ = base.position_m
+        _circle(axes, base.position_m, base.radius_m, fill=False, color="C5")
+        axes.plot(east_m, north_m, "X", color="C5", label=f"base {base.name}")
+        axes.annotate(base.name, (east_m, north_m), (4, 4), textcoords="offset points", fontsize=8)
     if scenario.formation.ring_m:
         for target in scenario.vehicles.targets:
             centre = target.path_m[0] if target.external else target.start_m
@@ -203,6 +231,7 @@ def legend(marks: Iterable[str]) -> str:
         "P": "pursuer",
         "T": "target",
         "K": "tanker",
+        BASE: "base",
         ROUTE: "target's path",
         COURSE: "way points",
         OBSTACLE: "obstacle",

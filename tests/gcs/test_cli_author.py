@@ -67,6 +67,49 @@ def test_the_drawing_has_everyone_in_their_place() -> None:
     assert "pursuer 2: starts at N -2.0 E 0.0, 0.0 m high, hovers for 57 s" in "\n".join(lines)  # 12 kJ / 210 W
 
 
+WITH_STRANGERS = """\
+schema: 1
+name: strangers
+axes: ned
+origin: {lat_deg: 47.0, lon_deg: 8.0, alt_m: 400.0}
+goal: {duration_s: 30.0}
+bases:
+  - {name: pad, position_m: [8.0, -6.0, 0.0], stock_j: 200000, rate_w: 1500}
+vehicles:
+  pursuers:
+    - {external: {connect: "udpin:127.0.0.1:14550", sysid: 1, capacity_j: 1e5}, waypoints_m: [[4, 3, -2.5], [0, 3, -2]]}
+    - {external: {connect: "udpin:127.0.0.1:14550", sysid: 2, capacity_j: 1e5}}
+  targets:
+    - {external: {connect: "udpin:127.0.0.1:14550", sysid: 101, capacity_j: 1e5}, path_m: [[0, 0, -2]], speed_m_s: 0.5}
+  tankers:
+    - {external: {connect: "udpin:127.0.0.1:14550", sysid: 201, capacity_j: 1e5}, home_m: [-4, 0, -3]}
+"""
+
+
+def test_bases_are_drawn_and_external_vehicles_where_they_are_sent_first() -> None:
+    Path("strangers.yaml").write_text(WITH_STRANGERS)
+    done = gcs("validate", "strangers.yaml")
+    assert done.exit_code == 0, done.output
+    lines = done.output.splitlines()
+    plan = lines[: next(i for i, line in enumerate(lines) if "north is up" in line)]
+    (base, pursuer, target, tanker) = (
+        next((i, line.index(m)) for i, line in enumerate(plan) if m in line) for m in "BPTK"
+    )
+    assert base[0] < pursuer[0] < target[0] < tanker[0]  # 8, 4, 0 and -4 m north
+    assert base[1] < target[1] == tanker[1] < pursuer[1]  # -6, 0, 0 and 3 m east
+    assert sum(line.count("P") for line in plan) == 1  # nobody knows where pursuer 2 will be
+    assert "B base" in done.output
+    for said in (
+        "B base pad: at N 8.0 E -6.0, 0.0 m high, holds 200 kJ and gives 1500 W",
+        "expected at udpin:127.0.0.1:14550, wherever it stands; drawn at N 4.0 E 3.0, 2.5 m high, where it is sent",
+        "P pursuer 2: expected at udpin:127.0.0.1:14550, wherever it stands\n",
+    ):
+        assert said in done.output
+    image = gcs("validate", "strangers.yaml", "--image", "plan.svg")
+    assert image.exit_code == 0, image.output
+    assert all(f"<!-- {text} -->" in Path("plan.svg").read_text() for text in ("pad", "base pad", "201"))
+
+
 @pytest.mark.parametrize("name", ["plan.png", "plan.svg"])
 def test_the_plan_can_be_an_image(name: str) -> None:
     done = gcs("validate", "demo", "--image", name)

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import pymap3d
 import pytest
-from sessions import Outcome, Running
+from pymavlink.dialects.v20 import ardupilotmega as mav
+from sessions import Outcome, Running, fly
 from strangers import ARDUCOPTER, free_port, strangers
 
 ORIGIN = (47.397742, 8.545594, 488.0)
@@ -99,3 +101,67 @@ def test_refusals_of_both_kinds_were_shown_and_overcome(flown: Outcome) -> None:
     assert "Arm: Need Position Estimate" in said
     assert "Preflight Fail: ekf2 missing data" in said
     assert {flown.vehicle(sysid)["final_mode"] for sysid in OWN_ORIGIN_M} == {"hold"}
+
+
+PAD_M = (3.0, 2.0, -0.5)
+"""In the scenario's frame, on the ground of the ArduCopter, whose own origin lies half a metre higher."""
+SMALL_J, STOCK_J, RATE_W = 10_000.0, 60_000.0, 2000.0
+
+
+@pytest.fixture(scope="module")
+def charged(tmp_path_factory: pytest.TempPathFactory) -> Outcome:
+    """An ArduCopter that is soon at four fifths of what it is said to hold, and a base; nobody else flies."""
+    folder = tmp_path_factory.mktemp("by-the-book")
+    port = free_port()
+    pursuer = {
+        "external": {"connect": f"udpin:127.0.0.1:{port}", "sysid": COPTER, "capacity_j": SMALL_J},
+        "transfer": False,
+        "waypoints_m": [[1.0, 6.0, -HEIGHT_M]],
+    }
+    scenario = {
+        "schema": 1,
+        "name": "by-the-book",
+        "axes": "ned",
+        "origin": dict(zip(("lat_deg", "lon_deg", "alt_m"), ORIGIN, strict=True)),
+        "vehicles": {"pursuers": [pursuer]},
+        "bases": [{"name": "pad", "position_m": list(PAD_M), "stock_j": STOCK_J, "rate_w": RATE_W}],
+        "competition": {"need_from": 0.15},
+        "goal": {"duration_s": 23.0, "refuelled_at_least": 1},
+    }
+    copter = [*ARDUCOPTER, "--sysid", str(COPTER), "--connect", f"udpout:127.0.0.1:{port}", *own_origin(COPTER)]
+    with strangers(folder, [*copter, "--refuse-arming-s", "0.5", "--param", "LAND_SPEED=100"]):
+        return fly(scenario, folder, "--plain")
+
+
+def test_an_arducopter_is_charged_at_a_base_by_the_book_and_flies_on(charged: Outcome) -> None:
+    assert (charged.status, charged.summary["outcome"]) == (0, "met"), charged.stdout + charged.stderr
+    service = charged.summary["refuelling"][0]
+    (base,) = charged.summary["bases"]
+    assert (service["receiver"], service["tanker"], service["base"]) == (COPTER, None, "pad")
+    received_j = charged.vehicle(COPTER)["energy"]["received_j"]
+    assert base["initial_j"] - base["remaining_j"] == base["given_j"] == service["energy_j"] == received_j > 0.0
+    assert base["lost_j"] == 0.0
+    armed = [bool(m.base_mode & mav.MAV_MODE_FLAG_SAFETY_ARMED) for _, m in charged.messages("HEARTBEAT") if ours(m)]
+    assert [armed[0], armed[-1]] == [False, True]
+    assert sum(before and not after for before, after in pairwise(armed)) == 1  # once it landed, and no more
+
+
+def test_it_stood_on_the_pad_with_its_motors_off_while_it_was_charged(charged: Outcome) -> None:
+    """Judged by what it says in its own frame, and by where its origin was put."""
+    service = charged.summary["refuelling"][0]
+    charging = (service["start_s"] + 0.5, service["start_s"] + service["energy_j"] / RATE_W)
+    places = [
+        [at + start for at, start in zip((m.x, m.y, m.z), OWN_ORIGIN_M[COPTER], strict=True)]
+        for t_s, m in charged.messages("LOCAL_POSITION_NED")
+        if charging[0] <= t_s <= charging[1]
+    ]
+    assert len(places) > 5
+    assert max(math.dist(place[:2], PAD_M[:2]) for place in places) < 1.0
+    assert all(place[2] == pytest.approx(PAD_M[2], abs=0.1) for place in places)
+    after = {m.get_type(): m for _, m in charged.messages("LOCAL_POSITION_NED")}["LOCAL_POSITION_NED"]
+    assert OWN_ORIGIN_M[COPTER][2] + after.z == pytest.approx(-HEIGHT_M, abs=0.5)
+
+
+def ours(message: Any) -> bool:
+    """Whether the ArduCopter said it."""
+    return bool(message.get_srcSystem() == COPTER)

@@ -28,7 +28,10 @@ def test_the_file_has_the_contracts_fields_in_order(scripted: Any) -> None:
     assert list(content) == FIELDS
     assert [vehicle["sysid"] for vehicle in content["vehicles"]] == [1, 101, 201]
     assert list(content["vehicles"][0]) == [
-        "sysid", "role", "final_mode", "max_tracking_error_m", "path_length_m", "control_effort", "energy"]  # fmt: skip
+        "sysid", "role", "final_mode", "max_tracking_error_m", "path_length_m", "control_effort", "energy",
+        "missing_streams",
+    ]  # fmt: skip
+    assert all(vehicle["missing_streams"] == [] for vehicle in content["vehicles"])
     assert (content["schema"], content["scenario"], content["clock"]) == (1, "scripted", "lockstep")
     assert (content["sim_time_s"], content["speed_achieved"], content["lag_s"]) == (3.0, 6.0, 0.25)
     assert content["digest"].startswith("sha256:")

@@ -151,6 +151,9 @@ def test_refusals_missing_streams_and_an_impostor_are_told(flown: Flown) -> None
         "Told to hold",
     ):
         assert wanted in flown.said, wanted
+    missing = {v["sysid"]: v["missing_streams"] for v in flown.outcome.summary["vehicles"]}
+    assert "EXTENDED_SYS_STATE" in missing[3]
+    assert missing[4] == missing[101] == []
 
 
 def test_the_recording_holds_both_ways_with_the_sessions_time(flown: Flown) -> None:

@@ -1,4 +1,4 @@
-"""gcs.scenario and gcs.configs: the demo as it ships, what is refused and with which sentence, and the round trip."""
+"""gcs.scenario: the demo as it ships, what is refused and with which sentence, and the round trip."""
 
 import itertools
 import math
@@ -378,36 +378,3 @@ def test_no_damage_to_the_demo_ends_in_anything_but_a_scenario_error(
     except ScenarioError as error:
         said = str(error)
         assert said.startswith(str(path)), said
-
-
-def test_a_shipped_scenario_is_found_by_name_from_anywhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    assert configs.find("demo") == configs.folder() / "demo.yaml"
-    assert "demo" in configs.names()
-
-
-def test_a_file_comes_before_a_shipped_name_and_a_folder_after_it(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "demo").mkdir()
-    assert configs.find("demo") == configs.folder() / "demo.yaml"
-    (tmp_path / "demo").rmdir()
-    (tmp_path / "demo").touch()
-    assert configs.find("demo") == Path("demo")
-
-
-@pytest.mark.parametrize("name", ["dmeo", "", "\0", "../pyproject", "x" * 5000])
-def test_what_is_neither_file_nor_name_is_refused_with_the_names(name: str) -> None:
-    with pytest.raises(ScenarioError, match=r"no such file.*demo") as caught:
-        configs.find(name)
-    assert ("did you mean 'demo'?" in str(caught.value)) == (name == "dmeo")
-
-
-def test_an_installed_package_finds_the_configs_inside_itself(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    inside = tmp_path / "gcs" / "configs" / "paper"
-    inside.mkdir(parents=True)
-    (inside / "example1.yaml").touch()
-    monkeypatch.setattr(configs, "__file__", str(tmp_path / "gcs" / "configs.py"))
-    assert configs.names() == ("paper/example1",)
-    assert configs.find("paper/example1") == inside / "example1.yaml"

@@ -213,7 +213,7 @@ def _cache() -> Iterator[Finding]:
 
 
 def _terminal() -> Iterator[Finding]:
-    if not sys.stdout.isatty():
+    if sys.__stdout__ is None or not sys.stdout.isatty():
         yield Finding("ok", "terminal", "none: `gcs run` writes lines of text")
         return
     size = shutil.get_terminal_size()

@@ -70,7 +70,11 @@ def launch(
                 waiting.pop(ended.sysid, None)
                 print(f"gcs: {ended.sentence(labels[ended.sysid][1])}", file=sys.stderr, flush=True)
             if not hatch.alive:
-                raise RunError("the hatch, which makes the vehicles, has ended; all of them ended with it")
+                sentence = "the hatch, which makes the vehicles, has ended; all of them ended with it"
+                if not reported:
+                    raise RunError(sentence)
+                print(f"gcs: {sentence}", file=sys.stderr)
+                break
             for sysid in list(waiting):
                 if (address := _address(waiting[sysid])) is not None:
                     role, label = labels[sysid]

@@ -30,7 +30,7 @@ RESET += "\x1b[?1049l\x1b[?25h\x1b[0m"
 def usable() -> bool:
     """Whether a console can run here: a terminal to read from and to draw on, that is not a dumb one."""
     named = os.environ.get("TERM", "")
-    return sys.stdin.isatty() and sys.stdout.isatty() and named not in ("", "dumb", "unknown")
+    return os.isatty(0) and os.isatty(1) and named not in ("", "dumb", "unknown")
 
 
 class ConsoleView:

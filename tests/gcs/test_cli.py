@@ -215,6 +215,25 @@ def test_a_launched_vehicle_that_dies_is_named_at_once_and_the_others_fly_on(two
     assert not Path(vehicles[0]["log"]).exists()
 
 
+def test_the_end_of_all_launched_vehicles_is_no_bad_input(two: Path) -> None:
+    with launched(str(two), "--json") as process:
+        listing(process)
+        (hatch,) = _children(process.pid)
+        os.kill(hatch, signal.SIGKILL)
+        _, err = process.communicate(timeout=60)
+    assert process.returncode == 1
+    assert "gcs: the hatch, which makes the vehicles, has ended; all of them ended with it\n" in err
+
+
+@pytest.mark.parametrize("closed", ["<&-", ">&-", "<&- >&- 2>&-"])
+def test_a_session_flies_where_standard_streams_are_closed(two: Path, tmp_path: Path, closed: str) -> None:
+    script = f'exec "$0" run "$1" --lockstep --no-report --out "$2" {closed}'
+    words = [script, GCS, str(two), str(tmp_path / "out")]
+    done = subprocess.run(["sh", "-c", *words], stderr=subprocess.PIPE, text=True, timeout=100, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert json.loads((tmp_path / "out" / "summary.json").read_text())["outcome"] == "met"
+
+
 def _bound(station: socket.socket) -> str:
     station.bind(("127.0.0.1", 0))
     return f"udpout:127.0.0.1:{station.getsockname()[1]}"

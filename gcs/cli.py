@@ -345,6 +345,7 @@ def paper(out: Path | None, only: str | None) -> int:
       0    the page was made, whatever the claims came to
       1    an example could not be flown, or a file could not be written
       2    bad input; nothing has been done
+      130  stopped by Ctrl-C; the sessions flown so far are kept
     """
     from rich.console import Console
 

@@ -239,6 +239,16 @@ def test_a_terminal_that_is_too_small_says_so_until_it_grows(flown: Messages) ->
     drive(steps, flown)
 
 
+@pytest.mark.parametrize(("replay", "promised"), [(None, True), ({"from_s": 0.0, "to_s": 150.0, "speed": 1.0}, False)])
+def test_a_small_terminal_promises_that_the_session_goes_on_only_where_one_flies(
+    replay: dict[str, float] | None, promised: bool
+) -> None:
+    told = [session(), snapshot(5.0, replay=replay) if replay else snapshot(5.0)]
+    text = " ".join(screen(told, size=(60, 18)))
+    assert "close the console with q" in " ".join(text.split())
+    assert ("the session goes on" in text) == promised
+
+
 @pytest.mark.parametrize("key", [*PAGES.values(), "question_mark", "h", "t"])
 def test_without_unicode_everything_is_ascii_and_says_what_is_lost(flown: Messages, key: str) -> None:
     lines = screen(flown, key, glyphs=ASCII, size=(160, 50))

@@ -12,10 +12,11 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 # session's matrices are far too small for them, and the tests start hundreds of processes.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
-LONGEST = ("tests/system/test_readme.py", "tests/peers/test_mavsdk.py")
+# The two longest, and one on the real clock with little to spare, beside which MAVSDK's only wait.
+FIRST = ("tests/peers/test_mavsdk.py", "tests/system/test_external.py", "tests/system/test_readme.py")
 SESSIONS = ("tests/peers/", "tests/system/")
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Long files first, so that none is left for one worker alone at the end; the many short tests fill up."""
-    items.sort(key=lambda item: (not item.nodeid.startswith(LONGEST), not item.nodeid.startswith(SESSIONS)))
+    items.sort(key=lambda item: (not item.nodeid.startswith(FIRST), not item.nodeid.startswith(SESSIONS)))

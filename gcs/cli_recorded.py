@@ -151,6 +151,8 @@ def _decide(session: Path, as_json: bool) -> int:
         raise click.UsageError(f"{error.filename or session}: {error.strerror}.") from None
     for problem in verdict.problems:
         click.echo(f"gcs: {problem}", err=True)
+    if not verdict.compared:
+        raise click.UsageError(f"{session} holds no decision to compare: was it killed before the first was written?")
     (_tell_json if as_json else _tell)(verdict)
     return AGREES if verdict.agrees else DIFFERS
 

@@ -5,8 +5,22 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from pymavlink.dialects.v20 import common as mav
+
 Level = Literal["info", "warning", "critical"]
 Kind = Literal["text", "mode", "failsafe", "ack", "decision", "operator", "link", "death", "session"]
+
+QUIETER: dict[int, Level] = {
+    mav.MAV_SEVERITY_WARNING: "warning",
+    mav.MAV_SEVERITY_NOTICE: "info",
+    mav.MAV_SEVERITY_INFO: "info",
+    mav.MAV_SEVERITY_DEBUG: "info",
+}
+
+
+def level_of(severity: int) -> Level:
+    """How loudly a STATUSTEXT of this MAV_SEVERITY is told; from error on, and what is none, it is critical."""
+    return QUIETER.get(severity, "critical")
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,6 @@ import numpy as np
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.contest import Standing
-from gcs.events import Level
 from gcs.mavlink.commands import CommandResult
 from gcs.pilot import OPERATOR
 from gcs.pursuit import meeting_s
@@ -18,12 +17,6 @@ from gcs.service import Phase, Service, by_text
 from gcs.views import Snapshot, Vec3
 
 HISTORY = 20
-LEVELS: dict[int, Level] = {
-    mav.MAV_SEVERITY_WARNING: "warning",
-    mav.MAV_SEVERITY_NOTICE: "info",
-    mav.MAV_SEVERITY_INFO: "info",
-}
-"""How loudly a vehicle's STATUSTEXT is told; what is not here is critical."""
 
 
 def competition_of(standing: Standing, rules: Competition) -> dict[str, Any]:

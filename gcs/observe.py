@@ -14,7 +14,7 @@ from typing import Any, Literal
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.ears import AUTOPILOT, Ear
-from gcs.events import Event, Level
+from gcs.events import Event, level_of
 from gcs.fleet import Fleet, GlobalOrigin, Member
 from gcs.inspection import Inspection
 from gcs.mavlink import codec
@@ -42,12 +42,6 @@ _ACK = codec.msgid("COMMAND_ACK")
 _TARGET = codec.msgid("POSITION_TARGET_LOCAL_NED")
 _SET_POINT = codec.msgid("SET_POSITION_TARGET_LOCAL_NED")
 _NO_POSITION = mav.POSITION_TARGET_TYPEMASK_X_IGNORE
-_LEVELS: Mapping[int, Level] = {
-    mav.MAV_SEVERITY_WARNING: "warning",
-    mav.MAV_SEVERITY_NOTICE: "info",
-    mav.MAV_SEVERITY_INFO: "info",
-    mav.MAV_SEVERITY_DEBUG: "info",
-}
 ROLES: Mapping[int, str] = {
     **dict.fromkeys(
         (
@@ -302,7 +296,7 @@ class Observer:
 
     def _said(self, t_s: float) -> None:
         for sysid, severity, text in self.fleet.take_statustexts():
-            self._events.append(Event(t_s, sysid, _LEVELS.get(severity, "critical"), text, "text"))
+            self._events.append(Event(t_s, sysid, level_of(severity), text, "text"))
         for sysid, ack in self.fleet.take_acks():
             self._acknowledged(t_s, sysid, ack)
 

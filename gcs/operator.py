@@ -16,7 +16,7 @@ from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
 from gcs.events import Event
-from gcs.pilot import Pilot
+from gcs.pilot import Pilot, Stage
 from gcs.profiles import End
 from gcs.refuelling import Schedule
 from gcs.scenario import Scenario
@@ -117,7 +117,7 @@ class Operator:
 
     def _rejoin(self, view: VehicleView, command: str) -> Answer:
         pilot = self._pilots[view.sysid]
-        if pilot.ordered is None and not pilot.down:
+        if pilot.ordered is None and not pilot.down and pilot.stage is not Stage.YIELDED:
             return Answer(False, f"{_name(view)} flies by the plan already: nobody has taken it.")
         if view.energy_source != "none" and view.remaining_j <= 0.0:
             return Answer(False, f"{_name(view)} has no energy left to fly with.")

@@ -14,8 +14,8 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs import beacons
 from gcs.crew import make_fleet, make_pilots, make_radio
-from gcs.events import Event, Kind, Level
-from gcs.explain import LEVELS, acknowledged
+from gcs.events import Event, Kind, Level, level_of
+from gcs.explain import acknowledged
 from gcs.externals import ENDING, Externals
 from gcs.inspection import Inspection
 from gcs.link import SUPERVISOR, FleetLink, Key
@@ -224,7 +224,7 @@ class Supervisor:
         for sysid, severity, text in self.fleet.take_statustexts():
             if self.externals.repeats(sysid, text, now_s):
                 continue
-            self.events.append(Event(now_s, sysid, LEVELS.get(severity, "critical"), text, "text"))
+            self.events.append(Event(now_s, sysid, level_of(severity), text, "text"))
         return arrived, delivered
 
     def _take_acknowledgements(self, now_s: float) -> None:

@@ -160,6 +160,16 @@ def steered(made: ExternalPilot, from_s: float, until_s: float, seen: VehicleVie
     return [command for k in ticks for command in told(made, seen, k / 10.0)]
 
 
+def test_our_operator_may_ask_for_one_back_that_somebody_else_took() -> None:
+    made = flying()
+    steered(made, 3.1, 10.0)
+    assert steered(made, 10.0, 12.0, HELD) == []
+    made.rejoin()
+    assert SET_MODE in steered(made, 12.0, 16.0, HELD)
+    made.decide(FLYING, 16.0)
+    assert made.stage is Stage.FLY
+
+
 @pytest.mark.parametrize("profile", [PX4, ARDUCOPTER])
 def test_a_hold_while_set_points_reach_it_is_somebody_elses_wish_until_he_gives_it_back(profile: Profile) -> None:
     made = flying()

@@ -395,6 +395,14 @@ def test_a_session_that_was_killed_is_compared_up_to_there(session: Outcome, tmp
     assert any("did not end" in problem for problem in verdict.problems)
 
 
+def test_where_nothing_was_decided_nothing_agrees(session: Outcome, tmp_path: Path) -> None:
+    folder = copy(session, tmp_path / "killed")
+    (folder / "decisions.jsonl").write_text("")
+    again = gcs("replay", str(folder), "--decide")
+    assert again.returncode == 2
+    assert "holds no decision to compare" in again.stderr
+
+
 def test_a_log_of_another_scenario_is_not_decided(session: Outcome, tmp_path: Path) -> None:
     folder = copy(session, tmp_path / "other")
     text = (folder / "scenario.yaml").read_text()

@@ -25,7 +25,7 @@ from gcs.mavlink import codec
 
 ROOT = Path(__file__).resolve().parents[2]
 SESSIONS = 5
-FLEET_S = 30.0
+FLEET_S = 60.0
 STARTED = 50
 KIB = 1024.0
 
@@ -146,7 +146,7 @@ def _pss_kib(pid: int) -> float:
 
 
 def full_fleet(scale: Scale) -> list[Figure]:
-    """`gcs run fleet` in real time, shortened to 30 s, every vehicle asked for the six hot messages at 10 Hz."""
+    """`gcs run fleet` in real time, shortened to a minute, every vehicle asked for the six hot messages at 10 Hz."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         (folder / "vehicles").mkdir()

@@ -24,8 +24,8 @@ MANY = 16
 """With more vehicles than this, lines of all would hide each other."""
 BUCKETS, BUCKETS_OF_MANY = 1000, 400
 """Pixels of a figure's width; of many vehicles each line has fewer, so that the page stays small."""
-PATH_PIXELS, PATH_PIXELS_OF_MANY = 1500, 500
-"""A path's points are this share of the whole apart."""
+PATH_PIXELS = 3000
+"""A path as drawn is off by at most this part of the whole's extent: one has to zoom to see it."""
 CORNERS = 24
 DEGREES = 180.0 / math.pi
 CHOSEN = 6
@@ -166,13 +166,13 @@ class Charts:
             return None
         places = [track.p_ned for track in (*found.tracks.values(), *found.traffic.values()) if len(track.t_s)]
         span_m = np.ptp(np.concatenate(places), axis=0).max() if places else 1.0
-        apart_m = max(float(span_m), 1.0) / (PATH_PIXELS_OF_MANY if self.many else PATH_PIXELS)
+        off_m = max(float(span_m), 1.0) / PATH_PIXELS
         shapes = found.scenario.obstacles if found.scenario else ()
         return {
             "kind": "plan",
-            "paths": [{"id": s, "p": self.pack.path(path_of(t, apart_m))} for s, t in sorted(found.tracks.items())],
+            "paths": [{"id": s, "p": self.pack.path(path_of(t, off_m))} for s, t in sorted(found.tracks.items())],
             "traffic": [
-                {"label": name, "p": self.pack.path(path_of(track, apart_m))} for name, track in found.traffic.items()
+                {"label": name, "p": self.pack.path(path_of(track, off_m))} for name, track in found.traffic.items()
             ],
             "planned": [
                 [[round(x, 3) for x in point] for leg in legs(t.path_m, t.closed) for point in leg]
@@ -215,10 +215,10 @@ class Charts:
         return {"kind": "timeline", "rows": rows, "bars": bars}
 
 
-def path_of(track: Track, apart_m: float) -> Floats:
-    """A track's points, thinned, with gaps where it was silent for long."""
+def path_of(track: Track, off_m: float) -> Floats:
+    """A track's path, simplified, with gaps where it was silent for long."""
     after = np.flatnonzero(np.diff(track.t_s) > 2.0) + 1
-    return decimate.thin(np.insert(track.p_ned, after, np.nan, axis=0), apart_m)
+    return decimate.simplified(np.insert(track.p_ned, after, np.nan, axis=0), off_m)
 
 
 def notable(found: Findings) -> list[int]:

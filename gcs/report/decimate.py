@@ -1,7 +1,7 @@
 """Fewer points that draw the same picture: per bucket of time the smallest and the largest value, where they were.
 
 A line drawn through them covers the same pixels as one through all, if a bucket is no wider than a pixel, and no
-extreme is lost however few they are. Paths in space are thinned by distance instead.
+extreme is lost however few they are. Paths in space lose the points that lie next to the line through the others.
 """
 
 from __future__ import annotations
@@ -69,26 +69,59 @@ def band(many: list[Series], buckets: int, begin_s: float, end_s: float) -> tupl
     return middles_s, least, median, greatest
 
 
-def thin(path: Floats, apart_m: float) -> Floats:
-    """Points (m, 3) of a path (k, 3), so that each one left out is less than `apart_m` from the last one kept.
+def simplified(path: Floats, off_m: float) -> Floats:
+    """Points (m, 3) of a path (k, 3), so that each one left out is at most `off_m` from the line drawn through them.
 
-    First and last of each stretch stay; of points in a row that are NaN one stays, as a gap.
+    First and last of each stretch stay; of points in a row that are NaN one stays, as a gap. (Ramer 1972, Douglas and
+    Peucker 1973: of a stretch its farthest point is kept and both parts are treated alike.)
     """
-    return path[_kept(np.ascontiguousarray(path), apart_m * apart_m)]
+    return path[_kept(np.ascontiguousarray(path), off_m * off_m)]
 
 
 @njit(cache=True)
-def _kept(path: Floats, apart_m2: float) -> NDArray[np.bool_]:
-    """Kernel: (k,) which points `thin` keeps."""
-    kept = np.zeros(path.shape[0], dtype=np.bool_)
-    last = -1
-    for k in range(path.shape[0]):
-        if np.isnan(path[k, 0]):
-            kept[k] = last >= 0
-            last = -1
+def _kept(path: Floats, off_m2: float) -> NDArray[np.bool_]:
+    """Kernel: (k,) which points `simplified` keeps."""
+    count = path.shape[0]
+    kept = np.zeros(count, dtype=np.bool_)
+    waiting = np.empty((count, 2), dtype=np.int64)  # stretches still to be looked at; they never overlap
+    begin = 0
+    while begin < count:
+        if np.isnan(path[begin, 0]):
+            kept[begin] = begin > 0 and not np.isnan(path[begin - 1, 0])
+            begin += 1
             continue
-        ends = k + 1 == path.shape[0] or np.isnan(path[k + 1, 0])
-        if last < 0 or ends or ((path[k] - path[last]) ** 2).sum() >= apart_m2:
-            kept[k] = True
-            last = k
+        end = begin
+        while end + 1 < count and not np.isnan(path[end + 1, 0]):
+            end += 1
+        kept[begin] = kept[end] = True
+        waiting[0, 0], waiting[0, 1] = begin, end
+        depth = 1
+        while depth:
+            depth -= 1
+            first, last = waiting[depth]
+            farthest, greatest_m2 = first, off_m2
+            for k in range(first + 1, last):
+                m2 = _off_m2(path[k], path[first], path[last])
+                if m2 > greatest_m2:
+                    farthest, greatest_m2 = k, m2
+            if farthest > first:
+                kept[farthest] = True
+                waiting[depth, 0], waiting[depth, 1] = first, farthest
+                waiting[depth + 1, 0], waiting[depth + 1, 1] = farthest, last
+                depth += 2
+        begin = end + 1
     return kept
+
+
+@njit(cache=True, inline="always")
+def _off_m2(point: Floats, first: Floats, last: Floats) -> float:
+    """Kernel: squared distance of a point from the segment between two others."""
+    along, length_m2 = 0.0, 0.0
+    for k in range(3):
+        along += (point[k] - first[k]) * (last[k] - first[k])
+        length_m2 += (last[k] - first[k]) ** 2
+    share = min(max(along / length_m2, 0.0), 1.0) if length_m2 > 0.0 else 0.0
+    m2 = 0.0
+    for k in range(3):
+        m2 += (point[k] - first[k] - share * (last[k] - first[k])) ** 2
+    return m2

@@ -2,7 +2,6 @@
 (async () => {
   "use strict";
   const root = document.documentElement;
-  const started = performance.now();
   const model = JSON.parse(document.getElementById("model").textContent);
   const chosen = new Set(model.chosen);
   const vehicleOf = new Map(model.vehicles.map((vehicle) => [vehicle.id, vehicle]));
@@ -206,15 +205,15 @@
     }
     const layout = { ...frame(div, narrow(div) ? 380 : 500), dragmode: view === "space" ? "turntable" : narrow(div) && !printing ? false : "pan" };
     if (view === "space") {
-      const direction = (title) => ({ title: { text: title }, gridcolor: grid, color: ink, backgroundcolor: paper, zerolinecolor: grid });
+      const direction = (title, part) => ({ title: { text: title }, nticks: Math.ceil(8 * part), gridcolor: grid, color: ink, backgroundcolor: paper, zerolinecolor: grid });
       const spans = ["x", "y", "z"].map((k) => {
         let [low, high] = [Infinity, -Infinity];
         for (const one of data) for (const v of one[k]) { if (v < low) low = v; if (v > high) high = v; }
         return Math.max(high - low, 1e-3);
       });
-      const [x, y, z] = spans.map((span) => (1.35 * span) / Math.max(...spans)); // one scale in all directions, all in view
+      const [x, y, z] = spans.map((span) => (1.2 * span) / Math.max(...spans)); // one scale in all directions, all in view
       layout.scene = {
-        xaxis: direction("east (m)"), yaxis: direction("north (m)"), zaxis: direction("height (m)"), aspectmode: "manual", aspectratio: { x, y, z },
+        xaxis: direction("east (m)", x), yaxis: direction("north (m)", y), zaxis: direction("height (m)", z), aspectmode: "manual", aspectratio: { x, y, z },
         camera: { eye: { x: -1.0, y: -1.6, z: 0.95 }, center: { x: 0, y: 0, z: -0.08 } },
       };
       layout.margin = { l: 0, r: 0, t: 0, b: 0 };
@@ -376,8 +375,9 @@
     document.querySelectorAll(".waiting").forEach((one) => { one.textContent = `This browser cannot draw the figures (${problem.message}).`; });
     return;
   }
-  const mark = (name) => { root.dataset[name] = String(Math.round(performance.now())); };
-  root.dataset.unpacked = String(Math.round(performance.now() - started));
+  // When each stage was reached, in ms since the page was asked for: tests and `make bench` read it.
+  const mark = (stage) => { root.dataset[stage] = String(Math.round(performance.now())); };
+  mark("unpacked");
   // What is costly comes last.
   const costly = (div) => Number(div.dataset.view === "space");
   for (const div of plots.filter((one) => !onPaper(one)).sort((a, b) => costly(a) - costly(b))) {
@@ -386,7 +386,7 @@
     if (!costly(div)) mark("flat");
     await new Promise((resolve) => { setTimeout(resolve); }); // the reader may scroll meanwhile
   }
-  mark("all");
+  requestAnimationFrame(() => requestAnimationFrame(() => mark("all"))); // in the second frame, the first is on the screen
 
   darkly.addEventListener("change", () => { fillPicker(); redraw(); });
   let resized = 0;

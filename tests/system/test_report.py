@@ -20,10 +20,6 @@ from gcs.cli import run_argv
 from gcs.cli_report import after_run
 
 needs_chromium = pytest.mark.skipif(CHROMIUM is None, reason=MISSING)
-DRAWN = """new Promise((done) => {
-  const look = () => (document.documentElement.dataset.all ? done(true) : setTimeout(look, 20));
-  look();
-})"""
 # Of every figure: whether it shows, where, and how many lines and bars it holds.
 FIGURES = """[...document.querySelectorAll('.plot')].map((plot) => {
   const box = plot.getBoundingClientRect();
@@ -119,7 +115,7 @@ def test_its_numbers_are_the_summarys(flown: Outcome) -> None:
 @pytest.mark.parametrize(("width", "dark"), [(1280, False), (420, True)])
 def test_every_figure_is_drawn_and_nothing_is_fetched(flown: Outcome, browser: Browser, width: int, dark: bool) -> None:
     browser.open(flown.folder / "report.html", width, dark=dark)
-    assert browser.evaluate(DRAWN)
+    browser.drawn()
     shown = [figure for figure in browser.evaluate(FIGURES) if figure["shows"]]
     assert {figure["name"] for figure in shown} == FIGURE_NAMES
     assert {figure["view"] for figure in shown} >= {"plan", "space"}
@@ -147,7 +143,7 @@ def test_every_figure_is_drawn_and_nothing_is_fetched(flown: Outcome, browser: B
 @needs_chromium
 def test_a_vehicle_can_be_left_out_of_every_figure(flown: Outcome, browser: Browser) -> None:
     browser.open(flown.folder / "report.html")
-    browser.evaluate(DRAWN)
+    browser.drawn()
     lines = "document.querySelectorAll('[data-figure=battery] path.js-line').length"
     before = browser.evaluate(lines)
     browser.evaluate("document.querySelector('.picker button').click()")
@@ -158,7 +154,7 @@ def test_a_vehicle_can_be_left_out_of_every_figure(flown: Outcome, browser: Brow
 @needs_chromium
 def test_no_figure_is_lost_on_paper(flown: Outcome, browser: Browser) -> None:
     browser.open(flown.folder / "report.html", dark=True)
-    browser.evaluate(DRAWN)
+    browser.drawn()
     pdf = browser.pdf()
     assert pdf.startswith(b"%PDF")
     assert len(re.findall(rb"/Type\s*/Page\b", pdf)) >= 4
@@ -215,7 +211,7 @@ def test_a_page_without_figures_is_no_error(flown: Outcome, tmp_path: Path, brow
     shutil.copy(flown.folder / "summary.json", folder)
     assert report(folder, "--quiet") == 0
     browser.open(folder / "report.html")
-    assert browser.evaluate(DRAWN)
+    browser.drawn()
     assert not [event for event in browser.events if event["method"] == "Runtime.exceptionThrown"]
 
 

@@ -16,6 +16,7 @@ from pathlib import Path
 import codecs_of_a_tick
 import console_drawn
 import laws
+import report_opened
 import sessions_timed
 from measure import REFERENCE_STEPS_S, Figure, calibrate
 from rich.console import Console
@@ -39,6 +40,7 @@ def main() -> None:
         7: laws.competing,
         8: lambda: laws.recording(scale),
         9: console_drawn.figures,
+        10: report_opened.figures,
     }
     wanted = [int(number) for number in options.only.split(",")] if options.only else list(figures)
     console = Console(width=None if sys.stdout.isatty() else 170)

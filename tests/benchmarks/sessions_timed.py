@@ -40,21 +40,33 @@ def example_1(vehicles: int, duration_s: float, per_process: int) -> dict[str, A
     return content
 
 
-def fly(content: dict[str, Any]) -> tuple[float, float]:
-    """Fly a session: times real time, and CPU seconds of all its processes."""
-    with tempfile.TemporaryDirectory() as name:
-        path, out = Path(name) / "scenario.yaml", Path(name) / "session"
-        path.write_text(yaml.safe_dump(content), encoding="utf-8")
-        before = _children_cpu_s()
-        command = [sys.executable, "-m", "gcs.cli", "run", str(path), "--lockstep", "--plain", "--out", str(out)]
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
-        if done.returncode != 0:
-            raise RuntimeError(f"gcs run ended with {done.returncode}: {done.stderr or done.stdout}")
-        summary = json.loads((out / "summary.json").read_text(encoding="utf-8"))
-        return summary["speed_achieved"], _children_cpu_s() - before
+def fleet(duration_s: float) -> dict[str, Any]:
+    """`gcs run fleet` for this long, whatever comes of it."""
+    content: dict[str, Any] = yaml.safe_load((ROOT / "configs/fleet.yaml").read_text(encoding="utf-8"))
+    content["goal"] = {"duration_s": duration_s}
+    return content
 
 
-def _children_cpu_s() -> float:
+def fly(content: dict[str, Any], folder: Path) -> tuple[float, float]:
+    """Fly a session in lockstep into folder/session: times real time, and CPU seconds of all its processes."""
+    path, out = folder / "scenario.yaml", folder / "session"
+    path.write_text(yaml.safe_dump(content), encoding="utf-8")
+    before_s = children_cpu_s()
+    run_gcs("run", str(path), "--lockstep", "--plain", "--out", str(out))
+    summary = json.loads((out / "summary.json").read_text(encoding="utf-8"))
+    return summary["speed_achieved"], children_cpu_s() - before_s
+
+
+def run_gcs(*arguments: str) -> None:
+    """`gcs` with these arguments. Raises RuntimeError with what it said unless it ends well."""
+    command = [sys.executable, "-m", "gcs.cli", *arguments]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise RuntimeError(f"gcs {arguments[0]} ended with {done.returncode}: {done.stderr or done.stdout}")
+
+
+def children_cpu_s() -> float:
+    """CPU seconds of all processes that were waited for."""
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     return used.ru_utime + used.ru_stime
 
@@ -68,7 +80,8 @@ def lockstep() -> list[Figure]:
     flown: dict[str, list[tuple[float, float]]] = {name: [] for name, *_ in rows}
     for _ in range(SESSIONS):
         for name, vehicles, duration_s, per_process, _ in rows:
-            flown[name].append(fly(example_1(vehicles, duration_s, per_process)))
+            with tempfile.TemporaryDirectory() as folder:
+                flown[name].append(fly(example_1(vehicles, duration_s, per_process), Path(folder)))
     cores = len(os.sched_getaffinity(0))
     law_alone = laws.vehicle_seconds() * cores
     return [
@@ -88,7 +101,7 @@ def starting(scale: Scale) -> list[Figure]:
         ground.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4 << 20)
         ground.setblocking(False)
         address = f"udpout:127.0.0.1:{ground.getsockname()[1]}"
-        begun_s, before = time.perf_counter(), _children_cpu_s()
+        begun_s, before = time.perf_counter(), children_cpu_s()
         with Hatch() as hatch:
             hatch.start(
                 [
@@ -104,7 +117,7 @@ def starting(scale: Scale) -> list[Figure]:
             hatch.events()
             alone_mib = _pss_of_one(address, ground)
             pss_mib = statistics.mean(_pss_kib(pid) for pid in hatch.pids) / KIB
-        cpu_s = _children_cpu_s() - before
+        cpu_s = children_cpu_s() - before
     if len(ready) < STARTED:
         raise RuntimeError(f"only {len(ready)} of {STARTED} vehicles came up")
     return [
@@ -150,9 +163,7 @@ def full_fleet(scale: Scale) -> list[Figure]:
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         (folder / "vehicles").mkdir()
-        content = yaml.safe_load((ROOT / "configs/fleet.yaml").read_text(encoding="utf-8"))
-        content["goal"] = {"duration_s": FLEET_S}
-        (folder / "scenario.yaml").write_text(yaml.safe_dump(content), encoding="utf-8")
+        (folder / "scenario.yaml").write_text(yaml.safe_dump(fleet(FLEET_S)), encoding="utf-8")
         script = Path(__file__).with_name("fleet_in_real_time.py")
         reading, writing = os.pipe()  # the supervisor lives as long as its standard input is open
         done = subprocess.run(

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import json
+import math
 import os
-from collections import Counter, deque
-from collections.abc import Callable, Container, Iterable, Mapping, Sequence
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +15,6 @@ Snapshot = Mapping[str, Any]
 
 PROGRESS_EVERY_S = 2.0
 JSON_EVERY_S = 1.0
-RECENT_EVENTS = 1000
 EXPLAINED_WITHIN_S = 2.0
 """A vehicle that announced something this recently (session time) has explained its own change of mode."""
 
@@ -25,17 +25,11 @@ def clean(text: object) -> str:
 
 
 def name_of(snapshot: Snapshot, sysid: int | None) -> str:
-    """`pursuer 5`; the supervisor's own events carry no vehicle's id."""
+    """`pursuer 5`; the session's own events carry no vehicle's id."""
     for vehicle in snapshot["vehicles"]:
         if vehicle["sysid"] == sysid:
             return clean(vehicle["label"])
-    return "traffic" if sysid == 255 else f"vehicle {sysid}" if sysid else "supervisor"
-
-
-def giver_of(snapshot: Snapshot, service: Mapping[str, Any]) -> str:
-    """`tanker 201`, or `base pad`."""
-    base = service.get("base")
-    return name_of(snapshot, service["tanker"]) if base is None else f"base {clean(base)}"
+    return "traffic" if sysid == 255 else f"vehicle {sysid}" if sysid else "session"
 
 
 def minutes(duration_s: float | None) -> str:
@@ -50,12 +44,6 @@ def told(snapshot: Snapshot, event: Mapping[str, Any]) -> str:
     """An event with the name of whom it concerns in front, unless its text begins with that."""
     who, text = name_of(snapshot, event.get("sysid")), clean(event["text"])
     return text if text.startswith(who) else f"{who}: {text}"
-
-
-def worth_a_line(event: Mapping[str, Any]) -> bool:
-    """Whether lines of text tell of an event: modes they read off the vehicles, and what is granted goes unsaid."""
-    kind = event.get("kind")
-    return kind not in ("mode", "failsafe") and (kind != "ack" or event["level"] != "info")
 
 
 def goal_parts(snapshot: Snapshot) -> list[tuple[str, float, float, str]]:
@@ -89,57 +77,32 @@ def progress(snapshot: Snapshot) -> str:
     return " | ".join(part for part in parts if part)
 
 
-def news(previous: Snapshot | None, snapshot: Snapshot, recent: Iterable[Mapping[str, Any]] = ()) -> list[str]:
-    """One line for each thing that happened between two snapshots; `recent` are the events before these.
+class News:
+    """One line for each event that a person wants to hear of. Events alone decide: how often snapshots come does not.
 
-    Events come first, then what the vehicles' states show and no event of theirs has just said, then refuelling.
+    What is granted goes unsaid, and so does a change of mode that its vehicle has just announced itself.
     """
-    lines = []
-    for event in snapshot["events"]:
-        level = "" if event["level"] == "info" else f"{event['level'].upper()}: "
-        lines.append(f"{_stamp(event['t_s'])} {level}{told(snapshot, event)}")
-    if previous is not None:
-        now = _stamp(snapshot["t_s"])
-        since_s = previous["t_s"] - EXPLAINED_WITHIN_S
-        explained = {event.get("sysid") for event in (*recent, *snapshot["events"]) if event["t_s"] >= since_s}
-        lines += [f"{now} {line}" for line in _vehicle_news(previous, snapshot, explained)]
-        lines += [f"{now} {line}" for line in _service_news(previous, snapshot, explained)]
-    return lines
+
+    def __init__(self) -> None:
+        self._said_s: dict[int | None, float] = {}
+
+    def lines(self, snapshot: Snapshot) -> list[str]:
+        """Those of a snapshot's events."""
+        return [_line(snapshot, event) for event in snapshot["events"] if self._worth_a_line(event)]
+
+    def _worth_a_line(self, event: Mapping[str, Any]) -> bool:
+        kind, sysid, t_s = event.get("kind"), event.get("sysid"), float(event["t_s"])
+        if kind == "ack" and event["level"] == "info":
+            return False
+        if kind in ("mode", "failsafe") and 0.0 <= t_s - self._said_s.get(sysid, -math.inf) <= EXPLAINED_WITHIN_S:
+            return False
+        self._said_s[sysid] = t_s
+        return True
 
 
-def _vehicle_news(previous: Snapshot, snapshot: Snapshot, explained: Container[int | None]) -> list[str]:
-    before = {vehicle["sysid"]: vehicle for vehicle in previous["vehicles"]}
-    lines = []
-    for vehicle in snapshot["vehicles"]:
-        old = before.get(vehicle["sysid"])
-        if old is None or vehicle["sysid"] in explained:
-            continue
-        if old["alive"] and not vehicle["alive"]:
-            lines.append(f"CRITICAL: {clean(vehicle['label'])}: died")
-        elif old["mode"] != vehicle["mode"]:
-            lines.append(f"{clean(vehicle['label'])}: {clean(old['mode'])} -> {clean(vehicle['mode'])}")
-    return lines
-
-
-def _service_news(previous: Snapshot, snapshot: Snapshot, explained: Container[int | None]) -> list[str]:
-    before, after = _services(previous), _services(snapshot)
-    lines = []
-    for receiver, giver in sorted({*before, *after}):
-        old, new = before.get((receiver, giver)), after.get((receiver, giver))
-        if receiver in explained:
-            continue
-        who = f"refuelling {name_of(snapshot, receiver)} <- {giver}"
-        if old is None and new is not None:
-            lines.append(f"{who}: {clean(new['phase'])} (by {clean(new['by'])})")
-        elif new is None and old is not None:
-            lines.append(f"{who}: over, at least {old['energy_j']:.0f} J given")
-        elif old is not None and new is not None and old["phase"] != new["phase"]:
-            lines.append(f"{who}: {clean(new['phase'])}")
-    return lines
-
-
-def _services(snapshot: Snapshot) -> dict[tuple[int, str], Mapping[str, Any]]:
-    return {(service["receiver"], giver_of(snapshot, service)): service for service in snapshot["services"]}
+def _line(snapshot: Snapshot, event: Mapping[str, Any]) -> str:
+    level = "" if event["level"] == "info" else f"{event['level'].upper()}: "
+    return f"{_stamp(event['t_s'])} {level}{told(snapshot, event)}"
 
 
 def _stamp(t_s: float) -> str:
@@ -199,17 +162,15 @@ class PlainView:
 
     def __init__(self, write: Callable[[str], object]) -> None:
         self._write = write
-        self._recent: deque[Mapping[str, Any]] = deque(maxlen=RECENT_EVENTS)
+        self._news = News()
         self._last: Snapshot | None = None
         self._told: Snapshot | None = None
         self._told_s = -PROGRESS_EVERY_S
 
     def show(self, snapshot: Snapshot) -> None:
         """Take in the newest state."""
-        snapshot = {**snapshot, "events": [event for event in snapshot["events"] if worth_a_line(event)]}
-        for line in news(self._last, snapshot, self._recent):
+        for line in self._news.lines(snapshot):
             self._write(line)
-        self._recent.extend(snapshot["events"])
         self._last = snapshot
 
     def tick(self, now_s: float) -> None:

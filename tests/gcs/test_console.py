@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 
 from gcs.console.client import Client, Lines
-from gcs.console.plain import JsonView, PlainView, farewell, news, progress
+from gcs.console.plain import JsonView, News, PlainView, farewell, progress
 
 
 def vehicle(sysid: int, role: str = "pursuer", **other: Any) -> dict[str, Any]:
@@ -76,9 +76,13 @@ def demo(**other: Any) -> dict[str, Any]:
     )
 
 
+def news(content: dict[str, Any]) -> list[str]:
+    return News().lines(content)
+
+
 def test_text_from_the_air_cannot_steer_the_terminal() -> None:
     content = demo(events=[event(1.0, 5, "\x1b[2Jgone [red]\nnext\x07")])
-    (line,) = news(None, content)
+    (line,) = news(content)
     assert "\x1b" not in line
     assert "[2Jgone [red] next" in line
 
@@ -91,26 +95,56 @@ def test_a_progress_line_says_time_modes_lowest_battery_and_goal() -> None:
 
 
 def test_each_event_becomes_one_line_with_its_level_and_vehicle() -> None:
-    lines = news(None, demo(events=[event(12.1, 5, "Refuel"), event(12.2, 3, "Battery empty", "critical")]))
+    lines = news(demo(events=[event(12.1, 5, "Refuel"), event(12.2, 3, "Battery empty", "critical")]))
     assert lines == ["   12.1 s pursuer 5: Refuel", "   12.2 s CRITICAL: pursuer 3: Battery empty"]
     death = "pursuer 3 (process 9) was killed by signal 9"
-    assert news(None, demo(events=[event(1.0, 3, death, "critical")])) == [f"    1.0 s CRITICAL: {death}"]
+    assert news(demo(events=[event(1.0, 3, death, "critical")])) == [f"    1.0 s CRITICAL: {death}"]
 
 
-def test_a_change_of_mode_is_told_once() -> None:
-    before, after = snapshot(vehicle(5)), snapshot(vehicle(5, mode="hold"), t_s=52.4)
-    assert news(before, after) == ["   52.4 s pursuer 5: offboard -> hold"]
-    assert news(before, after, [event(51.5, 5, "Set points lost: hold")]) == []
-    assert news(after, after) == []
+def test_a_change_of_mode_is_told_unless_its_vehicle_has_just_said_so() -> None:
+    changed = event(52.4, 5, "offboard -> hold") | {"kind": "mode"}
+    assert news(demo(events=[changed])) == ["   52.4 s pursuer 5: offboard -> hold"]
+    announced = event(51.5, 5, "Set points lost: hold") | {"kind": "text"}
+    assert news(demo(events=[announced, changed])) == ["   51.5 s pursuer 5: Set points lost: hold"]
+    assert len(news(demo(events=[announced | {"sysid": 4}, changed]))) == 2
+    assert len(news(demo(events=[announced | {"t_s": 50.0}, changed]))) == 2
 
 
-def test_refuelling_is_told_from_decision_to_end() -> None:
-    waiting, flowing, over = (demo(services=s, events=[]) for s in ([SERVICE | {"phase": "join"}], [SERVICE], []))
-    assert news(over, waiting) == ["   52.3 s refuelling pursuer 5 <- tanker 201: join (by competition)"]
-    assert news(waiting, flowing) == ["   52.3 s refuelling pursuer 5 <- tanker 201: transfer"]
-    decision = event(52.0, 5, "Refuelling of 5 by 201 decided by competition")
-    assert news(over, waiting | {"events": [decision]}) == ["   52.0 s pursuer 5: " + decision["text"]]
-    assert news(flowing, over) == ["   52.3 s refuelling pursuer 5 <- tanker 201: over, at least 3120 J given"]
+def test_what_is_granted_is_not_told_and_what_is_refused_is() -> None:
+    granted = event(1.0, 5, "Hold accepted") | {"kind": "ack"}
+    refused = event(1.0, 5, "Hold refused: denied", "warning") | {"kind": "ack"}
+    assert news(demo(events=[granted, refused])) == ["    1.0 s WARNING: pursuer 5: Hold refused: denied"]
+
+
+@pytest.mark.parametrize("at_once", range(1, 8))
+def test_the_lines_do_not_depend_on_how_often_snapshots_come(at_once: int) -> None:
+    happened = [
+        event(40.0, 5, "Refuelling of 5 by 201 decided by competition") | {"kind": "decision"},
+        event(44.0, 5, "Refuel") | {"kind": "text"},
+        event(44.0, 5, "offboard -> refuel") | {"kind": "mode"},
+        event(44.1, 5, "Transfer from 201 to 5 begun") | {"kind": "decision"},
+        event(47.0, 4, "offboard -> hold", "warning") | {"kind": "failsafe"},
+        event(50.0, 5, "Refuelling of 5 by 201 ended: full, 9000 J") | {"kind": "decision"},
+        event(52.5, 5, "refuel -> offboard") | {"kind": "mode"},
+    ]
+    phases = ("join", "start receiver", "transfer", "catch up")
+    lines: list[str] = []
+    view = PlainView(lines.append)
+    for begin in range(0, len(happened), at_once):
+        services = [SERVICE | {"phase": phases[begin % 4]}]
+        view.show(demo(services=services, events=happened[begin : begin + at_once]))
+    assert [line.split(" s ", 1)[1] for line in lines] == [
+        "pursuer 5: Refuelling of 5 by 201 decided by competition",
+        "pursuer 5: Refuel",
+        "pursuer 5: Transfer from 201 to 5 begun",
+        "WARNING: pursuer 4: offboard -> hold",
+        "pursuer 5: Refuelling of 5 by 201 ended: full, 9000 J",
+        "pursuer 5: refuel -> offboard",
+    ]
+
+
+def test_the_sessions_own_words_are_the_sessions() -> None:
+    assert news(demo(events=[event(1.0, 0, "The session goes on.")])) == ["    1.0 s session: The session goes on."]
 
 
 def test_plain_progress_comes_every_two_seconds_and_news_at_once() -> None:

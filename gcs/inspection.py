@@ -14,6 +14,8 @@ from typing import Any
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
 
+Subject = tuple[int, str]
+_NAMED = frozenset(map(codec.msgid, ("NAMED_VALUE_FLOAT", "NAMED_VALUE_INT", "DEBUG_VECT")))
 RATE_OVER = 20
 """A rate is that of so many last messages."""
 
@@ -37,7 +39,7 @@ class Inspection:
 
     def __init__(self) -> None:
         self.wanted: frozenset[int] = frozenset()
-        self._latest: dict[int, dict[int, _Latest]] = {}
+        self._latest: dict[int, dict[Subject, _Latest]] = {}
 
     def want(self, sysids: Collection[int]) -> None:
         """Look at these system ids from now on, and at no other; one that is asked for anew begins from nothing."""
@@ -50,27 +52,36 @@ class Inspection:
             messages = self._latest.get(frame.sysid)
             if messages is None:
                 continue
-            latest = messages.get(frame.msgid)
+            subject = frame.msgid, _own_name(frame)
+            latest = messages.get(subject)
             if latest is None:
-                latest = messages[frame.msgid] = _Latest(frame)
+                latest = messages[subject] = _Latest(frame)
             latest.frame = frame
             latest.count += 1
             latest.times_s.append(now_s)
 
     def told(self, now_s: float) -> dict[str, dict[str, Any]]:
-        """By system id and message name: count, rate, age, and the latest's fields in MAVLink's own units."""
+        """By system id and message name: count, rate, age, and the latest's fields in MAVLink's own units.
+
+        What a named value is called follows the message's name: `NAMED_VALUE_INT XferIn`.
+        """
         return {
             str(sysid): {
-                codec.name(msgid): {
+                f"{codec.name(msgid)} {name}".rstrip(): {
                     "count": latest.count,
                     "rate_hz": latest.rate_hz(),
                     "age_s": max(now_s - latest.times_s[-1], 0.0),
                     "fields": _fields(latest.frame),
                 }
-                for msgid, latest in sorted(messages.items())
+                for (msgid, name), latest in sorted(messages.items())
             }
             for sysid, messages in self._latest.items()
         }
+
+
+def _own_name(frame: Frame) -> str:
+    """What a message that carries one of several values by name calls it; nothing of any other message."""
+    return str(_fields(frame).get("name", "")).strip() if frame.msgid in _NAMED else ""
 
 
 def _fields(frame: Frame) -> dict[str, Any]:

@@ -11,9 +11,11 @@ from gcs.inspection import Inspection
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
 
+NAMES = {"XferIn": 1, "XferOut": -1}
 
-def frame(name: str, sysid: int = 1, **fields: Any) -> Frame:
-    return codec.split(codec.encode(name, 0, sysid, 1, **fields)).frames[0]
+
+def frame(message: str, sysid: int = 1, **fields: Any) -> Frame:
+    return codec.split(codec.encode(message, 0, sysid, 1, **fields)).frames[0]
 
 
 def attitude(sysid: int = 1, roll: float = 0.25) -> Frame:
@@ -67,3 +69,18 @@ def test_nothing_is_kept_of_others_and_nothing_once_nobody_looks() -> None:
     assert inspection.told(0.0) == {"1": {}}
     inspection.want(())
     assert inspection.told(0.0) == {}
+
+
+def test_values_that_share_a_message_are_told_each_by_its_name() -> None:
+    inspection = Inspection()
+    inspection.want({1})
+    for k in range(3):
+        named = [frame("NAMED_VALUE_INT", time_boot_ms=k, name=name, value=k * sign) for name, sign in NAMES.items()]
+        inspection.take(named, float(k))
+    told = inspection.told(3.0)["1"]
+    assert {name: message["fields"]["value"] for name, message in told.items()} == {
+        "NAMED_VALUE_INT XferIn": 2,
+        "NAMED_VALUE_INT XferOut": -2,
+    }
+    assert {message["count"] for message in told.values()} == {3}
+    assert {message["rate_hz"] for message in told.values()} == {1.0}

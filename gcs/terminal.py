@@ -16,6 +16,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from gcs.console.ink import given_environment
 from gcs.console.job import can_suspend
 from gcs.run import View
 
@@ -90,7 +91,7 @@ class ConsoleView:
         # Ctrl-C until the console has its keys in hand is ours alone: the mask is inherited, and lifted there.
         signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
         try:
-            self._process = subprocess.Popen(self._command, stderr=1)
+            self._process = subprocess.Popen(self._command, stderr=1, env=given_environment())
         except OSError as error:
             self._over = True
             self._say(f"the console cannot be started: {error.strerror}; the session goes on in lines")

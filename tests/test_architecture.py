@@ -87,6 +87,7 @@ HOUSE = {
         "console.watch console.canvas console.panel",
         "console.chart console.plan_view console.fleet_table console.heading console.events_log console.orders",
         "console.shell console.layout console.contest_page console.vehicle_page console.help_page console.dialogs",
+        "console.events_page",
         "console.desk",
         "console.main_screen",
         "console.app console.follow",

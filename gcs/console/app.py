@@ -70,6 +70,8 @@ def show(source: Source, title: str = "", *, owner: bool = False) -> int:
     handlers = {number: signal.signal(number, leave) for number in (signal.SIGTERM, signal.SIGHUP)}
     try:
         app.run()
+        if app.seen.end is not None and not owner:
+            print(f"outcome: {app.seen.end.get('outcome') or 'unknown'}")
         return app.return_code or 0
     finally:
         for number, handler in handlers.items():

@@ -29,17 +29,18 @@ def chart(
     height: int,
     glyphs: Glyphs,
     span_s: float,
+    now_s: float,
 ) -> Lines:
-    """The curves `names` of `samples`, each (time in s, {name: value from 0}), over the last `span_s`.
+    """The curves `names` of `samples`, each (time in s, {name: value from 0}), over the last `span_s` up to `now_s`.
 
-    Every curve has its name and value at its right end, as far as there is room; `marks` are (time in s, text) to be
-    drawn as upright lines. Time runs to the right, from 0 until `span_s` is full, then with the newest sample at the
-    edge.
+    Every curve of the newest sample has its name at the right, as far as there is room, and its value unless it is
+    over; `marks` are (time in s, text) to be drawn as upright lines. Time runs to the right, from 0 until `span_s` is
+    full, then with the present at the edge.
     """
     columns, rows = width - AXIS - LABEL, height - 1
-    if columns < 8 or rows < 3 or not samples:
+    if columns < 8 or rows < 3:
         return []
-    end_s = max(samples[-1][0], span_s)
+    end_s = max(now_s, span_s)
     begin_s = end_s - span_s
     top = max(1.0, *(value for _, values in samples for name in names if (value := values.get(name)) is not None), 0.0)
     canvas = Canvas(columns, rows, glyphs)
@@ -69,20 +70,21 @@ def chart(
                 here = (x(t_s), y(values[name]))
                 canvas.path([*run[-1:], here, here], style, max(2, 9 - order))
                 run, last_s = [here], t_s
-        value = samples[-1][1].get(name)
+        value = samples[-1][1].get(name) if samples and samples[-1][0] >= begin_s else None
         if value is not None:
+            shown = f" {name:>3} {value:.2f}" if now_s - samples[-1][0] <= GAP_S else f" {name:>3}"
             row = min(rows - 1, max(0, int(y(value) // canvas.per_row)))
             for shift in sorted(range(-rows, rows), key=abs):
                 if 0 <= row + shift < rows and row + shift not in labels:
-                    labels[row + shift] = (f" {name:>3} {value:.2f}", style)
+                    labels[row + shift] = (shown, style)
                     break
     lines: Lines = []
     axis = {0: top, (rows - 1) // 2: None, rows - 1: 0.0}
     for row, line in enumerate(canvas.lines()):
         value = axis.get(row)
         text, style = labels.get(row, ("", ""))
-        shown = right(number(value, AXIS - 1, 1), AXIS - 1) if value is not None else " " * (AXIS - 1)
-        lines.append([(f"{shown} ", "dim"), *line, (left(text, LABEL), style)])
+        scale = right(number(value, AXIS - 1, 1), AXIS - 1) if value is not None else " " * (AXIS - 1)
+        lines.append([(f"{scale} ", "dim"), *line, (left(text, LABEL), style)])
     first, last = f"{begin_s:.0f} s", f"{end_s:.0f} s"
     lines.append([(" " * AXIS + left(first, columns - len(last)) + last + " " * LABEL, "dim")])
     return lines

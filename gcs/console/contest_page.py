@@ -5,12 +5,14 @@ from __future__ import annotations
 from typing import Any
 
 from gcs.console.chart import CURVES, chart, curve_styles
-from gcs.console.ink import Glyphs, Line, Lines, bar, fitted, left, titled, wrapped
+from gcs.console.ink import Glyphs, Line, Lines, bar, fitted, left, number, titled, wrapped
 from gcs.console.plain import clean
 from gcs.console.watch import Watch, margin
 
 MOST_CURVES = len(CURVES)
 SPAN_S = 60.0
+BRIEF = 60
+"""Cells below which a service that has ended is told by numbers alone."""
 
 
 def verdict(watch: Watch) -> Line:
@@ -72,19 +74,20 @@ def _curves(watch: Watch, width: int, height: int, glyphs: Glyphs) -> Lines:
         height=height,
         glyphs=glyphs,
         span_s=SPAN_S,
+        now_s=watch.t_s,
     )
 
 
 def page(watch: Watch, *, width: int, height: int, glyphs: Glyphs) -> Lines:
     """All of it: reasons, curves, bids, and the services that have ended."""
     lines: Lines = [fitted([(" ", ""), *verdict(watch)], width, glyphs), *why(watch, width, 4)]
-    bids, past = _bids(watch, glyphs), _past(watch)
+    half = min(46, width // 2)
+    bids, past = _bids(watch, glyphs), _past(watch, brief=width - half < BRIEF)
     below = min(max(len(bids), len(past), 3) + 1, max(4, height // 3))
     lines.append(titled("v over time, 60 s", width, glyphs))
     curves = _curves(watch, width, height - len(lines) - below, glyphs)
     room = height - len(lines) - below
     lines += [*curves, *([] for _ in range(room - len(curves)))]
-    half = min(46, width // 2)
     first = titled("bids", half - 1, glyphs)
     second = titled("services so far", width - half, glyphs)
     lines.append([*first, (" ", ""), *second])
@@ -113,15 +116,19 @@ def _bids(watch: Watch, glyphs: Glyphs) -> Lines:
     return lines
 
 
-def _past(watch: Watch) -> Lines:
-    """What was served, the last one first."""
+def _past(watch: Watch, *, brief: bool) -> Lines:
+    """What was served, the last one first: when it ended, how much, who by whom, and why; `brief`: in 40 cells."""
     lines: Lines = []
     for service in reversed(watch.snapshot.get("history") or ()):
         when = service.get("end_s")
         stamp = "-" if when is None else f"{float(when):.1f}"
-        text = f"{stamp:>7} s  {watch.name(service.get('receiver'))} by {watch.giver(service)}"
-        text += f", {float(service.get('energy_j') or 0.0):.0f} J, {clean(service.get('by') or '')}"
-        if reason := clean(service.get("reason") or ""):
-            text += f", {reason}"
+        text = f"{stamp:>6} s {number(float(service.get('energy_j') or 0.0), 6, 0):>6} J "
+        by, reason = clean(service.get("by") or ""), clean(service.get("reason") or "")
+        if brief:
+            giver = service.get("tanker") if service.get("base") is None else clean(service["base"])
+            text += f"{service.get('receiver')} by {giver} {by}"
+        else:
+            text += f" {watch.name(service.get('receiver'))} by {watch.giver(service)}"
+            text += "".join(f", {part}" for part in (by, reason) if part)
         lines.append([(text, "")])
     return lines or [[("    none", "dim")]]

@@ -31,7 +31,7 @@ class Desk:
         if seen.replay is not None and name == "pause":
             self.play()
         elif not seen.control:
-            self._say("this source takes no commands")
+            self._say(f"{'a recording' if seen.replay is not None else 'this source'} takes no commands")
         else:
             order = ready(next(order for order in ORDERS if order.command == name), seen)
             sysid = chosen if order.of_vehicle else None
@@ -88,7 +88,8 @@ class Desk:
     def play(self) -> None:
         """Pause the replay, or go on."""
         if (replay := self._app.seen.replay) is not None:
-            self._app.source.send({"command": "resume" if replay.get("paused") else "pause"})
+            stands = replay.get("paused") or self._app.seen.phase == "ended"
+            self._app.source.send({"command": "resume" if stands else "pause"})
 
     def hurry(self, step: int) -> None:
         """The next speed, up or down."""

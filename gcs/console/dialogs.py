@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Sequence
 from typing import ClassVar, TypeVar
 
@@ -43,7 +44,7 @@ class Dialog(ModalScreen[Answer]):
         + BOX.replace("FRAME", "round")
         + "} Dialog.-ascii > #box {"
         + BOX.replace("FRAME", "ascii")
-        + "} Dialog #lines { height: auto; } Dialog Input { border: none; height: 1; padding: 0; }"
+        + "} Dialog #lines { height: auto; } Dialog Input, Dialog Input:focus { border: none; height: 1; padding: 0; }"
     )
 
     def __init__(self, glyphs: Glyphs) -> None:
@@ -55,9 +56,9 @@ class Dialog(ModalScreen[Answer]):
         with Vertical(id="box"):
             yield Panel(self.paint, id="lines", ground="raised")
 
+    @abstractmethod
     def paint(self, width: int, height: int) -> Lines:
         """What the box says."""
-        raise NotImplementedError
 
     def on_mount(self) -> None:
         """Give the box the height of what it says."""
@@ -224,7 +225,8 @@ class Look(Dialog[str | None]):
 
     def paint(self, width: int, height: int) -> Lines:
         """What to do."""
-        return [[("Show only events with these words (Enter; nothing shows all)", "name")]]
+        keys: Line = [("Enter", "key"), (" yes, without a word all are shown    ", ""), ("Esc", "key"), (" no", "")]
+        return [*([(text, "name")] for text in wrapped("Show only events with these words:", width)), keys]
 
     def on_mount(self) -> None:
         """Let the keys go to the line."""

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from gcs.console.ink import Glyphs, Line, Lines, fitted, left
+from gcs.console.ink import Glyphs, Line, Lines, Span, fitted, left, width_of, wrapped
 from gcs.console.plain import clean
 from gcs.console.watch import Watch
 
@@ -14,6 +14,8 @@ LEVELS = ("info", "warning", "critical")
 KINDS = ("text", "mode", "failsafe", "ack", "decision", "operator", "link", "death", "session")
 STYLES = {"info": "", "warning": "look", "critical": "act"}
 WHO = 12
+LEAST_TEXT = 20
+"""Cells below which an event's words are cut instead of going on below themselves."""
 
 Event = Mapping[str, Any]
 
@@ -73,21 +75,48 @@ def matching(watch: Watch, chosen: Filter) -> list[Event]:
 
 
 def line(watch: Watch, event: Event, width: int, glyphs: Glyphs) -> Line:
-    """One event: when, how bad, what sort, who, what."""
+    """One event on one line, cut where there is no room."""
+    head, (text, style) = _parts(watch, event, width, glyphs)
+    return fitted([*head, (text, style)], width, glyphs)
+
+
+def entry(watch: Watch, event: Event, width: int, glyphs: Glyphs) -> Lines:
+    """One event over as many lines as its words need."""
+    head, (text, style) = _parts(watch, event, width, glyphs)
+    indent = width_of(head)
+    first, *rest = wrapped(text, max(width - indent, 1)) if width - indent >= LEAST_TEXT else [text]
+    return [fitted([*head, (first, style)], width, glyphs)] + [
+        fitted([(" " * indent, ""), (more, style)], width, glyphs) for more in rest
+    ]
+
+
+def _parts(watch: Watch, event: Event, width: int, glyphs: Glyphs) -> tuple[Line, Span]:
+    """When, how bad, what sort and who; then what."""
     level = str(event.get("level") or "info")
     style = STYLES.get(level, "")
     mark = {"warning": glyphs.look, "critical": glyphs.act}.get(level, " ")
     who, text = watch.name(event.get("sysid")), clean(event.get("text") or "")
-    if text.startswith(who):
+    if kind_of(event) == "operator":
+        text = text.removeprefix("Operator: ")
+    if text.casefold().startswith((f"{who} ", f"{who}: ")):
         text = text[len(who) :].lstrip(": ")
     shown: Line = [(f"{float(event.get('t_s') or 0.0):7.1f} ", "dim"), (f"{mark} ", style)]
     if width >= 60:
         shown.append((left(kind_of(event), 9), "dim"))
-    shown += [(left(who, WHO) + " ", style or "who"), (text, style)]
-    return fitted(shown, width, glyphs)
+    return [*shown, (left(who, WHO) + " ", style or "who")], (text, style)
 
 
-def lines(watch: Watch, events: Sequence[Event], *, width: int, height: int, back: int, glyphs: Glyphs) -> Lines:
-    """The last `height` of `events`, or those `back` lines before."""
-    last = max(len(events) - back, min(height, len(events)))
-    return [line(watch, event, width, glyphs) for event in events[max(0, last - height) : last]]
+def window(
+    watch: Watch, events: Sequence[Event], *, width: int, height: int, back: int, glyphs: Glyphs
+) -> tuple[Lines, int]:
+    """(As many whole `events` as `height` lines hold, how many are newer than these): the newest, or those `back`."""
+    end = begin = max(len(events) - back, 0)
+    shown: Lines = []
+    while begin > 0 and len(part := entry(watch, events[begin - 1], width, glyphs)) + len(shown) <= height:
+        begin, shown = begin - 1, part + shown
+    while begin == 0 and end < len(events):
+        part = entry(watch, events[end], width, glyphs)
+        if len(shown) + len(part) > height:
+            break
+        end, shown = end + 1, shown + part
+    return shown, len(events) - end

@@ -23,7 +23,9 @@ def session_line(watch: Watch, title: str, connected: bool, width: int, glyphs: 
     end_s = (replay or {}).get("to_s") or duration_s
     time = f"{watch.t_s:7.1f}" + (f" of {float(end_s):.0f} s" if end_s else " s")
     pace = _pace(replay, snapshot)
-    phase = "paused" if replay and replay.get("paused") else "replay" if replay else watch.phase
+    phase = watch.phase
+    if replay and phase != "ended":
+        phase = "paused" if replay.get("paused") else "replay"
     if connected:
         link: tuple[str, str] = (f"{glyphs.live} connected", "well")
     elif watch.snapshot:

@@ -11,9 +11,14 @@ EVERYWHERE: Keys = (
     ("1-5 tab", "page: fleet, map, competition, events, vehicle"),
     ("n N", "choose the next vehicle, the one before"),
     ("enter", "all about the chosen vehicle"),
+    ("esc", "back to the fleet"),
+)
+LEAVING: Keys = (
     ("q", "close the console; the session goes on"),
     ("ctrl-z", "suspend the console; the session flies on, fg comes back"),
 )
+STOPPING = ("ctrl-c", "stop the session and save it: asks first, a second one is a yes")
+LEAVING_REPLAY: Keys = (("q", "close the replay"), ("ctrl-z", "suspend the console; fg comes back"))
 PAGE_KEYS: dict[str, Keys] = {
     "fleet": (
         ("up down", "choose a vehicle; page up/down, home, end"),
@@ -37,7 +42,7 @@ PAGE_KEYS: dict[str, Keys] = {
     "competition": (),
 }
 REPLAY: Keys = (
-    ("space", "pause, or go on"),
+    ("space", "pause, or go on; at the end: from the beginning"),
     ("left right", "10 s back, forward"),
     ("+ -", "faster, slower"),
 )
@@ -51,7 +56,7 @@ BOTTOM: dict[str, Keys] = {
     "map": (("arrows", "pan"), ("z Z", "zoom"), ("c", "follow"), ("a", "all"), ("n", "next")),
     "competition": (("n", "next"),),
     "events": (("w", "level"), ("k", "kind"), ("v", "vehicle"), ("/", "words"), ("0", "all")),
-    "vehicle": (("n N", "next, last"), ("up down", "scroll")),
+    "vehicle": (("n N", "next, before"), ("up down", "scroll")),
 }
 
 
@@ -65,13 +70,14 @@ def bottom(page: str, *, control: bool, replay: bool) -> Keys:
     return tuple(keys)
 
 
-def page(*, control: bool, replay: bool, lost: list[str], glyphs: Glyphs) -> Lines:
-    """Everything; `lost` says what this terminal cannot show."""
+def page(*, control: bool, replay: bool, owner: bool, lost: list[str], glyphs: Glyphs) -> Lines:
+    """Everything; `owner`: Ctrl-C here stops the session; `lost` says what this terminal cannot show."""
     lines: Lines = []
     if lost:
         lines += [[("This terminal", "name")], *([(f"  {text}", "look")] for text in lost), []]
     lines.append([("Keys", "name")])
-    lines += [_entry(*entry) for entry in EVERYWHERE]
+    leaving = LEAVING_REPLAY if replay else (*LEAVING, STOPPING) if owner else LEAVING
+    lines += [_entry(*entry) for entry in (*EVERYWHERE, *leaving)]
     if replay:
         lines += [[], [("Replay", "name")], *(_entry(*entry) for entry in REPLAY)]
     if control:

@@ -10,6 +10,7 @@ import math
 import os
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 
 from rich.cells import cell_len, set_cell_size
 
@@ -56,9 +57,21 @@ def can_unicode(environment: Mapping[str, str], encoding: str) -> bool:
     return "utf" in locale.lower()
 
 
+def given_environment() -> dict[str, str]:
+    """This process's environment without the locale that Python gives itself where it finds none but C (PEP 538)."""
+    environment = dict(os.environ)
+    try:
+        given = Path("/proc/self/environ").read_bytes().split(b"\0")
+    except OSError:
+        return environment
+    if not any(entry.startswith(b"LC_CTYPE=") for entry in given):
+        environment.pop("LC_CTYPE", None)
+    return environment
+
+
 def own_glyphs(encoding: str) -> Glyphs:
     """The characters for this process's terminal."""
-    return UNICODE if can_unicode(os.environ, encoding) else ASCII
+    return UNICODE if can_unicode(given_environment(), encoding) else ASCII
 
 
 def number(value: float | None, width: int, decimals: int = 1) -> str:

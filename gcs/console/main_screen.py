@@ -12,10 +12,11 @@ from textual.containers import Container, Horizontal, Vertical
 from textual.geometry import Size
 from textual.screen import Screen
 
-from gcs.console import contest_page, events_log, fleet_table, heading, help_page, layout, plan_view, vehicle_page
+from gcs.console import contest_page, fleet_table, heading, help_page, layout, plan_view, vehicle_page
 from gcs.console.canvas import Canvas
 from gcs.console.desk import Desk
 from gcs.console.dialogs import Help, Look
+from gcs.console.events_page import EventsPage
 from gcs.console.ink import Line, Lines, fitted, titled, wrapped
 from gcs.console.panel import Panel
 from gcs.console.shell import Shell
@@ -42,14 +43,14 @@ class MainScreen(Screen[None]):
         self.page = "fleet"
         self.chosen: int | None = None
         self.order_by = "id"
-        self.filter = events_log.Filter()
+        self.events_page = EventsPage()
         self.plan = plan_view.PlanView()
         self.small_plan = plan_view.PlanView()
         self._top = 0
         self._on_row: list[int] = []
-        self._back = self._scrolled = self._most = 0
+        self._scrolled = self._most = 0
         self._notice: tuple[str, str, float] | None = None
-        self._fleet_size = self._matched = 0
+        self._fleet_size = 0
         self._inspected: int | None = None
 
     def compose(self) -> ComposeResult:
@@ -184,10 +185,7 @@ class MainScreen(Screen[None]):
         return lines
 
     def _recent(self, width: int, height: int) -> Lines:
-        glyphs, found = self.app.glyphs, events_log.matching(self.seen, self.filter)
-        note: Line = [] if self.filter.open else [(self.filter.said(), "info")]
-        shown = events_log.lines(self.seen, found, width=width, height=height - 1, back=0, glyphs=glyphs)
-        return [titled("events", width, glyphs, note), *shown]
+        return self.events_page.recent(self.seen, width=width, height=height, glyphs=self.app.glyphs)
 
     def _small_map(self, width: int, height: int) -> Lines:
         glyphs = self.app.glyphs
@@ -210,16 +208,7 @@ class MainScreen(Screen[None]):
         return contest_page.page(self.seen, width=width, height=height, glyphs=self.app.glyphs)
 
     def _events(self, width: int, height: int) -> Lines:
-        glyphs, found = self.app.glyphs, events_log.matching(self.seen, self.filter)
-        if self._back:  # who reads what is past is not to lose his place
-            self._back += max(0, len(found) - self._matched)
-        self._matched = len(found)
-        self._back = min(self._back, max(0, len(found) - (height - 1)))
-        note: Line = [(f"{self.filter.said()}: {len(found)} of {len(self.seen.events)}", "info")]
-        if self._back:
-            note.append((f", {self._back} newer below", "look"))
-        shown = events_log.lines(self.seen, found, width=width, height=height - 1, back=self._back, glyphs=glyphs)
-        return [titled("events", width, glyphs, note), *(shown or [[("  none", "dim")]])]
+        return self.events_page.page(self.seen, width=width, height=height, glyphs=self.app.glyphs)
 
     def _vehicle(self, width: int, height: int) -> Lines:
         lines, self._most = vehicle_page.page(
@@ -280,7 +269,7 @@ class MainScreen(Screen[None]):
 
     def _go(self, down: int) -> None:
         if self.page == "events":
-            self._back = max(0, self._back - down)
+            self.events_page.scroll(down)
         elif self.page == "vehicle":
             self._scrolled = min(max(0, self._scrolled + down), self._most)
         elif self.page == "fleet":
@@ -324,18 +313,9 @@ class MainScreen(Screen[None]):
 
     def action_filter(self, what: str) -> None:
         """Change which events are shown."""
-        chosen = self.filter
-        if what == "level":
-            chosen.next_level()
-        elif what == "kind":
-            chosen.next_kind()
-        elif what == "vehicle":
-            chosen.sysid = None if chosen.sysid is not None else self.chosen
-        else:
-            self.filter = events_log.Filter()
-        self._back = 0
+        self.events_page.change(what, self.chosen)
         if self.page != "events":
-            self.notice(f"events shown: {self.filter.said()}")
+            self.notice(f"events shown: {self.events_page.filter.said()}")
         self.redraw()
 
     def action_words(self) -> None:
@@ -343,17 +323,18 @@ class MainScreen(Screen[None]):
 
         def take(words: str | None) -> None:
             if words is not None:
-                self.filter.words = words
-                self._back = 0
+                self.events_page.look_for(words)
                 self.redraw()
 
-        self.app.push_screen(Look(self.filter.words, self.app.glyphs), take)
+        self.app.push_screen(Look(self.events_page.filter.words, self.app.glyphs), take)
 
     def action_help(self) -> None:
         """The help page."""
         app = self.app
         replay = self.seen.replay is not None
-        lines = help_page.page(control=self.seen.control, replay=replay, lost=app.lost(), glyphs=app.glyphs)
+        lines = help_page.page(
+            control=self.seen.control, replay=replay, owner=app.owner, lost=app.lost(), glyphs=app.glyphs
+        )
         app.push_screen(Help(lines, app.glyphs))
 
     def _point_fleet(self, column: int, row: int, turn: int) -> None:

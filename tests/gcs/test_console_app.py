@@ -297,10 +297,88 @@ def test_the_help_page_says_all_of_its_words_at_80_columns(flown: Messages) -> N
         for _ in range(60):
             await shown.press("down")
             read += shown.text()
-        said = help_page.page(control=True, replay=False, lost=[], glyphs=shown.app.glyphs)
+        said = help_page.page(control=True, replay=False, owner=False, lost=[], glyphs=shown.app.glyphs)
         assert set(words(" ".join(text for line in said for text, _ in line))) <= set(words(read))
 
     drive(steps, flown)
+
+
+def test_what_is_typed_to_look_for_can_be_read_and_the_help_with_it(flown: Messages) -> None:
+    async def steps(shown: Shown) -> None:
+        await shown.press("4", "slash", *"battery 8")
+        assert any("battery 8" in line for line in shown.lines())
+        assert "without a word all are shown" in shown.text()
+        await shown.press("enter")
+        assert '"battery 8"' in shown.lines()[3]
+
+    drive(steps, flown)
+
+
+def test_an_event_is_told_to_its_last_word_and_where_no_event_passes_that_is_said() -> None:
+    words = " ".join(f"word{i}" for i in range(30))
+    told = {"t_s": 47.0, "sysid": 0, "level": "info", "kind": "operator", "text": f"Operator: {words}"}
+
+    async def steps(shown: Shown) -> None:
+        await shown.press("4")
+        for key in ("4", "1"):
+            await shown.press(key)
+            assert all(word in shown.text() for word in words.split())
+            assert "Operator:" not in shown.text()
+        await shown.press("slash", *"nowhere", "enter")
+        assert "none" in [line.strip() for line in shown.lines()]
+
+    drive(steps, [session(), snapshot(48.2, events=[told])])
+
+
+def test_every_event_can_be_scrolled_to_however_many_lines_each_takes() -> None:
+    words = " ".join(f"word{i}" for i in range(20))
+    many = [{"t_s": float(i), "sysid": 1, "level": "info", "kind": "text", "text": f"n{i}. {words}"} for i in range(40)]
+
+    async def steps(shown: Shown) -> None:
+        await shown.press("4", "home")
+        seen = {number for number in range(40) if f"n{number}." in shown.text()}
+        assert min(seen) == 0
+        for _ in range(40):
+            await shown.press("down")
+            seen |= {number for number in range(40) if f"n{number}." in shown.text()}
+        assert seen == set(range(40))
+        assert "newer below" not in shown.text()
+
+    drive(steps, [session(), snapshot(100.0, events=many)])
+
+
+def test_at_the_end_of_a_recording_the_same_key_begins_it_again_and_the_help_promises_no_session() -> None:
+    replay = {"from_s": 0.0, "to_s": 150.0, "speed": 1.0, "paused": False}
+
+    async def steps(shown: Shown) -> None:
+        assert "ended" in shown.lines()[0]
+        await shown.press("space")
+        assert [sent["command"] for sent in shown.source.sent] == ["resume"]
+        await shown.press("h")
+        assert "a recording takes no commands" in shown.lines()[-1]
+        await shown.press("question_mark")
+        assert "close the replay" in shown.text()
+        assert "the session goes on" not in shown.text()
+
+    drive(steps, [session(control=False), snapshot(150.0, phase="ended", replay=replay)], size=(100, 60))
+
+
+@pytest.mark.parametrize("owner", [True, False])
+def test_the_help_says_what_ctrl_c_does_where_it_stops_a_session(flown: Messages, owner: bool) -> None:
+    async def steps(shown: Shown) -> None:
+        await shown.press("question_mark")
+        assert ("stop the session and save it" in shown.text()) == owner
+
+    drive(steps, flown, owner=owner, size=(100, 60))
+
+
+@pytest.mark.parametrize("size", SIZES.values())
+def test_what_each_service_gave_can_be_read_at_any_size(size: tuple[int, int]) -> None:
+    past = {"receiver": 102, "tanker": 201, "base": None, "by": "competition", "decided_at_s": 1.0, "end_s": 10.5}
+    past |= {"energy_j": 12345, "reason": "full", "joined_at_s": 2.0, "start_s": 3.0}
+    lines = screen([session(), snapshot(48.2, history=[past, past | {"energy_j": 250000.0}])], "3", size=size)
+    assert any("10.5 s  12345 J" in line for line in lines)
+    assert any("250000 J" in line and line.rstrip(" …").endswith(("competition", "full")) for line in lines)
 
 
 def test_filling_a_page_is_no_notice_and_a_refusal_is_one(flown: Messages) -> None:

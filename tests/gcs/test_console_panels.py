@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 import os
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -66,6 +68,19 @@ def test_unicode_is_what_the_locale_and_the_terminal_say() -> None:
     assert not can_unicode({"LANG": "en_US.ISO-8859-1"}, "utf-8")
     assert not can_unicode({"TERM": "linux"}, "utf-8")
     assert not can_unicode({}, "ascii")
+
+
+@pytest.mark.parametrize(
+    ("environment", "unicode"),
+    [({"LANG": "C"}, False), ({"LANG": "C", "LC_CTYPE": "C.UTF-8"}, True), ({"LANG": "C.UTF-8"}, True)],
+)
+def test_a_locale_that_python_gave_itself_is_none_that_the_terminal_has(
+    environment: dict[str, str], unicode: bool
+) -> None:
+    ask = "from gcs.console.ink import own_glyphs; print(own_glyphs('utf-8').unicode)"
+    paths = {"PYTHONPATH": os.pathsep.join(sys.path), "PATH": os.environ["PATH"]}
+    told = subprocess.check_output([sys.executable, "-c", ask], env=environment | paths, text=True)
+    assert told.strip() == str(unicode)
 
 
 def test_the_worst_come_first_then_the_chosen_order() -> None:
@@ -142,13 +157,28 @@ def test_a_vehicle_points_where_its_nose_does(heading_deg: float, arrow: str, as
 
 def test_a_rising_curve_rises_and_keeps_its_style_whoever_leads() -> None:
     samples = [(t / 10.0, {"1": t / 100.0, "12": 0.5}) for t in range(101)]
-    drawn = chart(samples, ["1", "12"], [], width=60, height=12, glyphs=ASCII, span_s=10.0)
+    drawn = chart(samples, ["1", "12"], [], width=60, height=12, glyphs=ASCII, span_s=10.0, now_s=10.0)
     style = curve_styles(["1", "12"])["1"]
     rows = [row for row, line in enumerate(drawn) for part, name in line if name == style and part.strip()]
     assert min(rows) == 0
     assert max(rows) == 10
     assert text(drawn)[0].endswith("  1 1.00")
     assert curve_styles(["12", "1", "3"]) == curve_styles(["3", "12", "1"])
+
+
+def test_the_present_is_at_the_curves_right_edge_though_nobody_competes_any_more() -> None:
+    samples = [(t / 10.0, {"7": 0.5}) for t in range(101)]
+    drawn = text(chart(samples, ["7"], [], width=60, height=12, glyphs=ASCII, span_s=10.0, now_s=15.0))
+    assert drawn[-1].split() == ["5", "s", "15", "s"]
+    assert not any("0.50" in line for line in drawn)
+    now = text(chart(samples, ["7"], [], width=60, height=12, glyphs=ASCII, span_s=10.0, now_s=10.0))
+    assert any("7 0.50" in line for line in now)
+
+
+def test_axes_stand_before_anybody_has_competed() -> None:
+    drawn = text(chart([], [], [], width=60, height=12, glyphs=ASCII, span_s=60.0, now_s=1.0))
+    assert drawn[0].startswith(" 1.0")
+    assert drawn[-1].split() == ["0", "s", "60", "s"]
 
 
 def test_trails_are_bounded_and_forgotten_when_time_goes_back() -> None:

@@ -102,7 +102,7 @@ def replay(session: Path, speed: float | None, from_s: float | None, plain: bool
         raise click.UsageError(str(error)) from None
     except OSError as error:
         raise click.UsageError(f"{error.filename or session}: {error.strerror}.") from None
-    for problem in recording.problems:
+    for problem in recording.problems if as_json else ():  # else it is the recording's first event
         click.echo(f"gcs: {problem}", err=True)
     if from_s is not None:
         if not recording.from_s <= from_s <= recording.to_s:

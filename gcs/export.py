@@ -8,7 +8,7 @@ stretch of the log, whatever its length.
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -18,8 +18,9 @@ from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common as mav
 
 from gcs import tlog, units
+from gcs.lacking import SCENARIO, passed_over, unread
 from gcs.recorder import DECISIONS, TLOG
-from gcs.scenario import ScenarioError, load
+from gcs.scenario import Scenario, ScenarioError, load
 from gcs.tables import Column, Tables
 from gcs.tlog import AT, COMPID, MSGID, SYSID, T_US, Chunk
 
@@ -27,6 +28,7 @@ IntArray = NDArray[np.int64]
 Progress = Callable[[float], None]
 SUPERVISOR = (255, 190)
 LINES_AT_ONCE = 1 << 16
+NAMED = 5
 TRUTH_BYTES = 1 << 22
 _RELAYED = np.array([mav.MAVLINK_MSG_ID_FOLLOW_TARGET, mav.MAVLINK_MSG_ID_NAMED_VALUE_INT])
 _AXES = ("n", "e", "d")
@@ -77,9 +79,11 @@ def _export_session(folder: Path, tables: Tables, progress: Progress) -> list[st
     if frames in present:
         epoch_us = None
         try:
-            epoch_us = round(1e6 * load(folder / "scenario.yaml").clock.epoch.timestamp())
-        except (OSError, ScenarioError):
-            problems.append(f"{folder / 'scenario.yaml'} cannot be read: time_s counts from the first frame.")
+            scenario = load(folder / SCENARIO)
+            epoch_us = round(1e6 * scenario.clock.epoch.timestamp())
+            problems += _without_truth(folder, scenario, {path.stem for path in truths})
+        except (OSError, ScenarioError) as error:
+            problems.append(unread(folder / SCENARIO, error, "time_s counts from the first frame."))
         log = tlog.read(frames)
         _export_frames(log, tables, epoch_us, part(frames), session=True)
         problems += log.problems
@@ -91,6 +95,16 @@ def _export_session(folder: Path, tables: Tables, progress: Progress) -> list[st
         problems += _export_truth(truth, tables, part(truth))
         done += truth.stat().st_size
     return problems
+
+
+def _without_truth(folder: Path, scenario: Scenario, found: Collection[str]) -> list[str]:
+    """A sentence on the vehicles that should have left their truth and did not."""
+    wanted = [str(vehicle.sysid) for vehicle in scenario.vehicles.launched] if scenario.truth else []
+    missing = [sysid for sysid in wanted if sysid not in found]
+    if not missing:
+        return []
+    which = f"{', '.join(missing[:NAMED])}{f' and {len(missing) - NAMED} more' if len(missing) > NAMED else ''}"
+    return [f"{folder / 'vehicles'} has no truth of vehicle {which}: what they knew themselves is left out."]
 
 
 # frames
@@ -224,7 +238,7 @@ def _export_decisions(path: Path, tables: Tables, progress: Progress) -> list[st
     for name, (types, by_vehicle) in shapes.items():
         flush(name, types)
         flush(f"{name}_by_vehicle", by_vehicle)
-    return [f"{path.name}: {broken} lines are no decision and were passed over."] if broken else []
+    return [passed_over(path.name, broken)] if broken else []
 
 
 def _lines(path: Path) -> Iterator[tuple[float, dict[str, Any] | None]]:

@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any, cast
 
 from gcs import tlog
+from gcs.lacking import passed_over
 from gcs.link import SUPERVISOR, FleetLink, Key
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
@@ -185,8 +186,10 @@ class _Recorded:
 
     def __init__(self, path: Path) -> None:
         self._lines = self._read(path)
-        self._next = next(self._lines, None)
         self.broken = 0
+        self.cut = False
+        """whether the file ends inside a line; known once there are no more"""
+        self._next = next(self._lines, None)
 
     def until(self, t_s: float) -> list[dict[str, Any]]:
         """Those up to a time that have not been handed out yet."""
@@ -211,6 +214,8 @@ class _Recorded:
                     usable = False
                 if usable:
                     yield record
+                elif not line.endswith(b"\n"):
+                    self.cut = True
                 else:
                     self.broken += 1
 
@@ -242,7 +247,7 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Verdict:
     end_s = scenario.goal.duration_s
     for tick in ticks(log):
         t_s = (tick.t_us - supervisor.epoch_us) / 1e6
-        if not tick.granted or (recorded.ended and not whole):
+        if not tick.granted or (recorded.ended and (recorded.cut or not whole)):
             break
         if round(1e3 * t_s) != supervisor.time_ms:
             raise RedecideError(
@@ -256,14 +261,16 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Verdict:
         comparer.made = []
         supervisor.tick(_nobody_to_see)
         supervisor.events.clear()
-        if recorded.ended and not whole:
+        if recorded.ended and (recorded.cut or not whole):
             break  # of a session that was killed, the last tick's decisions may not all have been written
         _compare(verdict, t_s, [line for line in lines if line["kind"] not in INPUTS], comparer.made)
         verdict.until_s = t_s
         progress(min(t_s / end_s, 1.0))
     verdict.problems += log.problems
     if recorded.broken:
-        verdict.problems.append(f"{DECISIONS}: {recorded.broken} lines are no decision and were passed over.")
+        verdict.problems.append(passed_over(DECISIONS, recorded.broken))
+    if recorded.cut:
+        verdict.problems.append(f"{folder / DECISIONS} ends inside a line, and was compared up to there.")
     if not whole:
         verdict.problems.append(f"{folder} has no {SUMMARY}: the session did not end, and was compared up to there.")
     return verdict

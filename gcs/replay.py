@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from gcs.events import Event
+from gcs.lacking import SCENARIO, passed_over, unread
 from gcs.observe import Observer
 from gcs.recorder import DECISIONS, TLOG
 from gcs.recording import Recording, Told
@@ -64,8 +65,8 @@ class Replay:
         self._wanted: frozenset[int] = frozenset()
         self.seek(self.from_s)
 
-    def seek(self, t_s: float) -> None:
-        """Go to a time of the recording; what is known then is known."""
+    def seek(self, t_s: float, *, told_s: float = math.inf) -> None:
+        """Go to a time of the recording; what is known then is known, and what was decided after `told_s` is told."""
         t_s = min(max(t_s, self.from_s), self.to_s)
         observer = Observer("replay", self.name, scenario=self._scenario, folder=self._folder)
         observer.duration_s = self.to_s if self._scenario is None else self._scenario.goal.duration_s
@@ -82,7 +83,7 @@ class Replay:
         self._dead = 0
         self.advance(t_s, math.inf)
         observer.forget_events(t_s)
-        self._told_s = t_s if t_s > self.from_s else -math.inf
+        self._told_s = min(t_s, told_s) if t_s > self.from_s else -math.inf
 
     def advance(self, t_s: float, until_wall_s: float) -> bool:
         """Play on up to a time of the recording, or of the wall clock; whether the former was reached."""
@@ -141,21 +142,20 @@ class Replay:
 
     def _read_session(self, folder: Path) -> int | None:
         """Scenario and decisions, as far as they are there; the session's epoch."""
+        lost = "roles, obstacles and decisions are not shown."
         try:
-            self._scenario = load(folder / "scenario.yaml")
-        except (OSError, ScenarioError):
-            self.problems.append(
-                f"{folder / 'scenario.yaml'} cannot be read: roles, obstacles and decisions are not shown."
-            )
+            self._scenario = load(folder / SCENARIO)
+        except (OSError, ScenarioError) as error:
+            self.problems.append(unread(folder / SCENARIO, error, lost))
             return None
         self.name = self._scenario.name
         try:
             self._story = Story(folder / DECISIONS, self._scenario)
-        except OSError:
-            self.problems.append(f"{folder / DECISIONS} cannot be read: decisions are not shown.")
+        except OSError as error:
+            self.problems.append(unread(folder / DECISIONS, error, "decisions are not shown."))
         else:
             if self._story.broken:
-                self.problems.append(f"{DECISIONS}: {self._story.broken} lines are no decision and were passed over.")
+                self.problems.append(passed_over(DECISIONS, self._story.broken))
         return round(1e6 * self._scenario.clock.epoch.timestamp())
 
 
@@ -240,7 +240,7 @@ class ReplaySource:
         return False, f"This is a recording: its vehicles take no command, such as {word}."
 
     def _go(self, t_s: float) -> None:
-        self._replay.seek(t_s)
+        self._replay.seek(t_s, told_s=self._replay.t_s)
         self._shown_s = -math.inf
 
 

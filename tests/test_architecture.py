@@ -54,7 +54,7 @@ HOUSE = {
         "mavlink.streams",
         "profiles",
         "clock impairment recorder tlog",
-        "units tables",
+        "units tables lacking",
         "export",
         "link",
         "external",

@@ -244,8 +244,21 @@ def test_a_folder_without_its_log_gives_its_decisions_and_says_so(session: Path,
     (folder / "decisions.jsonl").write_bytes(lines + b'{"t_s": 1.0, "ki')
     problems = exported(folder, tmp_path / "out")
     assert "no session.tlog" in problems[0]
-    assert problems[1:] == ["decisions.jsonl: 1 lines are no decision and were passed over."]
+    assert problems[1:] == ["decisions.jsonl: 1 line is no decision and was passed over."]
     assert len(pd.read_csv(tmp_path / "out" / "decisions_served.csv")) == 1
+
+
+def test_truth_that_should_be_there_is_said_to_be_missing(session: Path, tmp_path: Path) -> None:
+    for name in ("scenario.yaml", "session.tlog"):
+        (tmp_path / name).symlink_to(session / name)
+    whole = sorted((session / "vehicles").glob("*.truth"))
+    (tmp_path / "vehicles").mkdir()
+    for truth in whole[1:]:
+        (tmp_path / "vehicles" / truth.name).symlink_to(truth)
+    problems = exported(tmp_path, tmp_path / "tables")
+    assert [problem for problem in problems if "truth" in problem] == [
+        f"{tmp_path / 'vehicles'} has no truth of vehicle {whole[0].stem}: what they knew themselves is left out."
+    ]
 
 
 def test_what_is_no_recording_is_refused_in_a_sentence(tmp_path: Path) -> None:

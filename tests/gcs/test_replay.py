@@ -303,12 +303,53 @@ def test_a_folder_with_files_missing_plays_what_it_has_and_says_what_it_lacks(se
     assert {row["role"] for row in found.values()} == {"copter"}
     (tmp_path / "scenario.yaml").symlink_to(session.folder / "scenario.yaml")
     half = Replay(tmp_path)
-    assert [re.sub(r".*/", "", problem) for problem in half.problems] == [
-        "decisions.jsonl cannot be read: decisions are not shown."
-    ]
+    assert half.problems == [f"{tmp_path} has no decisions.jsonl: decisions are not shown."]
     (tmp_path / "session.tlog").unlink()
     with pytest.raises(ReplayError, match=r"no session\.tlog"):
         Replay(tmp_path)
+
+
+def test_a_file_that_is_there_and_no_scenario_is_told_from_one_that_is_not_there(
+    session: Outcome, tmp_path: Path
+) -> None:
+    (tmp_path / "session.tlog").symlink_to(session.folder / "session.tlog")
+    assert [problem.partition(":")[0] for problem in Replay(tmp_path).problems] == [f"{tmp_path} has no scenario.yaml"]
+    (tmp_path / "scenario.yaml").write_text("vehicles: [")
+    (problem,) = Replay(tmp_path).problems
+    assert problem.startswith(f"{tmp_path / 'scenario.yaml'} is no scenario (1:")
+    told = gcs("replay", str(tmp_path), "--plain")
+    assert (told.stdout + told.stderr).count("is no scenario") == 1
+
+
+@pytest.mark.parametrize(
+    ("ends", "said"), [([7], "1 line is no decision and was"), ([7, 8], "2 lines are no decision")]
+)
+def test_lines_that_are_no_decisions_are_counted_in_words(
+    session: Outcome, tmp_path: Path, ends: list[int], said: str
+) -> None:
+    folder = copy(session, tmp_path / "broken")
+    lines = (folder / "decisions.jsonl").read_text().splitlines()
+    for line in ends:
+        lines[line] = lines[line][:9]
+    (folder / "decisions.jsonl").write_text("\n".join(lines) + "\n")
+    assert said in redecide(folder).problems[0]
+
+
+def test_decisions_passed_on_the_way_to_a_later_time_are_told_and_no_later_ones(
+    session: Outcome, replay: Replay
+) -> None:
+    source = ReplaySource(replay)
+    source.receive()
+    source.send({"command": "pause"})
+    source.send({"command": "seek", "t_s": 30.0})
+    told = [event for message in source.receive() for event in message.get("events", ())]
+    decided = [event["t_s"] for event in told if event["kind"] == "decision"]
+    kinds = ("decided", "transfer", "served", "broken off")
+    made = [record["t_s"] for record in session.decisions if record["kind"] in kinds]
+    assert decided == [t_s for t_s in made if t_s <= 30.0]
+    source.send({"command": "seek", "t_s": 20.0})
+    again = [event for message in source.receive() for event in message.get("events", ())]
+    assert not [event for event in again if event["kind"] == "decision"]
 
 
 # deciding again
@@ -393,6 +434,17 @@ def test_a_session_that_was_killed_is_compared_up_to_there(session: Outcome, tmp
     assert verdict.agrees
     assert 15.0 < verdict.until_s < 30.0
     assert any("did not end" in problem for problem in verdict.problems)
+
+
+def test_decisions_that_end_inside_a_line_are_compared_up_to_there(session: Outcome, tmp_path: Path) -> None:
+    folder = copy(session, tmp_path / "cut")
+    content = (folder / "decisions.jsonl").read_bytes()
+    half = content[: content.index(b"\n", len(content) // 2) + 20]
+    (folder / "decisions.jsonl").write_bytes(half)
+    verdict = redecide(folder)
+    assert verdict.agrees
+    assert 0 < verdict.compared <= half.count(b"\n")
+    assert verdict.problems == [f"{folder / 'decisions.jsonl'} ends inside a line, and was compared up to there."]
 
 
 def test_where_nothing_was_decided_nothing_agrees(session: Outcome, tmp_path: Path) -> None:

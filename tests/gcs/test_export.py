@@ -256,7 +256,7 @@ def test_truth_that_should_be_there_is_said_to_be_missing(session: Path, tmp_pat
     for truth in whole[1:]:
         (tmp_path / "vehicles" / truth.name).symlink_to(truth)
     problems = exported(tmp_path, tmp_path / "tables")
-    assert [problem for problem in problems if "truth" in problem] == [
+    assert [problem for problem in problems if "no truth" in problem] == [
         f"{tmp_path / 'vehicles'} has no truth of vehicle {whole[0].stem}: what they knew themselves is left out."
     ]
 

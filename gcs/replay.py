@@ -17,10 +17,13 @@ from gcs.lacking import SCENARIO, passed_over, unread
 from gcs.observe import Observer
 from gcs.recorder import DECISIONS, TLOG
 from gcs.recording import Recording, Told
+from gcs.report.pursuit import Course, read_course
 from gcs.scenario import Scenario, ScenarioError, load
 from gcs.story import Story
 
 FASTEST = 1000.0
+READ = 0.6
+"""What indexing has of the time that opening a session takes."""
 SNAPSHOT_EVERY_S = 0.1
 """of wall time, as from a session"""
 PATIENCE_S = 0.05
@@ -55,12 +58,23 @@ class Replay:
         if not path.exists():
             missing = f"{source} has no {TLOG}" if source.is_dir() else f"{source} does not exist"
             raise ReplayError(f"{missing}; give a session's folder or a .tlog file.")
+        indexed = READ if source.is_dir() else 1.0
         self._recording = Recording(
-            path, epoch_us=epoch_us, session=source.is_dir(), block_bytes=block_bytes, progress=progress
+            path,
+            epoch_us=epoch_us,
+            session=source.is_dir(),
+            block_bytes=block_bytes,
+            progress=lambda share: progress(indexed * share),
         )
         self.problems += self._recording.problems
         if not self._recording.frames:
             raise ReplayError(" ".join(self._recording.problems) or f"{path} holds no MAVLink frame.")
+        self._pursuit: Course | None = None
+        if self._scenario is not None and self._story is not None:
+            rest = 1.0 - indexed
+            self._pursuit = read_course(
+                source, self._scenario, self._story.chases, lambda share: progress(indexed + rest * share)
+            )
         self.from_s, self.to_s = self._recording.from_s, self._recording.to_s
         self._wanted: frozenset[int] = frozenset()
         self.seek(self.from_s)
@@ -126,7 +140,8 @@ class Replay:
             for event in self._story.events(self._told_s, self.t_s):
                 self.observer.tell(event)
             self.observer.ordered = self._story.ordered(self.t_s)
-            more = self._story.at(self.observer.view(self.t_s))
+            held_s = self._pursuit.at(self.t_s) if self._pursuit is not None else None
+            more = self._story.at(self.observer.view(self.t_s), held_s)
         self._told_s = self.t_s
         more["replay"] = {"from_s": self.from_s, "to_s": self.to_s, "speed": speed, "paused": paused}
         phase = "ended" if self.ended else "paused" if paused else "flying"

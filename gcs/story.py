@@ -19,6 +19,7 @@ from gcs.events import Event, Level
 from gcs.operator import TAKEN
 from gcs.profiles import End
 from gcs.scenario import Scenario
+from gcs.scene import goal_of
 from gcs.service import Phase, Service
 from gcs.trouble import state
 from gcs.views import Snapshot, Vec3
@@ -72,6 +73,8 @@ class Story:
         """(time, system id, sentence)"""
         self.orders: list[tuple[float, int, End | None]] = []
         """(time, system id, what it is to fly; None: by the plan again) of what operators took in hand"""
+        self.chases: list[dict[str, Any]] = []
+        """the decisions and orders that say who pursues whom"""
         self.broken = 0
         for line in self._lines(path):
             self._take(line)
@@ -94,8 +97,11 @@ class Story:
                     held[sysid] = mode
         return held
 
-    def at(self, snapshot: Snapshot) -> dict[str, Any]:
-        """What a snapshot's line tells of decisions at its time; `parts` by system id as `Observer.snapshot` reads."""
+    def at(self, snapshot: Snapshot, pursue_held_s: float | None) -> dict[str, Any]:
+        """What a snapshot's line tells of decisions at its time; `parts` by system id as `Observer.snapshot` reads.
+
+        pursue_held_s: for how long the goal's pursuit had been held; None where nobody knows, and the goal goes unsaid.
+        """
         t_s, scenario = snapshot.time_s, self._scenario
         services = [life.at(t_s) for life in self._lives if life.service.decided_at_s <= t_s]
         self._book(services, snapshot)
@@ -119,10 +125,8 @@ class Story:
             "history": explain.history_of(services),
             "refuelled": sum(service.phase is Phase.DONE and service.energy_j > 0 for service in services),
             "goal": {
-                "pursue_within_m": None,
-                "pursue_for_s": None,
-                "refuelled_at_least": goal.refuelled_at_least,
-                "pursue_held_s": None,
+                **goal_of(goal if pursue_held_s is not None else goal.model_copy(update={"pursue": None})),
+                "pursue_held_s": pursue_held_s,
             },
             "parts": self._parts(snapshot, standing, is_open),
         }
@@ -243,6 +247,7 @@ class Story:
                     life.service.start_s = life.service.joined_at_s = t_s
         elif kind == "pursuit":
             self._pursuing.append((t_s, int(record["pursuer"]), int(record["target"])))
+            self.chases.append(dict(record))
         elif kind == "death":
             self.deaths.append((t_s, int(record["sysid"]), str(record.get("text", ""))))
         elif kind == "operator" and record.get("taken") and "sysid" in record:
@@ -252,6 +257,7 @@ class Story:
                 self.orders.append((t_s, int(record["sysid"]), TAKEN[record["command"]][0]))
             elif record["command"] == "retarget":
                 self._pursuing.append((t_s, int(record["sysid"]), int(record["target"])))
+                self.chases.append(dict(record))
         return True
 
 

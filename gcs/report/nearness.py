@@ -17,11 +17,11 @@ from numpy.typing import NDArray
 from gcs.metrics import PLAN_MEMORY, closest_pair, distance_to_path
 from gcs.planner import obstacles
 from gcs.planner.plan import obstacle_table
+from gcs.report.pursuit import pursued, ticks_of
 from gcs.report.recorded import P_NED, SYSID, T_S, Recorded
 from gcs.report.series import Floats, Series, Track
 
 BLOCK_TICKS = 2000
-_ROUNDING_S = 1e-6
 
 
 @dataclass(frozen=True)
@@ -45,17 +45,16 @@ class Nearness:
 def measure(recorded: Recorded, flown: Mapping[int, Track], others: Mapping[str, Track]) -> Nearness:
     """All of it; empty series where nobody's track is known."""
     scenario = recorded.scenario
-    period_s = scenario.clock.period_s if scenario else 0.1
-    ticks = int(recorded.end_s / period_s + _ROUNDING_S) if flown else 0
-    t_s: Floats = np.arange(1, ticks + 1).astype(np.float64) * period_s
+    t_s = ticks_of(recorded) if flown else np.empty(0)
+    ticks = len(t_s)
     sysids = np.array(sorted(flown), dtype=np.int64)
     rows = {sysid: row for row, sysid in enumerate(sysids.tolist())}
     separation, clearance = np.full(ticks, np.nan), np.full(ticks, np.nan)
     pair, nearest = np.zeros((ticks, 2), dtype=np.int64), np.zeros(ticks, dtype=np.int64)
     shapes = obstacle_table(scenario.obstacles) if scenario else np.empty((0, obstacles.COLUMNS))
     partners = _partners(recorded, rows)
-    pursued = _pursued(recorded, t_s)
-    to_target = {sysid: np.full(ticks, np.nan) for sysid in pursued if sysid in rows}
+    whom = pursued(recorded, t_s)
+    to_target = {sysid: np.full(ticks, np.nan) for sysid in whom if sysid in rows}
     for begin in range(0, ticks, BLOCK_TICKS):
         some = slice(begin, min(begin + BLOCK_TICKS, ticks))
         at = np.stack([flown[sysid].at(t_s[some]) for sysid in sysids.tolist()], axis=1)
@@ -72,10 +71,10 @@ def measure(recorded: Recorded, flown: Mapping[int, Track], others: Mapping[str,
         clearance[some] = np.where(np.isfinite(least), least, np.nan)
         nearest[some] = sysids[which]
         for sysid in to_target:
-            for target in np.unique(pursued[sysid][some]).tolist():
+            for target in np.unique(whom[sysid][some]).tolist():
                 if target in rows:
                     distance = np.linalg.norm(at[:, rows[sysid]] - at[:, rows[target]], axis=1)
-                    chosen = pursued[sysid][some] == target
+                    chosen = whom[sysid][some] == target
                     to_target[sysid][some][chosen] = distance[chosen]
     pairs = sysids[pair] if len(sysids) else pair
     pursue = scenario.goal.pursue if scenario else None
@@ -127,26 +126,6 @@ def _partners(recorded: Recorded, rows: Mapping[int, int]) -> Floats:
             spans.append((rows[key[0]], rows[key[1]], open_since.pop(key), decision["t_s"]))
     spans += [(rows[t], rows[r], since, math.inf) for (t, r), since in open_since.items() if {t, r} <= rows.keys()]
     return np.array(spans, dtype=np.float64).reshape(-1, 4)
-
-
-def _pursued(recorded: Recorded, t_s: Floats) -> dict[int, NDArray[np.int64]]:
-    """(k,) whom each pursuer pursues at each tick; 0 for nobody."""
-    scenario = recorded.scenario
-    if scenario is None:
-        return {}
-    pursuers = scenario.vehicles.pursuers
-    if scenario.pursuit.by != "competition":
-        fixed = {p.sysid: scenario.vehicles.target_of(p) for p in pursuers}
-        return {s: np.full(len(t_s), target, dtype=np.int64) for s, target in fixed.items() if target is not None}
-    found = {p.sysid: np.zeros(len(t_s), dtype=np.int64) for p in pursuers}
-    for decision in recorded.decisions:
-        if decision["kind"] == "pursuit":
-            since = np.searchsorted(t_s, decision["t_s"] - _ROUNDING_S)
-            for targets in found.values():
-                targets[since:][targets[since:] == decision["target"]] = 0
-            if decision["pursuer"] in found:
-                found[decision["pursuer"]][since:] = decision["target"]
-    return found
 
 
 @njit(cache=True)

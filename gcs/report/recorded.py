@@ -96,7 +96,7 @@ def read(folder: Path, progress: Progress = lambda _: None) -> Recorded:
     _read_summary(recorded)
     _read_scenario(recorded)
     _read_decisions(recorded, lambda share: progress(0.4 * share))
-    _read_tlog(recorded, lambda share: progress(0.4 + 0.6 * share))
+    read_tlog(recorded, lambda share: progress(0.4 + 0.6 * share))
     if not recorded.end_s and recorded.summary is not None:
         recorded.end_s = recorded.summary.sim_time_s
     return recorded
@@ -187,10 +187,11 @@ def _take_decisions(recorded: Recorded, lines: Iterable[bytes], points: list[NDA
     return broken
 
 
-def _read_tlog(recorded: Recorded, progress: Progress) -> None:
+def read_tlog(recorded: Recorded, progress: Progress, wanted: Iterable[str] = tuple(WANTED)) -> None:
+    """Take in these messages of the folder's recording, and the link's counts; problems are noted."""
     scenario = recorded.scenario
     epoch_us = round(1e6 * scenario.clock.epoch.timestamp()) if scenario else None
-    pieces: dict[str, list[NDArray[Any]]] = {name: [] for name in WANTED}
+    pieces: dict[str, list[NDArray[Any]]] = {name: [] for name in wanted}
     newest = np.full(256, -1, dtype=np.int64)
     missing = np.zeros((256, 256), dtype=np.bool_)
     try:
@@ -199,8 +200,8 @@ def _read_tlog(recorded: Recorded, progress: Progress) -> None:
             heads = chunk.heads
             if len(heads):
                 epoch_us = int(heads[0, tlog.T_US]) if epoch_us is None else epoch_us
-                for name, fields in WANTED.items():
-                    pieces[name].append(_columns(chunk.table(name), fields, epoch_us))
+                for name, kept in pieces.items():
+                    kept.append(_columns(chunk.table(name), WANTED[name], epoch_us))
                 recorded.end_s = max(recorded.end_s, 1e-6 * (int(heads[-1, tlog.T_US]) - epoch_us))
                 _count(recorded, heads, epoch_us, newest, missing)
             progress(chunk.read_share)

@@ -30,7 +30,7 @@ EPOCH_S = 1_767_225_600.0
 def session(tmp_path_factory: pytest.TempPathFactory) -> Outcome:
     """Two refuellings, over a radio that loses, delays and shuffles; in lockstep."""
     scenario = small(
-        goal={"duration_s": 45.0, "refuelled_at_least": 0},
+        goal={"duration_s": 45.0, "refuelled_at_least": 0, "pursue": {"within_m": 3.0, "for_s": 5.0}},
         radio={"loss": 0.03, "delay_s": 0.05, "jitter_s": 0.1},
         obstacles=[{"sphere_m": [6.0, 6.0, -2.0], "radius_m": 0.5, "name": "buoy"}],
     )
@@ -86,6 +86,17 @@ def test_the_end_shows_the_summarys_energies_losses_and_refuellings(session: Out
         (record["receiver"], record["end_s"], record["energy_j"]) for record in served
     ]
     assert snapshot["phase"] == "ended"
+
+
+def test_the_goals_pursuit_has_been_held_for_as_long_as_the_session_said(session: Outcome, replay: Replay) -> None:
+    said = re.findall(r"^ *([\d.]+) s of .* pursuit (\d+)/5 s", session.stdout, re.MULTILINE)
+    assert len(said) >= 2
+    for t_s, held_s in said:
+        replay.seek(float(t_s))
+        goal = replay.snapshot(speed=1.0)["goal"]
+        assert goal["pursue_for_s"] == 5.0
+        assert goal["pursue_held_s"] == pytest.approx(float(held_s), abs=0.5 + 0.1)
+    assert goal["pursue_held_s"] > 5.0
 
 
 def test_a_service_under_way_is_shown_with_its_reason(session: Outcome, replay: Replay) -> None:

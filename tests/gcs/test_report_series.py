@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -11,11 +12,13 @@ import numpy as np
 import pandas as pd
 import pymap3d
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from gcs.mavlink import codec
 from gcs.mavlink.sequence import GapCounter
 from gcs.recorder import Recorder
-from gcs.report import nearness, series
+from gcs.report import nearness, pursuit, series
 from gcs.report.findings import Findings
 from gcs.report.recorded import NoSession, Recorded, read
 from gcs.scenario import Scenario, dump
@@ -201,6 +204,36 @@ def test_the_longest_time_that_something_held_is_from_first_to_last() -> None:
     holds = np.array([1, 1, 0, 1, 1, 1, 1, 0, 0, 1], dtype=bool)
     assert nearness.longest_s(t_s, holds) == 3.0
     assert nearness.longest_s(t_s, np.zeros(10, dtype=bool)) == 0.0
+
+
+@given(st.lists(st.booleans(), max_size=60))
+def test_the_longest_time_yet_is_at_each_time_that_of_what_came_by_then(holds: list[bool]) -> None:
+    t_s = 0.5 * np.arange(len(holds))
+    yet_s = pursuit.longest_yet_s(t_s, np.array(holds, dtype=bool))
+    assert list(yet_s) == [
+        nearness.longest_s(t_s[: k + 1], np.array(holds[: k + 1], dtype=bool)) for k in range(len(holds))
+    ]
+
+
+def test_pursuit_is_held_from_the_first_tick_on_by_who_circles_within_the_goals_distance(recorded: Recorded) -> None:
+    course = pursuit.read_course(recorded.folder, scenario(), [])
+    assert course is not None
+    for t_s in (0.1, 1.0, 17.3, END_S):
+        assert course.at(t_s) == pytest.approx(t_s - 0.1)
+    nearer = scenario(goal={"duration_s": END_S, "pursue": {"within_m": 9.0, "for_s": 20.0}})
+    outside = pursuit.read_course(recorded.folder, nearer, [])
+    assert outside is not None
+    assert outside.at(END_S) == 0.0
+    assert pursuit.read_course(recorded.folder, scenario(goal={"duration_s": END_S}), []) is None
+
+
+def test_who_is_sent_after_another_target_pursues_that_from_then_on(recorded: Recorded) -> None:
+    order = {"t_s": 20.0, "kind": "operator", "command": "retarget", "sysid": 1, "target": 102, "text": ""}
+    t_s = pursuit.ticks_of(recorded)
+    for taken in (True, False):
+        whom = pursuit.pursued(replace(recorded, decisions=[order | {"taken": taken}]), t_s)[1]
+        assert set(whom[t_s < 19.95]) == {101}
+        assert set(whom[t_s > 19.95]) == {102 if taken else 101}
 
 
 def test_energy_from_a_base_counts_for_a_vehicle_that_does_not_count_itself(recorded: Recorded) -> None:

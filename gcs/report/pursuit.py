@@ -1,0 +1,116 @@
+"""Who pursued whom in a recorded session, and for how long the goal's pursuit had been held by each time of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gcs.report.recorded import Recorded, read_tlog
+from gcs.report.series import Floats, Series, Track, held, tracks
+from gcs.scenario import Scenario
+
+PLACES = ("LOCAL_POSITION_NED", "HEARTBEAT", "EXTENDED_SYS_STATE", "GPS_GLOBAL_ORIGIN")
+ROUNDING_S = 1e-6
+BLOCK_TICKS = 2000
+
+
+class Course:
+    """The goal's pursuit over a session: at each time, the longest for which even the worst had held it by then."""
+
+    def __init__(self, held_s: Series) -> None:
+        self._held_s = held_s
+
+    def at(self, t_s: float) -> float:
+        """In s, at a time of the session."""
+        return float(held(self._held_s, np.array([t_s + ROUNDING_S]))[0])
+
+
+def read_course(
+    folder: Path,
+    scenario: Scenario,
+    decisions: Iterable[Mapping[str, Any]],
+    progress: Callable[[float], object] = lambda _: None,
+) -> Course | None:
+    """From the places that a session's folder recorded; None where the goal asks for no pursuit, or nobody told any.
+
+    `decisions`: those of kinds "pursuit" and "operator".
+    """
+    if scenario.goal.pursue is None:
+        return None
+    recorded = Recorded(folder, scenario=scenario, decisions=[dict(decision) for decision in decisions])
+    read_tlog(recorded, progress, PLACES)
+    flown = tracks(recorded)
+    return Course(held_by(recorded, flown)) if flown else None
+
+
+def ticks_of(recorded: Recorded) -> Floats:
+    """(k,) the times of the planner's ticks."""
+    period_s = recorded.scenario.clock.period_s if recorded.scenario else 0.1
+    return np.arange(1, int(recorded.end_s / period_s + ROUNDING_S) + 1).astype(np.float64) * period_s
+
+
+def pursued(recorded: Recorded, t_s: Floats) -> dict[int, NDArray[np.int64]]:
+    """(k,) whom each pursuer pursues at each tick, by scenario, competition and operators; 0 for nobody."""
+    scenario = recorded.scenario
+    if scenario is None:
+        return {}
+    chosen = scenario.pursuit.by == "competition"
+    pursuers = scenario.vehicles.pursuers
+    first = {p.sysid: 0 if chosen else scenario.vehicles.target_of(p) for p in pursuers}
+    found = {s: np.full(len(t_s), target, dtype=np.int64) for s, target in first.items() if target is not None}
+    for decision in recorded.decisions:
+        if chosen and decision["kind"] == "pursuit":
+            pursuer = decision["pursuer"]
+        elif not chosen and decision["kind"] == "operator" and decision["command"] == "retarget" and decision["taken"]:
+            pursuer = decision.get("sysid")
+        else:
+            pursuer = None
+        if pursuer is None or "target" not in decision:
+            continue
+        since = np.searchsorted(t_s, decision["t_s"] - ROUNDING_S)
+        for targets in found.values() if chosen else ():
+            targets[since:][targets[since:] == decision["target"]] = 0
+        if pursuer in found:
+            found[pursuer][since:] = decision["target"]
+    return found
+
+
+def held_by(recorded: Recorded, flown: Mapping[int, Track]) -> Series:
+    """The longest time for which even the worst pursuer had stayed with its target, or target had had its pursuer, at
+    each tick (gcs/metrics.py judges so); without a goal of pursuit it is empty."""
+    scenario = recorded.scenario
+    if scenario is None or scenario.goal.pursue is None:
+        return Series(np.empty(0), np.empty(0))
+    t_s = ticks_of(recorded)
+    of_targets = scenario.pursuit.by == "competition"
+    whom = pursued(recorded, t_s)
+    near = {key: np.zeros(len(t_s), dtype=np.bool_) for key in whom}
+    if of_targets:
+        near = {target.sysid: np.zeros(len(t_s), dtype=np.bool_) for target in scenario.vehicles.targets}
+    for begin in range(0, len(t_s), BLOCK_TICKS):
+        some = slice(begin, min(begin + BLOCK_TICKS, len(t_s)))
+        at = {sysid: track.at(t_s[some]) for sysid, track in flown.items()}
+        for pursuer, targets in whom.items():
+            for target in np.unique(targets[some]).tolist():
+                if pursuer in at and target in at:
+                    close = np.linalg.norm(at[pursuer] - at[target], axis=1) <= scenario.goal.pursue.within_m
+                    key = target if of_targets else pursuer
+                    if key in near:
+                        near[key][some] |= close & (targets[some] == target)
+    worst = np.full(len(t_s), np.inf)
+    for holds in near.values():
+        worst = np.minimum(worst, longest_yet_s(t_s, holds))
+    return Series(t_s, worst if near else np.zeros(len(t_s)))
+
+
+def longest_yet_s(t_s: Floats, holds: NDArray[np.bool_]) -> Floats:
+    """(k,) the longest time, up to each sample, from the first to the last of samples in a row at which it held."""
+    begins = holds & ~np.concatenate(([False], holds[:-1]))
+    since_s = np.maximum.accumulate(np.where(begins, t_s, -np.inf))
+    with np.errstate(invalid="ignore"):
+        lasted_s = np.where(holds, t_s - since_s, 0.0)
+    return np.maximum.accumulate(lasted_s) if len(t_s) else lasted_s

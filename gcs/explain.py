@@ -109,7 +109,8 @@ def why(service: Service, snapshot: Snapshot, rules: Refuelling, competition: Co
     where = (
         "" if service.base is None else f" at base {service.base}, for it cannot take a transfer ({service.why_base})"
     )
-    return f"{receiver[:1].upper()}{receiver[1:]} is refuelled next{where}: {reason}{met}."
+    when = "next" if service.phase in (Phase.JOIN, Phase.LAND) else "now"
+    return f"{receiver[:1].upper()}{receiver[1:]} is refuelled {when}{where}: {reason}{met}."
 
 
 def notes_of(services: Iterable[Service], asked: Iterable[int], out: Mapping[int, str]) -> Mapping[int, str]:

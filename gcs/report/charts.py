@@ -15,9 +15,9 @@ import numpy as np
 
 from gcs.drawing import legs
 from gcs.report import decimate
-from gcs.report.findings import Findings
+from gcs.report.findings import Findings, Service
 from gcs.report.pack import Pack
-from gcs.report.series import Floats, Series, Track
+from gcs.report.series import Contest, Floats, Series, Track
 from gcs.scenario import Obstacle
 
 MANY = 16
@@ -78,7 +78,6 @@ class Charts:
         goal = scenario.goal.pursue if scenario else None
         within = [(goal.within_m, f"goal: within {goal.within_m:g} m")] if goal else []
         apart = [(scenario.planner.separation_m, "separation wanted")] if scenario else []
-        share = [(scenario.competition.share, "share that wins")] if scenario else []
         attitudes = found.attitudes.items()
         roll, pitch, yaw = (
             {sysid: Series(told[i].t_s, DEGREES * told[i].values) for sysid, told in attitudes} for i in range(3)
@@ -88,7 +87,6 @@ class Charts:
             for s in found.services
             if s.start_s is not None
         ]
-        decided = [{"t_s": s.decided_at_s, "id": s.receiver, "label": f"→ {s.receiver}"} for s in found.services]
         near = found.nearness
         frames = [Panel("Frames received", "1/s", found.rates, digits=0, from_zero=True)]
         if any(line.values.max(initial=0.0) > 0.0 for line in found.losses.values()):
@@ -108,15 +106,8 @@ class Charts:
             "battery": self._time(
                 [Panel("Battery", "%", found.battery_percent, digits=1, from_zero=True)], spans=spans
             ),
-            "contest": self._time(
-                [
-                    Panel("State v of each competitor", "1", found.contest.v, digits=3, span=(-0.03, 1.06)),
-                    Panel(
-                        "Leader's share of Σ vᵖ", "1", {}, {"share": found.contest.share}, share, 3, span=(-0.03, 1.06)
-                    ),
-                ],
-                marks=decided,
-            ),
+            "contest": self._contest(found.contest, [s for s in found.services if s.base is None]),
+            "base-contest": self._contest(found.base_contest, [s for s in found.services if s.base is not None]),
             "nearness": self._time(
                 [
                     Panel("Least separation of two vehicles", "m", {}, {"separation": near.separation}, apart),
@@ -125,6 +116,18 @@ class Charts:
             ),
             "link": self._time(frames),
         }
+
+    def _contest(self, contest: Contest, services: Iterable[Service]) -> dict[str, Any] | None:
+        """One competition's states and its leader's share; marks where it handed a giver over."""
+        scenario = self._found.scenario
+        share = [(scenario.competition.share, "share that wins")] if scenario else []
+        return self._time(
+            [
+                Panel("State v of each competitor", "1", contest.v, digits=3, span=(-0.03, 1.06)),
+                Panel("Leader's share of Σ vᵖ", "1", {}, {"share": contest.share}, share, 3, span=(-0.03, 1.06)),
+            ],
+            marks=[{"t_s": s.decided_at_s, "id": s.receiver, "label": f"→ {s.receiver}"} for s in services],
+        )
 
     def _time(
         self, panels: list[Panel], marks: Sequence[Mapping[str, Any]] = (), spans: Sequence[Mapping[str, Any]] = ()

@@ -76,6 +76,7 @@ class Findings:
         self.attitudes = series.attitudes(recorded)
         self.batteries = series.batteries(recorded)
         self.contest = series.contest(recorded)
+        self.base_contest = series.contest(recorded, for_bases=True)
         self.links = series.links(recorded, self.tracks)
         self.nearness = nearness.measure(recorded, self.tracks, self.traffic)
         self.errors = nearness.tracking_errors(recorded, self.tracks)

@@ -246,8 +246,13 @@ def _sections(found: Findings, figures: set[str]) -> Iterable[tuple[str, str, st
         "Competition",
         figure(
             "contest",
-            "The state v of each competitor, and the leader's share; dotted: a decision hands a tanker, or a base, to "
-            "the vehicle named. Gaps: nobody competed.",
+            "The competition for the tankers: the state v of each competitor, and the leader's share; dotted: a "
+            "decision hands a tanker to the vehicle named. Gaps: nobody competed.",
+        ),
+        figure(
+            "base-contest",
+            "The competition for the places at bases, of vehicles that no tanker can serve, in the same way; dotted: a "
+            "decision hands a base to the vehicle named.",
         ),
     )
     yield section(

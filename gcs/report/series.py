@@ -229,10 +229,11 @@ class Contest:
     """system id; NaN: nobody leads"""
 
 
-def contest(recorded: Recorded) -> Contest:
-    """The competition for the tankers as it was decided tick by tick; gaps where nobody competed."""
+def contest(recorded: Recorded, *, for_bases: bool = False) -> Contest:
+    """The competition for the tankers, or for the places at bases, as it was decided tick by tick; gaps where nobody
+    competed."""
     every = (decision for decision in recorded.decisions if decision["kind"] == "competition")
-    lines = [decision for decision in every if "giver" not in decision]
+    lines = [decision for decision in every if (decision.get("giver") == "base") == for_bases]
     t_s = np.array([line["t_s"] for line in lines], dtype=np.float64)
     states: dict[int, list[tuple[float, float]]] = {}
     for line in lines:

@@ -50,7 +50,9 @@ def test_why_is_one_sentence_with_the_reason_and_the_time_left(by: str, words: s
     assert words in text
     assert text.endswith("; tanker 20 meets it in 4 s.")  # decided at 90 s with 14 s to go, and it is 100 s
     joined = replace(service(by), phase=Phase.TRANSFER, joined_at_s=99.0)
-    assert "meets" not in why(joined, snapshot(RECEIVER, TANKER), RULES, COMPETITION)
+    later = why(joined, snapshot(RECEIVER, TANKER), RULES, COMPETITION)
+    assert "meets" not in later
+    assert later.startswith("Pursuer 3 is refuelled now: ")
 
 
 def test_the_runner_up_is_the_next_behind_the_leader() -> None:

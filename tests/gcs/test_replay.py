@@ -105,7 +105,7 @@ def test_a_service_under_way_is_shown_with_its_reason(session: Outcome, replay: 
     snapshot = replay.snapshot(speed=1.0)
     service = snapshot["services"][0]
     assert (service["receiver"], service["tanker"], service["phase"]) == (begun["receiver"], 201, "transfer")
-    assert "refuelled next" in service["why"]
+    assert "refuelled now" in service["why"]
     assert 0 < service["energy_j"] < 2500
     found = rows(snapshot)
     assert (found[begun["receiver"]]["state"], found[201]["state"]) == ("served", "serves")

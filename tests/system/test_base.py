@@ -12,6 +12,11 @@ import numpy as np
 import pytest
 from sessions import Outcome, fly, merged, small
 
+from gcs.report import page
+from gcs.report.charts import Charts
+from gcs.report.findings import Findings
+from gcs.report.recorded import read
+
 EVERYONE = (1, 2, 101, 201)
 PAD = (0.0, 6.0, 0.0)
 STOCK_J = 50_000.0
@@ -87,6 +92,17 @@ def test_the_schedule_says_so(flown: Outcome) -> None:
     assert about[1]["reason"] == "cannot take a transfer: the scenario says so"
     assert all(d["base"] == "pad" and d["tanker"] is None for d in about[1:])
     assert any("at base pad" in line and "cannot take a transfer" in line for line in flown.stdout.splitlines())
+
+
+def test_the_report_draws_the_competition_for_tankers_and_the_one_for_bases(flown: Outcome) -> None:
+    findings = Findings(read(flown.folder))
+    figures = Charts(findings).model()["figures"]
+    drawn = {
+        name: ({line["id"] for line in figures[name]["panels"][0]["lines"]}, [m["id"] for m in figures[name]["marks"]])
+        for name in ("contest", "base-contest")
+    }
+    assert drawn == {"contest": ({1}, [1]), "base-contest": ({2}, [2])}
+    assert page.text(findings).count('data-figure="base-contest"') == 1
 
 
 def test_nobody_calls_it_lost(flown: Outcome) -> None:

@@ -106,8 +106,10 @@ class Charts:
             "battery": self._time(
                 [Panel("Battery", "%", found.battery_percent, digits=1, from_zero=True)], spans=spans
             ),
-            "contest": self._contest(found.contest, [s for s in found.services if s.base is None]),
-            "base-contest": self._contest(found.base_contest, [s for s in found.services if s.base is not None]),
+            "contest": self._contest("tanker", found.contest, [s for s in found.services if s.base is None]),
+            "base-contest": self._contest(
+                "base", found.base_contest, [s for s in found.services if s.base is not None]
+            ),
             "nearness": self._time(
                 [
                     Panel("Least separation of two vehicles", "m", {}, {"separation": near.separation}, apart),
@@ -117,13 +119,13 @@ class Charts:
             "link": self._time(frames),
         }
 
-    def _contest(self, contest: Contest, services: Iterable[Service]) -> dict[str, Any] | None:
+    def _contest(self, giver: str, contest: Contest, services: Iterable[Service]) -> dict[str, Any] | None:
         """One competition's states and its leader's share; marks where it handed a giver over."""
         scenario = self._found.scenario
         share = [(scenario.competition.share, "share that wins")] if scenario else []
         return self._time(
             [
-                Panel("State v of each competitor", "1", contest.v, digits=3, span=(-0.03, 1.06)),
+                Panel(f"State v of each competitor for a {giver}", "1", contest.v, digits=3, span=(-0.03, 1.06)),
                 Panel("Leader's share of Σ vᵖ", "1", {}, {"share": contest.share}, share, 3, span=(-0.03, 1.06)),
             ],
             marks=[{"t_s": s.decided_at_s, "id": s.receiver, "label": f"→ {s.receiver}"} for s in services],

@@ -64,7 +64,7 @@ def given_environment() -> dict[str, str]:
         given = Path("/proc/self/environ").read_bytes().split(b"\0")
     except OSError:
         return environment
-    if not any(entry.startswith(b"LC_CTYPE=") for entry in given):
+    if not any(entry.startswith(b"LC_CTYPE=") and entry != b"LC_CTYPE=" for entry in given):
         environment.pop("LC_CTYPE", None)
     return environment
 

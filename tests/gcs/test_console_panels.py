@@ -72,7 +72,12 @@ def test_unicode_is_what_the_locale_and_the_terminal_say() -> None:
 
 @pytest.mark.parametrize(
     ("environment", "unicode"),
-    [({"LANG": "C"}, False), ({"LANG": "C", "LC_CTYPE": "C.UTF-8"}, True), ({"LANG": "C.UTF-8"}, True)],
+    [
+        ({"LANG": "C"}, False),
+        ({"LANG": "C", "LC_CTYPE": ""}, False),
+        ({"LANG": "C", "LC_CTYPE": "C.UTF-8"}, True),
+        ({"LANG": "C.UTF-8"}, True),
+    ],
 )
 def test_a_locale_that_python_gave_itself_is_none_that_the_terminal_has(
     environment: dict[str, str], unicode: bool

@@ -64,6 +64,7 @@ def test_resized_suspended_watched_by_others_and_killed_it_changes_nothing_in_fl
             assert screen.finish() == 0
             assert other.finish() == 0
             assert other.cooked
+            assert "outcome: met" in other.seen.decode()
     assert all_gone(family) == []
     summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
     assert summary["digest"] == undisturbed
@@ -91,8 +92,8 @@ def test_orders_are_obeyed_q_leaves_lines_and_ctrl_c_stops_them(tmp_path: Path) 
     assert last["command"] == "stop"
 
 
-def test_ctrl_c_twice_stops_the_session_from_inside_the_console(tmp_path: Path) -> None:
-    with Screen(run(tmp_path)) as screen:
+def test_ctrl_c_twice_stops_the_session_from_inside_the_console_in_ascii_where_the_locale_is_c(tmp_path: Path) -> None:
+    with Screen(run(tmp_path), LC_ALL="", LC_CTYPE="", LANG="C") as screen:
         screen.until("flying")
         screen.press("\x03")
         screen.until("Stop the session?")
@@ -100,6 +101,7 @@ def test_ctrl_c_twice_stops_the_session_from_inside_the_console(tmp_path: Path) 
         assert screen.finish() == 130
         assert screen.cooked
     assert "outcome: interrupted" in screen.seen.decode()
+    assert screen.seen.isascii()
 
 
 def test_ctrl_c_while_the_vehicles_start_leaves_nothing_behind(tmp_path: Path) -> None:

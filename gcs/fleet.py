@@ -24,8 +24,6 @@ from gcs.mavlink.codec import Frame, fields
 from gcs.profiles import GENERIC, FlightMode, Profile, profile_of
 from gcs.views import ZERO, Snapshot, TrafficView, Vec3, VehicleView
 
-__all__ = ["BATTERY_PARAMETERS", "Fleet", "GlobalOrigin", "Member", "VehicleView"]
-"""People's own planners import VehicleView from here, as the README says."""
 LANDED_M = 0.3
 """A vehicle that does not tell whether it has landed is in the air above this height."""
 TEXT_CHARACTERS = 50

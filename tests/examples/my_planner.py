@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 
-from gcs.fleet import VehicleView
 from gcs.planner.own import Situation
 from gcs.scenario import Scenario
+from gcs.views import VehicleView
 
 
 class Ring:

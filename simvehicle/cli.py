@@ -47,19 +47,15 @@ class _Triple(click.ParamType[tuple[float, float, float]]):
 @click.group(
     invoke_without_command=True,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
-    epilog=(
-        "Example: simvehicle --sysid 1 --connect udpout:127.0.0.1:14550 flies one vehicle that QGroundControl, MAVSDK "
-        "and MAVProxy find at once. Give several vehicles different --sysid; they may share one ground station's port."
-    ),
 )
 @click.version_option(version("skytender"), prog_name="simvehicle")
-@click.option("--sysid", type=click.IntRange(1, 254), metavar="1..254", help="MAVLink system id of the vehicle.")
+@click.option("--sysid", type=click.IntRange(1, 254), metavar="N", help="MAVLink system id.")
 @click.option(
     "--connect",
     "connect",
     multiple=True,
-    metavar="udpout:HOST:PORT|udpin:HOST:PORT",
-    help="Plain MAVLink: speak to a ground station (udpout) or wait for one (udpin). May be given several times.",
+    metavar="udpout|udpin:HOST:PORT",
+    help="Plain MAVLink: speak to a ground station (udpout) or wait for one. Repeatable.",
 )
 @click.option("--supervised", metavar="udpout:HOST:PORT", help="Take time and orders from a gcs supervisor.")
 @click.option(
@@ -78,7 +74,10 @@ class _Triple(click.ParamType[tuple[float, float, float]]):
     help="Origin of the local frame: degrees, degrees, m above mean sea level.",
 )
 @click.option(
-    "--params", type=click.Path(path_type=Path, dir_okay=False), multiple=True, help="YAML file of MAVLink parameters."
+    "--params",
+    type=click.Path(path_type=Path, dir_okay=False),
+    multiple=True,
+    help="YAML file of MAVLink parameters, NAME: number.",
 )
 @click.option(
     "--autopilot",
@@ -105,16 +104,29 @@ class _Triple(click.ParamType[tuple[float, float, float]]):
     default=1,
     metavar="N",
     help="Fly N vehicles in this process, with system ids from --sysid on and sockets of their own (a udpin port "
-    "counts up). --position, --velocity, --attitude, --params and --truth may then be given N times, one for each in "
-    "order; given once, all but --truth hold for all.",
+    "counts up). --position, --velocity, --attitude, --params and --truth may then be given N times, in order; given "
+    "once, all but --truth hold for all.",
 )
 @click.pass_context
 def cli(ctx: click.Context, /, **options: Any) -> None:
     """Fly one simulated quadrotor that speaks MAVLink 2 over UDP as PX4 would.
 
     The vehicle flies a double-loop controller with a finite-time differentiator at 250 Hz, in real time, or, when
-    --supervised, in the time that a gcs supervisor grants. It obeys arm, take-off, land, return, mode changes and
-    offboard set points, and ends with Ctrl-C.
+    --supervised, in the time that a gcs supervisor grants. It obeys arm, take-off, land, return, modes, missions and
+    offboard set points. At udpout:127.0.0.1:14550 QGroundControl, MAVSDK and MAVProxy find it at once.
+
+    \b
+    Examples:
+      simvehicle --sysid 1 --connect udpout:127.0.0.1:14550
+      simvehicle --sysid 2 --connect udpin:127.0.0.1:14540 --autopilot ardupilot
+      simvehicle --sysid 1 --count 25 --connect udpout:127.0.0.1:14550
+
+    \b
+    Exit status:
+      2    bad input; nothing has flown
+      74   a file could not be written
+      75   its supervisor was silent for ten seconds
+      130  ended by Ctrl-C
     """
     if ctx.invoked_subcommand is None:
         ctx.exit(_fly(**options))

@@ -115,7 +115,8 @@ def test_help_is_a_page_for_newcomers_and_loads_no_compiler() -> None:
     assert done.returncode == 0, done.stderr
     assert done.stderr == ""
     for word in ("--sysid", "--connect", "--supervised", "--position", "--airborne", "--params", "hatch", "traffic",
-                 "Example: simvehicle --sysid 1 --connect udpout:127.0.0.1:14550", "Ctrl-C"):  # fmt: skip
+                 "Examples: simvehicle --sysid 1 --connect udpout:127.0.0.1:14550", "Exit status: 2",
+                 "Ctrl-C"):  # fmt: skip
         assert word in " ".join(done.stdout.split())
     assert len(done.stdout.splitlines()) < 60
     assert max(map(len, done.stdout.splitlines())) <= 100

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from gcs import cli_author, cli_check, cli_recorded, cli_report, cli_watch
+from gcs import cli_author, cli_check, cli_paper, cli_recorded, cli_report, cli_watch
 from gcs.addresses import address
 from gcs.cli_author import ScenarioName, ScenarioRefused, load_scenario, module_arguments
 
@@ -88,6 +88,7 @@ for _command in (
     cli_report.report,
     cli_recorded.replay,
     cli_recorded.export,
+    cli_paper.paper,
 ):
     cli.add_command(_command)
 
@@ -320,57 +321,6 @@ def _print_addresses(vehicles: list[dict[str, Any]]) -> None:
     for sysid, role, where in rows:
         click.echo(f"{sysid:>3}  {role:<7}  {where}")
     click.echo("Ctrl-C ends them.", err=True)
-
-
-@cli.command(short_help="Fly the paper's examples and judge its claims.")
-@click.option("--out", type=click.Path(path_type=Path), metavar="DIR", help="A new folder.  [default: paper-TIME]")
-@click.option(
-    "--only",
-    metavar="NAME,NAME",
-    help="Some of example1 to example4, fig3, fig5 to fig14, loops, implicit; all by default.",
-)
-def paper(out: Path | None, only: str | None) -> int:
-    """Fly the examples of the paper that the algorithms come from, and judge each of its claims.
-
-    DIR then holds index.html (one page, readable without a network), claims.json, each figure as SVG and PNG, and the
-    recorded sessions. What counts as agreement was written down before anything was measured; a difference is printed.
-
-    \b
-    Examples:
-      gcs paper
-      gcs paper --only example2,fig13 --out second
-
-    \b
-    Exit status:
-      0    the page was made, whatever the claims came to
-      1    an example could not be flown, or a file could not be written
-      2    bad input; nothing has been done
-      130  stopped by Ctrl-C; the sessions flown so far are kept
-    """
-    from rich.console import Console
-
-    from gcs.paper import make as maker
-    from gcs.paper import page
-
-    try:
-        parts = maker.chosen(only)
-    except ValueError as error:
-        raise click.UsageError(f"--only: {error}.") from None
-    folder = out or maker.default_folder()
-    try:
-        judged = maker.make(folder, parts, Console(stderr=True))
-    except FileExistsError:
-        raise click.UsageError(f"{folder} exists already; give --out a folder that does not.") from None
-    except maker.PaperError as error:
-        click.echo(str(error), err=True)
-        return NOT_MADE
-    except OSError as error:
-        click.echo(f"{error.filename or folder}: {error.strerror}", err=True)
-        return NOT_MADE
-    for verdict, number in page.counted(judged).items():
-        click.echo(f"{verdict}: {number}")
-    click.echo(f"page: {folder / 'index.html'}")
-    return 0
 
 
 def run_argv(argv: list[str] | None = None) -> int:

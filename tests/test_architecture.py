@@ -116,7 +116,7 @@ HOUSE = {
         "check.asking",
         "check.presence check.connect check.parameters check.preparation",
         "check.questions check.wire",
-        "cli_author cli_check cli_recorded cli_watch",
+        "cli_author cli_check cli_paper cli_recorded cli_watch",
         "cli",
     ],
 }

@@ -52,6 +52,12 @@ class Judged:
     verdict: Verdict
     why: str
 
+    @property
+    def line(self) -> str:
+        """For a terminal: where the paper says what, and the first reason of the verdict."""
+        where = f"Fig. {self.claim.figure}" if self.claim.figure[0].isdecimal() else self.claim.figure
+        return f"{where}: {self.claim.claim} Here {self.why.partition('; ')[0]}."
+
     def row(self) -> dict[str, Any]:
         """The claim as it stands in claims.json."""
         value = self.value

@@ -63,11 +63,11 @@ def test_a_full_disk_behind_standard_output_is_one_sentence(words: tuple[str, ..
     assert (done.returncode, done.stderr) == (1, sentence)
 
 
-@pytest.mark.parametrize("command", ["run", "launch"])
+@pytest.mark.parametrize("command", ["run", "launch", "paper"])
 def test_help_has_what_it_does_examples_and_exit_statuses(command: str) -> None:
     page = CliRunner().invoke(cli, [command, "--help"])
     assert page.exit_code == 0
-    assert f"gcs {command} demo" in page.output
+    assert re.search(rf"Examples:\n +gcs {command}", page.output)
     assert "Exit status:" in page.output
     assert re.search(r"^ +130 ", page.output, re.MULTILINE)
     assert max(map(len, page.output.splitlines())) <= 100

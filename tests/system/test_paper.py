@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 from importlib import resources
 from pathlib import Path
@@ -23,6 +24,7 @@ def test_a_part_of_it_is_flown_measured_judged_and_drawn(tmp_path: Path) -> None
     done = paper("--out", str(out), "--only", PARTS)
     assert done.returncode == 0, done.stderr
     assert str(out / "index.html") in done.stdout
+    told = re.findall(r"^  (\S.*)$", done.stdout, re.MULTILINE)
     content = json.loads((out / "claims.json").read_text(encoding="utf-8"))
     schema = json.loads(resources.files("gcs").joinpath("schemas/claims.schema.json").read_text(encoding="utf-8"))
     jsonschema.Draft202012Validator(schema).validate(content)
@@ -30,6 +32,11 @@ def test_a_part_of_it_is_flown_measured_judged_and_drawn(tmp_path: Path) -> None
     assert len(content["claims"]) == 14
     assert measured["Every vehicle ends on the desired speed."]["verdict"] == "agrees"
     assert all(claim["measured"] is not None for claim in content["claims"])
+    differ = [claim for claim in content["claims"] if claim["verdict"] == "differs"]
+    assert differ
+    assert [(claim["claim"] in line, claim["figure"] in line) for claim, line in zip(differ, told, strict=True)] == [
+        (True, True)
+    ] * len(differ)
     assert json.loads((out / "sessions" / "example2" / "summary.json").read_text())["outcome"] == "met"
     figures = {path.stem for path in out.glob("*.svg")}
     assert figures == {path.stem for path in out.glob("*.png")} == {"fig9a", "fig9b", "fig9c", "fig3a", "fig3b", "fig6"}

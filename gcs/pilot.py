@@ -56,6 +56,11 @@ class Wish:
     params: tuple[float, float, float, float, float, float, float]
     token: str
 
+    @property
+    def is_order(self) -> bool:
+        """Whether it is an operator's."""
+        return self.token.startswith(OPERATOR)
+
 
 class Pilot:
     """One vehicle's way into the air."""

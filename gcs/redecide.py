@@ -20,10 +20,11 @@ from gcs.link import SUPERVISOR, FleetLink, Key
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.operator import COMMANDS
+from gcs.outbox import AUTOPILOT
 from gcs.recorder import DECISIONS, TLOG, Recorder, decision_line
 from gcs.scenario import Radio, load
 from gcs.summary import FILE as SUMMARY
-from gcs.supervisor import AUTOPILOT, TRAFFIC, Supervisor
+from gcs.supervisor import TRAFFIC, Supervisor
 
 KEPT = 1000
 """Differences that are remembered one by one; all are counted."""

@@ -18,17 +18,18 @@ from gcs.events import Event, Kind, Level, level_of
 from gcs.explain import acknowledged
 from gcs.externals import ENDING, Externals
 from gcs.inspection import Inspection
-from gcs.link import SUPERVISOR, FleetLink, Key
+from gcs.link import FleetLink, Key
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
-from gcs.mavlink.commands import CommandLong, CommandQueue, CommandResult, Target
+from gcs.mavlink.commands import CommandResult
 from gcs.mavlink.sequence import GapCounter
 from gcs.mavlink.station import OUR_HEARTBEAT
 from gcs.metrics import Metrics
 from gcs.mixed_link import MixedLink
 from gcs.news import Watch
 from gcs.operator import Answer, Operator
-from gcs.pilot import OPERATOR, PILOT, Stage, Wish
+from gcs.outbox import AUTOPILOT, Outbox
+from gcs.pilot import Stage
 from gcs.planner.own import make_planner
 from gcs.planner.plan import SetPoint
 from gcs.policy_contest import make_contest
@@ -43,7 +44,6 @@ from gcs.scenario import Scenario
 from gcs.service import Decision
 from gcs.views import Snapshot
 
-AUTOPILOT = mav.MAV_COMP_ID_AUTOPILOT1
 TRAFFIC: Key = (255, 156)
 HEARTBEAT_EVERY_S = 1.0
 SET_POINT_MASK = (
@@ -94,12 +94,10 @@ class Supervisor:
         self._wait_for_fleet_s = WAIT_FOR_FLEET_S + self.externals.patience_s
         self._join_ms = {v.sysid: round(1e3 * v.join_s) for v in scenario.vehicles.all}
         self._radio = make_radio(scenario)
-        self._queues = {v.sysid: CommandQueue(*SUPERVISOR) for v in scenario.vehicles.all}
-        self._under_way: set[tuple[int, str]] = set()
+        self.outbox = Outbox(self.pilots)
         self._gaps = GapCounter()
         self.quality = LinkQuality(self._gaps)
         self._heartbeat_due_ms = dict.fromkeys(self.pilots, 0)
-        self._outbox: dict[int, list[Message]] = {sysid: [] for sysid in self.pilots}
         self.time_ms = 0
         self.received = 0
         self.sent = 0
@@ -126,7 +124,7 @@ class Supervisor:
     @property
     def command_retries(self) -> int:
         """Commands that were sent again."""
-        return sum(queue.resent for queue in self._queues.values())
+        return self.outbox.resent
 
     def begin(self) -> None:
         """Send the first grant, which sets the vehicles' clocks and lets nobody move."""
@@ -149,9 +147,10 @@ class Supervisor:
         self._keep_streams(snapshot)
         pursuing = self.pursuit.decide(snapshot) if self.pursuit else self.operator.pursuing
         self.set_points = set_points = self._plan(snapshot, decision, pursuing)
-        self._ask(decision.wishes, now_s)
-        for sysid, queue in self._queues.items():
-            self._follow_up(sysid, queue.poll(now_s), now_s)
+        self.outbox.ask(decision.wishes, now_s)
+        for sysid in self.pilots:
+            for result in self.outbox.poll(sysid, now_s):
+                self._report(sysid, result, now_s)
         relays = relayed(decision.relays, delivered)
         recording = Recording(self.time_ms, arrived, [], [])
         self._queue_set_points(set_points, snapshot)
@@ -229,15 +228,10 @@ class Supervisor:
 
     def _take_acknowledgements(self, now_s: float) -> None:
         for sysid, ack in self.fleet.take_acks():
-            self._follow_up(sysid, self._queues[sysid].on_ack(sysid, AUTOPILOT, ack, now_s), now_s)
-
-    def _follow_up(self, sysid: int, step: Any, now_s: float) -> None:
-        self._outbox[sysid] += step.messages
-        for result in step.results:
-            self._report(sysid, result, now_s)
+            for result in self.outbox.on_ack(sysid, ack, now_s):
+                self._report(sysid, result, now_s)
 
     def _report(self, sysid: int, result: CommandResult, now_s: float) -> None:
-        self._under_way.discard((sysid, str(result.token)))
         self.schedule.result(str(result.token), result.outcome == "accepted")
         if self.externals.settles(sysid, result, now_s):
             return
@@ -252,7 +246,7 @@ class Supervisor:
         for sysid, pilot in self.pilots.items():
             pilot.grounded = sysid in decision.grounded
         for beacon in decision.beacons:
-            self._outbox[beacon.sysid] += beacons.messages(beacon, self.scenario.origin, self.time_ms)
+            self.outbox.put(beacon.sysid, beacons.messages(beacon, self.scenario.origin, self.time_ms))
         for sysid, joules in decision.booked.items():
             self.fleet.book(sysid, joules)
 
@@ -263,8 +257,8 @@ class Supervisor:
             pilot = self.pilots[view.sysid]
             before = pilot.stage
             wishes, requests = pilot.decide(view, now_s, bound=self.schedule.bound(view.sysid))
-            if (pilot.stage is Stage.TAKEN) != (before is Stage.TAKEN) or any(_is_order(w.token) for w in wishes):
-                self._withdraw(view.sysid)
+            if (pilot.stage is Stage.TAKEN) != (before is Stage.TAKEN) or any(wish.is_order for wish in wishes):
+                self.outbox.withdraw(view.sysid)
             if pilot.stage is Stage.DOWN and before is not Stage.DOWN and view.alive:
                 why = pilot.left_out or "Lands, and takes no more part"
                 kind: Kind = "session" if pilot.left_out else "decision"
@@ -272,15 +266,14 @@ class Supervisor:
             elif pilot.stage is Stage.YIELDED and before is not Stage.YIELDED:
                 why = f"Somebody else flies it ({view.mode}): it takes part again when it is put into offboard"
                 self.events.append(Event(now_s, view.sysid, "warning", why))
-            self._outbox[view.sysid] += requests
-            # What is on its way already is not lined up again: it would be carried out long after it was wanted.
-            self._ask([wish for wish in wishes if (wish.sysid, wish.token) not in self._under_way], now_s)
+            self.outbox.put(view.sysid, requests)
+            self.outbox.ask_once(wishes, now_s)
 
     def _keep_streams(self, snapshot: Snapshot) -> None:
         wishes, messages = self.externals.decide(snapshot)
         for sysid, requests in messages.items():
-            self._outbox[sysid] += requests
-        self._ask(wishes, snapshot.time_s)
+            self.outbox.put(sysid, requests)
+        self.outbox.ask(wishes, snapshot.time_s)
         self.events += self.externals.take_events()
 
     def _plan(self, snapshot: Snapshot, decision: Decision, pursuing: Mapping[int, int] | None) -> list[SetPoint]:
@@ -299,17 +292,6 @@ class Supervisor:
             stations=decision.stations,
         )
 
-    def _withdraw(self, sysid: int) -> None:
-        """What pilot or operator wanted before counts no more, and must not be repeated after what they want now."""
-        for token in self._queues[sysid].withdraw(lambda token: _is_order(token) or str(token).startswith(PILOT)):
-            self._under_way.discard((sysid, token))
-
-    def _ask(self, wishes: Iterable[Wish], now_s: float) -> None:
-        for wish in wishes:
-            self._under_way.add((wish.sysid, wish.token))
-            command = CommandLong(Target(wish.sysid, AUTOPILOT), wish.command, wish.params)
-            self._outbox[wish.sysid] += self._queues[wish.sysid].send(command, now_s, token=wish.token)
-
     def _queue_set_points(self, set_points: Iterable[SetPoint], snapshot: Snapshot) -> None:
         for point in set_points:
             offset = snapshot.vehicle(point.sysid).origin_offset_ned
@@ -319,7 +301,7 @@ class Supervisor:
                 *(self.time_ms, north - north_0, east - east_0, down - down_0, *point.v_ned, 0.0, 0.0, 0.0, 0.0, 0.0),
                 *(SET_POINT_MASK, point.sysid, AUTOPILOT, mav.MAV_FRAME_LOCAL_NED),
             )
-            self._outbox[point.sysid].append(Message(_SET_POINT, values))
+            self.outbox.put(point.sysid, (Message(_SET_POINT, values),))
 
     # out
 
@@ -337,8 +319,7 @@ class Supervisor:
                 if self.time_ms >= self._heartbeat_due_ms[sysid]:
                     self._heartbeat_due_ms[sysid] = self.time_ms + round(1e3 * HEARTBEAT_EVERY_S)
                     messages.append(OUR_HEARTBEAT)
-                messages += self._outbox[sysid]
-                self._outbox[sysid] = []
+                messages += self.outbox.take(sysid)
                 messages += relays.get(sysid, ())
                 messages = list(self._radio.apply(sysid, "out", now_s, messages))
             own = [m for m in messages if isinstance(m, Message)]
@@ -352,9 +333,9 @@ class Supervisor:
 
     def hand_back(self) -> None:
         """Nobody steers the external vehicles any more: tell them what to do then. `exchange` sends it."""
-        self._outbox = {sysid: [] for sysid in self._outbox}
+        self.outbox.clear()
         stages = {sysid: pilot.stage for sysid, pilot in self.pilots.items()}
-        self._ask(self.externals.hand_back(self.snapshot, stages), self.time_s)
+        self.outbox.ask(self.externals.hand_back(self.snapshot, stages), self.time_s)
         self.events += self.externals.take_events()
 
     def tell_disobedience(self) -> None:
@@ -369,14 +350,15 @@ class Supervisor:
         self._take_acknowledgements(now_s)
         sent: list[bytes] = []
         for sysid in self.externals.rules:
-            self._follow_up(sysid, self._queues[sysid].poll(now_s), now_s)
+            for result in self.outbox.poll(sysid, now_s):
+                self._report(sysid, result, now_s)
+            messages = self.outbox.take(sysid)
             if (sysid, AUTOPILOT) in self._link.joined:
-                sent += self._link.external.grant((sysid, AUTOPILOT), self._outbox[sysid], ())
-            self._outbox[sysid] = []
+                sent += self._link.external.grant((sysid, AUTOPILOT), messages, ())
         self.sent += len(sent)
         self._record(Recording(round(1e3 * now_s), arrived, sent, []))
         self.snapshot = self.fleet.snapshot(now_s)
-        return self.externals.awaits(self.snapshot) or any(token == ENDING for _, token in self._under_way)
+        return self.externals.awaits(self.snapshot) or self.outbox.awaits(ENDING)
 
     def _records(self, t_s: float, decision: Decision, set_points: Iterable[SetPoint]) -> list[dict[str, Any]]:
         records, events = records_of_tick(
@@ -399,7 +381,3 @@ class Supervisor:
     def _record(self, recording: Recording) -> None:
         """Recording and hashing wait until the grants are out: the vehicles fly meanwhile."""
         recording.write(self._recorder, self.digest, self.epoch_us)
-
-
-def _is_order(token: Any) -> bool:
-    return str(token).startswith(OPERATOR)

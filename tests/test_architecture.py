@@ -63,7 +63,7 @@ HOUSE = {
         "fleet",
         "pilot trouble news scene ears recording",
         "external_pilot externals rows service",
-        "crew observe tanker_service base_service ability beacons",
+        "crew outbox observe tanker_service base_service ability beacons",
         "monitor",
         "planner.obstacles planner.formation",
         "planner.potential_field planner.neighbours",

@@ -40,15 +40,14 @@ class Watched(Session):
 
     def _fly(self) -> None:
         self._pace = pace = WatchedPace(1.0, time.monotonic)
-        for sysid, outbox in self._supervisor._outbox.items():
+        for sysid in self._supervisor.pilots:
             for name in HOT:
-                outbox.append(
-                    codec.message(
-                        "COMMAND_LONG", target_system=sysid, target_component=1,
-                        command=mav.MAV_CMD_SET_MESSAGE_INTERVAL, confirmation=0, param1=float(codec.msgid(name)),
-                        param2=PERIOD_US, param3=0.0, param4=0.0, param5=0.0, param6=0.0, param7=0.0,
-                    )
+                request = codec.message(
+                    "COMMAND_LONG", target_system=sysid, target_component=1,
+                    command=mav.MAV_CMD_SET_MESSAGE_INTERVAL, confirmation=0, param1=float(codec.msgid(name)),
+                    param2=PERIOD_US, param3=0.0, param4=0.0, param5=0.0, param6=0.0, param7=0.0,
                 )  # fmt: skip
+                self._supervisor.outbox.put(sysid, [request])
         assert self._hatch is not None
         self._hatch.events()
         pids = list(self._hatch.pids)

@@ -1,0 +1,76 @@
+"""What leaves for each vehicle with its next grant: messages, and commands, sent again until they have ended."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.link import SUPERVISOR
+from gcs.mavlink.codec import Message
+from gcs.mavlink.commands import CommandLong, CommandQueue, CommandResult, Step, Target
+from gcs.pilot import OPERATOR, PILOT, Wish
+
+AUTOPILOT = mav.MAV_COMP_ID_AUTOPILOT1
+
+
+class Outbox:
+    """For each vehicle what waits for its next grant, and which of its commands are under way; all in session time."""
+
+    def __init__(self, sysids: Iterable[int]) -> None:
+        self._queues = {sysid: CommandQueue(*SUPERVISOR) for sysid in sysids}
+        self._waiting: dict[int, list[Message]] = {sysid: [] for sysid in self._queues}
+        self._under_way: set[tuple[int, str]] = set()
+
+    @property
+    def resent(self) -> int:
+        """Commands that were sent again."""
+        return sum(queue.resent for queue in self._queues.values())
+
+    def put(self, sysid: int, messages: Iterable[Message]) -> None:
+        """Send these to the vehicle with its next grant."""
+        self._waiting[sysid] += messages
+
+    def take(self, sysid: int) -> list[Message]:
+        """What waits for the vehicle; it waits no longer."""
+        taken, self._waiting[sysid] = self._waiting[sysid], []
+        return taken
+
+    def clear(self) -> None:
+        """Forget what waits; commands that are under way are still sent again."""
+        self._waiting = {sysid: [] for sysid in self._waiting}
+
+    def ask(self, wishes: Iterable[Wish], now_s: float) -> None:
+        """Command what is wished, each in a COMMAND_LONG to the vehicle's autopilot."""
+        for wish in wishes:
+            self._under_way.add((wish.sysid, wish.token))
+            command = CommandLong(Target(wish.sysid, AUTOPILOT), wish.command, wish.params)
+            self._waiting[wish.sysid] += self._queues[wish.sysid].send(command, now_s, token=wish.token)
+
+    def ask_once(self, wishes: Iterable[Wish], now_s: float) -> None:
+        """Command those that are not on their way already: lined up again they would be carried out long after."""
+        self.ask([wish for wish in wishes if (wish.sysid, wish.token) not in self._under_way], now_s)
+
+    def awaits(self, token: str) -> bool:
+        """Whether a command of this token has not ended yet, to whichever vehicle."""
+        return any(other == token for _, other in self._under_way)
+
+    def withdraw(self, sysid: int) -> None:
+        """What pilot or operator wanted before counts no more, and must not be repeated after what they want now."""
+        for token in self._queues[sysid].withdraw(lambda token: str(token).startswith((OPERATOR, PILOT))):
+            self._under_way.discard((sysid, token))
+
+    def on_ack(self, sysid: int, ack: Any, now_s: float) -> list[CommandResult]:
+        """Take in the fields of a vehicle's COMMAND_ACK; the commands that have ended by it."""
+        return self._follow_up(sysid, self._queues[sysid].on_ack(sysid, AUTOPILOT, ack, now_s))
+
+    def poll(self, sysid: int, now_s: float) -> list[CommandResult]:
+        """Send again what a vehicle has not acknowledged in time; the commands that have ended by silence."""
+        return self._follow_up(sysid, self._queues[sysid].poll(now_s))
+
+    def _follow_up(self, sysid: int, step: Step) -> list[CommandResult]:
+        self._waiting[sysid] += step.messages
+        for result in step.results:
+            self._under_way.discard((sysid, str(result.token)))
+        return step.results

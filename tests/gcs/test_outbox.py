@@ -1,0 +1,87 @@
+"""What waits for each vehicle's next grant, and which commands are under way; no clock but the test's."""
+
+from typing import Any
+
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.mavlink import codec
+from gcs.outbox import Outbox
+from gcs.pilot import OPERATOR, PILOT, Wish
+
+NOTHING = (0.0,) * 7
+ARM = Wish(3, mav.MAV_CMD_COMPONENT_ARM_DISARM, NOTHING, f"{PILOT} arm")
+LAND = Wish(3, mav.MAV_CMD_NAV_LAND, NOTHING, f"{OPERATOR} land")
+SERVE = Wish(3, mav.MAV_CMD_USER_1, NOTHING, "5 receive")
+
+
+def commands(outbox: Outbox, sysid: int = 3) -> list[int]:
+    """The ids of the commands that leave for a vehicle now."""
+    return [codec.fields(codec.split(codec.frame(m, 0, 255, 190)).frames[0]).command for m in outbox.take(sysid)]
+
+
+def ack(wish: Wish) -> Any:
+    raw = codec.encode(
+        "COMMAND_ACK", 0, wish.sysid, 1, command=wish.command, result=0, target_system=255, target_component=190
+    )
+    return codec.fields(codec.split(raw).frames[0])
+
+
+def test_what_is_put_leaves_once_in_order_and_for_its_vehicle_alone() -> None:
+    outbox = Outbox([3, 4])
+    ping, pong = (codec.message("PING", time_usec=t, seq=t, target_system=0, target_component=0) for t in (1, 2))
+    outbox.put(3, [ping])
+    outbox.put(3, [pong])
+    assert outbox.take(4) == []
+    assert outbox.take(3) == [ping, pong]
+    assert outbox.take(3) == []
+
+
+def test_a_command_is_sent_again_until_it_is_acknowledged_and_then_told() -> None:
+    outbox = Outbox([3])
+    outbox.ask([ARM], 0.0)
+    assert commands(outbox) == [ARM.command]
+    assert outbox.poll(3, 0.6) == []
+    assert commands(outbox) == [ARM.command]
+    assert (outbox.resent, outbox.awaits(ARM.token)) == (1, True)
+    (result,) = outbox.on_ack(3, ack(ARM), 0.7)
+    assert (result.outcome, result.token) == ("accepted", ARM.token)
+    assert not outbox.awaits(ARM.token)
+
+
+def test_what_is_asked_once_is_not_lined_up_behind_itself() -> None:
+    outbox = Outbox([3])
+    for now_s in (0.0, 0.1):
+        outbox.ask_once([ARM], now_s)
+    assert commands(outbox) == [ARM.command]
+    outbox.on_ack(3, ack(ARM), 0.2)
+    assert commands(outbox) == []
+    outbox.ask_once([ARM], 0.3)
+    assert commands(outbox) == [ARM.command]
+
+
+def test_pilots_and_operators_commands_are_withdrawn_and_a_services_go_on() -> None:
+    outbox = Outbox([3])
+    outbox.ask([ARM, LAND, SERVE], 0.0)
+    assert commands(outbox) == [ARM.command, LAND.command, SERVE.command]
+    outbox.withdraw(3)
+    ended = outbox.poll(3, 0.6)
+    assert [(result.token, result.outcome) for result in ended] == [(ARM.token, "timeout"), (LAND.token, "timeout")]
+    assert commands(outbox) == [SERVE.command]
+
+
+def test_a_withdrawn_command_that_waited_its_turn_may_be_asked_again_at_once() -> None:
+    outbox = Outbox([3])
+    waits = Wish(3, SERVE.command, NOTHING, f"{PILOT} arm")
+    outbox.ask([SERVE, waits], 0.0)
+    assert commands(outbox) == [SERVE.command]
+    outbox.withdraw(3)
+    assert not outbox.awaits(waits.token)
+
+
+def test_what_waits_is_forgotten_and_its_commands_are_not() -> None:
+    outbox = Outbox([3])
+    outbox.ask([ARM], 0.0)
+    outbox.clear()
+    assert commands(outbox) == []
+    outbox.poll(3, 0.6)
+    assert commands(outbox) == [ARM.command]

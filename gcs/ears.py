@@ -23,10 +23,10 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.fleet import GlobalOrigin
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
+from gcs.mavlink.identities import AUTOPILOT
 from gcs.profiles import profile_of
 from gcs.views import Vec3, VehicleView
 
-AUTOPILOT = mav.MAV_COMP_ID_AUTOPILOT1
 TOGETHER_S = 1.0
 """A local and a global position that came within this time tell of the same place."""
 _U16_UNKNOWN, _NOT_MEASURED = 65535, -1

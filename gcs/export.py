@@ -19,6 +19,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs import tlog, units
 from gcs.lacking import SCENARIO, passed_over, unread
+from gcs.mavlink.identities import STATION
 from gcs.recorder import DECISIONS, TLOG
 from gcs.scenario import Scenario, ScenarioError, load
 from gcs.tables import Column, Tables
@@ -26,7 +27,6 @@ from gcs.tlog import AT, COMPID, MSGID, SYSID, T_US, Chunk
 
 IntArray = NDArray[np.int64]
 Progress = Callable[[float], None]
-SUPERVISOR = (255, 190)
 LINES_AT_ONCE = 1 << 16
 NAMED = 5
 TRUTH_BYTES = 1 << 22
@@ -115,7 +115,7 @@ def _export_frames(
 ) -> None:
     stations = np.zeros(1 << 16, dtype=np.bool_)
     if session:
-        stations[_sender(*SUPERVISOR)] = True
+        stations[_sender(*STATION)] = True
     answered_us = np.full(1 << 16, -1, dtype=np.int64)
     for chunk in log.chunks():
         heads = chunk.heads

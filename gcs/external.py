@@ -17,15 +17,15 @@ from typing import Any
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.link import RECEIVE_BYTES, SUPERVISOR, Key, kernel_drops, widen
+from gcs.link import RECEIVE_BYTES, Key, kernel_drops, widen
 from gcs.mavlink import codec
 from gcs.mavlink.boot_clock import BootClock
 from gcs.mavlink.codec import Frame, Message
+from gcs.mavlink.identities import AUTOPILOT, STATION
 from gcs.mavlink.sequence import SequenceCounter
 from gcs.mavlink.station import OUR_HEARTBEAT
 from gcs.scenario_external import External, endpoint
 
-AUTOPILOT = mav.MAV_COMP_ID_AUTOPILOT1
 ANNOUNCE_EVERY_S = 1.0
 REPEAT_AFTER_S = 0.2
 """A session that stands still for longer goes on sending its last set points: autopilots leave offboard without."""
@@ -58,7 +58,7 @@ class _Door:
 
     def send(self, message: Message | bytes, address: Address) -> bytes:
         counter = self.counters.setdefault(address, SequenceCounter())
-        raw = message if isinstance(message, bytes) else codec.frame(message, counter.take(), *SUPERVISOR)
+        raw = message if isinstance(message, bytes) else codec.frame(message, counter.take(), *STATION)
         with contextlib.suppress(OSError):  # nobody there yet, or no room: as on the air, it is lost
             self.socket.sendto(raw, address)
         return raw

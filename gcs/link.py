@@ -18,9 +18,9 @@ from pathlib import Path
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
+from gcs.mavlink.identities import STATION
 from gcs.mavlink.sequence import SequenceCounter, TickCollector, is_hello
 
-SUPERVISOR = (255, 190)
 DATAGRAM_BYTES = 1400
 RECEIVE_BYTES = 65535
 BUFFER_BYTES = 4 << 20
@@ -185,7 +185,7 @@ class FleetLink:
         self._socket.close()
 
     def _frame(self, peer: _Peer, message: Message) -> bytes:
-        return codec.frame(message, peer.counter.take(), *SUPERVISOR)
+        return codec.frame(message, peer.counter.take(), *STATION)
 
     def _send(self, peer: _Peer) -> None:
         if self._drop and self._random.random() < self._drop:

@@ -18,12 +18,12 @@ from gcs.events import Event
 from gcs.mavlink import codec, older
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.commands import CommandLong, CommandQueue, CommandResult, Step, Target
+from gcs.mavlink.identities import STATION
 from gcs.mavlink.sequence import SequenceCounter
 from gcs.mavlink.station import OUR_HEARTBEAT
 from gcs.observe import Observer
 from gcs.profiles import End
 
-OWN = (255, 190)
 SNAPSHOT_EVERY_S = 0.1
 HEARTBEAT_EVERY_S = 1.0
 COMMAND_TIMEOUT_S = 1.0
@@ -244,7 +244,7 @@ class MonitorSource:
         if not view.armed:
             return False, f"{view.label} is not armed: there is nothing to {end}."
         number, params = view.profile.ending(end)
-        queue = self._queues.setdefault(sysid, CommandQueue(*OWN))
+        queue = self._queues.setdefault(sysid, CommandQueue(*STATION))
         order = CommandLong(Target(sysid, self._observer.component(sysid)), number, params)
         self._transmit(sysid, queue.send(order, t_s, COMMAND_TIMEOUT_S, token=end))
         self._observer.tell(Event(t_s, sysid, "info", f"Operator: {end}", "operator"))
@@ -253,7 +253,7 @@ class MonitorSource:
     def _speak(self, t_s: float) -> None:
         if t_s - self._beat_s >= HEARTBEAT_EVERY_S:
             self._beat_s = t_s
-            raw = codec.frame(OUR_HEARTBEAT, self._counter.take(), *OWN)
+            raw = codec.frame(OUR_HEARTBEAT, self._counter.take(), *STATION)
             peers = {self._air.to} if self._air.to is not None else {peer for peer, _ in self._peers.values()}
             for peer in sorted(peers, key=str):
                 self._air.send(raw, peer)
@@ -269,7 +269,7 @@ class MonitorSource:
     def _transmit(self, sysid: int, messages: list[Message]) -> None:
         peer = self._peers[sysid][0]
         for message in messages:
-            self._air.send(codec.frame(message, self._counter.take(), *OWN), peer)
+            self._air.send(codec.frame(message, self._counter.take(), *STATION), peer)
 
 
 def _unanswered(result: CommandResult) -> str:

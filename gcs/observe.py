@@ -13,12 +13,13 @@ from typing import Any, Literal
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.ears import AUTOPILOT, Ear
+from gcs.ears import Ear
 from gcs.events import Event, level_of
 from gcs.fleet import Fleet, GlobalOrigin, Member
 from gcs.inspection import Inspection
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
+from gcs.mavlink.identities import AUTOPILOT
 from gcs.mavlink.sequence import GapCounter
 from gcs.news import Watch
 from gcs.profiles import End, profile_of

@@ -5,21 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from pymavlink.dialects.v20 import common as mav
-
-from gcs.link import SUPERVISOR
 from gcs.mavlink.codec import Message
 from gcs.mavlink.commands import CommandLong, CommandQueue, CommandResult, Step, Target
+from gcs.mavlink.identities import AUTOPILOT, STATION
 from gcs.pilot import OPERATOR, PILOT, Wish
-
-AUTOPILOT = mav.MAV_COMP_ID_AUTOPILOT1
 
 
 class Outbox:
     """For each vehicle what waits for its next grant, and which of its commands are under way; all in session time."""
 
     def __init__(self, sysids: Iterable[int]) -> None:
-        self._queues = {sysid: CommandQueue(*SUPERVISOR) for sysid in sysids}
+        self._queues = {sysid: CommandQueue(*STATION) for sysid in sysids}
         self._waiting: dict[int, list[Message]] = {sysid: [] for sysid in self._queues}
         self._under_way: set[tuple[int, str]] = set()
 

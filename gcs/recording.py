@@ -18,9 +18,9 @@ from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common as mav
 
 from gcs import tlog
-from gcs.link import SUPERVISOR
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
+from gcs.mavlink.identities import STATION
 from gcs.mavlink.sequence import GapCounter
 from gcs.tlog import AT, MSGID, T_US
 
@@ -56,7 +56,7 @@ class Directions:
 
     def __init__(self, *, session: bool) -> None:
         self._session = session
-        self._stations: set[tuple[int, int]] = {SUPERVISOR} if session else set()
+        self._stations: set[tuple[int, int]] = {STATION} if session else set()
         self._answered: set[tuple[int, int]] = set()
         self._t_us = -1
 

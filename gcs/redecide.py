@@ -16,15 +16,15 @@ from typing import Any, cast
 
 from gcs import tlog
 from gcs.lacking import passed_over
-from gcs.link import SUPERVISOR, FleetLink, Key
+from gcs.link import FleetLink, Key
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
+from gcs.mavlink.identities import AUTOPILOT, STATION, TRAFFIC
 from gcs.operator import COMMANDS
-from gcs.outbox import AUTOPILOT
 from gcs.recorder import DECISIONS, TLOG, Recorder, decision_line
 from gcs.scenario import Radio, load
 from gcs.summary import FILE as SUMMARY
-from gcs.supervisor import TRAFFIC, Supervisor
+from gcs.supervisor import Supervisor
 
 KEPT = 1000
 """Differences that are remembered one by one; all are counted."""
@@ -172,7 +172,7 @@ def ticks(log: tlog.Tlog) -> Iterator[Tick]:
                 yield tick
             tick, answered = Tick(t_us), set()
         key = (frame.sysid, frame.compid)
-        if key == SUPERVISOR:
+        if key == STATION:
             tick.granted = True
         elif key not in answered:
             tick.answers.setdefault(key, []).append(frame)

@@ -29,8 +29,8 @@ from gcs.events import Event, Kind, Level
 from gcs.external import ExternalError, ExternalLink
 from gcs.launch import Ended, Hatch, LaunchError, traffic_order, vehicle_orders
 from gcs.link import BUFFER_BYTES, REPEAT_S, FleetLink
+from gcs.mavlink.identities import AUTOPILOT, TRAFFIC
 from gcs.mixed_link import MixedLink
-from gcs.outbox import AUTOPILOT
 from gcs.picture import picture
 from gcs.publish import Publisher
 from gcs.reader import Reader
@@ -39,7 +39,7 @@ from gcs.rehearsal import rehearse
 from gcs.scenario import Scenario, ScenarioError, load
 from gcs.scene import session_line
 from gcs.summary import summarise
-from gcs.supervisor import TRAFFIC, Supervisor
+from gcs.supervisor import Supervisor
 
 MET, NOT_MET, BAD_INPUT, INTERNAL, INTERRUPTED = 0, 1, 2, 70, 130
 PUBLISH_EVERY_S = 0.1

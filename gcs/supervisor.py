@@ -22,13 +22,14 @@ from gcs.link import FleetLink, Key
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.commands import CommandResult
+from gcs.mavlink.identities import AUTOPILOT, TRAFFIC
 from gcs.mavlink.sequence import GapCounter
 from gcs.mavlink.station import OUR_HEARTBEAT
 from gcs.metrics import Metrics
 from gcs.mixed_link import MixedLink
 from gcs.news import Watch
 from gcs.operator import Answer, Operator
-from gcs.outbox import AUTOPILOT, Outbox
+from gcs.outbox import Outbox
 from gcs.pilot import Stage
 from gcs.planner.own import make_planner
 from gcs.planner.plan import SetPoint
@@ -44,7 +45,6 @@ from gcs.scenario import Scenario
 from gcs.service import Decision
 from gcs.views import Snapshot
 
-TRAFFIC: Key = (255, 156)
 HEARTBEAT_EVERY_S = 1.0
 SET_POINT_MASK = (
     mav.POSITION_TARGET_TYPEMASK_AX_IGNORE

@@ -48,7 +48,7 @@ HOUSE = {
         "scenario configs arrivals",
         "drawing editor_schema doctor",
         "launch guard plugins energy",
-        "mavlink.codec",
+        "mavlink.codec mavlink.identities",
         "mavlink.sequence mavlink.commands mavlink.batch mavlink.boot_clock mavlink.battery",
         "mavlink.older mavlink.station",
         "mavlink.streams",

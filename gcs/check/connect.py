@@ -8,9 +8,10 @@ from typing import Any
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.check.asking import MAVPROXY, MAVSDK, QGC, Ask, command_int, command_long, requested, to_vehicle
-from gcs.check.dialogue import OWN, Question, Vehicle
+from gcs.check.dialogue import Question, Vehicle
 from gcs.check.judges import OK, acknowledged, answered, refuses, silent
 from gcs.mavlink.codec import Message, layout, message
+from gcs.mavlink.identities import STATION
 from gcs.profiles import PX4
 
 UNKNOWN_COMMAND = 65000
@@ -60,7 +61,7 @@ def _ping() -> Question:
         return [message("PING", time_usec=1, seq=4711, target_system=0, target_component=0)]
 
     def ours(_: Vehicle, content: Any) -> bool:
-        return bool(content.seq == 4711 and content.target_system == OWN[0] and content.target_component == OWN[1])
+        return bool(content.seq == 4711 and (content.target_system, content.target_component) == STATION)
 
     return Question(
         "ping", "PING echoed to its sender", {MAVSDK: "has no round-trip time"}, answered("PING", ours=ours), ask

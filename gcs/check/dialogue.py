@@ -18,7 +18,6 @@ from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.station import OUR_HEARTBEAT
 from gcs.profiles import Profile, profile_of
 
-OWN = (255, 190)
 HEARTBEAT_EVERY_S = 1.0
 FIND_WITHIN_S = 10.0
 REPEAT_S = 0.5

@@ -8,7 +8,8 @@ from typing import Any
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.check.dialogue import OWN, Heard, Judge, Vehicle, Verdict
+from gcs.check.dialogue import Heard, Judge, Vehicle, Verdict
+from gcs.mavlink.identities import STATION
 
 Fault = Callable[[Vehicle, Any], str]
 """What is wrong with a message's fields; empty where nothing is."""
@@ -38,8 +39,8 @@ def _final_acks(heard: Sequence[Heard], command: int) -> list[Any]:
         for ack in _named(heard, "COMMAND_ACK")
         if ack.command == command
         and ack.result != mav.MAV_RESULT_IN_PROGRESS
-        and ack.target_system in (0, OWN[0])
-        and ack.target_component in (0, OWN[1])
+        and ack.target_system in (0, STATION[0])
+        and ack.target_component in (0, STATION[1])
     ]
 
 

@@ -10,8 +10,9 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from gcs.addresses import address
-from gcs.check.dialogue import FIND_WITHIN_S, OWN, Dialogue, Finding
+from gcs.check.dialogue import FIND_WITHIN_S, Dialogue, Finding
 from gcs.mavlink import codec
+from gcs.mavlink.identities import STATION
 from gcs.mavlink.sequence import SequenceCounter
 
 POLL_S = 0.02
@@ -70,7 +71,7 @@ class Wire:
             return
         for message in messages:
             with contextlib.suppress(OSError):
-                self._socket.sendto(codec.frame(message, self._counter.take(), *OWN), to)
+                self._socket.sendto(codec.frame(message, self._counter.take(), *STATION), to)
 
     def close(self) -> None:
         """Close the socket."""

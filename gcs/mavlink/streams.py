@@ -20,6 +20,7 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Message
 from gcs.mavlink.commands import CommandLong, Target
+from gcs.mavlink.identities import AUTOPILOT
 
 CHECK_S = 5.0
 SLOW_SHARE = 0.5
@@ -29,7 +30,6 @@ ORIGIN_EVERY_S, ORIGIN_AGAIN_S = 2.0, 10.0
 _TOKEN = "stream "
 _ORIGIN = "origin "
 _ORIGIN_MESSAGES = ("GPS_GLOBAL_ORIGIN", "HOME_POSITION")
-_AUTOPILOT = mav.MAV_COMP_ID_AUTOPILOT1
 
 
 class Need(NamedTuple):
@@ -163,7 +163,7 @@ class Streams:
             codec.message(
                 "REQUEST_DATA_STREAM",
                 target_system=self._sysid,
-                target_component=_AUTOPILOT,
+                target_component=AUTOPILOT,
                 req_stream_id=group,
                 req_message_rate=max(round(rate_hz), 1),
                 start_stop=1,
@@ -172,4 +172,4 @@ class Streams:
         ]
 
     def _command(self, command: int, *params: float) -> CommandLong:
-        return CommandLong(Target(self._sysid, _AUTOPILOT), command, params)
+        return CommandLong(Target(self._sysid, AUTOPILOT), command, params)

@@ -16,6 +16,7 @@ from pydantic import ValidationError
 
 from gcs import summary as summaries
 from gcs import tlog
+from gcs.mavlink.identities import AUTOPILOT
 from gcs.recorder import DECISIONS, TLOG
 from gcs.scenario import Scenario, ScenarioError, load
 from gcs.summary import Summary
@@ -34,7 +35,6 @@ WANTED = {
     "ADSB_VEHICLE": ("ICAO_address", "lat", "lon", "altitude", "heading", "hor_velocity", "ver_velocity", "callsign"),
 }
 """The messages that a report is made from, and the fields that it needs of them."""
-AUTOPILOT = 1
 BLOCK_BYTES = 1 << 22
 NEEDED: dict[str, tuple[str, ...]] = {
     "competition": ("v", "leader", "share"),

@@ -14,7 +14,8 @@ import pymap3d
 from numpy.typing import NDArray
 
 from gcs.mavlink.battery import HECTOJOULE
-from gcs.report.recorded import AUTOPILOT, Recorded
+from gcs.mavlink.identities import AUTOPILOT
+from gcs.report.recorded import Recorded
 from gcs.views import STALE_S
 
 Floats = NDArray[np.float64]

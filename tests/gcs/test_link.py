@@ -7,9 +7,10 @@ from typing import Any
 
 import pytest
 
-from gcs.link import DATAGRAM_BYTES, SUPERVISOR, FleetLink
+from gcs.link import DATAGRAM_BYTES, FleetLink
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
+from gcs.mavlink.identities import STATION
 
 SYSTEM_TIME, HEARTBEAT = codec.msgid("SYSTEM_TIME"), codec.msgid("HEARTBEAT")
 BEAT = {"type": 2, "autopilot": 12, "base_mode": 0, "custom_mode": 0, "system_status": 3}
@@ -61,7 +62,7 @@ class Vehicle:
         if granted_ms == self.t_ms:
             self.send()
             return
-        own = [frame for frame in frames if (frame.sysid, frame.compid) == SUPERVISOR]
+        own = [frame for frame in frames if (frame.sysid, frame.compid) == STATION]
         assert [frame.seq for frame in own] == [(self.expected + k) % 256 for k in range(len(own))]
         self.expected = (self.expected + len(own)) % 256
         self.heard += frames

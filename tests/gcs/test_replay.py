@@ -1,4 +1,4 @@
-"""Recordings played and decided again: against the session that made them, and against pymavlink's reading of it."""
+"""Recordings played: against the session that made them, and against pymavlink's reading of it."""
 
 from __future__ import annotations
 
@@ -17,27 +17,14 @@ from typing import Any
 import pytest
 from commands import gcs
 from pymavlink.dialects.v20 import ardupilotmega as mav
-from sessions import GCS, Outcome, fly, small
+from sessions import GCS, Outcome, fly, two_refuellings
 
-from gcs.redecide import RedecideError, redecide
 from gcs.replay import Replay, ReplayError, ReplaySource
-from gcs.scenario import load
-
-EPOCH_S = 1_767_225_600.0
 
 
 @pytest.fixture(scope="module")
 def session(tmp_path_factory: pytest.TempPathFactory) -> Outcome:
-    """Two refuellings, over a radio that loses, delays and shuffles; in lockstep."""
-    scenario = small(
-        goal={"duration_s": 45.0, "refuelled_at_least": 0, "pursue": {"within_m": 3.0, "for_s": 5.0}},
-        radio={"loss": 0.03, "delay_s": 0.05, "jitter_s": 0.1},
-        obstacles=[{"sphere_m": [6.0, 6.0, -2.0], "radius_m": 0.5, "name": "buoy"}],
-    )
-    scenario["vehicles"]["pursuers"].append(
-        {"sysid": 2, "start_m": [2.0, 3.0, 0.0], "battery": {"capacity_j": 24000, "initial_percent": 55}}
-    )
-    return fly(scenario, tmp_path_factory.mktemp("flown"), "--plain")
+    return fly(two_refuellings(), tmp_path_factory.mktemp("flown"), "--plain")
 
 
 @pytest.fixture
@@ -332,20 +319,6 @@ def test_a_file_that_is_there_and_no_scenario_is_told_from_one_that_is_not_there
     assert (told.stdout + told.stderr).count("is no scenario") == 1
 
 
-@pytest.mark.parametrize(
-    ("ends", "said"), [([7], "1 line is no decision and was"), ([7, 8], "2 lines are no decision")]
-)
-def test_lines_that_are_no_decisions_are_counted_in_words(
-    session: Outcome, tmp_path: Path, ends: list[int], said: str
-) -> None:
-    folder = copy(session, tmp_path / "broken")
-    lines = (folder / "decisions.jsonl").read_text().splitlines()
-    for line in ends:
-        lines[line] = lines[line][:9]
-    (folder / "decisions.jsonl").write_text("\n".join(lines) + "\n")
-    assert said in redecide(folder).problems[0]
-
-
 def test_decisions_passed_on_the_way_to_a_later_time_are_told_and_no_later_ones(
     session: Outcome, replay: Replay
 ) -> None:
@@ -361,131 +334,6 @@ def test_decisions_passed_on_the_way_to_a_later_time_are_told_and_no_later_ones(
     source.send({"command": "seek", "t_s": 20.0})
     again = [event for message in source.receive() for event in message.get("events", ())]
     assert not [event for event in again if event["kind"] == "decision"]
-
-
-# deciding again
-
-
-def test_an_unchanged_session_is_decided_the_same_to_the_last_digit(session: Outcome) -> None:
-    again = gcs("replay", str(session.folder), "--decide")
-    made = [record for record in session.decisions if record["kind"] not in ("death", "operator")]
-    assert again.stdout == f"all {len(made)} decisions up to 44.9 s agree\n"
-    assert (again.returncode, again.stderr) == (0, "")
-
-
-def copy(session: Outcome, folder: Path) -> Path:
-    folder.mkdir()
-    for name in ("session.tlog", "summary.json"):
-        (folder / name).symlink_to(session.folder / name)
-    for name in ("scenario.yaml", "decisions.jsonl"):
-        (folder / name).write_bytes((session.folder / name).read_bytes())
-    return folder
-
-
-def test_an_edited_set_point_is_the_one_difference(session: Outcome, tmp_path: Path) -> None:
-    folder = copy(session, tmp_path / "edited")
-    lines = (folder / "decisions.jsonl").read_text().splitlines()
-    at = next(i for i, line in enumerate(lines) if '"kind":"set_point"' in line and json.loads(line)["t_s"] >= 12.3)
-    edited = json.loads(lines[at])
-    was = edited["p_ned"][0]
-    edited["p_ned"][0] = was + 1e-9
-    lines[at] = json.dumps(edited, sort_keys=True, separators=(",", ":"))
-    (folder / "decisions.jsonl").write_text("\n".join(lines) + "\n")
-    told = gcs("replay", str(folder), "--decide", "--json")
-    assert told.returncode == 1
-    difference, verdict = map(json.loads, told.stdout.splitlines())
-    assert (difference["t_s"], difference["kind"]) == (edited["t_s"], "set_point")
-    assert difference["today"]["p_ned"][0] == was
-    assert verdict["differences"] == {"set_point": 1}
-
-
-def test_another_need_from_differs_first_where_somebody_competed_below_it(session: Outcome, tmp_path: Path) -> None:
-    """Whoever competes first needs less than 0.7, and then does not compete yet."""
-    folder = copy(session, tmp_path / "changed")
-    text = (folder / "scenario.yaml").read_text()
-    assert load(folder / "scenario.yaml").competition.need_from < 0.7
-    (folder / "scenario.yaml").write_text(re.sub(r"need_from: [\d.]+", "need_from: 0.7", text))
-    first = next(record for record in session.decisions if record["kind"] == "competition")
-    verdict = redecide(folder)
-    assert not verdict.agrees
-    assert (verdict.differences[0].t_s, verdict.differences[0].kind) == (first["t_s"], "competition")
-    assert verdict.differences[0].sentence == f"{first['t_s']:.1f} s: competition: recorded only"
-
-
-def test_orders_and_deaths_happen_again_where_they_are_recorded(session: Outcome, tmp_path: Path) -> None:
-    """An order that was never given makes a difference from its own tick on; the order itself is none."""
-    folder = copy(session, tmp_path / "ordered")
-    lines = (folder / "decisions.jsonl").read_text().splitlines()
-    at = next(i for i, line in enumerate(lines) if json.loads(line)["t_s"] >= 40.0)
-    order = {
-        "t_s": json.loads(lines[at])["t_s"],
-        "kind": "operator",
-        "command": "hold",
-        "sysid": 1,
-        "taken": True,
-        "text": "",
-    }
-    lines.insert(at, json.dumps(order, sort_keys=True, separators=(",", ":")))
-    (folder / "decisions.jsonl").write_text("\n".join(lines) + "\n")
-    verdict = redecide(folder)
-    assert verdict.differences[0].t_s >= order["t_s"]
-    assert verdict.differences[0].t_s < order["t_s"] + 1.0
-    assert (verdict.differences[0].kind, verdict.differences[0].today) == ("set_point", None)
-    assert verdict.differences[0].recorded["sysid"] == 1
-
-
-def test_a_session_that_was_killed_is_compared_up_to_there(session: Outcome, tmp_path: Path) -> None:
-    folder = tmp_path / "killed"
-    folder.mkdir()
-    (folder / "scenario.yaml").symlink_to(session.folder / "scenario.yaml")
-    for name, share in (("session.tlog", 0.5), ("decisions.jsonl", 0.45)):
-        whole = (session.folder / name).read_bytes()
-        (folder / name).write_bytes(whole[: int(share * len(whole))])
-    verdict = redecide(folder)
-    assert verdict.agrees
-    assert 15.0 < verdict.until_s < 30.0
-    assert any("did not end" in problem for problem in verdict.problems)
-
-
-def test_decisions_that_end_inside_a_line_are_compared_up_to_there(session: Outcome, tmp_path: Path) -> None:
-    folder = copy(session, tmp_path / "cut")
-    content = (folder / "decisions.jsonl").read_bytes()
-    half = content[: content.index(b"\n", len(content) // 2) + 20]
-    (folder / "decisions.jsonl").write_bytes(half)
-    verdict = redecide(folder)
-    assert verdict.agrees
-    assert 0 < verdict.compared <= half.count(b"\n")
-    assert verdict.problems == [f"{folder / 'decisions.jsonl'} ends inside a line, and was compared up to there."]
-
-
-def test_where_nothing_was_decided_nothing_agrees(session: Outcome, tmp_path: Path) -> None:
-    folder = copy(session, tmp_path / "killed")
-    (folder / "decisions.jsonl").write_text("")
-    again = gcs("replay", str(folder), "--decide")
-    assert again.returncode == 2
-    assert "holds no decision to compare" in again.stderr
-
-
-def test_a_log_of_another_scenario_is_not_decided(session: Outcome, tmp_path: Path) -> None:
-    folder = copy(session, tmp_path / "other")
-    text = (folder / "scenario.yaml").read_text()
-    (folder / "scenario.yaml").write_text(re.sub(r"period_s: [\d.]+", "period_s: 0.2", text))
-    with pytest.raises(RedecideError, match="not the recording of this scenario"):
-        redecide(folder)
-
-
-@pytest.mark.parametrize("missing", ["session.tlog", "decisions.jsonl", "scenario.yaml"])
-def test_only_a_whole_folder_is_decided_again(session: Outcome, tmp_path: Path, missing: str) -> None:
-    folder = copy(session, tmp_path / "half")
-    (folder / missing).unlink()
-    with pytest.raises(RedecideError, match=f"has no {missing}"):
-        redecide(folder)
-
-
-def test_a_log_alone_holds_no_decisions(session: Outcome) -> None:
-    refused = gcs("replay", str(session.folder / "session.tlog"), "--decide")
-    assert refused.returncode == 2
-    assert "no session's folder" in refused.stderr
 
 
 # the command

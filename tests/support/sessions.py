@@ -63,6 +63,19 @@ def small(**changes: Any) -> dict[str, Any]:
     return merged(content, changes)
 
 
+def two_refuellings() -> dict[str, Any]:
+    """The small one with a second pursuer to refuel, over a radio that loses, delays and shuffles."""
+    content = small(
+        goal={"duration_s": 45.0, "refuelled_at_least": 0, "pursue": {"within_m": 3.0, "for_s": 5.0}},
+        radio={"loss": 0.03, "delay_s": 0.05, "jitter_s": 0.1},
+        obstacles=[{"sphere_m": [6.0, 6.0, -2.0], "radius_m": 0.5, "name": "buoy"}],
+    )
+    content["vehicles"]["pursuers"].append(
+        {"sysid": 2, "start_m": [2.0, 3.0, 0.0], "battery": {"capacity_j": 24000, "initial_percent": 55}}
+    )
+    return content
+
+
 def merged(content: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
     """Nested data with some of its keys replaced."""
     result = copy.deepcopy(dict(content))

@@ -178,7 +178,7 @@ class Bench:
         return v.initial_j + v.received_j - v.drawn_j - v.given_j - v.remaining_j
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")  # a function's own would be refused by hypothesis, which runs that function many times
 def vehicle_bench() -> type[Bench]:
     """The bench's class: `vehicle_bench(sysid, params=…)` puts a vehicle on it."""
     return Bench

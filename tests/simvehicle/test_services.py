@@ -276,14 +276,6 @@ def test_transfer_order_with_bad_numbers_is_denied(vehicle_bench: Any, params: t
     assert bench.vehicle.transfer is None
 
 
-_BENCH: list[Any] = []
-
-
-@pytest.fixture(autouse=True)
-def _bench_for_hypothesis(vehicle_bench: Any) -> None:
-    _BENCH[:] = [vehicle_bench]
-
-
 @settings(max_examples=150, deadline=None, derandomize=True)
 @given(
     st.lists(
@@ -296,8 +288,10 @@ def _bench_for_hypothesis(vehicle_bench: Any) -> None:
         max_size=8,
     )
 )
-def test_no_sequence_of_commands_stops_a_vehicle(orders: list[tuple[int, list[float], bool, int]]) -> None:
-    bench = _BENCH[0](start=AIRBORNE)
+def test_no_sequence_of_commands_stops_a_vehicle(
+    vehicle_bench: Any, orders: list[tuple[int, list[float], bool, int]]
+) -> None:
+    bench = vehicle_bench(start=AIRBORNE)
     for command, p, long, frame in orders:
         if long:
             bench.result(command, *p)
@@ -311,8 +305,8 @@ def test_no_sequence_of_commands_stops_a_vehicle(orders: list[tuple[int, list[fl
 
 @settings(max_examples=150, deadline=None, derandomize=True)
 @given(st.data())
-def test_no_message_of_any_kind_or_content_stops_a_vehicle(data: st.DataObject) -> None:
-    bench = _BENCH[0](start=AIRBORNE)
+def test_no_message_of_any_kind_or_content_stops_a_vehicle(vehicle_bench: Any, data: st.DataObject) -> None:
+    bench = vehicle_bench(start=AIRBORNE)
     writer = mav.MAVLink(None, 255, 190)
     for _ in range(5):
         msgid = data.draw(st.sampled_from(sorted(mav.mavlink_map)))

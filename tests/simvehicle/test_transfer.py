@@ -189,18 +189,10 @@ def test_lost_frames_cost_nothing_in_the_end(vehicle_bench: Any, loss: float, se
     assert 0 <= lost_j <= 3 * 500  # at most the last second of each, where a side fell silent
 
 
-_BENCH: list[Any] = []
-
-
-@pytest.fixture(autouse=True)
-def _bench_for_hypothesis(vehicle_bench: Any) -> None:
-    _BENCH[:] = [vehicle_bench]
-
-
 @settings(max_examples=25, deadline=None, derandomize=True)
 @given(st.lists(st.booleans(), min_size=150, max_size=250))
-def test_no_pattern_of_losses_makes_joules(pattern: list[bool]) -> None:
-    pair = Pair(_BENCH[0], receiver=NEED)
+def test_no_pattern_of_losses_makes_joules(vehicle_bench: Any, pattern: list[bool]) -> None:
+    pair = Pair(vehicle_bench, receiver=NEED)
     losses = iter(pattern)
     pair.start()
     pair.lost, pair.loss = (lambda: 0.0 if next(losses, True) else 1.0), 0.5

@@ -315,8 +315,10 @@ def test_bad_set_points_do_not_keep_offboard_alive(vehicle_bench: Any) -> None:
         max_size=6,
     )
 )
-def test_no_set_point_gives_a_state_that_is_no_number(points: list[tuple[list[float], int]]) -> None:
-    bench = _BENCH[0](start=AIRBORNE)
+def test_no_set_point_gives_a_state_that_is_no_number(
+    vehicle_bench: Any, points: list[tuple[list[float], int]]
+) -> None:
+    bench = vehicle_bench(start=AIRBORNE)
     for numbers, mask in points:
         bench.send(
             mav.MAVLink_set_position_target_local_ned_message(0, 1, 1, 1, mask, *numbers[:6], 0, 0, 0, numbers[6], 0)
@@ -326,14 +328,6 @@ def test_no_set_point_gives_a_state_that_is_no_number(points: list[tuple[list[fl
     assert bench.vehicle.mode in ("offboard", "hold")
     assert math.hypot(*bench.vehicle.v_ned) < 20.0
     assert abs(bench.ledger_gap_j()) < 1e-6
-
-
-_BENCH: list[Any] = []
-
-
-@pytest.fixture(autouse=True)
-def _bench_for_hypothesis(vehicle_bench: Any) -> None:
-    _BENCH[:] = [vehicle_bench]
 
 
 def test_time_goes_in_whole_steps_and_a_remainder_waits(vehicle_bench: Any) -> None:

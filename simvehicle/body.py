@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from simvehicle import flight
-from simvehicle.dynamics import body_rates_of
+from simvehicle.dynamics import body_rates, ned_from_nwu, nwu_from_ned
 from simvehicle.maneuvers import AT_REST, Wish
 from simvehicle.mavlink.parameters import Parameters
 from simvehicle.mavlink.telemetry import Vec3
@@ -42,9 +41,9 @@ class Body:
         self.retune()
         self.state: NDArray[np.float64] = flight.initial_state(
             initial,
-            position_nwu=_nwu(start.p_ned),
-            velocity_nwu=_nwu(start.v_ned),
-            attitude_rad=(start.attitude_ned_rad[0], -start.attitude_ned_rad[1], -start.attitude_ned_rad[2]),
+            position_nwu=nwu_from_ned(start.p_ned),
+            velocity_nwu=nwu_from_ned(start.v_ned),
+            attitude_rad=nwu_from_ned(start.attitude_ned_rad),
             airborne=start.airborne,
         )[np.newaxis]
         self._now: list[float] = self.state[0].tolist()  # the state as plain floats: read often, computed once a grant
@@ -64,34 +63,33 @@ class Body:
     @property
     def p_ned(self) -> Vec3:
         """Position in the local frame, m."""
-        return _ned(self._now[flight.POSITION])
+        return ned_from_nwu(self._now[flight.POSITION])
 
     @property
     def v_ned(self) -> Vec3:
         """Velocity, m/s."""
-        return _ned(self._now[flight.VELOCITY])
+        return ned_from_nwu(self._now[flight.VELOCITY])
 
     @property
     def attitude_ned(self) -> Vec3:
         """Roll, pitch and yaw, rad."""
-        return _ned(self._now[flight.ATTITUDE])
+        return ned_from_nwu(self._now[flight.ATTITUDE])
 
     @property
     def euler_rates_ned(self) -> Vec3:
         """Time derivatives of roll, pitch and yaw, rad/s."""
-        return _ned(self._now[flight.RATES])
+        return ned_from_nwu(self._now[flight.RATES])
 
     @property
     def rates_body(self) -> Vec3:
         """Roll, pitch and yaw rate about the body's own axes (front, right, down), rad/s."""
         roll, pitch, _ = self._now[flight.ATTITUDE]
-        p, q, r = body_rates_of(roll, pitch, *self._now[flight.RATES])
-        return (p, -q, -r)
+        return ned_from_nwu(body_rates(roll, pitch, *self._now[flight.RATES]))
 
     @property
     def reference_ned(self) -> tuple[Vec3, Vec3]:
         """Position and velocity that the guidance really flies."""
-        return _ned(self._now[flight.REFERENCE_POSITION]), _ned(self._now[flight.REFERENCE_VELOCITY])
+        return ned_from_nwu(self._now[flight.REFERENCE_POSITION]), ned_from_nwu(self._now[flight.REFERENCE_VELOCITY])
 
     @property
     def landed(self) -> bool:
@@ -131,8 +129,8 @@ class Body:
     def fly(self, steps: int, wanted: Wish, *, yaw_ned_rad: float, motors: bool) -> None:
         """Fly some steps of 4 ms towards a wish; `time_ms` is the caller's to move."""
         self._command[0] = (  # in the order of flight.CMD_…
-            *_nwu(wanted.p_ned),
-            *_nwu(wanted.v_ned),
+            *nwu_from_ned(wanted.p_ned),
+            *nwu_from_ned(wanted.v_ned),
             wanted.time_s,
             *wanted.use_position,
             -yaw_ned_rad,
@@ -147,13 +145,3 @@ class Body:
         )
         self._now = self.state[0].tolist()
         self.power_w = (self.drawn_j - drawn_j) / (steps * STEP_MS / 1e3)
-
-
-def _ned(v_nwu: Sequence[float]) -> Vec3:
-    """Half a turn about north, on plain floats (contract.md, Frames); the same for roll, pitch, yaw and their rates."""
-    north, west, up = v_nwu
-    return (north, -west, -up)
-
-
-def _nwu(v_ned: Vec3) -> Vec3:
-    return (v_ned[0], -v_ned[1], -v_ned[2])

@@ -7,6 +7,7 @@ A plant state is (x, y, z, x', y', z', φ, θ, ψ, φ', θ', ψ'); inputs are (u
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 from numba import njit
@@ -18,7 +19,6 @@ Row = NDArray[np.float64]
 
 PLANT_SIZE = 12
 INPUT_SIZE = 4
-_MIRROR = np.array([1.0, -1.0, -1.0])
 
 
 @njit(cache=True, error_model="numpy")
@@ -133,20 +133,13 @@ def step(state: ArrayLike, inputs: ArrayLike, dt_s: float, *, airframe: Airframe
     return moved
 
 
-def body_rates(attitude: ArrayLike, euler_rates: ArrayLike) -> NDArray[np.float64]:
-    """Body rates (p, q, r) in rad/s of nwu Euler angles and their rates, (..., 3) each (model.md 1).
-
-    On the wire they are `ned_from_nwu` of this: (p, -q, -r).
-    """
-    angle, rate = np.asarray(attitude, dtype=np.float64), np.asarray(euler_rates, dtype=np.float64)
-    rows = zip(angle.reshape(-1, 3).tolist(), rate.reshape(-1, 3).tolist(), strict=True)
-    return np.array([body_rates_of(roll, pitch, *rates) for (roll, pitch, _), rates in rows]).reshape(angle.shape)
-
-
-def body_rates_of(
+def body_rates(
     roll: float, pitch: float, roll_rate: float, pitch_rate: float, yaw_rate: float
 ) -> tuple[float, float, float]:
-    """`body_rates` of one attitude, on plain floats: telemetry asks for them in every grant."""
+    """Body rates (p, q, r), rad/s, of nwu Euler angles, rad, and their rates, rad/s (model.md 1) [lineage].
+
+    On plain floats: telemetry asks for them in every grant. On the wire they are `ned_from_nwu` of this.
+    """
     sin_roll, cos_roll, cos_pitch = math.sin(roll), math.cos(roll), math.cos(pitch)
     return (
         roll_rate - yaw_rate * math.sin(pitch),
@@ -155,15 +148,17 @@ def body_rates_of(
     )
 
 
-def ned_from_nwu(v: ArrayLike) -> NDArray[np.float64]:
-    """North, east, down of north, west, up; (..., 3): half a turn about north, its own inverse (contract.md)."""
-    turned: NDArray[np.float64] = np.asarray(v, dtype=np.float64) * _MIRROR
-    return turned
+def ned_from_nwu(v: Sequence[float]) -> tuple[float, float, float]:
+    """North, east, down of north, west, up: half a turn about north (contract.md, Frames).
+
+    The same for Euler angles, their rates and body rates: (φ, θ, ψ) gives NED's (φ, -θ, -ψ).
+    """
+    north, west, up = v
+    return north, -west, -up
 
 
-def attitude_ned_from_nwu(attitude: ArrayLike) -> NDArray[np.float64]:
-    """NED roll, pitch, yaw of nwu ones, (..., 3) rad: (φ, -θ, -ψ); its own inverse (contract.md, Frames)."""
-    return ned_from_nwu(attitude)
+nwu_from_ned = ned_from_nwu
+"""Half a turn is its own inverse."""
 
 
 def _plant_arrays(state: ArrayLike, inputs: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

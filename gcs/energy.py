@@ -9,7 +9,7 @@ Three meters, the best first; a vehicle's `source` is the best one that has spok
 Rules:
 - Energy drawn never falls. When the source changes it goes on from where it was, with the new meter's progress since.
 - Samples of power more than GAP_S apart are bridged by the mean of both ends, which is a trapezoid too: a per cent of
-  most batteries is more than what a short gap can be wrong by. Each bridge is a fact, and counts in `bridged_s`.
+  most batteries is more than what a short gap can be wrong by. Each bridge is a fact.
 - A total that falls back while the vehicle is disarmed is an autopilot that was restarted: it goes on from the old one.
 - A share that rises is no energy drawn back. Energy that the vehicle itself says it received raises what is expected of
   it. On the ground, disarmed, a rise is first explained by energy that was booked for it elsewhere (a base), and what
@@ -76,7 +76,6 @@ class EnergyEstimator:
         self.drawn_j = 0.0
         self.power_w = 0.0
         self.source = Source.NONE
-        self.bridged_s = 0.0
         self._meters: dict[Source, float] = {}
         self._anchors: dict[Source, tuple[float, float]] = {}
         self._spoke_s: dict[tuple[Source, bool], float] = {}
@@ -172,7 +171,6 @@ class EnergyEstimator:
             if span_s <= 0.0:
                 return []
             if span_s > GAP_S:
-                self.bridged_s += span_s
                 facts.append(Fact(f"No current or voltage for {span_s:.1f} s: bridged by the mean of both ends"))
             integral_j += 0.5 * (before_w + power_w) * span_s
         self._sample = (now_s, power_w)

@@ -32,7 +32,8 @@ ByteArray = NDArray[np.uint8]
 
 CHUNK_BYTES = 1 << 24
 TIME_BYTES = 8
-MARKER_1, HEADER_1 = 0xFE, 6
+HEADER_1 = 6
+"""Bytes of a MAVLink 1 header."""
 LARGEST = codec.HEADER_BYTES + 255 + codec.CRC_BYTES + codec.SIGNATURE_BYTES
 T_US, AT, SYSID, COMPID, SEQ, MSGID = range(6)
 """Columns of `Chunk.heads`; AT is the place of the frame's marker in `Chunk.octets`."""

@@ -23,7 +23,6 @@ MEMORY_SIZE = 15
 YAW_Q, YAW_R1, YAW_R2, YAW_R3 = range(4)
 YAW_MEMORY_SIZE = 4
 LINEAR_START, LINEAR_SINCE, LINEAR_STAMP = 0, 3, 4  # v_d at arrival (3), when it arrived, the set point's time
-LINEAR_MEMORY_SIZE = 5
 NO_STAMP = -1e30  # time of no set point
 
 

@@ -12,7 +12,7 @@ from pymavlink.dialects.v20 import common as mav
 from simvehicle.vehicle import STEP_MS, Start
 
 ACCEPTED, TEMPORARILY_REJECTED = 0, 1
-PX4_HOLD, PX4_OFFBOARD, PX4_LAND, PX4_RETURN = 4 << 16 | 3 << 24, 6 << 16, 4 << 16 | 6 << 24, 4 << 16 | 5 << 24
+PX4_HOLD, PX4_OFFBOARD, PX4_LAND = 4 << 16 | 3 << 24, 6 << 16, 4 << 16 | 6 << 24
 VELOCITY_ONLY, POSITION_ONLY, POSITION_AND_YAW, BOTH = 3527, 3576, 2552, 3520
 AIRBORNE = Start(p_ned=(0.0, 0.0, -5.0), airborne=True)
 WILD = [math.nan, math.inf, -math.inf, 3.4e38, -3.4e38, 1e12, 0.0]

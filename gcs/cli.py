@@ -42,17 +42,16 @@ def _limits(wanted: str, holds: Callable[[Any], bool]) -> Callable[[click.Contex
 def _someone(ctx: click.Context, param: click.Parameter, value: str | None) -> str | None:
     """A --connect is an address whose host can be found."""
     if value is not None:
-        from socket import SOCK_DGRAM, getaddrinfo
+        from gcs.udp import AddressRefused, resolve
 
         at = address(value, "udpout")
         if at is None:
             form = "write udpout:HOST:PORT, such as udpout:127.0.0.1:14550"
             raise click.BadParameter(f"{value} is not an address; {form}.", ctx, param)
         try:
-            getaddrinfo(at.host, at.port, type=SOCK_DGRAM)
-        except (OSError, UnicodeError) as error:
-            reason = getattr(error, "strerror", None) or "it is no name of a host"
-            raise click.BadParameter(f"{value}: the host {at.host} cannot be found: {reason}.", ctx, param) from None
+            resolve(at)
+        except AddressRefused as error:
+            raise click.BadParameter(f"{error}.", ctx, param) from None
     return value
 
 

@@ -8,18 +8,19 @@ import json
 
 import click
 
-from gcs.addresses import address
+from gcs.addresses import Address, address
 
 NOT_PASSED, BAD_INPUT = 1, 2
 PEER_NAMES = {"mavsdk": "MAVSDK", "qgroundcontrol": "QGroundControl", "mavproxy": "MAVProxy"}
 
 
-def _connection(_: click.Context, __: click.Parameter, value: str) -> str:
-    if address(value, "udpin", "udpout") is None:
+def _connection(_: click.Context, __: click.Parameter, value: str) -> Address:
+    at = address(value, "udpin", "udpout")
+    if at is None:
         raise click.BadParameter(
             f"{value!r} is no connection; write udpin:HOST:PORT to listen, udpout:HOST:PORT to speak to a listener."
         )
-    return value
+    return at
 
 
 @click.command(short_help="Check what a vehicle would make its ground stations miss.")
@@ -44,7 +45,7 @@ def _connection(_: click.Context, __: click.Parameter, value: str) -> str:
     "--within", type=click.FloatRange(0.1), default=10.0, show_default=True, help="Seconds to find the vehicle."
 )
 @click.option("--json", "as_json", is_flag=True, help="One JSON object on stdout, for CI.")
-def check(connect: str, sysid: int | None, peers: tuple[str, ...], arm: bool, within: float, as_json: bool) -> int:
+def check(connect: Address, sysid: int | None, peers: tuple[str, ...], arm: bool, within: float, as_json: bool) -> int:
     """Ask a vehicle what MAVSDK, QGroundControl and MAVProxy ask, and name each reply that does not come.
 
     Any vehicle and any autopilot. Below each finding stands which peer would miss it and what that peer would show. It
@@ -77,6 +78,7 @@ def check(connect: str, sysid: int | None, peers: tuple[str, ...], arm: bool, wi
     from gcs.check.questions import questions
     from gcs.check.wire import CheckError, Wire
     from gcs.check.wire import check as run
+    from gcs.udp import AddressRefused
 
     asked = questions([PEER_NAMES[peer] for peer in peers] or list(PEER_NAMES.values()), arm=arm)
     dialogue = Dialogue(asked, sysid)
@@ -93,13 +95,13 @@ def check(connect: str, sysid: int | None, peers: tuple[str, ...], arm: bool, wi
 
     try:
         wire = Wire(connect)
-    except CheckError as error:
-        raise click.UsageError(str(error)) from None
+    except AddressRefused as error:
+        raise click.UsageError(f"--connect: {error}.") from None
     try:
-        click.echo(f"waiting for a HEARTBEAT at {connect} ...", err=True)
+        click.echo(f"waiting for a HEARTBEAT at {connect.text} ...", err=True)
         run(dialogue, wire, told, find_within_s=within)
     except CheckError as error:
-        click.echo(f"gcs: {error} at {connect}; is the vehicle running, and is that its address?", err=True)
+        click.echo(f"gcs: {error} at {connect.text}; is the vehicle running, and is that its address?", err=True)
         return BAD_INPUT
     finally:
         wire.close()

@@ -85,13 +85,18 @@ def _session(session: Path | None) -> tuple[Source, str]:
 
 def _air(connect: str, control: bool) -> tuple[Source, str]:
     """Whoever is heard at an address. Raises click.UsageError where nobody can be."""
-    from gcs.monitor import MonitorError, MonitorSource, place
+    from gcs.addresses import address
+    from gcs.monitor import MonitorSource
+    from gcs.udp import AddressRefused
 
+    at = address(connect, "udpin", "udpout", "tcp")
+    if at is None:
+        form = "write udpin:HOST:PORT to listen, udpout:HOST:PORT or tcp:HOST:PORT to go to somebody who does"
+        raise click.UsageError(f"--connect: {connect!r} is no address: {form}, such as udpin:127.0.0.1:14550.")
     try:
-        at = place(connect)
         source = MonitorSource(at, control=control)
-    except MonitorError as error:
-        raise click.UsageError(f"--connect: {error}") from None
+    except AddressRefused as error:
+        raise click.UsageError(f"--connect: {error}.") from None
     if at.way == "udpin":
         at = at._replace(port=source.port)
         click.echo(f"gcs: listening at {at.text}; Ctrl-C ends it.", err=True)

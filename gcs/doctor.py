@@ -17,9 +17,10 @@ from importlib.metadata import PackageNotFoundError, requires, version
 from pathlib import Path
 from typing import Literal
 
+from gcs.udp import BUFFER_BYTES
+
 PACKAGE = "skytender"
 OLDEST_PYTHON = (3, 11)
-BUFFER_BYTES = 4 << 20
 COMMON_PORT = 14550
 ROOM_BYTES = 200 << 20
 COLUMNS, LINES = 80, 24

@@ -13,18 +13,19 @@ import socket
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.link import RECEIVE_BYTES, Key, kernel_drops, widen
+from gcs.addresses import address
+from gcs.link import Key
 from gcs.mavlink import codec
 from gcs.mavlink.boot_clock import BootClock
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.identities import AUTOPILOT, STATION
 from gcs.mavlink.sequence import SequenceCounter
 from gcs.mavlink.station import OUR_HEARTBEAT
-from gcs.scenario_external import External, endpoint
+from gcs.scenario_external import External
+from gcs.udp import RECEIVE_BYTES, AddressRefused, Where, kernel_drops, open_udp
 
 ANNOUNCE_EVERY_S = 1.0
 REPEAT_AFTER_S = 0.2
@@ -35,13 +36,6 @@ _HEARTBEAT = codec.msgid("HEARTBEAT")
 _POSITION = codec.msgid("LOCAL_POSITION_NED")
 _SET_POINT = codec.msgid("SET_POSITION_TARGET_LOCAL_NED")
 
-Address = Any
-"""As `socket` gives it: host and port, and two more numbers with IPv6."""
-
-
-class ExternalError(Exception):
-    """An address that cannot be used; the text is for the person who wrote it."""
-
 
 @dataclass
 class _Door:
@@ -49,14 +43,14 @@ class _Door:
 
     connect: str
     socket: socket.socket
-    remote: Address | None
-    counters: dict[Address, SequenceCounter] = field(default_factory=dict)
-    speakers: set[Address] = field(default_factory=set)
+    remote: Where | None
+    counters: dict[Where, SequenceCounter] = field(default_factory=dict)
+    speakers: set[Where] = field(default_factory=set)
     """addresses of vehicles"""
-    strangers: set[Address] = field(default_factory=set)
+    strangers: set[Where] = field(default_factory=set)
     """who speaks MAVLink 1: some autopilots go on to MAVLink 2 when they hear it"""
 
-    def send(self, message: Message | bytes, address: Address) -> bytes:
+    def send(self, message: Message | bytes, address: Where) -> bytes:
         counter = self.counters.setdefault(address, SequenceCounter())
         raw = message if isinstance(message, bytes) else codec.frame(message, counter.take(), *STATION)
         with contextlib.suppress(OSError):  # nobody there yet, or no room: as on the air, it is lost
@@ -70,7 +64,7 @@ class _Peer:
 
     key: Key
     door: _Door
-    address: Address | None = None
+    address: Where | None = None
     clock: BootClock = field(default_factory=BootClock)
     frames: list[Frame] = field(default_factory=list)
     set_point: Message | None = None
@@ -80,7 +74,7 @@ class ExternalLink:
     """All vehicles of a session that were not launched."""
 
     def __init__(self, expected: Mapping[int, External], now_s: Callable[[], float]) -> None:
-        """Open a socket for each address; `now_s` reads the session's clock. Raises ExternalError."""
+        """Open a socket for each address; `now_s` reads the session's clock. Raises AddressRefused."""
         self._now_s = now_s
         self._doors: dict[str, _Door] = {}
         self._peers: dict[int, _Peer] = {}
@@ -95,7 +89,7 @@ class ExternalLink:
             if external.connect not in self._doors:
                 try:
                     self._doors[external.connect] = _open(external.connect)
-                except ExternalError:
+                except AddressRefused:
                     self.close()
                     raise
             self._peers[sysid] = _Peer((sysid, AUTOPILOT), self._doors[external.connect])
@@ -158,6 +152,7 @@ class ExternalLink:
     def grant(self, key: Key, messages: Sequence[Message], relayed: Sequence[bytes]) -> list[bytes]:
         """Send one vehicle what is for it now; the frames. The clock that it lives on needs no grant."""
         peer = self._peers[key[0]]
+        assert peer.address is not None  # it has joined
         self._sent_s = time.monotonic()
         set_points = [message for message in messages if message.msgid == _SET_POINT]
         peer.set_point = set_points[-1] if set_points else None
@@ -178,7 +173,7 @@ class ExternalLink:
         if time.monotonic() - self._sent_s >= REPEAT_AFTER_S:
             self._sent_s = time.monotonic()
             for peer in self._peers.values():
-                if peer.set_point is not None:
+                if peer.set_point is not None and peer.address is not None:
                     peer.door.send(peer.set_point, peer.address)
 
     def close(self) -> None:
@@ -197,7 +192,7 @@ class ExternalLink:
                     continue
                 self._take(door, datagram, address)
 
-    def _take(self, door: _Door, datagram: bytes, address: Address) -> None:
+    def _take(self, door: _Door, datagram: bytes, address: Where) -> None:
         frames, malformed, _ = codec.split(datagram)
         if address in door.speakers:
             self.malformed += malformed
@@ -229,22 +224,14 @@ def _is_autopilot(frame: Frame) -> bool:
 
 
 def _open(connect: str) -> _Door:
-    listens, host, port = endpoint(connect)
+    at = address(connect, "udpin", "udpout")
+    assert at is not None  # as the scenario has checked
+    made, where = open_udp(at)
+    if at.way == "udpin":
+        return _Door(connect, made, None)
     try:
-        family, _, _, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)[0]
-        made = socket.socket(family, socket.SOCK_DGRAM)
-    except OSError as error:
-        raise ExternalError(f"{connect} is no address here: {error.strerror or error}") from None
-    made.setblocking(False)
-    widen(made)
-    try:
-        if listens:
-            made.bind(address)
-        else:
-            made.connect(address)
+        made.connect(where)
     except OSError as error:
         made.close()
-        what = "cannot be listened at" if listens else "cannot be spoken to"
-        help_ = "; does another ground station listen there?" if listens else ""
-        raise ExternalError(f"{connect} {what}: {error.strerror}{help_}") from None
-    return _Door(connect, made, None if listens else address)
+        raise AddressRefused(f"{connect} cannot be spoken to: {error.strerror}") from None
+    return _Door(connect, made, where)

@@ -14,16 +14,14 @@ import time
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.identities import STATION
 from gcs.mavlink.sequence import SequenceCounter, TickCollector, is_hello
+from gcs.udp import RECEIVE_BYTES, kernel_drops, widen
 
 DATAGRAM_BYTES = 1400
-RECEIVE_BYTES = 65535
-BUFFER_BYTES = 4 << 20
 RESEND_FIRST_S, RESEND_LAST_S = 0.02, 0.2
 REPEAT_S = 1.0
 GRANT_BYTES = codec.HEADER_BYTES + 12 + codec.CRC_BYTES
@@ -224,30 +222,6 @@ class FleetLink:
         progress = peer.collector.held > peer.held
         peer.held = peer.collector.held
         return progress
-
-
-def widen(of: socket.socket) -> None:
-    """Ask the kernel for as much of a receive buffer as it grants, up to 4 MiB."""
-    for size in (BUFFER_BYTES, BUFFER_BYTES // 4, BUFFER_BYTES // 16):
-        of.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, size)
-        if of.getsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF) // 2 >= size:
-            break
-
-
-def kernel_drops(of: socket.socket) -> int:
-    """Datagrams that the kernel dropped because nobody read this socket in time."""
-    rows: list[str] = []
-    try:
-        inode = str(Path(f"/proc/self/fd/{of.fileno()}").readlink()).strip("socket:[]")
-        for table in ("udp", "udp6"):
-            with contextlib.suppress(FileNotFoundError):
-                rows += Path(f"/proc/net/{table}").read_text(encoding="ascii").splitlines()[1:]
-    except OSError:
-        return 0
-    for columns in map(str.split, rows):
-        if columns[9] == inode:
-            return int(columns[12])
-    return 0
 
 
 _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")

@@ -6,16 +6,15 @@ whoever was heard, and hold, return and land for one vehicle, in its own autopil
 
 from __future__ import annotations
 
-import contextlib
 import math
-import socket
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from typing import Any, cast
 
-from gcs.addresses import Address, address
+from gcs.addresses import Address
+from gcs.air import Air
 from gcs.events import Event
-from gcs.mavlink import codec, older
+from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.commands import CommandLong, CommandQueue, CommandResult, Step, Target
 from gcs.mavlink.identities import STATION
@@ -23,123 +22,19 @@ from gcs.mavlink.sequence import SequenceCounter
 from gcs.mavlink.station import OUR_HEARTBEAT
 from gcs.observe import Observer
 from gcs.profiles import End
+from gcs.udp import Where
 
 SNAPSHOT_EVERY_S = 0.1
 HEARTBEAT_EVERY_S = 1.0
 COMMAND_TIMEOUT_S = 1.0
 GONE_S = 5.0
 """A vehicle may come from another address once the one that it had has been silent for so long."""
-CONNECT_WITHIN_S = 5.0
-BUFFER_BYTES = 1 << 22
-RECEIVE_BYTES = 65535
 ORDERS: Mapping[str, End] = {"hold": "hold", "return": "return", "land": "land"}
-FORM = "write udpin:HOST:PORT to listen, udpout:HOST:PORT or tcp:HOST:PORT to go to somebody who does"
 _COMMAND_ACK = codec.msgid("COMMAND_ACK")
-
-Peer = tuple[Any, ...]
-
-
-class MonitorError(Exception):
-    """Nothing can be heard there; one sentence."""
-
-
-def place(text: str) -> Address:
-    """Read an address. Raises MonitorError."""
-    at = address(text, "udpin", "udpout", "tcp")
-    if at is None:
-        raise MonitorError(f"{text!r} is no address: {FORM}, such as udpin:127.0.0.1:14550.")
-    return at
-
-
-class Air:
-    """The socket. Raises MonitorError where it cannot be had."""
-
-    def __init__(self, at: Address) -> None:
-        self._stream = at.way == "tcp"
-        self._pending = b""
-        self.open = True
-        try:
-            found = socket.getaddrinfo(at.host, at.port, type=socket.SOCK_STREAM if self._stream else socket.SOCK_DGRAM)
-            family, kind, protocol, _, where = found[0]
-            self._socket = socket.socket(family, kind, protocol)
-        except OSError as error:
-            raise MonitorError(f"{at.text}: {error.strerror}; {FORM}.") from None
-        self._to: Peer | None = None if at.way == "udpin" else tuple(where)
-        try:
-            if at.way == "udpin":
-                self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, BUFFER_BYTES)
-                self._socket.bind(where)
-            elif self._stream:
-                self._socket.settimeout(CONNECT_WITHIN_S)
-                self._socket.connect(where)
-            else:
-                self._socket.bind(("::" if family == socket.AF_INET6 else "", 0))
-            self._socket.setblocking(False)
-        except OSError as error:
-            self._socket.close()
-            hint = "; another program listens there: end it, or let it forward to another port" if _taken(error) else ""
-            raise MonitorError(f"{at.text}: {error.strerror or 'no answer'}{hint}.") from None
-
-    @property
-    def port(self) -> int:
-        """The port that it is at."""
-        return int(self._socket.getsockname()[1])
-
-    def fileno(self) -> int:
-        """The socket's."""
-        return self._socket.fileno()
-
-    def receive(self) -> Iterator[tuple[list[Frame], Peer]]:
-        """What has come, with who sent it; never waits."""
-        while self.open:
-            try:
-                data, peer = self._socket.recvfrom(RECEIVE_BYTES)
-            except OSError as error:
-                self.open = isinstance(error, BlockingIOError | ConnectionRefusedError) or not self._stream
-                return
-            if self._stream:
-                if not data:
-                    self.open = False
-                    return
-                yield self._cut(data), self._to or ()
-                continue
-            yield codec.split(data).frames or older.split(data), tuple(peer)
-
-    def send(self, raw: bytes, peer: Peer) -> None:
-        """Send a frame to somebody who was heard, or to the one that was gone to."""
-        with contextlib.suppress(OSError):
-            if self._stream:
-                self._socket.sendall(raw)
-            else:
-                self._socket.sendto(raw, self._to or peer)
-
-    @property
-    def to(self) -> Peer | None:
-        """Whom it goes to; None where it listens."""
-        return self._to
-
-    def close(self) -> None:
-        """Close the socket."""
-        self.open = False
-        self._socket.close()
-
-    def _cut(self, data: bytes) -> list[Frame]:
-        """The frames that a stream's next bytes complete."""
-        self._pending += data
-        frames = codec.split(self._pending).frames
-        if frames:
-            last = frames[-1].raw
-            self._pending = self._pending[self._pending.rindex(last) + len(last) :]
-        self._pending = self._pending[-RECEIVE_BYTES:]
-        return frames
-
-
-def _taken(error: OSError) -> bool:
-    return error.errno == 98  # EADDRINUSE
 
 
 class MonitorSource:
-    """A console's source that listens at an address. Raises MonitorError where it cannot."""
+    """A console's source that listens at an address. Raises AddressRefused where it cannot."""
 
     def __init__(self, at: Address, *, control: bool = False, clock: Callable[[], float] = time.monotonic) -> None:
         self._air = Air(at)
@@ -148,8 +43,8 @@ class MonitorSource:
         self._observer = Observer("monitor", at.text)
         self._observer.control = control
         self._control = control
-        self._peers: dict[int, tuple[Peer, float]] = {}
-        self._refused: set[tuple[int, Peer]] = set()
+        self._peers: dict[int, tuple[Where, float]] = {}
+        self._refused: set[tuple[int, Where]] = set()
         self._queues: dict[int, CommandQueue] = {}
         self._counter = SequenceCounter()
         self._replies: list[Mapping[str, Any]] = []
@@ -203,7 +98,7 @@ class MonitorSource:
 
     # in
 
-    def _hear(self, frame: Frame, peer: Peer, t_s: float) -> None:
+    def _hear(self, frame: Frame, peer: Where, t_s: float) -> None:
         observer = self._observer
         known = self._peers.get(frame.sysid)
         if known is not None and known[0] != peer and t_s - known[1] < GONE_S:
@@ -276,5 +171,5 @@ def _unanswered(result: CommandResult) -> str:
     return f"{str(result.token).capitalize()} was not acknowledged, though it was sent {result.attempts} times"
 
 
-def _where(peer: Peer) -> str:
+def _where(peer: Where) -> str:
     return f"{peer[0]}:{peer[1]}"

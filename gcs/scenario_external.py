@@ -7,7 +7,7 @@ the parameters that it has and on the real clock: what only a launch could give 
 """
 
 from collections.abc import Iterable, Iterator
-from typing import Annotated, Any, Literal, NamedTuple, Protocol
+from typing import Annotated, Any, Literal, Protocol
 
 from pydantic import AfterValidator, Field
 
@@ -22,25 +22,11 @@ NOWHERE = (0.0, 0.0, 0.0)
 _FORM = "must be udpin:HOST:PORT, where the vehicle speaks to, or udpout:HOST:PORT, where it listens"
 
 
-class Endpoint(NamedTuple):
-    """One `connect`: whether we wait there, or speak first."""
-
-    listens: bool
-    host: str
-    port: int
-
-
-def endpoint(connect: str) -> Endpoint:
-    """What a `connect` says. Raises ValueError."""
+def _checked(connect: str) -> str:
     at = address(connect, "udpin", "udpout")
     if at is None or not at.port:
         raise ValueError(_FORM)
-    return Endpoint(at.way == "udpin", at.host, at.port)
-
-
-def _checked(value: str) -> str:
-    endpoint(value)
-    return value
+    return connect
 
 
 Wait = Annotated[float, Field(strict=True, gt=0, le=3600)]

@@ -26,9 +26,9 @@ from gcs.arrivals import Arrivals
 from gcs.clients import Clients
 from gcs.clock import Pace
 from gcs.events import Event, Kind, Level
-from gcs.external import ExternalError, ExternalLink
+from gcs.external import ExternalLink
 from gcs.launch import Ended, Hatch, LaunchError, traffic_order, vehicle_orders
-from gcs.link import BUFFER_BYTES, REPEAT_S, FleetLink
+from gcs.link import REPEAT_S, FleetLink
 from gcs.mavlink.identities import AUTOPILOT, TRAFFIC
 from gcs.mixed_link import MixedLink
 from gcs.picture import picture
@@ -40,6 +40,7 @@ from gcs.scenario import Scenario, ScenarioError, load
 from gcs.scene import session_line
 from gcs.summary import summarise
 from gcs.supervisor import Supervisor
+from gcs.udp import BUFFER_BYTES, AddressRefused
 
 MET, NOT_MET, BAD_INPUT, INTERNAL, INTERRUPTED = 0, 1, 2, 70, 130
 PUBLISH_EVERY_S = 0.1
@@ -378,7 +379,7 @@ def main(
         status, error = BAD_INPUT, str(problem)
     except BadVehicleError as problem:
         status, error = BAD_INPUT, str(problem)
-    except (SessionError, LaunchError, RecorderError, ExternalError) as problem:
+    except (SessionError, LaunchError, RecorderError, AddressRefused) as problem:
         status, error = NOT_MET, str(problem)
     except OSError as problem:
         status, error = NOT_MET, f"{problem.filename or folder}: {problem.strerror}"

@@ -41,7 +41,7 @@ HOUSE = {
     ],
     "gcs": [
         "addresses yaml_source",
-        "scenario_values",
+        "scenario_values udp",
         "scenario_external",
         "scenario_parts scenario_versions",
         "scenario_grid scenario_bases",
@@ -56,7 +56,7 @@ HOUSE = {
         "clock impairment recorder tlog",
         "units tables lacking",
         "export",
-        "link",
+        "link air",
         "external",
         "mixed_link",
         "views events quality inspection relays",

@@ -4,19 +4,17 @@ from __future__ import annotations
 
 import contextlib
 import select
-import socket
 import time
 from collections.abc import Callable, Sequence
-from typing import Any
 
-from gcs.addresses import address
+from gcs.addresses import Address
 from gcs.check.dialogue import FIND_WITHIN_S, Dialogue, Finding
 from gcs.mavlink import codec
 from gcs.mavlink.identities import STATION
 from gcs.mavlink.sequence import SequenceCounter
+from gcs.udp import RECEIVE_BYTES, Where, open_udp
 
 POLL_S = 0.02
-BUFFER_BYTES = 1 << 20
 
 
 class CheckError(Exception):
@@ -24,28 +22,13 @@ class CheckError(Exception):
 
 
 class Wire:
-    """One connection, `udpin:HOST:PORT` or `udpout:HOST:PORT`; a listener answers whoever spoke last."""
+    """One connection, udpin or udpout; a listener answers whoever spoke last. Raises AddressRefused."""
 
-    def __init__(self, connect: str) -> None:
-        at = address(connect, "udpin", "udpout")
-        if at is None:
-            raise CheckError(f"--connect {connect} is no address; write udpin:HOST:PORT or udpout:HOST:PORT")
-        try:
-            family, _, _, _, where = socket.getaddrinfo(at.host, at.port, type=socket.SOCK_DGRAM)[0]
-            self._socket = socket.socket(family, socket.SOCK_DGRAM)
-        except OSError as error:
-            raise CheckError(f"--connect {connect}: {error.strerror}; give another address") from None
-        self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, BUFFER_BYTES)
-        self._socket.setblocking(False)
+    def __init__(self, at: Address) -> None:
+        self._socket, where = open_udp(at)
+        self._to = None if at.way == "udpin" else where
         self._counter = SequenceCounter()
-        self._peers: dict[int, Any] = {}
-        try:
-            self._to: Any = None if at.way == "udpin" else where
-            if self._to is None:
-                self._socket.bind(where)
-        except OSError as error:
-            self._socket.close()
-            raise CheckError(f"--connect {connect}: {error.strerror}; give another address") from None
+        self._peers: dict[int, Where] = {}
 
     @property
     def port(self) -> int:
@@ -58,7 +41,7 @@ class Wire:
         frames: list[codec.Frame] = []
         with contextlib.suppress(OSError):
             while True:
-                datagram, address = self._socket.recvfrom(65535)
+                datagram, address = self._socket.recvfrom(RECEIVE_BYTES)
                 for frame in codec.split(datagram).frames:
                     self._peers[frame.sysid] = address
                     frames.append(frame)

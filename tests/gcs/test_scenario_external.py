@@ -7,7 +7,6 @@ import pytest
 import yaml
 
 from gcs.scenario import Scenario, ScenarioError, dump, load
-from gcs.scenario_external import endpoint
 
 BLOCK = {"connect": "udpin:127.0.0.1:14550", "sysid": 3, "capacity_j": 250000}
 
@@ -118,15 +117,3 @@ def test_strangers_live_on_the_real_clock(tmp_path: Path, clock: dict[str, Any],
     with pytest.raises(ValueError, match=what):
         scenario.flown(lockstep=clock.get("mode") == "lockstep", speed=clock.get("speed"))
     assert scenario.flown(speed=1.0, seed=4).seed == 4
-
-
-@pytest.mark.parametrize(
-    ("connect", "listens", "host", "port"),
-    [
-        ("udpin:127.0.0.1:14550", True, "127.0.0.1", 14550),
-        ("udpout:drone.local:14580", False, "drone.local", 14580),
-        ("udpin:[::1]:14550", True, "::1", 14550),
-    ],
-)
-def test_an_address_says_who_speaks_first(connect: str, listens: bool, host: str, port: int) -> None:
-    assert endpoint(connect) == (listens, host, port)

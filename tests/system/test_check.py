@@ -130,7 +130,7 @@ def test_a_port_in_use_and_an_address_that_is_none_are_named() -> None:
         taken.bind(("127.0.0.1", 0))
         address = f"udpin:127.0.0.1:{taken.getsockname()[1]}"
         for connect, words in (
-            (address, "in use"),
+            (address, "in use; another program listens there: end it"),
             ("14550", "no connection"),
             ("udpout:no-such-host.invalid:1", "no-such"),
         ):

@@ -1,0 +1,92 @@
+"""The socket of who only listens: UDP, or a TCP stream, cut into frames."""
+
+from __future__ import annotations
+
+import contextlib
+import socket
+from collections.abc import Iterator
+
+from gcs.addresses import Address
+from gcs.mavlink import codec, older
+from gcs.mavlink.codec import Frame
+from gcs.udp import RECEIVE_BYTES, AddressRefused, Where, open_udp, resolve
+
+CONNECT_WITHIN_S = 5.0
+
+
+class Air:
+    """What is heard at an address, with who said it, of MAVLink 1 too. Raises AddressRefused where it cannot be had."""
+
+    def __init__(self, at: Address) -> None:
+        self._stream = at.way == "tcp"
+        self._pending = b""
+        self.open = True
+        self._socket, where = _connected(at) if self._stream else open_udp(at)
+        self._to = None if at.way == "udpin" else where
+
+    @property
+    def port(self) -> int:
+        """The port that it is at."""
+        return int(self._socket.getsockname()[1])
+
+    def fileno(self) -> int:
+        """The socket's."""
+        return self._socket.fileno()
+
+    def receive(self) -> Iterator[tuple[list[Frame], Where]]:
+        """What has come, with who sent it; never waits."""
+        while self.open:
+            try:
+                data, peer = self._socket.recvfrom(RECEIVE_BYTES)
+            except OSError as error:
+                self.open = isinstance(error, BlockingIOError | ConnectionRefusedError) or not self._stream
+                return
+            if self._stream:
+                if not data:
+                    self.open = False
+                    return
+                yield self._cut(data), self._to or ()
+                continue
+            yield codec.split(data).frames or older.split(data), tuple(peer)
+
+    def send(self, raw: bytes, peer: Where) -> None:
+        """Send a frame to somebody who was heard, or to the one that was gone to."""
+        with contextlib.suppress(OSError):
+            if self._stream:
+                self._socket.sendall(raw)
+            else:
+                self._socket.sendto(raw, self._to or peer)
+
+    @property
+    def to(self) -> Where | None:
+        """Whom it goes to; None where it listens."""
+        return self._to
+
+    def close(self) -> None:
+        """Close the socket."""
+        self.open = False
+        self._socket.close()
+
+    def _cut(self, data: bytes) -> list[Frame]:
+        """The frames that a stream's next bytes complete."""
+        self._pending += data
+        frames = codec.split(self._pending).frames
+        if frames:
+            last = frames[-1].raw
+            self._pending = self._pending[self._pending.rindex(last) + len(last) :]
+        self._pending = self._pending[-RECEIVE_BYTES:]
+        return frames
+
+
+def _connected(at: Address) -> tuple[socket.socket, Where]:
+    """A stream to somebody who listens. Raises AddressRefused."""
+    family, where = resolve(at, socket.SOCK_STREAM)
+    made = socket.socket(family, socket.SOCK_STREAM)
+    try:
+        made.settimeout(CONNECT_WITHIN_S)
+        made.connect(where)
+        made.setblocking(False)
+    except OSError as error:
+        made.close()
+        raise AddressRefused(f"{at.text} cannot be gone to: {error.strerror or 'no answer'}") from None
+    return made, where

@@ -1,0 +1,78 @@
+"""Sockets at the addresses that people write, and what the kernel grants and loses of them."""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import socket
+from pathlib import Path
+from typing import Any
+
+from gcs.addresses import Address
+
+RECEIVE_BYTES = 65535
+"""No datagram is longer."""
+BUFFER_BYTES = 4 << 20
+_ADVICE = {
+    errno.EADDRINUSE: "; another program listens there: end it, or let it forward to another port",
+    errno.EADDRNOTAVAIL: "; this machine has no such address: 0.0.0.0 listens at all that it has",
+}
+
+Where = tuple[Any, ...]
+"""As `socket` gives it: host and port, and two more numbers with IPv6."""
+
+
+class AddressRefused(Exception):
+    """An address that cannot be had here; one sentence: which, why and, where that helps, what to do."""
+
+
+def resolve(at: Address, kind: socket.SocketKind = socket.SOCK_DGRAM) -> tuple[socket.AddressFamily, Where]:
+    """The family and the numbers of an address. Raises AddressRefused where its host cannot be found."""
+    try:
+        family, _, _, _, where = socket.getaddrinfo(at.host, at.port, type=kind)[0]
+    except (OSError, UnicodeError) as error:
+        reason = getattr(error, "strerror", None) or "it is no name of a host"
+        raise AddressRefused(f"{at.text}: the host {at.host} cannot be found: {reason}") from None
+    return family, where
+
+
+def open_udp(at: Address) -> tuple[socket.socket, Where]:
+    """A socket that never waits, with as large a receive buffer as is granted, and the numbers of `at`.
+
+    It listens there for udpin; for udpout it has a free port and hears whoever sends to that. Raises AddressRefused.
+    """
+    family, where = resolve(at)
+    made = socket.socket(family, socket.SOCK_DGRAM)
+    try:
+        made.setblocking(False)
+        widen(made)
+        made.bind(where if at.way == "udpin" else ("::" if family == socket.AF_INET6 else "", 0))
+    except OSError as error:
+        made.close()
+        advice = _ADVICE.get(error.errno or 0, "")
+        raise AddressRefused(f"{at.text} cannot be listened at: {error.strerror}{advice}") from None
+    return made, where
+
+
+def widen(of: socket.socket) -> None:
+    """Ask the kernel for as much of a receive buffer as it grants, up to 4 MiB."""
+    for size in (BUFFER_BYTES, BUFFER_BYTES // 4, BUFFER_BYTES // 16):
+        of.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, size)
+        if of.getsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF) // 2 >= size:
+            break
+
+
+def kernel_drops(of: socket.socket) -> int:
+    """Datagrams that the kernel dropped because nobody read this socket in time."""
+    rows: list[str] = []
+    try:
+        inode = str(Path(f"/proc/self/fd/{of.fileno()}").readlink()).strip("socket:[]")
+        for table in ("udp", "udp6"):
+            with contextlib.suppress(FileNotFoundError):
+                rows += Path(f"/proc/net/{table}").read_text(encoding="ascii").splitlines()[1:]
+    except OSError:
+        return 0
+    for columns in map(str.split, rows):
+        if columns[9] == inode:
+            return int(columns[12])
+    return 0

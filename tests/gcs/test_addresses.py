@@ -1,0 +1,32 @@
+"""Addresses as people write them."""
+
+import pytest
+
+from gcs.addresses import Address, address
+
+
+@pytest.mark.parametrize(
+    ("text", "at"),
+    [
+        ("udpin:127.0.0.1:14550", Address("udpin", "127.0.0.1", 14550)),
+        ("udpout:drone.local:14580", Address("udpout", "drone.local", 14580)),
+        ("udpin:[::1]:14550", Address("udpin", "::1", 14550)),
+        ("tcp:localhost:5760", Address("tcp", "localhost", 5760)),
+        ("udpin:127.0.0.1:0", Address("udpin", "127.0.0.1", 0)),
+    ],
+)
+def test_an_address_is_read_and_written_again_as_it_was(text: str, at: Address) -> None:
+    assert address(text, "udpin", "udpout", "tcp") == at
+    assert at.text == text
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["14550", "udpin:127.0.0.1", "udpout:127.0.0.1:0", "tcp:127.0.0.1:0", "serial:/dev/ttyUSB0", "udpin:x:70000", ""],
+)
+def test_what_is_no_address_is_none(text: str) -> None:
+    assert address(text, "udpin", "udpout", "tcp") is None
+
+
+def test_a_way_that_is_not_asked_for_is_none() -> None:
+    assert address("tcp:127.0.0.1:5760", "udpin", "udpout") is None

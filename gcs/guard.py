@@ -43,6 +43,10 @@ class Problem:
         return {"kind": "policy failed", "sysid": self.sysid, "policy": self.policy, "problem": self.problem}
 
 
+class Nonsense(Exception):
+    """An answer that cannot be used; the text goes on where a sentence begins with the policy's name."""
+
+
 @dataclass(frozen=True)
 class Answer(Generic[T]):
     """What a call returned."""
@@ -66,29 +70,33 @@ class Guard:
         self._cut_now = False
 
     def call(self, sysid: int, function: Callable[[], T]) -> Answer[T] | None:
-        """What `function` returns for this vehicle; None where it failed, now or for good, and the vehicle is held."""
+        """What `function` returns for this vehicle; None where it failed, now or for good, and the vehicle is held.
+
+        `function` raises Nonsense where what it was answered cannot be used.
+        """
         if sysid in self._cut or self._cut_now:
             return None
         try:
             with _cut_off_after(self._limit_s):
-                return Answer(function())
+                answer = Answer(function())
         except _Overrun:
             self._cut.add(sysid)
             self._cut_now = True
-            self.blame(sysid, f"did not answer within {self._limit_s:g} s and is not asked again")
+            self._blame(sysid, f"did not answer within {self._limit_s:g} s and is not asked again")
+        except Nonsense as problem:
+            self._blame(sysid, str(problem))
         except (Exception, SystemExit) as error:
-            self.blame(sysid, f"raised {_told(error)}")
+            self._blame(sysid, f"raised {_told(error)}")
+        else:
+            self._told.pop(sysid, None)
+            return answer
         return None
 
-    def blame(self, sysid: int, problem: str) -> None:
-        """A vehicle is held for this; said once until it is `cleared` or something else is wrong."""
+    def _blame(self, sysid: int, problem: str) -> None:
+        """A vehicle is held for this; said once until it gets a good answer or something else is wrong."""
         if self._told.get(sysid) != problem:
             self._told[sysid] = problem
             self._new.append(Problem(sysid, self.policy, problem))
-
-    def clear(self, sysid: int) -> None:
-        """This vehicle got a good answer."""
-        self._told.pop(sysid, None)
 
     def take(self) -> list[Problem]:
         """The problems since the last call."""

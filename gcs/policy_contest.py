@@ -8,7 +8,7 @@ from typing import Any
 from gcs import plugins
 from gcs.competition import normalise
 from gcs.contest import Contest, Standing, can_receive, most_urgent
-from gcs.guard import Guard
+from gcs.guard import Guard, Nonsense
 from gcs.policies import SHIPPED, WINNER_TAKE_ALL, RefuellingPolicy, Request
 from gcs.scenario import Competition, Refuelling, Scenario
 from gcs.views import Snapshot, VehicleView
@@ -59,13 +59,7 @@ class PolicyContest(Contest):
         others = tuple(view for view in free if view.sysid != tanker.sysid)
         request = Request(snapshot.time_s, tanker, self._wanting, (tanker, *others), self._speed_m_s, self._refuelling)
         answer = self._guard.call(tanker.sysid, lambda: self._checked(self._policy.choose(request)))
-        if answer is None:
-            return None
-        if isinstance(answer.value, str):
-            self._guard.blame(tanker.sysid, answer.value)
-            return None
-        self._guard.clear(tanker.sysid)
-        return None if answer.value is None else (answer.value, "policy")
+        return None if answer is None or answer.value is None else (answer.value, "policy")
 
     def award(self, sysid: int, now_s: float) -> None:
         """The one chosen is nobody else's any more."""
@@ -73,15 +67,15 @@ class PolicyContest(Contest):
         self._wanting = tuple(view for view in self._wanting if view.sysid != sysid)
         self.standing = Standing({}, self.standing.tau, self.standing.need, None, 0.0)
 
-    def _checked(self, answer: Any) -> int | str | None:
-        """The answer as a system id or None; or what is wrong with it, as a sentence."""
+    def _checked(self, answer: Any) -> int | None:
+        """The answer as a system id or None. Raises Nonsense."""
         if answer is None:
             return None
         for view in self._wanting:
             if answer == view.sysid:
                 return view.sysid
         told = "NaN" if answer != answer else " ".join(repr(answer).split())[:60]  # noqa: PLR0124 - NaN alone differs
-        return f"returned {told}, which is no candidate's system id"
+        raise Nonsense(f"returned {told}, which is no candidate's system id")
 
 
 def make_contest(scenario: Scenario) -> tuple[Contest, Guard | None]:

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gcs import plugins
-from gcs.guard import Guard
+from gcs.guard import Guard, Nonsense
 from gcs.planner.plan import Planner, SetPoint
 from gcs.scenario import Obstacle, Scenario
 from gcs.views import Snapshot, Vec3, VehicleView
@@ -108,26 +108,22 @@ class OwnPlanner:
         answer = self._guard.call(view.sysid, lambda: _checked(self._planner.plan(view, situation)))
         if answer is None:
             return SetPoint(view.sysid, self._held[view.sysid], (0.0, 0.0, 0.0))
-        if isinstance(answer.value, str):
-            self._guard.blame(view.sysid, answer.value)
-            return SetPoint(view.sysid, self._held[view.sysid], (0.0, 0.0, 0.0))
-        self._guard.clear(view.sysid)
         p_ned, v_ned = answer.value
         self._held[view.sysid] = p_ned
         return SetPoint(view.sysid, p_ned, v_ned)
 
 
-def _checked(answer: Any) -> tuple[Vec3, Vec3] | str:
-    """The answer as plain numbers, or what is wrong with it."""
+def _checked(answer: Any) -> tuple[Vec3, Vec3]:
+    """The answer as plain numbers. Raises Nonsense."""
     try:
         numbers = np.asarray(answer, dtype=np.float64)
     except (TypeError, ValueError):
-        return f"returned {type(answer).__name__}, not (p_ned, v_ned) of three numbers each"
+        raise Nonsense(f"returned {type(answer).__name__}, not (p_ned, v_ned) of three numbers each") from None
     if numbers.shape != (2, 3):
-        return f"returned numbers of shape {numbers.shape}, not (p_ned, v_ned) of three numbers each"
+        raise Nonsense(f"returned numbers of shape {numbers.shape}, not (p_ned, v_ned) of three numbers each")
     if not (np.abs(numbers) <= FARTHEST).all():
         bad = numbers[~(np.abs(numbers) <= FARTHEST)][0]
-        return f"returned {'NaN' if np.isnan(bad) else f'{bad:g}'}, which is no place or speed"
+        raise Nonsense(f"returned {'NaN' if np.isnan(bad) else f'{bad:g}'}, which is no place or speed")
     (n, e, d), (vn, ve, vd) = numbers.tolist()
     return (n, e, d), (vn, ve, vd)
 

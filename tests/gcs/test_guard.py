@@ -7,7 +7,7 @@ import time
 
 import pytest
 
-from gcs.guard import Guard
+from gcs.guard import Guard, Nonsense
 
 
 def fails() -> None:
@@ -37,9 +37,18 @@ def test_who_raises_is_named_once_with_its_place_until_it_is_good_again() -> Non
     assert problem.sentence.startswith("planner a:B raised KeyError at test_guard.py:")
     assert problem.sentence.endswith("; the vehicle is held")
     assert "\n" not in problem.sentence
-    guard.clear(1)
+    guard.call(1, lambda: 5)
     guard.call(1, fails)
     assert len(guard.take()) == 1
+
+
+def test_an_answer_that_cannot_be_used_is_told_in_the_words_of_who_looked_at_it() -> None:
+    def looks() -> None:
+        raise Nonsense("returned a poem")
+
+    guard = Guard("planner a:B")
+    assert guard.call(1, looks) is None
+    assert guard.take()[0].sentence == "planner a:B returned a poem; the vehicle is held"
 
 
 def test_an_exit_in_a_policy_does_not_end_the_session() -> None:

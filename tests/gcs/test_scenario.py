@@ -13,50 +13,17 @@ import yaml
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from pydantic import ValidationError
+from scenarios import PAPER_OBSTACLES, SMALL, changed, loaded, refusal
 
 from gcs import configs
 from gcs.scenario import Obstacle, Scenario, ScenarioError, dump, load
 
 DEMO = configs.find("demo").read_text(encoding="utf-8")
-PAPER_OBSTACLES = [  # x north, y west, z up (model.md 6) [seed]
-    *((1, 2, 1.5), (2, 2, 1), (2, 2, 2), (4, 2.2, 2.1), (4.1, 3, 2.1), (3, 5, 2.1), (4, 5, 2.1), (5, 5, 2.3)),
-    *((5.8, 5, 2.4), (8, 5, 2.6), (8.3, 6, 2.7), (8, 8, 2.6), (8.5, 8, 2.7)),
-]
-SMALL = """\
-schema: 1
-name: small
-axes: ned
-origin: {lat_deg: 47, lon_deg: 8, alt_m: 0}
-goal: {duration_s: 10}
-vehicles:
-  pursuers:
-    - {sysid: 1, start_m: [0, 0, 0], battery: {capacity_j: 1000}}
-    - {sysid: 2, start_m: [5, 0, 0], battery: {capacity_j: 1000}}
-  targets:
-    - {sysid: 3, start_m: [9, 0, 0], battery: {capacity_j: 1000}, path_m: [[1, 2, -3], [4, 5, -6]], speed_m_s: 1}
-"""
 
 
 @pytest.fixture
 def path(tmp_path: Path) -> Path:
     return tmp_path / "s.yaml"
-
-
-def loaded(path: Path, text: str) -> Scenario:
-    path.write_text(text, encoding="utf-8")
-    return load(path)
-
-
-def refusal(path: Path, text: str) -> str:
-    """What is said of `text`, without the folder."""
-    with pytest.raises(ScenarioError) as caught:
-        loaded(path, text)
-    return str(caught.value).replace(f"{path.parent}/", "")
-
-
-def changed(text: str, old: str, new: str) -> str:
-    assert old in text
-    return text.replace(old, new, 1)
 
 
 def test_the_demo_holds_what_it_promises() -> None:

@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from oracle import CLASSES, peer_frame, same, with_crc
 from pymavlink.dialects.v20 import common
 
 from gcs.mavlink import codec
@@ -19,37 +20,15 @@ HOT = (
     "BATTERY_STATUS",
     "NAMED_VALUE_FLOAT",
 )
-CLASSES: dict[str, Any] = {cls.msgname: cls for cls in common.mavlink_map.values()}
 SIGNATURE = bytes(range(13))
 # Ids that real autopilots send and the dialect lacks.
 UNKNOWN_IDS = (8, 11030)
-
-
-def peer_frame(name: str, payload: bytes, seq: int = 7, sysid: int = 3, compid: int = 1) -> bytes:
-    """A frame around these payload bytes, made by pymavlink."""
-    mav = common.MAVLink(None, srcSystem=sysid, srcComponent=compid)
-    mav.seq = seq
-    message = common.MAVLink_message(CLASSES[name].id, name)
-    return bytes(message._pack(mav, CLASSES[name].crc_extra, payload))
-
-
-def with_crc(head_and_payload: bytes, seed: int) -> bytes:
-    crc = common.x25crc(head_and_payload[1:] + bytes([seed])).crc
-    return head_and_payload + struct.pack("<H", crc)
 
 
 def unknown_frame(msgid: int, payload: bytes, seed: int = 99) -> bytes:
     assert msgid not in common.mavlink_map
     head = struct.pack("<BBBBBBBHB", 0xFD, len(payload), 0, 0, 5, 1, 1, msgid & 0xFFFF, msgid >> 16)
     return with_crc(head + payload, seed)
-
-
-def same(ours: Any, theirs: Any) -> bool:
-    if isinstance(ours, tuple):
-        return len(ours) == len(theirs) and all(map(same, ours, theirs))
-    if isinstance(ours, float) and math.isnan(ours):
-        return math.isnan(theirs)
-    return type(ours) is type(theirs) and bool(ours == theirs)
 
 
 def assert_reads_like_pymavlink(raw: bytes) -> None:

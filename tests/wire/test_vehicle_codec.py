@@ -1,12 +1,12 @@
 """The vehicle's codec against pymavlink, on what a vehicle sends and obeys, and on what is no message."""
 
-import math
 import struct
 from typing import Any
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from oracle import peer_frame, same, with_crc
 from pymavlink.dialects.v20 import common
 
 from simvehicle.mavlink import codec
@@ -43,24 +43,6 @@ def peer(seq: int = 7, sysid: int = 3, compid: int = 1) -> Any:
     mav = common.MAVLink(None, srcSystem=sysid, srcComponent=compid)
     mav.seq = seq
     return mav
-
-
-def peer_frame(msgid: int, payload: bytes) -> bytes:
-    """A frame around these payload bytes, made by pymavlink."""
-    cls = CLASSES[msgid]
-    return bytes(common.MAVLink_message(cls.id, cls.msgname)._pack(peer(), cls.crc_extra, payload))
-
-
-def with_crc(head_and_payload: bytes, seed: int) -> bytes:
-    return head_and_payload + struct.pack("<H", common.x25crc(head_and_payload[1:] + bytes([seed])).crc)
-
-
-def same(ours: Any, theirs: Any) -> bool:
-    if isinstance(ours, tuple):
-        return len(ours) == len(theirs) and all(map(same, ours, theirs))
-    if isinstance(ours, float) and math.isnan(ours):
-        return math.isnan(theirs)
-    return bool(ours == theirs)
 
 
 def assert_reads_like_pymavlink(raw: bytes) -> None:
@@ -126,13 +108,13 @@ def test_message_with_any_values_is_written_and_read_like_pymavlinks(msgid: int,
 @given(data=st.data())
 def test_message_with_any_payload_of_any_length_is_read_like_pymavlink(msgid: int, data: st.DataObject) -> None:
     size = CLASSES[msgid].unpacker.size
-    assert_reads_like_pymavlink(peer_frame(msgid, data.draw(st.binary(min_size=1, max_size=size))))
+    assert_reads_like_pymavlink(peer_frame(name_of(msgid), data.draw(st.binary(min_size=1, max_size=size))))
 
 
 @pytest.mark.parametrize("msgid", SPOKEN, ids=name_of)
 def test_payload_longer_than_known_is_read_as_far_as_known(msgid: int) -> None:
     size = CLASSES[msgid].unpacker.size
-    assert_reads_like_pymavlink(peer_frame(msgid, bytes(i % 90 + 32 for i in range(min(size + 5, 255)))))
+    assert_reads_like_pymavlink(peer_frame(name_of(msgid), bytes(i % 90 + 32 for i in range(min(size + 5, 255)))))
 
 
 def heartbeat(seq: int = 0) -> bytes:
@@ -193,7 +175,7 @@ def test_truncated_datagram_gives_its_whole_frames(cut: int, count: int) -> None
 
 
 def test_text_ends_at_its_first_nul_and_strange_characters_are_replaced_when_written() -> None:
-    raw = peer_frame(common.MAVLINK_MSG_ID_STATUSTEXT, b"\x06" + b"armed\0hidden".ljust(50, b"\0"))
+    raw = peer_frame("STATUSTEXT", b"\x06" + b"armed\0hidden".ljust(50, b"\0"))
     (frame,) = codec.split(raw)
     assert codec.decode(frame).text == "armed"  # type: ignore[union-attr]
     content = codec.message("STATUSTEXT")(severity=6, text="5 µs", id=0, chunk_seq=0)

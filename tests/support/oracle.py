@@ -1,0 +1,32 @@
+"""pymavlink as the oracle of both codecs: frames that it makes, and values compared with those that it reads."""
+
+from __future__ import annotations
+
+import math
+import struct
+from typing import Any
+
+from pymavlink.dialects.v20 import common
+
+CLASSES: dict[str, Any] = {cls.msgname: cls for cls in common.mavlink_map.values()}
+
+
+def peer_frame(name: str, payload: bytes, seq: int = 7, sysid: int = 3, compid: int = 1) -> bytes:
+    """A frame around these payload bytes, made by pymavlink."""
+    mav = common.MAVLink(None, srcSystem=sysid, srcComponent=compid)
+    mav.seq = seq
+    return bytes(common.MAVLink_message(CLASSES[name].id, name)._pack(mav, CLASSES[name].crc_extra, payload))
+
+
+def with_crc(head_and_payload: bytes, seed: int) -> bytes:
+    """The frame that these bytes begin, ended as its kind's seed asks."""
+    return head_and_payload + struct.pack("<H", common.x25crc(head_and_payload[1:] + bytes([seed])).crc)
+
+
+def same(ours: Any, theirs: Any) -> bool:
+    """Whether a field's values are equal and of one type; NaN equals NaN."""
+    if isinstance(ours, tuple):
+        return len(ours) == len(theirs) and all(map(same, ours, theirs))
+    if isinstance(ours, float) and math.isnan(ours):
+        return math.isnan(theirs)
+    return type(ours) is type(theirs) and bool(ours == theirs)

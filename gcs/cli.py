@@ -17,14 +17,11 @@ import click
 from gcs import cli_author, cli_check, cli_paper, cli_recorded, cli_report, cli_watch
 from gcs.addresses import address
 from gcs.cli_author import ScenarioName, ScenarioRefused, load_scenario, module_arguments
+from gcs.exit_status import INTERNAL_ERROR, INTERRUPTED, NOT_DONE
 
 if TYPE_CHECKING:
     from gcs.run import View
 
-NOT_MADE = 1
-BAD_INPUT = 2
-INTERNAL_ERROR = 70
-INTERRUPTED = 130
 SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 
 
@@ -231,7 +228,7 @@ def run(
         if not no_report:
             cli_report.after_run(folder, tell)
     if junit is not None and not _write_junit(junit, flown(folder, resolved, error)):
-        return status or NOT_MADE
+        return status or NOT_DONE
     return status
 
 
@@ -334,7 +331,7 @@ def run_argv(argv: list[str] | None = None) -> int:
     except Exception as error:
         if isinstance(error, OSError) and error.errno == errno.ENOSPC:
             click.echo(f"gcs: {error.filename or 'standard output'} cannot be written: {error.strerror}", err=True)
-            return NOT_MADE
+            return NOT_DONE
         place = traceback.extract_tb(error.__traceback__)[-1]
         where = f"{Path(place.filename).name}:{place.lineno}"
         click.echo(f"gcs: internal error, please report it: {type(error).__name__} at {where}: {error}", err=True)

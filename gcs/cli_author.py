@@ -12,12 +12,12 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from gcs.exit_status import BAD_INPUT, NOT_DONE
+
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
     from gcs.scenario import Scenario
-
-NOT_MADE, BAD_INPUT = 1, 2
 
 
 class ScenarioName(click.ParamType[str]):
@@ -101,7 +101,7 @@ def validate(scenario: str, image: Path | None, quiet: bool) -> int:
         except (OSError, ValueError) as error:
             why = error.strerror if isinstance(error, OSError) else str(error)
             click.echo(f"{image}: the plan cannot be drawn there: {why}", err=True)
-            return NOT_MADE
+            return NOT_DONE
     if quiet:
         return 0
     if image is None:
@@ -204,4 +204,4 @@ def doctor(as_json: bool) -> int:
             click.echo(f"{'':<8} -> {finding.advice}")
     if not as_json:
         click.echo(", ".join(f"{number} {level}{'s' * (number != 1)}" for level, number in reversed(worst.items())))
-    return NOT_MADE if worst["problem"] else 0
+    return NOT_DONE if worst["problem"] else 0

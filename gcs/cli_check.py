@@ -9,8 +9,8 @@ import json
 import click
 
 from gcs.addresses import Address, address
+from gcs.exit_status import BAD_INPUT, NOT_DONE
 
-NOT_PASSED, BAD_INPUT = 1, 2
 PEER_NAMES = {"mavsdk": "MAVSDK", "qgroundcontrol": "QGroundControl", "mavproxy": "MAVProxy"}
 
 
@@ -114,4 +114,4 @@ def check(connect: Address, sysid: int | None, peers: tuple[str, ...], arm: bool
         if dialogue.others:
             also = ", ".join(map(str, sorted(dialogue.others)))
             click.echo(f"also heard: vehicle {also}; choose with --sysid")
-    return 0 if report.passed(dialogue.findings) else NOT_PASSED
+    return 0 if report.passed(dialogue.findings) else NOT_DONE

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import click
 
-NOT_MADE = 1
+from gcs.exit_status import NOT_DONE
 
 
 @click.command(short_help="Fly the paper's examples and judge its claims.")
@@ -52,10 +52,10 @@ def paper(out: Path | None, only: str | None) -> int:
         raise click.UsageError(f"{folder} exists already; give --out a folder that does not.") from None
     except maker.PaperError as error:
         click.echo(str(error), err=True)
-        return NOT_MADE
+        return NOT_DONE
     except OSError as error:
         click.echo(f"{error.filename or folder}: {error.strerror}", err=True)
-        return NOT_MADE
+        return NOT_DONE
     for verdict, number in page.counted(judged).items():
         click.echo(f"{verdict}: {number}")
         if verdict == "differs":

@@ -15,11 +15,12 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from gcs.exit_status import NOT_DONE
+
 if TYPE_CHECKING:
     from gcs.redecide import Verdict
     from gcs.replay import Replay
 
-NOT_MADE = 1
 AGREES, DIFFERS = 0, 1
 SHOWN = 20
 """Kinds of decision and vehicles whose first difference is told."""
@@ -243,7 +244,7 @@ def export(session: Path, form: str, out: Path | None) -> int:
         raise click.UsageError(str(error)) from None
     except OSError as error:
         click.echo(f"gcs: {error.filename or folder}: {error.strerror}", err=True)
-        return NOT_MADE
+        return NOT_DONE
     finally:
         shutil.rmtree(unfinished, ignore_errors=True)
     for problem in problems:

@@ -10,7 +10,8 @@ from pathlib import Path
 
 import click
 
-NOT_MADE, BAD_INPUT = 1, 2
+from gcs.exit_status import BAD_INPUT, NOT_DONE
+
 PATIENCE_S = 2.0
 
 
@@ -64,10 +65,10 @@ def report(session: Path, out: Path | None, quiet: bool) -> int:
         return BAD_INPUT
     except MissingPlotly as error:
         click.echo(str(error), err=True)
-        return NOT_MADE
+        return NOT_DONE
     except OSError as error:
         click.echo(f"{error.filename or session}: {error.strerror}", err=True)
-        return NOT_MADE
+        return NOT_DONE
     if not quiet:
         click.echo(f"report: {made}")
     return 0

@@ -13,8 +13,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from gcs.exit_status import DONE, NOT_DONE
 from gcs.launch import Hatch, LaunchError, vehicle_orders
-from gcs.run import MET, NOT_MET, POLL_S, RunError, Signals, make_folder
+from gcs.run import POLL_S, RunError, Signals, make_folder
 from gcs.scenario import Scenario
 
 STARTED_WITHIN_S = 120.0
@@ -62,7 +63,7 @@ def launch(
         while alive:
             ready = selector.select(None if reported else POLL_S)
             if any(key.fd == 0 and not os.read(0, 65536) for key, _ in ready):
-                return MET
+                return DONE
             if arrived := signals.take():
                 return 128 + arrived[0]
             for ended in hatch.events()[1]:
@@ -89,7 +90,7 @@ def launch(
                     f"no sign of life within {STARTED_WITHIN_S:.0f} s from {late}; is the machine overloaded?"
                 )
         print("gcs: no vehicle is left", file=sys.stderr)
-        return NOT_MET
+        return NOT_DONE
 
 
 def _address(log: Path) -> str | None:

@@ -22,9 +22,9 @@ import click
 from gcs.console.client import Client, Lines
 from gcs.console.earlier import Earlier
 from gcs.console.plain import QuietView, clean, farewell, mute_stdout
+from gcs.exit_status import BAD_INPUT, INTERNAL_ERROR
 from gcs.scenario import Scenario, dump
 
-MET, NOT_MET, BAD_INPUT, INTERNAL_ERROR = 0, 1, 2, 70
 SUPERVISOR = (sys.executable, "-m", "gcs.supervise")
 POLL_S = 0.125
 RECONNECT_S = 0.5

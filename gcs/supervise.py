@@ -26,6 +26,7 @@ from gcs.arrivals import Arrivals
 from gcs.clients import Clients
 from gcs.clock import Pace
 from gcs.events import Event, Kind, Level
+from gcs.exit_status import BAD_INPUT, DONE, INTERNAL_ERROR, INTERRUPTED, NOT_DONE
 from gcs.external import ExternalLink
 from gcs.launch import Ended, Hatch, LaunchError, traffic_order, vehicle_orders
 from gcs.link import REPEAT_S, FleetLink
@@ -42,7 +43,6 @@ from gcs.summary import summarise
 from gcs.supervisor import Supervisor
 from gcs.udp import BUFFER_BYTES, AddressRefused
 
-MET, NOT_MET, BAD_INPUT, INTERNAL, INTERRUPTED = 0, 1, 2, 70, 130
 PUBLISH_EVERY_S = 0.1
 WATCH_EVERY_S = 0.05
 FLUSH_EVERY_S = 1.0
@@ -111,7 +111,7 @@ class Session:
             outcome = "interrupted" if interrupted else self._outcome()
             self._summarise(outcome)
             self._phase = "ended"
-            status = INTERRUPTED if interrupted else MET if outcome == "met" else NOT_MET
+            status = INTERRUPTED if interrupted else DONE if outcome == "met" else NOT_DONE
             self._publisher.publish(self._next_picture())
             self._publisher.publish({"type": "end", "outcome": outcome, "exit": status})
             return status, outcome
@@ -366,7 +366,7 @@ def main(
     """Run the session in FOLDER (scenario.yaml is there); started by `gcs run`."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     os.set_blocking(0, False)
-    status, outcome, error = INTERNAL, "", None
+    status, outcome, error = INTERNAL_ERROR, "", None
     try:
         scenario = load(folder / "scenario.yaml")
         plugins.look_in(modules)
@@ -380,9 +380,9 @@ def main(
     except BadVehicleError as problem:
         status, error = BAD_INPUT, str(problem)
     except (SessionError, LaunchError, RecorderError, AddressRefused) as problem:
-        status, error = NOT_MET, str(problem)
+        status, error = NOT_DONE, str(problem)
     except OSError as problem:
-        status, error = NOT_MET, f"{problem.filename or folder}: {problem.strerror}"
+        status, error = NOT_DONE, f"{problem.filename or folder}: {problem.strerror}"
     except Exception:
         log = folder / "supervisor.log"
         with contextlib.suppress(OSError):

@@ -18,10 +18,10 @@ from typing import Any
 
 from gcs.console.ink import given_environment
 from gcs.console.job import can_suspend
+from gcs.exit_status import INTERRUPTED
 from gcs.run import View
 
 CONSOLE = (sys.executable, "-m", "gcs.console")
-INTERRUPTED = 130
 ENDS_WITHIN_S = 3.0
 RESET = "\x1b[?1000l\x1b[?1003l\x1b[?1015l\x1b[?1006l\x1b[?2004l\x1b[?1004l\x1b[?2048l\x1b[?2026l\x1b[<u\x1b[?7h"
 RESET += "\x1b[?1049l\x1b[?25h\x1b[0m"

@@ -17,8 +17,8 @@ from typing import Any
 
 import click
 
-EXIT_BAD_INPUT = 2
-EXIT_OUTPUT_LOST = 74
+from simvehicle.exit_status import BAD_INPUT, CANNOT_WRITE, INTERRUPTED
+
 LAST_SYSID = 254
 
 
@@ -194,7 +194,7 @@ def _fly(
         raise click.UsageError(str(error)) from error
     except OSError as error:
         print(f"vehicle {sysid}: cannot write {error.filename or truth}: {error.strerror}", file=sys.stderr)
-        return EXIT_OUTPUT_LOST
+        return CANNOT_WRITE
     return 0
 
 
@@ -319,7 +319,7 @@ def paper(out: Path, only: str | None) -> None:
         make(out, names, click.echo)
     except OSError as error:
         print(f"simvehicle: cannot write {error.filename or out}: {error.strerror}", file=sys.stderr)
-        click.get_current_context().exit(EXIT_OUTPUT_LOST)
+        click.get_current_context().exit(CANNOT_WRITE)
 
 
 def sysid_of(argv: Sequence[str]) -> int:
@@ -348,9 +348,9 @@ def run_argv(argv: Sequence[str]) -> int:
         status = cli.main(list(argv), prog_name="simvehicle", standalone_mode=False)
     except click.ClickException as error:
         print(f"simvehicle: {' '.join(error.format_message().split())}", file=sys.stderr)
-        return EXIT_BAD_INPUT
+        return BAD_INPUT
     except (KeyboardInterrupt, click.Abort):
-        return 130
+        return INTERRUPTED
     return int(status or 0)
 
 

@@ -22,11 +22,10 @@ from typing import Any
 
 from setproctitle import setproctitle
 
+from simvehicle.exit_status import BAD_INPUT, CANNOT_WRITE, INTERNAL_ERROR, INTERRUPTED
+
 PR_SET_PDEATHSIG = 1
 LAST_LINES = 8
-BAD_INPUT = 2
-INTERNAL_ERROR = 70
-CANNOT_WRITE = 74
 
 
 def run(
@@ -104,7 +103,7 @@ def _fork(
     except SystemExit as end:
         status = end.code if isinstance(end.code, int) else 1
     except KeyboardInterrupt:
-        status = 130
+        status = INTERRUPTED
     except BaseException:
         traceback.print_exc()
     finally:

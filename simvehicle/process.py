@@ -8,6 +8,7 @@ import time
 from collections.abc import Callable, Sequence
 from typing import NamedTuple, Protocol
 
+from simvehicle.exit_status import ABANDONED
 from simvehicle.link import PlainLink, SupervisedLink
 from simvehicle.mavlink.codec import Frame
 from simvehicle.mavlink.connection import Connection
@@ -15,7 +16,6 @@ from simvehicle.mavlink.lockstep import Bundle, Grants
 
 HELLO_EVERY_S = 0.1
 SILENCE_S = 10.0
-EXIT_ABANDONED = 75
 FREE_TICK_MS = 20
 
 
@@ -115,7 +115,7 @@ def run_supervised(seats: Sequence[Seat]) -> None:
                 del granted[fd]
         if not granted:
             print(f"The supervisor has been silent for {SILENCE_S:.0f} s: leaving", file=sys.stderr, flush=True)
-            raise SystemExit(EXIT_ABANDONED)
+            raise SystemExit(ABANDONED)
         for fd, _ in poll.poll(1e3 * HELLO_EVERY_S):
             granted[fd].take()
 

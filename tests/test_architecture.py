@@ -12,7 +12,7 @@ ROOT = Path(__file__).resolve().parents[1]
 
 HOUSE = {
     "simvehicle": [
-        "geo params",
+        "exit_status geo params",
         "dynamics differentiator comparators energy",
         "guidance controller",
         "flight",
@@ -40,7 +40,7 @@ HOUSE = {
         "cli",
     ],
     "gcs": [
-        "addresses yaml_source",
+        "addresses exit_status yaml_source",
         "scenario_values udp",
         "scenario_external",
         "scenario_parts scenario_versions",

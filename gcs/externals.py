@@ -28,6 +28,7 @@ NO_ORIGIN_S = 5.0
 STEERED = frozenset({Stage.ARM, Stage.TAKEOFF, Stage.OFFBOARD, Stage.FLY})
 ENDING = "end"
 _ENDS: Mapping[End, str] = {"hold": "hold", "return": "return to where it took off", "land": "land"}
+_DISARM = (int(mav.MAV_CMD_COMPONENT_ARM_DISARM), (0.0,))
 
 
 class Externals:
@@ -104,8 +105,7 @@ class Externals:
                 self._origin_noted.discard(sysid)
                 self._note(sysid, "info", "Its frame is known now")
             for ask in self._asks[sysid]:
-                params = (*ask.command.params, *[0.0] * (7 - len(ask.command.params)))
-                wishes.append(Wish(sysid, ask.command.command, params, ask.token))  # type: ignore[arg-type]
+                wishes.append(Wish(sysid, ask.command.command, ask.command.params, ask.token))
             self._asks[sysid] = []
         return wishes, messages
 
@@ -142,15 +142,12 @@ class Externals:
             view = snapshot.vehicle(sysid)
             if not view.armed or stages[sysid] not in STEERED:
                 continue
-            command, params = int(mav.MAV_CMD_COMPONENT_ARM_DISARM), (0.0, 0.0)
-            told = "disarm"
-            if not view.landed:
-                command, params = view.profile.ending(rules.at_end)  # type: ignore[assignment]
-                told = _ENDS[rules.at_end]
+            (command, params), told = view.profile.ending(rules.at_end), _ENDS[rules.at_end]
+            if view.landed:
+                (command, params), told = _DISARM, "disarm"
             self._note(sysid, "info", f"Told to {told}: the session ends, and nobody steers it any more", "session")
             self._handed_back.add(sysid)
-            filled = (*params, *[0.0] * (7 - len(params)))
-            wishes.append(Wish(sysid, command, filled, ENDING))  # type: ignore[arg-type]
+            wishes.append(Wish(sysid, command, params, ENDING))
         return wishes
 
     def awaits(self, snapshot: Snapshot) -> bool:

@@ -53,7 +53,8 @@ class Wish:
 
     sysid: int
     command: int
-    params: tuple[float, float, float, float, float, float, float]
+    params: tuple[float, ...]
+    """the first of its seven; the others are 0"""
     token: str
 
     @property
@@ -196,8 +197,7 @@ class Pilot:
         return Stage.OFFBOARD if height_m >= self._takeoff_m - REACHED_M else Stage.TAKEOFF
 
     def _wish(self, command: int, *params: float, token: str = "") -> Wish:
-        filled = (*params, *(0.0 for _ in range(7 - len(params))))
-        return Wish(self.sysid, command, filled, token or f"{PILOT} {self.stage}")  # type: ignore[arg-type]
+        return Wish(self.sysid, command, params, token or f"{PILOT} {self.stage}")
 
     def _read(self, name: str) -> Message:
         return message(

@@ -137,8 +137,7 @@ class Desk:
     def ask(self, sysid: int, command: int, token: str, *params: float) -> None:
         """Want a command of a vehicle; an answer to an earlier one with the same token counts no more."""
         self._results.pop(token, None)
-        filled = (*params, *(0.0 for _ in range(7 - len(params))))
-        self.wishes.append(Wish(sysid, command, filled, token))  # type: ignore[arg-type]
+        self.wishes.append(Wish(sysid, command, params, token))
 
     def hear(self, token: str, accepted: bool) -> None:
         """The result of a command whose wish carried this token."""

@@ -8,10 +8,9 @@ from gcs.mavlink import codec
 from gcs.outbox import Outbox
 from gcs.pilot import OPERATOR, PILOT, Wish
 
-NOTHING = (0.0,) * 7
-ARM = Wish(3, mav.MAV_CMD_COMPONENT_ARM_DISARM, NOTHING, f"{PILOT} arm")
-LAND = Wish(3, mav.MAV_CMD_NAV_LAND, NOTHING, f"{OPERATOR} land")
-SERVE = Wish(3, mav.MAV_CMD_USER_1, NOTHING, "5 receive")
+ARM = Wish(3, mav.MAV_CMD_COMPONENT_ARM_DISARM, (), f"{PILOT} arm")
+LAND = Wish(3, mav.MAV_CMD_NAV_LAND, (), f"{OPERATOR} land")
+SERVE = Wish(3, mav.MAV_CMD_USER_1, (), "5 receive")
 
 
 def commands(outbox: Outbox, sysid: int = 3) -> list[int]:
@@ -71,7 +70,7 @@ def test_pilots_and_operators_commands_are_withdrawn_and_a_services_go_on() -> N
 
 def test_a_withdrawn_command_that_waited_its_turn_may_be_asked_again_at_once() -> None:
     outbox = Outbox([3])
-    waits = Wish(3, SERVE.command, NOTHING, f"{PILOT} arm")
+    waits = Wish(3, SERVE.command, (), f"{PILOT} arm")
     outbox.ask([SERVE, waits], 0.0)
     assert commands(outbox) == [SERVE.command]
     outbox.withdraw(3)

@@ -89,6 +89,8 @@ class Clock(Part):
 
 
 class Pursue(Part):
+    """How near each pursuer, or in a competition somebody, is to be to its target, and for how long without a break."""
+
     within_m: Metres
     for_s: Seconds
 
@@ -111,6 +113,8 @@ class Battery(Part):
 
 
 class VehicleBase(Part):
+    """What every vehicle has, whatever its role."""
+
     role: ClassVar[str]
     _external = model_validator(mode="before")(filled)
 
@@ -138,6 +142,8 @@ class VehicleBase(Part):
 
 
 class Pursuer(VehicleBase):
+    """A vehicle that follows a target, or its own way points, and that is refuelled."""
+
     role = "pursuer"
 
     target: SysId | None = None
@@ -155,6 +161,8 @@ class Pursuer(VehicleBase):
 
 
 class Target(VehicleBase):
+    """A vehicle that flies a path and is followed."""
+
     role = "target"
 
     path_m: Route
@@ -165,6 +173,8 @@ class Target(VehicleBase):
 
 
 class Tanker(VehicleBase):
+    """A vehicle that refuels others in the air."""
+
     role = "tanker"
 
     reserve_j: NotNegative = 10_000.0
@@ -381,6 +391,8 @@ class Refuelling(Part):
 
 
 class Blackout(Part):
+    """From when to when no frame from or to a vehicle arrives."""
+
     sysid: SysId
     from_s: Seconds
     to_s: Seconds

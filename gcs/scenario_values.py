@@ -39,4 +39,6 @@ Route = Annotated[tuple[Vec3, ...], Field(min_length=1)]
 
 
 class Part(BaseModel):
+    """A block of keys: one that it does not know is refused, and what it says is not changed any more."""
+
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, use_attribute_docstrings=True)

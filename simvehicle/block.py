@@ -7,6 +7,7 @@ from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 
+from simvehicle.body import Start
 from simvehicle.geo import LocalFrame
 from simvehicle.link import Address, PlainLink, SupervisedLink, parse_address, parse_supervisor
 from simvehicle.mavlink.connection import Connection
@@ -18,7 +19,7 @@ from simvehicle.process import Seat, run_free, run_supervised
 from simvehicle.services import Services
 from simvehicle.truth import TruthWriter
 from simvehicle.unit import VehicleUnit
-from simvehicle.vehicle import Start, Vehicle
+from simvehicle.vehicle import Vehicle
 
 
 @dataclass(frozen=True)

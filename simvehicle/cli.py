@@ -149,10 +149,10 @@ def _fly(
     count: int,
 ) -> int:
     from simvehicle.block import Wanted, fly
+    from simvehicle.body import Start
     from simvehicle.geo import LocalFrame
     from simvehicle.link import AddressError
     from simvehicle.mavlink.identity import IDENTITIES
-    from simvehicle.vehicle import Start
 
     if sysid is None:
         raise click.UsageError("--sysid is missing: give the vehicle a MAVLink system id from 1 to 254.")

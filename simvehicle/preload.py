@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pymavlink.dialects.v20 import common as mav
 
+from simvehicle.body import Start
 from simvehicle.geo import LocalFrame
 from simvehicle.mavlink.codec import encode, message
 from simvehicle.mavlink.connection import Connection
@@ -12,7 +13,7 @@ from simvehicle.mavlink.lockstep import SUPERVISOR, Bundle, Grants
 from simvehicle.mavlink.parameters import Parameters
 from simvehicle.services import Services
 from simvehicle.unit import VehicleUnit
-from simvehicle.vehicle import Start, Vehicle
+from simvehicle.vehicle import Vehicle
 
 PERIOD_MS = 100
 BUNDLES = 30

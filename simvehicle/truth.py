@@ -14,7 +14,8 @@ import struct
 from pathlib import Path
 from typing import Self
 
-from simvehicle.vehicle import STEP_MS, Vehicle
+from simvehicle.body import STEP_MS
+from simvehicle.vehicle import Vehicle
 
 STATE = ["n", "e", "d", "vn", "ve", "vd", "roll", "pitch", "yaw", "roll_rate", "pitch_rate", "yaw_rate"]
 ENERGY = ["drawn_j", "received_j", "given_j", "remaining_j"]

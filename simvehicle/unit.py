@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import contextlib
 
+from simvehicle.body import STEP_MS
 from simvehicle.mavlink.codec import Frame
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.telemetry import heartbeat
 from simvehicle.services import Services
 from simvehicle.truth import TruthWriter
-from simvehicle.vehicle import STEP_MS, Vehicle
+from simvehicle.vehicle import Vehicle
 
 
 class VehicleUnit:

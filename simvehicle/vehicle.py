@@ -24,8 +24,6 @@ from simvehicle.mission import Leg, Mission, Outcome
 from simvehicle.modes import FAILSAFES, RESTING, STAND_DOWN, STEERED, Event, Mode, Rule, Severity, rule_for
 from simvehicle.transfer import Envelope, Exchange, Order, Role, Transfer
 
-__all__ = ["STEP_MS", "SetPoint", "Start", "Vehicle"]
-
 FENCE_HOLD, FENCE_RETURN = 2, 3
 """What GF_ACTION may ask for, beside nothing and a warning."""
 

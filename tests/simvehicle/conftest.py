@@ -7,13 +7,14 @@ from typing import Any
 import pytest
 from pymavlink.dialects.v20 import common
 
+from simvehicle.body import Start
 from simvehicle.geo import LocalFrame
 from simvehicle.mavlink.codec import split
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.identity import IDENTITIES
 from simvehicle.mavlink.parameters import Parameters
 from simvehicle.services import Services
-from simvehicle.vehicle import Start, Vehicle
+from simvehicle.vehicle import Vehicle
 
 ORIGIN = (47.397742, 8.545594, 488.0)
 SUPERVISOR = (255, 190)

@@ -9,8 +9,8 @@ from typing import Any
 import pytest
 from pymavlink.dialects.v20 import common as mav
 
+from simvehicle.body import Start
 from simvehicle.state import StateError, StateFile
-from simvehicle.vehicle import Start
 
 ACCEPTED, TEMPORARILY_REJECTED, DENIED, UNSUPPORTED, IN_PROGRESS = 0, 1, 2, 3, 5
 GPS, BATTERY, MOTOR, LINK = 4, 100, 101, 105

@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 from pymavlink.dialects.v20 import common as mav
 
+from simvehicle.body import Start
 from simvehicle.mavlink.parameters import TABLE, ParameterError, Parameters
-from simvehicle.vehicle import Start
 
 REAL32, INT32 = mav.MAV_PARAM_TYPE_REAL32, mav.MAV_PARAM_TYPE_INT32
 AIRBORNE = Start(p_ned=(0.0, 0.0, -5.0), airborne=True)

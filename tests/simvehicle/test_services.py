@@ -8,9 +8,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pymavlink.dialects.v20 import common as mav
 
+from simvehicle.body import Start
 from simvehicle.mavlink.telemetry import TELEMETRY
 from simvehicle.services import COMMANDS
-from simvehicle.vehicle import Start
 
 ACCEPTED, TEMPORARILY_REJECTED, DENIED, UNSUPPORTED = 0, 1, 2, 3
 NAN = math.nan

@@ -8,11 +8,11 @@ import pymap3d
 import pytest
 from pymavlink.dialects.v20 import common as mav
 
+from simvehicle.body import Start
 from simvehicle.geo import LocalFrame
 from simvehicle.mavlink.codec import encode
 from simvehicle.mavlink.identity import IDENTITIES
 from simvehicle.mavlink.telemetry import TELEMETRY, Snapshot, autopilot_version
-from simvehicle.vehicle import Start
 
 ORIGIN = (47.397742, 8.545594, 488.0)
 

@@ -9,8 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pymavlink.dialects.v20 import common as mav
 
+from simvehicle.body import Start
 from simvehicle.transfer import Envelope, Neighbour, Order, Role, Transfer, refusal
-from simvehicle.vehicle import Start
 
 ACCEPTED, TEMPORARILY_REJECTED = 0, 1
 GIVER, RECEIVER = 9, 1

@@ -11,9 +11,9 @@ import pytest
 from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common as mav
 
+from simvehicle.body import Start
 from simvehicle.truth import ENERGY, STATE, TruthWriter
 from simvehicle.unit import VehicleUnit
-from simvehicle.vehicle import Start
 
 HEAD_NUMBERS = 2 + len(STATE) + len(ENERGY)
 

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pymavlink.dialects.v20 import common as mav
 
-from simvehicle.vehicle import STEP_MS, Start
+from simvehicle.body import STEP_MS, Start
 
 ACCEPTED, TEMPORARILY_REJECTED = 0, 1
 PX4_HOLD, PX4_OFFBOARD, PX4_LAND = 4 << 16 | 3 << 24, 6 << 16, 4 << 16 | 6 << 24

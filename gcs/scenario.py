@@ -198,16 +198,9 @@ def _vehicle_conflicts(s: Scenario) -> Iterator[Conflict]:
     yield from _repeats("sysid", [((*path, "sysid"), vehicle.sysid) for path, vehicle in placed])
     yield from _repeats("name", [((*path, "name"), vehicle.name) for path, vehicle in placed if vehicle.name])
     for i, (path, vehicle) in enumerate(placed):
-        start = (*path, "start_m")
         yield from scenario_external.conflicts(path, vehicle)
         if vehicle.join_s >= s.goal.duration_s:
             yield Conflict((*path, "join_s"), f"{vehicle.label} would join after the end, duration_s")
-        if any(vehicle.velocity_m_s) and not vehicle.airborne and vehicle.external is None:
-            yield Conflict((*path, "velocity_m_s"), f"{vehicle.label} moves on the ground; it needs 'airborne: true'")
-        if vehicle.start_m[2] < 0 and not vehicle.airborne and vehicle.external is None:
-            yield Conflict(start, f"{vehicle.label} starts above the ground; it needs 'airborne: true'")
-        if vehicle.start_m[2] > 0 and not vehicle.airborne and vehicle.external is None:
-            yield Conflict(start, f"{vehicle.label} starts below the ground; in ned axes the third number is down")
         if isinstance(vehicle, Pursuer) and vehicle.target is not None and vehicle.target not in targets:
             yield Conflict((*path, "target"), f"{vehicle.label} follows {vehicle.target}, which is no target's sysid")
         if isinstance(vehicle, Pursuer) and vehicle.target is not None and vehicle.waypoints_m:
@@ -218,21 +211,35 @@ def _vehicle_conflicts(s: Scenario) -> Iterator[Conflict]:
             yield from _route_conflicts((*path, "path_m"), vehicle)
             if vehicle.laps > 1 and not vehicle.closed:
                 yield Conflict((*path, "laps"), "more than one lap needs 'closed: true'")
-        if vehicle.external is not None:
-            continue  # it is where it is
-        for j, obstacle in enumerate(s.obstacles):
-            if not obstacle.fault() and obstacle.clearance_m(vehicle.start_m) < START_CLEARANCE_M:
-                what = obstacle.name or f"{obstacle.kind} {j + 1}"
-                sentence = f"{vehicle.label} starts inside or within {START_CLEARANCE_M} m of the obstacle {what}"
-                yield Conflict(start, sentence, ("obstacles", j))
-        for other_path, other in placed[:i]:
-            if other.external is not None:
-                continue
-            distance_m = math.dist(vehicle.start_m, other.start_m)
-            together = s.planner.vehicles_repel and vehicle.join_s == other.join_s
-            if together and distance_m < s.planner.separation_m:
-                sentence = f"{vehicle.label} starts {distance_m:.2f} m from {other.label}, below planner.separation_m"
-                yield Conflict(start, sentence, (*other_path, "start_m"))
+        if vehicle.external is None:
+            yield from _start_conflicts(s, path, vehicle, placed[:i])
+
+
+def _start_conflicts(
+    s: Scenario, path: Path, vehicle: VehicleBase, before: Iterable[tuple[Path, VehicleBase]]
+) -> Iterator[Conflict]:
+    """How a launched vehicle starts, and who or what stands there: obstacles, and those `before` it."""
+    start = (*path, "start_m")
+    if not vehicle.airborne:
+        if any(vehicle.velocity_m_s):
+            yield Conflict((*path, "velocity_m_s"), f"{vehicle.label} moves on the ground; it needs 'airborne: true'")
+        if vehicle.start_m[2] < 0:
+            yield Conflict(start, f"{vehicle.label} starts above the ground; it needs 'airborne: true'")
+        if vehicle.start_m[2] > 0:
+            yield Conflict(start, f"{vehicle.label} starts below the ground; in ned axes the third number is down")
+    for j, obstacle in enumerate(s.obstacles):
+        if not obstacle.fault() and obstacle.clearance_m(vehicle.start_m) < START_CLEARANCE_M:
+            what = obstacle.name or f"{obstacle.kind} {j + 1}"
+            sentence = f"{vehicle.label} starts inside or within {START_CLEARANCE_M} m of the obstacle {what}"
+            yield Conflict(start, sentence, ("obstacles", j))
+    for other_path, other in before:
+        if other.external is not None:
+            continue
+        distance_m = math.dist(vehicle.start_m, other.start_m)
+        together = s.planner.vehicles_repel and vehicle.join_s == other.join_s
+        if together and distance_m < s.planner.separation_m:
+            sentence = f"{vehicle.label} starts {distance_m:.2f} m from {other.label}, below planner.separation_m"
+            yield Conflict(start, sentence, (*other_path, "start_m"))
 
 
 def _repeats(key: str, values: Iterable[tuple[Path, object]]) -> Iterator[Conflict]:

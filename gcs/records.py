@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from gcs.contest import Standing
-from gcs.energy import Fact
-from gcs.events import Event
+from gcs.events import Event, Level
 from gcs.explain import sentence
 from gcs.guard import Problem
-from gcs.planner.plan import SetPoint
-from gcs.recorder import Digest, Recorder
-from gcs.service import Decision
+
+if TYPE_CHECKING:  # who only reads records need not load those who make them
+    from gcs.contest import Standing
+    from gcs.energy import Fact
+    from gcs.planner.plan import SetPoint
+    from gcs.recorder import Digest, Recorder
+    from gcs.service import Decision
 
 
 @dataclass
@@ -51,18 +53,12 @@ def records_of_tick(
     `pursued` are the pursuit's records, `facts` (system id, what its battery showed), `problems` what people's own
     planner or policy did wrong, `standings` the competitions for tankers and for bases.
     """
-    records: list[dict[str, Any]] = [{"t_s": t_s, **record} for record in decision.records]
-    events = [Event(t_s, int(record["receiver"]), "info", sentence(record), "decision") for record in records]
-    for chosen in pursued:
-        records.append({"t_s": t_s, **chosen})
-        text = f"Pursues {chosen['target']} from now on"
-        events.append(Event(t_s, int(chosen["pursuer"]), "info", text, "decision"))
-    for sysid, fact in facts:
-        records.append({"t_s": t_s, "kind": "battery", "sysid": sysid, **fact.record()})
-        events.append(Event(t_s, sysid, "warning", fact.text))
-    for problem in problems:
-        records.append({"t_s": t_s, **problem.record()})
-        events.append(Event(t_s, problem.sysid, "warning", problem.sentence, "decision"))
+    batteries = [{"kind": "battery", "sysid": sysid, **fact.record()} for sysid, fact in facts]
+    blamed = [problem.record() for problem in problems]
+    records: list[dict[str, Any]] = [
+        {"t_s": t_s, **record} for record in (*decision.records, *pursued, *batteries, *blamed)
+    ]
+    events = [event_of(record) for record in records]
     for standing, giver in zip(standings, ({}, {"giver": "base"}), strict=True):
         if standing.v:
             records.append(
@@ -81,3 +77,23 @@ def records_of_tick(
         for point in set_points
     ]
     return records, events
+
+
+def event_of(record: Mapping[str, Any]) -> Event:
+    """How a decision, as a line of decisions.jsonl holds it, is told to people."""
+    t_s, kind = float(record["t_s"]), record["kind"]
+    if kind == "death":
+        return Event(t_s, int(record["sysid"]), "critical", str(record.get("text", "died")), "death")
+    if kind == "operator":
+        level: Level = "info" if record.get("taken") else "warning"
+        return Event(t_s, int(record.get("sysid", 0)), level, f"Operator: {record.get('text', '')}", "operator")
+    if kind == "pursuit":
+        return Event(t_s, int(record["pursuer"]), "info", f"Pursues {record['target']} from now on", "decision")
+    if kind == "battery":
+        return Event(t_s, int(record["sysid"]), "warning", str(record["text"]))
+    if kind == "policy failed":
+        problem = Problem(int(record["sysid"]), str(record.get("policy")), str(record.get("problem")))
+        return Event(t_s, problem.sysid, "warning", problem.sentence, "decision")
+    if kind in ("decided", "transfer", "broken off", "served", "unable"):
+        return Event(t_s, int(record["receiver"]), "info", sentence(record), "decision")
+    return Event(t_s, int(record.get("sysid", 0)), "info", str(kind), "decision")

@@ -15,9 +15,10 @@ from typing import Any
 
 from gcs import explain
 from gcs.contest import Standing
-from gcs.events import Event, Level
+from gcs.events import Event
 from gcs.operator import TAKEN
 from gcs.profiles import End
+from gcs.records import event_of
 from gcs.scenario import Scenario
 from gcs.scene import goal_of
 from gcs.service import Phase, Service
@@ -84,8 +85,7 @@ class Story:
     def events(self, after_s: float, until_s: float) -> Iterator[Event]:
         """What was decided, ordered or died in after_s < t ≤ until_s."""
         first, last = bisect.bisect_right(self._told_s, after_s), bisect.bisect_right(self._told_s, until_s)
-        for t_s, record in self._told[first:last]:
-            yield _event(t_s, record)
+        return (event_of(record) for _, record in self._told[first:last])
 
     def ordered(self, t_s: float) -> dict[int, End]:
         """What vehicles that an operator has in hand are to fly."""
@@ -263,20 +263,3 @@ class Story:
 
 def _by_sysid(numbers: Mapping[str, float]) -> dict[int, float]:
     return {int(sysid): float(number) for sysid, number in numbers.items()}
-
-
-def _event(t_s: float, record: Mapping[str, Any]) -> Event:
-    kind = record["kind"]
-    if kind == "death":
-        return Event(t_s, int(record["sysid"]), "critical", str(record.get("text", "died")), "death")
-    if kind == "operator":
-        level: Level = "info" if record.get("taken") else "warning"
-        return Event(t_s, int(record.get("sysid", 0)), level, f"Operator: {record.get('text', '')}", "operator")
-    if kind == "pursuit":
-        return Event(t_s, int(record["pursuer"]), "info", f"Pursues {record['target']} from now on", "decision")
-    if kind == "policy failed":
-        text = f"{record.get('policy')} {record.get('problem')}; the vehicle is held"
-        return Event(t_s, int(record["sysid"]), "warning", text, "decision")
-    if kind in ("decided", "transfer", "broken off", "served", "unable"):
-        return Event(t_s, int(record["receiver"]), "info", explain.sentence(record), "decision")
-    return Event(t_s, int(record.get("sysid", 0)), "info", str(kind), "decision")

@@ -88,5 +88,5 @@ def _connected(at: Address) -> tuple[socket.socket, Where]:
         made.setblocking(False)
     except OSError as error:
         made.close()
-        raise AddressRefused(f"{at.text} cannot be gone to: {error.strerror or 'no answer'}") from None
+        raise AddressRefused(f"{at.text} cannot be reached: {error.strerror or 'no answer'}") from None
     return made, where

@@ -20,24 +20,20 @@ from gcs.scenario_parts import (
     Battery,
     Blackout,
     Clock,
-    Competition,
-    Formation,
     Goal,
     Mover,
     Obstacle,
     Origin,
-    Planner,
     Pursue,
     Pursuer,
-    Pursuit,
     Radio,
-    Refuelling,
     Tanker,
     Target,
     VehicleBase,
     Vehicles,
     known_axes,
 )
+from gcs.scenario_rules import Competition, Formation, Planner, Pursuit, Refuelling
 from gcs.scenario_values import Count, Flag, Part
 from gcs.yaml_source import Conflict, Path, Problem, ScenarioError, conflict_error, emit, read
 

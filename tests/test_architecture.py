@@ -43,7 +43,7 @@ HOUSE = {
         "addresses exit_status yaml_source",
         "scenario_values udp",
         "scenario_external",
-        "scenario_parts scenario_versions",
+        "scenario_parts scenario_rules scenario_versions",
         "scenario_grid scenario_bases",
         "scenario configs arrivals",
         "drawing editor_schema doctor",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from gcs.external_pilot import ExternalPilot
 from gcs.fleet import Fleet, GlobalOrigin, Member
 from gcs.impairment import Blackout, Impairment
-from gcs.pilot import Pilot
+from gcs.pilot import SELDOM_S, Pilot
 from gcs.profiles import PROFILES
 from gcs.scenario import Scenario
 
@@ -31,7 +31,9 @@ def make_fleet(scenario: Scenario) -> Fleet:
 def make_pilots(scenario: Scenario) -> dict[int, Pilot]:
     """A pilot for each vehicle, by system id."""
     return {
-        v.sysid: ExternalPilot(v.sysid, v.takeoff_m, v.external) if v.external else Pilot(v.sysid, v.takeoff_m)
+        v.sysid: ExternalPilot(v.sysid, v.takeoff_m, v.external)
+        if v.external
+        else Pilot(v.sysid, v.takeoff_m, seldom_s=SELDOM_S)
         for v in scenario.vehicles.all
     }
 

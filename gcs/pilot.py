@@ -6,12 +6,14 @@
 
 A vehicle that starts in the air and already follows set points goes from `identify` straight to `fly`. One that lands,
 whatever its reason, is `down` and stays there, unless it was to land: then it is `at a base`, and comes back by `arm`.
-One that an operator takes is his from any stage (`operator`). From that and from `down` it comes back by `rejoin`: from
+One that refuses to be armed is asked ever more seldom, and at once when its battery has been charged. One that an
+operator takes is his from any stage (`operator`). From that and from `down` it comes back by `rejoin`: from
 where it is, through as many of these stages as that needs.
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -23,6 +25,10 @@ from gcs.profiles import STEERABLE, End, FlightMode
 from gcs.views import VehicleView
 
 RETRY_S = 1.0
+SELDOM_S = 32.0
+"""A vehicle of ours that refuses to be armed is asked again after 1, 2, 4 s and so on, in the end so seldom."""
+CHARGED_SHARE = 0.01
+"""Of its battery: so much more in it, and it is asked at once."""
 PILOT, OPERATOR = "pilot", "operator"
 """How the tokens of commands begin: whose wish it is."""
 _ROUNDING_S = 1e-6
@@ -66,15 +72,19 @@ class Wish:
 class Pilot:
     """One vehicle's way into the air."""
 
-    def __init__(self, sysid: int, takeoff_m: float) -> None:
+    def __init__(self, sysid: int, takeoff_m: float, *, seldom_s: float = RETRY_S) -> None:
         self.sysid = sysid
+        self._seldom_s = seldom_s
+        self._arming_tries = 0
+        self._refused_j = math.inf
+        self._refusals: set[str] = set()
         self.stage = Stage.IDENTIFY
         self.grounded = False
         """whether the schedule wants it to land where it is, and to stay there"""
         self._comes_down = False
         self._takeoff_m = takeoff_m
         self._stage_since_s = 0.0
-        self._asked_s = -RETRY_S
+        self._asked_s = self._read_s = -RETRY_S
         self.ordered: End | None = None
         """what an operator wants it to fly; None while it is the planner's"""
         self._told = False
@@ -109,13 +119,38 @@ class Pilot:
         self._move_on(view, now_s, bound)
         if self.stage is Stage.TAKEN:
             return self._tell(view), []
-        if now_s - self._asked_s < RETRY_S - _ROUNDING_S:
-            return [], []
-        requests = self._requests(view) if not view.battery_told and view.heard_s >= 0.0 else []
+        requests: list[Message] = []
+        if now_s - self._read_s >= RETRY_S - _ROUNDING_S and not view.battery_told and view.heard_s >= 0.0:
+            requests, self._read_s = self._requests(view), now_s
+        if now_s - self._asked_s < self._wait_s(view) - _ROUNDING_S:
+            return [], requests
         wishes = self._wanted(view, now_s)
-        if wishes or requests:
+        if wishes:
             self._asked_s = now_s
+            self._arming_tries += self.stage is Stage.ARM
+            self._refused_j = view.remaining_j
         return wishes, requests
+
+    def _wait_s(self, view: VehicleView) -> float:
+        """From one wish to the next."""
+        charged = view.remaining_j - self._refused_j >= CHARGED_SHARE * view.capacity_j
+        if self._arming_tries == 0 or charged:
+            return RETRY_S
+        return min(RETRY_S * 2.0 ** min(self._arming_tries - 1, 16), self._seldom_s)
+
+    @property
+    def asks_again(self) -> str:
+        """What is to be said behind a refusal that does not end the matter."""
+        seldom = self.stage is Stage.ARM and self._seldom_s > RETRY_S
+        return f"; it is asked again, after a second and then up to {self._seldom_s:.0f} s" if seldom else ""
+
+    def repeats(self, text: str) -> bool:
+        """Whether a vehicle of ours has said so before since it is asked to arm: who is asked again refuses again."""
+        if not self.asks_again:
+            return False
+        again = text in self._refusals
+        self._refusals.add(text)
+        return again
 
     def _come_down(self, view: VehicleView, now_s: float) -> list[Wish]:
         """Land; and disarm where the autopilot does not so by itself."""
@@ -157,6 +192,8 @@ class Pilot:
             self.stage = stage
             self._stage_since_s = now_s
             self._asked_s = now_s - RETRY_S
+            self._arming_tries = 0
+            self._refusals.clear()
         self._comes_down = view.landed or view.mode not in STEERABLE
 
     def _next(self, view: VehicleView) -> Stage:

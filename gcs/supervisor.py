@@ -14,7 +14,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs import beacons
 from gcs.crew import make_fleet, make_pilots, make_radio
-from gcs.events import Event, Kind, Level, level_of
+from gcs.events import Event, Kind, level_of
 from gcs.explain import acknowledged
 from gcs.externals import ENDING, Externals
 from gcs.inspection import Inspection
@@ -221,7 +221,8 @@ class Supervisor:
             self.externals.hear(delivered, strangers.offsets_s(), strangers.take_rebooted(), self.fleet, now_s)
         self.received += len(arrived)
         for sysid, severity, text in self.fleet.take_statustexts():
-            if self.externals.repeats(sysid, text, now_s):
+            pilot = self.pilots.get(sysid)
+            if self.externals.repeats(sysid, text, now_s) or (pilot and pilot.repeats(text)):
                 continue
             self.events.append(Event(now_s, sysid, level_of(severity), text, "text"))
         return arrived, delivered
@@ -235,8 +236,11 @@ class Supervisor:
         self.schedule.result(str(result.token), result.outcome == "accepted")
         if self.externals.settles(sysid, result, now_s):
             return
-        level: Level = "info" if result.outcome == "accepted" else "warning"
-        self.events.append(Event(now_s, sysid, level, acknowledged(result), "ack"))
+        text, pilot = acknowledged(result), self.pilots[sysid]
+        if result.outcome == "accepted":
+            self.events.append(Event(now_s, sysid, "info", text, "ack"))
+        elif not pilot.repeats(text):
+            self.events.append(Event(now_s, sysid, "warning", text + pilot.asks_again, "ack"))
 
     # decide
 

@@ -7,7 +7,7 @@ import pytest
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
-from gcs.pilot import Pilot, Stage, Wish
+from gcs.pilot import SELDOM_S, Pilot, Stage, Wish
 from gcs.profiles import ARDUCOPTER, PX4, FlightMode
 from gcs.views import VehicleView
 
@@ -81,10 +81,45 @@ def test_height_is_above_the_own_ground_wherever_the_common_origin_lies(down_m: 
     assert pilot.sends_set_points
 
 
-def test_who_refuses_is_asked_again_every_second() -> None:
+def test_a_stranger_that_refuses_is_asked_again_every_second() -> None:
     pilot = Pilot(3, 2.5)
     asked = [k for k in range(400) if commands(pilot, view(), k / 10)]
     assert asked == list(range(0, 400, 10))
+
+
+def test_one_of_ours_that_refuses_is_asked_ever_more_seldom_and_its_refusal_told_once() -> None:
+    pilot = Pilot(3, 2.5, seldom_s=SELDOM_S)
+    asked, told = [], []
+    for k in range(2000):
+        if commands(pilot, view(), k / 10):
+            asked.append(k // 10)
+            told.append(not pilot.repeats("Arming refused: battery low"))
+    assert asked == [0, 1, 3, 7, 15, 31, 63, 95, 127, 159, 191]
+    assert told == [True] + [False] * 10
+    assert pilot.asks_again.endswith("up to 32 s")
+    assert not pilot.repeats("Arming refused: GPS failed")
+
+
+def test_one_whose_battery_has_been_charged_is_asked_at_once() -> None:
+    pilot = Pilot(3, 2.5, seldom_s=SELDOM_S)
+    for k in range(1000):
+        pilot.decide(view(energy_source="energy_consumed"), k / 10)
+    # 1 % of 10 kJ, and that again; the last time it was asked was at 95 s
+    assert not commands(pilot, view(energy_source="energy_consumed", received_j=99), 100.0)
+    assert commands(pilot, view(energy_source="energy_consumed", received_j=100), 100.1)
+    assert not commands(pilot, view(energy_source="energy_consumed", received_j=150), 110.0)
+    assert commands(pilot, view(energy_source="energy_consumed", received_j=200), 110.1)
+
+
+def test_one_that_was_armed_meanwhile_begins_anew() -> None:
+    pilot = Pilot(3, 2.5, seldom_s=SELDOM_S)
+    for k in range(1000):
+        pilot.decide(view(), k / 10)
+    assert pilot.repeats("no") is False
+    commands(pilot, ARMED, 100.0)
+    assert commands(pilot, view(), 100.1)
+    assert commands(pilot, view(), 101.1)
+    assert pilot.repeats("no") is False
 
 
 def test_a_vehicle_that_disarms_on_the_ground_is_armed_again() -> None:

@@ -7,6 +7,7 @@ from __future__ import annotations
 import errno
 import json
 import sys
+import threading
 import traceback
 from collections.abc import Callable
 from pathlib import Path
@@ -18,6 +19,7 @@ from gcs import cli_author, cli_check, cli_paper, cli_recorded, cli_report, cli_
 from gcs.addresses import address
 from gcs.cli_author import ScenarioName, ScenarioRefused, load_scenario, module_arguments
 from gcs.exit_status import INTERNAL_ERROR, INTERRUPTED, NOT_DONE
+from gcs.leaving import leave
 
 if TYPE_CHECKING:
     from gcs.run import View
@@ -159,7 +161,8 @@ def run(
 
     In a terminal a console shows fleet, map, competition and events, and takes an operator's commands; `?` there
     explains it. Closing it (q) or losing it leaves the session flying, told in lines; `gcs monitor` opens it again.
-    Ctrl-C stops the session and saves it (the console asks first); a second Ctrl-C does not wait for that.
+    Ctrl-C stops the session and saves it (the console asks first), then makes the report; a second Ctrl-C waits for
+    neither.
 
     \b
     Examples:
@@ -215,6 +218,7 @@ def run(
     arguments = ["--drop-datagrams", str(drop_datagrams), *module_arguments(scenario)]
 
     error: str | None = None
+    hurry = threading.Event()
 
     def finish(verdict: dict[str, Any]) -> None:
         nonlocal error
@@ -224,11 +228,11 @@ def run(
 
     with logged(shown, said, folder) as (view, tell):
         stderr = getattr(shown, "stderr", None)
-        status = fly(folder, view, tell, arguments=arguments, finish=finish, stderr=stderr)
+        status = fly(folder, view, tell, arguments=arguments, finish=finish, stderr=stderr, hurry=hurry.set)
+        if junit is not None and not _write_junit(junit, flown(folder, resolved, error)):
+            status = status or NOT_DONE
         if not no_report:
-            cli_report.after_run(folder, tell)
-    if junit is not None and not _write_junit(junit, flown(folder, resolved, error)):
-        return status or NOT_DONE
+            cli_report.after_run(folder, tell, status, hurried=hurry.is_set())
     return status
 
 
@@ -344,7 +348,7 @@ def main() -> None:
         reconfigure = getattr(stream, "reconfigure", None)
         if reconfigure is not None:
             reconfigure(errors="replace")  # a name that the terminal cannot show must not end a session
-    sys.exit(run_argv())
+    leave(run_argv())
 
 
 if __name__ == "__main__":

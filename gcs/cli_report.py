@@ -4,6 +4,9 @@
 
 from __future__ import annotations
 
+import contextlib
+import os
+import signal
 import threading
 from collections.abc import Callable
 from pathlib import Path
@@ -11,8 +14,13 @@ from pathlib import Path
 import click
 
 from gcs.exit_status import BAD_INPUT, NOT_DONE
+from gcs.leaving import leave
 
+SIGNALLED = 128
+"""Exit statuses above it stand for a signal."""
 PATIENCE_S = 2.0
+MAKING = "making the report ... (Ctrl-C leaves it out)"
+TLOG, FILE = "session.tlog", "report.html"
 
 
 @click.command(short_help="Make a recorded session's report, one page.")
@@ -74,21 +82,53 @@ def report(session: Path, out: Path | None, quiet: bool) -> int:
     return 0
 
 
-def after_run(folder: Path, tell: Callable[[str], object]) -> None:
-    """The report at a session's end: where it lies is told; that it could not be made is a warning, whatever it was."""
-    patience = threading.Timer(PATIENCE_S, tell, ["making the report ... (Ctrl-C leaves it out)"])
+def after_run(folder: Path, tell: Callable[[str], object], status: int = 0, *, hurried: bool = False) -> None:
+    """The report at the end of a session that ended with `status`, as the last that `gcs run` does.
+
+    Where it lies is told; that it could not be made is a warning, whatever it was. Who has stopped the session waits at
+    the terminal, and is told at once what for. Ctrl-C, or SIGTERM, leaves the report out and ends the process; it is
+    left out, too, where that came before (`hurried`).
+    """
+    if _is_empty(folder / TLOG):
+        return
+    left_out = f"gcs: the report was left out; gcs report {folder} makes it"
+    if hurried:
+        click.echo(left_out, err=True)
+        return
+    patience = threading.Timer(PATIENCE_S, tell, [MAKING])
     patience.daemon = True
-    patience.start()
+    made: Path | None = None
+
+    def leave_out(*_: object) -> None:
+        (folder / f".{FILE}.{os.getpid()}").unlink(missing_ok=True)
+        if made is None:
+            with contextlib.suppress(OSError):
+                click.echo(left_out, err=True)
+        leave(status)
+
+    handlers = {number: signal.signal(number, leave_out) for number in (signal.SIGINT, signal.SIGTERM)}
     try:
+        if status > SIGNALLED:
+            tell(f"saved; {MAKING}")
+        else:
+            patience.start()
         from gcs.report.make import make
 
         made = make(folder)
         patience.cancel()
         tell(f"report: {made}")
-    except KeyboardInterrupt:
-        click.echo(f"gcs: the report was left out; gcs report {folder} makes it", err=True)
     except Exception as error:  # a session that was flown must not fail by its report
         why = f"{error.strerror}" if isinstance(error, OSError) else str(error) or type(error).__name__
         click.echo(f"gcs: warning: no report was made: {why}; gcs report {folder} tries again", err=True)
     finally:
         patience.cancel()
+        for number, handler in handlers.items():
+            signal.signal(number, handler)
+
+
+def _is_empty(path: Path) -> bool:
+    """Whether nothing was flown: there is nothing to report then."""
+    try:
+        return path.stat().st_size == 0
+    except OSError:
+        return True

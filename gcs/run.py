@@ -19,7 +19,7 @@ from typing import IO, Any, Protocol, Self
 
 import click
 
-from gcs.console.client import Client, Lines
+from gcs.console.client import SOCKET, Client, Lines
 from gcs.console.earlier import Earlier
 from gcs.console.plain import QuietView, clean, farewell, mute_stdout
 from gcs.exit_status import BAD_INPUT, INTERNAL_ERROR
@@ -30,6 +30,8 @@ POLL_S = 0.125
 RECONNECT_S = 0.5
 PATIENCE_S = (30.0, 10.0)
 """Wall time that the supervisor has for its end after `stop`, and then after its pipe has closed; then it is killed."""
+SAVES_WITHIN_S = 3.0
+"""However often it is asked to stop, it is not killed sooner: it may be writing what the session amounts to."""
 
 
 class RunError(click.ClickException):
@@ -144,7 +146,7 @@ class Supervised:
         self._listening = False
         self._connect_at_s = 0.0
         self._insistence = 0
-        self._firmer_at_s = float("inf")
+        self._asked_s = self._firmer_at_s = float("inf")
         self.client: Client | None = None
         self.verdict: dict[str, Any] | None = None
 
@@ -211,7 +213,10 @@ class Supervised:
         return True
 
     def interrupt(self, now_s: float) -> None:
-        """Ask it to stop; more firmly each time."""
+        """Ask it to stop; more firmly each time, but never so that a session is lost which is being saved."""
+        self._asked_s = min(self._asked_s, now_s)
+        if self._insistence >= 2 and now_s < self._asked_s + SAVES_WITHIN_S:
+            return
         self._insistence += 1
         if self._insistence == 1 and not self._listening:
             self._insistence = 2
@@ -230,6 +235,10 @@ class Supervised:
         if now_s >= self._firmer_at_s:
             self.interrupt(now_s)
 
+    def keeps_waiting(self, now_s: float) -> bool:
+        """Whether it takes so long to stop that a person wants to hear of it."""
+        return now_s >= self._asked_s + SAVES_WITHIN_S
+
 
 def run(
     folder: Path,
@@ -240,19 +249,23 @@ def run(
     supervisor: Sequence[str] = SUPERVISOR,
     finish: Callable[[dict[str, Any]], object] = lambda _: None,
     stderr: IO[bytes] | None = None,
+    hurry: Callable[[], object] = lambda: None,
 ) -> int:
     """Fly the session prepared in `folder`; the exit status (contract.md, A session's folder).
 
     `view` shows it while it flies, `finish` gets the supervisor's last word, and `tell` the lines that sum it up.
-    `stderr` takes what the supervisor says there; our own standard error without it.
+    `stderr` takes what the supervisor says there; our own standard error without it. `hurry` is called where a person
+    has asked more than once for the end.
     """
     with Signals() as signals, Supervised(folder, arguments, supervisor, stderr=stderr) as process:
         try:
-            interrupted = _watch(process, signals, view)
+            interrupted = _watch(process, signals, view, hurry)
         finally:
             with contextlib.suppress(OSError):
                 view.close()
         verdict, status = process.verdict, process.status
+    if verdict is None:
+        (folder / SOCKET).unlink(missing_ok=True)
     if verdict is None and not interrupted:
         how = f"was killed by signal {-status}" if status is not None and status < 0 else f"ended with status {status}"
         print(
@@ -272,9 +285,9 @@ def run(
     return int(verdict["exit"]) if failed or not interrupted else 128 + interrupted
 
 
-def _watch(process: Supervised, signals: Signals, view: View) -> int:
+def _watch(process: Supervised, signals: Signals, view: View, hurry: Callable[[], object]) -> int:
     """Show the session until its supervisor has ended; the first signal that asked it to stop, or 0."""
-    interrupted = 0
+    interrupted, told = 0, False
     with selectors.DefaultSelector() as selector:
         for source in (process, process.death, signals):
             selector.register(source, selectors.EVENT_READ)
@@ -287,10 +300,15 @@ def _watch(process: Supervised, signals: Signals, view: View) -> int:
             if not process.read() and process in selector.get_map():
                 selector.unregister(process)
             for number in signals.take():
+                if interrupted:
+                    hurry()
                 if process.verdict is None:
                     interrupted = interrupted or number
                 process.interrupt(now_s)
             process.insist(now_s)
+            if not told and not ended and process.keeps_waiting(now_s):
+                told = True
+                print("gcs: waiting until the session is saved; Ctrl-C twice more ends it unsaved", file=sys.stderr)
             try:
                 for content in earlier.joined(watched.receive()) if watched is not None else ():
                     if content.get("type") == "snapshot":

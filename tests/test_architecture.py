@@ -41,7 +41,7 @@ HOUSE = {
     ],
     "gcs": [
         "addresses exit_status yaml_source",
-        "scenario_values udp",
+        "leaving scenario_values udp",
         "scenario_external",
         "scenario_parts scenario_rules scenario_versions",
         "scenario_grid scenario_bases",

@@ -2,6 +2,7 @@
 
 import json
 import os
+import select
 import shutil
 import signal
 import subprocess
@@ -15,6 +16,7 @@ import pytest
 
 from gcs.console.client import Client, Lines
 from gcs.console.plain import JsonView, News, PlainView, farewell, progress
+from gcs.run import PATIENCE_S, SAVES_WITHIN_S, Supervised
 
 
 def vehicle(sysid: int, role: str = "pursuer", **other: Any) -> dict[str, Any]:
@@ -326,6 +328,28 @@ def test_the_second_signal_closes_the_pipe(folder: Path) -> None:
     assert "outcome: interrupted" in out
 
 
+def test_however_often_it_is_asked_a_supervisor_has_its_time_to_save_the_session(tmp_path: Path) -> None:
+    with Supervised(tmp_path, [], [sys.executable, "-c", "import signal; signal.pause()"]) as process:
+        for now_s in (100.0, 100.1, 100.2, 100.0 + SAVES_WITHIN_S - 0.01):
+            process.interrupt(now_s)
+        assert not process.ended
+        process.interrupt(100.0 + SAVES_WITHIN_S)
+        assert select.select([process.death], [], [], 60.0)[0]
+        assert process.status == -signal.SIGKILL
+
+
+def test_who_waits_for_a_supervisor_that_does_not_stop_is_told_and_can_end_it(folder: Path) -> None:
+    with started(folder, "deaf") as process:
+        until(process, "Refuelled")
+        process.send_signal(signal.SIGINT)
+        assert process.stderr is not None
+        assert "Ctrl-C twice more" in process.stderr.readline()
+        process.send_signal(signal.SIGINT)
+        process.send_signal(signal.SIGTERM)
+        process.communicate(timeout=PATIENCE_S[1])
+    assert process.returncode == 130
+
+
 def test_a_supervisor_that_dies_is_reported_in_one_sentence(folder: Path) -> None:
     with started(folder, "dies") as process:
         out, err = process.communicate(timeout=60)
@@ -344,6 +368,7 @@ def test_a_supervisor_that_is_killed_is_reported_with_its_signal(folder: Path) -
         _, err = process.communicate(timeout=60)
     assert process.returncode == 70
     assert "was killed by signal 9" in err
+    assert not (folder / "session.sock").exists(), "programs would knock where nobody answers"
 
 
 def test_a_reader_that_goes_away_stops_the_session(folder: Path) -> None:

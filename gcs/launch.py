@@ -21,6 +21,8 @@ import yaml
 from gcs.scenario import Scenario, VehicleBase
 
 READY_WITHIN_S = 120.0
+CANNOT_WRITE = 74
+"""How a vehicle ends whose files cannot be written."""
 
 
 class LaunchError(RuntimeError):
@@ -53,6 +55,8 @@ class Ended:
     def sentence(self, label: str) -> str:
         """One sentence for a person."""
         how = f"was killed by signal {-self.status}" if self.status < 0 else f"ended with status {self.status}"
+        if self.status == CANNOT_WRITE:
+            how = "could not write its log or its truth: is the disk of the session's folder full?"
         last = f"; its last lines: {' | '.join(self.last_lines)}" if self.last_lines else ""
         return f"{label} (process {self.pid}) {how}{last}"
 

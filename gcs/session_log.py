@@ -52,19 +52,22 @@ class _Both:
 @contextmanager
 def logged(view: View, tell: Callable[[str], object], folder: Path) -> Iterator[tuple[View, Callable[[str], object]]]:
     """The view and the teller, all of it also written to FOLDER/session.log as lines; a full disk ends only that."""
-    with contextlib.ExitStack() as stack:
-        try:
-            log = stack.enter_context((folder / FILE).open("w", encoding="utf-8", buffering=1, errors="replace"))
-        except OSError:
-            yield view, tell
-            return
+    try:
+        log = (folder / FILE).open("w", encoding="utf-8", buffering=1, errors="replace")
+    except OSError:
+        yield view, tell
+        return
 
-        def keep(line: str) -> None:
-            with contextlib.suppress(OSError):
-                log.write(line + "\n")
+    def keep(line: str) -> None:
+        with contextlib.suppress(OSError):
+            log.write(line + "\n")
 
-        def both(line: str) -> None:
-            keep(line)
-            tell(line)
+    def both(line: str) -> None:
+        keep(line)
+        tell(line)
 
+    try:
         yield _Both(view, PlainView(keep)), both
+    finally:
+        with contextlib.suppress(OSError):  # closing tries once more to write what a full disk has not taken
+            log.close()

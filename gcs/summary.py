@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 import platform
 from collections import defaultdict
 from importlib.metadata import version
@@ -124,9 +125,15 @@ class Summary(_Part):
     bases: list[Base] = []
 
     def write(self, folder: Path) -> None:
-        """Write summary.json into a session's folder; raises OSError."""
+        """Write summary.json into a session's folder, whole or not at all; raises OSError."""
         text = self.model_dump_json(indent=2, by_alias=True) + "\n"
-        (folder / FILE).write_text(text, encoding="utf-8")
+        beside = folder / f".{FILE}.{os.getpid()}"
+        try:
+            beside.write_text(text, encoding="utf-8")
+            beside.replace(folder / FILE)
+        except OSError:
+            beside.unlink(missing_ok=True)
+            raise
 
 
 def summarise(

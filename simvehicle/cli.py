@@ -193,7 +193,8 @@ def _fly(
     except AddressError as error:
         raise click.UsageError(str(error)) from error
     except OSError as error:
-        print(f"vehicle {sysid}: cannot write {error.filename or truth}: {error.strerror}", file=sys.stderr)
+        unwritten = error.filename or ", ".join(map(str, truth))
+        print(f"vehicle {sysid}: cannot write {unwritten}: {error.strerror}", file=sys.stderr)
         return CANNOT_WRITE
     return 0
 

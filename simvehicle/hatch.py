@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import contextlib
 import ctypes
+import errno
 import gc
 import json
 import os
@@ -26,6 +27,7 @@ from simvehicle.exit_status import BAD_INPUT, CANNOT_WRITE, INTERNAL_ERROR, INTE
 
 PR_SET_PDEATHSIG = 1
 LAST_LINES = 8
+FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 
 
 def run(
@@ -104,6 +106,10 @@ def _fork(
         status = end.code if isinstance(end.code, int) else 1
     except KeyboardInterrupt:
         status = INTERRUPTED
+    except OSError as error:  # a full disk takes no log either
+        status = CANNOT_WRITE if error.errno in FULL else INTERNAL_ERROR
+        with contextlib.suppress(OSError):
+            traceback.print_exc()
     except BaseException:
         traceback.print_exc()
     finally:

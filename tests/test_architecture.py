@@ -40,7 +40,7 @@ HOUSE = {
         "cli",
     ],
     "gcs": [
-        "addresses exit_status yaml_source",
+        "addresses exit_status reserve yaml_source",
         "leaving scenario_values udp",
         "scenario_external",
         "scenario_parts scenario_rules scenario_versions",

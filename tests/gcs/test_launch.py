@@ -102,6 +102,11 @@ def test_small_numbers_survive_the_command_line(folder: Path) -> None:
     ("status", "lines", "sentence"),
     [
         (-9, (), "pursuer 3 (process 77) was killed by signal 9"),
+        (
+            74,
+            (),
+            "pursuer 3 (process 77) could not write its log or its truth: is the disk of the session's folder full?",
+        ),
         (1, ("a", "b"), "pursuer 3 (process 77) ended with status 1; its last lines: a | b"),
     ],
 )

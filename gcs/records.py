@@ -28,7 +28,10 @@ class Recording:
     decisions: list[dict[str, Any]]
 
     def write(self, recorder: Recorder, digest: Digest, epoch_us: int) -> None:
-        """Record and hash it; `epoch_us` is session time 0 in µs since 1970, UTC."""
+        """Record and hash it; `epoch_us` is session time 0 in µs since 1970, UTC.
+
+        The system has all of it then: a supervisor that is killed loses nothing but the tick that it was at.
+        """
         t_us = epoch_us + 1000 * self.t_ms
         recorder.frames(t_us, self.arrived)
         recorder.frames(t_us, self.sent)
@@ -36,6 +39,7 @@ class Recording:
         digest.frames_out(self.t_ms, self.sent)
         for content in self.decisions:
             digest.decision(self.t_ms, recorder.decision(content))
+        recorder.flush()
 
 
 def records_of_tick(

@@ -152,6 +152,9 @@ class Comparer:
             self.made.append(json.loads(line))
         return line
 
+    def flush(self) -> None:
+        """As `Recorder.flush`."""
+
 
 @dataclass
 class Tick:

@@ -29,6 +29,7 @@ from gcs.events import Event, Kind, Level
 from gcs.exit_status import BAD_INPUT, DONE, INTERNAL_ERROR, INTERRUPTED, NOT_DONE
 from gcs.external import ExternalLink
 from gcs.launch import Ended, Hatch, LaunchError, traffic_order, vehicle_orders
+from gcs.leaving import leave
 from gcs.link import REPEAT_S, FleetLink
 from gcs.mavlink.identities import AUTOPILOT, TRAFFIC
 from gcs.mixed_link import MixedLink
@@ -37,6 +38,7 @@ from gcs.publish import Publisher
 from gcs.reader import Reader
 from gcs.recorder import Recorder, RecorderError
 from gcs.rehearsal import rehearse
+from gcs.reserve import Reserve
 from gcs.scenario import Scenario, ScenarioError, load
 from gcs.scene import session_line
 from gcs.summary import summarise
@@ -45,12 +47,11 @@ from gcs.udp import BUFFER_BYTES, AddressRefused
 
 PUBLISH_EVERY_S = 0.1
 WATCH_EVERY_S = 0.05
-FLUSH_EVERY_S = 1.0
-"""What a killed supervisor can lose of its recording, at most, in wall time."""
 SAY_WAITING_EVERY_S = 5.0
 GIVE_UP_S, GIVE_UP_SOON_S = 60.0, 5.0
 """How long the session stands still for a process that lives but does not answer, in wall time; the second is with
 external vehicles, which fly on meanwhile."""
+ELSEWHERE = "Free space there, or give --out another place."
 HAND_BACK_S = 2.5
 """How long external vehicles have at the end to obey; their HEARTBEAT, once a second, shows that they do."""
 
@@ -83,6 +84,7 @@ class Session:
             self._link = MixedLink(self._link, strangers)
         self._sleep = strangers.rest if external else time.sleep
         self._recorder = Recorder(folder)
+        self._reserve = Reserve(folder, len(scenario.vehicles.all))
         self._publisher = Publisher(folder, session_line(scenario, str(folder.resolve())))
         self._supervisor = Supervisor(scenario, self._link, self._recorder)
         self._hatch: Hatch | None = None
@@ -95,12 +97,15 @@ class Session:
         self._lost: list[int] = []
         self._told_refused: set[tuple[int, int]] = set()
         self._answered_s = self._said_waiting_s = math.inf
-        self._published_s = 0.0
-        self._watched_s = 0.0
-        self._flushed_s = 0.0
+        self._published_s = self._watched_s = 0.0
         self._phase = "starting"
         self._begun = False
         self._wall_time_s = 0.0
+        self._terminated = False
+
+    def terminate(self, *_: object) -> None:
+        """End the session in order, soon; a handler of SIGTERM, as when the machine shuts down."""
+        self._terminated = True
 
     def run(self) -> tuple[int, str]:
         """Fly the session; exit status and outcome. Raises SessionError, LaunchError, RecorderError, OSError."""
@@ -126,6 +131,7 @@ class Session:
             self._publisher.close()
 
     def _summarise(self, outcome: str) -> None:
+        self._reserve.release()
         summarise(
             self._supervisor,
             self._link,
@@ -258,7 +264,9 @@ class Session:
         if now_s - self._said_waiting_s >= SAY_WAITING_EVERY_S and not self._pace.paused:
             self._said_waiting_s = now_s
             self._wait_for(now_s - self._answered_s)
-        if self._clients.serve() or _stdin_closed():
+        if self._terminated:
+            self._event(0, "warning", "The supervisor was told to end (SIGTERM): the session stops")
+        if self._clients.serve() or _stdin_closed() or self._terminated:
             raise _Stopped
         for key in self._link.refused.keys() - self._told_refused:
             self._told_refused.add(key)
@@ -269,9 +277,6 @@ class Session:
         if now_s - self._published_s >= PUBLISH_EVERY_S:
             self._published_s = now_s
             self._publisher.publish(self._next_picture())
-        if now_s - self._flushed_s >= FLUSH_EVERY_S:
-            self._flushed_s = now_s
-            self._recorder.flush()
 
     def _wait_for(self, waited_s: float) -> None:
         """Say whose answer the session waits for; after a minute, go on without them."""
@@ -372,24 +377,25 @@ def main(
         plugins.look_in(modules)
         with plugins.output_kept(scenario, folder):
             session = Session(folder, scenario, drop=drop_datagrams)
+            signal.signal(signal.SIGTERM, session.terminate)
             if reader is not None:
                 session.reader = Reader(reader, every_ms or round(1e3 * scenario.clock.period_s))
             status, outcome = session.run()
-    except ScenarioError as problem:
+    except (ScenarioError, BadVehicleError) as problem:
         status, error = BAD_INPUT, str(problem)
-    except BadVehicleError as problem:
-        status, error = BAD_INPUT, str(problem)
-    except (SessionError, LaunchError, RecorderError, AddressRefused) as problem:
+    except RecorderError as problem:
+        status, error = NOT_DONE, f"{problem} What was flown until then is kept. {ELSEWHERE}"
+    except (SessionError, LaunchError, AddressRefused) as problem:
         status, error = NOT_DONE, str(problem)
     except OSError as problem:
-        status, error = NOT_DONE, f"{problem.filename or folder}: {problem.strerror}"
+        status, error = NOT_DONE, f"{problem.filename or folder}: {problem.strerror}; give --out another place"
     except Exception:
         log = folder / "supervisor.log"
         with contextlib.suppress(OSError):
             log.write_text(traceback.format_exc(), encoding="utf-8")
         error = f"this is a bug of the supervisor: please report it with {log}"
     _say({"exit": status, "outcome": outcome, "error": error})
-    sys.exit(status)
+    leave(status)
 
 
 if __name__ == "__main__":

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import json
 import signal
+import subprocess
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import psutil
 import pytest
-from sessions import Outcome, Running, all_gone, demo, fly, merged, small
+import yaml
+from sessions import GCS, Outcome, Running, all_gone, demo, fly, merged, small
 
 PACED = {"clock": {"mode": "real", "speed": 5.0}, "goal": {"duration_s": 300.0, "refuelled_at_least": 0}}
 
@@ -110,6 +112,93 @@ def test_a_killed_supervisor_is_said_in_one_sentence(running: Running) -> None:
     assert "Traceback" not in outcome.stderr
 
 
+def last_s(outcome: Outcome) -> float:
+    """The session time of the last recorded frame."""
+    return max(t_s for t_s, _ in outcome.messages())
+
+
+def test_a_killed_supervisor_loses_no_more_than_the_tick_it_was_at(tmp_path: Path) -> None:
+    """Vehicles write what they flew before they answer: that is at most what was granted after the last record."""
+    period_s = 0.1
+    session = Running(merged(demo(), {"goal": {"duration_s": 600.0}}), tmp_path, "--json")
+    try:
+        session.wait_for(lambda s: s["t_s"] > 30.0)
+        family = session.family()
+        the_supervisor(session).send_signal(signal.SIGKILL)
+        outcome = session.finish()
+    finally:
+        session.stop()
+    assert not all_gone(family)
+    flown_s = max(float(outcome.truth(sysid).time_s[-1]) for sysid in (1, 2, 3, 4, 5, 101, 201))
+    assert flown_s > 30.0
+    assert last_s(outcome) >= flown_s - 2.0 * period_s - 1e-6
+    lines = (outcome.folder / "decisions.jsonl").read_bytes().split(b"\n")
+    assert max(json.loads(line)["t_s"] for line in lines[:-1]) >= flown_s - 2.0 * period_s - 1e-6
+
+
+def test_a_supervisor_that_is_told_to_end_saves_the_session(running: Running) -> None:
+    family = running.family()
+    the_supervisor(running).send_signal(signal.SIGTERM)
+    outcome = running.finish()
+    assert outcome.status == 130
+    assert outcome.summary["outcome"] == "interrupted"
+    assert any("SIGTERM" in str(event["text"]) for event in events(outcome.stdout))
+    assert_tlog_is_whole(outcome)
+    assert not all_gone(family)
+
+
+def stopped_at(line: str, tmp_path: Path) -> tuple[Outcome, str]:
+    """A session stopped by Ctrl-C, and stopped again as soon as a line has begun so; the lines after that one."""
+    content = small(goal={"duration_s": 3000.0}, clock={"mode": "real", "speed": 5.0})
+    session = Running(content, tmp_path, "--plain", report=True)
+    try:
+        next(said for said in session.lines() if "offboard" in said)
+        family = session.family()
+        session.process.send_signal(signal.SIGINT)
+        next(said for said in session.lines() if said.startswith(line))
+        session.process.send_signal(signal.SIGINT)
+        outcome = session.finish()
+    finally:
+        session.stop()
+    assert not all_gone(family)
+    assert outcome.status == 130
+    assert outcome.summary["outcome"] == "interrupted"
+    assert_tlog_is_whole(outcome)
+    assert "Traceback" not in outcome.stderr
+    assert not [path.name for path in outcome.folder.iterdir() if path.name.startswith(".")]
+    return outcome, outcome.stderr
+
+
+def test_a_second_ctrl_c_leaves_out_the_report_and_nothing_else(tmp_path: Path) -> None:
+    outcome, said = stopped_at("saved; making the report", tmp_path)
+    assert f"gcs report {outcome.folder} makes it" in said
+    assert not (outcome.folder / "report.html").exists()
+
+
+def test_ctrl_c_after_the_last_line_changes_nothing(tmp_path: Path) -> None:
+    outcome, said = stopped_at("report: ", tmp_path)
+    assert not said.strip()
+    assert (outcome.folder / "report.html").stat().st_size > 0
+
+
+def test_a_session_that_has_not_flown_has_no_report(tmp_path: Path) -> None:
+    content = small()
+    content["vehicles"]["pursuers"][0]["params"] = {"MPC_TKO_SPEED": 99.0}
+    outcome = fly(content, tmp_path, "--plain", report=True)
+    assert outcome.status != 0
+    assert "report" not in outcome.stdout + outcome.stderr
+    assert not (outcome.folder / "report.html").exists()
+
+
+def test_a_vehicle_that_may_not_arm_says_so_once(tmp_path: Path) -> None:
+    content = small(goal={"duration_s": 60.0, "refuelled_at_least": 0})
+    content["vehicles"]["pursuers"][0]["battery"] = {"capacity_j": 24000, "initial_percent": 2}
+    outcome = fly(content, tmp_path, "--plain")
+    assert outcome.stdout.count("Arming refused") == 1
+    asked = [t_s for t_s, m in outcome.messages("COMMAND_LONG") if (m.target_system, m.command) == (1, 400)]
+    assert len(asked) == 6  # at 0, 1, 3, 7, 15 and 31 s
+
+
 def test_a_vehicle_that_cannot_start_is_named_with_its_last_lines(tmp_path: Path) -> None:
     content = small()
     content["vehicles"]["pursuers"][0]["params"] = {"MPC_TKO_SPEED": 99.0}
@@ -118,6 +207,39 @@ def test_a_vehicle_that_cannot_start_is_named_with_its_last_lines(tmp_path: Path
     assert "pursuer 1" in outcome.stderr
     assert "MPC_TKO_SPEED" in outcome.stderr
     assert "Traceback" not in outcome.stderr
+
+
+def on_a_disk_of(size_kib: int, tmp_path: Path) -> Outcome:
+    """A session on a disk of its own, mounted where nobody else sees it."""
+    (tmp_path / "disk").mkdir()
+    alone = ["unshare", "--user", "--map-root-user", "--mount"]
+    if subprocess.run([*alone, "mount", "-t", "tmpfs", "t", "/mnt"], capture_output=True, check=False).returncode:
+        pytest.skip("this machine lets nobody mount a disk of his own")
+    (tmp_path / "scenario.yaml").write_text(yaml.safe_dump(small(goal={"duration_s": 300.0})), encoding="utf-8")
+    mount = f"mount -t tmpfs -o size={size_kib}k t disk"
+    script = mount + ' && { "$@"; status=$?; cp -r disk/session session; exit $status; }'
+    flown = [*GCS, "run", "scenario.yaml", "--plain", "--out", "disk/session"]
+    done = subprocess.run(
+        [*alone, "sh", "-c", script, "sh", *flown], cwd=tmp_path, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 1
+    assert "no space left on device" in done.stderr.lower()
+    assert "--out" in done.stderr
+    assert "Traceback" not in done.stderr
+    return Outcome(done.returncode, tmp_path / "session", done.stdout, done.stderr)
+
+
+def test_on_a_full_disk_nothing_is_flown(tmp_path: Path) -> None:
+    outcome = on_a_disk_of(40, tmp_path)
+    assert (outcome.folder / "session.tlog").stat().st_size == 0
+    assert not (outcome.folder / "summary.json").exists()
+
+
+def test_on_a_disk_that_fills_there_is_room_for_what_the_session_came_to(tmp_path: Path) -> None:
+    outcome = on_a_disk_of(400, tmp_path)
+    assert outcome.summary["outcome"] == "interrupted"
+    assert outcome.summary["sim_time_s"] > 1.0
+    assert_tlog_is_whole(outcome)
 
 
 def test_a_full_disk_stops_the_session_with_closed_files(tmp_path: Path) -> None:

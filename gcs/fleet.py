@@ -312,7 +312,7 @@ class Fleet:
             track.capacity_j = value
 
     def _statustext(self, track: _Track, content: Any, time_s: float) -> None:
-        """A text may come in chunks that share an id; a chunk that is not full is the last."""
+        """A text may come in chunks that share an id; a chunk that is not full is the last. PX4 ends with a tab."""
         text = content.text
         if content.id:
             said_id, said = track.text_so_far
@@ -321,7 +321,7 @@ class Fleet:
             if len(content.text) == TEXT_CHARACTERS:
                 return
             track.text_so_far = (0, "")
-        self.statustexts.append((track.member.sysid, content.severity, text))
+        self.statustexts.append((track.member.sysid, content.severity, text.rstrip()))
 
     def _ack(self, track: _Track, content: Any, time_s: float) -> None:
         self.acks.append((track.member.sysid, content))

@@ -32,6 +32,11 @@ def _named(heard: Sequence[Heard], name: str) -> Iterator[Any]:
     return (h.fields for h in heard if h.name == name)
 
 
+def _names(heard: Sequence[Heard]) -> set[str]:
+    """What has come, also of messages that no dialect of ours holds: those have no fields to read."""
+    return {h.name for h in heard}
+
+
 def _final_acks(heard: Sequence[Heard], command: int) -> list[Any]:
     """The acknowledgements of `command` that end it and are addressed to us or to everyone."""
     return [
@@ -72,16 +77,15 @@ def acknowledged(
             return Verdict("ok" if may_refuse else "wrong", said)
         if then is None:
             return OK
-        content = next(_named(heard, then), None)
-        if content is None:
+        if then not in _names(heard):
             return None
-        wrong = fault(vehicle, content)
+        wrong = fault(vehicle, next(_named(heard, then)))
         return Verdict("wrong", wrong) if wrong else OK
 
     def at_end(_: Vehicle, heard: Sequence[Heard]) -> Verdict:
         if _final_acks(heard, command):
             return Verdict("wrong", f"accepted, but {then} never came")
-        if then is not None and any(_named(heard, then)):
+        if then in _names(heard):
             return Verdict("missing", f"{then} came, but no COMMAND_ACK")
         return Verdict("missing", "no COMMAND_ACK")
 

@@ -9,7 +9,8 @@ from gcs.energy import BatteryReport
 
 HECTOJOULE = 100.0
 NO_CELL = 65535
-UNKNOWN = -1
+NO_CURRENT = frozenset({-1, -100})
+"""What a current is that nobody measures: -1 by the protocol; PX4 sends its own -1 A of the same meaning in cA."""
 
 
 def voltage_v(cells_mv: Sequence[int], more_mv: Sequence[int] = ()) -> float | None:
@@ -46,7 +47,7 @@ def sys_status(content: Any, time_s: float) -> BatteryReport:
 
 
 def _power_w(volts: float | None, current_ca: int) -> float | None:
-    return None if volts is None or current_ca == UNKNOWN else 1e-2 * current_ca * volts
+    return None if volts is None or current_ca in NO_CURRENT else 1e-2 * current_ca * volts
 
 
 def _share(percent: int) -> float | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NamedTuple
 
 import pytest
 from pymavlink.dialects.v20 import common as mav
@@ -47,6 +47,15 @@ class Scripted:
 
     def frame(self, message: Any) -> codec.Frame:
         return codec.split(message.pack(self.link)).frames[0]
+
+
+class Raw(NamedTuple):
+    """A frame as it stood on somebody else's wire."""
+
+    frame: bytes
+
+    def pack(self, _: mav.MAVLink) -> bytes:
+        return self.frame
 
 
 def examine(vehicle: Scripted, *keys: str, arm: bool = False) -> dict[str, Finding]:
@@ -110,6 +119,14 @@ def test_a_polite_refusal_of_what_is_optional_is_fine() -> None:
     assert findings["home-position"].outcome == "wrong"
     assert findings["available-modes"].outcome == "ok"
     assert findings["unknown-command"].outcome == "ok"
+
+
+def test_a_message_that_our_dialect_lacks_counts_by_its_id() -> None:
+    """A PX4 1.17 sends PROTOCOL_VERSION (300), and the acknowledgement after it; this frame is one of its own."""
+    own = bytes.fromhex("fd1600006501012c0100c8006400cb000000000000000000198e38627fa149886427")
+    vehicle = Scripted(sysid=1)
+    vehicle.answers["COMMAND_LONG"] = lambda asked: [Raw(own), vehicle.ack(asked.command)]
+    assert examine(vehicle, "protocol-version")["protocol-version"].outcome == "ok"
 
 
 def test_a_vehicle_that_obeys_commands_to_others_is_found_out() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import random
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -73,7 +74,9 @@ def test_a_pack_above_65_v_spreads_over_two_cells() -> None:
     assert status(voltages=[65534, 4466] + [65535] * 8, current_battery=100).power_w == pytest.approx(70.0)
 
 
-@pytest.mark.parametrize("unknown", [{"current_battery": -1}, {"voltages": CELLS}, {"voltages": [0] * 10}])
+@pytest.mark.parametrize(
+    "unknown", [{"current_battery": -1}, {"current_battery": -100}, {"voltages": CELLS}, {"voltages": [0] * 10}]
+)
 def test_power_is_unknown_without_current_or_voltage(unknown: dict[str, Any]) -> None:
     full = {"voltages": [16000, *CELLS[1:]], "current_battery": 1000}
     assert status(**full).power_w == pytest.approx(160.0)
@@ -269,3 +272,12 @@ def test_a_battery_that_is_swapped_at_the_base_gains_only_what_the_book_does_not
     estimator.take(share(0.0, 0.20), capacity_j=CAPACITY_J, armed=False)
     facts = estimator.take(share(30.0, 1.00), capacity_j=CAPACITY_J, booked_j=50_000.0, armed=False)
     assert [fact.gained_j for fact in facts] == [pytest.approx(30_000.0)]
+
+
+def test_a_px4_without_a_current_sensor_is_read_by_its_share() -> None:
+    """As a PX4 1.17 in its own simulator says it: minus one ampere all the while, and half of its charge gone."""
+    estimator = EnergyEstimator()
+    for second, percent in enumerate((100, 75, 50)):
+        content = status(voltages=[16200, *CELLS[1:]], current_battery=-100, battery_remaining=percent)
+        estimator.take(replace(content, time_s=float(second)), capacity_j=1000.0)
+    assert (str(estimator.source), estimator.drawn_j) == ("battery_remaining", pytest.approx(500.0))

@@ -261,7 +261,7 @@ def test_a_text_in_chunks_is_told_as_one(fleet: Fleet) -> None:
     words = "A sentence of more than fifty characters comes in two parts, or in three if it is longer than a hundred."
     for seq, part in enumerate((words[:50], words[50:100], words[100:])):
         seen(fleet, frame("STATUSTEXT", severity=4, text=part.encode(), id=7, chunk_seq=seq))
-    seen(fleet, frame("STATUSTEXT", severity=6, text=b"Short"))
+    seen(fleet, frame("STATUSTEXT", severity=6, text=b"Short\t"))
     assert fleet.take_statustexts() == [(3, 4, words), (3, 6, "Short")]
 
 

@@ -1,14 +1,15 @@
 """A vehicle's own clock seen from the session's: which moment was its `time_boot_ms`?
 
 A message that was `delay` on its way arrives at arrival = boot + offset + delay. The least of arrival - boot over the
-last half minute or minute is the offset with the shortest way; clocks drift, so older arrivals are forgotten.
+last two to four seconds is the offset with the shortest way. Older arrivals are forgotten: clocks drift, and that of a
+simulated autopilot, which stands still whenever its machine is busy, by a second in two minutes or all at once.
 """
 
 from __future__ import annotations
 
 import math
 
-WINDOW_S = 30.0
+WINDOW_S = 2.0
 REBOOT_S = 1.0
 """A boot time that falls by more than this is another boot; by less, a message that was overtaken."""
 

@@ -21,12 +21,12 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.energy import BatteryReport, EnergyEstimator, Fact
 from gcs.mavlink.battery import battery_status, sys_status
 from gcs.mavlink.codec import Frame, fields
+from gcs.mavlink.statustext import Texts
 from gcs.profiles import GENERIC, FlightMode, Profile, profile_of
 from gcs.views import ZERO, Snapshot, TrafficView, Vec3, VehicleView
 
 LANDED_M = 0.3
 """A vehicle that does not tell whether it has landed is in the air above this height."""
-TEXT_CHARACTERS = 50
 TRAFFIC_FORGOTTEN_S = 10.0
 """An aircraft that has been silent for so long could be anywhere: its range would fill the sky."""
 BATTERY_PARAMETERS = ("SIM_BAT_CAP_J", "SIM_BAT_INIT_J")
@@ -90,7 +90,7 @@ class _Track:
         self.initial_told = False
         self.parameters_told: set[str] = set()
         self.control_effort = 0.0
-        self.text_so_far = (0, "")
+        self.texts = Texts()
 
     @property
     def received_j(self) -> int:
@@ -181,9 +181,10 @@ class Fleet:
         """What added to this vehicle's own time gives the session's."""
         self._tracks[sysid].clock_offset_s = offset_s
 
-    def take_statustexts(self) -> list[tuple[int, int, str]]:
+    def take_statustexts(self, now_s: float) -> list[tuple[int, int, str]]:
         """(system id, severity, text) of each STATUSTEXT since the last call."""
-        taken, self.statustexts = self.statustexts, []
+        late = [(sysid, *told) for sysid, track in self._tracks.items() for told in track.texts.overdue(now_s)]
+        taken, self.statustexts = self.statustexts + late, []
         return sorted(taken, key=itemgetter(0))
 
     def take_acks(self) -> list[tuple[int, Any]]:
@@ -312,16 +313,7 @@ class Fleet:
             track.capacity_j = value
 
     def _statustext(self, track: _Track, content: Any, time_s: float) -> None:
-        """A text may come in chunks that share an id; a chunk that is not full is the last. PX4 ends with a tab."""
-        text = content.text
-        if content.id:
-            said_id, said = track.text_so_far
-            text = said + text if said_id == content.id else text
-            track.text_so_far = (content.id, text)
-            if len(content.text) == TEXT_CHARACTERS:
-                return
-            track.text_so_far = (0, "")
-        self.statustexts.append((track.member.sysid, content.severity, text.rstrip()))
+        self.statustexts += [(track.member.sysid, *told) for told in track.texts.hear(content, time_s)]
 
     def _ack(self, track: _Track, content: Any, time_s: float) -> None:
         self.acks.append((track.member.sysid, content))

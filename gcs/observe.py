@@ -296,7 +296,7 @@ class Observer:
             self._aims.pop(sysid, None)
 
     def _said(self, t_s: float) -> None:
-        for sysid, severity, text in self.fleet.take_statustexts():
+        for sysid, severity, text in self.fleet.take_statustexts(t_s):
             self._events.append(Event(t_s, sysid, level_of(severity), text, "text"))
         for sysid, ack in self.fleet.take_acks():
             self._acknowledged(t_s, sysid, ack)

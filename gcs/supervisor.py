@@ -220,7 +220,7 @@ class Supervisor:
             strangers = self._link.external
             self.externals.hear(delivered, strangers.offsets_s(), strangers.take_rebooted(), self.fleet, now_s)
         self.received += len(arrived)
-        for sysid, severity, text in self.fleet.take_statustexts():
+        for sysid, severity, text in self.fleet.take_statustexts(now_s):
             pilot = self.pilots.get(sysid)
             if self.externals.repeats(sysid, text, now_s) or (pilot and pilot.repeats(text)):
                 continue

@@ -49,7 +49,7 @@ HOUSE = {
         "drawing editor_schema doctor",
         "launch guard plugins energy",
         "mavlink.codec mavlink.identities",
-        "mavlink.sequence mavlink.commands mavlink.batch mavlink.boot_clock mavlink.battery",
+        "mavlink.sequence mavlink.commands mavlink.batch mavlink.boot_clock mavlink.battery mavlink.statustext",
         "mavlink.older mavlink.station",
         "mavlink.streams",
         "profiles",

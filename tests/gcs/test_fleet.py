@@ -236,10 +236,10 @@ def test_traffic_that_is_silent_for_long_is_forgotten(fleet: Fleet) -> None:
 def test_texts_and_acknowledgements_are_taken_once(fleet: Fleet) -> None:
     fleet.ingest(frame("STATUSTEXT", severity=4, text=b"Battery low"), 0.0)
     fleet.ingest(frame("COMMAND_ACK", command=400, result=2, target_system=255, target_component=190), 0.0)
-    assert fleet.take_statustexts() == [(3, 4, "Battery low")]
+    assert fleet.take_statustexts(0.0) == [(3, 4, "Battery low")]
     ((sysid, ack),) = fleet.take_acks()
     assert (sysid, ack.command, ack.result) == (3, 400, 2)
-    assert fleet.take_statustexts() == []
+    assert fleet.take_statustexts(0.0) == []
     assert fleet.take_acks() == []
 
 
@@ -262,7 +262,7 @@ def test_a_text_in_chunks_is_told_as_one(fleet: Fleet) -> None:
     for seq, part in enumerate((words[:50], words[50:100], words[100:])):
         seen(fleet, frame("STATUSTEXT", severity=4, text=part.encode(), id=7, chunk_seq=seq))
     seen(fleet, frame("STATUSTEXT", severity=6, text=b"Short\t"))
-    assert fleet.take_statustexts() == [(3, 4, words), (3, 6, "Short")]
+    assert fleet.take_statustexts(0.0) == [(3, 4, words), (3, 6, "Short")]
 
 
 # vehicles that the session has not launched

@@ -39,7 +39,9 @@ LATE_S, QUIET_S = 0.5, 1.0
 """Autopilots leave offboard so soon after the last set point (PX4's COM_OF_LOSS_T: 1 s, 0.5 s in older ones): a session
 that stood still for longer, or a link that was quiet for longer, may have been why."""
 BLAMED_S = 3.0
-"""How long after that a hold is our own doing: it may need a HEARTBEAT or two to be told."""
+"""How long after that a hold is our own doing: it may need a HEARTBEAT or two to be told. A return or a landing is left
+alone even then, for whoever looks on may have wanted it; a PX4 that did so by itself, as it does by its defaults, goes
+back to offboard by itself when set points flow again."""
 THEIRS = frozenset({FlightMode.MANUAL, FlightMode.RETURN, FlightMode.LAND})
 """Modes that are not on the way into offboard."""
 _FLOWN = frozenset({Stage.OFFBOARD, Stage.FLY, Stage.YIELDED})
@@ -64,7 +66,20 @@ class ExternalPilot(Pilot):
         """Whether set points should flow."""
         return (self.stage in _FLOWN or super().sends_set_points) and not self._silent
 
-    def decide(self, view: VehicleView, now_s: float, *, bound: bool = False) -> tuple[list[Wish], list[Message]]:
+    @property
+    def _blamed(self) -> bool:
+        """Whether set points may just have failed to reach it."""
+        return self._now_s - self._starved_s <= BLAMED_S
+
+    def yields(self, mode: str) -> str:
+        """As `Pilot.yields`; what may be the autopilot's answer to our own silence is not put down to anyone."""
+        if not self._blamed:
+            return super().yields(mode)
+        return f"Changed to {mode}, for set points were late or somebody wants it: it takes part again once in offboard"
+
+    def decide(
+        self, view: VehicleView, now_s: float, *, bound: bool = False, late_s: float = 0.0
+    ) -> tuple[list[Wish], list[Message]]:
         """As `Pilot.decide`; a silent vehicle is asked for nothing."""
         if self.stage is Stage.BASE:
             self._begun_s = now_s  # what it is given to be armed in begins anew when it leaves
@@ -72,7 +87,7 @@ class ExternalPilot(Pilot):
             self._begun_s = min(self._begun_s, now_s)
         elif self._begun_s == math.inf or self._took_off:  # at first, and when it is brought back
             self._begun_s, self._took_off = now_s, False
-        if now_s - self._decided_s > LATE_S or view.age_s > QUIET_S or not view.alive:
+        if max(now_s - self._decided_s, late_s) > LATE_S or view.age_s > QUIET_S or not view.alive:
             self._starved_s = now_s
         self._now_s = self._decided_s = now_s
         self._silent = not view.alive
@@ -115,8 +130,7 @@ class ExternalPilot(Pilot):
             return Stage.FLY
         if stage is Stage.OFFBOARD:
             return Stage.YIELDED if view.mode in THEIRS and not self._rejoins else Stage.OFFBOARD
-        starved = self._now_s - self._starved_s <= BLAMED_S
-        return Stage.OFFBOARD if starved and stage is Stage.FLY and view.mode is FlightMode.HOLD else Stage.YIELDED
+        return Stage.OFFBOARD if self._blamed and stage is Stage.FLY and view.mode is FlightMode.HOLD else Stage.YIELDED
 
     def _before_flight(self, view: VehicleView) -> Stage:
         if view.p_ned is None or view.heard_s < 0.0:

@@ -102,6 +102,10 @@ class Pilot:
         """Whether it flies no more, for good."""
         return self.stage is Stage.DOWN
 
+    def yields(self, mode: str) -> str:
+        """Why it is `yielded`, as a sentence for a person."""
+        return f"Somebody else flies it ({mode}): it takes part again when it is put into offboard"
+
     def take(self, mode: End) -> None:
         """An operator wants it to hold, return or land, and to be left alone then."""
         self.ordered, self._told = mode, False
@@ -111,10 +115,12 @@ class Pilot:
         self.ordered, self._rejoins = None, True
         self.stage, self._asked_s = Stage.IDENTIFY, -RETRY_S
 
-    def decide(self, view: VehicleView, now_s: float, *, bound: bool = False) -> tuple[list[Wish], list[Message]]:
+    def decide(
+        self, view: VehicleView, now_s: float, *, bound: bool = False, late_s: float = 0.0
+    ) -> tuple[list[Wish], list[Message]]:
         """Commands and requests for now, given what is known of the vehicle; moves the stage on.
 
-        While it is `bound`, to end a transfer in order, an operator's order waits.
+        While it is `bound`, to end a transfer in order, an operator's order waits. `late_s`: how late this tick comes.
         """
         self._move_on(view, now_s, bound)
         if self.stage is Stage.TAKEN:

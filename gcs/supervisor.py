@@ -255,12 +255,13 @@ class Supervisor:
             self.fleet.book(sysid, joules)
 
     def _fly(self, snapshot: Snapshot, now_s: float) -> None:
+        late_s = (self._periods - 1) * self.scenario.clock.period_s
         for view in snapshot.vehicles:
             if self.time_ms < self._join_ms[view.sysid]:
                 continue
             pilot = self.pilots[view.sysid]
             before = pilot.stage
-            wishes, requests = pilot.decide(view, now_s, bound=self.schedule.bound(view.sysid))
+            wishes, requests = pilot.decide(view, now_s, bound=self.schedule.bound(view.sysid), late_s=late_s)
             if (pilot.stage is Stage.TAKEN) != (before is Stage.TAKEN) or any(wish.is_order for wish in wishes):
                 self.outbox.withdraw(view.sysid)
             if pilot.stage is Stage.DOWN and before is not Stage.DOWN and view.alive:
@@ -268,8 +269,9 @@ class Supervisor:
                 kind: Kind = "session" if pilot.left_out else "decision"
                 self.events.append(Event(now_s, view.sysid, "warning", why, kind))
             elif pilot.stage is Stage.YIELDED and before is not Stage.YIELDED:
-                why = f"Somebody else flies it ({view.mode}): it takes part again when it is put into offboard"
-                self.events.append(Event(now_s, view.sysid, "warning", why))
+                self.events.append(Event(now_s, view.sysid, "warning", pilot.yields(view.mode)))
+            elif pilot.stage is Stage.FLY and before is Stage.YIELDED:
+                self.events.append(Event(now_s, view.sysid, "info", "Takes part again"))
             self.outbox.put(view.sysid, requests)
             self.outbox.ask_once(wishes, now_s)
 

@@ -196,6 +196,29 @@ def test_after_a_hold_because_the_link_was_quiet_offboard_is_asked_for_again() -
     assert steered(made, 11.0, 12.5, HELD) == [SET_MODE]
 
 
+def test_a_hold_that_a_late_tick_reads_at_once_is_our_doing_too() -> None:
+    """What came while the session stood still is heard at its next tick, whose time is that of the one before."""
+    made = flying()
+    steered(made, 3.1, 10.0)
+    made.decide(HELD, 10.0, late_s=2.0)
+    assert made.stage is Stage.OFFBOARD
+    assert steered(made, 12.0, 12.9, HELD) == [SET_MODE]
+
+
+@pytest.mark.parametrize("late_s", [0.0, 2.0])
+def test_a_return_is_left_alone_and_put_down_to_somebody_only_if_set_points_reached_it(late_s: float) -> None:
+    """A PX4 by its defaults returns without set points, and is in offboard again when they flow."""
+    made = flying()
+    steered(made, 3.1, 10.0)
+    returns = FLYING._replace(mode=FlightMode.RETURN)
+    made.decide(returns, 10.0, late_s=late_s)
+    assert ("Somebody else" in made.yields("return")) is (late_s == 0.0)
+    assert steered(made, 12.0, 14.0, returns) == []
+    assert (made.stage, made.sends_set_points) == (Stage.YIELDED, True)
+    made.decide(FLYING, 14.0)
+    assert made.stage is Stage.FLY
+
+
 def test_a_hold_long_after_the_session_stood_still_is_not_put_down_to_that() -> None:
     made = flying()
     steered(made, 3.1, 10.0)

@@ -10,7 +10,7 @@ from gcs.check.asking import MAVPROXY, MAVSDK, QGC, judged, to_vehicle
 from gcs.check.dialogue import Heard, Question, Vehicle, Verdict
 from gcs.check.judges import OK, steady, streamed
 from gcs.mavlink.codec import Message
-from gcs.profiles import ARDUCOPTER, GENERIC
+from gcs.profiles import ARDUCOPTER, GENERIC, PX4
 
 LISTEN_S = 4.0
 MAVSDK_LOSES_S = 3.0
@@ -60,6 +60,15 @@ def _stream(name: str, hz: float, misses: dict[str, str]) -> Question:
     key = f"stream-{name.lower().replace('_', '-')}"
     what = f"{name} at {hz:g} Hz"
     return Question(key, what, misses, lambda *_: None, at_end=streamed(name, hz), repeat_s=0.0, tries=1)
+
+
+def _fence(vehicle: Vehicle, heard: Sequence[Heard]) -> Verdict:
+    """A PX4 has a fence, and no word of it in SYS_STATUS: MAVProxy says 'fence breach' of each, once."""
+    status = vehicle.of("SYS_STATUS")
+    told = status.onboard_control_sensors_present | status.onboard_control_sensors_enabled
+    if vehicle.profile is PX4 and not told & mav.MAV_SYS_STATUS_GEOFENCE:
+        return Verdict("late", "nothing is told of it, as by PX4 up to 1.17")
+    return _health(mav.MAV_SYS_STATUS_GEOFENCE, "GEOFENCE")(vehicle, heard)
 
 
 def _health(bits: int, names: str) -> Callable[[Vehicle, Sequence[Heard]], Verdict]:
@@ -141,7 +150,7 @@ PRESENCE = [
         "health-geofence",
         "SYS_STATUS health of the geofence",
         {MAVPROXY: "prints 'fence breach'"},
-        _health(mav.MAV_SYS_STATUS_GEOFENCE, "GEOFENCE"),
+        _fence,
         when=_without_status,
     ),
 ]

@@ -49,15 +49,6 @@ class Scripted:
         return codec.split(message.pack(self.link)).frames[0]
 
 
-class Raw(NamedTuple):
-    """A frame as it stood on somebody else's wire."""
-
-    frame: bytes
-
-    def pack(self, _: mav.MAVLink) -> bytes:
-        return self.frame
-
-
 def examine(vehicle: Scripted, *keys: str, arm: bool = False) -> dict[str, Finding]:
     """The findings of some questions, by key, with the vehicle answering 10 ms after it was asked."""
     asked = [q for q in questions(arm=arm) if q.key in ("heartbeat", *keys)]
@@ -121,14 +112,6 @@ def test_a_polite_refusal_of_what_is_optional_is_fine() -> None:
     assert findings["unknown-command"].outcome == "ok"
 
 
-def test_a_message_that_our_dialect_lacks_counts_by_its_id() -> None:
-    """A PX4 1.17 sends PROTOCOL_VERSION (300), and the acknowledgement after it; this frame is one of its own."""
-    own = bytes.fromhex("fd1600006501012c0100c8006400cb000000000000000000198e38627fa149886427")
-    vehicle = Scripted(sysid=1)
-    vehicle.answers["COMMAND_LONG"] = lambda asked: [Raw(own), vehicle.ack(asked.command)]
-    assert examine(vehicle, "protocol-version")["protocol-version"].outcome == "ok"
-
-
 def test_a_vehicle_that_obeys_commands_to_others_is_found_out() -> None:
     vehicle = Scripted()
     vehicle.answers["COMMAND_LONG"] = lambda asked: [vehicle.ack(asked.command)]
@@ -154,6 +137,33 @@ def test_streams_are_counted_over_the_time_that_was_listened() -> None:
     assert outcomes["stream-attitude"] == "ok"
     assert outcomes["stream-local-position-ned"] == "late"
     assert outcomes["stream-gps-raw-int"] == "missing"
+
+
+class Raw(NamedTuple):
+    """A frame as it stood on somebody else's wire."""
+
+    frame: bytes
+
+    def pack(self, _: mav.MAVLink) -> bytes:
+        return self.frame
+
+
+def test_a_message_that_our_dialect_lacks_counts_by_its_id() -> None:
+    """A PX4 1.17 sends PROTOCOL_VERSION (300), and the acknowledgement after it; this frame is one of its own."""
+    own = bytes.fromhex("fd1600006501012c0100c8006400cb000000000000000000198e38627fa149886427")
+    vehicle = Scripted(sysid=1)
+    vehicle.answers["COMMAND_LONG"] = lambda asked: [Raw(own), vehicle.ack(asked.command)]
+    assert examine(vehicle, "protocol-version")["protocol-version"].outcome == "ok"
+
+
+@pytest.mark.parametrize(("bits", "outcome"), [(0, "late"), (mav.MAV_SYS_STATUS_GEOFENCE, "wrong")])
+def test_a_px4_that_says_nothing_of_its_fence_passes_and_one_whose_fence_is_broken_does_not(
+    bits: int, outcome: str
+) -> None:
+    vehicle = Scripted()
+    status = mav.MAVLink_sys_status_message(bits, bits, 0, 500, 16000, -100, 80, 0, 0, 0, 0, 0, 0)
+    vehicle.streams.append((1.0, lambda _: status))
+    assert examine(vehicle, "health-geofence")["health-geofence"].outcome == outcome
 
 
 def test_ardupilot_is_asked_for_its_streams_and_px4_is_not() -> None:

@@ -6,6 +6,13 @@ from typing import NamedTuple
 _FORM = re.compile(r"(udpin|udpout|tcp):(\[[0-9A-Fa-f:.]+\]|[^:\s\[\]]+):([0-9]{1,5})")
 
 
+ONLY_ONCE = (
+    "; a PX4 answers nobody at the port where it listens but who spoke there first since its start: hear it by udpin "
+    "where it speaks to, such as udpin:127.0.0.1:14540"
+)
+"""What to say beside it where nobody answers at a `udpout`."""
+
+
 class Address(NamedTuple):
     """Where to listen (`udpin`), or whom to go to. The host of IPv6 stands here without its brackets."""
 

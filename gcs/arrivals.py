@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Mapping
 
+from gcs.addresses import ONLY_ONCE
 from gcs.scenario_external import External
 
 HELLO_WITHIN_S = 60.0
@@ -38,9 +39,11 @@ class Arrivals:
         strangers = [sysid for sysid in late if sysid in self._external]
         if strangers:
             names = ", ".join(f"{self._labels[sysid]} at {self._external[sysid].connect}" for sysid in strangers)
+            spoken_to = any(self._external[sysid].connect.startswith("udpout") for sysid in strangers)
             return (
                 f"no HEARTBEAT of {names} within {self._patience_s(strangers[0]):g} s: is it switched on, has it that "
                 "system id, and does it speak MAVLink 2 to that address? (found_within_s gives it longer)"
+                + (ONLY_ONCE if spoken_to else "")
             )
         if late:
             names = ", ".join(self._labels[sysid] for sysid in late)

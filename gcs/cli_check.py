@@ -8,7 +8,7 @@ import json
 
 import click
 
-from gcs.addresses import Address, address
+from gcs.addresses import ONLY_ONCE, Address, address
 from gcs.exit_status import BAD_INPUT, NOT_DONE
 
 PEER_NAMES = {"mavsdk": "MAVSDK", "qgroundcontrol": "QGroundControl", "mavproxy": "MAVProxy"}
@@ -55,7 +55,7 @@ def check(connect: Address, sysid: int | None, peers: tuple[str, ...], arm: bool
     \b
     Examples:
       gcs check
-      gcs check --connect udpout:127.0.0.1:14540 --arm
+      gcs check --connect udpin:127.0.0.1:14540 --arm
       gcs check --peer qgroundcontrol --json > check.json
 
     \b
@@ -101,7 +101,8 @@ def check(connect: Address, sysid: int | None, peers: tuple[str, ...], arm: bool
         click.echo(f"waiting for a HEARTBEAT at {connect.text} ...", err=True)
         run(dialogue, wire, told, find_within_s=within)
     except CheckError as error:
-        click.echo(f"gcs: {error} at {connect.text}; is the vehicle running, and is that its address?", err=True)
+        hint = ONLY_ONCE if connect.way == "udpout" else ""
+        click.echo(f"gcs: {error} at {connect.text}; is the vehicle running, and is that its address?{hint}", err=True)
         return BAD_INPUT
     finally:
         wire.close()

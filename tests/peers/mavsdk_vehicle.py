@@ -4,8 +4,9 @@ MAVSDK 4.1.0 answers parameters, missions, arming, take-off, modes, intervals an
 message. It leaves most other commands without a word; the vehicle acknowledges those. Set points reach it by
 MavlinkDirectServer. Two things cannot be said through the plugins and are set right in the frames on their way out: the
 identity in HEARTBEAT, which is GENERIC of no type, and HOME_POSITION's altitude, which is always 0. Holding by
-DO_SET_MODE is refused by the plugin whatever it is allowed. Moves as a double integrator, on the wall clock; ends with
-its stdin.
+DO_SET_MODE is refused by the plugin whatever it is allowed. As a real PX4 1.17 it returns a second after the last set
+point, and is in offboard again by itself once they flow. Moves as a double integrator, on the wall clock; ends with its
+stdin.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ from motion import STEP_S, ZERO, Body, Place, Vec3
 from pymavlink.dialects.v20 import common as mav
 
 FAST_HZ, SLOW_HZ = 20.0, 2.0
-SET_POINTS_LAST_S = 0.5
+SET_POINTS_LAST_S = 1.0
 ACCELERATION_M_S2 = 3.0
 HOVER_W, IDLE_W, FULL_V, EMPTY_V = 350.0, 6.0, 16.8, 14.0
 THERE_M = 0.15
@@ -101,6 +102,8 @@ class Vehicle:
         self.wire = Wire(mavsdk, options.connect, self.place.to_global(self.home)[2])
         self.now_s = self.used_j = 0.0
         self.mode, self.armed, self.flying, self.fresh = FlightMode.HOLD, False, False, False
+        self.starved = False
+        """whether it returns for want of set points"""
         self.target_p: Vec3 | None = None
         self.target_v, self.target_yaw, self.target_s = ZERO, 0.0, -math.inf
         self.events: queue.SimpleQueue[tuple[Callable[..., None], tuple[Any, ...]]] = queue.SimpleQueue()
@@ -167,7 +170,7 @@ class Vehicle:
             self.enter(FlightMode(mode))
 
     def enter(self, mode: FlightMode) -> None:
-        self.mode = mode
+        self.mode, self.starved = mode, False
         self.action.set_flight_mode_internal(mode)
         if mode is FlightMode.HOLD:
             self.target_p, self.target_v = None, ZERO
@@ -289,7 +292,10 @@ class Vehicle:
 
     def _fly(self) -> None:
         if self.mode is FlightMode.OFFBOARD and not self.fresh:
-            self.enter(FlightMode.HOLD)
+            self.enter(FlightMode.RETURN_TO_LAUNCH)
+            self.starved = True
+        elif self.starved and self.fresh:
+            self.enter(FlightMode.OFFBOARD)
         returned = self.mode is FlightMode.RETURN_TO_LAUNCH and self._there()
         if returned or (self.remaining <= 0.0 and self.mode is not FlightMode.LAND):
             self.enter(FlightMode.LAND)

@@ -40,7 +40,10 @@ def flown(peers: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Out
     external = {"connect": f"udpin:127.0.0.1:{port}", "capacity_j": CAPACITY_J}
     path = [[0, 0, -HEIGHT_M], [10, 0, -HEIGHT_M]]
     vehicles: dict[str, Any] = {
-        "pursuers": [{"external": {"sysid": PX4, **external}}, {"external": {"sysid": COPTER, **external}}],
+        "pursuers": [
+            {"external": {"sysid": PX4, "at_end": "land", **external}},
+            {"external": {"sysid": COPTER, **external}},
+        ],
         "targets": [{"external": {"sysid": TARGET, **external}, "path_m": path, "speed_m_s": 0.5}],
     }
     scenario = {
@@ -100,7 +103,9 @@ def test_refusals_of_both_kinds_were_shown_and_overcome(flown: Outcome) -> None:
     said = (flown.folder / "session.log").read_text(encoding="utf-8")
     assert "Arm: Need Position Estimate" in said
     assert "Preflight Fail: ekf2 missing data" in said
-    assert {flown.vehicle(sysid)["final_mode"] for sysid in OWN_ORIGIN_M} == {"hold"}
+    assert {sysid: flown.vehicle(sysid)["final_mode"] for sysid in OWN_ORIGIN_M} == {
+        PX4: "land", COPTER: "hold", TARGET: "hold",
+    }  # fmt: skip
 
 
 PAD_M = (3.0, 2.0, -0.5)

@@ -11,7 +11,7 @@ from pymavlink.dialects.v20 import common as mav
 from station import ACCEPTED, POSITION, VELOCITY, Station
 
 PROGRAM = Path(__file__).with_name("mavsdk_vehicle.py")
-OFFBOARD, LAND = 6 << 16, 4 << 16 | 6 << 24
+OFFBOARD, RETURN, LAND = 6 << 16, 4 << 16 | 5 << 24, 4 << 16 | 6 << 24
 CUSTOM = 1.0
 pytestmark = pytest.mark.timeout(60)
 
@@ -58,7 +58,9 @@ def fly(station: Station) -> None:
     station.aim(VELOCITY, (0.0, 1.0, 0.0))
     station.hear("LOCAL_POSITION_NED", lambda m: abs(m.vy - 1.0) < 0.1)
     station.set_point = None
-    station.hear("LOCAL_POSITION_NED", lambda m: abs(m.vy) < 0.1)
+    station.hear("HEARTBEAT", lambda m: m.custom_mode == RETURN)
+    station.aim(POSITION, (2.0, 1.0, -1.5))
+    station.hear("HEARTBEAT", lambda m: m.custom_mode == OFFBOARD)
     station.command(mav.MAV_CMD_NAV_LAND)
     station.hear("HEARTBEAT", lambda m: m.custom_mode == LAND)
     station.hear("HEARTBEAT", lambda m: not m.base_mode & mav.MAV_MODE_FLAG_SAFETY_ARMED)

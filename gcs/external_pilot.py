@@ -66,17 +66,6 @@ class ExternalPilot(Pilot):
         """Whether set points should flow."""
         return (self.stage in _FLOWN or super().sends_set_points) and not self._silent
 
-    @property
-    def _blamed(self) -> bool:
-        """Whether set points may just have failed to reach it."""
-        return self._now_s - self._starved_s <= BLAMED_S
-
-    def yields(self, mode: str) -> str:
-        """As `Pilot.yields`; what may be the autopilot's answer to our own silence is not put down to anyone."""
-        if not self._blamed:
-            return super().yields(mode)
-        return f"Changed to {mode}, for set points were late or somebody wants it: it takes part again once in offboard"
-
     def decide(
         self, view: VehicleView, now_s: float, *, bound: bool = False, late_s: float = 0.0
     ) -> tuple[list[Wish], list[Message]]:
@@ -130,7 +119,8 @@ class ExternalPilot(Pilot):
             return Stage.FLY
         if stage is Stage.OFFBOARD:
             return Stage.YIELDED if view.mode in THEIRS and not self._rejoins else Stage.OFFBOARD
-        return Stage.OFFBOARD if self._blamed and stage is Stage.FLY and view.mode is FlightMode.HOLD else Stage.YIELDED
+        starved = self._now_s - self._starved_s <= BLAMED_S
+        return Stage.OFFBOARD if starved and stage is Stage.FLY and view.mode is FlightMode.HOLD else Stage.YIELDED
 
     def _before_flight(self, view: VehicleView) -> Stage:
         if view.p_ned is None or view.heard_s < 0.0:

@@ -29,6 +29,7 @@ LANDED_M = 0.3
 """A vehicle that does not tell whether it has landed is in the air above this height."""
 TRAFFIC_FORGOTTEN_S = 10.0
 """An aircraft that has been silent for so long could be anywhere: its range would fill the sky."""
+_FAILSAFE = frozenset({mav.MAV_STATE_CRITICAL, mav.MAV_STATE_EMERGENCY})
 BATTERY_PARAMETERS = ("SIM_BAT_CAP_J", "SIM_BAT_INIT_J")
 
 
@@ -69,6 +70,7 @@ class _Track:
         self.home_down_m: float | None = None
         self.mode = FlightMode.OTHER
         self.custom_mode = 0
+        self.system_status = 0
         self.armed = False
         self.landed = True
         self.heard_s = -math.inf
@@ -139,6 +141,7 @@ class _Track:
             energy_source=str(self.energy.source),
             control_effort=self.control_effort,
             custom_mode=self.custom_mode,
+            failsafe=self.armed and self.system_status in _FAILSAFE,
         )
 
 
@@ -216,7 +219,7 @@ class Fleet:
     def _heartbeat(self, track: _Track, content: Any, time_s: float) -> None:
         track.profile = track.member.profile or profile_of(content.autopilot)
         track.mode = track.profile.mode(content.custom_mode)
-        track.custom_mode = content.custom_mode
+        track.custom_mode, track.system_status = content.custom_mode, content.system_status
         track.armed = bool(content.base_mode & mav.MAV_MODE_FLAG_SAFETY_ARMED)
         track.heard_s = time_s
 

@@ -102,10 +102,6 @@ class Pilot:
         """Whether it flies no more, for good."""
         return self.stage is Stage.DOWN
 
-    def yields(self, mode: str) -> str:
-        """Why it is `yielded`, as a sentence for a person."""
-        return f"Somebody else flies it ({mode}): it takes part again when it is put into offboard"
-
     def take(self, mode: End) -> None:
         """An operator wants it to hold, return or land, and to be left alone then."""
         self.ordered, self._told = mode, False

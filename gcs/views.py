@@ -49,6 +49,8 @@ class VehicleView(NamedTuple):
     """the ground under its home, or else under its origin, in the common frame; None while that is unknown"""
     custom_mode: int = 0
     """HEARTBEAT's, for those who name it to a person"""
+    failsafe: bool = False
+    """whether its autopilot says that it flies by a failsafe of its own"""
 
     @property
     def height_m(self) -> float | None:

@@ -206,13 +206,12 @@ def test_a_hold_that_a_late_tick_reads_at_once_is_our_doing_too() -> None:
 
 
 @pytest.mark.parametrize("late_s", [0.0, 2.0])
-def test_a_return_is_left_alone_and_put_down_to_somebody_only_if_set_points_reached_it(late_s: float) -> None:
+def test_a_return_is_left_alone_also_where_set_points_may_have_failed_to_reach_it(late_s: float) -> None:
     """A PX4 by its defaults returns without set points, and is in offboard again when they flow."""
     made = flying()
     steered(made, 3.1, 10.0)
     returns = FLYING._replace(mode=FlightMode.RETURN)
     made.decide(returns, 10.0, late_s=late_s)
-    assert ("Somebody else" in made.yields("return")) is (late_s == 0.0)
     assert steered(made, 12.0, 14.0, returns) == []
     assert (made.stage, made.sends_set_points) == (Stage.YIELDED, True)
     made.decide(FLYING, 14.0)

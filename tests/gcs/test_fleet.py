@@ -77,6 +77,15 @@ def test_a_heartbeat_tells_autopilot_mode_and_arming(fleet: Fleet) -> None:
     assert (view.profile.name, view.mode, view.armed) == ("ardupilot", FlightMode.LAND, False)
 
 
+@pytest.mark.parametrize(
+    ("status", "base_mode", "failsafe"),
+    [(mav.MAV_STATE_ACTIVE, 0x81, False), (mav.MAV_STATE_CRITICAL, 0x81, True), (mav.MAV_STATE_CRITICAL, 0x01, False)],
+)
+def test_a_heartbeat_tells_whether_a_failsafe_flies(fleet: Fleet, status: int, base_mode: int, failsafe: bool) -> None:
+    """As a PX4 1.17 said it when its set points ceased, and when its battery was low."""
+    assert seen(fleet, heartbeat(base_mode=base_mode, system_status=status)).failsafe is failsafe
+
+
 def test_nothing_is_known_of_a_place_before_the_origin(fleet: Fleet) -> None:
     assert seen(fleet).p_ned is None
     assert seen(fleet, position()).p_ned is None

@@ -2,8 +2,8 @@
 
 MAVSDK 4.1.0 answers parameters, missions, arming, take-off, modes, intervals and versions by itself, and builds every
 message. It leaves most other commands without a word; the vehicle acknowledges those. Set points reach it by
-MavlinkDirectServer. Two things cannot be said through the plugins and are set right in the frames on their way out: the
-identity in HEARTBEAT, which is GENERIC of no type, and HOME_POSITION's altitude, which is always 0. Holding by
+MavlinkDirectServer. What cannot be said through the plugins is set right in the frames on their way out: in HEARTBEAT
+the identity, which is GENERIC of no type, and a failsafe; in HOME_POSITION the altitude, which is always 0. Holding by
 DO_SET_MODE is refused by the plugin whatever it is allowed. As a real PX4 1.17 it returns a second after the last set
 point, and is in offboard again by itself once they flow. Moves as a double integrator, on the wall clock; ends with its
 stdin.
@@ -62,6 +62,7 @@ class Wire:
         self._peer = (host, int(port))
         self._mavsdk = mavsdk
         self._home_mm = round(1000.0 * home_amsl_m)
+        self.failsafe = False
         self._reader = mav.MAVLink(None)
         mavsdk.add_any_connection("raw://")
         mavsdk.subscribe_raw_bytes_to_be_sent(self._send)
@@ -84,6 +85,8 @@ class Wire:
         if msgid == mav.MAVLINK_MSG_ID_HEARTBEAT:
             message.type, message.autopilot = mav.MAV_TYPE_QUADROTOR, mav.MAV_AUTOPILOT_PX4
             message.base_mode |= mav.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
+            if self.failsafe:
+                message.system_status = mav.MAV_STATE_CRITICAL
         else:
             message.altitude = self._home_mm
         writer = mav.MAVLink(None, message.get_srcSystem(), message.get_srcComponent())
@@ -102,8 +105,6 @@ class Vehicle:
         self.wire = Wire(mavsdk, options.connect, self.place.to_global(self.home)[2])
         self.now_s = self.used_j = 0.0
         self.mode, self.armed, self.flying, self.fresh = FlightMode.HOLD, False, False, False
-        self.starved = False
-        """whether it returns for want of set points"""
         self.target_p: Vec3 | None = None
         self.target_v, self.target_yaw, self.target_s = ZERO, 0.0, -math.inf
         self.events: queue.SimpleQueue[tuple[Callable[..., None], tuple[Any, ...]]] = queue.SimpleQueue()
@@ -170,7 +171,7 @@ class Vehicle:
             self.enter(FlightMode(mode))
 
     def enter(self, mode: FlightMode) -> None:
-        self.mode, self.starved = mode, False
+        self.mode, self.wire.failsafe = mode, False
         self.action.set_flight_mode_internal(mode)
         if mode is FlightMode.HOLD:
             self.target_p, self.target_v = None, ZERO
@@ -293,8 +294,8 @@ class Vehicle:
     def _fly(self) -> None:
         if self.mode is FlightMode.OFFBOARD and not self.fresh:
             self.enter(FlightMode.RETURN_TO_LAUNCH)
-            self.starved = True
-        elif self.starved and self.fresh:
+            self.wire.failsafe = True
+        elif self.wire.failsafe and self.fresh:
             self.enter(FlightMode.OFFBOARD)
         returned = self.mode is FlightMode.RETURN_TO_LAUNCH and self._there()
         if returned or (self.remaining <= 0.0 and self.mode is not FlightMode.LAND):

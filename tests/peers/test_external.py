@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import math
+import os
+import signal
+import time
 from collections.abc import Iterator
 from itertools import pairwise
 from pathlib import Path
@@ -19,6 +22,8 @@ PX4, COPTER, TARGET = 5, 6, 8
 RING_M, HEIGHT_M = 2.0, 2.5
 CAPACITY_J = 250_000.0
 REFUSE_S = "8"
+AWAY_S = 2.4
+"""The PX4 leaves offboard after a second of it, and tells so in the next."""
 pytestmark = pytest.mark.timeout(60)
 
 
@@ -64,6 +69,11 @@ def flown(peers: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Out
     try:
         running.wait_for(lambda seen: any("Waiting for" in event["text"] for event in seen["events"]))
         with strangers(folder, px4, copter, target):  # now, so that they are asked to arm while they still refuse
+            running.wait_for(lambda seen: all(v["stage"] == "fly" for v in seen["vehicles"]))
+            supervisor = running.named("gcs.supervise").pid
+            os.kill(supervisor, signal.SIGSTOP)
+            time.sleep(AWAY_S)  # this is how long no set points flow
+            os.kill(supervisor, signal.SIGCONT)
             yield running.finish()
     finally:
         running.stop()
@@ -106,6 +116,12 @@ def test_refusals_of_both_kinds_were_shown_and_overcome(flown: Outcome) -> None:
     assert {sysid: flown.vehicle(sysid)["final_mode"] for sysid in OWN_ORIGIN_M} == {
         PX4: "land", COPTER: "hold", TARGET: "hold",
     }  # fmt: skip
+
+
+def test_a_px4_that_returns_for_want_of_set_points_takes_part_again_when_they_flow(flown: Outcome) -> None:
+    said = (flown.folder / "session.log").read_text(encoding="utf-8")
+    assert "Its failsafe flies it (return): it takes part again when it is put into offboard" in said
+    assert "Takes part again" in said
 
 
 PAD_M = (3.0, 2.0, -0.5)

@@ -32,7 +32,9 @@ SET_POINTS_FIRST_S = 1.0
 PARAMETER_TRIES = 3
 """A stranger may not know our battery's parameters, and need not say so."""
 NEAR_SHARE = 0.2
-"""Of the height of a take-off that may be missing at its end: autopilots are content with less than we are."""
+"""Of the height of a take-off that may be missing at its end: autopilots are content with less than we are. One that
+says by its mode that its take-off is over need not have come so far: a PX4 is content with 0.8 m less than it was told,
+and moves its home's altitude, from which the height is told, while it flies."""
 ON_THE_WAY = frozenset({FlightMode.TAKEOFF, FlightMode.HOLD})
 """Modes from which offboard is asked for, of one that flies already when it is met."""
 LATE_S, QUIET_S = 0.5, 1.0
@@ -57,7 +59,7 @@ class ExternalPilot(Pilot):
         self._now_s = 0.0
         self._begun_s = math.inf
         self._silent = False
-        self._took_off = False
+        self._took_off = self._climbs = False
         self._reads = 0
         self._decided_s = self._starved_s = -math.inf
 
@@ -127,6 +129,7 @@ class ExternalPilot(Pilot):
             return Stage.IDENTIFY
         if self.stage is Stage.IDENTIFY:
             return self._when_flying(view) if view.flying else Stage.ARM
+        climbed, self._climbs = self._climbs, view.armed and view.mode is FlightMode.TAKEOFF
         if not view.armed:
             return Stage.ARM
         self._took_off = True
@@ -135,7 +138,8 @@ class ExternalPilot(Pilot):
         if view.mode in THEIRS:
             return Stage.YIELDED
         assert view.height_m is not None
-        return Stage.OFFBOARD if view.height_m >= self._takeoff_m * (1.0 - NEAR_SHARE) else Stage.TAKEOFF
+        over = climbed and view.mode is FlightMode.HOLD
+        return Stage.OFFBOARD if over or view.height_m >= self._takeoff_m * (1.0 - NEAR_SHARE) else Stage.TAKEOFF
 
     def _when_flying(self, view: VehicleView) -> Stage:
         """It is in the air already when it is met."""

@@ -151,6 +151,17 @@ def test_one_that_is_taken_while_it_climbs_is_let_go() -> None:
     assert made.stage is Stage.YIELDED
 
 
+def test_a_take_off_is_over_when_the_autopilot_holds_after_it_however_high_it_says_it_is() -> None:
+    """A PX4 1.17 moved its home up by a metre while it climbed from it, and ended its take-off at 1.4 m of 2.5 m."""
+    made = pilot()
+    low = UP._replace(p_ned=(10.0, 0.0, -3.4))
+    for k, seen in enumerate((view(), ARMED, low, low._replace(mode=FlightMode.TAKEOFF))):
+        made.decide(seen, float(k))
+        assert made.stage is not Stage.OFFBOARD
+    made.decide(low, 4.0)
+    assert made.stage is Stage.OFFBOARD
+
+
 HELD = FLYING._replace(mode=FlightMode.HOLD)
 
 

@@ -24,6 +24,7 @@ BUILD = os.environ.get("SKYTENDER_PX4", "")
 LAT, LON, ALT = 47.397742, 8.545594, 489.4
 LAST_M = (8.0, 0.0, -4.0)
 CAPACITY_J = 250_000.0
+STATION = 255
 NOISE_M = 2.0
 """How far off its simulated GPS has it fly, at most: it wandered by 0.9 m in a hold of 20 s."""
 pytestmark = [
@@ -107,7 +108,7 @@ def test_its_energy_is_the_share_that_it_tells_for_its_simulator_measures_no_cur
 
 
 def test_it_lands_when_the_session_ends(flown: Outcome) -> None:
-    orders = [m.command for _, m in flown.messages("COMMAND_LONG")]
+    orders = [m.command for _, m in flown.messages("COMMAND_LONG") if m.get_srcSystem() == STATION]
     assert orders[-1] == mav.MAV_CMD_NAV_LAND
 
 

@@ -61,7 +61,7 @@ def check(connect: Address, sysid: int | None, peers: tuple[str, ...], arm: bool
     \b
     Outcomes:
       ok       it came
-      late     it came slowly, or only when it was asked again; peers that are patient get it
+      late     it came slowly, only when it was asked again, or not where peers know to go on; the patient lack nothing
       missing  it never came
       wrong    it came, but not as the peer needs it
       skipped  the question does not apply to this vehicle

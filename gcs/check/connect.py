@@ -12,7 +12,7 @@ from gcs.check.dialogue import Question, Vehicle
 from gcs.check.judges import OK, acknowledged, answered, refuses, silent
 from gcs.mavlink.codec import Message, layout, message
 from gcs.mavlink.identities import STATION
-from gcs.profiles import PX4
+from gcs.profiles import ARDUCOPTER, PX4
 
 UNKNOWN_COMMAND = 65000
 OPEN_FILE, RESET_SESSIONS, FTP_ACK, FTP_NAK = 4, 2, 128, 129
@@ -64,7 +64,12 @@ def _ping() -> Question:
         return bool(content.seq == 4711 and (content.target_system, content.target_component) == STATION)
 
     return Question(
-        "ping", "PING echoed to its sender", {MAVSDK: "has no round-trip time"}, answered("PING", ours=ours), ask
+        "ping",
+        "PING echoed to its sender",
+        {MAVSDK: "has no round-trip time"},
+        answered("PING", ours=ours),
+        ask,
+        when=lambda v: "MAVSDK sends ArduPilot none" if v.profile is ARDUCOPTER else "",
     )
 
 
@@ -79,8 +84,9 @@ def _timesync() -> Question:
     return Question("timesync", "TIMESYNC answered with its own time", misses, answered("TIMESYNC", ours=ours), ask)
 
 
-def _ftp(opcode: int, data: bytes = b"") -> Ask:
-    payload = bytes([1, 0, 0, opcode, len(data), 0, 0, 0, 0, 0, 0, 0]) + data
+def _ftp(number: int, opcode: int, data: bytes = b"") -> Ask:
+    """A request of its own number: one that is repeated is answered by what was answered before."""
+    payload = bytes([number, 0, 0, opcode, len(data), 0, 0, 0, 0, 0, 0, 0]) + data
     return to_vehicle("FILE_TRANSFER_PROTOCOL", target_network=0, payload=list(payload.ljust(251, b"\0")))
 
 
@@ -154,14 +160,14 @@ CONNECT = [
             QGC: "waits before it asks for parameters",
         },
         answered("FILE_TRANSFER_PROTOCOL", ours=_ftp_answer(OPEN_FILE)),
-        _ftp(OPEN_FILE, b"@PARAM/param.pck"),
+        _ftp(1, OPEN_FILE, b"@PARAM/param.pck"),
     ),
     Question(
         "ftp-reset",
         "FTP sessions closed again",
         {MAVPROXY: "cannot open the next file"},
         answered("FILE_TRANSFER_PROTOCOL", ours=_ftp_answer(RESET_SESSIONS)),
-        _ftp(RESET_SESSIONS),
+        _ftp(3, RESET_SESSIONS),
         when=lambda v: "" if _opened(v) else "no file was opened",
     ),
 ]

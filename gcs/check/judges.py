@@ -15,6 +15,8 @@ Fault = Callable[[Vehicle, Any], str]
 """What is wrong with a message's fields; empty where nothing is."""
 
 OK = Verdict("ok")
+REASONS_WITHIN_S = 0.3
+"""ArduPilot says why it refuses after it has acknowledged."""
 
 
 def no_fault(_: Vehicle, __: Any) -> str:
@@ -67,14 +69,19 @@ def acknowledged(
 ) -> tuple[Judge, Callable[[Vehicle, Sequence[Heard]], Verdict]]:
     """A final acknowledgement has come and, where it accepts, the message `then` too; as (judge, at_end)."""
 
+    def refused(heard: Sequence[Heard], ack: Any) -> Verdict:
+        texts = "; ".join(dict.fromkeys(content.text for content in _named(heard, "STATUSTEXT")))
+        said = f"refused: {result_name(ack.result)}" + (f", {texts}" if texts else "")
+        return Verdict("ok" if may_refuse else "wrong", said)
+
     def judge(vehicle: Vehicle, heard: Sequence[Heard]) -> Verdict | None:
         acks = _final_acks(heard, command)
         if not acks:
             return None
         if acks[0].result != mav.MAV_RESULT_ACCEPTED:
-            texts = "; ".join(dict.fromkeys(content.text for content in _named(heard, "STATUSTEXT")))
-            said = f"refused: {result_name(acks[0].result)}" + (f", {texts}" if texts else "")
-            return Verdict("ok" if may_refuse else "wrong", said)
+            told_s = next(h.at_s for h in heard if h.fields is acks[0])
+            waits = not may_refuse and heard[-1].at_s - told_s < REASONS_WITHIN_S
+            return None if waits else refused(heard, acks[0])
         if then is None:
             return OK
         if then not in _names(heard):
@@ -83,7 +90,9 @@ def acknowledged(
         return Verdict("wrong", wrong) if wrong else OK
 
     def at_end(_: Vehicle, heard: Sequence[Heard]) -> Verdict:
-        if _final_acks(heard, command):
+        if acks := _final_acks(heard, command):
+            if acks[0].result != mav.MAV_RESULT_ACCEPTED:
+                return refused(heard, acks[0])
             return Verdict("wrong", f"accepted, but {then} never came")
         if then in _names(heard):
             return Verdict("missing", f"{then} came, but no COMMAND_ACK")

@@ -12,7 +12,7 @@ from gcs.check.asking import MAVPROXY, MAVSDK, QGC, judged, to_vehicle
 from gcs.check.dialogue import Heard, Question, Vehicle, Verdict
 from gcs.check.judges import OK, answered
 from gcs.mavlink.codec import Message
-from gcs.profiles import PX4
+from gcs.profiles import ARDUCOPTER, PX4
 
 LIST_S = 10.0
 UNKNOWN_PARAMETER = "NO_SUCH_PARAM"
@@ -25,11 +25,12 @@ def _count(vehicle: Vehicle) -> int:
 
 
 def _ask_parameters(vehicle: Vehicle) -> Sequence[Message]:
-    if not vehicle.parameters:
-        return to_vehicle("PARAM_REQUEST_LIST")(vehicle)
+    """The whole list, also where a few have come unasked; what is missing of it once most has come."""
     told = {p.param_index for p in vehicle.parameters.values()}
-    missing = [index for index in range(_count(vehicle)) if index not in told][:50]
-    return [m for i in missing for m in to_vehicle("PARAM_REQUEST_READ", param_id="", param_index=i)(vehicle)]
+    missing = [index for index in range(_count(vehicle)) if index not in told]
+    if not _count(vehicle) or 2 * len(missing) > _count(vehicle):
+        return to_vehicle("PARAM_REQUEST_LIST")(vehicle)
+    return [m for i in missing[:50] for m in to_vehicle("PARAM_REQUEST_READ", param_id="", param_index=i)(vehicle)]
 
 
 def _parameters_told(vehicle: Vehicle, heard: Sequence[Heard]) -> Verdict | None:
@@ -46,7 +47,9 @@ def _parameters_missing(vehicle: Vehicle, _: Sequence[Heard]) -> Verdict:
 def _encoding_fault(vehicle: Vehicle, _: Sequence[Heard]) -> Verdict:
     bytewise = bool(vehicle.capabilities & mav.MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_BYTEWISE)
     cast = bool(vehicle.capabilities & mav.MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_C_CAST)
-    if bytewise == cast:
+    if not bytewise and vehicle.profile is ARDUCOPTER:
+        cast = True  # its releases up to 4.6 claim neither: peers know it by its name
+    elif bytewise == cast:
         said = "both" if cast else "neither"
         return Verdict("wrong", f"its capabilities have {said} of PARAM_ENCODE_BYTEWISE and PARAM_ENCODE_C_CAST")
     integers = [p.param_value for p in vehicle.parameters.values() if p.param_type < mav.MAV_PARAM_TYPE_REAL32]
@@ -62,6 +65,12 @@ def _encoding_fault(vehicle: Vehicle, _: Sequence[Heard]) -> Verdict:
 
 def _no_parameters(vehicle: Vehicle) -> str:
     return "" if vehicle.parameters else "no parameter came"
+
+
+def _silent_on_unknown(vehicle: Vehicle, _: Sequence[Heard]) -> Verdict:
+    if vehicle.profile is ARDUCOPTER:
+        return Verdict("late", "silence, as from ArduPilot up to 4.6")
+    return Verdict("missing", "no answer")
 
 
 def _px4_only(vehicle: Vehicle) -> str:
@@ -80,11 +89,9 @@ def _has(*names: str, set_up: bool = False) -> Callable[[Vehicle, Sequence[Heard
 
 
 def _any_parameter(vehicle: Vehicle) -> Any:
-    """One that is read and written back; a float where there is one."""
-    ordered = sorted(
-        vehicle.parameters.values(), key=lambda p: (p.param_type != mav.MAV_PARAM_TYPE_REAL32, p.param_index)
-    )
-    return ordered[0]
+    """One that is read and written back; a float where there is one. By name: ArduPilot's answers to a name have no
+    index."""
+    return min(vehicle.parameters.values(), key=lambda p: (p.param_type != mav.MAV_PARAM_TYPE_REAL32, p.param_id))
 
 
 def _ask_one(vehicle: Vehicle) -> Sequence[Message]:
@@ -148,6 +155,7 @@ PARAMETERS = [
         {MAVSDK: "waits 3 s for each name that the vehicle lacks"},
         answered("PARAM_ERROR"),
         to_vehicle("PARAM_REQUEST_READ", param_id=UNKNOWN_PARAMETER, param_index=-1),
+        _silent_on_unknown,
     ),
     judged(
         "parameters-of-setup",

@@ -112,6 +112,24 @@ def test_a_polite_refusal_of_what_is_optional_is_fine() -> None:
     assert findings["unknown-command"].outcome == "ok"
 
 
+def test_the_reasons_of_a_refusal_may_follow_its_acknowledgement() -> None:
+    """As ArduPilot's do: the refusal first, and then a text now and then."""
+    vehicle = Scripted()
+    reasons: list[bytes] = []
+
+    def refuse(asked: Any) -> list[Any]:
+        reasons[:] = [b"Arm: Need Alt Estimate", b"Arm: EKF attitude is bad"]
+        return [vehicle.ack(asked.command, mav.MAV_RESULT_FAILED)]
+
+    vehicle.answers["COMMAND_LONG"] = refuse
+    vehicle.streams.append(
+        (0.1, lambda _: mav.MAVLink_statustext_message(2, reasons.pop(0)) if reasons else vehicle.heartbeat())
+    )
+    finding = examine(vehicle, "arm", arm=True)["arm"]
+    assert finding.outcome == "wrong"
+    assert finding.text == "refused: FAILED, Arm: Need Alt Estimate; Arm: EKF attitude is bad"
+
+
 def test_a_vehicle_that_obeys_commands_to_others_is_found_out() -> None:
     vehicle = Scripted()
     vehicle.answers["COMMAND_LONG"] = lambda asked: [vehicle.ack(asked.command)]
@@ -290,3 +308,74 @@ def test_a_ground_station_or_a_camera_is_no_vehicle() -> None:
         dialogue.take(stranger.frame(stranger.heartbeat(type=kind)), 0.0)
     dialogue.take(stranger.frame(stranger.heartbeat(autopilot=mav.MAV_AUTOPILOT_INVALID)), 0.0)
     assert dialogue.vehicle is None
+
+
+ARDUPILOT = {"autopilot": mav.MAV_AUTOPILOT_ARDUPILOTMEGA, "custom_mode": 4}
+UNINDEXED = 65535
+"""PARAM_VALUE.param_index of what ArduPilot tells unasked, and of its answers to a name."""
+
+
+def ardupilot() -> Scripted:
+    """A vehicle with ArduPilot's parameters, as its 4.6 answers for them; one it tells by itself."""
+    vehicle = Scripted()
+    vehicle.streams = [
+        (1.0, lambda _: vehicle.heartbeat(**ARDUPILOT)),
+        (0.5, lambda _: told("STAT_RUNTIME", UNINDEXED)),
+    ]
+    real, int32 = mav.MAV_PARAM_TYPE_REAL32, mav.MAV_PARAM_TYPE_INT32
+    values = {"PILOT_THR_FILT": real, "PILOT_TKOFF_ALT": real, "STAT_RUNTIME": int32}
+    names = list(values)
+
+    def told(name: str, index: int) -> Any:
+        return mav.MAVLink_param_value_message(name.encode(), 2.0, values[name], len(names), index)
+
+    vehicle.answers["PARAM_REQUEST_LIST"] = lambda _: [told(name, i) for i, name in enumerate(names)]
+    vehicle.answers["PARAM_REQUEST_READ"] = lambda asked: (
+        [told(asked.param_id, UNINDEXED)] if asked.param_id in values else []
+    )
+    vehicle.answers["PARAM_SET"] = vehicle.answers["PARAM_REQUEST_READ"]
+    return vehicle
+
+
+def test_a_parameter_that_came_unasked_does_not_keep_the_list_from_being_asked_for() -> None:
+    assert examine(ardupilot(), "parameter-list")["parameter-list"].outcome == "ok"
+
+
+def test_answers_to_a_name_need_no_index() -> None:
+    found = examine(ardupilot(), "parameter-list", "parameter-read", "parameter-set")
+    assert {key: finding.outcome for key, finding in found.items() if key.startswith("parameter")} == {
+        "parameter-list": "ok", "parameter-read": "ok", "parameter-set": "ok",
+    }  # fmt: skip
+
+
+def test_what_ardupilot_lacks_and_its_peers_know_to_go_without_is_no_fault() -> None:
+    """Its 4.6 claims neither encoding, says nothing of a parameter that it lacks, and MAVSDK does not ping it."""
+    vehicle = ardupilot()
+    version = mav.MAVLink_autopilot_version_message(
+        mav.MAV_PROTOCOL_CAPABILITY_PARAM_FLOAT, 0, 0, 0, 0, [0] * 8, [0] * 8, [0] * 8, 0, 0, 0
+    )
+    vehicle.answers["COMMAND_LONG"] = lambda asked: [vehicle.ack(asked.command), version]
+    keys = ("autopilot-version-520", "ping", "parameter-list", "parameter-encoding", "parameter-unknown")
+    found = examine(vehicle, *keys)
+    assert {key: found[key].outcome for key in keys} == dict(
+        zip(keys, ("ok", "skipped", "ok", "ok", "late"), strict=True)
+    )
+    assert passed(found.values())
+
+
+def test_each_file_request_has_a_number_of_its_own_and_its_repetition_the_same() -> None:
+    """ArduPilot takes a request whose answer would have the last answer's number for a repetition, and repeats that."""
+    vehicle, number, opcode = Scripted(), slice(0, 2), 3
+    last: list[Any] = []
+
+    def answer(asked: Any) -> list[Any]:
+        payload = list(asked.payload)
+        follows = int.from_bytes(bytes(payload[number]), "little") + 1
+        if not last or int.from_bytes(bytes(last[0].payload[number]), "little") != follows:
+            said = [*follows.to_bytes(2, "little"), payload[2], 128, 0, payload[opcode], *[0] * 245]
+            last[:] = [mav.MAVLink_file_transfer_protocol_message(0, 255, 190, said)]
+        return last
+
+    vehicle.answers["FILE_TRANSFER_PROTOCOL"] = answer
+    found = examine(vehicle, "ftp", "ftp-reset")
+    assert (found["ftp"].outcome, found["ftp-reset"].outcome) == ("ok", "ok")

@@ -6,9 +6,10 @@
 1. Nothing is asked of it before it has told where it is. It is armed in the mode that its autopilot wants for that.
 2. A refusal is the autopilot's right: it is asked again, until `arm_within_s` have passed. Then it is left out.
 3. Put into another mode by someone else than us, it is theirs (`yielded`): nothing is asked of it, but set points flow
-   on, so that it can be handed back by putting it into offboard. Hold is no exception, unless our own set points may
-   just have failed to reach it: then it is the autopilot's answer to that, and offboard is asked for again. Before it
-   has been in offboard, a mode that nobody steers by hand is but on its way there: a HEARTBEAT may be a second old.
+   on, so that it can be handed back by putting it into offboard; on the ground it is taken off again then, for set
+   points alone do not lift an ArduCopter. Hold is no exception, unless our own set points may just have failed to reach
+   it: then it is the autopilot's answer to that, and offboard is asked for again. Before it has been in offboard, a
+   mode that nobody steers by hand is but on its way there: a HEARTBEAT may be a second old.
 4. What an operator orders goes before all that, and so does his wish to have it back.
 5. While it is silent nothing changes; it may come back.
 """
@@ -31,6 +32,8 @@ SET_POINTS_FIRST_S = 1.0
 """PX4 wants a second of set points before offboard."""
 PARAMETER_TRIES = 3
 """A stranger may not know our battery's parameters, and need not say so."""
+TAKEOFF_AGAIN_S = 4.0
+"""ArduCopter leaves the ground three seconds after it was armed, says so only then, and refuses to take off again."""
 NEAR_SHARE = 0.2
 """Of the height of a take-off that may be missing at its end: autopilots are content with less than we are. One that
 says by its mode that its take-off is over need not have come so far: a PX4 is content with 0.8 m less than it was told,
@@ -61,7 +64,7 @@ class ExternalPilot(Pilot):
         self._silent = False
         self._took_off = self._climbs = False
         self._reads = 0
-        self._decided_s = self._starved_s = -math.inf
+        self._decided_s = self._starved_s = self._takeoff_s = -math.inf
 
     @property
     def sends_set_points(self) -> bool:
@@ -96,8 +99,10 @@ class ExternalPilot(Pilot):
         profile = view.profile
         if self.stage is Stage.ARM and view.mode not in profile.arms_in:
             return [self._wish(mav.MAV_CMD_DO_SET_MODE, *profile.arming)]
-        if self.stage is Stage.TAKEOFF and not view.landed:
-            return []
+        if self.stage is Stage.TAKEOFF:
+            if not view.landed or now_s - self._takeoff_s < TAKEOFF_AGAIN_S:
+                return []
+            self._takeoff_s = now_s
         if self.stage is Stage.OFFBOARD and now_s - self._stage_since_s < SET_POINTS_FIRST_S:
             return []
         if self.stage is Stage.DOWN and self.left_out and view.armed and view.landed:
@@ -118,6 +123,9 @@ class ExternalPilot(Pilot):
             return Stage.DOWN
         if view.mode in STEERABLE:
             self._rejoins = False
+            if view.landed and stage is not Stage.FLY:
+                self._begun_s = self._now_s
+                return Stage.TAKEOFF
             return Stage.FLY
         if stage is Stage.OFFBOARD:
             return Stage.YIELDED if view.mode in THEIRS and not self._rejoins else Stage.OFFBOARD

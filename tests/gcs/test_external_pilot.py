@@ -79,6 +79,30 @@ def test_arducopter_goes_to_guided_first_and_takes_off_to_a_height_above_the_gro
     assert made.stage is Stage.FLY
 
 
+def test_a_take_off_that_was_accepted_has_time_to_leave_the_ground() -> None:
+    """ArduCopter 4.6 says 3 s after it was armed that it is in the air, and refuses to take off from there."""
+    made = pilot()
+    guided = view(profile=ARDUCOPTER, mode=FlightMode.OFFBOARD)
+    told(made, guided, 0.0)
+    asked = [told(made, guided._replace(armed=True), 1.0 + 0.1 * k) for k in range(70)]
+    assert [k for k, commands in enumerate(asked) if commands] == [0, 40]
+    assert asked[40] == [TAKEOFF]
+
+
+def test_one_that_is_handed_back_on_the_ground_is_taken_off_again() -> None:
+    """ArduCopter in GUIDED stays on the ground, armed, whatever set points say; it has all its time to do so."""
+    made = flying()
+    landed = FLYING._replace(profile=ARDUCOPTER, landed=True, p_ned=(10.0, 0.0, -2.0))
+    told(made, landed._replace(mode=FlightMode.MANUAL), 30.0)
+    assert made.stage is Stage.YIELDED
+    asked = [told(made, landed, 40.0 + 0.1 * k) for k in range(12)]
+    assert [commands for commands in asked if commands] == [[TAKEOFF]]
+    assert made.stage is Stage.TAKEOFF
+    for k in range(3):
+        told(made, landed._replace(landed=False, p_ned=(10.0, 0.0, -4.4)), 44.0 + k)
+    assert (made.stage, made.left_out) == (Stage.FLY, "")
+
+
 def test_arming_is_asked_for_again_until_the_time_is_up_and_then_left() -> None:
     made = pilot()
     asked = [told(made, view(), 0.5 * k) for k in range(40)]

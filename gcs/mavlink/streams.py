@@ -5,7 +5,7 @@
    group that holds it, then all groups, after which each group is given its own rate again. That has no
    acknowledgement.
 3. Every CHECK_S what has come is counted: a message that does not come, or at less than half of its rate, is named
-   once, and again when it comes.
+   once, and again when it comes. One that has begun to come in the midst of a count is judged by the next.
 4. Where the local frame lies is asked for by MAV_CMD_REQUEST_MESSAGE until it is known, and now and then after: it may
    move. Who does not know that command may know MAV_CMD_GET_HOME_POSITION.
 """
@@ -74,6 +74,8 @@ class Streams:
         self._old_way_s = -OLD_WAY_EVERY_S
         self._count = dict.fromkeys(self._needs, 0)
         self._counted_since_s: float | None = None
+        self._begun: set[int] = set()
+        """messages that were silent before the last count and came in its course"""
         self._origin_asked_s = -ORIGIN_AGAIN_S
 
     @property
@@ -126,11 +128,16 @@ class Streams:
         if since_s is None or now_s - since_s < CHECK_S:
             return []
         found: dict[str, str] = {}
+        begun, self._begun = self._begun, set()
         for msgid, need in self._needs.items():
             rate_hz = self._count[msgid] / (now_s - since_s)
+            silent = f"{need.name} does not come"
             if self._count[msgid] == 0:
-                found[need.name] = f"{need.name} does not come"
+                found[need.name] = silent
                 self._old_way.setdefault(msgid, 0)
+            elif rate_hz < SLOW_SHARE * need.rate_hz and self._told.get(need.name) == silent and msgid not in begun:
+                found[need.name] = silent
+                self._begun.add(msgid)
             elif rate_hz < SLOW_SHARE * need.rate_hz:
                 found[need.name] = f"{need.name} comes at less than half of the {need.rate_hz:g} Hz asked for"
         news = [sentence for name, sentence in found.items() if self._told.get(name) != sentence]

@@ -74,6 +74,23 @@ def test_what_does_not_come_or_too_seldom_is_named_once_and_again_when_it_comes(
     assert streams.missing == ("BATTERY_STATUS",)
 
 
+def test_what_begins_to_come_in_the_midst_of_a_count_is_judged_by_the_next() -> None:
+    streams = Streams(3, needs(0.1))
+    asked(streams, 0.0)
+    hear(streams, CHECK_S, LOCAL_POSITION_NED=0.0)
+    assert streams.check(CHECK_S) == ["LOCAL_POSITION_NED does not come"]
+    hear(streams, CHECK_S, LOCAL_POSITION_NED=2.0)
+    assert streams.check(2 * CHECK_S) == []
+    hear(streams, CHECK_S)
+    assert streams.check(3 * CHECK_S) == ["LOCAL_POSITION_NED comes as it should now"]
+    hear(streams, CHECK_S, LOCAL_POSITION_NED=0.0)
+    streams.check(4 * CHECK_S)
+    for k in (5, 6):
+        hear(streams, CHECK_S, LOCAL_POSITION_NED=2.0)
+        said = streams.check(k * CHECK_S)
+    assert said == ["LOCAL_POSITION_NED comes at less than half of the 10 Hz asked for"]
+
+
 def test_what_was_granted_and_does_not_come_is_asked_for_the_old_way_too() -> None:
     streams = Streams(3, needs(0.1))
     asked(streams, 0.0)

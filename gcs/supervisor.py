@@ -73,13 +73,14 @@ class Supervisor:
         self.planner, planner_guard = make_planner(scenario)
         contest, policy_guard = make_contest(scenario)
         self._guards = [guard for guard in (planner_guard, policy_guard) if guard is not None]
+        served = bool(scenario.vehicles.tankers or scenario.bases)
         self.schedule = Schedule(
             scenario.competition,
             scenario.refuelling,
             scenario.vehicles.tankers,
             contest,
             bases=scenario.bases,
-            can_receive={v.sysid: v.can_receive for v in scenario.vehicles.pursuers},
+            can_receive={v.sysid: v.can_receive for v in scenario.vehicles.pursuers if served},
             cruise_m_s=scenario.planner.cruise_m_s,
         )
         self.pursuit: Pursuit | None = None

@@ -1,9 +1,12 @@
 """A scripted ArduCopter: a second vehicle for the ground station's tests that shares no line with ours but pymavlink.
 
-It keeps to the habits that ArduCopter 4.5 shows in its own simulator: console text before the first frame, little but
+It keeps to the habits that ArduCopter 4.6 shows in its own simulator: console text before the first frame, little but
 HEARTBEAT until asked, no origin at first, arming refused for a while, GUIDED before take-off, take-off to a height
-above home, integers as floats, silence about unknown parameters. Like one flown without a radio it arms in GUIDED
-only. It moves as a double integrator with limits on speed and acceleration, on the wall clock, and ends with its stdin.
+above home, integers as floats, silence about unknown parameters, some parameters told unasked and, like answers to a
+name, without an index. It leaves the ground three seconds after it was armed; till then it takes a take-off, and after
+that it refuses it. A request for a message is accepted, whether or not there is anything to tell yet. Its reasons
+follow its acknowledgement. Like one flown without a radio it arms in GUIDED only. It moves as a double integrator with
+limits on speed and acceleration, on the wall clock, and ends with its stdin.
 """
 
 from __future__ import annotations
@@ -19,13 +22,15 @@ import time
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from arducopter_motion import GUIDED, LAND, LOITER, MODES, PARAMETERS, REAL32, RTL, Copter
+from arducopter_motion import GUIDED, LAND, LOITER, MODES, PARAMETERS, REAL32, RTL, RUNTIME_EVERY_S, Copter
 from arducopter_telemetry import Telemetry
 from motion import STEP_S, ZERO, Vec3
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
 PARAMETERS_PER_STEP = 5
-BANNER = b"\n\nInit ArduCopter V4.5.5 (scripted)\n\nFree RAM: 131072\n", b"load_all took 4100us\nReady to FLY "
+UNASKED = 65535
+"""PARAM_VALUE's index where nobody asked for one by its index."""
+BANNER = b"\n\nInit ArduCopter V4.6.0 (scripted)\n\nFree RAM: 131072\n", b"load_all took 4100us\nReady to FLY "
 
 STREAMS = {
     mav.MAV_DATA_STREAM_EXTENDED_STATUS: ("SYS_STATUS", "GPS_RAW_INT", "MISSION_CURRENT"),
@@ -76,13 +81,21 @@ class ArduCopter:
         self.parameters_to_tell: list[int] = []
         self.origin_told = False
         self.heartbeat_s = 0.0
+        self.runtime_s = 1.0
+        self.reasons: list[tuple[int, str]] = []
         for text in BANNER:
             self.link.write(text)
 
     # what it tells
 
     def say(self, severity: int, text: str) -> None:
-        self.out.statustext_send(severity, text.encode())
+        """After what is being answered has been acknowledged."""
+        self.reasons.append((severity, text))
+
+    def _say_it(self) -> None:
+        for severity, text in self.reasons:
+            self.out.statustext_send(severity, text.encode())
+        self.reasons.clear()
 
     def tell(self, name: str) -> bool:
         """One message of its telemetry; False where it has none of that name, or nothing to put in it yet."""
@@ -91,8 +104,8 @@ class ArduCopter:
             self.out.send(message)
         return message is not None
 
-    def _parameter(self, index: int) -> None:
-        name, (kind, _) = list(PARAMETERS.items())[index]
+    def _parameter(self, name: str, index: int = UNASKED) -> None:
+        kind, _ = PARAMETERS[name]
         self.out.param_value_send(name.encode(), self.copter.parameters[name], kind, len(PARAMETERS), index)
 
     # what it is told
@@ -139,15 +152,15 @@ class ArduCopter:
     def on_param_request_read(self, m: Any) -> None:
         names = list(PARAMETERS)
         if 0 <= m.param_index < len(names):
-            self._parameter(m.param_index)
+            self._parameter(names[m.param_index], m.param_index)
         elif m.param_index < 0 and m.param_id in names:
-            self._parameter(names.index(m.param_id))
+            self._parameter(m.param_id)
 
     def on_param_set(self, m: Any) -> None:
         if m.param_id in PARAMETERS and math.isfinite(m.param_value):
             kind = PARAMETERS[m.param_id][0]
             self.copter.parameters[m.param_id] = m.param_value if kind == REAL32 else float(round(m.param_value))
-            self._parameter(list(PARAMETERS).index(m.param_id))
+            self._parameter(m.param_id)
 
     def on_mission_request_list(self, m: Any) -> None:
         self.out.mission_count_send(m.get_srcSystem(), m.get_srcComponent(), 0, m.mission_type)
@@ -225,15 +238,16 @@ class ArduCopter:
         name = named(params[0])
         if not self.telemetry.knows(name) or not math.isfinite(params[1]):
             self.say(mav.MAV_SEVERITY_INFO, f"No ap_message for mavlink id ({params[0]:.0f})")
-            return mav.MAV_RESULT_FAILED
+            return mav.MAV_RESULT_DENIED
         self._every(name, 1e-6 * params[1])
         return mav.MAV_RESULT_ACCEPTED
 
     def request_message(self, params: Sequence[float], place: Sequence[float], z: float) -> int:
-        return done(self.tell(named(params[0])))
+        self.tell(named(params[0]))
+        return done(self.telemetry.knows(named(params[0])))
 
     def get_home(self, params: Sequence[float], place: Sequence[float], z: float) -> int:
-        return done(self.tell("HOME_POSITION"))
+        return done(self.tell("HOME_POSITION") and self.tell("GPS_GLOBAL_ORIGIN"))
 
     def reposition(self, params: Sequence[float], place: Sequence[float], z: float) -> int:
         if self.copter.mode != GUIDED or not self.copter.flying or not all(map(math.isfinite, (*place, z))):
@@ -258,13 +272,18 @@ class ArduCopter:
         for text in self.copter.told:
             self.say(mav.MAV_SEVERITY_WARNING, text)
         self.copter.told.clear()
+        self._say_it()
         for name, due_s in self.due.items():
             if now_s >= due_s:
                 self.tell(name)
                 self.due[name] = max(due_s + self.interval[name], now_s - self.interval[name])
         tell, self.parameters_to_tell = self.parameters_to_tell, self.parameters_to_tell[PARAMETERS_PER_STEP:]
         for index in tell[:PARAMETERS_PER_STEP]:
-            self._parameter(index)
+            self._parameter(list(PARAMETERS)[index], index)
+        if now_s >= self.runtime_s:
+            self.runtime_s += RUNTIME_EVERY_S
+            self.copter.parameters["STAT_RUNTIME"] = math.floor(now_s)
+            self._parameter("STAT_RUNTIME")
 
     def live(self) -> None:
         """Until stdin ends."""

@@ -10,6 +10,9 @@ from pymavlink.dialects.v20 import ardupilotmega as mav
 HOVER_W, IDLE_W = 350.0, 6.0
 FULL_V, EMPTY_V, NOMINAL_V = 16.8, 14.0, 14.8
 THERE_M = 0.15
+LIFTS_AFTER_S = 3.0
+"""From arming until it can leave the ground: two seconds of delay, and its motors' spooling up."""
+RUNTIME_EVERY_S = 30.0
 
 STABILIZE, GUIDED, LOITER, RTL, LAND, BRAKE = 0, 4, 5, 6, 9, 17
 MODES = {STABILIZE: "STABILIZE", GUIDED: "GUIDED", LOITER: "LOITER", RTL: "RTL", LAND: "LAND", BRAKE: "BRAKE"}
@@ -26,6 +29,7 @@ PARAMETERS = {
     "LOG_BITMASK": (INT32, 176126),
     "PILOT_SPEED_UP": (INT16, 250),
     "RTL_ALT": (INT32, 1500),
+    "STAT_RUNTIME": (INT32, 0),
     "SYSID_THISMAV": (INT16, 1),
     "WPNAV_ACCEL": (REAL32, 250.0),
     "WPNAV_SPEED": (REAL32, 500.0),
@@ -46,6 +50,9 @@ class Copter:
         self.target_v: Vec3 = ZERO
         self.target_yaw: float | None = None
         self.returning = False
+        self.lift_m: float | None = None
+        """the height of a take-off that has been accepted and has not left the ground yet"""
+        self.climbing = False
         self.parameters = {name: float(value) for name, (_, value) in PARAMETERS.items()}
         self.parameters["BATT_CAPACITY"] = round(battery_wh / NOMINAL_V * 1000.0)
         self.used_mah = self.used_j = 0.0
@@ -55,6 +62,11 @@ class Copter:
     def remaining(self) -> float:
         """The share of the charge that is left."""
         return max(0.0, 1.0 - self.used_mah / self.parameters["BATT_CAPACITY"])
+
+    @property
+    def landing(self) -> bool:
+        """Whether it goes down to land."""
+        return self.flying and (self.mode == LAND or (self.mode == RTL and not self.returning))
 
     @property
     def power_w(self) -> float:
@@ -77,6 +89,7 @@ class Copter:
 
     def hold(self) -> None:
         """Stay where it stops."""
+        self.lift_m, self.climbing = None, False
         self.target_p, self.target_v, self.target_yaw = None, ZERO, None
 
     def arm(self) -> None:
@@ -84,15 +97,22 @@ class Copter:
         self.home = self.body.p
 
     def disarm(self) -> None:
-        self.armed = self.flying = False
+        self.armed = self.flying = self.climbing = False
+        self.lift_m = None
         self.body.stop()
 
     def take_off(self, height_m: float) -> None:
-        self.flying = True
+        """As soon as its motors let it; until then it can be told so again."""
+        self.lift_m = height_m
+
+    def _lift(self, height_m: float) -> None:
+        self.flying = self.climbing = True
+        self.lift_m = None
         self.target_p, self.target_v = (self.body.p[0], self.body.p[1], self.home[2] - height_m), ZERO
 
     def aim(self, p: Vec3 | None, v: Vec3, yaw: float | None) -> None:
         """A set point; it flies to a place even when no more come, a velocity ends with the time-out."""
+        self.climbing = False
         self.target_p, self.target_v, self.target_yaw, self.target_s = p, v, yaw, self.now_s
 
     def step(self) -> None:
@@ -102,14 +122,17 @@ class Copter:
         self.used_j += self.power_w * STEP_S
         if self.armed and not self.flying and self.now_s - self.armed_s > self.parameters["DISARM_DELAY"]:
             self.disarm()
+        if self.lift_m is not None and self.now_s - self.armed_s >= LIFTS_AFTER_S:
+            self._lift(self.lift_m)
         if not self.flying:
             return
+        self.climbing = self.climbing and math.dist(self.body.p, self.target_p or self.body.p) > THERE_M
         if self.remaining <= 0.0 and self.mode != LAND:
             self.told.append("Battery 1 failsafe")
             self.enter(LAND)
         if self.target_yaw is not None:
             self.body.turn(self.target_yaw)
-        down = self.mode == LAND or (self.mode == RTL and not self.returning)
+        down = self.landing
         if self.body.follow(self._wanted_velocity(), 0.01 * self.parameters["WPNAV_ACCEL"]) and down:
             self.told.append("Disarming motors")
             self.disarm()
@@ -117,12 +140,12 @@ class Copter:
     def _wanted_velocity(self) -> Vec3:
         if self.mode == RTL:
             self._return()
-        if self.mode == LAND or (self.mode == RTL and not self.returning):
+        if self.landing:
             high = self.home[2] - self.body.p[2] > 10.0
             down_m_s = 0.01 * (self.parameters["WPNAV_SPEED_DN"] if high else self.parameters["LAND_SPEED"])
             return 0.0, 0.0, down_m_s
         speed_m_s = 0.01 * self.parameters["WPNAV_SPEED"]
-        late = self.mode == GUIDED and self.now_s - self.target_s > self.parameters["GUID_TIMEOUT"]
+        late = self.mode == GUIDED and not self.climbing and self.now_s - self.target_s > self.parameters["GUID_TIMEOUT"]
         v = ZERO if late else self.target_v
         if self.target_p is None:
             return limited(v, speed_m_s)

@@ -51,7 +51,7 @@ class Telemetry:
 
     def _sys_status(self) -> Any:
         sensors = 0x3 | 0x4 | 0x8 | mav.MAV_SYS_STATUS_SENSOR_GPS | mav.MAV_SYS_STATUS_SENSOR_BATTERY
-        sensors |= mav.MAV_SYS_STATUS_PREARM_CHECK
+        sensors |= mav.MAV_SYS_STATUS_PREARM_CHECK | mav.MAV_SYS_STATUS_GEOFENCE
         healthy = sensors if self.looks_ready else sensors & ~mav.MAV_SYS_STATUS_PREARM_CHECK
         volts, amps = self.copter.volts, self.copter.power_w / self.copter.volts
         percent = math.floor(100.0 * self.copter.remaining)
@@ -102,8 +102,14 @@ class Telemetry:
         return mav.MAVLink_gps_raw_int_message(us, 6, lat, lon, alt_mm, 121, 200, 65535, 65535, 10)
 
     def _extended_sys_state(self) -> Any:
-        in_air, on_ground = mav.MAV_LANDED_STATE_IN_AIR, mav.MAV_LANDED_STATE_ON_GROUND
-        return mav.MAVLink_extended_sys_state_message(0, in_air if self.copter.flying else on_ground)
+        state = mav.MAV_LANDED_STATE_IN_AIR
+        if not self.copter.flying:
+            state = mav.MAV_LANDED_STATE_ON_GROUND
+        elif self.copter.landing:
+            state = mav.MAV_LANDED_STATE_LANDING
+        elif self.copter.climbing:
+            state = mav.MAV_LANDED_STATE_TAKEOFF
+        return mav.MAVLink_extended_sys_state_message(0, state)
 
     def _vfr_hud(self) -> Any:
         speed_m_s = math.hypot(*self.copter.body.v[:2])
@@ -131,7 +137,8 @@ class Telemetry:
         return mav.MAVLink_gps_global_origin_message(lat, lon, round(1000.0 * alt_m), 1000 * self._ms)
 
     def _autopilot_version(self) -> Any:
-        can = mav.MAV_PROTOCOL_CAPABILITY_MAVLINK2 | mav.MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_C_CAST
+        can = mav.MAV_PROTOCOL_CAPABILITY_MAVLINK2 | mav.MAV_PROTOCOL_CAPABILITY_PARAM_FLOAT
+        can |= mav.MAV_PROTOCOL_CAPABILITY_MISSION_INT | mav.MAV_PROTOCOL_CAPABILITY_MISSION_FLOAT
         can |= mav.MAV_PROTOCOL_CAPABILITY_COMMAND_INT | mav.MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_LOCAL_NED
-        release, none = 4 << 24 | 5 << 16 | 5 << 8 | 255, [0] * 8
+        release, none = 4 << 24 | 6 << 16 | 0 << 8 | 255, [0] * 8
         return mav.MAVLink_autopilot_version_message(can, release, 0, 0, 0, none, none, none, 0, 0, self.options.sysid)

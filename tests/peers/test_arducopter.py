@@ -48,11 +48,13 @@ def test_it_is_flown_in_guided_and_returns() -> None:
         assert (beat.autopilot, beat.type) == (mav.MAV_AUTOPILOT_ARDUPILOTMEGA, mav.MAV_TYPE_QUADROTOR)
         refused = station.command(mav.MAV_CMD_COMPONENT_ARM_DISARM, 1, until=None)
         assert refused == mav.MAV_RESULT_FAILED
-        assert station.all_of("STATUSTEXT")[-1].text.startswith(("PreArm:", "Arm:"))
+        assert station.hear("STATUSTEXT").text.startswith(("PreArm:", "Arm:"))
         origin = station.hear("GPS_GLOBAL_ORIGIN")
         assert (origin.latitude, origin.longitude, origin.altitude) == (474000000, 85000000, 400000)
         station.hear("HOME_POSITION")
-        kinds = {message.get_type() for message in station.heard} - {"COMMAND_ACK", "STATUSTEXT"}
+        unasked = station.hear("PARAM_VALUE")
+        assert (unasked.param_id, unasked.param_index) == ("STAT_RUNTIME", 65535)
+        kinds = {message.get_type() for message in station.heard} - {"COMMAND_ACK", "STATUSTEXT", "PARAM_VALUE"}
         assert kinds == {"HEARTBEAT", "GPS_GLOBAL_ORIGIN", "HOME_POSITION"}
         assert station.command(mav.MAV_CMD_SET_MESSAGE_INTERVAL, mav.MAVLINK_MSG_ID_LOCAL_POSITION_NED, 1e5) == ACCEPTED
         assert station.command(mav.MAV_CMD_SET_MESSAGE_INTERVAL, 245, 5e5) == ACCEPTED
@@ -60,7 +62,11 @@ def test_it_is_flown_in_guided_and_returns() -> None:
         assert station.command(mav.MAV_CMD_DO_SET_MODE, CUSTOM, GUIDED) == ACCEPTED
         assert station.command(mav.MAV_CMD_NAV_TAKEOFF, 0, 0, 0, 0, 0, 0, 2, until=None) == mav.MAV_RESULT_FAILED
         station.command(mav.MAV_CMD_COMPONENT_ARM_DISARM, 1)
-        assert station.command(mav.MAV_CMD_NAV_TAKEOFF, 0, 0, 0, 0, 0, 0, 1.5) == ACCEPTED
+        takeoff = mav.MAV_CMD_NAV_TAKEOFF, 0, 0, 0, 0, 0, 0, 1.5
+        assert station.command(*takeoff) == ACCEPTED
+        assert station.command(*takeoff) == ACCEPTED
+        station.hear("EXTENDED_SYS_STATE", lambda m: m.landed_state == mav.MAV_LANDED_STATE_TAKEOFF)
+        assert station.command(*takeoff, until=None) == mav.MAV_RESULT_FAILED
         station.hear("EXTENDED_SYS_STATE", lambda m: m.landed_state == mav.MAV_LANDED_STATE_IN_AIR)
         station.hear("LOCAL_POSITION_NED", there(1.0, 2.0, -1.5))
         station.aim(POSITION, (2.0, 1.0, -1.5))
@@ -88,7 +94,7 @@ def test_streams_come_only_by_groups_where_intervals_are_unknown() -> None:
         assert 14000 < battery.voltages[0] <= 16800
         assert station.all_of("EXTENDED_SYS_STATE") == []
         station.send(mav.MAVLink_param_request_read_message(7, 1, b"BATT_CAPACITY", -1))
-        told = station.hear("PARAM_VALUE")
+        told = station.hear("PARAM_VALUE", lambda m: m.param_id == "BATT_CAPACITY")
         assert (told.param_type, told.param_value) == (mav.MAV_PARAM_TYPE_INT32, round(20 / 14.8 * 1000))
         station.send(mav.MAVLink_param_request_list_message(7, 1))
         count = station.hear("PARAM_VALUE").param_count

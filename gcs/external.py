@@ -33,7 +33,8 @@ REPEAT_AFTER_S = 0.2
 MOST_STRANGERS = 32
 MAVLINK_1 = b"\xfe"
 _HEARTBEAT = codec.msgid("HEARTBEAT")
-_POSITION = codec.msgid("LOCAL_POSITION_NED")
+_CLOCKS = frozenset({codec.msgid("LOCAL_POSITION_NED"), codec.msgid("ATTITUDE")})
+"""What tells a vehicle's time; the second comes also while it has not found its place, as after a boot."""
 _SET_POINT = codec.msgid("SET_POSITION_TARGET_LOCAL_NED")
 
 
@@ -211,7 +212,7 @@ class ExternalLink:
                 continue
             if self._kept:
                 peer.frames.append(frame)
-                if frame.msgid == _POSITION and frame.compid == AUTOPILOT:
+                if frame.msgid in _CLOCKS and frame.compid == AUTOPILOT:
                     rebooted = peer.clock.feed(codec.fields(frame).time_boot_ms / 1e3, self._now_s())
                     self._rebooted |= {frame.sysid} if rebooted else set()
 

@@ -68,7 +68,7 @@ class Externals:
         for sysid, streams in self.streams.items():
             own = [frame for frame in delivered.get(sysid, ()) if frame.compid == mav.MAV_COMP_ID_AUTOPILOT1]
             for frame in own:
-                streams.heard(frame.msgid)
+                streams.heard(frame.msgid, now_s)
             if own:
                 self._heard_s[sysid] = now_s
                 if sysid in self.lost:

@@ -5,8 +5,9 @@
    group that holds it, then all groups, after which each group is given its own rate again. That has no
    acknowledgement.
 3. Every CHECK_S what has come is counted: a message that does not come, or at less than half of its rate, is named
-   once, and again when it comes. One that has begun to come in the midst of a count is judged by the next.
-4. Where the local frame lies is asked for by MAV_CMD_REQUEST_MESSAGE until it is known, and now and then after: it may
+   once, and again when it comes. One that begins to come in the midst of a count is counted from there.
+4. Who says none of it, though he is heard, has forgotten that he was asked, and is asked again: he may have booted.
+5. Where the local frame lies is asked for by MAV_CMD_REQUEST_MESSAGE until it is known, and now and then after: it may
    move. Who does not know that command may know MAV_CMD_GET_HOME_POSITION.
 """
 
@@ -74,8 +75,8 @@ class Streams:
         self._old_way_s = -OLD_WAY_EVERY_S
         self._count = dict.fromkeys(self._needs, 0)
         self._counted_since_s: float | None = None
-        self._begun: set[int] = set()
-        """messages that were silent before the last count and came in its course"""
+        self._began_s: dict[int, float] = {}
+        """since when each message comes"""
         self._origin_asked_s = -ORIGIN_AGAIN_S
 
     @property
@@ -83,9 +84,10 @@ class Streams:
         """Messages that do not come, or too seldom, as of the last check."""
         return tuple(sorted(self._told))
 
-    def heard(self, msgid: int) -> None:
+    def heard(self, msgid: int, now_s: float) -> None:
         """Count a message that has come."""
         if msgid in self._count:
+            self._began_s.setdefault(msgid, now_s)
             self._count[msgid] += 1
 
     @staticmethod
@@ -108,7 +110,8 @@ class Streams:
         asks: list[Ask] = []
         if not self._asked:
             self._asked = True
-            self._counted_since_s = now_s
+            if self._counted_since_s is None:
+                self._counted_since_s = now_s
             for msgid, need in self._needs.items():
                 command = self._command(mav.MAV_CMD_SET_MESSAGE_INTERVAL, float(msgid), 1e6 / need.rate_hz)
                 asks.append(Ask(command, _TOKEN + need.name))
@@ -128,18 +131,16 @@ class Streams:
         if since_s is None or now_s - since_s < CHECK_S:
             return []
         found: dict[str, str] = {}
-        begun, self._begun = self._begun, set()
         for msgid, need in self._needs.items():
-            rate_hz = self._count[msgid] / (now_s - since_s)
-            silent = f"{need.name} does not come"
+            comes_for_s = now_s - max(since_s, self._began_s.get(msgid, since_s))
             if self._count[msgid] == 0:
-                found[need.name] = silent
+                found[need.name] = f"{need.name} does not come"
+                self._began_s.pop(msgid, None)
                 self._old_way.setdefault(msgid, 0)
-            elif rate_hz < SLOW_SHARE * need.rate_hz and self._told.get(need.name) == silent and msgid not in begun:
-                found[need.name] = silent
-                self._begun.add(msgid)
-            elif rate_hz < SLOW_SHARE * need.rate_hz:
+            elif self._count[msgid] < SLOW_SHARE * need.rate_hz * comes_for_s:
                 found[need.name] = f"{need.name} comes at less than half of the {need.rate_hz:g} Hz asked for"
+        if not any(self._count.values()):
+            self._asked = False
         news = [sentence for name, sentence in found.items() if self._told.get(name) != sentence]
         news += [f"{name} comes as it should now" for name in self._told if name not in found]
         self._told = found

@@ -142,6 +142,20 @@ def test_the_vehicles_clock_is_compared_with_the_sessions(stand: Any) -> None:
     until(link, lambda: link.take_rebooted() == {1})
 
 
+def test_a_boot_is_noticed_before_the_vehicle_has_found_its_place_again(stand: Any) -> None:
+    link, port = udpin(1)
+    stand(link)
+    one = stand(Vehicle(1))
+    one.say(port, one.heartbeat())
+    until(link, lambda: not link.missing)
+    link.begin()
+    one.say(port, one.position(20_000), one.packed(mav.MAVLink_attitude_message(20_050, 0, 0, 0, 0, 0, 0)))
+    until(link, lambda: bool(link.offsets_s()))
+    assert link.take_rebooted() == set()
+    one.say(port, one.packed(mav.MAVLink_attitude_message(900, 0, 0, 0, 0, 0, 0)))
+    until(link, lambda: link.take_rebooted() == {1})
+
+
 @pytest.mark.parametrize(
     ("compid", "autopilot"),
     [(mav.MAV_COMP_ID_GIMBAL, mav.MAV_AUTOPILOT_INVALID), (191, mav.MAV_AUTOPILOT_PX4), (1, mav.MAV_AUTOPILOT_INVALID)],

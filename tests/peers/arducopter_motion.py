@@ -145,7 +145,9 @@ class Copter:
             down_m_s = 0.01 * (self.parameters["WPNAV_SPEED_DN"] if high else self.parameters["LAND_SPEED"])
             return 0.0, 0.0, down_m_s
         speed_m_s = 0.01 * self.parameters["WPNAV_SPEED"]
-        late = self.mode == GUIDED and not self.climbing and self.now_s - self.target_s > self.parameters["GUID_TIMEOUT"]
+        late = (
+            self.mode == GUIDED and not self.climbing and self.now_s - self.target_s > self.parameters["GUID_TIMEOUT"]
+        )
         v = ZERO if late else self.target_v
         if self.target_p is None:
             return limited(v, speed_m_s)

@@ -23,7 +23,11 @@ if TYPE_CHECKING:
     metavar="udpin|udpout|tcp:HOST:PORT",
     help="Watch whoever is heard there instead of a session: any autopilot, any number, nothing to configure.",
 )
-@click.option("--control", is_flag=True, help="With --connect: also speak; hold, return and land are for the asking.")
+@click.option(
+    "--control",
+    is_flag=True,
+    help="With --connect: also speak: ask for streams, order hold, return and land.",
+)
 @click.option("--plain", is_flag=True, help="Lines of text instead of the console; also used without a terminal.")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object per second on stdout, for other programs.")
 def monitor(session: Path | None, connect: str | None, control: bool, plain: bool, as_json: bool) -> int:

@@ -1,7 +1,8 @@
 """Any fleet on the air as a console's source: one socket, an observer, the wall clock; nothing to configure.
 
 A monitor is passive: not a byte leaves its socket. With `control` it is a ground station: a HEARTBEAT each second to
-whoever was heard, and hold, return and land for one vehicle, in its own autopilot's way.
+whoever was heard, a request for streams to who sends none, and hold, return and land for one vehicle, in its own
+autopilot's way.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.commands import CommandLong, CommandQueue, CommandResult, Step, Target
 from gcs.mavlink.identities import STATION
+from gcs.mavlink.quiet import Quiet, everything
 from gcs.mavlink.sequence import SequenceCounter
 from gcs.mavlink.station import OUR_HEARTBEAT
 from gcs.observe import Observer
@@ -46,6 +48,8 @@ class MonitorSource:
         self._peers: dict[int, tuple[Where, float]] = {}
         self._refused: set[tuple[int, Where]] = set()
         self._queues: dict[int, CommandQueue] = {}
+        self._quiet = Quiet()
+        self._told_quiet: set[int] = set()
         self._counter = SequenceCounter()
         self._replies: list[Mapping[str, Any]] = []
         self._shown_s = self._beat_s = -math.inf
@@ -74,6 +78,7 @@ class MonitorSource:
         for frames, peer in self._air.receive():
             for frame in frames:
                 self._hear(frame, peer, t_s)
+        self._notice_quiet(t_s)
         if self._control:
             self._speak(t_s)
         messages, self._replies = self._replies, []
@@ -112,8 +117,21 @@ class MonitorSource:
             observer.overhear(frame)
             return
         self._peers[frame.sysid] = (peer, t_s)
+        self._quiet.heard(frame.sysid, frame.msgid, t_s)
         if frame.msgid == _COMMAND_ACK and (queue := self._queues.get(frame.sysid)) is not None:
             self._follow_up(frame.sysid, queue.on_ack(frame.sysid, frame.compid, codec.fields(frame), t_s), t_s)
+
+    def _notice_quiet(self, t_s: float) -> None:
+        for sysid in self._quiet.due(t_s):
+            if t_s - self._peers[sysid][1] >= GONE_S:
+                continue
+            if self._control:
+                self._transmit(sysid, [everything(sysid, self._observer.component(sysid))])
+            if sysid not in self._told_quiet:
+                self._told_quiet.add(sysid)
+                done = "it is asked for them now" if self._control else "nobody asks for them; --control does"
+                text = f"Does not tell its position, attitude and state: {done}"
+                self._observer.tell(Event(t_s, sysid, "warning", text, "link"))
 
     # out, with control only
 

@@ -50,6 +50,7 @@ HOUSE = {
         "launch guard plugins energy",
         "mavlink.codec mavlink.identities",
         "mavlink.sequence mavlink.commands mavlink.batch mavlink.boot_clock mavlink.battery mavlink.statustext",
+        "mavlink.quiet",
         "mavlink.older mavlink.station",
         "mavlink.streams",
         "profiles",

@@ -20,6 +20,7 @@ from commands import gcs
 from pymavlink import mavutil
 from pymavlink.dialects.v20 import common
 from sessions import GCS, small
+from strangers import ARDUCOPTER, strangers
 
 from gcs.addresses import Address
 from gcs.monitor import MonitorSource
@@ -130,6 +131,21 @@ def test_launched_vehicles_are_heard_and_not_a_byte_is_said_to_them(tmp_path: Pa
     assert found[1]["battery"] == pytest.approx(0.4, abs=0.02)
     apart = [a - b for a, b in zip(found[1]["p_ned"], found[201]["p_ned"], strict=True)]
     assert apart == pytest.approx([5.0, 0.0, 0.0], abs=0.03)  # the scenario's starts: 2 m and -3 m north
+
+
+@pytest.mark.parametrize("control", [False, True])
+def test_an_arducopter_that_nobody_asks_is_told_of_and_with_control_it_is_asked(tmp_path: Path, control: bool) -> None:
+    """It tells little but its HEARTBEAT unasked, by its script as in truth."""
+    options = ["--control"] if control else []
+    with (
+        monitor("--connect", "udpin:127.0.0.1:0", *options) as (lines, where),
+        strangers(tmp_path, [*ARDUCOPTER, "--sysid", "6", "--connect", f"udpout:{where}"]),
+    ):
+        told = lines.snapshot(lambda s: any("Does not tell its position" in e["text"] for e in s["events"]))
+        if control:
+            lines.snapshot(lambda s: s["vehicles"][0]["p_ned"] is not None)
+        else:
+            assert told["vehicles"][0]["p_ned"] is None
 
 
 def test_with_control_it_is_a_ground_station_whose_order_to_land_is_flown() -> None:

@@ -43,6 +43,8 @@ class Profile:
     """
 
     name: str
+    offboard_name: str
+    """what its people call the mode in which it follows set points"""
     modes: Mapping[int, FlightMode]
     offboard: Params
     hold: Params
@@ -104,6 +106,7 @@ _CUSTOM = float(mav.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED)
 
 PX4 = Profile(
     name="px4",
+    offboard_name="offboard",
     modes={
         **dict.fromkeys(map(_px4, (1, 2, 3, 5, 7)), FlightMode.MANUAL),
         _px4(3, 1): FlightMode.MANUAL,
@@ -139,6 +142,7 @@ PX4 = Profile(
 )
 ARDUCOPTER = Profile(
     name="ardupilot",
+    offboard_name="GUIDED",
     modes={
         **dict.fromkeys((0, 1, 2, 13, 16), FlightMode.MANUAL),
         4: FlightMode.OFFBOARD,

@@ -270,8 +270,8 @@ class Supervisor:
                 kind: Kind = "session" if pilot.left_out else "decision"
                 self.events.append(Event(now_s, view.sysid, "warning", why, kind))
             elif pilot.stage is Stage.YIELDED and before is not Stage.YIELDED:
-                who = "Its failsafe" if view.failsafe else "Somebody else"
-                why = f"{who} flies it ({view.mode}): it takes part again when it is put into offboard"
+                who, back = "Its failsafe" if view.failsafe else "Somebody else", view.profile.offboard_name
+                why = f"{who} flies it ({view.mode}): it takes part again when it is put into {back}"
                 self.events.append(Event(now_s, view.sysid, "warning", why))
             elif pilot.stage is Stage.FLY and before is Stage.YIELDED:
                 self.events.append(Event(now_s, view.sysid, "info", "Takes part again"))

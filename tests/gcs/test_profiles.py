@@ -37,6 +37,12 @@ def test_arducopter_modes_are_mavutils(name: str, mode: FlightMode) -> None:
     assert ARDUCOPTER.mode(numbers[name]) is mode
 
 
+def test_offboard_is_named_as_the_autopilots_people_do() -> None:
+    assert mavutil.mode_mapping_acm[int(ARDUCOPTER.offboard[1])] == ARDUCOPTER.offboard_name
+    _, main, sub = mavutil.px4_map[PX4.offboard_name.upper()]
+    assert (float(main), float(sub)) == PX4.offboard[1:]
+
+
 @pytest.mark.parametrize("profile", [PX4, GENERIC, ARDUCOPTER])
 def test_the_command_for_offboard_asks_for_the_mode_that_reads_as_offboard(profile: Profile) -> None:
     flag, main, sub = profile.offboard

@@ -68,8 +68,8 @@ def _no_parameters(vehicle: Vehicle) -> str:
 
 
 def _silent_on_unknown(vehicle: Vehicle, _: Sequence[Heard]) -> Verdict:
-    if vehicle.profile is ARDUCOPTER:
-        return Verdict("late", "silence, as from ArduPilot up to 4.6")
+    if vehicle.profile in (PX4, ARDUCOPTER):
+        return Verdict("late", "silence, as from PX4 up to 1.17 and ArduPilot up to 4.6")
     return Verdict("missing", "no answer")
 
 

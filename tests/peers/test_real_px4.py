@@ -113,12 +113,10 @@ def test_it_lands_when_the_session_ends(flown: Outcome) -> None:
 
 
 @pytest.mark.usefixtures("flown")
-def test_its_peers_miss_one_thing_in_it_at_most(px4: Px4) -> None:
-    """PX4 1.17 has no PARAM_ERROR."""
+def test_its_peers_miss_nothing_in_it(px4: Px4) -> None:
     done = subprocess.run(
         [*GCS, "check", "--connect", px4.connect, "--json"], capture_output=True, text=True, check=False
     )
-    assert done.returncode in (0, 1), done.stderr
     findings = json.loads(done.stdout)["findings"]
-    lacking = {f["key"] for f in findings if f["outcome"] in ("missing", "wrong")}
-    assert lacking <= {"parameter-unknown"}
+    assert [f for f in findings if f["outcome"] in ("missing", "wrong")] == [], done.stderr
+    assert done.returncode == 0

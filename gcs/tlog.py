@@ -14,7 +14,7 @@ checksum is right; one that the dialect lacks, where it also stands exactly betw
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -35,16 +35,19 @@ TIME_BYTES = 8
 HEADER_1 = 6
 """Bytes of a MAVLink 1 header."""
 LARGEST = codec.HEADER_BYTES + 255 + codec.CRC_BYTES + codec.SIGNATURE_BYTES
-T_US, AT, SYSID, COMPID, SEQ, MSGID = range(6)
+COLUMNS = 6
+T_US, AT, SYSID, COMPID, SEQ, MSGID = range(COLUMNS)
 """Columns of `Chunk.heads`; AT is the place of the frame's marker in `Chunk.octets`."""
 
 _NO_SEED = -1
 _SEEDS = np.full(1 << 16, _NO_SEED, dtype=np.int64)
 for _msgid, _cls in common.mavlink_map.items():
     _SEEDS[_msgid] = _cls.crc_extra
-# CRC-16/MCRF4XX of one byte, from a register of 0; and which differences one unknown seed byte can make.
-_CRC = np.array([mcrf4xx(bytes([byte]), 0) for byte in range(256)], dtype=np.int64)
-_SOME_SEED = np.isin(np.arange(1 << 16), _CRC)
+AT_ONCE = 8
+# (AT_ONCE, 256) CRC-16/MCRF4XX, from a register of 0, of one byte with so many zeros behind it as the row says: so many
+# bytes are summed in one step (Kounavis and Berry 2005). And which differences one unknown seed byte can make.
+_CRC = np.array([[mcrf4xx(bytes([b]) + bytes(row), 0) for b in range(256)] for row in range(AT_ONCE)], dtype=np.uint16)
+_SOME_SEED = np.isin(np.arange(1 << 16), _CRC[0])
 
 
 class Chunk:
@@ -58,6 +61,11 @@ class Chunk:
         """(n, 6) in the file's order: T_US, AT, SYSID, COMPID, SEQ, MSGID"""
         self.read_share = read_share
         """how much of the file has been read, 0 to 1"""
+
+    @cached_property
+    def _msgids(self) -> NDArray[np.int32]:
+        """(n,) by themselves, since `table` looks for each message among all."""
+        return self.heads[:, MSGID].astype(np.int32)
 
     def frames(self) -> Iterator[tuple[int, Frame]]:
         """(time in µs since the Unix epoch, frame) in the file's order."""
@@ -73,7 +81,7 @@ class Chunk:
         """
         msgid = codec.layout(message).msgid
         dtype, payload_bytes = _dtypes(msgid)
-        heads = self.heads[self.heads[:, MSGID] == msgid]
+        heads = self.heads[np.flatnonzero(self._msgids == msgid)]
         rows = np.zeros(len(heads), dtype=dtype)
         for name, column in (("t_us", T_US), ("sysid", SYSID), ("compid", COMPID), ("seq", SEQ)):
             rows[name] = heads[:, column]
@@ -97,7 +105,8 @@ class Tlog:
     def chunks(self, begin: int = 0) -> Iterator[Chunk]:
         """The recording, stretch by stretch, from a place in the file on: where a frame's time begins."""
         self.problems = []
-        carried = b""
+        carried = np.empty(0, dtype=np.uint8)
+        room = np.empty((0, COLUMNS), dtype=np.int64)
         done = begin
         frames = gaps = skipped = 0
         last_end, look_at, last_us = 0, TIME_BYTES, -1
@@ -105,21 +114,26 @@ class Tlog:
             size = max(self.path.stat().st_size, 1)
             file.seek(begin)
             while True:
-                block = file.read(self._chunk_bytes)
-                final = len(block) < self._chunk_bytes
-                done += len(block)
-                octets = np.frombuffer(carried + block, dtype=np.uint8)
-                heads, last_end, look_at, last_us, more_gaps, more_skipped = _walk(
-                    octets, last_end, look_at, last_us, final, _SEEDS, _CRC, _SOME_SEED
+                octets = np.empty(len(carried) + self._chunk_bytes, dtype=np.uint8)
+                octets[: len(carried)] = carried
+                count = file.readinto(memoryview(octets)[len(carried) :])
+                final = count < self._chunk_bytes
+                done += count
+                octets = octets[: len(carried) + count]
+                if len(room) < len(octets) // TIME_BYTES + 1:
+                    room = np.empty((len(octets) // TIME_BYTES + 1, COLUMNS), dtype=np.int64)
+                found, last_end, look_at, last_us, more_gaps, more_skipped = _walk(
+                    octets, room, last_end, look_at, last_us, final, _SEEDS, _CRC, _SOME_SEED
                 )
-                frames += len(heads)
+                heads = room[:found].copy()
+                frames += found
                 gaps += more_gaps
                 skipped += more_skipped
                 yield Chunk(octets, heads, min(done / size, 1.0), done - len(octets))
                 if final:
                     break
                 keep = max(last_end, look_at - TIME_BYTES)
-                carried = octets[keep:].tobytes()
+                carried = octets[keep:].copy()
                 last_end, look_at = last_end - keep, look_at - keep
         left = len(octets) - last_end
         self.problems = list(_problems(self.path.name, frames, gaps, skipped, left))
@@ -185,7 +199,32 @@ def _gather(data: ByteArray, places: IntArray, rows: ByteArray, head_bytes: int)
 
 
 @njit(cache=True)
-def _frame_bytes(data: ByteArray, at: int, seeds: IntArray, table: IntArray, some_seed: NDArray[np.bool_]) -> Any:
+def _crc_of(data: ByteArray, begin: int, end: int, table: NDArray[np.uint16]) -> Any:
+    """Kernel: CRC-16/MCRF4XX of some bytes."""
+    crc = np.uint16(0xFFFF)
+    k = begin
+    while k + AT_ONCE <= end:
+        crc = (
+            table[7, data[k] ^ np.uint8(crc & 0xFF)]
+            ^ table[6, data[k + 1] ^ np.uint8(crc >> 8)]
+            ^ table[5, data[k + 2]]
+            ^ table[4, data[k + 3]]
+            ^ table[3, data[k + 4]]
+            ^ table[2, data[k + 5]]
+            ^ table[1, data[k + 6]]
+            ^ table[0, data[k + 7]]
+        )
+        k += AT_ONCE
+    while k < end:
+        crc = np.uint16(crc >> 8) ^ table[0, data[k] ^ np.uint8(crc & 0xFF)]
+        k += 1
+    return np.int64(crc)
+
+
+@njit(cache=True)
+def _frame_bytes(
+    data: ByteArray, at: int, seeds: IntArray, table: NDArray[np.uint16], some_seed: NDArray[np.bool_]
+) -> Any:
     """Kernel: length (an integer) of the intact frame at a place; negative where only its seed is unknown; 0: none."""
     size = data.size
     if at < 0 or at + 8 > size or (data[at] != 0xFD and data[at] != 0xFE):
@@ -206,12 +245,10 @@ def _frame_bytes(data: ByteArray, at: int, seeds: IntArray, table: IntArray, som
         total = end + 2 - at
     if at + total > size:
         return 0
-    crc = np.int64(0xFFFF)
-    for k in range(at + 1, end):
-        crc = crc >> 8 ^ table[(crc ^ data[k]) & 0xFF]
+    crc = _crc_of(data, at + 1, end, table)
     told = np.int64(data[end]) | np.int64(data[end + 1]) << 8
     if seed >= 0:
-        crc = crc >> 8 ^ table[(crc ^ seed) & 0xFF]
+        crc = crc >> 8 ^ np.int64(table[0, (crc ^ seed) & 0xFF])
         return total if crc == told else 0
     # Of MAVLink 1 an unknown message could not be handed out, since the form of MAVLink 2 needs its seed.
     return -total if data[at] == 0xFD and some_seed[told ^ crc >> 8] else 0
@@ -220,20 +257,21 @@ def _frame_bytes(data: ByteArray, at: int, seeds: IntArray, table: IntArray, som
 @njit(cache=True)
 def _walk(
     data: ByteArray,
+    heads: IntArray,
     last_end: int,
     look_at: int,
     last_us: Any,
     final: bool,
     seeds: IntArray,
-    table: IntArray,
+    table: NDArray[np.uint16],
     some_seed: NDArray[np.bool_],
-) -> tuple[IntArray, int, int, int, int, int]:
-    """Kernel: (heads (n, 6), end of the last frame, where to look next, time of the last frame, gaps, bytes in them).
+) -> tuple[int, int, int, int, int, int]:
+    """Kernel: fills heads (m, 6), with room for a frame at every 8 bytes; returns (how many there are, end of the last
+    frame, where to look next, time of the last frame, gaps, bytes in them).
 
     In step, the next frame stands 8 bytes after the last one's end. Out of step it is looked for byte by byte.
     """
     size = data.size
-    heads = np.empty((size // 8 + 1, 6), dtype=np.int64)
     n = gaps = skipped = 0
     while look_at < size:
         if not final and look_at + 288 > size:
@@ -269,4 +307,4 @@ def _walk(
         n += 1
         last_end = look_at + total
         look_at = last_end + 8
-    return heads[:n].copy(), last_end, look_at, last_us, gaps, skipped
+    return n, last_end, look_at, last_us, gaps, skipped

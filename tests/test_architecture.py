@@ -96,6 +96,7 @@ HOUSE = {
         "terminal launch_only",
         "arrays junit session_log",
         "session",
+        "report.set_points",
         "report.recorded",
         "report.series",
         "report.pursuit",

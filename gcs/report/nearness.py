@@ -18,8 +18,9 @@ from gcs.metrics import PLAN_MEMORY, closest_pair, distance_to_path
 from gcs.planner import obstacles
 from gcs.planner.plan import obstacle_table
 from gcs.report.pursuit import pursued, ticks_of
-from gcs.report.recorded import P_NED, SYSID, T_S, Recorded
+from gcs.report.recorded import Recorded
 from gcs.report.series import Floats, Series, Track
+from gcs.report.set_points import P_NED, SYSID, T_S
 
 BLOCK_TICKS = 2000
 

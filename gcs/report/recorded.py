@@ -18,6 +18,7 @@ from gcs import summary as summaries
 from gcs import tlog
 from gcs.mavlink.identities import AUTOPILOT
 from gcs.recorder import DECISIONS, TLOG
+from gcs.report import set_points
 from gcs.scenario import Scenario, ScenarioError, load
 from gcs.summary import Summary
 
@@ -36,6 +37,7 @@ WANTED = {
 }
 """The messages that a report is made from, and the fields that it needs of them."""
 BLOCK_BYTES = 1 << 22
+MOST_SECONDS = 7 * 86_400
 NEEDED: dict[str, tuple[str, ...]] = {
     "competition": ("v", "leader", "share"),
     "decided": ("receiver", "tanker", "by", "bids"),
@@ -51,12 +53,6 @@ NEEDED: dict[str, tuple[str, ...]] = {
     "operator": ("command", "taken", "text"),
 }
 """What a report reads of each kind of decision; a line without it is none."""
-_SET_POINT = b'{"kind":"set_point","p_ned":['
-# Between the numbers of a set point's line, in the one form in which the recorder writes it.
-_END = b"]}\n"
-_BETWEEN = ((b'],"sysid":', b","), (b',"t_s":', b","), (b',"v_ned":[', b","), (_END, b","), (_SET_POINT, b""))
-SYSID, T_S, P_NED = 3, 4, slice(0, 3)
-"""Columns of `Recorded.set_points`."""
 
 Progress = Callable[[float], object]
 
@@ -76,8 +72,8 @@ class Recorded:
     """by message: t_s of the session, sysid, compid and the fields of WANTED, in the order of arrival"""
     decisions: list[dict[str, Any]] = field(default_factory=list)
     """every decision but the set points"""
-    set_points: NDArray[np.float64] = field(default_factory=lambda: np.empty((0, 8)))
-    """(n, 8) in the order of decision"""
+    set_points: NDArray[np.float64] = field(default_factory=lambda: np.empty((0, set_points.COLUMNS)))
+    """(n, COLUMNS) in the order of decision"""
     traffic_count: NDArray[np.int64] = field(default_factory=lambda: np.zeros((256, 0), dtype=np.int64))
     """(256, seconds) frames received of each vehicle's autopilot in each second"""
     traffic_lost: NDArray[np.int64] = field(default_factory=lambda: np.zeros((256, 0), dtype=np.int64))
@@ -130,86 +126,108 @@ def _read_scenario(recorded: Recorded) -> None:
 def _read_decisions(recorded: Recorded, progress: Progress) -> None:
     path = recorded.folder / DECISIONS
     points: list[NDArray[np.float64]] = []
-    broken = 0
+    broken = done = 0
+    carried = b""
     try:
         size = max(path.stat().st_size, 1)
-        done = 0
         with path.open("rb") as file:
-            while lines := file.readlines(BLOCK_BYTES):
-                done += sum(map(len, lines))
-                plain: list[bytes] = []
-                others: list[bytes] = []
-                for line in lines:
-                    (plain if line.startswith(_SET_POINT) and line.endswith(_END) else others).append(line)
-                table = _set_points(plain)
-                points.append(table if table is not None else np.empty((0, 8)))
-                broken += _take_decisions(recorded, others if table is not None else lines, points)
+            while block := file.read(BLOCK_BYTES):
+                done += len(block)
+                text = carried + block
+                end = text.rfind(b"\n") + 1
+                carried = text[end:]
+                rows, others = set_points.scan(text[:end])
+                points.append(rows)
+                broken += _take_decisions(recorded, others, points)
                 progress(done / size)
+        broken += _take_decisions(recorded, [carried] if carried else [], points)
     except OSError as error:
         why = "is missing" if isinstance(error, FileNotFoundError) else f"cannot be read ({error.strerror})"
         recorded.problems.append(f"{path.name} {why}: plan, tracking error and competition cannot be shown.")
     if broken:
         lines_are = "1 line that is" if broken == 1 else f"{broken} lines that are"
         recorded.problems.append(f"{path.name} has {lines_are} no decision, cut short or foreign; passed over.")
-    recorded.set_points = np.concatenate(points) if points else np.empty((0, 8))
-
-
-def _set_points(lines: list[bytes]) -> NDArray[np.float64] | None:
-    """(n, 8) numbers of set points' lines; None where not all are in the recorder's form. JSON takes ten times as
-    long, and there are a million and more of these."""
-    text = b"".join(lines)
-    for form, comma in _BETWEEN:
-        text = text.replace(form, comma)
-    if text.strip(b"0123456789+-.eE,"):
-        return None
-    try:
-        numbers = np.fromstring(text.rstrip(b",").decode(), sep=",") if text else np.empty(0)
-    except (ValueError, DeprecationWarning):  # numpy's word for text that does not end as numbers do
-        return None
-    return numbers.reshape(-1, 8) if len(numbers) == 8 * len(lines) else None
+    if points:
+        recorded.set_points = np.concatenate(points)
 
 
 def _take_decisions(recorded: Recorded, lines: Iterable[bytes], points: list[NDArray[np.float64]]) -> int:
     """Take decisions line by line; how many were none."""
     broken = 0
+    rows = []
     for line in lines:
         try:
             decision = json.loads(line)
             if decision["kind"] == "set_point":
-                row = [*decision["p_ned"], decision["sysid"], decision["t_s"], *decision["v_ned"]]
-                points.append(np.array(row, dtype=np.float64).reshape(1, 8))
+                told = (*decision["p_ned"], decision["sysid"], decision["t_s"], *decision["v_ned"])
+                rows.append(np.array(told, dtype=np.float64).reshape(8)[: set_points.COLUMNS])
             elif missing := [key for key in NEEDED.get(decision["kind"], ()) if key not in decision]:
                 raise KeyError(missing)
             else:
                 recorded.decisions.append({**decision, "t_s": float(decision["t_s"])})
         except (ValueError, TypeError, KeyError):
             broken += 1
+    if rows:
+        points.append(np.stack(rows))
     return broken
 
 
-def read_tlog(recorded: Recorded, progress: Progress, wanted: Iterable[str] = tuple(WANTED)) -> None:
-    """Take in these messages of the folder's recording, and the link's counts; problems are noted."""
-    scenario = recorded.scenario
-    epoch_us = round(1e6 * scenario.clock.epoch.timestamp()) if scenario else None
-    pieces: dict[str, list[NDArray[Any]]] = {name: [] for name in wanted}
-    newest = np.full(256, -1, dtype=np.int64)
-    missing = np.zeros((256, 256), dtype=np.bool_)
+def read_tlog(recorded: Recorded, progress: Progress) -> None:
+    """Take in the folder's recording; problems are noted."""
+    gathering = Gathering(recorded)
     try:
         log = tlog.read(recorded.folder / TLOG)
         for chunk in log.chunks():
-            heads = chunk.heads
-            if len(heads):
-                epoch_us = int(heads[0, tlog.T_US]) if epoch_us is None else epoch_us
-                for name, kept in pieces.items():
-                    kept.append(_columns(chunk.table(name), WANTED[name], epoch_us))
-                recorded.end_s = max(recorded.end_s, 1e-6 * (int(heads[-1, tlog.T_US]) - epoch_us))
-                _count(recorded, heads, epoch_us, newest, missing)
+            gathering.take(chunk)
             progress(chunk.read_share)
         recorded.problems += log.problems
     except OSError as error:
         why = "is missing" if isinstance(error, FileNotFoundError) else f"cannot be read ({error.strerror})"
         recorded.problems.append(f"{TLOG} {why}: paths, speeds, batteries, distances and link cannot be shown.")
-    recorded.tables = {name: np.concatenate(tables) for name, tables in pieces.items() if tables}
+    gathering.finish()
+
+
+class Gathering:
+    """Fills what was recorded out of the stretches of a recording, in their order: the tables of the messages `wanted`,
+    the end, and the link's counts where these are `counted`. `finish` sets the tables."""
+
+    def __init__(self, recorded: Recorded, wanted: Iterable[str] = tuple(WANTED), *, counted: bool = True) -> None:
+        scenario = recorded.scenario
+        self._recorded = recorded
+        self._epoch_us = round(1e6 * scenario.clock.epoch.timestamp()) if scenario else None
+        self._pieces: dict[str, list[NDArray[Any]]] = {name: [] for name in wanted}
+        self._counted = counted
+        self._newest = np.full(256, -1, dtype=np.int64)
+        self._missing = np.zeros((256, 256), dtype=np.bool_)
+
+    def take(self, chunk: tlog.Chunk) -> None:
+        """Take in the next stretch."""
+        heads = chunk.heads
+        if not len(heads):
+            return
+        epoch_us = self._epoch_us = int(heads[0, tlog.T_US]) if self._epoch_us is None else self._epoch_us
+        for name, pieces in self._pieces.items():
+            pieces.append(_columns(chunk.table(name), WANTED[name], epoch_us))
+        self._recorded.end_s = max(self._recorded.end_s, 1e-6 * (int(heads[-1, tlog.T_US]) - epoch_us))
+        if self._counted:
+            self._count(heads, epoch_us)
+
+    def finish(self) -> None:
+        """Set the tables; they are whole once the last stretch has been taken in."""
+        tables = self._recorded.tables
+        while self._pieces:
+            name, pieces = self._pieces.popitem()
+            if pieces:
+                tables[name] = np.concatenate(pieces)
+
+    def _count(self, heads: NDArray[np.int64], epoch_us: int) -> None:
+        recorded = self._recorded
+        grown = _last_second(heads, epoch_us) + 1 - recorded.traffic_count.shape[1]
+        if grown > 0:
+            recorded.traffic_count = np.pad(recorded.traffic_count, ((0, 0), (0, grown)))
+            recorded.traffic_lost = np.pad(recorded.traffic_lost, ((0, 0), (0, grown)))
+        counts = recorded.traffic_count, recorded.traffic_lost
+        _gaps(heads, epoch_us, self._newest, self._missing, *counts)
 
 
 def _columns(table: NDArray[Any], fields: tuple[str, ...], epoch_us: int) -> NDArray[Any]:
@@ -222,27 +240,29 @@ def _columns(table: NDArray[Any], fields: tuple[str, ...], epoch_us: int) -> NDA
     return columns
 
 
-def _count(
-    recorded: Recorded, heads: NDArray[np.int64], epoch_us: int, newest: NDArray[np.int64], missing: NDArray[np.bool_]
-) -> None:
-    own = heads[heads[:, tlog.COMPID] == AUTOPILOT]
-    second = (own[:, tlog.T_US] - epoch_us) // 1_000_000
-    # A foreign time, years away, must not make a table of years.
-    sane = (second >= 0) & (second < 7 * 86_400)
-    own, second = own[sane], second[sane]
-    seconds = int(second.max(initial=-1)) + 1
-    grown = seconds - recorded.traffic_count.shape[1]
-    if grown > 0:
-        recorded.traffic_count = np.pad(recorded.traffic_count, ((0, 0), (0, grown)))
-        recorded.traffic_lost = np.pad(recorded.traffic_lost, ((0, 0), (0, grown)))
-    _gaps(own[:, tlog.SYSID], own[:, tlog.SEQ], second, newest, missing, recorded.traffic_count, recorded.traffic_lost)
+@njit(cache=True)
+def _own_second(head: NDArray[np.int64], epoch_us: int) -> int:
+    """Kernel: the session's second in which an autopilot's frame came; -1 of other frames, and where the time is a
+    foreign one, years away, which must not make a table of years."""
+    if head[tlog.COMPID] != AUTOPILOT:
+        return -1
+    second = (head[tlog.T_US] - epoch_us) // 1_000_000
+    return second if 0 <= second < MOST_SECONDS else -1
+
+
+@njit(cache=True)
+def _last_second(heads: NDArray[np.int64], epoch_us: int) -> int:
+    """Kernel: the last second in which a frame counts; -1 where none does."""
+    last = -1
+    for i in range(heads.shape[0]):
+        last = max(last, _own_second(heads[i], epoch_us))
+    return last
 
 
 @njit(cache=True)
 def _gaps(
-    sysid: NDArray[np.int64],
-    seq: NDArray[np.int64],
-    second: NDArray[np.int64],
+    heads: NDArray[np.int64],
+    epoch_us: int,
     newest: NDArray[np.int64],
     missing: NDArray[np.bool_],
     count: NDArray[np.int64],
@@ -253,8 +273,11 @@ def _gaps(
 
     newest (256,) and missing (256, 256) are the memory from call to call.
     """
-    for i in range(sysid.size):
-        sender, number, now = sysid[i], seq[i], second[i]
+    for i in range(heads.shape[0]):
+        now = _own_second(heads[i], epoch_us)
+        if now < 0:
+            continue
+        sender, number = heads[i, tlog.SYSID], heads[i, tlog.SEQ]
         if newest[sender] < 0:
             newest[sender] = number
             count[sender, now] += 1

@@ -19,7 +19,7 @@ from gcs.planner import obstacles
 from gcs.planner.plan import obstacle_table
 from gcs.report.pursuit import pursued, ticks_of
 from gcs.report.recorded import Recorded
-from gcs.report.series import Floats, Series, Track
+from gcs.report.series import Floats, Series, Track, rows_of
 from gcs.report.set_points import P_NED, SYSID, T_S
 
 BLOCK_TICKS = 2000
@@ -100,12 +100,12 @@ def tracking_errors(recorded: Recorded, flown: Mapping[int, Track]) -> dict[int,
     """Each vehicle's distance in m from the path of its latest set points, at each of them."""
     period_s = recorded.scenario.clock.period_s if recorded.scenario else 0.1
     points = recorded.set_points
-    points = points[np.lexsort((points[:, T_S], points[:, SYSID]))]
     found = {}
-    for sysid in np.unique(points[:, SYSID]).astype(int).tolist():
+    for sysid, rows in rows_of(points[:, SYSID].astype(np.int64)).items():
         if sysid in flown:
-            low, high = np.searchsorted(points[:, SYSID], (sysid, sysid + 1))
-            own = points[low:high]
+            own = points[rows]
+            if (np.diff(own[:, T_S]) < 0.0).any():
+                own = own[np.argsort(own[:, T_S], kind="stable")]
             t_s = np.ascontiguousarray(own[:, T_S])
             at = flown[sysid].at(t_s)
             errors = _errors(t_s, np.ascontiguousarray(own[:, P_NED]), at, 1.5 * period_s, PLAN_MEMORY)

@@ -53,6 +53,7 @@ NEEDED: dict[str, tuple[str, ...]] = {
     "operator": ("command", "taken", "text"),
 }
 """What a report reads of each kind of decision; a line without it is none."""
+COMPETITION = ("kind", "giver", *NEEDED["competition"])
 
 Progress = Callable[[float], object]
 
@@ -164,7 +165,10 @@ def _take_decisions(recorded: Recorded, lines: Iterable[bytes], points: list[NDA
             elif missing := [key for key in NEEDED.get(decision["kind"], ()) if key not in decision]:
                 raise KeyError(missing)
             else:
-                recorded.decisions.append({**decision, "t_s": float(decision["t_s"])})
+                kept = decision.items()
+                if decision["kind"] == "competition":  # one a tick, with numbers of every vehicle
+                    kept = [(key, value) for key, value in kept if key in COMPETITION]
+                recorded.decisions.append({**dict(kept), "t_s": float(decision["t_s"])})
         except (ValueError, TypeError, KeyError):
             broken += 1
     if rows:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from itertools import chain
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -95,12 +96,12 @@ def tracks(recorded: Recorded) -> dict[int, Track]:
     """Each vehicle's track, as far as it told where its own frame's zero lies."""
     if not recorded.tables:
         return {}
-    origins = _by_vehicle(_own(recorded, "GPS_GLOBAL_ORIGIN"))
+    origins = _by_vehicle(recorded.tables["GPS_GLOBAL_ORIGIN"])
     zero = _zero(recorded, origins)
-    armed = _by_vehicle(_own(recorded, "HEARTBEAT"))
-    landed = _by_vehicle(_own(recorded, "EXTENDED_SYS_STATE"))
+    armed = _by_vehicle(recorded.tables["HEARTBEAT"])
+    landed = _by_vehicle(recorded.tables["EXTENDED_SYS_STATE"])
     found = {}
-    for sysid, rows in _by_vehicle(_own(recorded, "LOCAL_POSITION_NED")).items():
+    for sysid, rows in _by_vehicle(recorded.tables["LOCAL_POSITION_NED"]).items():
         if sysid not in origins or zero is None:
             continue
         offset = np.array(pymap3d.geodetic2ned(*_place(origins[sysid][0]), *zero), dtype=np.float64)
@@ -148,7 +149,7 @@ def attitudes(recorded: Recorded) -> dict[int, tuple[Series, Series, Series]]:
     if not recorded.tables:
         return {}
     found = {}
-    for sysid, rows in _by_vehicle(_own(recorded, "ATTITUDE")).items():
+    for sysid, rows in _by_vehicle(recorded.tables["ATTITUDE"]).items():
         t_s = _told_s(rows)
         order = np.argsort(t_s, kind="stable")
         roll, pitch, yaw = (
@@ -179,12 +180,12 @@ def batteries(recorded: Recorded) -> dict[int, Battery]:
     """Each vehicle's battery by its messages alone: initial + received - drawn - given (contract.md, Energy)."""
     if not recorded.tables:
         return {}
-    parameters = _by_vehicle(_own(recorded, "PARAM_VALUE"))
-    counters = _by_vehicle(_own(recorded, "NAMED_VALUE_INT"))
+    parameters = _by_vehicle(recorded.tables["PARAM_VALUE"])
+    counters = _by_vehicle(recorded.tables["NAMED_VALUE_INT"])
     fitted = {v.sysid: v.battery for v in recorded.scenario.vehicles.all} if recorded.scenario else {}
     ledgers = {v.sysid: v.energy for v in recorded.summary.vehicles} if recorded.summary else {}
     found = {}
-    reports = _own(recorded, "BATTERY_STATUS")
+    reports = recorded.tables["BATTERY_STATUS"]
     for sysid, rows in _by_vehicle(reports[reports["id"] == 0]).items():
         told = {row["param_id"]: float(row["param_value"]) for row in parameters.get(sysid, ())}
         capacity_j = told.get(b"SIM_BAT_CAP_J") or (fitted[sysid].capacity_j if sysid in fitted else 0.0)
@@ -236,15 +237,15 @@ def contest(recorded: Recorded, *, for_bases: bool = False) -> Contest:
     every = (decision for decision in recorded.decisions if decision["kind"] == "competition")
     lines = [decision for decision in every if (decision.get("giver") == "base") == for_bases]
     t_s = np.array([line["t_s"] for line in lines], dtype=np.float64)
-    states: dict[int, list[tuple[float, float]]] = {}
-    for line in lines:
-        for sysid, v in line["v"].items():
-            states.setdefault(int(sysid), []).append((line["t_s"], v))
+    told = [line["v"] for line in lines]
+    sysid_of = {name: int(name) for name in set().union(*told)}
+    sysids = np.fromiter((sysid_of[name] for v in told for name in v), dtype=np.int64)
+    values = np.fromiter(chain.from_iterable(v.values() for v in told), dtype=np.float64)
+    times_s = np.repeat(t_s, [len(v) for v in told])
     gap_s = 2.5 * (recorded.scenario.clock.period_s if recorded.scenario else 0.1)
     v_of = {}
-    for sysid, points in sorted(states.items()):
-        table = np.array(points, dtype=np.float64)
-        v_of[sysid] = with_gaps(Series(table[:, 0], table[:, 1]), gap_s)
+    for sysid, rows in rows_of(sysids).items():
+        v_of[sysid] = with_gaps(Series(times_s[rows], values[rows]), gap_s)
     share = Series(t_s, np.array([line["share"] for line in lines], dtype=np.float64))
     leader = [math.nan if line["leader"] is None else float(line["leader"]) for line in lines]
     return Contest(v_of, with_gaps(share, gap_s), Series(t_s, np.array(leader, dtype=np.float64)))
@@ -293,16 +294,28 @@ def texts(recorded: Recorded, worst: int = 4) -> list[tuple[float, int, int, str
 def _own(recorded: Recorded, message: str) -> NDArray[Any]:
     """A message's rows that vehicles' autopilots sent."""
     table = recorded.tables[message]
-    rows: NDArray[Any] = table[(table["compid"] == AUTOPILOT) & (table["sysid"] < 255)]
+    rows: NDArray[Any] = table[_are_own(table)]
     return rows
 
 
-def _by_vehicle(rows: NDArray[Any]) -> dict[int, NDArray[Any]]:
-    """Rows of each sender, in their order."""
-    order = np.argsort(rows["sysid"], kind="stable")
-    ordered = rows[order]
-    sysids, first = np.unique(ordered["sysid"], return_index=True)
-    return dict(zip(sysids.tolist(), np.split(ordered, first[1:]), strict=True)) if len(sysids) else {}
+def _are_own(table: NDArray[Any]) -> NDArray[np.bool_]:
+    """(n,) which rows vehicles' autopilots sent."""
+    own: NDArray[np.bool_] = (table["compid"] == AUTOPILOT) & (table["sysid"] < 255)
+    return own
+
+
+def _by_vehicle(table: NDArray[Any]) -> dict[int, NDArray[Any]]:
+    """The rows that each vehicle's autopilot sent, in their order."""
+    own = np.flatnonzero(_are_own(table))
+    return {sysid: table[own[rows]] for sysid, rows in rows_of(table["sysid"][own]).items()}
+
+
+def rows_of(keys: NDArray[Any]) -> dict[int, NDArray[np.int64]]:
+    """For each key, ascending, the rows where it stands, in their order."""
+    order = np.argsort(keys, kind="stable")
+    ordered = keys[order]
+    parts = np.split(order, np.flatnonzero(ordered[1:] != ordered[:-1]) + 1)
+    return {int(keys[rows[0]]): rows for rows in parts if len(rows)}
 
 
 def _told_s(rows: NDArray[Any]) -> Floats:

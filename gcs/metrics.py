@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
 from gcs.planner import obstacles
-from gcs.planner.plan import SetPoint
 from gcs.scenario import Scenario
 from gcs.views import Snapshot, Vec3
+
+if TYPE_CHECKING:
+    from gcs.planner.plan import SetPoint
 
 PLAN_MEMORY = 20
 """Set points against which a vehicle's way is held: it flies a few ticks behind its plan."""

@@ -113,7 +113,7 @@ class Recording:
     """One .tlog. Raises OSError where it cannot be read.
 
     epoch_us: the time that is 0 s; the first frame's without it. block_bytes: of the index; by the file's size without
-    it. `problems` says what could not be read.
+    it. `watch` is given each stretch of the file as it is read. `problems` says what could not be read.
     """
 
     def __init__(
@@ -124,6 +124,7 @@ class Recording:
         session: bool = False,
         block_bytes: int | None = None,
         progress: Callable[[float], None] = lambda _: None,
+        watch: Callable[[tlog.Chunk], object] = lambda _: None,
     ) -> None:
         self.path = path
         self._session = session
@@ -154,6 +155,7 @@ class Recording:
                 latest_us = max(latest_us, int(heads[:, T_US].max()))
                 last_us = int(heads[-1, T_US])
                 self.frames += len(heads)
+            watch(chunk)
             progress(chunk.read_share)
         self.problems = log.problems
         self._epoch_us = epoch_us or 0

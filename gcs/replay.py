@@ -17,13 +17,13 @@ from gcs.lacking import SCENARIO, passed_over, unread
 from gcs.observe import Observer
 from gcs.recorder import DECISIONS, TLOG
 from gcs.recording import Recording, Told
-from gcs.report.pursuit import Course, read_course
+from gcs.report.pursuit import Course, CourseReader
 from gcs.scenario import Scenario, ScenarioError, load
 from gcs.story import Story
 
 FASTEST = 1000.0
-READ = 0.6
-"""What indexing has of the time that opening a session takes."""
+DECIDED, INDEXED = 0.25, 0.9
+"""How much of the time that opening a session takes is gone when its decisions, and its frames, have been read."""
 SNAPSHOT_EVERY_S = 0.1
 """of wall time, as from a session"""
 PATIENCE_S = 0.05
@@ -54,27 +54,27 @@ class Replay:
         path, epoch_us = source, None
         if source.is_dir():
             path = source / TLOG
-            epoch_us = self._read_session(source)
+            epoch_us = self._read_session(source, lambda share: progress(DECIDED * share))
         if not path.exists():
             missing = f"{source} has no {TLOG}" if source.is_dir() else f"{source} does not exist"
             raise ReplayError(f"{missing}; give a session's folder or a .tlog file.")
-        indexed = READ if source.is_dir() else 1.0
+        course: CourseReader | None = None
+        if self._scenario is not None and self._story is not None:
+            course = CourseReader(self._scenario, self._story.chases)
+        begin, end = (DECIDED, INDEXED) if source.is_dir() else (0.0, 1.0)
         self._recording = Recording(
             path,
             epoch_us=epoch_us,
             session=source.is_dir(),
             block_bytes=block_bytes,
-            progress=lambda share: progress(indexed * share),
+            progress=lambda share: progress(begin + (end - begin) * share),
+            watch=course.take if course is not None else lambda _: None,
         )
         self.problems += self._recording.problems
         if not self._recording.frames:
             raise ReplayError(" ".join(self._recording.problems) or f"{path} holds no MAVLink frame.")
-        self._pursuit: Course | None = None
-        if self._scenario is not None and self._story is not None:
-            rest = 1.0 - indexed
-            self._pursuit = read_course(
-                source, self._scenario, self._story.chases, lambda share: progress(indexed + rest * share)
-            )
+        self._pursuit: Course | None = course.course() if course is not None else None
+        progress(1.0)
         self.from_s, self.to_s = self._recording.from_s, self._recording.to_s
         self._wanted: frozenset[int] = frozenset()
         self.seek(self.from_s)
@@ -155,7 +155,7 @@ class Replay:
                 self.observer.fleet.lost(sysid)
             self._dead += 1
 
-    def _read_session(self, folder: Path) -> int | None:
+    def _read_session(self, folder: Path, progress: Callable[[float], None]) -> int | None:
         """Scenario and decisions, as far as they are there; the session's epoch."""
         lost = "roles, obstacles and decisions are not shown."
         try:
@@ -165,7 +165,7 @@ class Replay:
             return None
         self.name = self._scenario.name
         try:
-            self._story = Story(folder / DECISIONS, self._scenario)
+            self._story = Story(folder / DECISIONS, self._scenario, progress)
         except OSError as error:
             self.problems.append(unread(folder / DECISIONS, error, "decisions are not shown."))
         else:

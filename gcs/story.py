@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import bisect
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -26,6 +26,7 @@ from gcs.trouble import state
 from gcs.views import Snapshot, Vec3
 
 _SET_POINT = b'{"kind":"set_point"'
+BLOCK_BYTES = 1 << 22
 STANDS_S = 0.35
 """A competition that has not been heard of for so long is over."""
 
@@ -62,7 +63,7 @@ class _Life:
 class Story:
     """What was decided. Raises OSError where the file cannot be read."""
 
-    def __init__(self, path: Path, scenario: Scenario) -> None:
+    def __init__(self, path: Path, scenario: Scenario, progress: Callable[[float], object] = lambda _: None) -> None:
         self._scenario = scenario
         self._speed: dict[int | None, float] = {t.sysid: t.speed_m_s for t in scenario.vehicles.tankers}
         self._base_ned: dict[str | None, Vec3] = {base.name: base.position_m for base in scenario.bases}
@@ -77,7 +78,7 @@ class Story:
         self.chases: list[dict[str, Any]] = []
         """the decisions and orders that say who pursues whom"""
         self.broken = 0
-        for line in self._lines(path):
+        for line in self._lines(path, progress):
             self._take(line)
         self._standing_s = [t_s for t_s, _ in self._standing]
         self._told_s = [t_s for t_s, _ in self._told]
@@ -189,11 +190,13 @@ class Story:
 
     # reading
 
-    def _lines(self, path: Path) -> Iterator[bytes]:
+    def _lines(self, path: Path, progress: Callable[[float], object]) -> Iterator[bytes]:
+        size, done = max(path.stat().st_size, 1), 0
         with path.open("rb") as file:
-            for line in file:
-                if not line.startswith(_SET_POINT):
-                    yield line
+            while lines := file.readlines(BLOCK_BYTES):
+                yield from (line for line in lines if not line.startswith(_SET_POINT))
+                done += sum(map(len, lines))
+                progress(min(done / size, 1.0))
 
     def _take(self, line: bytes) -> None:
         try:

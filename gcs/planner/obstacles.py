@@ -13,11 +13,18 @@ Boxes are axis-aligned, cylinders stand upright and end in flat lids. Distances 
 the surface, negative within a volume. A point's surface is its centre, so its distance is never negative.
 """
 
+from __future__ import annotations
+
 import math
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numba import njit
 from numpy.typing import ArrayLike, NDArray
+
+if TYPE_CHECKING:
+    from gcs.scenario import Obstacle
 
 FloatArray = NDArray[np.float64]
 
@@ -62,6 +69,23 @@ def cylinder(centre_ned: ArrayLike, radius_m: float, height_m: float) -> FloatAr
 def table(rows: list[FloatArray]) -> FloatArray:
     """Rows of the shapes above, stacked to (m, COLUMNS); no rows give (0, COLUMNS)."""
     return np.array(rows, dtype=np.float64).reshape(len(rows), COLUMNS)
+
+
+def of_scenario(shapes: Iterable[Obstacle]) -> FloatArray:
+    """Table of a scenario's obstacles."""
+    rows = []
+    for shape in shapes:
+        low, high = np.array(shape.low_m), np.array(shape.high_m)
+        centre = (low + high) / 2.0
+        if shape.kind == "point":
+            rows.append(point(centre))
+        elif shape.kind == "sphere":
+            rows.append(sphere(centre, shape.radius_m))
+        elif shape.kind == "box":
+            rows.append(box(low, high))
+        else:
+            rows.append(cylinder(centre, shape.radius_m, float(high[2] - low[2])))
+    return table(rows)
 
 
 def points(positions_ned: ArrayLike, radii_m: ArrayLike = 0.0) -> FloatArray:
@@ -181,7 +205,13 @@ def _surfaces(table: FloatArray, q: FloatArray, distance: FloatArray, direction:
 
 @njit(cache=True)
 def _clearances(table: FloatArray, at: FloatArray, least: FloatArray) -> None:
+    # No part of a shape is farther than this from its place, so most are passed over by one coordinate alone. Rounding
+    # is monotonic, so that it never hides the nearest.
+    reach = np.sqrt(table[:, SIZE_1] ** 2 + table[:, SIZE_2] ** 2 + table[:, SIZE_3] ** 2)
     for k in range(at.shape[0]):
-        least[k] = math.inf
+        nearest = math.inf
         for i in range(table.shape[0]):
-            least[k] = min(least[k], shape_surface(table, i, at[k, 0], at[k, 1], at[k, 2])[0])
+            north, east = abs(at[k, 0] - table[i, NORTH]), abs(at[k, 1] - table[i, EAST])
+            if north - reach[i] < nearest and east - reach[i] < nearest:
+                nearest = min(nearest, shape_surface(table, i, at[k, 0], at[k, 1], at[k, 2])[0])
+        least[k] = nearest

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from gcs.planner import formation, fuzzy, leader, obstacles
 from gcs.planner.potential_field import Field, widened_range
-from gcs.scenario import Obstacle, Scenario, Tanker, Target
+from gcs.scenario import Scenario, Tanker, Target
 from gcs.views import Snapshot, Vec3, VehicleView
 
 LOOKAHEAD_S = 0.37
@@ -50,23 +50,6 @@ class _Wanted:
     speed_m_s: float
 
 
-def obstacle_table(shapes: Iterable[Obstacle]) -> NDArray[np.float64]:
-    """The planner's table of a scenario's obstacles."""
-    rows = []
-    for shape in shapes:
-        low, high = np.array(shape.low_m), np.array(shape.high_m)
-        centre = (low + high) / 2.0
-        if shape.kind == "point":
-            rows.append(obstacles.point(centre))
-        elif shape.kind == "sphere":
-            rows.append(obstacles.sphere(centre, shape.radius_m))
-        elif shape.kind == "box":
-            rows.append(obstacles.box(low, high))
-        else:
-            rows.append(obstacles.cylinder(centre, shape.radius_m, float(high[2] - low[2])))
-    return obstacles.table(rows)
-
-
 class Planner:
     """The leaders of all steered vehicles; `plan` moves them by one period."""
 
@@ -82,7 +65,7 @@ class Planner:
             repulsion_range_m=rules.repulsion_range_m,
             step_m=rules.step_m,
         )
-        self.obstacles = obstacle_table(scenario.obstacles)
+        self.obstacles = obstacles.of_scenario(scenario.obstacles)
         self._q: dict[int, NDArray[np.float64]] = {}
         self._v: dict[int, Vec3] = {}
         self._memory: dict[int, NDArray[np.float64]] = {}

@@ -24,23 +24,41 @@ def min_max(series: Series, buckets: int, begin_s: float, end_s: float) -> Serie
     t_s, values = series
     if len(t_s) <= 2 * buckets:
         return series
-    bucket = np.clip(((t_s - begin_s) * (buckets / (end_s - begin_s))).astype(np.int64), 0, buckets - 1)
-    first = np.flatnonzero(np.diff(bucket, prepend=-1))
-    gap = np.isnan(values)
-    kept = [first[:0]]
-    for of, filler in ((np.minimum, np.inf), (np.maximum, -np.inf)):
-        filled = np.where(gap, filler, values)
-        extreme = np.repeat(of.reduceat(filled, first), np.diff(np.append(first, len(values))))
-        kept.append(_first_of_each(bucket, (filled == extreme) & ~gap))
-    kept.append(_first_of_each(bucket, gap))
-    chosen = np.unique(np.concatenate(kept))
+    bucket = _bucket(t_s, buckets, begin_s, end_s)
+    chosen = _extremes(bucket, values)
     return Series(t_s[chosen], values[chosen])
 
 
-def _first_of_each(bucket: NDArray[np.int64], holds: NDArray[np.bool_]) -> NDArray[np.int64]:
-    """The first place in each bucket at which something holds."""
-    places = np.flatnonzero(holds)
-    return places[np.diff(bucket[places], prepend=-1) > 0]
+def _bucket(t_s: Floats, buckets: int, begin_s: float, end_s: float) -> NDArray[np.int64]:
+    """(k,) in which of the equal parts of [begin_s, end_s] each time lies; what is outside belongs to the nearest."""
+    part = ((t_s - begin_s) * (buckets / (end_s - begin_s))).astype(np.int64)
+    return np.minimum(np.maximum(part, 0), buckets - 1)
+
+
+@njit(cache=True)
+def _extremes(bucket: NDArray[np.int64], values: Floats) -> NDArray[np.int64]:
+    """Kernel: the places of the smallest value, the largest and the first NaN of each run of one bucket, ascending."""
+    places = np.empty(values.size, dtype=np.int64)
+    count = begin = 0
+    while begin < values.size:
+        least = greatest = gap = -1
+        end = begin
+        while end < values.size and bucket[end] == bucket[begin]:
+            if np.isnan(values[end]):
+                gap = end if gap < 0 else gap
+            elif least < 0:
+                least = greatest = end
+            elif values[end] < values[least]:
+                least = end
+            elif values[end] > values[greatest]:
+                greatest = end
+            end += 1
+        for k in range(begin, end):
+            if k in (least, greatest, gap):
+                places[count] = k
+                count += 1
+        begin = end
+    return places[:count].copy()
 
 
 def band(many: list[Series], buckets: int, begin_s: float, end_s: float) -> tuple[Floats, Floats, Floats, Floats]:
@@ -52,14 +70,7 @@ def band(many: list[Series], buckets: int, begin_s: float, end_s: float) -> tupl
     least, greatest = np.full(buckets, np.inf), np.full(buckets, -np.inf)
     means = np.full((len(many), buckets), np.nan)
     for row, (t_s, values) in enumerate(many):
-        known = ~np.isnan(values)
-        bucket = ((t_s[known] - begin_s) * (buckets / (end_s - begin_s))).astype(np.int64)
-        bucket = np.clip(bucket, 0, buckets - 1)
-        np.minimum.at(least, bucket, values[known])
-        np.maximum.at(greatest, bucket, values[known])
-        count = np.bincount(bucket, minlength=buckets)
-        total = np.bincount(bucket, weights=values[known], minlength=buckets)
-        means[row] = np.where(count > 0, total / np.maximum(count, 1), np.nan)
+        _spread(_bucket(t_s, buckets, begin_s, end_s), values, least, greatest, means[row])
     empty = least > greatest
     median = np.full(buckets, np.nan)
     if len(many):
@@ -67,6 +78,23 @@ def band(many: list[Series], buckets: int, begin_s: float, end_s: float) -> tupl
     least[empty] = greatest[empty] = np.nan
     middles_s: Floats = begin_s + (np.arange(buckets).astype(np.float64) + 0.5) * ((end_s - begin_s) / buckets)
     return middles_s, least, median, greatest
+
+
+@njit(cache=True)
+def _spread(bucket: NDArray[np.int64], values: Floats, least: Floats, greatest: Floats, means: Floats) -> None:
+    """Kernel: widens least and greatest (buckets,) by a series' values, and sets its means (buckets,) where it has any.
+    What is NaN counts for nothing."""
+    count, total = np.zeros(means.size), np.zeros(means.size)
+    for k in range(values.size):
+        if not np.isnan(values[k]):
+            b = bucket[k]
+            least[b] = min(least[b], values[k])
+            greatest[b] = max(greatest[b], values[k])
+            count[b] += 1.0
+            total[b] += values[k]
+    for b in range(means.size):
+        if count[b] > 0.0:
+            means[b] = total[b] / count[b]
 
 
 def simplified(path: Floats, off_m: float) -> Floats:

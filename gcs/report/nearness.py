@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 
 from gcs.metrics import PLAN_MEMORY, closest_pair, distance_to_path
 from gcs.planner import obstacles
-from gcs.planner.plan import obstacle_table
 from gcs.report.pursuit import pursued, ticks_of
 from gcs.report.recorded import Recorded
 from gcs.report.series import Floats, Series, Track, rows_of
@@ -52,7 +51,7 @@ def measure(recorded: Recorded, flown: Mapping[int, Track], others: Mapping[str,
     rows = {sysid: row for row, sysid in enumerate(sysids.tolist())}
     separation, clearance = np.full(ticks, np.nan), np.full(ticks, np.nan)
     pair, nearest = np.zeros((ticks, 2), dtype=np.int64), np.zeros(ticks, dtype=np.int64)
-    shapes = obstacle_table(scenario.obstacles) if scenario else np.empty((0, obstacles.COLUMNS))
+    shapes = obstacles.of_scenario(scenario.obstacles) if scenario else np.empty((0, obstacles.COLUMNS))
     partners = _partners(recorded, rows)
     whom = pursued(recorded, t_s)
     to_target = {sysid: np.full(ticks, np.nan) for sysid in whom if sysid in rows}

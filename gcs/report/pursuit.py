@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from gcs.report.recorded import Recorded, read_tlog
+from gcs.report.recorded import Gathering, Recorded
 from gcs.report.series import Floats, Series, Track, held, tracks
 from gcs.scenario import Scenario
+from gcs.tlog import Chunk
 
 PLACES = ("LOCAL_POSITION_NED", "HEARTBEAT", "EXTENDED_SYS_STATE", "GPS_GLOBAL_ORIGIN")
 ROUNDING_S = 1e-6
@@ -29,22 +30,30 @@ class Course:
         return float(held(self._held_s, np.array([t_s + ROUNDING_S]))[0])
 
 
-def read_course(
-    folder: Path,
-    scenario: Scenario,
-    decisions: Iterable[Mapping[str, Any]],
-    progress: Callable[[float], object] = lambda _: None,
-) -> Course | None:
-    """From the places that a session's folder recorded; None where the goal asks for no pursuit, or nobody told any.
+class CourseReader:
+    """Reads the course out of a recording that somebody else walks: `take` each stretch of it, and ask at its end.
 
     `decisions`: those of kinds "pursuit" and "operator".
     """
-    if scenario.goal.pursue is None:
-        return None
-    recorded = Recorded(folder, scenario=scenario, decisions=[dict(decision) for decision in decisions])
-    read_tlog(recorded, progress, PLACES)
-    flown = tracks(recorded)
-    return Course(held_by(recorded, flown)) if flown else None
+
+    def __init__(self, scenario: Scenario, decisions: Iterable[Mapping[str, Any]]) -> None:
+        self._recorded = Recorded(Path(), scenario=scenario, decisions=[dict(decision) for decision in decisions])
+        self._gathering: Gathering | None = None
+        if scenario.goal.pursue is not None:
+            self._gathering = Gathering(self._recorded, PLACES, counted=False)
+
+    def take(self, chunk: Chunk) -> None:
+        """Take in the next stretch."""
+        if self._gathering is not None:
+            self._gathering.take(chunk)
+
+    def course(self) -> Course | None:
+        """None where the goal asks for no pursuit, or nobody told a place."""
+        if self._gathering is None:
+            return None
+        self._gathering.finish()
+        flown = tracks(self._recorded)
+        return Course(held_by(self._recorded, flown)) if flown else None
 
 
 def ticks_of(recorded: Recorded) -> Floats:

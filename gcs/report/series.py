@@ -88,7 +88,10 @@ def vehicles(recorded: Recorded) -> list[Vehicle]:
 
 def heard(recorded: Recorded) -> list[int]:
     """The system ids that told a position."""
-    sysids: list[int] = np.unique(_own(recorded, "LOCAL_POSITION_NED")["sysid"]).tolist() if recorded.tables else []
+    if not recorded.tables:
+        return []
+    table = recorded.tables["LOCAL_POSITION_NED"]
+    sysids: list[int] = np.unique(table["sysid"][_are_own(table)]).tolist()
     return sysids
 
 
@@ -283,19 +286,12 @@ def texts(recorded: Recorded, worst: int = 4) -> list[tuple[float, int, int, str
     """(time in s, system id, severity, text) of the STATUSTEXTs at least as severe as this, MAV_SEVERITY."""
     if not recorded.tables:
         return []
-    rows = _own(recorded, "STATUSTEXT")
-    rows = rows[(rows["severity"] <= worst) & (rows["chunk_seq"] == 0)]
+    rows = recorded.tables["STATUSTEXT"]
+    rows = rows[_are_own(rows) & (rows["severity"] <= worst) & (rows["chunk_seq"] == 0)]
     return [
         (float(row["t_s"]), int(row["sysid"]), int(row["severity"]), row["text"].decode("ascii", "replace"))
         for row in rows
     ]
-
-
-def _own(recorded: Recorded, message: str) -> NDArray[Any]:
-    """A message's rows that vehicles' autopilots sent."""
-    table = recorded.tables[message]
-    rows: NDArray[Any] = table[_are_own(table)]
-    return rows
 
 
 def _are_own(table: NDArray[Any]) -> NDArray[np.bool_]:

@@ -6,7 +6,8 @@ from typing import Any
 import pytest
 
 from gcs.metrics import PLAN_MEMORY, Metrics
-from gcs.planner.plan import SetPoint, obstacle_table
+from gcs.planner.obstacles import of_scenario
+from gcs.planner.plan import SetPoint
 from gcs.profiles import PX4, FlightMode
 from gcs.scenario import Obstacle, Scenario
 from gcs.views import Snapshot, TrafficView, Vec3, VehicleView
@@ -25,7 +26,7 @@ def metrics(*obstacles: Obstacle, **more_of_it: Any) -> Metrics:
                      "targets": [vehicle(101, path_m=[(0.0, 0.0, 0.0)], speed_m_s=1.0)]},
         **more_of_it,
     })  # fmt: skip
-    return Metrics(scenario, obstacle_table(obstacles))
+    return Metrics(scenario, of_scenario(obstacles))
 
 
 def view(sysid: int, at: Vec3, v: Vec3 = (0.0, 0.0, 0.0), age_s: float = 0.0, landed: bool = False) -> VehicleView:

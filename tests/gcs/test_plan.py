@@ -10,9 +10,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from gcs.planner import obstacles
 from gcs.planner.formation import assign, ring_offsets
 from gcs.planner.obstacles import surface
-from gcs.planner.plan import Planner, SetPoint, obstacle_table
+from gcs.planner.plan import Planner, SetPoint
 from gcs.profiles import PX4, FlightMode
 from gcs.scenario import Obstacle, Scenario
 from gcs.views import Snapshot, TrafficView, Vec3, VehicleView
@@ -293,7 +294,7 @@ def test_obstacles_keep_their_shapes() -> None:
         Obstacle(box_m=((1, 1, -1), (3, 5, -4))), Obstacle(cylinder_m=(6, 7), radius_m=1.5, bottom_m=0.0, top_m=-9.0),
     ]  # fmt: skip
     rng = np.random.default_rng(1)
-    table = obstacle_table(shapes)
+    table = obstacles.of_scenario(shapes)
     for point in rng.uniform(-10, 10, (200, 3)):
         by_scenario = [shape.clearance_m(tuple(point)) for shape in shapes]
         assert surface(table, point)[0] == pytest.approx(by_scenario)

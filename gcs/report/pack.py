@@ -16,6 +16,8 @@ from numpy.typing import NDArray
 from gcs.report.series import Floats, Series
 
 TOP, GAP = 65534, 65535
+LEVEL = 5
+"""gzip takes a third longer to make a page smaller by less than a hundredth (6)."""
 
 
 class Pack:
@@ -52,7 +54,7 @@ class Pack:
 
 def packed(content: bytes) -> str:
     """Bytes compressed (gzip, the same for the same bytes) as base64."""
-    return base64.b64encode(gzip.compress(content, 6, mtime=0)).decode("ascii")
+    return base64.b64encode(gzip.compress(content, LEVEL, mtime=0)).decode("ascii")
 
 
 def _scaled(values: Floats, low: float, high: float) -> NDArray[np.uint16]:

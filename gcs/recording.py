@@ -105,7 +105,7 @@ class _Block(NamedTuple):
     def with_more(self, keys: IntArray, places: IntArray) -> _Block:
         """The same with further frames at its end."""
         keys, places = np.concatenate([self.keys, keys]), np.concatenate([self.places, places])
-        last = len(keys) - 1 - np.unique(keys[::-1], return_index=True)[1]
+        last = _last_of_each(keys)
         return self._replace(keys=keys[last], places=places[last])
 
 
@@ -291,6 +291,26 @@ def _keys(data: ByteArray, heads: IntArray, subjects: IntArray) -> IntArray:
                     h = (h ^ np.uint64(byte)) * prime
         keys[i] = np.int64(h)
     return keys
+
+
+@njit(cache=True)
+def _last_of_each(keys: IntArray) -> IntArray:
+    """Kernel: where each of some keys, which are hashes, stands last; the latest first."""
+    mask = 1
+    while mask < 2 * keys.size:
+        mask *= 2
+    mask -= 1
+    slots = np.full(mask + 1, -1, dtype=np.int64)
+    last = np.empty(keys.size, dtype=np.int64)
+    count = 0
+    for i in range(keys.size - 1, -1, -1):
+        slot = keys[i] & mask
+        while slots[slot] >= 0 and keys[slots[slot]] != keys[i]:
+            slot = (slot + 1) & mask
+        if slots[slot] < 0:
+            slots[slot] = last[count] = i
+            count += 1
+    return last[:count].copy()
 
 
 @njit(cache=True)

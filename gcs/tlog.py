@@ -116,7 +116,7 @@ class Tlog:
             while True:
                 octets = np.empty(len(carried) + self._chunk_bytes, dtype=np.uint8)
                 octets[: len(carried)] = carried
-                count = file.readinto(memoryview(octets)[len(carried) :])
+                count = file.readinto(octets.data[len(carried) :])
                 final = count < self._chunk_bytes
                 done += count
                 octets = octets[: len(carried) + count]
@@ -199,7 +199,7 @@ def _gather(data: ByteArray, places: IntArray, rows: ByteArray, head_bytes: int)
 
 
 @njit(cache=True)
-def _crc_of(data: ByteArray, begin: int, end: int, table: NDArray[np.uint16]) -> Any:
+def _crc_of(data: ByteArray, begin: int, end: Any, table: NDArray[np.uint16]) -> Any:
     """Kernel: CRC-16/MCRF4XX of some bytes."""
     crc = np.uint16(0xFFFF)
     k = begin

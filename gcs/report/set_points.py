@@ -6,6 +6,8 @@ reads them, to the last bit; a line with one for which that is not certain is ha
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
@@ -73,13 +75,13 @@ def _scan(data: Octets, form: Octets, rows: Floats, others: NDArray[np.int64]) -
 
 
 @njit(cache=True)
-def _decimal(data: Octets, at: int) -> tuple[bool, int, int, int]:
+def _decimal(data: Octets, at: int) -> Any:
     """Kernel: JSON's number at a place as (negative, whole number, power of ten, place behind it); the place is
     negative where there is no number, or one of too many digits."""
     size = data.size
     negative = at < size and data[at] == 0x2D
     at += negative
-    whole, power, digits = np.int64(0), 0, 0
+    whole, power, digits = 0, 0, 0
     first = at
     while at < size and 0x30 <= data[at] <= 0x39:
         whole = 10 * whole + (data[at] - 0x30)

@@ -82,14 +82,17 @@ def test_clearance_is_the_least_distance_to_any_shape() -> None:
 def test_clearance_of_many_shapes_is_to_the_last_bit_the_least_of_their_distances_one_by_one() -> None:
     rng = np.random.default_rng(3)
     at = rng.uniform(-30, 30, size=(10, 3))
+    size, aside = np.array([8, 1, 3]), np.array([20, -20, 0])
     rows = [obstacles.point(p) for p in at] + [obstacles.sphere(p, 2) for p in at + 40]
-    rows += [obstacles.box(p, (*p, 8, 1, 3)) for p in at - 25] + [
-        obstacles.cylinder(p, 1, 20) for p in (*at, 20, -20, 0)
-    ]
+    rows += [obstacles.box(p, p + size) for p in at - 25] + [obstacles.cylinder(p, 1, 20) for p in at + aside]
     table = obstacles.table(rows)
     # Among them places due north and due east of centres, and inside shapes.
     places = np.concatenate(
-        [rng.uniform(-60, 80, size=(500, 3)), table[:, 1:4] + (9, 0, 0), table[:, 1:4] + (0, 0.4, 0)]
+        [
+            rng.uniform(-60, 80, size=(500, 3)),
+            table[:, 1:4] + np.array([9, 0, 0]),
+            table[:, 1:4] + np.array([0, 0.4, 0]),
+        ]
     )
     least = [min(obstacles.surface(row[np.newaxis], place)[0][0] for row in table) for place in places]
     assert np.array_equal(obstacles.clearance(table, places), least)

@@ -3,10 +3,15 @@
 From Python: `Session`, and what it takes and gives. They load when they are first asked for.
 """
 
+from __future__ import annotations
+
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
+
+TYPE_CHECKING = False  # as from typing, which would take longer to load than all else here
 
 if TYPE_CHECKING:
+    from typing import Any
+
     from gcs.arrays import MissingExtra, Snapshot
     from gcs.scenario import Scenario, ScenarioError, load
     from gcs.session import Session, SessionError

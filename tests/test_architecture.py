@@ -38,6 +38,7 @@ HOUSE = {
         "paper_figures",
         "paper",
         "cli",
+        "__main__",
     ],
     "gcs": [
         "addresses exit_status reserve yaml_source",
@@ -120,6 +121,7 @@ HOUSE = {
         "check.questions check.wire",
         "cli_author cli_check cli_paper cli_recorded cli_watch",
         "cli",
+        "__main__",
     ],
 }
 SANS_IO = ["simvehicle/mavlink", "simvehicle/microservices", "gcs/mavlink"]

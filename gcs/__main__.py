@@ -1,0 +1,43 @@
+"""The program `gcs` from its first line: nothing is loaded before a Ctrl-C can end it without a traceback."""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+
+from gcs.exit_status import INTERRUPTED
+
+AGAIN_S = 0.02
+TYPE_CHECKING = False
+
+if TYPE_CHECKING:
+    from sys import UnraisableHookArgs
+
+
+def main() -> None:
+    """Entry point. While modules are loaded there is nothing to clean up: a Ctrl-C ends the process at once."""
+    handler = signal.getsignal(signal.SIGINT)
+    if handler is signal.default_int_handler:  # else somebody wants it ignored, as nohup does
+        signal.signal(signal.SIGINT, lambda *_: os._exit(INTERRUPTED))
+    from gcs import cli  # noqa: PLC0415 - what takes long
+
+    sys.unraisablehook = raise_again
+    signal.signal(signal.SIGINT, handler)
+    cli.main()
+
+
+def raise_again(lost: UnraisableHookArgs) -> None:
+    """A hook: a Ctrl-C in a callback of compiled code, which nothing can be raised through, comes again after it."""
+    if lost.exc_type is not KeyboardInterrupt:
+        sys.__unraisablehook__(lost)
+        return
+    import threading  # noqa: PLC0415 - what takes long
+
+    later = threading.Timer(AGAIN_S, signal.pthread_kill, (threading.main_thread().ident, signal.SIGINT))
+    later.daemon = True
+    later.start()
+
+
+if __name__ == "__main__":
+    main()

@@ -52,7 +52,7 @@ def load_scenario(scenario: str) -> Scenario:
         file = find(scenario)
         loaded = load(file)
         plugins.look_in([file.parent, Path.cwd()])
-        plugins.check(loaded, scenario)
+        plugins.check(loaded, file)
         return loaded
     except ScenarioError as error:
         click.echo(str(error), err=True)

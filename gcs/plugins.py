@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from gcs.scenario import Scenario
-from gcs.yaml_source import Problem, ScenarioError, did_you_mean
+from gcs.yaml_source import Problem, ScenarioError, did_you_mean, read
 
 
 def named(scenario: Scenario) -> Iterator[tuple[str, str, str]]:
@@ -42,14 +42,19 @@ def output_kept(scenario: Scenario, folder: Path) -> Iterator[None]:
         yield
 
 
-def check(scenario: Scenario, file: str) -> None:
-    """See that every implementation named is there, without making it. Raises ScenarioError, `file` named in it."""
+def check(scenario: Scenario, file: Path | None) -> None:
+    """See that every implementation that a scenario, read from `file`, names is there, without making it.
+
+    Raises ScenarioError, at the lines that name them.
+    """
     problems = []
     for key, name, method in named(scenario):
         try:
             find(name, method)
         except ValueError as error:
-            problems.append(Problem(file, None, None, f"{key}: {error}"))
+            text, path = f"{key}: {error}", tuple(key.split("."))
+            nowhere = Problem(scenario.name, None, None, text)
+            problems.append(nowhere if file is None else read(file).problem(path, text))
     if problems:
         raise ScenarioError(problems)
 
@@ -97,6 +102,9 @@ def make(key: str, name: str, method: str, scenario: Scenario) -> Any:
 
 
 def _where(error: BaseException) -> str:
-    place = traceback.extract_tb(error.__traceback__)[-1]
-    text = " ".join(str(error).split())
-    return f"{type(error).__name__} at {Path(place.filename).name}:{place.lineno}: {text}"
+    if isinstance(error, SyntaxError):  # in a file that has not run, so that it is in no traceback
+        file, line, text = error.filename or "?", error.lineno, error.msg
+    else:
+        place = traceback.extract_tb(error.__traceback__)[-1]
+        file, line, text = place.filename, place.lineno, str(error)
+    return f"{type(error).__name__} at {Path(file).name}:{line}: {' '.join(text.split())}"

@@ -117,4 +117,4 @@ def clock_refusal(vehicles: Iterable[_Vehicle], mode: str, speed: float) -> str 
     who = labels[0] if len(labels) == 1 else f"{labels[0]} and {len(labels) - 1} more"
     lives = "lives" if len(labels) == 1 else "live"
     asked = "lockstep" if mode == "lockstep" else f"speed {speed:g}"
-    return f"{who} (external) {lives} on the real clock, which nobody can hurry or stop: {asked} cannot be had"
+    return f"{who} (external) {lives} on the real clock, which nobody can hurry or stop: leave out {asked}"

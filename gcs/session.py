@@ -62,13 +62,13 @@ class Session:
             raise ValueError("lockstep and speed exclude each other: lockstep is as fast as the machine can")
         folders = [Path.cwd()]
         if isinstance(scenario, Scenario):
-            loaded, name = scenario, scenario.name
+            loaded, file = scenario, None
         else:
-            file, name = find(os.fspath(scenario)), os.fspath(scenario)
+            file = find(os.fspath(scenario))
             loaded = load(file)
             folders.insert(0, file.parent)
         plugins.look_in(folders)
-        plugins.check(loaded, name)
+        plugins.check(loaded, file)
         self.scenario = loaded.flown(lockstep=lockstep, speed=speed, seed=seed)
         period_ms = round(1e3 * self.scenario.clock.period_s)
         self._every_ms = period_ms if every_s is None else round(1e3 * every_s)

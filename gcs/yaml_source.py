@@ -1,8 +1,6 @@
 """YAML with positions: a file becomes plain data; what is wrong with it becomes sentences with file, line and column.
 
-Scalars follow YAML 1.2's core schema, not 1.1: `on`, `no` and `1:30` are text, `1e5` is a number, `010` is ten.
-Tags, merge keys and further documents are refused; aliases are allowed up to a total size, against "billion laughs".
-Lines and columns count from 1.
+Aliases are allowed up to a total size, against "billion laughs". Lines and columns count from 1.
 """
 
 from __future__ import annotations
@@ -12,7 +10,7 @@ import math
 import os
 import re
 import stat
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
@@ -20,11 +18,12 @@ import yaml
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails, PydanticCustomError
 
+from gcs.yaml_dialect import SCALARS, Dumper, Loader, Refused, syntax
+
 MAX_BYTES = 1 << 20
-MAX_DEPTH = 32
 MAX_NODES = 100_000
-MAX_DIGITS = 300  # a longer whole number is beyond every float and counts as infinite
 MAX_SHOWN = 20
+MEANT = "; did you mean "
 
 Path = tuple[str | int, ...]
 
@@ -76,61 +75,6 @@ class _Marks(NamedTuple):
     key: tuple[int, int]
 
 
-class _Refused(yaml.MarkedYAMLError):
-    """Well-formed YAML that a scenario may not use."""
-
-    def __init__(self, message: str, mark: yaml.Mark) -> None:
-        super().__init__(problem=message, problem_mark=mark)
-
-
-class _Loader(yaml.SafeLoader):
-    yaml_implicit_resolvers: dict[str, Any] = {}  # noqa: RUF012 (PyYAML's own name; emptied, or 1.1's scalars are inherited)
-    _depth = 0
-
-    def compose_node(self, parent: yaml.Node | None, index: Any) -> yaml.Node | None:
-        event = self.peek_event()  # type: ignore[no-untyped-call]
-        if getattr(event, "tag", None) not in {None, "!"}:
-            raise _Refused(f"the tag {event.tag!r} is not allowed; write the plain value", event.start_mark)
-        if self._depth > MAX_DEPTH:
-            raise _Refused(f"nested more than {MAX_DEPTH} deep", event.start_mark)
-        self._depth += 1
-        node = super().compose_node(parent, index)
-        self._depth -= 1
-        return node
-
-
-class _Dumper(yaml.SafeDumper):
-    yaml_implicit_resolvers: dict[str, Any] = {}  # noqa: RUF012
-
-
-for _tag, _pattern, _first in (
-    ("null", r"~|null|Null|NULL|", ["~", "n", "N", ""]),
-    ("bool", r"true|True|TRUE|false|False|FALSE", list("tTfF")),
-    ("int", r"[-+]?[0-9]+|0o[0-7]+|0x[0-9a-fA-F]+", list("-+0123456789")),
-    ("float", r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?", list("-+.0123456789")),
-    ("float", r"[-+]?\.(inf|Inf|INF)|\.(nan|NaN|NAN)", list("-+.")),
-):
-    for _class in (_Loader, _Dumper):
-        _class.add_implicit_resolver(f"tag:yaml.org,2002:{_tag}", re.compile(rf"(?:{_pattern})\Z"), _first)
-
-
-def _whole(text: str) -> float:
-    return int(text, 0 if text[:2] in {"0x", "0o"} else 10) if len(text) <= MAX_DIGITS else math.inf
-
-
-def _real(text: str) -> float:
-    return float(text.replace(".", "") if text[-1] in "fFnN" else text)
-
-
-_SCALARS: dict[str, Callable[[str], Any]] = {
-    "null": lambda _: None,
-    "bool": lambda text: text.lower() == "true",
-    "int": _whole,
-    "float": _real,
-    "str": str,
-}
-
-
 @dataclass
 class Document:
     """What a file says, and where it says it.
@@ -174,7 +118,15 @@ class Document:
 
     def explain(self, error: ValidationError, schema: dict[str, Any]) -> list[Problem]:
         """pydantic's errors in the order of the file, each said once; the JSON Schema supplies the known keys."""
-        found = {problem for details in error.errors() for problem in self._explain(details, schema)}
+        errors = error.errors()
+        misspelt = {
+            (*details["loc"][:-1], near)
+            for details in errors
+            if details["type"] == "extra_forbidden"
+            and (near := nearest(str(details["loc"][-1]), properties(schema, details["loc"][:-1])))
+        }
+        errors = [details for details in errors if details["type"] != "missing" or details["loc"] not in misspelt]
+        found = {problem for details in errors for problem in self._explain(details, schema)}
         return sorted(found, key=lambda problem: (problem.line, problem.column, problem.message))
 
     def _written(self, path: Path) -> Path:
@@ -212,8 +164,9 @@ class Document:
             message = details["msg"].removeprefix("Value error, ").replace(" after validation", "")
             must = _MUST.get(kind) or re.sub(r"^\w+ should", "must", message)
             near = did_you_mean(str(value), re.findall(r"'([^']*)'", must)) if kind == "literal_error" else ""
+            must, mark, meant = must.partition(MEANT)
             but = "" if ", not" in must else f", not {shown(value)}"
-            yield self.problem(path, f"{name} {must}{but}{near}")
+            yield self.problem(path, f"{name} {must}{but}{mark}{meant}{near}")
 
 
 _MUST = {
@@ -250,10 +203,15 @@ def _printable(text: str) -> str:
     return text if text.isprintable() else ascii(text)
 
 
+def nearest(word: str, known: Iterable[str]) -> str | None:
+    """The known word that `word` may have been meant to be."""
+    return next(iter(difflib.get_close_matches(word, list(known), n=1)), None)
+
+
 def did_you_mean(word: str, known: Iterable[str]) -> str:
     """ "; did you mean 'x'?" for the known word nearest to `word`, or nothing."""
-    near = difflib.get_close_matches(word, list(known), n=1)
-    return f"; did you mean {near[0]!r}?" if near else ""
+    near = nearest(word, known)
+    return "" if near is None else f"{MEANT}{near!r}?"
 
 
 def properties(schema: dict[str, Any], path: Path) -> dict[str, Any]:
@@ -313,14 +271,14 @@ def parse(text: str, file: str) -> Document:
     document = Document(file)
     problems: list[Problem] = []
     try:
-        root = _Loader(text).get_single_node()
+        root = Loader(text).get_single_node()
         if root is None:
             raise ScenarioError([Problem(file, None, None, "is empty; a scenario starts with 'schema: 1'")])
         data = _convert(document, root, problems)
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
         line, column = (mark.line + 1, mark.column + 1) if mark else (None, None)
-        raise ScenarioError([Problem(file, line, column, _syntax(error))]) from None
+        raise ScenarioError([Problem(file, line, column, syntax(error))]) from None
     except yaml.reader.ReaderError as error:
         line, column = _place(text, error.position)
         message = f"the character U+{error.character:04X} does not belong in YAML text"
@@ -337,21 +295,11 @@ def parse(text: str, file: str) -> Document:
 
 def emit(data: dict[str, Any]) -> str:
     """`data` as YAML that `parse` reads back equal: keys in their order, innermost lists on one line, ASCII."""
-    return str(yaml.dump(data, Dumper=_Dumper, sort_keys=False, default_flow_style=None, width=1e9))
-
-
-def _syntax(error: yaml.MarkedYAMLError) -> str:
-    message = error.problem or "cannot be read"
-    if isinstance(error, _Refused):
-        return message
-    if "another document" in message:
-        return "a second document begins here; a scenario is one document"
-    hint = "; indent with spaces, not tabs" if "'\\t'" in message else ""
-    return f"YAML syntax: {f'{error.context}: ' if error.context else ''}{message}{hint}"
+    return str(yaml.dump(data, Dumper=Dumper, sort_keys=False, default_flow_style=None, width=1e9))
 
 
 def _convert(document: Document, root: yaml.Node, problems: list[Problem]) -> Any:
-    """`root` as plain data; fills `document.marks` and `problems`. Raises _Refused where going on makes no sense."""
+    """`root` as plain data; fills `document.marks` and `problems`. Raises Refused where going on makes no sense."""
     total = 0
     open_nodes: list[yaml.Node] = []
 
@@ -362,14 +310,14 @@ def _convert(document: Document, root: yaml.Node, problems: list[Problem]) -> An
         nonlocal total
         total += 1
         if total > MAX_NODES:
-            raise _Refused(f"more than {MAX_NODES} values, aliases written out", node.start_mark)
+            raise Refused(f"more than {MAX_NODES} values, aliases written out", node.start_mark)
         if any(node is other for other in open_nodes):
-            raise _Refused("an alias stands inside what it stands for", node.start_mark)
+            raise Refused("an alias stands inside what it stands for", node.start_mark)
         document.marks[path] = _Marks(place(node), key_place)
         if isinstance(node, yaml.ScalarNode):
             if any("\ud800" <= character <= "\udfff" for character in node.value):
-                raise _Refused("half of a surrogate pair is no character", node.start_mark)
-            return _SCALARS[node.tag.rsplit(":", 1)[-1]](node.value)
+                raise Refused("half of a surrogate pair is no character", node.start_mark)
+            return SCALARS[node.tag.rsplit(":", 1)[-1]](node.value)
         open_nodes.append(node)
         data: Any = block(node, path) if isinstance(node, yaml.MappingNode) else sequence(node, path)
         open_nodes.pop()

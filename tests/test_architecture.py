@@ -41,7 +41,8 @@ HOUSE = {
         "__main__",
     ],
     "gcs": [
-        "addresses exit_status reserve yaml_source",
+        "addresses exit_status reserve yaml_dialect",
+        "yaml_source",
         "leaving scenario_values udp",
         "scenario_external",
         "scenario_parts scenario_rules scenario_versions",

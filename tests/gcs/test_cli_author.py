@@ -132,7 +132,7 @@ def test_a_mistake_is_told_with_its_place_and_status_2() -> None:
     assert done.exit_code == 2
     (line,) = done.output.splitlines()
     assert line.startswith("my-scenario.yaml:68:11: competition.policy must be winner_take_all, ")
-    assert "did you mean 'winner_take_all'?" in line
+    assert line.endswith(" or MODULE:CLASS, not the text 'winner_takes_all'; did you mean 'winner_take_all'?")
 
 
 @pytest.mark.parametrize(
@@ -140,6 +140,7 @@ def test_a_mistake_is_told_with_its_place_and_status_2() -> None:
     [
         ("potential_field", "nowhere:Planner", "planner.method: there is no module 'nowhere'"),
         ("potential_field", "broken:Planner", "broken cannot be imported: ZeroDivisionError at broken.py:1"),
+        ("potential_field", "no_python:Planner", "no_python cannot be imported: SyntaxError at no_python.py:2: "),
         ("potential_field", "hollow:Planer", "has no 'Planer'; did you mean 'Planner'?"),
         ("winner_take_all", "hollow:Planner", "competition.policy: hollow:Planner has no method 'choose'"),
         ("winner_take_all", "lacking:Policy", "lacking needs the package 'no_such_package', which is not installed"),
@@ -148,6 +149,7 @@ def test_a_mistake_is_told_with_its_place_and_status_2() -> None:
 def test_an_implementation_that_cannot_be_used_is_told_before_anything_flies(old: str, new: str, sentence: str) -> None:
     gcs("init")
     Path("broken.py").write_text("1 / 0\n")
+    Path("no_python.py").write_text("\ndef f(:\n")
     Path("hollow.py").write_text("class Planner: pass\n")
     Path("lacking.py").write_text("import no_such_package\n")
     path = Path("my-scenario.yaml")
@@ -155,6 +157,8 @@ def test_an_implementation_that_cannot_be_used_is_told_before_anything_flies(old
     done = gcs("run", str(path))
     assert done.exit_code == 2
     assert sentence in done.output
+    line = path.read_text()[: path.read_text().index(f": {new} ")].count("\n") + 1
+    assert done.output.startswith(f"my-scenario.yaml:{line}:11: ")
     assert not Path("sessions").exists()
 
 

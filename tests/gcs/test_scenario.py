@@ -146,6 +146,7 @@ def test_clearance_is_the_signed_distance_to_the_surface(
         ("sysid: 3", "sysid: 255", "vehicles.pursuers[2].sysid must be less than or equal to 254, not 255"),
         ("[1.0, 2.0, 1.5]", "[1.0, 2.0]", "obstacles[0].point_m needs more numbers: it has 2"),
         ("[1.0, 2.0, 1.5]", "[1.0, high, 1.5]", "obstacles[0].point_m[1] must be a number, not the text 'high'"),
+        ("\nvehicles:", "\nvehicels:", "unknown key 'vehicels' at the top level; did you mean 'vehicles'?"),
         ("point_m: [1.0", "pont_m: [1.0", "unknown key 'pont_m' in obstacles[0]; did you mean 'point_m'?"),
         ("mode: real", "epoch: 2026-01-01", "clock.epoch must state its time zone"),
         ("battery: {capacity_j: 60000}", "battery: [1]", "targets[0].battery must be a block of keys, not a list"),

@@ -111,7 +111,7 @@ def test_a_strangers_place_is_where_it_is(tmp_path: Path) -> None:
     ("clock", "what"), [({"mode": "lockstep"}, "lockstep"), ({"speed": 2.0}, "speed 2"), ({"speed": 0.5}, "speed 0.5")]
 )
 def test_strangers_live_on_the_real_clock(tmp_path: Path, clock: dict[str, Any], what: str) -> None:
-    sentence = f"pursuer 3 (external) lives on the real clock, which nobody can hurry or stop: {what} cannot be had"
+    sentence = f"pursuer 3 (external) lives on the real clock, which nobody can hurry or stop: leave out {what}"
     assert refusals(tmp_path, content(clock=clock)) == [sentence]
     scenario = loaded(tmp_path, content())
     with pytest.raises(ValueError, match=what):

@@ -1,0 +1,105 @@
+"""The YAML of scenario files: scalars of YAML 1.2's core schema, no tags, and syntax errors in words.
+
+`on`, `no` and `1:30` are text here, unlike in YAML 1.1, `1e5` is a number, `010` is ten.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable
+from typing import Any
+
+import yaml
+
+MAX_DEPTH = 32
+MAX_DIGITS = 300
+"""A longer whole number is beyond every float and counts as infinite."""
+
+
+class Refused(yaml.MarkedYAMLError):
+    """Well-formed YAML that a scenario may not use."""
+
+    def __init__(self, message: str, mark: yaml.Mark) -> None:
+        super().__init__(problem=message, problem_mark=mark)
+
+
+class Loader(yaml.SafeLoader):
+    """Reads a text as nodes with marks; tags and deep nesting are Refused."""
+
+    yaml_implicit_resolvers: dict[str, Any] = {}  # noqa: RUF012 (PyYAML's own name; emptied, or 1.1's scalars are inherited)
+    _depth = 0
+
+    def compose_node(self, parent: yaml.Node | None, index: Any) -> yaml.Node | None:
+        event = self.peek_event()  # type: ignore[no-untyped-call]
+        if getattr(event, "tag", None) not in {None, "!"}:
+            raise Refused(f"the tag {event.tag!r} is not allowed; write the plain value", event.start_mark)
+        if self._depth > MAX_DEPTH:
+            raise Refused(f"nested more than {MAX_DEPTH} deep", event.start_mark)
+        self._depth += 1
+        node = super().compose_node(parent, index)
+        self._depth -= 1
+        return node
+
+
+class Dumper(yaml.SafeDumper):
+    """Writes what Loader reads back equal."""
+
+    yaml_implicit_resolvers: dict[str, Any] = {}  # noqa: RUF012
+
+
+for _tag, _pattern, _first in (
+    ("null", r"~|null|Null|NULL|", ["~", "n", "N", ""]),
+    ("bool", r"true|True|TRUE|false|False|FALSE", list("tTfF")),
+    ("int", r"[-+]?[0-9]+|0o[0-7]+|0x[0-9a-fA-F]+", list("-+0123456789")),
+    ("float", r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?", list("-+.0123456789")),
+    ("float", r"[-+]?\.(inf|Inf|INF)|\.(nan|NaN|NAN)", list("-+.")),
+):
+    for _class in (Loader, Dumper):
+        _class.add_implicit_resolver(f"tag:yaml.org,2002:{_tag}", re.compile(rf"(?:{_pattern})\Z"), _first)
+
+
+def _whole(text: str) -> float:
+    return int(text, 0 if text[:2] in {"0x", "0o"} else 10) if len(text) <= MAX_DIGITS else math.inf
+
+
+def _real(text: str) -> float:
+    return float(text.replace(".", "") if text[-1] in "fFnN" else text)
+
+
+SCALARS: dict[str, Callable[[str], Any]] = {
+    "null": lambda _: None,
+    "bool": lambda text: text.lower() == "true",
+    "int": _whole,
+    "float": _real,
+    "str": str,
+}
+
+
+def syntax(error: yaml.MarkedYAMLError) -> str:
+    """What is wrong with a text that is no YAML, or none that a scenario may use, in words for a person."""
+    message = error.problem or "cannot be read"
+    if isinstance(error, Refused):
+        return message
+    if "another document" in message:
+        return "a second document begins here; a scenario is one document"
+    if "'\\t'" in message:
+        return "YAML syntax: a tab stands here; indent with spaces, not tabs"
+    for token, words in _TOKENS.items():
+        message = message.replace(f"'{token}'", words).replace(token, words)
+    began = error.context_mark
+    context = f"{error.context}{f', which begins on line {began.line + 1}' if began else ''}: " if error.context else ""
+    hint = next((hint for words, hint in _HINTS.items() if message.startswith(words)), "")
+    return f"YAML syntax: {context}{message}{hint}"
+
+
+_TOKENS = {
+    "<scalar>": "a value",
+    "<block end>": "the block's end",
+    "<block mapping start>": "a key",
+    "<stream end>": "the file's end",
+}
+_HINTS = {
+    "expected ": "; is a quote, a bracket or the indentation before it wrong?",
+    "mapping values": "; a text with a colon in it needs quotes",
+}

@@ -381,11 +381,11 @@ def main(
             if reader is not None:
                 session.reader = Reader(reader, every_ms or round(1e3 * scenario.clock.period_s))
             status, outcome = session.run()
-    except (ScenarioError, BadVehicleError) as problem:
+    except (ScenarioError, BadVehicleError, AddressRefused) as problem:
         status, error = BAD_INPUT, str(problem)
     except RecorderError as problem:
         status, error = NOT_DONE, f"{problem} What was flown until then is kept. {ELSEWHERE}"
-    except (SessionError, LaunchError, AddressRefused) as problem:
+    except (SessionError, LaunchError) as problem:
         status, error = NOT_DONE, str(problem)
     except OSError as problem:
         status, error = NOT_DONE, f"{problem.filename or folder}: {problem.strerror}; give --out another place"

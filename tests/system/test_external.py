@@ -206,6 +206,17 @@ def test_a_vehicle_that_never_comes_ends_the_session_with_a_sentence(tmp_path: P
     assert not (outcome.folder / "summary.json").exists()
 
 
+def test_a_port_that_another_program_has_is_bad_input(tmp_path: Path) -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:
+        other.bind(("127.0.0.1", 0))
+        connect = f"udpin:127.0.0.1:{other.getsockname()[1]}"
+        outcome = fly(
+            scenario({"pursuers": [{"external": {"connect": connect, "sysid": 7, "capacity_j": 1e5}}]}), tmp_path
+        )
+    assert outcome.status == 2
+    assert f"gcs: {connect} cannot be listened at: Address already in use; another program" in outcome.stderr
+
+
 @pytest.mark.parametrize("option", [["--lockstep"], ["--speed", "2"]])
 def test_another_clock_is_refused_before_anything_is_made(tmp_path: Path, option: list[str]) -> None:
     block = {"connect": "udpin:127.0.0.1:14550", "sysid": 7, "capacity_j": 1e5}

@@ -19,6 +19,7 @@ from gcs.run import POLL_S, RunError, Signals, make_folder
 from gcs.scenario import Scenario
 
 STARTED_WITHIN_S = 120.0
+ENDED_EARLY = "standard input ended before the vehicles were there; --until-eof wants one that stays open"
 ADDRESS_LINE = re.compile(r"vehicle \d+: (udpin:(.+):0|udpout:.+) \(local port (\d+)\)")
 
 
@@ -55,7 +56,7 @@ def launch(
         up: list[dict[str, Any]] = []
         reported = False
         deadline_s = time.monotonic() + STARTED_WITHIN_S
-        selector = stack.enter_context(selectors.DefaultSelector())
+        selector = stack.enter_context(selectors.PollSelector())  # standard input may be a file, or /dev/null
         selector.register(hatch, selectors.EVENT_READ)
         selector.register(signals, selectors.EVENT_READ)
         if until_eof:
@@ -63,6 +64,8 @@ def launch(
         while alive:
             ready = selector.select(None if reported else POLL_S)
             if any(key.fd == 0 and not os.read(0, 65536) for key, _ in ready):
+                if not reported:
+                    print(f"gcs: {ENDED_EARLY}", file=sys.stderr)
                 return DONE
             if arrived := signals.take():
                 return 128 + arrived[0]

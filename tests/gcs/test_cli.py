@@ -225,6 +225,15 @@ def test_the_end_of_all_launched_vehicles_is_no_bad_input(two: Path) -> None:
     assert "gcs: the hatch, which makes the vehicles, has ended; all of them ended with it\n" in err
 
 
+def test_vehicles_end_with_a_standard_input_that_has_nothing_to_read(two: Path) -> None:
+    done = subprocess.run(
+        [GCS, "launch", str(two), "--until-eof"], stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=100,
+        check=False,
+    )  # fmt: skip
+    assert (done.returncode, done.stdout) == (0, "")
+    assert "standard input ended before the vehicles were there" in done.stderr
+
+
 @pytest.mark.parametrize("closed", ["<&-", ">&-", "<&- >&- 2>&-"])
 def test_a_session_flies_where_standard_streams_are_closed(two: Path, tmp_path: Path, closed: str) -> None:
     script = f'exec "$0" run "$1" --lockstep --no-report --out "$2" {closed}'

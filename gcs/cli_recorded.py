@@ -124,7 +124,7 @@ def _play(recording: Replay, speed: float | None, *, plain: bool, as_json: bool)
 
     if speed is None:
         steps = Steps()
-        source = ReplaySource(recording, clock=steps, patience_s=math.inf)
+        source = ReplaySource(recording, speed=None, clock=steps, patience_s=math.inf)
         follow(source, click.echo, as_json=as_json, clock=steps, wait=steps.go_on, over=lambda: recording.ended)
     else:
         source = ReplaySource(recording, speed=speed)

@@ -206,7 +206,7 @@ class Observer:
         return self.fleet.snapshot(t_s)
 
     def snapshot(
-        self, t_s: float, *, speed: float, phase: str, more: Mapping[str, Any] | None = None
+        self, t_s: float, *, speed: float | None, phase: str, more: Mapping[str, Any] | None = None
     ) -> dict[str, Any]:
         """The message of type "snapshot" at `t_s`, with the events since the last one.
 

@@ -133,8 +133,8 @@ class Replay:
         """The message of type "session"."""
         return self.observer.session()
 
-    def snapshot(self, *, speed: float, paused: bool = False) -> dict[str, Any]:
-        """The message of type "snapshot" at `t_s`, with the events since the last one."""
+    def snapshot(self, *, speed: float | None, paused: bool = False) -> dict[str, Any]:
+        """The message of type "snapshot" at `t_s`, with the events since the last one; no speed: without waiting."""
         more: dict[str, Any] = {}
         if self._story is not None:
             for event in self._story.events(self._told_s, self.t_s):
@@ -175,13 +175,16 @@ class Replay:
 
 
 class ReplaySource:
-    """A replay as a console's source: it plays on while it is asked for messages, and takes speed, pause and seek."""
+    """A replay as a console's source: it plays on while it is asked for messages, and takes speed, pause and seek.
+
+    speed: recorded seconds per second of `clock`; None where that clock goes on without waiting, one second each.
+    """
 
     def __init__(
         self,
         replay: Replay,
         *,
-        speed: float = 1.0,
+        speed: float | None = 1.0,
         clock: Callable[[], float] = time.monotonic,
         patience_s: float = PATIENCE_S,
     ) -> None:
@@ -207,7 +210,8 @@ class ReplaySource:
         now_s = self._clock()
         replay = self._replay
         if not self._paused and not replay.ended:
-            replay.advance(replay.t_s + (now_s - self._played_s) * self._speed, time.monotonic() + self._patience_s)
+            ahead_s = (now_s - self._played_s) * (self._speed or 1.0)
+            replay.advance(replay.t_s + ahead_s, time.monotonic() + self._patience_s)
         self._played_s = now_s
         messages, self._replies = self._replies, []
         if replay.observer.changed:

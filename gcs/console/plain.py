@@ -15,6 +15,7 @@ Snapshot = Mapping[str, Any]
 
 PROGRESS_EVERY_S = 2.0
 JSON_EVERY_S = 1.0
+FAREWELL_WIDTH = 80
 EXPLAINED_WITHIN_S = 2.0
 """A vehicle that announced something this recently (session time) has explained its own change of mode."""
 
@@ -66,8 +67,10 @@ def counts(vehicles: Sequence[Mapping[str, Any]]) -> str:
 def progress(snapshot: Snapshot) -> str:
     """One line: time, speed, modes, lowest battery, goal."""
     whole = "" if snapshot["duration_s"] is None else f" of {snapshot['duration_s']:.0f} s"
-    parts = [f"{_stamp(snapshot['t_s'])}{whole}", f"x{snapshot['speed']:.2f}"]
-    parts += [clean(snapshot["phase"]), counts(snapshot["vehicles"])]
+    parts = [f"{_stamp(snapshot['t_s'])}{whole}"]
+    if snapshot["speed"] is not None:
+        parts.append(f"x{snapshot['speed']:.2f}")
+    parts += [clean(snapshot["phase"]), counts(snapshot["vehicles"]) or "no vehicle yet"]
     known = [v for v in snapshot["vehicles"] if v["alive"] and v["battery"] is not None]
     if known:
         lowest = min(known, key=lambda v: v["battery"])
@@ -120,8 +123,8 @@ def farewell(summary: Mapping[str, Any] | None, outcome: str | None, folder: Pat
         if lost := [f"{v['role']} {v['sysid']}" for v in summary["vehicles"] if v["final_mode"] == "dead"]:
             lines.append(f"lost: {clean(', '.join(lost))}")
         done = [r for r in summary["refuelling"] if r["energy_j"] > 0]
-        order = ", ".join(f"{r['receiver']} {_giver(r)} ({r['energy_j']:.0f} J, {r['by']})" for r in done)
-        lines.append(f"refuelled: {order or 'nobody'}")
+        order = [f"{r['receiver']} {_giver(r)} ({r['energy_j']:.0f} J, {r['by']})" for r in done]
+        lines += _listed("refuelled: ", order or ["nobody"])
         lines.append(f"minimum separation: {_metres(summary['min_separation_m'])}")
         lines.append(f"minimum clearance: {_metres(summary['min_clearance_m'])}")
         flown = f"{summary['sim_time_s']:.1f} s flown in {summary['wall_time_s']:.1f} s"
@@ -130,6 +133,18 @@ def farewell(summary: Mapping[str, Any] | None, outcome: str | None, folder: Pat
         if summary["digest"]:
             lines.append(f"digest: {summary['digest']}")
     lines.append(f"session: {folder}")
+    return lines
+
+
+def _listed(title: str, parts: Sequence[str]) -> list[str]:
+    """The parts behind their title, in lines that a terminal of 80 columns need not break."""
+    lines, margin = [title + parts[0]], " " * len(title)
+    for part in parts[1:]:
+        lines[-1] += ","
+        if len(lines[-1]) + len(part) + 2 < FAREWELL_WIDTH:
+            lines[-1] += f" {part}"
+        else:
+            lines.append(margin + part)
     return lines
 
 

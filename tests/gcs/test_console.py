@@ -96,6 +96,11 @@ def test_a_progress_line_says_time_modes_lowest_battery_and_goal() -> None:
     )
 
 
+def test_a_progress_line_without_a_pace_or_a_vehicle_says_no_more_than_it_knows() -> None:
+    line = progress(snapshot(speed=None, duration_s=None, goal={}))
+    assert line == "   52.3 s | flying | no vehicle yet"
+
+
 def test_each_event_becomes_one_line_with_its_level_and_vehicle() -> None:
     lines = news(demo(events=[event(12.1, 5, "Refuel"), event(12.2, 3, "Battery empty", "critical")]))
     assert lines == ["   12.1 s pursuer 5: Refuel", "   12.2 s CRITICAL: pursuer 3: Battery empty"]
@@ -170,7 +175,7 @@ def test_json_comes_every_second_and_leaves_no_event_out() -> None:
     assert [e["text"] for s in shown for e in s["events"]] == [str(i) for i in range(25)]
 
 
-SUMMARY = {
+SUMMARY: dict[str, Any] = {
     "refuelling": [{"receiver": 5, "tanker": 201, "end_s": 60.0, "energy_j": 9000, "by": "competition"}],
     "min_separation_m": 0.71,
     "min_clearance_m": None,
@@ -198,6 +203,14 @@ def test_the_farewell_says_what_the_session_amounts_to() -> None:
         "session: sessions/x",
     ]
     assert farewell(None, None, Path("x")) == ["outcome: none", "session: x"]
+
+
+def test_a_long_farewell_needs_no_line_of_more_than_80_columns_and_leaves_nobody_out() -> None:
+    done = [{"receiver": i, "tanker": 201, "energy_j": 12000 + i, "by": "competition"} for i in range(1, 10)]
+    lines = farewell({**SUMMARY, "refuelling": done}, "met", Path("x"))
+    assert max(map(len, lines)) <= 80
+    told = " ".join(line.strip() for line in lines).partition("refuelled: ")[2].partition(" minimum")[0]
+    assert told == ", ".join(f"{i} by 201 ({12000 + i} J, competition)" for i in range(1, 10))
 
 
 def test_the_farewell_names_who_was_lost_also_where_the_supervisor_could_not_say_the_outcome() -> None:

@@ -343,7 +343,7 @@ def test_lines_tell_the_session_without_waiting_for_it(session: Outcome) -> None
     told = gcs("replay", str(session.folder), "--plain", "--from", "10")
     assert told.returncode == 0
     assert "Refuelling of 1 by 201 ended" in told.stdout or "Refuelling of 2 by 201 ended" in told.stdout
-    assert told.stdout.splitlines()[-1].lstrip().startswith("45.0 s of 45 s")
+    assert told.stdout.splitlines()[-1].lstrip().startswith("45.0 s of 45 s | ended | ")
     first = float(told.stdout.split()[0])
     assert first >= 10.0
     beyond = gcs("replay", str(session.folder), "--plain", "--from", "46")

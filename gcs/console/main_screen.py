@@ -167,11 +167,16 @@ class MainScreen(Screen[None]):
 
     def _too_small(self, width: int, height: int) -> Lines:
         goes_on = "" if self.seen.replay is not None else "; the session goes on"
-        text = (
-            f"This terminal is {width} x {height}: the console needs {LEAST.width} x {LEAST.height}. "
-            f"Make it larger, or close the console with q{goes_on}."
+        needs = f"needs {LEAST.width} x {LEAST.height}"
+        texts = (
+            f"This terminal is {width} x {height}: the console {needs}. "
+            f"Make it larger, or close the console with q{goes_on}.",
+            f"{width} x {height} is too small: {needs}; q closes{goes_on}.",
+            f"{needs}; q closes",
         )
-        return [[(line, "look")] for line in wrapped(text, width)]
+        written = [wrapped(text, width) for text in texts]
+        lines = next((lines for lines in written if len(lines) <= height), written[-1])
+        return [[(line, "look")] for line in lines]
 
     def _ordered(self) -> list[Vehicle]:
         if not self.seen.vehicles:

@@ -249,6 +249,13 @@ def test_a_small_terminal_promises_that_the_session_goes_on_only_where_one_flies
     assert ("the session goes on" in text) == promised
 
 
+@pytest.mark.parametrize("size", [(60, 18), (40, 4), (20, 4), (10, 4)])
+def test_however_small_the_terminal_it_says_what_is_needed_and_how_to_close(size: tuple[int, int]) -> None:
+    text = " ".join(" ".join(screen([session(), snapshot(5.0)], size=size)).split())
+    assert "needs 80 x 24" in text
+    assert text.endswith(("q; the session goes on.", "q closes; the session goes on.", "q closes"))
+
+
 @pytest.mark.parametrize("key", [*PAGES.values(), "question_mark", "h", "t"])
 def test_without_unicode_everything_is_ascii_and_says_what_is_lost(flown: Messages, key: str) -> None:
     lines = screen(flown, key, glyphs=ASCII, size=(160, 50))

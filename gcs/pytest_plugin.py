@@ -60,6 +60,8 @@ class FlyingFleet:
         self._vehicles = {vehicle.sysid: vehicle for vehicle in vehicles}
 
     def __getitem__(self, sysid: int) -> FleetVehicle:
+        if sysid not in self._vehicles:
+            raise KeyError(f"there is no vehicle {sysid} in this fleet; it has {', '.join(map(str, self._vehicles))}")
         return self._vehicles[sysid]
 
     def __iter__(self) -> Iterator[FleetVehicle]:

@@ -35,7 +35,7 @@ from gcs.scenario_parts import (
 )
 from gcs.scenario_rules import Competition, Formation, Planner, Pursuit, Refuelling
 from gcs.scenario_values import Count, Flag, Part
-from gcs.yaml_source import Conflict, Path, Problem, ScenarioError, conflict_error, emit, read
+from gcs.yaml_source import Conflict, Document, Path, Problem, ScenarioError, conflict_error, emit, read
 
 __all__ = [
     "Attractor",
@@ -118,7 +118,12 @@ class Scenario(Part):
         if (refusal := scenario_external.clock_refusal(self.vehicles.all, mode, rate)) is not None:
             raise ValueError(refusal)
         changed = self.model_dump(by_alias=True) | {"clock": {**self.clock.model_dump(), **clock}}
-        return type(self).model_validate(changed if seed is None else changed | {"seed": seed})
+        changed |= {} if seed is None else {"seed": seed}
+        try:
+            return type(self).model_validate(changed)
+        except ValidationError as error:
+            problems = Document(self.name, changed).explain(error, type(self).model_json_schema())
+            raise ValueError("; ".join(problem.message for problem in problems)) from None
 
     @model_validator(mode="after")
     def _agrees(self) -> Self:

@@ -29,6 +29,8 @@ def test_two_answer(fleet):
     assert [beat(vehicle.address) for vehicle in fleet] == [1, 2]
     assert fleet[1].port != fleet[2].port
     assert fleet[2].url == f"udpout://127.0.0.1:{{fleet[2].port}}"
+    with pytest.raises(KeyError, match="there is no vehicle 9 in this fleet; it has 1, 2"):
+        fleet[9]
     with open(PIDS, "w") as file:
         print(*[str(vehicle.log.parent) for vehicle in fleet], sep="\\n", file=file)
 

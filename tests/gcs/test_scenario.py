@@ -163,6 +163,21 @@ def test_one_wrong_value_is_one_sentence_at_its_place(path: Path, old: str, new:
     assert first <= line <= first + new.count("\n")
 
 
+@pytest.mark.parametrize(
+    ("asked", "sentence"),
+    [
+        ({"speed": -1.0}, "clock.speed must be greater than 0, not -1.0"),
+        ({"speed": math.nan}, "clock.speed must be a finite number, not .nan"),
+        ({"seed": -3}, "seed must be greater than or equal to 0, not -3"),
+        ({"seed": 1.5}, "seed must be a whole number, not 1.5"),
+    ],
+)
+def test_a_clock_or_seed_that_cannot_be_had_is_one_sentence(path: Path, asked: dict[str, Any], sentence: str) -> None:
+    path.write_text(SMALL)
+    with pytest.raises(ValueError, match=f"^{re.escape(sentence)}$"):
+        load(path).flown(**asked)
+
+
 def test_every_problem_stands_at_its_own_line_and_column(path: Path) -> None:
     assert refusal(path, SMALL + "planner: {b: 1, k0: 0, kk: 0}\n").splitlines() == [
         "s.yaml:12:14: planner.b must be less than 1, not 1",

@@ -16,6 +16,7 @@ Snapshot = Mapping[str, Any]
 PROGRESS_EVERY_S = 2.0
 JSON_EVERY_S = 1.0
 FAREWELL_WIDTH = 80
+STARTING = "still starting; the first session on a machine compiles what flies and plans, for up to a minute ..."
 EXPLAINED_WITHIN_S = 2.0
 """A vehicle that announced something this recently (session time) has explained its own change of mode."""
 
@@ -181,6 +182,7 @@ class PlainView:
         self._last: Snapshot | None = None
         self._told: Snapshot | None = None
         self._told_s = -PROGRESS_EVERY_S
+        self._begun_s: float | None = None
 
     def show(self, snapshot: Snapshot) -> None:
         """Take in the newest state."""
@@ -192,6 +194,11 @@ class PlainView:
         """Write the line that is due at wall time `now_s`."""
         if self._last is not None and now_s - self._told_s >= PROGRESS_EVERY_S:
             self._tell(now_s)
+        elif self._last is None and self._begun_s is None:
+            self._begun_s = now_s
+        elif self._last is None and now_s - (self._begun_s or 0.0) >= PROGRESS_EVERY_S:
+            self._write(STARTING)
+            self._begun_s = math.inf
 
     def close(self) -> None:
         """Write how far it got."""

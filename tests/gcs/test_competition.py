@@ -66,7 +66,7 @@ def test_extremes_stay_finite_and_bounded(p: float, n: int, smallest: float, dt_
     assert after.max() <= max(1.0, smallest) * (1 + 1e-9)
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 @given(
     st.floats(1.1, 10.0),
     st.one_of(st.integers(1, 12), st.just(1000)),

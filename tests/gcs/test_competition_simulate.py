@@ -182,7 +182,7 @@ def test_samples_of_noise_leave_the_winner_and_an_sde_of_that_intensity_does_not
     assert share["sde"] < 0.5
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(
     st.integers(1, 6).flatmap(lambda n: st.lists(st.floats(1e-300, 1.0), min_size=n, max_size=n)),
     st.floats(1.1, 10.0),

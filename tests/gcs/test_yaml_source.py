@@ -172,13 +172,13 @@ plain = st.recursive(
 )
 
 
-@settings(max_examples=150, deadline=None, derandomize=True)
+@settings(max_examples=150)
 @given(st.dictionaries(texts.filter(lambda key: key != "<<"), plain, max_size=4))
 def test_what_is_emitted_is_read_back_equal(data: dict[str, object]) -> None:
     assert parse(emit(data), "f.yaml").data == data
 
 
-@settings(max_examples=300, deadline=None, derandomize=True)
+@settings(max_examples=300)
 @given(st.text(st.sampled_from(list("ab01:-,.[]{}&*!|>'\"%@#?~<\\ \n\tuUx\x85\0")), max_size=60))
 def test_no_text_ends_in_anything_but_a_scenario_error(text: str) -> None:
     with contextlib.suppress(ScenarioError):

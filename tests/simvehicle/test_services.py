@@ -276,7 +276,7 @@ def test_transfer_order_with_bad_numbers_is_denied(vehicle_bench: Any, params: t
     assert bench.vehicle.transfer is None
 
 
-@settings(max_examples=150, deadline=None, derandomize=True)
+@settings(max_examples=150)
 @given(
     st.lists(
         st.tuples(
@@ -303,7 +303,7 @@ def test_no_sequence_of_commands_stops_a_vehicle(
     assert abs(bench.ledger_gap_j()) < 1e-6
 
 
-@settings(max_examples=150, deadline=None, derandomize=True)
+@settings(max_examples=150)
 @given(st.data())
 def test_no_message_of_any_kind_or_content_stops_a_vehicle(vehicle_bench: Any, data: st.DataObject) -> None:
     bench = vehicle_bench(start=AIRBORNE)

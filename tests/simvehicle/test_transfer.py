@@ -21,7 +21,7 @@ def order(role: Role = Role.GIVE, *, limit_j: float = 1e6, rate_w: float = 100.0
     return Order(2, role, limit_j, rate_w, 1, start_j)
 
 
-@settings(max_examples=200, deadline=None, derandomize=True)
+@settings(max_examples=200)
 @given(
     st.lists(st.floats(0.004, 0.5), min_size=1, max_size=200),
     st.floats(0.1, 5000.0),
@@ -43,7 +43,7 @@ def test_giver_gives_whole_joules_at_its_rate_within_limit_and_stock(
         assert given_j >= math.floor(rate_w * elapsed_s * (1.0 - 1e-12) - 1e-9)  # the fraction was carried over
 
 
-@settings(max_examples=200, deadline=None, derandomize=True)
+@settings(max_examples=200)
 @given(st.lists(st.integers(-50, 400)), st.integers(0, 300), st.floats(0.0, 200.0))
 def test_receiver_credits_the_greatest_counter_heard_once_and_no_more_than_it_has_room_for(
     heard: list[int], start_j: int, room_j: float
@@ -189,7 +189,7 @@ def test_lost_frames_cost_nothing_in_the_end(vehicle_bench: Any, loss: float, se
     assert 0 <= lost_j <= 3 * 500  # at most the last second of each, where a side fell silent
 
 
-@settings(max_examples=25, deadline=None, derandomize=True)
+@settings(max_examples=25)
 @given(st.lists(st.booleans(), min_size=150, max_size=250))
 def test_no_pattern_of_losses_makes_joules(vehicle_bench: Any, pattern: list[bool]) -> None:
     pair = Pair(vehicle_bench, receiver=NEED)

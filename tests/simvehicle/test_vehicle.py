@@ -304,7 +304,7 @@ def test_bad_set_points_do_not_keep_offboard_alive(vehicle_bench: Any) -> None:
     assert bench.vehicle.mode == "hold"
 
 
-@settings(max_examples=60, deadline=None, derandomize=True)
+@settings(max_examples=60)
 @given(
     st.lists(
         st.tuples(

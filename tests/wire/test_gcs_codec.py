@@ -50,7 +50,7 @@ def assert_reads_like_pymavlink(raw: bytes) -> None:
 
 
 @pytest.mark.parametrize("name", HOT)
-@settings(max_examples=60, deadline=None, derandomize=True)
+@settings(max_examples=60)
 @given(data=st.data())
 def test_hot_message_with_random_payload_has_pymavlinks_fields(name: str, data: st.DataObject) -> None:
     size = CLASSES[name].unpacker.size
@@ -103,7 +103,7 @@ def test_every_message_is_written_like_pymavlink(name: str) -> None:
     assert_reads_like_pymavlink(raw)
 
 
-@settings(max_examples=100, deadline=None, derandomize=True)
+@settings(max_examples=100)
 @given(
     st.lists(st.floats(width=32), min_size=11, max_size=11),
     st.integers(0, 2**32 - 1),
@@ -260,7 +260,7 @@ def test_garbage_rarely_passes_for_an_unknown_message() -> None:
     assert taken == 256
 
 
-@settings(max_examples=300, deadline=None, derandomize=True)
+@settings(max_examples=300)
 @given(st.lists(st.one_of(st.binary(max_size=40), st.just(b"\xfd"), st.sampled_from(frames_of(6)))))
 def test_any_bytes_split_without_error_and_frames_are_found_in_place(pieces: list[bytes]) -> None:
     datagram = b"".join(pieces)
@@ -274,7 +274,7 @@ def test_any_bytes_split_without_error_and_frames_are_found_in_place(pieces: lis
     assert unknown == sum(frame.msgid not in common.mavlink_map for frame in frames)
 
 
-@settings(max_examples=100, deadline=None, derandomize=True)
+@settings(max_examples=100)
 @given(st.integers(0, 200), st.integers(1, 6))
 def test_truncated_datagram_gives_its_whole_frames(cut: int, count: int) -> None:
     raws = frames_of(count)

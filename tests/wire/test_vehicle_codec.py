@@ -90,7 +90,7 @@ def field_values(msgid: int) -> st.SearchStrategy[dict[str, Any]]:
 
 
 @pytest.mark.parametrize("msgid", SPOKEN, ids=name_of)
-@settings(max_examples=25, deadline=None, derandomize=True)
+@settings(max_examples=25)
 @given(data=st.data())
 def test_message_with_any_values_is_written_and_read_like_pymavlinks(msgid: int, data: st.DataObject) -> None:
     values = data.draw(field_values(msgid))
@@ -104,7 +104,7 @@ def test_message_with_any_values_is_written_and_read_like_pymavlinks(msgid: int,
 
 
 @pytest.mark.parametrize("msgid", SPOKEN, ids=name_of)
-@settings(max_examples=25, deadline=None, derandomize=True)
+@settings(max_examples=25)
 @given(data=st.data())
 def test_message_with_any_payload_of_any_length_is_read_like_pymavlink(msgid: int, data: st.DataObject) -> None:
     size = CLASSES[msgid].unpacker.size
@@ -157,7 +157,7 @@ def test_unknown_id_is_passed_over_and_its_neighbours_are_read(msgid: int) -> No
     assert codec.decode(codec.Frame(1, 1, 0, msgid, b"", b"")) is None
 
 
-@settings(max_examples=300, deadline=None, derandomize=True)
+@settings(max_examples=300)
 @given(st.lists(st.one_of(st.binary(max_size=40), st.just(b"\xfd"), st.just(heartbeat()))))
 def test_garbage_raises_nothing_invents_nothing_and_hides_no_frame(pieces: list[bytes]) -> None:
     datagram = b"".join(pieces)
@@ -166,7 +166,7 @@ def test_garbage_raises_nothing_invents_nothing_and_hides_no_frame(pieces: list[
     assert len(frames) == datagram.count(heartbeat())
 
 
-@settings(max_examples=100, deadline=None, derandomize=True)
+@settings(max_examples=100)
 @given(st.integers(0, 100), st.integers(1, 5))
 def test_truncated_datagram_gives_its_whole_frames(cut: int, count: int) -> None:
     datagram = b"".join(heartbeat(seq) for seq in range(count))

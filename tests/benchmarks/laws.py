@@ -7,6 +7,7 @@ import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
+import arducopter_at_full_speed
 import numpy as np
 from codecs_of_a_tick import hot_frames
 from measure import Figure, Scale, cpu_times
@@ -57,12 +58,12 @@ def vehicle_seconds() -> float:
 
 
 def flying(scale: Scale) -> list[Figure]:
-    fly, flown_s = _circle(), vehicle_seconds()
+    fly, flown_s, copter_s = _circle(), vehicle_seconds(), arducopter_at_full_speed.vehicle_seconds()
     apart_m = float(np.abs(fly() - fly(1e-14)).max())
     return [
         Figure(
             2, "one vehicle, full law at 250 Hz", flown_s, "vehicle-s/CPU s", 2000.0 * scale.cpu,
-            peer="ArduCopter SITL: not installed here",
+            peer="ArduCopter SITL" if copter_s else "ArduCopter SITL: none is named", peer_value=copter_s,
         ),
         Figure(2, "  farthest from the same flight solved to 1e-14", apart_m, "m", 1e-3, at_most=True),
     ]  # fmt: skip

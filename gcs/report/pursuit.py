@@ -22,12 +22,13 @@ BLOCK_TICKS = 2000
 class Course:
     """The goal's pursuit over a session: at each time, the longest for which even the worst had held it by then."""
 
-    def __init__(self, held_s: Series) -> None:
-        self._held_s = held_s
+    def __init__(self, held_s: Series, period_s: float) -> None:
+        self._held_s, self._period_s = held_s, period_s
 
     def at(self, t_s: float) -> float:
-        """In s, at a time of the session."""
-        return float(held(self._held_s, np.array([t_s + ROUNDING_S]))[0])
+        """In s, as the session told it at a time: measured at the tick before, since a tick ends by granting the next
+        period, which moves the session's time on."""
+        return float(held(self._held_s, np.array([t_s - self._period_s + ROUNDING_S]))[0])
 
 
 class CourseReader:
@@ -38,6 +39,7 @@ class CourseReader:
 
     def __init__(self, scenario: Scenario, decisions: Iterable[Mapping[str, Any]]) -> None:
         self._recorded = Recorded(Path(), scenario=scenario, decisions=[dict(decision) for decision in decisions])
+        self._period_s = scenario.clock.period_s
         self._gathering: Gathering | None = None
         if scenario.goal.pursue is not None:
             self._gathering = Gathering(self._recorded, PLACES, counted=False)
@@ -53,7 +55,7 @@ class CourseReader:
             return None
         self._gathering.finish()
         flown = tracks(self._recorded)
-        return Course(held_by(self._recorded, flown)) if flown else None
+        return Course(held_by(self._recorded, flown), self._period_s) if flown else None
 
 
 def ticks_of(recorded: Recorded) -> Floats:

@@ -6,7 +6,7 @@ import os
 import signal
 import sys
 
-from gcs.exit_status import INTERRUPTED
+from gcs.exit import INTERRUPTED
 
 AGAIN_S = 0.02
 TYPE_CHECKING = False

@@ -7,7 +7,7 @@ import socket
 from collections.abc import Iterator
 
 from gcs.addresses import Address
-from gcs.mavlink import codec, older
+from gcs.mavlink import codec, v1
 from gcs.mavlink.codec import Frame
 from gcs.udp import RECEIVE_BYTES, AddressRefused, Where, open_udp, resolve
 
@@ -47,7 +47,7 @@ class Air:
                     return
                 yield self._cut(data), self._to or ()
                 continue
-            yield codec.split(data).frames or older.split(data), tuple(peer)
+            yield codec.split(data).frames or v1.split(data), tuple(peer)
 
     def send(self, raw: bytes, peer: Where) -> None:
         """Send a frame to somebody who was heard, or to the one that was gone to."""

@@ -14,7 +14,7 @@ from collections.abc import Iterable, Mapping
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.profiles import STEERABLE
+from gcs.mavlink.autopilots import STEERABLE
 from gcs.scenario import Base, Refuelling
 from gcs.service import Beacon, Desk, Phase, Service, token
 from gcs.views import Snapshot, Vec3, VehicleView

@@ -18,7 +18,7 @@ import click
 from gcs import cli_author, cli_check, cli_paper, cli_recorded, cli_report, cli_watch
 from gcs.addresses import address
 from gcs.cli_author import ScenarioName, ScenarioRefused, load_scenario, module_arguments
-from gcs.exit_status import INTERNAL_ERROR, INTERRUPTED, NOT_DONE
+from gcs.exit import INTERNAL_ERROR, INTERRUPTED, NOT_DONE
 from gcs.leaving import leave
 
 if TYPE_CHECKING:

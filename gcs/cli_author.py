@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from gcs.exit_status import BAD_INPUT, NOT_DONE
+from gcs.exit import BAD_INPUT, NOT_DONE
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem

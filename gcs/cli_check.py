@@ -9,7 +9,7 @@ import json
 import click
 
 from gcs.addresses import ONLY_ONCE, Address, address
-from gcs.exit_status import BAD_INPUT, NOT_DONE
+from gcs.exit import BAD_INPUT, NOT_DONE
 
 PEER_NAMES = {"mavsdk": "MAVSDK", "qgroundcontrol": "QGroundControl", "mavproxy": "MAVProxy"}
 

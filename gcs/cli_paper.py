@@ -8,7 +8,7 @@ from pathlib import Path
 
 import click
 
-from gcs.exit_status import NOT_DONE
+from gcs.exit import NOT_DONE
 
 
 @click.command(short_help="Fly the paper's examples and judge its claims.")

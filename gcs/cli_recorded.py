@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from gcs.exit_status import NOT_DONE
+from gcs.exit import NOT_DONE
 
 if TYPE_CHECKING:
     from gcs.redecide import Verdict

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import click
 
-from gcs.exit_status import BAD_INPUT, NOT_DONE
+from gcs.exit import BAD_INPUT, NOT_DONE
 from gcs.leaving import leave
 
 SIGNALLED = 128

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from gcs.competition import advance, normalise, revive, share
-from gcs.profiles import STEERABLE
+from gcs.mavlink.autopilots import STEERABLE
 from gcs.scenario import Competition
 from gcs.views import Snapshot, Vec3, VehicleView
 

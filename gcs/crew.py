@@ -5,8 +5,8 @@ from __future__ import annotations
 from gcs.external_pilot import ExternalPilot
 from gcs.fleet import Fleet, GlobalOrigin, Member
 from gcs.impairment import Blackout, Impairment
+from gcs.mavlink.autopilots import PROFILES
 from gcs.pilot import SELDOM_S, Pilot
-from gcs.profiles import PROFILES
 from gcs.scenario import Scenario
 
 

@@ -22,9 +22,9 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.fleet import GlobalOrigin
 from gcs.mavlink import codec
+from gcs.mavlink.autopilots import profile_of
 from gcs.mavlink.codec import Frame
-from gcs.mavlink.identities import AUTOPILOT
-from gcs.profiles import profile_of
+from gcs.mavlink.ids import AUTOPILOT
 from gcs.views import Vec3, VehicleView
 
 TOGETHER_S = 1.0

@@ -22,6 +22,8 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
 
+from gcs.mavlink.battery import BatteryReport
+
 GAP_S = 5.0
 POWER_WINDOW_S = 5.0
 STEPS_WINDOW_S = 120.0
@@ -41,20 +43,6 @@ class Source(StrEnum):
 
 
 BEST_FIRST = (Source.ENERGY_CONSUMED, Source.CURRENT_VOLTAGE, Source.BATTERY_REMAINING)
-
-
-@dataclass(frozen=True, slots=True)
-class BatteryReport:
-    """What one message says of a battery at a session time; None: not told."""
-
-    time_s: float
-    consumed_j: float | None
-    """since the autopilot's start"""
-    power_w: float | None
-    remaining: float | None
-    """share of the capacity, 0..1"""
-    second_hand: bool = False
-    """by SYS_STATUS, which counts only where BATTERY_STATUS is silent"""
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,8 +9,7 @@ import numpy as np
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.contest import Standing
-from gcs.mavlink.commands import CommandResult
-from gcs.pilot import OPERATOR
+from gcs.mavlink.commands import OPERATOR, CommandResult
 from gcs.pursuit import meeting_s
 from gcs.scenario import Competition, Refuelling
 from gcs.service import Phase, Service, by_text

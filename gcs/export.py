@@ -1,8 +1,8 @@
 """A recorded session, or any .tlog, as tables: one per message type, per kind of decision, and of the vehicles' truth.
 
 Each table of a message begins with time_s (since the session's start), sysid, compid and direction (`from` a vehicle,
-`to` one), then the message's fields as `gcs.units` names and converts them. What goes through memory at once is a
-stretch of the log, whatever its length.
+`to` one), then the message's fields as `gcs.mavlink.field_units` names and converts them. What goes through memory at
+once is a stretch of the log, whatever its length.
 """
 
 from __future__ import annotations
@@ -17,9 +17,10 @@ from numba import njit
 from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common as mav
 
-from gcs import tlog, units
+from gcs import tlog
 from gcs.lacking import SCENARIO, passed_over, unread
-from gcs.mavlink.identities import STATION
+from gcs.mavlink import field_units
+from gcs.mavlink.ids import STATION
 from gcs.recorder import DECISIONS, TLOG
 from gcs.scenario import Scenario, ScenarioError, load
 from gcs.tables import Column, Tables
@@ -124,7 +125,7 @@ def _export_frames(
         _learn_stations(chunk, stations)
         sent = _sent(heads, stations, answered_us if session else answered_us[:0], _RELAYED)
         for msgid in np.unique(heads[:, MSGID]).tolist():
-            if (shape := units.layout(msgid)) is None:
+            if (shape := field_units.layout(msgid)) is None:
                 _unknown(chunk, msgid, tables, epoch_us or 0, sent)
                 continue
             mine = heads[:, MSGID] == msgid

@@ -21,9 +21,8 @@ from gcs.link import Key
 from gcs.mavlink import codec
 from gcs.mavlink.boot_clock import BootClock
 from gcs.mavlink.codec import Frame, Message
-from gcs.mavlink.identities import AUTOPILOT, STATION
+from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION
 from gcs.mavlink.sequence import SequenceCounter
-from gcs.mavlink.station import OUR_HEARTBEAT
 from gcs.scenario_external import External
 from gcs.udp import RECEIVE_BYTES, AddressRefused, Where, kernel_drops, open_udp
 

@@ -20,9 +20,10 @@ import math
 
 from pymavlink.dialects.v20 import common as mav
 
+from gcs.mavlink.autopilots import STEERABLE, FlightMode
 from gcs.mavlink.codec import Message
-from gcs.pilot import Pilot, Stage, Wish
-from gcs.profiles import STEERABLE, FlightMode
+from gcs.mavlink.commands import CommandRequest
+from gcs.pilot import Pilot, Stage
 from gcs.scenario_external import External
 from gcs.views import VehicleView
 
@@ -73,7 +74,7 @@ class ExternalPilot(Pilot):
 
     def decide(
         self, view: VehicleView, now_s: float, *, bound: bool = False, late_s: float = 0.0
-    ) -> tuple[list[Wish], list[Message]]:
+    ) -> tuple[list[CommandRequest], list[Message]]:
         """As `Pilot.decide`; a silent vehicle is asked for nothing."""
         if self.stage is Stage.BASE:
             self._begun_s = now_s  # what it is given to be armed in begins anew when it leaves
@@ -95,7 +96,7 @@ class ExternalPilot(Pilot):
         self._reads += 1
         return super()._requests(view)
 
-    def _wanted(self, view: VehicleView, now_s: float) -> list[Wish]:
+    def _wanted(self, view: VehicleView, now_s: float) -> list[CommandRequest]:
         profile = view.profile
         if self.stage is Stage.ARM and view.mode not in profile.arms_in:
             return [self._wish(mav.MAV_CMD_DO_SET_MODE, *profile.arming)]

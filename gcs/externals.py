@@ -11,11 +11,11 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.events import Event, Kind, Level
 from gcs.fleet import Fleet
+from gcs.mavlink.autopilots import STEERABLE, End
 from gcs.mavlink.codec import Frame, Message
-from gcs.mavlink.commands import CommandResult
-from gcs.mavlink.streams import CHECK_S, SLOW_SHARE, Ask, Streams, needs
-from gcs.pilot import Stage, Wish
-from gcs.profiles import STEERABLE, End
+from gcs.mavlink.commands import CommandRequest, CommandResult
+from gcs.mavlink.stream_requests import CHECK_S, SLOW_SHARE, Ask, Streams, needs
+from gcs.pilot import Stage
 from gcs.scenario import Scenario
 from gcs.views import Snapshot, VehicleView
 
@@ -81,10 +81,10 @@ class Externals:
                 fleet.lost(sysid)
                 self._note(sysid, "critical", f"No word for {LOST_S:.0f} s: it is counted as lost until it is heard")
 
-    def decide(self, snapshot: Snapshot) -> tuple[list[Wish], dict[int, list[Message]]]:
+    def decide(self, snapshot: Snapshot) -> tuple[list[CommandRequest], dict[int, list[Message]]]:
         """Commands, and messages by system id, that keep the streams flowing."""
         now_s = snapshot.time_s
-        wishes: list[Wish] = []
+        wishes: list[CommandRequest] = []
         messages: dict[int, list[Message]] = {}
         for sysid, streams in self.streams.items():
             view = snapshot.vehicle(sysid)
@@ -105,7 +105,7 @@ class Externals:
                 self._origin_noted.discard(sysid)
                 self._note(sysid, "info", "Its frame is known now")
             for ask in self._asks[sysid]:
-                wishes.append(Wish(sysid, ask.command.command, ask.command.params, ask.token))
+                wishes.append(CommandRequest(sysid, ask.command.command, ask.command.params, ask.token))
             self._asks[sysid] = []
         return wishes, messages
 
@@ -131,7 +131,7 @@ class Externals:
         self._said_s[sysid, text] = now_s
         return False
 
-    def hand_back(self, snapshot: Snapshot, stages: Mapping[int, Stage]) -> list[Wish]:
+    def hand_back(self, snapshot: Snapshot, stages: Mapping[int, Stage]) -> list[CommandRequest]:
         """What is said to those whom we steer, at the end: nobody does any more.
 
         One that somebody else has taken over, or that is on the ground unarmed, is left alone; one that stands armed on
@@ -147,7 +147,7 @@ class Externals:
                 (command, params), told = _DISARM, "disarm"
             self._note(sysid, "info", f"Told to {told}: the session ends, and nobody steers it any more", "session")
             self._handed_back.add(sysid)
-            wishes.append(Wish(sysid, command, params, ENDING))
+            wishes.append(CommandRequest(sysid, command, params, ENDING))
         return wishes
 
     def awaits(self, snapshot: Snapshot) -> bool:

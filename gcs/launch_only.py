@@ -13,7 +13,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from gcs.exit_status import DONE, NOT_DONE
+from gcs.exit import DONE, NOT_DONE
 from gcs.launch import Hatch, LaunchError, vehicle_orders
 from gcs.run import POLL_S, RunError, Signals, make_folder
 from gcs.scenario import Scenario

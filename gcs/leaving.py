@@ -12,7 +12,7 @@ import signal
 import sys
 from typing import NoReturn
 
-from gcs.exit_status import NOT_DONE
+from gcs.exit import NOT_DONE
 
 
 def leave(status: int) -> NoReturn:

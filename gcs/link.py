@@ -17,7 +17,7 @@ from dataclasses import dataclass, field
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
-from gcs.mavlink.identities import STATION
+from gcs.mavlink.ids import STATION
 from gcs.mavlink.sequence import SequenceCounter, TickCollector, is_hello
 from gcs.udp import RECEIVE_BYTES, kernel_drops, widen
 

@@ -16,14 +16,13 @@ from gcs.addresses import Address
 from gcs.air import Air
 from gcs.events import Event
 from gcs.mavlink import codec
+from gcs.mavlink.autopilots import End
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.commands import CommandLong, CommandQueue, CommandResult, Step, Target
-from gcs.mavlink.identities import STATION
-from gcs.mavlink.quiet import Quiet, everything
+from gcs.mavlink.ids import OUR_HEARTBEAT, STATION
 from gcs.mavlink.sequence import SequenceCounter
-from gcs.mavlink.station import OUR_HEARTBEAT
+from gcs.mavlink.stream_requests import Quiet, everything
 from gcs.observe import Observer
-from gcs.profiles import End
 from gcs.udp import Where
 
 SNAPSHOT_EVERY_S = 0.1

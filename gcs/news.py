@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 
 from gcs.events import Event
-from gcs.profiles import STEERABLE, End, FlightMode
+from gcs.mavlink.autopilots import STEERABLE, End, FlightMode
 from gcs.views import STALE_S, Snapshot, VehicleView
 
 GOING_DOWN = frozenset({FlightMode.RETURN, FlightMode.LAND})

@@ -18,11 +18,11 @@ from gcs.events import Event, level_of
 from gcs.fleet import Fleet, GlobalOrigin, Member
 from gcs.inspection import Inspection
 from gcs.mavlink import codec
+from gcs.mavlink.autopilots import End, profile_of
 from gcs.mavlink.codec import Frame
-from gcs.mavlink.identities import AUTOPILOT
+from gcs.mavlink.ids import AUTOPILOT
 from gcs.mavlink.sequence import GapCounter
 from gcs.news import Watch
-from gcs.profiles import End, profile_of
 from gcs.quality import LinkQuality
 from gcs.rows import distance_m, event_row, traffic_row, vehicle_row
 from gcs.scenario import Scenario

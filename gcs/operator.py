@@ -16,8 +16,8 @@ from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
 from gcs.events import Event
+from gcs.mavlink.autopilots import End
 from gcs.pilot import Pilot, Stage
-from gcs.profiles import End
 from gcs.refuelling import Schedule
 from gcs.scenario import Scenario
 from gcs.views import Snapshot, VehicleView

@@ -6,9 +6,8 @@ from collections.abc import Iterable
 from typing import Any
 
 from gcs.mavlink.codec import Message
-from gcs.mavlink.commands import CommandLong, CommandQueue, CommandResult, Step, Target
-from gcs.mavlink.identities import AUTOPILOT, STATION
-from gcs.pilot import OPERATOR, PILOT, Wish
+from gcs.mavlink.commands import OPERATOR, PILOT, CommandLong, CommandQueue, CommandRequest, CommandResult, Step, Target
+from gcs.mavlink.ids import AUTOPILOT, STATION
 
 
 class Outbox:
@@ -37,14 +36,14 @@ class Outbox:
         """Forget what waits; commands that are under way are still sent again."""
         self._waiting = {sysid: [] for sysid in self._waiting}
 
-    def ask(self, wishes: Iterable[Wish], now_s: float) -> None:
+    def ask(self, wishes: Iterable[CommandRequest], now_s: float) -> None:
         """Command what is wished, each in a COMMAND_LONG to the vehicle's autopilot."""
         for wish in wishes:
             self._under_way.add((wish.sysid, wish.token))
             command = CommandLong(Target(wish.sysid, AUTOPILOT), wish.command, wish.params)
             self._waiting[wish.sysid] += self._queues[wish.sysid].send(command, now_s, token=wish.token)
 
-    def ask_once(self, wishes: Iterable[Wish], now_s: float) -> None:
+    def ask_once(self, wishes: Iterable[CommandRequest], now_s: float) -> None:
         """Command those that are not on their way already: lined up again they would be carried out long after."""
         self.ask([wish for wish in wishes if (wish.sysid, wish.token) not in self._under_way], now_s)
 

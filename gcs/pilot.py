@@ -14,14 +14,14 @@ where it is, through as many of these stages as that needs.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from enum import StrEnum
 
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.fleet import BATTERY_PARAMETERS
+from gcs.mavlink.autopilots import STEERABLE, End, FlightMode
 from gcs.mavlink.codec import Message, message
-from gcs.profiles import STEERABLE, End, FlightMode
+from gcs.mavlink.commands import OPERATOR, PILOT, CommandRequest
 from gcs.views import VehicleView
 
 RETRY_S = 1.0
@@ -29,8 +29,6 @@ SELDOM_S = 32.0
 """A vehicle of ours that refuses to be armed is asked again after 1, 2, 4 s and so on, in the end so seldom."""
 CHARGED_SHARE = 0.01
 """Of its battery: so much more in it, and it is asked at once."""
-PILOT, OPERATOR = "pilot", "operator"
-"""How the tokens of commands begin: whose wish it is."""
 _ROUNDING_S = 1e-6
 REACHED_M = 0.3
 DISARMS_ITSELF_S = 3.0
@@ -51,22 +49,6 @@ class Stage(StrEnum):
     BASE = "at a base"
     DOWN = "down"
     TAKEN = "operator"
-
-
-@dataclass(frozen=True)
-class Wish:
-    """A command that someone in the ground station wants a vehicle to carry out; `token` comes back with its result."""
-
-    sysid: int
-    command: int
-    params: tuple[float, ...]
-    """the first of its seven; the others are 0"""
-    token: str
-
-    @property
-    def is_order(self) -> bool:
-        """Whether it is an operator's."""
-        return self.token.startswith(OPERATOR)
 
 
 class Pilot:
@@ -113,7 +95,7 @@ class Pilot:
 
     def decide(
         self, view: VehicleView, now_s: float, *, bound: bool = False, late_s: float = 0.0
-    ) -> tuple[list[Wish], list[Message]]:
+    ) -> tuple[list[CommandRequest], list[Message]]:
         """Commands and requests for now, given what is known of the vehicle; moves the stage on.
 
         While it is `bound`, to end a transfer in order, an operator's order waits. `late_s`: how late this tick comes.
@@ -154,7 +136,7 @@ class Pilot:
         self._refusals.add(text)
         return again
 
-    def _come_down(self, view: VehicleView, now_s: float) -> list[Wish]:
+    def _come_down(self, view: VehicleView, now_s: float) -> list[CommandRequest]:
         """Land; and disarm where the autopilot does not so by itself."""
         if view.landed:
             waited = now_s - self._stage_since_s >= DISARMS_ITSELF_S and now_s - self._asked_s >= DISARMS_ITSELF_S
@@ -164,7 +146,7 @@ class Pilot:
         command, params = view.profile.ending("land")
         return [self._wish(command, *params)]
 
-    def _tell(self, view: VehicleView) -> list[Wish]:
+    def _tell(self, view: VehicleView) -> list[CommandRequest]:
         """The operator's order, once; one whose motors are off stays where it is without being told."""
         if self._told or self.ordered is None:
             return []
@@ -177,7 +159,7 @@ class Pilot:
     def _requests(self, view: VehicleView) -> list[Message]:
         return [self._read(name) for name in BATTERY_PARAMETERS]
 
-    def _wanted(self, view: VehicleView, now_s: float) -> list[Wish]:
+    def _wanted(self, view: VehicleView, now_s: float) -> list[CommandRequest]:
         """The command that the stage needs."""
         if self.stage is Stage.ARM:
             return [self._wish(mav.MAV_CMD_COMPONENT_ARM_DISARM, 1.0, 0.0)]
@@ -235,8 +217,8 @@ class Pilot:
         height_m = view.origin_offset_ned[2] - view.p_ned[2]
         return Stage.OFFBOARD if height_m >= self._takeoff_m - REACHED_M else Stage.TAKEOFF
 
-    def _wish(self, command: int, *params: float, token: str = "") -> Wish:
-        return Wish(self.sysid, command, params, token or f"{PILOT} {self.stage}")
+    def _wish(self, command: int, *params: float, token: str = "") -> CommandRequest:
+        return CommandRequest(self.sysid, command, params, token or f"{PILOT} {self.stage}")
 
     def _read(self, name: str) -> Message:
         return message(

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from gcs.competition import advance, normalise, revive, share
-from gcs.profiles import STEERABLE
+from gcs.mavlink.autopilots import STEERABLE
 from gcs.scenario import Pursuit as Rules
 from gcs.views import Snapshot, Vec3, VehicleView
 

@@ -20,7 +20,7 @@ from pymavlink.dialects.v20 import common as mav
 from gcs import tlog
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
-from gcs.mavlink.identities import STATION
+from gcs.mavlink.ids import STATION
 from gcs.mavlink.sequence import GapCounter
 from gcs.tlog import AT, MSGID, T_US
 

@@ -19,7 +19,7 @@ from gcs.lacking import passed_over
 from gcs.link import FleetLink, Key
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
-from gcs.mavlink.identities import AUTOPILOT, STATION, TRAFFIC
+from gcs.mavlink.ids import AUTOPILOT, STATION, TRAFFIC
 from gcs.operator import COMMANDS
 from gcs.recorder import DECISIONS, TLOG, Recorder, decision_line
 from gcs.scenario import Radio, load

@@ -19,7 +19,7 @@ import numpy as np
 from gcs.ability import Ability
 from gcs.base_service import BaseSteps, Stock
 from gcs.contest import Contest, Standing, can_receive
-from gcs.profiles import STEERABLE
+from gcs.mavlink.autopilots import STEERABLE
 from gcs.pursuit import meeting_s
 from gcs.scenario import Base, Competition, Refuelling, Tanker
 from gcs.service import Decision, Desk, Phase, Service, by_text

@@ -22,7 +22,7 @@ import click
 from gcs.console.client import SOCKET, Client, Lines
 from gcs.console.earlier import Earlier
 from gcs.console.plain import QuietView, clean, farewell, mute_stdout
-from gcs.exit_status import BAD_INPUT, INTERNAL_ERROR
+from gcs.exit import BAD_INPUT, INTERNAL_ERROR
 from gcs.scenario import Scenario, dump
 
 SUPERVISOR = (sys.executable, "-m", "gcs.supervise")

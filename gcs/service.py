@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
-from gcs.pilot import Wish
+from gcs.mavlink.commands import CommandRequest
 from gcs.views import Vec3
 
 
@@ -107,7 +107,7 @@ class Decision:
 
     rendezvous: dict[int, int] = field(default_factory=dict)
     """receiver by tanker"""
-    wishes: tuple[Wish, ...] = ()
+    wishes: tuple[CommandRequest, ...] = ()
     relays: tuple[tuple[int, int], ...] = ()
     """(giver, receiver) pairs between which frames are relayed"""
     partners: tuple[tuple[int, int], ...] = ()
@@ -126,7 +126,7 @@ class Desk:
     """What services want of vehicles in this tick, what they tell of themselves, and the answers to earlier wishes."""
 
     def __init__(self) -> None:
-        self.wishes: list[Wish] = []
+        self.wishes: list[CommandRequest] = []
         self.records: list[dict[str, Any]] = []
         self._results: dict[str, bool] = {}
 
@@ -137,7 +137,7 @@ class Desk:
     def ask(self, sysid: int, command: int, token: str, *params: float) -> None:
         """Want a command of a vehicle; an answer to an earlier one with the same token counts no more."""
         self._results.pop(token, None)
-        self.wishes.append(Wish(sysid, command, params, token))
+        self.wishes.append(CommandRequest(sysid, command, params, token))
 
     def hear(self, token: str, accepted: bool) -> None:
         """The result of a command whose wish carried this token."""

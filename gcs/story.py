@@ -16,8 +16,8 @@ from typing import Any
 from gcs import explain
 from gcs.contest import Standing
 from gcs.events import Event
+from gcs.mavlink.autopilots import End
 from gcs.operator import TAKEN
-from gcs.profiles import End
 from gcs.records import event_of
 from gcs.scenario import Scenario
 from gcs.scene import goal_of

@@ -26,12 +26,12 @@ from gcs.arrivals import Arrivals
 from gcs.clients import Clients
 from gcs.clock import Pace
 from gcs.events import Event, Kind, Level
-from gcs.exit_status import BAD_INPUT, DONE, INTERNAL_ERROR, INTERRUPTED, NOT_DONE
+from gcs.exit import BAD_INPUT, DONE, INTERNAL_ERROR, INTERRUPTED, NOT_DONE
 from gcs.external import ExternalLink
 from gcs.launch import Ended, Hatch, LaunchError, traffic_order, vehicle_orders
 from gcs.leaving import leave
 from gcs.link import REPEAT_S, FleetLink
-from gcs.mavlink.identities import AUTOPILOT, TRAFFIC
+from gcs.mavlink.ids import AUTOPILOT, TRAFFIC
 from gcs.mixed_link import MixedLink
 from gcs.picture import picture
 from gcs.publish import Publisher

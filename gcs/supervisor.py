@@ -20,11 +20,11 @@ from gcs.externals import ENDING, Externals
 from gcs.inspection import Inspection
 from gcs.link import FleetLink, Key
 from gcs.mavlink import codec
+from gcs.mavlink.autopilots import End
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.commands import CommandResult
-from gcs.mavlink.identities import AUTOPILOT, TRAFFIC
+from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, TRAFFIC
 from gcs.mavlink.sequence import GapCounter
-from gcs.mavlink.station import OUR_HEARTBEAT
 from gcs.metrics import Metrics
 from gcs.mixed_link import MixedLink
 from gcs.news import Watch
@@ -34,7 +34,6 @@ from gcs.pilot import Stage
 from gcs.planner.own import make_planner
 from gcs.planner.plan import SetPoint
 from gcs.policy_contest import make_contest
-from gcs.profiles import End
 from gcs.pursuit import Pursuit
 from gcs.quality import LinkQuality
 from gcs.recorder import Digest, Recorder

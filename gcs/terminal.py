@@ -18,7 +18,7 @@ from typing import Any
 
 from gcs.console.ink import given_environment
 from gcs.console.job import can_suspend
-from gcs.exit_status import INTERRUPTED
+from gcs.exit import INTERRUPTED
 from gcs.run import View
 
 CONSOLE = (sys.executable, "-m", "gcs.console")

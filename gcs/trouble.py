@@ -9,7 +9,7 @@ from collections.abc import Collection, Iterable
 from enum import StrEnum
 from typing import NamedTuple
 
-from gcs.profiles import FlightMode
+from gcs.mavlink.autopilots import FlightMode
 from gcs.views import STALE_S, VehicleView
 
 WELL, LOOK, ACT = range(3)

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from gcs.profiles import FlightMode, Profile
+from gcs.mavlink.autopilots import FlightMode, Profile
 
 Vec3 = tuple[float, float, float]
 ZERO: Vec3 = (0.0, 0.0, 0.0)

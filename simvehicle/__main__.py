@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import signal
 
-from simvehicle.exit_status import INTERRUPTED
+from simvehicle.exit import INTERRUPTED
 
 
 def main() -> None:

@@ -17,7 +17,7 @@ from typing import Any
 
 import click
 
-from simvehicle.exit_status import BAD_INPUT, CANNOT_WRITE, INTERRUPTED
+from simvehicle.exit import BAD_INPUT, CANNOT_WRITE, INTERRUPTED
 
 LAST_SYSID = 254
 

@@ -23,7 +23,7 @@ from typing import Any
 
 from setproctitle import setproctitle
 
-from simvehicle.exit_status import BAD_INPUT, CANNOT_WRITE, INTERNAL_ERROR, INTERRUPTED
+from simvehicle.exit import BAD_INPUT, CANNOT_WRITE, INTERNAL_ERROR, INTERRUPTED
 
 PR_SET_PDEATHSIG = 1
 LAST_LINES = 8

@@ -8,7 +8,7 @@ import time
 from collections.abc import Callable, Sequence
 from typing import NamedTuple, Protocol
 
-from simvehicle.exit_status import ABANDONED
+from simvehicle.exit import ABANDONED
 from simvehicle.link import PlainLink, SupervisedLink
 from simvehicle.mavlink.codec import Frame
 from simvehicle.mavlink.connection import Connection

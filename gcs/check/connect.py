@@ -10,9 +10,9 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.check.asking import MAVPROXY, MAVSDK, QGC, Ask, command_int, command_long, requested, to_vehicle
 from gcs.check.dialogue import Question, Vehicle
 from gcs.check.judges import OK, acknowledged, answered, refuses, silent
+from gcs.mavlink.autopilots import ARDUCOPTER, PX4
 from gcs.mavlink.codec import Message, layout, message
-from gcs.mavlink.identities import STATION
-from gcs.profiles import ARDUCOPTER, PX4
+from gcs.mavlink.ids import STATION
 
 UNKNOWN_COMMAND = 65000
 OPEN_FILE, RESET_SESSIONS, FTP_ACK, FTP_NAK = 4, 2, 128, 129

@@ -14,9 +14,9 @@ from typing import Any, Literal, NamedTuple
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
+from gcs.mavlink.autopilots import Profile, profile_of
 from gcs.mavlink.codec import Frame, Message
-from gcs.mavlink.station import OUR_HEARTBEAT
-from gcs.profiles import Profile, profile_of
+from gcs.mavlink.ids import OUR_HEARTBEAT
 
 HEARTBEAT_EVERY_S = 1.0
 FIND_WITHIN_S = 10.0

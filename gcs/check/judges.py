@@ -9,7 +9,7 @@ from typing import Any
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.check.dialogue import Heard, Judge, Vehicle, Verdict
-from gcs.mavlink.identities import STATION
+from gcs.mavlink.ids import STATION
 
 Fault = Callable[[Vehicle, Any], str]
 """What is wrong with a message's fields; empty where nothing is."""

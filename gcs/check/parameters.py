@@ -11,8 +11,8 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.check.asking import MAVPROXY, MAVSDK, QGC, judged, to_vehicle
 from gcs.check.dialogue import Heard, Question, Vehicle, Verdict
 from gcs.check.judges import OK, answered
+from gcs.mavlink.autopilots import ARDUCOPTER, PX4
 from gcs.mavlink.codec import Message
-from gcs.profiles import ARDUCOPTER, PX4
 
 LIST_S = 10.0
 UNKNOWN_PARAMETER = "NO_SUCH_PARAM"

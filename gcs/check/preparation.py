@@ -10,8 +10,8 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.check.asking import MAVPROXY, MAVSDK, QGC, command_long, to_vehicle
 from gcs.check.dialogue import Heard, Question, Vehicle, Verdict
 from gcs.check.judges import OK, acknowledged, answered
+from gcs.mavlink.autopilots import FlightMode
 from gcs.mavlink.codec import Message, message
-from gcs.profiles import FlightMode
 
 
 def _mode_number(vehicle: Vehicle, mode: FlightMode) -> int:

@@ -9,8 +9,8 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.check.asking import MAVPROXY, MAVSDK, QGC, judged, to_vehicle
 from gcs.check.dialogue import Heard, Question, Vehicle, Verdict
 from gcs.check.judges import OK, steady, streamed
+from gcs.mavlink.autopilots import ARDUCOPTER, GENERIC, PX4
 from gcs.mavlink.codec import Message
-from gcs.profiles import ARDUCOPTER, GENERIC, PX4
 
 LISTEN_S = 4.0
 MAVSDK_LOSES_S = 3.0

@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from gcs.addresses import Address
 from gcs.check.dialogue import FIND_WITHIN_S, Dialogue, Finding
 from gcs.mavlink import codec
-from gcs.mavlink.identities import STATION
+from gcs.mavlink.ids import STATION
 from gcs.mavlink.sequence import SequenceCounter
 from gcs.udp import RECEIVE_BYTES, Where, open_udp
 

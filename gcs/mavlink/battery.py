@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
-
-from gcs.energy import BatteryReport
 
 HECTOJOULE = 100.0
 NO_CELL = 65535
@@ -52,3 +51,17 @@ def _power_w(volts: float | None, current_ca: int) -> float | None:
 
 def _share(percent: int) -> float | None:
     return 0.01 * percent if 0 <= percent <= 100 else None
+
+
+@dataclass(frozen=True, slots=True)
+class BatteryReport:
+    """What one message says of a battery at a session time; None: not told."""
+
+    time_s: float
+    consumed_j: float | None
+    """since the autopilot's start"""
+    power_w: float | None
+    remaining: float | None
+    """share of the capacity, 0..1"""
+    second_hand: bool = False
+    """by SYS_STATUS, which counts only where BATTERY_STATUS is silent"""

@@ -22,6 +22,9 @@ from pymavlink.dialects.v20 import common
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Message
 
+PILOT, OPERATOR = "pilot", "operator"
+"""How the tokens of commands begin: whose wish it is."""
+
 TIMEOUT_S = 0.5
 RETRIES = 3
 PROGRESS_S = 5.0
@@ -215,3 +218,19 @@ class CommandQueue:
             step.messages.append(self._attempt(line[0], now_s))
         else:
             del self._waiting[target, command]
+
+
+@dataclass(frozen=True)
+class CommandRequest:
+    """A command that someone in the ground station wants a vehicle to carry out; `token` comes back with its result."""
+
+    sysid: int
+    command: int
+    params: tuple[float, ...]
+    """the first of its seven; the others are 0"""
+    token: str
+
+    @property
+    def is_order(self) -> bool:
+        """Whether it is an operator's."""
+        return self.token.startswith(OPERATOR)

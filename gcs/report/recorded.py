@@ -16,7 +16,7 @@ from pydantic import ValidationError
 
 from gcs import summary as summaries
 from gcs import tlog
-from gcs.mavlink.identities import AUTOPILOT
+from gcs.mavlink.ids import AUTOPILOT
 from gcs.recorder import DECISIONS, TLOG
 from gcs.report import set_points
 from gcs.scenario import Scenario, ScenarioError, load

@@ -15,7 +15,7 @@ import pymap3d
 from numpy.typing import NDArray
 
 from gcs.mavlink.battery import HECTOJOULE
-from gcs.mavlink.identities import AUTOPILOT
+from gcs.mavlink.ids import AUTOPILOT
 from gcs.report.recorded import Recorded
 from gcs.views import STALE_S
 

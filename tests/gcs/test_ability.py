@@ -7,7 +7,7 @@ import math
 import pytest
 
 from gcs.ability import Ability
-from gcs.profiles import PX4, FlightMode
+from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.service import Desk
 from gcs.views import Snapshot, VehicleView
 

@@ -10,8 +10,8 @@ from typing import Any
 import pytest
 
 from gcs.explain import sentence
-from gcs.pilot import Wish
-from gcs.profiles import PX4, FlightMode
+from gcs.mavlink.autopilots import PX4, FlightMode
+from gcs.mavlink.commands import CommandRequest
 from gcs.refuelling import Schedule
 from gcs.scenario import Base, Battery, Competition, Refuelling, Tanker
 from gcs.service import Decision, Phase, Service
@@ -81,7 +81,7 @@ class World:
         self.now_s = round(self.now_s + 0.1, 6)
         return decision
 
-    def _obey(self, wish: Wish) -> None:
+    def _obey(self, wish: CommandRequest) -> None:
         assert wish.command == ORDER
         self.orders.append((wish.sysid, *map(int, wish.params[:6])))
         role = int(wish.params[1])

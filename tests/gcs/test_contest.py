@@ -8,7 +8,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from gcs.contest import Contest
-from gcs.profiles import PX4, FlightMode
+from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.scenario import Competition
 from gcs.views import Snapshot, VehicleView
 

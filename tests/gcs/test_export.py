@@ -21,8 +21,9 @@ from pymavlink import mavutil
 from pymavlink.dialects.v20 import ardupilotmega as mav
 from sessions import fly, small
 
-from gcs import tables, tlog, units
+from gcs import tables, tlog
 from gcs.export import ExportError, export
+from gcs.mavlink import field_units
 
 EPOCH_US = 1_767_225_600_000_000
 
@@ -174,26 +175,26 @@ def test_unknown_is_an_empty_cell_as_mavlinks_definitions_say() -> None:
             for field in message.findall("field"):
                 mark = (field.get("invalid") or "").strip("[]:")
                 said[message.get("name"), field.get("name")] = limits.get(mark, mark)
-    for key, mark in units.UNKNOWN.items():
+    for key, mark in field_units.UNKNOWN.items():
         assert float(said[key]) == mark, key
     telemetry = {"SYS_STATUS", "BATTERY_STATUS", "GPS_RAW_INT", "GLOBAL_POSITION_INT"}
-    classes = {cls.msgname: cls for cls in units.CLASSES.values()}
+    classes = {cls.msgname: cls for cls in field_units.CLASSES.values()}
     for (message, field), mark in said.items():
         whole = isinstance(mark, int) or mark == "-1"
         if message in telemetry and whole and field in classes[message].fieldunits_by_name:
-            assert (message, field) in units.UNKNOWN
+            assert (message, field) in field_units.UNKNOWN
 
 
 def test_every_unit_of_every_message_has_a_conversion() -> None:
-    used = {unit for cls in units.CLASSES.values() for unit in cls.fieldunits_by_name.values()}
-    assert used <= units.UNITS.keys()
+    used = {unit for cls in field_units.CLASSES.values() for unit in cls.fieldunits_by_name.values()}
+    assert used <= field_units.UNITS.keys()
 
 
 def test_no_column_has_the_name_of_another() -> None:
-    for msgid in units.CLASSES:
-        shape = units.layout(msgid)
+    for msgid in field_units.CLASSES:
+        shape = field_units.layout(msgid)
         assert shape is not None
-        names = [*units.OWN, *(column.name for column in shape.columns)]
+        names = [*field_units.OWN, *(column.name for column in shape.columns)]
         assert len(set(names)) == len(names), shape.name
         assert all(re.fullmatch(r"[a-z0-9_]+", name) for name in names)
 

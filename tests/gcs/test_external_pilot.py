@@ -7,8 +7,8 @@ import pytest
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.external_pilot import BLAMED_S, FAR_M, LATE_S, PARAMETER_TRIES, QUIET_S, ExternalPilot
+from gcs.mavlink.autopilots import ARDUCOPTER, PX4, FlightMode, Profile
 from gcs.pilot import Stage
-from gcs.profiles import ARDUCOPTER, PX4, FlightMode, Profile
 from gcs.scenario_external import External
 from gcs.views import VehicleView
 

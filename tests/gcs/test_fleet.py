@@ -9,7 +9,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.fleet import Fleet, GlobalOrigin, Member
 from gcs.mavlink import codec
-from gcs.profiles import PX4, FlightMode, Profile
+from gcs.mavlink.autopilots import PX4, FlightMode, Profile
 from gcs.views import Snapshot, VehicleView
 
 ORIGIN = GlobalOrigin(47.397742, 8.545594, 488.0)

@@ -10,7 +10,7 @@ import pytest
 from gcs.link import DATAGRAM_BYTES, FleetLink
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
-from gcs.mavlink.identities import STATION
+from gcs.mavlink.ids import STATION
 
 SYSTEM_TIME, HEARTBEAT = codec.msgid("SYSTEM_TIME"), codec.msgid("HEARTBEAT")
 BEAT = {"type": 2, "autopilot": 12, "base_mode": 0, "custom_mode": 0, "system_status": 3}

@@ -5,10 +5,10 @@ from typing import Any
 
 import pytest
 
+from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.metrics import PLAN_MEMORY, Metrics
 from gcs.planner.obstacles import of_scenario
 from gcs.planner.plan import SetPoint
-from gcs.profiles import PX4, FlightMode
 from gcs.scenario import Obstacle, Scenario
 from gcs.views import Snapshot, TrafficView, Vec3, VehicleView
 

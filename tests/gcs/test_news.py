@@ -5,8 +5,8 @@ from typing import Any
 import pytest
 from views import snapshot, view
 
+from gcs.mavlink.autopilots import FlightMode
 from gcs.news import Watch
-from gcs.profiles import FlightMode
 
 OFFBOARD, HOLD, RETURN, LAND = FlightMode.OFFBOARD, FlightMode.HOLD, FlightMode.RETURN, FlightMode.LAND
 

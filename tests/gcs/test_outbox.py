@@ -5,12 +5,12 @@ from typing import Any
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
+from gcs.mavlink.commands import OPERATOR, PILOT, CommandRequest
 from gcs.outbox import Outbox
-from gcs.pilot import OPERATOR, PILOT, Wish
 
-ARM = Wish(3, mav.MAV_CMD_COMPONENT_ARM_DISARM, (), f"{PILOT} arm")
-LAND = Wish(3, mav.MAV_CMD_NAV_LAND, (), f"{OPERATOR} land")
-SERVE = Wish(3, mav.MAV_CMD_USER_1, (), "5 receive")
+ARM = CommandRequest(3, mav.MAV_CMD_COMPONENT_ARM_DISARM, (), f"{PILOT} arm")
+LAND = CommandRequest(3, mav.MAV_CMD_NAV_LAND, (), f"{OPERATOR} land")
+SERVE = CommandRequest(3, mav.MAV_CMD_USER_1, (), "5 receive")
 
 
 def commands(outbox: Outbox, sysid: int = 3) -> list[int]:
@@ -18,7 +18,7 @@ def commands(outbox: Outbox, sysid: int = 3) -> list[int]:
     return [codec.fields(codec.split(codec.frame(m, 0, 255, 190)).frames[0]).command for m in outbox.take(sysid)]
 
 
-def ack(wish: Wish) -> Any:
+def ack(wish: CommandRequest) -> Any:
     raw = codec.encode(
         "COMMAND_ACK", 0, wish.sysid, 1, command=wish.command, result=0, target_system=255, target_component=190
     )
@@ -70,7 +70,7 @@ def test_pilots_and_operators_commands_are_withdrawn_and_a_services_go_on() -> N
 
 def test_a_withdrawn_command_that_waited_its_turn_may_be_asked_again_at_once() -> None:
     outbox = Outbox([3])
-    waits = Wish(3, SERVE.command, (), f"{PILOT} arm")
+    waits = CommandRequest(3, SERVE.command, (), f"{PILOT} arm")
     outbox.ask([SERVE, waits], 0.0)
     assert commands(outbox) == [SERVE.command]
     outbox.withdraw(3)

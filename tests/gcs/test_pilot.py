@@ -7,8 +7,9 @@ import pytest
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
-from gcs.pilot import SELDOM_S, Pilot, Stage, Wish
-from gcs.profiles import ARDUCOPTER, PX4, FlightMode
+from gcs.mavlink.autopilots import ARDUCOPTER, PX4, FlightMode
+from gcs.mavlink.commands import CommandRequest
+from gcs.pilot import SELDOM_S, Pilot, Stage
 from gcs.views import VehicleView
 
 ARM, TAKEOFF, SET_MODE = 400, 22, 176
@@ -30,7 +31,7 @@ UP = CLIMBING._replace(mode=FlightMode.HOLD, p_ned=(0.0, 0.0, -2.4))
 FLYING = UP._replace(mode=FlightMode.OFFBOARD)
 
 
-def commands(pilot: Pilot, seen: VehicleView, now_s: float) -> list[Wish]:
+def commands(pilot: Pilot, seen: VehicleView, now_s: float) -> list[CommandRequest]:
     return pilot.decide(seen, now_s)[0]
 
 

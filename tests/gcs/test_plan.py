@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.planner import obstacles
 from gcs.planner.formation import assign, ring_offsets
 from gcs.planner.obstacles import surface
 from gcs.planner.plan import Planner, SetPoint
-from gcs.profiles import PX4, FlightMode
 from gcs.scenario import Obstacle, Scenario
 from gcs.views import Snapshot, TrafficView, Vec3, VehicleView
 

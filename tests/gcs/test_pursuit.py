@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gcs.profiles import PX4, FlightMode
+from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.pursuit import GRAVITY_M_S2, Pursuit, predicted_effort
 from gcs.scenario import Pursuit as Rules
 from gcs.views import Snapshot, Vec3, VehicleView

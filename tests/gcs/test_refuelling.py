@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from gcs.profiles import FlightMode
+from gcs.mavlink.autopilots import FlightMode
 from gcs.refuelling import Schedule
 from gcs.scenario import Competition, Refuelling
 from gcs.service import Decision, Phase

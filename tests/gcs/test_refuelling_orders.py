@@ -2,7 +2,7 @@
 
 import pytest
 
-from gcs.profiles import FlightMode
+from gcs.mavlink.autopilots import FlightMode
 from gcs.service import Phase
 from gcs.tanker_service import GIVE, RECEIVE, STOP
 from tests.support.services import play, view

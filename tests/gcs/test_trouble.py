@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 from views import view
 
-from gcs.profiles import FlightMode
+from gcs.mavlink.autopilots import FlightMode
 from gcs.trouble import ACT, LOOK, WELL, State, severity, state, troubles
 
 NOW_S = 100.0

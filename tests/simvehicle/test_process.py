@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from pymavlink.dialects.v20 import common as mav
 
-from simvehicle import exit_status, process
+from simvehicle import exit, process
 from simvehicle.link import SupervisedLink, parse_address
 from simvehicle.mavlink.codec import message
 from simvehicle.mavlink.connection import Connection
@@ -69,5 +69,5 @@ def test_a_vehicle_that_was_kept_from_running_hears_what_waits_before_it_leaves(
             with pytest.raises(SystemExit) as left:
                 process.run_supervised([process.Seat(unit, link, ())])
     assert unit.advanced_ms == [0, 100, 200, 300]
-    assert left.value.code == exit_status.ABANDONED
+    assert left.value.code == exit.ABANDONED
     assert "silent for 10 s" in capsys.readouterr().err

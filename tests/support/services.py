@@ -3,8 +3,8 @@
 from dataclasses import dataclass, field
 from typing import Any
 
-from gcs.pilot import Wish
-from gcs.profiles import PX4, FlightMode
+from gcs.mavlink.autopilots import PX4, FlightMode
+from gcs.mavlink.commands import CommandRequest
 from gcs.refuelling import Schedule
 from gcs.scenario import Battery, Competition, Refuelling, Tanker
 from gcs.service import Decision, Phase, Service
@@ -45,7 +45,7 @@ class Fleet:
     def set(self, sysid: int, **changed: Any) -> None:
         self.views[sysid] = self.views[sysid]._replace(**changed)
 
-    def obey(self, schedule: Schedule, wishes: tuple[Wish, ...]) -> None:
+    def obey(self, schedule: Schedule, wishes: tuple[CommandRequest, ...]) -> None:
         for wish in wishes:
             if wish.command != ORDER:
                 continue

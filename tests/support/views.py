@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from gcs.profiles import PX4, FlightMode
+from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.views import Snapshot, VehicleView
 
 

@@ -5,7 +5,7 @@ import warnings
 
 import pytest
 
-from gcs.profiles import ARDUCOPTER, GENERIC, PX4, STEERABLE, FlightMode, Profile, profile_of
+from gcs.mavlink.autopilots import ARDUCOPTER, GENERIC, PX4, STEERABLE, FlightMode, Profile, profile_of
 
 with warnings.catch_warnings():
     warnings.simplefilter("ignore")  # mavutil's own imports warn

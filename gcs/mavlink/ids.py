@@ -1,5 +1,18 @@
 """Who is who on the network, as (system id, component id)."""
 
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.mavlink import codec
+
+OUR_HEARTBEAT = codec.message(
+    "HEARTBEAT",
+    type=mav.MAV_TYPE_GCS,
+    autopilot=mav.MAV_AUTOPILOT_INVALID,
+    base_mode=0,
+    custom_mode=0,
+    system_status=mav.MAV_STATE_ACTIVE,
+)
+
 AUTOPILOT = 1
 """The component of a vehicle that flies it, MAV_COMP_ID_AUTOPILOT1."""
 STATION = (255, 190)

@@ -4,7 +4,7 @@ import pytest
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink import codec
-from gcs.mavlink.streams import CHECK_S, Streams, needs
+from gcs.mavlink.stream_requests import CHECK_S, Streams, needs
 
 RATES_HZ = {need.name: need.rate_hz for need in needs(0.1)}
 

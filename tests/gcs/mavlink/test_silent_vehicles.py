@@ -3,7 +3,7 @@
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink import codec
-from gcs.mavlink.quiet import QUIET_S, Quiet, everything
+from gcs.mavlink.stream_requests import QUIET_S, Quiet, everything
 
 HEARTBEAT, ATTITUDE = mav.MAVLINK_MSG_ID_HEARTBEAT, mav.MAVLINK_MSG_ID_ATTITUDE
 

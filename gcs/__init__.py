@@ -13,7 +13,8 @@ if TYPE_CHECKING:
     from typing import Any
 
     from gcs.arrays import MissingExtra, Snapshot
-    from gcs.scenario import Scenario, ScenarioError, load
+    from gcs.scenario.file import load
+    from gcs.scenario.model import Scenario, ScenarioError
     from gcs.session import Session, SessionError
     from gcs.summary import Summary
 

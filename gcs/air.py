@@ -6,9 +6,9 @@ import contextlib
 import socket
 from collections.abc import Iterator
 
-from gcs.addresses import Address
 from gcs.mavlink import codec, v1
 from gcs.mavlink.codec import Frame
+from gcs.scenario.endpoint import Address
 from gcs.udp import RECEIVE_BYTES, AddressRefused, Where, open_udp, resolve
 
 CONNECT_WITHIN_S = 5.0

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Mapping
 
-from gcs.addresses import ONLY_ONCE
-from gcs.scenario_external import External
+from gcs.scenario.endpoint import ONLY_ONCE
+from gcs.scenario.external import External
 
 HELLO_WITHIN_S = 60.0
 """Wall time that launched vehicles have for their first word."""

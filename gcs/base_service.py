@@ -15,7 +15,7 @@ from collections.abc import Iterable, Mapping
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink.autopilots import STEERABLE
-from gcs.scenario import Base, Refuelling
+from gcs.scenario.model import Base, Refuelling
 from gcs.service import Beacon, Desk, Phase, Service, token
 from gcs.views import Snapshot, Vec3, VehicleView
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pymap3d
 
 from gcs.mavlink.codec import Message, message
-from gcs.scenario import Origin
+from gcs.scenario.model import Origin
 from gcs.service import Beacon
 
 POSITION_AND_VELOCITY = 0b11

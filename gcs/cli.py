@@ -16,10 +16,10 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from gcs import cli_author, cli_check, cli_paper, cli_recorded, cli_report, cli_watch
-from gcs.addresses import address
 from gcs.cli_author import ScenarioName, ScenarioRefused, load_scenario, module_arguments
 from gcs.exit import INTERNAL_ERROR, INTERRUPTED, NOT_DONE
 from gcs.leaving import leave
+from gcs.scenario.endpoint import address
 
 if TYPE_CHECKING:
     from gcs.run import View

@@ -17,7 +17,7 @@ from gcs.exit import BAD_INPUT, NOT_DONE
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
-    from gcs.scenario import Scenario
+    from gcs.scenario.model import Scenario
 
 
 class ScenarioName(click.ParamType[str]):
@@ -28,9 +28,9 @@ class ScenarioName(click.ParamType[str]):
     def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
         from click.shell_completion import CompletionItem
 
-        from gcs.configs import names
+        from gcs.scenario.file import shipped_names
 
-        shipped = [CompletionItem(name) for name in names() if name.startswith(incomplete)]
+        shipped = [CompletionItem(name) for name in shipped_names() if name.startswith(incomplete)]
         return [*shipped, CompletionItem(incomplete, type="file")]
 
 
@@ -44,9 +44,9 @@ class ScenarioRefused(click.exceptions.Exit):
 
 def load_scenario(scenario: str) -> Scenario:
     """The scenario of that name or file. Raises ScenarioRefused, once what is wrong has gone to stderr line by line."""
-    from gcs import plugins
-    from gcs.configs import find
-    from gcs.scenario import ScenarioError, load
+    from gcs.scenario import plugins
+    from gcs.scenario.file import find, load
+    from gcs.scenario.model import ScenarioError
 
     try:
         file = find(scenario)
@@ -61,7 +61,7 @@ def load_scenario(scenario: str) -> Scenario:
 
 def module_arguments(scenario: str) -> list[str]:
     """The supervisor's arguments that let it find planners and policies where `load_scenario` did."""
-    from gcs.configs import find
+    from gcs.scenario.file import find
 
     return [word for folder in (find(scenario).parent, Path.cwd()) for word in ("--modules", str(folder.resolve()))]
 
@@ -92,12 +92,12 @@ def validate(scenario: str, image: Path | None, quiet: bool) -> int:
       1    the image could not be written
       2    it cannot be flown; each reason is a line on stderr
     """
-    from gcs import drawing
+    from gcs.scenario import plot
 
     checked = load_scenario(scenario)
     if image is not None:
         try:
-            drawing.image(checked, image)
+            plot.image(checked, image)
         except (OSError, ValueError) as error:
             why = error.strerror if isinstance(error, OSError) else str(error)
             click.echo(f"{image}: the plan cannot be drawn there: {why}", err=True)
@@ -105,12 +105,12 @@ def validate(scenario: str, image: Path | None, quiet: bool) -> int:
     if quiet:
         return 0
     if image is None:
-        lines = drawing.text(checked, min(shutil.get_terminal_size().columns, 100) - 1)
+        lines = plot.text(checked, min(shutil.get_terminal_size().columns, 100) - 1)
         for line in lines:
             click.echo(line)
-        click.echo(drawing.legend("".join(lines[:-1])))
+        click.echo(plot.legend("".join(lines[:-1])))
         click.echo()
-    for line in drawing.facts(checked):
+    for line in plot.facts(checked):
         click.echo(line)
     click.echo(f"{scenario}: valid" + ("" if image is None else f"; its plan is {image}"))
     return 0
@@ -128,7 +128,7 @@ def schema() -> int:
       gcs schema > scenario.schema.json
       # yaml-language-server: $schema=scenario.schema.json
     """
-    from gcs.editor_schema import editor_schema
+    from gcs.scenario.json_schema import editor_schema
 
     click.echo(json.dumps(editor_schema(), indent=2))
     return 0

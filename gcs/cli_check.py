@@ -8,8 +8,8 @@ import json
 
 import click
 
-from gcs.addresses import ONLY_ONCE, Address, address
 from gcs.exit import BAD_INPUT, NOT_DONE
+from gcs.scenario.endpoint import ONLY_ONCE, Address, address
 
 PEER_NAMES = {"mavsdk": "MAVSDK", "qgroundcontrol": "QGroundControl", "mavproxy": "MAVProxy"}
 

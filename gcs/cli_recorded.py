@@ -133,9 +133,9 @@ def _play(recording: Replay, speed: float | None, *, plain: bool, as_json: bool)
 
 
 def _decide(session: Path, as_json: bool) -> int:
-    from gcs import plugins
     from gcs.redecide import RedecideError, redecide
-    from gcs.scenario import ScenarioError
+    from gcs.scenario import plugins
+    from gcs.scenario.model import ScenarioError
 
     if not session.is_dir():
         raise click.UsageError(f"--decide: {session} is no session's folder: a .tlog alone holds no decisions.")

@@ -5,8 +5,8 @@ from __future__ import annotations
 from gcs.clock import Pace
 from gcs.operator import COMMANDS, Answer
 from gcs.publish import Publisher, Request
+from gcs.scenario.document import did_you_mean
 from gcs.supervisor import Supervisor
-from gcs.yaml_source import did_you_mean
 
 CLOCK = ("pause", "resume", "stop")
 KNOWN = (*CLOCK, "inspect", *COMMANDS)

@@ -7,7 +7,7 @@ from gcs.fleet import Fleet, GlobalOrigin, Member
 from gcs.impairment import Blackout, Impairment
 from gcs.mavlink.autopilots import PROFILES
 from gcs.pilot import SELDOM_S, Pilot
-from gcs.scenario import Scenario
+from gcs.scenario.model import Scenario
 
 
 def make_fleet(scenario: Scenario) -> Fleet:

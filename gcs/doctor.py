@@ -230,20 +230,24 @@ def _terminal() -> Iterator[Finding]:
 
 
 def _own_scenarios() -> Iterator[Finding]:
-    from gcs.configs import folder, names  # noqa: PLC0415 - what is missing above must be told, not raised here
-    from gcs.scenario import ScenarioError, load  # noqa: PLC0415
+    from gcs.scenario.file import (  # noqa: PLC0415 - what is missing above must be told, not raised here
+        load,
+        shipped_folder,
+        shipped_names,
+    )
+    from gcs.scenario.model import ScenarioError  # noqa: PLC0415
 
     broken = []
-    for name in names():
+    for name in shipped_names():
         with contextlib.suppress(ScenarioError):
-            load(folder() / f"{name}.yaml")
+            load(shipped_folder() / f"{name}.yaml")
             continue
         broken.append(name)
-    if broken or "demo" not in names():
+    if broken or "demo" not in shipped_names():
         advice = "install Skytender again with pip"
         yield Finding("problem", "scenarios", f"unreadable: {', '.join(broken) or 'demo is missing'}", advice)
     else:
-        yield Finding("ok", "scenarios", ", ".join(names()))
+        yield Finding("ok", "scenarios", ", ".join(shipped_names()))
 
 
 def _safely(check: Callable[[], Iterator[Finding]]) -> Callable[[], Iterator[Finding]]:

@@ -11,7 +11,7 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.contest import Standing
 from gcs.mavlink.commands import OPERATOR, CommandResult
 from gcs.pursuit import meeting_s
-from gcs.scenario import Competition, Refuelling
+from gcs.scenario.model import Competition, Refuelling
 from gcs.service import Phase, Service, by_text
 from gcs.views import Snapshot, Vec3
 

@@ -22,7 +22,8 @@ from gcs.lacking import SCENARIO, passed_over, unread
 from gcs.mavlink import field_units
 from gcs.mavlink.ids import STATION
 from gcs.recorder import DECISIONS, TLOG
-from gcs.scenario import Scenario, ScenarioError, load
+from gcs.scenario.file import load
+from gcs.scenario.model import Scenario, ScenarioError
 from gcs.tables import Column, Tables
 from gcs.tlog import AT, COMPID, MSGID, SYSID, T_US, Chunk
 

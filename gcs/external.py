@@ -16,14 +16,14 @@ from dataclasses import dataclass, field
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.addresses import address
 from gcs.link import Key
 from gcs.mavlink import codec
 from gcs.mavlink.boot_clock import BootClock
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION
 from gcs.mavlink.sequence import SequenceCounter
-from gcs.scenario_external import External
+from gcs.scenario.endpoint import address
+from gcs.scenario.external import External
 from gcs.udp import RECEIVE_BYTES, AddressRefused, Where, kernel_drops, open_udp
 
 ANNOUNCE_EVERY_S = 1.0

@@ -24,7 +24,7 @@ from gcs.mavlink.autopilots import STEERABLE, FlightMode
 from gcs.mavlink.codec import Message
 from gcs.mavlink.commands import CommandRequest
 from gcs.pilot import Pilot, Stage
-from gcs.scenario_external import External
+from gcs.scenario.external import External
 from gcs.views import VehicleView
 
 FAR_M = 5000.0

@@ -16,7 +16,7 @@ from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.commands import CommandRequest, CommandResult
 from gcs.mavlink.stream_requests import CHECK_S, SLOW_SHARE, Ask, Streams, needs
 from gcs.pilot import Stage
-from gcs.scenario import Scenario
+from gcs.scenario.model import Scenario
 from gcs.views import Snapshot, VehicleView
 
 LOST_S = 10.0

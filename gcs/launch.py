@@ -18,7 +18,7 @@ from typing import IO, Any, Self
 
 import yaml
 
-from gcs.scenario import Scenario, VehicleBase
+from gcs.scenario.model import Scenario, VehicleBase
 
 READY_WITHIN_S = 120.0
 CANNOT_WRITE = 74

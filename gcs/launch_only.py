@@ -16,7 +16,7 @@ from typing import Any
 from gcs.exit import DONE, NOT_DONE
 from gcs.launch import Hatch, LaunchError, vehicle_orders
 from gcs.run import POLL_S, RunError, Signals, make_folder
-from gcs.scenario import Scenario
+from gcs.scenario.model import Scenario
 
 STARTED_WITHIN_S = 120.0
 ENDED_EARLY = "standard input ended before the vehicles were there; --until-eof wants one that stays open"

@@ -10,8 +10,8 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from gcs.planner import obstacles
-from gcs.scenario import Scenario
+from gcs.scenario import geometry
+from gcs.scenario.model import Scenario
 from gcs.views import Snapshot, Vec3
 
 if TYPE_CHECKING:
@@ -91,7 +91,7 @@ class Metrics:
         ).reshape(-1, 2)
         self.min_separation_m = min(self.min_separation_m, float(closest_pair(at, close)[0]))
         if len(self._obstacles):
-            self.min_clearance_m = min(self.min_clearance_m, float(obstacles.clearance(self._obstacles, at).min()))
+            self.min_clearance_m = min(self.min_clearance_m, float(geometry.clearance(self._obstacles, at).min()))
         for aircraft in snapshot.traffic:
             there = [p + v * aircraft.age_s for p, v in zip(aircraft.p_ned, aircraft.v_ned, strict=True)]
             nearest = float(np.linalg.norm(at - np.array(there), axis=1).min())

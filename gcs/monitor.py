@@ -12,7 +12,6 @@ import time
 from collections.abc import Callable, Mapping
 from typing import Any, cast
 
-from gcs.addresses import Address
 from gcs.air import Air
 from gcs.events import Event
 from gcs.mavlink import codec
@@ -23,6 +22,7 @@ from gcs.mavlink.ids import OUR_HEARTBEAT, STATION
 from gcs.mavlink.sequence import SequenceCounter
 from gcs.mavlink.stream_requests import Quiet, everything
 from gcs.observe import Observer
+from gcs.scenario.endpoint import Address
 from gcs.udp import Where
 
 SNAPSHOT_EVERY_S = 0.1

@@ -25,7 +25,7 @@ from gcs.mavlink.sequence import GapCounter
 from gcs.news import Watch
 from gcs.quality import LinkQuality
 from gcs.rows import distance_m, event_row, traffic_row, vehicle_row
-from gcs.scenario import Scenario
+from gcs.scenario.model import Scenario
 from gcs.scene import session_line
 from gcs.trouble import State, troubles
 from gcs.views import Snapshot, Vec3, VehicleView

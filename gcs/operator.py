@@ -19,7 +19,7 @@ from gcs.events import Event
 from gcs.mavlink.autopilots import End
 from gcs.pilot import Pilot, Stage
 from gcs.refuelling import Schedule
-from gcs.scenario import Scenario
+from gcs.scenario.model import Scenario
 from gcs.views import Snapshot, VehicleView
 
 TAKEN: dict[str, tuple[End, str]] = {

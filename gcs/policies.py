@@ -16,7 +16,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-from gcs.scenario import Refuelling, Scenario
+from gcs.scenario.model import Refuelling, Scenario
 from gcs.views import VehicleView
 
 WINNER_TAKE_ALL = "winner_take_all"

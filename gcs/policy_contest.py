@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
-from gcs import plugins
 from gcs.competition import normalise
 from gcs.contest import Contest, Standing, can_receive, most_urgent
-from gcs.guard import Guard, Nonsense
 from gcs.policies import SHIPPED, WINNER_TAKE_ALL, RefuellingPolicy, Request
-from gcs.scenario import Competition, Refuelling, Scenario
+from gcs.scenario import plugins
+from gcs.scenario.guard import Guard, Nonsense
+from gcs.scenario.model import Competition, Refuelling, Scenario
 from gcs.views import Snapshot, VehicleView
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from gcs.events import Event, Level
 from gcs.explain import sentence
-from gcs.guard import Problem
+from gcs.scenario.guard import Problem
 
 if TYPE_CHECKING:  # who only reads records need not load those who make them
     from gcs.contest import Standing

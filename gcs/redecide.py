@@ -22,7 +22,8 @@ from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import AUTOPILOT, STATION, TRAFFIC
 from gcs.operator import COMMANDS
 from gcs.recorder import DECISIONS, TLOG, Recorder, decision_line
-from gcs.scenario import Radio, load
+from gcs.scenario.file import load
+from gcs.scenario.model import Radio
 from gcs.summary import FILE as SUMMARY
 from gcs.supervisor import Supervisor
 
@@ -227,7 +228,7 @@ class _Recorded:
 def redecide(folder: Path, progress: Progress = lambda _: None) -> Verdict:
     """Decide a recorded session again. Raises RedecideError, ScenarioError, OSError.
 
-    Modules that the scenario names must be importable (`gcs.plugins.look_in`).
+    Modules that the scenario names must be importable (`gcs.scenario.plugins.look_in`).
     """
     for name in (TLOG, DECISIONS, "scenario.yaml"):
         if not (folder / name).exists():

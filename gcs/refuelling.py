@@ -21,7 +21,7 @@ from gcs.base_service import BaseSteps, Stock
 from gcs.contest import Contest, Standing, can_receive
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.pursuit import meeting_s
-from gcs.scenario import Base, Competition, Refuelling, Tanker
+from gcs.scenario.model import Base, Competition, Refuelling, Tanker
 from gcs.service import Decision, Desk, Phase, Service, by_text
 from gcs.tanker_service import TankerSteps
 from gcs.views import Snapshot, VehicleView

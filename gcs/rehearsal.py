@@ -11,7 +11,7 @@ from gcs.fleet import Fleet, GlobalOrigin, Member
 from gcs.mavlink import codec
 from gcs.metrics import PLAN_MEMORY, Metrics
 from gcs.planner.plan import Planner
-from gcs.scenario import Scenario
+from gcs.scenario.model import Scenario
 
 
 def rehearse(scenario: Scenario) -> None:

@@ -18,7 +18,8 @@ from gcs.observe import Observer
 from gcs.recorder import DECISIONS, TLOG
 from gcs.recording import Recording, Told
 from gcs.report.pursuit import Course, CourseReader
-from gcs.scenario import Scenario, ScenarioError, load
+from gcs.scenario.file import load
+from gcs.scenario.model import Scenario, ScenarioError
 from gcs.story import Story
 
 FASTEST = 1000.0

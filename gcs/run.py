@@ -23,7 +23,8 @@ from gcs.console.client import SOCKET, Client, Lines
 from gcs.console.earlier import Earlier
 from gcs.console.plain import QuietView, clean, farewell, mute_stdout
 from gcs.exit import BAD_INPUT, INTERNAL_ERROR
-from gcs.scenario import Scenario, dump
+from gcs.scenario.file import dump
+from gcs.scenario.model import Scenario
 
 SUPERVISOR = (sys.executable, "-m", "gcs.supervise")
 POLL_S = 0.125

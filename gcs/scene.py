@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from typing import Any, Literal
 
-from gcs.scenario import Goal, Obstacle, Scenario, VehicleBase
+from gcs.scenario.model import Goal, Obstacle, Scenario, VehicleBase
 
 ROUND_CORNERS = 32
 """of the outline of what is round"""

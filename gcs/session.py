@@ -22,11 +22,11 @@ from pathlib import Path
 from types import TracebackType
 from typing import Self
 
-from gcs import plugins
 from gcs.arrays import Snapshot, from_picture
-from gcs.configs import find
 from gcs.run import PATIENCE_S, SUPERVISOR, RunError, Supervised, make_folder
-from gcs.scenario import Scenario, load
+from gcs.scenario import plugins
+from gcs.scenario.file import find, load
+from gcs.scenario.model import Scenario
 from gcs.summary import FILE, Summary
 
 NEXT, STOP = b"n", b"s"

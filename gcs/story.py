@@ -19,7 +19,7 @@ from gcs.events import Event
 from gcs.mavlink.autopilots import End
 from gcs.operator import TAKEN
 from gcs.records import event_of
-from gcs.scenario import Scenario
+from gcs.scenario.model import Scenario
 from gcs.scene import goal_of
 from gcs.service import Phase, Service
 from gcs.trouble import state

@@ -21,7 +21,6 @@ from typing import Any
 
 import click
 
-from gcs import plugins
 from gcs.arrivals import Arrivals
 from gcs.clients import Clients
 from gcs.clock import Pace
@@ -39,7 +38,9 @@ from gcs.reader import Reader
 from gcs.recorder import Recorder, RecorderError
 from gcs.rehearsal import rehearse
 from gcs.reserve import Reserve
-from gcs.scenario import Scenario, ScenarioError, load
+from gcs.scenario import plugins
+from gcs.scenario.file import load
+from gcs.scenario.model import Scenario, ScenarioError
 from gcs.scene import session_line
 from gcs.summary import summarise
 from gcs.supervisor import Supervisor

@@ -40,7 +40,7 @@ from gcs.recorder import Digest, Recorder
 from gcs.records import Recording, records_of_tick
 from gcs.refuelling import Schedule
 from gcs.relays import Relay, relayed
-from gcs.scenario import Scenario
+from gcs.scenario.model import Scenario
 from gcs.service import Decision
 from gcs.views import Snapshot
 

@@ -16,7 +16,7 @@ from collections.abc import Mapping
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink.autopilots import STEERABLE, FlightMode
-from gcs.scenario import Refuelling, Tanker
+from gcs.scenario.model import Refuelling, Tanker
 from gcs.service import Desk, Phase, Service, token
 from gcs.views import Snapshot, VehicleView
 

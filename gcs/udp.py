@@ -8,7 +8,7 @@ import socket
 from pathlib import Path
 from typing import Any
 
-from gcs.addresses import Address
+from gcs.scenario.endpoint import Address
 
 RECEIVE_BYTES = 65535
 """No datagram is longer."""

@@ -17,7 +17,7 @@ from gcs.paper.claims import Measurement
 from gcs.paper.figures import Drawing
 from gcs.paper.session import Flight
 from gcs.paper.study import Study, Table
-from gcs.scenario import Scenario
+from gcs.scenario.model import Scenario
 
 Floats = NDArray[np.float64]
 

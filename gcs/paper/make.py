@@ -18,11 +18,12 @@ from pathlib import Path
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
-from gcs import configs
 from gcs.paper import claims, examples, figures, page, races, robustness, session, theory, vehicle
 from gcs.paper.claims import Claim, Judged, Measurement
 from gcs.paper.study import Study
-from gcs.scenario import Scenario, load
+from gcs.scenario import file
+from gcs.scenario.file import load
+from gcs.scenario.model import Scenario
 
 EXAMPLES = {
     "example1": examples.example1,
@@ -130,7 +131,7 @@ def fly(name: str, folder: Path) -> Scenario:
     outcome = session.summary(folder)["outcome"]
     if outcome in UNFINISHED:
         raise PaperError(f"{scenario} was not flown to its end ({outcome}); {folder} has what there is")
-    return load(configs.find(scenario))
+    return load(file.find(scenario))
 
 
 def _vehicle_figures(out: Path, names: list[str]) -> dict[str, dict[str, object]]:

@@ -11,9 +11,10 @@ from gcs.paper.claims import Measurement
 from gcs.paper.figures import Drawing
 from gcs.paper.session import NED_TO_PAPER
 from gcs.paper.study import Study, Table
-from gcs.planner import fuzzy, obstacles
+from gcs.planner import fuzzy
 from gcs.planner.leader import advance
 from gcs.planner.potential_field import Field
+from gcs.scenario import geometry
 
 Floats = NDArray[np.float64]
 
@@ -58,7 +59,7 @@ def fig3() -> Study:
         plain, fled = walk(points, escape=False), walk(points, escape=True)
         trails[name] = plain, fled
         stuck += not _arrived(plain)
-        clear = float(obstacles.clearance(obstacles.points(np.array(points)), fled).min())
+        clear = float(geometry.clearance(geometry.points(np.array(points)), fled).min())
         reached += _arrived(fled) and clear >= CLEAR_M
         stops = "reaches it" if _arrived(plain) else f"stops {np.linalg.norm(plain[-1] - TARGET):.2f} m before it"
         rows.append([name, stops, str(len(fled) - 1) if _arrived(fled) else "not reached", f"{clear:.3f}"])
@@ -81,7 +82,7 @@ def fig3() -> Study:
 
 def walk(points: list[tuple[float, float, float]], *, escape: bool) -> Floats:
     """Planned points (k, 3) m from the origin to TARGET, one step of 0.1 m each, at most STEPS of them."""
-    field, table = Field(), obstacles.points(np.array(points))
+    field, table = Field(), geometry.points(np.array(points))
     q, memory, trail = np.zeros((1, 3)), fuzzy.new_memory(1), [np.zeros(3)]
     none = np.zeros((0, 3))
     while len(trail) <= STEPS and np.linalg.norm(trail[-1] - TARGET) > ARRIVED_M:

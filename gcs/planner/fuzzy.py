@@ -14,8 +14,8 @@ import numpy as np
 from numba import njit
 from numpy.typing import ArrayLike
 
-from gcs.planner.obstacles import FloatArray
 from gcs.planner.potential_field import Field
+from gcs.scenario.geometry import FloatArray
 
 GAIN = 1.3  # size of the force, in |F_g|, at f = 1
 WINDOW = 10  # steps over which progress is judged

@@ -15,8 +15,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from gcs.planner.fuzzy import MEMORY_SIZE, escape_force
 from gcs.planner.neighbours import IntArray, within_range
-from gcs.planner.obstacles import COLUMNS, FloatArray, points
 from gcs.planner.potential_field import CAP, K0, STEP, Field, attraction_to, repulsion_of_shape
+from gcs.scenario.geometry import COLUMNS, FloatArray, points
 
 _UNFREE_SHARE = 0.25  # of k0: the repulsion at which nothing is fed forward any more
 

@@ -16,10 +16,10 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from gcs import plugins
-from gcs.guard import Guard, Nonsense
 from gcs.planner.plan import Planner, SetPoint
-from gcs.scenario import Obstacle, Scenario
+from gcs.scenario import plugins
+from gcs.scenario.guard import Guard, Nonsense
+from gcs.scenario.model import Obstacle, Scenario
 from gcs.views import Snapshot, Vec3, VehicleView
 
 FARTHEST = 1e5

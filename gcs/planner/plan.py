@@ -16,9 +16,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from gcs.planner import formation, fuzzy, leader, obstacles
+from gcs.planner import formation, fuzzy, leader
 from gcs.planner.potential_field import Field, widened_range
-from gcs.scenario import Scenario, Tanker, Target
+from gcs.scenario import geometry
+from gcs.scenario.model import Scenario, Tanker, Target
 from gcs.views import Snapshot, Vec3, VehicleView
 
 LOOKAHEAD_S = 0.37
@@ -65,7 +66,7 @@ class Planner:
             repulsion_range_m=rules.repulsion_range_m,
             step_m=rules.step_m,
         )
-        self.obstacles = obstacles.of_scenario(scenario.obstacles)
+        self.obstacles = geometry.of_scenario(scenario.obstacles)
         self._q: dict[int, NDArray[np.float64]] = {}
         self._v: dict[int, Vec3] = {}
         self._memory: dict[int, NDArray[np.float64]] = {}

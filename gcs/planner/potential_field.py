@@ -17,7 +17,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import ArrayLike
 
-from gcs.planner.obstacles import FloatArray, shape_surface
+from gcs.scenario.geometry import FloatArray, shape_surface
 
 # Nearer than this to a surface, and inside a volume, the repulsion keeps its size, so that it stays finite; it is then
 # 10⁵ times the strongest attraction and points out by the shortest way [choice].

@@ -13,12 +13,12 @@ from typing import Any
 
 import numpy as np
 
-from gcs.drawing import legs
 from gcs.report import decimate
 from gcs.report.findings import Findings, Service
 from gcs.report.pack import Pack
 from gcs.report.series import Contest, Floats, Series, Track
-from gcs.scenario import Obstacle
+from gcs.scenario.model import Obstacle
+from gcs.scenario.plot import legs
 
 MANY = 16
 """With more vehicles than this, lines of all would hide each other."""

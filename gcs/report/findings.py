@@ -15,7 +15,7 @@ from gcs.junit import cases
 from gcs.report import nearness, series
 from gcs.report.recorded import Recorded
 from gcs.report.series import Series, Track, Vehicle
-from gcs.scenario import Scenario
+from gcs.scenario.model import Scenario
 
 Level = Literal["bad", "warn", "note"]
 FEW = 8

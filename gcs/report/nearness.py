@@ -15,11 +15,11 @@ from numba import njit
 from numpy.typing import NDArray
 
 from gcs.metrics import PLAN_MEMORY, closest_pair, distance_to_path
-from gcs.planner import obstacles
 from gcs.report.pursuit import pursued, ticks_of
 from gcs.report.recorded import Recorded
 from gcs.report.series import Floats, Series, Track, rows_of
 from gcs.report.set_points import P_NED, SYSID, T_S
+from gcs.scenario import geometry
 
 BLOCK_TICKS = 2000
 
@@ -51,7 +51,7 @@ def measure(recorded: Recorded, flown: Mapping[int, Track], others: Mapping[str,
     rows = {sysid: row for row, sysid in enumerate(sysids.tolist())}
     separation, clearance = np.full(ticks, np.nan), np.full(ticks, np.nan)
     pair, nearest = np.zeros((ticks, 2), dtype=np.int64), np.zeros(ticks, dtype=np.int64)
-    shapes = obstacles.of_scenario(scenario.obstacles) if scenario else np.empty((0, obstacles.COLUMNS))
+    shapes = geometry.of_scenario(scenario.obstacles) if scenario else np.empty((0, geometry.COLUMNS))
     partners = _partners(recorded, rows)
     whom = pursued(recorded, t_s)
     to_target = {sysid: np.full(ticks, np.nan) for sysid in whom if sysid in rows}
@@ -61,7 +61,7 @@ def measure(recorded: Recorded, flown: Mapping[int, Track], others: Mapping[str,
         _separations(at, t_s[some], partners, separation[some], pair[some])
         near = np.full(at.shape[:2], np.inf)
         if len(shapes):
-            near = obstacles.clearance(shapes, np.nan_to_num(at.reshape(-1, 3))).reshape(at.shape[:2])
+            near = geometry.clearance(shapes, np.nan_to_num(at.reshape(-1, 3))).reshape(at.shape[:2])
         for other in others.values():
             there = other.at(t_s[some])[:, np.newaxis]
             near = np.fmin(near, np.linalg.norm(at - there, axis=2))

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from gcs.report.recorded import Gathering, Recorded
 from gcs.report.series import Floats, Series, Track, held, tracks
-from gcs.scenario import Scenario
+from gcs.scenario.model import Scenario
 from gcs.tlog import Chunk
 
 PLACES = ("LOCAL_POSITION_NED", "HEARTBEAT", "EXTENDED_SYS_STATE", "GPS_GLOBAL_ORIGIN")

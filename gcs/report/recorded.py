@@ -19,7 +19,8 @@ from gcs import tlog
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.recorder import DECISIONS, TLOG
 from gcs.report import set_points
-from gcs.scenario import Scenario, ScenarioError, load
+from gcs.scenario.file import load
+from gcs.scenario.model import Scenario, ScenarioError
 from gcs.summary import Summary
 
 SCENARIO = "scenario.yaml"

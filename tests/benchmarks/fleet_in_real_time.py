@@ -16,7 +16,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.clock import Pace
 from gcs.mavlink import codec
-from gcs.scenario import load
+from gcs.scenario.file import load
 from gcs.supervise import Session
 
 HOT = ("HEARTBEAT", "LOCAL_POSITION_NED", "ATTITUDE", "GLOBAL_POSITION_INT", "BATTERY_STATUS", "NAMED_VALUE_FLOAT")

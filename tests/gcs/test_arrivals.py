@@ -1,7 +1,7 @@
 """What is said of vehicles that are missing before a session begins, and when that ends it."""
 
 from gcs.arrivals import HELLO_WITHIN_S, SAY_AGAIN_S, Arrivals
-from gcs.scenario_external import External
+from gcs.scenario.external import External
 
 AT = "udpin:127.0.0.1:14550"
 LABELS = {1: "pursuer 1", 2: "pursuer 2", 101: "target 101"}

@@ -13,7 +13,7 @@ from gcs.explain import sentence
 from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.mavlink.commands import CommandRequest
 from gcs.refuelling import Schedule
-from gcs.scenario import Base, Battery, Competition, Refuelling, Tanker
+from gcs.scenario.model import Base, Battery, Competition, Refuelling, Tanker
 from gcs.service import Decision, Phase, Service
 from gcs.tanker_service import RECEIVE, STOP
 from gcs.views import Snapshot, VehicleView

@@ -7,7 +7,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs import beacons
 from gcs.mavlink import codec
-from gcs.scenario import Origin
+from gcs.scenario.model import Origin
 from gcs.service import Beacon
 
 

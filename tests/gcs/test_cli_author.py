@@ -12,11 +12,12 @@ from typing import Any
 import jsonschema
 import pytest
 
-from gcs import doctor, scenario_versions
+from gcs import doctor
 from gcs.cli import run_argv
-from gcs.configs import find, names
-from gcs.editor_schema import editor_schema
-from gcs.yaml_source import read
+from gcs.scenario import file
+from gcs.scenario.document import read
+from gcs.scenario.file import find, shipped_names
+from gcs.scenario.json_schema import editor_schema
 
 
 @pytest.fixture(autouse=True)
@@ -163,12 +164,12 @@ def test_an_implementation_that_cannot_be_used_is_told_before_anything_flies(old
 
 
 def test_an_older_scenario_is_told_what_changed(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(scenario_versions, "CHANGED", {0: "write `axes`", -1: "rename a to b"})
-    assert scenario_versions.refusal(1) is None
-    older = scenario_versions.refusal(-1)
+    monkeypatch.setattr(file, "CHANGED", {0: "write `axes`", -1: "rename a to b"})
+    assert file.refusal(1) is None
+    older = file.refusal(-1)
     assert older is not None
     assert older.endswith("-1 to 0: rename a to b; 0 to 1: write `axes`")
-    assert "pip install -U skytender" in (scenario_versions.refusal(2) or "")
+    assert "pip install -U skytender" in (file.refusal(2) or "")
     gcs("init")
     path = Path("my-scenario.yaml")
     path.write_text(path.read_text().replace("schema: 1", "schema: 0"))
@@ -181,7 +182,7 @@ def test_every_shipped_scenario_keeps_to_the_schema_that_editors_get() -> None:
     printed: dict[str, Any] = json.loads(gcs("schema").output)
     jsonschema.Draft202012Validator.check_schema(printed)
     validator = jsonschema.Draft202012Validator(printed)
-    for name in names():
+    for name in shipped_names():
         validator.validate(read(find(name)).data)
 
 

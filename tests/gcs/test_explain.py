@@ -8,7 +8,7 @@ from views import snapshot, view
 from gcs.contest import Standing
 from gcs.explain import acknowledged, competition_of, history_of, rendezvous_ned, why
 from gcs.mavlink.commands import CommandResult, Target
-from gcs.scenario import Competition, Refuelling
+from gcs.scenario.model import Competition, Refuelling
 from gcs.service import Phase, Service
 
 RULES, COMPETITION = Refuelling(hold_s=1.0, reserve_s=20.0), Competition(dwell_s=2.0, decide_within_s=30.0)

@@ -14,7 +14,7 @@ from gcs.external import ExternalLink
 from gcs.link import FleetLink
 from gcs.mavlink import codec
 from gcs.mixed_link import MixedLink
-from gcs.scenario_external import External
+from gcs.scenario.external import External
 from gcs.udp import AddressRefused
 
 WITHIN_S = 5.0

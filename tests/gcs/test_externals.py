@@ -10,7 +10,7 @@ from gcs.fleet import Fleet, GlobalOrigin, Member
 from gcs.mavlink import codec
 from gcs.mavlink.commands import CommandResult, Target
 from gcs.pilot import Stage
-from gcs.scenario import Scenario
+from gcs.scenario.model import Scenario
 
 LAT, LON, ALT = 47.0, 8.0, 400.0
 

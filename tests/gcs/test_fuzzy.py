@@ -7,8 +7,9 @@ import pytest
 import skfuzzy
 from skfuzzy import control
 
-from gcs.planner import fuzzy, obstacles
+from gcs.planner import fuzzy
 from gcs.planner.potential_field import Field, force
+from gcs.scenario import geometry
 
 FIELD = Field()
 TERMS = ["NB", "NM", "S", "PM", "PB"]
@@ -79,7 +80,7 @@ def test_strength_is_odd_in_the_angle_and_within_one() -> None:
 
 def walk(points: object, *, escape: bool, full_steps: bool, limit: int = 400) -> tuple[bool, int, np.ndarray]:
     """From the origin towards GOAL: reached, steps, path. Full steps κF/|F|, or the law's κ min(1, |F|/k0) F/|F|."""
-    table = obstacles.points(points)
+    table = geometry.points(points)
     ranges, memory, path = np.ones(len(table)), fuzzy.new_memory(1)[0], [np.zeros(3)]
     while np.linalg.norm(path[-1] - GOAL) > 0.1 and len(path) <= limit:
         q = path[-1]
@@ -108,7 +109,7 @@ def test_published_scenes_take_the_published_steps_to_one(scene: str, steps: int
     reached, taken, path = walk(SCENES[scene], escape=True, full_steps=True)
     assert reached
     assert taken == pytest.approx(steps, abs=1)
-    assert obstacles.clearance(obstacles.points(SCENES[scene]), path).min() == pytest.approx(clearance_m, abs=0.005)
+    assert geometry.clearance(geometry.points(SCENES[scene]), path).min() == pytest.approx(clearance_m, abs=0.005)
 
 
 @pytest.mark.parametrize("full_steps", [True, False])
@@ -117,7 +118,7 @@ def test_every_scene_is_passed_with_the_escape_and_stops_without(scene: str, ful
     # Exactly axis-aligned, since the minimum is a saddle: rounding off the axis would free even the plain field.
     reached, _, path = walk(SCENES[scene], escape=True, full_steps=full_steps)
     assert reached
-    assert obstacles.clearance(obstacles.points(SCENES[scene]), path).min() > 0.34
+    assert geometry.clearance(geometry.points(SCENES[scene]), path).min() > 0.34
     assert not walk(SCENES[scene], escape=False, full_steps=full_steps)[0]
 
 

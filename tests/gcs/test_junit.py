@@ -10,8 +10,8 @@ import pytest
 
 from gcs import load
 from gcs.cli import run_argv
-from gcs.configs import find
 from gcs.junit import document
+from gcs.scenario.file import find
 
 DEMO = load(find("demo"))
 

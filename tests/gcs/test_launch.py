@@ -7,7 +7,7 @@ import pytest
 import yaml
 
 from gcs.launch import Ended, Order, traffic_order, vehicle_order, vehicle_orders, vehicle_parameters
-from gcs.scenario import Scenario
+from gcs.scenario.model import Scenario
 
 LINK = ("--supervised", "udpout:127.0.0.1:5000")
 

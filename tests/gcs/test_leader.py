@@ -6,12 +6,13 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from gcs.planner import fuzzy, obstacles
+from gcs.planner import fuzzy
 from gcs.planner.leader import advance
 from gcs.planner.potential_field import Field
+from gcs.scenario import geometry
 
 FIELD = Field()
-NO_OBSTACLE = obstacles.table([])
+NO_OBSTACLE = geometry.table([])
 NWU_TO_NED = np.array([1.0, -1.0, -1.0])
 EXAMPLE_1 = NWU_TO_NED * [
     (1, 2, 1.5), (2, 2, 1), (2, 2, 2), (4, 2.2, 2.1), (4.1, 3, 2.1), (3, 5, 2.1), (4, 5, 2.1), (5, 5, 2.3),
@@ -40,7 +41,7 @@ def follow(
     path: Path, duration_s: float, *, points: object = (), fed: bool = True, speed: float = 2.0, **changed: object
 ) -> tuple[np.ndarray, np.ndarray, float]:
     """One leader from the path's start: points (k, 3), distances from the goal (k,) after each period, clearance."""
-    table = obstacles.points(np.array(points, dtype=float).reshape(-1, 3))
+    table = geometry.points(np.array(points, dtype=float).reshape(-1, 3))
     q, memory = np.array([path(0.0)]), fuzzy.new_memory(1)
     trail, lag = [q[0]], []
     for k in range(round(duration_s / 0.1)):
@@ -49,7 +50,7 @@ def follow(
         q, memory, _ = tick(q, memory, [path(t)], [velocity], repulsors=table, speed_m_s=[speed], **changed)
         trail.append(q[0])
         lag.append(float(np.linalg.norm(q[0] - path(t + 0.1))))
-    return np.array(trail), np.array(lag), float(obstacles.clearance(table, np.array(trail)).min())
+    return np.array(trail), np.array(lag), float(geometry.clearance(table, np.array(trail)).min())
 
 
 def straight(start: object, end: object, speed: float) -> tuple[Path, float]:
@@ -80,7 +81,7 @@ def test_at_rest_it_stays() -> None:
 
 
 def test_example_1_is_flown_at_the_published_length_and_clearance() -> None:
-    table = obstacles.points(EXAMPLE_1)
+    table = geometry.points(EXAMPLE_1)
     trail, memory = [np.zeros((1, 3))], fuzzy.new_memory(1)
     for goal in NWU_TO_NED * [(5, 5, 1.5), (10, 10, 3)]:
         while np.linalg.norm(trail[-1][0] - goal) > 0.1:
@@ -90,7 +91,7 @@ def test_example_1_is_flown_at_the_published_length_and_clearance() -> None:
     path = np.concatenate(trail)
     # model.md 6: 14.5 m and 0.451 m, measured with full steps; slowing down before a point rounds the path off less.
     assert np.linalg.norm(np.diff(path, axis=0), axis=1).sum() == pytest.approx(14.5, abs=0.1)
-    assert obstacles.clearance(table, path).min() > 0.451
+    assert geometry.clearance(table, path).min() > 0.451
 
 
 @pytest.mark.parametrize("speed", [0.5, 1.0, 3.0])
@@ -102,7 +103,7 @@ def test_the_escape_takes_it_past_an_obstacle_exactly_on_its_line(speed: float) 
         for _ in range(ticks):
             q, memory, v = tick(
                 q, memory, [(10, 0, 0)], [(0, 0, 0)],
-                repulsors=obstacles.points([(5, 0, 0)]), speed_m_s=[speed], escape=escape,
+                repulsors=geometry.points([(5, 0, 0)]), speed_m_s=[speed], escape=escape,
             )  # fmt: skip
         if escape:
             assert np.linalg.norm(q[0] - (10, 0, 0)) < 0.1
@@ -191,7 +192,7 @@ def test_the_order_of_leaders_does_not_matter_and_results_repeat_exactly() -> No
     rng = np.random.default_rng(2)
     at, goals, velocity = rng.uniform(-2, 2, (3, 30, 3))
     order = rng.permutation(30)
-    table = obstacles.points(rng.uniform(-2, 2, (20, 3)))
+    table = geometry.points(rng.uniform(-2, 2, (20, 3)))
 
     def run(which: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         q, memory = at[which], fuzzy.new_memory(30)

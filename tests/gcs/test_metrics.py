@@ -7,9 +7,9 @@ import pytest
 
 from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.metrics import PLAN_MEMORY, Metrics
-from gcs.planner.obstacles import of_scenario
 from gcs.planner.plan import SetPoint
-from gcs.scenario import Obstacle, Scenario
+from gcs.scenario.geometry import of_scenario
+from gcs.scenario.model import Obstacle, Scenario
 from gcs.views import Snapshot, TrafficView, Vec3, VehicleView
 
 BATTERY = {"capacity_j": 1e4}

@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 
-from gcs.planner import fuzzy, leader, neighbours, obstacles
+from gcs.planner import fuzzy, leader, neighbours
 from gcs.planner.potential_field import Field
+from gcs.scenario import geometry
 
 FIELD = Field(k0=15.0, k1=2.0, a=0.5, b=0.5, attraction_range_m=1.0, repulsion_range_m=1.0, step_m=0.1)
 
@@ -15,13 +16,13 @@ def shapes(rng: np.random.Generator, count: int) -> np.ndarray:
         at = rng.uniform(-40, 40, 3)
         rows.append(
             (
-                obstacles.point(at),
-                obstacles.sphere(at, rng.uniform(0.1, 2.0)),
-                obstacles.box(at, at + rng.uniform(0.1, 3.0, 3)),
-                obstacles.cylinder(at, rng.uniform(0.1, 2.0), rng.uniform(0.5, 4.0)),
+                geometry.point(at),
+                geometry.sphere(at, rng.uniform(0.1, 2.0)),
+                geometry.box(at, at + rng.uniform(0.1, 3.0, 3)),
+                geometry.cylinder(at, rng.uniform(0.1, 2.0), rng.uniform(0.5, 4.0)),
             )[i % 4]
         )
-    return obstacles.table(rows)
+    return geometry.table(rows)
 
 
 def test_nothing_in_range_is_left_out_and_rows_ascend() -> None:
@@ -33,7 +34,7 @@ def test_nothing_in_range_is_left_out_and_rows_ascend() -> None:
     for i in range(200):
         mine = rows[first[i] : end[i]]
         assert (np.diff(mine) > 0).all()
-        distance_m, _ = obstacles.surface(table, q[i])
+        distance_m, _ = geometry.surface(table, q[i])
         assert set(np.flatnonzero(distance_m <= ranges + reach[i])) <= set(mine)
 
 
@@ -70,6 +71,6 @@ def test_the_plan_is_the_same_to_the_last_bit(seed: int, monkeypatch: pytest.Mon
 
 def test_everything_is_a_neighbour_where_there_are_few() -> None:
     rows, first, end = neighbours.within_range(
-        np.zeros((2, 3)), np.zeros(2), obstacles.points(1e4 * np.eye(3)), np.ones(3)
+        np.zeros((2, 3)), np.zeros(2), geometry.points(1e4 * np.eye(3)), np.ones(3)
     )
     assert (rows.tolist(), first.tolist(), end.tolist()) == ([0, 1, 2], [0, 0], [3, 3])

@@ -7,8 +7,9 @@ import pytest
 import yaml
 from scenarios import PAPER_OBSTACLES, SMALL, changed, loaded, refusal
 
-from gcs import configs
-from gcs.scenario import Scenario, dump, load
+from gcs.scenario import file
+from gcs.scenario.file import dump, load
+from gcs.scenario.model import Scenario
 
 PAPER_SPEEDS = [(0, 0, 0), (1, 3, 2), (2, 2, 2), (1, 3, 6), (1, 2, 4)]
 PAPER_STARTS = [(0, 5, 0), (0, 0, 0), (0, -5, 0)]
@@ -27,7 +28,7 @@ def path(tmp_path: Path) -> Path:
 
 @pytest.mark.parametrize("name", PAPER_CASES)
 def test_the_papers_examples_are_what_the_paper_says(name: str) -> None:
-    made = load(configs.find(f"paper/{name}"))
+    made = load(file.find(f"paper/{name}"))
     assert [obstacle.point_m for obstacle in made.obstacles] == [(x, -y, -z) for x, y, z in PAPER_OBSTACLES]
     flown = made.vehicles.pursuers
     assert [(p.start_m, p.velocity_m_s) for p in flown] == [

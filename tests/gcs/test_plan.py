@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 
 from gcs.mavlink.autopilots import PX4, FlightMode
-from gcs.planner import obstacles
 from gcs.planner.formation import assign, ring_offsets
-from gcs.planner.obstacles import surface
 from gcs.planner.plan import Planner, SetPoint
-from gcs.scenario import Obstacle, Scenario
+from gcs.scenario import geometry
+from gcs.scenario.geometry import surface
+from gcs.scenario.model import Obstacle, Scenario
 from gcs.views import Snapshot, TrafficView, Vec3, VehicleView
 
 PERIOD_S = 0.1
@@ -294,7 +294,7 @@ def test_obstacles_keep_their_shapes() -> None:
         Obstacle(box_m=((1, 1, -1), (3, 5, -4))), Obstacle(cylinder_m=(6, 7), radius_m=1.5, bottom_m=0.0, top_m=-9.0),
     ]  # fmt: skip
     rng = np.random.default_rng(1)
-    table = obstacles.of_scenario(shapes)
+    table = geometry.of_scenario(shapes)
     for point in rng.uniform(-10, 10, (200, 3)):
         by_scenario = [shape.clearance_m(tuple(point)) for shape in shapes]
         assert surface(table, point)[0] == pytest.approx(by_scenario)

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from gcs.policies import SHIPPED, GreedyNearest, MostEmptyFirst, Optimal, Request
-from gcs.scenario import Refuelling
+from gcs.scenario.model import Refuelling
 
 RULES = Refuelling(hold_s=0.0, rate_w=1000.0, until=1.0)
 

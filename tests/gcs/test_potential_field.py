@@ -7,7 +7,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gcs.planner import obstacles
 from gcs.planner.potential_field import (
     SURFACE_FLOOR_M,
     Field,
@@ -16,6 +15,7 @@ from gcs.planner.potential_field import (
     repulsion_potential,
     widened_range,
 )
+from gcs.scenario import geometry
 
 FIELD = Field()
 # Example 1 of the paper (north, west, up), turned to NED.
@@ -33,14 +33,14 @@ def repulsion_at(q: object, table: np.ndarray, field: Field = FIELD) -> np.ndarr
 
 
 def attraction_at(q: object, goal: object, field: Field = FIELD) -> np.ndarray:
-    return force(q, tracked=[goal], waypoints=[], repulsors=obstacles.table([]), ranges_m=[], field=field)[0]
+    return force(q, tracked=[goal], waypoints=[], repulsors=geometry.table([]), ranges_m=[], field=field)[0]
 
 
 @pytest.mark.parametrize("rho", [0.005, 0.05, 0.2, 0.4, 0.49, 0.51, 0.7, 0.95, 1.2])
 def test_repulsion_is_minus_the_gradient_of_its_potential(rho: float) -> None:
     h = 1e-6
     slope = (repulsion_potential(rho + h, 1.0, FIELD) - repulsion_potential(rho - h, 1.0, FIELD)) / (2 * h)
-    got = repulsion_at((rho, 0, 0), obstacles.points([(0, 0, 0)]))
+    got = repulsion_at((rho, 0, 0), geometry.points([(0, 0, 0)]))
     assert got == pytest.approx([-slope, 0, 0], rel=1e-6, abs=1e-6)
 
 
@@ -53,12 +53,12 @@ def test_attraction_is_minus_the_gradient_of_its_potential(rho: float, cap_m: fl
 
 
 def test_gradient_in_space_of_several_shapes() -> None:
-    table = obstacles.table(
-        [obstacles.sphere((1, 0, 0), 0.6), obstacles.box((-2, -1, -1), (-0.5, 1, 1)), obstacles.point((0, 0.8, 0.1))]
+    table = geometry.table(
+        [geometry.sphere((1, 0, 0), 0.6), geometry.box((-2, -1, -1), (-0.5, 1, 1)), geometry.point((0, 0.8, 0.1))]
     )
 
     def total(q: np.ndarray) -> float:
-        return sum(repulsion_potential(d, 1.0, FIELD) for d in obstacles.surface(table, q)[0])
+        return sum(repulsion_potential(d, 1.0, FIELD) for d in geometry.surface(table, q)[0])
 
     h = 1e-6
     for q in np.random.default_rng(1).uniform(-0.3, 0.3, (20, 3)):
@@ -68,7 +68,7 @@ def test_gradient_in_space_of_several_shapes() -> None:
 
 @pytest.mark.parametrize("edge", [1.0, 0.5])
 def test_repulsion_and_its_potential_are_continuous_at_both_edges(edge: float) -> None:
-    table, d = obstacles.points([(0, 0, 0)]), 1e-9
+    table, d = geometry.points([(0, 0, 0)]), 1e-9
     assert repulsion_potential(edge - d, 1.0, FIELD) == pytest.approx(
         repulsion_potential(edge + d, 1.0, FIELD), abs=1e-6
     )
@@ -92,7 +92,7 @@ away = st.tuples(*[st.floats(-1.0, 1.0)] * 3).filter(lambda d: math.hypot(*d) > 
 def test_any_field_is_minus_the_gradient_in_space(field: Field, direction: tuple[float, ...], rho: float) -> None:
     q, h = rho * np.array(direction) / math.hypot(*direction), 1e-6 * rho
     edges = (field.cap_m, field.repulsion_range_m, field.b * field.repulsion_range_m)
-    table = obstacles.points([(0, 0, 0)])
+    table = geometry.points([(0, 0, 0)])
 
     def slope(potential: object) -> np.ndarray:
         def of(q: np.ndarray) -> float:
@@ -113,7 +113,7 @@ def test_any_field_is_minus_the_gradient_in_space(field: Field, direction: tuple
 @given(fields, st.booleans())
 def test_any_repulsion_is_c1_at_both_edges(field: Field, inner: bool) -> None:
     edge = field.repulsion_range_m * (field.b if inner else 1.0)
-    table, d = obstacles.points([(0, 0, 0)]), 1e-9 * edge
+    table, d = geometry.points([(0, 0, 0)]), 1e-9 * edge
     below, above = (repulsion_at((edge + s * d, 0, 0), table, field)[0] for s in (-1, 1))
     steepest = field.k1 * (1 + field.a) * 4 / edge**4  # of F_o at the edge, times a range
     assert below == pytest.approx(above, abs=10 * d * steepest)
@@ -127,23 +127,23 @@ def test_potential_has_the_closed_value() -> None:
 
 
 def test_beyond_its_range_nothing_repels() -> None:
-    assert (repulsion_at((1.0000001, 0, 0), obstacles.points([(0, 0, 0)])) == 0).all()
+    assert (repulsion_at((1.0000001, 0, 0), geometry.points([(0, 0, 0)])) == 0).all()
 
 
 def test_inside_a_volume_the_force_is_finite_strong_and_points_out() -> None:
-    table = obstacles.table([obstacles.box((-5, -5, -5), (5, 5, 5))])
+    table = geometry.table([geometry.box((-5, -5, -5), (5, 5, 5))])
     for q in [(4, 0, 0), (5, 0, 0), (5 + SURFACE_FLOOR_M / 2, 0, 0)]:
         push = repulsion_at(q, table)
         assert np.isfinite(push).all()
         assert push[0] > 1000 * FIELD.k0
         assert (push[1:] == 0).all()
-    assert np.isfinite(repulsion_at((0, 0, 0), obstacles.points([(0, 0, 0)]))).all()
+    assert np.isfinite(repulsion_at((0, 0, 0), geometry.points([(0, 0, 0)]))).all()
 
 
 def test_a_way_point_attracts_only_within_its_range_and_a_target_always() -> None:
     def attraction(waypoint: object, tracked: object) -> np.ndarray:
         return force(
-            (0, 0, 0), tracked=tracked, waypoints=waypoint, repulsors=obstacles.table([]), ranges_m=[], field=FIELD
+            (0, 0, 0), tracked=tracked, waypoints=waypoint, repulsors=geometry.table([]), ranges_m=[], field=FIELD
         )[0]
 
     assert attraction([(0.5, 0, 0)], []) == pytest.approx([7.5, 0, 0])
@@ -158,7 +158,7 @@ def test_range_widens_by_speed_times_age() -> None:
 
 def walk(start_nwu: object, field: Field) -> tuple[int, float, float]:
     """Full steps κF/|F|, as model.md 6 was measured, by way of LEGS: steps, length, clearance in m."""
-    table = obstacles.points(EXAMPLE_1)
+    table = geometry.points(EXAMPLE_1)
     ranges = np.ones(len(table))
     path = [NWU_TO_NED * start_nwu]
     for goal in LEGS:
@@ -166,7 +166,7 @@ def walk(start_nwu: object, field: Field) -> tuple[int, float, float]:
             total = sum(force(path[-1], tracked=[goal], waypoints=[], repulsors=table, ranges_m=ranges, field=field))
             path.append(path[-1] + field.step_m * total / np.linalg.norm(total))
             assert len(path) < 400
-    return len(path) - 1, (len(path) - 1) * field.step_m, float(obstacles.clearance(table, np.array(path)).min())
+    return len(path) - 1, (len(path) - 1) * field.step_m, float(geometry.clearance(table, np.array(path)).min())
 
 
 def test_example_1_takes_the_published_steps_and_clearance() -> None:
@@ -199,4 +199,4 @@ def test_a_parameter_out_of_range_is_refused_by_name(name: str, value: float) ->
 
 def test_a_range_for_each_repulsor_is_demanded() -> None:
     with pytest.raises(ValueError, match="ranges_m"):
-        force((0, 0, 0), tracked=[], waypoints=[], repulsors=obstacles.points([(1, 0, 0)]), ranges_m=[], field=FIELD)
+        force((0, 0, 0), tracked=[], waypoints=[], repulsors=geometry.points([(1, 0, 0)]), ranges_m=[], field=FIELD)

@@ -9,9 +9,9 @@ import pytest
 
 from gcs.contest import Standing
 from gcs.energy import Fact
-from gcs.guard import Problem
 from gcs.recorder import decision_line
 from gcs.records import event_of, records_of_tick
+from gcs.scenario.guard import Problem
 from gcs.service import Decision
 
 SERVED = {

@@ -11,7 +11,7 @@ from commands import gcs
 from sessions import Outcome, fly, two_refuellings
 
 from gcs.redecide import RedecideError, redecide
-from gcs.scenario import load
+from gcs.scenario.file import load
 
 
 @pytest.fixture(scope="module")

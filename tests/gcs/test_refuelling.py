@@ -6,7 +6,7 @@ import pytest
 
 from gcs.mavlink.autopilots import FlightMode
 from gcs.refuelling import Schedule
-from gcs.scenario import Competition, Refuelling
+from gcs.scenario.model import Competition, Refuelling
 from gcs.service import Decision, Phase
 from gcs.tanker_service import GIVE, RECEIVE, STOP
 from gcs.views import Snapshot

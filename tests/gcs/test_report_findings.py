@@ -11,7 +11,7 @@ import pytest
 from gcs.report import page
 from gcs.report.findings import Findings, few
 from gcs.report.recorded import Recorded
-from gcs.scenario import Scenario
+from gcs.scenario.model import Scenario
 from gcs.summary import Summary
 
 

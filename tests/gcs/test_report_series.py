@@ -22,7 +22,8 @@ from gcs.recorder import Recorder
 from gcs.report import nearness, pursuit, series
 from gcs.report.findings import Findings
 from gcs.report.recorded import NoSession, Recorded, read
-from gcs.scenario import Scenario, dump
+from gcs.scenario.file import dump
+from gcs.scenario.model import Scenario
 
 LAT, LON, ALT = 47.0, 8.0, 400.0
 EPOCH_US = 1_767_225_600_000_000

@@ -6,8 +6,8 @@ import math
 
 import pytest
 
-from gcs.configs import find
-from gcs.scenario import Obstacle, load
+from gcs.scenario.file import find, load
+from gcs.scenario.model import Obstacle
 from gcs.scene import obstacle_of, session_line
 
 

@@ -4,7 +4,7 @@ import socket
 
 import pytest
 
-from gcs.addresses import Address
+from gcs.scenario.endpoint import Address
 from gcs.udp import AddressRefused, open_udp, resolve
 
 

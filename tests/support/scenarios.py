@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from gcs.scenario import Scenario, ScenarioError, load
+from gcs.scenario.file import load
+from gcs.scenario.model import Scenario, ScenarioError
 
 PAPER_OBSTACLES = [  # x north, y west, z up (model.md 6) [seed]
     *((1, 2, 1.5), (2, 2, 1), (2, 2, 2), (4, 2.2, 2.1), (4.1, 3, 2.1), (3, 5, 2.1), (4, 5, 2.1), (5, 5, 2.3)),

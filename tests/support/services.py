@@ -6,7 +6,7 @@ from typing import Any
 from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.mavlink.commands import CommandRequest
 from gcs.refuelling import Schedule
-from gcs.scenario import Battery, Competition, Refuelling, Tanker
+from gcs.scenario.model import Battery, Competition, Refuelling, Tanker
 from gcs.service import Decision, Phase, Service
 from gcs.tanker_service import GIVE, RECEIVE, STOP
 from gcs.views import Snapshot, VehicleView

@@ -22,8 +22,8 @@ from pymavlink.dialects.v20 import common
 from sessions import GCS, small
 from strangers import ARDUCOPTER, strangers
 
-from gcs.addresses import Address
 from gcs.monitor import MonitorSource
+from gcs.scenario.endpoint import Address
 
 mav = mavutil.mavlink
 PATIENCE_S = 40.0

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from gcs.scenario import ScenarioError, dump, load
+from gcs.scenario.file import dump, load
+from gcs.scenario.model import ScenarioError
 
 TEXT = """\
 schema: 1

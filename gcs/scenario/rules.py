@@ -1,6 +1,6 @@
 """By which rules a scenario flies: planner, formation, pursuit, competition, refuelling; shipped ones or one's own.
 
-Frozen, strict, and NED (gcs/scenario_values.py).
+Frozen, strict, and NED (gcs/scenario/types.py).
 """
 
 import re
@@ -8,19 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import AfterValidator, Field, WithJsonSchema, model_validator
 
-from gcs.scenario_values import (
-    Coordinate,
-    Flag,
-    Fraction,
-    Joules,
-    Metres,
-    NotNegative,
-    Part,
-    Positive,
-    Seconds,
-    Speed,
-)
-from gcs.yaml_source import did_you_mean
+from gcs.scenario.document import did_you_mean
+from gcs.scenario.types import Coordinate, Flag, Fraction, Joules, Metres, NotNegative, Part, Positive, Seconds, Speed
 
 
 def _one_of(*known: str) -> Any:

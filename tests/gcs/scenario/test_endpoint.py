@@ -2,7 +2,7 @@
 
 import pytest
 
-from gcs.addresses import Address, address
+from gcs.scenario.endpoint import Address, address
 
 
 @pytest.mark.parametrize(

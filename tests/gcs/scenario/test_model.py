@@ -1,4 +1,4 @@
-"""gcs.scenario: the demo as it ships, what is refused and with which sentence, and the round trip."""
+"""gcs.scenario.model: the demo as it ships, what is refused and with which sentence, and the round trip."""
 
 import itertools
 import math
@@ -15,10 +15,11 @@ from hypothesis import strategies as st
 from pydantic import ValidationError
 from scenarios import PAPER_OBSTACLES, SMALL, changed, loaded, refusal
 
-from gcs import configs
-from gcs.scenario import Obstacle, Scenario, ScenarioError, dump, load
+from gcs.scenario import file
+from gcs.scenario.file import dump, load
+from gcs.scenario.model import Obstacle, Scenario, ScenarioError
 
-DEMO = configs.find("demo").read_text(encoding="utf-8")
+DEMO = file.find("demo").read_text(encoding="utf-8")
 
 
 @pytest.fixture
@@ -27,7 +28,7 @@ def path(tmp_path: Path) -> Path:
 
 
 def test_the_demo_holds_what_it_promises() -> None:
-    demo = load(configs.find("demo"))
+    demo = load(file.find("demo"))
     assert [pursuer.sysid for pursuer in demo.vehicles.pursuers] == [1, 2, 3, 4, 5]
     assert [pursuer.battery.initial_percent for pursuer in demo.vehicles.pursuers] == [100, 90, 80, 70, 60]
     assert {pursuer.battery.capacity_j for pursuer in demo.vehicles.pursuers} == {24_000}
@@ -49,7 +50,7 @@ def distance_m(a: np.ndarray[Any, Any], b: np.ndarray[Any, Any]) -> float:
 
 
 def test_the_demos_target_keeps_clear_of_what_stands_and_of_what_moves() -> None:
-    demo = load(configs.find("demo"))
+    demo = load(file.find("demo"))
     path = samples(demo.vehicles.targets[0].path_m)
     assert distance_m(path, np.array([obstacle.point_m for obstacle in demo.obstacles])) >= 0.6
     for mover in demo.traffic:
@@ -58,7 +59,7 @@ def test_the_demos_target_keeps_clear_of_what_stands_and_of_what_moves() -> None
 
 
 def test_the_demos_vehicles_start_apart_and_on_the_ground() -> None:
-    vehicles = load(configs.find("demo")).vehicles.all
+    vehicles = load(file.find("demo")).vehicles.all
     starts = [vehicle.start_m for vehicle in vehicles]
     assert all(start[2] == 0 for start in starts)
     assert min(math.dist(a, b) for i, a in enumerate(starts) for b in starts[:i]) >= 1.5
@@ -305,7 +306,7 @@ def test_the_json_schema_knows_every_key_of_the_demo() -> None:
 
 
 def test_the_demo_survives_a_round_trip(path: Path) -> None:
-    demo = load(configs.find("demo"))
+    demo = load(file.find("demo"))
     text = dump(demo)
     assert "axes: ned" in text
     assert loaded(path, text) == demo

@@ -5,18 +5,17 @@
 """
 
 import math
-import os
 from collections.abc import Iterable, Iterator
 from typing import Annotated, Any, Literal, Self
 
 from pydantic import AfterValidator, ConfigDict, Field, ValidationError, model_validator
 
-from gcs import scenario_bases, scenario_external, scenario_versions
-from gcs.scenario_bases import Base
-from gcs.scenario_grid import expand
-from gcs.scenario_parts import (
+from gcs.scenario import external
+from gcs.scenario.document import Conflict, Document, Path, Problem, ScenarioError, conflict_error
+from gcs.scenario.parts import (
     STEP_S,
     Attractor,
+    Base,
     Battery,
     Blackout,
     Clock,
@@ -31,11 +30,11 @@ from gcs.scenario_parts import (
     Target,
     VehicleBase,
     Vehicles,
+    base_conflicts,
     known_axes,
 )
-from gcs.scenario_rules import Competition, Formation, Planner, Pursuit, Refuelling
-from gcs.scenario_values import Count, Flag, Part
-from gcs.yaml_source import Conflict, Document, Path, Problem, ScenarioError, conflict_error, emit, read
+from gcs.scenario.rules import Competition, Formation, Planner, Pursuit, Refuelling
+from gcs.scenario.types import Count, Flag, Part
 
 __all__ = [
     "Attractor",
@@ -62,8 +61,6 @@ __all__ = [
     "Target",
     "VehicleBase",
     "Vehicles",
-    "dump",
-    "load",
 ]
 
 START_CLEARANCE_M = 0.3
@@ -115,7 +112,7 @@ class Scenario(Part):
         elif speed is not None:
             clock = {"mode": "real", "speed": speed}
         mode, rate = clock.get("mode", self.clock.mode), clock.get("speed", self.clock.speed)
-        if (refusal := scenario_external.clock_refusal(self.vehicles.all, mode, rate)) is not None:
+        if (refusal := external.clock_refusal(self.vehicles.all, mode, rate)) is not None:
             raise ValueError(refusal)
         changed = self.model_dump(by_alias=True) | {"clock": {**self.clock.model_dump(), **clock}}
         changed |= {} if seed is None else {"seed": seed}
@@ -128,7 +125,7 @@ class Scenario(Part):
     @model_validator(mode="after")
     def _agrees(self) -> Self:
         capture_m, pursuers = self.refuelling.capture_m, self.vehicles.pursuers
-        grounded = scenario_bases.conflicts(self.bases, pursuers, self.obstacles, capture_m=capture_m)
+        grounded = base_conflicts(self.bases, pursuers, self.obstacles, capture_m=capture_m)
         if conflicts := [*_conflicts(self), *_vehicle_conflicts(self), *grounded]:
             raise conflict_error(conflicts)
         return self
@@ -141,7 +138,7 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
     refuels = s.refuelling.enabled and pursuers and (tankers or s.bases)
     mean_delay_s = s.radio.delay_s + 0.5 * s.radio.jitter_s
     longest_delay_s = max(TRANSFER_SILENCE_S - 2.0 * s.clock.period_s, 0.0) / TRANSFER_HOPS
-    clock_refused = scenario_external.clock_refusal(s.vehicles.all, s.clock.mode, s.clock.speed)
+    clock_refused = external.clock_refusal(s.vehicles.all, s.clock.mode, s.clock.speed)
     rules: list[tuple[Any, Path, str]] = [
         (clock_refused, ("clock", "mode" if s.clock.mode == "lockstep" else "speed"), clock_refused or ""),
         (not sysids, ("vehicles",), "there must be at least one vehicle"),
@@ -199,7 +196,7 @@ def _vehicle_conflicts(s: Scenario) -> Iterator[Conflict]:
     yield from _repeats("sysid", [((*path, "sysid"), vehicle.sysid) for path, vehicle in placed])
     yield from _repeats("name", [((*path, "name"), vehicle.name) for path, vehicle in placed if vehicle.name])
     for i, (path, vehicle) in enumerate(placed):
-        yield from scenario_external.conflicts(path, vehicle)
+        yield from external.conflicts(path, vehicle)
         if vehicle.join_s >= s.goal.duration_s:
             yield Conflict((*path, "join_s"), f"{vehicle.label} would join after the end, duration_s")
         if isinstance(vehicle, Pursuer) and vehicle.target is not None and vehicle.target not in targets:
@@ -257,34 +254,3 @@ def _route_conflicts(path: Path, flier: Target | Mover) -> Iterator[Conflict]:
     for i in range(1, len(points)):
         if points[i] == points[i - 1] or (flier.closed and 1 < i == len(points) - 1 and points[i] == points[0]):
             yield Conflict((*path, i), "path_m repeats a point here and would stand still; leave the point out")
-
-
-def load(path: str | os.PathLike[str]) -> Scenario:
-    """The scenario in the YAML file at `path`, in NED. Raises ScenarioError: what is wrong, and where."""
-    document = read(path)
-    if (refusal := scenario_versions.refusal(document.data.get("schema"))) is not None:
-        raise ScenarioError([document.problem(("schema",), refusal)])
-    for listed in (("vehicles", "pursuers"), ("vehicles", "targets"), ("vehicles", "tankers"), ("obstacles",)):
-        expand(document, listed)
-    vehicles = document.data.get("vehicles")
-    if isinstance(vehicles, dict) and "defaults" in vehicles:
-        defaults = ("vehicles", "defaults")
-        if not isinstance(vehicles["defaults"], dict):
-            raise ScenarioError([document.problem(defaults, "vehicles.defaults must be a block of keys")])
-        for key in ("pursuers", "targets", "tankers"):
-            group = vehicles.get(key)
-            for i, vehicle in enumerate(group if isinstance(group, list) else ()):
-                own = tuple(vehicle) if isinstance(vehicle, dict) else ()
-                document.inherit(defaults, ("vehicles", key, i))
-                if isinstance(vehicle, dict):
-                    scenario_external.inherited(vehicle, own)
-        del vehicles["defaults"]
-    try:
-        return Scenario.model_validate(document.data, context={"axes": document.data.get("axes")})
-    except ValidationError as error:
-        raise ScenarioError(document.explain(error, Scenario.model_json_schema())) from None
-
-
-def dump(scenario: Scenario) -> str:
-    """The scenario as YAML in NED, every value written out, which `load` reads back equal."""
-    return emit(scenario.model_dump(mode="json", by_alias=True, exclude_none=True))

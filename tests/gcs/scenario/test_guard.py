@@ -7,7 +7,7 @@ import time
 
 import pytest
 
-from gcs.guard import Guard, Nonsense
+from gcs.scenario.guard import Guard, Nonsense
 
 
 def fails() -> None:

@@ -8,7 +8,7 @@ further along the first. System ids count up. Everything else is the same for al
 
 from typing import Any
 
-from gcs.yaml_source import Document, Path, ScenarioError
+from gcs.scenario.document import Document, Path, ScenarioError
 
 PLACES = ("start_m", "home_m", "point_m", "sphere_m", "box_m", "cylinder_m", "path_m", "waypoints_m")
 MOST = 10_000

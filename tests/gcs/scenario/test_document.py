@@ -1,4 +1,4 @@
-"""gcs.yaml_source: what a file says, where it says it, and that a bad one ends in a ScenarioError and nothing else."""
+"""gcs.scenario.document: what a file says, where, and that a bad one ends in a ScenarioError and nothing else."""
 
 import contextlib
 import math
@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gcs.yaml_source import Problem, ScenarioError, emit, parse, read
+from gcs.scenario.document import Problem, ScenarioError, emit, parse, read
 
 
 def only_problem(text: str) -> Problem:

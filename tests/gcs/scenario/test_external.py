@@ -6,7 +6,8 @@ from typing import Any
 import pytest
 import yaml
 
-from gcs.scenario import Scenario, ScenarioError, dump, load
+from gcs.scenario.file import dump, load
+from gcs.scenario.model import Scenario, ScenarioError
 
 BLOCK = {"connect": "udpin:127.0.0.1:14550", "sysid": 3, "capacity_j": 250000}
 

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-from gcs.scenario import Obstacle, Scenario, Target, VehicleBase
+from gcs.scenario.model import Obstacle, Scenario, Target, VehicleBase
 
 Point = tuple[float, ...]
 Plane = tuple[float, float]

@@ -1,17 +1,18 @@
-"""The parts that a scenario is made of: clock, goal, vehicles, obstacles, traffic, radio.
+"""The parts that a scenario is made of: clock, goal, vehicles, bases, obstacles, traffic, radio.
 
-Frozen, strict, and NED (gcs/scenario_values.py).
+Frozen, strict, and NED (gcs/scenario/types.py).
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from datetime import UTC, datetime
 from typing import Annotated, ClassVar, Literal
 
 from pydantic import AwareDatetime, ConfigDict, Field, ValidationInfo, model_validator
 
-from gcs.scenario_external import External, filled
-from gcs.scenario_values import (
+from gcs.scenario.document import Conflict
+from gcs.scenario.external import External, filled
+from gcs.scenario.types import (
     Angles,
     Count,
     Degrees,
@@ -35,6 +36,7 @@ from gcs.scenario_values import (
     Vec3,
 )
 
+LEAST_BASE_CLEARANCE_M = 0.3
 STEP_S = 0.004  # the vehicles' own step: a grant is a whole number of them
 
 
@@ -301,3 +303,54 @@ class Radio(Part):
     duplicate: Fraction = 0.0
     reorder: Fraction = 0.0
     blackouts: tuple[Blackout, ...] = ()
+
+
+class Base(Part):
+    """A giver on the ground, with a rate and a stock; it serves one vehicle at a time."""
+
+    name: Label
+    position_m: Vec3
+    """where vehicles land"""
+    rate_w: Positive = 2000.0
+    stock_j: Annotated[float, Field(strict=True, gt=0, lt=1 << 31)]
+    """whole joules of it are given"""
+    radius_m: Metres = 1.0
+    """how far from its place a vehicle may stand and still be charged"""
+    height_m: Metres = 2.5
+    """the height above it from which vehicles come down"""
+
+    @property
+    def above_m(self) -> tuple[float, float, float]:
+        """NED; where vehicles come down from."""
+        n, e, d = self.position_m
+        return (n, e, d - self.height_m)
+
+
+def base_conflicts(
+    bases: Sequence[Base], pursuers: Sequence[Pursuer], obstacles: Sequence[Obstacle], *, capture_m: float
+) -> Iterator[Conflict]:
+    """What keeps bases and the vehicles that need them from working together; `capture_m` is refuelling's."""
+    launched = any(pursuer.external is None for pursuer in pursuers)
+    for i, base in enumerate(bases):
+        place = ("bases", i, "position_m")
+        if launched and base.position_m[2] != 0.0:
+            yield Conflict(place, f"the base {base.name} must stand on the ground: its third number is 0")
+        if launched and base.radius_m > capture_m:
+            sentence = f"radius_m is at most refuelling.capture_m, {capture_m:g}: vehicles take nothing from beyond it"
+            yield Conflict(("bases", i, "radius_m"), sentence)
+        for j, obstacle in enumerate(obstacles):
+            if obstacle.fault():
+                continue
+            if min(map(obstacle.clearance_m, (base.position_m, base.above_m))) < LEAST_BASE_CLEARANCE_M:
+                what = obstacle.name or f"{obstacle.kind} {j + 1}"
+                sentence = (
+                    f"the base {base.name} lies inside or within {LEAST_BASE_CLEARANCE_M} m of the obstacle {what}"
+                )
+                yield Conflict(place, sentence, ("obstacles", j))
+        for other in range(i):
+            if bases[other].name == base.name:
+                yield Conflict(("bases", i, "name"), f"the name {base.name} is given twice", ("bases", other, "name"))
+    for i, pursuer in enumerate(pursuers):
+        if bases and pursuer.transfer is False and pursuer.airborne:
+            sentence = f"{pursuer.label} starts airborne, without a ground, and so cannot land at a base"
+            yield Conflict(("vehicles", "pursuers", i, "airborne"), sentence)

@@ -24,7 +24,7 @@ from numba import njit
 from numpy.typing import ArrayLike, NDArray
 
 if TYPE_CHECKING:
-    from gcs.scenario import Obstacle
+    from gcs.scenario.model import Obstacle
 
 FloatArray = NDArray[np.float64]
 

@@ -18,7 +18,7 @@ import yaml
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails, PydanticCustomError
 
-from gcs.yaml_dialect import SCALARS, Dumper, Loader, Refused, syntax
+from gcs.scenario.yaml_dialect import SCALARS, Dumper, Loader, Refused, syntax
 
 MAX_BYTES = 1 << 20
 MAX_NODES = 100_000

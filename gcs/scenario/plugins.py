@@ -13,8 +13,8 @@ from contextlib import contextmanager, redirect_stdout
 from pathlib import Path
 from typing import Any
 
-from gcs.scenario import Scenario
-from gcs.yaml_source import Problem, ScenarioError, did_you_mean, read
+from gcs.scenario.document import Problem, ScenarioError, did_you_mean, read
+from gcs.scenario.model import Scenario
 
 
 def named(scenario: Scenario) -> Iterator[tuple[str, str, str]]:

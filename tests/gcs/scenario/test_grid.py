@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from gcs.configs import find
-from gcs.scenario import Scenario, ScenarioError, load
+from gcs.scenario.file import find, load
+from gcs.scenario.model import Scenario, ScenarioError
 
 HEAD = """schema: 1
 name: g

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from gcs.scenario import Scenario
+from gcs.scenario.model import Scenario
 
 VEHICLES = ("Pursuer", "Target", "Tanker")
 GRID = {

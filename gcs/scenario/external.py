@@ -11,9 +11,9 @@ from typing import Annotated, Any, Literal, Protocol
 
 from pydantic import AfterValidator, Field
 
-from gcs.addresses import address
-from gcs.scenario_values import Joules, Part, SysId
-from gcs.yaml_source import Conflict, Path
+from gcs.scenario.document import Conflict, Path
+from gcs.scenario.endpoint import address
+from gcs.scenario.types import Joules, Part, SysId
 
 LAUNCH_ONLY = ("airborne", "velocity_m_s", "attitude_deg", "params")
 NOT_INHERITED = (*LAUNCH_ONLY, "start_m")

@@ -1,0 +1,98 @@
+"""Scenario files, by path or by the name of a shipped one (`demo` is a name, `./demo.yaml` a file): read, written.
+
+Shipped ones stand in `configs/`: beside the packages in a checkout, inside `gcs` in an installed wheel.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from gcs.scenario import external
+from gcs.scenario.document import Problem, ScenarioError, did_you_mean, emit, read
+from gcs.scenario.grid import expand
+from gcs.scenario.model import Scenario
+
+CURRENT = 1
+CHANGED: dict[int, str] = {0: "this is the number of drafts; the first published format is 1, which `gcs init` writes"}
+"""By version, what came after it: what to do to a file of that version to make it one of the next."""
+
+
+def shipped_folder() -> Path:
+    """Where the shipped scenarios stand."""
+    package = Path(__file__).resolve().parents[1]
+    inside = package / "configs"
+    return inside if inside.is_dir() else package.parent / "configs"
+
+
+def shipped_names() -> tuple[str, ...]:
+    """The shipped scenarios' names in alphabetical order, such as `demo` and `paper/example1`."""
+    root = shipped_folder()
+    return tuple(sorted(path.relative_to(root).with_suffix("").as_posix() for path in root.rglob("*.yaml")))
+
+
+def find(scenario: str) -> Path:
+    """The file that `scenario` means: a file of that path if there is one, otherwise the shipped one of that name.
+
+    Whatever else is there (a directory, a device) is returned as it is, for `load` to say what is wrong with it.
+    Raises ScenarioError where nothing is.
+    """
+    path, shipped = Path(scenario), shipped_names()
+    try:
+        if path.is_file():
+            return path
+        if scenario in shipped:
+            return shipped_folder() / f"{scenario}.yaml"
+        if scenario and path.exists():
+            return path
+    except (OSError, ValueError):  # a name that the system cannot even look up
+        pass
+    near = did_you_mean(scenario, shipped)
+    message = f"no such file, and no shipped scenario of that name ({', '.join(shipped)}){near}"
+    raise ScenarioError([Problem(scenario, None, None, message)])
+
+
+def refusal(version: Any) -> str | None:
+    """Why a file of this version cannot be read, as a sentence; None where it can, or where it is no version at all."""
+    if isinstance(version, bool) or not isinstance(version, int) or version == CURRENT:
+        return None
+    if version > CURRENT:
+        return f"schema {version} is newer than this program, which reads {CURRENT}: pip install -U skytender"
+    steps = [f"{old} to {old + 1}: {CHANGED[old]}" for old in range(version, CURRENT) if old in CHANGED]
+    if not steps:
+        return None
+    return f"schema {version} is an older format; change the file, then write 'schema: {CURRENT}'. {'; '.join(steps)}"
+
+
+def load(path: str | os.PathLike[str]) -> Scenario:
+    """The scenario in the YAML file at `path`, in NED. Raises ScenarioError: what is wrong, and where."""
+    document = read(path)
+    if (unread := refusal(document.data.get("schema"))) is not None:
+        raise ScenarioError([document.problem(("schema",), unread)])
+    for listed in (("vehicles", "pursuers"), ("vehicles", "targets"), ("vehicles", "tankers"), ("obstacles",)):
+        expand(document, listed)
+    vehicles = document.data.get("vehicles")
+    if isinstance(vehicles, dict) and "defaults" in vehicles:
+        defaults = ("vehicles", "defaults")
+        if not isinstance(vehicles["defaults"], dict):
+            raise ScenarioError([document.problem(defaults, "vehicles.defaults must be a block of keys")])
+        for key in ("pursuers", "targets", "tankers"):
+            group = vehicles.get(key)
+            for i, vehicle in enumerate(group if isinstance(group, list) else ()):
+                own = tuple(vehicle) if isinstance(vehicle, dict) else ()
+                document.inherit(defaults, ("vehicles", key, i))
+                if isinstance(vehicle, dict):
+                    external.inherited(vehicle, own)
+        del vehicles["defaults"]
+    try:
+        return Scenario.model_validate(document.data, context={"axes": document.data.get("axes")})
+    except ValidationError as error:
+        raise ScenarioError(document.explain(error, Scenario.model_json_schema())) from None
+
+
+def dump(scenario: Scenario) -> str:
+    """The scenario as YAML in NED, every value written out, which `load` reads back equal."""
+    return emit(scenario.model_dump(mode="json", by_alias=True, exclude_none=True))

@@ -12,7 +12,7 @@ from typing import Any
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.service import Desk
-from gcs.views import Snapshot
+from gcs.telemetry.state import Snapshot
 
 ASK_WITHIN_S = 10.0
 """So long after its first word a vehicle may keep back its parameters."""

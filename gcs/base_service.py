@@ -17,7 +17,7 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.scenario.model import Base, Refuelling
 from gcs.service import Beacon, Desk, Phase, Service, token
-from gcs.views import Snapshot, Vec3, VehicleView
+from gcs.telemetry.state import Snapshot, Vec3, VehicleView
 
 STATION = 255
 """The ground station's system id, the partner of a vehicle that a base charges."""

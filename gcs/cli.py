@@ -41,7 +41,7 @@ def _limits(wanted: str, holds: Callable[[Any], bool]) -> Callable[[click.Contex
 def _someone(ctx: click.Context, param: click.Parameter, value: str | None) -> str | None:
     """A --connect is an address whose host can be found."""
     if value is not None:
-        from gcs.udp import AddressRefused, resolve
+        from gcs.link.socket import AddressRefused, resolve
 
         at = address(value, "udpout")
         if at is None:

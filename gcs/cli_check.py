@@ -78,7 +78,7 @@ def check(connect: Address, sysid: int | None, peers: tuple[str, ...], arm: bool
     from gcs.check.questions import questions
     from gcs.check.wire import CheckError, Wire
     from gcs.check.wire import check as run
-    from gcs.udp import AddressRefused
+    from gcs.link.socket import AddressRefused
 
     asked = questions([PEER_NAMES[peer] for peer in peers] or list(PEER_NAMES.values()), arm=arm)
     dialogue = Dialogue(asked, sysid)

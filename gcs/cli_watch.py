@@ -89,9 +89,9 @@ def _session(session: Path | None) -> tuple[Source, str]:
 
 def _air(connect: str, control: bool) -> tuple[Source, str]:
     """Whoever is heard at an address. Raises click.UsageError where nobody can be."""
+    from gcs.link.socket import AddressRefused
     from gcs.monitor import MonitorSource
     from gcs.scenario.endpoint import address
-    from gcs.udp import AddressRefused
 
     at = address(connect, "udpin", "udpout", "tcp")
     if at is None:

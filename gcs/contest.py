@@ -15,7 +15,7 @@ import numpy as np
 from gcs.competition import advance, normalise, revive, share
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.scenario.model import Competition
-from gcs.views import Snapshot, Vec3, VehicleView
+from gcs.telemetry.state import Snapshot, Vec3, VehicleView
 
 # Session times are sums of tick lengths; a dwell time must not slip a tick for their last bits.
 _ROUNDING_S = 1e-6

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from gcs.external_pilot import ExternalPilot
-from gcs.fleet import Fleet, GlobalOrigin, Member
-from gcs.impairment import Blackout, Impairment
+from gcs.link.impairment import Blackout, Impairment
 from gcs.mavlink.autopilots import PROFILES
 from gcs.pilot import SELDOM_S, Pilot
 from gcs.scenario.model import Scenario
+from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
 
 
 def make_fleet(scenario: Scenario) -> Fleet:

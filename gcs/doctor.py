@@ -17,7 +17,7 @@ from importlib.metadata import PackageNotFoundError, requires, version
 from pathlib import Path
 from typing import Literal
 
-from gcs.udp import BUFFER_BYTES
+from gcs.link.socket import BUFFER_BYTES
 
 PACKAGE = "skytender"
 OLDEST_PYTHON = (3, 11)

@@ -13,7 +13,7 @@ from gcs.mavlink.commands import OPERATOR, CommandResult
 from gcs.pursuit import meeting_s
 from gcs.scenario.model import Competition, Refuelling
 from gcs.service import Phase, Service, by_text
-from gcs.views import Snapshot, Vec3
+from gcs.telemetry.state import Snapshot, Vec3
 
 HISTORY = 20
 

@@ -25,10 +25,10 @@ from gcs.mavlink.codec import Message
 from gcs.mavlink.commands import CommandRequest
 from gcs.pilot import Pilot, Stage
 from gcs.scenario.external import External
-from gcs.views import VehicleView
+from gcs.telemetry.state import VehicleView
 
 FAR_M = 5000.0
-"""No origin is farther from the scenario's: the frames would not be parallel enough any more (gcs/fleet.py)."""
+"""No origin is farther from the scenario's: the frames would not be parallel any more (gcs/telemetry/fleet.py)."""
 SET_POINTS_FIRST_S = 1.0
 """PX4 wants a second of set points before offboard."""
 PARAMETER_TRIES = 3

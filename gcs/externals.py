@@ -9,15 +9,15 @@ from collections.abc import Iterable, Mapping
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.events import Event, Kind, Level
-from gcs.fleet import Fleet
 from gcs.mavlink.autopilots import STEERABLE, End
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.commands import CommandRequest, CommandResult
 from gcs.mavlink.stream_requests import CHECK_S, SLOW_SHARE, Ask, Streams, needs
 from gcs.pilot import Stage
 from gcs.scenario.model import Scenario
-from gcs.views import Snapshot, VehicleView
+from gcs.telemetry.events import Event, Kind, Level
+from gcs.telemetry.fleet import Fleet
+from gcs.telemetry.state import Snapshot, VehicleView
 
 LOST_S = 10.0
 """A vehicle that has been silent for so long is counted as lost, until it is heard again."""

@@ -12,8 +12,8 @@ import time
 from collections.abc import Callable, Mapping
 from typing import Any, cast
 
-from gcs.air import Air
-from gcs.events import Event
+from gcs.link.listener import Air
+from gcs.link.socket import Where
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import End
 from gcs.mavlink.codec import Frame, Message
@@ -23,7 +23,7 @@ from gcs.mavlink.sequence import SequenceCounter
 from gcs.mavlink.stream_requests import Quiet, everything
 from gcs.observe import Observer
 from gcs.scenario.endpoint import Address
-from gcs.udp import Where
+from gcs.telemetry.events import Event
 
 SNAPSHOT_EVERY_S = 0.1
 HEARTBEAT_EVERY_S = 1.0

@@ -13,22 +13,22 @@ from typing import Any, Literal
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.ears import Ear
-from gcs.events import Event, level_of
-from gcs.fleet import Fleet, GlobalOrigin, Member
-from gcs.inspection import Inspection
+from gcs.link.quality import LinkQuality
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import End, profile_of
 from gcs.mavlink.codec import Frame
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.mavlink.sequence import GapCounter
-from gcs.news import Watch
-from gcs.quality import LinkQuality
 from gcs.rows import distance_m, event_row, traffic_row, vehicle_row
 from gcs.scenario.model import Scenario
 from gcs.scene import session_line
-from gcs.trouble import State, troubles
-from gcs.views import Snapshot, Vec3, VehicleView
+from gcs.telemetry.adapter import Ear
+from gcs.telemetry.changes import Watch
+from gcs.telemetry.events import Event, level_of
+from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
+from gcs.telemetry.health import State, troubles
+from gcs.telemetry.message_inspector import Inspection
+from gcs.telemetry.state import Snapshot, Vec3, VehicleView
 
 Kind = Literal["monitor", "replay"]
 UNKNOWN_CAPACITY_J = math.nan

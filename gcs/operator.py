@@ -15,12 +15,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
-from gcs.events import Event
 from gcs.mavlink.autopilots import End
 from gcs.pilot import Pilot, Stage
 from gcs.refuelling import Schedule
 from gcs.scenario.model import Scenario
-from gcs.views import Snapshot, VehicleView
+from gcs.telemetry.events import Event
+from gcs.telemetry.state import Snapshot, VehicleView
 
 TAKEN: dict[str, tuple[End, str]] = {
     "hold": ("hold", "holds where it is"),

@@ -6,13 +6,13 @@ from collections.abc import Iterable
 from typing import Any
 
 from gcs import explain
-from gcs.events import Event
 from gcs.rows import distance_m, event_row, traffic_row, vehicle_row
 from gcs.scene import goal_of
 from gcs.service import Phase
 from gcs.supervisor import Supervisor
-from gcs.trouble import state, troubles
-from gcs.views import Vec3
+from gcs.telemetry.events import Event
+from gcs.telemetry.health import state, troubles
+from gcs.telemetry.state import Vec3
 
 
 def picture(

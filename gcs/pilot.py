@@ -18,11 +18,11 @@ from enum import StrEnum
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.fleet import BATTERY_PARAMETERS
 from gcs.mavlink.autopilots import STEERABLE, End, FlightMode
 from gcs.mavlink.codec import Message, message
 from gcs.mavlink.commands import OPERATOR, PILOT, CommandRequest
-from gcs.views import VehicleView
+from gcs.telemetry.fleet import BATTERY_PARAMETERS
+from gcs.telemetry.state import VehicleView
 
 RETRY_S = 1.0
 SELDOM_S = 32.0

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from gcs.scenario.model import Refuelling, Scenario
-from gcs.views import VehicleView
+from gcs.telemetry.state import VehicleView
 
 WINNER_TAKE_ALL = "winner_take_all"
 MOST_PLANNED = 6

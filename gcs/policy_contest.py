@@ -11,7 +11,7 @@ from gcs.policies import SHIPPED, WINNER_TAKE_ALL, RefuellingPolicy, Request
 from gcs.scenario import plugins
 from gcs.scenario.guard import Guard, Nonsense
 from gcs.scenario.model import Competition, Refuelling, Scenario
-from gcs.views import Snapshot, VehicleView
+from gcs.telemetry.state import Snapshot, VehicleView
 
 
 class PolicyContest(Contest):

@@ -18,7 +18,7 @@ import numpy as np
 from gcs.competition import advance, normalise, revive, share
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.scenario.model import Pursuit as Rules
-from gcs.views import Snapshot, Vec3, VehicleView
+from gcs.telemetry.state import Snapshot, Vec3, VehicleView
 
 GRAVITY_M_S2 = 9.8
 LOW, HIGH = 0.01, 1.0

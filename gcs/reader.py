@@ -14,7 +14,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import asdict
 from typing import Any
 
-from gcs.events import Event
+from gcs.telemetry.events import Event
 
 NEXT, STOP = b"n", b"s"
 BUFFER_BYTES = 1 << 20

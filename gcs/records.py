@@ -6,16 +6,16 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from gcs.events import Event, Level
 from gcs.explain import sentence
 from gcs.scenario.guard import Problem
+from gcs.telemetry.events import Event, Level
 
 if TYPE_CHECKING:  # who only reads records need not load those who make them
     from gcs.contest import Standing
-    from gcs.energy import Fact
-    from gcs.planner.plan import SetPoint
+    from gcs.mavlink.setpoints import SetPoint
     from gcs.recorder import Digest, Recorder
     from gcs.service import Decision
+    from gcs.telemetry.energy import Fact
 
 
 @dataclass

@@ -16,7 +16,7 @@ from typing import Any, cast
 
 from gcs import tlog
 from gcs.lacking import passed_over
-from gcs.link import FleetLink, Key
+from gcs.link.lockstep import FleetLink, Key
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import AUTOPILOT, STATION, TRAFFIC

@@ -24,7 +24,7 @@ from gcs.pursuit import meeting_s
 from gcs.scenario.model import Base, Competition, Refuelling, Tanker
 from gcs.service import Decision, Desk, Phase, Service, by_text
 from gcs.tanker_service import TankerSteps
-from gcs.views import Snapshot, VehicleView
+from gcs.telemetry.state import Snapshot, VehicleView
 
 RELAY_WITHIN_M = 15.0
 WORTH_J = 500.0

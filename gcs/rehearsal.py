@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.fleet import Fleet, GlobalOrigin, Member
 from gcs.mavlink import codec
-from gcs.metrics import PLAN_MEMORY, Metrics
 from gcs.planner.plan import Planner
 from gcs.scenario.model import Scenario
+from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
+from gcs.telemetry.metrics import PLAN_MEMORY, Metrics
 
 
 def rehearse(scenario: Scenario) -> None:

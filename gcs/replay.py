@@ -12,7 +12,6 @@ from collections.abc import Callable, Collection, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from gcs.events import Event
 from gcs.lacking import SCENARIO, passed_over, unread
 from gcs.observe import Observer
 from gcs.recorder import DECISIONS, TLOG
@@ -21,6 +20,7 @@ from gcs.report.pursuit import Course, CourseReader
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
 from gcs.story import Story
+from gcs.telemetry.events import Event
 
 FASTEST = 1000.0
 DECIDED, INDEXED = 0.25, 0.9

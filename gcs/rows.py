@@ -9,9 +9,9 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-from gcs.events import Event
-from gcs.trouble import State, Trouble, severity
-from gcs.views import TrafficView, Vec3, VehicleView
+from gcs.telemetry.events import Event
+from gcs.telemetry.health import State, Trouble, severity
+from gcs.telemetry.state import TrafficView, Vec3, VehicleView
 
 
 def vehicle_row(
@@ -29,7 +29,7 @@ def vehicle_row(
     state: State = State.IDLE,
     found: Sequence[Trouble] = (),
 ) -> dict[str, Any]:
-    """One vehicle at `now_s`; `found` is its trouble, worst first (gcs/trouble.py)."""
+    """One vehicle at `now_s`; `found` is its trouble, worst first (gcs/telemetry/health.py)."""
     heard = view.heard_s >= 0.0
     return {
         "sysid": view.sysid,

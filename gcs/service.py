@@ -8,7 +8,7 @@ from enum import StrEnum
 from typing import Any
 
 from gcs.mavlink.commands import CommandRequest
-from gcs.views import Vec3
+from gcs.telemetry.state import Vec3
 
 
 class Phase(StrEnum):

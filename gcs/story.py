@@ -15,15 +15,15 @@ from typing import Any
 
 from gcs import explain
 from gcs.contest import Standing
-from gcs.events import Event
 from gcs.mavlink.autopilots import End
 from gcs.operator import TAKEN
 from gcs.records import event_of
 from gcs.scenario.model import Scenario
 from gcs.scene import goal_of
 from gcs.service import Phase, Service
-from gcs.trouble import state
-from gcs.views import Snapshot, Vec3
+from gcs.telemetry.events import Event
+from gcs.telemetry.health import state
+from gcs.telemetry.state import Snapshot, Vec3
 
 _SET_POINT = b'{"kind":"set_point"'
 BLOCK_BYTES = 1 << 22

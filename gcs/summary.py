@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING, Literal, cast
 from pydantic import BaseModel, ConfigDict, Field
 
 if TYPE_CHECKING:  # who only reads a summary need not load the supervisor
-    from gcs.link import FleetLink
-    from gcs.mixed_link import MixedLink
+    from gcs.link.fleet import MixedLink
+    from gcs.link.lockstep import FleetLink
     from gcs.supervisor import Supervisor
-    from gcs.views import VehicleView
+    from gcs.telemetry.state import VehicleView
 
 FILE = "summary.json"
 

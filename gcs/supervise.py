@@ -24,14 +24,14 @@ import click
 from gcs.arrivals import Arrivals
 from gcs.clients import Clients
 from gcs.clock import Pace
-from gcs.events import Event, Kind, Level
 from gcs.exit import BAD_INPUT, DONE, INTERNAL_ERROR, INTERRUPTED, NOT_DONE
-from gcs.external import ExternalLink
 from gcs.launch import Ended, Hatch, LaunchError, traffic_order, vehicle_orders
 from gcs.leaving import leave
-from gcs.link import REPEAT_S, FleetLink
+from gcs.link.external import ExternalLink
+from gcs.link.fleet import MixedLink
+from gcs.link.lockstep import REPEAT_S, FleetLink
+from gcs.link.socket import BUFFER_BYTES, AddressRefused
 from gcs.mavlink.ids import AUTOPILOT, TRAFFIC
-from gcs.mixed_link import MixedLink
 from gcs.picture import picture
 from gcs.publish import Publisher
 from gcs.reader import Reader
@@ -44,7 +44,7 @@ from gcs.scenario.model import Scenario, ScenarioError
 from gcs.scene import session_line
 from gcs.summary import summarise
 from gcs.supervisor import Supervisor
-from gcs.udp import BUFFER_BYTES, AddressRefused
+from gcs.telemetry.events import Event, Kind, Level
 
 PUBLISH_EVERY_S = 0.1
 WATCH_EVERY_S = 0.05

@@ -10,52 +10,42 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
-from pymavlink.dialects.v20 import common as mav
-
 from gcs import beacons
 from gcs.crew import make_fleet, make_pilots, make_radio
-from gcs.events import Event, Kind, level_of
 from gcs.explain import acknowledged
 from gcs.externals import ENDING, Externals
-from gcs.inspection import Inspection
-from gcs.link import FleetLink, Key
+from gcs.link.fleet import MixedLink
+from gcs.link.lockstep import FleetLink, Key
+from gcs.link.quality import LinkQuality
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import End
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.commands import CommandResult
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, TRAFFIC
 from gcs.mavlink.sequence import GapCounter
-from gcs.metrics import Metrics
-from gcs.mixed_link import MixedLink
-from gcs.news import Watch
+from gcs.mavlink.setpoints import SetPoint, encoded
 from gcs.operator import Answer, Operator
 from gcs.outbox import Outbox
 from gcs.pilot import Stage
 from gcs.planner.own import make_planner
-from gcs.planner.plan import SetPoint
 from gcs.policy_contest import make_contest
 from gcs.pursuit import Pursuit
-from gcs.quality import LinkQuality
 from gcs.recorder import Digest, Recorder
 from gcs.records import Recording, records_of_tick
 from gcs.refuelling import Schedule
 from gcs.relays import Relay, relayed
 from gcs.scenario.model import Scenario
 from gcs.service import Decision
-from gcs.views import Snapshot
+from gcs.telemetry.changes import Watch
+from gcs.telemetry.events import Event, Kind, level_of
+from gcs.telemetry.message_inspector import Inspection
+from gcs.telemetry.metrics import Metrics
+from gcs.telemetry.state import Snapshot
 
 HEARTBEAT_EVERY_S = 1.0
-SET_POINT_MASK = (
-    mav.POSITION_TARGET_TYPEMASK_AX_IGNORE
-    | mav.POSITION_TARGET_TYPEMASK_AY_IGNORE
-    | mav.POSITION_TARGET_TYPEMASK_AZ_IGNORE
-    | mav.POSITION_TARGET_TYPEMASK_YAW_IGNORE
-    | mav.POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE
-)
 WAIT_FOR_FLEET_S = 30.0
 _SETTLED = frozenset({Stage.FLY, Stage.YIELDED, Stage.DOWN, Stage.TAKEN})
 _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
-_SET_POINT = codec.msgid("SET_POSITION_TARGET_LOCAL_NED")
 
 
 class Supervisor:
@@ -304,12 +294,7 @@ class Supervisor:
         for point in set_points:
             offset = snapshot.vehicle(point.sysid).origin_offset_ned
             assert offset is not None
-            (north, east, down), (north_0, east_0, down_0) = point.p_ned, offset
-            values = (
-                *(self.time_ms, north - north_0, east - east_0, down - down_0, *point.v_ned, 0.0, 0.0, 0.0, 0.0, 0.0),
-                *(SET_POINT_MASK, point.sysid, AUTOPILOT, mav.MAV_FRAME_LOCAL_NED),
-            )
-            self.outbox.put(point.sysid, (Message(_SET_POINT, values),))
+            self.outbox.put(point.sysid, (encoded(point, offset, self.time_ms),))
 
     # out
 

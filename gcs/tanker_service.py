@@ -18,7 +18,7 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.mavlink.autopilots import STEERABLE, FlightMode
 from gcs.scenario.model import Refuelling, Tanker
 from gcs.service import Desk, Phase, Service, token
-from gcs.views import Snapshot, VehicleView
+from gcs.telemetry.state import Snapshot, VehicleView
 
 STOP, GIVE, RECEIVE = 0, 1, 2
 CATCH_UP_S = 1.0

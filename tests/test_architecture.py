@@ -36,7 +36,7 @@ PURE = [
     "simvehicle/mission.py",
     "simvehicle/fence.py",
     "simvehicle/follow.py",
-    "gcs/energy.py",
+    "gcs/telemetry/energy.py",
     "gcs/refuelling.py",
     "gcs/service.py",
     "gcs/tanker_service.py",
@@ -44,16 +44,16 @@ PURE = [
     "gcs/ability.py",
     "gcs/contest.py",
     "gcs/pursuit.py",
-    "gcs/trouble.py",
+    "gcs/telemetry/health.py",
     "gcs/rows.py",
     "gcs/scene.py",
     "gcs/explain.py",
-    "gcs/news.py",
+    "gcs/telemetry/changes.py",
     "gcs/arrivals.py",
     "gcs/externals.py",
     "gcs/external_pilot.py",
     "gcs/operator.py",
-    "gcs/inspection.py",
+    "gcs/telemetry/message_inspector.py",
 ]
 WORLD = {"socket", "time", "threading", "select", "selectors", "subprocess", "asyncio"}
 

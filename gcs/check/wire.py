@@ -8,11 +8,11 @@ import time
 from collections.abc import Callable, Sequence
 
 from gcs.check.dialogue import FIND_WITHIN_S, Dialogue, Finding
+from gcs.link.socket import RECEIVE_BYTES, Where, open_udp
 from gcs.mavlink import codec
 from gcs.mavlink.ids import STATION
 from gcs.mavlink.sequence import SequenceCounter
 from gcs.scenario.endpoint import Address
-from gcs.udp import RECEIVE_BYTES, Where, open_udp
 
 POLL_S = 0.02
 

@@ -16,11 +16,12 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from gcs.planner.plan import Planner, SetPoint
+from gcs.mavlink.setpoints import SetPoint
+from gcs.planner.plan import Planner
 from gcs.scenario import plugins
 from gcs.scenario.guard import Guard, Nonsense
 from gcs.scenario.model import Obstacle, Scenario
-from gcs.views import Snapshot, Vec3, VehicleView
+from gcs.telemetry.state import Snapshot, Vec3, VehicleView
 
 FARTHEST = 1e5
 """m, and m/s: beyond every scenario."""

@@ -16,11 +16,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from gcs.mavlink.setpoints import SetPoint
 from gcs.planner import formation, fuzzy, leader
 from gcs.planner.potential_field import Field, widened_range
 from gcs.scenario import geometry
 from gcs.scenario.model import Scenario, Tanker, Target
-from gcs.views import Snapshot, Vec3, VehicleView
+from gcs.telemetry.state import Snapshot, Vec3, VehicleView
 
 LOOKAHEAD_S = 0.37
 CATCH_UP_SPEED = 1.3
@@ -31,15 +32,6 @@ ROLES = ("target", "pursuer", "tanker")
 OFF_PLAN_M = 1.0
 """A vehicle farther than this from its plan is met where it flies, not where it is planned."""
 STILL: Vec3 = (0.0, 0.0, 0.0)
-
-
-@dataclass(frozen=True, slots=True)
-class SetPoint:
-    """Where one vehicle is to be at the tick's time and how fast it is to move on; common NED frame."""
-
-    sysid: int
-    p_ned: Vec3
-    v_ned: Vec3
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,7 +1,7 @@
 """How near things came in a session, over time: vehicles to each other, to obstacles, to their targets, to their plans.
 
 Times are the planner's ticks, and places those that the ground station knew then, so that the extremes are those of the
-summary (gcs/metrics.py judges with the same kernels).
+summary (gcs/telemetry/metrics.py judges with the same kernels).
 """
 
 from __future__ import annotations
@@ -14,12 +14,12 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from gcs.metrics import PLAN_MEMORY, closest_pair, distance_to_path
 from gcs.report.pursuit import pursued, ticks_of
 from gcs.report.recorded import Recorded
 from gcs.report.series import Floats, Series, Track, rows_of
 from gcs.report.set_points import P_NED, SYSID, T_S
 from gcs.scenario import geometry
+from gcs.telemetry.metrics import PLAN_MEMORY, closest_pair, distance_to_path
 
 BLOCK_TICKS = 2000
 

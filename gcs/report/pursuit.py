@@ -92,7 +92,7 @@ def pursued(recorded: Recorded, t_s: Floats) -> dict[int, NDArray[np.int64]]:
 
 def held_by(recorded: Recorded, flown: Mapping[int, Track]) -> Series:
     """The longest time for which even the worst pursuer had stayed with its target, or target had had its pursuer, at
-    each tick (gcs/metrics.py judges so); without a goal of pursuit it is empty."""
+    each tick (gcs/telemetry/metrics.py judges so); without a goal of pursuit it is empty."""
     scenario = recorded.scenario
     if scenario is None or scenario.goal.pursue is None:
         return Series(np.empty(0), np.empty(0))

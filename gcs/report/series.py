@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from gcs.mavlink.battery import HECTOJOULE
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.report.recorded import Recorded
-from gcs.views import STALE_S
+from gcs.telemetry.state import STALE_S
 
 Floats = NDArray[np.float64]
 GAP_S = 2.0

@@ -6,7 +6,7 @@ import numpy as np
 
 from gcs.planner.own import Situation
 from gcs.scenario import Scenario
-from gcs.views import VehicleView
+from gcs.telemetry.state import VehicleView
 
 
 class Ring:

@@ -9,7 +9,7 @@ import pytest
 from gcs.ability import Ability
 from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.service import Desk
-from gcs.views import Snapshot, VehicleView
+from gcs.telemetry.state import Snapshot, VehicleView
 
 VIEW = VehicleView(
     sysid=1, role="pursuer", label="pursuer 1", alive=True, profile=PX4, mode=FlightMode.HOLD, armed=False,

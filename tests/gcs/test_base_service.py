@@ -16,7 +16,7 @@ from gcs.refuelling import Schedule
 from gcs.scenario.model import Base, Battery, Competition, Refuelling, Tanker
 from gcs.service import Decision, Phase, Service
 from gcs.tanker_service import RECEIVE, STOP
-from gcs.views import Snapshot, VehicleView
+from gcs.telemetry.state import Snapshot, VehicleView
 
 ORDER = 31010
 PAD = Base(name="pad", position_m=(10.0, 0.0, 0.0), rate_w=2000.0, stock_j=50_000.0)

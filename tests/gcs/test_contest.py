@@ -10,7 +10,7 @@ from scipy.integrate import solve_ivp
 from gcs.contest import Contest
 from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.scenario.model import Competition
-from gcs.views import Snapshot, VehicleView
+from gcs.telemetry.state import Snapshot, VehicleView
 
 RULES = Competition(p=2.0, rate=5.0, need_from=0.5, dwell_s=2.0, decide_within_s=30.0)
 

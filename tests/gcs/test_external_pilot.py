@@ -10,7 +10,7 @@ from gcs.external_pilot import BLAMED_S, FAR_M, LATE_S, PARAMETER_TRIES, QUIET_S
 from gcs.mavlink.autopilots import ARDUCOPTER, PX4, FlightMode, Profile
 from gcs.pilot import Stage
 from gcs.scenario.external import External
-from gcs.views import VehicleView
+from gcs.telemetry.state import VehicleView
 
 ARM, TAKEOFF, SET_MODE = mav.MAV_CMD_COMPONENT_ARM_DISARM, mav.MAV_CMD_NAV_TAKEOFF, mav.MAV_CMD_DO_SET_MODE
 

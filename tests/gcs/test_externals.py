@@ -6,11 +6,11 @@ import pytest
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.externals import ENDING, LOST_S, SAY_AGAIN_S, Externals
-from gcs.fleet import Fleet, GlobalOrigin, Member
 from gcs.mavlink import codec
 from gcs.mavlink.commands import CommandResult, Target
 from gcs.pilot import Stage
 from gcs.scenario.model import Scenario
+from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
 
 LAT, LON, ALT = 47.0, 8.0, 400.0
 

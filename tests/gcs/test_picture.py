@@ -5,8 +5,8 @@ from typing import Any
 
 import pytest
 
-from gcs.events import Event
 from gcs.picture import picture
+from gcs.telemetry.events import Event
 
 
 def shown(session: Any, **changed: Any) -> dict[str, Any]:

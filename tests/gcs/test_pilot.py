@@ -10,7 +10,7 @@ from gcs.mavlink import codec
 from gcs.mavlink.autopilots import ARDUCOPTER, PX4, FlightMode
 from gcs.mavlink.commands import CommandRequest
 from gcs.pilot import SELDOM_S, Pilot, Stage
-from gcs.views import VehicleView
+from gcs.telemetry.state import VehicleView
 
 ARM, TAKEOFF, SET_MODE = 400, 22, 176
 

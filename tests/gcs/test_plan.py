@@ -11,12 +11,13 @@ import numpy as np
 import pytest
 
 from gcs.mavlink.autopilots import PX4, FlightMode
+from gcs.mavlink.setpoints import SetPoint
 from gcs.planner.formation import assign, ring_offsets
-from gcs.planner.plan import Planner, SetPoint
+from gcs.planner.plan import Planner
 from gcs.scenario import geometry
 from gcs.scenario.geometry import surface
 from gcs.scenario.model import Obstacle, Scenario
-from gcs.views import Snapshot, TrafficView, Vec3, VehicleView
+from gcs.telemetry.state import Snapshot, TrafficView, Vec3, VehicleView
 
 PERIOD_S = 0.1
 LAG_S = 0.37

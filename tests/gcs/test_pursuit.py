@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.pursuit import GRAVITY_M_S2, Pursuit, predicted_effort
 from gcs.scenario.model import Pursuit as Rules
-from gcs.views import Snapshot, Vec3, VehicleView
+from gcs.telemetry.state import Snapshot, Vec3, VehicleView
 
 STILL: Vec3 = (0.0, 0.0, 0.0)
 SPEED = 2.0

@@ -8,11 +8,11 @@ from typing import Any
 import pytest
 
 from gcs.contest import Standing
-from gcs.energy import Fact
 from gcs.recorder import decision_line
 from gcs.records import event_of, records_of_tick
 from gcs.scenario.guard import Problem
 from gcs.service import Decision
+from gcs.telemetry.energy import Fact
 
 SERVED = {
     "kind": "served", "receiver": 2, "tanker": 201, "reason": "limit", "energy_j": 5.0, "joined_at_s": 1.0,

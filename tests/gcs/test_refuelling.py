@@ -9,7 +9,7 @@ from gcs.refuelling import Schedule
 from gcs.scenario.model import Competition, Refuelling
 from gcs.service import Decision, Phase
 from gcs.tanker_service import GIVE, RECEIVE, STOP
-from gcs.views import Snapshot
+from gcs.telemetry.state import Snapshot
 from tests.support.services import FOLLOW_TARGET, INTERVAL, RATE_W, Fleet, Play, play, tanker, view
 
 

@@ -9,7 +9,7 @@ from gcs.refuelling import Schedule
 from gcs.scenario.model import Battery, Competition, Refuelling, Tanker
 from gcs.service import Decision, Phase, Service
 from gcs.tanker_service import GIVE, RECEIVE, STOP
-from gcs.views import Snapshot, VehicleView
+from gcs.telemetry.state import Snapshot, VehicleView
 
 RATE_W = 2000.0
 ORDER, INTERVAL, FOLLOW_TARGET = 31010, 511, 144

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from gcs.mavlink.autopilots import PX4, FlightMode
-from gcs.views import Snapshot, VehicleView
+from gcs.telemetry.state import Snapshot, VehicleView
 
 
 def view(sysid: int = 3, role: str = "pursuer", **changed: Any) -> VehicleView:

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from gcs.impairment import Blackout, Impairment
+from gcs.link.impairment import Blackout, Impairment
 
 MANY = 20_000
 
@@ -108,7 +108,7 @@ def test_more_loss_loses_the_same_frames_and_others() -> None:
 
 def test_fate_is_the_same_in_every_process() -> None:
     code = (
-        "from gcs.impairment import Impairment\n"
+        "from gcs.link.impairment import Impairment\n"
         "radio = Impairment(loss=0.3, jitter_s=0.5, duplicate=0.2, reorder=0.2, seed=7)\n"
         "print([list(radio.apply(s, 'in', t / 10, range(9))) for t in range(9) for s in (1, 2)])"
     )

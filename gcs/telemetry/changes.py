@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from gcs.events import Event
 from gcs.mavlink.autopilots import STEERABLE, End, FlightMode
-from gcs.views import STALE_S, Snapshot, VehicleView
+from gcs.telemetry.events import Event
+from gcs.telemetry.state import STALE_S, Snapshot, VehicleView
 
 GOING_DOWN = frozenset({FlightMode.RETURN, FlightMode.LAND})
 

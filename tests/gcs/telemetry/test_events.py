@@ -1,6 +1,6 @@
 """How loudly the words of vehicles are told; the severities are MAVLink's."""
 
-from gcs.events import level_of
+from gcs.telemetry.events import level_of
 
 
 def test_errors_are_critical_warnings_are_warnings_and_the_rest_is_information() -> None:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
-from gcs.external import ExternalLink
-from gcs.link import FleetLink, Key
+from gcs.link.external import ExternalLink
+from gcs.link.lockstep import FleetLink, Key
 from gcs.mavlink.codec import Frame, Message
 
 

@@ -20,12 +20,12 @@ from typing import Any, Literal, NamedTuple
 import pymap3d
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.fleet import GlobalOrigin
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import profile_of
 from gcs.mavlink.codec import Frame
 from gcs.mavlink.ids import AUTOPILOT
-from gcs.views import Vec3, VehicleView
+from gcs.telemetry.fleet import GlobalOrigin
+from gcs.telemetry.state import Vec3, VehicleView
 
 TOGETHER_S = 1.0
 """A local and a global position that came within this time tell of the same place."""

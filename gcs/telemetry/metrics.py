@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 
 from gcs.scenario import geometry
 from gcs.scenario.model import Scenario
-from gcs.views import Snapshot, Vec3
+from gcs.telemetry.state import Snapshot, Vec3
 
 if TYPE_CHECKING:
-    from gcs.planner.plan import SetPoint
+    from gcs.mavlink.setpoints import SetPoint
 
 PLAN_MEMORY = 20
 """Set points against which a vehicle's way is held: it flies a few ticks behind its plan."""

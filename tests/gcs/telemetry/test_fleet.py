@@ -7,10 +7,10 @@ import pymap3d
 import pytest
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.fleet import Fleet, GlobalOrigin, Member
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import PX4, FlightMode, Profile
-from gcs.views import Snapshot, VehicleView
+from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
+from gcs.telemetry.state import Snapshot, VehicleView
 
 ORIGIN = GlobalOrigin(47.397742, 8.545594, 488.0)
 DEG_E7 = (473977420, 85455940, 488000)

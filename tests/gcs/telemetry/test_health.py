@@ -7,7 +7,7 @@ import pytest
 from views import view
 
 from gcs.mavlink.autopilots import FlightMode
-from gcs.trouble import ACT, LOOK, WELL, State, severity, state, troubles
+from gcs.telemetry.health import ACT, LOOK, WELL, State, severity, state, troubles
 
 NOW_S = 100.0
 

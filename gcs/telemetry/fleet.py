@@ -18,12 +18,12 @@ from typing import Any
 import pymap3d
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.energy import EnergyEstimator, Fact
 from gcs.mavlink.autopilots import GENERIC, FlightMode, Profile, profile_of
 from gcs.mavlink.battery import BatteryReport, battery_status, sys_status
 from gcs.mavlink.codec import Frame, fields
 from gcs.mavlink.statustext import Texts
-from gcs.views import ZERO, Snapshot, TrafficView, Vec3, VehicleView
+from gcs.telemetry.energy import EnergyEstimator, Fact
+from gcs.telemetry.state import ZERO, Snapshot, TrafficView, Vec3, VehicleView
 
 LANDED_M = 0.3
 """A vehicle that does not tell whether it has landed is in the air above this height."""

@@ -6,10 +6,10 @@ import contextlib
 import socket
 from collections.abc import Iterator
 
+from gcs.link.socket import RECEIVE_BYTES, AddressRefused, Where, open_udp, resolve
 from gcs.mavlink import codec, v1
 from gcs.mavlink.codec import Frame
 from gcs.scenario.endpoint import Address
-from gcs.udp import RECEIVE_BYTES, AddressRefused, Where, open_udp, resolve
 
 CONNECT_WITHIN_S = 5.0
 

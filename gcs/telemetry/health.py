@@ -10,7 +10,7 @@ from enum import StrEnum
 from typing import NamedTuple
 
 from gcs.mavlink.autopilots import FlightMode
-from gcs.views import STALE_S, VehicleView
+from gcs.telemetry.state import STALE_S, VehicleView
 
 WELL, LOOK, ACT = range(3)
 """Severities: nothing is wrong; look at it; do something."""

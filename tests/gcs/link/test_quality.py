@@ -2,8 +2,8 @@
 
 import pytest
 
+from gcs.link.quality import LinkQuality
 from gcs.mavlink.sequence import GapCounter
-from gcs.quality import LinkQuality
 
 
 class Radio:

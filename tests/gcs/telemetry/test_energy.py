@@ -10,9 +10,9 @@ from typing import Any
 import pytest
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.energy import GAP_S, EnergyEstimator, Fact, Source
 from gcs.mavlink import battery, codec
 from gcs.mavlink.battery import BatteryReport
+from gcs.telemetry.energy import GAP_S, EnergyEstimator, Fact, Source
 
 CAPACITY_J = 100_000.0
 CELLS = [65535] * 10

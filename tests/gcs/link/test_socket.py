@@ -4,8 +4,8 @@ import socket
 
 import pytest
 
+from gcs.link.socket import AddressRefused, open_udp, resolve
 from gcs.scenario.endpoint import Address
-from gcs.udp import AddressRefused, open_udp, resolve
 
 
 @pytest.mark.parametrize("host", ["127.0.0.1", "localhost"])

@@ -16,7 +16,8 @@ from dataclasses import dataclass, field
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.link import Key
+from gcs.link.lockstep import Key
+from gcs.link.socket import RECEIVE_BYTES, AddressRefused, Where, kernel_drops, open_udp
 from gcs.mavlink import codec
 from gcs.mavlink.boot_clock import BootClock
 from gcs.mavlink.codec import Frame, Message
@@ -24,7 +25,6 @@ from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION
 from gcs.mavlink.sequence import SequenceCounter
 from gcs.scenario.endpoint import address
 from gcs.scenario.external import External
-from gcs.udp import RECEIVE_BYTES, AddressRefused, Where, kernel_drops, open_udp
 
 ANNOUNCE_EVERY_S = 1.0
 REPEAT_AFTER_S = 0.2

@@ -7,9 +7,9 @@ from typing import Any
 import pytest
 from pymavlink.dialects.v20 import common
 
-from gcs.inspection import Inspection
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
+from gcs.telemetry.message_inspector import Inspection
 
 NAMES = {"XferIn": 1, "XferOut": -1}
 

@@ -6,11 +6,11 @@ from typing import Any
 import pytest
 
 from gcs.mavlink.autopilots import PX4, FlightMode
-from gcs.metrics import PLAN_MEMORY, Metrics
-from gcs.planner.plan import SetPoint
+from gcs.mavlink.setpoints import SetPoint
 from gcs.scenario.geometry import of_scenario
 from gcs.scenario.model import Obstacle, Scenario
-from gcs.views import Snapshot, TrafficView, Vec3, VehicleView
+from gcs.telemetry.metrics import PLAN_MEMORY, Metrics
+from gcs.telemetry.state import Snapshot, TrafficView, Vec3, VehicleView
 
 BATTERY = {"capacity_j": 1e4}
 

@@ -10,12 +10,12 @@ from typing import Any
 import pytest
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
-from gcs.external import ExternalLink
-from gcs.link import FleetLink
+from gcs.link.external import ExternalLink
+from gcs.link.fleet import MixedLink
+from gcs.link.lockstep import FleetLink
+from gcs.link.socket import AddressRefused
 from gcs.mavlink import codec
-from gcs.mixed_link import MixedLink
 from gcs.scenario.external import External
-from gcs.udp import AddressRefused
 
 WITHIN_S = 5.0
 KEYS = {1: (1, 1), 2: (2, 1)}

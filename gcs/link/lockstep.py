@@ -15,11 +15,11 @@ from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
+from gcs.link.socket import RECEIVE_BYTES, kernel_drops, widen
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import STATION
 from gcs.mavlink.sequence import SequenceCounter, TickCollector, is_hello
-from gcs.udp import RECEIVE_BYTES, kernel_drops, widen
 
 DATAGRAM_BYTES = 1400
 RESEND_FIRST_S, RESEND_LAST_S = 0.02, 0.2

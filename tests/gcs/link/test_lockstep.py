@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from gcs.link import DATAGRAM_BYTES, FleetLink
+from gcs.link.lockstep import DATAGRAM_BYTES, FleetLink
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import STATION

@@ -6,7 +6,7 @@ import pytest
 from views import snapshot, view
 
 from gcs.mavlink.autopilots import FlightMode
-from gcs.news import Watch
+from gcs.telemetry.changes import Watch
 
 OFFBOARD, HOLD, RETURN, LAND = FlightMode.OFFBOARD, FlightMode.HOLD, FlightMode.RETURN, FlightMode.LAND
 

@@ -1,0 +1,41 @@
+"""Set points of the supervisor: position and velocity in the common NED frame, and their MAVLink message."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.mavlink import codec
+from gcs.mavlink.codec import Message
+from gcs.mavlink.ids import AUTOPILOT
+
+POSITION_AND_VELOCITY = (
+    mav.POSITION_TARGET_TYPEMASK_AX_IGNORE
+    | mav.POSITION_TARGET_TYPEMASK_AY_IGNORE
+    | mav.POSITION_TARGET_TYPEMASK_AZ_IGNORE
+    | mav.POSITION_TARGET_TYPEMASK_YAW_IGNORE
+    | mav.POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE
+)
+_MSGID = codec.msgid("SET_POSITION_TARGET_LOCAL_NED")
+
+Vec3 = tuple[float, float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class SetPoint:
+    """Where one vehicle is to be at the tick's time and how fast it is to move on; common NED frame, m and m/s."""
+
+    sysid: int
+    p_ned: Vec3
+    v_ned: Vec3
+
+
+def encoded(point: SetPoint, origin_offset_ned: Vec3, time_ms: int) -> Message:
+    """SET_POSITION_TARGET_LOCAL_NED in the vehicle's own frame, whose origin lies at `origin_offset_ned` (m)."""
+    (north, east, down), (north_0, east_0, down_0) = point.p_ned, origin_offset_ned
+    values = (
+        *(time_ms, north - north_0, east - east_0, down - down_0, *point.v_ned, 0.0, 0.0, 0.0, 0.0, 0.0),
+        *(POSITION_AND_VELOCITY, point.sysid, AUTOPILOT, mav.MAV_FRAME_LOCAL_NED),
+    )
+    return Message(_MSGID, values)

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 
 from gcs.mavlink.autopilots import End
 from gcs.pilot import Pilot, Stage
-from gcs.refuelling import Schedule
+from gcs.refuelling.scheduler import Schedule
 from gcs.scenario.model import Scenario
 from gcs.telemetry.events import Event
 from gcs.telemetry.state import Snapshot, VehicleView

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from gcs import explain
+from gcs.refuelling import explain
+from gcs.refuelling.service import Phase
 from gcs.rows import distance_m, event_row, traffic_row, vehicle_row
 from gcs.scene import goal_of
-from gcs.service import Phase
 from gcs.supervisor import Supervisor
 from gcs.telemetry.events import Event
 from gcs.telemetry.health import state, troubles

@@ -6,15 +6,15 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from gcs.explain import sentence
+from gcs.refuelling.explain import sentence
 from gcs.scenario.guard import Problem
 from gcs.telemetry.events import Event, Level
 
 if TYPE_CHECKING:  # who only reads records need not load those who make them
-    from gcs.contest import Standing
     from gcs.mavlink.setpoints import SetPoint
     from gcs.recorder import Digest, Recorder
-    from gcs.service import Decision
+    from gcs.refuelling.bidding import Standing
+    from gcs.refuelling.service import Decision
     from gcs.telemetry.energy import Fact
 
 

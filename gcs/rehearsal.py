@@ -8,7 +8,7 @@ from __future__ import annotations
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
-from gcs.planner.plan import Planner
+from gcs.planner.planner import Planner
 from gcs.scenario.model import Scenario
 from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
 from gcs.telemetry.metrics import PLAN_MEMORY, Metrics

@@ -10,9 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
-from gcs import beacons
 from gcs.crew import make_fleet, make_pilots, make_radio
-from gcs.explain import acknowledged
 from gcs.externals import ENDING, Externals
 from gcs.link.fleet import MixedLink
 from gcs.link.lockstep import FleetLink, Key
@@ -27,15 +25,17 @@ from gcs.mavlink.setpoints import SetPoint, encoded
 from gcs.operator import Answer, Operator
 from gcs.outbox import Outbox
 from gcs.pilot import Stage
-from gcs.planner.own import make_planner
-from gcs.policy_contest import make_contest
-from gcs.pursuit import Pursuit
+from gcs.planner.custom import make_planner
 from gcs.recorder import Digest, Recorder
 from gcs.records import Recording, records_of_tick
-from gcs.refuelling import Schedule
-from gcs.relays import Relay, relayed
+from gcs.refuelling.base import giver_messages
+from gcs.refuelling.bidding import make_contest
+from gcs.refuelling.explain import acknowledged
+from gcs.refuelling.relay import Relay, relayed
+from gcs.refuelling.scheduler import Schedule
+from gcs.refuelling.service import Decision
+from gcs.refuelling.target_assignment import Pursuit
 from gcs.scenario.model import Scenario
-from gcs.service import Decision
 from gcs.telemetry.changes import Watch
 from gcs.telemetry.events import Event, Kind, level_of
 from gcs.telemetry.message_inspector import Inspection
@@ -137,7 +137,7 @@ class Supervisor:
         self._keep_streams(snapshot)
         pursuing = self.pursuit.decide(snapshot) if self.pursuit else self.operator.pursuing
         self.set_points = set_points = self._plan(snapshot, decision, pursuing)
-        self.outbox.ask(decision.wishes, now_s)
+        self.outbox.ask(decision.requests, now_s)
         for sysid in self.pilots:
             for result in self.outbox.poll(sysid, now_s):
                 self._report(sysid, result, now_s)
@@ -239,8 +239,8 @@ class Supervisor:
         self.grounded = decision.grounded
         for sysid, pilot in self.pilots.items():
             pilot.grounded = sysid in decision.grounded
-        for beacon in decision.beacons:
-            self.outbox.put(beacon.sysid, beacons.messages(beacon, self.scenario.origin, self.time_ms))
+        for report in decision.giver_reports:
+            self.outbox.put(report.sysid, giver_messages(report, self.scenario.origin, self.time_ms))
         for sysid, joules in decision.booked.items():
             self.fleet.book(sysid, joules)
 

@@ -11,12 +11,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from gcs.competition import simulate
 from gcs.paper import figures, races, session, tracking
 from gcs.paper.claims import Measurement
 from gcs.paper.figures import Drawing
 from gcs.paper.session import Flight
 from gcs.paper.study import Study, Table
+from gcs.refuelling.winner_take_all import simulate
 from gcs.scenario.model import Scenario
 
 Floats = NDArray[np.float64]

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
-from gcs.competition import advance, normalise, simulate
 from gcs.paper.session import Flight
+from gcs.refuelling.winner_take_all import advance, normalise, simulate
 
 Floats = NDArray[np.float64]
 Criterion = Literal["ratio", "share"]

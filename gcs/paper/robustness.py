@@ -10,12 +10,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from gcs.competition import simulate
 from gcs.paper import figures, races
 from gcs.paper.claims import Measurement
 from gcs.paper.examples import EXPONENTS
 from gcs.paper.figures import Drawing
 from gcs.paper.study import Study, Table
+from gcs.refuelling.winner_take_all import simulate
 
 Floats = NDArray[np.float64]
 

@@ -11,7 +11,7 @@ from gcs.paper.claims import Measurement
 from gcs.paper.figures import Drawing
 from gcs.paper.session import NED_TO_PAPER
 from gcs.paper.study import Study, Table
-from gcs.planner import fuzzy
+from gcs.planner import fuzzy_escape
 from gcs.planner.leader import advance
 from gcs.planner.potential_field import Field
 from gcs.scenario import geometry
@@ -49,7 +49,7 @@ SPEED_GAIN, ROTATIONAL_DRAG_1_S = 3.0, 0.2 * 0.015 / 1.25  # λ and L Kγ/Iγ
 def fig3() -> Study:
     """The fuzzy surface against Table I; five scenes with and without the fuzzy force."""
     off = max(
-        abs(fuzzy.escape_strength(phi, force) - PEAKS_F[TERMS.index(TABLE_I[i][j])])
+        abs(fuzzy_escape.escape_strength(phi, force) - PEAKS_F[TERMS.index(TABLE_I[i][j])])
         for i, phi in enumerate(PEAKS_PHI)
         for j, force in enumerate(PEAKS_F)
     )
@@ -83,7 +83,7 @@ def fig3() -> Study:
 def walk(points: list[tuple[float, float, float]], *, escape: bool) -> Floats:
     """Planned points (k, 3) m from the origin to TARGET, one step of 0.1 m each, at most STEPS of them."""
     field, table = Field(), geometry.points(np.array(points))
-    q, memory, trail = np.zeros((1, 3)), fuzzy.new_memory(1), [np.zeros(3)]
+    q, memory, trail = np.zeros((1, 3)), fuzzy_escape.new_memory(1), [np.zeros(3)]
     none = np.zeros((0, 3))
     while len(trail) <= STEPS and np.linalg.norm(trail[-1] - TARGET) > ARRIVED_M:
         q, memory, _ = advance(
@@ -138,7 +138,7 @@ def _arrived(trail: Floats) -> bool:
 
 def _surface() -> Figure:
     phi, force = np.linspace(-np.pi, np.pi, 61), np.linspace(-1.0, 1.0, 41)
-    f = np.array([[fuzzy.escape_strength(x, y) for x in phi] for y in force])
+    f = np.array([[fuzzy_escape.escape_strength(x, y) for x in phi] for y in force])
     figure = Figure(figsize=(figures.WIDTH_IN, 3.4), layout="constrained")
     axes = figure.add_subplot(1, 2, 1, projection="3d")
     axes.plot_surface(*np.meshgrid(phi, force), f, cmap="viridis", linewidth=0.0, rstride=1, cstride=1)

@@ -13,7 +13,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import ArrayLike, NDArray
 
-from gcs.planner.fuzzy import MEMORY_SIZE, escape_force
+from gcs.planner.fuzzy_escape import MEMORY_SIZE, escape_force
 from gcs.planner.neighbours import IntArray, within_range
 from gcs.planner.potential_field import CAP, K0, STEP, Field, attraction_to, repulsion_of_shape
 from gcs.scenario.geometry import COLUMNS, FloatArray, points

@@ -44,7 +44,7 @@ class Planner(Part):
     _short = model_validator(mode="before")(lambda value: _named("method", value))
 
     method: Method = "potential_field"
-    """`potential_field`, or MODULE:CLASS of a planner for the pursuers (gcs/planner/own.py)"""
+    """`potential_field`, or MODULE:CLASS of a planner for the pursuers (gcs/planner/custom.py)"""
     escape: Flag = True
     cruise_m_s: Speed = 1.5
     k0: Positive = 15.0
@@ -88,7 +88,7 @@ class Competition(Part):
 
     enabled: Flag = True
     policy: Policy = "winner_take_all"
-    """the competition, one to compare it with, or MODULE:CLASS (gcs/policies.py); others use need_from alone"""
+    """the competition, one to compare it with, or MODULE:CLASS; others use need_from alone"""
     p: Annotated[float, Field(strict=True, ge=1, le=100)] = 2.0
     rate: Positive = 5.0
     floor: Positive = 0.01

@@ -13,10 +13,10 @@ from codecs_of_a_tick import hot_frames
 from measure import Figure, Scale, cpu_times
 from scipy.integrate import solve_ivp
 
-from gcs.competition import advance as compete
-from gcs.planner import fuzzy, leader, neighbours
+from gcs.planner import fuzzy_escape, leader, neighbours
 from gcs.planner.potential_field import Field
 from gcs.recorder import TLOG, Recorder
+from gcs.refuelling.winner_take_all import advance as compete
 from gcs.scenario import geometry
 from simvehicle import flight
 from simvehicle.params import P_TOLERANCE, VehicleParams, pack
@@ -77,7 +77,7 @@ def planning(scale: Scale) -> list[Figure]:
         rng = np.random.default_rng(n)
         side_m = 5.0 * n ** (1 / 3)
         at, table = rng.uniform(0, side_m, (n, 3)), geometry.points(rng.uniform(0, side_m, (n, 3)))
-        memory, nobody, still = fuzzy.new_memory(n), np.zeros((n, n), dtype=bool), np.zeros((n, 3))
+        memory, nobody, still = fuzzy_escape.new_memory(n), np.zeros((n, n), dtype=bool), np.zeros((n, 3))
 
         def plan(at=at, table=table, memory=memory, nobody=nobody, still=still, n=n) -> None:
             leader.advance(

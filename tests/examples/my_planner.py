@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from gcs.planner.own import Situation
+from gcs.planner.custom import Situation
 from gcs.scenario import Scenario
 from gcs.telemetry.state import VehicleView
 

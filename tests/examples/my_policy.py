@@ -1,6 +1,6 @@
 """A refuelling policy of one's own: in turn, whoever was served longest ago."""
 
-from gcs.policies import Request
+from gcs.refuelling.policies import Request
 from gcs.scenario import Scenario
 
 

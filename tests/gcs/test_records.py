@@ -7,11 +7,11 @@ from typing import Any
 
 import pytest
 
-from gcs.contest import Standing
 from gcs.recorder import decision_line
 from gcs.records import event_of, records_of_tick
+from gcs.refuelling.bidding import Standing
+from gcs.refuelling.service import Decision
 from gcs.scenario.guard import Problem
-from gcs.service import Decision
 from gcs.telemetry.energy import Fact
 
 SERVED = {

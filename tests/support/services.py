@@ -5,10 +5,10 @@ from typing import Any
 
 from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.mavlink.commands import CommandRequest
-from gcs.refuelling import Schedule
+from gcs.refuelling.scheduler import Schedule
+from gcs.refuelling.service import Decision, Phase, Service
+from gcs.refuelling.transfer_command import Role
 from gcs.scenario.model import Battery, Competition, Refuelling, Tanker
-from gcs.service import Decision, Phase, Service
-from gcs.tanker_service import GIVE, RECEIVE, STOP
 from gcs.telemetry.state import Snapshot, VehicleView
 
 RATE_W = 2000.0
@@ -56,7 +56,7 @@ class Fleet:
                 schedule.result(wish.token, not refused)
             if refused:
                 continue
-            if role == STOP:
+            if role == Role.STOP:
                 self.end(wish.sysid)
             else:
                 self.active[wish.sysid] = wish.params
@@ -70,7 +70,7 @@ class Fleet:
     def flow(self, dt_s: float) -> None:
         for sysid, params in list(self.active.items()):
             partner = int(params[0])
-            if int(params[1]) == GIVE and int(self.active.get(partner, (0, 0))[1]) == RECEIVE:
+            if int(params[1]) == Role.GIVE and int(self.active.get(partner, (0, 0))[1]) == Role.RECEIVE:
                 given_j = round(RATE_W * dt_s)
                 self.set(sysid, given_j=self.views[sysid].given_j + given_j)
                 self.set(partner, received_j=self.views[partner].received_j + given_j)
@@ -89,7 +89,7 @@ class Play:
         snapshot = Snapshot(self.now_s, tuple(self.fleet.views[key] for key in sorted(self.fleet.views)), ())
         decision = self.schedule.decide(snapshot)
         self.decisions.append(decision)
-        self.fleet.obey(self.schedule, decision.wishes)
+        self.fleet.obey(self.schedule, decision.requests)
         self.fleet.flow(0.1)
         self.now_s = round(self.now_s + 0.1, 6)
         return decision

@@ -6,7 +6,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from gcs.planner import fuzzy
+from gcs.planner import fuzzy_escape
 from gcs.planner.leader import advance
 from gcs.planner.potential_field import Field
 from gcs.scenario import geometry
@@ -34,7 +34,7 @@ def tick(q: object, memory: np.ndarray, goals: object, velocity: object, **chang
 
 
 def one(q: object, goal: object, **changed: object) -> tuple[np.ndarray, ...]:
-    return tick([q], fuzzy.new_memory(1), [goal], [(0, 0, 0)], **changed)
+    return tick([q], fuzzy_escape.new_memory(1), [goal], [(0, 0, 0)], **changed)
 
 
 def follow(
@@ -42,7 +42,7 @@ def follow(
 ) -> tuple[np.ndarray, np.ndarray, float]:
     """One leader from the path's start: points (k, 3), distances from the goal (k,) after each period, clearance."""
     table = geometry.points(np.array(points, dtype=float).reshape(-1, 3))
-    q, memory = np.array([path(0.0)]), fuzzy.new_memory(1)
+    q, memory = np.array([path(0.0)]), fuzzy_escape.new_memory(1)
     trail, lag = [q[0]], []
     for k in range(round(duration_s / 0.1)):
         t = 0.1 * k
@@ -82,7 +82,7 @@ def test_at_rest_it_stays() -> None:
 
 def test_example_1_is_flown_at_the_published_length_and_clearance() -> None:
     table = geometry.points(EXAMPLE_1)
-    trail, memory = [np.zeros((1, 3))], fuzzy.new_memory(1)
+    trail, memory = [np.zeros((1, 3))], fuzzy_escape.new_memory(1)
     for goal in NWU_TO_NED * [(5, 5, 1.5), (10, 10, 3)]:
         while np.linalg.norm(trail[-1][0] - goal) > 0.1:
             q, memory, _ = tick(trail[-1], memory, [goal], [(0, 0, 0)], repulsors=table, speed_m_s=[1.0])
@@ -99,7 +99,7 @@ def test_the_escape_takes_it_past_an_obstacle_exactly_on_its_line(speed: float) 
     """The minimum is a saddle: only exactly on the axis does the plain field stop; 1e-9 m beside it would free it."""
     ticks = round(30 / speed / 0.1)
     for escape in (True, False):
-        q, memory = np.zeros((1, 3)), fuzzy.new_memory(1)
+        q, memory = np.zeros((1, 3)), fuzzy_escape.new_memory(1)
         for _ in range(ticks):
             q, memory, v = tick(
                 q, memory, [(10, 0, 0)], [(0, 0, 0)],
@@ -167,7 +167,7 @@ def test_feed_forward_around_walls_costs_at_most_two_centimetres(points: object,
 
 def test_vehicles_repel_each_other_but_not_themselves() -> None:
     at = np.array([(0, 0, 0), (0.5, 0, 0)], dtype=float)
-    q, _, _ = tick(at, fuzzy.new_memory(2), at, np.zeros((2, 3)), moving=at, owner=[0, 1])
+    q, _, _ = tick(at, fuzzy_escape.new_memory(2), at, np.zeros((2, 3)), moving=at, owner=[0, 1])
     assert q[0][0] < 0
     assert q[1][0] > 0.5
     assert q[0] == pytest.approx(np.array([0.5, 0, 0]) - q[1])
@@ -176,7 +176,7 @@ def test_vehicles_repel_each_other_but_not_themselves() -> None:
 def test_an_exempt_pair_does_not_repel_and_the_exemption_is_one_way() -> None:
     at = np.array([(0, 0, 0), (0.5, 0, 0)], dtype=float)
     exempt = np.array([[False, True], [False, False]])
-    q, _, _ = tick(at, fuzzy.new_memory(2), at, np.zeros((2, 3)), moving=at, owner=[0, 1], exempt=exempt)
+    q, _, _ = tick(at, fuzzy_escape.new_memory(2), at, np.zeros((2, 3)), moving=at, owner=[0, 1], exempt=exempt)
     assert (q[0] == 0).all()
     assert q[1][0] > 0.5
     assert not exempt[0, 0]
@@ -195,7 +195,7 @@ def test_the_order_of_leaders_does_not_matter_and_results_repeat_exactly() -> No
     table = geometry.points(rng.uniform(-2, 2, (20, 3)))
 
     def run(which: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        q, memory = at[which], fuzzy.new_memory(30)
+        q, memory = at[which], fuzzy_escape.new_memory(30)
         for _ in range(20):
             q, memory, _ = tick(q, memory, goals[which], velocity[which], repulsors=table)
         return q, memory
@@ -206,16 +206,16 @@ def test_the_order_of_leaders_does_not_matter_and_results_repeat_exactly() -> No
 
 
 def test_the_arguments_are_left_alone() -> None:
-    q, memory = np.zeros((1, 3)), fuzzy.new_memory(1)
+    q, memory = np.zeros((1, 3)), fuzzy_escape.new_memory(1)
     tick(q, memory, [(5, 0, 0)], [(0, 0, 0)])
     assert (q == 0).all()
     assert (memory == 0).all()
 
 
 def test_no_leader_is_no_work() -> None:
-    q, memory, v = tick(np.zeros((0, 3)), fuzzy.new_memory(0), np.zeros((0, 3)), np.zeros((0, 3)))
+    q, memory, v = tick(np.zeros((0, 3)), fuzzy_escape.new_memory(0), np.zeros((0, 3)), np.zeros((0, 3)))
     assert q.shape == v.shape == (0, 3)
-    assert memory.shape == (0, fuzzy.MEMORY_SIZE)
+    assert memory.shape == (0, fuzzy_escape.MEMORY_SIZE)
 
 
 @pytest.mark.parametrize(
@@ -244,9 +244,9 @@ def test_an_attractor_draws_within_its_range_and_only_whom_it_is_to_draw() -> No
     """Beside the goal straight ahead, both 3 m away: forces k0 each, so that two of three go half-way to the side."""
     goals, still = [(3, 0, 0)] * 3, [(0, 0, 0)] * 3
     how = {"speed_m_s": [1.0] * 3, "attractors": [(0, 3, 0)], "drawn": [[True], [True], [False]]}
-    near = tick([(0, 0, 0)] * 3, fuzzy.new_memory(3), goals, still, attraction_ranges_m=[3.5], **how)[2]
+    near = tick([(0, 0, 0)] * 3, fuzzy_escape.new_memory(3), goals, still, attraction_ranges_m=[3.5], **how)[2]
     assert near == pytest.approx(np.array([(0.5**0.5, 0.5**0.5, 0), (0.5**0.5, 0.5**0.5, 0), (1, 0, 0)]))
-    far = tick([(0, 0, 0)] * 3, fuzzy.new_memory(3), goals, still, attraction_ranges_m=[2.5], **how)[2]
+    far = tick([(0, 0, 0)] * 3, fuzzy_escape.new_memory(3), goals, still, attraction_ranges_m=[2.5], **how)[2]
     assert far == pytest.approx(np.array([(1, 0, 0)] * 3))
 
 

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gcs.mavlink.setpoints import SetPoint
-from gcs.planner.plan import Planner
+from gcs.planner.planner import Planner
 from gcs.scenario import plugins
 from gcs.scenario.guard import Guard, Nonsense
 from gcs.scenario.model import Obstacle, Scenario

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gcs.mavlink.autopilots import PX4, FlightMode
-from gcs.pursuit import GRAVITY_M_S2, Pursuit, predicted_effort
+from gcs.refuelling.target_assignment import GRAVITY_M_S2, Pursuit, predicted_effort
 from gcs.scenario.model import Pursuit as Rules
 from gcs.telemetry.state import Snapshot, Vec3, VehicleView
 

@@ -13,7 +13,7 @@ import pytest
 from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.mavlink.setpoints import SetPoint
 from gcs.planner.formation import assign, ring_offsets
-from gcs.planner.plan import Planner
+from gcs.planner.planner import Planner
 from gcs.scenario import geometry
 from gcs.scenario.geometry import surface
 from gcs.scenario.model import Obstacle, Scenario

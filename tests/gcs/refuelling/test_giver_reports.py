@@ -5,16 +5,16 @@ from __future__ import annotations
 import pytest
 from pymavlink.dialects.v20 import common as mav
 
-from gcs import beacons
 from gcs.mavlink import codec
+from gcs.refuelling import base
+from gcs.refuelling.service import GiverReport
 from gcs.scenario.model import Origin
-from gcs.service import Beacon
 
 
 def test_a_base_tells_where_it_stands_and_what_it_has_given() -> None:
     """A degree of latitude is 111 132 m at 45°, one of longitude 78 847 m (WGS 84)."""
-    said = beacons.messages(
-        Beacon(2, (100.0, -50.0, 0.0), 13_600), Origin(lat_deg=45.0, lon_deg=8.0, alt_m=400.0), 4200
+    said = base.giver_messages(
+        GiverReport(2, (100.0, -50.0, 0.0), 13_600), Origin(lat_deg=45.0, lon_deg=8.0, alt_m=400.0), 4200
     )
     reader = mav.MAVLink(None)
     raw = b"".join(codec.frame(message, seq, 255, 190) for seq, message in enumerate(said))

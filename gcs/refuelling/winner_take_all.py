@@ -13,7 +13,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from gcs.competition_steps import step_block
+from gcs.refuelling.winner_take_all_steps import step_block
 
 FloatArray = NDArray[np.float64]
 TauOfTime = Callable[[float], ArrayLike]

@@ -5,10 +5,10 @@ from typing import Any
 import pytest
 
 from gcs.mavlink.autopilots import FlightMode
-from gcs.refuelling import Schedule
+from gcs.refuelling.scheduler import Schedule
+from gcs.refuelling.service import Decision, Phase
+from gcs.refuelling.transfer_command import Role
 from gcs.scenario.model import Competition, Refuelling
-from gcs.service import Decision, Phase
-from gcs.tanker_service import GIVE, RECEIVE, STOP
 from gcs.telemetry.state import Snapshot
 from tests.support.services import FOLLOW_TARGET, INTERVAL, RATE_W, Fleet, Play, play, tanker, view
 
@@ -19,7 +19,7 @@ def test_a_whole_service_in_its_order() -> None:
     assert service.ended_by == "full"
     assert game.kinds == ["decided", "transfer", "served"]
     assert [(who, role) for who, _, role, *_ in game.fleet.orders] == [
-        (1, RECEIVE), (201, GIVE), (201, STOP), (1, STOP)]  # fmt: skip
+        (1, Role.RECEIVE), (201, Role.GIVE), (201, Role.STOP), (1, Role.STOP)]  # fmt: skip
     # 90 % of 10 kJ, 200 J a tick, 4 kJ at the start; the giver stops a tick after the level was seen.
     assert 5_000 <= service.energy_j <= 5_400
     assert game.fleet.views[201].given_j == service.energy_j
@@ -34,12 +34,12 @@ def test_the_command_on_the_wire_is_the_contracts() -> None:
     game.fleet.set(201, given_j=777)
     game.until(Phase.TRANSFER)
     # room: 10 000 - 4 000
-    assert game.fleet.orders == [(1, 201, RECEIVE, 6000, 2000, 1, 777), (201, 1, GIVE, 6000, 2000, 1, 777)]
-    wishes = [wish for decision in game.decisions for wish in decision.wishes]
-    assert wishes[0].params[:2] == (FOLLOW_TARGET, 100_000.0)
-    assert (wishes[0].sysid, wishes[0].command) == (201, INTERVAL)
+    assert game.fleet.orders == [(1, 201, Role.RECEIVE, 6000, 2000, 1, 777), (201, 1, Role.GIVE, 6000, 2000, 1, 777)]
+    requests = [wish for decision in game.decisions for wish in decision.requests]
+    assert requests[0].params[:2] == (FOLLOW_TARGET, 100_000.0)
+    assert (requests[0].sysid, requests[0].command) == (201, INTERVAL)
     game.until(Phase.DONE)
-    last = game.decisions[-1].wishes[-1]
+    last = game.decisions[-1].requests[-1]
     assert (last.sysid, last.command, last.params[:2]) == (201, INTERVAL, (FOLLOW_TARGET, 0.0))
 
 
@@ -104,16 +104,16 @@ def test_a_rendezvous_that_does_not_come_about_is_given_up_and_the_tanker_is_fre
 
 def test_a_receiver_that_refuses_is_asked_again_from_the_formation_and_given_up_in_the_end() -> None:
     game = play()
-    game.fleet.refused = {(1, RECEIVE)}
+    game.fleet.refused = {(1, Role.RECEIVE)}
     service = game.until(Phase.DONE)
     assert service.ended_by == "the receiver refused"
-    assert [role for _, _, role, *_ in game.fleet.orders].count(RECEIVE) == 5
-    assert GIVE not in [role for _, _, role, *_ in game.fleet.orders]
+    assert [role for _, _, role, *_ in game.fleet.orders].count(Role.RECEIVE) == 5
+    assert Role.GIVE not in [role for _, _, role, *_ in game.fleet.orders]
 
 
 def test_a_receiver_that_refuses_once_is_served_in_the_end() -> None:
     game = play()
-    game.fleet.refused = {(1, RECEIVE)}
+    game.fleet.refused = {(1, Role.RECEIVE)}
     game.until(Phase.START_RECEIVER)
     game.tick()
     game.fleet.refused.clear()
@@ -122,27 +122,27 @@ def test_a_receiver_that_refuses_once_is_served_in_the_end() -> None:
 
 def test_a_giver_that_refuses_ends_the_service_and_the_receiver_is_released() -> None:
     game = play()
-    game.fleet.refused = {(201, GIVE)}
+    game.fleet.refused = {(201, Role.GIVE)}
     assert game.until(Phase.DONE).ended_by == "the giver refused"
     assert game.fleet.views[1].mode is FlightMode.OFFBOARD
-    assert game.fleet.orders[-1][:3] == (1, 201, STOP)
+    assert game.fleet.orders[-1][:3] == (1, 201, Role.STOP)
 
 
-@pytest.mark.parametrize("order", [(1, RECEIVE), (201, GIVE)])
+@pytest.mark.parametrize("order", [(1, Role.RECEIVE), (201, Role.GIVE)])
 def test_whoever_began_but_was_never_heard_to_is_told_to_stop(order: tuple[int, int]) -> None:
     game = play()
     game.fleet.unheard = {order}
-    game.until(Phase.START_RECEIVER if order[1] == RECEIVE else Phase.START_GIVER)
+    game.until(Phase.START_RECEIVER if order[1] == Role.RECEIVE else Phase.START_GIVER)
     for _ in range(90):
         game.tick()
-    stopped = {who for who, _, role, *_ in game.fleet.orders if role == STOP}
+    stopped = {who for who, _, role, *_ in game.fleet.orders if role == Role.STOP}
     assert order[0] in stopped
     game.fleet.unheard.clear()
     game.until(Phase.DONE)
     assert not game.fleet.active
 
 
-@pytest.mark.parametrize("order", [(201, STOP), (1, STOP)])
+@pytest.mark.parametrize("order", [(201, Role.STOP), (1, Role.STOP)])
 def test_a_stop_that_is_never_acknowledged_holds_nothing_up_for_long(order: tuple[int, int]) -> None:
     game = play()
     game.fleet.unheard = {order}
@@ -162,7 +162,7 @@ def test_a_transfer_that_one_side_breaks_off_is_joined_again(side: int) -> None:
     assert "broken off" in game.kinds
     assert game.until(Phase.DONE) is service
     assert service.ended_by == "full"
-    second = [order for order in game.fleet.orders if order[2] == GIVE][1]
+    second = [order for order in game.fleet.orders if order[2] == Role.GIVE][1]
     assert second[6] == before_j  # the giver's XferOut at the new start
     assert service.energy_j == game.fleet.views[1].received_j  # both parts
 
@@ -202,7 +202,7 @@ def test_what_is_left_of_the_limit_is_ordered_after_a_break() -> None:
     game.fleet.end(1)
     received_j = game.until(Phase.JOIN).energy_j
     game.until(Phase.TRANSFER)
-    second = [order for order in game.fleet.orders if order[2] == GIVE][1]
+    second = [order for order in game.fleet.orders if order[2] == Role.GIVE][1]
     assert second[3] == 3000 - received_j < 3000
 
 
@@ -243,7 +243,7 @@ def test_the_death_of_either_side_ends_it_and_frees_the_other(phase: Phase, side
     assert (service.phase, service.ended_by) == (Phase.DONE, "a side died")
     other = 201 if side == 1 else 1
     assert game.fleet.views[other].mode is FlightMode.OFFBOARD
-    assert not [wish for wish in game.decisions[-1].wishes if wish.sysid == side]
+    assert not [wish for wish in game.decisions[-1].requests if wish.sysid == side]
     assert game.tick() == Decision()
 
 
@@ -262,7 +262,7 @@ def test_in_radio_silence_every_phase_ends() -> None:
     """Nothing is acknowledged and no counter moves any more: the tanker is free within the time-outs' sum."""
     game = play()
     service = game.until(Phase.TRANSFER)
-    game.fleet.unheard = {(who, role) for who in (1, 201) for role in (STOP, GIVE, RECEIVE)}
+    game.fleet.unheard = {(who, role) for who in (1, 201) for role in (Role.STOP, Role.GIVE, Role.RECEIVE)}
     game.fleet.active.clear()
     game.fleet.set(1, mode=FlightMode.OFFBOARD)
     game.fleet.set(201, mode=FlightMode.OFFBOARD, p_ned=(9.0, 0.0, -6.0))

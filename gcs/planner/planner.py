@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcs.mavlink.setpoints import SetPoint
-from gcs.planner import formation, fuzzy, leader
+from gcs.planner import formation, fuzzy_escape, leader
 from gcs.planner.potential_field import Field, widened_range
 from gcs.scenario import geometry
 from gcs.scenario.model import Scenario, Tanker, Target
@@ -103,7 +103,7 @@ class Planner:
             if view.sysid not in self._q:
                 self._q[view.sysid] = np.array(self._starts.pop(view.sysid, None) or view.p_now_ned())
                 self._v[view.sysid] = STILL
-                self._memory[view.sysid] = fuzzy.new_memory(1)[0]
+                self._memory[view.sysid] = fuzzy_escape.new_memory(1)[0]
         self._begin = {view.sysid: _vec(self._q[view.sysid]) for view in views}
         self._pursuing, self._stations = pursuing, stations or {}
         for role in ROLES:

@@ -7,7 +7,7 @@ import pytest
 import skfuzzy
 from skfuzzy import control
 
-from gcs.planner import fuzzy
+from gcs.planner import fuzzy_escape
 from gcs.planner.potential_field import Field, force
 from gcs.scenario import geometry
 
@@ -60,35 +60,35 @@ def test_strength_agrees_with_scikit_fuzzy() -> None:
             # scikit-fuzzy 0.5 passes np.maximum its output by position, which numpy 2.4 deprecates.
             warnings.simplefilter("ignore", DeprecationWarning)
             system.compute()
-        assert fuzzy.escape_strength(phi, df) == pytest.approx(system.output["f"], abs=2e-5)
+        assert fuzzy_escape.escape_strength(phi, df) == pytest.approx(system.output["f"], abs=2e-5)
 
 
 def test_at_the_peaks_the_output_is_the_tables_term() -> None:
     value = dict(zip(TERMS, (-1, -0.5, 0, 0.5, 1), strict=True))
     for row, outputs in TABLE_I.items():
         for column, output in zip(TERMS, outputs.split(), strict=True):
-            got = fuzzy.escape_strength(value[row] * np.pi, value[column])
+            got = fuzzy_escape.escape_strength(value[row] * np.pi, value[column])
             assert got == pytest.approx(value[output], abs=1e-12)
 
 
 def test_strength_is_odd_in_the_angle_and_within_one() -> None:
     for phi, df in np.random.default_rng(5).uniform((-4, -1.5), (4, 1.5), (300, 2)):
-        f = fuzzy.escape_strength(phi, df)
+        f = fuzzy_escape.escape_strength(phi, df)
         assert -1 <= f <= 1
-        assert f == pytest.approx(-fuzzy.escape_strength(-phi, df), abs=1e-12)
+        assert f == pytest.approx(-fuzzy_escape.escape_strength(-phi, df), abs=1e-12)
 
 
 def walk(points: object, *, escape: bool, full_steps: bool, limit: int = 400) -> tuple[bool, int, np.ndarray]:
     """From the origin towards GOAL: reached, steps, path. Full steps κF/|F|, or the law's κ min(1, |F|/k0) F/|F|."""
     table = geometry.points(points)
-    ranges, memory, path = np.ones(len(table)), fuzzy.new_memory(1)[0], [np.zeros(3)]
+    ranges, memory, path = np.ones(len(table)), fuzzy_escape.new_memory(1)[0], [np.zeros(3)]
     while np.linalg.norm(path[-1] - GOAL) > 0.1 and len(path) <= limit:
         q = path[-1]
         attraction, repulsion = force(q, tracked=[GOAL], waypoints=[], repulsors=table, ranges_m=ranges, field=FIELD)
         total = attraction + repulsion
         if escape:
             distance = float(np.linalg.norm(GOAL - q))
-            pushed, memory = fuzzy.escape(q, attraction, repulsion, distance, memory, field=FIELD)
+            pushed, memory = fuzzy_escape.escape(q, attraction, repulsion, distance, memory, field=FIELD)
             total = total + pushed
         size = np.linalg.norm(total)
         path.append(q + FIELD.step_m * total / (size if full_steps else max(size, FIELD.k0)))
@@ -124,9 +124,9 @@ def test_every_scene_is_passed_with_the_escape_and_stops_without(scene: str, ful
 
 def stuck(attraction: object, repulsion: object, calls: int) -> tuple[list[np.ndarray], np.ndarray]:
     """Forces of `calls` steps on the spot, 5 m from the goal."""
-    memory, forces = fuzzy.new_memory(1)[0], []
+    memory, forces = fuzzy_escape.new_memory(1)[0], []
     for _ in range(calls):
-        pushed, memory = fuzzy.escape((0, 0, 0), attraction, repulsion, 5.0, memory, field=FIELD)
+        pushed, memory = fuzzy_escape.escape((0, 0, 0), attraction, repulsion, 5.0, memory, field=FIELD)
         forces.append(pushed)
     return forces, memory
 
@@ -145,7 +145,7 @@ def test_it_leans_to_the_side_to_which_the_repulsion_leans() -> None:
 
 def test_the_side_is_kept_while_engaged() -> None:
     _, memory = stuck((15, 0, 0), (-15, 0.1, 0), 11)
-    pushed, _ = fuzzy.escape((0, 0, 0), (15, 0, 0), (-15, -0.1, 0), 5.0, memory, field=FIELD)
+    pushed, _ = fuzzy_escape.escape((0, 0, 0), (15, 0, 0), (-15, -0.1, 0), 5.0, memory, field=FIELD)
     assert pushed[1] > 0
 
 
@@ -167,32 +167,32 @@ def test_the_force_is_perpendicular_to_the_line_to_the_target(attraction: object
 
 def test_it_lets_go_when_nearer_or_clear_or_arrived() -> None:
     _, memory = stuck((15, 0, 0), (-15, 0, 0), 12)
-    _, nearer = fuzzy.escape((0.31, 0, 0), (15, 0, 0), (-15, 0, 0), 4.69, memory, field=FIELD)
-    _, arrived = fuzzy.escape((0, 0, 0), (15, 0, 0), (-15, 0, 0), 0.1, memory, field=FIELD)
-    assert memory[fuzzy.ENGAGED] == 1
-    assert nearer[fuzzy.ENGAGED] == arrived[fuzzy.ENGAGED] == 0
+    _, nearer = fuzzy_escape.escape((0.31, 0, 0), (15, 0, 0), (-15, 0, 0), 4.69, memory, field=FIELD)
+    _, arrived = fuzzy_escape.escape((0, 0, 0), (15, 0, 0), (-15, 0, 0), 0.1, memory, field=FIELD)
+    assert memory[fuzzy_escape.ENGAGED] == 1
+    assert nearer[fuzzy_escape.ENGAGED] == arrived[fuzzy_escape.ENGAGED] == 0
     for _ in range(20):
-        assert memory[fuzzy.ENGAGED] == 1
-        _, memory = fuzzy.escape((0, 0, 0), (15, 0, 0), (0, 0, 0), 5.0, memory, field=FIELD)
-    assert memory[fuzzy.ENGAGED] == 0
+        assert memory[fuzzy_escape.ENGAGED] == 1
+        _, memory = fuzzy_escape.escape((0, 0, 0), (15, 0, 0), (0, 0, 0), 5.0, memory, field=FIELD)
+    assert memory[fuzzy_escape.ENGAGED] == 0
 
 
 def test_a_slow_leader_that_makes_its_full_steps_is_not_stuck() -> None:
-    memory = fuzzy.new_memory(1)[0]
+    memory = fuzzy_escape.new_memory(1)[0]
     for k in range(40):
         q = (0.02 * k, 0, 0)
-        pushed, memory = fuzzy.escape(q, (15, 0, 0), (-5, 0, 0), 5 - q[0], memory, field=FIELD, step_m=0.02)
+        pushed, memory = fuzzy_escape.escape(q, (15, 0, 0), (-5, 0, 0), 5 - q[0], memory, field=FIELD, step_m=0.02)
         assert (pushed == 0).all()
 
 
 def test_the_memory_passed_in_is_left_alone() -> None:
-    memory = fuzzy.new_memory(1)[0]
-    fuzzy.escape((1, 2, 3), (15, 0, 0), (0, 0, 0), 5.0, memory, field=FIELD)
+    memory = fuzzy_escape.new_memory(1)[0]
+    fuzzy_escape.escape((1, 2, 3), (15, 0, 0), (0, 0, 0), 5.0, memory, field=FIELD)
     assert (memory == 0).all()
 
 
 def test_wrong_shapes_are_refused_by_name() -> None:
     with pytest.raises(ValueError, match="memory"):
-        fuzzy.escape((0, 0, 0), (1, 0, 0), (0, 0, 0), 1.0, np.zeros(3), field=FIELD)
+        fuzzy_escape.escape((0, 0, 0), (1, 0, 0), (0, 0, 0), 1.0, np.zeros(3), field=FIELD)
     with pytest.raises(ValueError, match="repulsion"):
-        fuzzy.escape((0, 0, 0), (1, 0, 0), (0, 0), 1.0, fuzzy.new_memory(1)[0], field=FIELD)
+        fuzzy_escape.escape((0, 0, 0), (1, 0, 0), (0, 0), 1.0, fuzzy_escape.new_memory(1)[0], field=FIELD)

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from gcs.contest import Contest
 from gcs.mavlink.autopilots import PX4, FlightMode
+from gcs.refuelling.bidding import Contest
 from gcs.scenario.model import Competition
 from gcs.telemetry.state import Snapshot, VehicleView
 

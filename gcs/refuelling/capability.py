@@ -9,9 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from pymavlink.dialects.v20 import common as mav
-
-from gcs.service import Desk
+from gcs.refuelling.service import ServiceRequests
+from gcs.refuelling.transfer_command import inquiry
 from gcs.telemetry.state import Snapshot
 
 ASK_WITHIN_S = 10.0
@@ -35,8 +34,8 @@ class Ability:
         self._heard_s: dict[int, float] = {}
         self._asked: set[int] = set()
 
-    def decide(self, snapshot: Snapshot, desk: Desk) -> None:
-        """Ask whom there is to ask, and tell at the desk who turned out to be unable."""
+    def decide(self, snapshot: Snapshot, requests: ServiceRequests) -> None:
+        """Ask whom there is to ask, and record who turned out to be unable."""
         for sysid in sorted(self.unknown):
             view = snapshot.vehicle(sysid)
             if view.heard_s < 0.0:
@@ -44,14 +43,14 @@ class Ability:
             heard_s = self._heard_s.setdefault(sysid, snapshot.time_s)
             mark = f"refuel? {sysid}"
             if sysid in self._asked:
-                if (accepted := desk.answer(mark)) is not None:
+                if (accepted := requests.accepted(mark)) is not None:
                     self._learn(sysid, None if accepted else REFUSED)
             elif view.battery_told:
                 self._asked.add(sysid)
-                desk.ask(sysid, mav.MAV_CMD_USER_1, mark)
+                requests.request(inquiry(sysid, mark))
             elif snapshot.time_s - heard_s > ASK_WITHIN_S:
                 self._learn(sysid, NO_BATTERY_MODEL)
-        desk.records += [self._record(sysid) for sysid in self._news]
+        requests.records += [self._record(sysid) for sysid in self._news]
         self._news = []
 
     def _learn(self, sysid: int, why_not: str | None) -> None:

@@ -5,11 +5,11 @@ from dataclasses import replace
 import pytest
 from views import snapshot, view
 
-from gcs.contest import Standing
-from gcs.explain import acknowledged, competition_of, history_of, rendezvous_ned, why
 from gcs.mavlink.commands import CommandResult, Target
+from gcs.refuelling.bidding import Standing
+from gcs.refuelling.explain import acknowledged, competition_of, history_of, rendezvous_ned, why
+from gcs.refuelling.service import Phase, Service
 from gcs.scenario.model import Competition, Refuelling
-from gcs.service import Phase, Service
 
 RULES, COMPETITION = Refuelling(hold_s=1.0, reserve_s=20.0), Competition(dwell_s=2.0, decide_within_s=30.0)
 RECEIVER = view(3, p_ned=(10.0, 0.0, -4.0), v_ned=(0.0, 1.0, 0.0))

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.contest import Standing
 from gcs.mavlink.commands import OPERATOR, CommandResult
-from gcs.pursuit import meeting_s
+from gcs.refuelling.bidding import Standing
+from gcs.refuelling.service import Phase, Service, by_text
+from gcs.refuelling.target_assignment import meeting_s
 from gcs.scenario.model import Competition, Refuelling
-from gcs.service import Phase, Service, by_text
 from gcs.telemetry.state import Snapshot, Vec3
 
 HISTORY = 20

@@ -1,4 +1,4 @@
-"""One refuelling service: how far it is, what is known of it, what a tick decides; and the desk where services ask."""
+"""One refuelling service: its phase and figures, the decisions of a tick, and the commands that are requested."""
 
 from __future__ import annotations
 
@@ -93,8 +93,8 @@ class Service:
 
 
 @dataclass(frozen=True)
-class Beacon:
-    """What a base tells the vehicle that it charges: where it is, and all that it has given so far."""
+class GiverReport:
+    """Report of a base to the vehicle that it charges: its place, and the joules given so far."""
 
     sysid: int
     p_ned: Vec3
@@ -103,11 +103,11 @@ class Beacon:
 
 @dataclass(frozen=True)
 class Decision:
-    """What the schedule wants now: whom each tanker is to stand above, commands, and records of what happened."""
+    """Result of one tick of the scheduler: rendezvous, command requests, and records."""
 
     rendezvous: dict[int, int] = field(default_factory=dict)
     """receiver by tanker"""
-    wishes: tuple[CommandRequest, ...] = ()
+    requests: tuple[CommandRequest, ...] = ()
     relays: tuple[tuple[int, int], ...] = ()
     """(giver, receiver) pairs between which frames are relayed"""
     partners: tuple[tuple[int, int], ...] = ()
@@ -116,35 +116,35 @@ class Decision:
     """where a vehicle that a base serves is to be, common NED frame"""
     grounded: frozenset[int] = frozenset()
     """who is to land where it is, and to stay on the ground"""
-    beacons: tuple[Beacon, ...] = ()
+    giver_reports: tuple[GiverReport, ...] = ()
     booked: dict[int, int] = field(default_factory=dict)
     """joules that a base gave in this tick to vehicles that cannot count them"""
     records: tuple[dict[str, Any], ...] = ()
 
 
-class Desk:
-    """What services want of vehicles in this tick, what they tell of themselves, and the answers to earlier wishes."""
+class ServiceRequests:
+    """Commands that services request in this tick, their records, and the results of earlier commands."""
 
     def __init__(self) -> None:
-        self.wishes: list[CommandRequest] = []
+        self.requests: list[CommandRequest] = []
         self.records: list[dict[str, Any]] = []
         self._results: dict[str, bool] = {}
 
     def clear(self) -> None:
-        """Begin a tick; answers stay."""
-        self.wishes, self.records = [], []
+        """Begin a tick; results stay."""
+        self.requests, self.records = [], []
 
-    def ask(self, sysid: int, command: int, token: str, *params: float) -> None:
-        """Want a command of a vehicle; an answer to an earlier one with the same token counts no more."""
-        self._results.pop(token, None)
-        self.wishes.append(CommandRequest(sysid, command, params, token))
+    def request(self, command: CommandRequest) -> None:
+        """Request a command; the result of an earlier one with the same token counts no more."""
+        self._results.pop(command.token, None)
+        self.requests.append(command)
 
-    def hear(self, token: str, accepted: bool) -> None:
-        """The result of a command whose wish carried this token."""
+    def take_result(self, token: str, accepted: bool) -> None:
+        """Store the result of the command with this token."""
         self._results[token] = accepted
 
-    def answer(self, token: str) -> bool | None:
-        """Whether the command of this token was accepted; None while there is no result."""
+    def accepted(self, token: str) -> bool | None:
+        """Whether the command with this token was accepted; None while there is no result."""
         return self._results.get(token)
 
 

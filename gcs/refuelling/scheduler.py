@@ -1,8 +1,8 @@
 """Who is refuelled next and by whom: contract.md, Competition in the schedule.
 
-The schedule is pure but for its own memory: a snapshot and the results of earlier commands go in, wishes and records
-come out. It never knows a socket or a clock. How one service goes on from its decision: gcs/tanker_service.py and
-gcs/base_service.py.
+The schedule is pure but for its own memory: a snapshot and the results of earlier commands go in, requests and records
+come out. It never knows a socket or a clock. How one service goes on from its decision: gcs/refuelling/tanker.py and
+gcs/refuelling/base.py.
 
 Vehicles that cannot take energy in the air compete by themselves, for the places at bases: by the same rules, since a
 tanker is of no use to them, nor a place at a base to the others.
@@ -16,14 +16,14 @@ from typing import Any
 
 import numpy as np
 
-from gcs.ability import Ability
-from gcs.base_service import BaseSteps, Stock
-from gcs.contest import Contest, Standing, can_receive
 from gcs.mavlink.autopilots import STEERABLE
-from gcs.pursuit import meeting_s
+from gcs.refuelling.base import BaseSteps, Stock
+from gcs.refuelling.bidding import Contest, Standing, can_receive
+from gcs.refuelling.capability import Ability
+from gcs.refuelling.service import Decision, Phase, Service, ServiceRequests, by_text
+from gcs.refuelling.tanker import TankerSteps
+from gcs.refuelling.target_assignment import meeting_s
 from gcs.scenario.model import Base, Competition, Refuelling, Tanker
-from gcs.service import Decision, Desk, Phase, Service, by_text
-from gcs.tanker_service import TankerSteps
 from gcs.telemetry.state import Snapshot, VehicleView
 
 RELAY_WITHIN_M = 15.0
@@ -57,9 +57,9 @@ class Schedule:
         """who neither competes, is served nor serves, and why; a service of theirs is broken off"""
         self.asked: list[int] = []
         """who is served before anybody else, in this order"""
-        self._desk = Desk()
-        self._steps = TankerSteps(refuelling, self._tankers, self._desk, self.out)
-        self._bases = BaseSteps(refuelling, bases, self._desk, self.out, need_from=competition.need_from)
+        self._requests = ServiceRequests()
+        self._steps = TankerSteps(refuelling, self._tankers, self._requests, self.out)
+        self._bases = BaseSteps(refuelling, bases, self._requests, self.out, need_from=competition.need_from)
         self._ability = Ability(can_receive or {})
 
     @property
@@ -111,15 +111,15 @@ class Schedule:
 
     def result(self, token: str, accepted: bool) -> None:
         """The result of a command whose wish carried this token."""
-        self._desk.hear(token, accepted)
+        self._requests.take_result(token, accepted)
 
     def decide(self, snapshot: Snapshot) -> Decision:
         """Move the competition and every service to the snapshot's time."""
-        self._desk.clear()
+        self._requests.clear()
         self._bases.booked = {}
         self.settle(snapshot)
         self._prune(snapshot)
-        self._ability.decide(snapshot, self._desk)
+        self._ability.decide(snapshot, self._requests)
         self._compete(snapshot)
         for service in self.open_services:
             (self._steps if service.base is None else self._bases).serve(service, snapshot)
@@ -127,7 +127,7 @@ class Schedule:
         at_base = [service for service in self.open_services if service.base is not None]
         return Decision(
             rendezvous={tanker: service.receiver for tanker, service in in_air.items()},
-            wishes=tuple(self._desk.wishes),
+            requests=tuple(self._requests.requests),
             relays=tuple(
                 (tanker, service.receiver)
                 for tanker, service in in_air.items()
@@ -136,9 +136,9 @@ class Schedule:
             partners=tuple((tanker, service.receiver) for tanker, service in in_air.items()),
             stations=self._bases.stations(at_base),
             grounded=self._bases.grounded(at_base),
-            beacons=self._bases.beacons(at_base, snapshot),
+            giver_reports=self._bases.giver_reports(at_base, snapshot),
             booked=self._bases.booked,
-            records=tuple(self._desk.records),
+            records=tuple(self._requests.records),
         )
 
     def _compete(self, snapshot: Snapshot) -> None:
@@ -241,7 +241,7 @@ class Schedule:
         return service
 
     def _tell(self, service: Service, standing: Standing, more: Mapping[str, Any] | None = None) -> None:
-        self._desk.records.append(
+        self._requests.records.append(
             {
                 "kind": "decided",
                 **service.sides,

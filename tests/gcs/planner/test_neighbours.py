@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from gcs.planner import fuzzy, leader, neighbours
+from gcs.planner import fuzzy_escape, leader, neighbours
 from gcs.planner.potential_field import Field
 from gcs.scenario import geometry
 
@@ -47,7 +47,7 @@ def test_the_plan_is_the_same_to_the_last_bit(seed: int, monkeypatch: pytest.Mon
     def plan() -> tuple[np.ndarray, ...]:
         return leader.advance(
             at,
-            fuzzy.new_memory(n),
+            fuzzy_escape.new_memory(n),
             np.roll(at, 1, axis=0),
             rng_velocity,
             repulsors=table,

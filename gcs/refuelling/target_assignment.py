@@ -15,8 +15,8 @@ from typing import Any
 
 import numpy as np
 
-from gcs.competition import advance, normalise, revive, share
 from gcs.mavlink.autopilots import STEERABLE
+from gcs.refuelling.winner_take_all import advance, normalise, revive, share
 from gcs.scenario.model import Pursuit as Rules
 from gcs.telemetry.state import Snapshot, Vec3, VehicleView
 

@@ -9,13 +9,13 @@ from typing import Any
 
 import pytest
 
-from gcs.explain import sentence
 from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.mavlink.commands import CommandRequest
-from gcs.refuelling import Schedule
+from gcs.refuelling.explain import sentence
+from gcs.refuelling.scheduler import Schedule
+from gcs.refuelling.service import Decision, Phase, Service
+from gcs.refuelling.transfer_command import Role
 from gcs.scenario.model import Base, Battery, Competition, Refuelling, Tanker
-from gcs.service import Decision, Phase, Service
-from gcs.tanker_service import RECEIVE, STOP
 from gcs.telemetry.state import Snapshot, VehicleView
 
 ORDER = 31010
@@ -58,7 +58,7 @@ class World:
     def tick(self) -> Decision:
         decision = self.schedule.decide(Snapshot(self.now_s, tuple(self.views[key] for key in sorted(self.views)), ()))
         self.decisions.append(decision)
-        for wish in decision.wishes:
+        for wish in decision.requests:
             self._obey(wish)
         for sysid, place in decision.stations.items():
             if not self.stays_away:
@@ -71,11 +71,11 @@ class World:
             elif not on_ground and seen.landed:
                 n, e, _ = seen.p_ned or (0.0, 0.0, 0.0)
                 self.set(sysid, landed=False, armed=True, mode=FlightMode.OFFBOARD, p_ned=(n, e, -self.climbs_m))
-        for beacon in decision.beacons:
-            if self.hears and beacon.sysid in self.starts:
-                gained = beacon.given_j - self.starts[beacon.sysid] - self.credited.get(beacon.sysid, 0)
-                self.credited[beacon.sysid] = self.credited.get(beacon.sysid, 0) + gained
-                self.set(beacon.sysid, received_j=self.views[beacon.sysid].received_j + gained)
+        for report in decision.giver_reports:
+            if self.hears and report.sysid in self.starts:
+                gained = report.given_j - self.starts[report.sysid] - self.credited.get(report.sysid, 0)
+                self.credited[report.sysid] = self.credited.get(report.sysid, 0) + gained
+                self.set(report.sysid, received_j=self.views[report.sysid].received_j + gained)
         for sysid, joules in decision.booked.items():
             self.set(sysid, received_j=self.views[sysid].received_j + joules)
         self.now_s = round(self.now_s + 0.1, 6)
@@ -85,10 +85,10 @@ class World:
         assert wish.command == ORDER
         self.orders.append((wish.sysid, *map(int, wish.params[:6])))
         role = int(wish.params[1])
-        self.schedule.result(wish.token, self.accepts or role == STOP)
-        if role == RECEIVE and self.accepts:
+        self.schedule.result(wish.token, self.accepts or role == Role.STOP)
+        if role == Role.RECEIVE and self.accepts:
             self.starts[wish.sysid], self.credited[wish.sysid] = int(wish.params[5]), 0
-        elif role == STOP:
+        elif role == Role.STOP:
             self.starts.pop(wish.sysid, None)
 
     def until(self, phase: Phase, service: int = 0, within_s: float = 120.0) -> Service:
@@ -149,10 +149,10 @@ def test_the_ground_station_is_the_partner_on_the_wire() -> None:
     """MAV_CMD_USER_1: partner 255, role, limit in J, rate in W, transfer id, the base's XferOut at the start."""
     game = world()
     game.until(Phase.DONE)
-    assert game.orders == [(1, 255, RECEIVE, 5000, 2000, 1, 0), (1, 255, STOP, 5000, 2000, 1, 0)]
+    assert game.orders == [(1, 255, Role.RECEIVE, 5000, 2000, 1, 0), (1, 255, Role.STOP, 5000, 2000, 1, 0)]
     game.set(1, drawn_j=5_000.0)
     game.until(Phase.DONE, 1)
-    assert game.orders[2] == (1, 255, RECEIVE, 5000, 2000, 2, 5000)
+    assert game.orders[2] == (1, 255, Role.RECEIVE, 5000, 2000, 2, 5000)
 
 
 def test_it_is_led_above_the_base_before_it_is_to_land() -> None:
@@ -222,7 +222,7 @@ def test_a_vehicle_that_knows_no_transfers_is_charged_by_the_book() -> None:
     game = world(view(1, battery_told=False))
     service = game.until(Phase.DONE)
     assert game.orders == []
-    assert not any(decision.beacons for decision in game.decisions)
+    assert not any(decision.giver_reports for decision in game.decisions)
     booked = sum(sum(decision.booked.values()) for decision in game.decisions)
     assert booked == service.energy_j == game.schedule.stocks[0].given_j == 5_000
     assert all(0 <= joules <= 201 for decision in game.decisions for joules in decision.booked.values())
@@ -248,7 +248,7 @@ def test_joules_flow_at_the_bases_rate_and_whole() -> None:
     game = world(bases=(slow,))
     service = game.until(Phase.DONE)
     assert service.start_s is not None
-    given = [b.given_j for decision in game.decisions for b in decision.beacons]
+    given = [b.given_j for decision in game.decisions for b in decision.giver_reports]
     assert given[-1] == 5_000
     assert max(b - a for a, b in itertools.pairwise(given)) <= math.ceil(33.3)
     flowing_s = 0.1 * sum(b > a for a, b in itertools.pairwise(given))
@@ -283,7 +283,7 @@ def test_a_receiver_that_refuses_takes_off_again() -> None:
     game = world(accepts=False)
     service = game.until(Phase.DONE)
     assert service.ended_by == "the receiver refused"
-    assert [role for _, _, role, *_ in game.orders] == [RECEIVE] * 5 + [STOP]
+    assert [role for _, _, role, *_ in game.orders] == [Role.RECEIVE] * 5 + [Role.STOP]
     assert game.schedule.stocks[0].given_j == 0
 
 
@@ -334,7 +334,7 @@ def test_one_that_is_taken_out_leaves_its_service_in_order(phase: Phase) -> None
     service = game.until(Phase.DONE)
     assert service.ended_by == "pursuer 1 is out"
     assert game.schedule.stocks[0].given_j == service.energy_j == (600 if phase is Phase.TRANSFER else 0)
-    assert [role for _, _, role, *_ in game.orders] == ([RECEIVE, STOP] if phase is Phase.TRANSFER else [])
+    assert [role for _, _, role, *_ in game.orders] == ([Role.RECEIVE, Role.STOP] if phase is Phase.TRANSFER else [])
 
 
 def test_only_a_charge_binds_a_vehicle() -> None:

@@ -12,16 +12,20 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 
-from pymavlink.dialects.v20 import common as mav
+import pymap3d
 
 from gcs.mavlink.autopilots import STEERABLE
-from gcs.scenario.model import Base, Refuelling
-from gcs.service import Beacon, Desk, Phase, Service, token
+from gcs.mavlink.codec import Message, message
+from gcs.mavlink.ids import STATION
+from gcs.refuelling.service import GiverReport, Phase, Service, ServiceRequests, token
+from gcs.refuelling.transfer_command import Role, transfer_request
+from gcs.scenario.model import Base, Origin, Refuelling
 from gcs.telemetry.state import Snapshot, Vec3, VehicleView
 
-STATION = 255
+POSITION_AND_VELOCITY = 0b11
+STANDS = (0.0, 0.0, 0.0)
+
 """The ground station's system id, the partner of a vehicle that a base charges."""
-STOP, RECEIVE = 0, 2
 REACH_WITHIN_S = 60.0
 """beyond the time that the way to the base takes"""
 LAND_WITHIN_S = 60.0
@@ -52,12 +56,18 @@ class BaseSteps:
     """Moves every base's service from the decision to its end."""
 
     def __init__(
-        self, rules: Refuelling, bases: Iterable[Base], desk: Desk, out: Mapping[int, str], *, need_from: float
+        self,
+        rules: Refuelling,
+        bases: Iterable[Base],
+        requests: ServiceRequests,
+        out: Mapping[int, str],
+        *,
+        need_from: float,
     ) -> None:
         """`out`: who is not to be served, and why; a service of theirs is broken off."""
         self._rules = rules
         self._out = out
-        self._desk = desk
+        self._requests = requests
         self._need_from = need_from
         self.stocks = {base.name: Stock(base) for base in bases}
         self.booked: dict[int, int] = {}
@@ -75,10 +85,10 @@ class BaseSteps:
         flies = (Phase.JOIN, Phase.LAND)
         return {service.receiver: self._base(service).above_m for service in services if service.phase in flies}
 
-    def beacons(self, services: Iterable[Service], snapshot: Snapshot) -> tuple[Beacon, ...]:
+    def giver_reports(self, services: Iterable[Service], snapshot: Snapshot) -> tuple[GiverReport, ...]:
         """What the bases tell vehicles that can hear it."""
         return tuple(
-            Beacon(service.receiver, self._base(service).position_m, self._stock(service).given_j)
+            GiverReport(service.receiver, self._base(service).position_m, self._stock(service).given_j)
             for service in services
             if service.phase in _CHARGING and snapshot.vehicle(service.receiver).battery_told
         )
@@ -138,13 +148,13 @@ class BaseSteps:
         if service.ordered_j < 1:
             self._leave(service, receiver, now_s, "full" if stock.remaining_j >= 1.0 else EMPTY)
         elif receiver.battery_told:
-            self._order(service, RECEIVE)
+            self._order(service, Role.RECEIVE)
             self._go(service, Phase.START_RECEIVER, now_s)
         else:
             self._charge_from_now(service, now_s)
 
     def _start_receiver(self, service: Service, receiver: VehicleView, now_s: float) -> None:
-        accepted = self._desk.answer(token(service, "receive"))
+        accepted = self._requests.accepted(token(service, "receive"))
         waited_s = now_s - service.phase_since_s
         if accepted:
             self._charge_from_now(service, now_s)
@@ -153,12 +163,12 @@ class BaseSteps:
             if service.refusals >= REFUSALS:
                 self._stop(service, "the receiver refused", now_s)
                 return
-            self._order(service, RECEIVE)
+            self._order(service, Role.RECEIVE)
             self._go(service, Phase.START_RECEIVER, now_s)
 
     def _charge_from_now(self, service: Service, now_s: float) -> None:
         service.start_s = service.charged_s = service.progress_s = now_s
-        self._desk.records.append({"kind": "transfer", **service.sides})
+        self._requests.records.append({"kind": "transfer", **service.sides})
         self._go(service, Phase.TRANSFER, now_s)
 
     def _transfer(self, service: Service, receiver: VehicleView, now_s: float) -> None:
@@ -202,11 +212,11 @@ class BaseSteps:
             return
         caught_up = receiver.received_j - service.in_at_begin_j >= self._given_j(service)
         if caught_up or now_s - service.phase_since_s >= CATCH_UP_S:
-            self._order(service, STOP)
+            self._order(service, Role.STOP)
             self._go(service, Phase.STOP_RECEIVER, now_s)
 
     def _stop_receiver(self, service: Service, receiver: VehicleView, now_s: float) -> None:
-        answered = self._desk.answer(token(service, "stop receiver")) is not None
+        answered = self._requests.accepted(token(service, "stop receiver")) is not None
         if answered or now_s - service.phase_since_s > START_WITHIN_S:
             self._leave(service, receiver, now_s, service.ended_by)
 
@@ -227,7 +237,7 @@ class BaseSteps:
 
     def _finish(self, service: Service, now_s: float, reason: str) -> None:
         service.phase, service.end_s, service.ended_by = Phase.DONE, now_s, reason
-        self._desk.records.append({"kind": "served", "reason": reason, **service.record()})
+        self._requests.records.append({"kind": "served", "reason": reason, **service.record()})
 
     def _go(self, service: Service, phase: Phase, now_s: float) -> None:
         service.phase, service.phase_since_s = phase, now_s
@@ -242,17 +252,18 @@ class BaseSteps:
     def _given_j(self, service: Service) -> int:
         return self._stock(service).given_j - service.out_at_start_j
 
-    def _order(self, service: Service, role: int) -> None:
-        self._desk.ask(
-            service.receiver,
-            mav.MAV_CMD_USER_1,
-            token(service, "receive" if role == RECEIVE else "stop receiver"),
-            float(STATION),
-            float(role),
-            float(service.ordered_j),
-            self._base(service).rate_w,
-            float(service.number),
-            float(service.out_at_start_j),
+    def _order(self, service: Service, role: Role) -> None:
+        self._requests.request(
+            transfer_request(
+                service.receiver,
+                token(service, "receive" if role is Role.RECEIVE else "stop receiver"),
+                role,
+                partner=STATION[0],
+                limit_j=service.ordered_j,
+                rate_w=self._base(service).rate_w,
+                number=service.number,
+                given_at_start_j=service.out_at_start_j,
+            )
         )
 
 
@@ -265,3 +276,24 @@ _STEPS = {
     Phase.STOP_RECEIVER: BaseSteps._stop_receiver,
     Phase.TAKE_OFF: BaseSteps._take_off,
 }
+
+
+def giver_messages(report: GiverReport, origin: Origin, time_ms: int) -> list[Message]:
+    """Its FOLLOW_TARGET and its XferOut at a session time; `origin` is the common frame's."""
+    north, east, down = report.p_ned
+    lat_deg, lon_deg, alt_m = pymap3d.ned2geodetic(north, east, down, origin.lat_deg, origin.lon_deg, origin.alt_m)
+    place = message(
+        "FOLLOW_TARGET",
+        timestamp=time_ms,
+        est_capabilities=POSITION_AND_VELOCITY,
+        lat=round(1e7 * float(lat_deg)),
+        lon=round(1e7 * float(lon_deg)),
+        alt=float(alt_m),
+        vel=STANDS,
+        acc=STANDS,
+        attitude_q=(1.0, 0.0, 0.0, 0.0),
+        rates=STANDS,
+        position_cov=STANDS,
+        custom_state=0,
+    )
+    return [place, message("NAMED_VALUE_INT", time_boot_ms=time_ms, name="XferOut", value=report.given_j)]

@@ -4,8 +4,8 @@
       ▲                                      broken off by either side │
       └────────────────────────────────────────────────────────────────┘
 
-Pure but for each service's own memory: a snapshot and the results of earlier commands go in, wishes and records come
-out at the desk.
+Pure but for each service's own memory: a snapshot and the results of earlier commands go in, requests and records come
+out as `ServiceRequests`.
 """
 
 from __future__ import annotations
@@ -16,11 +16,12 @@ from collections.abc import Mapping
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink.autopilots import STEERABLE, FlightMode
+from gcs.mavlink.commands import CommandRequest
+from gcs.refuelling.service import Phase, Service, ServiceRequests, token
+from gcs.refuelling.transfer_command import Role, transfer_request
 from gcs.scenario.model import Refuelling, Tanker
-from gcs.service import Desk, Phase, Service, token
 from gcs.telemetry.state import Snapshot, VehicleView
 
-STOP, GIVE, RECEIVE = 0, 1, 2
 CATCH_UP_S = 1.0
 COUNTER_SETTLES_S = 0.5
 """A giver's counter is trusted as a transfer's start when it was heard this long after the last one ended."""
@@ -37,11 +38,13 @@ _FOLLOW = float(mav.MAVLINK_MSG_ID_FOLLOW_TARGET)
 class TankerSteps:
     """Moves every tanker's service from the decision to its end."""
 
-    def __init__(self, rules: Refuelling, tankers: Mapping[int, Tanker], desk: Desk, out: Mapping[int, str]) -> None:
+    def __init__(
+        self, rules: Refuelling, tankers: Mapping[int, Tanker], requests: ServiceRequests, out: Mapping[int, str]
+    ) -> None:
         """`out`: who neither is served nor serves, and why; a service of theirs is broken off."""
         self._rules = rules
         self._tankers = tankers
-        self._desk = desk
+        self._requests = requests
         self._out_of_it = out
 
     def available_j(self, tanker: VehicleView, limit_j: float) -> float:
@@ -54,7 +57,7 @@ class TankerSteps:
         """The tanker is to tell where it is often enough for its receiver."""
         assert service.tanker is not None
         stream = token(service, "stream")
-        self._desk.ask(service.tanker, mav.MAV_CMD_SET_MESSAGE_INTERVAL, stream, _FOLLOW, FOLLOW_EVERY_US)
+        self._requests.request(_follow_target_every(FOLLOW_EVERY_US, service.tanker, stream))
 
     def serve(self, service: Service, snapshot: Snapshot) -> None:
         """Move one service to the snapshot's time."""
@@ -90,7 +93,7 @@ class TankerSteps:
             service.near_since_s = None
             service.seen_refuel = service.seen_giving = False
             service.out_at_start_j, service.in_at_begin_j = tanker.given_j, receiver.received_j
-            self._order(service, receiver, RECEIVE, self._limit_j(service, receiver, tanker))
+            self._order(service, receiver, Role.RECEIVE, self._limit_j(service, receiver, tanker))
             self._go(service, Phase.START_RECEIVER, now_s)
         elif now_s - service.phase_since_s > JOIN_WITHIN_S:
             self._finish(service, receiver, tanker, now_s, "no rendezvous in time")
@@ -100,32 +103,32 @@ class TankerSteps:
             service.ended_by = out
             self._stop(service, receiver, now_s)
             return
-        accepted = self._desk.answer(token(service, "receive"))
+        accepted = self._requests.accepted(token(service, "receive"))
         if accepted:
             service.refusals = 0
             limit_j = self._limit_j(service, receiver, tanker)
             service.ordered_j = math.floor(limit_j)
-            self._order(service, tanker, GIVE, limit_j)
+            self._order(service, tanker, Role.GIVE, limit_j)
             self._go(service, Phase.START_GIVER, now_s)
         elif accepted is False or now_s - service.phase_since_s > START_WITHIN_S:
             service.refusals += 1
             if service.refusals >= REFUSALS:
                 self._finish(service, receiver, tanker, now_s, "the receiver refused")
                 return
-            self._order(service, receiver, STOP, 0.0)  # it may have begun, and its acknowledgements been lost
+            self._order(service, receiver, Role.STOP, 0.0)  # it may have begun, and its acknowledgements been lost
             self._go(service, Phase.JOIN, now_s)
 
     def _start_giver(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
-        accepted = self._desk.answer(token(service, "give"))
+        accepted = self._requests.accepted(token(service, "give"))
         if accepted:
             service.start_s = now_s if service.start_s is None else service.start_s
-            self._desk.records.append({"kind": "transfer", **service.sides})
+            self._requests.records.append({"kind": "transfer", **service.sides})
             self._go(service, Phase.TRANSFER, now_s)
             return
         out = self._out(receiver, tanker)
         if out or accepted is False or now_s - service.phase_since_s > START_WITHIN_S:
             service.ended_by = out or "the giver refused"
-            self._order(service, tanker, STOP, 0.0)  # it may have begun, and its acknowledgements been lost
+            self._order(service, tanker, Role.STOP, 0.0)  # it may have begun, and its acknowledgements been lost
             self._go(service, Phase.STOP_GIVER, now_s)
 
     def _transfer(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
@@ -148,11 +151,11 @@ class TankerSteps:
             service.broken_off = True
         if reason is not None:
             service.ended_by = reason
-            self._order(service, tanker, STOP, 0.0)
+            self._order(service, tanker, Role.STOP, 0.0)
             self._go(service, Phase.STOP_GIVER, now_s)
 
     def _stop_giver(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
-        answered = self._desk.answer(token(service, "stop giver")) is not None
+        answered = self._requests.accepted(token(service, "stop giver")) is not None
         if answered or now_s - service.phase_since_s > START_WITHIN_S:
             self._go(service, Phase.CATCH_UP, now_s)
 
@@ -163,30 +166,30 @@ class TankerSteps:
             self._stop(service, receiver, now_s)
 
     def _stop_receiver(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
-        answered = self._desk.answer(token(service, "stop receiver")) is not None
+        answered = self._requests.accepted(token(service, "stop receiver")) is not None
         if not answered and now_s - service.phase_since_s <= START_WITHIN_S:
             return
         service.breaks += service.broken_off
         if service.broken_off and service.breaks < BREAKS:
             service.broken_off = False
-            self._desk.records.append({"kind": "broken off", **service.sides})
+            self._requests.records.append({"kind": "broken off", **service.sides})
             self._go(service, Phase.JOIN, now_s)
         else:
             self._finish(service, receiver, tanker, now_s, service.ended_by)
 
     def _stop(self, service: Service, receiver: VehicleView, now_s: float) -> None:
-        self._order(service, receiver, STOP, 0.0)
+        self._order(service, receiver, Role.STOP, 0.0)
         self._go(service, Phase.STOP_RECEIVER, now_s)
 
     def _finish(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float, reason: str) -> None:
         if service.phase not in (Phase.JOIN, Phase.STOP_RECEIVER):
             for view in (tanker, receiver):
                 if view.alive:
-                    self._order(service, view, STOP, 0.0)
+                    self._order(service, view, Role.STOP, 0.0)
         service.phase, service.end_s, service.ended_by = Phase.DONE, now_s, reason
         if tanker.alive:
-            self._desk.ask(tanker.sysid, mav.MAV_CMD_SET_MESSAGE_INTERVAL, token(service, "unstream"), _FOLLOW, 0.0)
-        self._desk.records.append({"kind": "served", "reason": reason, **service.record()})
+            self._requests.request(_follow_target_every(0.0, tanker.sysid, token(service, "unstream")))
+        self._requests.records.append({"kind": "served", "reason": reason, **service.record()})
 
     def _go(self, service: Service, phase: Phase, now_s: float) -> None:
         service.phase, service.phase_since_s = phase, now_s
@@ -214,22 +217,27 @@ class TankerSteps:
         left_j = math.inf if self._rules.limit_j is None else self._rules.limit_j - service.energy_j
         return max(self.available_j(tanker, min(room_j, left_j)), 1.0)
 
-    def _order(self, service: Service, view: VehicleView, role: int, limit_j: float) -> None:
+    def _order(self, service: Service, view: VehicleView, role: Role, limit_j: float) -> None:
         assert service.tanker is not None
         giver = view.sysid == service.tanker
         partner = service.receiver if giver else service.tanker
-        what = {GIVE: "give", RECEIVE: "receive", STOP: "stop giver" if giver else "stop receiver"}[role]
-        self._desk.ask(
-            view.sysid,
-            mav.MAV_CMD_USER_1,
-            token(service, what),
-            float(partner),
-            float(role),
-            float(math.floor(limit_j)),
-            self._rules.rate_w,
-            float(service.number),
-            float(service.out_at_start_j),
+        what = {Role.GIVE: "give", Role.RECEIVE: "receive", Role.STOP: "stop giver" if giver else "stop receiver"}[role]
+        self._requests.request(
+            transfer_request(
+                view.sysid,
+                token(service, what),
+                role,
+                partner=partner,
+                limit_j=limit_j,
+                rate_w=self._rules.rate_w,
+                number=service.number,
+                given_at_start_j=service.out_at_start_j,
+            )
         )
+
+
+def _follow_target_every(interval_us: float, sysid: int, token: str) -> CommandRequest:
+    return CommandRequest(sysid, mav.MAV_CMD_SET_MESSAGE_INTERVAL, (_FOLLOW, interval_us), token)
 
 
 _STEPS = {

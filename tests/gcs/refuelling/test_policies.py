@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from gcs.policies import SHIPPED, GreedyNearest, MostEmptyFirst, Optimal, Request
+from gcs.refuelling.policies import SHIPPED, GreedyNearest, MostEmptyFirst, Optimal, Request
 from gcs.scenario.model import Refuelling
 
 RULES = Refuelling(hold_s=0.0, rate_w=1000.0, until=1.0)

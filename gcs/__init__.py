@@ -13,10 +13,10 @@ if TYPE_CHECKING:
     from typing import Any
 
     from gcs.arrays import MissingExtra, Snapshot
+    from gcs.recording.summary import Summary
     from gcs.scenario.file import load
     from gcs.scenario.model import Scenario, ScenarioError
-    from gcs.session import Session, SessionError
-    from gcs.summary import Summary
+    from gcs.session.python import Session, SessionError
 
 __all__ = ["MissingExtra", "Scenario", "ScenarioError", "Session", "SessionError", "Snapshot", "Summary", "load"]
 

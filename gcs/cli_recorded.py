@@ -220,8 +220,8 @@ def export(session: Path, form: str, out: Path | None) -> int:
       2    bad input; nothing has been written
       130  stopped by Ctrl-C; nothing is left behind
     """
-    from gcs import export as exporter
-    from gcs.tables import NO_PARQUET, available, tables
+    from gcs.recording import export as exporter
+    from gcs.recording.tables import NO_PARQUET, available, tables
 
     kind: Any = form
     if not available(kind):

@@ -56,9 +56,9 @@ def report(session: Path, out: Path | None, quiet: bool) -> int:
     from rich.console import Console
     from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
 
+    from gcs.recording.session_folder import NoSession
     from gcs.report.make import make
     from gcs.report.page import MissingPlotly
-    from gcs.report.recorded import NoSession
 
     if out is not None and not out.parent.is_dir():
         raise click.UsageError(f"--out: there is no folder {out.parent}.")

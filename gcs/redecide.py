@@ -14,17 +14,17 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, cast
 
-from gcs import tlog
-from gcs.lacking import passed_over
 from gcs.link.lockstep import FleetLink, Key
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import AUTOPILOT, STATION, TRAFFIC
 from gcs.operator import COMMANDS
-from gcs.recorder import DECISIONS, TLOG, Recorder, decision_line
+from gcs.recording import tlog
+from gcs.recording.missing import passed_over
+from gcs.recording.summary import FILE as SUMMARY
+from gcs.recording.writer import DECISIONS, TLOG, Recorder, decision_line
 from gcs.scenario.file import load
 from gcs.scenario.model import Radio
-from gcs.summary import FILE as SUMMARY
 from gcs.supervisor import Supervisor
 
 KEPT = 1000

@@ -12,13 +12,13 @@ from collections.abc import Callable, Collection, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from gcs.lacking import SCENARIO, passed_over, unread
 from gcs.observe import Observer
-from gcs.recorder import DECISIONS, TLOG
-from gcs.recording import Recording, Told
-from gcs.report.pursuit import Course, CourseReader
+from gcs.recording.missing import SCENARIO, passed_over, unread
+from gcs.recording.pursuit_held import Course, CourseReader
+from gcs.recording.writer import DECISIONS, TLOG
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
+from gcs.session.tlog_index import Recording, Told
 from gcs.story import Story
 from gcs.telemetry.events import Event
 

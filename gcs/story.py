@@ -15,7 +15,7 @@ from typing import Any
 
 from gcs.mavlink.autopilots import End
 from gcs.operator import TAKEN
-from gcs.records import event_of
+from gcs.recording.decisions import event_of
 from gcs.refuelling import explain
 from gcs.refuelling.bidding import Standing
 from gcs.refuelling.service import Phase, Service

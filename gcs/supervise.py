@@ -35,15 +35,15 @@ from gcs.mavlink.ids import AUTOPILOT, TRAFFIC
 from gcs.picture import picture
 from gcs.publish import Publisher
 from gcs.reader import Reader
-from gcs.recorder import Recorder, RecorderError
+from gcs.recording.reserve import Reserve
+from gcs.recording.writer import Recorder, RecorderError
 from gcs.rehearsal import rehearse
-from gcs.reserve import Reserve
 from gcs.scenario import plugins
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
 from gcs.scene import session_line
-from gcs.summary import summarise
 from gcs.supervisor import Supervisor
+from gcs.supervisor_summarise import summarise
 from gcs.telemetry.events import Event, Kind, Level
 
 PUBLISH_EVERY_S = 0.1

@@ -26,8 +26,8 @@ from gcs.operator import Answer, Operator
 from gcs.outbox import Outbox
 from gcs.pilot import Stage
 from gcs.planner.custom import make_planner
-from gcs.recorder import Digest, Recorder
-from gcs.records import Recording, records_of_tick
+from gcs.recording.decisions import Recording, records_of_tick
+from gcs.recording.writer import Digest, Recorder
 from gcs.refuelling.base import giver_messages
 from gcs.refuelling.bidding import make_contest
 from gcs.refuelling.explain import acknowledged

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcs.mavlink import codec
-from gcs.recorder import DECISIONS, TLOG
+from gcs.recording.writer import DECISIONS, TLOG
 
 Floats = NDArray[np.float64]
 

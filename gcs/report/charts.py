@@ -13,10 +13,10 @@ from typing import Any
 
 import numpy as np
 
+from gcs.recording.series import Contest, Floats, Series, Track
 from gcs.report import decimate
 from gcs.report.findings import Findings, Service
 from gcs.report.pack import Pack
-from gcs.report.series import Contest, Floats, Series, Track
 from gcs.scenario.model import Obstacle
 from gcs.scenario.plot import legs
 

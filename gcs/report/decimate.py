@@ -10,7 +10,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from gcs.report.series import Floats, Series
+from gcs.recording.series import Floats, Series
 
 
 def min_max(series: Series, buckets: int, begin_s: float, end_s: float) -> Series:

@@ -12,9 +12,10 @@ from typing import Any, Literal
 import numpy as np
 
 from gcs.junit import cases
-from gcs.report import nearness, series
-from gcs.report.recorded import Recorded
-from gcs.report.series import Series, Track, Vehicle
+from gcs.recording import series
+from gcs.recording.series import Series, Track, Vehicle
+from gcs.recording.session_folder import Recorded
+from gcs.report import nearness
 from gcs.scenario.model import Scenario
 
 Level = Literal["bad", "warn", "note"]

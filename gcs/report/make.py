@@ -6,9 +6,9 @@ import os
 from collections.abc import Callable
 from pathlib import Path
 
+from gcs.recording.session_folder import read
 from gcs.report import page
 from gcs.report.findings import Findings
-from gcs.report.recorded import read
 
 FILE = "report.html"
 READ, MEASURED = 0.8, 0.9

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from gcs.report.series import Floats, Series
+from gcs.recording.series import Floats, Series
 
 TOP, GAP = 65534, 65535
 LEVEL = 5

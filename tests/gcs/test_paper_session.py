@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 from gcs.mavlink import codec
 from gcs.paper import races, tracking
 from gcs.paper.session import Flight, read
-from gcs.recorder import Recorder
+from gcs.recording.writer import Recorder
 
 PERIOD_S = 0.1
 

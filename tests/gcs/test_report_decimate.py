@@ -11,9 +11,9 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 from scipy.spatial import cKDTree
 
+from gcs.recording.series import Series
 from gcs.report.decimate import band, min_max, simplified
 from gcs.report.pack import Pack
-from gcs.report.series import Series
 
 values = arrays.arrays(
     np.float64, st.integers(1, 400), elements=st.floats(-1e6, 1e6) | st.just(float("nan")), fill=st.nothing()

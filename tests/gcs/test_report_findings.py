@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from gcs.recording.session_folder import Recorded
+from gcs.recording.summary import Summary
 from gcs.report import page
 from gcs.report.findings import Findings, few
-from gcs.report.recorded import Recorded
 from gcs.scenario.model import Scenario
-from gcs.summary import Summary
 
 
 def summary(**changed: Any) -> Summary:

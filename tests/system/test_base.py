@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 from sessions import Outcome, fly, merged, small
 
+from gcs.recording.session_folder import read
 from gcs.report import page
 from gcs.report.charts import Charts
 from gcs.report.findings import Findings
-from gcs.report.recorded import read
 
 EVERYONE = (1, 2, 101, 201)
 PAD = (0.0, 6.0, 0.0)

@@ -10,7 +10,7 @@ from typing import Any
 import jsonschema
 from sessions import Running, demo, fly, merged, small
 
-from gcs.summary import Summary
+from gcs.recording.summary import Summary
 
 
 def schema(name: str) -> dict[str, Any]:

@@ -14,14 +14,13 @@ from numba import njit
 from numpy.typing import NDArray
 from pydantic import ValidationError
 
-from gcs import summary as summaries
-from gcs import tlog
 from gcs.mavlink.ids import AUTOPILOT
-from gcs.recorder import DECISIONS, TLOG
-from gcs.report import set_points
+from gcs.recording import set_points, tlog
+from gcs.recording import summary as summaries
+from gcs.recording.summary import Summary
+from gcs.recording.writer import DECISIONS, TLOG
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
-from gcs.summary import Summary
 
 SCENARIO = "scenario.yaml"
 WANTED = {

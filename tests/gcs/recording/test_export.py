@@ -21,9 +21,9 @@ from pymavlink import mavutil
 from pymavlink.dialects.v20 import ardupilotmega as mav
 from sessions import fly, small
 
-from gcs import tables, tlog
-from gcs.export import ExportError, export
 from gcs.mavlink import field_units
+from gcs.recording import tables, tlog
+from gcs.recording.export import ExportError, export
 
 EPOCH_US = 1_767_225_600_000_000
 
@@ -306,7 +306,7 @@ def test_memory_does_not_grow_with_the_log(tmp_path: Path) -> None:
         for _ in range(4):
             file.write(stretch)
     probe = (
-        "import resource, sys; from pathlib import Path; from gcs import tables, export\n"
+        "import resource, sys; from pathlib import Path; from gcs.recording import tables, export\n"
         "for source in map(Path, sys.argv[1:]):\n"
         "    out = source.with_suffix(''); out.mkdir(); t = tables.tables('parquet', out)\n"
         "    export.export(source, t); t.close()\n"

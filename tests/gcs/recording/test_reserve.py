@@ -3,7 +3,7 @@
 import os
 from pathlib import Path
 
-from gcs.reserve import PER_SESSION_BYTES, PER_VEHICLE_BYTES, Reserve
+from gcs.recording.reserve import PER_SESSION_BYTES, PER_VEHICLE_BYTES, Reserve
 
 
 def kept_bytes(folder: Path) -> list[int]:

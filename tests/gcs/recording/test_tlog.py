@@ -13,8 +13,8 @@ from pymavlink import mavutil
 from pymavlink.dialects.v10 import common as mavlink1
 from pymavlink.dialects.v20 import ardupilotmega, common
 
-from gcs import tlog
 from gcs.mavlink import codec
+from gcs.recording import tlog
 
 T0_US = 1_767_225_600_000_000
 STEP_US = 100_000

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from gcs.report.recorded import Gathering, Recorded
-from gcs.report.series import Floats, Series, Track, held, tracks
+from gcs.recording.series import Floats, Series, Track, held, tracks
+from gcs.recording.session_folder import Gathering, Recorded
+from gcs.recording.tlog import Chunk
 from gcs.scenario.model import Scenario
-from gcs.tlog import Chunk
 
 PLACES = ("LOCAL_POSITION_NED", "HEARTBEAT", "EXTENDED_SYS_STATE", "GPS_GLOBAL_ORIGIN")
 ROUNDING_S = 1e-6

@@ -8,7 +8,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gcs.report import set_points
+from gcs.recording import set_points
 
 FLOATS = st.floats(allow_nan=False, allow_infinity=False)
 

@@ -17,15 +17,15 @@ from numba import njit
 from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common as mav
 
-from gcs import tlog
-from gcs.lacking import SCENARIO, passed_over, unread
 from gcs.mavlink import field_units
 from gcs.mavlink.ids import STATION
-from gcs.recorder import DECISIONS, TLOG
+from gcs.recording import tlog
+from gcs.recording.missing import SCENARIO, passed_over, unread
+from gcs.recording.tables import Column, Tables
+from gcs.recording.tlog import AT, COMPID, MSGID, SYSID, T_US, Chunk
+from gcs.recording.writer import DECISIONS, TLOG
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
-from gcs.tables import Column, Tables
-from gcs.tlog import AT, COMPID, MSGID, SYSID, T_US, Chunk
 
 IntArray = NDArray[np.int64]
 Progress = Callable[[float], None]

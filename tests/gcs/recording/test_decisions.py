@@ -7,8 +7,8 @@ from typing import Any
 
 import pytest
 
-from gcs.recorder import decision_line
-from gcs.records import event_of, records_of_tick
+from gcs.recording.decisions import event_of, records_of_tick
+from gcs.recording.writer import decision_line
 from gcs.refuelling.bidding import Standing
 from gcs.refuelling.service import Decision
 from gcs.scenario.guard import Problem

@@ -5,7 +5,8 @@ from typing import Any
 
 import pytest
 
-from gcs.summary import FILE, Summary, summarise
+from gcs.recording.summary import FILE, Summary
+from gcs.supervisor_summarise import summarise
 
 FIELDS = [
     "schema", "scenario", "seed", "clock", "speed", "sim_time_s", "wall_time_s", "speed_achieved", "lag_s",

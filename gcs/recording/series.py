@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from gcs.mavlink.battery import HECTOJOULE
 from gcs.mavlink.ids import AUTOPILOT
-from gcs.report.recorded import Recorded
+from gcs.recording.session_folder import Recorded
 from gcs.telemetry.state import STALE_S
 
 Floats = NDArray[np.float64]

@@ -17,12 +17,12 @@ from numba import njit
 from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common as mav
 
-from gcs import tlog
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
 from gcs.mavlink.ids import STATION
 from gcs.mavlink.sequence import GapCounter
-from gcs.tlog import AT, MSGID, T_US
+from gcs.recording import tlog
+from gcs.recording.tlog import AT, MSGID, T_US
 
 IntArray = NDArray[np.int64]
 ByteArray = NDArray[np.uint8]

@@ -15,13 +15,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gcs import tlog
 from gcs.mavlink import codec
 from gcs.mavlink.sequence import GapCounter
-from gcs.recorder import Recorder
-from gcs.report import nearness, pursuit, series
+from gcs.recording import pursuit_held, series, tlog
+from gcs.recording.session_folder import NoSession, Recorded, read
+from gcs.recording.writer import Recorder
+from gcs.report import nearness
 from gcs.report.findings import Findings
-from gcs.report.recorded import NoSession, Recorded, read
 from gcs.scenario.file import dump
 from gcs.scenario.model import Scenario
 
@@ -160,7 +160,7 @@ def test_the_battery_is_the_ledger(recorded: Recorded) -> None:
 
 
 def test_gaps_are_counted_as_the_link_counts_them(recorded: Recorded) -> None:
-    from gcs import tlog  # noqa: PLC0415 - the oracle's way to the frames
+    from gcs.recording import tlog  # noqa: PLC0415 - the oracle's way to the frames
 
     counter = GapCounter()
     received = 0
@@ -190,7 +190,7 @@ def test_late_and_repeated_frames_are_counted_as_the_link_counts_them(tmp_path: 
 
 
 def test_rates_are_those_that_pandas_counts(recorded: Recorded, tracks: dict[int, series.Track]) -> None:
-    from gcs import tlog  # noqa: PLC0415 - the oracle's way to the frames
+    from gcs.recording import tlog  # noqa: PLC0415 - the oracle's way to the frames
 
     frames = [(t_us, frame.sysid) for t_us, frame in tlog.read(recorded.folder / "session.tlog") if frame.sysid == 1]
     seconds = pd.Series([(t_us - EPOCH_US) // 1_000_000 for t_us, _ in frames])
@@ -211,14 +211,14 @@ def test_the_longest_time_that_something_held_is_from_first_to_last() -> None:
 @given(st.lists(st.booleans(), max_size=60))
 def test_the_longest_time_yet_is_at_each_time_that_of_what_came_by_then(holds: list[bool]) -> None:
     t_s = 0.5 * np.arange(len(holds))
-    yet_s = pursuit.longest_yet_s(t_s, np.array(holds, dtype=bool))
+    yet_s = pursuit_held.longest_yet_s(t_s, np.array(holds, dtype=bool))
     assert list(yet_s) == [
         nearness.longest_s(t_s[: k + 1], np.array(holds[: k + 1], dtype=bool)) for k in range(len(holds))
     ]
 
 
-def course_of(folder: Path, flown: Scenario) -> pursuit.Course | None:
-    reader = pursuit.CourseReader(flown, [])
+def course_of(folder: Path, flown: Scenario) -> pursuit_held.Course | None:
+    reader = pursuit_held.CourseReader(flown, [])
     for chunk in tlog.read(folder / "session.tlog").chunks():
         reader.take(chunk)
     return reader.course()
@@ -240,9 +240,9 @@ def test_pursuit_is_held_from_the_first_tick_on_by_who_circles_within_the_goals_
 
 def test_who_is_sent_after_another_target_pursues_that_from_then_on(recorded: Recorded) -> None:
     order = {"t_s": 20.0, "kind": "operator", "command": "retarget", "sysid": 1, "target": 102, "text": ""}
-    t_s = pursuit.ticks_of(recorded)
+    t_s = pursuit_held.ticks_of(recorded)
     for taken in (True, False):
-        whom = pursuit.pursued(replace(recorded, decisions=[order | {"taken": taken}]), t_s)[1]
+        whom = pursuit_held.pursued(replace(recorded, decisions=[order | {"taken": taken}]), t_s)[1]
         assert set(whom[t_s < 19.95]) == {101}
         assert set(whom[t_s > 19.95]) == {102 if taken else 101}
 

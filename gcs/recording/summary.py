@@ -1,0 +1,129 @@
+"""summary.json: how a session ended and what it amounts to (contract.md, A session's folder)."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+if TYPE_CHECKING:  # who only reads a summary need not load the supervisor
+    pass
+
+FILE = "summary.json"
+
+
+class _Part(BaseModel):
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False, use_attribute_docstrings=True)
+
+
+class Energy(_Part):
+    """One vehicle's ledger, as its messages tell it."""
+
+    initial_j: float
+    drawn_j: float
+    received_j: float
+    given_j: float
+    lost_j: float
+    """given, and never credited by a receiver"""
+    remaining_j: float
+    source: str
+    """the message field that `drawn_j` was read from"""
+
+
+Role = Literal["pursuer", "target", "tanker"]
+
+
+class Vehicle(_Part):
+    """One vehicle's session."""
+
+    sysid: int
+    role: Role
+    final_mode: str
+    max_tracking_error_m: float | None
+    """greatest distance from the planned path; null where there was none"""
+    path_length_m: float
+    control_effort: float
+    energy: Energy
+    missing_streams: list[str] = []
+    """messages that an external vehicle was asked for and did not send at the end, or at less than half the rate"""
+
+
+class Refuelling(_Part):
+    """One service, in the order of decision; times are null for steps that were not reached."""
+
+    receiver: int
+    tanker: int | None
+    """null: a base served it"""
+    base: str | None = None
+    by: Literal["competition", "timeout", "urgency", "policy", "operator"]
+    decided_at_s: float
+    joined_at_s: float | None
+    start_s: float | None
+    end_s: float | None
+    energy_j: float
+    bids: dict[str, float]
+    """normalised need of each competitor at the decision, by system id"""
+
+
+class Base(_Part):
+    """A base's ledger: initial = given + remaining."""
+
+    name: str
+    initial_j: float
+    given_j: float
+    lost_j: float
+    """given, and never credited by a receiver"""
+    remaining_j: float
+
+
+class Link(_Part):
+    """Frames over the supervised links; `overflowed` are datagrams that the kernel dropped."""
+
+    received: int
+    sent: int
+    lost: int
+    malformed: int
+    overflowed: int
+    command_retries: int
+
+
+class Summary(_Part):
+    """The session."""
+
+    schema_version: Literal[1] = Field(1, alias="schema")
+    scenario: str
+    seed: int
+    clock: Literal["lockstep", "real"]
+    speed: float | None
+    """the pace that was asked for, in session time over wall time; null in lockstep, which has none"""
+    sim_time_s: float
+    wall_time_s: float
+    speed_achieved: float
+    lag_s: float
+    """how much the session's clock fell behind its pace; with external vehicles, what late ticks had to catch up"""
+    completed: bool
+    outcome: str
+    """`met`, the first part of the goal that was not met, `vehicle_lost` or `interrupted`"""
+    digest: str | None
+    """null with external vehicles: their flight never repeats"""
+    versions: dict[str, str]
+    min_separation_m: float | None
+    min_clearance_m: float | None
+    vehicles: list[Vehicle]
+    refuelling: list[Refuelling]
+    refuel_order: list[int]
+    link: Link
+    bases: list[Base] = []
+
+    def write(self, folder: Path) -> None:
+        """Write summary.json into a session's folder, whole or not at all; raises OSError."""
+        text = self.model_dump_json(indent=2, by_alias=True) + "\n"
+        beside = folder / f".{FILE}.{os.getpid()}"
+        try:
+            beside.write_text(text, encoding="utf-8")
+            beside.replace(folder / FILE)
+        except OSError:
+            beside.unlink(missing_ok=True)
+            raise

@@ -18,8 +18,8 @@ import click
 from gcs.exit import NOT_DONE
 
 if TYPE_CHECKING:
-    from gcs.redecide import Verdict
     from gcs.replay import Replay
+    from gcs.supervisor.redecide import Verdict
 
 AGREES, DIFFERS = 0, 1
 SHOWN = 20
@@ -133,9 +133,9 @@ def _play(recording: Replay, speed: float | None, *, plain: bool, as_json: bool)
 
 
 def _decide(session: Path, as_json: bool) -> int:
-    from gcs.redecide import RedecideError, redecide
     from gcs.scenario import plugins
     from gcs.scenario.model import ScenarioError
+    from gcs.supervisor.redecide import RedecideError, redecide
 
     if not session.is_dir():
         raise click.UsageError(f"--decide: {session} is no session's folder: a .tlog alone holds no decisions.")

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from gcs.clock import Pace
-from gcs.operator import COMMANDS, Answer
 from gcs.publish import Publisher, Request
 from gcs.scenario.document import did_you_mean
-from gcs.supervisor import Supervisor
+from gcs.supervisor.operator import COMMANDS, Answer
+from gcs.supervisor.supervisor import Supervisor
 
 CLOCK = ("pause", "resume", "stop")
 KNOWN = (*CLOCK, "inspect", *COMMANDS)

@@ -9,7 +9,7 @@ from gcs.refuelling import explain
 from gcs.refuelling.service import Phase
 from gcs.rows import distance_m, event_row, traffic_row, vehicle_row
 from gcs.scene import goal_of
-from gcs.supervisor import Supervisor
+from gcs.supervisor.supervisor import Supervisor
 from gcs.telemetry.events import Event
 from gcs.telemetry.health import state, troubles
 from gcs.telemetry.state import Vec3

@@ -14,13 +14,13 @@ from pathlib import Path
 from typing import Any
 
 from gcs.mavlink.autopilots import End
-from gcs.operator import TAKEN
 from gcs.recording.decisions import event_of
 from gcs.refuelling import explain
 from gcs.refuelling.bidding import Standing
 from gcs.refuelling.service import Phase, Service
 from gcs.scenario.model import Scenario
 from gcs.scene import goal_of
+from gcs.supervisor.operator import TAKEN
 from gcs.telemetry.events import Event
 from gcs.telemetry.health import state
 from gcs.telemetry.state import Snapshot, Vec3

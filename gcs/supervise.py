@@ -37,13 +37,13 @@ from gcs.publish import Publisher
 from gcs.reader import Reader
 from gcs.recording.reserve import Reserve
 from gcs.recording.writer import Recorder, RecorderError
-from gcs.rehearsal import rehearse
 from gcs.scenario import plugins
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
 from gcs.scene import session_line
-from gcs.supervisor import Supervisor
-from gcs.supervisor_summarise import summarise
+from gcs.supervisor.summarise import summarise
+from gcs.supervisor.supervisor import Supervisor
+from gcs.supervisor.warmup import rehearse
 from gcs.telemetry.events import Event, Kind, Level
 
 PUBLISH_EVERY_S = 0.1

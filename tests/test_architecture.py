@@ -50,9 +50,9 @@ PURE = [
     "gcs/refuelling/explain.py",
     "gcs/telemetry/changes.py",
     "gcs/arrivals.py",
-    "gcs/externals.py",
-    "gcs/external_pilot.py",
-    "gcs/operator.py",
+    "gcs/supervisor/external_fleet.py",
+    "gcs/supervisor/arming_external.py",
+    "gcs/supervisor/operator.py",
     "gcs/telemetry/message_inspector.py",
 ]
 WORLD = {"socket", "time", "threading", "select", "selectors", "subprocess", "asyncio"}

@@ -12,7 +12,7 @@ from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.recording.writer import Recorder
 from gcs.scenario.model import Scenario
-from gcs.supervisor import Supervisor
+from gcs.supervisor.supervisor import Supervisor
 
 Key = tuple[int, int]
 LAT, LON, ALT = 47.0, 8.0, 400.0

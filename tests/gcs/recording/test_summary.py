@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from gcs.recording.summary import FILE, Summary
-from gcs.supervisor_summarise import summarise
+from gcs.supervisor.summarise import summarise
 
 FIELDS = [
     "schema", "scenario", "seed", "clock", "speed", "sim_time_s", "wall_time_s", "speed_achieved", "lag_s",

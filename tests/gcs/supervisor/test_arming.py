@@ -9,7 +9,7 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import ARDUCOPTER, PX4, FlightMode
 from gcs.mavlink.commands import CommandRequest
-from gcs.pilot import SELDOM_S, Pilot, Stage
+from gcs.supervisor.arming import SELDOM_S, Pilot, Stage
 from gcs.telemetry.state import VehicleView
 
 ARM, TAKEOFF, SET_MODE = 400, 22, 176

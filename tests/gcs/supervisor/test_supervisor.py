@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from gcs.mavlink import codec
-from gcs.pilot import Stage
+from gcs.supervisor.arming import Stage
 
 HOLD, SET_MODE = 4 << 16 | 3 << 24, 176
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from gcs.external_pilot import ExternalPilot
 from gcs.link.impairment import Blackout, Impairment
 from gcs.mavlink.autopilots import PROFILES
-from gcs.pilot import SELDOM_S, Pilot
 from gcs.scenario.model import Scenario
+from gcs.supervisor.arming import SELDOM_S, Pilot
+from gcs.supervisor.arming_external import ExternalPilot
 from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
 
 

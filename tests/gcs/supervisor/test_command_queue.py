@@ -6,7 +6,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
 from gcs.mavlink.commands import OPERATOR, PILOT, CommandRequest
-from gcs.outbox import Outbox
+from gcs.supervisor.command_queue import Outbox
 
 ARM = CommandRequest(3, mav.MAV_CMD_COMPONENT_ARM_DISARM, (), f"{PILOT} arm")
 LAND = CommandRequest(3, mav.MAV_CMD_NAV_LAND, (), f"{OPERATOR} land")

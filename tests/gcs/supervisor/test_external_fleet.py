@@ -5,11 +5,11 @@ from typing import Any
 import pytest
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
-from gcs.externals import ENDING, LOST_S, SAY_AGAIN_S, Externals
 from gcs.mavlink import codec
 from gcs.mavlink.commands import CommandResult, Target
-from gcs.pilot import Stage
 from gcs.scenario.model import Scenario
+from gcs.supervisor.arming import Stage
+from gcs.supervisor.external_fleet import ENDING, LOST_S, SAY_AGAIN_S, Externals
 from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
 
 LAT, LON, ALT = 47.0, 8.0, 400.0

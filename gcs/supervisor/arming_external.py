@@ -23,8 +23,8 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.mavlink.autopilots import STEERABLE, FlightMode
 from gcs.mavlink.codec import Message
 from gcs.mavlink.commands import CommandRequest
-from gcs.pilot import Pilot, Stage
 from gcs.scenario.external import External
+from gcs.supervisor.arming import Pilot, Stage
 from gcs.telemetry.state import VehicleView
 
 FAR_M = 5000.0

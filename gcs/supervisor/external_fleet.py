@@ -13,8 +13,8 @@ from gcs.mavlink.autopilots import STEERABLE, End
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.commands import CommandRequest, CommandResult
 from gcs.mavlink.stream_requests import CHECK_S, SLOW_SHARE, Ask, Streams, needs
-from gcs.pilot import Stage
 from gcs.scenario.model import Scenario
+from gcs.supervisor.arming import Stage
 from gcs.telemetry.events import Event, Kind, Level
 from gcs.telemetry.fleet import Fleet
 from gcs.telemetry.state import Snapshot, VehicleView

@@ -16,9 +16,9 @@ from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
 from gcs.mavlink.autopilots import End
-from gcs.pilot import Pilot, Stage
 from gcs.refuelling.scheduler import Schedule
 from gcs.scenario.model import Scenario
+from gcs.supervisor.arming import Pilot, Stage
 from gcs.telemetry.events import Event
 from gcs.telemetry.state import Snapshot, VehicleView
 

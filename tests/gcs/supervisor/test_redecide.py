@@ -10,8 +10,8 @@ import pytest
 from commands import gcs
 from sessions import Outcome, fly, two_refuellings
 
-from gcs.redecide import RedecideError, redecide
 from gcs.scenario.file import load
+from gcs.supervisor.redecide import RedecideError, redecide
 
 
 @pytest.fixture(scope="module")

@@ -6,10 +6,10 @@ from typing import Any
 import pytest
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
-from gcs.external_pilot import BLAMED_S, FAR_M, LATE_S, PARAMETER_TRIES, QUIET_S, ExternalPilot
 from gcs.mavlink.autopilots import ARDUCOPTER, PX4, FlightMode, Profile
-from gcs.pilot import Stage
 from gcs.scenario.external import External
+from gcs.supervisor.arming import Stage
+from gcs.supervisor.arming_external import BLAMED_S, FAR_M, LATE_S, PARAMETER_TRIES, QUIET_S, ExternalPilot
 from gcs.telemetry.state import VehicleView
 
 ARM, TAKEOFF, SET_MODE = mav.MAV_CMD_COMPONENT_ARM_DISARM, mav.MAV_CMD_NAV_TAKEOFF, mav.MAV_CMD_DO_SET_MODE

@@ -13,7 +13,7 @@ from gcs.recording.summary import Base, Energy, Link, Refuelling, Role, Summary,
 if TYPE_CHECKING:  # who only reads a summary need not load the supervisor
     from gcs.link.fleet import MixedLink
     from gcs.link.lockstep import FleetLink
-    from gcs.supervisor import Supervisor
+    from gcs.supervisor.supervisor import Supervisor
     from gcs.telemetry.state import VehicleView
 
 

@@ -10,8 +10,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
-from gcs.crew import make_fleet, make_pilots, make_radio
-from gcs.externals import ENDING, Externals
 from gcs.link.fleet import MixedLink
 from gcs.link.lockstep import FleetLink, Key
 from gcs.link.quality import LinkQuality
@@ -22,9 +20,6 @@ from gcs.mavlink.commands import CommandResult
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, TRAFFIC
 from gcs.mavlink.sequence import GapCounter
 from gcs.mavlink.setpoints import SetPoint, encoded
-from gcs.operator import Answer, Operator
-from gcs.outbox import Outbox
-from gcs.pilot import Stage
 from gcs.planner.custom import make_planner
 from gcs.recording.decisions import Recording, records_of_tick
 from gcs.recording.writer import Digest, Recorder
@@ -36,6 +31,11 @@ from gcs.refuelling.scheduler import Schedule
 from gcs.refuelling.service import Decision
 from gcs.refuelling.target_assignment import Pursuit
 from gcs.scenario.model import Scenario
+from gcs.supervisor.arming import Stage
+from gcs.supervisor.command_queue import Outbox
+from gcs.supervisor.external_fleet import ENDING, Externals
+from gcs.supervisor.factory import make_fleet, make_pilots, make_radio
+from gcs.supervisor.operator import Answer, Operator
 from gcs.telemetry.changes import Watch
 from gcs.telemetry.events import Event, Kind, level_of
 from gcs.telemetry.message_inspector import Inspection

@@ -18,14 +18,14 @@ from gcs.link.lockstep import FleetLink, Key
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import AUTOPILOT, STATION, TRAFFIC
-from gcs.operator import COMMANDS
 from gcs.recording import tlog
 from gcs.recording.missing import passed_over
 from gcs.recording.summary import FILE as SUMMARY
 from gcs.recording.writer import DECISIONS, TLOG, Recorder, decision_line
 from gcs.scenario.file import load
 from gcs.scenario.model import Radio
-from gcs.supervisor import Supervisor
+from gcs.supervisor.operator import COMMANDS
+from gcs.supervisor.supervisor import Supervisor
 
 KEPT = 1000
 """Differences that are remembered one by one; all are counted."""

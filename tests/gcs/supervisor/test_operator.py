@@ -5,8 +5,8 @@ from typing import Any
 
 import pytest
 
-from gcs.operator import COMMANDS
-from gcs.pilot import Stage
+from gcs.supervisor.arming import Stage
+from gcs.supervisor.operator import COMMANDS
 
 HOLD = 4 << 16 | 3 << 24
 BATTERY = {"capacity_j": 20_000.0}

@@ -12,23 +12,23 @@ TYPE_CHECKING = False  # as from typing, which would take longer to load than al
 if TYPE_CHECKING:
     from typing import Any
 
-    from gcs.arrays import MissingExtra, Snapshot
     from gcs.recording.summary import Summary
     from gcs.scenario.file import load
     from gcs.scenario.model import Scenario, ScenarioError
+    from gcs.session.arrays import MissingExtra, Snapshot
     from gcs.session.python import Session, SessionError
 
 __all__ = ["MissingExtra", "Scenario", "ScenarioError", "Session", "SessionError", "Snapshot", "Summary", "load"]
 
 _HOME = {
-    "MissingExtra": "arrays",
-    "Scenario": "scenario",
-    "ScenarioError": "scenario",
-    "Session": "session",
-    "SessionError": "session",
-    "Snapshot": "arrays",
-    "Summary": "summary",
-    "load": "scenario",
+    "MissingExtra": "session.arrays",
+    "Scenario": "scenario.model",
+    "ScenarioError": "scenario.document",
+    "Session": "session.python",
+    "SessionError": "session.python",
+    "Snapshot": "session.arrays",
+    "Summary": "recording.summary",
+    "load": "scenario.file",
 }
 
 

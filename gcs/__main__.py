@@ -20,11 +20,11 @@ def main() -> None:
     handler = signal.getsignal(signal.SIGINT)
     if handler is signal.default_int_handler:  # else somebody wants it ignored, as nohup does
         signal.signal(signal.SIGINT, lambda *_: os._exit(INTERRUPTED))
-    from gcs import cli  # noqa: PLC0415 - what takes long
+    from gcs.cli.main import main as command_line  # noqa: PLC0415 - what takes long
 
     sys.unraisablehook = raise_again
     signal.signal(signal.SIGINT, handler)
-    cli.main()
+    command_line()
 
 
 def raise_again(lost: UnraisableHookArgs) -> None:

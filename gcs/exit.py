@@ -1,7 +1,34 @@
-"""What a program's exit status says; the help of each command tells what that is for it."""
+"""Exit status of the programs, and their end: streams flushed, no signal heeded any more."""
+
+import errno
+import os
+import signal
+import sys
+from typing import NoReturn
 
 DONE = 0
 NOT_DONE = 1
 BAD_INPUT = 2
 INTERNAL_ERROR = 70
 INTERRUPTED = 130
+
+
+def leave(status: int) -> NoReturn:
+    """End the process with this status, its streams flushed.
+
+    A reader that has gone is no error; what cannot be written for another reason turns success into NOT_DONE.
+    """
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, signal.SIG_IGN)
+    for stream in (sys.stdout, sys.stderr):
+        if stream is None:  # closed before the program began
+            continue
+        try:
+            stream.flush()
+        except OSError as error:
+            if error.errno != errno.EPIPE:
+                status = status or NOT_DONE
+                os.write(2, f"{stream.name} cannot be written: {error.strerror}\n".encode())
+        except (ValueError, RuntimeError):  # closed, or a signal's handler has broken into a write that waits
+            pass
+    os._exit(status)

@@ -1,1 +1,1 @@
-"""What a person watches; a client of the session socket."""
+"""Console: a Textual client of the session socket."""

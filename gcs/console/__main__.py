@@ -25,7 +25,7 @@ def main(words: list[str]) -> int:
     if os.getppid() != int(parent):
         return 0
     from gcs.console.app import show
-    from gcs.console.client_source import SessionSource
+    from gcs.session.client import SessionSource
 
     return show(SessionSource(Path(folder)), title, owner=True)
 

@@ -8,11 +8,11 @@ import time
 
 from textual import events
 
-from gcs.console.ink import Glyphs
 from gcs.console.job import can_suspend
 from gcs.console.main_screen import MainScreen
 from gcs.console.shell import Shell
-from gcs.console.source import Source
+from gcs.console.text import Glyphs
+from gcs.session.client import Source
 
 BEAT_S = 0.2
 """The screen is looked at, and drawn where it has changed, this often: 5 Hz."""

@@ -12,9 +12,9 @@ from textual.containers import Vertical
 from textual.screen import ModalScreen
 from textual.widgets import Input
 
-from gcs.console.ink import Glyphs, Line, Lines, fitted, width_of, wrapped
-from gcs.console.palette import GROUND, RAISED
-from gcs.console.panel import Panel
+from gcs.console.drawing.panel import Panel
+from gcs.console.styles import GROUND, RAISED
+from gcs.console.text import Glyphs, Line, Lines, fitted, width_of, wrapped
 
 FRAME = f"""
     align: center middle;

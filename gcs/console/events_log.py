@@ -6,9 +6,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from gcs.console.ink import Glyphs, Line, Lines, Span, fitted, left, width_of, wrapped
-from gcs.console.plain import clean
-from gcs.console.watch import Watch
+from gcs.console.model import Watch
+from gcs.console.text import Glyphs, Line, Lines, Span, fitted, left, width_of, wrapped
+from gcs.session.plain_text import clean
 
 LEVELS = ("info", "warning", "critical")
 KINDS = ("text", "mode", "failsafe", "ack", "decision", "operator", "link", "death", "session")

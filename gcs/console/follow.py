@@ -6,8 +6,8 @@ import json
 import time
 from collections.abc import Callable
 
-from gcs.console.plain import JsonView, PlainView, mute_stdout
-from gcs.console.source import Message, Source
+from gcs.session.client import Message, Source
+from gcs.session.plain_text import JsonView, PlainView, mute_stdout
 
 LOOK_EVERY_S = 0.1
 STEP_S = 0.5

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from textual.binding import Binding, BindingType
 
-from gcs.console import heading
-from gcs.console.orders import ORDERS
-from gcs.console.palette import GROUND, RAISED
+from gcs.console.operator_commands import ORDERS
+from gcs.console.pages import heading
+from gcs.console.styles import GROUND, RAISED
 
 CSS = f"""
 MainScreen {{ background: {GROUND}; overflow: hidden; }}

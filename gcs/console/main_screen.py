@@ -12,15 +12,16 @@ from textual.containers import Container, Horizontal, Vertical
 from textual.geometry import Size
 from textual.screen import Screen
 
-from gcs.console import contest_page, fleet_table, heading, help_page, layout, plan_view, vehicle_page
-from gcs.console.canvas import Canvas
-from gcs.console.desk import Desk
+from gcs.console import layout
 from gcs.console.dialogs import Help, Look
-from gcs.console.events_page import EventsPage
-from gcs.console.ink import Line, Lines, fitted, titled, wrapped
-from gcs.console.panel import Panel
+from gcs.console.drawing.canvas import Canvas
+from gcs.console.drawing.panel import Panel
+from gcs.console.model import Vehicle, Watch, ordered
+from gcs.console.operator_controls import Desk
+from gcs.console.pages import competition, fleet, heading, help_text, map_view, vehicle
+from gcs.console.pages.events import EventsPage
 from gcs.console.shell import Shell
-from gcs.console.watch import Vehicle, Watch, ordered
+from gcs.console.text import Line, Lines, fitted, titled, wrapped
 
 LEAST = Size(80, 24)
 WIDE = Size(120, 30)
@@ -44,8 +45,8 @@ class MainScreen(Screen[None]):
         self.chosen: int | None = None
         self.order_by = "id"
         self.events_page = EventsPage()
-        self.plan = plan_view.PlanView()
-        self.small_plan = plan_view.PlanView()
+        self.plan = map_view.PlanView()
+        self.small_plan = map_view.PlanView()
         self._top = 0
         self._on_row: list[int] = []
         self._scrolled = self._most = 0
@@ -162,7 +163,7 @@ class MainScreen(Screen[None]):
         if self._notice is not None and time.monotonic() < self._notice[2]:
             text, style, _ = self._notice
             return [[(t, f"notice {style} raised") for t, _ in fitted([(f" {text}", "")], width, glyphs)]]
-        keys = help_page.bottom(self.page, control=self.seen.control, replay=self.seen.replay is not None)
+        keys = help_text.bottom(self.page, control=self.seen.control, replay=self.seen.replay is not None)
         return [heading.keys_line(keys, width)]
 
     def _too_small(self, width: int, height: int) -> Lines:
@@ -184,7 +185,7 @@ class MainScreen(Screen[None]):
         return ordered(self.seen.vehicles.values(), self.order_by)
 
     def _fleet(self, width: int, height: int) -> Lines:
-        lines, self._on_row, self._top = fleet_table.table(
+        lines, self._on_row, self._top = fleet.table(
             self._ordered(), width=width, height=height, glyphs=self.app.glyphs, chosen=self.chosen, top=self._top
         )
         return lines
@@ -194,29 +195,29 @@ class MainScreen(Screen[None]):
 
     def _small_map(self, width: int, height: int) -> Lines:
         glyphs = self.app.glyphs
-        drawn = plan_view.draw(
+        drawn = map_view.draw(
             self.seen, self.small_plan, width=width, height=height - 1, glyphs=glyphs, chosen=self.chosen
         )
         return [titled("map", width, glyphs), *drawn]
 
     def _course(self, width: int, height: int) -> Lines:
         glyphs = self.app.glyphs
-        rest = contest_page.compact(self.seen, width=width, height=height - 1, glyphs=glyphs)
+        rest = competition.compact(self.seen, width=width, height=height - 1, glyphs=glyphs)
         return [titled("competition", width, glyphs), *rest]
 
     def _map(self, width: int, height: int) -> Lines:
-        return plan_view.draw(
+        return map_view.draw(
             self.seen, self.plan, width=width, height=height, glyphs=self.app.glyphs, chosen=self.chosen
         )
 
     def _contest(self, width: int, height: int) -> Lines:
-        return contest_page.page(self.seen, width=width, height=height, glyphs=self.app.glyphs)
+        return competition.page(self.seen, width=width, height=height, glyphs=self.app.glyphs)
 
     def _events(self, width: int, height: int) -> Lines:
         return self.events_page.page(self.seen, width=width, height=height, glyphs=self.app.glyphs)
 
     def _vehicle(self, width: int, height: int) -> Lines:
-        lines, self._most = vehicle_page.page(
+        lines, self._most = vehicle.page(
             self.seen, self.chosen, width=width, height=height, back=self._scrolled, glyphs=self.app.glyphs
         )
         self._scrolled = min(self._scrolled, self._most)
@@ -337,7 +338,7 @@ class MainScreen(Screen[None]):
         """The help page."""
         app = self.app
         replay = self.seen.replay is not None
-        lines = help_page.page(
+        lines = help_text.page(
             control=self.seen.control, replay=replay, owner=app.owner, lost=app.lost(), glyphs=app.glyphs
         )
         app.push_screen(Help(lines, app.glyphs))

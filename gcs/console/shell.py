@@ -7,9 +7,9 @@ import time
 
 from textual.app import App
 
-from gcs.console.ink import Glyphs, own_glyphs
-from gcs.console.source import Source
-from gcs.console.watch import Watch
+from gcs.console.model import Watch
+from gcs.console.text import Glyphs, own_glyphs
+from gcs.session.client import Source
 
 
 class Shell(App[int]):

@@ -1,1 +1,1 @@
-"""TODO"""
+"""Links to vehicles: lockstep over UDP, external vehicles, listeners; radio impairment and link quality."""

@@ -1,1 +1,1 @@
-"""Where each vehicle goes next: potential field, fuzzy escape, formation."""
+"""Planner: virtual leaders in a potential field with fuzzy escape, formations, planners of a user's own."""

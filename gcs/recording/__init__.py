@@ -1,1 +1,1 @@
-"""TODO"""
+"""Session folder: written while a session flies, read back for report, replay and export."""

@@ -1,1 +1,1 @@
-"""A recorded session as one page for a person: data out of the folder, figures, page."""
+"""Report of a recorded session as one HTML page, JUnit, and the studies of the paper."""

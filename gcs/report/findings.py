@@ -11,11 +11,11 @@ from typing import Any, Literal
 
 import numpy as np
 
-from gcs.junit import cases
 from gcs.recording import series
 from gcs.recording.series import Series, Track, Vehicle
 from gcs.recording.session_folder import Recorded
-from gcs.report import nearness
+from gcs.report import distances
+from gcs.report.junit import cases
 from gcs.scenario.model import Scenario
 
 Level = Literal["bad", "warn", "note"]
@@ -79,8 +79,8 @@ class Findings:
         self.contest = series.contest(recorded)
         self.base_contest = series.contest(recorded, for_bases=True)
         self.links = series.links(recorded, self.tracks)
-        self.nearness = nearness.measure(recorded, self.tracks, self.traffic)
-        self.errors = nearness.tracking_errors(recorded, self.tracks)
+        self.nearness = distances.measure(recorded, self.tracks, self.traffic)
+        self.errors = distances.tracking_errors(recorded, self.tracks)
         self.texts = series.texts(recorded)
         lost = sorted(set(series.heard(recorded)) - self.tracks.keys())
         if lost:

@@ -22,12 +22,12 @@ from pathlib import Path
 from types import TracebackType
 from typing import Self
 
-from gcs.arrays import Snapshot, from_picture
 from gcs.recording.summary import FILE, Summary
-from gcs.run import PATIENCE_S, SUPERVISOR, RunError, Supervised, make_folder
 from gcs.scenario import plugins
 from gcs.scenario.file import find, load
 from gcs.scenario.model import Scenario
+from gcs.session.arrays import Snapshot, from_picture
+from gcs.session.supervised import PATIENCE_S, SUPERVISOR, RunError, Supervised, make_folder
 
 NEXT, STOP = b"n", b"s"
 READ_BYTES = 1 << 16

@@ -27,7 +27,7 @@ class Timed:
     def __init__(self, report: int) -> None:
         import feed  # noqa: PLC0415 - it is on the path of this process alone
 
-        from gcs.console.client import Lines  # noqa: PLC0415
+        from gcs.session.client import Lines  # noqa: PLC0415
 
         self._first: list[Mapping[str, Any]] = [feed.session()]
         self._told = [(json.dumps(feed.crowd(VEHICLES, i / 10)) + "\n").encode() for i in range(50)]
@@ -84,7 +84,7 @@ def main(page: str, report: int) -> None:
     """Be the console, on that page."""
     sys.path[:0] = [str(SUPPORT)]
     from gcs.console.app import ConsoleApp  # noqa: PLC0415
-    from gcs.console.heading import PAGES as NAMES  # noqa: PLC0415
+    from gcs.console.pages.heading import PAGES as NAMES  # noqa: PLC0415
 
     app = ConsoleApp(Timed(report), "crowd")
     app.main.page = NAMES[int(page) - 1]

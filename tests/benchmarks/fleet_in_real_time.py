@@ -1,4 +1,4 @@
-"""The fleet's session in a process of its own: `gcs.supervise` with two watchers, of late ticks and of CPU time.
+"""The fleet's session in a process of its own: `gcs.session.process` with two watchers, of late ticks and of CPU time.
 
 python fleet_in_real_time.py FOLDER
 """
@@ -14,10 +14,10 @@ from pathlib import Path
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.clock import Pace
 from gcs.mavlink import codec
 from gcs.scenario.file import load
-from gcs.supervise import Session
+from gcs.session.pace import Pace
+from gcs.session.process import Session
 
 HOT = ("HEARTBEAT", "LOCAL_POSITION_NED", "ATTITUDE", "GLOBAL_POSITION_INT", "BATTERY_STATUS", "NAMED_VALUE_FLOAT")
 PERIOD_US = 100_000.0

@@ -20,8 +20,8 @@ import yaml
 from measure import Figure, Scale
 from pymavlink.dialects.v20 import common
 
-from gcs.launch import Hatch, Order
 from gcs.mavlink import codec
+from gcs.session.vehicles import Hatch, Order
 
 ROOT = Path(__file__).resolve().parents[2]
 SESSIONS = 5
@@ -59,7 +59,7 @@ def fly(content: dict[str, Any], folder: Path) -> tuple[float, float]:
 
 def run_gcs(*arguments: str) -> None:
     """`gcs` with these arguments. Raises RuntimeError with what it said unless it ends well."""
-    command = [sys.executable, "-m", "gcs.cli", *arguments]
+    command = [sys.executable, "-m", "gcs", *arguments]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise RuntimeError(f"gcs {arguments[0]} ended with {done.returncode}: {done.stderr or done.stdout}")

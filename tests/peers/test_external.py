@@ -70,7 +70,7 @@ def flown(peers: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Out
         running.wait_for(lambda seen: any("Waiting for" in event["text"] for event in seen["events"]))
         with strangers(folder, px4, copter, target):  # now, so that they are asked to arm while they still refuse
             running.wait_for(lambda seen: all(v["stage"] == "fly" for v in seen["vehicles"]))
-            supervisor = running.named("gcs.supervise").pid
+            supervisor = running.named("gcs.session.process").pid
             os.kill(supervisor, signal.SIGSTOP)
             time.sleep(AWAY_S)  # this is how long no set points flow
             os.kill(supervisor, signal.SIGCONT)

@@ -6,7 +6,7 @@ import contextlib
 import io
 import subprocess
 
-from gcs.cli import run_argv
+from gcs.cli.main import run_argv
 
 
 def gcs(*argv: str) -> subprocess.CompletedProcess[str]:

@@ -11,7 +11,7 @@ from rich.segment import Segment
 from textual.pilot import Pilot
 
 from gcs.console.app import ConsoleApp
-from gcs.console.ink import UNICODE, Glyphs
+from gcs.console.text import UNICODE, Glyphs
 
 Messages = list[Mapping[str, Any]]
 

@@ -21,7 +21,7 @@ import psutil
 import yaml
 from pymavlink import mavutil
 
-GCS = [sys.executable, "-m", "gcs.cli"]
+GCS = [sys.executable, "-m", "gcs"]
 ROOT = Path(__file__).resolve().parents[2]
 PATIENCE_S = 90.0
 STATE = 12

@@ -74,7 +74,7 @@ def disturbed(tmp_path_factory: pytest.TempPathFactory) -> tuple[Outcome, list[s
         stranger.bind(("127.0.0.1", 0))
         try:
             seen = running.wait_for(lambda seen: seen["t_s"] > 0.5)
-            station, vehicle = port_of(running.named("gcs.supervise")), port_of(running.vehicle(VICTIM))
+            station, vehicle = port_of(running.named("gcs.session.process")), port_of(running.vehicle(VICTIM))
             for line in running.lines():
                 t_ms = round(1000.0 * seen["t_s"])
                 for datagram in nonsense(chance, t_ms):

@@ -164,7 +164,7 @@ def test_monitor_names_a_folder_where_nothing_runs(tmp_path: Path) -> None:
 
 
 def test_help_imports_no_textual() -> None:
-    program = "import sys; sys.argv = ['gcs', '--help']\ntry:\n    import gcs.cli; gcs.cli.main()\nfinally:\n"
+    program = "import sys; sys.argv = ['gcs', '--help']\ntry:\n    import gcs.cli.main; gcs.cli.main.main()\nfinally:\n"
     program += "    assert 'textual' not in sys.modules"
     with Screen([sys.executable, "-c", program]) as screen:
         assert screen.finish() == 0

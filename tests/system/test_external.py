@@ -93,7 +93,7 @@ def flown(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Flown]:
                 heartbeat = mav.MAVLink_heartbeat_message(2, 12, 0x81, 0, 4, 3).pack(mav.MAVLink(None, 1, 1))
                 twin.sendto(bytes(heartbeat), ("127.0.0.1", shared))
                 name = f"{twin.getsockname()[1]}"
-            supervisor = running.named("gcs.supervise").pid
+            supervisor = running.named("gcs.session.process").pid
             os.kill(supervisor, signal.SIGSTOP)
             time.sleep(AWAY_S)  # this is how late its next tick is
             os.kill(supervisor, signal.SIGCONT)

@@ -72,7 +72,7 @@ def the_run(session: Running) -> psutil.Process:
 
 
 def the_supervisor(session: Running) -> psutil.Process:
-    return session.named("gcs.supervise")
+    return session.named("gcs.session.process")
 
 
 def the_hatch(session: Running) -> psutil.Process:

@@ -22,8 +22,8 @@ from pymavlink.dialects.v20 import common
 from sessions import GCS, small
 from strangers import ARDUCOPTER, strangers
 
-from gcs.monitor import MonitorSource
 from gcs.scenario.endpoint import Address
+from gcs.session.monitor import MonitorSource
 
 mav = mavutil.mavlink
 PATIENCE_S = 40.0

@@ -16,8 +16,8 @@ import pytest
 from browser import CHROMIUM, MISSING, Browser
 from sessions import Outcome, demo, fly, merged
 
-from gcs.cli import run_argv
-from gcs.cli_report import after_run
+from gcs.cli.main import run_argv
+from gcs.cli.report import after_run
 
 needs_chromium = pytest.mark.skipif(CHROMIUM is None, reason=MISSING)
 # Of every figure: whether it shows, where, and how many lines and bars it holds.

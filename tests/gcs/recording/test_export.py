@@ -288,7 +288,7 @@ def test_without_pyarrow_one_sentence_says_which_extra_to_install(tmp_path: Path
     (tmp_path / "flight.tlog").write_bytes(foreign_log())
     hide = "import sys, importlib.util as u; find = u.find_spec\n"
     hide += "u.find_spec = lambda name, *a: None if name == 'pyarrow' else find(name, *a)\n"
-    code = f"{hide}from gcs.cli import main; main()"
+    code = f"{hide}from gcs.cli.main import main; main()"
     argv = [sys.executable, "-c", code, "export", str(tmp_path / "flight.tlog"), "--format", "parquet"]
     refused = subprocess.run(argv, capture_output=True, text=True, check=False)
     assert refused.returncode == 2

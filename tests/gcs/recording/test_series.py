@@ -20,7 +20,7 @@ from gcs.mavlink.sequence import GapCounter
 from gcs.recording import pursuit_held, series, tlog
 from gcs.recording.session_folder import NoSession, Recorded, read
 from gcs.recording.writer import Recorder
-from gcs.report import nearness
+from gcs.report import distances
 from gcs.report.findings import Findings
 from gcs.scenario.file import dump
 from gcs.scenario.model import Scenario
@@ -129,7 +129,7 @@ def test_the_set_points_read_in_bulk_are_those_that_json_reads(recorded: Recorde
 
 
 def test_distances_are_those_of_the_circle(recorded: Recorded, tracks: dict[int, series.Track]) -> None:
-    near = nearness.measure(recorded, tracks, {})
+    near = distances.measure(recorded, tracks, {})
     known = ~np.isnan(near.separation.values)
     assert known.sum() > 590
     assert near.separation.values[known] == pytest.approx(RADIUS_M, abs=0.03)
@@ -143,7 +143,7 @@ def test_distances_are_those_of_the_circle(recorded: Recorded, tracks: dict[int,
 
 
 def test_the_tracking_error_is_the_distance_from_the_plan(recorded: Recorded, tracks: dict[int, series.Track]) -> None:
-    error = nearness.tracking_errors(recorded, tracks)[1]
+    error = distances.tracking_errors(recorded, tracks)[1]
     known = error.values[~np.isnan(error.values)]
     assert len(known) > 550
     assert known == pytest.approx(0.25, abs=0.02)
@@ -204,8 +204,8 @@ def test_rates_are_those_that_pandas_counts(recorded: Recorded, tracks: dict[int
 def test_the_longest_time_that_something_held_is_from_first_to_last() -> None:
     t_s = np.arange(10.0)
     holds = np.array([1, 1, 0, 1, 1, 1, 1, 0, 0, 1], dtype=bool)
-    assert nearness.longest_s(t_s, holds) == 3.0
-    assert nearness.longest_s(t_s, np.zeros(10, dtype=bool)) == 0.0
+    assert distances.longest_s(t_s, holds) == 3.0
+    assert distances.longest_s(t_s, np.zeros(10, dtype=bool)) == 0.0
 
 
 @given(st.lists(st.booleans(), max_size=60))
@@ -213,7 +213,7 @@ def test_the_longest_time_yet_is_at_each_time_that_of_what_came_by_then(holds: l
     t_s = 0.5 * np.arange(len(holds))
     yet_s = pursuit_held.longest_yet_s(t_s, np.array(holds, dtype=bool))
     assert list(yet_s) == [
-        nearness.longest_s(t_s[: k + 1], np.array(holds[: k + 1], dtype=bool)) for k in range(len(holds))
+        distances.longest_s(t_s[: k + 1], np.array(holds[: k + 1], dtype=bool)) for k in range(len(holds))
     ]
 
 

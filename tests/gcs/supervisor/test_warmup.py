@@ -6,14 +6,16 @@ import sys
 
 CODE = """
 import json, sys
-from gcs import metrics, supervise
-from gcs.configs import find
-from gcs.planner import leader, obstacles
-from gcs.rehearsal import rehearse
+from gcs.scenario import geometry
+from gcs.session import process
+from gcs.telemetry import metrics
+from gcs.scenario.file import find
+from gcs.planner import leader
+from gcs.supervisor.warmup import rehearse
 from gcs.scenario import load
 
 scenario = load(find("paper/example1"))
-kernels = [leader._advance_all, obstacles._clearances, metrics.distance_to_path, metrics.closest_pair]
+kernels = [leader._advance_all, geometry._clearances, metrics.distance_to_path, metrics.closest_pair]
 before = [len(kernel.signatures) for kernel in kernels]
 rehearse(scenario)
 loaded = set(sys.modules)

@@ -1,0 +1,1 @@
+"""Commands of `gcs`; each loads what it needs when it runs."""

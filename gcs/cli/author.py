@@ -1,0 +1,207 @@
+"""`gcs init`, `validate`, `schema` and `doctor`: for who writes scenarios, before anything flies."""
+
+# ruff: noqa: PLC0415 - so that `gcs --help` answers at once
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from gcs.exit import BAD_INPUT, NOT_DONE
+
+if TYPE_CHECKING:
+    from click.shell_completion import CompletionItem
+
+    from gcs.scenario.model import Scenario
+
+
+class ScenarioName(click.ParamType[str]):
+    """A scenario's file or shipped name; a shell completes both."""
+
+    name = "scenario"
+
+    def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
+        from click.shell_completion import CompletionItem
+
+        from gcs.scenario.file import shipped_names
+
+        shipped = [CompletionItem(name) for name in shipped_names() if name.startswith(incomplete)]
+        return [*shipped, CompletionItem(incomplete, type="file")]
+
+
+class ScenarioRefused(click.exceptions.Exit):
+    """A scenario that cannot be flown: ends the program once its mistakes, `text`, have been told."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__(BAD_INPUT)
+        self.text = text
+
+
+def load_scenario(scenario: str) -> Scenario:
+    """The scenario of that name or file. Raises ScenarioRefused, once what is wrong has gone to stderr line by line."""
+    from gcs.scenario import plugins
+    from gcs.scenario.file import find, load
+    from gcs.scenario.model import ScenarioError
+
+    try:
+        file = find(scenario)
+        loaded = load(file)
+        plugins.look_in([file.parent, Path.cwd()])
+        plugins.check(loaded, file)
+        return loaded
+    except ScenarioError as error:
+        click.echo(str(error), err=True)
+        raise ScenarioRefused(str(error)) from None
+
+
+def module_arguments(scenario: str) -> list[str]:
+    """The supervisor's arguments that let it find planners and policies where `load_scenario` did."""
+    from gcs.scenario.file import find
+
+    return [word for folder in (find(scenario).parent, Path.cwd()) for word in ("--modules", str(folder.resolve()))]
+
+
+@click.command(short_help="Check a scenario and draw its plan.")
+@click.argument("scenario", type=ScenarioName())
+@click.option(
+    "--image",
+    type=click.Path(dir_okay=False, path_type=Path),
+    metavar="FILE",
+    help="Draw the plan to this file instead of the terminal: .png, .svg or .pdf.",
+)
+@click.option("--quiet", "-q", is_flag=True, help="Only say what is wrong.")
+def validate(scenario: str, image: Path | None, quiet: bool) -> int:
+    """Check SCENARIO and draw what it says: vehicles, targets' paths, obstacles and ranges, seen from above.
+
+    Every mistake is a line with file, line and column. A planner or policy of your own is imported and looked at, but
+    not run.
+
+    \b
+    Examples:
+      gcs validate my-scenario.yaml
+      gcs validate demo --image plan.svg
+
+    \b
+    Exit status:
+      0    the scenario can be flown
+      1    the image could not be written
+      2    it cannot be flown; each reason is a line on stderr
+    """
+    from gcs.scenario import plot
+
+    checked = load_scenario(scenario)
+    if image is not None:
+        try:
+            plot.image(checked, image)
+        except (OSError, ValueError) as error:
+            why = error.strerror if isinstance(error, OSError) else str(error)
+            click.echo(f"{image}: the plan cannot be drawn there: {why}", err=True)
+            return NOT_DONE
+    if quiet:
+        return 0
+    if image is None:
+        lines = plot.text(checked, min(shutil.get_terminal_size().columns, 100) - 1)
+        for line in lines:
+            click.echo(line)
+        click.echo(plot.legend("".join(lines[:-1])))
+        click.echo()
+    for line in plot.facts(checked):
+        click.echo(line)
+    click.echo(f"{scenario}: valid" + ("" if image is None else f"; its plan is {image}"))
+    return 0
+
+
+@click.command(short_help="Print the JSON Schema of a scenario, for editors.")
+def schema() -> int:
+    """Print the JSON Schema of scenario files.
+
+    With it an editor completes keys, shows what they mean and underlines mistakes. For one with a YAML language server
+    (VS Code's YAML extension, Neovim, Emacs, JetBrains) begin the scenario with the line below.
+
+    \b
+    Examples:
+      gcs schema > scenario.schema.json
+      # yaml-language-server: $schema=scenario.schema.json
+    """
+    from gcs.scenario.json_schema import editor_schema
+
+    click.echo(json.dumps(editor_schema(), indent=2))
+    return 0
+
+
+@click.command(short_help="Write a scenario to start from.")
+@click.argument("name", default="my-scenario")
+def init(name: str) -> int:
+    """Write NAME.yaml: a small scenario that flies, with a comment on each key. NAME is my-scenario if left out.
+
+    \b
+    Examples:
+      gcs init
+      gcs init experiments/first.yaml
+
+    \b
+    Exit status:
+      0    the file was written
+      2    it exists already, or could not be written
+    """
+    from importlib import resources
+
+    path = Path(name if name.endswith((".yaml", ".yml")) else f"{name}.yaml")
+    called = re.sub(r"[^A-Za-z0-9._-]+", "-", path.stem).lstrip("._-")[:64] or "my-scenario"
+    text = resources.files("gcs").joinpath("templates", "scenario.yaml").read_text(encoding="utf-8")
+    for mark, value in (("{file}", " ".join(str(path).split())), ("{name}", _yaml_text(called))):
+        text = text.replace(mark, value)
+    try:
+        with path.open("x", encoding="utf-8") as file:
+            file.write(text)
+    except FileExistsError:
+        raise click.UsageError(f"{path} exists already and is left as it is; give another name") from None
+    except (OSError, ValueError) as error:
+        why = error.strerror if isinstance(error, OSError) else error
+        raise click.UsageError(f"cannot write {path}: {why}; give a name in a folder that exists") from None
+    click.echo(f"{path}: written. Next: gcs validate {path}, then gcs run {path}")
+    return 0
+
+
+def _yaml_text(word: str) -> str:
+    """A word that YAML would read as a number or truth value gets quotes."""
+    return word if re.fullmatch(r"[A-Za-z][A-Za-z0-9_-]*", word) and word.lower() not in _WORDS else f'"{word}"'
+
+
+_WORDS = {"true", "false", "null", "yes", "no", "on", "off"}
+
+
+@click.command(short_help="Look for what keeps sessions from running here.")
+@click.option("--json", "as_json", is_flag=True, help="One JSON object per finding.")
+def doctor(as_json: bool) -> int:
+    """Check this machine: Python, versions, sockets, receive buffers, ports, folder, terminal.
+
+    Each finding that is not fine says what to do about it.
+
+    \b
+    Exit status:
+      0    sessions run here, perhaps less well than they could (notes)
+      1    they do not (problems)
+    """
+    from dataclasses import asdict
+
+    from gcs.cli.doctor import examine
+
+    worst: dict[str, Any] = dict.fromkeys(("note", "problem"), 0)
+    for finding in examine():
+        if finding.level in worst:
+            worst[finding.level] += 1
+        if as_json:
+            click.echo(json.dumps(asdict(finding)))
+            continue
+        click.echo(f"{finding.level:<8} {finding.what}: {finding.found}")
+        if finding.advice:
+            click.echo(f"{'':<8} -> {finding.advice}")
+    if not as_json:
+        click.echo(", ".join(f"{number} {level}{'s' * (number != 1)}" for level, number in reversed(worst.items())))
+    return NOT_DONE if worst["problem"] else 0

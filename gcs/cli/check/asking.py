@@ -1,0 +1,79 @@
+"""How questions are put: commands, requests, and what only looks at what has come; and who asks."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.cli.check.dialogue import Question, Vehicle
+from gcs.cli.check.judges import Fault, acknowledged, no_fault
+from gcs.mavlink import codec
+from gcs.mavlink.codec import Message, layout, message
+
+MAVSDK, QGC, MAVPROXY = "MAVSDK", "QGroundControl", "MAVProxy"
+PEERS = (MAVSDK, QGC, MAVPROXY)
+OUTSIDE = {
+    "PROTOCOL_VERSION": 300,
+    "COMPONENT_INFORMATION": 395,
+    "COMPONENT_METADATA": 397,
+    "AVAILABLE_MODES": 435,
+}
+"""Messages that are asked for but stand in no dialect of pymavlink: known by their id, not read."""
+
+
+Ask = Callable[[Vehicle], Sequence[Message]]
+
+
+def command_long(command: int, *params: float, to_component: int | None = None, offset: int = 0) -> Ask:
+    """COMMAND_LONG to the vehicle; with `offset` to the vehicle of another system id."""
+
+    def ask(vehicle: Vehicle) -> Sequence[Message]:
+        values = dict(zip([f"param{i}" for i in range(1, 8)], (*params, *[0.0] * 7), strict=False))
+        return [
+            message(
+                "COMMAND_LONG",
+                target_system=(vehicle.sysid - 1 + offset) % 250 + 1 if offset else vehicle.sysid,
+                target_component=vehicle.compid if to_component is None else to_component,
+                command=command,
+                confirmation=0,
+                **values,
+            )
+        ]
+
+    return ask
+
+
+def command_int(command: int, *params: float) -> Ask:
+    """COMMAND_INT to the vehicle, without a place."""
+
+    def ask(vehicle: Vehicle) -> Sequence[Message]:
+        values = dict(zip([f"param{i}" for i in range(1, 5)], (*params, *[0.0] * 4), strict=False))
+        to = {"target_system": vehicle.sysid, "target_component": vehicle.compid}
+        rest = {"frame": mav.MAV_FRAME_GLOBAL, "current": 0, "autocontinue": 0, "x": 0, "y": 0, "z": 0.0}
+        return [message("COMMAND_INT", command=command, **to, **rest, **values)]
+
+    return ask
+
+
+def to_vehicle(name: str, **values: Any) -> Ask:
+    """A message with the vehicle as its target."""
+    return lambda v: [message(name, target_system=v.sysid, target_component=v.compid, **values)]
+
+
+def requested(name: str, what: str, misses: dict[str, str], *, may_refuse: bool = False, **more: Any) -> Question:
+    """MAV_CMD_REQUEST_MESSAGE for a message."""
+    msgid = OUTSIDE.get(name) or layout(name).msgid
+    fault: Fault = more.pop("fault", no_fault)
+    judge, at_end = acknowledged(
+        mav.MAV_CMD_REQUEST_MESSAGE, then=codec.name(msgid), may_refuse=may_refuse, fault=fault
+    )
+    ask = command_long(mav.MAV_CMD_REQUEST_MESSAGE, float(msgid))
+    key = name.lower().replace("_", "-")
+    return Question(key, f"{what} (REQUEST_MESSAGE {msgid})", misses, judge, ask, at_end, **more)
+
+
+def judged(key: str, what: str, misses: dict[str, str], at_end: Any, **more: Any) -> Question:
+    """A question that only looks at what has come already."""
+    return Question(key, what, misses, lambda *_: None, at_end=at_end, repeat_s=0.0, tries=1, **more)

@@ -1,0 +1,202 @@
+"""What peers ask at connect: version, home, rates, time, files, plans, and how commands are treated."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.cli.check.asking import MAVPROXY, MAVSDK, QGC, Ask, command_int, command_long, requested, to_vehicle
+from gcs.cli.check.dialogue import Question, Vehicle
+from gcs.cli.check.judges import OK, acknowledged, answered, refuses, silent
+from gcs.mavlink.autopilots import ARDUCOPTER, PX4
+from gcs.mavlink.codec import Message, layout, message
+from gcs.mavlink.ids import STATION
+
+UNKNOWN_COMMAND = 65000
+OPEN_FILE, RESET_SESSIONS, FTP_ACK, FTP_NAK = 4, 2, 128, 129
+
+
+def _version_fault(vehicle: Vehicle, content: Any) -> str:
+    if not content.capabilities & mav.MAV_PROTOCOL_CAPABILITY_MISSION_INT:
+        return "its capabilities lack MISSION_INT"
+    if not content.capabilities & mav.MAV_PROTOCOL_CAPABILITY_MAVLINK2:
+        return "its capabilities lack MAVLINK2"
+    number = tuple(content.flight_sw_version >> shift & 0xFF for shift in (24, 16, 8))
+    if vehicle.profile is PX4 and number < (1, 4, 1):
+        return f"its version is {'.'.join(map(str, number))}, QGroundControl wants 1.4.1 at least"
+    return ""
+
+
+def _interval() -> Question:
+    command = mav.MAV_CMD_SET_MESSAGE_INTERVAL
+    judge, at_end = acknowledged(command)
+    misses = {MAVSDK: "cannot set rates; telemetry.in_air() may never yield"}
+    ask = command_long(command, float(layout("EXTENDED_SYS_STATE").msgid), 1e6)
+    return Question("message-interval", "SET_MESSAGE_INTERVAL (511) for EXTENDED_SYS_STATE", misses, judge, ask, at_end)
+
+
+def _landed() -> Question:
+    misses = {
+        MAVSDK: "telemetry.in_air() and landed_state() never yield",
+        QGC: "guesses from the throttle whether it flies",
+    }
+    return Question(
+        "extended-sys-state", "EXTENDED_SYS_STATE after that", misses, answered("EXTENDED_SYS_STATE"), repeat_s=1.5
+    )
+
+
+def _legacy() -> Question:
+    command = mav.MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES
+    judge, at_end = acknowledged(command, then="AUTOPILOT_VERSION", may_refuse=True)
+    what = "AUTOPILOT_VERSION the old way (520), or its refusal"
+    return Question(
+        "autopilot-version-520", what, {MAVSDK: "asks again for seconds"}, judge, command_long(command, 1.0), at_end
+    )
+
+
+def _ping() -> Question:
+    def ask(_: Vehicle) -> Sequence[Message]:
+        return [message("PING", time_usec=1, seq=4711, target_system=0, target_component=0)]
+
+    def ours(_: Vehicle, content: Any) -> bool:
+        return bool(content.seq == 4711 and (content.target_system, content.target_component) == STATION)
+
+    return Question(
+        "ping",
+        "PING echoed to its sender",
+        {MAVSDK: "has no round-trip time"},
+        answered("PING", ours=ours),
+        ask,
+        when=lambda v: "MAVSDK sends ArduPilot none" if v.profile is ARDUCOPTER else "",
+    )
+
+
+def _timesync() -> Question:
+    def ask(_: Vehicle) -> Sequence[Message]:
+        return [message("TIMESYNC", tc1=0, ts1=123_456_789)]
+
+    def ours(_: Vehicle, content: Any) -> bool:
+        return bool(content.tc1 != 0 and content.ts1 == 123_456_789)
+
+    misses = {MAVSDK: "cannot align clocks", MAVPROXY: "has no link delay to show"}
+    return Question("timesync", "TIMESYNC answered with its own time", misses, answered("TIMESYNC", ours=ours), ask)
+
+
+def _ftp(number: int, opcode: int, data: bytes = b"") -> Ask:
+    """A request of its own number: one that is repeated is answered by what was answered before."""
+    payload = bytes([number, 0, 0, opcode, len(data), 0, 0, 0, 0, 0, 0, 0]) + data
+    return to_vehicle("FILE_TRANSFER_PROTOCOL", target_network=0, payload=list(payload.ljust(251, b"\0")))
+
+
+def _ftp_answer(opcode: int) -> Callable[[Vehicle, Any], bool]:
+    return lambda _, content: content.payload[3] in (FTP_ACK, FTP_NAK) and content.payload[5] == opcode
+
+
+def _home_410() -> Question:
+    command = mav.MAV_CMD_GET_HOME_POSITION
+    ask = command_long(command, to_component=0)
+    misses = {MAVPROXY: "asks again every few seconds and has no home"}
+    return Question(
+        "home-position-410", "HOME_POSITION the old way (410, component 0)", misses, answered("HOME_POSITION"), ask
+    )
+
+
+def _other_target() -> Question:
+    ask = command_long(mav.MAV_CMD_REQUEST_MESSAGE, float(layout("AUTOPILOT_VERSION").msgid), offset=1)
+    misses = {MAVSDK: "flies every vehicle on the port when it means one"}
+    return Question(
+        "other-target", "a command to another system id is left alone", misses, silent, ask, lambda *_: OK, tries=1
+    )
+
+
+def _unknown_command() -> Question:
+    misses = {
+        MAVSDK: "waits through its retries, then says TIMEOUT",
+        QGC: "says that the vehicle did not respond to a command",
+    }
+    ask = command_long(UNKNOWN_COMMAND)
+    return Question("unknown-command", "an unknown command is refused", misses, refuses(UNKNOWN_COMMAND), ask)
+
+
+def _as_int() -> Question:
+    judge, at_end = acknowledged(mav.MAV_CMD_REQUEST_MESSAGE, then="AUTOPILOT_VERSION")
+    ask = command_int(mav.MAV_CMD_REQUEST_MESSAGE, float(layout("AUTOPILOT_VERSION").msgid))
+    misses = {QGC: "cannot go to a place on the map", MAVPROXY: "its guided command times out"}
+    return Question("command-int", "commands as COMMAND_INT too", misses, judge, ask, at_end)
+
+
+NO_HOME = {MAVSDK: "health_all_ok never turns true, and it asks every 2 s", QGC: "draws no home"}
+
+CONNECT = [
+    requested(
+        "AUTOPILOT_VERSION",
+        "AUTOPILOT_VERSION with MISSION_INT and MAVLINK2",
+        {MAVSDK: "info and mission plugins time out", QGC: "takes the vehicle for one without capabilities"},
+        fault=_version_fault,
+    ),
+    _legacy(),
+    _interval(),
+    _landed(),
+    requested("HOME_POSITION", "HOME_POSITION", NO_HOME),
+    _ping(),
+    _timesync(),
+    *(
+        requested(
+            name, f"{name}, or its refusal", {QGC: "waits for it, three times, before it goes on"}, may_refuse=True
+        )
+        for name in ("PROTOCOL_VERSION", "AVAILABLE_MODES", "COMPONENT_METADATA", "COMPONENT_INFORMATION")
+    ),
+    _unknown_command(),
+    _as_int(),
+    _other_target(),
+    _home_410(),
+    Question(
+        "ftp",
+        "FTP answered, if only by a NAK",
+        {
+            MAVPROXY: "tries ten times before it asks for parameters one by one",
+            QGC: "waits before it asks for parameters",
+        },
+        answered("FILE_TRANSFER_PROTOCOL", ours=_ftp_answer(OPEN_FILE)),
+        _ftp(1, OPEN_FILE, b"@PARAM/param.pck"),
+    ),
+    Question(
+        "ftp-reset",
+        "FTP sessions closed again",
+        {MAVPROXY: "cannot open the next file"},
+        answered("FILE_TRANSFER_PROTOCOL", ours=_ftp_answer(RESET_SESSIONS)),
+        _ftp(3, RESET_SESSIONS),
+        when=lambda v: "" if _opened(v) else "no file was opened",
+    ),
+]
+
+
+def _opened(vehicle: Vehicle) -> bool:
+    content = vehicle.of("FILE_TRANSFER_PROTOCOL")
+    return content is not None and content.payload[3] == FTP_ACK
+
+
+def _mission(kind: int, name: str, capability: int, misses: dict[str, str]) -> Question:
+    def ask(vehicle: Vehicle) -> Sequence[Message]:
+        to = {"target_system": vehicle.sysid, "target_component": vehicle.compid}
+        over = [message("MISSION_ACK", type=mav.MAV_MISSION_ACCEPTED, mission_type=kind - 1, **to)] if kind else []
+        return [*over, message("MISSION_REQUEST_LIST", mission_type=kind, **to)]
+
+    def when(vehicle: Vehicle) -> str:
+        return "" if not capability or vehicle.capabilities & capability else "its capabilities say that it has none"
+
+    judge = answered("MISSION_COUNT", ours=lambda _, content: content.mission_type == kind)
+    return Question(f"{name}-download", f"{name} download begins (MISSION_COUNT)", misses, judge, ask, when=when)
+
+
+MISSIONS = [
+    _mission(
+        0, "mission", 0, {MAVSDK: "mission.download_mission() times out", QGC: "says that the plan could not be loaded"}
+    ),
+    _mission(1, "fence", mav.MAV_PROTOCOL_CAPABILITY_MISSION_FENCE, {QGC: "says that the fence could not be loaded"}),
+    _mission(
+        2, "rally", mav.MAV_PROTOCOL_CAPABILITY_MISSION_RALLY, {QGC: "says that rally points could not be loaded"}
+    ),
+]

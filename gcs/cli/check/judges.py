@@ -1,0 +1,149 @@
+"""How answers are judged: what counts as come, as wrong, and as never come."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from itertools import pairwise
+from typing import Any
+
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.cli.check.dialogue import Heard, Judge, Vehicle, Verdict
+from gcs.mavlink.ids import STATION
+
+Fault = Callable[[Vehicle, Any], str]
+"""What is wrong with a message's fields; empty where nothing is."""
+
+OK = Verdict("ok")
+REASONS_WITHIN_S = 0.3
+"""ArduPilot says why it refuses after it has acknowledged."""
+
+
+def no_fault(_: Vehicle, __: Any) -> str:
+    """Nothing is wrong with any content."""
+    return ""
+
+
+def result_name(result: int) -> str:
+    """MAV_RESULT as a word."""
+    entry = mav.enums["MAV_RESULT"].get(result)
+    return entry.name.removeprefix("MAV_RESULT_") if entry is not None else f"result {result}"
+
+
+def _named(heard: Sequence[Heard], name: str) -> Iterator[Any]:
+    return (h.fields for h in heard if h.name == name)
+
+
+def _names(heard: Sequence[Heard]) -> set[str]:
+    """What has come, also of messages that no dialect of ours holds: those have no fields to read."""
+    return {h.name for h in heard}
+
+
+def _final_acks(heard: Sequence[Heard], command: int) -> list[Any]:
+    """The acknowledgements of `command` that end it and are addressed to us or to everyone."""
+    return [
+        ack
+        for ack in _named(heard, "COMMAND_ACK")
+        if ack.command == command
+        and ack.result != mav.MAV_RESULT_IN_PROGRESS
+        and ack.target_system in (0, STATION[0])
+        and ack.target_component in (0, STATION[1])
+    ]
+
+
+def answered(name: str, fault: Fault = no_fault, *, ours: Callable[[Vehicle, Any], bool] = lambda *_: True) -> Judge:
+    """A message of this name that is meant (`ours`) has come."""
+
+    def judge(vehicle: Vehicle, heard: Sequence[Heard]) -> Verdict | None:
+        for content in _named(heard, name):
+            if ours(vehicle, content):
+                wrong = fault(vehicle, content)
+                return Verdict("wrong", wrong) if wrong else OK
+        return None
+
+    return judge
+
+
+def acknowledged(
+    command: int, *, then: str | None = None, may_refuse: bool = False, fault: Fault = no_fault
+) -> tuple[Judge, Callable[[Vehicle, Sequence[Heard]], Verdict]]:
+    """A final acknowledgement has come and, where it accepts, the message `then` too; as (judge, at_end)."""
+
+    def refused(heard: Sequence[Heard], ack: Any) -> Verdict:
+        texts = "; ".join(dict.fromkeys(content.text for content in _named(heard, "STATUSTEXT")))
+        said = f"refused: {result_name(ack.result)}" + (f", {texts}" if texts else "")
+        return Verdict("ok" if may_refuse else "wrong", said)
+
+    def judge(vehicle: Vehicle, heard: Sequence[Heard]) -> Verdict | None:
+        acks = _final_acks(heard, command)
+        if not acks:
+            return None
+        if acks[0].result != mav.MAV_RESULT_ACCEPTED:
+            told_s = next(h.at_s for h in heard if h.fields is acks[0])
+            waits = not may_refuse and heard[-1].at_s - told_s < REASONS_WITHIN_S
+            return None if waits else refused(heard, acks[0])
+        if then is None:
+            return OK
+        if then not in _names(heard):
+            return None
+        wrong = fault(vehicle, next(_named(heard, then)))
+        return Verdict("wrong", wrong) if wrong else OK
+
+    def at_end(_: Vehicle, heard: Sequence[Heard]) -> Verdict:
+        if acks := _final_acks(heard, command):
+            if acks[0].result != mav.MAV_RESULT_ACCEPTED:
+                return refused(heard, acks[0])
+            return Verdict("wrong", f"accepted, but {then} never came")
+        if then in _names(heard):
+            return Verdict("missing", f"{then} came, but no COMMAND_ACK")
+        return Verdict("missing", "no COMMAND_ACK")
+
+    return judge, at_end
+
+
+def refuses(command: int) -> Judge:
+    """An unknown command is refused, once."""
+
+    def judge(_: Vehicle, heard: Sequence[Heard]) -> Verdict | None:
+        acks = _final_acks(heard, command)
+        if not acks:
+            return None
+        if acks[0].result == mav.MAV_RESULT_ACCEPTED:
+            return Verdict("wrong", "accepted a command that does not exist")
+        return OK
+
+    return judge
+
+
+def silent(_: Vehicle, heard: Sequence[Heard]) -> Verdict | None:
+    """A command to somebody else: any acknowledgement shows that it was obeyed."""
+    if any(_named(heard, "COMMAND_ACK")):
+        return Verdict("wrong", "obeyed a command whose target_system is another vehicle's")
+    return None
+
+
+def streamed(name: str, at_least_hz: float) -> Callable[[Vehicle, Sequence[Heard]], Verdict]:
+    """The message has come unasked, since the vehicle was first heard, about as often as is wanted."""
+
+    def at_end(vehicle: Vehicle, _: Sequence[Heard]) -> Verdict:
+        arrivals_s = vehicle.arrivals_s.get(name, [])
+        times_s = [at_s for times in vehicle.arrivals_s.values() for at_s in (times[0], times[-1])]
+        window_s = max(times_s) - min(times_s)
+        if not arrivals_s:
+            return Verdict("missing", f"not heard in {window_s:.1f} s")
+        if len(arrivals_s) < 0.8 * at_least_hz * window_s - 1.0:
+            return Verdict("late", f"{len(arrivals_s) / window_s:.1f} Hz, wanted {at_least_hz:g} Hz")
+        return OK
+
+    return at_end
+
+
+def steady(name: str, within_s: float) -> Callable[[Vehicle, Sequence[Heard]], Verdict]:
+    """The message never paused for longer than its listeners' patience."""
+
+    def at_end(vehicle: Vehicle, _: Sequence[Heard]) -> Verdict:
+        arrivals_s = vehicle.arrivals_s[name]
+        gap_s = max((b - a for a, b in pairwise(arrivals_s)), default=0.0)
+        return Verdict("wrong", f"paused for {gap_s:.1f} s") if gap_s > within_s else OK
+
+    return at_end

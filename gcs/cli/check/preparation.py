@@ -1,0 +1,109 @@
+"""What peers do before a flight: hold, offboard, arm, disarm. It changes modes and arms: only where allowed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.cli.check.asking import MAVPROXY, MAVSDK, QGC, command_long, to_vehicle
+from gcs.cli.check.dialogue import Heard, Question, Vehicle, Verdict
+from gcs.cli.check.judges import OK, acknowledged, answered
+from gcs.mavlink.autopilots import FlightMode
+from gcs.mavlink.codec import Message, message
+
+
+def _mode_number(vehicle: Vehicle, mode: FlightMode) -> int:
+    return min(number for number, known in vehicle.profile.modes.items() if known is mode)
+
+
+def _set_hold(vehicle: Vehicle) -> Sequence[Message]:
+    mode = {"base_mode": mav.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED, "custom_mode": _mode_number(vehicle, FlightMode.HOLD)}
+    return [message("SET_MODE", target_system=vehicle.sysid, **mode)]
+
+
+def _flies(mode: FlightMode) -> Callable[[Vehicle, Any], bool]:
+    return lambda vehicle, content: vehicle.profile.mode(content.custom_mode) is mode
+
+
+def _says(wanted: bool) -> Callable[[Vehicle, Sequence[Heard]], Verdict | None]:
+    """The newest HEARTBEAT, which may have come together with the acknowledgement."""
+    return lambda vehicle, _: OK if vehicle.armed is wanted else None
+
+
+def _stay(vehicle: Vehicle) -> Sequence[Message]:
+    place = vehicle.of("LOCAL_POSITION_NED")
+    x, y, z = (place.x, place.y, place.z) if place is not None else (0.0, 0.0, 0.0)
+    rest = dict.fromkeys(("vx", "vy", "vz", "afx", "afy", "afz", "yaw", "yaw_rate"), 0.0)
+    frame = {"coordinate_frame": mav.MAV_FRAME_LOCAL_NED, "type_mask": 2552, "time_boot_ms": 0}
+    return to_vehicle("SET_POSITION_TARGET_LOCAL_NED", x=x, y=y, z=z, **rest, **frame)(vehicle)
+
+
+def _offboard(vehicle: Vehicle) -> Sequence[Message]:
+    return command_long(mav.MAV_CMD_DO_SET_MODE, *vehicle.profile.offboard)(vehicle)
+
+
+def _arming(wanted: bool) -> list[Question]:
+    word = "arm" if wanted else "disarm"
+    command = mav.MAV_CMD_COMPONENT_ARM_DISARM
+    judge, at_end = acknowledged(command)
+    return [
+        Question(
+            word,
+            f"{word}: acknowledged",
+            {
+                MAVSDK: f"action.{word}() fails",
+                QGC: f"says that the vehicle refused to {word}",
+                MAVPROXY: "prints the refusal",
+            },
+            judge,
+            command_long(command, float(wanted)),
+            at_end,
+        ),
+        Question(
+            f"{word}-heartbeat",
+            f"{word}: the next HEARTBEAT says so",
+            {QGC: "keeps showing the old state", MAVSDK: f"telemetry.armed() stays {not wanted}"},
+            _says(wanted),
+            repeat_s=1.2,
+            tries=1,
+        ),
+    ]
+
+
+def _preparation() -> list[Question]:
+    judge, at_end = acknowledged(mav.MAV_CMD_DO_SET_MODE)
+    return [
+        Question(
+            "set-mode",
+            "SET_MODE (11) to hold: the HEARTBEAT says so",
+            {QGC: "tries three times, then shows the old mode"},
+            answered("HEARTBEAT", ours=_flies(FlightMode.HOLD)),
+            _set_hold,
+            repeat_s=1.2,
+        ),
+        Question(
+            "offboard",
+            "offboard after half a second of set points",
+            {MAVSDK: "offboard.start() is refused"},
+            judge,
+            _offboard,
+            at_end,
+            streams=_stay,
+            lead_s=0.5,
+        ),
+        Question(
+            "hold-again",
+            "SET_MODE (11) back to hold",
+            {QGC: "tries three times, then shows the old mode"},
+            answered("HEARTBEAT", ours=_flies(FlightMode.HOLD)),
+            _set_hold,
+            repeat_s=1.2,
+        ),
+        *_arming(True),
+        *_arming(False),
+    ]
+
+
+PREPARATION = _preparation()

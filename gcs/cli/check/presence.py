@@ -1,0 +1,178 @@
+"""What peers wait for without asking: heartbeat, mode, streams, health."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.cli.check.asking import MAVPROXY, MAVSDK, QGC, judged, to_vehicle
+from gcs.cli.check.dialogue import Heard, Question, Vehicle, Verdict
+from gcs.cli.check.judges import OK, steady, streamed
+from gcs.mavlink.autopilots import ARDUCOPTER, GENERIC, PX4
+from gcs.mavlink.codec import Message
+
+LISTEN_S = 4.0
+MAVSDK_LOSES_S = 3.0
+
+
+def _stream_request(vehicle: Vehicle) -> Sequence[Message]:
+    """ArduPilot's peers ask for its streams; nobody asks PX4 for them."""
+    if vehicle.profile is not ARDUCOPTER:
+        return []
+    return to_vehicle("REQUEST_DATA_STREAM", req_stream_id=0, req_message_rate=4, start_stop=1)(vehicle)
+
+
+def _heartbeat_fault(vehicle: Vehicle, _: Sequence[Heard]) -> Verdict:
+    content = vehicle.of("HEARTBEAT")
+    if vehicle.compid != mav.MAV_COMP_ID_AUTOPILOT1:
+        return Verdict("wrong", f"comes from component {vehicle.compid}, not from 1")
+    if not content.base_mode & mav.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED:
+        return Verdict("wrong", "MAV_MODE_FLAG_CUSTOM_MODE_ENABLED is not set, so its mode means nothing")
+    return OK
+
+
+def _mode_fault(vehicle: Vehicle, _: Sequence[Heard]) -> Verdict:
+    number = vehicle.of("HEARTBEAT").custom_mode
+    known = {mode for modes in mav_mode_names(vehicle).values() for mode in modes}
+    return OK if number in known else Verdict("wrong", f"custom_mode {number} is none of {vehicle.profile.name}'s")
+
+
+def mav_mode_names(vehicle: Vehicle) -> dict[str, set[int]]:
+    """The autopilot's modes, by pymavlink's tables, which MAVProxy shows."""
+    from pymavlink import mavutil  # noqa: PLC0415 - reads the environment when it is imported
+
+    if vehicle.profile is ARDUCOPTER:
+        return {name: {number} for number, name in mavutil.mode_mapping_acm.items()}
+    found: dict[str, set[int]] = {}
+    for name, (_, main, sub) in mavutil.px4_map.items():
+        found.setdefault(name, set()).add(main << 16 | sub << 24)
+    return found | {"OFFBOARD": {6 << 16}}
+
+
+def _autopilot_fault(vehicle: Vehicle, _: Sequence[Heard]) -> Verdict:
+    if vehicle.profile is GENERIC:
+        return Verdict("wrong", f"MAV_AUTOPILOT {vehicle.of('HEARTBEAT').autopilot} is neither PX4 nor ArduPilot")
+    return OK
+
+
+def _stream(name: str, hz: float, misses: dict[str, str]) -> Question:
+    key = f"stream-{name.lower().replace('_', '-')}"
+    what = f"{name} at {hz:g} Hz"
+    return Question(key, what, misses, lambda *_: None, at_end=streamed(name, hz), repeat_s=0.0, tries=1)
+
+
+def _fence(vehicle: Vehicle, heard: Sequence[Heard]) -> Verdict:
+    """A PX4 has a fence, and no word of it in SYS_STATUS: MAVProxy says 'fence breach' of each, once."""
+    status = vehicle.of("SYS_STATUS")
+    told = status.onboard_control_sensors_present | status.onboard_control_sensors_enabled
+    if vehicle.profile is PX4 and not told & mav.MAV_SYS_STATUS_GEOFENCE:
+        return Verdict("late", "nothing is told of it, as by PX4 up to 1.17")
+    return _health(mav.MAV_SYS_STATUS_GEOFENCE, "GEOFENCE")(vehicle, heard)
+
+
+def _health(bits: int, names: str) -> Callable[[Vehicle, Sequence[Heard]], Verdict]:
+    def at_end(vehicle: Vehicle, _: Sequence[Heard]) -> Verdict:
+        status = vehicle.of("SYS_STATUS")
+        lacking = bits & ~status.onboard_control_sensors_health
+        return Verdict("wrong", f"onboard_control_sensors_health lacks {lacking:#x} ({names})") if lacking else OK
+
+    return at_end
+
+
+def _without_status(vehicle: Vehicle) -> str:
+    return "" if vehicle.of("SYS_STATUS") is not None else "there is no SYS_STATUS to read"
+
+
+SENSORS = (
+    mav.MAV_SYS_STATUS_SENSOR_3D_GYRO
+    | mav.MAV_SYS_STATUS_SENSOR_3D_ACCEL
+    | mav.MAV_SYS_STATUS_SENSOR_3D_MAG
+    | mav.MAV_SYS_STATUS_SENSOR_GPS
+)
+HEARTBEAT_MISSES = {
+    MAVSDK: "never discovers the vehicle, or shows flight mode UNKNOWN",
+    QGC: "stays at 'Disconnected', or shows no flight mode",
+    MAVPROXY: "waits for a heartbeat",
+}
+
+PRESENCE = [
+    Question(
+        "heartbeat",
+        "HEARTBEAT of component 1 with a custom mode",
+        HEARTBEAT_MISSES,
+        lambda *_: None,
+        ask=_stream_request,
+        at_end=_heartbeat_fault,
+        repeat_s=LISTEN_S,
+        tries=1,
+    ),
+    _stream(
+        "HEARTBEAT",
+        1.0,
+        {MAVSDK: "loses the vehicle and finds it again, over and over", QGC: "says that it lost communication"},
+    ),
+    judged(
+        "mode", "a custom mode that the autopilot has", {MAVPROXY: "shows Mode(number) instead of a name"}, _mode_fault
+    ),
+    judged("autopilot", "an autopilot that peers know", {QGC: "disables take-off, land and return"}, _autopilot_fault),
+    _stream("SYS_STATUS", 0.5, {MAVSDK: "health_all_ok never turns true", QGC: "never gets ready to fly"}),
+    _stream("ATTITUDE", 1.0, {MAVSDK: "telemetry.attitude_euler() never yields", QGC: "the horizon stands still"}),
+    _stream(
+        "GLOBAL_POSITION_INT", 1.0, {MAVSDK: "telemetry.position() never yields", QGC: "shows no vehicle on the map"}
+    ),
+    _stream(
+        "LOCAL_POSITION_NED",
+        1.0,
+        {MAVSDK: "telemetry.position_velocity_ned() never yields, health lacks a local position"},
+    ),
+    _stream(
+        "GPS_RAW_INT",
+        0.5,
+        {MAVSDK: "telemetry.gps_info() never yields", QGC: "shows no satellites", MAVPROXY: "shows no GPS"},
+    ),
+    _stream("BATTERY_STATUS", 0.4, {MAVSDK: "telemetry.battery() never yields", QGC: "shows no battery"}),
+    judged(
+        "health-sensors",
+        "SYS_STATUS health of gyroscope, accelerometer, magnetometer and GPS",
+        {MAVSDK: "health_all_ok never turns true"},
+        _health(SENSORS, "gyro, accel, mag, GPS"),
+        when=_without_status,
+    ),
+    judged(
+        "health-prearm",
+        "SYS_STATUS health of the pre-arm check",
+        {QGC: "says 'Not Ready'"},
+        _health(mav.MAV_SYS_STATUS_PREARM_CHECK, "PREARM_CHECK"),
+        when=_without_status,
+    ),
+    judged(
+        "health-geofence",
+        "SYS_STATUS health of the geofence",
+        {MAVPROXY: "prints 'fence breach'"},
+        _fence,
+        when=_without_status,
+    ),
+]
+
+
+def _clock_fault(vehicle: Vehicle, _: Sequence[Heard]) -> Verdict:
+    if vehicle.backwards:
+        return Verdict("wrong", f"{vehicle.backwards}'s time_boot_ms went back")
+    return OK
+
+
+AT_LAST = [
+    judged(
+        "heartbeat-steady",
+        "HEARTBEAT without a pause, all the while",
+        {MAVSDK: "says that the vehicle timed out", QGC: "says that it lost communication"},
+        steady("HEARTBEAT", MAVSDK_LOSES_S),
+    ),
+    judged(
+        "clock",
+        "time_boot_ms never goes back",
+        {MAVPROXY: "takes it for a reboot and asks for everything again"},
+        _clock_fault,
+    ),
+]

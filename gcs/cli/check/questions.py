@@ -1,0 +1,19 @@
+"""What MAVSDK, QGroundControl and MAVProxy ask of a vehicle, all of it in order (MAVSDK 4.1.0 and MAVProxy 1.8.75 as
+measured, QGroundControl as its source says)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from gcs.cli.check.asking import PEERS
+from gcs.cli.check.connect import CONNECT, MISSIONS
+from gcs.cli.check.dialogue import Question
+from gcs.cli.check.parameters import PARAMETERS
+from gcs.cli.check.preparation import PREPARATION
+from gcs.cli.check.presence import AT_LAST, PRESENCE
+
+
+def questions(peers: Sequence[str] = PEERS, *, arm: bool = False) -> list[Question]:
+    """What these peers ask and wait for, in order; with `arm` also what changes the mode, arms and disarms."""
+    everything = [*PRESENCE, *CONNECT, *PARAMETERS, *MISSIONS, *(PREPARATION if arm else ()), *AT_LAST]
+    return [q for q in everything if set(q.misses) & set(peers) or q.key == "heartbeat"]

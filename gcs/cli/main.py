@@ -1,0 +1,351 @@
+"""`gcs`: the ground station on the command line. Commands load what they need when they run."""
+
+# ruff: noqa: PLC0415 - so that `gcs --help` and a mistyped option answer at once
+
+from __future__ import annotations
+
+import errno
+import json
+import sys
+import threading
+import traceback
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from gcs.cli import author, paper, recorded, report, watch
+from gcs.cli.author import ScenarioName, ScenarioRefused, load_scenario, module_arguments
+from gcs.cli.check import command
+from gcs.exit import INTERNAL_ERROR, INTERRUPTED, NOT_DONE, leave
+from gcs.scenario.endpoint import address
+
+if TYPE_CHECKING:
+    from gcs.session.supervised import View
+
+SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
+
+
+def _limits(wanted: str, holds: Callable[[Any], bool]) -> Callable[[click.Context, click.Parameter, Any], Any]:
+    """A callback that refuses a value outside its limits; `nan` lies in none."""
+
+    def check(ctx: click.Context, param: click.Parameter, value: Any) -> Any:
+        if value is not None and not holds(value):
+            raise click.BadParameter(f"{value} is not {wanted}.", ctx, param)
+        return value
+
+    return check
+
+
+def _someone(ctx: click.Context, param: click.Parameter, value: str | None) -> str | None:
+    """A --connect is an address whose host can be found."""
+    if value is not None:
+        from gcs.link.socket import AddressRefused, resolve
+
+        at = address(value, "udpout")
+        if at is None:
+            form = "write udpout:HOST:PORT, such as udpout:127.0.0.1:14550"
+            raise click.BadParameter(f"{value} is not an address; {form}.", ctx, param)
+        try:
+            resolve(at)
+        except AddressRefused as error:
+            raise click.BadParameter(f"{error}.", ctx, param) from None
+    return value
+
+
+@click.group(context_settings=SETTINGS)
+@click.version_option(package_name="skytender", message="%(prog)s %(version)s")
+def cli() -> None:
+    """Fly a fleet of simulated quadrotors over real MAVLink, and refuel it in the air.
+
+    \b
+    Start here:
+      gcs run demo             five pursuers, a moving target and a tanker, in a console in this terminal
+      gcs run demo --lockstep  the same as fast as the machine can
+      gcs launch demo          only its vehicles, for QGroundControl, MAVSDK or MAVProxy
+      gcs monitor              a further console on a session that runs, or on any fleet with --connect
+      gcs replay               a recorded session, or any .tlog, in the console
+      gcs report SESSION       a page of what it recorded: paths, energy, competition, distances
+      gcs init                 a scenario of your own to start from; gcs validate draws it
+      gcs doctor               what keeps sessions from running here
+
+    A SCENARIO is a YAML file, or the name of one that ships with the program, such as demo.
+
+    `gcs COMMAND --help` explains a command. `simvehicle --help` is one vehicle by itself.
+    """
+
+
+for _command in (
+    author.init,
+    author.validate,
+    author.schema,
+    author.doctor,
+    watch.monitor,
+    command.check,
+    report.report,
+    recorded.replay,
+    recorded.export,
+    paper.paper,
+):
+    cli.add_command(_command)
+
+
+@cli.command(short_help="Fly a scenario and watch it.")
+@click.argument("scenario", type=ScenarioName())
+@click.option("--lockstep", is_flag=True, help="As fast as the machine can; the result does not depend on its load.")
+@click.option(
+    "--speed",
+    type=float,
+    callback=_limits("a speed above 0 and up to 1000", lambda speed: 0.0 < speed <= 1000.0),
+    metavar="X",
+    help="Session seconds per second on the wall, above 0 and up to 1000.",
+)
+@click.option(
+    "--seed",
+    type=int,
+    callback=_limits("a whole number from 0 to 2^63 - 1", lambda seed: 0 <= seed < 1 << 63),
+    metavar="N",
+    help="Of everything random, instead of the scenario's.",
+)
+@click.option(
+    "--out",
+    type=click.Path(path_type=Path),
+    metavar="DIR",
+    help="The session's folder, which must not exist yet.  [default: sessions/NAME-TIME]",
+)
+@click.option("--plain", is_flag=True, help="Lines of text instead of the console; also used without a terminal.")
+@click.option("--json", "as_json", is_flag=True, help="One JSON object per second on stdout, for other programs.")
+@click.option(
+    "--vehicles-per-process",
+    type=int,
+    callback=_limits("a number from 1 to 254", lambda number: 1 <= number <= 254),
+    metavar="K",
+    help="Fly up to K vehicles in each process, instead of the scenario's number: lighter and faster, and the same to "
+    "the last bit.",
+)
+@click.option(
+    "--drop-datagrams",
+    type=float,
+    callback=_limits("a share from 0 to 0.9", lambda share: 0.0 <= share <= 0.9),
+    default=0.0,
+    metavar="SHARE",
+    help="For tests: drop this share (0 to 0.9) of the supervised link's datagrams, both ways; they are sent again and "
+    "the flight must not change.",
+)
+@click.option(
+    "--junit",
+    type=click.Path(dir_okay=False, writable=True, path_type=Path),
+    metavar="FILE",
+    help="Write the outcome as JUnit XML, a test case for each part of the goal.",
+)
+@click.option("--no-report", is_flag=True, help="Leave out report.html; gcs report makes it later.")
+@click.option("--verbose", "-v", is_flag=True, help="Lines of text, with every vehicle's state.")
+@click.option("--quiet", "-q", is_flag=True, help="Say only what goes wrong; the exit status tells the rest.")
+def run(
+    scenario: str,
+    lockstep: bool,
+    speed: float | None,
+    seed: int | None,
+    out: Path | None,
+    plain: bool,
+    as_json: bool,
+    vehicles_per_process: int | None,
+    drop_datagrams: float,
+    junit: Path | None,
+    no_report: bool,
+    verbose: bool,
+    quiet: bool,
+) -> int:
+    """Fly SCENARIO: start its vehicles, command them over MAVLink, and keep a record of everything.
+
+    In a terminal a console shows fleet, map, competition and events, and takes an operator's commands; `?` there
+    explains it. Closing it (q) or losing it leaves the session flying, told in lines; `gcs monitor` opens it again.
+    Ctrl-C stops the session and saves it (the console asks first), then makes the report; a second Ctrl-C waits for
+    neither.
+
+    \b
+    Examples:
+      gcs run demo
+      gcs run demo --speed 2 --out first-flight
+      gcs run my-scenario.yaml --lockstep --seed 7 --plain
+
+    The session's folder holds the resolved scenario (scenario.yaml), every MAVLink frame (session.tlog), every decision
+    with its reasons (decisions.jsonl), what was said here (session.log), the vehicles' logs (vehicles/), the result
+    (summary.json) and a page that shows it all (report.html).
+
+    \b
+    Exit status:
+      0    the scenario's goal was met
+      1    it was not met
+      2    bad input; nothing has flown
+      130  stopped by Ctrl-C (143 by SIGTERM); what was flown is saved
+      70   an error of the program itself
+    """
+    if lockstep and speed is not None:
+        raise click.UsageError("--lockstep and --speed exclude each other: lockstep is as fast as the machine can.")
+    if plain and as_json:
+        raise click.UsageError("--plain and --json exclude each other: choose what goes to stdout.")
+    if quiet and (verbose or as_json or plain):
+        raise click.UsageError("--quiet excludes --verbose, --plain and --json.")
+    if verbose and as_json:
+        raise click.UsageError("--verbose and --json exclude each other: choose what goes to stdout.")
+    if junit is not None and not junit.parent.is_dir():
+        raise click.UsageError(f"--junit: there is no folder {junit.parent}.")
+    from gcs.report.junit import flown, refused
+    from gcs.session.plain_text import mute_stdout
+    from gcs.session.session_log import logged
+    from gcs.session.supervised import make_folder
+    from gcs.session.supervised import run as fly
+
+    try:
+        resolved = load_scenario(scenario).flown(lockstep=lockstep, speed=speed, seed=seed)
+    except ScenarioRefused as refusal:
+        if junit is not None:
+            _write_junit(junit, refused(scenario, refusal.text))
+        raise
+    except ValueError as refusal:
+        raise click.UsageError(f"{refusal}.") from None
+    if vehicles_per_process is not None:
+        resolved = resolved.model_copy(update={"vehicles_per_process": vehicles_per_process})
+    folder = make_folder(out, resolved)
+    if not quiet:
+        try:
+            click.echo(f"{resolved.name}: starting; the session's folder is {folder}", err=as_json)
+        except OSError:
+            mute_stdout()
+    shown, said = _view(folder, resolved.name, plain, as_json, verbose=verbose, quiet=quiet)
+    arguments = ["--drop-datagrams", str(drop_datagrams), *module_arguments(scenario)]
+
+    error: str | None = None
+    hurry = threading.Event()
+
+    def finish(verdict: dict[str, Any]) -> None:
+        nonlocal error
+        error = verdict.get("error")
+        if as_json:
+            click.echo(json.dumps({"type": "end", **verdict, "session": str(folder)}))
+
+    with logged(shown, said, folder) as (view, tell):
+        stderr = getattr(shown, "stderr", None)
+        status = fly(folder, view, tell, arguments=arguments, finish=finish, stderr=stderr, hurry=hurry.set)
+        if junit is not None and not _write_junit(junit, flown(folder, resolved, error)):
+            status = status or NOT_DONE
+        if not no_report:
+            report.after_run(folder, tell, status, hurried=hurry.is_set())
+    return status
+
+
+def _write_junit(path: Path, xml: str) -> bool:
+    """Write the file for CI; whether that worked."""
+    try:
+        path.write_text(xml, encoding="utf-8")
+    except OSError as problem:
+        click.echo(f"gcs: {path} could not be written: {problem.strerror}", err=True)
+        return False
+    return True
+
+
+def _view(
+    folder: Path, name: str, plain: bool, as_json: bool, *, verbose: bool, quiet: bool
+) -> tuple[View, Callable[[str], object]]:
+    """What shows the session, and what writes its last lines."""
+    from gcs.session.plain_text import JsonView, PlainView, QuietView
+
+    if quiet or verbose:
+        from gcs.session.session_log import VerboseView
+
+        return (QuietView(), str) if quiet else (VerboseView(click.echo), click.echo)
+    if as_json:
+        return JsonView(click.echo), lambda line: click.echo(line, err=True)
+    from gcs.console.terminal import ConsoleView, usable
+
+    if plain or not usable():
+        return PlainView(click.echo), click.echo
+    return ConsoleView(folder, name, PlainView(click.echo), click.echo), click.echo
+
+
+@cli.command(short_help="Start a scenario's vehicles for another ground station.")
+@click.argument("scenario", type=ScenarioName())
+@click.option(
+    "--connect",
+    callback=_someone,
+    metavar="udpout:HOST:PORT",
+    help="All vehicles speak to this address.  [default: each listens at a port of its own]",
+)
+@click.option(
+    "--out", type=click.Path(path_type=Path), metavar="DIR", help="Keep parameters and logs in this new folder."
+)
+@click.option("--json", "as_json", is_flag=True, help="The vehicles' addresses as one line of JSON.")
+@click.option("--until-eof", is_flag=True, help="End them when standard input closes, as when the caller dies.")
+def launch(scenario: str, connect: str | None, out: Path | None, as_json: bool, until_eof: bool) -> int:
+    """Start SCENARIO's pursuers, targets and tankers, and nothing else: no supervisor, no traffic, no goal.
+
+    They stand at their starts, on the wall clock, until another ground station commands them, targets included: nobody
+    flies their path. All are there from the beginning, also those that would join later. Ctrl-C ends them. A vehicle
+    that dies is reported at once with its last lines.
+
+    \b
+    Examples:
+      gcs launch demo
+      gcs launch demo --connect udpout:127.0.0.1:14550    QGroundControl finds them by itself
+
+    Without --connect each vehicle listens on 127.0.0.1 at a port that the system chooses. The table printed says where
+    to send to: give it to the ground station as it is, e.g. `mavproxy.py --master=udpout:127.0.0.1:41234`.
+
+    \b
+    Exit status:
+      0    ended by --until-eof
+      130  ended by Ctrl-C (143 by SIGTERM)
+      1    every vehicle has died
+      2    bad input, or vehicles that could not be started
+      70   an error of the program itself
+    """
+    from gcs.session.launch import launch as start
+
+    resolved = load_scenario(scenario)
+    for sysid, external in resolved.vehicles.external.items():
+        click.echo(f"vehicle {sysid} is not launched: it is expected at {external.connect}", err=True)
+    if not resolved.vehicles.launched:
+        raise click.UsageError(f"{scenario} has nothing to launch: all its vehicles are external.")
+    click.echo(f"starting {len(resolved.vehicles.launched)} vehicles ...", err=True)
+    return start(resolved, out, connect, _print_json if as_json else _print_addresses, until_eof=until_eof)
+
+
+def _print_json(vehicles: list[dict[str, Any]]) -> None:
+    click.echo(json.dumps({"vehicles": vehicles}))
+
+
+def _print_addresses(vehicles: list[dict[str, Any]]) -> None:
+    rows = [("id", "role", "address"), *((str(v["sysid"]), v["role"], v["address"]) for v in vehicles)]
+    for sysid, role, where in rows:
+        click.echo(f"{sysid:>3}  {role:<7}  {where}")
+    click.echo("Ctrl-C ends them.", err=True)
+
+
+def run_argv(argv: list[str] | None = None) -> int:
+    """Run one command line; the exit status."""
+    try:
+        return int(cli.main(argv, standalone_mode=False) or 0)
+    except click.ClickException as error:
+        error.show()
+        return error.exit_code
+    except (KeyboardInterrupt, click.Abort):
+        return INTERRUPTED
+    except Exception as error:
+        if isinstance(error, OSError) and error.errno == errno.ENOSPC:
+            click.echo(f"gcs: {error.filename or 'standard output'} cannot be written: {error.strerror}", err=True)
+            return NOT_DONE
+        place = traceback.extract_tb(error.__traceback__)[-1]
+        where = f"{Path(place.filename).name}:{place.lineno}"
+        click.echo(f"gcs: internal error, please report it: {type(error).__name__} at {where}: {error}", err=True)
+        return INTERNAL_ERROR
+
+
+def main() -> None:
+    """Entry point."""
+    for stream in (sys.stdout, sys.stderr):
+        reconfigure = getattr(stream, "reconfigure", None)
+        if reconfigure is not None:
+            reconfigure(errors="replace")  # a name that the terminal cannot show must not end a session
+    leave(run_argv())

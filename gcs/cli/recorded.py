@@ -1,0 +1,256 @@
+"""`gcs replay` and `gcs export`: what was recorded, for people and for other programs."""
+
+# ruff: noqa: PLC0415 - so that `gcs --help` and a mistyped option answer at once
+
+from __future__ import annotations
+
+import contextlib
+import json
+import math
+import shutil
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from gcs.exit import NOT_DONE
+
+if TYPE_CHECKING:
+    from gcs.session.replay import Replay
+    from gcs.supervisor.redecide import Verdict
+
+AGREES, DIFFERS = 0, 1
+SHOWN = 20
+"""Kinds of decision and vehicles whose first difference is told."""
+
+
+@contextlib.contextmanager
+def _progress(what: str) -> Iterator[Callable[[float], None]]:
+    """A bar on a terminal's standard error, told the share that is done."""
+    from rich.console import Console
+    from rich.progress import Progress
+
+    console = Console(stderr=True)
+    with Progress(console=console, transient=True, disable=not console.is_terminal) as shown:
+        task = shown.add_task(what, total=1.0)
+        yield lambda share: shown.update(task, completed=share)
+
+
+def _speed(ctx: click.Context, param: click.Parameter, value: float | None) -> float | None:
+    if value is not None and not 0.0 < value <= 1000.0:
+        raise click.BadParameter(f"{value} is not a speed above 0 and up to 1000.", ctx, param)
+    return value
+
+
+def _time(ctx: click.Context, param: click.Parameter, value: float | None) -> float | None:
+    if value is not None and not math.isfinite(value):
+        raise click.BadParameter(f"{value} is not a time in seconds.", ctx, param)
+    return value
+
+
+@click.command(short_help="Play a recorded session, or any .tlog, in the console.")
+@click.argument("session", type=click.Path(path_type=Path))
+@click.option(
+    "--speed",
+    type=float,
+    callback=_speed,
+    metavar="X",
+    help="Recorded seconds per second on the wall, up to 1000.  [default: 1; as lines or JSON: without waiting]",
+)
+@click.option("--from", "from_s", type=float, callback=_time, metavar="T", help="Begin T seconds into the recording.")
+@click.option("--plain", is_flag=True, help="Lines of text instead of the console; also used without a terminal.")
+@click.option("--json", "as_json", is_flag=True, help="One JSON object per recorded second on stdout.")
+@click.option("--decide", is_flag=True, help="Decide everything again, and list where the decisions differ.")
+def replay(session: Path, speed: float | None, from_s: float | None, plain: bool, as_json: bool, decide: bool) -> int:
+    """Play SESSION, a session's folder or any .tlog file, also another ground station's, in the console.
+
+    In the console you pause, change the speed and go to any time. A session's folder shows its obstacles, competition
+    and services too. A .tlog shows every vehicle that sends a HEARTBEAT in it, PX4, ArduPilot or others.
+
+    --decide plays nothing: planner and scheduler run again over the recorded telemetry, and each decision that they
+    would make today is held against the recorded one, to the last digit. Use it to see what a change of the code, or
+    of the scenario.yaml in the folder, does to a session that has been flown.
+
+    \b
+    Examples:
+      gcs replay sessions/demo-20260101-120000
+      gcs replay flight.tlog --speed 4 --from 120
+      gcs replay flight.tlog --json > flight.jsonl
+      gcs replay first-flight --decide
+
+    \b
+    Exit status:
+      0    closed or played to its end; with --decide: all decisions agree
+      1    with --decide: some differ
+      2    bad input
+      130  stopped by Ctrl-C
+      70   an error of the program itself
+    """
+    if plain and as_json:
+        raise click.UsageError("--plain and --json exclude each other: choose what goes to stdout.")
+    if decide:
+        if speed is not None or from_s is not None:
+            raise click.UsageError("--decide plays nothing: leave out --speed and --from.")
+        return _decide(session, as_json)
+    from gcs.session.replay import Replay, ReplayError
+
+    try:
+        with _progress("reading") as progress:
+            recording = Replay(session, progress)
+    except ReplayError as error:
+        raise click.UsageError(str(error)) from None
+    except OSError as error:
+        raise click.UsageError(f"{error.filename or session}: {error.strerror}.") from None
+    for problem in recording.problems if as_json else ():  # else it is the recording's first event
+        click.echo(f"gcs: {problem}", err=True)
+    if from_s is not None:
+        if not recording.from_s <= from_s <= recording.to_s:
+            raise click.UsageError(f"--from: the recording goes from {recording.from_s:g} to {recording.to_s:g} s.")
+        recording.seek(from_s)
+    return _play(recording, speed, plain=plain, as_json=as_json)
+
+
+def _play(recording: Replay, speed: float | None, *, plain: bool, as_json: bool) -> int:
+    from gcs.console.terminal import usable
+    from gcs.session.replay import ReplaySource
+
+    if not plain and not as_json and usable():
+        from gcs.console.app import show
+
+        return show(ReplaySource(recording, speed=speed or 1.0), recording.name)
+    from gcs.console.follow import Steps, follow
+
+    if speed is None:
+        steps = Steps()
+        source = ReplaySource(recording, speed=None, clock=steps, patience_s=math.inf)
+        follow(source, click.echo, as_json=as_json, clock=steps, wait=steps.go_on, over=lambda: recording.ended)
+    else:
+        source = ReplaySource(recording, speed=speed)
+        follow(source, click.echo, as_json=as_json, over=lambda: recording.ended)
+    return 0
+
+
+def _decide(session: Path, as_json: bool) -> int:
+    from gcs.scenario import plugins
+    from gcs.scenario.model import ScenarioError
+    from gcs.supervisor.redecide import RedecideError, redecide
+
+    if not session.is_dir():
+        raise click.UsageError(f"--decide: {session} is no session's folder: a .tlog alone holds no decisions.")
+    plugins.look_in([Path.cwd(), session])
+    try:
+        # What a planner or policy of somebody's own prints must not stand among the verdict's lines.
+        with _progress("deciding") as progress, contextlib.redirect_stdout(sys.stderr):
+            verdict = redecide(session, progress)
+    except RedecideError as error:
+        raise click.UsageError(str(error)) from None
+    except ScenarioError as error:
+        raise click.UsageError(f"the scenario cannot be used: {error}") from None
+    except OSError as error:
+        raise click.UsageError(f"{error.filename or session}: {error.strerror}.") from None
+    for problem in verdict.problems:
+        click.echo(f"gcs: {problem}", err=True)
+    if not verdict.compared:
+        raise click.UsageError(f"{session} holds no decision to compare: was it killed before the first was written?")
+    (_tell_json if as_json else _tell)(verdict)
+    return AGREES if verdict.agrees else DIFFERS
+
+
+def _tell(verdict: Verdict) -> None:
+    if verdict.agrees:
+        click.echo(f"all {verdict.compared} decisions up to {verdict.until_s:.1f} s agree")
+        return
+    kinds = ", ".join(f"{count} {kind}" for kind, count in verdict.by_kind.most_common())
+    total = sum(verdict.by_kind.values())
+    click.echo(f"{total} differences in {verdict.compared} recorded decisions up to {verdict.until_s:.1f} s: {kinds}")
+    click.echo(f"first: {verdict.differences[0].sentence}")
+    subjects = list(verdict.subjects.values())
+    for about in subjects[:SHOWN]:
+        again = f" ({about.count} times, the last at {about.last_s:.1f} s)" if about.count > 1 else ""
+        click.echo(f"  {about.first.sentence}{again}")
+    if len(subjects) > SHOWN:
+        click.echo(f"  and of {len(subjects) - SHOWN} more kinds or vehicles; --json tells each")
+
+
+def _tell_json(verdict: Verdict) -> None:
+    for difference in verdict.differences:
+        click.echo(json.dumps(difference.record()))
+    click.echo(
+        json.dumps(
+            {
+                "type": "verdict",
+                "agrees": verdict.agrees,
+                "compared": verdict.compared,
+                "until_s": verdict.until_s,
+                "differences": dict(verdict.by_kind),
+            }
+        )
+    )
+
+
+@click.command(short_help="Write a session or a .tlog as tables, for pandas, DuckDB, PlotJuggler.")
+@click.argument("session", type=click.Path(path_type=Path))
+@click.option("--format", "form", type=click.Choice(["parquet", "csv"]), required=True, help="Parquet needs pyarrow.")
+@click.option(
+    "--out",
+    type=click.Path(path_type=Path),
+    metavar="DIR",
+    help="A new folder.  [default: SESSION/FORMAT, or FILE-FORMAT beside FILE.tlog]",
+)
+def export(session: Path, form: str, out: Path | None) -> int:
+    """Write SESSION, a session's folder or any .tlog file, as tables: one file per message type.
+
+    Columns are SI and say so (x_ned_m, roll_rad, voltage_v, lat_deg); what MAVLink calls unknown is an empty cell.
+    Every table begins with time_s, seconds since the session's start (of a .tlog: since its first frame), sysid, compid
+    and direction: `from` a vehicle or `to` one. A session's decisions come as decisions_KIND, and what the vehicles
+    themselves knew as truth and truth_thrust.
+
+    \b
+    Examples:
+      gcs export sessions/demo-20260101-120000 --format csv
+      gcs export flight.tlog --format parquet --out tables
+      duckdb -c "select sysid, max(-z_ned_m) from 'tables/LOCAL_POSITION_NED.parquet' group by sysid"
+
+    \b
+    Exit status:
+      0    the tables were written; what could not be read is said
+      1    they could not be written
+      2    bad input; nothing has been written
+      130  stopped by Ctrl-C; nothing is left behind
+    """
+    from gcs.recording import export as exporter
+    from gcs.recording.tables import NO_PARQUET, available, tables
+
+    kind: Any = form
+    if not available(kind):
+        raise click.UsageError(NO_PARQUET)
+    folder = out or (session / form if session.is_dir() else session.with_name(f"{session.stem}-{form}"))
+    if folder.exists():
+        raise click.UsageError(f"{folder} exists already and is left as it is; give --out a folder that does not.")
+    unfinished = folder.with_name(f".{folder.name}.unfinished")
+    try:
+        shutil.rmtree(unfinished, ignore_errors=True)
+        unfinished.mkdir(parents=True)
+        written = tables(kind, unfinished)
+        with _progress("exporting") as progress:
+            try:
+                problems = exporter.export(session, written, progress)
+            finally:
+                written.close()
+        unfinished.rename(folder)
+    except exporter.ExportError as error:
+        raise click.UsageError(str(error)) from None
+    except OSError as error:
+        click.echo(f"gcs: {error.filename or folder}: {error.strerror}", err=True)
+        return NOT_DONE
+    finally:
+        shutil.rmtree(unfinished, ignore_errors=True)
+    for problem in problems:
+        click.echo(f"gcs: {problem}", err=True)
+    width = max(len(name) for name in written.rows)
+    for name, rows in sorted(written.rows.items()):
+        click.echo(f"{name:<{width}}  {rows:>9} rows")
+    click.echo(f"tables: {folder}")
+    return 0

@@ -1,0 +1,133 @@
+"""`gcs report`: a recorded session as one page."""
+
+# ruff: noqa: PLC0415 - so that `gcs --help` answers at once
+
+from __future__ import annotations
+
+import contextlib
+import os
+import signal
+import threading
+from collections.abc import Callable
+from pathlib import Path
+
+import click
+
+from gcs.exit import BAD_INPUT, NOT_DONE, leave
+
+SIGNALLED = 128
+"""Exit statuses above it stand for a signal."""
+PATIENCE_S = 2.0
+MAKING = "making the report ... (Ctrl-C leaves it out)"
+TLOG, FILE = "session.tlog", "report.html"
+
+
+@click.command(short_help="Make a recorded session's report, one page.")
+@click.argument("session", type=click.Path(path_type=Path))
+@click.option(
+    "--out",
+    type=click.Path(dir_okay=False, path_type=Path),
+    metavar="FILE",
+    help="Write the page here.  [default: report.html in the session's folder]",
+)
+@click.option("--quiet", "-q", is_flag=True, help="Say only what goes wrong.")
+def report(session: Path, out: Path | None, quiet: bool) -> int:
+    """Make report.html of SESSION, a folder that `gcs run` left: outcome and reasons, paths from above and in space,
+    tracking, attitude, energy, competition, refuellings, distances, link, the numbers, and how to reproduce it.
+
+    The page is one file that needs no network, for a screen of any width or for paper. `gcs run` makes it too; this
+    makes it again, or of a session that was killed: what its files cannot tell, the page says at its top. An older
+    report is replaced.
+
+    \b
+    Examples:
+      gcs report sessions/demo-20260101-120000
+      gcs report first-flight --out first-flight.html
+
+    \b
+    Exit status:
+      0    the report was made
+      1    it could not be written
+      2    SESSION is no session's folder
+      130  stopped by Ctrl-C; an older report is left as it was
+      70   an error of the program itself
+    """
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
+
+    from gcs.recording.session_folder import NoSession
+    from gcs.report.make import make
+    from gcs.report.page import MissingPlotly
+
+    if out is not None and not out.parent.is_dir():
+        raise click.UsageError(f"--out: there is no folder {out.parent}.")
+    columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), TimeElapsedColumn())
+    console = Console(stderr=True)
+    try:
+        with Progress(*columns, console=console, transient=True, disable=quiet or not console.is_terminal) as shown:
+            task = shown.add_task("reading", total=1.0)
+            made = make(session, out, lambda what, share: shown.update(task, description=what, completed=share))
+    except NoSession as error:
+        click.echo(str(error), err=True)
+        return BAD_INPUT
+    except MissingPlotly as error:
+        click.echo(str(error), err=True)
+        return NOT_DONE
+    except OSError as error:
+        click.echo(f"{error.filename or session}: {error.strerror}", err=True)
+        return NOT_DONE
+    if not quiet:
+        click.echo(f"report: {made}")
+    return 0
+
+
+def after_run(folder: Path, tell: Callable[[str], object], status: int = 0, *, hurried: bool = False) -> None:
+    """The report at the end of a session that ended with `status`, as the last that `gcs run` does.
+
+    Where it lies is told; that it could not be made is a warning, whatever it was. Who has stopped the session waits at
+    the terminal, and is told at once what for. Ctrl-C, or SIGTERM, leaves the report out and ends the process; it is
+    left out, too, where that came before (`hurried`).
+    """
+    if _is_empty(folder / TLOG):
+        return
+    left_out = f"gcs: the report was left out; gcs report {folder} makes it"
+    if hurried:
+        click.echo(left_out, err=True)
+        return
+    patience = threading.Timer(PATIENCE_S, tell, [MAKING])
+    patience.daemon = True
+    made: Path | None = None
+
+    def leave_out(*_: object) -> None:
+        (folder / f".{FILE}.{os.getpid()}").unlink(missing_ok=True)
+        if made is None:
+            with contextlib.suppress(OSError):
+                click.echo(left_out, err=True)
+        leave(status)
+
+    handlers = {number: signal.signal(number, leave_out) for number in (signal.SIGINT, signal.SIGTERM)}
+    try:
+        if status > SIGNALLED:
+            tell(f"saved; {MAKING}")
+        else:
+            patience.start()
+        from gcs.report.make import make
+
+        made = make(folder)
+        patience.cancel()
+        tell(f"report: {made}")
+    except Exception as error:  # a session that was flown must not fail by its report
+        why = f"{error.strerror}" if isinstance(error, OSError) else str(error) or type(error).__name__
+        click.echo(f"gcs: warning: no report was made: {why}; gcs report {folder} tries again", err=True)
+    finally:
+        patience.cancel()
+        for number, handler in handlers.items():
+            signal.signal(number, handler)
+
+
+def _is_empty(path: Path) -> bool:
+    """Whether nothing was flown: there is nothing to report then."""
+    try:
+        return path.stat().st_size == 0
+    except OSError:
+        return True

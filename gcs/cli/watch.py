@@ -1,0 +1,112 @@
+"""`gcs monitor`: look at a session that runs already, or at whoever is on the air."""
+
+# ruff: noqa: PLC0415 - so that `gcs --help` answers at once
+
+from __future__ import annotations
+
+import contextlib
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from gcs.session.client import SOCKET
+
+if TYPE_CHECKING:
+    from gcs.session.client import Source
+
+
+@click.command(short_help="Watch a session that runs already, or any fleet.")
+@click.argument("session", required=False, type=click.Path(path_type=Path, file_okay=False))
+@click.option(
+    "--connect",
+    metavar="udpin|udpout|tcp:HOST:PORT",
+    help="Watch whoever is heard there instead of a session: any autopilot, any number, nothing to configure.",
+)
+@click.option(
+    "--control",
+    is_flag=True,
+    help="With --connect: also speak: ask for streams, order hold, return and land.",
+)
+@click.option("--plain", is_flag=True, help="Lines of text instead of the console; also used without a terminal.")
+@click.option("--json", "as_json", is_flag=True, help="One JSON object per second on stdout, for other programs.")
+def monitor(session: Path | None, connect: str | None, control: bool, plain: bool, as_json: bool) -> int:
+    """Open a further console on SESSION, the folder of a session that runs; without it, on the newest in sessions/.
+
+    Any number may watch one session, and command it. Closing one changes nothing for the session or the others. The
+    monitor ends by itself when the session does.
+
+    With --connect it shows every vehicle that sends a HEARTBEAT to an address, PX4, ArduPilot or others. It only
+    listens: not even a HEARTBEAT leaves, unless --control is given.
+
+    \b
+    Examples:
+      gcs monitor
+      gcs monitor sessions/demo-20260101-120000
+      gcs monitor --connect udpin:127.0.0.1:14550
+      gcs monitor --connect udpin:0.0.0.0:14550 --control
+
+    \b
+    Exit status:
+      0    closed, or the session has ended
+      2    no session runs there, or the address cannot be had
+      70   an error of the program itself
+    """
+    if plain and as_json:
+        raise click.UsageError("--plain and --json exclude each other: choose what goes to stdout.")
+    if connect is not None and session is not None:
+        raise click.UsageError("SESSION and --connect exclude each other: a session is watched, or who is on the air.")
+    if control and connect is None:
+        raise click.UsageError("--control is for --connect: a session takes its watchers' commands as it is.")
+    source, title = _session(session) if connect is None else _air(connect, control)
+    from gcs.console.terminal import usable
+
+    if not plain and not as_json and usable():
+        from gcs.console.app import show
+
+        return show(source, title)
+    from gcs.console.follow import follow
+
+    with contextlib.suppress(KeyboardInterrupt):
+        follow(source, click.echo, as_json=as_json)
+    return 0
+
+
+def _session(session: Path | None) -> tuple[Source, str]:
+    """The session in a folder, or the newest one. Raises click.UsageError where none runs."""
+    folder = session or _newest()
+    if folder is None:
+        raise click.UsageError("no session runs under sessions/; name the folder of one that does.")
+    from gcs.session.client import Client, SessionSource
+
+    try:
+        Client(folder).close()
+    except OSError:
+        raise click.UsageError(f"no session runs in {folder}; `gcs run` starts one.") from None
+    return SessionSource(folder), folder.name
+
+
+def _air(connect: str, control: bool) -> tuple[Source, str]:
+    """Whoever is heard at an address. Raises click.UsageError where nobody can be."""
+    from gcs.link.socket import AddressRefused
+    from gcs.scenario.endpoint import address
+    from gcs.session.monitor import MonitorSource
+
+    at = address(connect, "udpin", "udpout", "tcp")
+    if at is None:
+        form = "write udpin:HOST:PORT to listen, udpout:HOST:PORT or tcp:HOST:PORT to go to somebody who does"
+        raise click.UsageError(f"--connect: {connect!r} is no address: {form}, such as udpin:127.0.0.1:14550.")
+    try:
+        source = MonitorSource(at, control=control)
+    except AddressRefused as error:
+        raise click.UsageError(f"--connect: {error}.") from None
+    if at.way == "udpin":
+        at = at._replace(port=source.port)
+        click.echo(f"gcs: listening at {at.text}; Ctrl-C ends it.", err=True)
+    return source, at.text
+
+
+def _newest() -> Path | None:
+    """The folder of the session that opened its socket last."""
+    sockets = [path for path in Path("sessions").glob(f"*/{SOCKET}") if path.is_socket()]
+    return max(sockets, key=lambda path: path.stat().st_mtime).parent if sockets else None

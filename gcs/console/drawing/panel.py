@@ -1,0 +1,86 @@
+"""A rectangle of lines in a terminal. Only the lines that have changed are drawn again."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from rich.segment import Segment
+from textual import events
+from textual.geometry import Region
+from textual.strip import Strip
+from textual.widget import Widget
+
+from gcs.console.styles import style
+from gcs.console.text import Lines, width_of
+
+Paint = Callable[[int, int], Lines]
+Pointed = Callable[[int, int, int], object]
+
+
+class Panel(Widget):
+    """Shows what `paint(width, height)` returns, on the style `ground`.
+
+    `pointed(column, row, turn)` hears clicks (0) and the wheel (±1).
+    """
+
+    def __init__(
+        self, paint: Paint, *, id: str, classes: str = "", ground: str = "", pointed: Pointed | None = None
+    ) -> None:
+        super().__init__(id=id, classes=classes)
+        self._paint = paint
+        self._ground = ground
+        self._pointed = pointed
+        self._lines: Lines = []
+        self._strips: list[Strip] = []
+
+    def redraw(self) -> None:
+        """Take in what is new."""
+        width, height = self.size
+        if not width or not height or not self.display:
+            return
+        lines = self._paint(width, height)[:height]
+        lines += [[] for _ in range(height - len(lines))]
+        if len(lines) != len(self._lines):
+            self._lines, self._strips = lines, [self._strip(line) for line in lines]
+            self.refresh()
+            return
+        changed = [row for row, line in enumerate(lines) if line != self._lines[row]]
+        for row in changed:
+            self._lines[row], self._strips[row] = lines[row], self._strip(lines[row])
+        if changed:
+            self.refresh(*(Region(0, row, width, 1) for row in changed))
+
+    def _strip(self, line: list[tuple[str, str]]) -> Strip:
+        colour = not self.app.no_color
+        width = self.size.width
+        segments = [Segment(text, style(f"{self._ground} {names}", colour)) for text, names in line if text]
+        return Strip(segments, width_of(line)).adjust_cell_length(width, style(self._ground, colour))
+
+    def render_line(self, y: int) -> Strip:
+        """One line as it was last painted."""
+        if y < len(self._strips):
+            return self._strips[y]
+        return Strip.blank(self.size.width, style(self._ground, not self.app.no_color))
+
+    def on_resize(self) -> None:
+        """Paint for the new size, all of it."""
+        self._lines, self._strips = [], []
+        self.redraw()
+
+    def on_click(self, event: events.Click) -> None:
+        """Tell who listens."""
+        self._point(event, 0)
+
+    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
+        """Tell who listens."""
+        self._point(event, -1)
+
+    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
+        """Tell who listens."""
+        self._point(event, 1)
+
+    def _point(self, event: Any, turn: int) -> None:
+        if self._pointed is not None:
+            event.stop()
+            self._pointed(event.x, event.y, turn)

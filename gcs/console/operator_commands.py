@@ -1,0 +1,62 @@
+"""What an operator can ask for: the key, the question that is asked first, and the command that is then sent."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from gcs.console.model import Watch
+from gcs.session.client import Message
+
+
+@dataclass(frozen=True)
+class Order:
+    """`what` is for the help page, `question` for the confirmation; `{}` in it is the vehicle's name."""
+
+    key: str
+    command: str
+    name: str
+    what: str
+    question: str
+    of_vehicle: bool = True
+
+
+ORDERS = (
+    Order("p", "pause", "pause", "pause everything, or go on", "Pause the whole session?", of_vehicle=False),
+    Order("h", "hold", "hold", "hold its position, out of the planner's hands", "Let {} hold its position?"),
+    Order("r", "return", "return", "return to its home", "Send {} home?"),
+    Order("l", "land", "land", "land where it is", "Land {} where it is?"),
+    Order("j", "rejoin", "rejoin", "back into the planner's hands", "Give {} back to the planner?"),
+    Order("f", "refuel", "refuel", "serve it next, whatever the competition says", "Refuel {} next?"),
+    Order("s", "skip", "skip", "out of the competition, or back in", "Take {} out of the competition, or back in?"),
+    Order("t", "retarget", "retarget", "pursue another target", "Which target shall {} pursue?"),
+    Order(
+        "x", "stop", "stop", "end the session and save it", "Stop the session? It ends for all, and is saved.", False
+    ),
+)
+
+
+def ready(order: Order, watch: Watch) -> Order:
+    """The order as it stands now: a paused session resumes."""
+    if order.command == "pause" and watch.phase == "paused":
+        return Order(order.key, "resume", "resume", order.what, "Go on with the session?", of_vehicle=False)
+    return order
+
+
+def question(order: Order, watch: Watch, sysid: int | None) -> str:
+    """What the operator is asked before the command is sent."""
+    return order.question.format(watch.name(sysid))
+
+
+def command(order: Order, sysid: int | None, target: int | None, number: int) -> Message:
+    """The command as it is sent; its reply carries the same id."""
+    content: dict[str, object] = {"command": order.command, "id": f"console-{number}"}
+    if order.of_vehicle:
+        content["sysid"] = sysid
+    if target is not None:
+        content["target"] = target
+    return content
+
+
+def targets(watch: Watch) -> list[int]:
+    """The vehicles that can be pursued."""
+    return sorted(sysid for sysid, vehicle in watch.vehicles.items() if vehicle.get("role") == "target")

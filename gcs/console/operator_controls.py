@@ -1,0 +1,111 @@
+"""The operator's desk: questions asked, commands sent, replies understood; and a replay's keys."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from gcs.console.dialogs import Choose, Confirm
+from gcs.console.model import Vehicle
+from gcs.console.operator_commands import ORDERS, Order, command, question, ready, targets
+from gcs.console.pages import fleet
+from gcs.console.shell import Shell
+from gcs.console.text import number
+from gcs.session.client import Message
+from gcs.session.plain_text import clean
+
+SEEK_S = 10.0
+SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
+
+
+class Desk:
+    """Sends what a person has confirmed; `say` shows a notice."""
+
+    def __init__(self, app: Shell, say: Callable[[str], object]) -> None:
+        self._app, self._say = app, say
+        self._sent = 0
+        self._names: dict[str, str] = {}
+
+    def ask(self, name: str, chosen: int | None, *, insist: bool = False) -> None:
+        """Ask about the order `name` for the chosen vehicle, then send it; `insist`: a second Ctrl-C is a yes."""
+        seen = self._app.seen
+        if seen.replay is not None and name == "pause":
+            self.play()
+        elif not seen.control:
+            self._say(f"{'a recording' if seen.replay is not None else 'this source'} takes no commands")
+        else:
+            order = ready(next(order for order in ORDERS if order.command == name), seen)
+            sysid = chosen if order.of_vehicle else None
+            if order.of_vehicle and sysid is None:
+                self._say("no vehicle is chosen")
+            elif order.command == "retarget":
+                self._ask_target(order, sysid)
+            else:
+                self._confirm(order, sysid, insist=insist)
+
+    def _confirm(self, order: Order, sysid: int | None, *, insist: bool) -> None:
+        def answer(yes: bool | None) -> None:
+            if yes:
+                self._send(order, sysid)
+
+        seen, glyphs = self._app.seen, self._app.glyphs
+        vehicle = seen.vehicles.get(-1 if sysid is None else sysid)
+        detail = "" if vehicle is None else _state(vehicle)
+        self._app.push_screen(Confirm(question(order, seen, sysid), detail, glyphs, insist=insist), answer)
+
+    def _ask_target(self, order: Order, sysid: int | None) -> None:
+        seen, glyphs = self._app.seen, self._app.glyphs
+        options = [(target, seen.name(target)) for target in targets(seen)]
+        if not options:
+            self._say("there is no target")
+            return
+
+        def answer(target: int | None) -> None:
+            if target is not None:
+                self._send(order, sysid, target)
+
+        self._app.push_screen(Choose(question(order, seen, sysid), options, glyphs), answer)
+
+    def _send(self, order: Order, sysid: int | None, target: int | None = None) -> None:
+        self._sent += 1
+        content = command(order, sysid, target, self._sent)
+        what = f"{order.name} {self._app.seen.name(sysid)}" if sysid is not None else order.name
+        self._names[str(content["id"])] = what
+        self._app.source.send(content)
+        self._say(f"{what}: sent")
+
+    def concerns(self, reply: Message) -> bool:
+        """Whether a reply is worth a notice: to an order, or a refusal; that a page may be filled shows by itself."""
+        return not reply.get("ok") or str(reply.get("id")) in self._names
+
+    def answered(self, reply: Message) -> tuple[str, str]:
+        """(a notice, its style) of a reply."""
+        what = self._names.pop(str(reply.get("id")), "")
+        text = clean(reply.get("text") or ("taken" if reply.get("ok") else "not taken"))
+        return f"{what}: {text}" if what else text, "well" if reply.get("ok") else "act"
+
+    # replay
+
+    def play(self) -> None:
+        """Pause the replay, or go on."""
+        if (replay := self._app.seen.replay) is not None:
+            stands = replay.get("paused") or self._app.seen.phase == "ended"
+            self._app.source.send({"command": "resume" if stands else "pause"})
+
+    def hurry(self, step: int) -> None:
+        """The next speed, up or down."""
+        speed = float((self._app.seen.replay or {}).get("speed") or 1.0)
+        nearest = min(range(len(SPEEDS)), key=lambda i: abs(SPEEDS[i] - speed))
+        wanted = SPEEDS[min(max(nearest + step, 0), len(SPEEDS) - 1)]
+        self._app.source.send({"command": "speed", "speed": wanted})
+
+    def seek(self, steps: int) -> None:
+        """Ten seconds on or back per step."""
+        self._app.source.send({"command": "seek", "t_s": self._app.seen.t_s + SEEK_S * steps})
+
+
+def _state(vehicle: Vehicle) -> str:
+    """What the operator should have in view while deciding."""
+    mode, _ = fleet.mode(vehicle)
+    share = vehicle.get("battery")
+    battery = "" if share is None else f", battery {100.0 * float(share):.0f} %"
+    return f"{mode}, {number(vehicle.get('height_m'), 6)} m high{battery}"

@@ -1,0 +1,59 @@
+"""The events as a page that is filtered and scrolled, and the newest of them under the fleet."""
+
+from __future__ import annotations
+
+from gcs.console import events_log
+from gcs.console.model import Watch
+from gcs.console.text import Glyphs, Line, Lines, titled
+
+NONE: Line = [("  none", "dim")]
+
+
+class EventsPage:
+    """Which events are shown, and how far back."""
+
+    def __init__(self) -> None:
+        self.filter = events_log.Filter()
+        self._back = self._matched = 0
+
+    def page(self, watch: Watch, *, width: int, height: int, glyphs: Glyphs) -> Lines:
+        """As many as there is room for, from where it was scrolled to."""
+        found = events_log.matching(watch, self.filter)
+        if self._back:  # who reads what is past is not to lose his place
+            self._back += max(0, len(found) - self._matched)
+        self._matched = len(found)
+        shown, self._back = events_log.window(
+            watch, found, width=width, height=height - 1, back=self._back, glyphs=glyphs
+        )
+        note: Line = [(f"{self.filter.said()}: {len(found)} of {len(watch.events)}", "info")]
+        if self._back:
+            note.append((f", {self._back} newer below", "look"))
+        return [titled("events", width, glyphs, note), *(shown or [NONE])]
+
+    def recent(self, watch: Watch, *, width: int, height: int, glyphs: Glyphs) -> Lines:
+        """The newest ones."""
+        found = events_log.matching(watch, self.filter)
+        note: Line = [] if self.filter.open else [(self.filter.said(), "info")]
+        shown, _ = events_log.window(watch, found, width=width, height=height - 1, back=0, glyphs=glyphs)
+        return [titled("events", width, glyphs, note), *(shown or [NONE])]
+
+    def scroll(self, down: int) -> None:
+        """So many events on, or back for a negative number."""
+        self._back = max(0, self._back - down)
+
+    def change(self, what: str, chosen: int | None) -> None:
+        """The next `level` or `kind`, only the `vehicle` that is chosen or all again, or no filter."""
+        if what == "level":
+            self.filter.next_level()
+        elif what == "kind":
+            self.filter.next_kind()
+        elif what == "vehicle":
+            self.filter.sysid = None if self.filter.sysid is not None else chosen
+        else:
+            self.filter = events_log.Filter()
+        self._back = 0
+
+    def look_for(self, words: str) -> None:
+        """Only events with these words."""
+        self.filter.words = words
+        self._back = 0

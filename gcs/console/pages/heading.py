@@ -1,0 +1,121 @@
+"""The lines that every page has: session and progress, pages and goal, trouble; and the keys at the bottom."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+from gcs.console.model import Watch, severity, troubles
+from gcs.console.text import Glyphs, Line, bar, fitted, width_of
+from gcs.session.plain_text import clean
+
+PAGES = ("fleet", "map", "competition", "events", "vehicle")
+PHASES = {"starting": "info", "flying": "well", "paused": "look", "ended": "title"}
+LONGEST_BAR = 40
+
+
+def session_line(watch: Watch, title: str, connected: bool, width: int, glyphs: Glyphs) -> Line:
+    """Name, time, progress, speed, phase, connection."""
+    replay, snapshot = watch.replay, watch.snapshot
+    name = clean(watch.session.get("name") or title or "session")
+    duration_s = snapshot.get("duration_s") or watch.session.get("duration_s")
+    begin_s = float((replay or {}).get("from_s") or 0.0)
+    end_s = (replay or {}).get("to_s") or duration_s
+    time = f"{watch.t_s:7.1f}" + (f" of {float(end_s):.0f} s" if end_s else " s")
+    pace = _pace(replay, snapshot)
+    phase = watch.phase
+    if replay and phase != "ended":
+        phase = "paused" if replay.get("paused") else "replay"
+    if connected:
+        link: tuple[str, str] = (f"{glyphs.live} connected", "well")
+    elif watch.snapshot:
+        link = (f"{glyphs.act} not connected", "act")
+    else:
+        link = (f"{glyphs.no} connecting", "info")
+    tail: Line = [(f"  {glyphs.times}{pace}", ""), ("  ", ""), (phase, PHASES.get(phase, "info")), ("  ", ""), link]
+    head: Line = [(f" {name} ", "name"), (" ", ""), (time, ""), (" ", "")]
+    room = width - width_of(head) - width_of(tail) - 1
+    if end_s and room >= 4:
+        share = (watch.t_s - begin_s) / max(float(end_s) - begin_s, 1e-9)
+        head += bar(share, min(room, LONGEST_BAR), glyphs, "progress")
+        head.append((" " * (room - min(room, LONGEST_BAR)), ""))
+    return fitted([*head, *tail], width, glyphs)
+
+
+def _pace(replay: Mapping[str, Any] | None, snapshot: Mapping[str, Any]) -> str:
+    speed = (replay or snapshot).get("speed")
+    return "-" if speed is None else f"{float(speed):.2f}"
+
+
+def goal_line(watch: Watch, page: str, width: int, glyphs: Glyphs) -> Line:
+    """The pages, the present one marked, and how far the goal is."""
+    goal: Line = []
+    for what, have, need, text in _goal(watch):
+        style = "well" if have >= need else "info"
+        goal += [("  " if goal else "", ""), (f"{what} ", "dim"), (text, style)]
+        if width >= 120:
+            goal += [(" ", ""), *bar(have / need if need else 1.0, 10, glyphs, style)]
+    for short in (False, True):
+        line = _tabs(page, short=short)
+        gap = width - width_of(line) - width_of(goal) - 1
+        if gap >= 1:
+            break
+    return fitted([*line, (" " * max(gap, 1), ""), *goal, (" ", "")], width, glyphs)
+
+
+def _tabs(page: str, *, short: bool) -> Line:
+    """The pages with their keys; `short` names the present one alone."""
+    line: Line = []
+    for order, name in enumerate(PAGES, 1):
+        text = f"{order} {name}" if name == page or not short else str(order)
+        line.append((f"[{text}]", "tab chosen") if name == page else (f" {text} ", "tab"))
+    return line
+
+
+def _goal(watch: Watch) -> Iterable[tuple[str, float, float, str]]:
+    goal = {**(watch.session.get("goal") or {}), **(watch.snapshot.get("goal") or {})}
+    if goal.get("pursue_for_s") is not None:
+        have, need = float(goal.get("pursue_held_s") or 0.0), float(goal["pursue_for_s"])
+        yield "pursue", have, need, f"{have:.0f}/{need:.0f} s"
+    refuelled, wanted = int(watch.snapshot.get("refuelled") or 0), goal.get("refuelled_at_least")
+    if wanted:
+        yield "refuel", refuelled, int(wanted), f"{refuelled}/{wanted}"
+    elif refuelled:
+        yield "refuel", 1, 1, str(refuelled)
+
+
+def trouble_line(watch: Watch, width: int, glyphs: Glyphs) -> Line:
+    """The worst vehicles and what is wrong with them; on every page, always in the same place."""
+    if not watch.vehicles:
+        waiting = watch.session.get("vehicles")
+        count = f"{len(waiting)} vehicles" if waiting else "the vehicles"
+        return fitted([(f" starting {count} {glyphs.more}", "info")], width, glyphs)
+    bad = sorted((v for v in watch.vehicles.values() if severity(v)), key=lambda v: (-severity(v), v["sysid"]))
+    acts = sum(1 for v in bad if severity(v) == 2)
+    if not bad:
+        flying = sum(1 for v in watch.vehicles.values() if v.get("armed"))
+        text = f" all well {glyphs.dot} {len(watch.vehicles)} vehicles, {flying} armed"
+        return fitted([(text, "well-line")], width, glyphs)
+    line: Line = []
+    if acts:
+        line.append((f" {glyphs.act} ACT {acts} ", "act badge"))
+    if len(bad) > acts:
+        line.append((f" {glyphs.look} LOOK {len(bad) - acts} ", "look badge"))
+    for vehicle in bad:
+        style = "act" if severity(vehicle) == 2 else "look"
+        words = ", ".join(troubles(vehicle)[:2]) or "trouble"
+        line += [("  ", ""), (f"{watch.name(vehicle['sysid'])}: ", style), (words, style)]
+        if width_of(line) > width:
+            break
+    return fitted(line, width, glyphs)
+
+
+def keys_line(keys: Sequence[tuple[str, str]], width: int) -> Line:
+    """As many (key, what it does) as fit whole, the first ones first."""
+    line: Line = []
+    for key, meaning in keys:
+        piece: Line = [(f" {key}", "key"), (f" {meaning} ", "keys")]
+        if width_of(line) + width_of(piece) > width:
+            break
+        line += piece
+    return [*line, (" " * (width - width_of(line)), "keys")]

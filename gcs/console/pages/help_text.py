@@ -1,0 +1,113 @@
+"""The help page, and the keys at the bottom of each page."""
+
+from __future__ import annotations
+
+from gcs.console.operator_commands import ORDERS
+from gcs.console.text import Glyphs, Line, Lines
+
+Keys = tuple[tuple[str, str], ...]
+
+EVERYWHERE: Keys = (
+    ("1-5 tab", "page: fleet, map, competition, events, vehicle"),
+    ("n N", "choose the next vehicle, the one before"),
+    ("enter", "all about the chosen vehicle"),
+    ("esc", "back to the fleet"),
+)
+LEAVING: Keys = (
+    ("q", "close the console; the session goes on"),
+    ("ctrl-z", "suspend the console; the session flies on, fg comes back"),
+)
+STOPPING = ("ctrl-c", "stop the session and save it: asks first, a second one is a yes")
+LEAVING_REPLAY: Keys = (("q", "close the replay"), ("ctrl-z", "suspend the console; fg comes back"))
+PAGE_KEYS: dict[str, Keys] = {
+    "fleet": (
+        ("up down", "choose a vehicle; page up/down, home, end"),
+        ("o", "order: by id, battery, competition; trouble is always first"),
+    ),
+    "map": (
+        ("arrows", "pan (in a replay: shift and arrows)"),
+        ("z Z", "zoom in, out (also + -, the wheel)"),
+        ("c", "follow the chosen vehicle, or stop that"),
+        ("a", "show everything"),
+    ),
+    "events": (
+        ("w", "level: all, warnings and worse, critical"),
+        ("k", "kind: text, mode, failsafe, ack, decision, operator, ..."),
+        ("v", "only the chosen vehicle, or all"),
+        ("/", "only events with some words"),
+        ("0", "no filter"),
+        ("up down", "back in time; end is now"),
+    ),
+    "vehicle": (("up down", "scroll through what it sends"),),
+    "competition": (),
+}
+REPLAY: Keys = (
+    ("space", "pause, or go on; at the end: from the beginning"),
+    ("left right", "10 s back, forward"),
+    ("+ -", "faster, slower"),
+)
+LEGEND = (
+    ("trouble", "{act} act now   {look} look at it   the words say what; such vehicles come first"),
+    ("map", "arrow: a vehicle's heading   {meet}: rendezvous   {wall}: obstacle   {traffic}: traffic"),
+    ("energy", "leads, v 0.93: its value in the competition   served, serves: in a refuelling   waits"),
+)
+BOTTOM: dict[str, Keys] = {
+    "fleet": (("enter", "vehicle"),),
+    "map": (("arrows", "pan"), ("z Z", "zoom"), ("c", "follow"), ("a", "all"), ("n", "next")),
+    "competition": (("n", "next"),),
+    "events": (("w", "level"), ("k", "kind"), ("v", "vehicle"), ("/", "words"), ("0", "all")),
+    "vehicle": (("n N", "next, before"), ("up down", "scroll")),
+}
+
+
+def bottom(page: str, *, control: bool, replay: bool) -> Keys:
+    """The keys that the last line shows, the most wanted first."""
+    keys: list[tuple[str, str]] = [("?", "help"), ("q", "close"), *BOTTOM[page]]
+    if replay:
+        keys += [("space", "pause"), ("left right", "seek"), ("+ -", "speed")]
+    if control:
+        keys += [(order.key, order.name) for order in ORDERS]
+    return tuple(keys)
+
+
+def page(*, control: bool, replay: bool, owner: bool, lost: list[str], glyphs: Glyphs) -> Lines:
+    """Everything; `owner`: Ctrl-C here stops the session; `lost` says what this terminal cannot show."""
+    lines: Lines = []
+    if lost:
+        lines += [[("This terminal", "name")], *([(f"  {text}", "look")] for text in lost), []]
+    lines.append([("Keys", "name")])
+    leaving = LEAVING_REPLAY if replay else (*LEAVING, STOPPING) if owner else LEAVING
+    lines += [_entry(*entry) for entry in (*EVERYWHERE, *leaving)]
+    if replay:
+        lines += [[], [("Replay", "name")], *(_entry(*entry) for entry in REPLAY)]
+    if control:
+        lines += [
+            [],
+            [
+                (
+                    "Operator (each key asks first; what the vehicle answers is an event)",
+                    "name",
+                )
+            ],
+        ]
+        for order in ORDERS:
+            lines.append(_entry(order.key, order.what))
+    elif not replay:
+        lines += [[], [("This source takes no commands: the operator's keys are off.", "info")]]
+    for name, entries in PAGE_KEYS.items():
+        if entries:
+            lines += [[], [(f"On the {name} page", "name")], *(_entry(*entry) for entry in entries)]
+    unicode = glyphs.unicode
+    signs = {
+        "act": glyphs.act,
+        "look": glyphs.look,
+        "meet": "◎" if unicode else "@",
+        "wall": "×" if unicode else "#",
+        "traffic": "◆" if unicode else "X",
+    }
+    lines += [[], [("Signs", "name")], *(_entry(name, text.format(**signs)) for name, text in LEGEND)]
+    return lines
+
+
+def _entry(key: str, meaning: str) -> Line:
+    return [(f"  {key:<11} ", "info"), (meaning, "")]

@@ -1,0 +1,174 @@
+"""`gcs paper`: fly the examples, measure, judge, and write the page.
+
+scenario → `gcs run` → recorded session ┐
+`simvehicle paper` → its numbers        ├→ studies → claims judged → figures, claims.json, index.html
+planner and competition alone           ┘
+"""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import sys
+import time
+from collections.abc import Sequence
+from datetime import datetime
+from pathlib import Path
+
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+from gcs.report.paper import claims, examples, figures, page, races, robustness, session, theory, vehicle
+from gcs.report.paper.claims import Claim, Judged, Measurement
+from gcs.report.paper.study import Study
+from gcs.scenario import file
+from gcs.scenario.file import load
+from gcs.scenario.model import Scenario
+
+EXAMPLES = {
+    "example1": examples.example1,
+    "example2": examples.example2,
+    "example3": examples.example3,
+    "example4": examples.example4,
+}
+RACES = {"fig13": robustness.fig13, "fig14": robustness.fig14}
+THEORY = {"fig3": theory.fig3, "fig6": theory.fig6, "loops": theory.loops}
+TITLES = {
+    "example1": "Example 1: five speeds (Figs. 7, 8)",
+    "example2": "Example 2: three starts (Fig. 9)",
+    "example3": "Example 3: fifteen vehicles (Fig. 10)",
+    "example4": "Example 4: refuelling (Fig. 11)",
+    "fig3": "Fuzzy escape (Fig. 3)",
+    "fig5": "Differentiator (Fig. 5)",
+    "fig6": "Norms (Fig. 6)",
+    "loops": "Order of the loops (Section III-B)",
+    "fig12": "Differentiators compared (Fig. 12)",
+    "implicit": "Chattering, and why implicit",
+    "fig13": "Noise (Fig. 13)",
+    "fig14": "Delay (Fig. 14)",
+}
+ALIASES = {"fig7": "example1", "fig8": "example1", "fig9": "example2", "fig10": "example3", "fig11": "example4"}
+PARTS = tuple(TITLES)
+UNFINISHED = ("vehicle_lost", "interrupted", "duration_s")
+
+
+class PaperError(RuntimeError):
+    """What kept the page from being made, as a sentence."""
+
+
+def chosen(only: str | None) -> list[str]:
+    """The parts that `--only` names, in the page's order; all without it. Raises ValueError with the known names."""
+    if only is None:
+        return list(PARTS)
+    names = [name.strip() for name in only.split(",")]
+    for name in names:
+        if name not in TITLES and name not in ALIASES:
+            raise ValueError(f"there is no part '{name}'; choose from {', '.join((*PARTS, *ALIASES))}")
+    wanted = {ALIASES.get(name, name) for name in names}
+    return [part for part in PARTS if part in wanted]
+
+
+def default_folder() -> Path:
+    """A new folder's name, by the time."""
+    return Path(f"paper-{datetime.now().astimezone():%Y%m%d-%H%M%S}")
+
+
+def make(out: Path, parts: Sequence[str], console: Console) -> list[Judged]:
+    """Do these parts in the new folder `out`; every claim of them, judged.
+
+    Raises:
+        FileExistsError: `out` is there already.
+        OSError: a file cannot be written.
+        PaperError: an example did not fly to its end, or `simvehicle paper` failed.
+    """
+    begun_s = time.monotonic()
+    out.mkdir(parents=True)
+    flown = [name for name in EXAMPLES if name in parts]
+    if any(part in RACES for part in parts) and "example3" not in flown:
+        flown.append("example3")
+    drawn = [name for name in vehicle.NAMES if name in parts]
+    table = claims.load()
+    with _progress(console) as progress:
+        task = progress.add_task("", total=len(flown) + bool(drawn) + len(parts) + 1)
+
+        def step(what: str) -> None:
+            progress.update(task, description=what, advance=1)
+
+        progress.update(task, description="begins")
+        scenarios: dict[str, Scenario] = {}
+        for name in flown:
+            progress.update(task, description=f"{name}: flying")
+            scenarios[name] = fly(name, out / "sessions" / name)
+            step(f"{name}: flown")
+        numbers = {}
+        if drawn:
+            progress.update(task, description="the vehicle's own figures")
+            numbers = _vehicle_figures(out, drawn)
+            step("the vehicle's own figures")
+        sections = []
+        with figures.style():
+            for part in parts:
+                progress.update(task, description=f"{part}: measuring")
+                study = _study(part, out, scenarios, numbers)
+                sections.append(_section(part, study, out, table))
+                step(f"{part}: measured")
+        judged = [one for section in sections for one in section.claims]
+        claims.write(judged, out)
+        when = f"{datetime.now().astimezone():%Y-%m-%d %H:%M}"
+        page.write(out / "index.html", sections, when=when, wall_s=time.monotonic() - begun_s)
+        step("written")
+    return judged
+
+
+def fly(name: str, folder: Path) -> Scenario:
+    """Fly a shipped example by `gcs run`, the whole program, into `folder`. Raises PaperError with its last words."""
+    scenario = f"paper/{name}"
+    command = [sys.executable, "-m", "gcs", "run", scenario, "--lockstep", "--plain", "--out", str(folder)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if not (folder / "summary.json").exists():
+        last = (done.stderr.strip() or done.stdout.strip() or "no words").splitlines()[-1]
+        raise PaperError(f"{scenario} was not flown to its end (status {done.returncode}): {last}")
+    outcome = session.summary(folder)["outcome"]
+    if outcome in UNFINISHED:
+        raise PaperError(f"{scenario} was not flown to its end ({outcome}); {folder} has what there is")
+    return load(file.find(scenario))
+
+
+def _vehicle_figures(out: Path, names: list[str]) -> dict[str, dict[str, object]]:
+    """Numbers by figure; the figures' files come to lie in `out`, beside the others."""
+    inside = out / "vehicle"
+    try:
+        numbers = vehicle.make(inside, names)
+    except vehicle.VehicleFiguresError as error:
+        raise PaperError(str(error)) from None
+    for name in names:
+        for ending in ("svg", "png"):
+            shutil.move(inside / f"{name}.{ending}", out / f"{name}.{ending}")
+    return numbers
+
+
+def _study(part: str, out: Path, scenarios: dict[str, Scenario], numbers: dict[str, dict[str, object]]) -> Study:
+    if part in EXAMPLES:
+        return EXAMPLES[part](scenarios[part], out / "sessions" / part)
+    if part in RACES:
+        flights = examples.flights_of(scenarios["example3"], out / "sessions" / "example3")
+        return RACES[part](races.initial_states(flights), races.least_wins(races.efforts(flights)))
+    if part in THEORY:
+        return THEORY[part]()
+    return vehicle.STUDIES[part](numbers[part])
+
+
+def _section(part: str, study: Study, out: Path, table: Sequence[Claim]) -> page.Section:
+    for drawing in study.drawings:
+        figures.save(drawing, out)
+    pictures = [page.Picture(out / f"{drawing.name}.svg", drawing.caption) for drawing in study.drawings]
+    if part in vehicle.CAPTIONS:
+        pictures.append(page.Picture(out / f"{part}.svg", vehicle.CAPTIONS[part]))
+    unmeasured = Measurement(None)
+    judged = [claims.judge(claim, study.measured.get(claim.id, unmeasured)) for claim in table if claim.part == part]
+    return page.Section(part, TITLES[part], judged, pictures, study.tables)
+
+
+def _progress(console: Console) -> Progress:
+    columns = (BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), TextColumn("{task.description}"))
+    return Progress(*columns, console=console)

@@ -1,0 +1,146 @@
+"""A session's snapshot as arrays, one row per vehicle in order of system id, for numpy and pandas."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+EXTRA = "pip install 'skytender[pandas]'"
+
+
+class MissingExtra(ImportError):
+    """A package that Skytender only needs for this is not installed; the text says which extra brings it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Happening:
+    """Something that a person would want to hear of."""
+
+    t_s: float
+    sysid: int
+    """0: the ground station itself"""
+    level: str
+    """info, warning or critical"""
+    text: str
+    kind: str = "session"
+    """text, mode, failsafe, ack, decision, operator, link, death or session"""
+
+
+@dataclass(frozen=True, slots=True)
+class Serving:
+    """One tanker, or one base, serving one receiver at the moment."""
+
+    receiver: int
+    tanker: int | None
+    phase: str
+    energy_j: int
+    by: str
+    base: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Snapshot:
+    """The fleet at one instant of session time, as its messages tell. n vehicles; NaN: not known, or not competing.
+
+    Positions (m) and velocities (m/s) are in the common NED frame, whose zero is the scenario's origin.
+    """
+
+    time_s: float
+    sysid: NDArray[np.int64]
+    """(n,)"""
+    role: NDArray[np.str_]
+    """(n,) pursuer, target or tanker"""
+    mode: NDArray[np.str_]
+    """(n,) flight mode"""
+    alive: NDArray[np.bool_]
+    """(n,)"""
+    armed: NDArray[np.bool_]
+    """(n,)"""
+    p_ned: NDArray[np.float64]
+    """(n, 3) m"""
+    v_ned: NDArray[np.float64]
+    """(n, 3) m/s"""
+    target_m: NDArray[np.float64]
+    """(n,) distance to what it pursues"""
+    battery: NDArray[np.float64]
+    """(n,) share of the capacity that is left"""
+    remaining_j: NDArray[np.float64]
+    """(n,)"""
+    endurance_s: NDArray[np.float64]
+    """(n,) at the present draw"""
+    v: NDArray[np.float64]
+    """(n,) state in the competition"""
+    tau: NDArray[np.float64]
+    """(n,) bid in it"""
+    services: tuple[Serving, ...]
+    refuelled: int
+    """services that have ended with energy on board"""
+    events: tuple[Happening, ...]
+    """since the snapshot before"""
+
+    def row(self, sysid: int) -> int:
+        """The row of a vehicle. KeyError where there is none of that id."""
+        rows = np.flatnonzero(self.sysid == sysid)
+        if not len(rows):
+            raise KeyError(sysid)
+        return int(rows[0])
+
+    def table(self) -> dict[str, NDArray[Any]]:
+        """Columns of length n by name, vectors taken apart: what `pandas.DataFrame` and `numpy.savez` take as it is."""
+        columns: dict[str, NDArray[Any]] = {"time_s": np.full(len(self.sysid), self.time_s)}
+        for name in ("sysid", "role", "mode", "alive", "armed"):
+            columns[name] = getattr(self, name)
+        for name, vectors in (("p", self.p_ned), ("v", self.v_ned)):
+            for axis, word in enumerate("ned"):
+                columns[f"{name}_{word}"] = vectors[:, axis]
+        for name in ("target_m", "battery", "remaining_j", "endurance_s", "v", "tau"):
+            columns[name] = getattr(self, name)
+        return columns
+
+    def frame(self) -> Any:
+        """`table()` as a pandas.DataFrame. Raises MissingExtra without pandas."""
+        try:
+            import pandas as pd  # type: ignore[import-untyped, import-not-found, unused-ignore]  # noqa: PLC0415 - an extra
+        except ModuleNotFoundError:
+            raise MissingExtra(f"pandas is not installed; it comes with the extra: {EXTRA}") from None
+        return pd.DataFrame(self.table())
+
+
+def from_picture(picture: Mapping[str, Any]) -> Snapshot:
+    """The snapshot in a message of type "snapshot" (gcs/session/snapshot_message.py)."""
+    vehicles = picture["vehicles"]
+
+    def column(key: str) -> NDArray[np.float64]:
+        return np.array([np.nan if vehicle[key] is None else vehicle[key] for vehicle in vehicles], dtype=np.float64)
+
+    def vectors(key: str) -> NDArray[np.float64]:
+        return np.array([vehicle[key] or (np.nan,) * 3 for vehicle in vehicles], dtype=np.float64).reshape(-1, 3)
+
+    return Snapshot(
+        time_s=float(picture["t_s"]),
+        sysid=np.array([vehicle["sysid"] for vehicle in vehicles], dtype=np.int64),
+        role=np.array([vehicle["role"] for vehicle in vehicles], dtype=np.str_),
+        mode=np.array([vehicle["mode"] for vehicle in vehicles], dtype=np.str_),
+        alive=np.array([vehicle["alive"] for vehicle in vehicles], dtype=np.bool_),
+        armed=np.array([vehicle["armed"] for vehicle in vehicles], dtype=np.bool_),
+        p_ned=vectors("p_ned"),
+        v_ned=vectors("v_ned"),
+        target_m=column("target_m"),
+        battery=column("battery"),
+        remaining_j=column("remaining_j"),
+        endurance_s=column("endurance_s"),
+        v=column("v"),
+        tau=column("tau"),
+        services=tuple(Serving(**_known(Serving, service)) for service in picture["services"]),
+        refuelled=int(picture["refuelled"]),
+        events=tuple(Happening(**_known(Happening, event)) for event in picture["events"]),
+    )
+
+
+def _known(kind: type[Happening] | type[Serving], content: Mapping[str, Any]) -> dict[str, Any]:
+    """Those of a message's keys that the class has."""
+    return {field.name: content[field.name] for field in fields(kind) if field.name in content}

@@ -1,0 +1,206 @@
+"""A client of a session's socket: messages in, commands out, newline-delimited JSON (contract.md, Processes)."""
+
+from __future__ import annotations
+
+import json
+import os
+import socket
+import time
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import Any, Protocol
+
+Message = Mapping[str, Any]
+
+
+RETRY_S = 0.25
+GONE_S = 3.0
+"""A session whose socket nobody has answered for this long, after someone had, is over."""
+
+SOCKET = "session.sock"
+READ_BYTES = 1 << 16
+
+
+class Client:
+    """One connection to the session in `folder`; raises OSError where nobody listens there.
+
+    `connected` turns False when the session has ended or has dropped this client for being slow.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self._lines = Lines()
+        self.connected = True
+        directory = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
+        try:
+            self._socket = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM | socket.SOCK_NONBLOCK)
+            try:
+                self._socket.connect(f"/proc/self/fd/{directory}/{SOCKET}")
+            except OSError:
+                self._socket.close()
+                raise
+        finally:
+            os.close(directory)
+
+    def fileno(self) -> int:
+        """For select: readable when a message or the end has come."""
+        return self._socket.fileno()
+
+    def receive(self) -> list[Message]:
+        """The messages that have come; never waits."""
+        messages: list[Message] = []
+        while self.connected:
+            try:
+                chunk = self._socket.recv(READ_BYTES)
+            except BlockingIOError:
+                break
+            except OSError:
+                chunk = b""
+            if not chunk:
+                self.connected = False
+                break
+            messages += self._lines.feed(chunk)
+        return messages
+
+    def send(self, command: Message) -> None:
+        """Hand a command over; a session that does not take it at once is let go of."""
+        try:
+            self._socket.sendall(json.dumps(command).encode() + b"\n")
+        except OSError:
+            self.connected = False
+
+    def say(self, word: str) -> None:
+        """A command of one word: `pause`, `resume` or `stop`."""
+        self.send({"command": word})
+
+    def close(self) -> None:
+        """Let go of the session, which goes on."""
+        self.connected = False
+        self._socket.close()
+
+
+class Lines:
+    """Bytes → JSON objects, one per line. What is no object, and an unfinished last line, is left out."""
+
+    def __init__(self) -> None:
+        self._pending = b""
+
+    def feed(self, chunk: bytes) -> list[Message]:
+        """The objects that `chunk` completes."""
+        *lines, self._pending = (self._pending + chunk).split(b"\n")
+        messages: list[Message] = []
+        for line in lines:
+            try:
+                content = json.loads(line)
+            except ValueError:
+                continue
+            if isinstance(content, dict):
+                messages.append(content)
+        return messages
+
+
+class SessionSource:
+    """The session in `folder`; a slow console that the session has dropped comes back by itself."""
+
+    def __init__(self, folder: Path, clock: Callable[[], float] = time.monotonic) -> None:
+        self._folder = folder
+        self._clock = clock
+        self._client: Client | None = None
+        self._earlier = Earlier()
+        self._retry_s = self._heard_s = float("-inf")
+        self._inspect: Message | None = None
+        self._over = False
+
+    @property
+    def connected(self) -> bool:
+        """Whether the session is there."""
+        return self._client is not None and self._client.connected
+
+    def receive(self) -> list[Message]:
+        """What has come; an `end` of our own where the session has gone without a word."""
+        now_s = self._clock()
+        if self._over:
+            return []
+        if not self.connected and now_s >= self._retry_s:
+            self._retry_s = now_s + RETRY_S
+            self._connect()
+        if self._client is None:
+            return self._gone(now_s)
+        messages = self._earlier.joined(self._client.receive())
+        if messages or self._client.connected:
+            self._heard_s = now_s
+        self._over = any(message.get("type") == "end" for message in messages)
+        return messages
+
+    def _gone(self, now_s: float) -> list[Message]:
+        if self._heard_s == float("-inf") or now_s - self._heard_s < GONE_S:
+            return []
+        self._over = True
+        return [{"type": "end", "outcome": None, "exit": None}]
+
+    def _connect(self) -> None:
+        if self._client is not None:
+            self._client.close()
+            self._client = None
+        try:
+            self._client = Client(self._folder)
+        except OSError:
+            return
+        if self._inspect is not None:
+            self._client.send(self._inspect)
+
+    def send(self, command: Message) -> None:
+        """Hand over a command; without a session it is lost. What is inspected is asked for again after a loss."""
+        if command.get("command") == "inspect":
+            self._inspect = command
+        if self._client is not None:
+            self._client.send(command)
+
+    def close(self) -> None:
+        """Let go of the session, which goes on."""
+        self._over = True
+        if self._client is not None:
+            self._client.close()
+
+
+class Earlier:
+    """Lasts as long as somebody looks on, over any number of connections."""
+
+    def __init__(self) -> None:
+        self._heard = 0
+        self._missed: list[Any] = []
+
+    def joined(self, messages: Iterable[Message]) -> list[Message]:
+        """The messages, with what was missed put before the events of the next snapshot."""
+        made: list[Message] = []
+        for message in messages:
+            kind, events = message.get("type"), list(message.get("events") or ())
+            if kind == "session":
+                told = int(message.get("told") or 0)
+                heard = self._heard if self._heard <= told else 0  # else it is another session, in the same place
+                missed = min(told - heard, len(events))
+                self._missed = events[len(events) - missed :]
+                self._heard = told
+            elif kind == "snapshot":
+                self._heard += len(events)
+                if self._missed:
+                    message = {**message, "events": [*self._missed, *events]}  # noqa: PLW2901
+                    self._missed = []
+            made.append(message)
+        return made
+
+
+class Source(Protocol):
+    """What the console asks of whoever feeds it; all of it is called from the console's one thread."""
+
+    @property
+    def connected(self) -> bool:
+        """Whether there is someone at the other end; what was received before may still be shown."""
+
+    def receive(self) -> list[Message]:
+        """The messages that have come since the last call; never waits, never raises."""
+
+    def send(self, command: Message) -> None:
+        """Hand over a command; its reply, if there is one, comes as a message. Never waits, never raises."""
+
+    def close(self) -> None:
+        """Let go of the other end, which goes on."""

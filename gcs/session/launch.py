@@ -1,0 +1,108 @@
+"""What `gcs launch` does: a scenario's vehicles for somebody else's ground station, from start to end."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import re
+import selectors
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from gcs.exit import DONE, NOT_DONE
+from gcs.scenario.model import Scenario
+from gcs.session.supervised import POLL_S, RunError, Signals, make_folder
+from gcs.session.vehicles import Hatch, LaunchError, vehicle_orders
+
+STARTED_WITHIN_S = 120.0
+ENDED_EARLY = "standard input ended before the vehicles were there; --until-eof wants one that stays open"
+ADDRESS_LINE = re.compile(r"vehicle \d+: (udpin:(.+):0|udpout:.+) \(local port (\d+)\)")
+
+
+def launch(
+    scenario: Scenario,
+    out: Path | None,
+    connect: str | None,
+    report: Callable[[list[dict[str, Any]]], object],
+    *,
+    until_eof: bool = False,
+) -> int:
+    """Start the scenario's vehicles for somebody else's ground station and keep them until Ctrl-C; the exit status.
+
+    `report` gets {sysid, role, label, address, log} of each vehicle that came up, once.
+    """
+    scenario = scenario.model_copy(update={"truth": False})  # a truth file would grow for as long as anyone flies
+    connection = ["--connect", connect or "udpin:127.0.0.1:0"]
+    with contextlib.ExitStack() as stack:
+        if out is None:
+            folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="gcs-launch-")))
+            (folder / "vehicles").mkdir()
+        else:
+            folder = make_folder(out, scenario)
+        signals = stack.enter_context(Signals())
+        orders = vehicle_orders(scenario, folder, connection)
+        try:
+            hatch = stack.enter_context(Hatch())
+        except LaunchError as error:
+            raise RunError(str(error)) from error
+        hatch.start(orders)
+        waiting = {order.sysid: order.log for order in orders}
+        labels = {vehicle.sysid: (vehicle.role, vehicle.label) for vehicle in scenario.vehicles.all}
+        alive = set(waiting)
+        up: list[dict[str, Any]] = []
+        reported = False
+        deadline_s = time.monotonic() + STARTED_WITHIN_S
+        selector = stack.enter_context(selectors.PollSelector())  # standard input may be a file, or /dev/null
+        selector.register(hatch, selectors.EVENT_READ)
+        selector.register(signals, selectors.EVENT_READ)
+        if until_eof:
+            selector.register(0, selectors.EVENT_READ)
+        while alive:
+            ready = selector.select(None if reported else POLL_S)
+            if any(key.fd == 0 and not os.read(0, 65536) for key, _ in ready):
+                if not reported:
+                    print(f"gcs: {ENDED_EARLY}", file=sys.stderr)
+                return DONE
+            if arrived := signals.take():
+                return 128 + arrived[0]
+            for ended in hatch.events()[1]:
+                alive.discard(ended.sysid)
+                waiting.pop(ended.sysid, None)
+                print(f"gcs: {ended.sentence(labels[ended.sysid][1])}", file=sys.stderr, flush=True)
+            if not hatch.alive:
+                sentence = "the hatch, which makes the vehicles, has ended; all of them ended with it"
+                if not reported:
+                    raise RunError(sentence)
+                print(f"gcs: {sentence}", file=sys.stderr)
+                break
+            for sysid in list(waiting):
+                if (address := _address(waiting[sysid])) is not None:
+                    role, label = labels[sysid]
+                    log = str(waiting.pop(sysid))
+                    up.append({"sysid": sysid, "role": role, "label": label, "address": address, "log": log})
+            if not reported and not waiting and up:
+                report(up)
+                reported = True
+            if waiting and time.monotonic() > deadline_s:
+                late = ", ".join(labels[sysid][1] for sysid in waiting)
+                raise RunError(
+                    f"no sign of life within {STARTED_WITHIN_S:.0f} s from {late}; is the machine overloaded?"
+                )
+        print("gcs: no vehicle is left", file=sys.stderr)
+        return NOT_DONE
+
+
+def _address(log: Path) -> str | None:
+    """Where a vehicle listens, or whom it speaks to, once its log says so."""
+    try:
+        with log.open(encoding="utf-8", errors="replace") as lines:
+            match = ADDRESS_LINE.match(lines.readline())
+    except OSError:
+        return None
+    if match is None:
+        return None
+    return match[1] if match[2] is None else f"udpout:{match[2]}:{match[3]}"

@@ -1,0 +1,257 @@
+"""Messages of the session's socket: the session line, snapshots, and their rows for vehicles, traffic and events."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any, Literal
+
+from gcs.refuelling import explain
+from gcs.refuelling.service import Phase
+from gcs.scenario.model import Goal, Obstacle, Scenario, VehicleBase
+from gcs.telemetry.events import Event
+from gcs.telemetry.health import State, Trouble, severity, state, troubles
+from gcs.telemetry.state import TrafficView, Vec3, VehicleView
+
+if TYPE_CHECKING:  # a monitor and a replay have none
+    from gcs.supervisor.supervisor import Supervisor
+
+ROUND_CORNERS = 32
+"""of the outline of what is round"""
+
+
+def vehicle_row(
+    view: VehicleView,
+    now_s: float,
+    *,
+    stage: str = "",
+    target_m: float | None = None,
+    v: float | None = None,
+    tau: float | None = None,
+    note: str = "",
+    lost: int = 0,
+    lost_share: float | None = None,
+    aim_ned: Vec3 | None = None,
+    state: State = State.IDLE,
+    found: Sequence[Trouble] = (),
+) -> dict[str, Any]:
+    """One vehicle at `now_s`; `found` is its trouble, worst first (gcs/telemetry/health.py)."""
+    heard = view.heard_s >= 0.0
+    return {
+        "sysid": view.sysid,
+        "role": view.role,
+        "label": view.label,
+        "alive": view.alive,
+        "stage": stage,
+        "mode": str(view.mode),
+        "armed": view.armed,
+        "landed": view.landed,
+        "autopilot": view.profile.name if heard else None,
+        "p_ned": view.p_ned,
+        "v_ned": view.v_ned,
+        "speed_m_s": math.hypot(*view.v_ned),
+        "height_m": -view.p_ned[2] if view.p_ned is not None else None,
+        "heading_rad": view.heading_rad,
+        "aim_ned": aim_ned,
+        "age_s": view.age_s if math.isfinite(view.age_s) else None,
+        "heard_s": max(now_s - view.heard_s, 0.0) if heard else None,
+        "lost": lost,
+        "lost_share": lost_share,
+        "target_m": target_m,
+        "battery": view.remaining_j / view.capacity_j,
+        "remaining_j": view.remaining_j,
+        "power_w": view.power_w,
+        "endurance_s": view.endurance_s if math.isfinite(view.endurance_s) else None,
+        "energy_source": view.energy_source,
+        "v": v,
+        "tau": tau,
+        "state": str(state),
+        "trouble": [trouble.text for trouble in found],
+        "severity": severity(found),
+        "note": note,
+    }
+
+
+def traffic_row(aircraft: TrafficView) -> dict[str, Any]:
+    """One aircraft by its ADSB_VEHICLE."""
+    return {
+        "callsign": aircraft.callsign,
+        "p_ned": aircraft.p_ned,
+        "v_ned": aircraft.v_ned,
+        "age_s": aircraft.age_s,
+    }
+
+
+def event_row(event: Event) -> dict[str, Any]:
+    """One event."""
+    return {"t_s": event.t_s, "sysid": event.sysid, "level": event.level, "text": event.text, "kind": event.kind}
+
+
+def distance_m(a: Vec3 | None, b: Vec3 | None) -> float | None:
+    """Between two places; None where one is not known."""
+    return None if a is None or b is None else math.dist(a, b)
+
+
+def picture(
+    supervisor: Supervisor, *, phase: str, speed: float, refuelled: int, events: Iterable[Event]
+) -> dict[str, Any]:
+    """The present state; `speed` is session time over wall time so far, `events` are those that nobody was told yet."""
+    scenario, snapshot, schedule = supervisor.scenario, supervisor.snapshot, supervisor.schedule
+    services = schedule.open_services
+    tanker_m_s: dict[int | None, float] = {tanker.sysid: tanker.speed_m_s for tanker in scenario.vehicles.tankers}
+    base_ned: dict[str | None, Vec3] = {base.name: base.position_m for base in scenario.bases}
+    return {
+        "type": "snapshot",
+        "t_s": supervisor.time_s,
+        "duration_s": scenario.goal.duration_s,
+        "speed": speed,
+        "phase": phase,
+        "vehicles": _vehicles(supervisor),
+        "traffic": [traffic_row(aircraft) for aircraft in snapshot.traffic],
+        "competition": explain.competition_of(schedule.standing, scenario.competition),
+        "services": [
+            explain.service_of(
+                s,
+                snapshot,
+                scenario.refuelling,
+                scenario.competition,
+                tanker_m_s.get(s.tanker, 0.0),
+                base_ned.get(s.base),
+            )
+            for s in services
+        ],
+        "history": explain.history_of(schedule.services),
+        "bases": [
+            {"name": stock.base.name, "remaining_j": stock.remaining_j, "stock_j": stock.base.stock_j}
+            for stock in schedule.stocks
+        ],
+        "refuelled": refuelled,
+        "goal": {**goal_of(scenario.goal), "pursue_held_s": supervisor.metrics.pursuit_held_s},
+        "inspected": supervisor.inspection.told(snapshot.time_s),
+        "events": [event_row(event) for event in events],
+    }
+
+
+def _vehicles(supervisor: Supervisor) -> list[dict[str, Any]]:
+    snapshot, standing, quality = supervisor.snapshot, supervisor.schedule.standing, supervisor.quality
+    now_s = snapshot.time_s
+    services = supervisor.schedule.open_services
+    notes = explain.notes_of(services, supervisor.schedule.asked, supervisor.schedule.out)
+    waiting = {service.receiver for service in services if service.phase is Phase.JOIN}
+    served = {service.receiver for service in services}
+    serving = {service.tanker for service in services if service.tanker is not None}
+    at = {view.sysid: view.p_ned for view in snapshot.vehicles}
+    aims = {point.sysid: point.p_ned for point in supervisor.set_points}
+    target_of = supervisor.metrics.target_of
+    rows = []
+    for view in snapshot.vehicles:
+        sysid, pilot = view.sysid, supervisor.pilots[view.sysid]
+        lost_share = quality.lost_share(sysid)
+        rows.append(
+            vehicle_row(
+                view,
+                now_s,
+                stage=str(pilot.stage),
+                target_m=distance_m(view.p_ned, at.get(target_of.get(sysid, -1))),
+                v=standing.v.get(sysid),
+                tau=standing.tau.get(sysid),
+                note=notes.get(sysid, ""),
+                lost=quality.lost(sysid),
+                lost_share=lost_share,
+                aim_ned=aims.get(sysid),
+                state=state(
+                    view,
+                    competing=standing.v or standing.tau,
+                    leader=standing.leader,
+                    waiting=waiting,
+                    served=served - waiting,
+                    serving=serving,
+                ),
+                found=troubles(
+                    view,
+                    now_s,
+                    lost_share=lost_share,
+                    down=pilot.down,
+                    ordered=pilot.ordered is not None or sysid in supervisor.grounded,
+                ),
+            )
+        )
+    return rows
+
+
+def session_line(
+    scenario: Scenario,
+    folder: str | None,
+    *,
+    source: Literal["session", "monitor", "replay"] = "session",
+    clock: Literal["lockstep", "real", "replay"] | None = None,
+    control: bool = True,
+) -> dict[str, Any]:
+    """The message of type "session"; `clock` is the scenario's own unless given, `control`: commands are taken."""
+    mode = clock or scenario.clock.mode
+    return {
+        "type": "session",
+        "name": scenario.name,
+        "folder": folder,
+        "source": source,
+        "duration_s": scenario.goal.duration_s,
+        "clock": mode,
+        "speed": scenario.clock.speed if mode == "real" else None,
+        "control": control,
+        "separation_m": scenario.planner.separation_m,
+        "vehicles": [vehicle_of(vehicle) for vehicle in scenario.vehicles.all],
+        "obstacles": [obstacle_of(shape, f"{shape.kind} {i + 1}") for i, shape in enumerate(scenario.obstacles)],
+        "bases": [{"name": base.name, "p_ned": base.position_m} for base in scenario.bases],
+        "goal": goal_of(scenario.goal),
+    }
+
+
+def goal_of(goal: Goal) -> dict[str, Any]:
+    """What makes the session a success."""
+    return {
+        "pursue_within_m": goal.pursue.within_m if goal.pursue else None,
+        "pursue_for_s": goal.pursue.for_s if goal.pursue else None,
+        "refuelled_at_least": goal.refuelled_at_least,
+    }
+
+
+def vehicle_of(vehicle: VehicleBase) -> dict[str, Any]:
+    """Who flies, and the way that it is to fly where there is one; a closed path ends where it begins."""
+    path = list(getattr(vehicle, "path_m", None) or getattr(vehicle, "waypoints_m", None) or ())
+    if getattr(vehicle, "closed", False):
+        path.append(path[0])
+    return {
+        "sysid": vehicle.sysid,
+        "role": vehicle.role,
+        "label": vehicle.label,
+        "capacity_j": vehicle.battery.capacity_j,
+        "path_ned": path,
+    }
+
+
+def obstacle_of(shape: Obstacle, default_label: str) -> dict[str, Any]:
+    """An obstacle to draw: outline from above (its last point is its first), centre, and where it begins and ends."""
+    (n0, e0, d0), (n1, e1, d1) = shape.low_m, shape.high_m
+    up_m = shape.radius_m if shape.kind == "sphere" else 0.0
+    return {
+        "name": shape.name,
+        "label": shape.name or default_label,
+        "kind": shape.kind,
+        "outline_ne": _outline(shape),
+        "centre_ned": ((n0 + n1) / 2.0, (e0 + e1) / 2.0, (d0 + d1) / 2.0),
+        "radius_m": shape.radius_m if shape.kind in ("sphere", "cylinder") else None,
+        "bottom_d": d1 + up_m,
+        "top_d": d0 - up_m,
+    }
+
+
+def _outline(shape: Obstacle) -> list[tuple[float, float]]:
+    (n0, e0, _), (n1, e1, _) = shape.low_m, shape.high_m
+    if shape.kind == "point":
+        return []
+    if shape.kind == "box":
+        return [(n0, e0), (n0, e1), (n1, e1), (n1, e0), (n0, e0)]
+    angles = [2.0 * math.pi * i / ROUND_CORNERS for i in range(ROUND_CORNERS)]
+    r = shape.radius_m
+    corners = [(n0 + r * math.cos(angle), e0 + r * math.sin(angle)) for angle in angles]
+    return [*corners, corners[0]]

@@ -1,0 +1,192 @@
+"""Any fleet on the air as a console's source: one socket, an observer, the wall clock; nothing to configure.
+
+A monitor is passive: not a byte leaves its socket. With `control` it is a ground station: a HEARTBEAT each second to
+whoever was heard, a request for streams to who sends none, and hold, return and land for one vehicle, in its own
+autopilot's way.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable, Mapping
+from typing import Any, cast
+
+from gcs.link.listener import Air
+from gcs.link.socket import Where
+from gcs.mavlink import codec
+from gcs.mavlink.autopilots import End
+from gcs.mavlink.codec import Frame, Message
+from gcs.mavlink.commands import CommandLong, CommandQueue, CommandResult, Step, Target
+from gcs.mavlink.ids import OUR_HEARTBEAT, STATION
+from gcs.mavlink.sequence import SequenceCounter
+from gcs.mavlink.stream_requests import Quiet, everything
+from gcs.scenario.endpoint import Address
+from gcs.session.observer import Observer
+from gcs.telemetry.events import Event
+
+SNAPSHOT_EVERY_S = 0.1
+HEARTBEAT_EVERY_S = 1.0
+COMMAND_TIMEOUT_S = 1.0
+GONE_S = 5.0
+"""A vehicle may come from another address once the one that it had has been silent for so long."""
+ORDERS: Mapping[str, End] = {"hold": "hold", "return": "return", "land": "land"}
+_COMMAND_ACK = codec.msgid("COMMAND_ACK")
+
+
+class MonitorSource:
+    """A console's source that listens at an address. Raises AddressRefused where it cannot."""
+
+    def __init__(self, at: Address, *, control: bool = False, clock: Callable[[], float] = time.monotonic) -> None:
+        self._air = Air(at)
+        self._clock = clock
+        self._begun_s = clock()
+        self._observer = Observer("monitor", at.text)
+        self._observer.control = control
+        self._control = control
+        self._peers: dict[int, tuple[Where, float]] = {}
+        self._refused: set[tuple[int, Where]] = set()
+        self._queues: dict[int, CommandQueue] = {}
+        self._quiet = Quiet()
+        self._told_quiet: set[int] = set()
+        self._counter = SequenceCounter()
+        self._replies: list[Mapping[str, Any]] = []
+        self._shown_s = self._beat_s = -math.inf
+        self._ended = False
+        if at.way == "udpout" and not control:
+            text = f"Nothing is sent to {at.text}: somebody who only answers will not be heard; --control speaks"
+            self._observer.tell(Event(0.0, 0, "warning", text, "link"))
+
+    @property
+    def port(self) -> int:
+        """The port that it is at."""
+        return self._air.port
+
+    def fileno(self) -> int:
+        """For select: readable when something has come."""
+        return self._air.fileno()
+
+    @property
+    def connected(self) -> bool:
+        """Whether it listens."""
+        return self._air.open
+
+    def receive(self) -> list[Mapping[str, Any]]:
+        """Listen; the messages since the last call."""
+        t_s = self._clock() - self._begun_s
+        for frames, peer in self._air.receive():
+            for frame in frames:
+                self._hear(frame, peer, t_s)
+        self._notice_quiet(t_s)
+        if self._control:
+            self._speak(t_s)
+        messages, self._replies = self._replies, []
+        if self._observer.changed:
+            messages.append(self._observer.session())
+        if t_s - self._shown_s >= SNAPSHOT_EVERY_S or not self._air.open:
+            self._shown_s = t_s
+            messages.append(self._observer.snapshot(t_s, speed=1.0, phase="flying"))
+        if not self._air.open and not self._ended:
+            self._ended = True
+            messages.append({"type": "end", "outcome": "the other end has closed the connection", "exit": 0})
+        return messages
+
+    def send(self, command: Mapping[str, Any]) -> None:
+        """Take `inspect`, and with control `hold`, `return` and `land`."""
+        ok, text = self._obey(command)
+        self._replies.append({"type": "reply", "id": command.get("id"), "ok": ok, "text": text})
+
+    def close(self) -> None:
+        """Listen no longer."""
+        self._air.close()
+
+    # in
+
+    def _hear(self, frame: Frame, peer: Where, t_s: float) -> None:
+        observer = self._observer
+        known = self._peers.get(frame.sysid)
+        if known is not None and known[0] != peer and t_s - known[1] < GONE_S:
+            if (frame.sysid, peer) not in self._refused:
+                self._refused.add((frame.sysid, peer))
+                text = f"Another vehicle says that it is {frame.sysid}, from {_where(peer)}: ignored"
+                observer.tell(Event(t_s, frame.sysid, "warning", text, "link"))
+            return
+        observer.hear(frame, t_s)
+        if frame.sysid not in observer.sysids:
+            observer.overhear(frame)
+            return
+        self._peers[frame.sysid] = (peer, t_s)
+        self._quiet.heard(frame.sysid, frame.msgid, t_s)
+        if frame.msgid == _COMMAND_ACK and (queue := self._queues.get(frame.sysid)) is not None:
+            self._follow_up(frame.sysid, queue.on_ack(frame.sysid, frame.compid, codec.fields(frame), t_s), t_s)
+
+    def _notice_quiet(self, t_s: float) -> None:
+        for sysid in self._quiet.due(t_s):
+            if t_s - self._peers[sysid][1] >= GONE_S:
+                continue
+            if self._control:
+                self._transmit(sysid, [everything(sysid, self._observer.component(sysid))])
+            if sysid not in self._told_quiet:
+                self._told_quiet.add(sysid)
+                done = "it is asked for them now" if self._control else "nobody asks for them; --control does"
+                text = f"Does not tell its position, attitude and state: {done}"
+                self._observer.tell(Event(t_s, sysid, "warning", text, "link"))
+
+    # out, with control only
+
+    def _obey(self, command: Mapping[str, Any]) -> tuple[bool, str]:
+        word, sysid = command.get("command"), command.get("sysid")
+        known = isinstance(sysid, int) and not isinstance(sysid, bool) and sysid in self._observer.sysids
+        if word == "inspect":
+            if sysid is not None and not known:
+                return False, f"No vehicle {sysid} has been heard."
+            self._observer.inspection.want(() if sysid is None else (cast(int, sysid),))
+            return True, "" if sysid is None else f"Snapshots tell everything that vehicle {sysid} sends."
+        if not isinstance(word, str) or word not in ORDERS:
+            return False, f"A monitor knows hold, return, land and inspect, not {word}."
+        if not self._control:
+            return False, "This monitor only watches; start it with --control to give orders."
+        if not known:
+            return False, f"No vehicle {sysid} has been heard."
+        return self._order(cast(int, sysid), ORDERS[word])
+
+    def _order(self, sysid: int, end: End) -> tuple[bool, str]:
+        t_s = self._clock() - self._begun_s
+        view = self._observer.view(t_s).vehicle(sysid)
+        if not view.armed:
+            return False, f"{view.label} is not armed: there is nothing to {end}."
+        number, params = view.profile.ending(end)
+        queue = self._queues.setdefault(sysid, CommandQueue(*STATION))
+        order = CommandLong(Target(sysid, self._observer.component(sysid)), number, params)
+        self._transmit(sysid, queue.send(order, t_s, COMMAND_TIMEOUT_S, token=end))
+        self._observer.tell(Event(t_s, sysid, "info", f"Operator: {end}", "operator"))
+        return True, f"{view.label} is told to {end}; what it answers is shown."
+
+    def _speak(self, t_s: float) -> None:
+        if t_s - self._beat_s >= HEARTBEAT_EVERY_S:
+            self._beat_s = t_s
+            raw = codec.frame(OUR_HEARTBEAT, self._counter.take(), *STATION)
+            peers = {self._air.to} if self._air.to is not None else {peer for peer, _ in self._peers.values()}
+            for peer in sorted(peers, key=str):
+                self._air.send(raw, peer)
+        for sysid, queue in self._queues.items():
+            self._follow_up(sysid, queue.poll(t_s), t_s)
+
+    def _follow_up(self, sysid: int, step: Step, t_s: float) -> None:
+        self._transmit(sysid, step.messages)
+        for result in step.results:
+            if result.outcome == "timeout":
+                self._observer.tell(Event(t_s, sysid, "warning", _unanswered(result), "ack"))
+
+    def _transmit(self, sysid: int, messages: list[Message]) -> None:
+        peer = self._peers[sysid][0]
+        for message in messages:
+            self._air.send(codec.frame(message, self._counter.take(), *STATION), peer)
+
+
+def _unanswered(result: CommandResult) -> str:
+    return f"{str(result.token).capitalize()} was not acknowledged, though it was sent {result.attempts} times"
+
+
+def _where(peer: Where) -> str:
+    return f"{peer[0]}:{peer[1]}"

@@ -1,0 +1,366 @@
+"""Any fleet as the messages of a session's socket: frames and their times in, `session` and `snapshot` out.
+
+Nothing need be configured: a vehicle is who sends a vehicle's HEARTBEAT, and the first one's origin is the common
+frame's. A scenario, where there is one, says more: roles, capacities, obstacles, and the origin. An observer says
+nothing to anyone.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any, Literal
+
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.link.quality import LinkQuality
+from gcs.mavlink import codec
+from gcs.mavlink.autopilots import End, profile_of
+from gcs.mavlink.codec import Frame
+from gcs.mavlink.ids import AUTOPILOT
+from gcs.mavlink.sequence import GapCounter
+from gcs.scenario.model import Scenario
+from gcs.session.messages import distance_m, event_row, session_line, traffic_row, vehicle_row
+from gcs.telemetry.adapter import Ear
+from gcs.telemetry.changes import Watch
+from gcs.telemetry.events import Event, level_of
+from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
+from gcs.telemetry.health import State, troubles
+from gcs.telemetry.message_inspector import Inspection
+from gcs.telemetry.state import Snapshot, Vec3, VehicleView
+
+Kind = Literal["monitor", "replay"]
+UNKNOWN_CAPACITY_J = math.nan
+ORIGIN_WITHIN_S = 3.0
+THRESHOLD = 0.9
+"""Of a competition that nobody holds: the default share."""
+_ADSB = codec.msgid("ADSB_VEHICLE")
+_GLOBAL = codec.msgid("GLOBAL_POSITION_INT")
+_HEARTBEAT = codec.msgid("HEARTBEAT")
+_TEXT = codec.msgid("STATUSTEXT")
+_ACK = codec.msgid("COMMAND_ACK")
+_TARGET = codec.msgid("POSITION_TARGET_LOCAL_NED")
+_SET_POINT = codec.msgid("SET_POSITION_TARGET_LOCAL_NED")
+_NO_POSITION = mav.POSITION_TARGET_TYPEMASK_X_IGNORE
+ROLES: Mapping[int, str] = {
+    **dict.fromkeys(
+        (
+            mav.MAV_TYPE_QUADROTOR,
+            mav.MAV_TYPE_COAXIAL,
+            mav.MAV_TYPE_HELICOPTER,
+            mav.MAV_TYPE_HEXAROTOR,
+            mav.MAV_TYPE_OCTOROTOR,
+            mav.MAV_TYPE_TRICOPTER,
+            mav.MAV_TYPE_DODECAROTOR,
+            mav.MAV_TYPE_DECAROTOR,
+            mav.MAV_TYPE_GENERIC_MULTIROTOR,
+        ),
+        "copter",
+    ),
+    **dict.fromkeys(
+        (
+            mav.MAV_TYPE_VTOL_DUOROTOR,
+            mav.MAV_TYPE_VTOL_QUADROTOR,
+            mav.MAV_TYPE_VTOL_TILTROTOR,
+            *range(mav.MAV_TYPE_VTOL_RESERVED2, mav.MAV_TYPE_VTOL_RESERVED5 + 1),
+        ),
+        "VTOL",
+    ),
+    **dict.fromkeys((mav.MAV_TYPE_FIXED_WING, mav.MAV_TYPE_FLAPPING_WING, mav.MAV_TYPE_PARAFOIL), "plane"),
+    **dict.fromkeys((mav.MAV_TYPE_AIRSHIP, mav.MAV_TYPE_FREE_BALLOON, mav.MAV_TYPE_KITE), "balloon"),
+    mav.MAV_TYPE_GROUND_ROVER: "rover",
+    mav.MAV_TYPE_SURFACE_BOAT: "boat",
+    mav.MAV_TYPE_SUBMARINE: "submarine",
+    mav.MAV_TYPE_ROCKET: "rocket",
+    mav.MAV_TYPE_GENERIC: "vehicle",
+}
+"""What a vehicle is, by HEARTBEAT's type. Types that are not here are no vehicles: ground stations, cameras, …"""
+
+
+class Observer:
+    """Watches a fleet. Times are in s since whatever `hear` is told them since, and do not fall.
+
+    scenario: of a recorded session, whose vehicles need not be discovered and whose local clock is the session's.
+    """
+
+    def __init__(self, source: Kind, name: str, *, scenario: Scenario | None = None, folder: str | None = None) -> None:
+        self._source: Kind = source
+        self._name = name
+        self._folder = folder
+        self.scenario = scenario
+        self.control = False
+        """whether whoever feeds this observer takes commands for vehicles"""
+        self.duration_s: float | None = None
+        self.ordered: dict[int, End] = {}
+        """what an operator wants vehicles of a scenario to fly: that is no failsafe"""
+        members = [] if scenario is None else [_member(vehicle) for vehicle in scenario.vehicles.all]
+        self._origin = None if scenario is None else GlobalOrigin(*scenario.origin.model_dump().values())
+        self.fleet = Fleet(members, self._origin or GlobalOrigin(0.0, 0.0, 0.0))
+        self._ears: dict[int, Ear] = {}
+        # A session's own vehicles tell all that the fleet reads, on its clock; those of others are strangers here too.
+        self._known = set() if scenario is None else {vehicle.sysid for vehicle in scenario.vehicles.launched}
+        self._expected = {member.sysid for member in members} - self._known
+        self._gaps = GapCounter()
+        self.quality = LinkQuality(self._gaps)
+        self.inspection = Inspection()
+        self._watch = Watch()
+        self._modes: dict[int, str] = {}
+        self._since_s: dict[int, float] = {}
+        self._events: list[Event] = []
+        self._aims: dict[int, Vec3] = {}
+        self.changed = True
+        """whether `session` has something new to say; whoever sends it says that it has"""
+
+    @property
+    def sysids(self) -> list[int]:
+        """The vehicles known so far."""
+        return sorted(self._known | self._expected | self._ears.keys())
+
+    def component(self, sysid: int) -> int:
+        """The component of a known vehicle that is its autopilot."""
+        ear = self._ears.get(sysid)
+        return AUTOPILOT if ear is None else ear.compid
+
+    def hear(self, frame: Frame, t_s: float, *, counted: bool = True) -> None:
+        """Take a frame that came at `t_s`; who is no vehicle is passed over, but for ADS-B.
+
+        Not `counted`: it is one of many, the others of which are not told, and says nothing of the link.
+        """
+        if frame.msgid == _ADSB:
+            if self._origin is not None:
+                self.fleet.ingest(frame, t_s)
+            return
+        ear = self._ears.get(frame.sysid)
+        if ear is None:
+            ear = self._discover(frame, t_s)
+        if ear is None or frame.compid != ear.compid:
+            return
+        if counted:
+            self._gaps.feed(frame.sysid, frame.compid, frame.seq)
+            self.quality.take(frame.sysid, 1, t_s)
+        if frame.sysid in self.inspection.wanted:
+            self.inspection.take((frame,), t_s)
+        if self.scenario is not None and frame.sysid in self._known:
+            self.fleet.ingest(frame, t_s)
+        else:
+            if self._origin is None and (origin := self._origin_by(ear, frame, t_s)) is not None:
+                self._origin = self.fleet.origin = origin
+                self.changed = True
+            for told in ear.hears(frame, t_s, self._origin):
+                self.fleet.ingest(told, t_s)
+        if frame.msgid == _TARGET:
+            self._aim(frame.sysid, codec.fields(frame))
+        elif frame.msgid in (_TEXT, _ACK):
+            self._said(t_s)
+
+    def overhear(self, frame: Frame) -> None:
+        """Take a frame that was sent to a vehicle: where it is to be."""
+        if frame.msgid == _SET_POINT:
+            content = codec.fields(frame)
+            self._aim(content.target_system, content)
+
+    def tell(self, event: Event) -> None:
+        """Let the next snapshot tell of something that no vehicle said."""
+        self._events.append(event)
+
+    def resume(self, gaps: GapCounter, t_s: float) -> None:
+        """Count lost frames from `t_s` on where somebody has counted those before."""
+        self._gaps = gaps
+        self.quality = LinkQuality(gaps)
+        self.quality.begin(t_s)
+
+    def forget_events(self, t_s: float) -> None:
+        """Drop what a snapshot at `t_s` would tell of what has happened before: nobody was there to see it."""
+        self._gather(self.view(t_s))
+        self._events.clear()
+
+    def session(self) -> dict[str, Any]:
+        """The message of type "session" as things stand."""
+        self.changed = False
+        if self.scenario is not None:
+            line = session_line(
+                self.scenario, self._folder, source=self._source, clock=self._clock, control=self.control
+            )
+            known = {vehicle["sysid"] for vehicle in line["vehicles"]}
+            line["vehicles"] += [self._found(sysid) for sysid in self.sysids if sysid not in known]
+            return line | {"speed": None}
+        return {
+            "type": "session",
+            "name": self._name,
+            "folder": self._folder,
+            "source": self._source,
+            "duration_s": self.duration_s,
+            "clock": self._clock,
+            "speed": None,
+            "control": self.control,
+            "separation_m": None,
+            "vehicles": [self._found(sysid) for sysid in self.sysids],
+            "obstacles": [],
+            "bases": [],
+            "goal": {"pursue_within_m": None, "pursue_for_s": None, "refuelled_at_least": 0},
+        }
+
+    def view(self, t_s: float) -> Snapshot:
+        """The fleet at `t_s`, for those who want to know more of it than a snapshot's line says."""
+        return self.fleet.snapshot(t_s)
+
+    def snapshot(
+        self, t_s: float, *, speed: float | None, phase: str, more: Mapping[str, Any] | None = None
+    ) -> dict[str, Any]:
+        """The message of type "snapshot" at `t_s`, with the events since the last one.
+
+        `more`: keys that somebody who knows the session's decisions fills in, among them `parts`, of each vehicle.
+        """
+        view = self.view(t_s)
+        self._gather(view)
+        events, self._events = self._events, []
+        known = dict(more or {})
+        parts: Mapping[int, Mapping[str, Any]] = known.pop("parts", {})
+        return {
+            "type": "snapshot",
+            "t_s": t_s,
+            "duration_s": self.duration_s,
+            "speed": speed,
+            "phase": phase,
+            "vehicles": self._rows(view, parts),
+            "traffic": [traffic_row(aircraft) for aircraft in view.traffic],
+            "competition": {
+                "v": {},
+                "tau": {},
+                "leader": None,
+                "share": None,
+                "runner_up": None,
+                "threshold": THRESHOLD,
+            },
+            "services": [],
+            "history": [],
+            "refuelled": 0,
+            "goal": {
+                "pursue_within_m": None,
+                "pursue_for_s": None,
+                "refuelled_at_least": 0,
+                "pursue_held_s": None,
+            },
+            "inspected": self.inspection.told(t_s),
+            "events": [event_row(event) for event in events],
+            **known,
+        }
+
+    # who is there
+
+    @property
+    def _clock(self) -> Literal["real", "replay"]:
+        return "real" if self._source == "monitor" else "replay"
+
+    def _discover(self, frame: Frame, t_s: float) -> Ear | None:
+        """A vehicle's first HEARTBEAT makes it known; a scenario's vehicles are so already."""
+        if frame.sysid in self._known:
+            if frame.compid != AUTOPILOT:
+                return None
+            ear = self._ears[frame.sysid] = Ear(frame.sysid, frame.compid)
+            return ear
+        if frame.msgid != _HEARTBEAT or frame.sysid == 0:
+            return None
+        content = codec.fields(frame)
+        role = ROLES.get(content.type)
+        if role is None or content.autopilot == mav.MAV_AUTOPILOT_INVALID:
+            return None
+        ear = self._ears[frame.sysid] = Ear(frame.sysid, frame.compid)
+        if frame.sysid not in self._expected:
+            label = f"{role} {frame.sysid}"
+            self.fleet.join(Member(frame.sysid, role, label, UNKNOWN_CAPACITY_J, UNKNOWN_CAPACITY_J))
+        kind = profile_of(content.autopilot).name
+        self._events.append(Event(t_s, frame.sysid, "info", f"First heard of: {kind} autopilot", "link"))
+        self.changed = True
+        return ear
+
+    def _origin_by(self, ear: Ear, frame: Frame, t_s: float) -> GlobalOrigin | None:
+        """Where the common frame is to begin; a vehicle's own origin is waited for a while before its mere place."""
+        early = t_s - self._since_s.setdefault(ear.sysid, t_s) < ORIGIN_WITHIN_S
+        return None if early and frame.msgid == _GLOBAL else ear.origin_of(frame)
+
+    def _found(self, sysid: int) -> dict[str, Any]:
+        view = self.fleet.snapshot(0.0).vehicle(sysid)
+        capacity_j = view.capacity_j if math.isfinite(view.capacity_j) else None
+        return {"sysid": sysid, "role": view.role, "label": view.label, "capacity_j": capacity_j, "path_ned": []}
+
+    # what is told of them
+
+    def _aim(self, sysid: int, content: Any) -> None:
+        place = (content.x, content.y, content.z)
+        known = content.coordinate_frame == mav.MAV_FRAME_LOCAL_NED and not content.type_mask & _NO_POSITION
+        if known and all(map(math.isfinite, place)):
+            self._aims[sysid] = place
+        else:
+            self._aims.pop(sysid, None)
+
+    def _said(self, t_s: float) -> None:
+        for sysid, severity, text in self.fleet.take_statustexts(t_s):
+            self._events.append(Event(t_s, sysid, level_of(severity), text, "text"))
+        for sysid, ack in self.fleet.take_acks():
+            self._acknowledged(t_s, sysid, ack)
+
+    def _gather(self, view: Snapshot) -> None:
+        if self.scenario is not None:
+            self._events += self._watch.look(view, self.ordered)
+            return
+        self._events += [event for event in self._watch.look(view, None) if event.kind not in ("mode", "failsafe")]
+        for one in view.vehicles:
+            name = _mode(one)
+            before = self._modes.get(one.sysid)
+            if one.heard_s >= 0.0 and name != before:
+                self._modes[one.sysid] = name
+                if before is not None:
+                    self._events.append(Event(view.time_s, one.sysid, "info", f"{before} -> {name}", "mode"))
+
+    def _acknowledged(self, t_s: float, sysid: int, ack: Any) -> None:
+        accepted = ack.result in (mav.MAV_RESULT_ACCEPTED, mav.MAV_RESULT_IN_PROGRESS)
+        if accepted and self._source == "replay":
+            return
+        command = mav.enums["MAV_CMD"].get(ack.command)
+        result = mav.enums["MAV_RESULT"].get(ack.result)
+        what = command.name.removeprefix("MAV_CMD_") if command else f"command {ack.command}"
+        how = result.name.removeprefix("MAV_RESULT_").replace("_", " ").lower() if result else f"result {ack.result}"
+        self._events.append(Event(t_s, sysid, "info" if accepted else "warning", f"{what}: {how}", "ack"))
+
+    def _rows(self, snapshot: Snapshot, parts: Mapping[int, Mapping[str, Any]]) -> list[dict[str, Any]]:
+        rows = []
+        places = {view.sysid: view.p_ned for view in snapshot.vehicles}
+        for told in snapshot.vehicles:
+            ear = self._ears.get(told.sysid)
+            strange = ear is not None and not (self.scenario is not None and told.sysid in self._known)
+            view, share = ear.seen(told) if strange and ear is not None else (told, None)
+            part = dict(parts.get(view.sysid, {}))
+            target = part.pop("target", None)
+            lost_share = self.quality.lost_share(view.sysid)
+            aim, offset = self._aims.get(view.sysid), view.origin_offset_ned
+            row = vehicle_row(
+                view,
+                snapshot.time_s,
+                target_m=distance_m(view.p_ned, places.get(target)) if target is not None else None,
+                lost=self.quality.lost(view.sysid),
+                lost_share=lost_share,
+                aim_ned=None if aim is None or offset is None else _sum(aim, offset),
+                state=part.pop("state", State.IDLE if view.alive else State.LOST),
+                found=troubles(view, snapshot.time_s, lost_share=lost_share, ordered=view.sysid in self.ordered),
+                **part,
+            )
+            row["mode"] = _mode(view)
+            if strange and ear is not None and not math.isfinite(told.remaining_j):
+                row |= {"battery": share, "remaining_j": None, "power_w": ear.cell.power_w, "endurance_s": None}
+            rows.append(row)
+        return rows
+
+
+def _member(vehicle: Any) -> Member:
+    battery = vehicle.battery
+    initial_j = battery.capacity_j * battery.initial_percent / 100.0
+    return Member(vehicle.sysid, vehicle.role, vehicle.label, battery.capacity_j, initial_j)
+
+
+def _mode(view: VehicleView) -> str:
+    return view.profile.mode_name(view.custom_mode) if view.heard_s >= 0.0 else str(view.mode)
+
+
+def _sum(a: Sequence[float], b: Sequence[float]) -> Vec3:
+    return (a[0] + b[0], a[1] + b[1], a[2] + b[2])

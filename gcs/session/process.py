@@ -1,0 +1,400 @@
+"""The supervisor as a process: `python -m gcs.session.process FOLDER`, started by `gcs run` (contract.md, Processes).
+
+Reads FOLDER/scenario.yaml, starts the vehicles, runs the session and leaves its files in FOLDER. It ends when its stdin
+closes. stdout carries two JSON lines: {"listening": true}, and {"exit", "outcome", "error"} at the end.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import gc
+import json
+import math
+import os
+import signal
+import sys
+import time
+import traceback
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import click
+
+from gcs.exit import BAD_INPUT, DONE, INTERNAL_ERROR, INTERRUPTED, NOT_DONE, leave
+from gcs.link.external import ExternalLink
+from gcs.link.fleet import MixedLink
+from gcs.link.lockstep import REPEAT_S, FleetLink
+from gcs.link.socket import BUFFER_BYTES, AddressRefused
+from gcs.mavlink.ids import AUTOPILOT, TRAFFIC
+from gcs.recording.reserve import Reserve
+from gcs.recording.writer import Recorder, RecorderError
+from gcs.scenario import plugins
+from gcs.scenario.file import load
+from gcs.scenario.model import Scenario, ScenarioError
+from gcs.session.commands import Clients
+from gcs.session.messages import picture, session_line
+from gcs.session.pace import Pace
+from gcs.session.server import Publisher, Reader
+from gcs.session.startup import Arrivals
+from gcs.session.vehicles import Ended, Hatch, LaunchError, traffic_order, vehicle_orders
+from gcs.supervisor.summarise import summarise
+from gcs.supervisor.supervisor import Supervisor
+from gcs.supervisor.warmup import rehearse
+from gcs.telemetry.events import Event, Kind, Level
+
+PUBLISH_EVERY_S = 0.1
+WATCH_EVERY_S = 0.05
+SAY_WAITING_EVERY_S = 5.0
+GIVE_UP_S, GIVE_UP_SOON_S = 60.0, 5.0
+"""How long the session stands still for a process that lives but does not answer, in wall time; the second is with
+external vehicles, which fly on meanwhile."""
+ELSEWHERE = "Free space there, or give --out another place."
+HAND_BACK_S = 2.5
+"""How long external vehicles have at the end to obey; their HEARTBEAT, once a second, shows that they do."""
+
+
+class _Stopped(Exception):
+    """Someone asked for the session's end."""
+
+
+class SessionError(Exception):
+    """The session cannot go on; the text is for the person who started it."""
+
+
+class BadVehicleError(SessionError):
+    """A vehicle refused what the scenario gives it."""
+
+
+class Session:
+    """One session, from the first process to the summary."""
+
+    def __init__(self, folder: Path, scenario: Scenario, *, drop: float) -> None:
+        self._folder = folder
+        self._scenario = scenario
+        external = scenario.vehicles.external
+        clock = scenario.clock
+        speed = None if clock.mode == "lockstep" else clock.speed
+        self._pace = Pace(speed, time.monotonic, keeps_up=bool(external))
+        self._link: FleetLink | MixedLink = FleetLink(drop=drop, seed=scenario.seed)
+        if external:
+            strangers = ExternalLink(external, lambda: self._pace.running_wall_s)
+            self._link = MixedLink(self._link, strangers)
+        self._sleep = strangers.rest if external else time.sleep
+        self._recorder = Recorder(folder)
+        self._reserve = Reserve(folder, len(scenario.vehicles.all))
+        self._publisher = Publisher(folder, session_line(scenario, str(folder.resolve())))
+        self._supervisor = Supervisor(scenario, self._link, self._recorder)
+        self._hatch: Hatch | None = None
+        self._unpublished: list[Event] = []
+        self.reader: Reader | None = None
+        """who is given every snapshot, as a program in Python is; not a client of the socket"""
+        self._clients = Clients(self._publisher, self._supervisor, self._pace)
+        self._labels = {v.sysid: v.label for v in scenario.vehicles.all} | {255: "traffic"}
+        self._blocks: dict[int, tuple[int, ...]] = {}
+        self._lost: list[int] = []
+        self._told_refused: set[tuple[int, int]] = set()
+        self._answered_s = self._said_waiting_s = math.inf
+        self._published_s = self._watched_s = 0.0
+        self._phase = "starting"
+        self._begun = False
+        self._wall_time_s = 0.0
+        self._terminated = False
+
+    def terminate(self, *_: object) -> None:
+        """End the session in order, soon; a handler of SIGTERM, as when the machine shuts down."""
+        self._terminated = True
+
+    def run(self) -> tuple[int, str]:
+        """Fly the session; exit status and outcome. Raises SessionError, LaunchError, RecorderError, OSError."""
+        try:
+            with self._recorder:
+                _say({"listening": True})
+                interrupted = self._fly_fleet()
+            outcome = "interrupted" if interrupted else self._outcome()
+            self._summarise(outcome)
+            self._phase = "ended"
+            status = INTERRUPTED if interrupted else DONE if outcome == "met" else NOT_DONE
+            self._publisher.publish(self._next_picture())
+            self._publisher.publish({"type": "end", "outcome": outcome, "exit": status})
+            return status, outcome
+        except (SessionError, RecorderError):
+            if self._begun:
+                died = self._hatch is not None and not self._hatch.alive
+                with contextlib.suppress(OSError):  # a full disk may have no room for it either
+                    self._summarise("vehicle_lost" if died else "interrupted")
+            raise
+        finally:
+            self._link.close()
+            self._publisher.close()
+
+    def _summarise(self, outcome: str) -> None:
+        self._reserve.release()
+        summarise(
+            self._supervisor,
+            self._link,
+            outcome=outcome,
+            completed=self._supervisor.time_ms >= round(1e3 * self._scenario.goal.duration_s),
+            wall_time_s=self._wall_time_s,
+            lag_s=self._pace.lag_s,
+        ).write(self._folder)
+
+    def _fly_fleet(self) -> bool:
+        """The session from its first process to its last; True where it was interrupted."""
+        own = self._scenario.vehicles.launched or self._scenario.traffic
+        with Hatch() if own else contextlib.nullcontext() as self._hatch:
+            try:
+                self._start_fleet()
+                self._fly()
+            except _Stopped:
+                self._supervisor.stop()
+                return True
+            finally:
+                self._wall_time_s = self._pace.running_wall_s if self._begun else 0.0
+                if self._begun and isinstance(self._link, MixedLink):
+                    self._hand_back()
+        return False
+
+    def _hand_back(self) -> None:
+        """External vehicles must not be left in offboard without anyone who steers them."""
+        supervisor = self._supervisor
+        supervisor.hand_back()
+        deadline_s = time.monotonic() + HAND_BACK_S
+        with contextlib.suppress(RecorderError):  # it has been reported, or will be; what matters now is sent before
+            while supervisor.exchange(self._pace.running_wall_s):
+                if time.monotonic() > deadline_s:
+                    supervisor.tell_disobedience()
+                    break
+                self._sleep(WATCH_EVERY_S)
+
+    # start
+
+    def _start_fleet(self) -> None:
+        if self._link.buffer_bytes < BUFFER_BYTES:
+            granted = f"{self._link.buffer_bytes >> 10} KiB"
+            self._event(0, "warning", f"The kernel grants a receive buffer of {granted}, not 4 MiB: raise rmem_max")
+        connection = ("--supervised", f"udpout:{self._link.host}:{self._link.port}")
+        vehicles = self._scenario.vehicles.launched
+        per_process = self._scenario.vehicles_per_process
+        orders = vehicle_orders(self._scenario, self._folder, connection, per_process=per_process)
+        keys = [(vehicle.sysid, AUTOPILOT) for vehicle in vehicles]
+        if self._scenario.traffic:
+            orders.append(traffic_order(self._scenario, self._folder, connection))
+            keys.append(TRAFFIC)
+        self._blocks = {order.sysid: order.sysids for order in orders}
+        self._link.expect(keys)
+        if self._hatch is not None:
+            self._hatch.start(orders)
+        rehearse(self._scenario)  # while the vehicles come up
+        arrivals, began_s = Arrivals(self._labels, self._scenario.vehicles.external), time.monotonic()
+        missing: set[int] | None = None
+        while missing is None or missing:
+            missing = {sysid for sysid, _ in self._link.listen(WATCH_EVERY_S)}
+            waited_s = time.monotonic() - began_s
+            for sysid, text in arrivals.look(missing, waited_s):
+                self._event(sysid, "info", text)
+            self._watch()
+            if (why := arrivals.too_late(missing, waited_s)) is not None:
+                raise SessionError(why)
+
+    # fly
+
+    def _fly(self) -> None:
+        supervisor, pace = self._supervisor, self._pace
+        self._phase = "flying"
+        self._begun = True
+        gc.freeze()  # what lives now lives to the end: no collection need look at it again
+        pace.start()
+        if isinstance(self._link, MixedLink):
+            self._link.external.begin()
+        supervisor.begin()
+        end_ms = round(1e3 * self._scenario.goal.duration_s)
+        while supervisor.time_ms < end_ms and self._link.joined:
+            periods = pace.next(self._scenario.clock.period_s)
+            supervisor.tick(self._watch, periods)
+            self._answered_s = self._said_waiting_s = time.monotonic()
+            self._look_around()
+            self._wait()
+        supervisor.finish(self._watch)
+        self._serve_reader()
+
+    def _wait(self) -> None:
+        """Until the next tick is due, or while the session is paused, see who wants something."""
+        self._serve_reader()
+        repeat_s = time.monotonic() + REPEAT_S
+        while self._pace.paused or (left_s := self._pace.wait_s()) > 0.0:
+            self._sleep(min(WATCH_EVERY_S, WATCH_EVERY_S if self._pace.paused else left_s))
+            self._watch()
+            if time.monotonic() >= repeat_s:
+                self._link.repeat()
+                repeat_s = time.monotonic() + REPEAT_S
+
+    def _serve_reader(self) -> None:
+        """A reader gets the snapshots that it asks for; in lockstep it is waited for."""
+        reader, supervisor = self.reader, self._supervisor
+        if reader is None or not reader.due(supervisor.snapshot.time_s):
+            return
+        repeat_s = time.monotonic() + REPEAT_S
+        lockstep = self._scenario.clock.mode == "lockstep"
+        while not reader.wants(WATCH_EVERY_S if lockstep else 0.0) and reader.open and lockstep:
+            self._watch()
+            if time.monotonic() >= repeat_s:
+                self._link.repeat()
+                repeat_s = time.monotonic() + REPEAT_S
+        if reader.stops:
+            raise _Stopped
+        if reader.asked:
+            self._gather_events()
+            reader.give({**self._picture(()), "t_s": supervisor.snapshot.time_s})
+
+    def _look_around(self) -> None:
+        """At most every 50 ms of wall time: the rest of the world."""
+        if time.monotonic() - self._watched_s >= WATCH_EVERY_S:
+            self._watch()
+
+    def _watch(self) -> None:
+        """Deaths, operators, the parent's pipe; and a fresh picture for those who look."""
+        self._watched_s = now_s = time.monotonic()
+        for end in self._hatch.events()[1] if self._hatch is not None else ():
+            self._lose(end)
+        if self._hatch is not None and not self._hatch.alive:
+            raise SessionError("the process that makes the vehicles (simvehicle hatch) has died, and they with it")
+        if now_s - self._said_waiting_s >= SAY_WAITING_EVERY_S and not self._pace.paused:
+            self._said_waiting_s = now_s
+            self._wait_for(now_s - self._answered_s)
+        if self._terminated:
+            self._event(0, "warning", "The supervisor was told to end (SIGTERM): the session stops")
+        if self._clients.serve() or _stdin_closed() or self._terminated:
+            raise _Stopped
+        for key in self._link.refused.keys() - self._told_refused:
+            self._told_refused.add(key)
+            host, port = self._link.refused[key]
+            self._event(
+                key[0], "warning", f"Another vehicle says that it is {key[0]}, from {host}:{port}: ignored", "link"
+            )
+        if now_s - self._published_s >= PUBLISH_EVERY_S:
+            self._published_s = now_s
+            self._publisher.publish(self._next_picture())
+
+    def _wait_for(self, waited_s: float) -> None:
+        """Say whose answer the session waits for; after a minute, go on without them."""
+        for key in self._link.awaited:
+            label = self._labels.get(key[0], f"vehicle {key[0]}")
+            if waited_s < (GIVE_UP_SOON_S if self._scenario.vehicles.external else GIVE_UP_S):
+                self._event(
+                    key[0], "warning", f"{label} lives but has not answered for {waited_s:.0f} s of wall time", "link"
+                )
+                continue
+            self._lost.append(key[0])
+            self._supervisor.lose(key, f"{label} lives but has not answered for {waited_s:.0f} s: given up")
+
+    def _lose(self, end: Ended) -> None:
+        sysids = self._blocks.get(end.sysid, (end.sysid,))
+        sentence = end.sentence(", ".join(self._labels.get(sysid, f"vehicle {sysid}") for sysid in sysids))
+        if self._phase == "starting":
+            raise (BadVehicleError if end.status == BAD_INPUT else SessionError)(sentence)
+        for sysid in sysids:
+            self._lost.append(sysid)
+            self._supervisor.lose(TRAFFIC if sysid == TRAFFIC[0] else (sysid, AUTOPILOT), sentence)
+
+    def _event(self, sysid: int, level: Level, text: str, kind: Kind = "session") -> None:
+        self._supervisor.events.append(Event(self._supervisor.time_s, sysid, level, text, kind))
+
+    # tell
+
+    def _outcome(self) -> str:
+        """`met`, or the first part of the goal that was not."""
+        goal, supervisor = self._scenario.goal, self._supervisor
+        if self._lost or supervisor.externals.lost:
+            return "vehicle_lost"
+        if supervisor.time_ms < round(1e3 * goal.duration_s):
+            return "duration_s"
+        if goal.pursue is not None and supervisor.metrics.pursuit_held_s < goal.pursue.for_s:
+            return "pursue"
+        if len(supervisor.schedule.refuelled) < goal.refuelled_at_least:
+            return "refuelled_at_least"
+        return "met"
+
+    def _gather_events(self) -> None:
+        """What is new, for the next picture and for the reader's."""
+        events, self._supervisor.events = self._supervisor.events, []
+        self._unpublished += events
+        if self.reader is not None:
+            self.reader.remember(events)
+
+    def _next_picture(self) -> dict[str, Any]:
+        """The snapshot that clients see, with the events since the last one."""
+        self._gather_events()
+        events, self._unpublished = self._unpublished, []
+        return self._picture(events)
+
+    def _picture(self, events: Sequence[Event]) -> dict[str, Any]:
+        supervisor = self._supervisor
+        wall_s = self._pace.running_wall_s if self._begun else 0.0
+        return picture(
+            supervisor,
+            phase="paused" if self._pace.paused else self._phase,
+            speed=supervisor.time_s / wall_s if wall_s > 0.0 else 0.0,
+            refuelled=len(supervisor.schedule.refuelled),
+            events=events,
+        )
+
+
+def _stdin_closed() -> bool:
+    """Whether the parent has gone: its end of our stdin is closed."""
+    try:
+        return os.read(0, 1) == b""
+    except BlockingIOError:
+        return False
+
+
+def _say(content: Mapping[str, Any]) -> None:
+    with contextlib.suppress(BrokenPipeError):
+        print(json.dumps(content), file=sys.__stdout__, flush=True)
+
+
+@click.command()
+@click.argument("folder", type=click.Path(path_type=Path, file_okay=False, exists=True))
+@click.option("--drop-datagrams", type=click.FloatRange(0.0, 0.9), default=0.0)
+@click.option("--modules", multiple=True)
+@click.option("--reader", type=int, default=None)
+@click.option("--every-ms", type=int, default=None)
+def main(
+    folder: Path,
+    drop_datagrams: float,
+    modules: tuple[str, ...],
+    reader: int | None,
+    every_ms: int | None,
+) -> None:
+    """Run the session in FOLDER (scenario.yaml is there); started by `gcs run`."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    os.set_blocking(0, False)
+    status, outcome, error = INTERNAL_ERROR, "", None
+    try:
+        scenario = load(folder / "scenario.yaml")
+        plugins.look_in(modules)
+        with plugins.output_kept(scenario, folder):
+            session = Session(folder, scenario, drop=drop_datagrams)
+            signal.signal(signal.SIGTERM, session.terminate)
+            if reader is not None:
+                session.reader = Reader(reader, every_ms or round(1e3 * scenario.clock.period_s))
+            status, outcome = session.run()
+    except (ScenarioError, BadVehicleError, AddressRefused) as problem:
+        status, error = BAD_INPUT, str(problem)
+    except RecorderError as problem:
+        status, error = NOT_DONE, f"{problem} What was flown until then is kept. {ELSEWHERE}"
+    except (SessionError, LaunchError) as problem:
+        status, error = NOT_DONE, str(problem)
+    except OSError as problem:
+        status, error = NOT_DONE, f"{problem.filename or folder}: {problem.strerror}; give --out another place"
+    except Exception:
+        log = folder / "supervisor.log"
+        with contextlib.suppress(OSError):
+            log.write_text(traceback.format_exc(), encoding="utf-8")
+        error = f"this is a bug of the supervisor: please report it with {log}"
+    _say({"exit": status, "outcome": outcome, "error": error})
+    leave(status)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,269 @@
+"""A recording, played: an observer that is fed what was recorded, at any speed, from any time on.
+
+A session's folder gives more than its frames: the scenario's roles and obstacles, and the decisions with their reasons.
+What is missing of it is said, and the rest is played.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable, Collection, Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+from gcs.recording.missing import SCENARIO, passed_over, unread
+from gcs.recording.pursuit_held import Course, CourseReader
+from gcs.recording.writer import DECISIONS, TLOG
+from gcs.scenario.file import load
+from gcs.scenario.model import Scenario, ScenarioError
+from gcs.session.observer import Observer
+from gcs.session.timeline import Story
+from gcs.session.tlog_index import Recording, Told
+from gcs.telemetry.events import Event
+
+FASTEST = 1000.0
+DECIDED, INDEXED = 0.25, 0.9
+"""How much of the time that opening a session takes is gone when its decisions, and its frames, have been read."""
+SNAPSHOT_EVERY_S = 0.1
+"""of wall time, as from a session"""
+PATIENCE_S = 0.05
+"""Wall time that one call may take to keep up; what is faster than the machine goes as fast as that."""
+
+Message = Mapping[str, Any]
+
+
+class ReplayError(Exception):
+    """There is nothing to play; one sentence."""
+
+
+class Replay:
+    """A recording and the fleet in it, at `t_s` of it. Raises ReplayError, OSError.
+
+    source: a session's folder, or a .tlog file. block_bytes: as of a `Recording`. `problems`: what could not be read, a
+    sentence each.
+    """
+
+    def __init__(
+        self, source: Path, progress: Callable[[float], None] = lambda _: None, *, block_bytes: int | None = None
+    ) -> None:
+        self.problems: list[str] = []
+        self._scenario: Scenario | None = None
+        self._story: Story | None = None
+        self._folder = str(source.resolve()) if source.is_dir() else None
+        self.name = source.resolve().name if source.is_dir() else source.name
+        path, epoch_us = source, None
+        if source.is_dir():
+            path = source / TLOG
+            epoch_us = self._read_session(source, lambda share: progress(DECIDED * share))
+        if not path.exists():
+            missing = f"{source} has no {TLOG}" if source.is_dir() else f"{source} does not exist"
+            raise ReplayError(f"{missing}; give a session's folder or a .tlog file.")
+        course: CourseReader | None = None
+        if self._scenario is not None and self._story is not None:
+            course = CourseReader(self._scenario, self._story.chases)
+        begin, end = (DECIDED, INDEXED) if source.is_dir() else (0.0, 1.0)
+        self._recording = Recording(
+            path,
+            epoch_us=epoch_us,
+            session=source.is_dir(),
+            block_bytes=block_bytes,
+            progress=lambda share: progress(begin + (end - begin) * share),
+            watch=course.take if course is not None else lambda _: None,
+        )
+        self.problems += self._recording.problems
+        if not self._recording.frames:
+            raise ReplayError(" ".join(self._recording.problems) or f"{path} holds no MAVLink frame.")
+        self._pursuit: Course | None = course.course() if course is not None else None
+        progress(1.0)
+        self.from_s, self.to_s = self._recording.from_s, self._recording.to_s
+        self._wanted: frozenset[int] = frozenset()
+        self.seek(self.from_s)
+
+    def seek(self, t_s: float, *, told_s: float = math.inf) -> None:
+        """Go to a time of the recording; what is known then is known, and what was decided after `told_s` is told."""
+        t_s = min(max(t_s, self.from_s), self.to_s)
+        observer = Observer("replay", self.name, scenario=self._scenario, folder=self._folder)
+        observer.duration_s = self.to_s if self._scenario is None else self._scenario.goal.duration_s
+        observer.inspection.want(self._wanted)
+        self.observer, self.t_s = observer, self.from_s
+        for told in self._recording.before(t_s):
+            if told.sent:
+                observer.overhear(told.frame)
+            else:
+                observer.hear(told.frame, told.t_s, counted=False)
+        observer.resume(self._recording.gaps_before(t_s), t_s)
+        self._frames: Iterator[Told] = self._recording.play(t_s)
+        self._next: Told | None = next(self._frames, None)
+        self._dead = 0
+        self.advance(t_s, math.inf)
+        observer.forget_events(t_s)
+        self._told_s = min(t_s, told_s) if t_s > self.from_s else -math.inf
+
+    def advance(self, t_s: float, until_wall_s: float) -> bool:
+        """Play on up to a time of the recording, or of the wall clock; whether the former was reached."""
+        observer = self.observer
+        count = 0
+        while self._next is not None and self._next.t_s <= t_s:
+            told = self._next
+            self._see_deaths(told.t_s)
+            if told.sent:
+                observer.overhear(told.frame)
+            else:
+                observer.hear(told.frame, told.t_s)
+            self.t_s = told.t_s
+            self._next = next(self._frames, None)
+            count += 1
+            if count % 64 == 0 and time.monotonic() > until_wall_s:
+                return False
+        self.t_s = max(self.t_s, min(t_s, self.to_s))
+        self._see_deaths(self.t_s)
+        return True
+
+    @property
+    def ended(self) -> bool:
+        """Whether there is nothing left to play."""
+        return self._next is None and self.t_s >= self.to_s
+
+    def inspect(self, sysids: Collection[int]) -> None:
+        """Let snapshots tell everything that these vehicles send."""
+        self._wanted = frozenset(sysids)
+        self.observer.inspection.want(self._wanted)
+
+    def session(self) -> dict[str, Any]:
+        """The message of type "session"."""
+        return self.observer.session()
+
+    def snapshot(self, *, speed: float | None, paused: bool = False) -> dict[str, Any]:
+        """The message of type "snapshot" at `t_s`, with the events since the last one; no speed: without waiting."""
+        more: dict[str, Any] = {}
+        if self._story is not None:
+            for event in self._story.events(self._told_s, self.t_s):
+                self.observer.tell(event)
+            self.observer.ordered = self._story.ordered(self.t_s)
+            held_s = self._pursuit.at(self.t_s) if self._pursuit is not None else None
+            more = self._story.at(self.observer.view(self.t_s), held_s)
+        self._told_s = self.t_s
+        more["replay"] = {"from_s": self.from_s, "to_s": self.to_s, "speed": speed, "paused": paused}
+        phase = "ended" if self.ended else "paused" if paused else "flying"
+        return self.observer.snapshot(self.t_s, speed=speed, phase=phase, more=more)
+
+    def _see_deaths(self, t_s: float) -> None:
+        deaths = self._story.deaths if self._story is not None else []
+        while self._dead < len(deaths) and deaths[self._dead][0] <= t_s:
+            sysid = deaths[self._dead][1]
+            if sysid in self.observer.sysids:
+                self.observer.fleet.lost(sysid)
+            self._dead += 1
+
+    def _read_session(self, folder: Path, progress: Callable[[float], None]) -> int | None:
+        """Scenario and decisions, as far as they are there; the session's epoch."""
+        lost = "roles, obstacles and decisions are not shown."
+        try:
+            self._scenario = load(folder / SCENARIO)
+        except (OSError, ScenarioError) as error:
+            self.problems.append(unread(folder / SCENARIO, error, lost))
+            return None
+        self.name = self._scenario.name
+        try:
+            self._story = Story(folder / DECISIONS, self._scenario, progress)
+        except OSError as error:
+            self.problems.append(unread(folder / DECISIONS, error, "decisions are not shown."))
+        else:
+            if self._story.broken:
+                self.problems.append(passed_over(DECISIONS, self._story.broken))
+        return round(1e6 * self._scenario.clock.epoch.timestamp())
+
+
+class ReplaySource:
+    """A replay as a console's source: it plays on while it is asked for messages, and takes speed, pause and seek.
+
+    speed: recorded seconds per second of `clock`; None where that clock goes on without waiting, one second each.
+    """
+
+    def __init__(
+        self,
+        replay: Replay,
+        *,
+        speed: float | None = 1.0,
+        clock: Callable[[], float] = time.monotonic,
+        patience_s: float = PATIENCE_S,
+    ) -> None:
+        self._replay = replay
+        self._patience_s = patience_s
+        self._speed = speed
+        self._clock = clock
+        self._paused = False
+        self._open = True
+        self._played_s = clock()
+        self._shown_s = -math.inf
+        self._replies: list[Message] = [replay.session()]
+        for problem in replay.problems:
+            replay.observer.tell(Event(replay.t_s, 0, "warning", problem, "session"))
+
+    @property
+    def connected(self) -> bool:
+        """Whether it has not been closed: a recording does not go away."""
+        return self._open
+
+    def receive(self) -> list[Message]:
+        """Play on up to now; the messages since the last call."""
+        now_s = self._clock()
+        replay = self._replay
+        if not self._paused and not replay.ended:
+            ahead_s = (now_s - self._played_s) * (self._speed or 1.0)
+            replay.advance(replay.t_s + ahead_s, time.monotonic() + self._patience_s)
+        self._played_s = now_s
+        messages, self._replies = self._replies, []
+        if replay.observer.changed:
+            messages.append(replay.session())
+        if now_s - self._shown_s >= SNAPSHOT_EVERY_S:
+            self._shown_s = now_s
+            messages.append(replay.snapshot(speed=self._speed, paused=self._paused))
+        return messages
+
+    def send(self, command: Message) -> None:
+        """Take `pause`, `resume`, `speed`, `seek` and `inspect`; a recording's vehicles take no orders."""
+        ok, text = self._obey(command)
+        self._replies.append({"type": "reply", "id": command.get("id"), "ok": ok, "text": text})
+
+    def close(self) -> None:
+        """End the replay."""
+        self._open = False
+
+    def _obey(self, command: Message) -> tuple[bool, str]:
+        word = command.get("command")
+        if word in ("pause", "resume"):
+            self._paused = word == "pause"
+            if word == "resume" and self._replay.ended:
+                self._go(self._replay.from_s)
+                return True, "The recording begins again."
+            return True, f"The recording {'stands still' if self._paused else 'plays on'}."
+        if word == "speed":
+            speed = _number(command.get("speed"))
+            if speed is None or not 0.0 < speed <= FASTEST:
+                return False, f"A speed is a number above 0 and up to {FASTEST:g}."
+            self._speed = speed
+            return True, f"The recording plays at x{speed:g}."
+        if word == "seek":
+            t_s = _number(command.get("t_s"))
+            if t_s is None:
+                return False, "seek needs t_s, a time of the recording in seconds."
+            self._go(t_s)
+            return True, f"The recording is at {self._replay.t_s:.1f} s."
+        if word == "inspect":
+            sysid = command.get("sysid")
+            if sysid is not None and sysid not in self._replay.observer.sysids:
+                return False, f"There is no vehicle {sysid} in this recording."
+            self._replay.inspect(() if sysid is None else (sysid,))
+            return True, "" if sysid is None else f"Snapshots tell everything that vehicle {sysid} sends."
+        return False, f"This is a recording: its vehicles take no command, such as {word}."
+
+    def _go(self, t_s: float) -> None:
+        self._replay.seek(t_s, told_s=self._replay.t_s)
+        self._shown_s = -math.inf
+
+
+def _number(value: Any) -> float | None:
+    usable = isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
+    return float(value) if usable else None

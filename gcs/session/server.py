@@ -1,0 +1,178 @@
+"""The session's socket: snapshots out, operators' commands in, newline-delimited JSON (contract.md, Processes).
+
+A client first reads the greeting, a line of type "session": it ends with the last events that were told before, and how
+many those were in all. One that reads slowly is dropped, never waited for.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import select
+import socket
+from collections import deque
+from collections.abc import Iterable, Mapping
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from gcs.telemetry.events import Event
+
+NEXT, STOP = b"n", b"s"
+BUFFER_BYTES = 1 << 20
+
+NAME = "session.sock"
+READ_BYTES = 65536
+BACKLOG_BYTES = 1 << 20
+REMEMBERED = 200
+"""Events that a client is told which came after them."""
+
+
+class Request(NamedTuple):
+    """What one client asks for: an object with a text under "command"."""
+
+    client: int
+    """whose it is, while it is connected"""
+    content: dict[str, Any]
+
+
+class Publisher:
+    """The server end of `OUT/session.sock`."""
+
+    def __init__(self, folder: Path, greeting: Mapping[str, Any] | None = None) -> None:
+        self._greeting = greeting
+        self._path = folder / NAME
+        directory = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
+        try:
+            self._server = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM | socket.SOCK_NONBLOCK)
+            self._server.bind(f"/proc/self/fd/{directory}/{NAME}")
+            self._server.listen(16)
+        finally:
+            os.close(directory)
+        self._clients: dict[socket.socket, bytes] = {}
+        self._numbers: dict[socket.socket, int] = {}
+        self._known = 0
+        self._events: deque[Any] = deque(maxlen=REMEMBERED)
+        self._told = 0
+
+    @property
+    def clients(self) -> frozenset[int]:
+        """Who is connected, by the number that requests carry."""
+        return frozenset(self._numbers.values())
+
+    def poll(self) -> list[Request]:
+        """Take new clients and what the present ones ask for; never waits. Lines that are no commands are ignored."""
+        with contextlib.suppress(BlockingIOError):
+            while True:
+                client, _ = self._server.accept()
+                client.setblocking(False)
+                client.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, BACKLOG_BYTES)
+                self._clients[client] = b""
+                self._known += 1
+                self._numbers[client] = self._known
+                if self._greeting is not None:
+                    earlier = {"events": list(self._events), "told": self._told}
+                    self._send(client, _line({**self._greeting, **earlier}))
+        commands = []
+        for client in list(self._clients):
+            try:
+                chunk = client.recv(READ_BYTES)
+            except BlockingIOError:
+                continue
+            except OSError:
+                chunk = b""
+            if not chunk or len(self._clients[client]) > READ_BYTES:
+                self._drop(client)
+                continue
+            number = self._numbers[client]
+            *lines, self._clients[client] = (self._clients[client] + chunk).split(b"\n")
+            for line in lines:
+                with contextlib.suppress(ValueError, RecursionError):
+                    content = json.loads(line)
+                    if isinstance(content, dict) and isinstance(content.get("command"), str):
+                        commands.append(Request(number, content))
+        return commands
+
+    def publish(self, content: Mapping[str, Any]) -> None:
+        """Send one line to every client; who cannot take it whole is dropped. Its events are kept for later clients."""
+        events = content.get("events") or ()
+        self._events.extend(events)
+        self._told += len(events)
+        line = _line(content)
+        for client in list(self._clients):
+            self._send(client, line)
+
+    def reply(self, request: Request, ok: bool, text: str) -> None:
+        """Answer who asked, if it is still there: whether its command is taken, and a sentence."""
+        given = request.content.get("id")
+        line = _line({"type": "reply", "id": given if isinstance(given, str | int) else None, "ok": ok, "text": text})
+        for client, number in list(self._numbers.items()):
+            if number == request.client:
+                self._send(client, line)
+
+    def close(self) -> None:
+        """Let everyone go and take the socket away."""
+        for client in list(self._clients):
+            self._drop(client)
+        self._server.close()
+        with contextlib.suppress(OSError):
+            self._path.unlink()
+
+    def _send(self, client: socket.socket, line: bytes) -> None:
+        try:
+            whole = client.send(line) == len(line)
+        except OSError:
+            whole = False
+        if not whole:
+            self._drop(client)
+
+    def _drop(self, client: socket.socket) -> None:
+        self._clients.pop(client, None)
+        self._numbers.pop(client, None)
+        client.close()
+
+
+def _line(content: Mapping[str, Any]) -> bytes:
+    return json.dumps(content, allow_nan=False).encode() + b"\n"
+
+
+class Reader:
+    """The channel on an inherited file descriptor."""
+
+    def __init__(self, descriptor: int, every_ms: int) -> None:
+        self._socket = socket.socket(fileno=descriptor)
+        self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, BUFFER_BYTES)
+        self._events: list[Event] = []
+        self._every_ms = every_ms
+        self.open = True
+        self.asked = False
+        self.stops = False
+
+    def due(self, time_s: float) -> bool:
+        """Whether a snapshot of this session time is one that the reader wants to be asked about."""
+        return self.open and round(1e3 * time_s) % self._every_ms == 0
+
+    def wants(self, timeout_s: float) -> bool:
+        """Whether the next snapshot is asked for, or the end; waits for a word up to `timeout_s`."""
+        if self.open and not self.asked and select.select([self._socket], [], [], timeout_s)[0]:
+            try:
+                said = self._socket.recv(64)
+            except OSError:
+                said = b""
+            self.open = bool(said)
+            self.asked = NEXT in said
+            self.stops = STOP in said
+        return self.asked or self.stops
+
+    def remember(self, events: Iterable[Event]) -> None:
+        """Keep these for the next snapshot."""
+        self._events += events
+
+    def give(self, picture: Mapping[str, Any]) -> None:
+        """Answer with this picture and the events since the last one."""
+        events, self._events = self._events, []
+        self.asked = False
+        line = json.dumps({**picture, "events": [asdict(event) for event in events]}, allow_nan=False)
+        with contextlib.suppress(OSError):
+            self._socket.sendall(line.encode() + b"\n")

@@ -1,0 +1,342 @@
+"""What `gcs run` does: a session's folder, and its supervisor from start to end."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import selectors
+import signal
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Sequence
+from datetime import datetime
+from pathlib import Path
+from types import TracebackType
+from typing import IO, Any, Protocol, Self
+
+import click
+
+from gcs.exit import BAD_INPUT, INTERNAL_ERROR
+from gcs.scenario.file import dump
+from gcs.scenario.model import Scenario
+from gcs.session.client import SOCKET, Client, Earlier, Lines
+from gcs.session.plain_text import QuietView, clean, farewell, mute_stdout
+
+SUPERVISOR = (sys.executable, "-m", "gcs.session.process")
+POLL_S = 0.125
+RECONNECT_S = 0.5
+PATIENCE_S = (30.0, 10.0)
+"""Wall time that the supervisor has for its end after `stop`, and then after its pipe has closed; then it is killed."""
+SAVES_WITHIN_S = 3.0
+"""However often it is asked to stop, it is not killed sooner: it may be writing what the session amounts to."""
+
+
+class RunError(click.ClickException):
+    """Why nothing could be started: one sentence for a person."""
+
+    exit_code = BAD_INPUT
+
+
+class View(Protocol):
+    """Shows snapshots as they come."""
+
+    def show(self, snapshot: Any) -> None:
+        """Take in the newest state."""
+
+    def tick(self, now_s: float) -> None:
+        """Show what is due at wall time `now_s`."""
+
+    def close(self) -> None:
+        """Show the last state and let go of the screen."""
+
+
+class Signals:
+    """SIGINT and SIGTERM as something to select on, while in its context."""
+
+    def __enter__(self) -> Self:
+        self._read, self._write = socket.socketpair()
+        self._read.setblocking(False)
+        self._write.setblocking(False)
+        self._wakeup = signal.set_wakeup_fd(self._write.fileno(), warn_on_full_buffer=False)
+        self._handlers = {number: signal.signal(number, _ignore) for number in (signal.SIGINT, signal.SIGTERM)}
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        for number, handler in self._handlers.items():
+            signal.signal(number, handler)
+        signal.set_wakeup_fd(self._wakeup)
+        self._read.close()
+        self._write.close()
+
+    def fileno(self) -> int:
+        """Readable when a signal has come."""
+        return self._read.fileno()
+
+    def take(self) -> list[int]:
+        """The signals that have come, in order."""
+        try:
+            return [number for number in self._read.recv(256) if number in self._handlers]
+        except BlockingIOError:
+            return []
+
+
+def _ignore(*_: object) -> None:
+    """The wake-up descriptor tells; Python needs a handler for it to do so."""
+
+
+def make_folder(out: Path | None, scenario: Scenario) -> Path:
+    """A new session folder with `vehicles/` and the resolved scenario in it; raises RunError."""
+    stamp = datetime.now().astimezone().strftime("%Y%m%d-%H%M%S")
+    folder = out or Path("sessions") / f"{scenario.name}-{stamp}"
+    suffix = 1
+    while True:
+        try:
+            folder.mkdir(parents=True)
+            break
+        except FileExistsError:
+            if out is not None or not folder.is_dir():
+                raise RunError(f"{folder} exists already and is left as it is; give --out another folder") from None
+            suffix += 1
+            folder = folder.with_name(f"{scenario.name}-{stamp}-{suffix}")
+        except OSError as error:
+            raise RunError(f"cannot make the folder {folder}: {error.strerror}; give --out a place to write") from None
+    try:
+        (folder / "vehicles").mkdir()
+        (folder / "scenario.yaml").write_text(dump(scenario), encoding="utf-8")
+    except OSError as error:
+        raise RunError(f"cannot write in {folder}: {error.strerror}") from None
+    return folder
+
+
+class Supervised:
+    """A session's supervisor from start to end: its pipes, its socket, and how it is asked to stop.
+
+    The asking gets firmer with each call of `interrupt`, and by itself when patience ends: the command, the closed
+    pipe, the kill.
+    """
+
+    def __init__(
+        self,
+        folder: Path,
+        arguments: Sequence[str],
+        supervisor: Sequence[str],
+        pass_fds: Sequence[int] = (),
+        stderr: IO[bytes] | None = None,
+    ) -> None:
+        self._folder = folder
+        self._process = subprocess.Popen(
+            [*supervisor, str(folder), *arguments],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=stderr,
+            start_new_session=True,
+            pass_fds=pass_fds,
+        )
+        assert self._process.stdin is not None
+        assert self._process.stdout is not None
+        self._in, self._out = self._process.stdin, self._process.stdout
+        os.set_blocking(self._out.fileno(), False)
+        self.death = os.pidfd_open(self._process.pid)
+        self._lines = Lines()
+        self._listening = False
+        self._connect_at_s = 0.0
+        self._insistence = 0
+        self._asked_s = self._firmer_at_s = float("inf")
+        self.client: Client | None = None
+        self.verdict: dict[str, Any] | None = None
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        with contextlib.suppress(BrokenPipeError):
+            self._in.close()
+        try:
+            self._process.wait(timeout=PATIENCE_S[1])
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+        if self.client is not None:
+            self.client.close()
+        self._out.close()
+        os.close(self.death)
+
+    def fileno(self) -> int:
+        """Its standard output."""
+        return self._out.fileno()
+
+    @property
+    def ended(self) -> bool:
+        """Whether the process is no more."""
+        return self._process.poll() is not None
+
+    @property
+    def status(self) -> int | None:
+        """How the process ended; negative for a signal."""
+        return self._process.poll()
+
+    def read(self) -> bool:
+        """Take what it has said on its standard output; whether that is still open."""
+        while True:
+            try:
+                chunk = os.read(self._out.fileno(), 65536)
+            except BlockingIOError:
+                return True
+            if not chunk:
+                return False
+            for content in self._lines.feed(chunk):
+                self._listening = self._listening or bool(content.get("listening"))
+                if "exit" in content:
+                    self.verdict = dict(content)
+
+    def connect(self, now_s: float) -> bool:
+        """Connect once it listens, again when it has dropped us; whether that has happened now."""
+        if self.client is not None and not self.client.connected:
+            self.client.close()
+            self.client = None
+        if not self._listening or self.client is not None or now_s < self._connect_at_s or self.verdict:
+            return False
+        self._connect_at_s = now_s + RECONNECT_S
+        try:
+            self.client = Client(self._folder)
+        except OSError:
+            return False
+        if self._insistence:
+            self.client.say("stop")
+        return True
+
+    def interrupt(self, now_s: float) -> None:
+        """Ask it to stop; more firmly each time, but never so that a session is lost which is being saved."""
+        self._asked_s = min(self._asked_s, now_s)
+        if self._insistence >= 2 and now_s < self._asked_s + SAVES_WITHIN_S:
+            return
+        self._insistence += 1
+        if self._insistence == 1 and not self._listening:
+            self._insistence = 2
+        if self._insistence == 1:
+            if self.client is not None:
+                self.client.say("stop")
+        elif self._insistence == 2:
+            with contextlib.suppress(BrokenPipeError):
+                self._in.close()
+        else:
+            self._process.kill()
+        self._firmer_at_s = now_s + PATIENCE_S[min(self._insistence, len(PATIENCE_S)) - 1]
+
+    def insist(self, now_s: float) -> None:
+        """Ask more firmly if patience has ended at wall time `now_s`."""
+        if now_s >= self._firmer_at_s:
+            self.interrupt(now_s)
+
+    def keeps_waiting(self, now_s: float) -> bool:
+        """Whether it takes so long to stop that a person wants to hear of it."""
+        return now_s >= self._asked_s + SAVES_WITHIN_S
+
+
+def run(
+    folder: Path,
+    view: View,
+    tell: Callable[[str], object],
+    *,
+    arguments: Sequence[str] = (),
+    supervisor: Sequence[str] = SUPERVISOR,
+    finish: Callable[[dict[str, Any]], object] = lambda _: None,
+    stderr: IO[bytes] | None = None,
+    hurry: Callable[[], object] = lambda: None,
+) -> int:
+    """Fly the session prepared in `folder`; the exit status (contract.md, A session's folder).
+
+    `view` shows it while it flies, `finish` gets the supervisor's last word, and `tell` the lines that sum it up.
+    `stderr` takes what the supervisor says there; our own standard error without it. `hurry` is called where a person
+    has asked more than once for the end.
+    """
+    with Signals() as signals, Supervised(folder, arguments, supervisor, stderr=stderr) as process:
+        try:
+            interrupted = _watch(process, signals, view, hurry)
+        finally:
+            with contextlib.suppress(OSError):
+                view.close()
+        verdict, status = process.verdict, process.status
+    if verdict is None:
+        (folder / SOCKET).unlink(missing_ok=True)
+    if verdict is None and not interrupted:
+        how = f"was killed by signal {-status}" if status is not None and status < 0 else f"ended with status {status}"
+        print(
+            f"gcs: the supervisor of {folder} {how} before the session's end; what it said stands above, "
+            f"the vehicles' logs in {folder / 'vehicles'}",
+            file=sys.stderr,
+        )
+        return INTERNAL_ERROR
+    verdict = verdict or {"exit": BAD_INPUT, "outcome": "interrupted", "error": None}
+    finish(verdict)
+    if verdict.get("error"):
+        print(f"gcs: {clean(verdict['error'])}", file=sys.stderr)
+    with contextlib.suppress(OSError):  # nobody may be there to be told
+        for line in farewell(_summary(folder), verdict.get("outcome"), folder):
+            tell(line)
+    failed = verdict["exit"] == INTERNAL_ERROR or verdict.get("error")
+    return int(verdict["exit"]) if failed or not interrupted else 128 + interrupted
+
+
+def _watch(process: Supervised, signals: Signals, view: View, hurry: Callable[[], object]) -> int:
+    """Show the session until its supervisor has ended; the first signal that asked it to stop, or 0."""
+    interrupted, told = 0, False
+    with selectors.DefaultSelector() as selector:
+        for source in (process, process.death, signals):
+            selector.register(source, selectors.EVENT_READ)
+        watched: Client | None = None
+        earlier = Earlier()
+        while True:
+            selector.select(POLL_S)
+            now_s = time.monotonic()
+            ended = process.ended
+            if not process.read() and process in selector.get_map():
+                selector.unregister(process)
+            for number in signals.take():
+                if interrupted:
+                    hurry()
+                if process.verdict is None:
+                    interrupted = interrupted or number
+                process.interrupt(now_s)
+            process.insist(now_s)
+            if not told and not ended and process.keeps_waiting(now_s):
+                told = True
+                print("gcs: waiting until the session is saved; Ctrl-C twice more ends it unsaved", file=sys.stderr)
+            try:
+                for content in earlier.joined(watched.receive()) if watched is not None else ():
+                    if content.get("type") == "snapshot":
+                        view.show(content)
+                view.tick(now_s)
+            except BrokenPipeError:  # nobody reads our lines any more, as with `| head`
+                interrupted = interrupted or signal.SIGPIPE
+                process.interrupt(now_s)
+                view = QuietView()
+                mute_stdout()
+            except OSError as error:  # the session goes on unseen
+                print(f"gcs: cannot show the session: {error.strerror}; it goes on", file=sys.stderr)
+                view = QuietView()
+                mute_stdout()
+            if watched is not None and not watched.connected:
+                selector.unregister(watched)
+                watched = None
+            if ended:
+                return interrupted
+            if process.connect(now_s):
+                assert process.client is not None
+                watched = process.client
+                selector.register(watched, selectors.EVENT_READ)
+
+
+def _summary(folder: Path) -> dict[str, Any] | None:
+    try:
+        content = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return None
+    return content if isinstance(content, dict) else None

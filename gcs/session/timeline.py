@@ -1,0 +1,268 @@
+"""A recorded session's decisions, at any time of it: who competes, which services are under way, and why.
+
+From decisions.jsonl and the scenario alone. The set points, nearly all of the file, are passed over: the recorded
+frames tell them too.
+"""
+
+from __future__ import annotations
+
+import bisect
+import json
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from gcs.mavlink.autopilots import End
+from gcs.recording.decisions import event_of
+from gcs.refuelling import explain
+from gcs.refuelling.bidding import Standing
+from gcs.refuelling.service import Phase, Service
+from gcs.scenario.model import Scenario
+from gcs.session.messages import goal_of
+from gcs.supervisor.operator import TAKEN
+from gcs.telemetry.events import Event
+from gcs.telemetry.health import state
+from gcs.telemetry.state import Snapshot, Vec3
+
+_SET_POINT = b'{"kind":"set_point"'
+BLOCK_BYTES = 1 << 22
+STANDS_S = 0.35
+"""A competition that has not been heard of for so long is over."""
+
+
+@dataclass
+class _Life:
+    """One service from its decision to its end, and when its phase changed."""
+
+    service: Service
+    phases: list[tuple[float, Phase]] = field(default_factory=list)
+    end_s: float | None = None
+    reason: str = ""
+    energy_j: float = 0.0
+
+    def at(self, t_s: float) -> Service:
+        """As it was at a time."""
+        if self.end_s is not None and self.end_s <= t_s:
+            return replace(
+                self.service, phase=Phase.DONE, end_s=self.end_s, ended_by=self.reason, energy_j=round(self.energy_j)
+            )
+        phase = Phase.JOIN
+        for since_s, name in self.phases:
+            if since_s <= t_s:
+                phase = name
+        joined_at_s, start_s = self.service.joined_at_s, self.service.start_s
+        return replace(
+            self.service,
+            phase=phase,
+            joined_at_s=joined_at_s if joined_at_s is not None and joined_at_s <= t_s else None,
+            start_s=start_s if start_s is not None and start_s <= t_s else None,
+        )
+
+
+class Story:
+    """What was decided. Raises OSError where the file cannot be read."""
+
+    def __init__(self, path: Path, scenario: Scenario, progress: Callable[[float], object] = lambda _: None) -> None:
+        self._scenario = scenario
+        self._speed: dict[int | None, float] = {t.sysid: t.speed_m_s for t in scenario.vehicles.tankers}
+        self._base_ned: dict[str | None, Vec3] = {base.name: base.position_m for base in scenario.bases}
+        self._lives: list[_Life] = []
+        self._standing: list[tuple[float, bytes]] = []
+        self._told: list[tuple[float, dict[str, Any]]] = []
+        self._pursuing: list[tuple[float, int, int]] = []
+        self.deaths: list[tuple[float, int, str]] = []
+        """(time, system id, sentence)"""
+        self.orders: list[tuple[float, int, End | None]] = []
+        """(time, system id, what it is to fly; None: by the plan again) of what operators took in hand"""
+        self.chases: list[dict[str, Any]] = []
+        """the decisions and orders that say who pursues whom"""
+        self.broken = 0
+        for line in self._lines(path, progress):
+            self._take(line)
+        self._standing_s = [t_s for t_s, _ in self._standing]
+        self._told_s = [t_s for t_s, _ in self._told]
+
+    def events(self, after_s: float, until_s: float) -> Iterator[Event]:
+        """What was decided, ordered or died in after_s < t ≤ until_s."""
+        first, last = bisect.bisect_right(self._told_s, after_s), bisect.bisect_right(self._told_s, until_s)
+        return (event_of(record) for _, record in self._told[first:last])
+
+    def ordered(self, t_s: float) -> dict[int, End]:
+        """What vehicles that an operator has in hand are to fly."""
+        held: dict[int, End] = {}
+        for since_s, sysid, mode in self.orders:
+            if since_s <= t_s:
+                held.pop(sysid, None)
+                if mode is not None:
+                    held[sysid] = mode
+        return held
+
+    def at(self, snapshot: Snapshot, pursue_held_s: float | None) -> dict[str, Any]:
+        """What a snapshot's line tells of decisions at its time; `parts` by system id as `Observer.snapshot` reads.
+
+        pursue_held_s: for how long the goal's pursuit had been held; None where nobody knows, and the goal goes unsaid.
+        """
+        t_s, scenario = snapshot.time_s, self._scenario
+        services = [life.at(t_s) for life in self._lives if life.service.decided_at_s <= t_s]
+        self._book(services, snapshot)
+        standing = self._standing_at(t_s)
+        is_open = [service for service in services if service.phase is not Phase.DONE]
+        goal = scenario.goal
+        return {
+            "duration_s": goal.duration_s,
+            "competition": explain.competition_of(standing, scenario.competition),
+            "services": [
+                explain.service_of(
+                    s,
+                    snapshot,
+                    scenario.refuelling,
+                    scenario.competition,
+                    self._speed.get(s.tanker, 0.0),
+                    self._base_ned.get(s.base),
+                )
+                for s in is_open
+            ],
+            "history": explain.history_of(services),
+            "refuelled": sum(service.phase is Phase.DONE and service.energy_j > 0 for service in services),
+            "goal": {
+                **goal_of(goal if pursue_held_s is not None else goal.model_copy(update={"pursue": None})),
+                "pursue_held_s": pursue_held_s,
+            },
+            "parts": self._parts(snapshot, standing, is_open),
+        }
+
+    def _parts(self, snapshot: Snapshot, standing: Standing, services: list[Service]) -> dict[int, dict[str, Any]]:
+        waiting = {service.receiver for service in services if service.phase is Phase.JOIN}
+        served = {service.receiver for service in services} - waiting
+        serving = {service.tanker for service in services if service.tanker is not None}
+        notes = explain.notes_of(services, (), {})
+        targets = self._targets(snapshot.time_s)
+        return {
+            view.sysid: {
+                "v": standing.v.get(view.sysid),
+                "tau": standing.tau.get(view.sysid),
+                "note": notes.get(view.sysid, ""),
+                "target": targets.get(view.sysid),
+                "state": state(
+                    view,
+                    competing=standing.v or standing.tau,
+                    leader=standing.leader,
+                    waiting=waiting,
+                    served=served,
+                    serving=serving,
+                ),
+            }
+            for view in snapshot.vehicles
+        }
+
+    def _targets(self, t_s: float) -> dict[int, int]:
+        vehicles = self._scenario.vehicles
+        if self._scenario.pursuit.by != "competition":
+            found = {p.sysid: on for p in vehicles.pursuers if (on := vehicles.target_of(p)) is not None}
+        else:
+            found = {}
+        for since_s, pursuer, target in self._pursuing:
+            if since_s <= t_s:
+                if self._scenario.pursuit.by == "competition":
+                    found = {p: on for p, on in found.items() if on != target}
+                found[pursuer] = target
+        return found
+
+    def _book(self, services: list[Service], snapshot: Snapshot) -> None:
+        """What an open service has transferred: what its receiver has got beyond what earlier ones gave it."""
+        before: dict[int, float] = {}
+        for service in services:
+            if service.phase is Phase.DONE:
+                before[service.receiver] = before.get(service.receiver, 0.0) + service.energy_j
+        for service in services:
+            if service.phase is not Phase.DONE and service.start_s is not None:
+                received_j = snapshot.vehicle(service.receiver).received_j
+                service.energy_j = max(round(received_j - before.get(service.receiver, 0.0)), 0)
+
+    def _standing_at(self, t_s: float) -> Standing:
+        at = bisect.bisect_right(self._standing_s, t_s) - 1
+        if at < 0 or t_s - self._standing_s[at] > STANDS_S:
+            return Standing()
+        record = json.loads(self._standing[at][1])
+        v, tau = _by_sysid(record["v"]), _by_sysid(record["tau"])
+        return Standing(v, tau, {}, record["leader"], record["share"])
+
+    # reading
+
+    def _lines(self, path: Path, progress: Callable[[float], object]) -> Iterator[bytes]:
+        size, done = max(path.stat().st_size, 1), 0
+        with path.open("rb") as file:
+            while lines := file.readlines(BLOCK_BYTES):
+                yield from (line for line in lines if not line.startswith(_SET_POINT))
+                done += sum(map(len, lines))
+                progress(min(done / size, 1.0))
+
+    def _take(self, line: bytes) -> None:
+        try:
+            if b'"kind":"competition"' in line:
+                if b'"giver":"base"' in line:
+                    return
+                at = line.index(b'"t_s":') + 6
+                self._standing.append((float(line[at : at + 24].split(b",")[0].split(b"}")[0]), line))
+                return
+            record = json.loads(line)
+            t_s = float(record["t_s"])
+            if record["kind"] == "set_point":
+                return
+            if self._read(t_s, record):
+                self._told.append((t_s, record))
+        except (ValueError, KeyError, TypeError, AttributeError, IndexError):
+            self.broken += 1
+
+    def _read(self, t_s: float, record: Mapping[str, Any]) -> bool:
+        """Take a decision in; whether it is one to tell of."""
+        kind = record["kind"]
+        if kind == "decided":
+            receiver, need = int(record["receiver"]), _by_sysid(record["need"])
+            service = Service(
+                len(self._lives) + 1,
+                receiver,
+                record["tanker"],
+                record["by"],
+                _by_sysid(record["bids"]),
+                t_s,
+                need=need.get(receiver, 0.0),
+                need_is_largest=need.get(receiver, 0.0) >= max(need.values(), default=0.0),
+                share=record["share"],
+                base=record.get("base"),
+                why_base=record.get("reason", ""),
+            )
+            self._lives.append(_Life(service))
+        elif kind in ("transfer", "broken off", "served"):
+            sides = (int(record["receiver"]), record["tanker"], record.get("base"))
+            life = next(
+                one
+                for one in reversed(self._lives)
+                if (one.service.receiver, one.service.tanker, one.service.base) == sides and one.end_s is None
+            )
+            if kind == "served":
+                life.end_s, life.reason, life.energy_j = t_s, record["reason"], float(record["energy_j"])
+                life.service.joined_at_s, life.service.start_s = record["joined_at_s"], record["start_s"]
+            else:
+                life.phases.append((t_s, Phase.TRANSFER if kind == "transfer" else Phase.JOIN))
+                if kind == "transfer" and life.service.start_s is None:
+                    life.service.start_s = life.service.joined_at_s = t_s
+        elif kind == "pursuit":
+            self._pursuing.append((t_s, int(record["pursuer"]), int(record["target"])))
+            self.chases.append(dict(record))
+        elif kind == "death":
+            self.deaths.append((t_s, int(record["sysid"]), str(record.get("text", ""))))
+        elif kind == "operator" and record.get("taken") and "sysid" in record:
+            if record["command"] == "rejoin":
+                self.orders.append((t_s, int(record["sysid"]), None))
+            elif record["command"] in TAKEN:
+                self.orders.append((t_s, int(record["sysid"]), TAKEN[record["command"]][0]))
+            elif record["command"] == "retarget":
+                self._pursuing.append((t_s, int(record["sysid"]), int(record["target"])))
+                self.chases.append(dict(record))
+        return True
+
+
+def _by_sysid(numbers: Mapping[str, float]) -> dict[int, float]:
+    return {int(sysid): float(number) for sysid, number in numbers.items()}

@@ -1,0 +1,235 @@
+"""`gcs init`, `validate`, `schema`, `doctor`, as a person meets them."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+
+from gcs.cli import doctor
+from gcs.cli.main import run_argv
+from gcs.scenario import file
+from gcs.scenario.document import read
+from gcs.scenario.file import find, shipped_names
+from gcs.scenario.json_schema import editor_schema
+
+
+@pytest.fixture(autouse=True)
+def _elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+
+
+@dataclass
+class Result:
+    exit_code: int
+    output: str
+
+
+def gcs(*words: str) -> Result:
+    said = io.StringIO()
+    with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
+        status = run_argv(list(words))
+    return Result(status, said.getvalue())
+
+
+@pytest.mark.parametrize("words", [("init",), ("init", "7"), ("init", "a b.yaml"), ("init", "true")])
+def test_what_init_writes_is_a_valid_scenario_that_is_named_after_its_file(words: tuple[str, ...]) -> None:
+    done = gcs(*words)
+    assert done.exit_code == 0
+    (path,) = Path().iterdir()
+    checked = gcs("validate", str(path))
+    assert checked.exit_code == 0, checked.output
+    assert f"{path}: valid" in checked.output
+    jsonschema.Draft202012Validator(editor_schema()).validate(read(path).data)
+
+
+def test_init_leaves_a_file_as_it_is_and_says_so() -> None:
+    Path("mine.yaml").write_text("here")
+    done = gcs("init", "mine")
+    assert done.exit_code == 2
+    assert "mine.yaml exists already" in done.output
+    assert Path("mine.yaml").read_text() == "here"
+    assert "in a folder that exists" in gcs("init", "no/such/folder").output
+
+
+def test_the_drawing_has_everyone_in_their_place() -> None:
+    gcs("init")
+    lines = gcs("validate", "my-scenario.yaml").output.splitlines()
+    plan = lines[: next(i for i, line in enumerate(lines) if "north is up" in line)]
+    row = {mark: [i for i, line in enumerate(plan) if mark in line] for mark in "PTK#"}
+    assert row["P"][0] < row["T"][0] < row["P"][1] < row["K"][0]  # starts 2, 0, -2 and -5 m north
+    assert len({plan[i].index(mark) for mark in "PK" for i in row[mark]}) == 1  # all at 0 m east
+    assert "pursuer 2: starts at N -2.0 E 0.0, 0.0 m high, hovers for 57 s" in "\n".join(lines)  # 12 kJ / 210 W
+
+
+WITH_STRANGERS = """\
+schema: 1
+name: strangers
+axes: ned
+origin: {lat_deg: 47.0, lon_deg: 8.0, alt_m: 400.0}
+goal: {duration_s: 30.0}
+bases:
+  - {name: pad, position_m: [8.0, -6.0, 0.0], stock_j: 200000, rate_w: 1500}
+vehicles:
+  pursuers:
+    - {external: {connect: "udpin:127.0.0.1:14550", sysid: 1, capacity_j: 1e5}, waypoints_m: [[4, 3, -2.5], [0, 3, -2]]}
+    - {external: {connect: "udpin:127.0.0.1:14550", sysid: 2, capacity_j: 1e5}}
+  targets:
+    - {external: {connect: "udpin:127.0.0.1:14550", sysid: 101, capacity_j: 1e5}, path_m: [[0, 0, -2]], speed_m_s: 0.5}
+  tankers:
+    - {external: {connect: "udpin:127.0.0.1:14550", sysid: 201, capacity_j: 1e5}, home_m: [-4, 0, -3]}
+"""
+
+
+def test_bases_are_drawn_and_external_vehicles_where_they_are_sent_first() -> None:
+    Path("strangers.yaml").write_text(WITH_STRANGERS)
+    done = gcs("validate", "strangers.yaml")
+    assert done.exit_code == 0, done.output
+    lines = done.output.splitlines()
+    plan = lines[: next(i for i, line in enumerate(lines) if "north is up" in line)]
+    (base, pursuer, target, tanker) = (
+        next((i, line.index(m)) for i, line in enumerate(plan) if m in line) for m in "BPTK"
+    )
+    assert base[0] < pursuer[0] < target[0] < tanker[0]  # 8, 4, 0 and -4 m north
+    assert base[1] < target[1] == tanker[1] < pursuer[1]  # -6, 0, 0 and 3 m east
+    assert sum(line.count("P") for line in plan) == 1  # nobody knows where pursuer 2 will be
+    assert "B base" in done.output
+    for said in (
+        "B base pad: at N 8.0 E -6.0, 0.0 m high, holds 200 kJ and gives 1500 W",
+        "expected at udpin:127.0.0.1:14550, wherever it stands; drawn at N 4.0 E 3.0, 2.5 m high, where it is sent",
+        "P pursuer 2: expected at udpin:127.0.0.1:14550, wherever it stands\n",
+    ):
+        assert said in done.output
+    image = gcs("validate", "strangers.yaml", "--image", "plan.svg")
+    assert image.exit_code == 0, image.output
+    assert all(f"<!-- {text} -->" in Path("plan.svg").read_text() for text in ("pad", "base pad", "201"))
+
+
+@pytest.mark.parametrize("name", ["plan.png", "plan.svg"])
+def test_the_plan_can_be_an_image(name: str) -> None:
+    done = gcs("validate", "demo", "--image", name)
+    assert done.exit_code == 0, done.output
+    assert Path(name).read_bytes()[:5] in (b"\x89PNG\r", b"<?xml")
+
+
+def test_an_image_of_an_unknown_kind_is_one_sentence() -> None:
+    done = gcs("validate", "demo", "--image", "plan.xyz")
+    assert done.exit_code == 1
+    (line,) = done.output.splitlines()
+    assert line.startswith("plan.xyz: the plan cannot be drawn there: ")
+
+
+def test_a_mistake_is_told_with_its_place_and_status_2() -> None:
+    gcs("init")
+    path = Path("my-scenario.yaml")
+    path.write_text(path.read_text().replace("policy: winner_take_all", "policy: winner_takes_all"))
+    done = gcs("validate", str(path))
+    assert done.exit_code == 2
+    (line,) = done.output.splitlines()
+    assert line.startswith("my-scenario.yaml:68:11: competition.policy must be winner_take_all, ")
+    assert line.endswith(" or MODULE:CLASS, not the text 'winner_takes_all'; did you mean 'winner_take_all'?")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "sentence"),
+    [
+        ("potential_field", "nowhere:Planner", "planner.method: there is no module 'nowhere'"),
+        ("potential_field", "broken:Planner", "broken cannot be imported: ZeroDivisionError at broken.py:1"),
+        ("potential_field", "no_python:Planner", "no_python cannot be imported: SyntaxError at no_python.py:2: "),
+        ("potential_field", "hollow:Planer", "has no 'Planer'; did you mean 'Planner'?"),
+        ("winner_take_all", "hollow:Planner", "competition.policy: hollow:Planner has no method 'choose'"),
+        ("winner_take_all", "lacking:Policy", "lacking needs the package 'no_such_package', which is not installed"),
+    ],
+)  # fmt: skip
+def test_an_implementation_that_cannot_be_used_is_told_before_anything_flies(old: str, new: str, sentence: str) -> None:
+    gcs("init")
+    Path("broken.py").write_text("1 / 0\n")
+    Path("no_python.py").write_text("\ndef f(:\n")
+    Path("hollow.py").write_text("class Planner: pass\n")
+    Path("lacking.py").write_text("import no_such_package\n")
+    path = Path("my-scenario.yaml")
+    path.write_text(path.read_text().replace(f": {old} ", f": {new} "))
+    done = gcs("run", str(path))
+    assert done.exit_code == 2
+    assert sentence in done.output
+    line = path.read_text()[: path.read_text().index(f": {new} ")].count("\n") + 1
+    assert done.output.startswith(f"my-scenario.yaml:{line}:11: ")
+    assert not Path("sessions").exists()
+
+
+def test_an_older_scenario_is_told_what_changed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(file, "CHANGED", {0: "write `axes`", -1: "rename a to b"})
+    assert file.refusal(1) is None
+    older = file.refusal(-1)
+    assert older is not None
+    assert older.endswith("-1 to 0: rename a to b; 0 to 1: write `axes`")
+    assert "pip install -U skytender" in (file.refusal(2) or "")
+    gcs("init")
+    path = Path("my-scenario.yaml")
+    path.write_text(path.read_text().replace("schema: 1", "schema: 0"))
+    done = gcs("validate", str(path))
+    assert done.exit_code == 2
+    assert done.output.startswith("my-scenario.yaml:11:9: schema 0 is an older format; change the file")
+
+
+def test_every_shipped_scenario_keeps_to_the_schema_that_editors_get() -> None:
+    printed: dict[str, Any] = json.loads(gcs("schema").output)
+    jsonschema.Draft202012Validator.check_schema(printed)
+    validator = jsonschema.Draft202012Validator(printed)
+    for name in shipped_names():
+        validator.validate(read(find(name)).data)
+
+
+def test_the_schema_refuses_what_validate_refuses() -> None:
+    validator = jsonschema.Draft202012Validator(editor_schema())
+    good = read(find("demo")).data
+    assert validator.is_valid({**good, "planner": "mine:Planner", "competition": "optimal"})
+    assert not validator.is_valid({**good, "plannner": {}})
+    assert not validator.is_valid({**good, "competition": {"policy": "best"}})
+    assert not validator.is_valid({**good, "seed": "one"})
+
+
+def test_the_doctor_finds_nothing_that_keeps_sessions_from_running_here() -> None:
+    done = gcs("doctor", "--json")
+    findings = [json.loads(line) for line in done.output.splitlines()]
+    assert done.exit_code == 0
+    assert {"Python", "skytender", "simvehicle", "UDP on 127.0.0.1", "receive buffer", "terminal"} <= {
+        finding["what"] for finding in findings
+    }
+    assert all(finding["advice"] for finding in findings if finding["level"] != "ok")
+
+
+def test_the_doctor_says_what_to_do_about_a_missing_program(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr("sys.executable", str(tmp_path / "python"))
+    monkeypatch.setenv("PATH", str(tmp_path))
+    done = gcs("doctor")
+    assert done.exit_code == 1
+    lines = done.output.splitlines()
+    at = lines.index("problem  simvehicle: not found")
+    assert lines[at + 1].strip() == "-> it comes with Skytender: install that again with pip"
+    problems, notes = (sum(line.startswith(level) for line in lines) for level in ("problem ", "note "))
+    assert lines[-1] == f"{problems} problem{'s' * (problems != 1)}, {notes} note{'s' * (notes != 1)}"
+    assert (problems, lines[-1].partition(",")[0]) == (1, "1 problem")
+
+
+@pytest.mark.parametrize(
+    ("have", "limits", "fits"),
+    [("2.4.6", ">=2.0,<3", True), ("3.0", ">=2.0,<3", False), ("1.26.4", "<3,>=2", False), ("2", ">=2.0", True)],
+)
+def test_versions_are_compared_by_their_numbers(have: str, limits: str, fits: bool) -> None:
+    assert doctor.satisfies(have, limits) is fits
+
+
+def test_a_check_that_fails_itself_is_a_finding() -> None:
+    def _odd() -> Any:
+        raise RuntimeError("no")
+        yield
+
+    (finding,) = doctor._safely(_odd)()
+    assert (finding.level, finding.found) == ("problem", "RuntimeError: no")

@@ -1,0 +1,381 @@
+"""`gcs check` without a wire: what is asked, and how answers, silence and nonsense are judged. Frames by pymavlink."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import pytest
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.cli.check.dialogue import Dialogue, Finding
+from gcs.cli.check.questions import questions
+from gcs.cli.check.report import as_json, line, passed
+from gcs.mavlink import codec
+
+STEP_S = 0.01
+PX4_LOITER = 4 << 16 | 3 << 24
+
+
+class Scripted:
+    """A vehicle that is nothing but what a test makes of it; pymavlink writes its frames."""
+
+    def __init__(self, sysid: int = 7) -> None:
+        self.link = mav.MAVLink(None, srcSystem=sysid, srcComponent=1)
+        self.answers: dict[str, Callable[[Any], list[Any]]] = {}
+        self.streams: list[tuple[float, Callable[[int], Any]]] = [(1.0, lambda _: self.heartbeat())]
+        self.asked: list[Any] = []
+
+    def heartbeat(self, **changes: Any) -> Any:
+        values = {
+            "type": mav.MAV_TYPE_QUADROTOR,
+            "autopilot": mav.MAV_AUTOPILOT_PX4,
+            "base_mode": mav.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED,
+            "custom_mode": PX4_LOITER,
+            "system_status": mav.MAV_STATE_STANDBY,
+        }
+        return mav.MAVLink_heartbeat_message(**values | changes, mavlink_version=3)
+
+    def ack(self, command: int, result: int = mav.MAV_RESULT_ACCEPTED) -> Any:
+        return mav.MAVLink_command_ack_message(command, result, 0, 0, 255, 190)
+
+    def hear(self, message: codec.Message) -> list[Any]:
+        asked = codec.fields(codec.split(codec.frame(message, 0, 255, 190)).frames[0])
+        self.asked.append(asked)
+        answer = self.answers.get(type(asked).__name__)
+        return answer(asked) if answer else []
+
+    def frame(self, message: Any) -> codec.Frame:
+        return codec.split(message.pack(self.link)).frames[0]
+
+
+def examine(vehicle: Scripted, *keys: str, arm: bool = False) -> dict[str, Finding]:
+    """The findings of some questions, by key, with the vehicle answering 10 ms after it was asked."""
+    asked = [q for q in questions(arm=arm) if q.key in ("heartbeat", *keys)]
+    dialogue = Dialogue(asked)
+    now_s, due_s = 0.0, [0.0] * len(vehicle.streams)
+    pending: list[Any] = []
+    while not dialogue.done:
+        now_s += STEP_S
+        for i, (period_s, made) in enumerate(vehicle.streams):
+            if now_s >= due_s[i]:
+                due_s[i] = now_s + period_s
+                pending.append(made(round(1e3 * now_s)))
+        for message in pending:
+            dialogue.take(vehicle.frame(message), now_s)
+        pending = [answer for message in dialogue.poll(now_s) for answer in vehicle.hear(message)]
+        assert now_s < 120.0
+    return {finding.question.key: finding for finding in dialogue.findings}
+
+
+def test_silence_is_missing_after_three_times_and_names_who_would_miss_it() -> None:
+    vehicle = Scripted()
+    finding = examine(vehicle, "ping")["ping"]
+    assert finding.outcome == "missing"
+    assert [type(m).__name__ for m in vehicle.asked].count("PING") == 3
+    assert "MAVSDK" in line(finding)
+    assert not passed([finding])
+
+
+def test_an_answer_to_the_second_asking_is_late() -> None:
+    vehicle = Scripted()
+    times = iter(range(10))
+    echo = mav.MAVLink_ping_message(1, 4711, 255, 190)
+    vehicle.answers["PING"] = lambda _: [echo] if next(times) == 1 else []
+    finding = examine(vehicle, "ping")["ping"]
+    assert finding.outcome == "late"
+    assert 0.5 < (finding.after_s or 0.0) < 0.6
+    assert passed([finding])
+
+
+def test_an_echo_addressed_to_someone_else_does_not_count() -> None:
+    vehicle = Scripted()
+    vehicle.answers["PING"] = lambda _: [mav.MAVLink_ping_message(1, 4711, 3, 1)]
+    assert examine(vehicle, "ping")["ping"].outcome == "missing"
+
+
+def test_a_request_that_is_accepted_but_not_met_is_wrong() -> None:
+    vehicle = Scripted()
+    vehicle.answers["COMMAND_LONG"] = lambda asked: [vehicle.ack(asked.command)]
+    findings = examine(vehicle, "home-position", "available-modes")
+    assert findings["home-position"].outcome == "wrong"
+    assert "HOME_POSITION never came" in findings["home-position"].text
+    assert findings["available-modes"].outcome == "wrong"
+
+
+def test_a_polite_refusal_of_what_is_optional_is_fine() -> None:
+    vehicle = Scripted()
+    vehicle.answers["COMMAND_LONG"] = lambda asked: [vehicle.ack(asked.command, mav.MAV_RESULT_UNSUPPORTED)]
+    findings = examine(vehicle, "home-position", "available-modes", "unknown-command")
+    assert findings["home-position"].outcome == "wrong"
+    assert findings["available-modes"].outcome == "ok"
+    assert findings["unknown-command"].outcome == "ok"
+
+
+def test_the_reasons_of_a_refusal_may_follow_its_acknowledgement() -> None:
+    """As ArduPilot's do: the refusal first, and then a text now and then."""
+    vehicle = Scripted()
+    reasons: list[bytes] = []
+
+    def refuse(asked: Any) -> list[Any]:
+        reasons[:] = [b"Arm: Need Alt Estimate", b"Arm: EKF attitude is bad"]
+        return [vehicle.ack(asked.command, mav.MAV_RESULT_FAILED)]
+
+    vehicle.answers["COMMAND_LONG"] = refuse
+    vehicle.streams.append(
+        (0.1, lambda _: mav.MAVLink_statustext_message(2, reasons.pop(0)) if reasons else vehicle.heartbeat())
+    )
+    finding = examine(vehicle, "arm", arm=True)["arm"]
+    assert finding.outcome == "wrong"
+    assert finding.text == "refused: FAILED, Arm: Need Alt Estimate; Arm: EKF attitude is bad"
+
+
+def test_a_vehicle_that_obeys_commands_to_others_is_found_out() -> None:
+    vehicle = Scripted()
+    vehicle.answers["COMMAND_LONG"] = lambda asked: [vehicle.ack(asked.command)]
+    finding = examine(vehicle, "other-target")["other-target"]
+    assert finding.outcome == "wrong"
+    assert [m.target_system for m in vehicle.asked if type(m).__name__ == "COMMAND_LONG"] == [8]
+
+
+def test_a_vehicle_that_accepts_anything_is_found_out() -> None:
+    vehicle = Scripted()
+    vehicle.answers["COMMAND_LONG"] = lambda asked: [vehicle.ack(asked.command)]
+    assert examine(vehicle, "unknown-command")["unknown-command"].outcome == "wrong"
+
+
+def test_streams_are_counted_over_the_time_that_was_listened() -> None:
+    vehicle = Scripted()
+    vehicle.streams += [
+        (0.1, lambda ms: mav.MAVLink_attitude_message(ms, 0, 0, 0, 0, 0, 0)),
+        (2.5, lambda ms: mav.MAVLink_local_position_ned_message(ms, 0, 0, 0, 0, 0, 0)),
+    ]
+    found = examine(vehicle, "stream-attitude", "stream-local-position-ned", "stream-gps-raw-int")
+    outcomes = {key: finding.outcome for key, finding in found.items()}
+    assert outcomes["stream-attitude"] == "ok"
+    assert outcomes["stream-local-position-ned"] == "late"
+    assert outcomes["stream-gps-raw-int"] == "missing"
+
+
+class Raw(NamedTuple):
+    """A frame as it stood on somebody else's wire."""
+
+    frame: bytes
+
+    def pack(self, _: mav.MAVLink) -> bytes:
+        return self.frame
+
+
+def test_a_message_that_our_dialect_lacks_counts_by_its_id() -> None:
+    """A PX4 1.17 sends PROTOCOL_VERSION (300), and the acknowledgement after it; this frame is one of its own."""
+    own = bytes.fromhex("fd1600006501012c0100c8006400cb000000000000000000198e38627fa149886427")
+    vehicle = Scripted(sysid=1)
+    vehicle.answers["COMMAND_LONG"] = lambda asked: [Raw(own), vehicle.ack(asked.command)]
+    assert examine(vehicle, "protocol-version")["protocol-version"].outcome == "ok"
+
+
+@pytest.mark.parametrize(("bits", "outcome"), [(0, "late"), (mav.MAV_SYS_STATUS_GEOFENCE, "wrong")])
+def test_a_px4_that_says_nothing_of_its_fence_passes_and_one_whose_fence_is_broken_does_not(
+    bits: int, outcome: str
+) -> None:
+    vehicle = Scripted()
+    status = mav.MAVLink_sys_status_message(bits, bits, 0, 500, 16000, -100, 80, 0, 0, 0, 0, 0, 0)
+    vehicle.streams.append((1.0, lambda _: status))
+    assert examine(vehicle, "health-geofence")["health-geofence"].outcome == outcome
+
+
+def test_ardupilot_is_asked_for_its_streams_and_px4_is_not() -> None:
+    for autopilot, mode in ((mav.MAV_AUTOPILOT_PX4, PX4_LOITER), (mav.MAV_AUTOPILOT_ARDUPILOTMEGA, 5)):
+        vehicle = Scripted()
+        beat = vehicle.heartbeat(autopilot=autopilot, custom_mode=mode)
+        vehicle.streams = [(1.0, lambda _, beat=beat: beat)]
+        found = examine(vehicle, "mode")
+        requests = [m for m in vehicle.asked if type(m).__name__ == "REQUEST_DATA_STREAM"]
+        assert len(requests) == (autopilot == mav.MAV_AUTOPILOT_ARDUPILOTMEGA)
+        assert found["mode"].outcome == "ok"
+
+
+def test_a_heartbeat_whose_mode_means_nothing_is_wrong() -> None:
+    vehicle = Scripted()
+    beat = vehicle.heartbeat(base_mode=0, custom_mode=77)
+    vehicle.streams = [(1.0, lambda _: beat)]
+    found = examine(vehicle, "mode")
+    assert found["heartbeat"].outcome == "wrong"
+    assert found["mode"].outcome == "wrong"
+
+
+def test_a_pause_in_the_heartbeat_and_a_clock_that_goes_back_are_seen_at_the_end() -> None:
+    vehicle = Scripted()
+    clock = iter((5000, 6000, 900, 7000, 8000, 9000, 10000))
+    vehicle.streams = [
+        (3.6, lambda _: vehicle.heartbeat()),
+        (0.7, lambda _: mav.MAVLink_attitude_message(next(clock), 0, 0, 0, 0, 0, 0)),
+    ]
+    found = examine(vehicle, "heartbeat-steady", "clock")
+    assert found["heartbeat-steady"].outcome == "wrong"
+    assert found["clock"].outcome == "wrong"
+    assert "ATTITUDE" in found["clock"].text
+
+
+def parameters(vehicle: Scripted, told: list[tuple[bytes, float, int]], *, hidden: tuple[int, ...] = ()) -> None:
+    """Let the vehicle have these parameters; `hidden` indices are left out of the list and told when asked for."""
+
+    def value(index: int) -> Any:
+        name, number, kind = told[index]
+        return mav.MAVLink_param_value_message(name, number, kind, len(told), index)
+
+    shown = [index for index in range(len(told)) if index not in hidden]
+    vehicle.answers["PARAM_REQUEST_LIST"] = lambda _: [value(index) for index in shown]
+    vehicle.answers["PARAM_REQUEST_READ"] = lambda asked: [value(asked.param_index)] if asked.param_index >= 0 else []
+
+
+def test_missing_parameters_are_asked_for_one_by_one() -> None:
+    vehicle = Scripted()
+    told = [(b"A", 1.5, mav.MAV_PARAM_TYPE_REAL32), (b"B", 2.5, mav.MAV_PARAM_TYPE_REAL32)]
+    parameters(vehicle, told, hidden=(1,))
+    finding = examine(vehicle, "parameter-list")["parameter-list"]
+    assert finding.outcome == "late"
+    assert [m.param_index for m in vehicle.asked if type(m).__name__ == "PARAM_REQUEST_READ"] == [1]
+
+
+def test_a_list_that_stays_incomplete_says_how_many_came() -> None:
+    vehicle = Scripted()
+    told = [(b"A", 1.5, mav.MAV_PARAM_TYPE_REAL32), (b"B", 2.5, mav.MAV_PARAM_TYPE_REAL32)]
+    parameters(vehicle, told, hidden=(1,))
+    del vehicle.answers["PARAM_REQUEST_READ"]
+    finding = examine(vehicle, "parameter-list")["parameter-list"]
+    assert (finding.outcome, finding.text) == ("missing", "1 of 2 came")
+
+
+@pytest.mark.parametrize(
+    ("capability", "number", "outcome"),
+    [
+        (mav.MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_C_CAST, 3.0, "ok"),
+        (mav.MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_C_CAST, 4.2e-45, "wrong"),
+        (mav.MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_BYTEWISE, 4.2e-45, "ok"),
+        (mav.MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_BYTEWISE, 3.0, "wrong"),
+        (0, 3.0, "wrong"),
+    ],
+)
+def test_integers_must_be_encoded_as_the_capabilities_say(capability: int, number: float, outcome: str) -> None:
+    """4.2e-45 is what the bytes of the integer 3 are as a float."""
+    vehicle = Scripted()
+    parameters(vehicle, [(b"N", number, mav.MAV_PARAM_TYPE_INT32)])
+    version = mav.MAVLink_autopilot_version_message(
+        mav.MAV_PROTOCOL_CAPABILITY_MISSION_INT | mav.MAV_PROTOCOL_CAPABILITY_MAVLINK2 | capability,
+        0x010E00FF, 0, 0, 0, bytes(8), bytes(8), bytes(8), 0, 0, 0,
+    )  # fmt: skip
+    vehicle.answers["COMMAND_LONG"] = lambda asked: [vehicle.ack(asked.command), version]
+    found = examine(vehicle, "autopilot-version", "parameter-list", "parameter-encoding")
+    assert found["autopilot-version"].outcome == "ok"
+    assert found["parameter-encoding"].outcome == outcome
+
+
+def test_nothing_arms_or_changes_the_mode_unless_it_is_allowed() -> None:
+    vehicle = Scripted()
+    dialogue = Dialogue(questions())
+    now_s = 0.0
+    while not dialogue.done:
+        now_s += 0.05
+        dialogue.take(vehicle.frame(vehicle.heartbeat()), now_s)
+        for message in dialogue.poll(now_s):
+            vehicle.hear(message)
+    commands = {m.command for m in vehicle.asked if type(m).__name__ in ("COMMAND_LONG", "COMMAND_INT")}
+    assert not commands & {mav.MAV_CMD_COMPONENT_ARM_DISARM, mav.MAV_CMD_DO_SET_MODE, mav.MAV_CMD_NAV_TAKEOFF}
+    assert not {type(m).__name__ for m in vehicle.asked} & {"SET_MODE", "SET_POSITION_TARGET_LOCAL_NED", "PARAM_SET"}
+
+
+def test_another_vehicle_is_named_and_its_answers_are_not_taken() -> None:
+    vehicle, other = Scripted(7), Scripted(8)
+    dialogue = Dialogue([q for q in questions() if q.key in ("heartbeat", "ping")])
+    now_s = 0.0
+    while not dialogue.done:
+        now_s += 0.05
+        for scripted in (vehicle, other):
+            dialogue.take(scripted.frame(scripted.heartbeat()), now_s)
+        dialogue.take(other.frame(mav.MAVLink_ping_message(1, 4711, 255, 190)), now_s)
+        dialogue.poll(now_s)
+    assert dialogue.vehicle is not None
+    told = as_json(dialogue.vehicle, dialogue.others, dialogue.findings)
+    assert told["others"] == [8]
+    assert {f["key"]: f["outcome"] for f in told["findings"]}["ping"] == "missing"
+
+
+def test_a_ground_station_or_a_camera_is_no_vehicle() -> None:
+    stranger = Scripted(9)
+    dialogue = Dialogue(questions())
+    for kind in (mav.MAV_TYPE_GCS, mav.MAV_TYPE_CAMERA):
+        dialogue.take(stranger.frame(stranger.heartbeat(type=kind)), 0.0)
+    dialogue.take(stranger.frame(stranger.heartbeat(autopilot=mav.MAV_AUTOPILOT_INVALID)), 0.0)
+    assert dialogue.vehicle is None
+
+
+ARDUPILOT = {"autopilot": mav.MAV_AUTOPILOT_ARDUPILOTMEGA, "custom_mode": 4}
+UNINDEXED = 65535
+"""PARAM_VALUE.param_index of what ArduPilot tells unasked, and of its answers to a name."""
+
+
+def ardupilot() -> Scripted:
+    """A vehicle with ArduPilot's parameters, as its 4.6 answers for them; one it tells by itself."""
+    vehicle = Scripted()
+    vehicle.streams = [
+        (1.0, lambda _: vehicle.heartbeat(**ARDUPILOT)),
+        (0.5, lambda _: told("STAT_RUNTIME", UNINDEXED)),
+    ]
+    real, int32 = mav.MAV_PARAM_TYPE_REAL32, mav.MAV_PARAM_TYPE_INT32
+    values = {"PILOT_THR_FILT": real, "PILOT_TKOFF_ALT": real, "STAT_RUNTIME": int32}
+    names = list(values)
+
+    def told(name: str, index: int) -> Any:
+        return mav.MAVLink_param_value_message(name.encode(), 2.0, values[name], len(names), index)
+
+    vehicle.answers["PARAM_REQUEST_LIST"] = lambda _: [told(name, i) for i, name in enumerate(names)]
+    vehicle.answers["PARAM_REQUEST_READ"] = lambda asked: (
+        [told(asked.param_id, UNINDEXED)] if asked.param_id in values else []
+    )
+    vehicle.answers["PARAM_SET"] = vehicle.answers["PARAM_REQUEST_READ"]
+    return vehicle
+
+
+def test_a_parameter_that_came_unasked_does_not_keep_the_list_from_being_asked_for() -> None:
+    assert examine(ardupilot(), "parameter-list")["parameter-list"].outcome == "ok"
+
+
+def test_answers_to_a_name_need_no_index() -> None:
+    found = examine(ardupilot(), "parameter-list", "parameter-read", "parameter-set")
+    assert {key: finding.outcome for key, finding in found.items() if key.startswith("parameter")} == {
+        "parameter-list": "ok", "parameter-read": "ok", "parameter-set": "ok",
+    }  # fmt: skip
+
+
+def test_what_ardupilot_lacks_and_its_peers_know_to_go_without_is_no_fault() -> None:
+    """Its 4.6 claims neither encoding, says nothing of a parameter that it lacks, and MAVSDK does not ping it."""
+    vehicle = ardupilot()
+    version = mav.MAVLink_autopilot_version_message(
+        mav.MAV_PROTOCOL_CAPABILITY_PARAM_FLOAT, 0, 0, 0, 0, [0] * 8, [0] * 8, [0] * 8, 0, 0, 0
+    )
+    vehicle.answers["COMMAND_LONG"] = lambda asked: [vehicle.ack(asked.command), version]
+    keys = ("autopilot-version-520", "ping", "parameter-list", "parameter-encoding", "parameter-unknown")
+    found = examine(vehicle, *keys)
+    assert {key: found[key].outcome for key in keys} == dict(
+        zip(keys, ("ok", "skipped", "ok", "ok", "late"), strict=True)
+    )
+    assert passed(found.values())
+
+
+def test_each_file_request_has_a_number_of_its_own_and_its_repetition_the_same() -> None:
+    """ArduPilot takes a request whose answer would have the last answer's number for a repetition, and repeats that."""
+    vehicle, number, opcode = Scripted(), slice(0, 2), 3
+    last: list[Any] = []
+
+    def answer(asked: Any) -> list[Any]:
+        payload = list(asked.payload)
+        follows = int.from_bytes(bytes(payload[number]), "little") + 1
+        if not last or int.from_bytes(bytes(last[0].payload[number]), "little") != follows:
+            said = [*follows.to_bytes(2, "little"), payload[2], 128, 0, payload[opcode], *[0] * 245]
+            last[:] = [mav.MAVLink_file_transfer_protocol_message(0, 255, 190, said)]
+        return last
+
+    vehicle.answers["FILE_TRANSFER_PROTOCOL"] = answer
+    found = examine(vehicle, "ftp", "ftp-reset")
+    assert (found["ftp"].outcome, found["ftp-reset"].outcome) == ("ok", "ok")

@@ -1,0 +1,56 @@
+"""What was told before a client came, shown once, over real sockets."""
+
+from __future__ import annotations
+
+import itertools
+from pathlib import Path
+from typing import Any
+
+from gcs.session.client import RETRY_S, Earlier, SessionSource
+from gcs.session.server import BACKLOG_BYTES, REMEMBERED, Publisher
+
+
+def told(messages: list[Any]) -> list[int]:
+    return [event["n"] for message in messages if message["type"] == "snapshot" for event in message["events"]]
+
+
+def snapshot(*numbers: int, padding: str = "") -> dict[str, Any]:
+    return {"type": "snapshot", "events": [{"n": n} for n in numbers], "padding": padding}
+
+
+def test_who_comes_late_and_is_dropped_and_comes_again_sees_every_event_once(tmp_path: Path) -> None:
+    now_s = 0.0
+    publisher = Publisher(tmp_path, {"type": "session"})
+    source = SessionSource(tmp_path, clock=lambda: now_s)
+    publisher.publish(snapshot(0, 1))
+    source.receive()
+    publisher.poll()
+    publisher.publish(snapshot(2))
+    assert told(source.receive()) == [0, 1, 2]
+    for n in itertools.count(3):  # it does not read
+        publisher.publish(snapshot(n, padding="x" * (BACKLOG_BYTES // 20)))
+        if not publisher.clients:
+            break
+    seen: list[int] = []
+    while source.connected:
+        seen += told(source.receive())
+    now_s += 2 * RETRY_S
+    source.receive()
+    publisher.poll()
+    publisher.publish(snapshot(n + 1))
+    assert seen + told(source.receive()) == list(range(3, n + 2))
+    source.close()
+    publisher.close()
+
+
+def test_another_session_in_the_same_place_is_shown_from_its_start() -> None:
+    earlier = Earlier()
+    first: dict[str, Any] = {"type": "session", "events": [{"n": n} for n in range(5)], "told": 5}
+    other: dict[str, Any] = {"type": "session", "events": [{"n": 90}], "told": 1}
+    assert told(earlier.joined([first, snapshot(5), other, snapshot(91)])) == [0, 1, 2, 3, 4, 5, 90, 91]
+
+
+def test_of_more_than_a_session_remembers_the_last_are_shown_and_a_session_that_tells_none_is_no_trouble() -> None:
+    some: dict[str, Any] = {"type": "session", "events": [{"n": n} for n in range(REMEMBERED)], "told": 10 * REMEMBERED}
+    assert told(Earlier().joined([some, snapshot()])) == list(range(REMEMBERED))
+    assert told(Earlier().joined([{"type": "session"}, snapshot(7), snapshot()])) == [7]

@@ -1,0 +1,65 @@
+"""The picture is JSON with no number that is none, at every moment of a session, and says what the snapshot says."""
+
+import json
+from typing import Any
+
+import pytest
+
+from gcs.session.messages import picture
+from gcs.telemetry.events import Event
+
+
+def shown(session: Any, **changed: Any) -> dict[str, Any]:
+    how: dict[str, Any] = {"phase": "flying", "speed": 5.0, "refuelled": 0, "events": []}
+    content: dict[str, Any] = json.loads(json.dumps(picture(session.supervisor, **(how | changed)), allow_nan=False))
+    return content
+
+
+def test_before_anything_is_known_it_says_so(scripted: Any) -> None:
+    content = shown(scripted())
+    assert [vehicle["sysid"] for vehicle in content["vehicles"]] == [1, 101, 201]
+    first = content["vehicles"][0]
+    assert (first["p_ned"], first["height_m"], first["target_m"], first["endurance_s"]) == (None, None, None, None)
+    assert (first["battery"], first["stage"], first["note"]) == (1.0, "identify", "")
+
+
+def test_in_flight_it_shows_place_distance_battery_and_goal(scripted: Any) -> None:
+    session = scripted()
+    session.link.vehicles[1, 1].energy_hj = 50
+    session.fly(1)
+    content = shown(session)
+    first = content["vehicles"][0]
+    assert first["p_ned"] == pytest.approx([3.0, 0.0, -4.0], abs=1e-3)
+    assert (first["height_m"], first["target_m"]) == pytest.approx((4.0, 3.0), abs=1e-3)
+    assert (first["mode"], first["armed"], first["stage"]) == ("offboard", True, "fly")
+    assert (first["autopilot"], first["landed"], first["state"], first["severity"]) == ("px4", False, "idle", 0)
+    assert (first["age_s"], first["heard_s"], first["lost"], first["lost_share"]) == (0.0, 0.0, 0, 0.0)
+    assert (first["aim_ned"], first["energy_source"]) == (pytest.approx([3.0, 0.0, -4.0], abs=0.2), "energy_consumed")
+    # 50 hJ of 20 kJ
+    assert (first["battery"], first["remaining_j"]) == (0.75, 15_000.0)
+    assert content["goal"] == {
+        "pursue_within_m": 3.5, "pursue_for_s": 1.0, "pursue_held_s": 0.0, "refuelled_at_least": 1}  # fmt: skip
+    assert (content["t_s"], content["duration_s"]) == (pytest.approx(0.1), 60.0)
+
+
+def test_a_service_is_noted_on_both_sides(scripted: Any) -> None:
+    session = scripted(competition={"need_from": 0.1})
+    session.link.vehicles[1, 1].energy_hj = 80
+    session.fly(1)
+    competing = shown(session)["vehicles"][0]
+    assert (competing["v"], competing["tau"]) == (0.01, 1.0)
+    session.fly(40)
+    content = shown(session)
+    notes = {vehicle["sysid"]: vehicle["note"] for vehicle in content["vehicles"]}
+    phase = content["services"][0]["phase"]
+    assert notes == {1: f"served by 201: {phase}", 101: "", 201: f"serves 1: {phase}"}
+    service = content["services"][0]
+    assert (service["receiver"], service["by"], service["bids"]) == (1, "competition", {"1": 1.0})
+    assert service["why"].startswith("Pursuer 1 is refuelled next: its need 0.40 is the largest")
+    assert {vehicle["sysid"]: vehicle["state"] for vehicle in content["vehicles"]}[201] == "serves"
+
+
+def test_events_phase_speed_and_services_are_passed_on(scripted: Any) -> None:
+    content = shown(scripted(), phase="paused", refuelled=3, events=[Event(1.5, 7, "warning", "So", "link")])
+    assert content["events"] == [{"t_s": 1.5, "sysid": 7, "level": "warning", "text": "So", "kind": "link"}]
+    assert (content["phase"], content["speed"], content["refuelled"]) == ("paused", 5.0, 3)

@@ -1,0 +1,92 @@
+"""Pacing against a wall clock that only the test moves."""
+
+import pytest
+
+from gcs.session.pace import Pace
+
+
+class Wall:
+    def __init__(self) -> None:
+        self.now_s = 100.0
+
+    def __call__(self) -> float:
+        return self.now_s
+
+
+@pytest.fixture
+def wall() -> Wall:
+    return Wall()
+
+
+def started(wall: Wall, speed: float | None) -> Pace:
+    pace = Pace(speed, wall)
+    wall.now_s += 7.0  # vehicles start up
+    pace.start()
+    return pace
+
+
+def test_lockstep_never_waits_nor_lags(wall: Wall) -> None:
+    pace = started(wall, None)
+    for _ in range(5):
+        pace.next(0.1)
+        wall.now_s += 3.0
+        assert pace.wait_s() == 0.0
+    assert (pace.lag_s, pace.running_wall_s) == (0.0, 15.0)
+
+
+@pytest.mark.parametrize("speed", [0.5, 1.0, 5.0])
+def test_ticks_fall_due_a_period_over_the_speed_apart(wall: Wall, speed: float) -> None:
+    pace = started(wall, speed)
+    for tick in range(50):
+        assert wall.now_s == pytest.approx(107.0 + tick * 0.1 / speed)
+        pace.next(0.1)
+        wall.now_s += 0.3 * pace.wait_s()  # work within the period does not move the pace
+        wall.now_s += pace.wait_s()
+    assert pace.lag_s == pytest.approx(0.0, abs=1e-9)
+
+
+def test_a_late_tick_moves_all_later_ones_and_is_counted(wall: Wall) -> None:
+    pace = started(wall, 1.0)
+    pace.next(0.1)
+    wall.now_s += 0.35
+    assert pace.wait_s() == 0.0
+    pace.next(0.1)
+    assert pace.lag_s == pytest.approx(0.25)
+    assert pace.wait_s() == pytest.approx(0.1)
+    wall.now_s += 0.1
+    pace.next(0.1)
+    assert (pace.lag_s, pace.wait_s()) == pytest.approx((0.25, 0.1))
+
+
+def test_a_pause_is_neither_running_time_nor_lag(wall: Wall) -> None:
+    pace = started(wall, 2.0)
+    pace.next(0.1)
+    wall.now_s += 0.02
+    pace.pause()
+    wall.now_s += 30.0
+    pace.pause()
+    assert pace.paused
+    assert pace.running_wall_s == pytest.approx(0.02)
+    wall.now_s += 30.0
+    pace.resume()
+    pace.resume()
+    assert not pace.paused
+    assert pace.wait_s() == pytest.approx(0.03)
+    wall.now_s += 0.03
+    pace.next(0.1)
+    assert pace.lag_s == pytest.approx(0.0, abs=1e-9)
+    assert pace.running_wall_s == pytest.approx(0.05)
+
+
+def test_beside_the_real_clock_a_late_tick_grants_what_has_gone_by_and_says_so(wall: Wall) -> None:
+    """Ticks at 0, 0.1, 0.55 and 0.6 s: the third is four periods late, which the fourth need not know."""
+    pace = Pace(1.0, wall, keeps_up=True)
+    pace.start()
+    begun_s, granted = wall.now_s, []
+    for at_s in (0.0, 0.1, 0.55, 0.6):
+        wall.now_s = begun_s + at_s
+        granted.append(pace.next(0.1))
+    assert granted == [1, 1, 4, 1]
+    assert pace.lag_s == pytest.approx(0.3)
+    assert pace.wait_s() == pytest.approx(0.1)
+    assert sum(granted) * 0.1 == pytest.approx(wall.now_s + pace.wait_s() - begun_s)

@@ -1,0 +1,190 @@
+"""The session's socket, with real clients."""
+
+import json
+import os
+import socket
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from gcs.session.server import NAME, READ_BYTES, REMEMBERED, Publisher
+
+
+@pytest.fixture
+def publisher(tmp_path: Path) -> Iterator[Publisher]:
+    made = Publisher(tmp_path)
+    yield made
+    made.close()
+
+
+def connect(folder: Path) -> socket.socket:
+    directory = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
+    try:
+        client = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
+        client.settimeout(5.0)
+        client.connect(f"/proc/self/fd/{directory}/{NAME}")
+    finally:
+        os.close(directory)
+    return client
+
+
+def lines(client: socket.socket, count: int) -> list[object]:
+    data = b""
+    while data.count(b"\n") < count:
+        chunk = client.recv(65536)
+        assert chunk
+        data += chunk
+    return [json.loads(line) for line in data.splitlines()]
+
+
+def closed(client: socket.socket) -> bool:
+    """Read what is left; whether the other end has hung up."""
+    try:
+        while client.recv(1 << 20):
+            pass
+    except ConnectionResetError:
+        return True
+    except TimeoutError:
+        return False
+    return True
+
+
+def asked(publisher: Publisher) -> list[dict[str, Any]]:
+    return [request.content for request in publisher.poll()]
+
+
+def test_every_client_gets_every_line_from_when_it_came(publisher: Publisher, tmp_path: Path) -> None:
+    with connect(tmp_path) as first:
+        publisher.poll()
+        publisher.publish({"t_s": 1})
+        with connect(tmp_path) as second:
+            publisher.poll()
+            publisher.publish({"t_s": 2})
+            assert lines(first, 2) == [{"t_s": 1}, {"t_s": 2}]
+            assert lines(second, 1) == [{"t_s": 2}]
+
+
+def test_commands_come_in_whole_however_they_are_cut(publisher: Publisher, tmp_path: Path) -> None:
+    with connect(tmp_path) as first, connect(tmp_path) as second:
+        assert publisher.poll() == []
+        first.sendall(b'{"command": "pa')
+        second.sendall(b'{"command": "stop"}\n{"command": "resume"}\n')
+        assert asked(publisher) == [{"command": "stop"}, {"command": "resume"}]
+        first.sendall(b'use"}\n')
+        assert asked(publisher) == [{"command": "pause"}]
+
+
+@pytest.mark.parametrize(
+    "garbage",
+    [b"\n", b"hello\n", b"\xff\xfe\x00\n", b"[1, 2]\n", b'{"command": 7}\n', b"{}\n", b"[" * 20_000 + b"\n", b"NaN\n"],
+)
+def test_lines_that_are_no_commands_are_ignored(publisher: Publisher, tmp_path: Path, garbage: bytes) -> None:
+    with connect(tmp_path) as client:
+        publisher.poll()
+        client.sendall(garbage + b'{"command": "pause"}\n')
+        assert asked(publisher) == [{"command": "pause"}]
+
+
+def test_a_line_without_end_costs_its_sender_the_connection(publisher: Publisher, tmp_path: Path) -> None:
+    with connect(tmp_path) as client, connect(tmp_path) as other:
+        publisher.poll()
+        for _ in range(3):
+            client.sendall(b"x" * READ_BYTES)
+            assert publisher.poll() == []
+        publisher.publish({"t_s": 1})
+        assert closed(client)
+        assert lines(other, 1) == [{"t_s": 1}]
+
+
+def test_a_slow_reader_is_dropped_and_the_others_get_everything(publisher: Publisher, tmp_path: Path) -> None:
+    with connect(tmp_path) as slow, connect(tmp_path) as quick:
+        publisher.poll()
+        padding = "x" * 100_000
+        for k in range(60):
+            publisher.publish({"t_s": k, "padding": padding})
+            assert lines(quick, 1)[0]["t_s"] == k  # type: ignore[index]
+        assert closed(slow)
+        publisher.publish({"t_s": 99})
+        assert lines(quick, 1) == [{"t_s": 99}]
+
+
+def test_a_client_that_leaves_is_no_error(publisher: Publisher, tmp_path: Path) -> None:
+    with connect(tmp_path):
+        publisher.poll()
+    publisher.publish({"t_s": 1})
+    assert publisher.poll() == []
+    publisher.publish({"t_s": 2})
+
+
+def test_a_folder_with_a_long_name_is_no_hindrance(tmp_path: Path) -> None:
+    folder = tmp_path / ("x" * 120) / ("y" * 120)
+    folder.mkdir(parents=True)
+    publisher = Publisher(folder)
+    with connect(folder) as client:
+        publisher.poll()
+        publisher.publish({"t_s": 1})
+        assert lines(client, 1) == [{"t_s": 1}]
+    publisher.close()
+    assert not (folder / NAME).exists()
+
+
+def test_closing_lets_everyone_go(tmp_path: Path) -> None:
+    publisher = Publisher(tmp_path)
+    with connect(tmp_path) as client:
+        publisher.poll()
+        publisher.close()
+        assert client.recv(1) == b""
+    assert not (tmp_path / NAME).exists()
+
+
+def test_a_client_reads_the_greeting_before_anything_else(tmp_path: Path) -> None:
+    publisher = Publisher(tmp_path, {"type": "session", "name": "x"})
+    with connect(tmp_path) as first:
+        publisher.poll()
+        publisher.publish({"t_s": 1})
+        with connect(tmp_path) as second:
+            publisher.poll()
+            publisher.publish({"t_s": 2})
+            greeting = {"type": "session", "name": "x", "events": [], "told": 0}
+            assert lines(first, 3) == [greeting, {"t_s": 1}, {"t_s": 2}]
+            assert lines(second, 2) == [greeting, {"t_s": 2}]
+    publisher.close()
+
+
+def test_who_comes_late_is_greeted_with_the_last_events_and_how_many_there_were(tmp_path: Path) -> None:
+    publisher = Publisher(tmp_path, {"type": "session"})
+    publisher.publish({"t_s": 0, "events": [{"n": 0}, {"n": 1}]})  # nobody is there yet
+    with connect(tmp_path) as first:
+        publisher.poll()
+        assert lines(first, 1) == [{"type": "session", "events": [{"n": 0}, {"n": 1}], "told": 2}]
+        for n in range(2, REMEMBERED + 5):
+            publisher.publish({"t_s": n, "events": [{"n": n}]})
+        with connect(tmp_path) as second:
+            publisher.poll()
+            (greeting,) = lines(second, 1)
+            assert isinstance(greeting, dict)
+            assert [event["n"] for event in greeting["events"]] == list(range(5, REMEMBERED + 5))
+            assert greeting["told"] == REMEMBERED + 5
+    publisher.close()
+
+
+def test_a_reply_goes_to_who_asked_and_carries_the_id(publisher: Publisher, tmp_path: Path) -> None:
+    with connect(tmp_path) as first, connect(tmp_path) as second:
+        publisher.poll()
+        second.sendall(b'{"command": "hold", "id": "a7"}\n{"command": "land", "id": NaN}\n')
+        hold, land = publisher.poll()
+        publisher.reply(hold, True, "Yes.")
+        publisher.reply(land, False, "No.")
+        publisher.publish({"t_s": 1})
+        assert lines(second, 3) == [
+            {"type": "reply", "id": "a7", "ok": True, "text": "Yes."},
+            {"type": "reply", "id": None, "ok": False, "text": "No."},
+            {"t_s": 1},
+        ]
+        assert lines(first, 1) == [{"t_s": 1}]
+        assert hold.client in publisher.clients
+    publisher.poll()
+    assert hold.client not in publisher.clients
+    publisher.reply(hold, True, "Nobody hears it.")

@@ -1,0 +1,129 @@
+"""Command lines and files for the hatch: plain data, read back as the vehicle's process reads them."""
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+
+from gcs.scenario.model import Scenario
+from gcs.session.vehicles import Ended, Order, traffic_order, vehicle_order, vehicle_orders, vehicle_parameters
+
+LINK = ("--supervised", "udpout:127.0.0.1:5000")
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "vehicles").mkdir()
+    return tmp_path
+
+
+def scenario(**changed: Any) -> Scenario:
+    battery = {"capacity_j": 24_000.0, "initial_percent": 60.0, "hover_w": 180.0, "avionics_w": 12.0}
+    return Scenario.model_validate({
+        "schema": 1, "name": "l", "axes": "ned", "origin": {"lat_deg": 47.25, "lon_deg": -8.5, "alt_m": 400.5},
+        "goal": {"duration_s": 60.0}, "refuelling": {"capture_m": 1.75, "relative_speed_m_s": 0.25},
+        "vehicles": {"pursuers": [
+            {"sysid": 3, "start_m": (-1.5, 2.0, -3.25), "velocity_m_s": (-1.0, 0.5, 0.0), "airborne": True,
+             "attitude_deg": (-5.0, 10.0, 90.0), "battery": battery,
+             "params": {"SIM_XFER_DIST": 2.5, "MPC_TILT": 30.0}},
+            {"sysid": 4, "start_m": (9.0, 9.0, 0.0), "battery": battery},
+        ]},
+        "traffic": [{"callsign": "NORTH1", "path_m": [(1.0, -2.0, -3.0), (4.0, 5.0, -6.0)], "speed_m_s": 0.5,
+                     "closed": True, "start_s": 10.0}],
+    } | changed)  # fmt: skip
+
+
+def options(order: Order) -> dict[str, str | None]:
+    """An option's value by its name; None for a flag."""
+    words, found = list(order.argv), {}
+    while words:
+        name = words.pop(0)
+        assert name.startswith("--")
+        takes_value = words and not words[0].startswith("--")
+        found[name] = words.pop(0) if takes_value else None
+    return found
+
+
+def test_a_vehicles_argv_says_all_of_the_scenario(folder: Path) -> None:
+    world = scenario()
+    order = vehicle_order([world.vehicles.pursuers[0]], world, folder, LINK)
+    assert (order.sysid, order.log) == (3, folder / "vehicles" / "3.log")
+    assert options(order) == {
+        "--sysid": "3",
+        "--supervised": "udpout:127.0.0.1:5000",
+        "--position": "-1.5,2.0,-3.25",
+        "--velocity": "-1.0,0.5,0.0",
+        "--attitude": "-5.0,10.0,90.0",
+        "--home": "47.25,-8.5,400.5",
+        "--params": str(folder / "vehicles" / "3.params.yaml"),
+        "--airborne": None,
+        "--truth": str(folder / "vehicles" / "3.truth"),
+    }
+
+
+def test_on_the_ground_and_without_truth_the_flags_are_missing(folder: Path) -> None:
+    world = scenario(truth=False)
+    assert {"--airborne", "--truth"}.isdisjoint(vehicle_order([world.vehicles.pursuers[1]], world, folder, LINK).argv)
+
+
+def test_parameters_are_the_scenarios_and_the_vehicles_own_win(folder: Path) -> None:
+    world = scenario()
+    first, second = world.vehicles.pursuers
+    vehicle_order([first], world, folder, LINK)
+    written = yaml.safe_load((folder / "vehicles" / "3.params.yaml").read_text())
+    assert written == vehicle_parameters(first, world) == {
+        "SIM_BAT_CAP_J": 24_000.0, "SIM_BAT_INIT_J": 14_400.0, "SIM_BAT_HOVER_W": 180.0, "SIM_BAT_AVION_W": 12.0,
+        "SIM_XFER_DIST": 2.5, "SIM_XFER_SPEED": 0.25, "MPC_TILT": 30.0,
+    }  # fmt: skip
+    assert vehicle_parameters(second, world)["SIM_XFER_DIST"] == 1.75
+
+
+def test_traffic_is_one_process_with_a_file_of_plain_yaml(folder: Path) -> None:
+    order = traffic_order(scenario(), folder, LINK)
+    path = folder / "vehicles" / "traffic.yaml"
+    assert (order.sysid, order.argv) == (255, ("traffic", str(path), *LINK))
+    assert yaml.safe_load(path.read_text()) == {
+        "origin": {"lat_deg": 47.25, "lon_deg": -8.5, "alt_m": 400.5},
+        "movers": [{"callsign": "NORTH1", "path_ned_m": [[1.0, -2.0, -3.0], [4.0, 5.0, -6.0]], "speed_m_s": 0.5,
+                    "closed": True, "start_s": 10.0}],
+    }  # fmt: skip
+
+
+def test_small_numbers_survive_the_command_line(folder: Path) -> None:
+    world = scenario()
+    tiny = world.vehicles.pursuers[1].model_copy(update={"start_m": (1e-17, -0.1 + 0.3, 12345.678901234567)})
+    words = options(vehicle_order([tiny], world, folder, LINK))["--position"]
+    assert words is not None
+    assert tuple(map(float, words.split(","))) == tiny.start_m
+
+
+@pytest.mark.parametrize(
+    ("status", "lines", "sentence"),
+    [
+        (-9, (), "pursuer 3 (process 77) was killed by signal 9"),
+        (
+            74,
+            (),
+            "pursuer 3 (process 77) could not write its log or its truth: is the disk of the session's folder full?",
+        ),
+        (1, ("a", "b"), "pursuer 3 (process 77) ended with status 1; its last lines: a | b"),
+    ],
+)
+def test_a_death_is_one_sentence(status: int, lines: tuple[str, ...], sentence: str) -> None:
+    assert Ended(3, 77, status, lines).sentence("pursuer 3") == sentence
+
+
+def test_a_blocks_argv_lists_each_vehicles_own_values_in_order(folder: Path) -> None:
+    battery = {"capacity_j": 24_000.0}
+    vehicles = [{"sysid": s, "start_m": (3.0 * s, 0.0, 0.0), "battery": battery} for s in (3, 4, 5, 7)]
+    vehicles.append({"sysid": 8, "start_m": (90.0, 0.0, -5.0), "airborne": True, "battery": battery})
+    world = scenario(vehicles={"pursuers": vehicles})
+    orders = vehicle_orders(world, folder, LINK, per_process=2)
+    assert [order.sysids for order in orders] == [(3, 4), (5,), (7,), (8,)]
+    words = orders[0].argv
+    assert [words[i + 1] for i, word in enumerate(words) if word == "--position"] == ["9.0,0.0,0.0", "12.0,0.0,0.0"]
+    assert [Path(words[i + 1]).name for i, word in enumerate(words) if word == "--truth"] == ["3.truth", "4.truth"]
+    assert words[words.index("--count") + 1] == "2"
+    assert [order.argv.count("--airborne") for order in orders] == [0, 0, 0, 1]
+    assert [order.sysids for order in vehicle_orders(world, folder, LINK)] == [(3,), (4,), (5,), (7,), (8,)]

@@ -1,0 +1,57 @@
+"""A program of ours ends at once, with the status that it has come to and all that it has said."""
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+BUFFERED = {name: value for name, value in os.environ.items() if name != "PYTHONUNBUFFERED"}
+LEAVES = """
+import atexit, sys
+from gcs.exit import leave
+atexit.register(lambda: print("torn down"))
+sys.stdout.write("said")
+sys.stderr.write("complained")
+leave(int(sys.argv[1]))
+"""
+
+
+@pytest.mark.parametrize("status", [0, 1, 70, 130])
+def test_what_was_said_is_out_and_nothing_is_torn_down(status: int) -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", LEAVES, str(status)], capture_output=True, text=True, check=False, env=BUFFERED
+    )
+    assert (done.returncode, done.stdout, done.stderr) == (status, "said", "complained")
+
+
+@pytest.mark.parametrize(("status", "ends"), [(0, 1), (130, 130)])
+def test_what_cannot_be_written_is_no_success(status: int, ends: int) -> None:
+    with open("/dev/full", "wb") as full:
+        done = subprocess.run(
+            [sys.executable, "-c", LEAVES, str(status)],
+            stdout=full,
+            stderr=subprocess.PIPE,
+            text=True,
+            check=False,
+            env=BUFFERED,
+        )
+    assert done.returncode == ends
+    assert "<stdout> cannot be written: No space left on device" in done.stderr
+
+
+def test_a_reader_that_has_gone_is_no_error() -> None:
+    read, write = os.pipe()
+    os.close(read)
+    try:
+        done = subprocess.run(
+            [sys.executable, "-c", LEAVES, "0"],
+            stdout=write,
+            stderr=subprocess.PIPE,
+            text=True,
+            check=False,
+            env=BUFFERED,
+        )
+    finally:
+        os.close(write)
+    assert (done.returncode, done.stderr) == (0, "complained")

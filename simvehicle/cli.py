@@ -148,11 +148,11 @@ def _fly(
     state: Path | None,
     count: int,
 ) -> int:
-    from simvehicle.block import Wanted, fly
-    from simvehicle.body import Start
-    from simvehicle.geo import LocalFrame
-    from simvehicle.link import AddressError
-    from simvehicle.mavlink.identity import IDENTITIES
+    from simvehicle.autopilot.body import Start
+    from simvehicle.autopilot.geodesy import LocalFrame
+    from simvehicle.autopilot.identity import IDENTITIES
+    from simvehicle.sitl.block import Wanted, fly
+    from simvehicle.sitl.link import AddressError
 
     if sysid is None:
         raise click.UsageError("--sysid is missing: give the vehicle a MAVLink system id from 1 to 254.")
@@ -208,7 +208,7 @@ def _each(option: str, values: tuple[Any, ...], count: int) -> tuple[Any, ...]:
 
 
 def _state(folder: Path | None, sysid: int) -> Any:
-    from simvehicle.state import StateError, StateFile
+    from simvehicle.sitl.storage import StateError, StateFile
 
     if folder is None:
         return None
@@ -221,7 +221,7 @@ def _state(folder: Path | None, sysid: int) -> Any:
 
 
 def _parameters(path: Path | None, kept: dict[str, float]) -> Any:
-    from simvehicle.mavlink.parameters import ParameterError, Parameters
+    from simvehicle.autopilot.parameters import ParameterError, Parameters
 
     try:
         given = Parameters(_read_params(path))
@@ -269,11 +269,13 @@ def hatch() -> None:
 
     Modules are loaded and the flight law is compiled once; every vehicle is then a fork of this process.
     """
-    from simvehicle import flight, hatch, services  # noqa: F401 - loaded here, once, for all vehicles
-    from simvehicle.preload import warm_up
+    from simvehicle.law import step  # noqa: F401 - loaded here, once, for all vehicles
+    from simvehicle.mavlink import dispatcher  # noqa: F401 - loaded here, once, for all vehicles
+    from simvehicle.sitl import forkserver
+    from simvehicle.sitl.warmup import warm_up
 
     warm_up()
-    sys.exit(hatch.run(run_argv, sysid_of, title_of))
+    sys.exit(forkserver.run(run_argv, sysid_of, title_of))
 
 
 @cli.command(short_help="Fly the movers of a file and report them by ADSB_VEHICLE.")
@@ -281,10 +283,10 @@ def hatch() -> None:
 @click.option("--supervised", metavar="udpout:HOST:PORT", required=True, help="The gcs supervisor to report to.")
 def traffic(file: Path, supervised: str) -> None:
     """Fly the movers of FILE and report them by ADSB_VEHICLE (system 255, component 156)."""
-    from simvehicle.link import AddressError, SupervisedLink, parse_supervisor
     from simvehicle.mavlink.connection import Connection
-    from simvehicle.process import Seat, run_supervised
-    from simvehicle.traffic import COMPID, SYSID, Traffic, TrafficError, load
+    from simvehicle.sitl.link import AddressError, SupervisedLink, parse_supervisor
+    from simvehicle.sitl.loop import Seat, run_supervised
+    from simvehicle.sitl.traffic import COMPID, SYSID, Traffic, TrafficError, load
 
     try:
         connection = Connection(SYSID, COMPID)
@@ -310,7 +312,7 @@ def paper(out: Path, only: str | None) -> None:
 
     fig5 is the differentiator on 5 sin t, fig12 its comparison with two others, implicit why it is stepped implicitly.
     """
-    from simvehicle.paper import STUDIES, make
+    from simvehicle.paper.studies import STUDIES, make
 
     names = list(STUDIES) if only is None else [name.strip() for name in only.split(",")]
     for name in names:

@@ -111,7 +111,7 @@ class Snapshot:
 
 
 def from_picture(picture: Mapping[str, Any]) -> Snapshot:
-    """The snapshot in a message of type "snapshot" (gcs/session/snapshot_message.py)."""
+    """The snapshot in a message of type "snapshot" (gcs/session/messages.py)."""
     vehicles = picture["vehicles"]
 
     def column(key: str) -> NDArray[np.float64]:

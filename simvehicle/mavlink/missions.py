@@ -1,183 +1,143 @@
-"""The mission protocol without a socket or a clock: uploads, downloads and clearing of the three kinds of plan.
-
-The rules of an upload:
-1. MISSION_COUNT opens it; items are asked for one after the other by MISSION_REQUEST_INT, and taken only in that order.
-   An item with another number is not taken; the one that is missing is asked for again.
-2. The plan in force stays until the last item has come and the whole is accepted; what is refused changes nothing.
-3. A request without an answer is repeated every 0.5 s; after five of them the upload is given up, and said so.
-4. The last item, repeated because the acknowledgement was lost, is acknowledged again.
-5. One upload at a time: a count from the same sender begins it again, one from somebody else is refused.
-"""
+"""Missions, geofence and rally points: the protocol's plans put in force in the vehicle, and their progress told."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any, NamedTuple
+import contextlib
+from collections.abc import Iterable
 
 from pymavlink.dialects.v20 import common as mav
 
+from simvehicle.autopilot.modes import Severity
 from simvehicle.mavlink.codec import message
-from simvehicle.mavlink.plans import MOST_ITEMS, Item, PlanError, item_from
+from simvehicle.mavlink.context import Call, Desk
+from simvehicle.mavlink.mission_protocol import MissionProtocol, Post
+from simvehicle.mavlink.plan_items import Item, PlanError, fence_from, item_from, item_of, legs_from, rally_from, row_of
 
-RETRY_S = 0.5
-MOST_RETRIES = 5
-ACCEPTED: int = mav.MAV_MISSION_ACCEPTED
-KINDS = (mav.MAV_MISSION_TYPE_MISSION, mav.MAV_MISSION_TYPE_FENCE, mav.MAV_MISSION_TYPE_RALLY)
-
-Peer = tuple[int, int]
-Take = Callable[[int, tuple[Item, ...]], None]
-"""Puts a plan of a kind (MAV_MISSION_TYPE) in force, or raises PlanError."""
+GUIDED_ITEM = 2
+"""MISSION_ITEM.current of an item that is no part of a mission: fly there now."""
+CURRENT_HZ = 1.0
 
 
-class Post(NamedTuple):
-    """A message and the peer's channel that it goes to."""
+class Planning:
+    """One vehicle's plans."""
 
-    channel: Any
-    content: Any
+    def __init__(self, desk: Desk) -> None:
+        self._desk = desk
+        self.protocol = MissionProtocol(self._take)
 
+    def _take(self, kind: int, items: tuple[Item, ...]) -> None:
+        _put_in_force(self._desk, kind, items)
+        if self._desk.store is not None:
+            self._desk.store.keep_plan(kind, map(row_of, items))
 
-class _Upload:
-    def __init__(self, peer: Peer, channel: Any, kind: int, total: int, now_s: float) -> None:
-        self.peer, self.channel, self.kind, self.total = peer, channel, kind, total
-        self.items: list[Item] = []
-        self.asked_s = now_s
-        self.retries = 0
+    def restart(self) -> None:
+        """Have what the store has kept, and nothing else; a plan that is refused now is none."""
+        self.protocol.forget()
+        store = self._desk.store
+        for kind, rows in store.plans.items() if store is not None else ():
+            items = tuple(map(item_of, rows))
+            with contextlib.suppress(PlanError):
+                _put_in_force(self._desk, kind, items)
+                self.protocol.plans[kind] = items
 
-    def request(self, now_s: float) -> Post:
-        self.asked_s = now_s
-        content = message("MISSION_REQUEST_INT")(
-            target_system=self.peer[0],
-            target_component=self.peer[1],
-            seq=len(self.items),
-            mission_type=self.kind,
-        )
-        return Post(self.channel, content)
+    def receive(self, call: Call) -> None:
+        """Act on a message of the mission protocol."""
+        content, peer, channel, protocol = call.content, call.sender, call.connection, self.protocol
+        now_s = self._desk.vehicle.time_s
+        match call.frame.msgid:
+            case mav.MAVLINK_MSG_ID_MISSION_COUNT:
+                _send(protocol.count(content, peer, channel, now_s))
+            case mav.MAVLINK_MSG_ID_MISSION_ITEM_INT | mav.MAVLINK_MSG_ID_MISSION_ITEM:
+                if content.current == GUIDED_ITEM:
+                    _send([Post(channel, self._go_there(call))])
+                else:
+                    _send(protocol.item(content, peer, channel, now_s))
+            case mav.MAVLINK_MSG_ID_MISSION_REQUEST_LIST:
+                _send(protocol.tell_count(content, peer, channel))
+            case mav.MAVLINK_MSG_ID_MISSION_REQUEST_INT | mav.MAVLINK_MSG_ID_MISSION_REQUEST:
+                _send(protocol.request(content, peer, channel, current=self._current()))
+            case mav.MAVLINK_MSG_ID_MISSION_CLEAR_ALL:
+                _send(protocol.clear(content, peer, channel))
+            case mav.MAVLINK_MSG_ID_MISSION_WRITE_PARTIAL_LIST:
+                _send(protocol.partial(content, peer, channel))
+            case mav.MAVLINK_MSG_ID_MISSION_ACK:
+                protocol.cancel(content, peer)
+            case mav.MAVLINK_MSG_ID_MISSION_SET_CURRENT:
+                mission = self._desk.vehicle.mission
+                if mission is None or not mission.go_to(content.seq):
+                    self._desk.vehicle.announce(Severity.WARNING, f"Mission has no item {content.seq}")
+                self._tell_current()
 
+    def report(self) -> None:
+        """Queue what is due: requests repeated, and items reached since the last time."""
+        _send(self.protocol.due(self._desk.vehicle.time_s))
+        mission = self._desk.vehicle.mission
+        if mission is None or not mission.reached:
+            return
+        for seq in mission.reached:
+            for connection in self._desk.connections:
+                connection.put(message("MISSION_ITEM_REACHED")(seq=seq))
+        mission.reached.clear()
+        self._tell_current()
 
-class MissionProtocol:
-    """The plans in force, as items, and the upload under way; `channel` is whatever its answers are to be put on."""
+    def _current(self) -> int:
+        mission = self._desk.vehicle.mission
+        return 0 if mission is None else mission.index
 
-    def __init__(self, take: Take) -> None:
-        self.plans: dict[int, tuple[Item, ...]] = dict.fromkeys(KINDS, ())
-        self._take = take
-        self._upload: _Upload | None = None
-        self._finished: tuple[Peer, int, int] | None = None
+    def _tell_current(self) -> None:
+        for connection in self._desk.connections:
+            connection.streams.hasten("MISSION_CURRENT", self._desk.vehicle.time_ms)
 
-    def count(self, content: Any, peer: Peer, channel: Any, now_s: float) -> list[Post]:
-        """MISSION_COUNT: begin an upload; an empty one clears."""
-        kind, upload = content.mission_type, self._upload
-        if upload is not None and upload.peer != peer:
-            return [_ack(peer, channel, kind, mav.MAV_MISSION_ERROR)]
-        if kind not in KINDS:
-            return [_ack(peer, channel, kind, mav.MAV_MISSION_UNSUPPORTED)]
-        if content.count > MOST_ITEMS:
-            return [_ack(peer, channel, kind, mav.MAV_MISSION_NO_SPACE)]
-        if content.count == 0:
-            return self._finish(peer, channel, kind, ())
-        self._upload = _Upload(peer, channel, kind, content.count, now_s)
-        return [self._upload.request(now_s)]
-
-    def item(self, content: Any, peer: Peer, channel: Any, now_s: float) -> list[Post]:
-        """MISSION_ITEM_INT or MISSION_ITEM: the one that was asked for, or none that counts."""
-        upload = self._upload
-        if upload is None or upload.peer != peer or upload.kind != content.mission_type:
-            repeated = self._finished == (peer, content.mission_type, content.seq)
-            return [_ack(peer, channel, content.mission_type, ACCEPTED)] if repeated else []
-        if content.seq < len(upload.items):
-            return []
-        if content.seq > len(upload.items):
-            return [upload.request(now_s)]
+    def _go_there(self, call: Call) -> object:
+        """A waypoint to fly to at once, as ArduPilot's ground stations send it in GUIDED."""
+        vehicle = self._desk.vehicle
+        result = mav.MAV_MISSION_ACCEPTED
         try:
-            upload.items.append(item_from(content))
+            (leg,) = legs_from([item_from(call.content)], vehicle.frame, item_0_is_home=False)
+            place = leg.place
+            if place.north_m is None or place.east_m is None or place.height_m is None:
+                raise PlanError("no place", mav.MAV_MISSION_INVALID)
+            down_m = (vehicle.home_ned[2] if place.above_home else 0.0) - place.height_m
+            if not vehicle.reposition((place.north_m, place.east_m, down_m)):
+                result = mav.MAV_MISSION_ERROR
         except PlanError as error:
-            self._upload = None
-            return [_ack(peer, channel, upload.kind, error.result)]
-        upload.retries = 0
-        if len(upload.items) < upload.total:
-            return [upload.request(now_s)]
-        return self._finish(peer, channel, upload.kind, tuple(upload.items))
-
-    def clear(self, content: Any, peer: Peer, channel: Any) -> list[Post]:
-        """MISSION_CLEAR_ALL of one kind, or of all."""
-        kind = content.mission_type
-        if kind != mav.MAV_MISSION_TYPE_ALL and kind not in KINDS:
-            return [_ack(peer, channel, kind, mav.MAV_MISSION_UNSUPPORTED)]
-        for each in KINDS if kind == mav.MAV_MISSION_TYPE_ALL else (kind,):
-            self._finish(peer, channel, each, ())
-        return [_ack(peer, channel, kind, ACCEPTED)]
-
-    def tell_count(self, content: Any, peer: Peer, channel: Any) -> list[Post]:
-        """MISSION_REQUEST_LIST: how many items there are to download."""
-        plan = self.plans.get(content.mission_type)
-        if plan is None:
-            return [_ack(peer, channel, content.mission_type, mav.MAV_MISSION_UNSUPPORTED)]
-        count = message("MISSION_COUNT")(
-            target_system=peer[0], target_component=peer[1], count=len(plan), mission_type=content.mission_type
-        )
-        return [Post(channel, count)]
-
-    def request(self, content: Any, peer: Peer, channel: Any, *, current: int) -> list[Post]:
-        """MISSION_REQUEST_INT or MISSION_REQUEST: one item of a download; `current` is the mission's leg in flight."""
-        kind, seq = content.mission_type, content.seq
-        plan = self.plans.get(kind, ())
-        if seq >= len(plan):
-            return [_ack(peer, channel, kind, mav.MAV_MISSION_INVALID_SEQUENCE)]
-        item = plan[seq]
-        told = message("MISSION_ITEM_INT")(
-            target_system=peer[0],
-            target_component=peer[1],
-            seq=seq,
-            frame=item.frame,
-            command=item.command,
-            current=int(kind == mav.MAV_MISSION_TYPE_MISSION and seq == current),
-            autocontinue=item.autocontinue,
-            param1=item.params[0],
-            param2=item.params[1],
-            param3=item.params[2],
-            param4=item.params[3],
-            x=item.x,
-            y=item.y,
-            z=item.z,
-            mission_type=kind,
-        )
-        return [Post(channel, told)]
-
-    def partial(self, content: Any, peer: Peer, channel: Any) -> list[Post]:
-        """MISSION_WRITE_PARTIAL_LIST: plans are taken whole only."""
-        return [_ack(peer, channel, content.mission_type, mav.MAV_MISSION_UNSUPPORTED)]
-
-    def cancel(self, content: Any, peer: Peer) -> None:
-        """MISSION_ACK of the other side: the end of a download, or of an upload that it gives up."""
-        if self._upload is not None and self._upload.peer == peer and content.type != ACCEPTED:
-            self._upload = None
-
-    def due(self, now_s: float) -> list[Post]:
-        """What has to be asked for again, or given up."""
-        upload = self._upload
-        if upload is None or now_s - upload.asked_s < RETRY_S:
-            return []
-        upload.retries += 1
-        if upload.retries <= MOST_RETRIES:
-            return [upload.request(now_s)]
-        self._upload = None
-        return [_ack(upload.peer, upload.channel, upload.kind, mav.MAV_MISSION_OPERATION_CANCELLED)]
-
-    def forget(self) -> None:
-        """Have no plans and no upload, as after a reboot."""
-        self.plans = dict.fromkeys(KINDS, ())
-        self._upload = None
-
-    def _finish(self, peer: Peer, channel: Any, kind: int, items: tuple[Item, ...]) -> list[Post]:
-        self._upload = None
-        try:
-            self._take(kind, items)
-        except PlanError as error:
-            return [_ack(peer, channel, kind, error.result)]
-        self.plans[kind] = items
-        self._finished = (peer, kind, len(items) - 1)
-        return [_ack(peer, channel, kind, ACCEPTED)]
+            result = error.result
+        system, component = call.sender
+        return message("MISSION_ACK")(target_system=system, target_component=component, type=result, mission_type=0)
 
 
-def _ack(peer: Peer, channel: Any, kind: int, result: int) -> Post:
-    content = message("MISSION_ACK")(target_system=peer[0], target_component=peer[1], type=result, mission_type=kind)
-    return Post(channel, content)
+def _put_in_force(desk: Desk, kind: int, items: tuple[Item, ...]) -> None:
+    """Let the vehicle have a plan; raises PlanError, said aloud, and the old one stays."""
+    vehicle = desk.vehicle
+    try:
+        if kind == mav.MAV_MISSION_TYPE_MISSION:
+            vehicle.load_mission(legs_from(items, vehicle.frame, item_0_is_home=vehicle.identity.item_0_is_home))
+            desk.set_rate("MISSION_CURRENT", CURRENT_HZ)
+        elif kind == mav.MAV_MISSION_TYPE_FENCE:
+            vehicle.fence = fence_from(items, vehicle.frame)
+        else:
+            vehicle.rally_ned = rally_from(items, vehicle.frame)
+    except PlanError as error:
+        vehicle.announce(Severity.WARNING, f"Plan refused: {error}")
+        raise
+
+
+def _send(posts: Iterable[Post]) -> None:
+    for post in posts:
+        post.channel.put(post.content)
+
+
+MESSAGES = frozenset(
+    {
+        mav.MAVLINK_MSG_ID_MISSION_COUNT,
+        mav.MAVLINK_MSG_ID_MISSION_ITEM_INT,
+        mav.MAVLINK_MSG_ID_MISSION_ITEM,
+        mav.MAVLINK_MSG_ID_MISSION_REQUEST_LIST,
+        mav.MAVLINK_MSG_ID_MISSION_REQUEST_INT,
+        mav.MAVLINK_MSG_ID_MISSION_REQUEST,
+        mav.MAVLINK_MSG_ID_MISSION_CLEAR_ALL,
+        mav.MAVLINK_MSG_ID_MISSION_WRITE_PARTIAL_LIST,
+        mav.MAVLINK_MSG_ID_MISSION_ACK,
+        mav.MAVLINK_MSG_ID_MISSION_SET_CURRENT,
+    }
+)

@@ -11,10 +11,10 @@ from typing import Any, NamedTuple
 
 from pymavlink.dialects.v20 import common as mav
 
-from simvehicle.failures import Failure
+from simvehicle.autopilot.failures import Failure
+from simvehicle.autopilot.modes import Mode
+from simvehicle.autopilot.snapshot import CELL_FULL_V, CELLS, Snapshot, Vec3
 from simvehicle.mavlink.codec import message
-from simvehicle.mavlink.snapshot import CELL_FULL_V, CELLS, Snapshot, Vec3
-from simvehicle.modes import Mode
 
 __all__ = ["ALL_HEALTHY", "TELEMETRY", "UNPROMPTED", "Snapshot", "Stream", "Vec3", "autopilot_version", "heartbeat"]
 

@@ -18,8 +18,8 @@ from gcs.planner.potential_field import Field
 from gcs.recording.writer import TLOG, Recorder
 from gcs.refuelling.winner_take_all import advance as compete
 from gcs.scenario import geometry
-from simvehicle import flight
-from simvehicle.params import P_TOLERANCE, VehicleParams, pack
+from simvehicle.law import step
+from simvehicle.law.params import P_TOLERANCE, VehicleParams, pack
 
 GRANTS = 100
 STEPS = 25
@@ -28,25 +28,25 @@ STEPS = 25
 def _circle() -> Callable[..., np.ndarray]:
     """The flight to be timed, as a function of the differentiator's tolerance, None for the usual one."""
     params = VehicleParams()
-    start = flight.initial_state(
+    start = step.initial_state(
         params, position_nwu=(0.0, 0.0, 5.0), velocity_nwu=(0.0, 0.0, 0.0), attitude_rad=(0.0,) * 3, airborne=True
     )[np.newaxis]
 
     def fly(tolerance: float | None = None) -> np.ndarray:
         """Ten seconds along a circle of 3 m, a set point every 0.1 s, as in a session; positions (GRANTS, 3)."""
-        state, command, packed = start, np.zeros((1, flight.COMMAND_SIZE)), pack(params)[np.newaxis].copy()
+        state, command, packed = start, np.zeros((1, step.COMMAND_SIZE)), pack(params)[np.newaxis].copy()
         if tolerance is not None:
             packed[0, P_TOLERANCE] = tolerance
-        command[0, flight.CMD_USE_POSITION] = command[0, flight.CMD_MOTORS] = 1.0
-        command[0, flight.CMD_SPEED_MAX], command[0, flight.CMD_PERIOD_S] = 5.0, 0.1
+        command[0, step.CMD_USE_POSITION] = command[0, step.CMD_MOTORS] = 1.0
+        command[0, step.CMD_SPEED_MAX], command[0, step.CMD_PERIOD_S] = 5.0, 0.1
         path = []
         for k in range(GRANTS):
             angle = 0.05 * k
-            command[0, flight.CMD_POSITION] = (3.0 * math.cos(angle), 3.0 * math.sin(angle), 5.0)
-            command[0, flight.CMD_VELOCITY] = (-1.5 * math.sin(angle), 1.5 * math.cos(angle), 0.0)
-            command[0, flight.CMD_TIME_S] = 0.1 * k
-            state, _ = flight.advance(state, command, packed, time_s=0.1 * k, steps=STEPS)
-            path.append(state[0, flight.POSITION])
+            command[0, step.CMD_POSITION] = (3.0 * math.cos(angle), 3.0 * math.sin(angle), 5.0)
+            command[0, step.CMD_VELOCITY] = (-1.5 * math.sin(angle), 1.5 * math.cos(angle), 0.0)
+            command[0, step.CMD_TIME_S] = 0.1 * k
+            state, _ = step.advance(state, command, packed, time_s=0.1 * k, steps=STEPS)
+            path.append(state[0, step.POSITION])
         return np.array(path)
 
     return fly

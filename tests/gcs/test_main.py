@@ -19,14 +19,14 @@ main()
 """
 PRESSED_IN_A_CALLBACK = """
 import ctypes, signal, threading
-from gcs import cli
+from gcs.cli import main as module
 from gcs.__main__ import main
 
 def command(*_, **__):
     ctypes.CFUNCTYPE(None)(lambda: signal.raise_signal(signal.SIGINT))()
     threading.Event().wait(60)
 
-cli.cli.main = command
+module.cli.main = command
 main()
 """
 

@@ -7,14 +7,14 @@ from typing import Any
 import pytest
 from pymavlink.dialects.v20 import common
 
-from simvehicle.body import Start
-from simvehicle.geo import LocalFrame
+from simvehicle.autopilot.body import Start
+from simvehicle.autopilot.geodesy import LocalFrame
+from simvehicle.autopilot.identity import IDENTITIES
+from simvehicle.autopilot.parameters import Parameters
+from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.mavlink.codec import split
 from simvehicle.mavlink.connection import Connection
-from simvehicle.mavlink.identity import IDENTITIES
-from simvehicle.mavlink.parameters import Parameters
-from simvehicle.services import Services
-from simvehicle.vehicle import Vehicle
+from simvehicle.mavlink.dispatcher import Services
 
 ORIGIN = (47.397742, 8.545594, 488.0)
 SUPERVISOR = (255, 190)

@@ -46,7 +46,7 @@ def test_programs_scenarios_schemas_and_types_are_in_it(installed: Path, tmp_pat
     program = (
         "import gcs, simvehicle\nfrom importlib.resources import files\n"
         "print(gcs.__file__, *[files(p).joinpath(f).is_file() for p, f in (('gcs', 'py.typed'), "
-        "('simvehicle', 'py.typed'), ('gcs', 'schemas/summary.schema.json'), ('gcs', 'paper/claims.yaml'))])"
+        "('simvehicle', 'py.typed'), ('gcs', 'schemas/summary.schema.json'), ('gcs', 'report/paper/claims.yaml'))])"
     )
     where, *present = run(installed / "python", "-c", program, cwd=tmp_path).split()
     assert where.startswith(str(installed.parent))

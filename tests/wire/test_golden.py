@@ -16,7 +16,7 @@ from pymavlink.dialects.v20 import common
 
 import gcs.mavlink.codec as gcs_codec
 import simvehicle.mavlink.codec as vehicle_codec
-from simvehicle.services import UNDERSTOOD
+from simvehicle.mavlink.dispatcher import UNDERSTOOD
 
 FILES = {path.stem: json.loads(path.read_text()) for path in sorted((Path(__file__).parent / "golden").glob("*.json"))}
 FRAMES = [

@@ -10,8 +10,8 @@ from oracle import peer_frame, same, with_crc
 from pymavlink.dialects.v20 import common
 
 from simvehicle.mavlink import codec
+from simvehicle.mavlink.dispatcher import UNDERSTOOD
 from simvehicle.mavlink.telemetry import TELEMETRY
-from simvehicle.services import UNDERSTOOD
 
 CLASSES: dict[int, Any] = dict(common.mavlink_map)
 ANSWERS = (

@@ -121,7 +121,7 @@ def summary(folder: Path) -> dict[str, Any]:
 
 
 def _truth(path: Path) -> Floats:
-    """Records (k, 18) of a truth file, without the thrusts; simvehicle/truth.py has the format."""
+    """Records (k, 18) of a truth file, without the thrusts; simvehicle/sitl/truth.py has the format."""
     _, _, body = path.read_bytes().partition(b"\n")
     numbers = np.frombuffer(body[: len(body) // 8 * 8], dtype="<f8")
     rows, at = [], 0

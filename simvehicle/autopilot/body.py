@@ -1,0 +1,147 @@
+"""A vehicle's body: the state that the flight law flies, read in NED and SI, and one stretch of flight."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simvehicle.autopilot.maneuvers import AT_REST, Wish
+from simvehicle.autopilot.parameters import Parameters
+from simvehicle.autopilot.snapshot import Vec3
+from simvehicle.law import step
+from simvehicle.law.dynamics import body_rates, ned_from_nwu, nwu_from_ned
+from simvehicle.law.params import P_YAW_RATE, pack
+
+STEP_MS = 4
+CHUNK_MS = 100
+"""Modes, failsafes and transfer are looked at this often at least, however long the step asked for."""
+
+
+@dataclass(frozen=True)
+class Start:
+    """Where and how a vehicle begins; `airborne`: armed, in offboard on its own state, and without a ground."""
+
+    p_ned: Vec3 = AT_REST
+    v_ned: Vec3 = AT_REST
+    attitude_ned_rad: Vec3 = AT_REST
+    airborne: bool = False
+
+
+class Body:
+    """State of one quadrotor and its time; what it does is its vehicle's affair."""
+
+    def __init__(self, parameters: Parameters, start: Start) -> None:
+        self.parameters = parameters
+        self.time_ms = 0
+        self.ground = not start.airborne
+        initial = parameters.flight()
+        self.initial_j = initial.battery.initial_j
+        self.retune()
+        self.state: NDArray[np.float64] = step.initial_state(
+            initial,
+            position_nwu=nwu_from_ned(start.p_ned),
+            velocity_nwu=nwu_from_ned(start.v_ned),
+            attitude_rad=nwu_from_ned(start.attitude_ned_rad),
+            airborne=start.airborne,
+        )[np.newaxis]
+        self._now: list[float] = self.state[0].tolist()  # the state as plain floats: read often, computed once a grant
+        self.thrust_m_s2: NDArray[np.float64] = np.empty((1, 0))
+        self.power_w = 0.0
+        self._command = np.zeros((1, step.COMMAND_SIZE))
+
+    def retune(self) -> None:
+        """Fly with the parameters' present values from the next step on."""
+        self._packed = pack(self.parameters.flight())[np.newaxis]
+
+    @property
+    def time_s(self) -> float:
+        """Seconds since boot."""
+        return self.time_ms / 1e3
+
+    @property
+    def p_ned(self) -> Vec3:
+        """Position in the local frame, m."""
+        return ned_from_nwu(self._now[step.POSITION])
+
+    @property
+    def v_ned(self) -> Vec3:
+        """Velocity, m/s."""
+        return ned_from_nwu(self._now[step.VELOCITY])
+
+    @property
+    def attitude_ned(self) -> Vec3:
+        """Roll, pitch and yaw, rad."""
+        return ned_from_nwu(self._now[step.ATTITUDE])
+
+    @property
+    def euler_rates_ned(self) -> Vec3:
+        """Time derivatives of roll, pitch and yaw, rad/s."""
+        return ned_from_nwu(self._now[step.RATES])
+
+    @property
+    def rates_body(self) -> Vec3:
+        """Roll, pitch and yaw rate about the body's own axes (front, right, down), rad/s."""
+        roll, pitch, _ = self._now[step.ATTITUDE]
+        return ned_from_nwu(body_rates(roll, pitch, *self._now[step.RATES]))
+
+    @property
+    def reference_ned(self) -> tuple[Vec3, Vec3]:
+        """Position and velocity that the guidance really flies."""
+        return ned_from_nwu(self._now[step.REFERENCE_POSITION]), ned_from_nwu(self._now[step.REFERENCE_VELOCITY])
+
+    @property
+    def landed(self) -> bool:
+        """Standing on the ground."""
+        return self.ground and self.p_ned[2] >= 0.0 and self.v_ned == AT_REST
+
+    @property
+    def remaining_j(self) -> float:
+        """Energy in the battery."""
+        return self._now[step.REMAINING_J]
+
+    @property
+    def drawn_j(self) -> float:
+        """Energy used by motors and avionics since boot."""
+        return self._now[step.DRAWN_J]
+
+    @property
+    def capacity_j(self) -> float:
+        """What the battery holds."""
+        return self.parameters["SIM_BAT_CAP_J"]
+
+    @property
+    def fastest_turn_rad_s(self) -> float:
+        """The greatest yaw rate of the guidance."""
+        return float(self._packed[0, P_YAW_RATE])
+
+    @property
+    def control_effort(self) -> float:
+        """Integral of the control inputs' sizes."""
+        return self._now[step.EFFORT]
+
+    def charge(self, joules: float) -> None:
+        """Put energy into the battery, or take it out where negative."""
+        self.state[0, step.REMAINING_J] += joules
+        self._now = self.state[0].tolist()
+
+    def fly(self, steps: int, wanted: Wish, *, yaw_ned_rad: float, motors: bool) -> None:
+        """Fly some steps of 4 ms towards a wish; `time_ms` is the caller's to move."""
+        self._command[0] = (  # in the order of flight.CMD_…
+            *nwu_from_ned(wanted.p_ned),
+            *nwu_from_ned(wanted.v_ned),
+            wanted.time_s,
+            *wanted.use_position,
+            -yaw_ned_rad,
+            motors,
+            self.ground,
+            wanted.speed_m_s,
+            CHUNK_MS / 1e3,
+        )
+        drawn_j = self.drawn_j
+        self.state, self.thrust_m_s2 = step.advance(
+            self.state, self._command, self._packed, time_s=self.time_s, steps=steps
+        )
+        self._now = self.state[0].tolist()
+        self.power_w = (self.drawn_j - drawn_j) / (steps * STEP_MS / 1e3)

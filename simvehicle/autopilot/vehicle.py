@@ -1,0 +1,398 @@
+"""One vehicle: modes, failsafes and transfer around the flight law. No socket, no clock, no process-wide state.
+
+A step is always the same: failsafes → mode's set point → flight law → transfer.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from simvehicle.autopilot.body import CHUNK_MS, STEP_MS, Body, Start
+from simvehicle.autopilot.energy_transfer import Envelope, Exchange, Order, Role, Transfer
+from simvehicle.autopilot.failures import Failure
+from simvehicle.autopilot.follow import Followed, hear
+from simvehicle.autopilot.geodesy import LocalFrame
+from simvehicle.autopilot.geofence import Fence
+from simvehicle.autopilot.identity import Identity
+from simvehicle.autopilot.maneuvers import REACHED_M, Anchor, SetPoint, resting_place, wish
+from simvehicle.autopilot.mission import Leg, Mission, Outcome
+from simvehicle.autopilot.modes import FAILSAFES, RESTING, STAND_DOWN, STEERED, Event, Mode, Rule, Severity, rule_for
+from simvehicle.autopilot.parameters import Parameters
+from simvehicle.autopilot.snapshot import Snapshot, Vec3
+
+FENCE_HOLD, FENCE_RETURN = 2, 3
+"""What GF_ACTION may ask for, beside nothing and a warning."""
+
+NO_MISSION = Mission(())
+
+
+class Vehicle(Body):
+    """Behaviour of one quadrotor; `advance` is the only thing that moves its time."""
+
+    def __init__(self, identity: Identity, parameters: Parameters, frame: LocalFrame, start: Start) -> None:
+        super().__init__(parameters, start)
+        self.identity = identity
+        self.frame = frame
+        self.home_ned: Vec3 = start.p_ned
+        self.unix_epoch_us = 0
+        self.mode = Mode.OFFBOARD if start.airborne else Mode.HOLD
+        self.armed = start.airborne
+        self.exchange = Exchange()
+        self.mission: Mission | None = None
+        self.fence = Fence()
+        self.rally_ned: tuple[Vec3, ...] = ()
+        self.failed: set[Failure] = set()
+        self.booting = False
+        self.announcements: list[tuple[Severity, str]] = []
+        self.on_change: Callable[[], None] = lambda: None
+        self._gcs_seen_s: float | None = None
+        self._setpoint: SetPoint | None = None
+        self._followed: Followed | None = None
+        self._outside = False
+        self._return_ned = start.p_ned
+        self._anchor = Anchor(start.p_ned, 0.0, start.p_ned[2])
+        self._takeoff_down_m = start.p_ned[2]
+        self._yaw_ned = start.attitude_ned_rad[2]
+        if start.airborne:
+            self._setpoint = SetPoint(start.p_ned, start.v_ned, (True, True, True), None, 0.0)
+
+    # what it is now
+
+    @property
+    def transfer(self) -> Transfer | None:
+        """The transfer in progress."""
+        return self.exchange.current
+
+    @property
+    def given_j(self) -> int:
+        """Joules given since boot."""
+        return self.exchange.given_j
+
+    @property
+    def received_j(self) -> int:
+        """Joules received since boot."""
+        return self.exchange.received_j
+
+    def snapshot(self) -> Snapshot:
+        """Everything that telemetry tells, at the present time."""
+        target_p_ned, target_v_ned = self.reference_ned
+        mission = self.mission or NO_MISSION
+        return Snapshot(
+            identity=self.identity,
+            frame=self.frame,
+            time_ms=self.time_ms,
+            unix_us=self.unix_epoch_us + 1000 * self.time_ms,
+            mode=self.mode,
+            armed=self.armed,
+            landed=self.landed,
+            ready_to_arm=self.arming_refusal() is None,
+            p_ned=self.p_ned,
+            v_ned=self.v_ned,
+            attitude_ned=self.attitude_ned,
+            rates_body=self.rates_body,
+            target_p_ned=target_p_ned,
+            target_v_ned=target_v_ned,
+            target_yaw_ned=self._yaw_ned,
+            home_ned=self.home_ned,
+            power_w=self.power_w,
+            drawn_j=self.drawn_j,
+            remaining_j=0.0 if Failure.BATTERY in self.failed else self.remaining_j,
+            capacity_j=self.capacity_j,
+            control_effort=self.control_effort,
+            given_j=self.given_j,
+            received_j=self.received_j,
+            failed=frozenset(self.failed),
+            booting=self.booting,
+            outside_fence=self._outside,
+            mission_length=len(mission.legs),
+            mission_index=mission.index,
+            mission_landing=self.mode is Mode.MISSION and mission.landing,
+        )
+
+    # what others ask of it
+
+    def trigger(self, event: Event) -> bool:
+        """Let an event happen; False where the table of modes refuses it."""
+        rule = rule_for(event, self.mode, self.armed)
+        if rule is None:
+            return False
+        self._apply(rule)
+        return True
+
+    def arming_refusal(self) -> str | None:
+        """Why the vehicle would not arm; None when it would."""
+        if self.parameters["ARMING_CHECK"] == 0.0:
+            return None
+        for failure in (Failure.GPS, Failure.BATTERY, Failure.MOTOR):
+            if failure in self.failed:
+                return f"{failure} failed"
+        if self._battery_low():
+            return "battery below BAT_EMERGEN_THR"
+        return None
+
+    def take_off(self, height_m: float) -> bool:
+        """Climb to a height above home, or stay where the vehicle is higher; False where the mode table refuses."""
+        if rule_for(Event.TAKEOFF, self.mode, self.armed) is None:
+            return False
+        self._takeoff_down_m = min(self.home_ned[2] - height_m, self.p_ned[2])
+        self._anchor = replace(self._anchor, down_m=self._takeoff_down_m)
+        return self.trigger(Event.TAKEOFF)
+
+    def reposition(self, p_ned: Vec3, speed_m_s: float | None = None) -> bool:
+        """Hold at another place, flying there no faster than asked; False where the vehicle is not flying."""
+        if self.landed or not self.armed or not self.trigger(self._hold_event()):
+            return False
+        self._anchor = replace(self._anchor, p_ned=p_ned, speed_m_s=speed_m_s)
+        return True
+
+    def change_speed(self, speed_m_s: float | None) -> None:
+        """Fly the mission, or to where it was sent, at another speed; None for the parameters' own."""
+        self._anchor = replace(self._anchor, speed_m_s=speed_m_s)
+        if self.mission is not None:
+            self.mission.speed_m_s = speed_m_s
+
+    def load_mission(self, legs: Sequence[Leg]) -> None:
+        """Take a new mission, or none; a vehicle that flies the old one begins the new one, or holds."""
+        self.mission = Mission(legs) if legs else None
+        if self.mode is Mode.MISSION:
+            if self.mission is None:
+                self.trigger(Event.MISSION_DONE)
+            else:
+                self.mission.enter()
+
+    def follow_hears(self, p_ned: Vec3, v_ned: Vec3) -> None:
+        """Somebody who may be followed has told where it is."""
+        north, east, _ = self.p_ned
+        self._followed = hear(
+            self._followed,
+            p_ned,
+            v_ned,
+            self.time_s,
+            kept=self.parameters["FLW_TGT_RS"],
+            towards_rad=math.atan2(p_ned[1] - east, p_ned[0] - north),
+        )
+
+    def restart(self) -> None:
+        """Forget everything that a reboot forgets; place, time, energy and its counters stay."""
+        self.failed.clear()
+        self.load_mission(())
+        self.fence, self.rally_ned = Fence(), ()
+        self._setpoint = self._followed = self._gcs_seen_s = None
+        self.trigger(Event.HOLD)
+        self.retune()
+
+    def _hold_event(self) -> Event:
+        return Event.GUIDED_HOLD if self.identity.guided else Event.HOLD
+
+    def set_point(self, setpoint: SetPoint) -> None:
+        """Take an offboard set point; it is flown in offboard and refuel, and keeps them alive."""
+        self._setpoint = setpoint
+        if self.mode is Mode.GUIDED and self.armed and not self.landed:
+            self.trigger(Event.OFFBOARD)
+
+    def setpoints_fresh(self) -> bool:
+        """Whether offboard would have something to fly."""
+        age_s = math.inf if self._setpoint is None else self.time_s - self._setpoint.time_s
+        return age_s <= self.parameters["COM_OF_LOSS_T"]
+
+    def gcs_heard(self) -> None:
+        """A ground station's HEARTBEAT has come."""
+        self._gcs_seen_s = self.time_s
+
+    def order(self, order: Order) -> str | None:
+        """Begin or end a transfer; the reason where it is refused."""
+        if order.role is Role.STOP:
+            if self.transfer is not None and self.transfer.stopped_by(order):
+                self._end_transfer("stopped")
+            return None
+        reason = self.exchange.refuses(order, self.p_ned, self.v_ned, self.time_s, self._envelope())
+        if reason is not None or self.transfer is not None:
+            return reason
+        charged = order.role is Role.RECEIVE and self.landed and not self.armed  # at a base, in whatever mode
+        if not charged and not self.trigger(Event.REFUEL):
+            return f"not from mode {self.mode}"
+        self.exchange.current = Transfer(order, self.time_s)
+        return None
+
+    def announce(self, severity: Severity, text: str) -> None:
+        """Say something to everyone by STATUSTEXT."""
+        self.announcements.append((severity, text))
+
+    # time
+
+    def set_clock(self, time_ms: int, unix_us: int) -> None:
+        """Start the clock without a step; set points known so far become as old as now."""
+        self.time_ms = time_ms
+        self.unix_epoch_us = unix_us - 1000 * time_ms
+        self._anchor = replace(self._anchor, time_s=self.time_s)
+        if self._setpoint is not None:
+            self._setpoint = replace(self._setpoint, time_s=self.time_s)
+
+    def advance(self, to_ms: int) -> None:
+        """Fly to a time; whole steps of 4 ms, a remainder waits for the next call."""
+        thrusts = []
+        while to_ms - self.time_ms >= STEP_MS:
+            span_ms = min(to_ms - self.time_ms, CHUNK_MS)
+            steps = span_ms // STEP_MS
+            self._check_failsafes()
+            self._progress()
+            self._fly(steps)
+            thrusts.append(self.thrust_m_s2)
+            self.time_ms += steps * STEP_MS
+            self._move_joules(steps * STEP_MS / 1e3)
+        if len(thrusts) > 1:
+            self.thrust_m_s2 = np.concatenate(thrusts, axis=1)
+
+    def _fly(self, steps: int) -> None:
+        if self.mode in STEERED and self._setpoint is not None:
+            dt_s, fastest_rad_s = steps * STEP_MS / 1e3, self.fastest_turn_rad_s
+            self._yaw_ned = self._setpoint.yaw_after(dt_s, self._yaw_ned, fastest_rad_s=fastest_rad_s)
+        turning = self.armed and Failure.MOTOR not in self.failed
+        at_rest = self.landed and self.mode in RESTING
+        wanted = wish(
+            self.mode,
+            self._setpoint,
+            self._anchor,
+            p_ned=self.p_ned,
+            home_ned=self.home_ned,
+            return_ned=self._return_ned,
+            now_s=self.time_s,
+            parameters=self.parameters,
+            mission=self.mission,
+            followed=self._followed,
+            blind=Failure.GPS in self.failed,
+        )
+        self.fly(steps, wanted, yaw_ned_rad=self._yaw_ned, motors=turning and not at_rest)
+
+    def _progress(self) -> None:
+        """Events that the vehicle finds out by itself."""
+        p_ned = self.p_ned
+        if self.mode is Mode.TAKEOFF and p_ned[2] <= self._takeoff_down_m + 0.5 * REACHED_M:
+            self.trigger(Event.GUIDED_HOLD if self.identity.guided else Event.TAKEOFF_DONE)
+            north, east, _ = self._anchor.p_ned
+            self._anchor = replace(self._anchor, p_ned=(north, east, self._takeoff_down_m))
+        elif self.mode is Mode.RETURN and math.dist(p_ned[:2], self._return_ned[:2]) < REACHED_M:
+            if math.hypot(*self.v_ned) < REACHED_M:
+                self.trigger(Event.HOME_REACHED)
+        elif self.mode is Mode.LAND and self.landed:
+            self.trigger(Event.TOUCHDOWN)
+        elif self.mode is Mode.MISSION and self.armed:
+            self._progress_mission(p_ned)
+        if Failure.MOTOR in self.failed and self.landed:
+            self.trigger(Event.CRASHED)
+
+    def _progress_mission(self, p_ned: Vec3) -> None:
+        mission = self.mission
+        assert mission is not None, "mode MISSION is entered with a mission only"
+        if mission.landing and self.landed:
+            mission.touched_down()
+            self.trigger(Event.TOUCHDOWN)
+            return
+        outcome = mission.advance(
+            self.time_s,
+            p_ned,
+            landed=self.landed,
+            home_ned=self.home_ned,
+            radius_m=self.parameters["NAV_ACC_RAD"],
+            takeoff_m=self.parameters["MIS_TAKEOFF_ALT"],
+        )
+        if outcome is not Outcome.GOING:
+            self.trigger(Event.RETURN if outcome is Outcome.RETURN else Event.MISSION_DONE)
+
+    def _check_failsafes(self) -> None:
+        if not self.armed:
+            return
+        crossed = self._fence_crossed()
+        happened = {
+            Event.BATTERY_EMPTY: self._battery_low(),
+            Event.GPS_LOST: Failure.GPS in self.failed,
+            Event.GCS_LOST: self._gcs_seen_s is not None
+            and self.time_s - self._gcs_seen_s > self.parameters["COM_DL_LOSS_T"],
+            Event.FENCE_RETURN: crossed and self.parameters["GF_ACTION"] == FENCE_RETURN,
+            Event.FENCE_HOLD: crossed and self.parameters["GF_ACTION"] == FENCE_HOLD,
+            Event.SETPOINTS_LOST: not self.setpoints_fresh(),
+        }
+        for event in FAILSAFES:
+            if happened[event]:
+                rule = rule_for(event, self.mode, self.armed)
+                if rule is None:
+                    continue
+                if event is Event.SETPOINTS_LOST and self.identity.guided:
+                    self.trigger(Event.GUIDED_HOLD)
+                else:
+                    self._apply(rule if not self.landed else STAND_DOWN)
+                if event is Event.FENCE_HOLD:
+                    self._enter(self.mode)
+
+    def _fence_crossed(self) -> bool:
+        """Whether the vehicle has left the fence since it was last asked; announced, whatever is done about it."""
+        outside = self.fence.breached(*self.p_ned[:2])
+        crossed = outside and not self._outside and self.parameters["GF_ACTION"] != 0
+        self._outside = outside
+        if crossed:
+            self.announce(Severity.WARNING, "Geofence breached")
+        return crossed
+
+    def _battery_low(self) -> bool:
+        empty = Failure.BATTERY in self.failed
+        return empty or self.remaining_j < self.parameters["BAT_EMERGEN_THR"] * self.capacity_j
+
+    def _apply(self, rule: Rule) -> None:
+        before = (self.mode, self.armed)
+        if rule.arming is not None:
+            if rule.arming and self.landed:
+                self.home_ned = self.p_ned
+            self.armed = rule.arming
+        if rule.mode is not None:
+            self.mode = rule.mode
+            if rule.mode is not before[0]:
+                self._enter(rule.mode)
+        if rule.text and (self.mode, self.armed) != before:
+            self.announce(rule.severity, rule.text)
+            self.on_change()
+        if self.mode is not Mode.REFUEL and self.transfer is not None:
+            self._end_transfer(f"mode {self.mode}")
+
+    def _enter(self, mode: Mode) -> None:
+        """Fix what a mode keeps while it lasts: the place where the vehicle can come to rest, or stands."""
+        p_ned = self.p_ned
+        place, down_m = resting_place(p_ned, self.v_ned, ground=self.ground, landed=self.landed), p_ned[2]
+        if mode is Mode.TAKEOFF:
+            place, down_m = p_ned, self._takeoff_down_m
+        elif mode is Mode.MISSION and self.mission is not None:
+            self.mission.enter()
+        elif mode is Mode.RETURN:
+            self._return_ned = min((self.home_ned, *self.rally_ned), key=lambda p: math.dist(p[:2], p_ned[:2]))
+            down_m = min(p_ned[2], self.home_ned[2] - self.parameters["RTL_RETURN_ALT"])
+        self._anchor = Anchor(place, self.time_s, down_m)
+
+    # transfer
+
+    def _envelope(self) -> Envelope:
+        return Envelope(self.parameters["SIM_XFER_DIST"], self.parameters["SIM_XFER_SPEED"])
+
+    def _move_joules(self, dt_s: float) -> None:
+        if self.transfer is None:
+            return
+        joules, reason = self.exchange.move(
+            dt_s,
+            self.time_s,
+            self.p_ned,
+            self.v_ned,
+            remaining_j=self.remaining_j,
+            capacity_j=self.capacity_j,
+            envelope=self._envelope(),
+        )
+        self.charge(joules)
+        if reason is not None:
+            self._end_transfer(reason)
+
+    def _end_transfer(self, reason: str) -> None:
+        if self.transfer is not None:
+            self.announce(Severity.INFO, f"{self.exchange.end(self.time_s)}: {reason}")
+            self.trigger(Event.REFUEL_END)
+            self.on_change()

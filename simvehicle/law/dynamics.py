@@ -1,0 +1,169 @@
+"""The four-rotor UAV as a plant (model.md 1) [lineage], its RK4 step, and the frames it is seen in.
+
+Axes are the paper's, nwu: x north, y west, z up. The state holds the rates of the Euler angles, not body rates.
+A plant state is (x, y, z, x', y', z', φ, θ, ψ, φ', θ', ψ'); inputs are (u1, tau2, tau3, tau4).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numba import njit
+from numpy.typing import ArrayLike, NDArray
+
+from simvehicle.law.params import Airframe
+
+Row = NDArray[np.float64]
+
+PLANT_SIZE = 12
+INPUT_SIZE = 4
+
+
+@njit(cache=True, error_model="numpy")
+def thrust_direction(roll: float, pitch: float, yaw: float) -> tuple[float, float, float]:
+    """Unit vector of thrust in nwu axes (model.md 1) [lineage]."""
+    sin_roll, cos_roll = math.sin(roll), math.cos(roll)
+    sin_pitch, cos_pitch = math.sin(pitch), math.cos(pitch)
+    sin_yaw, cos_yaw = math.sin(yaw), math.cos(yaw)
+    return (
+        cos_roll * sin_pitch * cos_yaw + sin_roll * sin_yaw,
+        cos_roll * sin_pitch * sin_yaw - sin_roll * cos_yaw,
+        cos_roll * cos_pitch,
+    )
+
+
+@njit(cache=True, error_model="numpy")
+def rk4_axis(
+    x: float, v: float, a1: float, a2: float, a3: float, a4: float, drag: float, dt: float
+) -> tuple[float, float, float, float, float]:
+    """RK4 of x'' = a - drag x', with a as seen at the four stages; also x at stages 2, 3, 4.
+
+    Every axis of the plant has this form: an angle under its constant tau, a coordinate under a thrust that turns.
+    """
+    half = 0.5 * dt
+    d1 = a1 - drag * v
+    v2 = v + half * d1
+    d2 = a2 - drag * v2
+    v3 = v + half * d2
+    d3 = a3 - drag * v3
+    v4 = v + dt * d3
+    d4 = a4 - drag * v4
+    x_next = x + dt / 6.0 * (v + 2.0 * v2 + 2.0 * v3 + v4)
+    v_next = v + dt / 6.0 * (d1 + 2.0 * d2 + 2.0 * d3 + d4)
+    return x + half * v, x + half * v2, x + dt * v3, x_next, v_next
+
+
+@njit(cache=True, error_model="numpy")
+def plant_step(
+    s: Row,
+    u1: float,
+    tau2: float,
+    tau3: float,
+    tau4: float,
+    gravity: float,
+    drag: float,
+    rotational_drag: float,
+    dt: float,
+) -> None:
+    """One RK4 step of the plant over dt seconds with its inputs held; the first 12 numbers of s change in place."""
+    roll2, roll3, roll4, roll, s[9] = rk4_axis(s[6], s[9], tau2, tau2, tau2, tau2, rotational_drag, dt)
+    pitch2, pitch3, pitch4, pitch, s[10] = rk4_axis(s[7], s[10], tau3, tau3, tau3, tau3, rotational_drag, dt)
+    yaw2, yaw3, yaw4, yaw, s[11] = rk4_axis(s[8], s[11], tau4, tau4, tau4, tau4, rotational_drag, dt)
+    x1, y1, z1 = thrust_direction(s[6], s[7], s[8])
+    x2, y2, z2 = thrust_direction(roll2, pitch2, yaw2)
+    x3, y3, z3 = thrust_direction(roll3, pitch3, yaw3)
+    x4, y4, z4 = thrust_direction(roll4, pitch4, yaw4)
+    g = gravity
+    _, _, _, s[0], s[3] = rk4_axis(s[0], s[3], u1 * x1, u1 * x2, u1 * x3, u1 * x4, drag, dt)
+    _, _, _, s[1], s[4] = rk4_axis(s[1], s[4], u1 * y1, u1 * y2, u1 * y3, u1 * y4, drag, dt)
+    _, _, _, s[2], s[5] = rk4_axis(s[2], s[5], u1 * z1 - g, u1 * z2 - g, u1 * z3 - g, u1 * z4 - g, drag, dt)
+    s[6], s[7], s[8] = roll, pitch, yaw
+
+
+@njit(cache=True, error_model="numpy")
+def wrap_angle(angle: float) -> float:
+    """The angle's equal in [-π, π], exact however large it is."""
+    if -math.pi <= angle <= math.pi:
+        return angle
+    rest = angle % (2.0 * math.pi)
+    return rest - 2.0 * math.pi if rest > math.pi else rest
+
+
+def derivative(state: ArrayLike, inputs: ArrayLike, *, airframe: Airframe) -> NDArray[np.float64]:
+    """Time derivative of plant states (model.md 1, paper eq. 3) [lineage].
+
+    Args:
+        state: (n, 12), nwu axes, m, m/s, rad, rad/s.
+        inputs: (n, 4), u1 in m/s² and tau2..tau4 in rad/s².
+        airframe: the body.
+
+    Returns:
+        (n, 12).
+
+    Raises:
+        ValueError: a shape other than (n, 12) and (n, 4).
+    """
+    s, u = _plant_arrays(state, inputs)
+    roll, pitch, yaw = s[:, 6], s[:, 7], s[:, 8]
+    u1 = u[:, 0]
+    rate = np.empty_like(s)
+    rate[:, 0:3] = s[:, 3:6]
+    rate[:, 3] = u1 * (np.cos(roll) * np.sin(pitch) * np.cos(yaw) + np.sin(roll) * np.sin(yaw))
+    rate[:, 4] = u1 * (np.cos(roll) * np.sin(pitch) * np.sin(yaw) - np.sin(roll) * np.cos(yaw))
+    rate[:, 5] = u1 * np.cos(roll) * np.cos(pitch) - airframe.gravity_m_s2
+    rate[:, 3:6] -= airframe.drag_1_s * s[:, 3:6]
+    rate[:, 6:9] = s[:, 9:12]
+    rate[:, 9:12] = u[:, 1:4] - airframe.rotational_drag_1_s * s[:, 9:12]
+    return rate
+
+
+def step(state: ArrayLike, inputs: ArrayLike, dt_s: float, *, airframe: Airframe) -> NDArray[np.float64]:
+    """Plant states one RK4 step of dt_s later, inputs held: (n, 12) and (n, 4) give (n, 12), units as `derivative`.
+
+    Raises:
+        ValueError: a shape other than (n, 12) and (n, 4).
+    """
+    s, u = _plant_arrays(state, inputs)
+    moved = s.copy()
+    for row, (u1, tau2, tau3, tau4) in zip(moved, u.tolist(), strict=True):
+        gravity, drag = airframe.gravity_m_s2, airframe.drag_1_s
+        plant_step(row, u1, tau2, tau3, tau4, gravity, drag, airframe.rotational_drag_1_s, dt_s)
+    return moved
+
+
+def body_rates(
+    roll: float, pitch: float, roll_rate: float, pitch_rate: float, yaw_rate: float
+) -> tuple[float, float, float]:
+    """Body rates (p, q, r), rad/s, of nwu Euler angles, rad, and their rates, rad/s (model.md 1) [lineage].
+
+    On plain floats: telemetry asks for them in every grant. On the wire they are `ned_from_nwu` of this.
+    """
+    sin_roll, cos_roll, cos_pitch = math.sin(roll), math.cos(roll), math.cos(pitch)
+    return (
+        roll_rate - yaw_rate * math.sin(pitch),
+        pitch_rate * cos_roll + yaw_rate * sin_roll * cos_pitch,
+        -pitch_rate * sin_roll + yaw_rate * cos_roll * cos_pitch,
+    )
+
+
+def ned_from_nwu(v: Sequence[float]) -> tuple[float, float, float]:
+    """North, east, down of north, west, up: half a turn about north (contract.md, Frames).
+
+    The same for Euler angles, their rates and body rates: (φ, θ, ψ) gives NED's (φ, -θ, -ψ).
+    """
+    north, west, up = v
+    return north, -west, -up
+
+
+nwu_from_ned = ned_from_nwu
+"""Half a turn is its own inverse."""
+
+
+def _plant_arrays(state: ArrayLike, inputs: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    s = np.ascontiguousarray(state, dtype=np.float64)
+    u = np.asarray(inputs, dtype=np.float64)
+    if s.ndim != 2 or s.shape[1] != PLANT_SIZE or u.shape != (s.shape[0], INPUT_SIZE):
+        raise ValueError(f"plant states and inputs have shapes {s.shape} and {u.shape}, but need (n, 12) and (n, 4)")
+    return s, u

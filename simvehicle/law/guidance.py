@@ -1,0 +1,194 @@
+"""From set points at the planner's rate to a reference the law can fly (model.md 5) [choice].
+
+A step in v_d is a spike in torque, so a set point is first followed by a point q of bounded speed and acceleration,
+and q by three first-order lags r1, r2, r3: the reference r = r3 has continuous acceleration and jerk.
+The compiled kernels write the memory that they are given; the public functions leave theirs alone.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numba import njit
+from numpy.typing import ArrayLike, NDArray
+
+from simvehicle.law.dynamics import wrap_angle
+from simvehicle.law.params import Guidance, Limits
+
+Row = NDArray[np.float64]
+
+Q, Q_RATE, R1, R2, R3 = range(0, 15, 3)  # offsets of three axes each in the memory
+MEMORY_SIZE = 15
+YAW_Q, YAW_R1, YAW_R2, YAW_R3 = range(4)
+YAW_MEMORY_SIZE = 4
+LINEAR_START, LINEAR_SINCE, LINEAR_STAMP = 0, 3, 4  # v_d at arrival (3), when it arrived, the set point's time
+NO_STAMP = -1e30  # time of no set point
+
+
+@njit(cache=True, error_model="numpy")
+def start_axis(memory: Row, axis: int, position: float, velocity: float, omega: float) -> None:
+    """Match one axis to a start in motion: r = position, r' = velocity, r'' = 0."""
+    memory[Q + axis] = position + 3.0 * velocity / omega
+    memory[Q_RATE + axis] = velocity
+    memory[R1 + axis] = position + 2.0 * velocity / omega
+    memory[R2 + axis] = position + velocity / omega
+    memory[R3 + axis] = position
+
+
+@njit(cache=True, error_model="numpy")
+def reference_axis(r1: float, r2: float, r3: float, omega: float) -> tuple[float, float, float]:
+    """r, r', r'' of one chain of lags."""
+    return r3, omega * (r2 - r3), omega * omega * (r1 - 2.0 * r2 + r3)
+
+
+@njit(cache=True, error_model="numpy")
+def _sqrt_slope(distance: float, gain: float, decel: float) -> float:
+    """sqrtctl(e)/e: speed towards a point per metre of distance, with which a decel of `decel` stops there."""
+    near = decel / (gain * gain)
+    if distance <= near:
+        return gain
+    return math.sqrt(2.0 * decel * (distance - 0.5 * near)) / distance
+
+
+@njit(cache=True, error_model="numpy")
+def shape(
+    memory: Row,
+    ex: float,
+    ey: float,
+    ez: float,
+    vx: float,
+    vy: float,
+    vz: float,
+    speed_max: float,
+    accel_max: float,
+    gain: float,
+    decel: float,
+    velocity_gain: float,
+    omega: float,
+    dt: float,
+) -> None:
+    """Carry q and its lags over dt towards a set point at q + e that moves at v.
+
+    v* = sat_vmax(v + sqrtctl(e)),   q'' = sat(10 (v* - q')),   r1' = ω(q - r1), r2' = ω(r1 - r2), r3' = ω(r2 - r3)
+    """
+    slope = _sqrt_slope(math.sqrt(ex * ex + ey * ey + ez * ez), gain, decel)
+    wx, wy, wz = vx + slope * ex, vy + slope * ey, vz + slope * ez
+    speed = math.sqrt(wx * wx + wy * wy + wz * wz)
+    share = speed_max / speed if speed > speed_max else 1.0
+    ax = velocity_gain * (wx * share - memory[Q_RATE])
+    ay = velocity_gain * (wy * share - memory[Q_RATE + 1])
+    az = velocity_gain * (wz * share - memory[Q_RATE + 2])
+    size = math.sqrt(ax * ax + ay * ay + az * az)
+    share = accel_max / size if size > accel_max else 1.0
+    _shape_axis(memory, 0, ax * share, omega, dt)
+    _shape_axis(memory, 1, ay * share, omega, dt)
+    _shape_axis(memory, 2, az * share, omega, dt)
+
+
+@njit(cache=True, error_model="numpy")
+def _shape_axis(memory: Row, axis: int, acceleration: float, omega: float, dt: float) -> None:
+    q, rate = memory[Q + axis], memory[Q_RATE + axis]
+    r1, r2, r3 = memory[R1 + axis], memory[R2 + axis], memory[R3 + axis]
+    memory[Q + axis] = q + dt * rate + 0.5 * dt * dt * acceleration
+    memory[Q_RATE + axis] = rate + dt * acceleration
+    memory[R1 + axis] = r1 + dt * omega * (q - r1)
+    memory[R2 + axis] = r2 + dt * omega * (r1 - r2)
+    memory[R3 + axis] = r3 + dt * omega * (r2 - r3)
+
+
+@njit(cache=True, error_model="numpy")
+def start_yaw(memory: Row, yaw: float, rate: float, omega: float) -> None:
+    """Match the yaw reference to a yaw that turns."""
+    memory[YAW_Q] = yaw + 3.0 * rate / omega
+    memory[YAW_R1] = yaw + 2.0 * rate / omega
+    memory[YAW_R2] = yaw + rate / omega
+    memory[YAW_R3] = yaw
+
+
+@njit(error_model="numpy")
+def shape_yaw(memory: Row, yaw: float, rate_max: float, omega: float, dt: float) -> None:
+    """Carry the yaw reference over dt towards `yaw`, the shorter way round, no faster than rate_max."""
+    q, r1, r2, r3 = memory[YAW_Q], memory[YAW_R1], memory[YAW_R2], memory[YAW_R3]
+    rate = min(max(omega * wrap_angle(yaw - q), -rate_max), rate_max)
+    r3_next = r3 + dt * omega * (r2 - r3)
+    turn = wrap_angle(r3_next) - r3_next  # the whole chain turns together, or its differences would jump
+    memory[YAW_Q] = q + dt * rate + turn
+    memory[YAW_R1] = r1 + dt * omega * (q - r1) + turn
+    memory[YAW_R2] = r2 + dt * omega * (r1 - r2) + turn
+    memory[YAW_R3] = r3_next + turn
+
+
+@njit(cache=True, error_model="numpy")
+def linear_axis(start: float, end: float, elapsed: float, period: float) -> tuple[float, float]:
+    """v_d and v_d' of the paper's reference: v_d linear from start to end over the period, then constant."""
+    if elapsed >= period:
+        return end, 0.0
+    slope = (end - start) / period
+    return start + slope * elapsed, slope
+
+
+def start(position: ArrayLike, velocity: ArrayLike, *, guidance: Guidance) -> NDArray[np.float64]:
+    """Memory of a start in motion: position and velocity, (n, 3), nwu, m and m/s, give (n, 15) (model.md 5)."""
+    p, v = np.atleast_2d(np.asarray(position, dtype=np.float64)), np.atleast_2d(np.asarray(velocity, dtype=np.float64))
+    lead = v / guidance.omega
+    return np.concatenate([p + 3.0 * lead, v, p + 2.0 * lead, p + lead, p], axis=1)
+
+
+def step(
+    memory: ArrayLike,
+    set_position: ArrayLike,
+    set_velocity: ArrayLike,
+    *,
+    guidance: Guidance,
+    limits: Limits,
+    dt_s: float,
+    speed_max_m_s: float = math.inf,
+    use_position: ArrayLike = (1.0, 1.0, 1.0),
+) -> NDArray[np.float64]:
+    """Shaped reference, one step (model.md 5) [choice]. All axes nwu.
+
+    Args:
+        memory: (n, 15), q, q', r1, r2, r3, as from `start`.
+        set_position: (n, 3), p̂, m, where the set point is now.
+        set_velocity: (n, 3), v_k, m/s.
+        guidance, limits: the vehicle's.
+        dt_s: the step.
+        speed_max_m_s: cap of |v*| below the vehicle's own.
+        use_position: (3,) or (n, 3), 1 or 0 per axis; an axis at 0 follows its velocity alone.
+
+    Returns:
+        (n, 15), dt_s later.
+
+    Raises:
+        ValueError: a memory whose shape is not (n, 15).
+    """
+    stepped = np.array(memory, dtype=np.float64, order="C")
+    if stepped.ndim != 2 or stepped.shape[1] != MEMORY_SIZE:
+        raise ValueError(f"memory has shape {stepped.shape}, but needs (n, {MEMORY_SIZE})")
+    position = np.asarray(set_position, dtype=np.float64)
+    error = np.asarray(use_position, dtype=np.float64) * (position - stepped[:, Q : Q + 3])
+    velocity = np.broadcast_to(np.asarray(set_velocity, dtype=np.float64), error.shape)
+    speed_max = float(min(speed_max_m_s, limits.speed_m_s))
+    law = (float(limits.acceleration_m_s2), guidance.gain, guidance.decel, guidance.velocity_gain, guidance.omega)
+    for row, e, v in zip(stepped, error.tolist(), velocity.tolist(), strict=True):
+        pull = (*e, *v, speed_max, *law, dt_s)
+        shape(row, *pull)
+    return stepped
+
+
+def reference(
+    memory: ArrayLike, position: ArrayLike, velocity: ArrayLike, *, guidance: Guidance
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """What the law flies: r, v_d = r' + k (r - p) and v_d' = r'' + k (r' - v), (n, 3) each (model.md 5) [choice].
+
+    Args:
+        memory: (n, 15).
+        position, velocity: (n, 3), the vehicle's own p and v, nwu, m and m/s.
+        guidance: the vehicle's; k is its `reference_gain`.
+    """
+    m = np.asarray(memory, dtype=np.float64)
+    r1, r2, r3, omega = m[:, R1 : R1 + 3], m[:, R2 : R2 + 3], m[:, R3 : R3 + 3], guidance.omega
+    rate, acceleration = omega * (r2 - r3), omega**2 * (r1 - 2.0 * r2 + r3)
+    k = guidance.reference_gain
+    return r3.copy(), rate + k * (r3 - np.asarray(position)), acceleration + k * (rate - np.asarray(velocity))

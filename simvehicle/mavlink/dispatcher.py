@@ -1,0 +1,154 @@
+"""The MAVLink face of a vehicle: every message to its microservice, every answer and all telemetry to the connections.
+
+Nothing that the network sends may stop a vehicle: an unknown message is passed over, an unknown command is answered as
+unsupported, a number that is none is refused and said so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from pymavlink.dialects.v20 import common as mav
+
+from simvehicle.autopilot.failures import Failure
+from simvehicle.autopilot.modes import Severity
+from simvehicle.autopilot.vehicle import Vehicle
+from simvehicle.mavlink import (
+    commands,
+    flight_commands,
+    maintenance,
+    message_requests,
+    missions,
+    offboard,
+    parameter_protocol,
+)
+from simvehicle.mavlink.codec import Frame, decode, message
+from simvehicle.mavlink.commands import ACCEPTED, TEMPORARILY_REJECTED, UNSUPPORTED
+from simvehicle.mavlink.connection import Connection
+from simvehicle.mavlink.context import Call, CommandHandler, Desk, MessageHandler, Store
+
+COMPID = 1
+TRANSFER_RATE_HZ = 10.0
+COUNTERS_STAY_FAST_S = 2.0
+TEXT_CHARACTERS = 50
+_SEVERITY = {
+    Severity.INFO: mav.MAV_SEVERITY_INFO,
+    Severity.WARNING: mav.MAV_SEVERITY_WARNING,
+    Severity.CRITICAL: mav.MAV_SEVERITY_CRITICAL,
+}
+MESSAGES: dict[int, MessageHandler] = {
+    **offboard.MESSAGES,
+    **flight_commands.MESSAGES,
+    **message_requests.MESSAGES,
+    **parameter_protocol.MESSAGES,
+}
+COMMANDS: dict[int, CommandHandler] = {**flight_commands.COMMANDS, **message_requests.COMMANDS, **maintenance.COMMANDS}
+_COMMAND_MESSAGES = frozenset({mav.MAVLINK_MSG_ID_COMMAND_LONG, mav.MAVLINK_MSG_ID_COMMAND_INT})
+UNDERSTOOD = _COMMAND_MESSAGES | missions.MESSAGES | set(MESSAGES)
+"""Ids of the messages that the vehicle acts on."""
+
+
+class Services:
+    """The MAVLink face of one vehicle, shared by all its connections."""
+
+    def __init__(
+        self, vehicle: Vehicle, sysid: int, connections: Iterable[Connection] = (), store: Store | None = None
+    ) -> None:
+        self.vehicle = vehicle
+        self.sysid = sysid
+        self.connections = list(connections)
+        self._desk = Desk(vehicle, sysid, self.connections, store)
+        self._planning = missions.Planning(self._desk)
+        self._reboot = maintenance.Reboot(self._desk, self._planning.restart)
+        self._commands = {**COMMANDS, mav.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN: self._reboot.ask}
+        self._fast_counters = False
+        self._long_texts = 0
+        vehicle.on_change = self._hasten_heartbeats
+        self._planning.restart()
+
+    def receive(self, frame: Frame, connection: Connection) -> None:
+        """Act on one frame; answers wait on the same connection."""
+        if frame.msgid not in UNDERSTOOD or (frame.sysid, frame.compid) == (self.sysid, COMPID):
+            return
+        content = decode(frame)
+        assert content is not None
+        if getattr(content, "target_system", 0) not in (0, self.sysid):
+            return
+        if getattr(content, "target_component", 0) not in (0, COMPID):
+            return
+        call = Call(content, frame, connection)
+        if frame.msgid in _COMMAND_MESSAGES:
+            self._command(call)
+        elif self._deaf():
+            return
+        elif frame.msgid in missions.MESSAGES:
+            self._planning.receive(call)
+        else:
+            MESSAGES[frame.msgid](self._desk, call)
+
+    def _deaf(self) -> bool:
+        return self.vehicle.booting or Failure.LINK in self.vehicle.failed
+
+    def _command(self, call: Call) -> None:
+        request = commands.request_from(call.content, call.sender)
+        if Failure.LINK in self.vehicle.failed and request.command != mav.MAV_CMD_INJECT_FAILURE:
+            return
+        handler = self._commands.get(request.command)
+        result = UNSUPPORTED
+        if self._reboot.busy_with(request):
+            result = TEMPORARILY_REJECTED
+        elif handler is not None:
+            result = handler(self._desk, request, call.connection)
+        call.connection.put(commands.acknowledgement(request, result))
+        for content in self._desk.after_ack:
+            call.connection.put(content)
+        self._desk.after_ack.clear()
+
+    def report(self) -> None:
+        """Queue what became due at the vehicle's present time: announcements, then telemetry."""
+        vehicle = self.vehicle
+        self._finish_reboot()
+        if Failure.LINK in vehicle.failed:
+            vehicle.announcements.clear()
+            return
+        self._planning.report()
+        self._pace_counters()
+        for severity, text in vehicle.announcements:
+            self._long_texts += len(text) > TEXT_CHARACTERS
+            for content in _status_texts(_SEVERITY[severity], text, self._long_texts):
+                for connection in self.connections:
+                    connection.put(content)
+        vehicle.announcements.clear()
+        snapshot = vehicle.snapshot()
+        for connection in self.connections:
+            connection.put_due(snapshot)
+
+    def _finish_reboot(self) -> None:
+        finished = self._reboot.finish()
+        if finished is not None:
+            request, connection = finished
+            connection.put(commands.acknowledgement(request, ACCEPTED))
+
+    def _pace_counters(self) -> None:
+        vehicle = self.vehicle
+        fast = vehicle.transfer is not None or vehicle.time_s - vehicle.exchange.ended_s < COUNTERS_STAY_FAST_S
+        if fast != self._fast_counters:
+            self._fast_counters = fast
+            for key in ("XferOut", "XferIn"):
+                self._desk.set_rate(key, TRANSFER_RATE_HZ if fast else 1.0)
+
+    def _hasten_heartbeats(self) -> None:
+        for connection in self.connections:
+            connection.streams.hasten("HEARTBEAT", self.vehicle.time_ms)
+
+
+def _status_texts(severity: int, text: str, number: int) -> list[Any]:
+    """STATUSTEXT, in chunks that share an id where one cannot hold the text; an empty part ends a full last chunk."""
+    if len(text) <= TEXT_CHARACTERS:
+        return [message("STATUSTEXT")(severity=severity, text=text, id=0, chunk_seq=0)]
+    parts = [text[at : at + TEXT_CHARACTERS] for at in range(0, len(text) + 1, TEXT_CHARACTERS)]
+    return [
+        message("STATUSTEXT")(severity=severity, text=part, id=1 + number % 65535, chunk_seq=seq)
+        for seq, part in enumerate(parts)
+    ]

@@ -1,0 +1,220 @@
+"""Commands that change what is flown: arm, take-off, land, return, hold, go, modes, speed, home, mission, transfer."""
+
+from __future__ import annotations
+
+import math
+
+from pymavlink.dialects.v20 import common as mav
+
+from simvehicle.autopilot.energy_transfer import Order, Role
+from simvehicle.autopilot.modes import Event, Mode, Severity
+from simvehicle.autopilot.snapshot import Vec3
+from simvehicle.mavlink.commands import ACCEPTED, DENIED, TEMPORARILY_REJECTED, UNSUPPORTED, Request
+from simvehicle.mavlink.connection import Connection
+from simvehicle.mavlink.context import Call, CommandHandler, Desk, MessageHandler
+
+FORCE_ARM = (21196, 2989)
+FASTEST_M_S = 1e3
+FARTHEST_M = 1e6
+_EVENT_OF_MODE = {
+    Mode.OFFBOARD: Event.OFFBOARD,
+    Mode.HOLD: Event.HOLD,
+    Mode.LAND: Event.LAND,
+    Mode.RETURN: Event.RETURN,
+    Mode.MISSION: Event.MISSION,
+    Mode.FOLLOW: Event.FOLLOW,
+}
+
+
+def _result(done: bool) -> int:
+    return ACCEPTED if done else TEMPORARILY_REJECTED
+
+
+def _refuse(desk: Desk, text: str) -> int:
+    desk.vehicle.announce(Severity.WARNING, text)
+    return TEMPORARILY_REJECTED
+
+
+def arm(desk: Desk, request: Request, connection: Connection) -> int:
+    vehicle = desk.vehicle
+    if request.params[0] not in (0.0, 1.0):
+        return DENIED
+    if request.whole(1) == 1:
+        reason = vehicle.arming_refusal()
+        if reason is not None and request.whole(2) not in FORCE_ARM:
+            return _refuse(desk, f"Arming refused: {reason}")
+        return _result(vehicle.trigger(Event.ARM))
+    if not vehicle.landed and request.whole(2) not in FORCE_ARM:
+        return _refuse(desk, "Disarming refused: in the air")
+    return _result(vehicle.trigger(Event.DISARM))
+
+
+def take_off(desk: Desk, request: Request, connection: Connection) -> int:
+    vehicle = desk.vehicle
+    height_m = request.value(7, 0.0)
+    if height_m == 0.0:
+        height_m = vehicle.parameters["MIS_TAKEOFF_ALT"]
+    elif not (vehicle.identity.takeoff_altitude_is_relative or request.altitude_is_relative):
+        height_m -= vehicle.frame.to_global(*vehicle.home_ned)[2]
+    if not 0.0 < height_m < 1e4:
+        return DENIED
+    return _result(vehicle.take_off(height_m))
+
+
+def land(desk: Desk, request: Request, connection: Connection) -> int:
+    return _result(desk.vehicle.trigger(Event.LAND))
+
+
+def go_home(desk: Desk, request: Request, connection: Connection) -> int:
+    return _result(desk.vehicle.trigger(Event.RETURN))
+
+
+def hold(desk: Desk, request: Request, connection: Connection) -> int:
+    return _result(desk.vehicle.trigger(Event.HOLD))
+
+
+def _place(desk: Desk, request: Request) -> Vec3 | None:
+    """Params 5..7 in the local frame; None where they name no place."""
+    vehicle, numbers = desk.vehicle, request.params[4:7]
+    if not all(map(math.isfinite, numbers)) or not request.frame_is_known:
+        return None
+    if request.frame == mav.MAV_FRAME_LOCAL_NED:
+        north, east, down = numbers
+    else:
+        north, east, down = vehicle.frame.to_local(*numbers)
+    if request.altitude_is_relative:
+        down = vehicle.home_ned[2] - numbers[2]
+    return (north, east, down) if max(abs(north), abs(east), abs(down)) < FARTHEST_M else None
+
+
+def reposition(desk: Desk, request: Request, connection: Connection) -> int:
+    place = _place(desk, request)
+    speed_m_s = request.value(1, -1.0)
+    if place is None or not -1.0 <= speed_m_s < FASTEST_M_S:
+        return DENIED
+    return _result(desk.vehicle.reposition(place, speed_m_s if speed_m_s > 0.0 else None))
+
+
+def change_speed(desk: Desk, request: Request, connection: Connection) -> int:
+    """MAV_CMD_DO_CHANGE_SPEED: airspeed or ground speed; -1 changes nothing, -2 goes back to the parameters'."""
+    speed_m_s = request.value(2, -1.0)
+    if request.whole(1) not in (0, 1) or not (0.0 < speed_m_s < FASTEST_M_S or speed_m_s in (-1.0, -2.0)):
+        return DENIED
+    if speed_m_s != -1.0:
+        desk.vehicle.change_speed(speed_m_s if speed_m_s > 0.0 else None)
+    return ACCEPTED
+
+
+def set_home(desk: Desk, request: Request, connection: Connection) -> int:
+    vehicle = desk.vehicle
+    place = vehicle.p_ned if request.whole(1) == 1 else _place(desk, request)
+    if place is None:
+        return DENIED
+    vehicle.home_ned = place
+    for each in desk.connections:
+        each.streams.hasten("HOME_POSITION", vehicle.time_ms)
+    return ACCEPTED
+
+
+def set_mode(desk: Desk, request: Request, connection: Connection) -> int:
+    main, sub = request.whole(2), request.whole(3)
+    if not (0 <= main <= 255 and 0 <= sub <= 255):
+        return DENIED
+    return enter_custom(desk, main << 16 | sub << 24 if desk.vehicle.identity.modes_packed else main)
+
+
+def set_mode_message(desk: Desk, call: Call) -> None:
+    """SET_MODE has no acknowledgement: the next HEARTBEAT is the answer."""
+    enter_custom(desk, call.content.custom_mode)
+
+
+def enter_custom(desk: Desk, custom_mode: int) -> int:
+    """Enter the mode that the identity knows by this number."""
+    vehicle = desk.vehicle
+    mode = vehicle.identity.heard.get(custom_mode)
+    if mode is None:
+        return UNSUPPORTED
+    if mode is Mode.TAKEOFF:
+        return _result(vehicle.take_off(vehicle.parameters["MIS_TAKEOFF_ALT"]))
+    if mode is Mode.OFFBOARD and not vehicle.setpoints_fresh():
+        if vehicle.identity.guided:
+            return _result(vehicle.trigger(Event.GUIDED))
+        return _refuse(desk, "Offboard refused: no set points")
+    if mode is Mode.MISSION and vehicle.mission is None:
+        return _refuse(desk, "Mission refused: there is none")
+    if mode is Mode.FOLLOW and vehicle.landed:
+        return _refuse(desk, "Follow refused: on the ground")
+    return _result(vehicle.trigger(_EVENT_OF_MODE[mode]))
+
+
+def start_mission(desk: Desk, request: Request, connection: Connection) -> int:
+    """MAV_CMD_MISSION_START: arm where that is needed, and fly; param1 the first item, 0 for where it was left."""
+    vehicle = desk.vehicle
+    if vehicle.mission is None:
+        return _refuse(desk, "Mission refused: there is none")
+    first = request.whole(1)
+    if first and not vehicle.mission.go_to(first):
+        return DENIED
+    if not vehicle.armed:
+        reason = vehicle.arming_refusal()
+        if reason is not None:
+            return _refuse(desk, f"Arming refused: {reason}")
+        vehicle.trigger(Event.ARM)
+    return _result(vehicle.trigger(Event.MISSION))
+
+
+def pause_or_continue(desk: Desk, request: Request, connection: Connection) -> int:
+    if request.params[0] not in (0.0, 1.0):
+        return DENIED
+    if request.params[0] == 0.0:
+        return _result(desk.vehicle.trigger(Event.HOLD))
+    if desk.vehicle.mission is None:
+        return _refuse(desk, "Mission refused: there is none")
+    return _result(desk.vehicle.trigger(Event.MISSION))
+
+
+def set_mission_item(desk: Desk, request: Request, connection: Connection) -> int:
+    mission = desk.vehicle.mission
+    if mission is None:
+        return TEMPORARILY_REJECTED
+    return ACCEPTED if mission.go_to(request.whole(1, -1)) else DENIED
+
+
+def transfer(desk: Desk, request: Request, connection: Connection) -> int:
+    if not all(map(math.isfinite, request.params[:6])) or request.whole(2) not in tuple(Role):
+        return DENIED
+    role = Role(request.whole(2))
+    if role is not Role.STOP and not (request.params[2] > 0.0 and request.params[3] > 0.0):
+        return DENIED
+    order = Order(
+        partner=request.whole(1),
+        role=role,
+        limit_j=request.params[2],
+        rate_w=request.params[3],
+        transfer_id=request.whole(5),
+        giver_start_j=request.whole(6),
+    )
+    reason = desk.vehicle.order(order)
+    if reason is not None:
+        return _refuse(desk, f"Transfer refused: {reason}")
+    for counter in ("XferOut", "XferIn"):
+        connection.streams.hasten(counter, desk.vehicle.time_ms)
+    return ACCEPTED
+
+
+MESSAGES: dict[int, MessageHandler] = {mav.MAVLINK_MSG_ID_SET_MODE: set_mode_message}
+COMMANDS: dict[int, CommandHandler] = {
+    mav.MAV_CMD_COMPONENT_ARM_DISARM: arm,
+    mav.MAV_CMD_NAV_TAKEOFF: take_off,
+    mav.MAV_CMD_NAV_LAND: land,
+    mav.MAV_CMD_NAV_RETURN_TO_LAUNCH: go_home,
+    mav.MAV_CMD_NAV_LOITER_UNLIM: hold,
+    mav.MAV_CMD_DO_REPOSITION: reposition,
+    mav.MAV_CMD_DO_CHANGE_SPEED: change_speed,
+    mav.MAV_CMD_DO_SET_HOME: set_home,
+    mav.MAV_CMD_DO_SET_MODE: set_mode,
+    mav.MAV_CMD_MISSION_START: start_mission,
+    mav.MAV_CMD_DO_PAUSE_CONTINUE: pause_or_continue,
+    mav.MAV_CMD_DO_SET_MISSION_CURRENT: set_mission_item,
+    mav.MAV_CMD_USER_1: transfer,
+}

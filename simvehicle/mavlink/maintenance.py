@@ -1,0 +1,97 @@
+"""What a workshop does to a vehicle: make things fail and mend them, and reboot it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from pymavlink.dialects.v20 import common as mav
+
+from simvehicle.autopilot.failures import Failure
+from simvehicle.autopilot.modes import Severity
+from simvehicle.mavlink.commands import ACCEPTED, DENIED, IN_PROGRESS, TEMPORARILY_REJECTED, UNSUPPORTED, Request
+from simvehicle.mavlink.connection import Connection
+from simvehicle.mavlink.context import CommandHandler, Desk
+
+REBOOT_S = 1.0
+REBOOT = 1
+_UNITS = {
+    mav.FAILURE_UNIT_SENSOR_GPS: Failure.GPS,
+    mav.FAILURE_UNIT_SYSTEM_BATTERY: Failure.BATTERY,
+    mav.FAILURE_UNIT_SYSTEM_MOTOR: Failure.MOTOR,
+    mav.FAILURE_UNIT_SYSTEM_MAVLINK_SIGNAL: Failure.LINK,
+}
+
+
+def inject_failure(desk: Desk, request: Request, connection: Connection) -> int:
+    """MAV_CMD_INJECT_FAILURE: param1 the unit, 2 OFF or OK; the instance (3) does not count: there is one each."""
+    vehicle = desk.vehicle
+    failure = _UNITS.get(request.whole(1, -1))
+    kind = request.whole(2, -1)
+    if failure is None or kind not in (mav.FAILURE_TYPE_OK, mav.FAILURE_TYPE_OFF):
+        return UNSUPPORTED
+    if vehicle.parameters["SYS_FAILURE_EN"] != 1.0:
+        vehicle.announce(Severity.WARNING, "Failure refused: SYS_FAILURE_EN is 0")
+        return DENIED
+    if (kind == mav.FAILURE_TYPE_OFF) == (failure in vehicle.failed):
+        return ACCEPTED
+    if kind == mav.FAILURE_TYPE_OFF:
+        vehicle.announce(Severity.CRITICAL, f"Injected: {failure} failed")
+        vehicle.failed.add(failure)
+    else:
+        vehicle.announce(Severity.INFO, f"Mended: {failure}")
+        vehicle.failed.discard(failure)
+    return ACCEPTED
+
+
+class Reboot:
+    """MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN: in progress for a second of the vehicle's time, then done.
+
+    Clock, place and battery go on; mode, failures and set points are forgotten. Parameters come back as they were at
+    start or, with a store, as they are; so do plans, and without a store there are none.
+    """
+
+    def __init__(self, desk: Desk, restart_plans: Callable[[], None]) -> None:
+        self._desk = desk
+        self._restart_plans = restart_plans
+        self._at_start = desk.vehicle.parameters.values()
+        self._asked: tuple[Request, Connection, float] | None = None
+
+    def ask(self, desk: Desk, request: Request, connection: Connection) -> int:
+        """Begin, on the ground and disarmed; asked again, still in progress."""
+        vehicle = desk.vehicle
+        if request.whole(1) == 0 and request.whole(2) == 0:
+            return ACCEPTED
+        if request.whole(1) != REBOOT:
+            return UNSUPPORTED
+        if vehicle.armed or not (vehicle.landed or vehicle.booting):
+            vehicle.announce(Severity.WARNING, "Reboot refused: armed or in the air")
+            return TEMPORARILY_REJECTED
+        if self._asked is None:
+            vehicle.announce(Severity.INFO, "Rebooting")
+            vehicle.booting = True
+            self._asked = (request, connection, vehicle.time_s)
+            vehicle.on_change()
+        return IN_PROGRESS
+
+    def busy_with(self, request: Request) -> bool:
+        """Whether a reboot is under way that is not what is asked for."""
+        return self._asked is not None and request.command != mav.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN
+
+    def finish(self) -> tuple[Request, Connection] | None:
+        """The request to acknowledge now, its vehicle having come back."""
+        vehicle = self._desk.vehicle
+        if self._asked is None or vehicle.time_s - self._asked[2] < REBOOT_S:
+            return None
+        request, connection, _ = self._asked
+        self._asked = None
+        if self._desk.store is None:
+            vehicle.parameters.restore(self._at_start)
+        vehicle.restart()
+        self._restart_plans()
+        vehicle.booting = False
+        vehicle.announce(Severity.INFO, "Booted")
+        vehicle.on_change()
+        return request, connection
+
+
+COMMANDS: dict[int, CommandHandler] = {mav.MAV_CMD_INJECT_FAILURE: inject_failure}

@@ -1,0 +1,102 @@
+"""What others ask to be told: messages once, streams at a rate, pings, time, files."""
+
+from __future__ import annotations
+
+import math
+
+from pymavlink.dialects.v20 import common as mav
+
+from simvehicle.mavlink.codec import message
+from simvehicle.mavlink.commands import ACCEPTED, DENIED, UNSUPPORTED, Request
+from simvehicle.mavlink.connection import Connection
+from simvehicle.mavlink.context import Call, CommandHandler, Desk, MessageHandler
+from simvehicle.mavlink.replies import ftp_refusal, ping_reply, timesync_reply
+from simvehicle.mavlink.telemetry import TELEMETRY, autopilot_version
+
+FASTEST_HZ = 250
+_POSITION = ("LOCAL_POSITION_NED", "GLOBAL_POSITION_INT")
+_STATUS = ("SYS_STATUS", "GPS_RAW_INT", "BATTERY_STATUS", "EXTENDED_SYS_STATE")
+DATA_STREAMS: dict[int, tuple[str, ...]] = {
+    mav.MAV_DATA_STREAM_EXTENDED_STATUS: _STATUS,
+    mav.MAV_DATA_STREAM_POSITION: _POSITION,
+    mav.MAV_DATA_STREAM_EXTRA1: ("ATTITUDE",),
+    mav.MAV_DATA_STREAM_EXTRA2: ("VFR_HUD",),
+    mav.MAV_DATA_STREAM_ALL: (*_STATUS, *_POSITION, "ATTITUDE", "VFR_HUD"),
+}
+"""REQUEST_DATA_STREAM's groups; those that hold nothing that the vehicle sends are passed over."""
+
+
+def set_interval(desk: Desk, request: Request, connection: Connection) -> int:
+    interval_us = request.value(2, 0.0)
+    if not math.isfinite(interval_us):
+        return DENIED
+    known = connection.streams.set_interval(request.whole(1, -1), interval_us, desk.vehicle.time_ms)
+    return ACCEPTED if known else UNSUPPORTED
+
+
+def get_interval(desk: Desk, request: Request, connection: Connection) -> int:
+    interval_us = connection.streams.interval_us(request.whole(1, -1))
+    if interval_us is None:
+        return UNSUPPORTED
+    desk.after_ack.append(message("MESSAGE_INTERVAL")(message_id=request.whole(1), interval_us=interval_us))
+    return ACCEPTED
+
+
+def request_message(desk: Desk, request: Request, connection: Connection) -> int:
+    return _answer_with(desk, request.whole(1, -1))
+
+
+def request_version(desk: Desk, request: Request, connection: Connection) -> int:
+    return _answer_with(desk, mav.MAVLINK_MSG_ID_AUTOPILOT_VERSION)
+
+
+def get_home(desk: Desk, request: Request, connection: Connection) -> int:
+    return _answer_with(desk, mav.MAVLINK_MSG_ID_HOME_POSITION)
+
+
+def _answer_with(desk: Desk, msgid: int) -> int:
+    """Accepted only with the message behind it; what the vehicle does not have is unsupported."""
+    snapshot = desk.vehicle.snapshot()
+    answers = [stream.build(snapshot) for stream in TELEMETRY if stream.msgid == msgid]
+    if msgid == mav.MAVLINK_MSG_ID_AUTOPILOT_VERSION:
+        answers = [autopilot_version(snapshot, desk.sysid)]
+    desk.after_ack.extend(answers)
+    return ACCEPTED if answers else UNSUPPORTED
+
+
+def data_stream(desk: Desk, call: Call) -> None:
+    content = call.content
+    rate_hz = min(content.req_message_rate, FASTEST_HZ) if content.start_stop else 0
+    for key in DATA_STREAMS.get(content.req_stream_id, ()):
+        call.connection.streams.set_rate(key, rate_hz, desk.vehicle.time_ms)
+
+
+def ping(desk: Desk, call: Call) -> None:
+    reply = ping_reply(call.content, call.sender)
+    if reply is not None:
+        call.connection.put(reply)
+
+
+def timesync(desk: Desk, call: Call) -> None:
+    reply = timesync_reply(call.content, desk.vehicle.unix_epoch_us + 1000 * desk.vehicle.time_ms)
+    if reply is not None:
+        call.connection.put(reply)
+
+
+def file_transfer(desk: Desk, call: Call) -> None:
+    call.connection.put(ftp_refusal(call.content, call.sender))
+
+
+MESSAGES: dict[int, MessageHandler] = {
+    mav.MAVLINK_MSG_ID_REQUEST_DATA_STREAM: data_stream,
+    mav.MAVLINK_MSG_ID_PING: ping,
+    mav.MAVLINK_MSG_ID_TIMESYNC: timesync,
+    mav.MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL: file_transfer,
+}
+COMMANDS: dict[int, CommandHandler] = {
+    mav.MAV_CMD_SET_MESSAGE_INTERVAL: set_interval,
+    mav.MAV_CMD_GET_MESSAGE_INTERVAL: get_interval,
+    mav.MAV_CMD_REQUEST_MESSAGE: request_message,
+    mav.MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES: request_version,
+    mav.MAV_CMD_GET_HOME_POSITION: get_home,
+}

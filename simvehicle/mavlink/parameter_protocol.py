@@ -1,0 +1,97 @@
+"""The parameter protocol: list, read, set; what is refused is told by PARAM_ERROR, and the value in force after it."""
+
+from __future__ import annotations
+
+import struct
+from typing import Any
+
+from pymavlink.dialects.v20 import common as mav
+
+from simvehicle.autopilot import parameters
+from simvehicle.autopilot.parameters import TABLE, WRONG_TYPE, ParameterError, Row
+from simvehicle.mavlink.codec import message
+from simvehicle.mavlink.context import Call, Desk, MessageHandler
+
+NO_INDEX = -1
+CAPACITY = "SIM_BAT_CAP_J"
+
+
+def tell_all(desk: Desk, call: Call) -> None:
+    for index, (row, value) in enumerate(desk.vehicle.parameters):
+        call.connection.put(_told(desk, row, value, index))
+
+
+def read(desk: Desk, call: Call) -> None:
+    content = call.content
+    found = parameters.row_at(content.param_id if content.param_index < 0 else content.param_index)
+    if found is None:
+        error = error_message(content.param_id, content.param_index, parameters.UNKNOWN, call.sender)
+        return call.connection.put(error)
+    index, row = found
+    return call.connection.put(_told(desk, row, desk.vehicle.parameters[row.name], index))
+
+
+def change(desk: Desk, call: Call) -> None:
+    content, vehicle = call.content, desk.vehicle
+    found = parameters.row_at(content.param_id)
+    if found is None:
+        error = error_message(content.param_id, NO_INDEX, parameters.UNKNOWN, call.sender)
+        return call.connection.put(error)
+    index, row = found
+    try:
+        value = value_from_wire(
+            row, content.param_value, content.param_type, bytewise=vehicle.identity.integers_bytewise
+        )
+        if row.name == CAPACITY and row.least <= value < vehicle.remaining_j:
+            text = f"{CAPACITY} = {value:g}: the battery holds {vehicle.remaining_j:.0f} J"
+            raise ParameterError(text, parameters.OUT_OF_RANGE)
+        taken = vehicle.parameters.set(row.name, value)
+        vehicle.retune()
+        if desk.store is not None:
+            desk.store.keep(row.name, taken)
+    except ParameterError as refusal:
+        desk.complain(row.name, str(refusal))
+        call.connection.put(error_message(row.name, index, refusal.code, call.sender))
+    return call.connection.put(_told(desk, row, vehicle.parameters[row.name], index))
+
+
+def _told(desk: Desk, row: parameters.Row, value: float, index: int) -> Any:
+    return value_message(row, value, index, bytewise=desk.vehicle.identity.integers_bytewise)
+
+
+MESSAGES: dict[int, MessageHandler] = {
+    mav.MAVLINK_MSG_ID_PARAM_REQUEST_LIST: tell_all,
+    mav.MAVLINK_MSG_ID_PARAM_REQUEST_READ: read,
+    mav.MAVLINK_MSG_ID_PARAM_SET: change,
+}
+
+
+def value_message(row: Row, value: float, index: int, *, bytewise: bool) -> Any:
+    """PARAM_VALUE of one parameter; `index` is its place in the table, or 65535 in the answer to a change by name."""
+    wire, kind = value, mav.MAV_PARAM_TYPE_REAL32
+    if row.whole:
+        kind = mav.MAV_PARAM_TYPE_INT32
+        if bytewise:
+            wire = struct.unpack("<f", struct.pack("<i", int(value)))[0]
+    return message("PARAM_VALUE")(
+        param_id=row.name, param_value=wire, param_type=kind, param_count=len(TABLE), param_index=index
+    )
+
+
+def error_message(name: str, index: int, code: int, asker: tuple[int, int]) -> Any:
+    """PARAM_ERROR to the one who asked for a parameter by name, or by its place in the table."""
+    return message("PARAM_ERROR")(
+        param_id=name, param_index=index, error=code, target_system=asker[0], target_component=asker[1]
+    )
+
+
+def value_from_wire(row: Row, wire: float, kind: int, *, bytewise: bool) -> float:
+    """What a PARAM_SET's param_value of MAV_PARAM_TYPE `kind` means for this parameter; raises ParameterError.
+
+    Sent by value, every type says the same. Bytewise, another type's bytes would be another number.
+    """
+    if bytewise and kind != (mav.MAV_PARAM_TYPE_INT32 if row.whole else mav.MAV_PARAM_TYPE_REAL32):
+        raise ParameterError(f"{row.name} is {'an INT32' if row.whole else 'a REAL32'}: value refused", WRONG_TYPE)
+    if row.whole and bytewise:
+        return float(struct.unpack("<i", struct.pack("<f", wire))[0])
+    return wire

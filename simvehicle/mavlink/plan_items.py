@@ -1,0 +1,190 @@
+"""What the items of a mission, a geofence and a list of rally points mean: MAVLink's items in, legs, areas, places out.
+
+An item that cannot be flown as it stands is refused by raising PlanError with the result that MISSION_ACK then tells;
+nothing is left out in silence.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+from pymavlink.dialects.v20 import common as mav
+
+from simvehicle.autopilot.geodesy import LocalFrame
+from simvehicle.autopilot.geofence import Circle, Fence, Point, Polygon
+from simvehicle.autopilot.mission import Kind, Leg, Place
+
+Vec3 = tuple[float, float, float]
+MOST_ITEMS = 1000
+"""A plan of more items is refused: NO_SPACE."""
+
+
+class PlanError(ValueError):
+    """An item that cannot be taken; `result` is a MAV_MISSION_RESULT."""
+
+    def __init__(self, text: str, result: int) -> None:
+        super().__init__(text)
+        self.result = result
+
+
+class Item(NamedTuple):
+    """One item as the wire carries it: x and y in degE7, or 1e-4 m in local frames; z in m."""
+
+    command: int
+    frame: int
+    params: tuple[float, float, float, float]
+    x: int
+    y: int
+    z: float
+    autocontinue: int = 1
+
+
+def row_of(item: Item) -> tuple[float, ...]:
+    """An item as ten plain numbers, for whoever keeps it."""
+    return (item.command, item.frame, *item.params, item.x, item.y, item.z, item.autocontinue)
+
+
+def item_of(row: Sequence[float]) -> Item:
+    """The item that `row_of` made these numbers of."""
+    command, frame, first, second, third, fourth, x, y, z, autocontinue = row
+    params = (first, second, third, fourth)
+    return Item(int(command), int(frame), params, int(x), int(y), z, int(autocontinue))
+
+
+def item_from(content: Any) -> Item:
+    """The item in a MISSION_ITEM_INT, or in a MISSION_ITEM, whose places are floats."""
+    x, y = content.x, content.y
+    if isinstance(x, float) or isinstance(y, float):
+        scale = 1e4 if content.frame in _LOCAL else 1e7
+        if not (abs(x) * scale < _UNSET and abs(y) * scale < _UNSET):
+            raise PlanError("an item's place is no number", mav.MAV_MISSION_INVALID_PARAM5_X)
+        x, y = round(x * scale), round(y * scale)
+    params = (content.param1, content.param2, content.param3, content.param4)
+    return Item(content.command, content.frame, params, x, y, content.z, content.autocontinue)
+
+
+def legs_from(items: Sequence[Item], frame: LocalFrame, *, item_0_is_home: bool) -> tuple[Leg, ...]:
+    """The legs of a mission, one per item; raises PlanError."""
+    return tuple(
+        Leg(Kind.HOME) if number == 0 and item_0_is_home else _leg(number, item, frame)
+        for number, item in enumerate(items)
+    )
+
+
+def fence_from(items: Sequence[Item], frame: LocalFrame) -> Fence:
+    """The areas of a geofence; the corners of a polygon follow each other and each tell their number (param1)."""
+    inside: list[Circle | Polygon] = []
+    outside: list[Circle | Polygon] = []
+    at = 0
+    while at < len(items):
+        item, more = items[at], 1
+        if item.command in _CIRCLES:
+            radius_m = _number(item.params[0], at, mav.MAV_MISSION_INVALID_PARAM1, least=0.1)
+            area: Circle | Polygon = Circle(_point(at, item, frame), radius_m)
+        elif item.command in _POLYGONS:
+            more = int(_number(item.params[0], at, mav.MAV_MISSION_INVALID_PARAM1, least=3.0))
+            corners = items[at : at + more]
+            if len(corners) < more or any(c.command != item.command or c.params[0] != item.params[0] for c in corners):
+                raise PlanError(f"item {at}: a polygon of {more} corners needs them all", mav.MAV_MISSION_INVALID)
+            area = Polygon(tuple(_point(at + i, corner, frame) for i, corner in enumerate(corners)))
+        elif item.command == mav.MAV_CMD_NAV_FENCE_RETURN_POINT:
+            raise PlanError(f"item {at}: no return point; GF_ACTION says what happens", mav.MAV_MISSION_UNSUPPORTED)
+        else:
+            raise PlanError(f"item {at}: command {item.command} is no fence", mav.MAV_MISSION_UNSUPPORTED)
+        (inside if item.command in _INCLUSIONS else outside).append(area)
+        at += more
+    return Fence(tuple(inside), tuple(outside))
+
+
+def rally_from(items: Sequence[Item], frame: LocalFrame) -> tuple[Vec3, ...]:
+    """Rally points in the local frame; their height is not used, because a return has its own."""
+    points = []
+    for number, item in enumerate(items):
+        if item.command != mav.MAV_CMD_NAV_RALLY_POINT:
+            raise PlanError(f"item {number}: command {item.command} is no rally point", mav.MAV_MISSION_UNSUPPORTED)
+        points.append((*_point(number, item, frame), 0.0))
+    return tuple(points)
+
+
+def _leg(number: int, item: Item, frame: LocalFrame) -> Leg:
+    kind = _KINDS.get(item.command)
+    if kind is None:
+        raise PlanError(f"item {number}: command {item.command} cannot be flown", mav.MAV_MISSION_UNSUPPORTED)
+    hold_s = radius_m = speed_m_s = None
+    if kind is Kind.SPEED:
+        speed_m_s = _number(item.params[1], number, mav.MAV_MISSION_INVALID_PARAM2, least=-2.0)
+        return Leg(kind, speed_m_s=speed_m_s if speed_m_s > 0.0 else None)
+    if kind is Kind.WAIT:
+        return Leg(kind, hold_s=max(_number(item.params[0], number, mav.MAV_MISSION_INVALID_PARAM1, least=-1.0), 0.0))
+    if kind is Kind.RETURN:
+        return Leg(kind)
+    place = _place(number, item, frame, may_lack_place=kind in (Kind.TAKEOFF, Kind.LAND))
+    if item.command in (mav.MAV_CMD_NAV_WAYPOINT, mav.MAV_CMD_NAV_LOITER_TIME):
+        hold_s = _number(item.params[0], number, mav.MAV_MISSION_INVALID_PARAM1, least=0.0)
+    if item.command == mav.MAV_CMD_NAV_WAYPOINT:
+        radius_m = _number(item.params[1], number, mav.MAV_MISSION_INVALID_PARAM2, least=0.0) or None
+    return Leg(kind, place, hold_s or 0.0, radius_m)
+
+
+def _place(number: int, item: Item, frame: LocalFrame, *, may_lack_place: bool) -> Place:
+    _known_frame(number, item)
+    height_m = None if math.isnan(item.z) else _number(item.z, number, mav.MAV_MISSION_INVALID_PARAM7, least=-1e4)
+    if item.frame in _LOCAL:
+        return Place(1e-4 * item.x, 1e-4 * item.y, None if height_m is None else -height_m)
+    above_home = item.frame in _RELATIVE
+    if height_m is not None and not above_home:
+        height_m -= frame.alt_m
+    unset = (item.x, item.y) == (0, 0) or _UNSET in (item.x, item.y)
+    if unset and may_lack_place:
+        return Place(None, None, height_m, above_home)
+    return Place(*_point(number, item, frame), height_m, above_home)
+
+
+def _point(number: int, item: Item, frame: LocalFrame) -> Point:
+    _known_frame(number, item)
+    if item.frame in _LOCAL:
+        return 1e-4 * item.x, 1e-4 * item.y
+    lat_deg, lon_deg = 1e-7 * item.x, 1e-7 * item.y
+    if not abs(lat_deg) <= 90.0:
+        raise PlanError(f"item {number}: latitude {lat_deg:g}", mav.MAV_MISSION_INVALID_PARAM5_X)
+    if not abs(lon_deg) <= 180.0:
+        raise PlanError(f"item {number}: longitude {lon_deg:g}", mav.MAV_MISSION_INVALID_PARAM6_Y)
+    north, east, _ = frame.to_local(lat_deg, lon_deg, 0.0)
+    if math.hypot(north, east) > FARTHEST_M:
+        raise PlanError(f"item {number}: farther away than {FARTHEST_M / 1e3:g} km", mav.MAV_MISSION_INVALID_PARAM5_X)
+    return north, east
+
+
+def _known_frame(number: int, item: Item) -> None:
+    if item.frame not in _GLOBAL | _RELATIVE | _LOCAL:
+        raise PlanError(f"item {number}: frame {item.frame}", mav.MAV_MISSION_UNSUPPORTED_FRAME)
+
+
+def _number(value: float, number: int, result: int, *, least: float) -> float:
+    """A parameter; NaN is what the sender left unset: 0."""
+    value = 0.0 if math.isnan(value) else value
+    if not least <= value < 1e6:
+        raise PlanError(f"item {number}: {value:g} is outside {least:g} .. 1e6", result)
+    return value
+
+
+FARTHEST_M = 1e5
+_UNSET = 2**31 - 1
+_LOCAL = frozenset({mav.MAV_FRAME_LOCAL_NED})
+_RELATIVE = frozenset({mav.MAV_FRAME_GLOBAL_RELATIVE_ALT, mav.MAV_FRAME_GLOBAL_RELATIVE_ALT_INT})
+_GLOBAL = frozenset({mav.MAV_FRAME_GLOBAL, mav.MAV_FRAME_GLOBAL_INT})
+_KINDS = {
+    mav.MAV_CMD_NAV_TAKEOFF: Kind.TAKEOFF,
+    mav.MAV_CMD_NAV_WAYPOINT: Kind.WAYPOINT,
+    mav.MAV_CMD_NAV_LOITER_TIME: Kind.WAYPOINT,
+    mav.MAV_CMD_NAV_LOITER_UNLIM: Kind.STAY,
+    mav.MAV_CMD_NAV_DELAY: Kind.WAIT,
+    mav.MAV_CMD_DO_CHANGE_SPEED: Kind.SPEED,
+    mav.MAV_CMD_NAV_RETURN_TO_LAUNCH: Kind.RETURN,
+    mav.MAV_CMD_NAV_LAND: Kind.LAND,
+}
+_CIRCLES = frozenset({mav.MAV_CMD_NAV_FENCE_CIRCLE_INCLUSION, mav.MAV_CMD_NAV_FENCE_CIRCLE_EXCLUSION})
+_POLYGONS = frozenset({mav.MAV_CMD_NAV_FENCE_POLYGON_VERTEX_INCLUSION, mav.MAV_CMD_NAV_FENCE_POLYGON_VERTEX_EXCLUSION})
+_INCLUSIONS = frozenset({mav.MAV_CMD_NAV_FENCE_CIRCLE_INCLUSION, mav.MAV_CMD_NAV_FENCE_POLYGON_VERTEX_INCLUSION})

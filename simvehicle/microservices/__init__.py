@@ -1,1 +1,0 @@
-"""What the vehicle does with each MAVLink message: one module per microservice, each with its tables."""

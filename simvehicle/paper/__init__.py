@@ -1,0 +1,1 @@
+"""Studies of the paper that need the flight law alone."""

@@ -1,0 +1,1 @@
+"""Software in the loop: processes, sockets, clocks and files around the autopilot."""

@@ -1,0 +1,85 @@
+"""The vehicles of one command line: one, or a block of them in one process, each with its own id and sockets."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass
+from pathlib import Path
+
+from simvehicle.autopilot.body import Start
+from simvehicle.autopilot.geodesy import LocalFrame
+from simvehicle.autopilot.identity import Identity
+from simvehicle.autopilot.parameters import Parameters
+from simvehicle.autopilot.vehicle import Vehicle
+from simvehicle.mavlink.connection import Connection
+from simvehicle.mavlink.context import Store
+from simvehicle.mavlink.dispatcher import Services
+from simvehicle.mavlink.telemetry import UNPROMPTED
+from simvehicle.sitl.link import Address, PlainLink, SupervisedLink, parse_address, parse_supervisor
+from simvehicle.sitl.loop import Seat, run_free, run_supervised
+from simvehicle.sitl.truth import TruthWriter
+from simvehicle.sitl.unit import VehicleUnit
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """One vehicle of a command line; `truth` is a file to make."""
+
+    sysid: int
+    start: Start
+    parameters: Parameters
+    truth: Path | None
+    store: Store | None = None
+
+
+def fly(
+    wanted: Sequence[Wanted], identity: Identity, frame: LocalFrame, connect: Sequence[str], supervised: str | None
+) -> None:
+    """Fly them to the end of their session; every vehicle has every connection for itself.
+
+    Raises AddressError and OSError before anything flies, OSError with a file name when truth cannot be written.
+    """
+    addresses = [parse_address(text) for text in connect]
+    supervisor = parse_supervisor(supervised) if supervised is not None else None
+    with ExitStack() as opened:
+        seats = [
+            _seat(one, identity, frame, [_own(address, i) for address in addresses], supervisor, opened)
+            for i, one in enumerate(wanted)
+        ]
+        for one, (_, _, plain) in zip(wanted, seats, strict=True):
+            for link in plain:
+                print(f"vehicle {one.sysid}: {link.address} (local port {link.port})", flush=True)
+        if supervisor is not None:
+            run_supervised(seats)
+        else:
+            run_free(seats)
+
+
+def _own(address: Address, i: int) -> Address:
+    """The i-th vehicle's: those that wait at a port wait at one each, from the given one upwards."""
+    if address.kind != "udpin" or address.port == 0:
+        return address
+    return address._replace(port=address.port + i)
+
+
+def _seat(
+    one: Wanted,
+    identity: Identity,
+    frame: LocalFrame,
+    addresses: Sequence[Address],
+    supervisor: Address | None,
+    opened: ExitStack,
+) -> Seat:
+    vehicle = Vehicle(identity, one.parameters, frame, one.start)
+    connections = [Connection(one.sysid) for _ in addresses]
+    for connection in connections:
+        for key, rate_hz in UNPROMPTED.items():
+            connection.streams.set_default(key, rate_hz)
+    plain = [opened.enter_context(PlainLink(a, c)) for a, c in zip(addresses, connections, strict=True)]
+    link = None
+    if supervisor is not None:
+        link = opened.enter_context(SupervisedLink(supervisor, Connection(one.sysid)))
+        connections.insert(0, link.connection)
+    writer = opened.enter_context(TruthWriter(one.truth, one.sysid, vehicle)) if one.truth else None
+    return Seat(VehicleUnit(vehicle, Services(vehicle, one.sysid, connections, one.store), writer), link, plain)

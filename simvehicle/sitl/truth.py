@@ -1,0 +1,71 @@
+"""What a vehicle itself knows, step by step, beside what it reports: `vehicles/SYSID.truth`.
+
+The file begins with one JSON line: {"schema": 1, "sysid": N, "step_s": 0.004, "state": [...], ...}. Then come records
+of little-endian float64, one per grant:
+
+    T (s), number of steps n, 12 states (p, v in NED; roll, pitch, yaw and their rates in NED), drawn, received, given,
+    remaining (J, each an accumulator of its own), then the thrust u1 (m/s2) of each of the n steps.
+"""
+
+from __future__ import annotations
+
+import json
+import struct
+from pathlib import Path
+from typing import Self
+
+from simvehicle.autopilot.body import STEP_MS
+from simvehicle.autopilot.vehicle import Vehicle
+
+STATE = ["n", "e", "d", "vn", "ve", "vd", "roll", "pitch", "yaw", "roll_rate", "pitch_rate", "yaw_rate"]
+ENERGY = ["drawn_j", "received_j", "given_j", "remaining_j"]
+
+
+class TruthWriter:
+    """Writes one vehicle's truth; every record is whole on disk before the answer that tells of it goes out."""
+
+    def __init__(self, path: Path, sysid: int, vehicle: Vehicle) -> None:
+        battery = vehicle.parameters.flight().battery
+        head = {
+            "schema": 1,
+            "sysid": sysid,
+            "step_s": STEP_MS / 1e3,
+            "state": STATE,
+            "energy": ENERGY,
+            "initial_j": vehicle.initial_j,
+            "capacity_j": battery.capacity_j,
+            "hover_w": battery.hover_w,
+            "avionics_w": battery.avionics_w,
+            "gravity_m_s2": vehicle.parameters.flight().airframe.gravity_m_s2,
+        }
+        self._file = path.open("xb", buffering=0)
+        self._put(json.dumps(head, sort_keys=True).encode() + b"\n")
+
+    def write(self, vehicle: Vehicle, steps: int) -> None:
+        """One record at the vehicle's present time; `steps` were flown since the last one."""
+        thrust = vehicle.thrust_m_s2[0].tolist() if steps else ()
+        numbers = (
+            vehicle.time_s,
+            float(steps),
+            *vehicle.p_ned,
+            *vehicle.v_ned,
+            *vehicle.attitude_ned,
+            *vehicle.euler_rates_ned,
+            vehicle.drawn_j,
+            float(vehicle.received_j),
+            float(vehicle.given_j),
+            vehicle.remaining_j,
+            *thrust,
+        )
+        self._put(struct.pack(f"<{len(numbers)}d", *numbers))
+
+    def _put(self, content: bytes) -> None:
+        """Write all of it: a disk that is nearly full takes a part first and complains at the rest."""
+        while content:
+            content = content[self._file.write(content) :]
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._file.close()

@@ -1,0 +1,57 @@
+"""Compile the flight law by flying it for a moment, so that every fork of this process has it ready."""
+
+from __future__ import annotations
+
+from pymavlink.dialects.v20 import common as mav
+
+from simvehicle.autopilot.body import Start
+from simvehicle.autopilot.geodesy import LocalFrame
+from simvehicle.autopilot.identity import IDENTITIES
+from simvehicle.autopilot.parameters import Parameters
+from simvehicle.autopilot.vehicle import Vehicle
+from simvehicle.mavlink.codec import encode, message
+from simvehicle.mavlink.connection import Connection
+from simvehicle.mavlink.dispatcher import Services
+from simvehicle.mavlink.lockstep import SUPERVISOR, Bundle, Grants
+from simvehicle.sitl.unit import VehicleUnit
+
+PERIOD_MS = 100
+BUNDLES = 30
+"""Three seconds: every stream has been due, and the interpreter has seen its hot code often enough to specialise it.
+
+Both are then shared by all forks, where each would make them for itself, in memory of its own.
+"""
+
+
+def warm_up() -> None:
+    """Load, compile and run everything that a flying vehicle needs."""
+    vehicle = Vehicle(IDENTITIES["px4"], Parameters(), LocalFrame(0.0, 0.0, 0.0), Start(airborne=True))
+    connection = Connection(1)
+    unit = VehicleUnit(vehicle, Services(vehicle, 1, [connection]), None)
+    grants = Grants(connection)
+    grants.hello(unit.hello())
+    unit.start_clock(0, 0)
+    for number in range(BUNDLES):
+        bundle = grants.feed(_bundle(number))
+        assert isinstance(bundle, Bundle)
+        for frame in bundle.frames:
+            unit.receive(frame, connection)
+        unit.advance(bundle.time_ms)
+        grants.answer(bundle)
+
+
+def _bundle(number: int) -> bytes:
+    """What a supervisor sends: its HEARTBEAT, a set point, and the grant."""
+    system, component = SUPERVISOR
+    contents = (
+        message("HEARTBEAT")(0, mav.MAV_TYPE_GCS, mav.MAV_AUTOPILOT_INVALID, 0, mav.MAV_STATE_ACTIVE, 3),
+        message("SET_POSITION_TARGET_LOCAL_NED")(
+            *(number * PERIOD_MS, 0.1 * number, 0.0, -5.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+            *(0b1101_1100_0000, 1, 1, mav.MAV_FRAME_LOCAL_NED),
+        ),
+        message("SYSTEM_TIME")(0, number * PERIOD_MS),
+    )
+    first = number * len(contents)
+    return b"".join(
+        encode(content, seq=first + i & 0xFF, sysid=system, compid=component) for i, content in enumerate(contents)
+    )

@@ -1,0 +1,152 @@
+"""What telemetry says of a vehicle whose state is known, in MAVLink's own units."""
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import pymap3d
+import pytest
+from pymavlink.dialects.v20 import common as mav
+
+from simvehicle.autopilot.body import Start
+from simvehicle.autopilot.geodesy import LocalFrame
+from simvehicle.autopilot.identity import IDENTITIES
+from simvehicle.mavlink.codec import encode
+from simvehicle.mavlink.telemetry import TELEMETRY, Snapshot, autopilot_version
+
+ORIGIN = (47.397742, 8.545594, 488.0)
+
+
+def flying(vehicle_bench: Any) -> Snapshot:
+    bench = vehicle_bench(start=Start((30.0, -40.0, -12.0), (1.5, -2.0, 0.5), (0.1, -0.2, 0.3), airborne=True))
+    made: Snapshot = bench.vehicle.snapshot()
+    return made
+
+
+def told(snapshot: Snapshot, key: str) -> Any:
+    (stream,) = [s for s in TELEMETRY if s.key == key]
+    (read,) = mav.MAVLink(None).parse_buffer(encode(stream.build(snapshot), seq=0, sysid=1, compid=1))
+    return read
+
+
+def test_local_state_is_ned_in_si(vehicle_bench: Any) -> None:
+    s = flying(vehicle_bench)
+    local, attitude = told(s, "LOCAL_POSITION_NED"), told(s, "ATTITUDE")
+    assert (local.x, local.y, local.z) == pytest.approx((30.0, -40.0, -12.0))
+    assert (local.vx, local.vy, local.vz) == pytest.approx((1.5, -2.0, 0.5))
+    assert (attitude.roll, attitude.pitch, attitude.yaw) == pytest.approx((0.1, -0.2, 0.3))
+
+
+@pytest.mark.parametrize("p_ned", [(30.0, -40.0, -12.0), (-80.0, 55.0, 0.0)])
+def test_global_position_agrees_with_the_ellipsoid(vehicle_bench: Any, p_ned: tuple[float, float, float]) -> None:
+    s = flying(vehicle_bench)._replace(p_ned=p_ned)
+    m = told(s, "GLOBAL_POSITION_INT")
+    lat, lon, alt = pymap3d.ned2geodetic(*p_ned, *ORIGIN)
+    assert 1e-7 * m.lat == pytest.approx(lat, abs=7e-8)  # 0.5 of rounding, and 1 mm at 100 m
+    assert 1e-7 * m.lon == pytest.approx(lon, abs=7e-8)
+    assert 1e-3 * m.alt == pytest.approx(alt, abs=2e-3)
+    assert (m.vx, m.vy, m.vz) == (150, -200, 50)
+    assert m.relative_alt == round(1e3 * (-12.0 - p_ned[2]))  # home is the start, 12 m up
+    assert m.hdg == round(math.degrees(0.3) * 100)
+    gps = told(s, "GPS_RAW_INT")
+    assert (gps.lat, gps.lon, gps.alt) == (m.lat, m.lon, m.alt)
+    assert gps.vel == 250
+    assert gps.cog == round(100 * (math.degrees(math.atan2(-2.0, 1.5)) % 360.0))
+    assert gps.fix_type == mav.GPS_FIX_TYPE_3D_FIX
+
+
+def test_origin_home_and_follow_target_stand_in_one_frame(vehicle_bench: Any) -> None:
+    s = flying(vehicle_bench)
+    origin, home, follow = told(s, "GPS_GLOBAL_ORIGIN"), told(s, "HOME_POSITION"), told(s, "FOLLOW_TARGET")
+    assert (origin.latitude, origin.longitude, origin.altitude) == (473977420, 85455940, 488000)
+    back = LocalFrame(*ORIGIN).to_local(1e-7 * home.latitude, 1e-7 * home.longitude, 1e-3 * home.altitude)
+    assert back == pytest.approx((30.0, -40.0, -12.0), abs=0.01)
+    back = LocalFrame(*ORIGIN).to_local(1e-7 * follow.lat, 1e-7 * follow.lon, follow.alt)
+    assert back == pytest.approx((30.0, -40.0, -12.0), abs=0.01)
+    assert tuple(follow.vel) == pytest.approx((1.5, -2.0, 0.5))
+
+
+def test_battery_is_told_in_hectojoules_and_percent(vehicle_bench: Any) -> None:
+    s = flying(vehicle_bench)._replace(drawn_j=12_399.0, remaining_j=11_000.0, capacity_j=20_000.0, power_w=210.0)
+    battery, status = told(s, "BATTERY_STATUS"), told(s, "SYS_STATUS")
+    assert battery.energy_consumed == 123
+    assert battery.battery_remaining == status.battery_remaining == 55
+    assert battery.time_remaining == round(11_000.0 / 210.0)
+    cells = [mv for mv in battery.voltages if mv != 65535]
+    assert len(cells) == 4
+    assert sum(cells) == pytest.approx(status.voltage_battery, abs=4)
+    power_w = battery.current_battery / 100 * status.voltage_battery / 1000
+    assert power_w == pytest.approx(210.0, rel=0.01)
+
+
+def test_energy_consumed_never_falls_in_a_flight(vehicle_bench: Any) -> None:
+    bench = vehicle_bench().in_air()
+    bench.fly(5.0)
+    consumed = [m.energy_consumed for m in bench.of("BATTERY_STATUS")]
+    assert consumed == sorted(consumed)
+    assert consumed[-1] == int(bench.vehicle.drawn_j // 100.0)
+    effort = [m.value for m in bench.of("NAMED_VALUE_FLOAT")]
+    assert {m.name for m in bench.of("NAMED_VALUE_FLOAT")} == {"CtlEffort"}
+    assert effort == sorted(effort)
+
+
+def test_landed_state_follows_the_flight(vehicle_bench: Any) -> None:
+    bench = vehicle_bench()
+    bench.fly(1.5)
+    bench.in_air()
+    bench.result(mav.MAV_CMD_NAV_LAND)
+    bench.fly(15.0, until=lambda b: not b.vehicle.armed)
+    bench.fly(1.0)
+    states = [m.landed_state for m in bench.of("EXTENDED_SYS_STATE")]
+    changes = [state for state, before in zip(states, [None, *states], strict=False) if state != before]
+    assert changes == [
+        mav.MAV_LANDED_STATE_ON_GROUND, mav.MAV_LANDED_STATE_TAKEOFF, mav.MAV_LANDED_STATE_IN_AIR,
+        mav.MAV_LANDED_STATE_LANDING, mav.MAV_LANDED_STATE_ON_GROUND,
+    ]  # fmt: skip
+
+
+def test_vehicle_on_the_ground_is_healthy_and_ready(vehicle_bench: Any) -> None:
+    bench = vehicle_bench()
+    bench.tick()
+    (status,) = bench.of("SYS_STATUS")
+    for sensor in ("3D_GYRO", "3D_ACCEL", "3D_MAG", "GPS", "PREARM_CHECK", "GEOFENCE"):
+        flag = mav.MAV_SYS_STATUS_PREARM_CHECK if sensor == "PREARM_CHECK" else None
+        flag = flag or getattr(mav, f"MAV_SYS_STATUS_SENSOR_{sensor}", 0) or mav.MAV_SYS_STATUS_GEOFENCE
+        assert status.onboard_control_sensors_present & status.onboard_control_sensors_health & flag
+
+
+def test_position_target_is_what_is_really_flown(vehicle_bench: Any) -> None:
+    bench = vehicle_bench(start=Start((0.0, 0.0, -5.0), airborne=True))
+    bench.fly(1.0, p_ned=(40.0, 0.0, -5.0))
+    m, at = bench.of("POSITION_TARGET_LOCAL_NED")[-1], bench.of("LOCAL_POSITION_NED")[-1]
+    assert 0.0 < m.x < 10.0  # on its way, not the set point itself
+    assert abs(m.x - at.x) < 1.0
+    bench.fly(15.0, p_ned=(40.0, 0.0, -5.0))
+    m = bench.of("POSITION_TARGET_LOCAL_NED")[-1]
+    assert (m.x, m.y, m.z, m.vx) == pytest.approx((40.0, 0.0, -5.0, 0.0), abs=0.05)
+
+
+@pytest.mark.parametrize(
+    "wild",
+    [
+        {"p_ned": (1e9, -1e9, 1e9), "v_ned": (1e7, -1e7, 1e7)},
+        {"p_ned": (-1e12, 1e12, -1e12), "v_ned": (-1e7, 1e7, -1e7)},
+        {"power_w": 1e9, "drawn_j": 1e13},
+        {"power_w": 1e-12, "remaining_j": 1e9, "capacity_j": 1e9},
+        {"given_j": 2**40, "received_j": 2**40},
+        {"remaining_j": 2e9, "capacity_j": 1.0},
+        {"attitude_ned": (100.0, -100.0, 1e6)},
+    ],
+)
+def test_no_state_is_too_great_for_its_telemetry(vehicle_bench: Any, wild: dict[str, Any]) -> None:
+    s = flying(vehicle_bench)._replace(**wild)
+    for stream in TELEMETRY:
+        told(s, stream.key)
+
+
+def test_version_is_new_enough_and_of_no_release(vehicle_bench: Any) -> None:
+    snapshot = flying(vehicle_bench)._replace(identity=replace(IDENTITIES["px4"], capabilities=5))
+    version = autopilot_version(snapshot, 9).flight_sw_version
+    assert (version >> 24, version >> 16 & 255) >= (1, 4)
+    assert version & 255 != mav.FIRMWARE_VERSION_TYPE_OFFICIAL
+    assert autopilot_version(snapshot, 9).capabilities == 5

@@ -1,0 +1,127 @@
+"""Truth: what each law's theory says of its limits, the implicit law in the limit of small steps, and scipy."""
+
+import math
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+from scipy.linalg import expm
+
+from simvehicle.law import differentiator
+from simvehicle.paper import comparators
+
+
+def follow(step, signal, dt_s, width):
+    x, rows = np.zeros(width), []
+    for v in signal:
+        x = step(x, v, dt_s)
+        rows.append(x)
+    return np.array(rows)
+
+
+def explicit(x, v, dt_s):
+    return comparators.explicit_step(x, v, dt_s, epsilon=0.04)
+
+
+def test_the_explicit_law_becomes_the_implicit_one_as_the_step_goes_to_zero():
+    apart = []
+    for dt_s in (4e-4, 2e-4, 1e-4):
+        t = dt_s * np.arange(1, round(1.0 / dt_s) + 1)
+        signal = np.sin(t)
+        x = np.zeros(3)
+        for v in signal:
+            x = differentiator.step(x, v, dt_s, epsilon=0.04)
+        apart.append(np.abs(follow(explicit, signal, dt_s, 3)[-1, :2] - x[:2]).max())
+    assert apart[2] < 1e-3
+    assert apart[2] < apart[1] < apart[0]
+
+
+def test_the_explicit_law_agrees_with_an_adaptive_solver():
+    """Far from zero, where the powers are smooth: a signal that runs ahead."""
+
+    def rate(_, x):
+        a = x[0] - 5.0 + math.copysign(abs(0.04 * x[1]) ** (9 / 7), x[1])
+        power = 2.0**0.6 * 4.0 * math.copysign(abs(a) ** (1 / 3), a)
+        return [x[1], x[2], -(power + 4.0 * math.copysign(abs(0.04**2 * x[2]) ** 0.6, x[2])) / 0.04**3]
+
+    start = np.array([0.0, 1.0, 50.0])
+    truth = solve_ivp(rate, (0.0, 0.02), start, method="DOP853", rtol=1e-11, atol=1e-12).y[:, -1]
+    errors = []
+    for steps in (2000, 4000):
+        x = start
+        for _ in range(steps):
+            x = explicit(x, 5.0, 0.02 / steps)
+        errors.append(np.abs(x - truth).max() / np.abs(truth).max())
+    assert errors[1] < 1e-3
+    assert errors[0] / errors[1] == pytest.approx(2.0, abs=0.1)
+
+
+def test_sliding_mode_errors_have_the_orders_that_levant_proved():
+    """Sampled at h: the signal's error falls as h², the derivative's as h (Levant 1998, Theorem 3)."""
+    errors = []
+    for dt_s in (4e-3, 1e-3):
+        t = dt_s * np.arange(1, round(6.0 / dt_s) + 1)
+        x = follow(comparators.sliding_mode_step, np.sin(t), dt_s, 3)[t > 3.0]
+        errors.append((np.abs(x[:, 0] - np.sin(t[t > 3.0] + dt_s)).max(), np.abs(x[:, 2] - np.cos(t[t > 3.0])).max()))
+    orders = np.log(np.divide(*errors)) / np.log(4.0)
+    assert orders == pytest.approx([2.0, 1.0], abs=0.25)
+
+
+def test_sliding_mode_s_output_drives_its_estimate_and_its_integral_moves_at_alpha():
+    rng = np.random.default_rng(2)
+    for x, u1, v in rng.normal(size=(50, 3)):
+        after = comparators.sliding_mode_step((x, u1, 0.0), v, 0.01)
+        assert after[0] - x == pytest.approx(0.01 * after[2], abs=1e-15)
+        assert abs(after[1] - u1) == pytest.approx(0.01 * 18.0)
+        assert (after[1] - u1) * (x - v) < 0.0
+
+
+def test_the_linear_law_on_a_sine_ends_on_its_frequency_response():
+    dt_s = 1e-4
+    t = dt_s * np.arange(1, 60_001)
+    x = follow(comparators.high_gain_step, np.sin(t), dt_s, 2)
+    a = np.array([[-1.0 / 0.15, 1.0], [-2.0 / 0.15**2, 0.0]])
+    b = np.array([1.0 / 0.15, 2.0 / 0.15**2])
+    response = np.linalg.solve(1j * np.eye(2) - a, b)
+    late = t > 4.0
+    assert x[late] == pytest.approx((response * np.exp(1j * (t[late] + dt_s))[:, np.newaxis]).imag, abs=1e-3)
+
+
+def test_the_linear_law_from_rest_follows_the_matrix_exponential():
+    dt_s = 1e-5
+    x = np.array([1.0, -2.0])
+    for _ in range(10_000):
+        x = comparators.high_gain_step(x, 0.0, dt_s)
+    a = np.array([[-1.0 / 0.15, 1.0], [-2.0 / 0.15**2, 0.0]])
+    assert x == pytest.approx(expm(0.1 * a) @ [1.0, -2.0], abs=2e-3)
+
+
+@pytest.mark.parametrize(
+    ("step", "width"),
+    [(explicit, 3), (comparators.sliding_mode_step, 3), (comparators.high_gain_step, 2)],
+)
+def test_many_step_as_each_alone_and_mirrored_signals_mirror(step, width):
+    rng = np.random.default_rng(4)
+    x, v = rng.normal(size=(2, 5, width)), rng.normal(size=(2, 5))
+    together = step(x, v, 0.004)
+    for index in np.ndindex(v.shape):
+        assert np.array_equal(together[index], step(x[index], v[index], 0.004))
+    assert np.array_equal(together, -step(-x, -v, 0.004))
+    with pytest.raises(ValueError, match="but need"):
+        step(x, v[0], 0.004)
+
+
+@pytest.mark.parametrize(
+    ("call", "name"),
+    [
+        (lambda: comparators.explicit_step(np.zeros(3), 0.0, 0.004, epsilon=0.0), "epsilon"),
+        (lambda: comparators.explicit_step(np.zeros(3), 0.0, -1.0, epsilon=0.04), "dt_s"),
+        (lambda: comparators.sliding_mode_step(np.zeros(3), 0.0, 0.004, alpha=math.nan), "alpha"),
+        (lambda: comparators.sliding_mode_step(np.zeros(3), 0.0, 0.004, lambda_=0.0), "lambda_"),
+        (lambda: comparators.high_gain_step(np.zeros(2), 0.0, 0.004, k2=-1.0), "k2"),
+        (lambda: comparators.high_gain_step(np.zeros(2), 0.0, math.inf), "dt_s"),
+    ],
+)
+def test_a_gain_that_is_none_is_refused_by_name(call, name):
+    with pytest.raises(ValueError, match=f"^{name} is .*, but it must be greater than 0 and finite"):
+        call()

@@ -1,0 +1,74 @@
+"""The loop on the supervisor's clock: when a vehicle takes its supervisor for gone."""
+
+from __future__ import annotations
+
+import socket
+from typing import Any
+
+import pytest
+from pymavlink.dialects.v20 import common as mav
+
+from simvehicle import exit
+from simvehicle.mavlink.codec import message
+from simvehicle.mavlink.connection import Connection
+from simvehicle.sitl import loop
+from simvehicle.sitl.link import SupervisedLink, parse_address
+
+
+class Clock:
+    """Wall time that passes a little with every look at it, and at once where a machine keeps a process waiting."""
+
+    def __init__(self) -> None:
+        self.now_s = 0.0
+
+    def monotonic(self) -> float:
+        self.now_s += 0.5
+        return self.now_s
+
+
+class Slow:
+    """A unit that the machine does not let run for long, while its supervisor speaks on."""
+
+    def __init__(self, clock: Clock, supervisor: socket.socket) -> None:
+        self.advanced_ms: list[int] = []
+        self._clock, self._supervisor = clock, supervisor
+        self._writer = mav.MAVLink(None, 255, 190)
+
+    def hello(self) -> object:
+        return message("HEARTBEAT")(0, 2, 12, 0, 4, 3)
+
+    def start_clock(self, time_ms: int, unix_us: int) -> None:
+        pass
+
+    def receive(self, frame: Any, connection: Any) -> None:
+        pass
+
+    def advance(self, to_ms: int) -> None:
+        self.advanced_ms.append(to_ms)
+        self._clock.now_s += 3.0 * loop.SILENCE_S
+        if to_ms < 300:
+            self.grant(to_ms + 100)
+
+    def grant(self, t_ms: int, peer: tuple[str, int] | None = None) -> None:
+        if peer is not None:
+            self._supervisor.connect(peer)
+        self._writer.seq = t_ms // 100
+        self._supervisor.send(mav.MAVLink_system_time_message(0, t_ms).pack(self._writer))
+
+
+def test_a_vehicle_that_was_kept_from_running_hears_what_waits_before_it_leaves(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    clock = Clock()
+    monkeypatch.setattr(loop, "time", clock)
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as supervisor:
+        supervisor.bind(("127.0.0.1", 0))
+        address = parse_address(f"udpout:127.0.0.1:{supervisor.getsockname()[1]}")
+        with SupervisedLink(address, Connection(1)) as link:
+            unit = Slow(clock, supervisor)
+            unit.grant(0, link.socket.getsockname())
+            with pytest.raises(SystemExit) as left:
+                loop.run_supervised([loop.Seat(unit, link, ())])
+    assert unit.advanced_ms == [0, 100, 200, 300]
+    assert left.value.code == exit.ABANDONED
+    assert "silent for 10 s" in capsys.readouterr().err

@@ -1,4 +1,4 @@
-"""The supervised link, and the ground station's only fleet socket: contract.md, Clock and the supervised link.
+"""The supervised link, and the ground station's only fleet socket: docs/protocol.md#clock-and-supervised-link.
 
 One UDP socket holds every vehicle's link; a vehicle is known by its (system, component) and by the address of its first
 hello. A bundle goes out to each, and the tick is in when all have answered; who is missing gets the same bytes again.

@@ -1,4 +1,5 @@
-"""Fuzzy escape from local minima of the potential field (model.md 7; form [choice], domains, terms and rules [seed]).
+"""Fuzzy escape from local minima of the potential field (docs/model.md#fuzzy-escape; form and rules [choice], domains
+and terms [seed]).
 
 Inputs: ΔΦ in [-π, π], the angle from attraction to repulsion, signed by the side s to which the repulsion leans;
 ΔF = (|F_g| - |F_o|)/(|F_g| + |F_o|) in [-1, 1]. Output: f in [-1, 1]; the escape force has the size 1.3 |F_g| |f| and
@@ -27,7 +28,7 @@ TURN_STEPS = 25  # stuck for so long on one side: try the next, a quarter turn o
 HEAD, COUNT, ENGAGED, SIDE, STUCK, QUARTER, ENGAGED_AT, CLEAR = range(4 * WINDOW, 4 * WINDOW + 8)
 MEMORY_SIZE = 4 * WINDOW + 8
 
-# Terms NB NM S PM PB are 0..4. Row: term of ΔΦ; column: term of ΔF (paper, Table I).
+# Terms NB NM S PM PB are 0..4. Row: term of ΔΦ; column: term of ΔF [choice]: Table I's entries are not in the text.
 RULES = np.array(
     [
         [0, 0, 0, 1, 2],
@@ -47,7 +48,8 @@ def new_memory(n: int) -> FloatArray:
 
 
 def escape_strength(delta_phi: float, delta_f: float) -> float:
-    """Fuzzy output f in [-1, 1] for ΔΦ in rad and ΔF (model.md 7, Table I); inputs beyond the domains are clamped."""
+    """Fuzzy output f in [-1, 1] for ΔΦ in rad and ΔF (docs/model.md#fuzzy-escape, Table I); inputs beyond the domains
+    are clamped."""
     return float(_strength(float(delta_phi), float(delta_f)))
 
 
@@ -63,7 +65,8 @@ def escape(
 ) -> tuple[FloatArray, FloatArray]:
     """Escape force (3,), NED in the units of `attraction`, at `q` (3,), m NED, and the leader's next memory.
 
-    The memory is (MEMORY_SIZE,) (model.md 7; paper eqs. 8, 9 and Table I) [seed], form [choice].
+    The memory is (MEMORY_SIZE,) (docs/model.md#fuzzy-escape; paper eqs. 8, 9 and Table I) [choice], domains and terms
+    [seed].
 
     Call it once for every step of the planned point, before the step. `attraction` and `repulsion` (3,) are the
     field's at `q`; `step_m` is the length of a full step, field.step_m by default: a slow leader makes shorter ones and

@@ -1,4 +1,5 @@
-"""Virtual leaders: the planned points that the vehicles follow, moved through the field (model.md 6, 7; paper eq. 4).
+"""Virtual leaders: the planned points that the vehicles follow, moved through the field (docs/model.md#planner; paper
+eq. 4, its step a [choice]).
 
     q += l min(1, |F|/k0) F/|F| + feed-forward,   l = speed · period / steps,   steps = ceil(speed · period / κ)
 

@@ -1,4 +1,4 @@
-"""Attraction and repulsion of the potential field (model.md 6; form [choice], values [seed]).
+"""Attraction and repulsion of the potential field (docs/model.md#potential-field; form [choice], values [seed]).
 
     U_g = ½ k0 ρ²,                F_g = k0 min(ρ, cap) towards g
     U_o = 0                                                      ρ > ρ_o
@@ -28,7 +28,8 @@ K0, K1, A, B, ATTRACTION_RANGE, STEP, CAP = range(7)
 
 @dataclass(frozen=True)
 class Field:
-    """Parameters of the field (model.md 6; values [seed], cap_m [choice]). ValueError names what is out of range.
+    """Parameters of the field (docs/model.md#potential-field; values [seed], cap_m [choice]). ValueError names what is
+    out of range.
 
     k0, k1 scale attraction and repulsion; a is the gain and b the share of the repulsion range of the inner term;
     attraction_range_m is the range of way points (tracked targets attract at any distance); repulsion_range_m that of
@@ -70,7 +71,8 @@ class Field:
 
 
 def widened_range(range_m: ArrayLike, speed_m_s: ArrayLike, age_s: ArrayLike) -> FloatArray:
-    """Repulsion range in m of a moving repulsor whose report is `age_s` old: range + speed · age (model.md 6).
+    """Repulsion range in m of a moving repulsor whose report is `age_s` old: range + speed · age
+    (docs/model.md#potential-field).
 
     Arguments broadcast. A report from the future, as clocks may have it, does not narrow the range.
     """
@@ -86,7 +88,8 @@ def force(
     ranges_m: ArrayLike,
     field: Field,
 ) -> tuple[FloatArray, FloatArray]:
-    """Attraction (3,) and repulsion (3,), NED without unit, at `q_ned` (3,), m NED (model.md 6; paper eqs. 7, 10, 11).
+    """Attraction (3,) and repulsion (3,), NED without unit, at `q_ned` (3,), m NED (docs/model.md#potential-field;
+    paper eqs. 7, 10, 11).
 
     Form [choice], values [seed].
 
@@ -109,14 +112,15 @@ def force(
 def attraction_potential(distance_m: float, field: Field) -> float:
     """Potential of an attractor at `distance_m`, of which the capped attraction is the gradient.
 
-    ½ k0 ρ² (model.md 6) up to cap_m, from there straight on with the slope that it has reached [choice].
+    ½ k0 ρ² (docs/model.md#potential-field) up to cap_m, from there straight on with the slope that it has reached
+    [choice].
     """
     near = min(distance_m, field.cap_m)
     return 0.5 * field.k0 * near**2 + (field.k0 * field.cap_m * (distance_m - near) if distance_m > near else 0.0)
 
 
 def repulsion_potential(distance_m: float, range_m: float, field: Field) -> float:
-    """Potential of a repulsor at `distance_m` from its surface (model.md 6).
+    """Potential of a repulsor at `distance_m` from its surface (docs/model.md#potential-field).
 
     Below SURFACE_FLOOR_M, and inside, it goes straight on with the slope that it has reached [choice].
     """

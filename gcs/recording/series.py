@@ -180,7 +180,8 @@ class Battery:
 
 
 def batteries(recorded: Recorded) -> dict[int, Battery]:
-    """Each vehicle's battery by its messages alone: initial + received - drawn - given (contract.md, Energy)."""
+    """Each vehicle's battery by its messages alone: initial + received - drawn - given
+    (docs/protocol.md#energy-accounting)."""
     if not recorded.tables:
         return {}
     parameters = _by_vehicle(recorded.tables["PARAM_VALUE"])

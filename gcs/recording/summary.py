@@ -1,4 +1,4 @@
-"""summary.json: how a session ended and what it amounts to (contract.md, A session's folder)."""
+"""summary.json: how a session ended and what it amounts to (docs/protocol.md#summary)."""
 
 from __future__ import annotations
 

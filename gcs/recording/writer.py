@@ -146,7 +146,7 @@ class Recorder:
 
 
 class Digest:
-    """A session's fingerprint (contract.md, `digest`): equal for equal frames delivered, frames sent and decisions.
+    """A session's fingerprint (docs/protocol.md#digest): equal for equal frames delivered, frames sent and decisions.
 
     A frame counts as tick, direction, system, component, message id and payload as on the wire. Sequence numbers, flags
     and signatures do not. Feed it tick by tick, frames in the order (system, component, delivery).

@@ -1,4 +1,4 @@
-"""Who can take energy in the air (contract.md, Energy and transfer): as the scenario says, or found out by asking.
+"""Who can take energy in the air (docs/protocol.md#transfer-capability): as the scenario says, or found out by asking.
 
 MAV_CMD_USER_1 may mean anything to a stranger's autopilot. So only a vehicle that has the parameter SIM_BAT_CAP_J is
 asked, and by a command that does nothing: to stop a transfer that it has not begun.

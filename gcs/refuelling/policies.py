@@ -5,7 +5,7 @@
         def choose(self, request): return a system id, or None for nobody now
 
 A scenario names one: `competition: {policy: greedy_nearest | most_empty_first | optimal | MODULE:CLASS}`. Whatever the
-policy, a vehicle that would not last until a rendezvous goes first (contract.md, Competition in the schedule).
+policy, a vehicle that would not last until a rendezvous goes first (docs/protocol.md#refuelling-schedule).
 """
 
 from __future__ import annotations

@@ -1,4 +1,5 @@
-"""What partners of a transfer hear of each other: their own frames, header unchanged (contract.md, Energy)."""
+"""What partners of a transfer hear of each other: their own frames, header unchanged
+(docs/protocol.md#transfer-command)."""
 
 from __future__ import annotations
 

@@ -1,10 +1,10 @@
 """Who pursues which target when only the vehicle with the least control effort is to do so (paper, abstract).
 
-Each target has a race of its own (model.md 8): every pursuer bids the control effort that it is predicted to need to
-reach it, the least wins. The winner pursues, the others hold. All is decided anew at each tick: a challenger takes over
-when its state holds the share that the rules demand, while the present pursuer is forgiven some of its effort, so that
-near ties do not swap back and forth [choice]. Targets choose in order of system id; whoever pursues one races for no
-other.
+Each target has a race of its own (docs/model.md#target-assignment): every pursuer bids the control effort that it is
+predicted to need to reach it, the least wins. The winner pursues, the others hold. All is decided anew at each tick: a
+challenger takes over when its state holds the share that the rules demand, while the present pursuer is forgiven some
+of its effort, so that near ties do not swap back and forth [choice]. Targets choose in order of system id; whoever
+pursues one races for no other.
 """
 
 from __future__ import annotations
@@ -25,7 +25,8 @@ LOW, HIGH = 0.01, 1.0
 
 
 def predicted_effort(p_ned: Vec3, v_ned: Vec3, target_p_ned: Vec3, target_v_ned: Vec3, speed_m_s: float) -> float:
-    """Control effort to meet a target that flies on straight: g t + |Δv|, m/s (model.md 9) [choice].
+    """Control effort to meet a target that flies on straight: g t + |Δv|, m/s (docs/model.md#target-assignment)
+    [choice].
 
     t is the time to the meeting at `speed_m_s`: thrust carries the weight for that long, and Δv turns the present
     velocity into the one that meets the target. A target that cannot be met costs as if it flew away for good: the time

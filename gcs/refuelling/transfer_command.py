@@ -1,4 +1,4 @@
-"""MAV_CMD_USER_1, the command that starts and stops a transfer of energy (contract.md, Energy and transfer)."""
+"""MAV_CMD_USER_1, the command that starts and stops a transfer of energy (docs/protocol.md#energy-transfer)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Winner-take-all competition (model.md 8; paper eqs. 1, 2, 22, 26-28) [lineage].
+"""Winner-take-all competition (docs/model.md#competition; paper eqs. 1, 2, 22, 26-28) [lineage].
 
     v_i' = c (τ_i - Σ_j v_j^p) v_i
 
@@ -25,7 +25,8 @@ _FASTEST = 0.5  # of a step: what the law may change its states by
 
 
 def advance(v: ArrayLike, tau: ArrayLike, dt_s: float, *, p: float, rate: float) -> FloatArray:
-    """States (n,) after `dt_s` seconds with `tau` constant: the exact solution (model.md 8; paper eqs. 1, 2) [lineage].
+    """States (n,) after `dt_s` seconds with `tau` constant: the exact solution (docs/model.md#exact-solution; paper
+    eqs. 1, 2) [lineage].
 
     v (n,) >= 0 and tau (n,) > 0 have no unit, p >= 1, and rate = c > 0 in 1/s; all finite, else ValueError.
     Computed in logarithms relative to the leader, so neither growth nor decay overflows; a loser far below the smallest
@@ -68,7 +69,8 @@ def simulate(
     delay_s: ArrayLike | None = None,
     seed: int = 0,
 ) -> FloatArray:
-    """States (k, n) at `times_s` (k,) of a competition with noise, delay or changing τ (model.md 8) [lineage].
+    """States (k, n) at `times_s` (k,) of a competition with noise, delay or changing τ (docs/model.md#noise-and-delay)
+    [lineage].
 
         v_i' = c (τ_i(t) - Σ_j |v_j(t)|^p) v_i(t - d_i) + ϑ_i(t),    v(t) = v0 up to the first time
 
@@ -158,7 +160,7 @@ def normalise(x: ArrayLike, *, low: float, high: float, largest_wins: bool = Tru
 
     The largest of `x` (n,) becomes `high` and the smallest `low`, or the reverse when the smallest is to win. When all
     are equal there is nothing to scale: the first becomes `high` and the others `low`, so that in the order of system
-    ids the lowest is first (contract.md). One alone is `high`.
+    ids the lowest is first (docs/protocol.md#refuelling-schedule). One alone is `high`.
     ValueError unless x is finite and 0 < low < high, both finite.
     """
     values = _finite("x", x)
@@ -177,13 +179,14 @@ def normalise(x: ArrayLike, *, low: float, high: float, largest_wins: bool = Tru
 
 
 def revive(v: ArrayLike, floor: float) -> FloatArray:
-    """States (n,) with every one lifted to `floor` > 0, so that a loser can win later (contract.md) [choice]."""
+    """States (n,) with every one lifted to `floor` > 0, so that a loser can win later
+    (docs/protocol.md#refuelling-schedule) [choice]."""
     _positive("floor", floor)
     return np.asarray(np.maximum(_finite("v", v), floor))
 
 
 def share(v: ArrayLike, p: float, floor: float) -> float:
-    """The winner's share, 0..1, of Σ v^p less the floor's own share (contract.md) [choice].
+    """The winner's share, 0..1, of Σ v^p less the floor's own share (docs/protocol.md#refuelling-schedule) [choice].
 
     What each v^p holds above floor^p counts, the winner's and the others' alike: 1 when all others lie on the floor, 0
     while nobody has left it. Without this, a thousand revived losers would outweigh any winner.

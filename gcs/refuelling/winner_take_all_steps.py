@@ -1,4 +1,5 @@
-"""Steps of a competition with noise, delay or changing τ (model.md 8): the kernels of `competition.simulate`.
+"""Steps of a competition with noise, delay or changing τ (docs/model.md#noise-and-delay): the kernels of
+`competition.simulate`.
 
     v_i' = c (τ_i(t) - Σ_j |v_j(t)|^p) v_i(t - d_i) + ϑ_i
 

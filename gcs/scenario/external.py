@@ -38,6 +38,7 @@ class External(Part):
     connect: Annotated[str, AfterValidator(_checked)]
     """`udpin:HOST:PORT`: the vehicle speaks to us there; `udpout:HOST:PORT`: it listens there. Several may share one"""
     sysid: SysId | None = None
+    """MAVLink system id; may stand beside the block instead"""
     autopilot: Literal["auto", "px4", "ardupilot", "generic"] = "auto"
     """whose habits it has; `auto`: as its HEARTBEAT says"""
     capacity_j: Joules

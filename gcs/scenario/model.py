@@ -1,7 +1,7 @@
 """A scenario: what flies, where, for how long and to what end, as typed, frozen objects.
 
 `load` reads a YAML file, `dump` writes one. Units stand in the names; angles are in degrees. A file states its axes,
-`ned` or `paper` (north, west, up; contract.md, Frames), and `load` converts once: every object here is NED.
+`ned` or `paper` (north, west, up; docs/protocol.md#frames), and `load` converts once: every object here is NED.
 """
 
 import math
@@ -69,7 +69,7 @@ TRANSFER_SILENCE_S = 1.0
 TRANSFER_HOPS = 4
 """Giver, supervisor, receiver and back: within the silence the giver's joules must be seen to have arrived."""
 MOST_MOVERS = 100
-"""A tick holds at most 127 frames of one sender (contract.md, the supervised link)."""
+"""A tick holds at most 127 frames of one sender (docs/protocol.md#answer)."""
 NO_PURSUIT = "a competition for targets needs a pursuer and a target"
 
 
@@ -79,30 +79,47 @@ class Scenario(Part):
     model_config = ConfigDict(populate_by_name=True)
 
     schema_version: Annotated[int, Field(strict=True, ge=1, le=1, alias="schema")]
+    """version of the file format; 1"""
     name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]{0,63}$")]
     """also the session folder's"""
     description: str = ""
+    """free text, shown in reports"""
     axes: Annotated[Literal["paper", "ned"], AfterValidator(known_axes)]
     """of all geometry in the file; `ned` once loaded"""
     seed: Count = 1
+    """of everything random (the radio); the same scenario and seed give the same session"""
     origin: Origin
+    """where on the globe the common frame's zero lies"""
     clock: Clock = Clock()
+    """pace and planner period"""
     goal: Goal
+    """when the session counts as met, and how long it is"""
     vehicles: Vehicles
+    """pursuers, targets and tankers"""
     obstacles: tuple[Obstacle, ...] = ()
+    """static obstacles; none by default"""
     attractors: tuple[Attractor, ...] = ()
+    """points that draw pursuers; none by default"""
     traffic: tuple[Mover, ...] = ()
+    """other aircraft, reported by ADSB_VEHICLE; none by default"""
     bases: tuple[Base, ...] = ()
+    """places on the ground where vehicles are charged; none by default"""
     planner: Planner = Planner()
+    """potential field and fuzzy escape, or a planner of your own"""
     pursuit: Pursuit = Pursuit()
+    """which pursuers follow their target"""
     formation: Formation = Formation()
+    """the pursuers' places around their target"""
     competition: Competition = Competition()
+    """who is refuelled next"""
     refuelling: Refuelling = Refuelling()
+    """rendezvous and transfer of energy"""
     radio: Radio = Radio()
+    """loss, delay and blackouts of frames; none by default"""
     vehicles_per_process: Annotated[int, Field(strict=True, ge=1, le=254)] = 1
     """how many fly in one process; nothing else depends on it"""
     truth: Flag = True
-    """launched vehicles record what they themselves know (contract.md, A session's folder)"""
+    """launched vehicles record what they themselves know (docs/protocol.md#truth)"""
 
     def flown(self, *, lockstep: bool = False, speed: float | None = None, seed: int | None = None) -> Self:
         """The same with another clock or seed; what is left out stays. ValueError where a value cannot be had."""

@@ -53,41 +53,57 @@ class Origin(Part):
     """Where the local frame's zero lies; the height is above mean sea level."""
 
     lat_deg: Annotated[float, Field(strict=True, ge=-89, le=89)]
+    """latitude, degrees north, WGS 84"""
     lon_deg: Degrees
+    """longitude, degrees east, WGS 84"""
     alt_m: Annotated[float, Field(strict=True, ge=-1000, le=20_000)]
+    """height above mean sea level, m"""
 
 
 class Clock(Part):
     """lockstep: as fast as the machine can; real: paced at `speed`. `epoch` is the date of session time zero."""
 
     mode: Literal["lockstep", "real"] = "real"
+    """`lockstep`: as fast as the machine can; `real`: paced at `speed`"""
     speed: Annotated[float, Field(strict=True, gt=0, le=1000)] = 1.0
+    """session seconds per wall second, with mode `real`; 1 with external vehicles"""
     period_s: Annotated[float, Field(strict=True, ge=STEP_S, le=1)] = 0.1
+    """period of planning, set points and grants, s; a multiple of 0.004, at most 0.2 with refuelling"""
     epoch: Annotated[AwareDatetime, Field(ge=EARLIEST, lt=LATEST)] = datetime(2026, 1, 1, tzinfo=UTC)
+    """date and time of session time zero, with time zone; the times in session.tlog count from it"""
 
 
 class Pursue(Part):
     """How near each pursuer, or in a competition somebody, is to be to its target, and for how long without a break."""
 
     within_m: Metres
+    """greatest distance from pursuer to target, m"""
     for_s: Seconds
+    """how long without a break, s of session time"""
 
 
 class Goal(Part):
     """What makes the session a success."""
 
     pursue: Pursue | None = None
+    """pursuit that is demanded; none by default"""
     refuelled_at_least: Count = 0
+    """number of services that must have delivered energy; 0 demands none"""
     duration_s: Annotated[float, Field(strict=True, gt=0, le=86_400)]
+    """length of the session, s of session time"""
 
 
 class Battery(Part):
-    """P = hover_w (T/mg)^(3/2) + avionics_w (model.md 9) [choice]."""
+    """P = hover_w (T/mg)^(3/2) + avionics_w (docs/model.md#battery) [choice]."""
 
     capacity_j: Joules
+    """energy of the full battery, J"""
     initial_percent: Percent = 100.0
+    """charge at the start, % of the capacity"""
     hover_w: Positive = 200.0
+    """power of the motors in hover, W"""
     avionics_w: NotNegative = 10.0
+    """power of everything else, W; drawn with motors off too"""
 
 
 class VehicleBase(Part):
@@ -97,17 +113,23 @@ class VehicleBase(Part):
     _external = model_validator(mode="before")(filled)
 
     sysid: SysId
+    """MAVLink system id, 1 to 254; unique"""
     name: Label | None = None
+    """shown in place of the role; by default `pursuer 3` and the like"""
     start_m: Vec3
+    """position at the start, m, in the file's axes; on the ground its height is 0"""
     velocity_m_s: Vec3 = (0.0, 0.0, 0.0)
+    """velocity at the start, m/s, in the file's axes; needs `airborne: true`"""
     attitude_deg: Angles = (0.0, 0.0, 0.0)
     """roll, pitch, yaw"""
     airborne: Flag = False
     """starts flying; there is then no ground"""
     join_s: Seconds = 0.0
+    """session time at which it joins, s; its process waits until then"""
     takeoff_m: Metres = 2.5
     """the height above the ground to which it climbs first"""
     battery: Battery
+    """capacity, charge and consumption"""
     params: dict[ParamName, Number] = {}  # noqa: RUF012 - pydantic copies it
     """further MAVLink parameters"""
     external: External | None = None
@@ -144,8 +166,11 @@ class Target(VehicleBase):
     role = "target"
 
     path_m: Route
+    """corners of its path, m, in the file's axes; flown once all vehicles are in the air"""
     speed_m_s: Speed
+    """speed along the path, m/s"""
     laps: Annotated[int, Field(strict=True, ge=1, le=1_000_000)] = 1
+    """how often a closed path is flown"""
     closed: Flag = False
     """the path leads from its last point back to its first"""
 
@@ -158,6 +183,7 @@ class Tanker(VehicleBase):
     reserve_j: NotNegative = 10_000.0
     """kept to get home"""
     speed_m_s: Speed = 5.0
+    """greatest speed on the way to a receiver and home, m/s"""
     home_m: Vec3 | None = None
     """where it waits; without it above its start"""
 
@@ -168,8 +194,11 @@ class Vehicles(Part):
     model_config = ConfigDict(json_schema_extra=lambda schema: schema["properties"].update(defaults={"type": "object"}))
 
     pursuers: tuple[Pursuer, ...] = ()
+    """vehicles that follow a target or way points, and are refuelled"""
     targets: tuple[Target, ...] = ()
+    """vehicles that fly a path and are followed"""
     tankers: tuple[Tanker, ...] = ()
+    """vehicles that refuel pursuers in flight"""
 
     def target_of(self, pursuer: Pursuer) -> int | None:
         """The system id of the target that a pursuer follows: the one it names, else the first; None without any."""
@@ -211,13 +240,21 @@ class Obstacle(Part):
     """
 
     name: Label | None = None
+    """shown in messages and pictures; by default `sphere 2` and the like"""
     point_m: Vec3 | None = None
+    """a point obstacle: its position, m, in the file's axes"""
     sphere_m: Vec3 | None = None
+    """a sphere: its centre, m, in the file's axes; with `radius_m`"""
     box_m: tuple[Vec3, Vec3] | None = None
+    """a box: two opposite corners, m, in the file's axes"""
     cylinder_m: Plane | None = None
+    """an upright cylinder: its axis as the first two coordinates, m; with `radius_m`, `bottom_m` and `top_m`"""
     radius_m: Annotated[float, Field(strict=True, ge=0, le=1e5)] = 0.0
+    """radius of a sphere or cylinder, m"""
     bottom_m: Height | None = None
+    """lower end of a cylinder, m, third coordinate in the file's axes"""
     top_m: Height | None = None
+    """upper end of a cylinder, m, third coordinate in the file's axes"""
 
     @property
     def kind(self) -> Kind:
@@ -269,19 +306,27 @@ class Mover(Part):
     """Traffic: flies its path from session time `start_s`, reported by ADSB_VEHICLE; nobody steers it."""
 
     callsign: Annotated[str, Field(pattern=r"^[A-Za-z0-9_-]{1,8}$")]
+    """ADSB_VEHICLE's callsign, 1 to 8 letters, digits, - or _; unique"""
     path_m: Route
+    """corners of its path, m, in the file's axes; an open path is flown to its end and back"""
     speed_m_s: Speed
+    """speed along the path, m/s"""
     closed: Flag = False
+    """the path leads from its last point back to its first"""
     start_s: Seconds = 0.0
+    """session time at which it starts to move, s; until then it waits at its first point"""
     attracts: Flag = False
     """pursuers within planner.attraction_range_m are drawn to it, instead of repelled"""
 
 
 class Attractor(Part):
-    """A point that draws pursuers within its range, beside what they follow (paper eq. 5) [seed]."""
+    """A point that draws pursuers within its range, beside what they follow (docs/model.md#potential-field; paper eq.
+    5) [choice], range [seed]."""
 
     name: Label | None = None
+    """shown in pictures"""
     point_m: Vec3
+    """its position, m, in the file's axes"""
     range_m: Metres | None = None
     """without it planner.attraction_range_m"""
 
@@ -290,28 +335,40 @@ class Blackout(Part):
     """From when to when no frame from or to a vehicle arrives."""
 
     sysid: SysId
+    """system id of the vehicle"""
     from_s: Seconds
+    """begin, s of session time"""
     to_s: Seconds
+    """end, s of session time; after `from_s`"""
 
 
 class Radio(Part):
-    """What happens to frames on the air, each way: shares of all frames, and seconds (contract.md, Clock)."""
+    """What happens to frames on the air, each way: shares of all frames, and seconds
+    (docs/protocol.md#radio-impairment)."""
 
     loss: Fraction = 0.0
+    """share of frames lost, 0 to 1"""
     delay_s: Seconds = 0.0
+    """delay of every frame, s"""
     jitter_s: Seconds = 0.0
+    """additional random delay, uniform from 0 to this, s"""
     duplicate: Fraction = 0.0
+    """share of frames that arrive twice, 0 to 1"""
     reorder: Fraction = 0.0
+    """share of frames that arrive after the one sent next, 0 to 1"""
     blackouts: tuple[Blackout, ...] = ()
+    """times at which nothing from or to a vehicle arrives"""
 
 
 class Base(Part):
     """A giver on the ground, with a rate and a stock; it serves one vehicle at a time."""
 
     name: Label
+    """name in messages and records; unique"""
     position_m: Vec3
     """where vehicles land"""
     rate_w: Positive = 2000.0
+    """charging power, W"""
     stock_j: Annotated[float, Field(strict=True, gt=0, lt=1 << 31)]
     """whole joules of it are given"""
     radius_m: Metres = 1.0

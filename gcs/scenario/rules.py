@@ -39,21 +39,31 @@ def _named(key: str, value: Any) -> Any:
 
 
 class Planner(Part):
-    """Potential field (model.md 6) [seed: k0, k1, a, b, ranges] and fuzzy escape (model.md 7); or one's own."""
+    """Potential field (docs/model.md#potential-field) [seed: k0, k1, a, b, ranges] and fuzzy escape
+    (docs/model.md#fuzzy-escape); or one's own."""
 
     _short = model_validator(mode="before")(lambda value: _named("method", value))
 
     method: Method = "potential_field"
     """`potential_field`, or MODULE:CLASS of a planner for the pursuers (gcs/planner/custom.py)"""
     escape: Flag = True
+    """fuzzy escape from local minima of the field"""
     cruise_m_s: Speed = 1.5
+    """greatest speed of pursuers' planned points, m/s"""
     k0: Positive = 15.0
+    """gain of the attraction, without unit"""
     k1: Positive = 2.0
+    """gain of the repulsion, without unit"""
     a: NotNegative = 0.5
+    """gain of the repulsion's inner term, without unit; 0 switches it off"""
     b: Annotated[float, Field(strict=True, gt=0, lt=1)] = 0.5
+    """share of the repulsion range within which the inner term acts, above 0 and below 1"""
     attraction_range_m: Metres = 1.0
+    """range of `attractors` and of traffic that attracts, m; a pursuer's own goal attracts at any distance"""
     repulsion_range_m: Metres = 1.0
+    """how far from its surface an obstacle, vehicle or aircraft repels, m"""
     step_m: Metres = 0.1
+    """longest step of the planned point, and the distance at which a way point is reached, m"""
     separation_m: Annotated[float, Field(strict=True, ge=0, le=1e5)] = 0.6
     """the least distance between any two vehicles that are not partners of a transfer"""
     vehicles_repel: Flag = True
@@ -66,15 +76,21 @@ class Formation(Part):
     """A ring around the target, `height_m` above it; without `ring_m` the target itself attracts."""
 
     ring_m: Metres | None = None
+    """radius of the ring around the target, m; without it the pursuers' goal is the target itself"""
     height_m: Coordinate = 0.0
+    """height of the ring above the target, m; negative: below"""
 
 
 class Pursuit(Part):
     """Who pursues: all, or for each target the winner of a competition by least predicted control effort."""
 
     by: Literal["all", "competition"] = "all"
+    """`all`: every pursuer follows its target; `competition`: per target the one with the least predicted control
+    effort"""
     p: Annotated[float, Field(strict=True, ge=1, le=100)] = 2.0
+    """exponent of the competition, at least 1"""
     rate: Positive = 5.0
+    """rate c of the competition, 1/s"""
     share: Annotated[float, Field(strict=True, gt=0, lt=1)] = 0.9
     """of all states to the power p, less the floor's own, that a challenger must hold to take over"""
     hysteresis: NotNegative = 0.1
@@ -82,34 +98,51 @@ class Pursuit(Part):
 
 
 class Competition(Part):
-    """Winner-take-all (model.md 8): exponent p, rate c, values in [floor, high]; who competes, when it is decided."""
+    """Winner-take-all (docs/model.md#competition): exponent p, rate c, values in [floor, high]; who competes, when it
+    is decided."""
 
     _short = model_validator(mode="before")(lambda value: _named("policy", value))
 
     enabled: Flag = True
+    """false: nobody is refuelled unless an operator asks"""
     policy: Policy = "winner_take_all"
     """the competition, one to compare it with, or MODULE:CLASS; others use need_from alone"""
     p: Annotated[float, Field(strict=True, ge=1, le=100)] = 2.0
+    """exponent of the law, at least 1"""
     rate: Positive = 5.0
+    """rate c of the law, 1/s; larger decides faster"""
     floor: Positive = 0.01
+    """least bid and least state, without unit, below `high`"""
     high: Positive = 1.0
+    """greatest bid, without unit"""
     need_from: Fraction = 0.5
+    """share of the battery that must be gone before a vehicle competes, 0 to 1"""
     share: Annotated[float, Field(strict=True, gt=0, lt=1)] = 0.9
+    """share of the sum of v^p, less the floor's own, that the winner must hold, 0 to 1"""
     dwell_s: Seconds = 2.0
+    """how long it must hold that share, s"""
     decide_within_s: Seconds = 30.0
+    """after so long without a winner the greatest state is served, s"""
 
 
 class Refuelling(Part):
     """Where the tanker stands (`height_m` above the receiver), when a transfer may run, and how much flows."""
 
     enabled: Flag = True
+    """false: no service at all"""
     height_m: Metres = 1.2
+    """how far above its receiver the tanker flies, m; below `capture_m`"""
     capture_m: Metres = 1.5
+    """greatest distance of tanker and receiver for a transfer, m"""
     relative_speed_m_s: Speed = 0.5
+    """greatest relative speed for a transfer, m/s"""
     hold_s: Seconds = 1.0
+    """how long both must hold before a transfer starts, s"""
     rate_w: Positive = 2000.0
+    """power of a transfer in flight, W"""
     until: Annotated[float, Field(strict=True, gt=0, le=1)] = 0.9
     """of the receiver's capacity"""
     reserve_s: Seconds = 20.0
     """served first: who cannot last until the rendezvous and this long after it"""
     limit_j: Joules | None = None
+    """most energy of one service, J; by default only `until` limits it"""

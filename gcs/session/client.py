@@ -1,4 +1,5 @@
-"""A client of a session's socket: messages in, commands out, newline-delimited JSON (contract.md, Processes)."""
+"""A client of a session's socket: messages in, commands out, newline-delimited JSON
+(docs/protocol.md#session-socket)."""
 
 from __future__ import annotations
 

@@ -85,7 +85,7 @@ class Session:
 
     @property
     def folder(self) -> Path:
-        """What the session leaves behind (README, Use)."""
+        """What the session leaves behind (docs/protocol.md#session-folder)."""
         if self._folder is None:
             raise SessionError("the session has no folder before it begins; use it as `with Session(...) as session:`")
         return self._folder

@@ -251,7 +251,7 @@ def run(
     stderr: IO[bytes] | None = None,
     hurry: Callable[[], object] = lambda: None,
 ) -> int:
-    """Fly the session prepared in `folder`; the exit status (contract.md, A session's folder).
+    """Fly the session prepared in `folder`; the exit status (docs/protocol.md#exit-status).
 
     `view` shows it while it flies, `finish` gets the supervisor's last word, and `tell` the lines that sum it up.
     `stderr` takes what the supervisor says there; our own standard error without it. `hurry` is called where a person

@@ -1,6 +1,6 @@
 """Vehicles as processes: their command lines, the hatch that forks them, their life and death.
 
-The hatch is the `simvehicle` program; the ground station knows vehicles only by argv (contract.md, Processes).
+The hatch is the `simvehicle` program; the ground station knows vehicles only by argv (docs/protocol.md#processes).
 """
 
 from __future__ import annotations

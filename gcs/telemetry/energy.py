@@ -1,4 +1,5 @@
-"""Energy that a vehicle has drawn, from whatever its autopilot reports of its battery (contract.md, Energy).
+"""Energy that a vehicle has drawn, from whatever its autopilot reports of its battery
+(docs/protocol.md#energy-accounting).
 
 Three meters, the best first; a vehicle's `source` is the best one that has spoken within GAP_S:
 

@@ -61,7 +61,7 @@ class VehicleView(NamedTuple):
 
     @property
     def remaining_j(self) -> float:
-        """What the battery holds, by the vehicle's messages alone (contract.md, Energy and transfer)."""
+        """What the battery holds, by the vehicle's messages alone (docs/protocol.md#energy-accounting)."""
         return self.initial_j + self.received_j - self.drawn_j - self.given_j
 
     @property

@@ -1,4 +1,5 @@
-"""Double closed-loop speed tracking: outer loop (model.md 2) [choice] and inner loop (model.md 3) [lineage]."""
+"""Double closed-loop speed tracking: outer loop (docs/model.md#speed-loop) [choice] and inner loop
+(docs/model.md#attitude-loop) [lineage]."""
 
 from __future__ import annotations
 
@@ -41,7 +42,7 @@ def outer(
     tilt_slope: float,
     thrust_max: float,
 ) -> tuple[float, float, float]:
-    """Speed loop: (φ_d, θ_d, u1) (model.md 2) [choice].
+    """Speed loop: (φ_d, θ_d, u1) (docs/model.md#speed-loop) [choice].
 
     W = v_d' + (K/m) v + (0, 0, g) - λ (v - v_d). Lift comes first: W_z is floored at 0.3 g and capped at the most
     thrust, then the horizontal part shrinks to what tilt and thrust leave.
@@ -73,7 +74,7 @@ def inner(
     drag: float,
     limit: float,
 ) -> float:
-    """Attitude loop of one angle: tau (model.md 3) [lineage], with error = γ - γ_d.
+    """Attitude loop of one angle: tau (docs/model.md#attitude-loop) [lineage], with error = γ - γ_d.
 
     tau = γ_d'' + (L Kγ/Iγ) γ_d' - Ap (γ' - γ_d') - Aq (γ - γ_d)
     """
@@ -95,7 +96,7 @@ def step(
     airframe: Airframe,
     limits: Limits,
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """Both loops and their differentiators, one step (model.md 2-4, paper eqs. 13-21). All axes nwu.
+    """Both loops and their differentiators, one step (docs/model.md#control-law, paper eqs. 13-21). All axes nwu.
 
     Args:
         velocity: (n, 3), m/s.

@@ -1,4 +1,5 @@
-"""Finite-time third-order differentiator (model.md 4, paper eq. 21) [lineage], values [seed], discretised implicitly.
+"""Finite-time third-order differentiator (docs/model.md#differentiator, paper eq. 21) [lineage], values [seed],
+discretised implicitly.
 
 One implicit Euler step of h is one scalar equation in s = X3+, with X2+ = X2 + h s and X1+ = X1 + h X2+:
 
@@ -76,7 +77,7 @@ def solve(
 
 
 def step(x: ArrayLike, signal: ArrayLike, dt_s: float, *, epsilon: float) -> NDArray[np.float64]:
-    """One implicit step of differentiators (model.md 4, paper eq. 21) [lineage].
+    """One implicit step of differentiators (docs/model.md#differentiator, paper eq. 21) [lineage].
 
     Args:
         x: (..., 3), X1, X2, X3: the signal's estimate and its first two derivatives, in units of the signal per s^k.

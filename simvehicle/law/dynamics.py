@@ -1,4 +1,4 @@
-"""The four-rotor UAV as a plant (model.md 1) [lineage], its RK4 step, and the frames it is seen in.
+"""The four-rotor UAV as a plant (docs/model.md#rigid-body) [lineage], its RK4 step, and the frames it is seen in.
 
 Axes are the paper's, nwu: x north, y west, z up. The state holds the rates of the Euler angles, not body rates.
 A plant state is (x, y, z, x', y', z', φ, θ, ψ, φ', θ', ψ'); inputs are (u1, tau2, tau3, tau4).
@@ -23,7 +23,7 @@ INPUT_SIZE = 4
 
 @njit(cache=True, error_model="numpy")
 def thrust_direction(roll: float, pitch: float, yaw: float) -> tuple[float, float, float]:
-    """Unit vector of thrust in nwu axes (model.md 1) [lineage]."""
+    """Unit vector of thrust in nwu axes (docs/model.md#rigid-body) [lineage]."""
     sin_roll, cos_roll = math.sin(roll), math.cos(roll)
     sin_pitch, cos_pitch = math.sin(pitch), math.cos(pitch)
     sin_yaw, cos_yaw = math.sin(yaw), math.cos(yaw)
@@ -92,7 +92,7 @@ def wrap_angle(angle: float) -> float:
 
 
 def derivative(state: ArrayLike, inputs: ArrayLike, *, airframe: Airframe) -> NDArray[np.float64]:
-    """Time derivative of plant states (model.md 1, paper eq. 3) [lineage].
+    """Time derivative of plant states (docs/model.md#rigid-body, paper eq. 3) [lineage].
 
     Args:
         state: (n, 12), nwu axes, m, m/s, rad, rad/s.
@@ -136,7 +136,8 @@ def step(state: ArrayLike, inputs: ArrayLike, dt_s: float, *, airframe: Airframe
 def body_rates(
     roll: float, pitch: float, roll_rate: float, pitch_rate: float, yaw_rate: float
 ) -> tuple[float, float, float]:
-    """Body rates (p, q, r), rad/s, of nwu Euler angles, rad, and their rates, rad/s (model.md 1) [lineage].
+    """Body rates (p, q, r), rad/s, of nwu Euler angles, rad, and their rates, rad/s (docs/model.md#rigid-body)
+    [lineage].
 
     On plain floats: telemetry asks for them in every grant. On the wire they are `ned_from_nwu` of this.
     """
@@ -149,7 +150,7 @@ def body_rates(
 
 
 def ned_from_nwu(v: Sequence[float]) -> tuple[float, float, float]:
-    """North, east, down of north, west, up: half a turn about north (contract.md, Frames).
+    """North, east, down of north, west, up: half a turn about north (docs/protocol.md#frames).
 
     The same for Euler angles, their rates and body rates: (φ, θ, ψ) gives NED's (φ, -θ, -ψ).
     """

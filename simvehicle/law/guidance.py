@@ -1,4 +1,4 @@
-"""From set points at the planner's rate to a reference the law can fly (model.md 5) [choice].
+"""From set points at the planner's rate to a reference the law can fly (docs/model.md#guidance) [choice].
 
 A step in v_d is a spike in torque, so a set point is first followed by a point q of bounded speed and acceleration,
 and q by three first-order lags r1, r2, r3: the reference r = r3 has continuous acceleration and jerk.
@@ -129,7 +129,8 @@ def linear_axis(start: float, end: float, elapsed: float, period: float) -> tupl
 
 
 def start(position: ArrayLike, velocity: ArrayLike, *, guidance: Guidance) -> NDArray[np.float64]:
-    """Memory of a start in motion: position and velocity, (n, 3), nwu, m and m/s, give (n, 15) (model.md 5)."""
+    """Memory of a start in motion: position and velocity, (n, 3), nwu, m and m/s, give (n, 15)
+    (docs/model.md#guidance)."""
     p, v = np.atleast_2d(np.asarray(position, dtype=np.float64)), np.atleast_2d(np.asarray(velocity, dtype=np.float64))
     lead = v / guidance.omega
     return np.concatenate([p + 3.0 * lead, v, p + 2.0 * lead, p + lead, p], axis=1)
@@ -146,7 +147,7 @@ def step(
     speed_max_m_s: float = math.inf,
     use_position: ArrayLike = (1.0, 1.0, 1.0),
 ) -> NDArray[np.float64]:
-    """Shaped reference, one step (model.md 5) [choice]. All axes nwu.
+    """Shaped reference, one step (docs/model.md#guidance) [choice]. All axes nwu.
 
     Args:
         memory: (n, 15), q, q', r1, r2, r3, as from `start`.
@@ -180,7 +181,8 @@ def step(
 def reference(
     memory: ArrayLike, position: ArrayLike, velocity: ArrayLike, *, guidance: Guidance
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """What the law flies: r, v_d = r' + k (r - p) and v_d' = r'' + k (r' - v), (n, 3) each (model.md 5) [choice].
+    """What the law flies: r, v_d = r' + k (r - p) and v_d' = r'' + k (r' - v), (n, 3) each (docs/model.md#guidance)
+    [choice].
 
     Args:
         memory: (n, 15).

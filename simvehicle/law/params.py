@@ -41,7 +41,8 @@ def _require_not_negative(name: str, value: float) -> None:
 
 @dataclass(frozen=True, kw_only=True)
 class Airframe:
-    """The body (model.md 1) [seed]: mass, arm L, gravity, drag Kx = Ky = Kz, Kφ = Kθ = Kψ and Iφ = Iθ = Iψ.
+    """The body (docs/model.md#rigid-body) [seed]: mass, arm L, gravity, drag Kx = Ky = Kz, Kφ = Kθ = Kψ and Iφ = Iθ =
+    Iψ.
 
     Raises:
         ValueError: a mass, arm, gravity or inertia that is not positive, a drag that is negative.
@@ -75,7 +76,7 @@ class Airframe:
 
 @dataclass(frozen=True, kw_only=True)
 class Gains:
-    """Gains of the two loops (model.md 2, 3) and ε of the differentiators (model.md 4).
+    """Gains of the two loops (docs/model.md#control-law) and ε of the differentiators (docs/model.md#differentiator).
 
     `speed` is λ (1/s), `rate` Ap (1/s), `angle` Aq (1/s²), `epsilon` ε (s).
 
@@ -127,7 +128,8 @@ class Limits:
 
 @dataclass(frozen=True, kw_only=True)
 class Battery:
-    """Battery and what is drawn from it (model.md 9) [choice]. An infinite `initial_j`, the default, means full.
+    """Battery and what is drawn from it (docs/model.md#battery) [choice]. An infinite `initial_j`, the default, means
+    full.
 
     Raises:
         ValueError: capacity not positive, initial charge outside 0..capacity, a negative power.
@@ -150,7 +152,7 @@ class Battery:
 
 @dataclass(frozen=True, kw_only=True)
 class Guidance:
-    """From set points to a reference (model.md 5) [choice].
+    """From set points to a reference (docs/model.md#guidance) [choice].
 
     `shaped` is the default's filtered reference; False is the paper's: v_d linear between set points, yaw constant.
     `gain` K (1/s) and `decel` a (m/s²) of the square-root controller, `velocity_gain` of q'' (1/s), `omega` ω of the
@@ -181,7 +183,8 @@ class Guidance:
 class VehicleParams:
     """Everything the flight core knows of one vehicle.
 
-    `bumpless` starts X1 of the differentiators at the first angle; False is the paper's X(0) = 0 (model.md 4).
+    `bumpless` starts X1 of the differentiators at the first angle; False is the paper's X(0) = 0
+    (docs/model.md#differentiator).
 
     Raises:
         ValueError: an inner loop that is unstable, by Remark 1 of the paper (Ap + L Kγ/Iγ > 0; Aq > 0 is checked in

@@ -1,4 +1,4 @@
-"""What flying costs (model.md 9): the paper's control effort, and the battery's power."""
+"""What flying costs (docs/model.md#energy): the paper's control effort, and the battery's power."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ from simvehicle.law.params import Airframe, Battery
 
 @njit(cache=True, error_model="numpy")
 def power(u1: float, gravity: float, hover_w: float, avionics_w: float) -> float:
-    """P = P_hover (T/mg)^(3/2) + P_avionics in W (model.md 9) [choice]; T/mg is u1/g."""
+    """P = P_hover (T/mg)^(3/2) + P_avionics in W (docs/model.md#battery) [choice]; T/mg is u1/g."""
     load = u1 / gravity
     return hover_w * load * math.sqrt(load) + avionics_w
 
 
 @njit(cache=True, error_model="numpy")
 def effort_rate(u1: float, tau2: float, tau3: float, tau4: float) -> float:
-    """Σ |τ_k| with τ_1 = u1 (model.md 9) [seed]: m/s² and rad/s² summed, as in the paper."""
+    """Σ |τ_k| with τ_1 = u1 (docs/model.md#control-effort) [choice]: m/s² and rad/s² summed."""
     return abs(u1) + abs(tau2) + abs(tau3) + abs(tau4)
 
 
 def power_w(thrust_m_s2: ArrayLike, *, airframe: Airframe, battery: Battery) -> NDArray[np.float64]:
-    """Electrical power in W of thrusts u1 >= 0 in m/s², any shape (model.md 9) [choice].
+    """Electrical power in W of thrusts u1 >= 0 in m/s², any shape (docs/model.md#battery) [choice].
 
     This is what a battery that is not empty gives; an empty one gives nothing.
     """

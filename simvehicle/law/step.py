@@ -98,7 +98,7 @@ _LEAST_PERIOD_S = 1e-3
 
 @njit(error_model="numpy")
 def _set_reference(s: Row, c: Row, p: Row, guide: Row, linear: Row, t: float) -> None:
-    """Write r, v_d and v_d' of the state's time t (model.md 5)."""
+    """Write r, v_d and v_d' of the state's time t (docs/model.md#guidance)."""
     for i in range(3):
         if p[P_SHAPED] != 0.0:
             r1, r2, r3 = guide[guidance.R1 + i], guide[guidance.R2 + i], guide[guidance.R3 + i]
@@ -154,7 +154,8 @@ def _start_afresh(s: Row, p: Row, guide: Row, yaw: Row, linear: Row) -> None:
 
 @njit(error_model="numpy")
 def _control(s: Row, c: Row, p: Row, yaw: Row, dt: float) -> tuple[float, float, float, float]:
-    """Outer loop → differentiators of the new angles → inner loop: (u1, tau2, tau3, tau4) (model.md 2-4)."""
+    """Outer loop → differentiators of the new angles → inner loop: (u1, tau2, tau3, tau4)
+    (docs/model.md#control-law)."""
     roll_d, pitch_d, u1 = controller.outer(
         s[_V], s[_V + 1], s[_V + 2], s[_ANGLE + 2],
         s[_REF_V], s[_REF_V + 1], s[_REF_V + 2], s[_REF_A], s[_REF_A + 1], s[_REF_A + 2],
@@ -203,7 +204,7 @@ def _meet_ground(s: Row, c: Row, x: float, y: float) -> None:
 
 @njit(error_model="numpy")
 def _draw(s: Row, p: Row, u1: float, dt: float) -> None:
-    """Take a step's energy from the battery, at most what is left (model.md 9)."""
+    """Take a step's energy from the battery, at most what is left (docs/model.md#battery)."""
     drawn = min(power.power(u1, p[P_GRAVITY], p[P_HOVER_W], p[P_AVIONICS_W]) * dt, max(s[REMAINING_J], 0.0))
     s[DRAWN_J] += drawn
     s[REMAINING_J] -= drawn
@@ -271,7 +272,8 @@ def initial_state(
     attitude_rad: Sequence[float],
     airborne: bool,
 ) -> NDArray[np.float64]:
-    """State of a vehicle before its first step, (STATE_SIZE,), guidance matched to a start in motion (model.md 5).
+    """State of a vehicle before its first step, (STATE_SIZE,), guidance matched to a start in motion
+    (docs/model.md#guidance).
 
     Args:
         params: the vehicle.
@@ -312,7 +314,7 @@ def advance(
     steps: int,
     dt_s: float = STEP_S,
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Fly n vehicles k steps on (model.md 1-5, 9). Pure: the arguments stay as they are.
+    """Fly n vehicles k steps on (docs/model.md#vehicle). Pure: the arguments stay as they are.
 
     Args:
         state: (n, STATE_SIZE).

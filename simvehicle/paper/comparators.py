@@ -1,4 +1,5 @@
-"""What the finite-time differentiator is compared with (model.md 4): two others, and itself stepped explicitly.
+"""What the finite-time differentiator is compared with (docs/model.md#comparison-differentiators): two others, and
+itself stepped explicitly.
 
 Every one is stepped by explicit Euler, as such laws usually are: state and signal of one time give the state a step
 later. They serve the figures of paper.py; no vehicle flies them.
@@ -34,7 +35,8 @@ def _sign(x: float) -> float:
 
 @njit(cache=True, error_model="numpy")
 def explicit(x1: float, x2: float, x3: float, signal: float, dt: float, epsilon: float) -> tuple[float, float, float]:
-    """One explicit Euler step of the finite-time differentiator (model.md 4) [lineage]: (X1+, X2+, X3+).
+    """One explicit Euler step of the finite-time differentiator (docs/model.md#differentiator) [lineage]: (X1+, X2+,
+    X3+).
 
     ε³ X3' = -2^(3/5)·4·sig(X1 - v + sig(ε X2)^(9/7))^(1/3) - 4·sig(ε² X3)^(3/5)
     """
@@ -47,7 +49,8 @@ def explicit(x1: float, x2: float, x3: float, signal: float, dt: float, epsilon:
 def sliding_mode(
     x: float, u1: float, signal: float, dt: float, alpha: float, lambda_: float
 ) -> tuple[float, float, float]:
-    """One step of Levant's sliding-mode differentiator (model.md 4) [lineage]: (x+, u1+, u).
+    """One step of Levant's sliding-mode differentiator (docs/model.md#comparison-differentiators) [lineage]: (x+, u1+,
+    u).
 
     x' = u = u1 - λ |x - v|^(1/2) sgn(x - v),   u1' = -α sgn(x - v);   u is the derivative's estimate
     """
@@ -60,7 +63,7 @@ def sliding_mode(
 def high_gain(
     x1: float, x2: float, signal: float, dt: float, k1: float, k2: float, alpha: float
 ) -> tuple[float, float]:
-    """One step of the linear high-gain differentiator (model.md 4) [lineage]: (x1+, x2+).
+    """One step of the linear high-gain differentiator (docs/model.md#comparison-differentiators) [lineage]: (x1+, x2+).
 
     x1' = x2 - (k1/α) (x1 - v),   x2' = -(k2/α²) (x1 - v);   x2 is the derivative's estimate
     """
@@ -69,7 +72,7 @@ def high_gain(
 
 
 def explicit_step(x: ArrayLike, signal: ArrayLike, dt_s: float, *, epsilon: float) -> Floats:
-    """Finite-time differentiators by one explicit Euler step (model.md 4) [lineage].
+    """Finite-time differentiators by one explicit Euler step (docs/model.md#differentiator) [lineage].
 
     Arguments and result are those of `differentiator.step`, but the signal is that of the step's start.
 
@@ -83,7 +86,8 @@ def explicit_step(x: ArrayLike, signal: ArrayLike, dt_s: float, *, epsilon: floa
 def sliding_mode_step(
     x: ArrayLike, signal: ArrayLike, dt_s: float, *, alpha: float = SLIDING_ALPHA, lambda_: float = SLIDING_LAMBDA
 ) -> Floats:
-    """One explicit Euler step of Levant's sliding-mode differentiators (model.md 4) [lineage].
+    """One explicit Euler step of Levant's sliding-mode differentiators (docs/model.md#comparison-differentiators)
+    [lineage].
 
     Args:
         x: (..., 3), x, u1 and u: the signal's estimate and two of its derivative, in units of the signal and of the
@@ -112,7 +116,7 @@ def high_gain_step(
     k2: float = HIGH_GAIN_K2,
     alpha: float = HIGH_GAIN_ALPHA,
 ) -> Floats:
-    """One explicit Euler step of linear high-gain differentiators (model.md 4) [lineage].
+    """One explicit Euler step of linear high-gain differentiators (docs/model.md#comparison-differentiators) [lineage].
 
     Args:
         x: (..., 2), x1 and x2: estimates of the signal and of its derivative.

@@ -1,8 +1,8 @@
 """The paper's vehicle-only figures as studies: each flies or differentiates, and gives its numbers and its curves.
 
-    fig5      the finite-time differentiator on 5 sin t (model.md 4; paper Fig. 5)
+    fig5      the finite-time differentiator on 5 sin t (docs/model.md#differentiator; paper Fig. 5)
     fig12     it on sin t, against the sliding-mode and the linear high-gain differentiator (paper Fig. 12)
-    implicit  why it is stepped implicitly: torque and speed error against step and noise (model.md 4)
+    implicit  why it is stepped implicitly: torque and speed error against step and noise (docs/model.md#differentiator)
 
 Numbers carry their unit in their name; a time of convergence that is never reached is null.
 """
@@ -27,7 +27,7 @@ Floats = NDArray[np.float64]
 Law = Callable[[float, float, float, float], tuple[float, float, float]]
 
 SCHEMA = 1
-SETTLED_S = 3.0  # errors count from here (model.md 4)
+SETTLED_S = 3.0  # errors count from here (docs/model.md#differentiator)
 DURATION_S = 20.0
 WITHIN = 0.1  # converged: the error stays below this share of the amplitude...
 HELD_S = 1.0  # ... for so long

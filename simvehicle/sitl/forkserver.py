@@ -1,4 +1,4 @@
-"""Preload once, fork a vehicle per line: contract.md, Processes.
+"""Preload once, fork a vehicle per line: docs/protocol.md#processes.
 
 stdin: one JSON line per process, {"argv": ["--sysid", "1", …], "log": PATH}. stdout: {"ready": true} once preloaded,
 then {"sysid", "pid"} at each fork and {"sysid", "pid", "exit", "last_lines"} at each end; `exit` is negative for a

@@ -1,4 +1,5 @@
-"""Scripted vehicles that answer a schedule's commands as contract.md has them do, and a play of one with them."""
+"""Scripted vehicles that answer a schedule's commands as docs/protocol.md#energy-transfer has them do, and a play of
+one with them."""
 
 from dataclasses import dataclass, field
 from typing import Any

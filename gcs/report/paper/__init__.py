@@ -1,1 +1,1 @@
-"""The paper's examples, flown and measured, claim by claim (model.md 10)."""
+"""The paper's examples, flown and measured, claim by claim (docs/model.md#paper-examples)."""

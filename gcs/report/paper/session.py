@@ -45,7 +45,8 @@ class Flight:
     effort: Floats
 
     def reference(self) -> tuple[Floats, Floats]:
-        """v_d (k, 3) m/s and v_d' (k, 3) m/s² at `time_s`: linear between the set points' velocities (model.md 5).
+        """v_d (k, 3) m/s and v_d' (k, 3) m/s² at `time_s`: linear between the set points' velocities
+        (docs/model.md#guidance).
 
         Before the first set point the vehicle flies on its own initial velocity.
         """

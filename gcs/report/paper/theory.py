@@ -125,7 +125,7 @@ def fig6() -> Study:
 
 
 def loops() -> Study:
-    """How fast the attitude's error falls, against the speed's (model.md 2, 3)."""
+    """How fast the attitude's error falls, against the speed's (docs/model.md#control-law)."""
     roots = np.roots([1.0, RATE_GAIN + ROTATIONAL_DRAG_1_S, ANGLE_GAIN])
     inner = float(-roots.real.max())
     note = f"the attitude's error falls with {inner:.3f} 1/s, the speed's with {SPEED_GAIN:g} 1/s"

@@ -1,4 +1,5 @@
-"""Truth: scikit-fuzzy's control system, the paper's rule table, and the scenes measured in model.md 7."""
+"""Truth: scikit-fuzzy's control system, the paper's rule table, and the scenes measured in
+docs/model.md#fuzzy-escape."""
 
 import warnings
 
@@ -95,8 +96,9 @@ def walk(points: object, *, escape: bool, full_steps: bool, limit: int = 400) ->
     return bool(np.linalg.norm(path[-1] - GOAL) <= 0.1), len(path) - 1, np.array(path)
 
 
-# Steps and clearance of model.md 7, first column. It gives no coordinates: start, goal and the two walls were recovered
-# from the figures (one step more in each wall); of the U's only the pattern is held, their arms being our guess.
+# Steps and clearance of docs/model.md#fuzzy-escape, first column. It gives no coordinates: start, goal and the two
+# walls were recovered from the figures (one step more in each wall); of the U's only the pattern is held, their arms
+# being our guess.
 @pytest.mark.parametrize(
     ("scene", "steps", "clearance_m"),
     [

@@ -1,4 +1,5 @@
-"""Truth: kinematics by hand, model.md 6's path, and the plain field as the measure of the feed-forward."""
+"""Truth: kinematics by hand, docs/model.md#potential-field's path, and the plain field as the measure of the
+feed-forward."""
 
 import math
 from collections.abc import Callable
@@ -89,7 +90,8 @@ def test_example_1_is_flown_at_the_published_length_and_clearance() -> None:
             trail.append(q)
             assert len(trail) < 300
     path = np.concatenate(trail)
-    # model.md 6: 14.5 m and 0.451 m, measured with full steps; slowing down before a point rounds the path off less.
+    # docs/model.md#potential-field: 14.5 m and 0.451 m, measured with full steps; slowing down before a point rounds
+    # the path off less.
     assert np.linalg.norm(np.diff(path, axis=0), axis=1).sum() == pytest.approx(14.5, abs=0.1)
     assert geometry.clearance(table, path).min() > 0.451
 

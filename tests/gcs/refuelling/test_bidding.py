@@ -1,4 +1,5 @@
-"""Who is next: the state against an adaptive solver, decisions against the rules in contract.md."""
+"""Who is next: the state against an adaptive solver, decisions against the rules in
+docs/protocol.md#refuelling-schedule."""
 
 import itertools
 from typing import Any

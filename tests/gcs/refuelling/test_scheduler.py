@@ -1,4 +1,4 @@
-"""Services from the decision to the end, against scripted vehicles that answer commands as contract.md has them do."""
+"""Services from the decision to the end, against scripted vehicles that obey docs/protocol.md#energy-transfer."""
 
 from typing import Any
 

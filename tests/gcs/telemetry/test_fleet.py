@@ -196,7 +196,7 @@ def test_without_a_draw_it_lasts_for_ever(fleet: Fleet) -> None:
 
 
 def test_a_vehicle_that_counts_no_energy_is_read_by_its_percentage(fleet: Fleet) -> None:
-    """PX4's simulator: energy_consumed is -1 (mavlink.md)."""
+    """PX4's simulator: energy_consumed is -1 (docs/how-to/external-autopilots.md#what-real-autopilots-report)."""
     view = seen(fleet, parameter("SIM_BAT_INIT_J", INITIAL_J), battery(battery_remaining=70))
     assert view.energy_source == "battery_remaining"
     assert view.remaining_j == pytest.approx(0.7 * CAPACITY_J)
@@ -206,7 +206,7 @@ def test_a_vehicle_that_counts_no_energy_is_read_by_its_percentage(fleet: Fleet)
 
 
 def test_the_first_percentage_is_the_start_of_a_vehicle_that_names_none(fleet: Fleet) -> None:
-    """contract.md, Energy: initial is the parameter, else the first battery_remaining."""
+    """docs/protocol.md#energy-accounting: initial is the parameter, else the first battery_remaining."""
     view = seen(fleet, battery(energy_consumed=10, battery_remaining=50))
     assert view.initial_j == pytest.approx(0.5 * CAPACITY_J + 1000)
     assert view.remaining_j == pytest.approx(0.5 * CAPACITY_J)

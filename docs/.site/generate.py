@@ -1,0 +1,390 @@
+"""Writes the generated pages of the documentation into a folder.
+
+    scenario.md      every key of a scenario file, from its JSON Schema
+    commands.md      every command and option, from click
+    parameters.md    every MAVLink parameter of the vehicle, from its table
+    packages.md      which package imports which, from the code; packages.svg
+
+`python docs/.site/generate.py FOLDER` needs a Python that has Skytender installed; build.py calls it.
+"""
+
+from __future__ import annotations
+
+import ast
+import json
+import re
+import sys
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import click
+from gcs.editor_schema import editor_schema
+from simvehicle.mavlink.parameters import TABLE as PARAMETERS
+
+# All that is taken from the project; the rest of this file knows no module of it.
+from gcs.cli import cli as gcs_command
+from simvehicle.cli import cli as simvehicle_command
+
+PACKAGES = ("gcs", "simvehicle")
+ROOT = Path(__file__).resolve().parents[2]
+
+UNITS = {
+    "_m_s": "m/s", "_m": "m", "_s": "s", "_j": "J", "_w": "W", "_deg": "°", "_percent": "%", "_rad": "rad", "_hz": "Hz",
+}  # fmt: skip
+ROOT_TITLE = "Scenario file"
+OPTIONAL = ("defaults", "grid")
+"""Keys that a file may have and the loaded scenario has not; they have no default."""
+
+
+def main() -> None:
+    """Write every page."""
+    if len(sys.argv) != 2:
+        raise SystemExit("generate.py FOLDER")
+    folder = Path(sys.argv[1])
+    folder.mkdir(parents=True, exist_ok=True)
+    graph = imports_by_package(ROOT, PACKAGES)
+    pages = {
+        "scenario.md": scenario_page(editor_schema()),
+        "commands.md": commands_page({"gcs": gcs_command, "simvehicle": simvehicle_command}),
+        "parameters.md": parameters_page(),
+        "packages.md": packages_page(graph),
+        "packages.svg": drawing(graph),
+    }
+    for name, text in pages.items():
+        (folder / name).write_text(text, encoding="utf-8")
+
+
+# Scenario
+
+
+def scenario_page(schema: Mapping[str, Any]) -> str:
+    """A section for each block of keys, in the order in which the file's own keys lead to them."""
+    parts = schema["$defs"]
+    order = reachable(schema, parts)
+    lines = [
+        "# Scenario reference",
+        "",
+        "Every key of a scenario file, generated from its JSON Schema (`gcs schema`). Units stand at the end of",
+        "names. Positions are three numbers in the axes that the file states: `ned` (north, east, down) or `paper`",
+        "(x north, y west, z up). The [first hour](../first-hour.md#your-own-scenario) has an example.",
+        "",
+        *section(ROOT_TITLE, schema, parts),
+    ]
+    for name in order:
+        lines += section(name, parts[name], parts)
+    return "\n".join(lines) + "\n"
+
+
+def reachable(schema: Mapping[str, Any], parts: Mapping[str, Any]) -> list[str]:
+    """Names of the parts, each when it is first referred to."""
+    found: list[str] = []
+    waiting: list[Mapping[str, Any]] = [schema]
+    while waiting:
+        for name in references(waiting.pop(0).get("properties", {})):
+            if name not in found:
+                found.append(name)
+                waiting.append(parts[name])
+    return found
+
+
+def references(content: Any) -> Iterator[str]:
+    """Names of the parts that a piece of schema refers to."""
+    if isinstance(content, dict):
+        if "$ref" in content:
+            yield content["$ref"].rpartition("/")[2]
+        for value in content.values():
+            yield from references(value)
+    elif isinstance(content, list):
+        for value in content:
+            yield from references(value)
+
+
+def section(title: str, part: Mapping[str, Any], parts: Mapping[str, Any]) -> list[str]:
+    """A part's heading, description and table."""
+    lines = [f"## {title}", ""]
+    if part.get("description"):
+        lines += [prose(part["description"]), ""]
+    lines += ["| key | type | unit | default | meaning |", "|---|---|---|---|---|"]
+    required = set(part.get("required", ()))
+    for key, value in part.get("properties", {}).items():
+        given = "required" if key in required or key == "sysid" else "required, here or by `defaults`"
+        default = f"`{shown(value['default'])}`" if "default" in value else "" if key in OPTIONAL else given
+        if "default" in value and any(True for _ in references(value)):
+            default = "its defaults" if value["default"] else default
+        meaning = prose(value.get("description", "")) or prose(parts_description(value, parts))
+        lines.append(f"| `{key}` | {cell(kind(value))} | {unit(key)} | {cell(default)} | {cell(meaning)} |")
+    return [*lines, ""]
+
+
+def parts_description(value: Mapping[str, Any], parts: Mapping[str, Any]) -> str:
+    """The description of what a key refers to."""
+    return next((parts[name].get("description", "") for name in references(value)), "")
+
+
+def kind(value: Mapping[str, Any]) -> str:
+    """A schema's type in words, with its limits."""
+    if "$ref" in value:
+        name = value["$ref"].rpartition("/")[2]
+        return f"[{name}](#{name.lower()})"
+    if "enum" in value:
+        return " or ".join(f"`{choice}`" for choice in value["enum"])
+    if "const" in value:
+        return f"`{value['const']}`"
+    choices = value.get("anyOf") or value.get("oneOf")
+    if choices:
+        names = dict.fromkeys(kind(choice) for choice in choices if choice.get("type") != "null")
+        return " or ".join(names)
+    name = value.get("type", "any")
+    if name == "array":
+        items = value.get("prefixItems")
+        if items:
+            return f"{len(items)} × {kind(items[0])}" if all(item == items[0] for item in items) else "list"
+        return f"list of {kind(value.get('items', {}))}"
+    if name == "object":
+        extra = value.get("additionalProperties")
+        return f"block of {kind(extra)}" if isinstance(extra, dict) else "block"
+    if name == "string":
+        return f"text `{value['pattern']}`" if "pattern" in value and len(value["pattern"]) < 40 else "text"
+    return name + limits(value)
+
+
+def limits(value: Mapping[str, Any]) -> str:
+    """Least and greatest value, as conditions."""
+    words = {"minimum": "≥", "exclusiveMinimum": ">", "maximum": "≤", "exclusiveMaximum": "<"}
+    conditions = [f"{sign} {value[word]:g}" for word, sign in words.items() if word in value and abs(value[word]) < 1e5]
+    return f" {', '.join(conditions)}" if conditions else ""
+
+
+def unit(key: str) -> str:
+    """The unit in which a key's name ends."""
+    return next((word for suffix, word in UNITS.items() if key.endswith(suffix)), "")
+
+
+def shown(value: Any) -> str:
+    """A default as a scenario file would have it."""
+    return json.dumps(value) if not isinstance(value, str) else value or '""'
+
+
+def prose(text: str) -> str:
+    """A docstring as Markdown: what it cites of docs/ becomes a link."""
+    text = " ".join(text.split())
+
+    def link(match: re.Match[str]) -> str:
+        page, anchor = match["page"], match["anchor"] or ""
+        return f"[{(anchor or page).lstrip('#').replace('-', ' ')}](../{page}.md{anchor})"
+
+    return re.sub(r"docs/(?P<page>[a-z/-]+)\.md(?P<anchor>#[a-z0-9-]+)?", link, text)
+
+
+def cell(text: str) -> str:
+    """Text that a table's cell can hold."""
+    return text.replace("|", "\\|").replace("\n", " ")
+
+
+# Commands
+
+
+def commands_page(programs: Mapping[str, click.Command]) -> str:
+    """A section for each command of each program."""
+    lines = ["# Command reference", "", "Generated from the programs; the same as `COMMAND --help`.", ""]
+    for name, command in programs.items():
+        lines += [f"## {name}", "", *command_section(command, context_of(command, name))]
+        if isinstance(command, click.Group):
+            with context_of(command, name) as context:
+                for sub in command.list_commands(context):
+                    below = command.get_command(context, sub)
+                    if below is not None and not below.hidden:
+                        lines += [f"### {name} {sub}", ""]
+                        lines += command_section(below, context_of(below, sub, context))
+    return "\n".join(lines) + "\n"
+
+
+def context_of(command: click.Command, name: str, parent: click.Context | None = None) -> click.Context:
+    """The context in which a command's help is written."""
+    return click.Context(command, info_name=name, parent=parent, **command.context_settings)
+
+
+def command_section(command: click.Command, context: click.Context) -> list[str]:
+    """Usage and text as the terminal shows them, then a table of options."""
+    context.terminal_width = context.max_content_width = 110
+    formatter = context.make_formatter()
+    command.format_usage(context, formatter)
+    command.format_help_text(context, formatter)
+    lines = ["```text", formatter.getvalue().rstrip(), "```", ""]
+    records = [record for param in command.get_params(context) if (record := param.get_help_record(context))]
+    lines += ["| option | meaning |", "|---|---|"]
+    lines += [f"| {code(option)} | {cell(escaped(meaning))} |" for option, meaning in records]
+    return [*lines, ""]
+
+
+def code(text: str) -> str:
+    """An option in code type; a cell's bar must be escaped there too."""
+    return f"`{cell(text)}`"
+
+
+def escaped(text: str) -> str:
+    """Text without accidental Markdown."""
+    return re.sub(r"([\[\]<>*_])", r"\\\1", text)
+
+
+# Parameters
+
+
+def parameters_page() -> str:
+    """The vehicle's parameter table."""
+    lines = [
+        "# Vehicle parameters",
+        "",
+        "MAVLink parameters of `simvehicle`; a scenario sets them with `params:` of a vehicle. Names are PX4's",
+        "where PX4 has the quantity, else `SIM_*`.",
+        "",
+        "| name | type | range | default | meaning |",
+        "|---|---|---|---|---|",
+    ]
+    for row in PARAMETERS:
+        integer = "INT32" if row.whole else "REAL32"
+        span = f"{row.least:g} … {row.most:g}"
+        lines.append(f"| `{row.name}` | {integer} | {span} | {row.default:g} | {cell(row.meaning)} |")
+    return "\n".join(lines) + "\n"
+
+
+# Packages
+
+
+def imports_by_package(root: Path, names: Sequence[str]) -> dict[str, set[str]]:
+    """Package → packages that it imports, itself left out. Imports for type checking only do not count."""
+    modules = {
+        ".".join(path.relative_to(root).with_suffix("").parts).removesuffix(".__init__"): path
+        for name in names
+        for path in sorted((root / name).rglob("*.py"))
+    }
+    folders = {module for module, path in modules.items() if path.name == "__init__.py"}
+
+    def package(module: str) -> str:
+        parts = module.split(".")
+        below = ".".join(parts[:2])
+        return below if below in folders else parts[0]
+
+    graph: dict[str, set[str]] = {package(module): set() for module in modules}
+    for module, path in modules.items():
+        for imported in imported_modules(ast.parse(path.read_text(encoding="utf-8")), modules):
+            if package(imported) != package(module):
+                graph[package(module)].add(package(imported))
+    return graph
+
+
+def imported_modules(tree: ast.AST, modules: Iterable[str]) -> Iterator[str]:
+    """Modules of the project that a file imports when it runs, also within functions."""
+    known = set(modules)
+    waiting = [tree]
+    while waiting:
+        node = waiting.pop()
+        if isinstance(node, ast.If) and "TYPE_CHECKING" in ast.dump(node.test):
+            waiting += node.orelse
+            continue
+        waiting += ast.iter_child_nodes(node)
+        if isinstance(node, ast.Import):
+            names = [alias.name for alias in node.names]
+        elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
+            names = [f"{node.module}.{alias.name}" for alias in node.names] + [node.module]
+        else:
+            continue
+        for name in names:
+            if name in known:
+                yield name
+
+
+def packages_page(graph: Mapping[str, set[str]]) -> str:
+    """The picture, and the same as a table."""
+    lines = [
+        "# Packages",
+        "",
+        "Which package imports which, read from the code. Each package stands above those that it imports; lines that",
+        "follow from others are left out, and red ones close a circle. `gcs` and `simvehicle` never import each other.",
+        "",
+        "![Import graph by package](packages.svg)",
+        "",
+        "| package | imports |",
+        "|---|---|",
+    ]
+    lines += [f"| `{name}` | {', '.join(f'`{other}`' for other in sorted(graph[name]))} |" for name in sorted(graph)]
+    return "\n".join(lines) + "\n"
+
+
+def drawing(graph: Mapping[str, set[str]]) -> str:
+    """The import graph as SVG: floors by the longest way down, lines only where no longer way says the same."""
+    floors = floors_of(graph)
+    levels: dict[int, list[str]] = {}
+    for name in sorted(graph):
+        levels.setdefault(floors[name], []).append(name)
+    edges = [(a, b) for a in graph for b in graph[a] if not implied(graph, a, b)]
+    place: dict[str, float] = {}
+    for level in sorted(levels):  # from below: each near the mean of what it imports
+        row = levels[level]
+        row.sort(key=lambda name: (sum(place[b] for a, b in edges if a == name and b in place)
+                                   / max(sum(1 for a, b in edges if a == name and b in place), 1), name))  # fmt: skip
+        for i, name in enumerate(row):
+            place[name] = (i + 0.5) / len(row)
+    box_w, box_h, gap_x, gap_y = 168, 30, 24, 58
+    width = max(len(row) for row in levels.values()) * (box_w + gap_x) + gap_x
+    top = max(levels)
+    height = (top + 1) * (box_h + gap_y) + gap_y // 2
+
+    def at(name: str) -> tuple[float, float]:
+        return place[name] * width, (top - floors[name]) * (box_h + gap_y) + gap_y / 2
+
+    out = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" width="{width}" height="{height}" '
+        'font-family="system-ui, sans-serif" font-size="13">',
+        f'<rect width="{width}" height="{height}" fill="#ffffff"/>',
+    ]
+    for a, b in sorted(edges):
+        (x0, y0), (x1, y1) = at(a), at(b)
+        y0, circular = y0 + box_h, floors[a] <= floors[b]
+        middle = (y0 + y1) / 2
+        colour = "#c0392b" if circular else "#8899a6"
+        out.append(
+            f'<path d="M{x0:.0f} {y0:.0f} C{x0:.0f} {middle:.0f} {x1:.0f} {middle:.0f} {x1:.0f} {y1:.0f}" fill="none" '
+            f'stroke="{colour}" stroke-width="1.3"><title>{a} imports {b}</title></path>'
+        )
+    for name in sorted(graph):
+        x, y = at(name)
+        fill = "#e6f2ef" if name.startswith("gcs") else "#eef0f8"
+        out.append(
+            f'<rect x="{x - box_w / 2:.0f}" y="{y:.0f}" width="{box_w}" height="{box_h}" rx="5" fill="{fill}" '
+            f'stroke="#44606b"/><text x="{x:.0f}" y="{y + 20:.0f}" text-anchor="middle" fill="#1b2a30">{name}</text>'
+        )
+    return "\n".join([*out, "</svg>"]) + "\n"
+
+
+def floors_of(graph: Mapping[str, set[str]]) -> dict[str, int]:
+    """The longest way down of each package; packages in a circle share a floor as far as they can."""
+    floors: dict[str, int] = {}
+
+    def floor(name: str, above: frozenset[str]) -> int:
+        if name not in floors:
+            below = [floor(other, above | {name}) for other in sorted(graph[name]) if other not in above | {name}]
+            floors[name] = max(below, default=-1) + 1
+        return floors[name]
+
+    for name in sorted(graph):
+        floor(name, frozenset())
+    return floors
+
+
+def implied(graph: Mapping[str, set[str]], a: str, b: str) -> bool:
+    """Whether a reaches b by way of another package that it imports."""
+    seen, waiting = {a}, [other for other in graph[a] if other != b]
+    while waiting:
+        name = waiting.pop()
+        if name == b:
+            return True
+        if name not in seen:
+            seen.add(name)
+            waiting += graph[name]
+    return False
+
+
+if __name__ == "__main__":
+    main()

@@ -139,6 +139,7 @@ def test_top_level_holds_nothing_else() -> None:
         "simvehicle",
         "tests",
         "configs",
+        "docs",
         "README.md",
         "Makefile",
         "LICENSE",

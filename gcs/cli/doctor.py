@@ -28,7 +28,7 @@ _REQUIREMENT = re.compile(r"^([A-Za-z0-9._-]+)\s*([^;]*)(?:;.*extra\s*==\s*['\"]
 
 
 @dataclass(frozen=True)
-class Finding:
+class MachineFinding:
     """One thing looked at: `ok`; `note`, sessions run but less well; `problem`, they do not."""
 
     level: Literal["ok", "note", "problem"]
@@ -37,42 +37,44 @@ class Finding:
     advice: str = ""
 
 
-def examine() -> Iterator[Finding]:
+def examine() -> Iterator[MachineFinding]:
     """Every finding, in the order in which a person would want to know."""
     for check in CHECKS:
         yield from check()
 
 
-def _python() -> Iterator[Finding]:
+def _python() -> Iterator[MachineFinding]:
     here = f"{platform.python_version()} at {sys.executable}"
     if sys.version_info[:2] < OLDEST_PYTHON:
-        yield Finding("problem", "Python", here, "install Python 3.11 or newer, and Skytender there")
+        yield MachineFinding("problem", "Python", here, "install Python 3.11 or newer, and Skytender there")
     else:
-        yield Finding("ok", "Python", here)
+        yield MachineFinding("ok", "Python", here)
 
 
-def _system() -> Iterator[Finding]:
+def _system() -> Iterator[MachineFinding]:
     here = f"{platform.system()} {platform.release()}, {len(os.sched_getaffinity(0))} processors"
     if not sys.platform.startswith("linux"):
-        yield Finding("problem", "system", here, "sessions need Linux; elsewhere use a container or a virtual machine")
+        yield MachineFinding(
+            "problem", "system", here, "sessions need Linux; elsewhere use a container or a virtual machine"
+        )
         return
-    yield Finding("ok", "system", here)
+    yield MachineFinding("ok", "system", here)
     try:
         os.close(os.pidfd_open(os.getpid()))
     except OSError as error:
         advice = "sessions need Linux 5.3 or newer, and a container that allows pidfd_open"
-        yield Finding("problem", "processes", f"pidfd_open: {error.strerror}", advice)
+        yield MachineFinding("problem", "processes", f"pidfd_open: {error.strerror}", advice)
 
 
-def _versions() -> Iterator[Finding]:
+def _versions() -> Iterator[MachineFinding]:
     try:
         own = version(PACKAGE)
         wanted = requires(PACKAGE) or []
     except PackageNotFoundError:
         advice = "install it: pip install skytender, or pip install . in its checkout"
-        yield Finding("problem", PACKAGE, "not installed, only on the path", advice)
+        yield MachineFinding("problem", PACKAGE, "not installed, only on the path", advice)
         return
-    yield Finding("ok", PACKAGE, own)
+    yield MachineFinding("ok", PACKAGE, own)
     for line in wanted:
         match = _REQUIREMENT.match(line)
         if match is None or match[3] == "dev":
@@ -82,14 +84,16 @@ def _versions() -> Iterator[Finding]:
             have = version(name)
         except PackageNotFoundError:
             if extra:
-                yield Finding("note", name, "not installed", f"for the extra: {install_extra(extra)}")
+                yield MachineFinding("note", name, "not installed", f"for the extra: {install_extra(extra)}")
             else:
-                yield Finding("problem", name, "not installed", f"install it: pip install '{name}{limits}'")
+                yield MachineFinding("problem", name, "not installed", f"install it: pip install '{name}{limits}'")
             continue
         if satisfies(have, limits):
-            yield Finding("ok", name, have)
+            yield MachineFinding("ok", name, have)
         else:
-            yield Finding("problem", name, f"{have}, not {limits}", f"install another: pip install '{name}{limits}'")
+            yield MachineFinding(
+                "problem", name, f"{have}, not {limits}", f"install another: pip install '{name}{limits}'"
+            )
 
 
 def install_extra(extra: str) -> str:
@@ -117,25 +121,29 @@ def _numbers(text: str) -> tuple[int, ...]:
     return tuple(int(part) for part in (head[0] if head else "0").split(".") if part)
 
 
-def _programs() -> Iterator[Finding]:
+def _programs() -> Iterator[MachineFinding]:
     beside = Path(sys.executable).with_name("simvehicle")
     program = str(beside) if beside.exists() else shutil.which("simvehicle")
     if program is None:
-        yield Finding("problem", "simvehicle", "not found", "it comes with Skytender: install that again with pip")
+        yield MachineFinding(
+            "problem", "simvehicle", "not found", "it comes with Skytender: install that again with pip"
+        )
         return
     try:
         done = subprocess.run([program, "--version"], capture_output=True, text=True, timeout=60, check=False)
     except (OSError, subprocess.TimeoutExpired) as error:
-        yield Finding("problem", "simvehicle", f"{program} cannot be run: {error}", "install Skytender again with pip")
+        yield MachineFinding(
+            "problem", "simvehicle", f"{program} cannot be run: {error}", "install Skytender again with pip"
+        )
         return
     said = (done.stdout or done.stderr).strip().split("\n")[-1]
     if done.returncode:
-        yield Finding("problem", "simvehicle", f"{program}: {said}", "install Skytender again with pip")
+        yield MachineFinding("problem", "simvehicle", f"{program}: {said}", "install Skytender again with pip")
     else:
-        yield Finding("ok", "simvehicle", f"{said} at {program}")
+        yield MachineFinding("ok", "simvehicle", f"{said} at {program}")
 
 
-def _sockets() -> Iterator[Finding]:
+def _sockets() -> Iterator[MachineFinding]:
     try:
         with (
             socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as here,
@@ -148,17 +156,17 @@ def _sockets() -> Iterator[Finding]:
             here.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, BUFFER_BYTES)
             granted = here.getsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF) // 2  # Linux reports twice what it grants
     except OSError as error:
-        yield Finding("problem", "UDP on 127.0.0.1", str(error), "allow UDP on the loopback interface")
+        yield MachineFinding("problem", "UDP on 127.0.0.1", str(error), "allow UDP on the loopback interface")
         return
-    yield Finding("ok", "UDP on 127.0.0.1", "works")
+    yield MachineFinding("ok", "UDP on 127.0.0.1", "works")
     if granted < BUFFER_BYTES:
         advice = f"for more than about 50 vehicles: sudo sysctl -w net.core.rmem_max={BUFFER_BYTES}"
-        yield Finding("note", "receive buffer", f"{granted >> 10} KiB of {BUFFER_BYTES >> 10}", advice)
+        yield MachineFinding("note", "receive buffer", f"{granted >> 10} KiB of {BUFFER_BYTES >> 10}", advice)
     else:
-        yield Finding("ok", "receive buffer", f"{granted >> 10} KiB")
+        yield MachineFinding("ok", "receive buffer", f"{granted >> 10} KiB")
 
 
-def _session_socket() -> Iterator[Finding]:
+def _session_socket() -> Iterator[MachineFinding]:
     try:
         with tempfile.TemporaryDirectory(prefix="gcs-doctor-") as folder:
             directory = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
@@ -169,53 +177,55 @@ def _session_socket() -> Iterator[Finding]:
                 os.close(directory)
     except OSError as error:
         advice = "sessions need /proc mounted, and a folder for temporary files (TMPDIR) that can hold a socket"
-        yield Finding("problem", "session socket", str(error), advice)
+        yield MachineFinding("problem", "session socket", str(error), advice)
     else:
-        yield Finding("ok", "session socket", "works")
+        yield MachineFinding("ok", "session socket", "works")
 
 
-def _port() -> Iterator[Finding]:
+def _port() -> Iterator[MachineFinding]:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
         try:
             probe.bind(("127.0.0.1", COMMON_PORT))
         except OSError as error:
             advice = "another ground station listens there; sessions are not affected"
-            yield Finding("note", f"port {COMMON_PORT}", str(error.strerror).lower(), advice)
+            yield MachineFinding("note", f"port {COMMON_PORT}", str(error.strerror).lower(), advice)
         else:
-            yield Finding("ok", f"port {COMMON_PORT}", "free for another ground station")
+            yield MachineFinding("ok", f"port {COMMON_PORT}", "free for another ground station")
 
 
-def _folder() -> Iterator[Finding]:
+def _folder() -> Iterator[MachineFinding]:
     here = Path.cwd()
     try:
         with tempfile.TemporaryFile(dir=here):
             pass
     except OSError as error:
         advice = "change to a folder that you may write in, or give `gcs run` one with --out"
-        yield Finding("problem", "this folder", f"{here}: {error.strerror}", advice)
+        yield MachineFinding("problem", "this folder", f"{here}: {error.strerror}", advice)
         return
     free = shutil.disk_usage(here).free
     if free < ROOM_BYTES:
-        yield Finding("note", "this folder", f"{free >> 20} MiB free", "a long session takes up to 200 MiB: make room")
+        yield MachineFinding(
+            "note", "this folder", f"{free >> 20} MiB free", "a long session takes up to 200 MiB: make room"
+        )
     else:
-        yield Finding("ok", "this folder", f"{here}, {free >> 20} MiB free")
+        yield MachineFinding("ok", "this folder", f"{here}, {free >> 20} MiB free")
 
 
-def _cache() -> Iterator[Finding]:
+def _cache() -> Iterator[MachineFinding]:
     named = os.environ.get("NUMBA_CACHE_DIR")
     folder = Path(named) if named else Path(__file__).resolve().parent / "__pycache__"
     while not folder.exists():
         folder = folder.parent
     if os.access(folder, os.W_OK):
-        yield Finding("ok", "compiled code", f"kept in {folder}")
+        yield MachineFinding("ok", "compiled code", f"kept in {folder}")
     else:
         advice = "each start compiles for up to a minute: set NUMBA_CACHE_DIR to a folder that you may write in"
-        yield Finding("note", "compiled code", f"{folder} cannot be written", advice)
+        yield MachineFinding("note", "compiled code", f"{folder} cannot be written", advice)
 
 
-def _terminal() -> Iterator[Finding]:
+def _terminal() -> Iterator[MachineFinding]:
     if sys.__stdout__ is None or not sys.stdout.isatty():
-        yield Finding("ok", "terminal", "none: `gcs run` writes lines of text")
+        yield MachineFinding("ok", "terminal", "none: `gcs run` writes lines of text")
         return
     size = shutil.get_terminal_size()
     seen = f"{size.columns} x {size.lines}, {sys.stdout.encoding}, TERM={os.environ.get('TERM', '')}"
@@ -226,10 +236,10 @@ def _terminal() -> Iterator[Finding]:
         advice = f"the console needs {COLUMNS} x {LINES}: make the window larger, or use --plain"
     elif "utf" not in sys.stdout.encoding.lower():
         advice = "set a UTF-8 locale (LANG=C.UTF-8), or use --plain"
-    yield Finding("note" if advice else "ok", "terminal", seen, advice)
+    yield MachineFinding("note" if advice else "ok", "terminal", seen, advice)
 
 
-def _own_scenarios() -> Iterator[Finding]:
+def _own_scenarios() -> Iterator[MachineFinding]:
     from gcs.scenario.file import (  # noqa: PLC0415 - what is missing above must be told, not raised here
         load,
         shipped_folder,
@@ -245,20 +255,20 @@ def _own_scenarios() -> Iterator[Finding]:
         broken.append(name)
     if broken or "demo" not in shipped_names():
         advice = "install Skytender again with pip"
-        yield Finding("problem", "scenarios", f"unreadable: {', '.join(broken) or 'demo is missing'}", advice)
+        yield MachineFinding("problem", "scenarios", f"unreadable: {', '.join(broken) or 'demo is missing'}", advice)
     else:
-        yield Finding("ok", "scenarios", ", ".join(shipped_names()))
+        yield MachineFinding("ok", "scenarios", ", ".join(shipped_names()))
 
 
-def _safely(check: Callable[[], Iterator[Finding]]) -> Callable[[], Iterator[Finding]]:
+def _safely(check: Callable[[], Iterator[MachineFinding]]) -> Callable[[], Iterator[MachineFinding]]:
     """A check that cannot even be made, as when a package is missing, is a finding and not the end."""
 
-    def run() -> Iterator[Finding]:
+    def run() -> Iterator[MachineFinding]:
         try:
             yield from check()
         except Exception as error:
             what = check.__name__.strip("_").replace("_", " ")
-            yield Finding("problem", what, f"{type(error).__name__}: {error}", "see the problems above, if any")
+            yield MachineFinding("problem", what, f"{type(error).__name__}: {error}", "see the problems above, if any")
 
     return run
 

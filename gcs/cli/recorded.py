@@ -19,7 +19,7 @@ from gcs.exit import NOT_DONE
 
 if TYPE_CHECKING:
     from gcs.session.replay import Replay
-    from gcs.supervisor.redecide import Verdict
+    from gcs.supervisor.redecide import Comparison
 
 AGREES, DIFFERS = 0, 1
 SHOWN = 20
@@ -158,7 +158,7 @@ def _decide(session: Path, as_json: bool) -> int:
     return AGREES if verdict.agrees else DIFFERS
 
 
-def _tell(verdict: Verdict) -> None:
+def _tell(verdict: Comparison) -> None:
     if verdict.agrees:
         click.echo(f"all {verdict.compared} decisions up to {verdict.until_s:.1f} s agree")
         return
@@ -174,7 +174,7 @@ def _tell(verdict: Verdict) -> None:
         click.echo(f"  and of {len(subjects) - SHOWN} more kinds or vehicles; --json tells each")
 
 
-def _tell_json(verdict: Verdict) -> None:
+def _tell_json(verdict: Comparison) -> None:
     for difference in verdict.differences:
         click.echo(json.dumps(difference.record()))
     click.echo(

@@ -13,7 +13,7 @@ import click
 from gcs.session.client import SOCKET
 
 if TYPE_CHECKING:
-    from gcs.session.client import Source
+    from gcs.session.client import MessageSource
 
 
 @click.command(short_help="Watch a session that runs already, or any fleet.")
@@ -72,7 +72,7 @@ def monitor(session: Path | None, connect: str | None, control: bool, plain: boo
     return 0
 
 
-def _session(session: Path | None) -> tuple[Source, str]:
+def _session(session: Path | None) -> tuple[MessageSource, str]:
     """The session in a folder, or the newest one. Raises click.UsageError where none runs."""
     folder = session or _newest()
     if folder is None:
@@ -86,7 +86,7 @@ def _session(session: Path | None) -> tuple[Source, str]:
     return SessionSource(folder), folder.name
 
 
-def _air(connect: str, control: bool) -> tuple[Source, str]:
+def _air(connect: str, control: bool) -> tuple[MessageSource, str]:
     """Whoever is heard at an address. Raises click.UsageError where nobody can be."""
     from gcs.link.socket import AddressRefused
     from gcs.scenario.endpoint import address

@@ -12,7 +12,7 @@ from gcs.console.job import can_suspend
 from gcs.console.main_screen import MainScreen
 from gcs.console.shell import Shell
 from gcs.console.text import Glyphs
-from gcs.session.client import Source
+from gcs.session.client import MessageSource
 
 BEAT_S = 0.2
 """The screen is looked at, and drawn where it has changed, this often: 5 Hz."""
@@ -24,7 +24,9 @@ class ConsoleApp(Shell):
     ENABLE_COMMAND_PALETTE = False
     AUTO_FOCUS = None
 
-    def __init__(self, source: Source, title: str = "", *, owner: bool = False, glyphs: Glyphs | None = None) -> None:
+    def __init__(
+        self, source: MessageSource, title: str = "", *, owner: bool = False, glyphs: Glyphs | None = None
+    ) -> None:
         super().__init__(source, title, owner=owner, glyphs=glyphs)
         self.main = MainScreen()
 
@@ -58,7 +60,7 @@ class ConsoleApp(Shell):
                 self.pop_screen()
 
 
-def show(source: Source, title: str = "", *, owner: bool = False) -> int:
+def show(source: MessageSource, title: str = "", *, owner: bool = False) -> int:
     """Show `source` in this terminal until it ends or the person closes it; the exit status."""
     for size in ("COLUMNS", "LINES"):  # where somebody exported them, they would outlive every resize
         os.environ.pop(size, None)

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from gcs.console.model import Watch
+from gcs.console.model import SessionModel
 from gcs.console.text import Glyphs, Line, Lines, Span, fitted, left, width_of, wrapped
 from gcs.session.plain_text import clean
 
@@ -67,20 +67,20 @@ def kind_of(event: Event) -> str:
     return str(event.get("kind") or ("text" if event.get("sysid") else "session"))
 
 
-def matching(watch: Watch, chosen: Filter) -> list[Event]:
+def matching(watch: SessionModel, chosen: Filter) -> list[Event]:
     """The events that pass, oldest first."""
     if chosen.open:
         return list(watch.events)
     return [event for event in watch.events if chosen.lets(event, watch.name(event.get("sysid")))]
 
 
-def line(watch: Watch, event: Event, width: int, glyphs: Glyphs) -> Line:
+def line(watch: SessionModel, event: Event, width: int, glyphs: Glyphs) -> Line:
     """One event on one line, cut where there is no room."""
     head, (text, style) = _parts(watch, event, width, glyphs)
     return fitted([*head, (text, style)], width, glyphs)
 
 
-def entry(watch: Watch, event: Event, width: int, glyphs: Glyphs) -> Lines:
+def entry(watch: SessionModel, event: Event, width: int, glyphs: Glyphs) -> Lines:
     """One event over as many lines as its words need."""
     head, (text, style) = _parts(watch, event, width, glyphs)
     indent = width_of(head)
@@ -90,7 +90,7 @@ def entry(watch: Watch, event: Event, width: int, glyphs: Glyphs) -> Lines:
     ]
 
 
-def _parts(watch: Watch, event: Event, width: int, glyphs: Glyphs) -> tuple[Line, Span]:
+def _parts(watch: SessionModel, event: Event, width: int, glyphs: Glyphs) -> tuple[Line, Span]:
     """When, how bad, what sort and who; then what."""
     level = str(event.get("level") or "info")
     style = STYLES.get(level, "")
@@ -107,7 +107,7 @@ def _parts(watch: Watch, event: Event, width: int, glyphs: Glyphs) -> tuple[Line
 
 
 def window(
-    watch: Watch, events: Sequence[Event], *, width: int, height: int, back: int, glyphs: Glyphs
+    watch: SessionModel, events: Sequence[Event], *, width: int, height: int, back: int, glyphs: Glyphs
 ) -> tuple[Lines, int]:
     """(As many whole `events` as `height` lines hold, how many are newer than these): the newest, or those `back`."""
     end = begin = max(len(events) - back, 0)

@@ -6,7 +6,7 @@ import json
 import time
 from collections.abc import Callable
 
-from gcs.session.client import Message, Source
+from gcs.session.client import Message, MessageSource
 from gcs.session.plain_text import JsonView, PlainView, mute_stdout
 
 LOOK_EVERY_S = 0.1
@@ -30,7 +30,7 @@ class Steps:
 
 
 def follow(
-    source: Source,
+    source: MessageSource,
     write: Callable[[str], object],
     *,
     as_json: bool,
@@ -60,7 +60,7 @@ def follow(
 
 
 def _show(
-    source: Source, view: PlainView | JsonView, write: Callable[[str], object], *, as_json: bool
+    source: MessageSource, view: PlainView | JsonView, write: Callable[[str], object], *, as_json: bool
 ) -> Message | None:
     """Show what has come; the message that ends it, if that was among it."""
     for message in source.receive():

@@ -16,8 +16,8 @@ from gcs.console import layout
 from gcs.console.dialogs import Help, Look
 from gcs.console.drawing.canvas import Canvas
 from gcs.console.drawing.panel import Panel
-from gcs.console.model import Vehicle, Watch, ordered
-from gcs.console.operator_controls import Desk
+from gcs.console.model import SessionModel, Vehicle, ordered
+from gcs.console.operator_controls import OperatorControls
 from gcs.console.pages import competition, fleet, heading, help_text, map_view, vehicle
 from gcs.console.pages.events import EventsPage
 from gcs.console.shell import Shell
@@ -76,13 +76,13 @@ class MainScreen(Screen[None]):
 
     def on_mount(self) -> None:
         """Show the first page."""
-        self.desk = Desk(self.app, self.notice)
+        self.desk = OperatorControls(self.app, self.notice)
         self._arrange()
 
     # what is shown
 
     @property
-    def seen(self) -> Watch:
+    def seen(self) -> SessionModel:
         """What has been told."""
         return self.app.seen
 

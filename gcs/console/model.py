@@ -17,7 +17,7 @@ NOBODY: Message = {}
 Vehicle = Mapping[str, Any]
 
 
-class Watch:
+class SessionModel:
     """A session as seen through its messages. Whatever is missing from them reads as unknown."""
 
     def __init__(self) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from gcs.console.dialogs import Choose, Confirm
 from gcs.console.model import Vehicle
-from gcs.console.operator_commands import ORDERS, Order, command, question, ready, targets
+from gcs.console.operator_commands import ORDERS, OperatorCommand, command, question, ready, targets
 from gcs.console.pages import fleet
 from gcs.console.shell import Shell
 from gcs.console.text import number
@@ -17,7 +17,7 @@ SEEK_S = 10.0
 SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
 
 
-class Desk:
+class OperatorControls:
     """Sends what a person has confirmed; `say` shows a notice."""
 
     def __init__(self, app: Shell, say: Callable[[str], object]) -> None:
@@ -42,7 +42,7 @@ class Desk:
             else:
                 self._confirm(order, sysid, insist=insist)
 
-    def _confirm(self, order: Order, sysid: int | None, *, insist: bool) -> None:
+    def _confirm(self, order: OperatorCommand, sysid: int | None, *, insist: bool) -> None:
         def answer(yes: bool | None) -> None:
             if yes:
                 self._send(order, sysid)
@@ -52,7 +52,7 @@ class Desk:
         detail = "" if vehicle is None else _state(vehicle)
         self._app.push_screen(Confirm(question(order, seen, sysid), detail, glyphs, insist=insist), answer)
 
-    def _ask_target(self, order: Order, sysid: int | None) -> None:
+    def _ask_target(self, order: OperatorCommand, sysid: int | None) -> None:
         seen, glyphs = self._app.seen, self._app.glyphs
         options = [(target, seen.name(target)) for target in targets(seen)]
         if not options:
@@ -65,7 +65,7 @@ class Desk:
 
         self._app.push_screen(Choose(question(order, seen, sysid), options, glyphs), answer)
 
-    def _send(self, order: Order, sysid: int | None, target: int | None = None) -> None:
+    def _send(self, order: OperatorCommand, sysid: int | None, target: int | None = None) -> None:
         self._sent += 1
         content = command(order, sysid, target, self._sent)
         what = f"{order.name} {self._app.seen.name(sysid)}" if sysid is not None else order.name

@@ -7,9 +7,9 @@ import time
 
 from textual.app import App
 
-from gcs.console.model import Watch
+from gcs.console.model import SessionModel
 from gcs.console.text import Glyphs, own_glyphs
-from gcs.session.client import Source
+from gcs.session.client import MessageSource
 
 
 class Shell(App[int]):
@@ -18,13 +18,13 @@ class Shell(App[int]):
     `owner`: this console belongs to `gcs run`, whose session Ctrl-C is meant to stop.
     """
 
-    def __init__(self, source: Source, title: str, *, owner: bool, glyphs: Glyphs | None) -> None:
+    def __init__(self, source: MessageSource, title: str, *, owner: bool, glyphs: Glyphs | None) -> None:
         super().__init__()
         self.source = source
         self.title = title
         self.owner = owner
         self.glyphs = glyphs or own_glyphs(sys.__stderr__.encoding if sys.__stderr__ else "ascii")
-        self.seen = Watch()
+        self.seen = SessionModel()
         self.heard_s = time.monotonic()
 
     def lost(self) -> list[str]:

@@ -22,7 +22,7 @@ Direction = Literal["in", "out"]
 _ROUNDING_S = 1e-6
 
 
-class Blackout(NamedTuple):
+class BlackoutWindow(NamedTuple):
     """No frame of this vehicle gets through, either way, when sent in from_s ≤ t < to_s."""
 
     sysid: int
@@ -62,7 +62,7 @@ class Impairment:
         jitter_s: float = 0.0,
         duplicate: float = 0.0,
         reorder: float = 0.0,
-        blackouts: Iterable[Blackout] = (),
+        blackouts: Iterable[BlackoutWindow] = (),
         seed: int = 0,
     ) -> None:
         for name, share in (("loss", loss), ("duplicate", duplicate), ("reorder", reorder)):

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from gcs.link.socket import RECEIVE_BYTES, AddressRefused, Where, open_udp, resolve
 from gcs.mavlink import codec, v1
 from gcs.mavlink.codec import Frame
-from gcs.scenario.endpoint import Address
+from gcs.scenario.endpoint import Endpoint
 
 CONNECT_WITHIN_S = 5.0
 
@@ -17,7 +17,7 @@ CONNECT_WITHIN_S = 5.0
 class Air:
     """What is heard at an address, with who said it, of MAVLink 1 too. Raises AddressRefused where it cannot be had."""
 
-    def __init__(self, at: Address) -> None:
+    def __init__(self, at: Endpoint) -> None:
         self._stream = at.way == "tcp"
         self._pending = b""
         self.open = True
@@ -78,7 +78,7 @@ class Air:
         return frames
 
 
-def _connected(at: Address) -> tuple[socket.socket, Where]:
+def _connected(at: Endpoint) -> tuple[socket.socket, Where]:
     """A stream to somebody who listens. Raises AddressRefused."""
     family, where = resolve(at, socket.SOCK_STREAM)
     made = socket.socket(family, socket.SOCK_STREAM)

@@ -8,7 +8,7 @@ import socket
 from pathlib import Path
 from typing import Any
 
-from gcs.scenario.endpoint import Address
+from gcs.scenario.endpoint import Endpoint
 
 RECEIVE_BYTES = 65535
 """No datagram is longer."""
@@ -26,7 +26,7 @@ class AddressRefused(Exception):
     """An address that cannot be had here; one sentence: which, why and, where that helps, what to do."""
 
 
-def resolve(at: Address, kind: socket.SocketKind = socket.SOCK_DGRAM) -> tuple[socket.AddressFamily, Where]:
+def resolve(at: Endpoint, kind: socket.SocketKind = socket.SOCK_DGRAM) -> tuple[socket.AddressFamily, Where]:
     """The family and the numbers of an address. Raises AddressRefused where its host cannot be found."""
     try:
         family, _, _, _, where = socket.getaddrinfo(at.host, at.port, type=kind)[0]
@@ -36,7 +36,7 @@ def resolve(at: Address, kind: socket.SocketKind = socket.SOCK_DGRAM) -> tuple[s
     return family, where
 
 
-def open_udp(at: Address) -> tuple[socket.socket, Where]:
+def open_udp(at: Endpoint) -> tuple[socket.socket, Where]:
     """A socket that never waits, with as large a receive buffer as is granted, and the numbers of `at`.
 
     It listens there for udpin; for udpout it has a free port and hears whoever sends to that. Raises AddressRefused.

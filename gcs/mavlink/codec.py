@@ -78,7 +78,7 @@ class Message(NamedTuple):
     values: tuple[Any, ...]
 
 
-class Layout(NamedTuple):
+class WireLayout(NamedTuple):
     """How one message lies on the wire; `record` is its named tuple, fields in wire order."""
 
     msgid: int
@@ -111,7 +111,7 @@ class _Table(dict[int, Any]):
         return entry
 
 
-def _layout(msgid: int) -> Layout:
+def _layout(msgid: int) -> WireLayout:
     cls = _CLASSES.get(msgid)
     if cls is None:
         raise ValueError(
@@ -127,7 +127,7 @@ def _layout(msgid: int) -> Layout:
     if "mavlink_version" in cls.fieldnames:
         defaults["mavlink_version"] = 3
     record = namedtuple(cls.msgname, cls.ordered_fieldnames)  # type: ignore[misc]
-    return Layout(msgid, cls.msgname, record, formats, defaults)
+    return WireLayout(msgid, cls.msgname, record, formats, defaults)
 
 
 def _is_array(form: str) -> bool:
@@ -150,13 +150,13 @@ def _reader(msgid: int) -> _Reader:
     return _Reader(wire.size - HEADER_BYTES, wire, wire.unpack_from, regroup, text_at, shape.record)
 
 
-def layout(message: int | str) -> Layout:
+def layout(message: int | str) -> WireLayout:
     """The layout of a message by name or id. Raises ValueError for one that the dialect lacks."""
     if isinstance(message, str):
         if message not in _IDS:
             raise ValueError(f"{message} is no message of the MAVLink dialect '{common.DIALECT}'")
         message = _IDS[message]
-    return cast(Layout, _LAYOUTS[message])
+    return cast(WireLayout, _LAYOUTS[message])
 
 
 def name(msgid: int) -> str:
@@ -321,7 +321,7 @@ def encode(name: int | str, seq: int, sysid: int, compid: int, /, **values: Any)
     return frame(message(name, **values), seq, sysid, compid)
 
 
-def _flat(shape: Layout, values: Sequence[Any]) -> list[Any]:
+def _flat(shape: WireLayout, values: Sequence[Any]) -> list[Any]:
     """One value per field → one per struct item. Raises ValueError where an array's length or a text does not fit."""
     items: list[Any] = []
     for field, form, value in zip(shape.record._fields, shape.formats, values, strict=False):
@@ -340,7 +340,7 @@ def _flat(shape: Layout, values: Sequence[Any]) -> list[Any]:
     return items
 
 
-def _refusal(shape: Layout, header: tuple[int, int, int], values: Sequence[Any]) -> ValueError:
+def _refusal(shape: WireLayout, header: tuple[int, int, int], values: Sequence[Any]) -> ValueError:
     """The error for values that struct refused: which, and what it takes."""
     names = shape.record._fields
     if len(values) != len(names):

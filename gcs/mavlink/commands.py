@@ -37,7 +37,7 @@ IN_PROGRESS: int = common.MAV_RESULT_IN_PROGRESS
 Outcome = Literal["accepted", "rejected", "timeout"]
 
 
-class Target(NamedTuple):
+class CommandTarget(NamedTuple):
     """Who is commanded; component 0 is every component of the system."""
 
     sysid: int
@@ -48,7 +48,7 @@ class Target(NamedTuple):
 class CommandLong:
     """COMMAND_LONG: up to seven parameters, the rest 0 (NaN where the autopilot wants "unset")."""
 
-    target: Target
+    target: CommandTarget
     command: int
     params: tuple[float, ...] = ()
 
@@ -71,7 +71,7 @@ class CommandLong:
 class CommandInt:
     """COMMAND_INT: four parameters and a place, `x` and `y` in degE7 or 1e-4 m as `frame` says, `z` in m."""
 
-    target: Target
+    target: CommandTarget
     command: int
     frame: int
     params: tuple[float, ...] = ()
@@ -106,7 +106,7 @@ class CommandResult(NamedTuple):
     """How a command ended: `result` is the MAV_RESULT, None after a time-out; `token` the sender's own mark."""
 
     command: int
-    target: Target
+    target: CommandTarget
     outcome: Outcome
     result: int | None
     attempts: int
@@ -138,7 +138,7 @@ class CommandQueue:
     compid: int
     resent: int = 0
     """re-sent commands so far: the summary's `command_retries`"""
-    _waiting: dict[tuple[Target, int], deque[_Flight]] = field(default_factory=dict)
+    _waiting: dict[tuple[CommandTarget, int], deque[_Flight]] = field(default_factory=dict)
     """by target and command id; the first of each is in flight"""
 
     @property
@@ -178,7 +178,7 @@ class CommandQueue:
         step = Step([], [])
         if ack.target_system not in (0, self.sysid) or ack.target_component not in (0, self.compid):
             return step
-        for target in (Target(sysid, compid), Target(sysid, 0)):
+        for target in (CommandTarget(sysid, compid), CommandTarget(sysid, 0)):
             line = self._waiting.get((target, ack.command))
             if line is None:
                 continue

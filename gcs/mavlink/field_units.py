@@ -198,7 +198,7 @@ OWN = ("time_s", "sysid", "compid", "direction")
 Values = NDArray[Any] | list[str]
 
 
-class Column(NamedTuple):
+class FieldColumn(NamedTuple):
     """One column of a message's table, from field `field`, for an array its `element`."""
 
     name: str
@@ -230,16 +230,16 @@ class Column(NamedTuple):
         return np.ascontiguousarray(sent)
 
 
-class Layout(NamedTuple):
+class MessageTable(NamedTuple):
     """A message as a table: how its payload lies (little-endian, packed, uncut), and its columns."""
 
     name: str
     dtype: np.dtype[Any]
-    columns: tuple[Column, ...]
+    columns: tuple[FieldColumn, ...]
 
 
 @cache
-def layout(msgid: int) -> Layout | None:
+def layout(msgid: int) -> MessageTable | None:
     """The table of a message; None for an id that is in no dialect that pymavlink ships."""
     cls = CLASSES.get(msgid)
     if cls is None:
@@ -254,7 +254,7 @@ def layout(msgid: int) -> Layout | None:
     text = {name for name, code in zip(cls.ordered_fieldnames, codes, strict=True) if code in "cs"}
     size = dict(zip(cls.ordered_fieldnames, lengths, strict=True))
     byte = {name for name, code in zip(cls.ordered_fieldnames, codes, strict=True) if code in "Bb"}
-    columns: list[Column] = []
+    columns: list[FieldColumn] = []
     taken = set(OWN)
     for name in cls.fieldnames:
         scale = _scale(cls.fieldunits_by_name.get(name, ""))
@@ -262,19 +262,20 @@ def layout(msgid: int) -> Layout | None:
         title = _title(cls.msgname, name, scale, taken)
         taken.add(title)
         if name in text:
-            columns.append(Column(title, name, None, None, None, "text"))
+            columns.append(FieldColumn(title, name, None, None, None, "text"))
         elif name in byte and size[name] > BYTES_SHOWN and scale is None:
-            columns.append(Column(f"{title}_hex", name, None, None, None, "bytes"))
+            columns.append(FieldColumn(f"{title}_hex", name, None, None, None, "bytes"))
         elif size[name]:
             stem, suffix = (
                 (title, "") if scale is None else (title.removesuffix(f"_{scale.suffix}"), f"_{scale.suffix}")
             )
             columns += [
-                Column(f"{stem}_{index}{suffix}", name, index, scale, unknown, "number") for index in range(size[name])
+                FieldColumn(f"{stem}_{index}{suffix}", name, index, scale, unknown, "number")
+                for index in range(size[name])
             ]
         else:
-            columns.append(Column(title, name, None, scale, unknown, "number"))
-    return Layout(cls.msgname, np.dtype(types), tuple(columns))
+            columns.append(FieldColumn(title, name, None, scale, unknown, "number"))
+    return MessageTable(cls.msgname, np.dtype(types), tuple(columns))
 
 
 def _scale(unit: str) -> Scale | None:

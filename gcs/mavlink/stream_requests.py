@@ -20,7 +20,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Message
-from gcs.mavlink.commands import CommandLong, Target
+from gcs.mavlink.commands import CommandLong, CommandTarget
 from gcs.mavlink.ids import AUTOPILOT
 
 QUIET_S = 5.0
@@ -64,7 +64,7 @@ def needs(period_s: float) -> tuple[Need, ...]:
     )
 
 
-class Streams:
+class StreamRequests:
     """The streams of one vehicle; times are the session's."""
 
     def __init__(self, sysid: int, wanted: Sequence[Need]) -> None:
@@ -185,10 +185,10 @@ class Streams:
         ]
 
     def _command(self, command: int, *params: float) -> CommandLong:
-        return CommandLong(Target(self._sysid, AUTOPILOT), command, params)
+        return CommandLong(CommandTarget(self._sysid, AUTOPILOT), command, params)
 
 
-class Quiet:
+class SilentVehicles:
     """Who is heard, and whether more than that."""
 
     def __init__(self) -> None:

@@ -21,7 +21,7 @@ from gcs.planner.planner import Planner
 from gcs.scenario import plugins
 from gcs.scenario.guard import Guard, Nonsense
 from gcs.scenario.model import Obstacle, Scenario
-from gcs.telemetry.state import Snapshot, Vec3, VehicleView
+from gcs.telemetry.state import FleetState, Vec3, VehicleView
 
 FARTHEST = 1e5
 """m, and m/s: beyond every scenario."""
@@ -34,7 +34,7 @@ class Situation:
     time_s: float
     period_s: float
     """until it is asked again"""
-    snapshot: Snapshot
+    snapshot: FleetState
     """everyone, as their messages tell; also traffic"""
     pursuing: Mapping[int, int]
     """the target's system id by the pursuer's"""
@@ -74,7 +74,7 @@ class OwnPlanner:
 
     def plan(
         self,
-        snapshot: Snapshot,
+        snapshot: FleetState,
         steered: frozenset[int],
         *,
         rendezvous: Mapping[int, int],

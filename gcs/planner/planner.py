@@ -21,7 +21,7 @@ from gcs.planner import formation, fuzzy_escape, leader
 from gcs.planner.potential_field import Field, widened_range
 from gcs.scenario import geometry
 from gcs.scenario.model import Scenario, Tanker, Target
-from gcs.telemetry.state import Snapshot, Vec3, VehicleView
+from gcs.telemetry.state import FleetState, Vec3, VehicleView
 
 LOOKAHEAD_S = 0.37
 CATCH_UP_SPEED = 1.3
@@ -79,7 +79,7 @@ class Planner:
 
     def plan(
         self,
-        snapshot: Snapshot,
+        snapshot: FleetState,
         steered: frozenset[int],
         *,
         rendezvous: Mapping[int, int],
@@ -115,7 +115,7 @@ class Planner:
 
     def _move(
         self,
-        snapshot: Snapshot,
+        snapshot: FleetState,
         views: list[VehicleView],
         wanted: list[_Wanted],
         partners: Iterable[tuple[int, int]],
@@ -159,7 +159,7 @@ class Planner:
     def _wants(
         self,
         role: str,
-        snapshot: Snapshot,
+        snapshot: FleetState,
         views: list[VehicleView],
         rendezvous: Mapping[int, int],
         *,
@@ -179,7 +179,7 @@ class Planner:
         wants |= {sysid: _Wanted(place, STILL, cruise_m_s) for sysid, place in self._stations.items()}
         return [wants.get(view.sysid, _Wanted(_vec(self._q[view.sysid]), STILL, cruise_m_s)) for view in views]
 
-    def _station(self, tanker: Tanker, snapshot: Snapshot, receiver: int | None) -> _Wanted:
+    def _station(self, tanker: Tanker, snapshot: FleetState, receiver: int | None) -> _Wanted:
         """Above its receiver, or where it waits."""
         if receiver is None:
             n, e, d = tanker.start_m
@@ -207,7 +207,7 @@ class Planner:
             return _Wanted(here, STILL, 0.0)
         return _Wanted(course[0], STILL, self._scenario.planner.cruise_m_s)
 
-    def _formation(self, snapshot: Snapshot) -> dict[int, _Wanted]:
+    def _formation(self, snapshot: FleetState) -> dict[int, _Wanted]:
         """Each pursuer's slot around its target, assigned anew when the set of pursuers in the air changes.
 
         A target that is dead, silent, or not steered (it may be landing) leads nobody: its pursuers hold.
@@ -244,7 +244,7 @@ class Planner:
         return flown, view.v_ned
 
     def _attractors(
-        self, snapshot: Snapshot, views: list[VehicleView]
+        self, snapshot: FleetState, views: list[VehicleView]
     ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.bool_]]:
         """Places and ranges of what draws pursuers beside their goals, and whom each one draws."""
         default_m = self._scenario.planner.attraction_range_m
@@ -257,7 +257,7 @@ class Planner:
         return table[:, :3], table[:, 3], np.repeat(pursuers[:, np.newaxis], len(table), axis=1)
 
     def _movers(
-        self, snapshot: Snapshot, views: list[VehicleView], others: list[VehicleView]
+        self, snapshot: FleetState, views: list[VehicleView], others: list[VehicleView]
     ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], NDArray[np.int64]]:
         """Places, radii, ranges and owners of everything that moves and repels: vehicles in the air, then traffic.
 
@@ -285,7 +285,7 @@ class Planner:
 
     def _exempt(
         self,
-        snapshot: Snapshot,
+        snapshot: FleetState,
         views: list[VehicleView],
         others: list[VehicleView],
         partners: Iterable[tuple[int, int]],

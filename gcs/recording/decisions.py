@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from gcs.refuelling.explain import sentence
-from gcs.scenario.guard import Problem
+from gcs.scenario.guard import PluginFault
 from gcs.telemetry.events import Event, Level
 
 if TYPE_CHECKING:  # who only reads records need not load those who make them
@@ -19,7 +19,7 @@ if TYPE_CHECKING:  # who only reads records need not load those who make them
 
 
 @dataclass
-class Recording:
+class TickRecord:
     """What one tick leaves behind, kept until the grants are out."""
 
     t_ms: int
@@ -49,7 +49,7 @@ def records_of_tick(
     *,
     pursued: Iterable[Mapping[str, Any]],
     facts: Iterable[tuple[int, Fact]],
-    problems: Iterable[Problem],
+    problems: Iterable[PluginFault],
     standings: tuple[Standing, Standing],
 ) -> tuple[list[dict[str, Any]], list[Event]]:
     """Records and events of all that the tick at `t_s` decided or noticed, in the session's order.
@@ -96,7 +96,7 @@ def event_of(record: Mapping[str, Any]) -> Event:
     if kind == "battery":
         return Event(t_s, int(record["sysid"]), "warning", str(record["text"]))
     if kind == "policy failed":
-        problem = Problem(int(record["sysid"]), str(record.get("policy")), str(record.get("problem")))
+        problem = PluginFault(int(record["sysid"]), str(record.get("policy")), str(record.get("problem")))
         return Event(t_s, problem.sysid, "warning", problem.sentence, "decision")
     if kind in ("decided", "transfer", "broken off", "served", "unable"):
         return Event(t_s, int(record["receiver"]), "info", sentence(record), "decision")

@@ -35,7 +35,7 @@ class Series(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Vehicle:
+class VehicleInfo:
     """Who flew."""
 
     sysid: int
@@ -77,13 +77,13 @@ def held(series: Series, t_s: Floats) -> Floats:
     return np.where(last >= 0, series.values[np.maximum(last, 0)], 0.0)
 
 
-def vehicles(recorded: Recorded) -> list[Vehicle]:
+def vehicles(recorded: Recorded) -> list[VehicleInfo]:
     """Everyone who flew, in order of system id, as the scenario, else the summary, else the recording names them."""
     if recorded.scenario is not None:
-        return [Vehicle(v.sysid, v.role, v.label) for v in recorded.scenario.vehicles.all]
+        return [VehicleInfo(v.sysid, v.role, v.label) for v in recorded.scenario.vehicles.all]
     if recorded.summary is not None:
-        return [Vehicle(v.sysid, v.role, f"{v.role} {v.sysid}") for v in recorded.summary.vehicles]
-    return [Vehicle(sysid, "vehicle", f"vehicle {sysid}") for sysid in heard(recorded)]
+        return [VehicleInfo(v.sysid, v.role, f"{v.role} {v.sysid}") for v in recorded.summary.vehicles]
+    return [VehicleInfo(sysid, "vehicle", f"vehicle {sysid}") for sysid in heard(recorded)]
 
 
 def heard(recorded: Recorded) -> list[int]:
@@ -172,14 +172,14 @@ def with_gaps(series: Series, gap_s: float = GAP_S) -> Series:
 
 
 @dataclass(frozen=True)
-class Battery:
+class BatterySeries:
     """What a battery held, in J, at each report of it, and what it can hold."""
 
     capacity_j: float
     remaining: Series
 
 
-def batteries(recorded: Recorded) -> dict[int, Battery]:
+def batteries(recorded: Recorded) -> dict[int, BatterySeries]:
     """Each vehicle's battery by its messages alone: initial + received - drawn - given
     (docs/protocol.md#energy-accounting)."""
     if not recorded.tables:
@@ -214,7 +214,7 @@ def batteries(recorded: Recorded) -> dict[int, Battery]:
             left_j = initial_j + moved_j - HECTOJOULE * np.maximum.accumulate(rows["energy_consumed"])
         else:
             left_j = np.where(rows["battery_remaining"] >= 0, 0.01 * rows["battery_remaining"] * capacity_j, np.nan)
-        found[sysid] = Battery(capacity_j, Series(rows["t_s"].copy(), left_j))
+        found[sysid] = BatterySeries(capacity_j, Series(rows["t_s"].copy(), left_j))
     return found
 
 
@@ -226,7 +226,7 @@ def _booked(recorded: Recorded, sysid: int) -> Series:
 
 
 @dataclass(frozen=True)
-class Contest:
+class CompetitionSeries:
     """The competition for the next refuelling: each one's state v, and the leader's share."""
 
     v: dict[int, Series]
@@ -235,7 +235,7 @@ class Contest:
     """system id; NaN: nobody leads"""
 
 
-def contest(recorded: Recorded, *, for_bases: bool = False) -> Contest:
+def contest(recorded: Recorded, *, for_bases: bool = False) -> CompetitionSeries:
     """The competition for the tankers, or for the places at bases, as it was decided tick by tick; gaps where nobody
     competed."""
     every = (decision for decision in recorded.decisions if decision["kind"] == "competition")
@@ -252,11 +252,11 @@ def contest(recorded: Recorded, *, for_bases: bool = False) -> Contest:
         v_of[sysid] = with_gaps(Series(times_s[rows], values[rows]), gap_s)
     share = Series(t_s, np.array([line["share"] for line in lines], dtype=np.float64))
     leader = [math.nan if line["leader"] is None else float(line["leader"]) for line in lines]
-    return Contest(v_of, with_gaps(share, gap_s), Series(t_s, np.array(leader, dtype=np.float64)))
+    return CompetitionSeries(v_of, with_gaps(share, gap_s), Series(t_s, np.array(leader, dtype=np.float64)))
 
 
 @dataclass(frozen=True)
-class Link:
+class LinkSeries:
     """What was heard of a vehicle, second by second."""
 
     rate_hz: Series
@@ -266,7 +266,7 @@ class Link:
     """between two positions"""
 
 
-def links(recorded: Recorded, flown: dict[int, Track]) -> dict[int, Link]:
+def links(recorded: Recorded, flown: dict[int, Track]) -> dict[int, LinkSeries]:
     """The link of each vehicle that was heard."""
     found = {}
     for sysid in np.flatnonzero(recorded.traffic_count.sum(axis=1)).tolist():
@@ -275,7 +275,7 @@ def links(recorded: Recorded, flown: dict[int, Track]) -> dict[int, Link]:
         whole = max(min(len(counts), int(recorded.end_s + 1e-6)), 1)
         t_s: Floats = np.arange(whole).astype(np.float64) + 0.5
         silence_s = np.diff(flown[sysid].t_s).max(initial=0.0) if sysid in flown else math.nan
-        found[sysid] = Link(
+        found[sysid] = LinkSeries(
             Series(t_s, counts[:whole].astype(np.float64)),
             Series(t_s, np.cumsum(lost)[:whole].astype(np.float64)),
             float(silence_s),

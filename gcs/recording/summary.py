@@ -18,7 +18,7 @@ class _Part(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False, use_attribute_docstrings=True)
 
 
-class Energy(_Part):
+class EnergySummary(_Part):
     """One vehicle's ledger, as its messages tell it."""
 
     initial_j: float
@@ -35,7 +35,7 @@ class Energy(_Part):
 Role = Literal["pursuer", "target", "tanker"]
 
 
-class Vehicle(_Part):
+class VehicleSummary(_Part):
     """One vehicle's session."""
 
     sysid: int
@@ -45,12 +45,12 @@ class Vehicle(_Part):
     """greatest distance from the planned path; null where there was none"""
     path_length_m: float
     control_effort: float
-    energy: Energy
+    energy: EnergySummary
     missing_streams: list[str] = []
     """messages that an external vehicle was asked for and did not send at the end, or at less than half the rate"""
 
 
-class Refuelling(_Part):
+class RefuellingSummary(_Part):
     """One service, in the order of decision; times are null for steps that were not reached."""
 
     receiver: int
@@ -67,7 +67,7 @@ class Refuelling(_Part):
     """normalised need of each competitor at the decision, by system id"""
 
 
-class Base(_Part):
+class BaseSummary(_Part):
     """A base's ledger: initial = given + remaining."""
 
     name: str
@@ -78,7 +78,7 @@ class Base(_Part):
     remaining_j: float
 
 
-class Link(_Part):
+class LinkSummary(_Part):
     """Frames over the supervised links; `overflowed` are datagrams that the kernel dropped."""
 
     received: int
@@ -111,11 +111,11 @@ class Summary(_Part):
     versions: dict[str, str]
     min_separation_m: float | None
     min_clearance_m: float | None
-    vehicles: list[Vehicle]
-    refuelling: list[Refuelling]
+    vehicles: list[VehicleSummary]
+    refuelling: list[RefuellingSummary]
     refuel_order: list[int]
-    link: Link
-    bases: list[Base] = []
+    link: LinkSummary
+    bases: list[BaseSummary] = []
 
     def write(self, folder: Path) -> None:
         """Write summary.json into a session's folder, whole or not at all; raises OSError."""

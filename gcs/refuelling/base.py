@@ -18,9 +18,9 @@ from gcs.mavlink.autopilots import STEERABLE
 from gcs.mavlink.codec import Message, message
 from gcs.mavlink.ids import STATION
 from gcs.refuelling.service import GiverReport, Phase, Service, ServiceRequests, token
-from gcs.refuelling.transfer_command import Role, transfer_request
-from gcs.scenario.model import Base, Origin, Refuelling
-from gcs.telemetry.state import Snapshot, Vec3, VehicleView
+from gcs.refuelling.transfer_command import TransferRole, transfer_request
+from gcs.scenario.model import Base, Origin, RefuellingRules
+from gcs.telemetry.state import FleetState, Vec3, VehicleView
 
 POSITION_AND_VELOCITY = 0b11
 STANDS = (0.0, 0.0, 0.0)
@@ -57,7 +57,7 @@ class BaseSteps:
 
     def __init__(
         self,
-        rules: Refuelling,
+        rules: RefuellingRules,
         bases: Iterable[Base],
         requests: ServiceRequests,
         out: Mapping[int, str],
@@ -85,7 +85,7 @@ class BaseSteps:
         flies = (Phase.JOIN, Phase.LAND)
         return {service.receiver: self._base(service).above_m for service in services if service.phase in flies}
 
-    def giver_reports(self, services: Iterable[Service], snapshot: Snapshot) -> tuple[GiverReport, ...]:
+    def giver_reports(self, services: Iterable[Service], snapshot: FleetState) -> tuple[GiverReport, ...]:
         """What the bases tell vehicles that can hear it."""
         return tuple(
             GiverReport(service.receiver, self._base(service).position_m, self._stock(service).given_j)
@@ -93,7 +93,7 @@ class BaseSteps:
             if service.phase in _CHARGING and snapshot.vehicle(service.receiver).battery_told
         )
 
-    def serve(self, service: Service, snapshot: Snapshot) -> None:
+    def serve(self, service: Service, snapshot: FleetState) -> None:
         """Move one service to the snapshot's time."""
         receiver = snapshot.vehicle(service.receiver)
         if not receiver.alive:
@@ -148,7 +148,7 @@ class BaseSteps:
         if service.ordered_j < 1:
             self._leave(service, receiver, now_s, "full" if stock.remaining_j >= 1.0 else EMPTY)
         elif receiver.battery_told:
-            self._order(service, Role.RECEIVE)
+            self._order(service, TransferRole.RECEIVE)
             self._go(service, Phase.START_RECEIVER, now_s)
         else:
             self._charge_from_now(service, now_s)
@@ -163,7 +163,7 @@ class BaseSteps:
             if service.refusals >= REFUSALS:
                 self._stop(service, "the receiver refused", now_s)
                 return
-            self._order(service, Role.RECEIVE)
+            self._order(service, TransferRole.RECEIVE)
             self._go(service, Phase.START_RECEIVER, now_s)
 
     def _charge_from_now(self, service: Service, now_s: float) -> None:
@@ -212,7 +212,7 @@ class BaseSteps:
             return
         caught_up = receiver.received_j - service.in_at_begin_j >= self._given_j(service)
         if caught_up or now_s - service.phase_since_s >= CATCH_UP_S:
-            self._order(service, Role.STOP)
+            self._order(service, TransferRole.STOP)
             self._go(service, Phase.STOP_RECEIVER, now_s)
 
     def _stop_receiver(self, service: Service, receiver: VehicleView, now_s: float) -> None:
@@ -252,11 +252,11 @@ class BaseSteps:
     def _given_j(self, service: Service) -> int:
         return self._stock(service).given_j - service.out_at_start_j
 
-    def _order(self, service: Service, role: Role) -> None:
+    def _order(self, service: Service, role: TransferRole) -> None:
         self._requests.request(
             transfer_request(
                 service.receiver,
-                token(service, "receive" if role is Role.RECEIVE else "stop receiver"),
+                token(service, "receive" if role is TransferRole.RECEIVE else "stop receiver"),
                 role,
                 partner=STATION[0],
                 limit_j=service.ordered_j,

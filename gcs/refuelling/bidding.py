@@ -18,8 +18,8 @@ from gcs.refuelling.policies import SHIPPED, WINNER_TAKE_ALL, RefuellingPolicy, 
 from gcs.refuelling.winner_take_all import advance, normalise, revive, share
 from gcs.scenario import plugins
 from gcs.scenario.guard import Guard, Nonsense
-from gcs.scenario.model import Competition, Refuelling, Scenario
-from gcs.telemetry.state import Snapshot, Vec3, VehicleView
+from gcs.scenario.model import CompetitionRules, RefuellingRules, Scenario
+from gcs.telemetry.state import FleetState, Vec3, VehicleView
 
 # Session times are sums of tick lengths; a dwell time must not slip a tick for their last bits.
 _ROUNDING_S = 1e-6
@@ -36,10 +36,10 @@ class Standing:
     share: float = 0.0
 
 
-class Contest:
+class Bidding:
     """The competition's memory from tick to tick."""
 
-    def __init__(self, rules: Competition) -> None:
+    def __init__(self, rules: CompetitionRules) -> None:
         self._rules = rules
         self._able: list[int] = []
         self._v: dict[int, float] = {}
@@ -48,7 +48,7 @@ class Contest:
         self._last_s: float | None = None
         self.standing = Standing()
 
-    def advance(self, snapshot: Snapshot, served: Collection[int]) -> None:
+    def advance(self, snapshot: FleetState, served: Collection[int]) -> None:
         """Let those who compete do so up to the snapshot's time; `served` are those whose turn it is already."""
         now_s, rules = snapshot.time_s, self._rules
         dt_s = now_s - self._last_s if self._last_s is not None else 0.0
@@ -79,7 +79,7 @@ class Contest:
 
     def winner(
         self,
-        snapshot: Snapshot,
+        snapshot: FleetState,
         tanker: VehicleView,
         speed_m_s: float,
         reserve_s: float,
@@ -92,7 +92,7 @@ class Contest:
         return self.winner_at([tanker.p_now_ned()], snapshot, speed_m_s, reserve_s)
 
     def winner_at(
-        self, places: Sequence[Vec3], snapshot: Snapshot, speed_m_s: float, reserve_s: float
+        self, places: Sequence[Vec3], snapshot: FleetState, speed_m_s: float, reserve_s: float
     ) -> tuple[int, str] | None:
         """The same where givers are at some places; urgent is who would not last until the nearest."""
         standing, rules, now_s = self.standing, self._rules, snapshot.time_s
@@ -119,14 +119,14 @@ class Contest:
 
 
 def most_urgent(
-    snapshot: Snapshot, able: Iterable[int], tanker: VehicleView, speed_m_s: float, reserve_s: float
+    snapshot: FleetState, able: Iterable[int], tanker: VehicleView, speed_m_s: float, reserve_s: float
 ) -> int | None:
     """The first to run empty of those who would not last until a rendezvous and `reserve_s` after it."""
     return urgent_of(snapshot, able, [tanker.p_now_ned()], speed_m_s, reserve_s)
 
 
 def urgent_of(
-    snapshot: Snapshot, able: Iterable[int], places: Sequence[Vec3], speed_m_s: float, reserve_s: float
+    snapshot: FleetState, able: Iterable[int], places: Sequence[Vec3], speed_m_s: float, reserve_s: float
 ) -> int | None:
     """The same for the nearest of several places; common NED frame, m."""
     urgent = []
@@ -143,13 +143,13 @@ def can_receive(view: VehicleView) -> bool:
     return view.flying and view.fresh and view.mode in STEERABLE
 
 
-class PolicyContest(Contest):
+class PolicyBidding(Bidding):
     """Asks a policy for each free tanker; a tanker without a good answer waits where it is."""
 
     def __init__(
         self,
-        rules: Competition,
-        refuelling: Refuelling,
+        rules: CompetitionRules,
+        refuelling: RefuellingRules,
         speed_m_s: Mapping[int, float],
         policy: RefuellingPolicy,
         guard: Guard,
@@ -161,7 +161,7 @@ class PolicyContest(Contest):
         self._guard = guard
         self._wanting: tuple[VehicleView, ...] = ()
 
-    def advance(self, snapshot: Snapshot, served: Collection[int]) -> None:
+    def advance(self, snapshot: FleetState, served: Collection[int]) -> None:
         """Who may be served at the snapshot's time; nothing competes, so that bids are needs and v is empty."""
         self._guard.begin_tick()
         able = [view for view in snapshot.of_role("pursuer") if view.sysid not in served and can_receive(view)]
@@ -173,7 +173,7 @@ class PolicyContest(Contest):
 
     def winner(
         self,
-        snapshot: Snapshot,
+        snapshot: FleetState,
         tanker: VehicleView,
         speed_m_s: float,
         reserve_s: float,
@@ -207,11 +207,11 @@ class PolicyContest(Contest):
         raise Nonsense(f"returned {told}, which is no candidate's system id")
 
 
-def make_contest(scenario: Scenario) -> tuple[Contest, Guard | None]:
+def make_bidding(scenario: Scenario) -> tuple[Bidding, Guard | None]:
     """The contest that a scenario names, and what guards it where it is not the competition. Raises ScenarioError."""
     name, rules = scenario.competition.policy, scenario.competition
     if name == WINNER_TAKE_ALL:
-        return Contest(rules), None
+        return Bidding(rules), None
     policy: RefuellingPolicy
     if name in SHIPPED:
         policy = SHIPPED[name](scenario)
@@ -219,4 +219,4 @@ def make_contest(scenario: Scenario) -> tuple[Contest, Guard | None]:
         policy = plugins.make("competition.policy", name, "choose", scenario)
     speed_m_s = {tanker.sysid: tanker.speed_m_s for tanker in scenario.vehicles.tankers}
     guard = Guard(f"policy {name}")
-    return PolicyContest(rules, scenario.refuelling, speed_m_s, policy, guard), guard
+    return PolicyBidding(rules, scenario.refuelling, speed_m_s, policy, guard), guard

@@ -11,7 +11,7 @@ from typing import Any
 
 from gcs.refuelling.service import ServiceRequests
 from gcs.refuelling.transfer_command import inquiry
-from gcs.telemetry.state import Snapshot
+from gcs.telemetry.state import FleetState
 
 ASK_WITHIN_S = 10.0
 """So long after its first word a vehicle may keep back its parameters."""
@@ -20,7 +20,7 @@ NO_BATTERY_MODEL = "it has no SIM_BAT_CAP_J"
 REFUSED = "it does not know MAV_CMD_USER_1"
 
 
-class Ability:
+class ReceiverCapability:
     """What is known by now of each vehicle that may be refuelled."""
 
     def __init__(self, said: Mapping[int, bool | None]) -> None:
@@ -34,7 +34,7 @@ class Ability:
         self._heard_s: dict[int, float] = {}
         self._asked: set[int] = set()
 
-    def decide(self, snapshot: Snapshot, requests: ServiceRequests) -> None:
+    def decide(self, snapshot: FleetState, requests: ServiceRequests) -> None:
         """Ask whom there is to ask, and record who turned out to be unable."""
         for sysid in sorted(self.unknown):
             view = snapshot.vehicle(sysid)

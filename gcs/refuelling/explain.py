@@ -12,13 +12,13 @@ from gcs.mavlink.commands import OPERATOR, CommandResult
 from gcs.refuelling.bidding import Standing
 from gcs.refuelling.service import Phase, Service, by_text
 from gcs.refuelling.target_assignment import meeting_s
-from gcs.scenario.model import Competition, Refuelling
-from gcs.telemetry.state import Snapshot, Vec3
+from gcs.scenario.model import CompetitionRules, RefuellingRules
+from gcs.telemetry.state import FleetState, Vec3
 
 HISTORY = 20
 
 
-def competition_of(standing: Standing, rules: Competition) -> dict[str, Any]:
+def competition_of(standing: Standing, rules: CompetitionRules) -> dict[str, Any]:
     """The competition as it stands; `threshold` is the share that wins it once it is held long enough."""
     behind = [sysid for sysid in standing.v if sysid != standing.leader]
     return {
@@ -33,9 +33,9 @@ def competition_of(standing: Standing, rules: Competition) -> dict[str, Any]:
 
 def service_of(
     service: Service,
-    snapshot: Snapshot,
-    rules: Refuelling,
-    competition: Competition,
+    snapshot: FleetState,
+    rules: RefuellingRules,
+    competition: CompetitionRules,
     speed_m_s: float,
     base_ned: Vec3 | None = None,
 ) -> dict[str, Any]:
@@ -64,7 +64,7 @@ def history_of(services: Iterable[Service]) -> list[dict[str, Any]]:
     ]
 
 
-def rendezvous_ned(service: Service, snapshot: Snapshot, height_m: float, speed_m_s: float) -> Vec3 | None:
+def rendezvous_ned(service: Service, snapshot: FleetState, height_m: float, speed_m_s: float) -> Vec3 | None:
     """Where the tanker meets its receiver if that flies straight on; above it where it is, once they have met."""
     if service.tanker is None:
         return None
@@ -80,7 +80,7 @@ def rendezvous_ned(service: Service, snapshot: Snapshot, height_m: float, speed_
     return (place[0] + vn * left_s, place[1] + ve * left_s, place[2] + vd * left_s)
 
 
-def why(service: Service, snapshot: Snapshot, rules: Refuelling, competition: Competition) -> str:
+def why(service: Service, snapshot: FleetState, rules: RefuellingRules, competition: CompetitionRules) -> str:
     """One sentence for a person: by what this receiver was chosen, and when its tanker meets it."""
     receiver = snapshot.vehicle(service.receiver).label
     need = f"its need {service.need:.2f}"

@@ -16,7 +16,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-from gcs.scenario.model import Refuelling, Scenario
+from gcs.scenario.model import RefuellingRules, Scenario
 from gcs.telemetry.state import VehicleView
 
 WINNER_TAKE_ALL = "winner_take_all"
@@ -36,7 +36,7 @@ class Request:
     """`tanker` first, and all that are free beside it"""
     speed_m_s: Mapping[int, float]
     """by tanker"""
-    rules: Refuelling
+    rules: RefuellingRules
 
 
 class RefuellingPolicy(Protocol):

@@ -18,27 +18,27 @@ import numpy as np
 
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.refuelling.base import BaseSteps, Stock
-from gcs.refuelling.bidding import Contest, Standing, can_receive
-from gcs.refuelling.capability import Ability
+from gcs.refuelling.bidding import Bidding, Standing, can_receive
+from gcs.refuelling.capability import ReceiverCapability
 from gcs.refuelling.service import Decision, Phase, Service, ServiceRequests, by_text
 from gcs.refuelling.tanker import TankerSteps
 from gcs.refuelling.target_assignment import meeting_s
-from gcs.scenario.model import Base, Competition, Refuelling, Tanker
-from gcs.telemetry.state import Snapshot, VehicleView
+from gcs.scenario.model import Base, CompetitionRules, RefuellingRules, Tanker
+from gcs.telemetry.state import FleetState, VehicleView
 
 RELAY_WITHIN_M = 15.0
 WORTH_J = 500.0
 
 
-class Schedule:
+class Scheduler:
     """The competition and all services of a session."""
 
     def __init__(
         self,
-        competition: Competition,
-        refuelling: Refuelling,
+        competition: CompetitionRules,
+        refuelling: RefuellingRules,
         tankers: Sequence[Tanker],
-        own: Contest | None = None,
+        own: Bidding | None = None,
         *,
         bases: Sequence[Base] = (),
         can_receive: Mapping[int, bool | None] | None = None,
@@ -47,8 +47,8 @@ class Schedule:
         """`own` takes the competition's place for the tankers. `can_receive`: who can take energy in the air, by system
         id, None where it is to be found out; those who are not named can. `cruise_m_s`: how fast they fly to a base."""
         competes = competition.enabled and refuelling.enabled
-        self._contest = (own or Contest(competition)) if competes else None
-        self._base_contest = Contest(competition) if competes and bases else None
+        self._contest = (own or Bidding(competition)) if competes else None
+        self._base_contest = Bidding(competition) if competes and bases else None
         self._rules = refuelling
         self._cruise_m_s = cruise_m_s
         self._tankers = {tanker.sysid: tanker for tanker in tankers}
@@ -60,7 +60,7 @@ class Schedule:
         self._requests = ServiceRequests()
         self._steps = TankerSteps(refuelling, self._tankers, self._requests, self.out)
         self._bases = BaseSteps(refuelling, bases, self._requests, self.out, need_from=competition.need_from)
-        self._ability = Ability(can_receive or {})
+        self._ability = ReceiverCapability(can_receive or {})
 
     @property
     def standing(self) -> Standing:
@@ -94,7 +94,7 @@ class Schedule:
         """Services that ended with energy on board of the receiver."""
         return [service for service in self.services if service.phase is Phase.DONE and service.energy_j > 0]
 
-    def settle(self, snapshot: Snapshot) -> None:
+    def settle(self, snapshot: FleetState) -> None:
         """Book on each service what its receiver's counter shows by now: the last joules may be told late."""
         newest = {service.receiver: service for service in self.services if service.joined_at_s is not None}
         for receiver, service in newest.items():
@@ -113,7 +113,7 @@ class Schedule:
         """The result of a command whose wish carried this token."""
         self._requests.take_result(token, accepted)
 
-    def decide(self, snapshot: Snapshot) -> Decision:
+    def decide(self, snapshot: FleetState) -> Decision:
         """Move the competition and every service to the snapshot's time."""
         self._requests.clear()
         self._bases.booked = {}
@@ -141,7 +141,7 @@ class Schedule:
             records=tuple(self._requests.records),
         )
 
-    def _compete(self, snapshot: Snapshot) -> None:
+    def _compete(self, snapshot: FleetState) -> None:
         """Move both competitions on, and give every free tanker and base who is decided for it."""
         served = {service.receiver for service in self.open_services} | self.out.keys()
         unable = self._ability.unable.keys()
@@ -156,7 +156,7 @@ class Schedule:
             while self._award_base(snapshot):
                 pass
 
-    def _free_tankers(self, snapshot: Snapshot) -> list[VehicleView]:
+    def _free_tankers(self, snapshot: FleetState) -> list[VehicleView]:
         busy = {service.tanker for service in self.open_services}
         return [
             view
@@ -169,13 +169,13 @@ class Schedule:
             and self._steps.available_j(view, math.inf) >= WORTH_J
         ]
 
-    def _prune(self, snapshot: Snapshot) -> None:
+    def _prune(self, snapshot: FleetState) -> None:
         """Who is dead, out or being served is asked for no more."""
         served = {service.receiver for service in self.open_services}
         gone = served | self.out.keys()
         self.asked = [sysid for sysid in self.asked if sysid not in gone and snapshot.vehicle(sysid).alive]
 
-    def _asked_for(self, snapshot: Snapshot, *, base: bool) -> int | None:
+    def _asked_for(self, snapshot: FleetState, *, base: bool) -> int | None:
         """Who is asked for next of those whom a base, or a tanker, can serve."""
         for sysid in self.asked:
             known = sysid not in self._ability.unknown
@@ -184,7 +184,7 @@ class Schedule:
                 return sysid
         return None
 
-    def _next(self, free: Sequence[VehicleView], snapshot: Snapshot) -> tuple[int, str] | None:
+    def _next(self, free: Sequence[VehicleView], snapshot: FleetState) -> tuple[int, str] | None:
         """Who the first of the free tankers serves next, and by what; None while undecided."""
         asked = self._asked_for(snapshot, base=False)
         if asked is not None or self._contest is None:
@@ -193,7 +193,7 @@ class Schedule:
         reserve_s = self._rules.hold_s + self._rules.reserve_s
         return self._contest.winner(snapshot, free[0], speed_m_s, reserve_s, free)
 
-    def _award(self, free: Sequence[VehicleView], snapshot: Snapshot) -> None:
+    def _award(self, free: Sequence[VehicleView], snapshot: FleetState) -> None:
         """Give the first of the free tankers its next receiver, if one is decided."""
         standing, tanker = self.standings[0], free[0]
         won = self._next(free, snapshot)
@@ -209,7 +209,7 @@ class Schedule:
         self._steps.begin(service)
         self._tell(service, standing)
 
-    def _award_base(self, snapshot: Snapshot) -> bool:
+    def _award_base(self, snapshot: FleetState) -> bool:
         """Give a free base its next receiver, the nearest base to who is decided; whether there was any."""
         busy = {service.base for service in self.open_services}
         free = [stock.base for stock in self.stocks if stock.base.name not in busy and stock.remaining_j >= WORTH_J]
@@ -254,5 +254,5 @@ class Schedule:
             }
         )
 
-    def _distance_m(self, tanker: int, service: Service, snapshot: Snapshot) -> float:
+    def _distance_m(self, tanker: int, service: Service, snapshot: FleetState) -> float:
         return math.dist(snapshot.vehicle(service.receiver).p_now_ned(), snapshot.vehicle(tanker).p_now_ned())

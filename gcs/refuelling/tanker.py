@@ -18,9 +18,9 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.mavlink.autopilots import STEERABLE, FlightMode
 from gcs.mavlink.commands import CommandRequest
 from gcs.refuelling.service import Phase, Service, ServiceRequests, token
-from gcs.refuelling.transfer_command import Role, transfer_request
-from gcs.scenario.model import Refuelling, Tanker
-from gcs.telemetry.state import Snapshot, VehicleView
+from gcs.refuelling.transfer_command import TransferRole, transfer_request
+from gcs.scenario.model import RefuellingRules, Tanker
+from gcs.telemetry.state import FleetState, VehicleView
 
 CATCH_UP_S = 1.0
 COUNTER_SETTLES_S = 0.5
@@ -39,7 +39,7 @@ class TankerSteps:
     """Moves every tanker's service from the decision to its end."""
 
     def __init__(
-        self, rules: Refuelling, tankers: Mapping[int, Tanker], requests: ServiceRequests, out: Mapping[int, str]
+        self, rules: RefuellingRules, tankers: Mapping[int, Tanker], requests: ServiceRequests, out: Mapping[int, str]
     ) -> None:
         """`out`: who neither is served nor serves, and why; a service of theirs is broken off."""
         self._rules = rules
@@ -59,7 +59,7 @@ class TankerSteps:
         stream = token(service, "stream")
         self._requests.request(_follow_target_every(FOLLOW_EVERY_US, service.tanker, stream))
 
-    def serve(self, service: Service, snapshot: Snapshot) -> None:
+    def serve(self, service: Service, snapshot: FleetState) -> None:
         """Move one service to the snapshot's time."""
         assert service.tanker is not None
         now_s = snapshot.time_s
@@ -93,7 +93,7 @@ class TankerSteps:
             service.near_since_s = None
             service.seen_refuel = service.seen_giving = False
             service.out_at_start_j, service.in_at_begin_j = tanker.given_j, receiver.received_j
-            self._order(service, receiver, Role.RECEIVE, self._limit_j(service, receiver, tanker))
+            self._order(service, receiver, TransferRole.RECEIVE, self._limit_j(service, receiver, tanker))
             self._go(service, Phase.START_RECEIVER, now_s)
         elif now_s - service.phase_since_s > JOIN_WITHIN_S:
             self._finish(service, receiver, tanker, now_s, "no rendezvous in time")
@@ -108,14 +108,16 @@ class TankerSteps:
             service.refusals = 0
             limit_j = self._limit_j(service, receiver, tanker)
             service.ordered_j = math.floor(limit_j)
-            self._order(service, tanker, Role.GIVE, limit_j)
+            self._order(service, tanker, TransferRole.GIVE, limit_j)
             self._go(service, Phase.START_GIVER, now_s)
         elif accepted is False or now_s - service.phase_since_s > START_WITHIN_S:
             service.refusals += 1
             if service.refusals >= REFUSALS:
                 self._finish(service, receiver, tanker, now_s, "the receiver refused")
                 return
-            self._order(service, receiver, Role.STOP, 0.0)  # it may have begun, and its acknowledgements been lost
+            self._order(
+                service, receiver, TransferRole.STOP, 0.0
+            )  # it may have begun, and its acknowledgements been lost
             self._go(service, Phase.JOIN, now_s)
 
     def _start_giver(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
@@ -128,7 +130,9 @@ class TankerSteps:
         out = self._out(receiver, tanker)
         if out or accepted is False or now_s - service.phase_since_s > START_WITHIN_S:
             service.ended_by = out or "the giver refused"
-            self._order(service, tanker, Role.STOP, 0.0)  # it may have begun, and its acknowledgements been lost
+            self._order(
+                service, tanker, TransferRole.STOP, 0.0
+            )  # it may have begun, and its acknowledgements been lost
             self._go(service, Phase.STOP_GIVER, now_s)
 
     def _transfer(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
@@ -151,7 +155,7 @@ class TankerSteps:
             service.broken_off = True
         if reason is not None:
             service.ended_by = reason
-            self._order(service, tanker, Role.STOP, 0.0)
+            self._order(service, tanker, TransferRole.STOP, 0.0)
             self._go(service, Phase.STOP_GIVER, now_s)
 
     def _stop_giver(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
@@ -178,14 +182,14 @@ class TankerSteps:
             self._finish(service, receiver, tanker, now_s, service.ended_by)
 
     def _stop(self, service: Service, receiver: VehicleView, now_s: float) -> None:
-        self._order(service, receiver, Role.STOP, 0.0)
+        self._order(service, receiver, TransferRole.STOP, 0.0)
         self._go(service, Phase.STOP_RECEIVER, now_s)
 
     def _finish(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float, reason: str) -> None:
         if service.phase not in (Phase.JOIN, Phase.STOP_RECEIVER):
             for view in (tanker, receiver):
                 if view.alive:
-                    self._order(service, view, Role.STOP, 0.0)
+                    self._order(service, view, TransferRole.STOP, 0.0)
         service.phase, service.end_s, service.ended_by = Phase.DONE, now_s, reason
         if tanker.alive:
             self._requests.request(_follow_target_every(0.0, tanker.sysid, token(service, "unstream")))
@@ -217,11 +221,15 @@ class TankerSteps:
         left_j = math.inf if self._rules.limit_j is None else self._rules.limit_j - service.energy_j
         return max(self.available_j(tanker, min(room_j, left_j)), 1.0)
 
-    def _order(self, service: Service, view: VehicleView, role: Role, limit_j: float) -> None:
+    def _order(self, service: Service, view: VehicleView, role: TransferRole, limit_j: float) -> None:
         assert service.tanker is not None
         giver = view.sysid == service.tanker
         partner = service.receiver if giver else service.tanker
-        what = {Role.GIVE: "give", Role.RECEIVE: "receive", Role.STOP: "stop giver" if giver else "stop receiver"}[role]
+        what = {
+            TransferRole.GIVE: "give",
+            TransferRole.RECEIVE: "receive",
+            TransferRole.STOP: "stop giver" if giver else "stop receiver",
+        }[role]
         self._requests.request(
             transfer_request(
                 view.sysid,

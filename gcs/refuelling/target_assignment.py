@@ -17,8 +17,8 @@ import numpy as np
 
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.refuelling.winner_take_all import advance, normalise, revive, share
-from gcs.scenario.model import Pursuit as Rules
-from gcs.telemetry.state import Snapshot, Vec3, VehicleView
+from gcs.scenario.model import PursuitRules as Rules
+from gcs.telemetry.state import FleetState, Vec3, VehicleView
 
 GRAVITY_M_S2 = 9.8
 LOW, HIGH = 0.01, 1.0
@@ -60,7 +60,7 @@ def meeting_s(offset: np.ndarray[Any, Any], v_t: np.ndarray[Any, Any], speed_m_s
     return min((t for t in times if t >= 0.0), default=None)
 
 
-class Pursuit:
+class TargetAssignment:
     """The races' memory from tick to tick."""
 
     def __init__(self, rules: Rules, pursuers: Collection[int], targets: Collection[int], speed_m_s: float) -> None:
@@ -74,7 +74,7 @@ class Pursuit:
         self.records: list[dict[str, Any]] = []
         """decisions of the last tick: a target has a new pursuer"""
 
-    def decide(self, snapshot: Snapshot) -> dict[int, int]:
+    def decide(self, snapshot: FleetState) -> dict[int, int]:
         """Target of each pursuer that is to pursue, by system id, at the snapshot's time."""
         dt_s = 0.0 if self._last_s is None else snapshot.time_s - self._last_s
         self._last_s = snapshot.time_s

@@ -10,7 +10,7 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.mavlink.commands import CommandRequest
 
 
-class Role(IntEnum):
+class TransferRole(IntEnum):
     """param2: what the vehicle is to do."""
 
     STOP = 0
@@ -21,7 +21,7 @@ class Role(IntEnum):
 def transfer_request(
     sysid: int,
     token: str,
-    role: Role,
+    role: TransferRole,
     *,
     partner: int,
     limit_j: float,

@@ -13,9 +13,9 @@ from typing import Any
 
 import numpy as np
 
-from gcs.recording.series import Contest, Floats, Series, Track
+from gcs.recording.series import CompetitionSeries, Floats, Series, Track
 from gcs.report import decimate
-from gcs.report.findings import Findings, Service
+from gcs.report.findings import Findings, ServiceFinding
 from gcs.report.pack import Pack
 from gcs.scenario.model import Obstacle
 from gcs.scenario.plot import legs
@@ -34,7 +34,7 @@ Lines = Mapping[int, Series]
 
 
 @dataclass
-class Panel:
+class ChartPanel:
     """One pair of axes: lines by vehicle, or lines of their own by name; limits are horizontal lines."""
 
     title: str
@@ -88,23 +88,29 @@ class Charts:
             if s.start_s is not None
         ]
         near = found.nearness
-        frames = [Panel("Frames received", "1/s", found.rates, digits=0, from_zero=True)]
+        frames = [ChartPanel("Frames received", "1/s", found.rates, digits=0, from_zero=True)]
         if any(line.values.max(initial=0.0) > 0.0 for line in found.losses.values()):
-            frames.append(Panel("Frames missing so far", "1", found.losses, digits=0, from_zero=True))
+            frames.append(ChartPanel("Frames missing so far", "1", found.losses, digits=0, from_zero=True))
         return {
-            "target": self._time([Panel("Distance to target", "m", near.to_target, limits=within, from_zero=True)]),
-            "error": self._time([Panel("Tracking error", "m", found.errors, digits=3, from_zero=True)]),
+            "target": self._time(
+                [ChartPanel("Distance to target", "m", near.to_target, limits=within, from_zero=True)]
+            ),
+            "error": self._time([ChartPanel("Tracking error", "m", found.errors, digits=3, from_zero=True)]),
             "motion": self._time(
                 [
-                    Panel("Speed", "m/s", found.speeds, from_zero=True),
-                    Panel("Height", "m", found.heights),
+                    ChartPanel("Speed", "m/s", found.speeds, from_zero=True),
+                    ChartPanel("Height", "m", found.heights),
                 ]
             ),
             "attitude": self._time(
-                [Panel("Roll", "°", roll, digits=1), Panel("Pitch", "°", pitch, digits=1), Panel("Yaw", "°", yaw)]
+                [
+                    ChartPanel("Roll", "°", roll, digits=1),
+                    ChartPanel("Pitch", "°", pitch, digits=1),
+                    ChartPanel("Yaw", "°", yaw),
+                ]
             ),
             "battery": self._time(
-                [Panel("Battery", "%", found.battery_percent, digits=1, from_zero=True)], spans=spans
+                [ChartPanel("Battery", "%", found.battery_percent, digits=1, from_zero=True)], spans=spans
             ),
             "contest": self._contest("tanker", found.contest, [s for s in found.services if s.base is None]),
             "base-contest": self._contest(
@@ -112,34 +118,36 @@ class Charts:
             ),
             "nearness": self._time(
                 [
-                    Panel("Least separation of two vehicles", "m", {}, {"separation": near.separation}, apart),
-                    Panel("Least clearance to obstacles and traffic", "m", {}, {"clearance": near.clearance}),
+                    ChartPanel("Least separation of two vehicles", "m", {}, {"separation": near.separation}, apart),
+                    ChartPanel("Least clearance to obstacles and traffic", "m", {}, {"clearance": near.clearance}),
                 ],
             ),
             "link": self._time(frames),
         }
 
-    def _contest(self, giver: str, contest: Contest, services: Iterable[Service]) -> dict[str, Any] | None:
+    def _contest(
+        self, giver: str, contest: CompetitionSeries, services: Iterable[ServiceFinding]
+    ) -> dict[str, Any] | None:
         """One competition's states and its leader's share; marks where it handed a giver over."""
         scenario = self._found.scenario
         share = [(scenario.competition.share, "share that wins")] if scenario else []
         return self._time(
             [
-                Panel(f"State v of each competitor for a {giver}", "1", contest.v, digits=3, span=(-0.03, 1.06)),
-                Panel("Leader's share of Σ vᵖ", "1", {}, {"share": contest.share}, share, 3, span=(-0.03, 1.06)),
+                ChartPanel(f"State v of each competitor for a {giver}", "1", contest.v, digits=3, span=(-0.03, 1.06)),
+                ChartPanel("Leader's share of Σ vᵖ", "1", {}, {"share": contest.share}, share, 3, span=(-0.03, 1.06)),
             ],
             marks=[{"t_s": s.decided_at_s, "id": s.receiver, "label": f"→ {s.receiver}"} for s in services],
         )
 
     def _time(
-        self, panels: list[Panel], marks: Sequence[Mapping[str, Any]] = (), spans: Sequence[Mapping[str, Any]] = ()
+        self, panels: list[ChartPanel], marks: Sequence[Mapping[str, Any]] = (), spans: Sequence[Mapping[str, Any]] = ()
     ) -> dict[str, Any] | None:
         made = [self._panel(panel) for panel in panels]
         if not any(panel["lines"] or panel["own"] for panel in made):
             return None
         return {"kind": "time", "panels": made, "marks": list(marks), "spans": list(spans)}
 
-    def _panel(self, panel: Panel) -> dict[str, Any]:
+    def _panel(self, panel: ChartPanel) -> dict[str, Any]:
         known = {s: line for s, line in panel.of_vehicles.items() if np.isfinite(line.values).any()}
         own = {name: line for name, line in (panel.of_session or {}).items() if np.isfinite(line.values).any()}
         made: dict[str, Any] = {

@@ -12,7 +12,7 @@ from typing import Any, Literal
 import numpy as np
 
 from gcs.recording import series
-from gcs.recording.series import Series, Track, Vehicle
+from gcs.recording.series import Series, Track, VehicleInfo
 from gcs.recording.session_folder import Recorded
 from gcs.report import distances
 from gcs.report.junit import cases
@@ -25,7 +25,7 @@ CRITICAL, WARNING = 3, 4
 
 
 @dataclass(frozen=True)
-class Problem:
+class SessionProblem:
     """Something that went wrong, in a sentence."""
 
     level: Level
@@ -33,7 +33,7 @@ class Problem:
 
 
 @dataclass(frozen=True)
-class Part:
+class GoalPart:
     """One part of the goal; `met` None: not known."""
 
     wanted: str
@@ -42,7 +42,7 @@ class Part:
 
 
 @dataclass(frozen=True)
-class Service:
+class ServiceFinding:
     """One refuelling, with why it ended."""
 
     receiver: int
@@ -71,7 +71,7 @@ class Findings:
         self.scenario: Scenario | None = recorded.scenario
         self.summary = recorded.summary
         self.end_s = recorded.end_s
-        self.vehicles: list[Vehicle] = series.vehicles(recorded)
+        self.vehicles: list[VehicleInfo] = series.vehicles(recorded)
         self.tracks: dict[int, Track] = series.tracks(recorded)
         self.traffic: dict[str, Track] = series.traffic(recorded)
         self.attitudes = series.attitudes(recorded)
@@ -115,17 +115,17 @@ class Findings:
         return {sysid: link.lost for sysid, link in self.links.items()}
 
     @cached_property
-    def services(self) -> list[Service]:
+    def services(self) -> list[ServiceFinding]:
         """Each refuelling in the order of decision: by the decisions, else by the summary."""
-        found: list[Service] = []
+        found: list[ServiceFinding] = []
         for decision in self.recorded.decisions:
             if decision["kind"] == "served":
                 told: dict[str, Any] = {"base": None, **decision}
-                found.append(Service(**{key: told[key] for key in Service.__dataclass_fields__}))
+                found.append(ServiceFinding(**{key: told[key] for key in ServiceFinding.__dataclass_fields__}))
         ended = {(s.receiver, s.tanker, s.decided_at_s) for s in found}
         if self.summary is not None:
             found += [
-                Service(**s.model_dump(), reason="not ended")
+                ServiceFinding(**s.model_dump(), reason="not ended")
                 for s in self.summary.refuelling
                 if (s.receiver, s.tanker, s.decided_at_s) not in ended
             ]
@@ -133,7 +133,7 @@ class Findings:
             for d in self.recorded.decisions:
                 if d["kind"] == "decided" and (d["receiver"], d["tanker"], d["t_s"]) not in ended:
                     pair = d["receiver"], d["tanker"], d.get("base"), d["by"], d["t_s"]
-                    found.append(Service(*pair, None, None, None, 0.0, d["bids"], "not ended"))
+                    found.append(ServiceFinding(*pair, None, None, None, 0.0, d["bids"], "not ended"))
         return sorted(found, key=lambda service: service.decided_at_s)
 
     @cached_property
@@ -146,11 +146,11 @@ class Findings:
     # the goal
 
     @cached_property
-    def parts(self) -> list[Part]:
+    def parts(self) -> list[GoalPart]:
         """The goal, part by part, and what was reached."""
         if self.scenario is None:
             return []
-        return [Part(name, *self._reached(key)) for key, name in cases(self.scenario.goal)]
+        return [GoalPart(name, *self._reached(key)) for key, name in cases(self.scenario.goal)]
 
     def _reached(self, key: str) -> tuple[str, bool | None]:
         goal, summary = self.scenario.goal if self.scenario else None, self.summary
@@ -193,15 +193,15 @@ class Findings:
     # what went wrong
 
     @cached_property
-    def problems(self) -> list[Problem]:
+    def problems(self) -> list[SessionProblem]:
         """What went wrong in flight, the worst first."""
         order: dict[Level, int] = {"bad": 0, "warn": 1, "note": 2}
         return sorted(self._problems(), key=lambda problem: order[problem.level])
 
-    def _problems(self) -> Iterator[Problem]:
+    def _problems(self) -> Iterator[SessionProblem]:
         for part in self.parts:
             if part.met is False:
-                yield Problem("bad", f"Not reached: {part.wanted} ({part.reached}).")
+                yield SessionProblem("bad", f"Not reached: {part.wanted} ({part.reached}).")
         yield from self._said()
         yield from self._too_near()
         yield from self._services_cut_short()
@@ -210,16 +210,16 @@ class Findings:
             if decision["kind"] == "policy failed":
                 failed.setdefault(f"{decision['policy']} {decision['problem']}", []).append(decision)
             elif decision["kind"] == "unable":
-                yield Problem(
+                yield SessionProblem(
                     "note", f"Vehicle {decision['receiver']} takes no energy in the air: {decision['reason']}."
                 )
             elif decision["kind"] == "death":
-                yield Problem("bad", f"{decision['text']} ({decision['t_s']:.1f} s)")
+                yield SessionProblem("bad", f"{decision['text']} ({decision['t_s']:.1f} s)")
         for what, times in failed.items():
-            yield Problem("warn", f"{what} ({_times(len(times), times[0]['t_s'])}).")
+            yield SessionProblem("warn", f"{what} ({_times(len(times), times[0]['t_s'])}).")
         yield from self._of_the_link()
 
-    def _said(self) -> Iterator[Problem]:
+    def _said(self) -> Iterator[SessionProblem]:
         """What vehicles said of themselves, alike said once."""
         alike: dict[tuple[str, int], list[tuple[float, int]]] = {}
         for t_s, sysid, severity, text in self.texts:
@@ -228,9 +228,9 @@ class Findings:
             who = sorted({sysid for _, sysid in said})
             level: Level = "bad" if severity <= CRITICAL else "warn"
             plural = "vehicle" if len(who) == 1 else f"{len(who)} vehicles:"
-            yield Problem(level, f"“{text}” said by {plural} {few(who)} ({_times(len(said), said[0][0])}).")
+            yield SessionProblem(level, f"“{text}” said by {plural} {few(who)} ({_times(len(said), said[0][0])}).")
 
-    def _too_near(self) -> Iterator[Problem]:
+    def _too_near(self) -> Iterator[SessionProblem]:
         separation, clearance = self.nearness.separation, self.nearness.clearance
         wanted_m = self.scenario.planner.separation_m if self.scenario else 0.0
         if np.isfinite(separation.values).any():
@@ -239,27 +239,33 @@ class Findings:
             if least_m < wanted_m:
                 a, b = sorted(self.nearness.pair[k].tolist())
                 what = f"Vehicles {a} and {b} came within {least_m:.2f} m of each other at {separation.t_s[k]:.1f} s"
-                yield Problem("bad", f"{what}; {wanted_m:g} m were wanted.")
+                yield SessionProblem("bad", f"{what}; {wanted_m:g} m were wanted.")
         if np.isfinite(clearance.values).any():
             k = int(np.nanargmin(clearance.values))
             if clearance.values[k] <= 0.0:
                 hit = f"Vehicle {self.nearness.nearest[k]} was inside an obstacle at {clearance.t_s[k]:.1f} s"
-                yield Problem("bad", f"{hit}, {-float(clearance.values[k]):.2f} m deep.")
+                yield SessionProblem("bad", f"{hit}, {-float(clearance.values[k]):.2f} m deep.")
 
-    def _services_cut_short(self) -> Iterator[Problem]:
+    def _services_cut_short(self) -> Iterator[SessionProblem]:
         broken = [d for d in self.recorded.decisions if d["kind"] == "broken off"]
         if broken:
             who = sorted({d["receiver"] for d in broken})
-            yield Problem("warn", f"Transfers to {few(who)} were broken off ({_times(len(broken), broken[0]['t_s'])}).")
+            yield SessionProblem(
+                "warn", f"Transfers to {few(who)} were broken off ({_times(len(broken), broken[0]['t_s'])})."
+            )
         for s in self.services:
             if s.energy_j <= 0 and s.reason != "not ended":
                 when = f"decided at {s.decided_at_s:.1f} s"
-                yield Problem("warn", f"Refuelling of {s.receiver} by {s.giver} moved no energy: {s.reason} ({when}).")
+                yield SessionProblem(
+                    "warn", f"Refuelling of {s.receiver} by {s.giver} moved no energy: {s.reason} ({when})."
+                )
         lost = {row["id"]: row["lost_j"] for row in self.ledgers if row["lost_j"] > 0}
         if lost:
-            yield Problem("warn", f"{sum(lost.values()):.0f} J given by {few(sorted(lost))} were never credited.")
+            yield SessionProblem(
+                "warn", f"{sum(lost.values()):.0f} J given by {few(sorted(lost))} were never credited."
+            )
 
-    def _of_the_link(self) -> Iterator[Problem]:
+    def _of_the_link(self) -> Iterator[SessionProblem]:
         if self.summary is None:
             return
         link = self.summary.link
@@ -271,13 +277,17 @@ class Findings:
         )
         for count, what, level in counts:
             if count:
-                yield Problem(level, f"{count} {what}.")
+                yield SessionProblem(level, f"{count} {what}.")
         if self.summary.lag_s >= 0.1:
-            yield Problem("warn", f"The session fell {self.summary.lag_s:.1f} s behind its pace: the machine was busy.")
+            yield SessionProblem(
+                "warn", f"The session fell {self.summary.lag_s:.1f} s behind its pace: the machine was busy."
+            )
         for vehicle in self.summary.vehicles:
             if vehicle.missing_streams:
                 what = " and ".join(vehicle.missing_streams)
-                yield Problem("warn", f"Vehicle {vehicle.sysid} did not send {what} as often as it was asked to.")
+                yield SessionProblem(
+                    "warn", f"Vehicle {vehicle.sysid} did not send {what} as often as it was asked to."
+                )
 
     def greatest(self, lines: Mapping[int, Series]) -> tuple[float, int] | None:
         """The greatest value of any line, and whose."""

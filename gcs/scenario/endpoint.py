@@ -13,7 +13,7 @@ ONLY_ONCE = (
 """What to say beside it where nobody answers at a `udpout`."""
 
 
-class Address(NamedTuple):
+class Endpoint(NamedTuple):
     """Where to listen (`udpin`), or whom to go to. The host of IPv6 stands here without its brackets."""
 
     way: str
@@ -26,10 +26,10 @@ class Address(NamedTuple):
         return f"{self.way}:{f'[{self.host}]' if ':' in self.host else self.host}:{self.port}"
 
 
-def address(text: str, *ways: str) -> Address | None:
+def address(text: str, *ways: str) -> Endpoint | None:
     """What `text` says, if it is an address of one of these ways; a listener's port may be 0, any that is free."""
     match = _FORM.fullmatch(text)
     if match is None or match[1] not in ways:
         return None
-    at = Address(match[1], match[2].strip("[]"), int(match[3]))
+    at = Endpoint(match[1], match[2].strip("[]"), int(match[3]))
     return at if at.port < 65536 and (at.port or at.way == "udpin") else None

@@ -26,7 +26,7 @@ T = TypeVar("T")
 
 
 @dataclass(frozen=True)
-class Problem:
+class PluginFault:
     """What somebody's code did wrong, and the vehicle that is held for it."""
 
     sysid: int
@@ -48,7 +48,7 @@ class Nonsense(Exception):
 
 
 @dataclass(frozen=True)
-class Answer(Generic[T]):
+class GuardedResult(Generic[T]):
     """What a call returned."""
 
     value: T
@@ -62,14 +62,14 @@ class Guard:
         self._limit_s = limit_s
         self._told: dict[int, str] = {}
         self._cut: set[int] = set()
-        self._new: list[Problem] = []
+        self._new: list[PluginFault] = []
         self._cut_now = False
 
     def begin_tick(self) -> None:
         """One call at most is cut off in each tick."""
         self._cut_now = False
 
-    def call(self, sysid: int, function: Callable[[], T]) -> Answer[T] | None:
+    def call(self, sysid: int, function: Callable[[], T]) -> GuardedResult[T] | None:
         """What `function` returns for this vehicle; None where it failed, now or for good, and the vehicle is held.
 
         `function` raises Nonsense where what it was answered cannot be used.
@@ -78,7 +78,7 @@ class Guard:
             return None
         try:
             with _cut_off_after(self._limit_s):
-                answer = Answer(function())
+                answer = GuardedResult(function())
         except _Overrun:
             self._cut.add(sysid)
             self._cut_now = True
@@ -96,9 +96,9 @@ class Guard:
         """A vehicle is held for this; said once until it gets a good answer or something else is wrong."""
         if self._told.get(sysid) != problem:
             self._told[sysid] = problem
-            self._new.append(Problem(sysid, self.policy, problem))
+            self._new.append(PluginFault(sysid, self.policy, problem))
 
-    def take(self) -> list[Problem]:
+    def take(self) -> list[PluginFault]:
         """The problems since the last call."""
         taken, self._new = self._new, []
         return taken

@@ -33,7 +33,7 @@ from gcs.scenario.parts import (
     base_conflicts,
     known_axes,
 )
-from gcs.scenario.rules import Competition, Formation, Planner, Pursuit, Refuelling
+from gcs.scenario.rules import CompetitionRules, FormationRules, PlannerRules, PursuitRules, RefuellingRules
 from gcs.scenario.types import Count, Flag, Part
 
 __all__ = [
@@ -42,19 +42,19 @@ __all__ = [
     "Battery",
     "Blackout",
     "Clock",
-    "Competition",
-    "Formation",
+    "CompetitionRules",
+    "FormationRules",
     "Goal",
     "Mover",
     "Obstacle",
     "Origin",
-    "Planner",
+    "PlannerRules",
     "Problem",
     "Pursue",
     "Pursuer",
-    "Pursuit",
+    "PursuitRules",
     "Radio",
-    "Refuelling",
+    "RefuellingRules",
     "Scenario",
     "ScenarioError",
     "Tanker",
@@ -104,15 +104,15 @@ class Scenario(Part):
     """other aircraft, reported by ADSB_VEHICLE; none by default"""
     bases: tuple[Base, ...] = ()
     """places on the ground where vehicles are charged; none by default"""
-    planner: Planner = Planner()
+    planner: PlannerRules = PlannerRules()
     """potential field and fuzzy escape, or a planner of your own"""
-    pursuit: Pursuit = Pursuit()
+    pursuit: PursuitRules = PursuitRules()
     """which pursuers follow their target"""
-    formation: Formation = Formation()
+    formation: FormationRules = FormationRules()
     """the pursuers' places around their target"""
-    competition: Competition = Competition()
+    competition: CompetitionRules = CompetitionRules()
     """who is refuelled next"""
-    refuelling: Refuelling = Refuelling()
+    refuelling: RefuellingRules = RefuellingRules()
     """rendezvous and transfer of energy"""
     radio: Radio = Radio()
     """loss, delay and blackouts of frames; none by default"""

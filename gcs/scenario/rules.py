@@ -38,7 +38,7 @@ def _named(key: str, value: Any) -> Any:
     return {key: value} if isinstance(value, str) else value
 
 
-class Planner(Part):
+class PlannerRules(Part):
     """Potential field (docs/model.md#potential-field) [seed: k0, k1, a, b, ranges] and fuzzy escape
     (docs/model.md#fuzzy-escape); or one's own."""
 
@@ -72,7 +72,7 @@ class Planner(Part):
     """how far the planned point may run ahead of its vehicle"""
 
 
-class Formation(Part):
+class FormationRules(Part):
     """A ring around the target, `height_m` above it; without `ring_m` the target itself attracts."""
 
     ring_m: Metres | None = None
@@ -81,7 +81,7 @@ class Formation(Part):
     """height of the ring above the target, m; negative: below"""
 
 
-class Pursuit(Part):
+class PursuitRules(Part):
     """Who pursues: all, or for each target the winner of a competition by least predicted control effort."""
 
     by: Literal["all", "competition"] = "all"
@@ -97,7 +97,7 @@ class Pursuit(Part):
     """how much of its predicted effort the present pursuer is forgiven"""
 
 
-class Competition(Part):
+class CompetitionRules(Part):
     """Winner-take-all (docs/model.md#competition): exponent p, rate c, values in [floor, high]; who competes, when it
     is decided."""
 
@@ -125,7 +125,7 @@ class Competition(Part):
     """after so long without a winner the greatest state is served, s"""
 
 
-class Refuelling(Part):
+class RefuellingRules(Part):
     """Where the tanker stands (`height_m` above the receiver), when a transfer may run, and how much flows."""
 
     enabled: Flag = True

@@ -106,7 +106,7 @@ class SessionSource:
         self._folder = folder
         self._clock = clock
         self._client: Client | None = None
-        self._earlier = Earlier()
+        self._earlier = EarlierEvents()
         self._retry_s = self._heard_s = float("-inf")
         self._inspect: Message | None = None
         self._over = False
@@ -163,7 +163,7 @@ class SessionSource:
             self._client.close()
 
 
-class Earlier:
+class EarlierEvents:
     """Lasts as long as somebody looks on, over any number of connections."""
 
     def __init__(self) -> None:
@@ -190,7 +190,7 @@ class Earlier:
         return made
 
 
-class Source(Protocol):
+class MessageSource(Protocol):
     """What the console asks of whoever feeds it; all of it is called from the console's one thread."""
 
     @property

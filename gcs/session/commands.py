@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from gcs.scenario.document import did_you_mean
 from gcs.session.pace import Pace
-from gcs.session.server import Publisher, Request
-from gcs.supervisor.operator import COMMANDS, Answer
+from gcs.session.server import ClientRequest, Publisher
+from gcs.supervisor.operator import COMMANDS, OperatorReply
 from gcs.supervisor.supervisor import Supervisor
 
 CLOCK = ("pause", "resume", "stop")
@@ -37,7 +37,7 @@ class Clients:
             self._supervisor.inspection.want(wanted)
         return stop
 
-    def _obey(self, request: Request) -> Answer:
+    def _obey(self, request: ClientRequest) -> OperatorReply:
         command = request.content["command"]
         if command in COMMANDS:
             return self._supervisor.obey(request.content)
@@ -46,13 +46,13 @@ class Clients:
         if command == "inspect":
             return self._inspect(request)
         if command in REPLAY:
-            return Answer(False, f"The command {command} is for a replay: this session is being flown.")
+            return OperatorReply(False, f"The command {command} is for a replay: this session is being flown.")
         hint = did_you_mean(command[:32], KNOWN) or f"; there are {', '.join(KNOWN)}."
-        return Answer(False, f"There is no command '{command[:32]}'{hint}")
+        return OperatorReply(False, f"There is no command '{command[:32]}'{hint}")
 
-    def _tell_clock(self, command: str) -> Answer:
+    def _tell_clock(self, command: str) -> OperatorReply:
         if command == "pause" and self._supervisor.externals.rules:
-            answer = Answer(False, "The session cannot pause: external vehicles live on the real clock.")
+            answer = OperatorReply(False, "The session cannot pause: external vehicles live on the real clock.")
             self._supervisor.note(command, answer)
             return answer
         if command == "pause":
@@ -60,16 +60,16 @@ class Clients:
         elif command == "resume":
             self._pace.resume()
         does = {"pause": "stands still until it is resumed", "resume": "goes on", "stop": "stops"}
-        answer = Answer(True, f"The session {does[command]}.")
+        answer = OperatorReply(True, f"The session {does[command]}.")
         self._supervisor.note(command, answer)
         return answer
 
-    def _inspect(self, request: Request) -> Answer:
+    def _inspect(self, request: ClientRequest) -> OperatorReply:
         sysid = request.content.get("sysid")
         if sysid is None:
             self._inspects.pop(request.client, None)
-            return Answer(True, "No vehicle is inspected for this client.")
+            return OperatorReply(True, "No vehicle is inspected for this client.")
         if isinstance(sysid, bool) or not isinstance(sysid, int) or sysid not in self._supervisor.pilots:
-            return Answer(False, f"There is no vehicle {str(sysid)[:32]} in this session.")
+            return OperatorReply(False, f"There is no vehicle {str(sysid)[:32]} in this session.")
         self._inspects[request.client] = sysid
-        return Answer(True, f"Snapshots tell everything that vehicle {sysid} sends.")
+        return OperatorReply(True, f"Snapshots tell everything that vehicle {sysid} sends.")

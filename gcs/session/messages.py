@@ -10,7 +10,7 @@ from gcs.refuelling import explain
 from gcs.refuelling.service import Phase
 from gcs.scenario.model import Goal, Obstacle, Scenario, VehicleBase
 from gcs.telemetry.events import Event
-from gcs.telemetry.health import State, Trouble, severity, state, troubles
+from gcs.telemetry.health import HealthIssue, State, health_issues, severity, state
 from gcs.telemetry.state import TrafficView, Vec3, VehicleView
 
 if TYPE_CHECKING:  # a monitor and a replay have none
@@ -33,7 +33,7 @@ def vehicle_row(
     lost_share: float | None = None,
     aim_ned: Vec3 | None = None,
     state: State = State.IDLE,
-    found: Sequence[Trouble] = (),
+    found: Sequence[HealthIssue] = (),
 ) -> dict[str, Any]:
     """One vehicle at `now_s`; `found` is its trouble, worst first (gcs/telemetry/health.py)."""
     heard = view.heard_s >= 0.0
@@ -92,7 +92,7 @@ def distance_m(a: Vec3 | None, b: Vec3 | None) -> float | None:
     return None if a is None or b is None else math.dist(a, b)
 
 
-def picture(
+def snapshot_message(
     supervisor: Supervisor, *, phase: str, speed: float, refuelled: int, events: Iterable[Event]
 ) -> dict[str, Any]:
     """The present state; `speed` is session time over wall time so far, `events` are those that nobody was told yet."""
@@ -167,7 +167,7 @@ def _vehicles(supervisor: Supervisor) -> list[dict[str, Any]]:
                     served=served - waiting,
                     serving=serving,
                 ),
-                found=troubles(
+                found=health_issues(
                     view,
                     now_s,
                     lost_share=lost_share,
@@ -179,7 +179,7 @@ def _vehicles(supervisor: Supervisor) -> list[dict[str, Any]]:
     return rows
 
 
-def session_line(
+def session_message(
     scenario: Scenario,
     folder: str | None,
     *,

@@ -17,11 +17,11 @@ from gcs.link.socket import Where
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import End
 from gcs.mavlink.codec import Frame, Message
-from gcs.mavlink.commands import CommandLong, CommandQueue, CommandResult, Step, Target
+from gcs.mavlink.commands import CommandLong, CommandQueue, CommandResult, CommandTarget, Step
 from gcs.mavlink.ids import OUR_HEARTBEAT, STATION
 from gcs.mavlink.sequence import SequenceCounter
-from gcs.mavlink.stream_requests import Quiet, everything
-from gcs.scenario.endpoint import Address
+from gcs.mavlink.stream_requests import SilentVehicles, everything
+from gcs.scenario.endpoint import Endpoint
 from gcs.session.observer import Observer
 from gcs.telemetry.events import Event
 
@@ -37,7 +37,7 @@ _COMMAND_ACK = codec.msgid("COMMAND_ACK")
 class MonitorSource:
     """A console's source that listens at an address. Raises AddressRefused where it cannot."""
 
-    def __init__(self, at: Address, *, control: bool = False, clock: Callable[[], float] = time.monotonic) -> None:
+    def __init__(self, at: Endpoint, *, control: bool = False, clock: Callable[[], float] = time.monotonic) -> None:
         self._air = Air(at)
         self._clock = clock
         self._begun_s = clock()
@@ -47,7 +47,7 @@ class MonitorSource:
         self._peers: dict[int, tuple[Where, float]] = {}
         self._refused: set[tuple[int, Where]] = set()
         self._queues: dict[int, CommandQueue] = {}
-        self._quiet = Quiet()
+        self._quiet = SilentVehicles()
         self._told_quiet: set[int] = set()
         self._counter = SequenceCounter()
         self._replies: list[Mapping[str, Any]] = []
@@ -157,7 +157,7 @@ class MonitorSource:
             return False, f"{view.label} is not armed: there is nothing to {end}."
         number, params = view.profile.ending(end)
         queue = self._queues.setdefault(sysid, CommandQueue(*STATION))
-        order = CommandLong(Target(sysid, self._observer.component(sysid)), number, params)
+        order = CommandLong(CommandTarget(sysid, self._observer.component(sysid)), number, params)
         self._transmit(sysid, queue.send(order, t_s, COMMAND_TIMEOUT_S, token=end))
         self._observer.tell(Event(t_s, sysid, "info", f"Operator: {end}", "operator"))
         return True, f"{view.label} is told to {end}; what it answers is shown."

@@ -20,14 +20,14 @@ from gcs.mavlink.codec import Frame
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.mavlink.sequence import GapCounter
 from gcs.scenario.model import Scenario
-from gcs.session.messages import distance_m, event_row, session_line, traffic_row, vehicle_row
+from gcs.session.messages import distance_m, event_row, session_message, traffic_row, vehicle_row
 from gcs.telemetry.adapter import Ear
-from gcs.telemetry.changes import Watch
+from gcs.telemetry.changes import ChangeDetector
 from gcs.telemetry.events import Event, level_of
 from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
-from gcs.telemetry.health import State, troubles
-from gcs.telemetry.message_inspector import Inspection
-from gcs.telemetry.state import Snapshot, Vec3, VehicleView
+from gcs.telemetry.health import State, health_issues
+from gcs.telemetry.message_inspector import MessageInspector
+from gcs.telemetry.state import FleetState, Vec3, VehicleView
 
 Kind = Literal["monitor", "replay"]
 UNKNOWN_CAPACITY_J = math.nan
@@ -102,8 +102,8 @@ class Observer:
         self._expected = {member.sysid for member in members} - self._known
         self._gaps = GapCounter()
         self.quality = LinkQuality(self._gaps)
-        self.inspection = Inspection()
-        self._watch = Watch()
+        self.inspection = MessageInspector()
+        self._watch = ChangeDetector()
         self._modes: dict[int, str] = {}
         self._since_s: dict[int, float] = {}
         self._events: list[Event] = []
@@ -178,7 +178,7 @@ class Observer:
         """The message of type "session" as things stand."""
         self.changed = False
         if self.scenario is not None:
-            line = session_line(
+            line = session_message(
                 self.scenario, self._folder, source=self._source, clock=self._clock, control=self.control
             )
             known = {vehicle["sysid"] for vehicle in line["vehicles"]}
@@ -200,7 +200,7 @@ class Observer:
             "goal": {"pursue_within_m": None, "pursue_for_s": None, "refuelled_at_least": 0},
         }
 
-    def view(self, t_s: float) -> Snapshot:
+    def view(self, t_s: float) -> FleetState:
         """The fleet at `t_s`, for those who want to know more of it than a snapshot's line says."""
         return self.fleet.snapshot(t_s)
 
@@ -300,7 +300,7 @@ class Observer:
         for sysid, ack in self.fleet.take_acks():
             self._acknowledged(t_s, sysid, ack)
 
-    def _gather(self, view: Snapshot) -> None:
+    def _gather(self, view: FleetState) -> None:
         if self.scenario is not None:
             self._events += self._watch.look(view, self.ordered)
             return
@@ -323,7 +323,7 @@ class Observer:
         how = result.name.removeprefix("MAV_RESULT_").replace("_", " ").lower() if result else f"result {ack.result}"
         self._events.append(Event(t_s, sysid, "info" if accepted else "warning", f"{what}: {how}", "ack"))
 
-    def _rows(self, snapshot: Snapshot, parts: Mapping[int, Mapping[str, Any]]) -> list[dict[str, Any]]:
+    def _rows(self, snapshot: FleetState, parts: Mapping[int, Mapping[str, Any]]) -> list[dict[str, Any]]:
         rows = []
         places = {view.sysid: view.p_ned for view in snapshot.vehicles}
         for told in snapshot.vehicles:
@@ -342,7 +342,7 @@ class Observer:
                 lost_share=lost_share,
                 aim_ned=None if aim is None or offset is None else _sum(aim, offset),
                 state=part.pop("state", State.IDLE if view.alive else State.LOST),
-                found=troubles(view, snapshot.time_s, lost_share=lost_share, ordered=view.sysid in self.ordered),
+                found=health_issues(view, snapshot.time_s, lost_share=lost_share, ordered=view.sysid in self.ordered),
                 **part,
             )
             row["mode"] = _mode(view)

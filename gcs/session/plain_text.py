@@ -81,7 +81,7 @@ def progress(snapshot: Snapshot) -> str:
     return " | ".join(part for part in parts if part)
 
 
-class News:
+class EventLines:
     """One line for each event that a person wants to hear of. Events alone decide: how often snapshots come does not.
 
     What is granted goes unsaid, and so does a change of mode that its vehicle has just announced itself.
@@ -178,7 +178,7 @@ class PlainView:
 
     def __init__(self, write: Callable[[str], object]) -> None:
         self._write = write
-        self._news = News()
+        self._news = EventLines()
         self._last: Snapshot | None = None
         self._told: Snapshot | None = None
         self._told_s = -PROGRESS_EVERY_S

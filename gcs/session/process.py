@@ -34,7 +34,7 @@ from gcs.scenario import plugins
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
 from gcs.session.commands import Clients
-from gcs.session.messages import picture, session_line
+from gcs.session.messages import session_message, snapshot_message
 from gcs.session.pace import Pace
 from gcs.session.server import Publisher, Reader
 from gcs.session.startup import Arrivals
@@ -59,15 +59,15 @@ class _Stopped(Exception):
     """Someone asked for the session's end."""
 
 
-class SessionError(Exception):
+class SessionFailed(Exception):
     """The session cannot go on; the text is for the person who started it."""
 
 
-class BadVehicleError(SessionError):
+class BadVehicleError(SessionFailed):
     """A vehicle refused what the scenario gives it."""
 
 
-class Session:
+class SessionProcess:
     """One session, from the first process to the summary."""
 
     def __init__(self, folder: Path, scenario: Scenario, *, drop: float) -> None:
@@ -84,7 +84,7 @@ class Session:
         self._sleep = strangers.rest if external else time.sleep
         self._recorder = Recorder(folder)
         self._reserve = Reserve(folder, len(scenario.vehicles.all))
-        self._publisher = Publisher(folder, session_line(scenario, str(folder.resolve())))
+        self._publisher = Publisher(folder, session_message(scenario, str(folder.resolve())))
         self._supervisor = Supervisor(scenario, self._link, self._recorder)
         self._hatch: Hatch | None = None
         self._unpublished: list[Event] = []
@@ -119,7 +119,7 @@ class Session:
             self._publisher.publish(self._next_picture())
             self._publisher.publish({"type": "end", "outcome": outcome, "exit": status})
             return status, outcome
-        except (SessionError, RecorderError):
+        except (SessionFailed, RecorderError):
             if self._begun:
                 died = self._hatch is not None and not self._hatch.alive
                 with contextlib.suppress(OSError):  # a full disk may have no room for it either
@@ -196,7 +196,7 @@ class Session:
                 self._event(sysid, "info", text)
             self._watch()
             if (why := arrivals.too_late(missing, waited_s)) is not None:
-                raise SessionError(why)
+                raise SessionFailed(why)
 
     # fly
 
@@ -259,7 +259,7 @@ class Session:
         for end in self._hatch.events()[1] if self._hatch is not None else ():
             self._lose(end)
         if self._hatch is not None and not self._hatch.alive:
-            raise SessionError("the process that makes the vehicles (simvehicle hatch) has died, and they with it")
+            raise SessionFailed("the process that makes the vehicles (simvehicle hatch) has died, and they with it")
         if now_s - self._said_waiting_s >= SAY_WAITING_EVERY_S and not self._pace.paused:
             self._said_waiting_s = now_s
             self._wait_for(now_s - self._answered_s)
@@ -293,7 +293,7 @@ class Session:
         sysids = self._blocks.get(end.sysid, (end.sysid,))
         sentence = end.sentence(", ".join(self._labels.get(sysid, f"vehicle {sysid}") for sysid in sysids))
         if self._phase == "starting":
-            raise (BadVehicleError if end.status == BAD_INPUT else SessionError)(sentence)
+            raise (BadVehicleError if end.status == BAD_INPUT else SessionFailed)(sentence)
         for sysid in sysids:
             self._lost.append(sysid)
             self._supervisor.lose(TRAFFIC if sysid == TRAFFIC[0] else (sysid, AUTOPILOT), sentence)
@@ -332,7 +332,7 @@ class Session:
     def _picture(self, events: Sequence[Event]) -> dict[str, Any]:
         supervisor = self._supervisor
         wall_s = self._pace.running_wall_s if self._begun else 0.0
-        return picture(
+        return snapshot_message(
             supervisor,
             phase="paused" if self._pace.paused else self._phase,
             speed=supervisor.time_s / wall_s if wall_s > 0.0 else 0.0,
@@ -375,7 +375,7 @@ def main(
         scenario = load(folder / "scenario.yaml")
         plugins.look_in(modules)
         with plugins.output_kept(scenario, folder):
-            session = Session(folder, scenario, drop=drop_datagrams)
+            session = SessionProcess(folder, scenario, drop=drop_datagrams)
             signal.signal(signal.SIGTERM, session.terminate)
             if reader is not None:
                 session.reader = Reader(reader, every_ms or round(1e3 * scenario.clock.period_s))
@@ -384,7 +384,7 @@ def main(
         status, error = BAD_INPUT, str(problem)
     except RecorderError as problem:
         status, error = NOT_DONE, f"{problem} What was flown until then is kept. {ELSEWHERE}"
-    except (SessionError, LaunchError) as problem:
+    except (SessionFailed, LaunchError) as problem:
         status, error = NOT_DONE, str(problem)
     except OSError as problem:
         status, error = NOT_DONE, f"{problem.filename or folder}: {problem.strerror}; give --out another place"

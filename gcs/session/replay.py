@@ -18,8 +18,8 @@ from gcs.recording.writer import DECISIONS, TLOG
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
 from gcs.session.observer import Observer
-from gcs.session.timeline import Story
-from gcs.session.tlog_index import Recording, Told
+from gcs.session.timeline import Timeline
+from gcs.session.tlog_index import TlogIndex, Told
 from gcs.telemetry.events import Event
 
 FASTEST = 1000.0
@@ -49,7 +49,7 @@ class Replay:
     ) -> None:
         self.problems: list[str] = []
         self._scenario: Scenario | None = None
-        self._story: Story | None = None
+        self._story: Timeline | None = None
         self._folder = str(source.resolve()) if source.is_dir() else None
         self.name = source.resolve().name if source.is_dir() else source.name
         path, epoch_us = source, None
@@ -63,7 +63,7 @@ class Replay:
         if self._scenario is not None and self._story is not None:
             course = CourseReader(self._scenario, self._story.chases)
         begin, end = (DECIDED, INDEXED) if source.is_dir() else (0.0, 1.0)
-        self._recording = Recording(
+        self._recording = TlogIndex(
             path,
             epoch_us=epoch_us,
             session=source.is_dir(),
@@ -166,7 +166,7 @@ class Replay:
             return None
         self.name = self._scenario.name
         try:
-            self._story = Story(folder / DECISIONS, self._scenario, progress)
+            self._story = Timeline(folder / DECISIONS, self._scenario, progress)
         except OSError as error:
             self.problems.append(unread(folder / DECISIONS, error, "decisions are not shown."))
         else:

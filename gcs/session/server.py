@@ -30,7 +30,7 @@ REMEMBERED = 200
 """Events that a client is told which came after them."""
 
 
-class Request(NamedTuple):
+class ClientRequest(NamedTuple):
     """What one client asks for: an object with a text under "command"."""
 
     client: int
@@ -62,7 +62,7 @@ class Publisher:
         """Who is connected, by the number that requests carry."""
         return frozenset(self._numbers.values())
 
-    def poll(self) -> list[Request]:
+    def poll(self) -> list[ClientRequest]:
         """Take new clients and what the present ones ask for; never waits. Lines that are no commands are ignored."""
         with contextlib.suppress(BlockingIOError):
             while True:
@@ -92,7 +92,7 @@ class Publisher:
                 with contextlib.suppress(ValueError, RecursionError):
                     content = json.loads(line)
                     if isinstance(content, dict) and isinstance(content.get("command"), str):
-                        commands.append(Request(number, content))
+                        commands.append(ClientRequest(number, content))
         return commands
 
     def publish(self, content: Mapping[str, Any]) -> None:
@@ -104,7 +104,7 @@ class Publisher:
         for client in list(self._clients):
             self._send(client, line)
 
-    def reply(self, request: Request, ok: bool, text: str) -> None:
+    def reply(self, request: ClientRequest, ok: bool, text: str) -> None:
         """Answer who asked, if it is still there: whether its command is taken, and a sentence."""
         given = request.content.get("id")
         line = _line({"type": "reply", "id": given if isinstance(given, str | int) else None, "ok": ok, "text": text})

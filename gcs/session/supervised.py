@@ -22,7 +22,7 @@ import click
 from gcs.exit import BAD_INPUT, INTERNAL_ERROR
 from gcs.scenario.file import dump
 from gcs.scenario.model import Scenario
-from gcs.session.client import SOCKET, Client, Earlier, Lines
+from gcs.session.client import SOCKET, Client, EarlierEvents, Lines
 from gcs.session.plain_text import QuietView, clean, farewell, mute_stdout
 
 SUPERVISOR = (sys.executable, "-m", "gcs.session.process")
@@ -292,7 +292,7 @@ def _watch(process: Supervised, signals: Signals, view: View, hurry: Callable[[]
         for source in (process, process.death, signals):
             selector.register(source, selectors.EVENT_READ)
         watched: Client | None = None
-        earlier = Earlier()
+        earlier = EarlierEvents()
         while True:
             selector.select(POLL_S)
             now_s = time.monotonic()

@@ -23,7 +23,7 @@ from gcs.session.messages import goal_of
 from gcs.supervisor.operator import TAKEN
 from gcs.telemetry.events import Event
 from gcs.telemetry.health import state
-from gcs.telemetry.state import Snapshot, Vec3
+from gcs.telemetry.state import FleetState, Vec3
 
 _SET_POINT = b'{"kind":"set_point"'
 BLOCK_BYTES = 1 << 22
@@ -60,7 +60,7 @@ class _Life:
         )
 
 
-class Story:
+class Timeline:
     """What was decided. Raises OSError where the file cannot be read."""
 
     def __init__(self, path: Path, scenario: Scenario, progress: Callable[[float], object] = lambda _: None) -> None:
@@ -98,7 +98,7 @@ class Story:
                     held[sysid] = mode
         return held
 
-    def at(self, snapshot: Snapshot, pursue_held_s: float | None) -> dict[str, Any]:
+    def at(self, snapshot: FleetState, pursue_held_s: float | None) -> dict[str, Any]:
         """What a snapshot's line tells of decisions at its time; `parts` by system id as `Observer.snapshot` reads.
 
         pursue_held_s: for how long the goal's pursuit had been held; None where nobody knows, and the goal goes unsaid.
@@ -132,7 +132,7 @@ class Story:
             "parts": self._parts(snapshot, standing, is_open),
         }
 
-    def _parts(self, snapshot: Snapshot, standing: Standing, services: list[Service]) -> dict[int, dict[str, Any]]:
+    def _parts(self, snapshot: FleetState, standing: Standing, services: list[Service]) -> dict[int, dict[str, Any]]:
         waiting = {service.receiver for service in services if service.phase is Phase.JOIN}
         served = {service.receiver for service in services} - waiting
         serving = {service.tanker for service in services if service.tanker is not None}
@@ -169,7 +169,7 @@ class Story:
                 found[pursuer] = target
         return found
 
-    def _book(self, services: list[Service], snapshot: Snapshot) -> None:
+    def _book(self, services: list[Service], snapshot: FleetState) -> None:
         """What an open service has transferred: what its receiver has got beyond what earlier ones gave it."""
         before: dict[int, float] = {}
         for service in services:

@@ -109,7 +109,7 @@ class _Block(NamedTuple):
         return self._replace(keys=keys[last], places=places[last])
 
 
-class Recording:
+class TlogIndex:
     """One .tlog. Raises OSError where it cannot be read.
 
     epoch_us: the time that is 0 s; the first frame's without it. block_bytes: of the index; by the file's size without

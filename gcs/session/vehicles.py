@@ -30,7 +30,7 @@ class LaunchError(RuntimeError):
 
 
 @dataclass(frozen=True)
-class Order:
+class ProcessSpec:
     """One process to start: the system ids that live in it, its arguments and its log."""
 
     sysids: tuple[int, ...]
@@ -61,7 +61,9 @@ class Ended:
         return f"{label} (process {self.pid}) {how}{last}"
 
 
-def vehicle_orders(scenario: Scenario, folder: Path, connection: Sequence[str], *, per_process: int = 1) -> list[Order]:
+def vehicle_orders(
+    scenario: Scenario, folder: Path, connection: Sequence[str], *, per_process: int = 1
+) -> list[ProcessSpec]:
     """How to start what is to be launched, up to `per_process` vehicles in one process; writes their parameters.
 
     A block's system ids follow on each other, and all of it starts in the air or none. `connection` goes into argv.
@@ -76,7 +78,9 @@ def vehicle_orders(scenario: Scenario, folder: Path, connection: Sequence[str], 
     return [vehicle_order(block, scenario, folder, connection) for block in blocks]
 
 
-def vehicle_order(block: Sequence[VehicleBase], scenario: Scenario, folder: Path, connection: Sequence[str]) -> Order:
+def vehicle_order(
+    block: Sequence[VehicleBase], scenario: Scenario, folder: Path, connection: Sequence[str]
+) -> ProcessSpec:
     """How to start vehicles whose system ids follow on each other in one process; writes their parameters."""
     first, origin = block[0], scenario.origin
     argv = ["--sysid", str(first.sysid), *connection]
@@ -96,7 +100,9 @@ def vehicle_order(block: Sequence[VehicleBase], scenario: Scenario, folder: Path
     argv += ["--home", _triple((origin.lat_deg, origin.lon_deg, origin.alt_m))]
     if first.airborne:
         argv.append("--airborne")
-    return Order(tuple(vehicle.sysid for vehicle in block), tuple(argv), folder / "vehicles" / f"{first.sysid}.log")
+    return ProcessSpec(
+        tuple(vehicle.sysid for vehicle in block), tuple(argv), folder / "vehicles" / f"{first.sysid}.log"
+    )
 
 
 def vehicle_parameters(vehicle: VehicleBase, scenario: Scenario) -> dict[str, float]:
@@ -113,7 +119,7 @@ def vehicle_parameters(vehicle: VehicleBase, scenario: Scenario) -> dict[str, fl
     }
 
 
-def traffic_order(scenario: Scenario, folder: Path, connection: Sequence[str]) -> Order:
+def traffic_order(scenario: Scenario, folder: Path, connection: Sequence[str]) -> ProcessSpec:
     """How to start the scenario's traffic; writes its file to the session's folder."""
     origin = scenario.origin
     content = {
@@ -131,7 +137,7 @@ def traffic_order(scenario: Scenario, folder: Path, connection: Sequence[str]) -
     }
     path = folder / "vehicles" / "traffic.yaml"
     path.write_text(yaml.safe_dump(content), encoding="utf-8")
-    return Order((255,), ("traffic", str(path), *connection), folder / "vehicles" / "traffic.log")
+    return ProcessSpec((255,), ("traffic", str(path), *connection), folder / "vehicles" / "traffic.log")
 
 
 def _triple(numbers: Sequence[float]) -> str:
@@ -175,7 +181,7 @@ class Hatch:
         """The hatch's own process."""
         return self._process.pid
 
-    def start(self, orders: Sequence[Order]) -> None:
+    def start(self, orders: Sequence[ProcessSpec]) -> None:
         """Fork a process per order; each `pid` is reported by `events`."""
         lines = [json.dumps({"argv": order.argv, "log": str(order.log)}) + "\n" for order in orders]
         try:

@@ -51,7 +51,7 @@ class Stage(StrEnum):
     TAKEN = "operator"
 
 
-class Pilot:
+class ArmingSequence:
     """One vehicle's way into the air."""
 
     def __init__(self, sysid: int, takeoff_m: float, *, seldom_s: float = RETRY_S) -> None:

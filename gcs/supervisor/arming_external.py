@@ -24,7 +24,7 @@ from gcs.mavlink.autopilots import STEERABLE, FlightMode
 from gcs.mavlink.codec import Message
 from gcs.mavlink.commands import CommandRequest
 from gcs.scenario.external import External
-from gcs.supervisor.arming import Pilot, Stage
+from gcs.supervisor.arming import ArmingSequence, Stage
 from gcs.telemetry.state import VehicleView
 
 FAR_M = 5000.0
@@ -54,7 +54,7 @@ _FLOWN = frozenset({Stage.OFFBOARD, Stage.FLY, Stage.YIELDED})
 _BEFORE_FLIGHT = frozenset({Stage.IDENTIFY, Stage.ARM, Stage.TAKEOFF})
 
 
-class ExternalPilot(Pilot):
+class ExternalArmingSequence(ArmingSequence):
     """One external vehicle's way into the air and into offboard."""
 
     def __init__(self, sysid: int, takeoff_m: float, rules: External) -> None:

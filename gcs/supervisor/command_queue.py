@@ -6,11 +6,20 @@ from collections.abc import Iterable
 from typing import Any
 
 from gcs.mavlink.codec import Message
-from gcs.mavlink.commands import OPERATOR, PILOT, CommandLong, CommandQueue, CommandRequest, CommandResult, Step, Target
+from gcs.mavlink.commands import (
+    OPERATOR,
+    PILOT,
+    CommandLong,
+    CommandQueue,
+    CommandRequest,
+    CommandResult,
+    CommandTarget,
+    Step,
+)
 from gcs.mavlink.ids import AUTOPILOT, STATION
 
 
-class Outbox:
+class FleetCommandQueue:
     """For each vehicle what waits for its next grant, and which of its commands are under way; all in session time."""
 
     def __init__(self, sysids: Iterable[int]) -> None:
@@ -40,7 +49,7 @@ class Outbox:
         """Command what is wished, each in a COMMAND_LONG to the vehicle's autopilot."""
         for wish in wishes:
             self._under_way.add((wish.sysid, wish.token))
-            command = CommandLong(Target(wish.sysid, AUTOPILOT), wish.command, wish.params)
+            command = CommandLong(CommandTarget(wish.sysid, AUTOPILOT), wish.command, wish.params)
             self._waiting[wish.sysid] += self._queues[wish.sysid].send(command, now_s, token=wish.token)
 
     def ask_once(self, wishes: Iterable[CommandRequest], now_s: float) -> None:

@@ -12,12 +12,12 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.mavlink.autopilots import STEERABLE, End
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.commands import CommandRequest, CommandResult
-from gcs.mavlink.stream_requests import CHECK_S, SLOW_SHARE, Ask, Streams, needs
+from gcs.mavlink.stream_requests import CHECK_S, SLOW_SHARE, Ask, StreamRequests, needs
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import Stage
 from gcs.telemetry.events import Event, Kind, Level
 from gcs.telemetry.fleet import Fleet
-from gcs.telemetry.state import Snapshot, VehicleView
+from gcs.telemetry.state import FleetState, VehicleView
 
 LOST_S = 10.0
 """A vehicle that has been silent for so long is counted as lost, until it is heard again."""
@@ -31,7 +31,7 @@ _ENDS: Mapping[End, str] = {"hold": "hold", "return": "return to where it took o
 _DISARM = (int(mav.MAV_CMD_COMPONENT_ARM_DISARM), (0.0,))
 
 
-class Externals:
+class ExternalFleet:
     """All external vehicles of a session."""
 
     def __init__(self, scenario: Scenario) -> None:
@@ -39,7 +39,7 @@ class Externals:
         wanted = needs(scenario.clock.period_s)
         self.patience_s = max((block.arm_within_s for block in self.rules.values()), default=0.0)
         """how much longer than others their fleets wait until they are in the air"""
-        self.streams = {sysid: Streams(sysid, wanted) for sysid in self.rules}
+        self.streams = {sysid: StreamRequests(sysid, wanted) for sysid in self.rules}
         self.lost: set[int] = set()
         self._heard_s = dict.fromkeys(self.rules, 0.0)
         self._said_s: dict[tuple[int, str], float] = {}
@@ -81,7 +81,7 @@ class Externals:
                 fleet.lost(sysid)
                 self._note(sysid, "critical", f"No word for {LOST_S:.0f} s: it is counted as lost until it is heard")
 
-    def decide(self, snapshot: Snapshot) -> tuple[list[CommandRequest], dict[int, list[Message]]]:
+    def decide(self, snapshot: FleetState) -> tuple[list[CommandRequest], dict[int, list[Message]]]:
         """Commands, and messages by system id, that keep the streams flowing."""
         now_s = snapshot.time_s
         wishes: list[CommandRequest] = []
@@ -114,7 +114,7 @@ class Externals:
         token = str(result.token)
         if sysid not in self.rules:
             return False
-        if Streams.owns(token):
+        if StreamRequests.owns(token):
             self._asks[sysid] += self.streams[sysid].answered(token, result.outcome == "accepted")
             return True
         if token == ENDING:
@@ -131,7 +131,7 @@ class Externals:
         self._said_s[sysid, text] = now_s
         return False
 
-    def hand_back(self, snapshot: Snapshot, stages: Mapping[int, Stage]) -> list[CommandRequest]:
+    def hand_back(self, snapshot: FleetState, stages: Mapping[int, Stage]) -> list[CommandRequest]:
         """What is said to those whom we steer, at the end: nobody does any more.
 
         One that somebody else has taken over, or that is on the ground unarmed, is left alone; one that stands armed on
@@ -150,11 +150,11 @@ class Externals:
             wishes.append(CommandRequest(sysid, command, params, ENDING))
         return wishes
 
-    def awaits(self, snapshot: Snapshot) -> bool:
+    def awaits(self, snapshot: FleetState) -> bool:
         """Whether one that was handed back still says that it follows set points."""
         return bool(self._steered_still(snapshot))
 
-    def tell_disobedience(self, snapshot: Snapshot) -> None:
+    def tell_disobedience(self, snapshot: FleetState) -> None:
         """Name who has not done in time what it was told at the end, and what it answered to that."""
         for view in self._steered_still(snapshot):
             answer = self._answers.get(view.sysid, "it has not answered yet")
@@ -162,7 +162,7 @@ class Externals:
             text = f"Still {state} though nobody steers it any more ({answer}): look after it"
             self._note(view.sysid, "critical", text, "session")
 
-    def _steered_still(self, snapshot: Snapshot) -> list[VehicleView]:
+    def _steered_still(self, snapshot: FleetState) -> list[VehicleView]:
         views = map(snapshot.vehicle, sorted(self._handed_back))
         return [view for view in views if view.alive and view.armed and (view.landed or view.mode in STEERABLE)]
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from gcs.link.impairment import Blackout, Impairment
+from gcs.link.impairment import BlackoutWindow, Impairment
 from gcs.mavlink.autopilots import PROFILES
 from gcs.scenario.model import Scenario
-from gcs.supervisor.arming import SELDOM_S, Pilot
-from gcs.supervisor.arming_external import ExternalPilot
+from gcs.supervisor.arming import SELDOM_S, ArmingSequence
+from gcs.supervisor.arming_external import ExternalArmingSequence
 from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
 
 
@@ -28,12 +28,12 @@ def make_fleet(scenario: Scenario) -> Fleet:
     return Fleet(members, GlobalOrigin(origin.lat_deg, origin.lon_deg, origin.alt_m))
 
 
-def make_pilots(scenario: Scenario) -> dict[int, Pilot]:
+def make_pilots(scenario: Scenario) -> dict[int, ArmingSequence]:
     """A pilot for each vehicle, by system id."""
     return {
-        v.sysid: ExternalPilot(v.sysid, v.takeoff_m, v.external)
+        v.sysid: ExternalArmingSequence(v.sysid, v.takeoff_m, v.external)
         if v.external
-        else Pilot(v.sysid, v.takeoff_m, seldom_s=SELDOM_S)
+        else ArmingSequence(v.sysid, v.takeoff_m, seldom_s=SELDOM_S)
         for v in scenario.vehicles.all
     }
 
@@ -42,6 +42,6 @@ def make_radio(scenario: Scenario) -> Impairment:
     """The radio between vehicles and supervisor."""
     return Impairment(
         **scenario.radio.model_dump(exclude={"blackouts"}),
-        blackouts=[Blackout(b.sysid, b.from_s, b.to_s) for b in scenario.radio.blackouts],
+        blackouts=[BlackoutWindow(b.sysid, b.from_s, b.to_s) for b in scenario.radio.blackouts],
         seed=scenario.seed,
     )

@@ -16,11 +16,11 @@ from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
 from gcs.mavlink.autopilots import End
-from gcs.refuelling.scheduler import Schedule
+from gcs.refuelling.scheduler import Scheduler
 from gcs.scenario.model import Scenario
-from gcs.supervisor.arming import Pilot, Stage
+from gcs.supervisor.arming import ArmingSequence, Stage
 from gcs.telemetry.events import Event
-from gcs.telemetry.state import Snapshot, VehicleView
+from gcs.telemetry.state import FleetState, VehicleView
 
 TAKEN: dict[str, tuple[End, str]] = {
     "hold": ("hold", "holds where it is"),
@@ -30,7 +30,7 @@ TAKEN: dict[str, tuple[End, str]] = {
 OUT_TAKEN, OUT_SKIPPED = "taken by the operator", "skipped by the operator"
 
 
-class Answer(NamedTuple):
+class OperatorReply(NamedTuple):
     """Whether an order is taken, and a sentence about it."""
 
     taken: bool
@@ -40,7 +40,7 @@ class Answer(NamedTuple):
 class Operator:
     """The orders so far, and what follows from them."""
 
-    def __init__(self, scenario: Scenario, pilots: Mapping[int, Pilot], schedule: Schedule) -> None:
+    def __init__(self, scenario: Scenario, pilots: Mapping[int, ArmingSequence], schedule: Scheduler) -> None:
         vehicles = scenario.vehicles
         self._pilots = pilots
         self._schedule = schedule
@@ -59,7 +59,7 @@ class Operator:
         """What each vehicle that is in an operator's hands is to fly."""
         return {sysid: pilot.ordered for sysid, pilot in self._pilots.items() if pilot.ordered is not None}
 
-    def obey(self, content: Mapping[str, Any], snapshot: Snapshot) -> tuple[Answer, Event]:
+    def obey(self, content: Mapping[str, Any], snapshot: FleetState) -> tuple[OperatorReply, Event]:
         """Take an order, an object of the session's socket, or refuse it; never raises.
 
         `snapshot` is what is known at present; its time is the order's.
@@ -69,7 +69,7 @@ class Operator:
         return answer, self.note(snapshot.time_s, command, answer, sysid, target)
 
     def note(
-        self, t_s: float, command: str, answer: Answer, sysid: int | None = None, target: int | None = None
+        self, t_s: float, command: str, answer: OperatorReply, sysid: int | None = None, target: int | None = None
     ) -> Event:
         """Record an operator's command, also one that somebody else carries out; what to tell of it."""
         named = {"sysid": sysid, "target": target}
@@ -91,21 +91,21 @@ class Operator:
         taken, self._records = self._records, []
         return taken
 
-    def _judge(self, command: str, sysid: int | None, target: int | None, snapshot: Snapshot) -> Answer:
+    def _judge(self, command: str, sysid: int | None, target: int | None, snapshot: FleetState) -> OperatorReply:
         if sysid is None:
-            return Answer(False, f"The command {command} needs a sysid, the system id of a vehicle.")
+            return OperatorReply(False, f"The command {command} needs a sysid, the system id of a vehicle.")
         if sysid not in self._pilots:
-            return Answer(False, f"There is no vehicle {sysid} in this session.")
+            return OperatorReply(False, f"There is no vehicle {sysid} in this session.")
         view = snapshot.vehicle(sysid)
         if not view.alive:
-            return Answer(False, f"{_name(view)} is dead.")
+            return OperatorReply(False, f"{_name(view)} is dead.")
         if view.heard_s < 0.0:
-            return Answer(False, f"{_name(view)} has not said anything yet.")
+            return OperatorReply(False, f"{_name(view)} has not said anything yet.")
         if command == "retarget":
             return self._retarget(view, target, snapshot)
         return _COMMANDS[command](self, view, command)
 
-    def _take(self, view: VehicleView, command: str) -> Answer:
+    def _take(self, view: VehicleView, command: str) -> OperatorReply:
         mode, does = TAKEN[command]
         self._pilots[view.sysid].take(mode)
         self._schedule.out[view.sysid] = OUT_TAKEN
@@ -113,22 +113,22 @@ class Operator:
             does = "stays on the ground"
         elif self._schedule.bound(view.sysid):
             does += ", once its transfer is broken off,"
-        return Answer(True, f"{_name(view)} {does} until it rejoins.")
+        return OperatorReply(True, f"{_name(view)} {does} until it rejoins.")
 
-    def _rejoin(self, view: VehicleView, command: str) -> Answer:
+    def _rejoin(self, view: VehicleView, command: str) -> OperatorReply:
         pilot = self._pilots[view.sysid]
         if pilot.ordered is None and not pilot.down and pilot.stage is not Stage.YIELDED:
-            return Answer(False, f"{_name(view)} flies by the plan already: nobody has taken it.")
+            return OperatorReply(False, f"{_name(view)} flies by the plan already: nobody has taken it.")
         if view.energy_source != "none" and view.remaining_j <= 0.0:
-            return Answer(False, f"{_name(view)} has no energy left to fly with.")
+            return OperatorReply(False, f"{_name(view)} has no energy left to fly with.")
         pilot.rejoin()
         self._schedule.out.pop(view.sysid, None)
         if view.sysid in self._skipped:
             self._schedule.out[view.sysid] = OUT_SKIPPED
         how = "flies by the plan again" if view.flying else "takes off and flies by the plan again"
-        return Answer(True, f"{_name(view)} {how}.")
+        return OperatorReply(True, f"{_name(view)} {how}.")
 
-    def _refuel(self, view: VehicleView, command: str) -> Answer:
+    def _refuel(self, view: VehicleView, command: str) -> OperatorReply:
         name, schedule = _name(view), self._schedule
         refusal = self._no_receiver(view)
         if refusal is None and any(view.sysid == service.receiver for service in schedule.open_services):
@@ -144,25 +144,25 @@ class Operator:
             share = f"{100.0 * view.remaining_j / view.capacity_j:.0f} %"
             refusal = f"{name} has {share}, and is filled up to {100.0 * self._until:.0f} %."
         if refusal is not None:
-            return Answer(False, refusal)
+            return OperatorReply(False, refusal)
         schedule.asked.append(view.sysid)
-        return Answer(True, f"{name} is refuelled next, as soon as a {self._giver(view)} is free.")
+        return OperatorReply(True, f"{name} is refuelled next, as soon as a {self._giver(view)} is free.")
 
-    def _skip(self, view: VehicleView, command: str) -> Answer:
+    def _skip(self, view: VehicleView, command: str) -> OperatorReply:
         if (refusal := self._no_receiver(view)) is not None:
-            return Answer(False, refusal)
+            return OperatorReply(False, refusal)
         taken = self._pilots[view.sysid].ordered is not None
         if view.sysid in self._skipped:
             self._skipped.discard(view.sysid)
             if not taken:
                 self._schedule.out.pop(view.sysid, None)
-            return Answer(True, f"{_name(view)} competes for the {self._giver(view)} again.")
+            return OperatorReply(True, f"{_name(view)} competes for the {self._giver(view)} again.")
         self._skipped.add(view.sysid)
         if not taken:
             self._schedule.out[view.sysid] = OUT_SKIPPED
         served = any(view.sysid == service.receiver for service in self._schedule.open_services)
         after = "; its refuelling is broken off" if served else ""
-        return Answer(True, f"{_name(view)} is not refuelled until it is let back in{after}.")
+        return OperatorReply(True, f"{_name(view)} is not refuelled until it is let back in{after}.")
 
     def _giver(self, view: VehicleView) -> str:
         return "base" if view.sysid in self._schedule.unable else "tanker"
@@ -172,25 +172,25 @@ class Operator:
             return "Nobody is refuelled in this session."
         return None if view.role == "pursuer" else f"{_name(view)} is no pursuer: only these are refuelled."
 
-    def _retarget(self, view: VehicleView, target: int | None, snapshot: Snapshot) -> Answer:
+    def _retarget(self, view: VehicleView, target: int | None, snapshot: FleetState) -> OperatorReply:
         if self._races:
-            return Answer(False, "Who pursues which target is decided by a competition in this session.")
+            return OperatorReply(False, "Who pursues which target is decided by a competition in this session.")
         if view.sysid not in self._follows:
-            return Answer(False, f"{_name(view)} follows no target.")
+            return OperatorReply(False, f"{_name(view)} follows no target.")
         if target not in self._targets:
             there = ", ".join(map(str, sorted(self._targets)))
-            return Answer(False, f"The command retarget needs a target, one of {there}.")
+            return OperatorReply(False, f"The command retarget needs a target, one of {there}.")
         lead = snapshot.vehicle(target)
         if not lead.alive:
-            return Answer(False, f"{_name(lead)} is dead.")
+            return OperatorReply(False, f"{_name(lead)} is dead.")
         follows = self.pursuing or self._follows
         if follows[view.sysid] == target:
-            return Answer(False, f"{_name(view)} follows {lead.label} already.")
+            return OperatorReply(False, f"{_name(view)} follows {lead.label} already.")
         self.pursuing = {**follows, view.sysid: target}
-        return Answer(True, f"{_name(view)} follows {lead.label} from now on.")
+        return OperatorReply(True, f"{_name(view)} follows {lead.label} from now on.")
 
 
-_COMMANDS: dict[str, Callable[[Operator, VehicleView, str], Answer]] = {
+_COMMANDS: dict[str, Callable[[Operator, VehicleView, str], OperatorReply]] = {
     **dict.fromkeys(TAKEN, Operator._take),
     "rejoin": Operator._rejoin,
     "refuel": Operator._refuel,

@@ -94,7 +94,7 @@ class Subject:
 
 
 @dataclass
-class Verdict:
+class Comparison:
     """What came of it: `compared` recorded decisions up to `until_s`; the first `KEPT` differences, all by kind."""
 
     compared: int = 0
@@ -225,7 +225,7 @@ class _Recorded:
                     self.broken += 1
 
 
-def redecide(folder: Path, progress: Progress = lambda _: None) -> Verdict:
+def redecide(folder: Path, progress: Progress = lambda _: None) -> Comparison:
     """Decide a recorded session again. Raises RedecideError, ScenarioError, OSError.
 
     Modules that the scenario names must be importable (`gcs.scenario.plugins.look_in`).
@@ -246,7 +246,7 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Verdict:
     comparer = Comparer()
     # The supervisor asks of link and recorder only what these two have.
     supervisor = Supervisor(scenario, cast(FleetLink, link), cast(Recorder, comparer))
-    verdict = Verdict()
+    verdict = Comparison()
     whole = (folder / SUMMARY).exists()
     supervisor.begin()
     end_s = scenario.goal.duration_s
@@ -294,7 +294,9 @@ def _relive(supervisor: Supervisor, line: Mapping[str, Any]) -> None:
         supervisor.lose(TRAFFIC if sysid == TRAFFIC[0] else (sysid, AUTOPILOT), str(line.get("text", "")))
 
 
-def _compare(verdict: Verdict, t_s: float, recorded: Sequence[dict[str, Any]], today: Sequence[dict[str, Any]]) -> None:
+def _compare(
+    verdict: Comparison, t_s: float, recorded: Sequence[dict[str, Any]], today: Sequence[dict[str, Any]]
+) -> None:
     verdict.compared += len(recorded)
     if list(recorded) == list(today):
         return

@@ -8,7 +8,15 @@ from collections import defaultdict
 from importlib.metadata import version
 from typing import TYPE_CHECKING, cast
 
-from gcs.recording.summary import Base, Energy, Link, Refuelling, Role, Summary, Vehicle
+from gcs.recording.summary import (
+    BaseSummary,
+    EnergySummary,
+    LinkSummary,
+    RefuellingSummary,
+    Role,
+    Summary,
+    VehicleSummary,
+)
 
 if TYPE_CHECKING:  # who only reads a summary need not load the supervisor
     from gcs.link.fleet import MixedLink
@@ -50,7 +58,7 @@ def summarise(
         min_separation_m=_finite(metrics.min_separation_m),
         min_clearance_m=_finite(metrics.min_clearance_m),
         vehicles=[
-            Vehicle(
+            VehicleSummary(
                 sysid=view.sysid,
                 role=cast(Role, view.role),
                 final_mode=str(view.mode) if view.alive else "dead",
@@ -62,10 +70,10 @@ def summarise(
             )
             for view in snapshot.vehicles
         ],
-        refuelling=[Refuelling(**service.record()) for service in schedule.services],
+        refuelling=[RefuellingSummary(**service.record()) for service in schedule.services],
         refuel_order=[service.receiver for service in schedule.refuelled],
         bases=[
-            Base(
+            BaseSummary(
                 name=stock.base.name,
                 initial_j=stock.base.stock_j,
                 given_j=stock.given_j,
@@ -74,7 +82,7 @@ def summarise(
             )
             for stock in schedule.stocks
         ],
-        link=Link(
+        link=LinkSummary(
             received=supervisor.received,
             sent=supervisor.sent,
             lost=supervisor.lost_frames,
@@ -85,8 +93,8 @@ def summarise(
     )
 
 
-def _ledger(view: VehicleView, lost_j: int) -> Energy:
-    return Energy(
+def _ledger(view: VehicleView, lost_j: int) -> EnergySummary:
+    return EnergySummary(
         initial_j=view.initial_j,
         drawn_j=view.drawn_j,
         received_j=view.received_j,

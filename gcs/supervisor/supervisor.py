@@ -21,26 +21,26 @@ from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, TRAFFIC
 from gcs.mavlink.sequence import GapCounter
 from gcs.mavlink.setpoints import SetPoint, encoded
 from gcs.planner.custom import make_planner
-from gcs.recording.decisions import Recording, records_of_tick
+from gcs.recording.decisions import TickRecord, records_of_tick
 from gcs.recording.writer import Digest, Recorder
 from gcs.refuelling.base import giver_messages
-from gcs.refuelling.bidding import make_contest
+from gcs.refuelling.bidding import make_bidding
 from gcs.refuelling.explain import acknowledged
 from gcs.refuelling.relay import Relay, relayed
-from gcs.refuelling.scheduler import Schedule
+from gcs.refuelling.scheduler import Scheduler
 from gcs.refuelling.service import Decision
-from gcs.refuelling.target_assignment import Pursuit
+from gcs.refuelling.target_assignment import TargetAssignment
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import Stage
-from gcs.supervisor.command_queue import Outbox
-from gcs.supervisor.external_fleet import ENDING, Externals
+from gcs.supervisor.command_queue import FleetCommandQueue
+from gcs.supervisor.external_fleet import ENDING, ExternalFleet
 from gcs.supervisor.factory import make_fleet, make_pilots, make_radio
-from gcs.supervisor.operator import Answer, Operator
-from gcs.telemetry.changes import Watch
+from gcs.supervisor.operator import Operator, OperatorReply
+from gcs.telemetry.changes import ChangeDetector
 from gcs.telemetry.events import Event, Kind, level_of
-from gcs.telemetry.message_inspector import Inspection
+from gcs.telemetry.message_inspector import MessageInspector
 from gcs.telemetry.metrics import Metrics
-from gcs.telemetry.state import Snapshot
+from gcs.telemetry.state import FleetState
 
 HEARTBEAT_EVERY_S = 1.0
 WAIT_FOR_FLEET_S = 30.0
@@ -60,10 +60,10 @@ class Supervisor:
         self.digest = Digest()
         self.fleet = make_fleet(scenario)
         self.planner, planner_guard = make_planner(scenario)
-        contest, policy_guard = make_contest(scenario)
+        contest, policy_guard = make_bidding(scenario)
         self._guards = [guard for guard in (planner_guard, policy_guard) if guard is not None]
         served = bool(scenario.vehicles.tankers or scenario.bases)
-        self.schedule = Schedule(
+        self.schedule = Scheduler(
             scenario.competition,
             scenario.refuelling,
             scenario.vehicles.tankers,
@@ -72,19 +72,19 @@ class Supervisor:
             can_receive={v.sysid: v.can_receive for v in scenario.vehicles.pursuers if served},
             cruise_m_s=scenario.planner.cruise_m_s,
         )
-        self.pursuit: Pursuit | None = None
+        self.pursuit: TargetAssignment | None = None
         if scenario.pursuit.by == "competition":
             targets = [target.sysid for target in scenario.vehicles.targets]
             pursuers = [p.sysid for p in scenario.vehicles.pursuers if not p.waypoints_m]
-            self.pursuit = Pursuit(scenario.pursuit, pursuers, targets, scenario.planner.cruise_m_s)
+            self.pursuit = TargetAssignment(scenario.pursuit, pursuers, targets, scenario.planner.cruise_m_s)
         self.metrics = Metrics(scenario, self.planner.obstacles)
         self.pilots = make_pilots(scenario)
         self.operator = Operator(scenario, self.pilots, self.schedule)
-        self.externals = Externals(scenario)
+        self.externals = ExternalFleet(scenario)
         self._wait_for_fleet_s = WAIT_FOR_FLEET_S + self.externals.patience_s
         self._join_ms = {v.sysid: round(1e3 * v.join_s) for v in scenario.vehicles.all}
         self._radio = make_radio(scenario)
-        self.outbox = Outbox(self.pilots)
+        self.outbox = FleetCommandQueue(self.pilots)
         self._gaps = GapCounter()
         self.quality = LinkQuality(self._gaps)
         self._heartbeat_due_ms = dict.fromkeys(self.pilots, 0)
@@ -95,11 +95,11 @@ class Supervisor:
         self.targets_move = False
         self.grounded: frozenset[int] = frozenset()
         """who lands at a base, or stands at one"""
-        self._watch = Watch()
-        self.inspection = Inspection()
+        self._watch = ChangeDetector()
+        self.inspection = MessageInspector()
         self._deaths: list[dict[str, Any]] = []
         self.set_points: list[SetPoint] = []
-        self.snapshot: Snapshot = self.fleet.snapshot(0.0)
+        self.snapshot: FleetState = self.fleet.snapshot(0.0)
 
     @property
     def time_s(self) -> float:
@@ -118,7 +118,7 @@ class Supervisor:
 
     def begin(self) -> None:
         """Send the first grant, which sets the vehicles' clocks and lets nobody move."""
-        recording = Recording(0, [], [], [])
+        recording = TickRecord(0, [], [], [])
         self._grant_all({}, recording)
         self._record(recording)
 
@@ -142,7 +142,7 @@ class Supervisor:
             for result in self.outbox.poll(sysid, now_s):
                 self._report(sysid, result, now_s)
         relays = relayed(decision.relays, delivered)
-        recording = Recording(self.time_ms, arrived, [], [])
+        recording = TickRecord(self.time_ms, arrived, [], [])
         self._queue_set_points(set_points, snapshot)
         self._grant_all(relays, recording)
         recording.decisions += self._records(now_s, decision, set_points)
@@ -153,19 +153,19 @@ class Supervisor:
         """Collect and record the answers to the last grant; nothing is decided any more."""
         arrived, _ = self._hear(self._link.answers(idle), self.time_s)
         self.snapshot = self.fleet.snapshot(self.time_s)
-        self._record(Recording(self.time_ms, arrived, [], self._told()))
+        self._record(TickRecord(self.time_ms, arrived, [], self._told()))
 
     def stop(self) -> None:
         """Record what has been ordered and who has died since the last tick: there is none after it."""
-        self._record(Recording(self.time_ms, [], [], self._told()))
+        self._record(TickRecord(self.time_ms, [], [], self._told()))
 
-    def obey(self, order: Mapping[str, Any]) -> Answer:
+    def obey(self, order: Mapping[str, Any]) -> OperatorReply:
         """Take an operator's order, or say why not."""
         answer, event = self.operator.obey(order, self.fleet.snapshot(self.time_s))
         self.events.append(event)
         return answer
 
-    def note(self, command: str, answer: Answer) -> None:
+    def note(self, command: str, answer: OperatorReply) -> None:
         """Tell and record a command that the session's clock has carried out."""
         self.events.append(self.operator.note(self.time_s, command, answer))
 
@@ -244,7 +244,7 @@ class Supervisor:
         for sysid, joules in decision.booked.items():
             self.fleet.book(sysid, joules)
 
-    def _fly(self, snapshot: Snapshot, now_s: float) -> None:
+    def _fly(self, snapshot: FleetState, now_s: float) -> None:
         late_s = (self._periods - 1) * self.scenario.clock.period_s
         for view in snapshot.vehicles:
             if self.time_ms < self._join_ms[view.sysid]:
@@ -267,14 +267,14 @@ class Supervisor:
             self.outbox.put(view.sysid, requests)
             self.outbox.ask_once(wishes, now_s)
 
-    def _keep_streams(self, snapshot: Snapshot) -> None:
+    def _keep_streams(self, snapshot: FleetState) -> None:
         wishes, messages = self.externals.decide(snapshot)
         for sysid, requests in messages.items():
             self.outbox.put(sysid, requests)
         self.outbox.ask(wishes, snapshot.time_s)
         self.events += self.externals.take_events()
 
-    def _plan(self, snapshot: Snapshot, decision: Decision, pursuing: Mapping[int, int] | None) -> list[SetPoint]:
+    def _plan(self, snapshot: FleetState, decision: Decision, pursuing: Mapping[int, int] | None) -> list[SetPoint]:
         steered = frozenset(sysid for sysid, pilot in self.pilots.items() if pilot.sends_set_points)
         if not self.targets_move:
             ready = all(p.stage in _SETTLED for s, p in self.pilots.items() if self._join_ms[s] == 0)
@@ -290,7 +290,7 @@ class Supervisor:
             stations=decision.stations,
         )
 
-    def _queue_set_points(self, set_points: Iterable[SetPoint], snapshot: Snapshot) -> None:
+    def _queue_set_points(self, set_points: Iterable[SetPoint], snapshot: FleetState) -> None:
         for point in set_points:
             offset = snapshot.vehicle(point.sysid).origin_offset_ned
             assert offset is not None
@@ -298,7 +298,7 @@ class Supervisor:
 
     # out
 
-    def _grant_all(self, relays: Mapping[int, list[Relay]], recording: Recording) -> None:
+    def _grant_all(self, relays: Mapping[int, list[Relay]], recording: TickRecord) -> None:
         """Send everyone the next bundle; the first one carries T = 0 and lets nobody move."""
         now_s = self.time_s
         grant_ms = self.time_ms + self._periods * self.period_ms if recording.t_ms or self._begun else 0
@@ -349,7 +349,7 @@ class Supervisor:
             if (sysid, AUTOPILOT) in self._link.joined:
                 sent += self._link.external.grant((sysid, AUTOPILOT), messages, ())
         self.sent += len(sent)
-        self._record(Recording(round(1e3 * now_s), arrived, sent, []))
+        self._record(TickRecord(round(1e3 * now_s), arrived, sent, []))
         self.snapshot = self.fleet.snapshot(now_s)
         return self.externals.awaits(self.snapshot) or self.outbox.awaits(ENDING)
 
@@ -371,6 +371,6 @@ class Supervisor:
         deaths, self._deaths = self._deaths, []
         return deaths + self.operator.take_records()
 
-    def _record(self, recording: Recording) -> None:
+    def _record(self, recording: TickRecord) -> None:
         """Recording and hashing wait until the grants are out: the vehicles fly meanwhile."""
         recording.write(self._recorder, self.digest, self.epoch_us)

@@ -7,19 +7,19 @@ from collections.abc import Mapping
 
 from gcs.mavlink.autopilots import STEERABLE, End, FlightMode
 from gcs.telemetry.events import Event
-from gcs.telemetry.state import STALE_S, Snapshot, VehicleView
+from gcs.telemetry.state import STALE_S, FleetState, VehicleView
 
 GOING_DOWN = frozenset({FlightMode.RETURN, FlightMode.LAND})
 
 
-class Watch:
+class ChangeDetector:
     """Remembers what each vehicle did; `look` tells what is new."""
 
     def __init__(self) -> None:
         self._modes: dict[int, FlightMode] = {}
         self._silent: set[int] = set()
 
-    def look(self, snapshot: Snapshot, ordered: Mapping[int, End] | None) -> list[Event]:
+    def look(self, snapshot: FleetState, ordered: Mapping[int, End] | None) -> list[Event]:
         """What has changed since the last snapshot.
 
         `ordered` says what somebody wants vehicles to fly instead of the plan: that is no failsafe. None: nobody here

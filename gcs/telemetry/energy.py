@@ -34,7 +34,7 @@ RESTART_J = 1000.0
 """A total that falls by less has been overtaken on the air."""
 
 
-class Source(StrEnum):
+class EnergySource(StrEnum):
     """Which of an autopilot's words the energy drawn is read from."""
 
     NONE = "none"
@@ -43,7 +43,7 @@ class Source(StrEnum):
     BATTERY_REMAINING = "battery_remaining"
 
 
-BEST_FIRST = (Source.ENERGY_CONSUMED, Source.CURRENT_VOLTAGE, Source.BATTERY_REMAINING)
+BEST_FIRST = (EnergySource.ENERGY_CONSUMED, EnergySource.CURRENT_VOLTAGE, EnergySource.BATTERY_REMAINING)
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,10 +64,10 @@ class EnergyEstimator:
     def __init__(self) -> None:
         self.drawn_j = 0.0
         self.power_w = 0.0
-        self.source = Source.NONE
-        self._meters: dict[Source, float] = {}
-        self._anchors: dict[Source, tuple[float, float]] = {}
-        self._spoke_s: dict[tuple[Source, bool], float] = {}
+        self.source = EnergySource.NONE
+        self._meters: dict[EnergySource, float] = {}
+        self._anchors: dict[EnergySource, tuple[float, float]] = {}
+        self._spoke_s: dict[tuple[EnergySource, bool], float] = {}
         self._first_s: float | None = None
         self._consumed_j = self._before_restart_j = 0.0
         self._sample: tuple[float, float] | None = None
@@ -105,23 +105,23 @@ class EnergyEstimator:
         spoke = []
         if report.consumed_j is not None:
             self._total(report.consumed_j, armed)
-            spoke.append(Source.ENERGY_CONSUMED)
+            spoke.append(EnergySource.ENERGY_CONSUMED)
         if report.power_w is not None:
             facts += self._integrate(report.time_s, max(report.power_w, 0.0))
-            spoke.append(Source.CURRENT_VOLTAGE)
+            spoke.append(EnergySource.CURRENT_VOLTAGE)
         if report.remaining is not None:
             left_j = report.remaining * capacity_j
             if self._expected_j is None:
                 self._expected_j = left_j if initial_j is None else initial_j + moved_j
                 self._moved_j, self._booked_j = moved_j, booked_j
             facts += self._fall(left_j, capacity_j, moved_j, booked_j, armed=armed, swappable=swappable)
-            spoke.append(Source.BATTERY_REMAINING)
+            spoke.append(EnergySource.BATTERY_REMAINING)
         for source in spoke:
             self._spoke_s[source, report.second_hand] = report.time_s
         self._count(report.time_s, spoke)
         return facts
 
-    def _count(self, now_s: float, spoke: list[Source]) -> None:
+    def _count(self, now_s: float, spoke: list[EnergySource]) -> None:
         """Let the energy drawn go on by what the best meter went on since its anchor.
 
         An anchor holds a meter's reading and the energy drawn at that time. Lesser meters' move along, so that they
@@ -132,7 +132,7 @@ class EnergyEstimator:
         if best is None or best not in spoke:
             return
         if best is not self.source:
-            if self.source is Source.NONE:
+            if self.source is EnergySource.NONE:
                 self._anchors[best] = (0.0, 0.0)
             self.source = best
             self._history.clear()
@@ -149,11 +149,11 @@ class EnergyEstimator:
             self._before_restart_j += self._consumed_j
             self._consumed_j = 0.0
         self._consumed_j = max(self._consumed_j, consumed_j)
-        self._meters[Source.ENERGY_CONSUMED] = self._before_restart_j + self._consumed_j
+        self._meters[EnergySource.ENERGY_CONSUMED] = self._before_restart_j + self._consumed_j
 
     def _integrate(self, now_s: float, power_w: float) -> list[Fact]:
         facts = []
-        integral_j = self._meters.get(Source.CURRENT_VOLTAGE, 0.0)
+        integral_j = self._meters.get(EnergySource.CURRENT_VOLTAGE, 0.0)
         if self._sample is not None:
             since_s, before_w = self._sample
             span_s = now_s - since_s
@@ -163,20 +163,20 @@ class EnergyEstimator:
                 facts.append(Fact(f"No current or voltage for {span_s:.1f} s: bridged by the mean of both ends"))
             integral_j += 0.5 * (before_w + power_w) * span_s
         self._sample = (now_s, power_w)
-        self._meters[Source.CURRENT_VOLTAGE] = integral_j
+        self._meters[EnergySource.CURRENT_VOLTAGE] = integral_j
         return facts
 
     def _fall(
         self, left_j: float, capacity_j: float, moved_j: float, booked_j: float, *, armed: bool, swappable: bool
     ) -> list[Fact]:
         assert self._expected_j is not None
-        fallen_j = self._meters.setdefault(Source.BATTERY_REMAINING, 0.0)
+        fallen_j = self._meters.setdefault(EnergySource.BATTERY_REMAINING, 0.0)
         self._expected_j += moved_j - self._moved_j
         self._unseen_j += booked_j - self._booked_j
         self._moved_j, self._booked_j = moved_j, booked_j
         rise_j = left_j - self._expected_j
         if rise_j <= 0.0:
-            self._meters[Source.BATTERY_REMAINING] = fallen_j - rise_j
+            self._meters[EnergySource.BATTERY_REMAINING] = fallen_j - rise_j
             self._expected_j = left_j
             return []
         if armed:
@@ -192,7 +192,7 @@ class EnergyEstimator:
     def _tell_power(self, now_s: float) -> None:
         """Mean power of the last while, over steps of the energy drawn where it moves in steps."""
         history = self._history
-        in_steps = self.source is Source.BATTERY_REMAINING
+        in_steps = self.source is EnergySource.BATTERY_REMAINING
         if in_steps and history and history[-1][1] == self.drawn_j:
             return
         history.append((now_s, self.drawn_j))

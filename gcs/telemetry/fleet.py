@@ -23,7 +23,7 @@ from gcs.mavlink.battery import BatteryReport, battery_status, sys_status
 from gcs.mavlink.codec import Frame, fields
 from gcs.mavlink.statustext import Texts
 from gcs.telemetry.energy import EnergyEstimator, Fact
-from gcs.telemetry.state import ZERO, Snapshot, TrafficView, Vec3, VehicleView
+from gcs.telemetry.state import ZERO, FleetState, TrafficView, Vec3, VehicleView
 
 LANDED_M = 0.3
 """A vehicle that does not tell whether it has landed is in the air above this height."""
@@ -204,9 +204,9 @@ class Fleet:
         """Energy that a vehicle was given by a base and cannot tell of itself."""
         self._tracks[sysid].booked_j += joules
 
-    def snapshot(self, time_s: float) -> Snapshot:
+    def snapshot(self, time_s: float) -> FleetState:
         """Everything known at a session time."""
-        return Snapshot(
+        return FleetState(
             time_s,
             tuple(track.view(time_s) for track in self._tracks.values()),
             tuple(

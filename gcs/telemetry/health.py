@@ -22,7 +22,7 @@ EMPTIES_LOOK_S, EMPTIES_ACT_S = 60.0, 30.0
 LOSS_LOOK, LOSS_ACT = 0.2, 0.6
 
 
-class Trouble(NamedTuple):
+class HealthIssue(NamedTuple):
     """One thing that is wrong, in a word or a few."""
 
     text: str
@@ -42,55 +42,55 @@ class State(StrEnum):
     LOST = "lost"
 
 
-def troubles(
+def health_issues(
     view: VehicleView,
     now_s: float,
     *,
     lost_share: float | None = None,
     down: bool = False,
     ordered: bool = False,
-) -> list[Trouble]:
+) -> list[HealthIssue]:
     """Everything that is wrong with a vehicle, worst first; [] when it is well.
 
     `down`: it has flown, or was to fly, and does no more. `ordered`: an operator has taken it, so that hold, return and
     land are no surprise.
     """
     if not view.alive:
-        return [Trouble("dead", ACT)]
+        return [HealthIssue("dead", ACT)]
     if view.heard_s < 0.0:
-        return [Trouble("no word yet", LOOK)] if now_s >= SILENT_S else []
+        return [HealthIssue("no word yet", LOOK)] if now_s >= SILENT_S else []
     found = []
     silent_s = now_s - view.heard_s
     if silent_s >= SILENT_S:
-        found.append(Trouble(f"no word {silent_s:.0f} s", ACT))
+        found.append(HealthIssue(f"no word {silent_s:.0f} s", ACT))
     if view.p_ned is None:
-        found.append(Trouble("no position", LOOK))
+        found.append(HealthIssue("no position", LOOK))
     elif view.age_s > STALE_S:
-        found.append(Trouble("position old", LOOK))
+        found.append(HealthIssue("position old", LOOK))
     found += _energy(view)
     if view.armed and view.mode in (FlightMode.RETURN, FlightMode.LAND):
-        found.append(Trouble(str(view.mode), LOOK if ordered else ACT))
+        found.append(HealthIssue(str(view.mode), LOOK if ordered else ACT))
     elif down and not ordered:
-        found.append(Trouble("not flying", ACT))
+        found.append(HealthIssue("not flying", ACT))
     if lost_share is not None and lost_share >= LOSS_LOOK:
-        found.append(Trouble(f"loses {100.0 * lost_share:.0f} %", ACT if lost_share >= LOSS_ACT else LOOK))
+        found.append(HealthIssue(f"loses {100.0 * lost_share:.0f} %", ACT if lost_share >= LOSS_ACT else LOOK))
     return sorted(found, key=lambda trouble: -trouble.severity)
 
 
-def _energy(view: VehicleView) -> list[Trouble]:
+def _energy(view: VehicleView) -> list[HealthIssue]:
     if view.energy_source == "none":
         return []
     found = []
     share = view.remaining_j / view.capacity_j
     if share < BATTERY_LOOK:
-        found.append(Trouble(f"battery {100.0 * max(share, 0.0):.0f} %", ACT if share < BATTERY_ACT else LOOK))
+        found.append(HealthIssue(f"battery {100.0 * max(share, 0.0):.0f} %", ACT if share < BATTERY_ACT else LOOK))
     if view.flying and view.endurance_s < EMPTIES_LOOK_S:
         left_s = max(view.endurance_s, 0.0)
-        found.append(Trouble(f"empties in {left_s:.0f} s", ACT if left_s < EMPTIES_ACT_S else LOOK))
+        found.append(HealthIssue(f"empties in {left_s:.0f} s", ACT if left_s < EMPTIES_ACT_S else LOOK))
     return found
 
 
-def severity(found: Iterable[Trouble]) -> int:
+def severity(found: Iterable[HealthIssue]) -> int:
     """The worst of them."""
     return max((trouble.severity for trouble in found), default=WELL)
 

@@ -34,7 +34,7 @@ class _Latest:
         return (len(self.times_s) - 1) / span_s if span_s > 0.0 else None
 
 
-class Inspection:
+class MessageInspector:
     """Keeps frames of the vehicles in `wanted`."""
 
     def __init__(self) -> None:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from gcs.scenario import geometry
 from gcs.scenario.model import Scenario
-from gcs.telemetry.state import Snapshot, Vec3
+from gcs.telemetry.state import FleetState, Vec3
 
 if TYPE_CHECKING:
     from gcs.mavlink.setpoints import SetPoint
@@ -43,7 +43,7 @@ class Metrics:
 
     def take(
         self,
-        snapshot: Snapshot,
+        snapshot: FleetState,
         set_points: Iterable[SetPoint],
         partners: Iterable[tuple[int, int]],
         pursuing: Mapping[int, int] | None = None,
@@ -81,7 +81,7 @@ class Metrics:
                 error_m = float(distance_to_path(plan, (count + 1) % PLAN_MEMORY, *here[sysid]))
                 self.max_tracking_error_m[sysid] = max(self.max_tracking_error_m.get(sysid, 0.0), error_m)
 
-    def _measure_distances(self, snapshot: Snapshot, here: dict[int, Vec3], partners: set[frozenset[int]]) -> None:
+    def _measure_distances(self, snapshot: FleetState, here: dict[int, Vec3], partners: set[frozenset[int]]) -> None:
         if not here:
             return
         at = np.array(list(here.values()))

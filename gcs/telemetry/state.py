@@ -103,7 +103,7 @@ class TrafficView:
 
 
 @dataclass(frozen=True, slots=True)
-class Snapshot:
+class FleetState:
     """The fleet at one instant of the session; vehicles in order of system id."""
 
     time_s: float

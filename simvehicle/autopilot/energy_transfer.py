@@ -19,7 +19,7 @@ SILENCE_S = 1.0
 OrderKey = tuple[int, int, int, int]
 
 
-class Role(IntEnum):
+class TransferSide(IntEnum):
     """param2 of MAV_CMD_USER_1."""
 
     STOP = 0
@@ -28,11 +28,11 @@ class Role(IntEnum):
 
 
 @dataclass(frozen=True)
-class Order:
+class TransferOrder:
     """One transfer as the supervisor ordered it; `giver_start_j` is the giver's XferOut at the start."""
 
     partner: int
-    role: Role
+    role: TransferSide
     limit_j: float
     rate_w: float
     transfer_id: int
@@ -85,7 +85,7 @@ def refusal(
 class Transfer:
     """One vehicle's side of a transfer in progress."""
 
-    def __init__(self, order: Order, now_s: float) -> None:
+    def __init__(self, order: TransferOrder, now_s: float) -> None:
         self.order = order
         self._moved_j = 0
         self._fraction_j = 0.0
@@ -103,7 +103,7 @@ class Transfer:
         """Whether joules have moved, or were heard to be on their way."""
         return self._moved_j > 0 or self._heard_j > 0
 
-    def stopped_by(self, stop: Order) -> bool:
+    def stopped_by(self, stop: TransferOrder) -> bool:
         """Whether a STOP means this transfer: 0 stands for any partner or id."""
         return stop.partner in (0, self.order.partner) and stop.transfer_id in (0, self.order.transfer_id)
 
@@ -153,7 +153,7 @@ class Exchange:
 
     def refuses(
         self,
-        order: Order,
+        order: TransferOrder,
         p_ned: tuple[float, float, float],
         v_ned: tuple[float, float, float],
         now_s: float,
@@ -164,7 +164,7 @@ class Exchange:
             return None if self.current.order == order else "another transfer is under way"
         if order.key in self._ended_orders:
             return "that transfer has ended; a new one needs a new id"
-        if order.role is Role.RECEIVE:
+        if order.role is TransferSide.RECEIVE:
             return refusal(self.neighbours.get(order.partner), p_ned, v_ned, now_s, envelope)
         return None
 
@@ -172,9 +172,9 @@ class Exchange:
         """XferOut or XferIn of the partner, as relayed."""
         if self.current is None or self.current.order.partner != partner:
             return
-        if name == "XferOut" and self.current.order.role is Role.RECEIVE:
+        if name == "XferOut" and self.current.order.role is TransferSide.RECEIVE:
             self.current.hear_out(value_j)
-        elif name == "XferIn" and self.current.order.role is Role.GIVE:
+        elif name == "XferIn" and self.current.order.role is TransferSide.GIVE:
             self.current.hear_in(value_j, now_s)
 
     def move(
@@ -192,7 +192,7 @@ class Exchange:
         transfer = self.current
         if transfer is None:
             return 0, None
-        if transfer.order.role is Role.GIVE:
+        if transfer.order.role is TransferSide.GIVE:
             joules = transfer.give(dt_s, remaining_j)
             self.given_j += joules
             return -joules, transfer.finished(now_s)
@@ -207,7 +207,7 @@ class Exchange:
     def end(self, now_s: float) -> str:
         """Close the transfer in progress; what it did, in words."""
         assert self.current is not None
-        verb = "Gave" if self.current.order.role is Role.GIVE else "Received"
+        verb = "Gave" if self.current.order.role is TransferSide.GIVE else "Received"
         said = f"{verb} {self.current.moved_j} J"
         if self.current.touched:
             self._ended_orders.add(self.current.order.key)

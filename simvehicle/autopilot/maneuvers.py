@@ -27,7 +27,7 @@ _EVERYWHERE = (True, True, True)
 
 
 @dataclass(frozen=True)
-class SetPoint:
+class OffboardSetPoint:
     """What offboard control asked for last; `use_position`: the axes on which a position counts beside the velocity.
 
     Of yaw and yaw rate at most one counts; where both are None the yaw stays.
@@ -79,7 +79,7 @@ def resting_place(p_ned: Vec3, v_ned: Vec3, *, ground: bool, landed: bool) -> Ve
 
 def wish(
     mode: Mode,
-    setpoint: SetPoint | None,
+    setpoint: OffboardSetPoint | None,
     anchor: Anchor,
     *,
     p_ned: Vec3,

@@ -28,7 +28,7 @@ class Mode(StrEnum):
     GUIDED = "guided"
 
 
-class Event(StrEnum):
+class Trigger(StrEnum):
     """What can change the mode or the arming."""
 
     ARM = "arm"
@@ -68,7 +68,7 @@ class Severity(StrEnum):
 class Rule(NamedTuple):
     """One row: on `event` in one of `when`, go to `mode` (None: stay) and set `arming` (None: leave it)."""
 
-    event: Event
+    event: Trigger
     when: frozenset[Mode]
     armed: bool | None
     mode: Mode | None
@@ -89,51 +89,51 @@ _STEERABLE = STEERED | {Mode.TAKEOFF, Mode.GUIDED}
 _I, _W, _C = Severity.INFO, Severity.WARNING, Severity.CRITICAL
 
 RULES: tuple[Rule, ...] = (
-    Rule(Event.ARM, ANY - _NOT_TO_ARM_IN, False, None, True, _I, "Armed"),
-    Rule(Event.ARM, _NOT_TO_ARM_IN, False, Mode.HOLD, True, _I, "Armed, hold"),
-    Rule(Event.ARM, ANY, True, None, None, _I, ""),
-    Rule(Event.DISARM, ANY, None, Mode.HOLD, False, _I, "Disarmed"),
-    Rule(Event.TAKEOFF, ANY, True, Mode.TAKEOFF, None, _I, "Take-off"),
-    Rule(Event.TAKEOFF_DONE, frozenset({Mode.TAKEOFF}), True, Mode.HOLD, None, _I, "Take-off done, hold"),
-    Rule(Event.OFFBOARD, frozenset({Mode.REFUEL}), None, None, None, _I, ""),
-    Rule(Event.OFFBOARD, ANY, None, Mode.OFFBOARD, None, _I, "Offboard"),
-    Rule(Event.HOLD, ANY, None, Mode.HOLD, None, _I, "Hold"),
-    Rule(Event.LAND, ANY, None, Mode.LAND, None, _I, "Land"),
-    Rule(Event.RETURN, ANY, None, Mode.RETURN, None, _I, "Return to home"),
-    Rule(Event.HOME_REACHED, frozenset({Mode.RETURN}), True, Mode.LAND, None, _I, "Home reached, land"),
-    Rule(Event.TOUCHDOWN, frozenset({Mode.LAND}), True, None, False, _I, "Landed, disarmed"),
-    Rule(Event.REFUEL, STEERED, True, Mode.REFUEL, None, _I, "Refuel"),
-    Rule(Event.REFUEL_END, frozenset({Mode.REFUEL}), None, Mode.OFFBOARD, None, _I, "Refuel ended, offboard"),
-    Rule(Event.TOUCHDOWN, frozenset({Mode.MISSION}), True, Mode.HOLD, False, _I, "Landed, disarmed"),
-    Rule(Event.MISSION, ANY, None, Mode.MISSION, None, _I, "Mission"),
-    Rule(Event.MISSION_DONE, frozenset({Mode.MISSION}), None, Mode.HOLD, None, _I, "Mission done, hold"),
-    Rule(Event.FOLLOW, ANY, True, Mode.FOLLOW, None, _I, "Follow"),
-    Rule(Event.GUIDED, _STEERABLE, None, None, None, _I, ""),
-    Rule(Event.GUIDED, ANY, None, Mode.GUIDED, None, _I, "Guided"),
-    Rule(Event.GUIDED_HOLD, ANY, None, Mode.GUIDED, None, _I, "Guided, hold"),
-    Rule(Event.CRASHED, ANY, True, Mode.HOLD, False, _C, "Crashed, disarmed"),
-    Rule(Event.BATTERY_EMPTY, _NOT_LANDING, True, Mode.LAND, None, _C, "Failsafe: battery empty, land"),
-    Rule(Event.GCS_LOST, _NOT_GOING_HOME, True, Mode.RETURN, None, _W, "Failsafe: ground station lost, return"),
-    Rule(Event.SETPOINTS_LOST, STEERED, True, Mode.HOLD, None, _W, "Failsafe: set points lost, hold"),
-    Rule(Event.GPS_LOST, _NOT_LANDING, True, Mode.LAND, None, _C, "Failsafe: GPS lost, land"),
-    Rule(Event.FENCE_RETURN, _NOT_GOING_HOME, True, Mode.RETURN, None, _W, "Failsafe: geofence breached, return"),
-    Rule(Event.FENCE_HOLD, _NOT_GOING_HOME, True, Mode.HOLD, None, _W, "Failsafe: geofence breached, hold"),
+    Rule(Trigger.ARM, ANY - _NOT_TO_ARM_IN, False, None, True, _I, "Armed"),
+    Rule(Trigger.ARM, _NOT_TO_ARM_IN, False, Mode.HOLD, True, _I, "Armed, hold"),
+    Rule(Trigger.ARM, ANY, True, None, None, _I, ""),
+    Rule(Trigger.DISARM, ANY, None, Mode.HOLD, False, _I, "Disarmed"),
+    Rule(Trigger.TAKEOFF, ANY, True, Mode.TAKEOFF, None, _I, "Take-off"),
+    Rule(Trigger.TAKEOFF_DONE, frozenset({Mode.TAKEOFF}), True, Mode.HOLD, None, _I, "Take-off done, hold"),
+    Rule(Trigger.OFFBOARD, frozenset({Mode.REFUEL}), None, None, None, _I, ""),
+    Rule(Trigger.OFFBOARD, ANY, None, Mode.OFFBOARD, None, _I, "Offboard"),
+    Rule(Trigger.HOLD, ANY, None, Mode.HOLD, None, _I, "Hold"),
+    Rule(Trigger.LAND, ANY, None, Mode.LAND, None, _I, "Land"),
+    Rule(Trigger.RETURN, ANY, None, Mode.RETURN, None, _I, "Return to home"),
+    Rule(Trigger.HOME_REACHED, frozenset({Mode.RETURN}), True, Mode.LAND, None, _I, "Home reached, land"),
+    Rule(Trigger.TOUCHDOWN, frozenset({Mode.LAND}), True, None, False, _I, "Landed, disarmed"),
+    Rule(Trigger.REFUEL, STEERED, True, Mode.REFUEL, None, _I, "Refuel"),
+    Rule(Trigger.REFUEL_END, frozenset({Mode.REFUEL}), None, Mode.OFFBOARD, None, _I, "Refuel ended, offboard"),
+    Rule(Trigger.TOUCHDOWN, frozenset({Mode.MISSION}), True, Mode.HOLD, False, _I, "Landed, disarmed"),
+    Rule(Trigger.MISSION, ANY, None, Mode.MISSION, None, _I, "Mission"),
+    Rule(Trigger.MISSION_DONE, frozenset({Mode.MISSION}), None, Mode.HOLD, None, _I, "Mission done, hold"),
+    Rule(Trigger.FOLLOW, ANY, True, Mode.FOLLOW, None, _I, "Follow"),
+    Rule(Trigger.GUIDED, _STEERABLE, None, None, None, _I, ""),
+    Rule(Trigger.GUIDED, ANY, None, Mode.GUIDED, None, _I, "Guided"),
+    Rule(Trigger.GUIDED_HOLD, ANY, None, Mode.GUIDED, None, _I, "Guided, hold"),
+    Rule(Trigger.CRASHED, ANY, True, Mode.HOLD, False, _C, "Crashed, disarmed"),
+    Rule(Trigger.BATTERY_EMPTY, _NOT_LANDING, True, Mode.LAND, None, _C, "Failsafe: battery empty, land"),
+    Rule(Trigger.GCS_LOST, _NOT_GOING_HOME, True, Mode.RETURN, None, _W, "Failsafe: ground station lost, return"),
+    Rule(Trigger.SETPOINTS_LOST, STEERED, True, Mode.HOLD, None, _W, "Failsafe: set points lost, hold"),
+    Rule(Trigger.GPS_LOST, _NOT_LANDING, True, Mode.LAND, None, _C, "Failsafe: GPS lost, land"),
+    Rule(Trigger.FENCE_RETURN, _NOT_GOING_HOME, True, Mode.RETURN, None, _W, "Failsafe: geofence breached, return"),
+    Rule(Trigger.FENCE_HOLD, _NOT_GOING_HOME, True, Mode.HOLD, None, _W, "Failsafe: geofence breached, hold"),
 )
 
-STAND_DOWN = Rule(Event.DISARM, ANY, True, Mode.HOLD, False, _W, "Failsafe on the ground, disarmed")
+STAND_DOWN = Rule(Trigger.DISARM, ANY, True, Mode.HOLD, False, _W, "Failsafe on the ground, disarmed")
 """What every failsafe does to a vehicle that stands on the ground."""
 
-FAILSAFES: tuple[Event, ...] = (
-    Event.BATTERY_EMPTY,
-    Event.GPS_LOST,
-    Event.GCS_LOST,
-    Event.FENCE_RETURN,
-    Event.FENCE_HOLD,
-    Event.SETPOINTS_LOST,
+FAILSAFES: tuple[Trigger, ...] = (
+    Trigger.BATTERY_EMPTY,
+    Trigger.GPS_LOST,
+    Trigger.GCS_LOST,
+    Trigger.FENCE_RETURN,
+    Trigger.FENCE_HOLD,
+    Trigger.SETPOINTS_LOST,
 )
 
 
-def rule_for(event: Event, mode: Mode, armed: bool) -> Rule | None:
+def rule_for(event: Trigger, mode: Mode, armed: bool) -> Rule | None:
     """The first rule of the table that applies; None where the event is refused."""
     for rule in RULES:
         if rule.event is event and mode in rule.when and rule.armed in (None, armed):

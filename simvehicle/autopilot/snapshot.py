@@ -15,7 +15,7 @@ CELLS = 4
 CELL_FULL_V, CELL_EMPTY_V = 4.2, 3.5
 
 
-class Snapshot(NamedTuple):
+class VehicleState(NamedTuple):
     """A vehicle at one instant: SI units, NED axes, angles in rad, time since boot in ms."""
 
     identity: Identity

@@ -12,17 +12,17 @@ from dataclasses import replace
 import numpy as np
 
 from simvehicle.autopilot.body import CHUNK_MS, STEP_MS, Body, Start
-from simvehicle.autopilot.energy_transfer import Envelope, Exchange, Order, Role, Transfer
+from simvehicle.autopilot.energy_transfer import Envelope, Exchange, Transfer, TransferOrder, TransferSide
 from simvehicle.autopilot.failures import Failure
 from simvehicle.autopilot.follow import Followed, hear
 from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.geofence import Fence
 from simvehicle.autopilot.identity import Identity
-from simvehicle.autopilot.maneuvers import REACHED_M, Anchor, SetPoint, resting_place, wish
+from simvehicle.autopilot.maneuvers import REACHED_M, Anchor, OffboardSetPoint, resting_place, wish
 from simvehicle.autopilot.mission import Leg, Mission, Outcome
-from simvehicle.autopilot.modes import FAILSAFES, RESTING, STAND_DOWN, STEERED, Event, Mode, Rule, Severity, rule_for
+from simvehicle.autopilot.modes import FAILSAFES, RESTING, STAND_DOWN, STEERED, Mode, Rule, Severity, Trigger, rule_for
 from simvehicle.autopilot.parameters import Parameters
-from simvehicle.autopilot.snapshot import Snapshot, Vec3
+from simvehicle.autopilot.snapshot import Vec3, VehicleState
 
 FENCE_HOLD, FENCE_RETURN = 2, 3
 """What GF_ACTION may ask for, beside nothing and a warning."""
@@ -50,7 +50,7 @@ class Vehicle(Body):
         self.announcements: list[tuple[Severity, str]] = []
         self.on_change: Callable[[], None] = lambda: None
         self._gcs_seen_s: float | None = None
-        self._setpoint: SetPoint | None = None
+        self._setpoint: OffboardSetPoint | None = None
         self._followed: Followed | None = None
         self._outside = False
         self._return_ned = start.p_ned
@@ -58,7 +58,7 @@ class Vehicle(Body):
         self._takeoff_down_m = start.p_ned[2]
         self._yaw_ned = start.attitude_ned_rad[2]
         if start.airborne:
-            self._setpoint = SetPoint(start.p_ned, start.v_ned, (True, True, True), None, 0.0)
+            self._setpoint = OffboardSetPoint(start.p_ned, start.v_ned, (True, True, True), None, 0.0)
 
     # what it is now
 
@@ -77,11 +77,11 @@ class Vehicle(Body):
         """Joules received since boot."""
         return self.exchange.received_j
 
-    def snapshot(self) -> Snapshot:
+    def snapshot(self) -> VehicleState:
         """Everything that telemetry tells, at the present time."""
         target_p_ned, target_v_ned = self.reference_ned
         mission = self.mission or NO_MISSION
-        return Snapshot(
+        return VehicleState(
             identity=self.identity,
             frame=self.frame,
             time_ms=self.time_ms,
@@ -115,7 +115,7 @@ class Vehicle(Body):
 
     # what others ask of it
 
-    def trigger(self, event: Event) -> bool:
+    def trigger(self, event: Trigger) -> bool:
         """Let an event happen; False where the table of modes refuses it."""
         rule = rule_for(event, self.mode, self.armed)
         if rule is None:
@@ -136,11 +136,11 @@ class Vehicle(Body):
 
     def take_off(self, height_m: float) -> bool:
         """Climb to a height above home, or stay where the vehicle is higher; False where the mode table refuses."""
-        if rule_for(Event.TAKEOFF, self.mode, self.armed) is None:
+        if rule_for(Trigger.TAKEOFF, self.mode, self.armed) is None:
             return False
         self._takeoff_down_m = min(self.home_ned[2] - height_m, self.p_ned[2])
         self._anchor = replace(self._anchor, down_m=self._takeoff_down_m)
-        return self.trigger(Event.TAKEOFF)
+        return self.trigger(Trigger.TAKEOFF)
 
     def reposition(self, p_ned: Vec3, speed_m_s: float | None = None) -> bool:
         """Hold at another place, flying there no faster than asked; False where the vehicle is not flying."""
@@ -160,7 +160,7 @@ class Vehicle(Body):
         self.mission = Mission(legs) if legs else None
         if self.mode is Mode.MISSION:
             if self.mission is None:
-                self.trigger(Event.MISSION_DONE)
+                self.trigger(Trigger.MISSION_DONE)
             else:
                 self.mission.enter()
 
@@ -182,17 +182,17 @@ class Vehicle(Body):
         self.load_mission(())
         self.fence, self.rally_ned = Fence(), ()
         self._setpoint = self._followed = self._gcs_seen_s = None
-        self.trigger(Event.HOLD)
+        self.trigger(Trigger.HOLD)
         self.retune()
 
-    def _hold_event(self) -> Event:
-        return Event.GUIDED_HOLD if self.identity.guided else Event.HOLD
+    def _hold_event(self) -> Trigger:
+        return Trigger.GUIDED_HOLD if self.identity.guided else Trigger.HOLD
 
-    def set_point(self, setpoint: SetPoint) -> None:
+    def set_point(self, setpoint: OffboardSetPoint) -> None:
         """Take an offboard set point; it is flown in offboard and refuel, and keeps them alive."""
         self._setpoint = setpoint
         if self.mode is Mode.GUIDED and self.armed and not self.landed:
-            self.trigger(Event.OFFBOARD)
+            self.trigger(Trigger.OFFBOARD)
 
     def setpoints_fresh(self) -> bool:
         """Whether offboard would have something to fly."""
@@ -203,17 +203,17 @@ class Vehicle(Body):
         """A ground station's HEARTBEAT has come."""
         self._gcs_seen_s = self.time_s
 
-    def order(self, order: Order) -> str | None:
+    def order(self, order: TransferOrder) -> str | None:
         """Begin or end a transfer; the reason where it is refused."""
-        if order.role is Role.STOP:
+        if order.role is TransferSide.STOP:
             if self.transfer is not None and self.transfer.stopped_by(order):
                 self._end_transfer("stopped")
             return None
         reason = self.exchange.refuses(order, self.p_ned, self.v_ned, self.time_s, self._envelope())
         if reason is not None or self.transfer is not None:
             return reason
-        charged = order.role is Role.RECEIVE and self.landed and not self.armed  # at a base, in whatever mode
-        if not charged and not self.trigger(Event.REFUEL):
+        charged = order.role is TransferSide.RECEIVE and self.landed and not self.armed  # at a base, in whatever mode
+        if not charged and not self.trigger(Trigger.REFUEL):
             return f"not from mode {self.mode}"
         self.exchange.current = Transfer(order, self.time_s)
         return None
@@ -272,25 +272,25 @@ class Vehicle(Body):
         """Events that the vehicle finds out by itself."""
         p_ned = self.p_ned
         if self.mode is Mode.TAKEOFF and p_ned[2] <= self._takeoff_down_m + 0.5 * REACHED_M:
-            self.trigger(Event.GUIDED_HOLD if self.identity.guided else Event.TAKEOFF_DONE)
+            self.trigger(Trigger.GUIDED_HOLD if self.identity.guided else Trigger.TAKEOFF_DONE)
             north, east, _ = self._anchor.p_ned
             self._anchor = replace(self._anchor, p_ned=(north, east, self._takeoff_down_m))
         elif self.mode is Mode.RETURN and math.dist(p_ned[:2], self._return_ned[:2]) < REACHED_M:
             if math.hypot(*self.v_ned) < REACHED_M:
-                self.trigger(Event.HOME_REACHED)
+                self.trigger(Trigger.HOME_REACHED)
         elif self.mode is Mode.LAND and self.landed:
-            self.trigger(Event.TOUCHDOWN)
+            self.trigger(Trigger.TOUCHDOWN)
         elif self.mode is Mode.MISSION and self.armed:
             self._progress_mission(p_ned)
         if Failure.MOTOR in self.failed and self.landed:
-            self.trigger(Event.CRASHED)
+            self.trigger(Trigger.CRASHED)
 
     def _progress_mission(self, p_ned: Vec3) -> None:
         mission = self.mission
         assert mission is not None, "mode MISSION is entered with a mission only"
         if mission.landing and self.landed:
             mission.touched_down()
-            self.trigger(Event.TOUCHDOWN)
+            self.trigger(Trigger.TOUCHDOWN)
             return
         outcome = mission.advance(
             self.time_s,
@@ -301,31 +301,31 @@ class Vehicle(Body):
             takeoff_m=self.parameters["MIS_TAKEOFF_ALT"],
         )
         if outcome is not Outcome.GOING:
-            self.trigger(Event.RETURN if outcome is Outcome.RETURN else Event.MISSION_DONE)
+            self.trigger(Trigger.RETURN if outcome is Outcome.RETURN else Trigger.MISSION_DONE)
 
     def _check_failsafes(self) -> None:
         if not self.armed:
             return
         crossed = self._fence_crossed()
         happened = {
-            Event.BATTERY_EMPTY: self._battery_low(),
-            Event.GPS_LOST: Failure.GPS in self.failed,
-            Event.GCS_LOST: self._gcs_seen_s is not None
+            Trigger.BATTERY_EMPTY: self._battery_low(),
+            Trigger.GPS_LOST: Failure.GPS in self.failed,
+            Trigger.GCS_LOST: self._gcs_seen_s is not None
             and self.time_s - self._gcs_seen_s > self.parameters["COM_DL_LOSS_T"],
-            Event.FENCE_RETURN: crossed and self.parameters["GF_ACTION"] == FENCE_RETURN,
-            Event.FENCE_HOLD: crossed and self.parameters["GF_ACTION"] == FENCE_HOLD,
-            Event.SETPOINTS_LOST: not self.setpoints_fresh(),
+            Trigger.FENCE_RETURN: crossed and self.parameters["GF_ACTION"] == FENCE_RETURN,
+            Trigger.FENCE_HOLD: crossed and self.parameters["GF_ACTION"] == FENCE_HOLD,
+            Trigger.SETPOINTS_LOST: not self.setpoints_fresh(),
         }
         for event in FAILSAFES:
             if happened[event]:
                 rule = rule_for(event, self.mode, self.armed)
                 if rule is None:
                     continue
-                if event is Event.SETPOINTS_LOST and self.identity.guided:
-                    self.trigger(Event.GUIDED_HOLD)
+                if event is Trigger.SETPOINTS_LOST and self.identity.guided:
+                    self.trigger(Trigger.GUIDED_HOLD)
                 else:
                     self._apply(rule if not self.landed else STAND_DOWN)
-                if event is Event.FENCE_HOLD:
+                if event is Trigger.FENCE_HOLD:
                     self._enter(self.mode)
 
     def _fence_crossed(self) -> bool:
@@ -394,5 +394,5 @@ class Vehicle(Body):
     def _end_transfer(self, reason: str) -> None:
         if self.transfer is not None:
             self.announce(Severity.INFO, f"{self.exchange.end(self.time_s)}: {reason}")
-            self.trigger(Event.REFUEL_END)
+            self.trigger(Trigger.REFUEL_END)
             self.on_change()

@@ -24,7 +24,7 @@ SIGNED = 0x01
 _CHECKSUM = struct.Struct("<H")
 
 
-class Frame(NamedTuple):
+class ReceivedFrame(NamedTuple):
     """One frame as it came: header, payload as on the wire (trailing zeros may be missing) and all its bytes."""
 
     sysid: int
@@ -100,7 +100,7 @@ def encode(content: Any, *, seq: int, sysid: int, compid: int) -> bytes:
     return body + _CHECKSUM.pack(mcrf4xx(body[1:] + row.seed))
 
 
-def decode(frame: Frame) -> Any | None:
+def decode(frame: ReceivedFrame) -> Any | None:
     """The named tuple of a frame's message; None where the dialect does not know its id."""
     row = schema(frame.msgid)
     if row is None:
@@ -116,7 +116,7 @@ def decode(frame: Frame) -> Any | None:
     return row.make._make(values)
 
 
-def split(datagram: bytes) -> Iterator[Frame]:
+def split(datagram: bytes) -> Iterator[ReceivedFrame]:
     """Every intact MAVLink 2 frame of a datagram, in order; whatever is none is passed over.
 
     A frame of an id that the dialect does not know cannot be checked and is passed over too.
@@ -139,5 +139,5 @@ def split(datagram: bytes) -> Iterator[Frame]:
         ):
             start += 1
             continue
-        yield Frame(sysid, compid, seq, low | high << 16, datagram[body:check], datagram[start:stop])
+        yield ReceivedFrame(sysid, compid, seq, low | high << 16, datagram[body:check], datagram[start:stop])
         start = stop

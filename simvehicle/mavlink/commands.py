@@ -20,7 +20,7 @@ UNSUPPORTED: int = mav.MAV_RESULT_UNSUPPORTED
 IN_PROGRESS: int = mav.MAV_RESULT_IN_PROGRESS
 
 
-class Request(NamedTuple):
+class VehicleCommand(NamedTuple):
     """One command: id, params 1..4, then x, y, z as params 5..7 (degrees for global frames), and who asked."""
 
     command: int
@@ -49,20 +49,20 @@ class Request(NamedTuple):
         return round(given) if math.isfinite(given) else default
 
 
-def request_from(content: Any, sender: tuple[int, int]) -> Request:
+def request_from(content: Any, sender: tuple[int, int]) -> VehicleCommand:
     """The request in a COMMAND_LONG or COMMAND_INT."""
     first = (content.param1, content.param2, content.param3, content.param4)
     if hasattr(content, "param7"):
         last = (content.param5, content.param6, content.param7)
-        return Request(content.command, first + last, mav.MAV_FRAME_GLOBAL, sender)
+        return VehicleCommand(content.command, first + last, mav.MAV_FRAME_GLOBAL, sender)
     scale = 1.0
     if content.command in _WITH_A_PLACE:
         scale = 1e-4 if content.frame in _LOCAL_FRAMES else 1e-7
     x, y = (math.nan if number == _UNSET_INT else number * scale for number in (content.x, content.y))
-    return Request(content.command, (*first, x, y, content.z), content.frame, sender)
+    return VehicleCommand(content.command, (*first, x, y, content.z), content.frame, sender)
 
 
-def acknowledgement(request: Request, result: int) -> Any:
+def acknowledgement(request: VehicleCommand, result: int) -> Any:
     """COMMAND_ACK to the one who asked."""
     return message("COMMAND_ACK")(
         command=request.command,

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from simvehicle.mavlink.codec import encode
-from simvehicle.mavlink.streams import Streams
-from simvehicle.mavlink.telemetry import Snapshot
+from simvehicle.mavlink.streams import StreamSchedule
+from simvehicle.mavlink.telemetry import VehicleState
 
 DATAGRAM_BYTES = 1400
 
@@ -17,7 +17,7 @@ class Connection:
     def __init__(self, sysid: int, compid: int = 1) -> None:
         self.sysid = sysid
         self.compid = compid
-        self.streams = Streams()
+        self.streams = StreamSchedule()
         self._seq = 0
         self._outbox: list[Any] = []
 
@@ -25,7 +25,7 @@ class Connection:
         """Queue a message behind those that wait."""
         self._outbox.append(content)
 
-    def put_due(self, snapshot: Snapshot) -> None:
+    def put_due(self, snapshot: VehicleState) -> None:
         """Queue the telemetry that is due at the snapshot's time."""
         for stream in self.streams.due(snapshot.time_ms):
             self._outbox.append(stream.build(snapshot))

@@ -8,8 +8,8 @@ from typing import Any, NamedTuple, Protocol
 
 from simvehicle.autopilot.modes import Severity
 from simvehicle.autopilot.vehicle import Vehicle
-from simvehicle.mavlink.codec import Frame
-from simvehicle.mavlink.commands import Request
+from simvehicle.mavlink.codec import ReceivedFrame
+from simvehicle.mavlink.commands import VehicleCommand
 from simvehicle.mavlink.connection import Connection
 
 COMPLAIN_EVERY_S = 5.0
@@ -27,7 +27,7 @@ class Store(Protocol):
         """Keep a plan that was taken."""
 
 
-class Desk:
+class ServiceContext:
     """One vehicle's, shared by its microservices and its connections."""
 
     def __init__(self, vehicle: Vehicle, sysid: int, connections: list[Connection], store: Store | None) -> None:
@@ -54,7 +54,7 @@ class Call(NamedTuple):
     """A message that came: its content, the frame it stood in, and the connection to answer on."""
 
     content: Any
-    frame: Frame
+    frame: ReceivedFrame
     connection: Connection
 
     @property
@@ -63,5 +63,5 @@ class Call(NamedTuple):
         return self.frame.sysid, self.frame.compid
 
 
-MessageHandler = Callable[[Desk, Call], None]
-CommandHandler = Callable[[Desk, Request, Connection], int]
+MessageHandler = Callable[[ServiceContext, Call], None]
+CommandHandler = Callable[[ServiceContext, VehicleCommand, Connection], int]

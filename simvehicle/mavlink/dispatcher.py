@@ -23,10 +23,10 @@ from simvehicle.mavlink import (
     offboard,
     parameter_protocol,
 )
-from simvehicle.mavlink.codec import Frame, decode, message
+from simvehicle.mavlink.codec import ReceivedFrame, decode, message
 from simvehicle.mavlink.commands import ACCEPTED, TEMPORARILY_REJECTED, UNSUPPORTED
 from simvehicle.mavlink.connection import Connection
-from simvehicle.mavlink.context import Call, CommandHandler, Desk, MessageHandler, Store
+from simvehicle.mavlink.context import Call, CommandHandler, MessageHandler, ServiceContext, Store
 
 COMPID = 1
 TRANSFER_RATE_HZ = 10.0
@@ -58,7 +58,7 @@ class Services:
         self.vehicle = vehicle
         self.sysid = sysid
         self.connections = list(connections)
-        self._desk = Desk(vehicle, sysid, self.connections, store)
+        self._desk = ServiceContext(vehicle, sysid, self.connections, store)
         self._planning = missions.Planning(self._desk)
         self._reboot = maintenance.Reboot(self._desk, self._planning.restart)
         self._commands = {**COMMANDS, mav.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN: self._reboot.ask}
@@ -67,7 +67,7 @@ class Services:
         vehicle.on_change = self._hasten_heartbeats
         self._planning.restart()
 
-    def receive(self, frame: Frame, connection: Connection) -> None:
+    def receive(self, frame: ReceivedFrame, connection: Connection) -> None:
         """Act on one frame; answers wait on the same connection."""
         if frame.msgid not in UNDERSTOOD or (frame.sysid, frame.compid) == (self.sysid, COMPID):
             return

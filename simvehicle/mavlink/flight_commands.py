@@ -6,23 +6,23 @@ import math
 
 from pymavlink.dialects.v20 import common as mav
 
-from simvehicle.autopilot.energy_transfer import Order, Role
-from simvehicle.autopilot.modes import Event, Mode, Severity
+from simvehicle.autopilot.energy_transfer import TransferOrder, TransferSide
+from simvehicle.autopilot.modes import Mode, Severity, Trigger
 from simvehicle.autopilot.snapshot import Vec3
-from simvehicle.mavlink.commands import ACCEPTED, DENIED, TEMPORARILY_REJECTED, UNSUPPORTED, Request
+from simvehicle.mavlink.commands import ACCEPTED, DENIED, TEMPORARILY_REJECTED, UNSUPPORTED, VehicleCommand
 from simvehicle.mavlink.connection import Connection
-from simvehicle.mavlink.context import Call, CommandHandler, Desk, MessageHandler
+from simvehicle.mavlink.context import Call, CommandHandler, MessageHandler, ServiceContext
 
 FORCE_ARM = (21196, 2989)
 FASTEST_M_S = 1e3
 FARTHEST_M = 1e6
 _EVENT_OF_MODE = {
-    Mode.OFFBOARD: Event.OFFBOARD,
-    Mode.HOLD: Event.HOLD,
-    Mode.LAND: Event.LAND,
-    Mode.RETURN: Event.RETURN,
-    Mode.MISSION: Event.MISSION,
-    Mode.FOLLOW: Event.FOLLOW,
+    Mode.OFFBOARD: Trigger.OFFBOARD,
+    Mode.HOLD: Trigger.HOLD,
+    Mode.LAND: Trigger.LAND,
+    Mode.RETURN: Trigger.RETURN,
+    Mode.MISSION: Trigger.MISSION,
+    Mode.FOLLOW: Trigger.FOLLOW,
 }
 
 
@@ -30,12 +30,12 @@ def _result(done: bool) -> int:
     return ACCEPTED if done else TEMPORARILY_REJECTED
 
 
-def _refuse(desk: Desk, text: str) -> int:
+def _refuse(desk: ServiceContext, text: str) -> int:
     desk.vehicle.announce(Severity.WARNING, text)
     return TEMPORARILY_REJECTED
 
 
-def arm(desk: Desk, request: Request, connection: Connection) -> int:
+def arm(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
     vehicle = desk.vehicle
     if request.params[0] not in (0.0, 1.0):
         return DENIED
@@ -43,13 +43,13 @@ def arm(desk: Desk, request: Request, connection: Connection) -> int:
         reason = vehicle.arming_refusal()
         if reason is not None and request.whole(2) not in FORCE_ARM:
             return _refuse(desk, f"Arming refused: {reason}")
-        return _result(vehicle.trigger(Event.ARM))
+        return _result(vehicle.trigger(Trigger.ARM))
     if not vehicle.landed and request.whole(2) not in FORCE_ARM:
         return _refuse(desk, "Disarming refused: in the air")
-    return _result(vehicle.trigger(Event.DISARM))
+    return _result(vehicle.trigger(Trigger.DISARM))
 
 
-def take_off(desk: Desk, request: Request, connection: Connection) -> int:
+def take_off(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
     vehicle = desk.vehicle
     height_m = request.value(7, 0.0)
     if height_m == 0.0:
@@ -61,19 +61,19 @@ def take_off(desk: Desk, request: Request, connection: Connection) -> int:
     return _result(vehicle.take_off(height_m))
 
 
-def land(desk: Desk, request: Request, connection: Connection) -> int:
-    return _result(desk.vehicle.trigger(Event.LAND))
+def land(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
+    return _result(desk.vehicle.trigger(Trigger.LAND))
 
 
-def go_home(desk: Desk, request: Request, connection: Connection) -> int:
-    return _result(desk.vehicle.trigger(Event.RETURN))
+def go_home(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
+    return _result(desk.vehicle.trigger(Trigger.RETURN))
 
 
-def hold(desk: Desk, request: Request, connection: Connection) -> int:
-    return _result(desk.vehicle.trigger(Event.HOLD))
+def hold(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
+    return _result(desk.vehicle.trigger(Trigger.HOLD))
 
 
-def _place(desk: Desk, request: Request) -> Vec3 | None:
+def _place(desk: ServiceContext, request: VehicleCommand) -> Vec3 | None:
     """Params 5..7 in the local frame; None where they name no place."""
     vehicle, numbers = desk.vehicle, request.params[4:7]
     if not all(map(math.isfinite, numbers)) or not request.frame_is_known:
@@ -87,7 +87,7 @@ def _place(desk: Desk, request: Request) -> Vec3 | None:
     return (north, east, down) if max(abs(north), abs(east), abs(down)) < FARTHEST_M else None
 
 
-def reposition(desk: Desk, request: Request, connection: Connection) -> int:
+def reposition(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
     place = _place(desk, request)
     speed_m_s = request.value(1, -1.0)
     if place is None or not -1.0 <= speed_m_s < FASTEST_M_S:
@@ -95,7 +95,7 @@ def reposition(desk: Desk, request: Request, connection: Connection) -> int:
     return _result(desk.vehicle.reposition(place, speed_m_s if speed_m_s > 0.0 else None))
 
 
-def change_speed(desk: Desk, request: Request, connection: Connection) -> int:
+def change_speed(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
     """MAV_CMD_DO_CHANGE_SPEED: airspeed or ground speed; -1 changes nothing, -2 goes back to the parameters'."""
     speed_m_s = request.value(2, -1.0)
     if request.whole(1) not in (0, 1) or not (0.0 < speed_m_s < FASTEST_M_S or speed_m_s in (-1.0, -2.0)):
@@ -105,7 +105,7 @@ def change_speed(desk: Desk, request: Request, connection: Connection) -> int:
     return ACCEPTED
 
 
-def set_home(desk: Desk, request: Request, connection: Connection) -> int:
+def set_home(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
     vehicle = desk.vehicle
     place = vehicle.p_ned if request.whole(1) == 1 else _place(desk, request)
     if place is None:
@@ -116,19 +116,19 @@ def set_home(desk: Desk, request: Request, connection: Connection) -> int:
     return ACCEPTED
 
 
-def set_mode(desk: Desk, request: Request, connection: Connection) -> int:
+def set_mode(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
     main, sub = request.whole(2), request.whole(3)
     if not (0 <= main <= 255 and 0 <= sub <= 255):
         return DENIED
     return enter_custom(desk, main << 16 | sub << 24 if desk.vehicle.identity.modes_packed else main)
 
 
-def set_mode_message(desk: Desk, call: Call) -> None:
+def set_mode_message(desk: ServiceContext, call: Call) -> None:
     """SET_MODE has no acknowledgement: the next HEARTBEAT is the answer."""
     enter_custom(desk, call.content.custom_mode)
 
 
-def enter_custom(desk: Desk, custom_mode: int) -> int:
+def enter_custom(desk: ServiceContext, custom_mode: int) -> int:
     """Enter the mode that the identity knows by this number."""
     vehicle = desk.vehicle
     mode = vehicle.identity.heard.get(custom_mode)
@@ -138,7 +138,7 @@ def enter_custom(desk: Desk, custom_mode: int) -> int:
         return _result(vehicle.take_off(vehicle.parameters["MIS_TAKEOFF_ALT"]))
     if mode is Mode.OFFBOARD and not vehicle.setpoints_fresh():
         if vehicle.identity.guided:
-            return _result(vehicle.trigger(Event.GUIDED))
+            return _result(vehicle.trigger(Trigger.GUIDED))
         return _refuse(desk, "Offboard refused: no set points")
     if mode is Mode.MISSION and vehicle.mission is None:
         return _refuse(desk, "Mission refused: there is none")
@@ -147,7 +147,7 @@ def enter_custom(desk: Desk, custom_mode: int) -> int:
     return _result(vehicle.trigger(_EVENT_OF_MODE[mode]))
 
 
-def start_mission(desk: Desk, request: Request, connection: Connection) -> int:
+def start_mission(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
     """MAV_CMD_MISSION_START: arm where that is needed, and fly; param1 the first item, 0 for where it was left."""
     vehicle = desk.vehicle
     if vehicle.mission is None:
@@ -159,34 +159,34 @@ def start_mission(desk: Desk, request: Request, connection: Connection) -> int:
         reason = vehicle.arming_refusal()
         if reason is not None:
             return _refuse(desk, f"Arming refused: {reason}")
-        vehicle.trigger(Event.ARM)
-    return _result(vehicle.trigger(Event.MISSION))
+        vehicle.trigger(Trigger.ARM)
+    return _result(vehicle.trigger(Trigger.MISSION))
 
 
-def pause_or_continue(desk: Desk, request: Request, connection: Connection) -> int:
+def pause_or_continue(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
     if request.params[0] not in (0.0, 1.0):
         return DENIED
     if request.params[0] == 0.0:
-        return _result(desk.vehicle.trigger(Event.HOLD))
+        return _result(desk.vehicle.trigger(Trigger.HOLD))
     if desk.vehicle.mission is None:
         return _refuse(desk, "Mission refused: there is none")
-    return _result(desk.vehicle.trigger(Event.MISSION))
+    return _result(desk.vehicle.trigger(Trigger.MISSION))
 
 
-def set_mission_item(desk: Desk, request: Request, connection: Connection) -> int:
+def set_mission_item(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
     mission = desk.vehicle.mission
     if mission is None:
         return TEMPORARILY_REJECTED
     return ACCEPTED if mission.go_to(request.whole(1, -1)) else DENIED
 
 
-def transfer(desk: Desk, request: Request, connection: Connection) -> int:
-    if not all(map(math.isfinite, request.params[:6])) or request.whole(2) not in tuple(Role):
+def transfer(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
+    if not all(map(math.isfinite, request.params[:6])) or request.whole(2) not in tuple(TransferSide):
         return DENIED
-    role = Role(request.whole(2))
-    if role is not Role.STOP and not (request.params[2] > 0.0 and request.params[3] > 0.0):
+    role = TransferSide(request.whole(2))
+    if role is not TransferSide.STOP and not (request.params[2] > 0.0 and request.params[3] > 0.0):
         return DENIED
-    order = Order(
+    order = TransferOrder(
         partner=request.whole(1),
         role=role,
         limit_j=request.params[2],

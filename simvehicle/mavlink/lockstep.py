@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from pymavlink.dialects.v20 import common as mav
 
-from simvehicle.mavlink.codec import Frame, decode, message, split
+from simvehicle.mavlink.codec import ReceivedFrame, decode, message, split
 from simvehicle.mavlink.connection import Connection, pack
 
 SUPERVISOR = (255, 190)
@@ -23,7 +23,7 @@ FRAMES_A_TICK = 127
 class Bundle(NamedTuple):
     """A grant: frames to apply in order, the time to fly to, and the session's wall clock at it."""
 
-    frames: tuple[Frame, ...]
+    frames: tuple[ReceivedFrame, ...]
     time_ms: int
     unix_us: int
 

@@ -8,9 +8,9 @@ from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.failures import Failure
 from simvehicle.autopilot.modes import Severity
-from simvehicle.mavlink.commands import ACCEPTED, DENIED, IN_PROGRESS, TEMPORARILY_REJECTED, UNSUPPORTED, Request
+from simvehicle.mavlink.commands import ACCEPTED, DENIED, IN_PROGRESS, TEMPORARILY_REJECTED, UNSUPPORTED, VehicleCommand
 from simvehicle.mavlink.connection import Connection
-from simvehicle.mavlink.context import CommandHandler, Desk
+from simvehicle.mavlink.context import CommandHandler, ServiceContext
 
 REBOOT_S = 1.0
 REBOOT = 1
@@ -22,7 +22,7 @@ _UNITS = {
 }
 
 
-def inject_failure(desk: Desk, request: Request, connection: Connection) -> int:
+def inject_failure(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
     """MAV_CMD_INJECT_FAILURE: param1 the unit, 2 OFF or OK; the instance (3) does not count: there is one each."""
     vehicle = desk.vehicle
     failure = _UNITS.get(request.whole(1, -1))
@@ -50,13 +50,13 @@ class Reboot:
     start or, with a store, as they are; so do plans, and without a store there are none.
     """
 
-    def __init__(self, desk: Desk, restart_plans: Callable[[], None]) -> None:
+    def __init__(self, desk: ServiceContext, restart_plans: Callable[[], None]) -> None:
         self._desk = desk
         self._restart_plans = restart_plans
         self._at_start = desk.vehicle.parameters.values()
-        self._asked: tuple[Request, Connection, float] | None = None
+        self._asked: tuple[VehicleCommand, Connection, float] | None = None
 
-    def ask(self, desk: Desk, request: Request, connection: Connection) -> int:
+    def ask(self, desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
         """Begin, on the ground and disarmed; asked again, still in progress."""
         vehicle = desk.vehicle
         if request.whole(1) == 0 and request.whole(2) == 0:
@@ -73,11 +73,11 @@ class Reboot:
             vehicle.on_change()
         return IN_PROGRESS
 
-    def busy_with(self, request: Request) -> bool:
+    def busy_with(self, request: VehicleCommand) -> bool:
         """Whether a reboot is under way that is not what is asked for."""
         return self._asked is not None and request.command != mav.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN
 
-    def finish(self) -> tuple[Request, Connection] | None:
+    def finish(self) -> tuple[VehicleCommand, Connection] | None:
         """The request to acknowledge now, its vehicle having come back."""
         vehicle = self._desk.vehicle
         if self._asked is None or vehicle.time_s - self._asked[2] < REBOOT_S:

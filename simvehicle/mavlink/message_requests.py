@@ -7,9 +7,9 @@ import math
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.mavlink.codec import message
-from simvehicle.mavlink.commands import ACCEPTED, DENIED, UNSUPPORTED, Request
+from simvehicle.mavlink.commands import ACCEPTED, DENIED, UNSUPPORTED, VehicleCommand
 from simvehicle.mavlink.connection import Connection
-from simvehicle.mavlink.context import Call, CommandHandler, Desk, MessageHandler
+from simvehicle.mavlink.context import Call, CommandHandler, MessageHandler, ServiceContext
 from simvehicle.mavlink.replies import ftp_refusal, ping_reply, timesync_reply
 from simvehicle.mavlink.telemetry import TELEMETRY, autopilot_version
 
@@ -26,7 +26,7 @@ DATA_STREAMS: dict[int, tuple[str, ...]] = {
 """REQUEST_DATA_STREAM's groups; those that hold nothing that the vehicle sends are passed over."""
 
 
-def set_interval(desk: Desk, request: Request, connection: Connection) -> int:
+def set_interval(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
     interval_us = request.value(2, 0.0)
     if not math.isfinite(interval_us):
         return DENIED
@@ -34,7 +34,7 @@ def set_interval(desk: Desk, request: Request, connection: Connection) -> int:
     return ACCEPTED if known else UNSUPPORTED
 
 
-def get_interval(desk: Desk, request: Request, connection: Connection) -> int:
+def get_interval(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
     interval_us = connection.streams.interval_us(request.whole(1, -1))
     if interval_us is None:
         return UNSUPPORTED
@@ -42,19 +42,19 @@ def get_interval(desk: Desk, request: Request, connection: Connection) -> int:
     return ACCEPTED
 
 
-def request_message(desk: Desk, request: Request, connection: Connection) -> int:
+def request_message(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
     return _answer_with(desk, request.whole(1, -1))
 
 
-def request_version(desk: Desk, request: Request, connection: Connection) -> int:
+def request_version(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
     return _answer_with(desk, mav.MAVLINK_MSG_ID_AUTOPILOT_VERSION)
 
 
-def get_home(desk: Desk, request: Request, connection: Connection) -> int:
+def get_home(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
     return _answer_with(desk, mav.MAVLINK_MSG_ID_HOME_POSITION)
 
 
-def _answer_with(desk: Desk, msgid: int) -> int:
+def _answer_with(desk: ServiceContext, msgid: int) -> int:
     """Accepted only with the message behind it; what the vehicle does not have is unsupported."""
     snapshot = desk.vehicle.snapshot()
     answers = [stream.build(snapshot) for stream in TELEMETRY if stream.msgid == msgid]
@@ -64,26 +64,26 @@ def _answer_with(desk: Desk, msgid: int) -> int:
     return ACCEPTED if answers else UNSUPPORTED
 
 
-def data_stream(desk: Desk, call: Call) -> None:
+def data_stream(desk: ServiceContext, call: Call) -> None:
     content = call.content
     rate_hz = min(content.req_message_rate, FASTEST_HZ) if content.start_stop else 0
     for key in DATA_STREAMS.get(content.req_stream_id, ()):
         call.connection.streams.set_rate(key, rate_hz, desk.vehicle.time_ms)
 
 
-def ping(desk: Desk, call: Call) -> None:
+def ping(desk: ServiceContext, call: Call) -> None:
     reply = ping_reply(call.content, call.sender)
     if reply is not None:
         call.connection.put(reply)
 
 
-def timesync(desk: Desk, call: Call) -> None:
+def timesync(desk: ServiceContext, call: Call) -> None:
     reply = timesync_reply(call.content, desk.vehicle.unix_epoch_us + 1000 * desk.vehicle.time_ms)
     if reply is not None:
         call.connection.put(reply)
 
 
-def file_transfer(desk: Desk, call: Call) -> None:
+def file_transfer(desk: ServiceContext, call: Call) -> None:
     call.connection.put(ftp_refusal(call.content, call.sender))
 
 

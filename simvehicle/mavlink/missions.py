@@ -9,7 +9,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.modes import Severity
 from simvehicle.mavlink.codec import message
-from simvehicle.mavlink.context import Call, Desk
+from simvehicle.mavlink.context import Call, ServiceContext
 from simvehicle.mavlink.mission_protocol import MissionProtocol, Post
 from simvehicle.mavlink.plan_items import Item, PlanError, fence_from, item_from, item_of, legs_from, rally_from, row_of
 
@@ -21,7 +21,7 @@ CURRENT_HZ = 1.0
 class Planning:
     """One vehicle's plans."""
 
-    def __init__(self, desk: Desk) -> None:
+    def __init__(self, desk: ServiceContext) -> None:
         self._desk = desk
         self.protocol = MissionProtocol(self._take)
 
@@ -106,7 +106,7 @@ class Planning:
         return message("MISSION_ACK")(target_system=system, target_component=component, type=result, mission_type=0)
 
 
-def _put_in_force(desk: Desk, kind: int, items: tuple[Item, ...]) -> None:
+def _put_in_force(desk: ServiceContext, kind: int, items: tuple[Item, ...]) -> None:
     """Let the vehicle have a plan; raises PlanError, said aloud, and the old one stays."""
     vehicle = desk.vehicle
     try:

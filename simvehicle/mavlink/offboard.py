@@ -8,9 +8,9 @@ from typing import Any
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.energy_transfer import Neighbour
-from simvehicle.autopilot.maneuvers import SetPoint
+from simvehicle.autopilot.maneuvers import OffboardSetPoint
 from simvehicle.autopilot.snapshot import Vec3
-from simvehicle.mavlink.context import Call, Desk, MessageHandler
+from simvehicle.mavlink.context import Call, MessageHandler, ServiceContext
 
 _NEVER_FLOWN = (
     mav.POSITION_TARGET_TYPEMASK_AX_IGNORE
@@ -29,19 +29,19 @@ _RELATIVE = frozenset({mav.MAV_FRAME_GLOBAL_RELATIVE_ALT, mav.MAV_FRAME_GLOBAL_R
 _GLOBAL = _RELATIVE | {mav.MAV_FRAME_GLOBAL, mav.MAV_FRAME_GLOBAL_INT}
 
 
-def heartbeat(desk: Desk, call: Call) -> None:
+def heartbeat(desk: ServiceContext, call: Call) -> None:
     if call.content.type == mav.MAV_TYPE_GCS:
         desk.vehicle.gcs_heard()
 
 
-def local_set_point(desk: Desk, call: Call) -> None:
+def local_set_point(desk: ServiceContext, call: Call) -> None:
     content = call.content
     if content.coordinate_frame not in _LOCAL:
         return desk.complain("frame", f"Set point ignored: frame {content.coordinate_frame}")
     return _fly(desk, content, (content.x, content.y, content.z))
 
 
-def global_set_point(desk: Desk, call: Call) -> None:
+def global_set_point(desk: ServiceContext, call: Call) -> None:
     content, vehicle = call.content, desk.vehicle
     if content.coordinate_frame not in _GLOBAL:
         return desk.complain("frame", f"Set point ignored: frame {content.coordinate_frame}")
@@ -51,7 +51,7 @@ def global_set_point(desk: Desk, call: Call) -> None:
     return _fly(desk, content, (north, east, down))
 
 
-def _fly(desk: Desk, content: Any, place: Vec3) -> None:
+def _fly(desk: ServiceContext, content: Any, place: Vec3) -> None:
     vehicle, mask, frame = desk.vehicle, content.type_mask, content.coordinate_frame
     use_position = (not mask & 1, not mask & 2, not mask & 4)
     use_velocity = (not mask & 8, not mask & 16, not mask & 32)
@@ -74,7 +74,7 @@ def _fly(desk: Desk, content: Any, place: Vec3) -> None:
         north, east, down = (here + away for here, away in zip(vehicle.p_ned, offset_ned, strict=True))
         p_ned = _where_used((north, east, down), use_position)
     yaw_rad, yaw_rate = turn[0] if use_yaw else None, turn[1] if use_yaw_rate else None
-    vehicle.set_point(SetPoint(p_ned, v_ned, use_position, yaw_rad, vehicle.time_s, yaw_rate))
+    vehicle.set_point(OffboardSetPoint(p_ned, v_ned, use_position, yaw_rad, vehicle.time_s, yaw_rate))
     return None
 
 
@@ -84,7 +84,7 @@ def _turned(v: Vec3, yaw_rad: float) -> Vec3:
     return cos * v[0] - sin * v[1], sin * v[0] + cos * v[1], v[2]
 
 
-def follow_target(desk: Desk, call: Call) -> None:
+def follow_target(desk: ServiceContext, call: Call) -> None:
     """Somebody's place: of a partner in a transfer, or of whom the vehicle may follow. No velocity is none."""
     content, vehicle = call.content, desk.vehicle
     vel = tuple(0.0 if math.isnan(v) else v for v in content.vel)
@@ -95,7 +95,7 @@ def follow_target(desk: Desk, call: Call) -> None:
             vehicle.exchange.neighbours[call.frame.sysid] = Neighbour(p_ned, tuple(content.vel), vehicle.time_s)
 
 
-def named_value_int(desk: Desk, call: Call) -> None:
+def named_value_int(desk: ServiceContext, call: Call) -> None:
     vehicle = desk.vehicle
     vehicle.exchange.hear_counter(call.frame.sysid, call.content.name, call.content.value, vehicle.time_s)
 

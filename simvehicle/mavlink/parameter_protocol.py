@@ -10,18 +10,18 @@ from pymavlink.dialects.v20 import common as mav
 from simvehicle.autopilot import parameters
 from simvehicle.autopilot.parameters import TABLE, WRONG_TYPE, ParameterError, Row
 from simvehicle.mavlink.codec import message
-from simvehicle.mavlink.context import Call, Desk, MessageHandler
+from simvehicle.mavlink.context import Call, MessageHandler, ServiceContext
 
 NO_INDEX = -1
 CAPACITY = "SIM_BAT_CAP_J"
 
 
-def tell_all(desk: Desk, call: Call) -> None:
+def tell_all(desk: ServiceContext, call: Call) -> None:
     for index, (row, value) in enumerate(desk.vehicle.parameters):
         call.connection.put(_told(desk, row, value, index))
 
 
-def read(desk: Desk, call: Call) -> None:
+def read(desk: ServiceContext, call: Call) -> None:
     content = call.content
     found = parameters.row_at(content.param_id if content.param_index < 0 else content.param_index)
     if found is None:
@@ -31,7 +31,7 @@ def read(desk: Desk, call: Call) -> None:
     return call.connection.put(_told(desk, row, desk.vehicle.parameters[row.name], index))
 
 
-def change(desk: Desk, call: Call) -> None:
+def change(desk: ServiceContext, call: Call) -> None:
     content, vehicle = call.content, desk.vehicle
     found = parameters.row_at(content.param_id)
     if found is None:
@@ -55,7 +55,7 @@ def change(desk: Desk, call: Call) -> None:
     return call.connection.put(_told(desk, row, vehicle.parameters[row.name], index))
 
 
-def _told(desk: Desk, row: parameters.Row, value: float, index: int) -> Any:
+def _told(desk: ServiceContext, row: parameters.Row, value: float, index: int) -> Any:
     return value_message(row, value, index, bytewise=desk.vehicle.identity.integers_bytewise)
 
 

@@ -13,7 +13,7 @@ SLOWEST_MS = 2_000_000
 """MESSAGE_INTERVAL tells intervals in 32 bits of µs."""
 
 
-class Streams:
+class StreamSchedule:
     """The schedule of one connection; times are ms since boot."""
 
     def __init__(self) -> None:

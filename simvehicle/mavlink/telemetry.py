@@ -13,10 +13,10 @@ from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.failures import Failure
 from simvehicle.autopilot.modes import Mode
-from simvehicle.autopilot.snapshot import CELL_FULL_V, CELLS, Snapshot, Vec3
+from simvehicle.autopilot.snapshot import CELL_FULL_V, CELLS, Vec3, VehicleState
 from simvehicle.mavlink.codec import message
 
-__all__ = ["ALL_HEALTHY", "TELEMETRY", "UNPROMPTED", "Snapshot", "Stream", "Vec3", "autopilot_version", "heartbeat"]
+__all__ = ["ALL_HEALTHY", "TELEMETRY", "UNPROMPTED", "Stream", "Vec3", "VehicleState", "autopilot_version", "heartbeat"]
 
 UNKNOWN_U16 = 65535
 ALL_HEALTHY = (
@@ -32,7 +32,7 @@ ALL_HEALTHY = (
 )
 
 
-def heartbeat(s: Snapshot) -> Any:
+def heartbeat(s: VehicleState) -> Any:
     base = mav.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED | mav.MAV_MODE_FLAG_STABILIZE_ENABLED
     if s.mode is not Mode.HOLD or s.armed:
         base |= mav.MAV_MODE_FLAG_GUIDED_ENABLED | mav.MAV_MODE_FLAG_AUTO_ENABLED
@@ -48,7 +48,7 @@ def heartbeat(s: Snapshot) -> Any:
     )
 
 
-def sys_status(s: Snapshot) -> Any:
+def sys_status(s: VehicleState) -> Any:
     present = ALL_HEALTHY | mav.MAV_SYS_STATUS_PREARM_CHECK
     health = ALL_HEALTHY & ~_ill(s) | (mav.MAV_SYS_STATUS_PREARM_CHECK if s.ready_to_arm else 0)
     return message("SYS_STATUS")(
@@ -78,7 +78,7 @@ _ILL = {
 }
 
 
-def _ill(s: Snapshot) -> int:
+def _ill(s: VehicleState) -> int:
     """Bits of what has failed, and of a fence that is breached."""
     bits = mav.MAV_SYS_STATUS_GEOFENCE if s.outside_fence else 0
     for failure in s.failed:
@@ -86,7 +86,7 @@ def _ill(s: Snapshot) -> int:
     return int(bits)
 
 
-def extended_sys_state(s: Snapshot) -> Any:
+def extended_sys_state(s: VehicleState) -> Any:
     landed = mav.MAV_LANDED_STATE_IN_AIR
     if s.landed:
         landed = mav.MAV_LANDED_STATE_ON_GROUND
@@ -97,17 +97,17 @@ def extended_sys_state(s: Snapshot) -> Any:
     return message("EXTENDED_SYS_STATE")(vtol_state=mav.MAV_VTOL_STATE_UNDEFINED, landed_state=landed)
 
 
-def attitude(s: Snapshot) -> Any:
+def attitude(s: VehicleState) -> Any:
     roll, pitch, yaw = s.attitude_ned
     p, q, r = s.rates_body
     return message("ATTITUDE")(s.time_ms, _wrapped(roll), _wrapped(pitch), _wrapped(yaw), p, q, r)
 
 
-def local_position_ned(s: Snapshot) -> Any:
+def local_position_ned(s: VehicleState) -> Any:
     return message("LOCAL_POSITION_NED")(s.time_ms, *s.p_ned, *s.v_ned)
 
 
-def global_position_int(s: Snapshot) -> Any:
+def global_position_int(s: VehicleState) -> Any:
     lat_deg, lon_deg, alt_m = s.frame.to_global(*s.p_ned)
     return message("GLOBAL_POSITION_INT")(
         time_boot_ms=s.time_ms,
@@ -122,7 +122,7 @@ def global_position_int(s: Snapshot) -> Any:
     )
 
 
-def gps_raw_int(s: Snapshot) -> Any:
+def gps_raw_int(s: VehicleState) -> Any:
     lat_deg, lon_deg, alt_m = s.frame.to_global(*s.p_ned)
     course_deg = math.degrees(math.atan2(s.v_ned[1], s.v_ned[0]))
     return message("GPS_RAW_INT")(
@@ -145,7 +145,7 @@ def gps_raw_int(s: Snapshot) -> Any:
     )
 
 
-def home_position(s: Snapshot) -> Any:
+def home_position(s: VehicleState) -> Any:
     lat_deg, lon_deg, alt_m = s.frame.to_global(*s.home_ned)
     return message("HOME_POSITION")(
         latitude=_deg_e7(lat_deg),
@@ -162,7 +162,7 @@ def home_position(s: Snapshot) -> Any:
     )
 
 
-def gps_global_origin(s: Snapshot) -> Any:
+def gps_global_origin(s: VehicleState) -> Any:
     return message("GPS_GLOBAL_ORIGIN")(
         latitude=_deg_e7(s.frame.lat_deg),
         longitude=_deg_e7(s.frame.lon_deg),
@@ -171,7 +171,7 @@ def gps_global_origin(s: Snapshot) -> Any:
     )
 
 
-def battery_status(s: Snapshot) -> Any:
+def battery_status(s: VehicleState) -> Any:
     cell_mv = round(1e3 * s.voltage_v / CELLS)
     charge_ah = s.drawn_j / (CELLS * CELL_FULL_V) / 3600.0
     return message("BATTERY_STATUS")(
@@ -192,7 +192,7 @@ def battery_status(s: Snapshot) -> Any:
     )
 
 
-def position_target_local_ned(s: Snapshot) -> Any:
+def position_target_local_ned(s: VehicleState) -> Any:
     return message("POSITION_TARGET_LOCAL_NED")(
         time_boot_ms=s.time_ms,
         coordinate_frame=mav.MAV_FRAME_LOCAL_NED,
@@ -214,11 +214,11 @@ def position_target_local_ned(s: Snapshot) -> Any:
     )
 
 
-def control_effort(s: Snapshot) -> Any:
+def control_effort(s: VehicleState) -> Any:
     return message("NAMED_VALUE_FLOAT")(time_boot_ms=s.time_ms, name="CtlEffort", value=s.control_effort)
 
 
-def follow_target(s: Snapshot) -> Any:
+def follow_target(s: VehicleState) -> Any:
     lat_deg, lon_deg, alt_m = s.frame.to_global(*s.p_ned)
     return message("FOLLOW_TARGET")(
         timestamp=s.time_ms,
@@ -235,15 +235,15 @@ def follow_target(s: Snapshot) -> Any:
     )
 
 
-def xfer_out(s: Snapshot) -> Any:
+def xfer_out(s: VehicleState) -> Any:
     return message("NAMED_VALUE_INT")(time_boot_ms=s.time_ms, name="XferOut", value=_int32(s.given_j))
 
 
-def xfer_in(s: Snapshot) -> Any:
+def xfer_in(s: VehicleState) -> Any:
     return message("NAMED_VALUE_INT")(time_boot_ms=s.time_ms, name="XferIn", value=_int32(s.received_j))
 
 
-def attitude_quaternion(s: Snapshot) -> Any:
+def attitude_quaternion(s: VehicleState) -> Any:
     half_roll, half_pitch, half_yaw = (0.5 * angle for angle in s.attitude_ned)
     (sr, sp, sy), (cr, cp, cy) = (tuple(map(f, (half_roll, half_pitch, half_yaw))) for f in (math.sin, math.cos))
     return message("ATTITUDE_QUATERNION")(
@@ -257,7 +257,7 @@ def attitude_quaternion(s: Snapshot) -> Any:
     )
 
 
-def vfr_hud(s: Snapshot) -> Any:
+def vfr_hud(s: VehicleState) -> Any:
     speed_m_s = math.hypot(s.v_ned[0], s.v_ned[1])
     return message("VFR_HUD")(
         airspeed=math.hypot(*s.v_ned),
@@ -269,7 +269,7 @@ def vfr_hud(s: Snapshot) -> Any:
     )
 
 
-def altitude(s: Snapshot) -> Any:
+def altitude(s: VehicleState) -> Any:
     height_m = s.home_ned[2] - s.p_ned[2]
     return message("ALTITUDE")(
         time_usec=s.unix_us,
@@ -282,7 +282,7 @@ def altitude(s: Snapshot) -> Any:
     )
 
 
-def mission_current(s: Snapshot) -> Any:
+def mission_current(s: VehicleState) -> Any:
     """MISSION_CURRENT, in the words of MISSION_STATE: 1 none, 2 not begun, 3 flown, 4 paused, 5 flown to its end."""
     state = 1
     if s.mission_length:
@@ -296,7 +296,7 @@ def mission_current(s: Snapshot) -> Any:
     )
 
 
-def autopilot_version(s: Snapshot, sysid: int) -> Any:
+def autopilot_version(s: VehicleState, sysid: int) -> Any:
     """AUTOPILOT_VERSION: version 1.15.0 of a development build, which QGroundControl accepts as new enough."""
     version = 1 << 24 | 15 << 16 | 0 << 8 | mav.FIRMWARE_VERSION_TYPE_DEV
     return message("AUTOPILOT_VERSION")(
@@ -338,7 +338,7 @@ class Stream(NamedTuple):
     key: str
     msgid: int
     rate_hz: float
-    build: Callable[[Snapshot], Any]
+    build: Callable[[VehicleState], Any]
 
 
 UNPROMPTED = {"ATTITUDE_QUATERNION": 10.0, "VFR_HUD": 4.0, "ALTITUDE": 2.0}

@@ -44,7 +44,7 @@ ATTITUDE_RAD = (1.0, 1.0, 1.0)  # the paper's start
 
 
 @dataclass(frozen=True)
-class Study:
+class VehicleStudy:
     """What a figure is made of: numbers for vehicle.json, curves by name for drawing."""
 
     numbers: dict[str, Any]
@@ -68,7 +68,7 @@ def make(out: Path, names: Iterable[str], say: Callable[[str], None]) -> None:
     (out / "vehicle.json").write_text(text + "\n", encoding="utf-8")
 
 
-def fig5() -> Study:
+def fig5() -> VehicleStudy:
     """5 sin t, differentiated as the vehicle does it: X(0) = 0, ε = 0.04, implicit steps of 4 ms."""
     epsilon = NAMED["paper"].gains.epsilon
     t = _times(STEP_S, DURATION_S)
@@ -90,10 +90,10 @@ def fig5() -> Study:
         numbers[f"x{k + 1}_error_max_{unit}"] = float(np.abs(late).max())
         numbers[f"x{k + 1}_error_rms_{unit}"] = _rms(late)
         numbers[f"x{k + 1}_convergence_time_s"] = convergence_time(t, error, WITHIN * 5.0)
-    return Study(numbers, {"t": t, "x": x, "truth": truth})
+    return VehicleStudy(numbers, {"t": t, "x": x, "truth": truth})
 
 
-def fig12() -> Study:
+def fig12() -> VehicleStudy:
     """sin t from rest by four differentiators: clean and noisy at 4 ms, and clean at 0.1 ms."""
     cases = {"clean": (STEP_S, 0.0), "noisy": (STEP_S, NOISE_RAD), "clean_fine_step": (FINE_STEP_S, 0.0)}
     numbers: dict[str, Any] = {
@@ -140,10 +140,10 @@ def fig12() -> Study:
             curves[f"{case}_{name}"] = estimate
         numbers[case] = entry
         curves[f"{case}_t"], curves[f"{case}_truth"] = t, truth
-    return Study(numbers, curves)
+    return VehicleStudy(numbers, curves)
 
 
-def implicit() -> Study:
+def implicit() -> VehicleStudy:
     """Steady flight of the paper's vehicle: torque and speed error by step, velocity noise and discretisation."""
     vehicle = NAMED["paper"]
     numbers: dict[str, Any] = {
@@ -175,7 +175,7 @@ def implicit() -> Study:
                 )
                 if step_s == STEP_S:
                     curves[f"{method}_{noise:g}"] = np.column_stack([t, tau])[late]
-    return Study(numbers | {"cases": cases}, curves)
+    return VehicleStudy(numbers | {"cases": cases}, curves)
 
 
 def closed_loop(
@@ -302,4 +302,4 @@ def _number(x: float) -> float | None:
     return float(x) if math.isfinite(x) else None
 
 
-STUDIES: dict[str, Callable[[], Study]] = {"fig5": fig5, "fig12": fig12, "implicit": implicit}
+STUDIES: dict[str, Callable[[], VehicleStudy]] = {"fig5": fig5, "fig12": fig12, "implicit": implicit}

@@ -7,7 +7,7 @@ import re
 import socket
 from typing import NamedTuple, Self
 
-from simvehicle.mavlink.codec import Frame, split
+from simvehicle.mavlink.codec import ReceivedFrame, split
 from simvehicle.mavlink.connection import Connection
 
 RECEIVE_BYTES = 65535
@@ -99,12 +99,12 @@ class PlainLink(_Link):
         """The local port."""
         return int(self.socket.getsockname()[1])
 
-    def receive(self) -> list[Frame]:
+    def receive(self) -> list[ReceivedFrame]:
         """Every intact frame that has come; whoever sent something like one is answered from now on.
 
         Ground stations that know both begin with MAVLink 1 and change when they hear MAVLink 2.
         """
-        frames: list[Frame] = []
+        frames: list[ReceivedFrame] = []
         while True:
             try:
                 datagram, peer = self.socket.recvfrom(RECEIVE_BYTES)

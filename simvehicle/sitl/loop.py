@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from typing import NamedTuple, Protocol
 
 from simvehicle.exit import ABANDONED
-from simvehicle.mavlink.codec import Frame
+from simvehicle.mavlink.codec import ReceivedFrame
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.lockstep import Bundle, Grants
 from simvehicle.sitl.link import PlainLink, SupervisedLink
@@ -28,7 +28,7 @@ class Unit(Protocol):
     def start_clock(self, time_ms: int, unix_us: int) -> None:
         """Set the clock without a step."""
 
-    def receive(self, frame: Frame, connection: Connection) -> None:
+    def receive(self, frame: ReceivedFrame, connection: Connection) -> None:
         """Act on one frame."""
 
     def advance(self, to_ms: int) -> None:

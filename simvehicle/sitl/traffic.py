@@ -17,7 +17,7 @@ import yaml
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.geodesy import LocalFrame
-from simvehicle.mavlink.codec import Frame, message
+from simvehicle.mavlink.codec import ReceivedFrame, message
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.telemetry import Vec3
 
@@ -34,7 +34,7 @@ class TrafficError(ValueError):
 
 
 @dataclass(frozen=True)
-class Mover:
+class Aircraft:
     """One aircraft on its path; positions NED in m."""
 
     callsign: str
@@ -65,7 +65,7 @@ class Mover:
 class Traffic:
     """All movers of a session as one MAVLink component."""
 
-    def __init__(self, frame: LocalFrame, movers: list[Mover], connections: list[Connection]) -> None:
+    def __init__(self, frame: LocalFrame, movers: list[Aircraft], connections: list[Connection]) -> None:
         self._frame = frame
         self._movers = movers
         self._connections = connections
@@ -86,7 +86,7 @@ class Traffic:
     def start_clock(self, time_ms: int, unix_us: int) -> None:
         """Movers know the session's time as it comes; nothing to set."""
 
-    def receive(self, frame: Frame, connection: Connection) -> None:
+    def receive(self, frame: ReceivedFrame, connection: Connection) -> None:
         """Traffic obeys nobody."""
 
     def advance(self, to_ms: int) -> None:
@@ -102,7 +102,7 @@ class Traffic:
             for content in due:
                 connection.put(content)
 
-    def _report(self, index: int, mover: Mover, time_s: float) -> Any:
+    def _report(self, index: int, mover: Aircraft, time_s: float) -> Any:
         p_ned, v_ned = mover.at(time_s)
         lat_deg, lon_deg, alt_m = self._frame.to_global(*p_ned)
         return message("ADSB_VEHICLE")(
@@ -127,7 +127,7 @@ class Traffic:
         )
 
 
-def load(path: Path) -> tuple[LocalFrame, list[Mover]]:
+def load(path: Path) -> tuple[LocalFrame, list[Aircraft]]:
     """Read a traffic file; raises TrafficError."""
     try:
         content = yaml.safe_load(path.read_text(encoding="utf-8"))
@@ -143,7 +143,7 @@ def load(path: Path) -> tuple[LocalFrame, list[Mover]]:
     return frame, movers
 
 
-def _mover(given: dict[str, Any]) -> Mover:
+def _mover(given: dict[str, Any]) -> Aircraft:
     """One checked entry; raises KeyError, TypeError, ValueError."""
     callsign = str(given["callsign"])
     path = tuple((float(n), float(e), float(d)) for n, e, d in given["path_ned_m"])
@@ -154,4 +154,4 @@ def _mover(given: dict[str, Any]) -> Mover:
         raise ValueError(f"speed_m_s of {callsign} is {speed_m_s:g}, not from 0 to {FASTEST_M_S:g}")
     if not math.isfinite(start_s):
         raise ValueError(f"start_s of {callsign} is no time")
-    return Mover(callsign, path, speed_m_s, bool(given.get("closed", False)), start_s)
+    return Aircraft(callsign, path, speed_m_s, bool(given.get("closed", False)), start_s)

@@ -6,7 +6,7 @@ import contextlib
 
 from simvehicle.autopilot.body import STEP_MS
 from simvehicle.autopilot.vehicle import Vehicle
-from simvehicle.mavlink.codec import Frame
+from simvehicle.mavlink.codec import ReceivedFrame
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.dispatcher import Services
 from simvehicle.mavlink.telemetry import heartbeat
@@ -29,7 +29,7 @@ class VehicleUnit:
         """Set the vehicle's clock without a step."""
         self._vehicle.set_clock(time_ms, unix_us)
 
-    def receive(self, frame: Frame, connection: Connection) -> None:
+    def receive(self, frame: ReceivedFrame, connection: Connection) -> None:
         """Hand a frame to the services."""
         self._services.receive(frame, connection)
 

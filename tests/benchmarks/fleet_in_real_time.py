@@ -17,7 +17,7 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.mavlink import codec
 from gcs.scenario.file import load
 from gcs.session.pace import Pace
-from gcs.session.process import Session
+from gcs.session.process import SessionProcess
 
 HOT = ("HEARTBEAT", "LOCAL_POSITION_NED", "ATTITUDE", "GLOBAL_POSITION_INT", "BATTERY_STATUS", "NAMED_VALUE_FLOAT")
 PERIOD_US = 100_000.0
@@ -35,7 +35,7 @@ class WatchedPace(Pace):
         return periods
 
 
-class Watched(Session):
+class Watched(SessionProcess):
     """Asks every vehicle for the hot messages at 10 Hz, and measures the flight."""
 
     def _fly(self) -> None:

@@ -21,7 +21,7 @@ from measure import Figure, Scale
 from pymavlink.dialects.v20 import common
 
 from gcs.mavlink import codec
-from gcs.session.vehicles import Hatch, Order
+from gcs.session.vehicles import Hatch, ProcessSpec
 
 ROOT = Path(__file__).resolve().parents[2]
 SESSIONS = 5
@@ -105,7 +105,7 @@ def starting(scale: Scale) -> list[Figure]:
         with Hatch() as hatch:
             hatch.start(
                 [
-                    Order((i,), ("--sysid", str(i), "--connect", address), Path(name) / f"{i}.log")
+                    ProcessSpec((i,), ("--sysid", str(i), "--connect", address), Path(name) / f"{i}.log")
                     for i in range(1, STARTED + 1)
                 ]
             )

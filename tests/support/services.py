@@ -6,11 +6,11 @@ from typing import Any
 
 from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.mavlink.commands import CommandRequest
-from gcs.refuelling.scheduler import Schedule
+from gcs.refuelling.scheduler import Scheduler
 from gcs.refuelling.service import Decision, Phase, Service
-from gcs.refuelling.transfer_command import Role
-from gcs.scenario.model import Battery, Competition, Refuelling, Tanker
-from gcs.telemetry.state import Snapshot, VehicleView
+from gcs.refuelling.transfer_command import TransferRole
+from gcs.scenario.model import Battery, CompetitionRules, RefuellingRules, Tanker
+from gcs.telemetry.state import FleetState, VehicleView
 
 RATE_W = 2000.0
 ORDER, INTERVAL, FOLLOW_TARGET = 31010, 511, 144
@@ -46,7 +46,7 @@ class Fleet:
     def set(self, sysid: int, **changed: Any) -> None:
         self.views[sysid] = self.views[sysid]._replace(**changed)
 
-    def obey(self, schedule: Schedule, wishes: tuple[CommandRequest, ...]) -> None:
+    def obey(self, schedule: Scheduler, wishes: tuple[CommandRequest, ...]) -> None:
         for wish in wishes:
             if wish.command != ORDER:
                 continue
@@ -57,7 +57,7 @@ class Fleet:
                 schedule.result(wish.token, not refused)
             if refused:
                 continue
-            if role == Role.STOP:
+            if role == TransferRole.STOP:
                 self.end(wish.sysid)
             else:
                 self.active[wish.sysid] = wish.params
@@ -71,7 +71,7 @@ class Fleet:
     def flow(self, dt_s: float) -> None:
         for sysid, params in list(self.active.items()):
             partner = int(params[0])
-            if int(params[1]) == Role.GIVE and int(self.active.get(partner, (0, 0))[1]) == Role.RECEIVE:
+            if int(params[1]) == TransferRole.GIVE and int(self.active.get(partner, (0, 0))[1]) == TransferRole.RECEIVE:
                 given_j = round(RATE_W * dt_s)
                 self.set(sysid, given_j=self.views[sysid].given_j + given_j)
                 self.set(partner, received_j=self.views[partner].received_j + given_j)
@@ -79,7 +79,7 @@ class Fleet:
 
 @dataclass
 class Play:
-    schedule: Schedule
+    schedule: Scheduler
     fleet: Fleet
     now_s: float = 0.0
     decisions: list[Decision] = field(default_factory=list)
@@ -87,7 +87,7 @@ class Play:
     def tick(self) -> Decision:
         for sysid, seen in self.fleet.views.items():
             self.fleet.set(sysid, given_told_s=self.now_s if seen.alive else seen.given_told_s)
-        snapshot = Snapshot(self.now_s, tuple(self.fleet.views[key] for key in sorted(self.fleet.views)), ())
+        snapshot = FleetState(self.now_s, tuple(self.fleet.views[key] for key in sorted(self.fleet.views)), ())
         decision = self.schedule.decide(snapshot)
         self.decisions.append(decision)
         self.fleet.obey(self.schedule, decision.requests)
@@ -107,11 +107,11 @@ class Play:
         return [record["kind"] for decision in self.decisions for record in decision.records]
 
 
-def play(rules: Refuelling | None = None, tankers: tuple[Tanker, ...] = (), **competition: Any) -> Play:
+def play(rules: RefuellingRules | None = None, tankers: tuple[Tanker, ...] = (), **competition: Any) -> Play:
     """One receiver, 1, of 10 kJ with 4 kJ left, and a tanker, 201, above it."""
     fleet = Fleet({
         1: view(1, "pursuer", (0.0, 0.0, -4.8), 4_000.0, 10_000.0),
         201: view(201, "tanker", (0.0, 0.0, -6.0), 150_000.0, 150_000.0),
     })  # fmt: skip
-    rules = rules or Refuelling(rate_w=RATE_W, hold_s=1.0)
-    return Play(Schedule(Competition(**competition), rules, tankers or (tanker(),)), fleet)
+    rules = rules or RefuellingRules(rate_w=RATE_W, hold_s=1.0)
+    return Play(Scheduler(CompetitionRules(**competition), rules, tankers or (tanker(),)), fleet)

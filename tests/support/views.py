@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from gcs.mavlink.autopilots import PX4, FlightMode
-from gcs.telemetry.state import Snapshot, VehicleView
+from gcs.telemetry.state import FleetState, VehicleView
 
 
 def view(sysid: int = 3, role: str = "pursuer", **changed: Any) -> VehicleView:
@@ -20,5 +20,5 @@ def view(sysid: int = 3, role: str = "pursuer", **changed: Any) -> VehicleView:
     return well._replace(**changed)
 
 
-def snapshot(*views: VehicleView, time_s: float = 100.0) -> Snapshot:
-    return Snapshot(time_s, tuple(sorted(views, key=lambda each: each.sysid)), ())
+def snapshot(*views: VehicleView, time_s: float = 100.0) -> FleetState:
+    return FleetState(time_s, tuple(sorted(views, key=lambda each: each.sysid)), ())

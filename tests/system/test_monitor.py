@@ -22,7 +22,7 @@ from pymavlink.dialects.v20 import common
 from sessions import GCS, small
 from strangers import ARDUCOPTER, strangers
 
-from gcs.scenario.endpoint import Address
+from gcs.scenario.endpoint import Endpoint
 from gcs.session.monitor import MonitorSource
 
 mav = mavutil.mavlink
@@ -150,7 +150,7 @@ def test_an_arducopter_that_nobody_asks_is_told_of_and_with_control_it_is_asked(
 
 def test_with_control_it_is_a_ground_station_whose_order_to_land_is_flown() -> None:
     """A real vehicle in the air, in the same process only the source that a console would have."""
-    source = MonitorSource(Address("udpin", "127.0.0.1", 0), control=True)
+    source = MonitorSource(Endpoint("udpin", "127.0.0.1", 0), control=True)
     argv = [*GCS[:1], "-c", "from simvehicle.cli import main; main()"]
     argv += ["--sysid", "7", "--connect", f"udpout:127.0.0.1:{source.port}", "--airborne", "--position", "0,0,-1.5"]
     process = subprocess.Popen(argv, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -189,7 +189,7 @@ def test_with_control_it_is_a_ground_station_whose_order_to_land_is_flown() -> N
 def test_only_control_sends_a_heartbeat() -> None:
     """A vehicle of pymavlink's, speaking MAVLink 1 as that does by default, whose socket would hear it."""
     for control in (False, True):
-        source = MonitorSource(Address("udpin", "127.0.0.1", 0), control=control)
+        source = MonitorSource(Endpoint("udpin", "127.0.0.1", 0), control=control)
         vehicle = mavutil.mavlink_connection(f"udpout:127.0.0.1:{source.port}", source_system=3)
         try:
             vehicle.mav.heartbeat_send(mav.MAV_TYPE_QUADROTOR, mav.MAV_AUTOPILOT_ARDUPILOTMEGA, 81, 4, 4)
@@ -211,7 +211,7 @@ def _events(messages: list[Any]) -> list[dict[str, Any]]:
 
 
 def test_a_second_vehicle_of_the_same_id_is_told_and_not_believed() -> None:
-    source = MonitorSource(Address("udpin", "127.0.0.1", 0))
+    source = MonitorSource(Endpoint("udpin", "127.0.0.1", 0))
     first, second = (mavutil.mavlink_connection(f"udpout:127.0.0.1:{source.port}", source_system=3) for _ in range(2))
     try:
         told: list[Any] = []
@@ -238,7 +238,7 @@ def test_a_second_vehicle_of_the_same_id_is_told_and_not_believed() -> None:
 def test_a_stream_is_read_however_it_is_cut() -> None:
     """TCP, a byte at a time at first."""
     server = socket.create_server(("127.0.0.1", 0))
-    source = MonitorSource(Address("tcp", *server.getsockname()))
+    source = MonitorSource(Endpoint("tcp", *server.getsockname()))
     peer, _ = server.accept()
     try:
         sender = common.MAVLink(None, srcSystem=4, srcComponent=1)

@@ -154,7 +154,7 @@ def test_unknown_id_is_passed_over_and_its_neighbours_are_read(msgid: int) -> No
     head = struct.pack("<BBBBBBBHB", 0xFD, 3, 0, 0, 5, 1, 1, msgid & 0xFFFF, msgid >> 16)
     stranger = with_crc(head + b"\x01\x02\x03", 99)
     assert [frame.seq for frame in codec.split(heartbeat(1) + stranger + heartbeat(2))] == [1, 2]
-    assert codec.decode(codec.Frame(1, 1, 0, msgid, b"", b"")) is None
+    assert codec.decode(codec.ReceivedFrame(1, 1, 0, msgid, b"", b"")) is None
 
 
 @settings(max_examples=300)

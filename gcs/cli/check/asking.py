@@ -7,7 +7,7 @@ from typing import Any
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.cli.check.dialogue import Question, Vehicle
+from gcs.cli.check.dialogue import CheckedVehicle, Question
 from gcs.cli.check.judges import Fault, acknowledged, no_fault
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Message, layout, message
@@ -23,13 +23,13 @@ OUTSIDE = {
 """Messages that are asked for but stand in no dialect of pymavlink: known by their id, not read."""
 
 
-Ask = Callable[[Vehicle], Sequence[Message]]
+Ask = Callable[[CheckedVehicle], Sequence[Message]]
 
 
 def command_long(command: int, *params: float, to_component: int | None = None, offset: int = 0) -> Ask:
     """COMMAND_LONG to the vehicle; with `offset` to the vehicle of another system id."""
 
-    def ask(vehicle: Vehicle) -> Sequence[Message]:
+    def ask(vehicle: CheckedVehicle) -> Sequence[Message]:
         values = dict(zip([f"param{i}" for i in range(1, 8)], (*params, *[0.0] * 7), strict=False))
         return [
             message(
@@ -48,7 +48,7 @@ def command_long(command: int, *params: float, to_component: int | None = None, 
 def command_int(command: int, *params: float) -> Ask:
     """COMMAND_INT to the vehicle, without a place."""
 
-    def ask(vehicle: Vehicle) -> Sequence[Message]:
+    def ask(vehicle: CheckedVehicle) -> Sequence[Message]:
         values = dict(zip([f"param{i}" for i in range(1, 5)], (*params, *[0.0] * 4), strict=False))
         to = {"target_system": vehicle.sysid, "target_component": vehicle.compid}
         rest = {"frame": mav.MAV_FRAME_GLOBAL, "current": 0, "autocontinue": 0, "x": 0, "y": 0, "z": 0.0}

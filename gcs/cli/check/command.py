@@ -9,12 +9,12 @@ import json
 import click
 
 from gcs.exit import BAD_INPUT, NOT_DONE
-from gcs.scenario.endpoint import ONLY_ONCE, Address, address
+from gcs.scenario.endpoint import ONLY_ONCE, Endpoint, address
 
 PEER_NAMES = {"mavsdk": "MAVSDK", "qgroundcontrol": "QGroundControl", "mavproxy": "MAVProxy"}
 
 
-def _connection(_: click.Context, __: click.Parameter, value: str) -> Address:
+def _connection(_: click.Context, __: click.Parameter, value: str) -> Endpoint:
     at = address(value, "udpin", "udpout")
     if at is None:
         raise click.BadParameter(
@@ -45,7 +45,7 @@ def _connection(_: click.Context, __: click.Parameter, value: str) -> Address:
     "--within", type=click.FloatRange(0.1), default=10.0, show_default=True, help="Seconds to find the vehicle."
 )
 @click.option("--json", "as_json", is_flag=True, help="One JSON object on stdout, for CI.")
-def check(connect: Address, sysid: int | None, peers: tuple[str, ...], arm: bool, within: float, as_json: bool) -> int:
+def check(connect: Endpoint, sysid: int | None, peers: tuple[str, ...], arm: bool, within: float, as_json: bool) -> int:
     """Ask a vehicle what MAVSDK, QGroundControl and MAVProxy ask, and name each reply that does not come.
 
     Any vehicle and any autopilot. Below each finding stands which peer would miss it and what that peer would show. It
@@ -74,7 +74,7 @@ def check(connect: Address, sysid: int | None, peers: tuple[str, ...], arm: bool
       130  stopped by Ctrl-C
     """
     from gcs.cli.check import report
-    from gcs.cli.check.dialogue import Dialogue, Finding
+    from gcs.cli.check.dialogue import CheckFinding, Dialogue
     from gcs.cli.check.questions import questions
     from gcs.cli.check.wire import CheckError, Wire
     from gcs.cli.check.wire import check as run
@@ -84,7 +84,7 @@ def check(connect: Address, sysid: int | None, peers: tuple[str, ...], arm: bool
     dialogue = Dialogue(asked, sysid)
     known = False
 
-    def told(finding: Finding) -> None:
+    def told(finding: CheckFinding) -> None:
         nonlocal known
         if not known and dialogue.vehicle is not None:
             known = True

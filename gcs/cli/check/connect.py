@@ -8,7 +8,7 @@ from typing import Any
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.cli.check.asking import MAVPROXY, MAVSDK, QGC, Ask, command_int, command_long, requested, to_vehicle
-from gcs.cli.check.dialogue import Question, Vehicle
+from gcs.cli.check.dialogue import CheckedVehicle, Question
 from gcs.cli.check.judges import OK, acknowledged, answered, refuses, silent
 from gcs.mavlink.autopilots import ARDUCOPTER, PX4
 from gcs.mavlink.codec import Message, layout, message
@@ -18,7 +18,7 @@ UNKNOWN_COMMAND = 65000
 OPEN_FILE, RESET_SESSIONS, FTP_ACK, FTP_NAK = 4, 2, 128, 129
 
 
-def _version_fault(vehicle: Vehicle, content: Any) -> str:
+def _version_fault(vehicle: CheckedVehicle, content: Any) -> str:
     if not content.capabilities & mav.MAV_PROTOCOL_CAPABILITY_MISSION_INT:
         return "its capabilities lack MISSION_INT"
     if not content.capabilities & mav.MAV_PROTOCOL_CAPABILITY_MAVLINK2:
@@ -57,10 +57,10 @@ def _legacy() -> Question:
 
 
 def _ping() -> Question:
-    def ask(_: Vehicle) -> Sequence[Message]:
+    def ask(_: CheckedVehicle) -> Sequence[Message]:
         return [message("PING", time_usec=1, seq=4711, target_system=0, target_component=0)]
 
-    def ours(_: Vehicle, content: Any) -> bool:
+    def ours(_: CheckedVehicle, content: Any) -> bool:
         return bool(content.seq == 4711 and (content.target_system, content.target_component) == STATION)
 
     return Question(
@@ -74,10 +74,10 @@ def _ping() -> Question:
 
 
 def _timesync() -> Question:
-    def ask(_: Vehicle) -> Sequence[Message]:
+    def ask(_: CheckedVehicle) -> Sequence[Message]:
         return [message("TIMESYNC", tc1=0, ts1=123_456_789)]
 
-    def ours(_: Vehicle, content: Any) -> bool:
+    def ours(_: CheckedVehicle, content: Any) -> bool:
         return bool(content.tc1 != 0 and content.ts1 == 123_456_789)
 
     misses = {MAVSDK: "cannot align clocks", MAVPROXY: "has no link delay to show"}
@@ -90,7 +90,7 @@ def _ftp(number: int, opcode: int, data: bytes = b"") -> Ask:
     return to_vehicle("FILE_TRANSFER_PROTOCOL", target_network=0, payload=list(payload.ljust(251, b"\0")))
 
 
-def _ftp_answer(opcode: int) -> Callable[[Vehicle, Any], bool]:
+def _ftp_answer(opcode: int) -> Callable[[CheckedVehicle, Any], bool]:
     return lambda _, content: content.payload[3] in (FTP_ACK, FTP_NAK) and content.payload[5] == opcode
 
 
@@ -173,18 +173,18 @@ CONNECT = [
 ]
 
 
-def _opened(vehicle: Vehicle) -> bool:
+def _opened(vehicle: CheckedVehicle) -> bool:
     content = vehicle.of("FILE_TRANSFER_PROTOCOL")
     return content is not None and content.payload[3] == FTP_ACK
 
 
 def _mission(kind: int, name: str, capability: int, misses: dict[str, str]) -> Question:
-    def ask(vehicle: Vehicle) -> Sequence[Message]:
+    def ask(vehicle: CheckedVehicle) -> Sequence[Message]:
         to = {"target_system": vehicle.sysid, "target_component": vehicle.compid}
         over = [message("MISSION_ACK", type=mav.MAV_MISSION_ACCEPTED, mission_type=kind - 1, **to)] if kind else []
         return [*over, message("MISSION_REQUEST_LIST", mission_type=kind, **to)]
 
-    def when(vehicle: Vehicle) -> str:
+    def when(vehicle: CheckedVehicle) -> str:
         return "" if not capability or vehicle.capabilities & capability else "its capabilities say that it has none"
 
     judge = answered("MISSION_COUNT", ours=lambda _, content: content.mission_type == kind)

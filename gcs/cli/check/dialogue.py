@@ -46,7 +46,7 @@ class Heard(NamedTuple):
 
 
 @dataclass
-class Vehicle:
+class CheckedVehicle:
     """What is known so far of the vehicle that is asked."""
 
     sysid: int
@@ -100,7 +100,7 @@ class Verdict(NamedTuple):
     text: str = ""
 
 
-Judge = Callable[[Vehicle, Sequence[Heard]], "Verdict | None"]
+Judge = Callable[[CheckedVehicle, Sequence[Heard]], "Verdict | None"]
 """What was heard since the question was first asked → the verdict, None while it may still come."""
 
 
@@ -116,18 +116,18 @@ class Question:
     what: str
     misses: Mapping[str, str]
     judge: Judge
-    ask: Callable[[Vehicle], Sequence[Message]] = lambda _: ()
-    at_end: Callable[[Vehicle, Sequence[Heard]], Verdict] = lambda *_: Verdict("missing", "no answer")
-    when: Callable[[Vehicle], str] = lambda _: ""
+    ask: Callable[[CheckedVehicle], Sequence[Message]] = lambda _: ()
+    at_end: Callable[[CheckedVehicle, Sequence[Heard]], Verdict] = lambda *_: Verdict("missing", "no answer")
+    when: Callable[[CheckedVehicle], str] = lambda _: ""
     """why it does not apply to this vehicle; empty where it does"""
     repeat_s: float = REPEAT_S
     tries: int = TRIES
-    streams: Callable[[Vehicle], Sequence[Message]] | None = None
+    streams: Callable[[CheckedVehicle], Sequence[Message]] | None = None
     lead_s: float = 0.0
 
 
 @dataclass(frozen=True)
-class Finding:
+class CheckFinding:
     """A question's outcome; `after_s` is how long the answer took, from the first asking."""
 
     question: Question
@@ -140,10 +140,10 @@ class Dialogue:
     """All questions to one vehicle, one at a time. The driver feeds frames, and sends what `poll` returns."""
 
     def __init__(self, questions: Iterable[Question], sysid: int | None = None) -> None:
-        self.vehicle: Vehicle | None = None
+        self.vehicle: CheckedVehicle | None = None
         self.others: set[int] = set()
         """system ids of further vehicles that were heard"""
-        self.findings: list[Finding] = []
+        self.findings: list[CheckFinding] = []
         self._wanted = sysid
         self._left = deque(questions)
         self._heard: list[Heard] = []
@@ -172,7 +172,7 @@ class Dialogue:
             content = None
         if name == "HEARTBEAT" and content.type in VEHICLE_TYPES and content.autopilot != mav.MAV_AUTOPILOT_INVALID:
             if self.vehicle is None and self._wanted in (None, frame.sysid):
-                self.vehicle = Vehicle(frame.sysid, frame.compid)
+                self.vehicle = CheckedVehicle(frame.sysid, frame.compid)
             elif self.vehicle is not None and frame.sysid != self.vehicle.sysid:
                 self.others.add(frame.sysid)
         if self.vehicle is None or (frame.sysid, frame.compid) != (self.vehicle.sysid, self.vehicle.compid):
@@ -226,5 +226,5 @@ class Dialogue:
         outcome, text = verdict
         if outcome == "ok" and self._asked > 1:
             outcome, text = "late", f"came only after it was asked {self._asked} times"
-        self.findings.append(Finding(self._left.popleft(), outcome, text, after_s))
+        self.findings.append(CheckFinding(self._left.popleft(), outcome, text, after_s))
         self._heard, self._asked, self._lead_until_s = [], 0, None

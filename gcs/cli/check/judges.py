@@ -8,10 +8,10 @@ from typing import Any
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.cli.check.dialogue import Heard, Judge, Vehicle, Verdict
+from gcs.cli.check.dialogue import CheckedVehicle, Heard, Judge, Verdict
 from gcs.mavlink.ids import STATION
 
-Fault = Callable[[Vehicle, Any], str]
+Fault = Callable[[CheckedVehicle, Any], str]
 """What is wrong with a message's fields; empty where nothing is."""
 
 OK = Verdict("ok")
@@ -19,7 +19,7 @@ REASONS_WITHIN_S = 0.3
 """ArduPilot says why it refuses after it has acknowledged."""
 
 
-def no_fault(_: Vehicle, __: Any) -> str:
+def no_fault(_: CheckedVehicle, __: Any) -> str:
     """Nothing is wrong with any content."""
     return ""
 
@@ -51,10 +51,12 @@ def _final_acks(heard: Sequence[Heard], command: int) -> list[Any]:
     ]
 
 
-def answered(name: str, fault: Fault = no_fault, *, ours: Callable[[Vehicle, Any], bool] = lambda *_: True) -> Judge:
+def answered(
+    name: str, fault: Fault = no_fault, *, ours: Callable[[CheckedVehicle, Any], bool] = lambda *_: True
+) -> Judge:
     """A message of this name that is meant (`ours`) has come."""
 
-    def judge(vehicle: Vehicle, heard: Sequence[Heard]) -> Verdict | None:
+    def judge(vehicle: CheckedVehicle, heard: Sequence[Heard]) -> Verdict | None:
         for content in _named(heard, name):
             if ours(vehicle, content):
                 wrong = fault(vehicle, content)
@@ -66,7 +68,7 @@ def answered(name: str, fault: Fault = no_fault, *, ours: Callable[[Vehicle, Any
 
 def acknowledged(
     command: int, *, then: str | None = None, may_refuse: bool = False, fault: Fault = no_fault
-) -> tuple[Judge, Callable[[Vehicle, Sequence[Heard]], Verdict]]:
+) -> tuple[Judge, Callable[[CheckedVehicle, Sequence[Heard]], Verdict]]:
     """A final acknowledgement has come and, where it accepts, the message `then` too; as (judge, at_end)."""
 
     def refused(heard: Sequence[Heard], ack: Any) -> Verdict:
@@ -74,7 +76,7 @@ def acknowledged(
         said = f"refused: {result_name(ack.result)}" + (f", {texts}" if texts else "")
         return Verdict("ok" if may_refuse else "wrong", said)
 
-    def judge(vehicle: Vehicle, heard: Sequence[Heard]) -> Verdict | None:
+    def judge(vehicle: CheckedVehicle, heard: Sequence[Heard]) -> Verdict | None:
         acks = _final_acks(heard, command)
         if not acks:
             return None
@@ -89,7 +91,7 @@ def acknowledged(
         wrong = fault(vehicle, next(_named(heard, then)))
         return Verdict("wrong", wrong) if wrong else OK
 
-    def at_end(_: Vehicle, heard: Sequence[Heard]) -> Verdict:
+    def at_end(_: CheckedVehicle, heard: Sequence[Heard]) -> Verdict:
         if acks := _final_acks(heard, command):
             if acks[0].result != mav.MAV_RESULT_ACCEPTED:
                 return refused(heard, acks[0])
@@ -104,7 +106,7 @@ def acknowledged(
 def refuses(command: int) -> Judge:
     """An unknown command is refused, once."""
 
-    def judge(_: Vehicle, heard: Sequence[Heard]) -> Verdict | None:
+    def judge(_: CheckedVehicle, heard: Sequence[Heard]) -> Verdict | None:
         acks = _final_acks(heard, command)
         if not acks:
             return None
@@ -115,17 +117,17 @@ def refuses(command: int) -> Judge:
     return judge
 
 
-def silent(_: Vehicle, heard: Sequence[Heard]) -> Verdict | None:
+def silent(_: CheckedVehicle, heard: Sequence[Heard]) -> Verdict | None:
     """A command to somebody else: any acknowledgement shows that it was obeyed."""
     if any(_named(heard, "COMMAND_ACK")):
         return Verdict("wrong", "obeyed a command whose target_system is another vehicle's")
     return None
 
 
-def streamed(name: str, at_least_hz: float) -> Callable[[Vehicle, Sequence[Heard]], Verdict]:
+def streamed(name: str, at_least_hz: float) -> Callable[[CheckedVehicle, Sequence[Heard]], Verdict]:
     """The message has come unasked, since the vehicle was first heard, about as often as is wanted."""
 
-    def at_end(vehicle: Vehicle, _: Sequence[Heard]) -> Verdict:
+    def at_end(vehicle: CheckedVehicle, _: Sequence[Heard]) -> Verdict:
         arrivals_s = vehicle.arrivals_s.get(name, [])
         times_s = [at_s for times in vehicle.arrivals_s.values() for at_s in (times[0], times[-1])]
         window_s = max(times_s) - min(times_s)
@@ -138,10 +140,10 @@ def streamed(name: str, at_least_hz: float) -> Callable[[Vehicle, Sequence[Heard
     return at_end
 
 
-def steady(name: str, within_s: float) -> Callable[[Vehicle, Sequence[Heard]], Verdict]:
+def steady(name: str, within_s: float) -> Callable[[CheckedVehicle, Sequence[Heard]], Verdict]:
     """The message never paused for longer than its listeners' patience."""
 
-    def at_end(vehicle: Vehicle, _: Sequence[Heard]) -> Verdict:
+    def at_end(vehicle: CheckedVehicle, _: Sequence[Heard]) -> Verdict:
         arrivals_s = vehicle.arrivals_s[name]
         gap_s = max((b - a for a, b in pairwise(arrivals_s)), default=0.0)
         return Verdict("wrong", f"paused for {gap_s:.1f} s") if gap_s > within_s else OK

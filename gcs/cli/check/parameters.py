@@ -9,7 +9,7 @@ from typing import Any
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.cli.check.asking import MAVPROXY, MAVSDK, QGC, judged, to_vehicle
-from gcs.cli.check.dialogue import Heard, Question, Vehicle, Verdict
+from gcs.cli.check.dialogue import CheckedVehicle, Heard, Question, Verdict
 from gcs.cli.check.judges import OK, answered
 from gcs.mavlink.autopilots import ARDUCOPTER, PX4
 from gcs.mavlink.codec import Message
@@ -20,11 +20,11 @@ BIGGEST_PLAIN_INTEGER = 1_000_000_000
 """An integer of 1.0 read as bytes is 1,065,353,216: numbers beyond this, in most of a list, are the wrong encoding."""
 
 
-def _count(vehicle: Vehicle) -> int:
+def _count(vehicle: CheckedVehicle) -> int:
     return max((int(p.param_count) for p in vehicle.parameters.values()), default=0)
 
 
-def _ask_parameters(vehicle: Vehicle) -> Sequence[Message]:
+def _ask_parameters(vehicle: CheckedVehicle) -> Sequence[Message]:
     """The whole list, also where a few have come unasked; what is missing of it once most has come."""
     told = {p.param_index for p in vehicle.parameters.values()}
     missing = [index for index in range(_count(vehicle)) if index not in told]
@@ -33,18 +33,18 @@ def _ask_parameters(vehicle: Vehicle) -> Sequence[Message]:
     return [m for i in missing[:50] for m in to_vehicle("PARAM_REQUEST_READ", param_id="", param_index=i)(vehicle)]
 
 
-def _parameters_told(vehicle: Vehicle, heard: Sequence[Heard]) -> Verdict | None:
+def _parameters_told(vehicle: CheckedVehicle, heard: Sequence[Heard]) -> Verdict | None:
     indices = {h.fields.param_index for h in heard if h.name == "PARAM_VALUE"}
     count = _count(vehicle)
     return OK if count and len(indices & set(range(count))) == count else None
 
 
-def _parameters_missing(vehicle: Vehicle, _: Sequence[Heard]) -> Verdict:
+def _parameters_missing(vehicle: CheckedVehicle, _: Sequence[Heard]) -> Verdict:
     count = _count(vehicle)
     return Verdict("missing", f"{len(vehicle.parameters)} of {count} came" if count else "none came")
 
 
-def _encoding_fault(vehicle: Vehicle, _: Sequence[Heard]) -> Verdict:
+def _encoding_fault(vehicle: CheckedVehicle, _: Sequence[Heard]) -> Verdict:
     bytewise = bool(vehicle.capabilities & mav.MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_BYTEWISE)
     cast = bool(vehicle.capabilities & mav.MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_C_CAST)
     if not bytewise and vehicle.profile is ARDUCOPTER:
@@ -63,22 +63,22 @@ def _encoding_fault(vehicle: Vehicle, _: Sequence[Heard]) -> Verdict:
     return OK
 
 
-def _no_parameters(vehicle: Vehicle) -> str:
+def _no_parameters(vehicle: CheckedVehicle) -> str:
     return "" if vehicle.parameters else "no parameter came"
 
 
-def _silent_on_unknown(vehicle: Vehicle, _: Sequence[Heard]) -> Verdict:
+def _silent_on_unknown(vehicle: CheckedVehicle, _: Sequence[Heard]) -> Verdict:
     if vehicle.profile in (PX4, ARDUCOPTER):
         return Verdict("late", "silence, as from PX4 up to 1.17 and ArduPilot up to 4.6")
     return Verdict("missing", "no answer")
 
 
-def _px4_only(vehicle: Vehicle) -> str:
+def _px4_only(vehicle: CheckedVehicle) -> str:
     return _no_parameters(vehicle) if vehicle.profile is PX4 else "only PX4 is asked for it"
 
 
-def _has(*names: str, set_up: bool = False) -> Callable[[Vehicle, Sequence[Heard]], Verdict]:
-    def at_end(vehicle: Vehicle, _: Sequence[Heard]) -> Verdict:
+def _has(*names: str, set_up: bool = False) -> Callable[[CheckedVehicle, Sequence[Heard]], Verdict]:
+    def at_end(vehicle: CheckedVehicle, _: Sequence[Heard]) -> Verdict:
         lacking = [name for name in names if name not in vehicle.parameters]
         if lacking:
             return Verdict("missing", f"lacks {', '.join(lacking)}")
@@ -88,23 +88,23 @@ def _has(*names: str, set_up: bool = False) -> Callable[[Vehicle, Sequence[Heard
     return at_end
 
 
-def _any_parameter(vehicle: Vehicle) -> Any:
+def _any_parameter(vehicle: CheckedVehicle) -> Any:
     """One that is read and written back; a float where there is one. By name: ArduPilot's answers to a name have no
     index."""
     return min(vehicle.parameters.values(), key=lambda p: (p.param_type != mav.MAV_PARAM_TYPE_REAL32, p.param_id))
 
 
-def _ask_one(vehicle: Vehicle) -> Sequence[Message]:
+def _ask_one(vehicle: CheckedVehicle) -> Sequence[Message]:
     return to_vehicle("PARAM_REQUEST_READ", param_id=_any_parameter(vehicle).param_id, param_index=-1)(vehicle)
 
 
-def _set_one(vehicle: Vehicle) -> Sequence[Message]:
+def _set_one(vehicle: CheckedVehicle) -> Sequence[Message]:
     p = _any_parameter(vehicle)
     values = {"param_id": p.param_id, "param_value": p.param_value, "param_type": p.param_type}
     return to_vehicle("PARAM_SET", **values)(vehicle)
 
 
-def _is_that_one(vehicle: Vehicle, content: Any) -> bool:
+def _is_that_one(vehicle: CheckedVehicle, content: Any) -> bool:
     return bool(content.param_id == _any_parameter(vehicle).param_id)
 
 

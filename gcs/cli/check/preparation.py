@@ -8,31 +8,31 @@ from typing import Any
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.cli.check.asking import MAVPROXY, MAVSDK, QGC, command_long, to_vehicle
-from gcs.cli.check.dialogue import Heard, Question, Vehicle, Verdict
+from gcs.cli.check.dialogue import CheckedVehicle, Heard, Question, Verdict
 from gcs.cli.check.judges import OK, acknowledged, answered
 from gcs.mavlink.autopilots import FlightMode
 from gcs.mavlink.codec import Message, message
 
 
-def _mode_number(vehicle: Vehicle, mode: FlightMode) -> int:
+def _mode_number(vehicle: CheckedVehicle, mode: FlightMode) -> int:
     return min(number for number, known in vehicle.profile.modes.items() if known is mode)
 
 
-def _set_hold(vehicle: Vehicle) -> Sequence[Message]:
+def _set_hold(vehicle: CheckedVehicle) -> Sequence[Message]:
     mode = {"base_mode": mav.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED, "custom_mode": _mode_number(vehicle, FlightMode.HOLD)}
     return [message("SET_MODE", target_system=vehicle.sysid, **mode)]
 
 
-def _flies(mode: FlightMode) -> Callable[[Vehicle, Any], bool]:
+def _flies(mode: FlightMode) -> Callable[[CheckedVehicle, Any], bool]:
     return lambda vehicle, content: vehicle.profile.mode(content.custom_mode) is mode
 
 
-def _says(wanted: bool) -> Callable[[Vehicle, Sequence[Heard]], Verdict | None]:
+def _says(wanted: bool) -> Callable[[CheckedVehicle, Sequence[Heard]], Verdict | None]:
     """The newest HEARTBEAT, which may have come together with the acknowledgement."""
     return lambda vehicle, _: OK if vehicle.armed is wanted else None
 
 
-def _stay(vehicle: Vehicle) -> Sequence[Message]:
+def _stay(vehicle: CheckedVehicle) -> Sequence[Message]:
     place = vehicle.of("LOCAL_POSITION_NED")
     x, y, z = (place.x, place.y, place.z) if place is not None else (0.0, 0.0, 0.0)
     rest = dict.fromkeys(("vx", "vy", "vz", "afx", "afy", "afz", "yaw", "yaw_rate"), 0.0)
@@ -40,7 +40,7 @@ def _stay(vehicle: Vehicle) -> Sequence[Message]:
     return to_vehicle("SET_POSITION_TARGET_LOCAL_NED", x=x, y=y, z=z, **rest, **frame)(vehicle)
 
 
-def _offboard(vehicle: Vehicle) -> Sequence[Message]:
+def _offboard(vehicle: CheckedVehicle) -> Sequence[Message]:
     return command_long(mav.MAV_CMD_DO_SET_MODE, *vehicle.profile.offboard)(vehicle)
 
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from gcs.cli.check.dialogue import Finding, Vehicle
+from gcs.cli.check.dialogue import CheckedVehicle, CheckFinding
 
 FAULTS = ("missing", "wrong")
 """Outcomes after which a vehicle does not pass; a late answer is told, but peers that ask again get it."""
 
 
-def line(finding: Finding) -> str:
+def line(finding: CheckFinding) -> str:
     """One finding as a line, and below it each peer that would miss it with what that peer would show."""
     took = f" ({1e3 * finding.after_s:.0f} ms)" if finding.after_s is not None and finding.outcome != "skipped" else ""
     said = f": {finding.text}" if finding.text else ""
@@ -21,7 +21,7 @@ def line(finding: Finding) -> str:
     return "\n".join(lines)
 
 
-def counted(findings: Iterable[Finding]) -> dict[str, int]:
+def counted(findings: Iterable[CheckFinding]) -> dict[str, int]:
     """How many of each outcome."""
     counts = dict.fromkeys(("ok", "late", "missing", "wrong", "skipped"), 0)
     for finding in findings:
@@ -29,12 +29,12 @@ def counted(findings: Iterable[Finding]) -> dict[str, int]:
     return counts
 
 
-def passed(findings: Iterable[Finding]) -> bool:
+def passed(findings: Iterable[CheckFinding]) -> bool:
     """Whether nothing is missing or wrong."""
     return not any(finding.outcome in FAULTS for finding in findings)
 
 
-def as_json(vehicle: Vehicle, others: Iterable[int], findings: Sequence[Finding]) -> dict[str, Any]:
+def as_json(vehicle: CheckedVehicle, others: Iterable[int], findings: Sequence[CheckFinding]) -> dict[str, Any]:
     """Everything as one object."""
     return {
         "sysid": vehicle.sysid,

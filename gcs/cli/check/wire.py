@@ -7,12 +7,12 @@ import select
 import time
 from collections.abc import Callable, Sequence
 
-from gcs.cli.check.dialogue import FIND_WITHIN_S, Dialogue, Finding
+from gcs.cli.check.dialogue import FIND_WITHIN_S, CheckFinding, Dialogue
 from gcs.link.socket import RECEIVE_BYTES, Where, open_udp
 from gcs.mavlink import codec
 from gcs.mavlink.ids import STATION
 from gcs.mavlink.sequence import SequenceCounter
-from gcs.scenario.endpoint import Address
+from gcs.scenario.endpoint import Endpoint
 
 POLL_S = 0.02
 
@@ -24,7 +24,7 @@ class CheckError(Exception):
 class Wire:
     """One connection, udpin or udpout; a listener answers whoever spoke last. Raises AddressRefused."""
 
-    def __init__(self, at: Address) -> None:
+    def __init__(self, at: Endpoint) -> None:
         self._socket, where = open_udp(at)
         self._to = None if at.way == "udpin" else where
         self._counter = SequenceCounter()
@@ -64,7 +64,7 @@ class Wire:
 def check(
     dialogue: Dialogue,
     wire: Wire,
-    told: Callable[[Finding], object],
+    told: Callable[[CheckFinding], object],
     *,
     find_within_s: float = FIND_WITHIN_S,
 ) -> None:

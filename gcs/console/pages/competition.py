@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from gcs.console.drawing.chart import CURVES, chart, curve_styles
-from gcs.console.model import Watch, margin
+from gcs.console.model import SessionModel, margin
 from gcs.console.text import Glyphs, Line, Lines, bar, fitted, left, number, titled, wrapped
 from gcs.session.plain_text import clean
 
@@ -15,7 +15,7 @@ BRIEF = 60
 """Cells below which a service that has ended is told by numbers alone."""
 
 
-def verdict(watch: Watch) -> Line:
+def verdict(watch: SessionModel) -> Line:
     """Who leads by how much, in one line."""
     competition = watch.competition
     if not competition.get("v"):
@@ -32,7 +32,7 @@ def verdict(watch: Watch) -> Line:
     return line
 
 
-def names(watch: Watch) -> list[str]:
+def names(watch: SessionModel) -> list[str]:
     """The vehicles whose curves are drawn: the greatest v now first, then who was greatest while the curves show."""
     now = {str(name): float(value) for name, value in (watch.competition.get("v") or {}).items()}
     best: dict[str, float] = {}
@@ -44,7 +44,7 @@ def names(watch: Watch) -> list[str]:
     return every[:MOST_CURVES]
 
 
-def why(watch: Watch, width: int, most: int) -> Lines:
+def why(watch: SessionModel, width: int, most: int) -> Lines:
     """Why each tanker flies where it flies."""
     lines: Lines = []
     for service in watch.snapshot.get("services") or ():
@@ -58,14 +58,14 @@ def why(watch: Watch, width: int, most: int) -> Lines:
     return lines[:most] or [[("  no tanker is under way", "dim")]]
 
 
-def compact(watch: Watch, *, width: int, height: int, glyphs: Glyphs) -> Lines:
+def compact(watch: SessionModel, *, width: int, height: int, glyphs: Glyphs) -> Lines:
     """Verdict, reason and curves in little room."""
     reasons = why(watch, width, 3)
     lines: Lines = [fitted(verdict(watch), width, glyphs), *reasons]
     return [*lines, *_curves(watch, width, height - len(lines), glyphs)]
 
 
-def _curves(watch: Watch, width: int, height: int, glyphs: Glyphs) -> Lines:
+def _curves(watch: SessionModel, width: int, height: int, glyphs: Glyphs) -> Lines:
     return chart(
         watch.contest,
         names(watch),
@@ -78,7 +78,7 @@ def _curves(watch: Watch, width: int, height: int, glyphs: Glyphs) -> Lines:
     )
 
 
-def page(watch: Watch, *, width: int, height: int, glyphs: Glyphs) -> Lines:
+def page(watch: SessionModel, *, width: int, height: int, glyphs: Glyphs) -> Lines:
     """All of it: reasons, curves, bids, and the services that have ended."""
     lines: Lines = [fitted([(" ", ""), *verdict(watch)], width, glyphs), *why(watch, width, 4)]
     half = min(46, width // 2)
@@ -98,7 +98,7 @@ def page(watch: Watch, *, width: int, height: int, glyphs: Glyphs) -> Lines:
     return lines
 
 
-def _bids(watch: Watch, glyphs: Glyphs) -> Lines:
+def _bids(watch: SessionModel, glyphs: Glyphs) -> Lines:
     """v and need of everyone in it, the greatest v first."""
     competition = watch.competition
     values = {str(k): float(x) for k, x in (competition.get("v") or {}).items()}
@@ -116,7 +116,7 @@ def _bids(watch: Watch, glyphs: Glyphs) -> Lines:
     return lines
 
 
-def _past(watch: Watch, *, brief: bool) -> Lines:
+def _past(watch: SessionModel, *, brief: bool) -> Lines:
     """What was served, the last one first: when it ended, how much, who by whom, and why; `brief`: in 40 cells."""
     lines: Lines = []
     for service in reversed(watch.snapshot.get("history") or ()):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from gcs.console import events_log
-from gcs.console.model import Watch
+from gcs.console.model import SessionModel
 from gcs.console.text import Glyphs, Line, Lines, titled
 
 NONE: Line = [("  none", "dim")]
@@ -16,7 +16,7 @@ class EventsPage:
         self.filter = events_log.Filter()
         self._back = self._matched = 0
 
-    def page(self, watch: Watch, *, width: int, height: int, glyphs: Glyphs) -> Lines:
+    def page(self, watch: SessionModel, *, width: int, height: int, glyphs: Glyphs) -> Lines:
         """As many as there is room for, from where it was scrolled to."""
         found = events_log.matching(watch, self.filter)
         if self._back:  # who reads what is past is not to lose his place
@@ -30,7 +30,7 @@ class EventsPage:
             note.append((f", {self._back} newer below", "look"))
         return [titled("events", width, glyphs, note), *(shown or [NONE])]
 
-    def recent(self, watch: Watch, *, width: int, height: int, glyphs: Glyphs) -> Lines:
+    def recent(self, watch: SessionModel, *, width: int, height: int, glyphs: Glyphs) -> Lines:
         """The newest ones."""
         found = events_log.matching(watch, self.filter)
         note: Line = [] if self.filter.open else [(self.filter.said(), "info")]

@@ -19,7 +19,7 @@ Cell = Callable[[Vehicle, Glyphs, int], Line]
 
 
 @dataclass(frozen=True)
-class Column:
+class TableColumn:
     """Title with unit, width, what is dropped first (the highest rank), and what a vehicle has there."""
 
     title: str
@@ -121,38 +121,38 @@ def _competition(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
 
 
 COLUMNS = (
-    Column(" id", 4, 0, identity, left, 4),
-    Column("rol", 3, 0, _role, left, 7, "role"),
-    Column("mode", 8, 0, _mode, left, 8),
-    Column("a", 1, 6, _armed, left, 3, "arm"),
-    Column("N m", 4, 5, _axis(0), right, 6),
-    Column("E m", 4, 5, _axis(1), right, 6),
-    Column("h m", 4, 3, _figure("height_m", 1), right, 5),
-    Column("m/s", 4, 4, _figure("speed_m_s", 1), right, 4),
-    Column("tgt", 4, 4, _figure("target_m", 1), right, 6, "tgt m"),
-    Column("battery", 8, 0, _battery, left, 12),
-    Column("J", 5, 3, _joules, right, 6),
-    Column("min", 5, 2, _minutes, right, 5),
-    Column("age", 3, 3, _figure("age_s", 1), right, 5, "age s"),
-    Column("ls%", 3, 4, _loss, right, 4, "los%"),
-    Column("state", 6, 2, _competition, left, 11, "competition"),
+    TableColumn(" id", 4, 0, identity, left, 4),
+    TableColumn("rol", 3, 0, _role, left, 7, "role"),
+    TableColumn("mode", 8, 0, _mode, left, 8),
+    TableColumn("a", 1, 6, _armed, left, 3, "arm"),
+    TableColumn("N m", 4, 5, _axis(0), right, 6),
+    TableColumn("E m", 4, 5, _axis(1), right, 6),
+    TableColumn("h m", 4, 3, _figure("height_m", 1), right, 5),
+    TableColumn("m/s", 4, 4, _figure("speed_m_s", 1), right, 4),
+    TableColumn("tgt", 4, 4, _figure("target_m", 1), right, 6, "tgt m"),
+    TableColumn("battery", 8, 0, _battery, left, 12),
+    TableColumn("J", 5, 3, _joules, right, 6),
+    TableColumn("min", 5, 2, _minutes, right, 5),
+    TableColumn("age", 3, 3, _figure("age_s", 1), right, 5, "age s"),
+    TableColumn("ls%", 3, 4, _loss, right, 4, "los%"),
+    TableColumn("state", 6, 2, _competition, left, 11, "competition"),
 )
 
 
 @dataclass(frozen=True)
-class Layout:
+class TableLayout:
     """Which columns stand in a table of some width, how wide, and what room is left for words of trouble."""
 
-    columns: tuple[tuple[Column, int], ...]
+    columns: tuple[tuple[TableColumn, int], ...]
     gap: int
     words: int
 
 
-def layout(width: int) -> Layout:
+def layout(width: int) -> TableLayout:
     """The columns that fit; the least important ones are left out, the roomy widths taken where possible."""
     shown = list(COLUMNS)
 
-    def taken(columns: Sequence[Column], *, wide: bool, gap: int) -> int:
+    def taken(columns: Sequence[TableColumn], *, wide: bool, gap: int) -> int:
         return sum(c.wide if wide else c.width for c in columns) + gap * (len(columns) - 1)
 
     while taken(shown, wide=False, gap=1) > width and any(c.rank for c in shown):
@@ -162,10 +162,10 @@ def layout(width: int) -> Layout:
     gap = 2 if wide and taken(shown, wide=True, gap=2) + 2 + LEAST_WORDS <= width else 1
     words = width - taken(shown, wide=wide, gap=gap) - gap
     widths = tuple((c, c.wide if wide else c.width) for c in shown)
-    return Layout(widths, gap, words if words >= LEAST_WORDS else 0)
+    return TableLayout(widths, gap, words if words >= LEAST_WORDS else 0)
 
 
-def heading(plan: Layout) -> Line:
+def heading(plan: TableLayout) -> Line:
     """The titles over their columns."""
     line: Line = []
     for column, width in plan.columns:
@@ -174,7 +174,7 @@ def heading(plan: Layout) -> Line:
     return [*line, (left("trouble", plan.words), "heading")] if plan.words else line[:-1]
 
 
-def row(vehicle: Vehicle, plan: Layout, glyphs: Glyphs, *, chosen: bool) -> Line:
+def row(vehicle: Vehicle, plan: TableLayout, glyphs: Glyphs, *, chosen: bool) -> Line:
     """One vehicle."""
     line: Line = []
     for column, width in plan.columns:

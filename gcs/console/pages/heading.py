@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from gcs.console.model import Watch, severity, troubles
+from gcs.console.model import SessionModel, severity, troubles
 from gcs.console.text import Glyphs, Line, bar, fitted, width_of
 from gcs.session.plain_text import clean
 
@@ -14,7 +14,7 @@ PHASES = {"starting": "info", "flying": "well", "paused": "look", "ended": "titl
 LONGEST_BAR = 40
 
 
-def session_line(watch: Watch, title: str, connected: bool, width: int, glyphs: Glyphs) -> Line:
+def session_line(watch: SessionModel, title: str, connected: bool, width: int, glyphs: Glyphs) -> Line:
     """Name, time, progress, speed, phase, connection."""
     replay, snapshot = watch.replay, watch.snapshot
     name = clean(watch.session.get("name") or title or "session")
@@ -47,7 +47,7 @@ def _pace(replay: Mapping[str, Any] | None, snapshot: Mapping[str, Any]) -> str:
     return "-" if speed is None else f"{float(speed):.2f}"
 
 
-def goal_line(watch: Watch, page: str, width: int, glyphs: Glyphs) -> Line:
+def goal_line(watch: SessionModel, page: str, width: int, glyphs: Glyphs) -> Line:
     """The pages, the present one marked, and how far the goal is."""
     goal: Line = []
     for what, have, need, text in _goal(watch):
@@ -72,7 +72,7 @@ def _tabs(page: str, *, short: bool) -> Line:
     return line
 
 
-def _goal(watch: Watch) -> Iterable[tuple[str, float, float, str]]:
+def _goal(watch: SessionModel) -> Iterable[tuple[str, float, float, str]]:
     goal = {**(watch.session.get("goal") or {}), **(watch.snapshot.get("goal") or {})}
     if goal.get("pursue_for_s") is not None:
         have, need = float(goal.get("pursue_held_s") or 0.0), float(goal["pursue_for_s"])
@@ -84,7 +84,7 @@ def _goal(watch: Watch) -> Iterable[tuple[str, float, float, str]]:
         yield "refuel", 1, 1, str(refuelled)
 
 
-def trouble_line(watch: Watch, width: int, glyphs: Glyphs) -> Line:
+def trouble_line(watch: SessionModel, width: int, glyphs: Glyphs) -> Line:
     """The worst vehicles and what is wrong with them; on every page, always in the same place."""
     if not watch.vehicles:
         waiting = watch.session.get("vehicles")

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from gcs.console.drawing.canvas import Canvas, Point
-from gcs.console.model import Vehicle, Watch, severity
+from gcs.console.model import SessionModel, Vehicle, severity
 from gcs.console.text import Glyphs, Lines
 from gcs.session.plain_text import clean
 
@@ -43,7 +43,7 @@ class PlanView:
         n, e = self.centre_ne
         self.centre_ne = (n + north * PAN * height * self.m_per_dot, e + east * PAN * width * self.m_per_dot)
 
-    def settle(self, watch: Watch, canvas: Canvas) -> None:
+    def settle(self, watch: SessionModel, canvas: Canvas) -> None:
         """Take the window that `fit` or `follow` asks for. It moves in steps, so that the picture does not tremble."""
         if self.fit or self.m_per_dot <= 0.0:
             self._fit(list(_extent(watch)), canvas)
@@ -65,7 +65,7 @@ class PlanView:
         self.centre_ne = (round(north / step_m) * step_m, round(east / step_m) * step_m)
 
 
-def _extent(watch: Watch) -> Iterable[tuple[float, float]]:
+def _extent(watch: SessionModel) -> Iterable[tuple[float, float]]:
     for vehicle in watch.vehicles.values():
         if vehicle.get("p_ned") is not None:
             yield vehicle["p_ned"][0], vehicle["p_ned"][1]
@@ -78,7 +78,7 @@ def _extent(watch: Watch) -> Iterable[tuple[float, float]]:
             yield base["p_ned"][0], base["p_ned"][1]
 
 
-def draw(watch: Watch, view: PlanView, *, width: int, height: int, glyphs: Glyphs, chosen: int | None) -> Lines:
+def draw(watch: SessionModel, view: PlanView, *, width: int, height: int, glyphs: Glyphs, chosen: int | None) -> Lines:
     """The plan in `width` x `height` cells; `view` is settled on the way."""
     canvas = Canvas(width, height, glyphs)
     view.settle(watch, canvas)
@@ -160,7 +160,9 @@ def _obstacle(canvas: Canvas, obstacle: Mapping[str, Any], at: Any, cell: Any, g
         canvas.put(column, row, "×" if glyphs.unicode else "#", "obstacle", WALL)
 
 
-def _rendezvous(canvas: Canvas, service: Mapping[str, Any], watch: Watch, at: Any, cell: Any, glyphs: Glyphs) -> None:
+def _rendezvous(
+    canvas: Canvas, service: Mapping[str, Any], watch: SessionModel, at: Any, cell: Any, glyphs: Glyphs
+) -> None:
     place = service.get("rendezvous_ned")
     tanker = watch.vehicles.get(service.get("tanker", -1))
     if place is None:

@@ -8,7 +8,7 @@ from typing import Any
 
 from gcs.console.events_log import Filter, matching
 from gcs.console.events_log import line as event_line
-from gcs.console.model import Vehicle, Watch, battery_share, severity, troubles
+from gcs.console.model import SessionModel, Vehicle, battery_share, severity, troubles
 from gcs.console.pages.fleet import battery_style, mode
 from gcs.console.text import Glyphs, Line, Lines, bar, fitted, left, number, titled, wrapped
 from gcs.session.plain_text import clean, minutes
@@ -17,7 +17,9 @@ EVENTS = 3
 NAME = 12
 
 
-def page(watch: Watch, sysid: int | None, *, width: int, height: int, back: int, glyphs: Glyphs) -> tuple[Lines, int]:
+def page(
+    watch: SessionModel, sysid: int | None, *, width: int, height: int, back: int, glyphs: Glyphs
+) -> tuple[Lines, int]:
     """(lines, how far its messages can be scrolled); `back` is how far they are."""
     vehicle = watch.vehicles.get(-1 if sysid is None else sysid)
     if vehicle is None or sysid is None:
@@ -35,7 +37,7 @@ def page(watch: Watch, sysid: int | None, *, width: int, height: int, back: int,
     return [*lines, *told[back : back + room]], most
 
 
-def _state(watch: Watch, vehicle: Vehicle, width: int, glyphs: Glyphs) -> Lines:
+def _state(watch: SessionModel, vehicle: Vehicle, width: int, glyphs: Glyphs) -> Lines:
     known = watch.known.get(vehicle["sysid"], {})
     text, style = mode(vehicle)
     level = severity(vehicle)
@@ -99,7 +101,7 @@ def _link(vehicle: Vehicle) -> str:
     return f"{lost} ({vehicle.get('lost', '-')}), {number(vehicle.get('heard_s'), 5)} s ago"
 
 
-def _told(watch: Watch, sysid: int, width: int, glyphs: Glyphs) -> Lines:
+def _told(watch: SessionModel, sysid: int, width: int, glyphs: Glyphs) -> Lines:
     """Each message: name, rate, age, count, and its fields."""
     inspected = watch.snapshot.get("inspected") or {}
     messages: Mapping[str, Any] = inspected.get(str(sysid)) or {}

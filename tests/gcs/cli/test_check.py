@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import pytest
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.cli.check.dialogue import Dialogue, Finding
+from gcs.cli.check.dialogue import CheckFinding, Dialogue
 from gcs.cli.check.questions import questions
 from gcs.cli.check.report import as_json, line, passed
 from gcs.mavlink import codec
@@ -49,7 +49,7 @@ class Scripted:
         return codec.split(message.pack(self.link)).frames[0]
 
 
-def examine(vehicle: Scripted, *keys: str, arm: bool = False) -> dict[str, Finding]:
+def examine(vehicle: Scripted, *keys: str, arm: bool = False) -> dict[str, CheckFinding]:
     """The findings of some questions, by key, with the vehicle answering 10 ms after it was asked."""
     asked = [q for q in questions(arm=arm) if q.key in ("heartbeat", *keys)]
     dialogue = Dialogue(asked)

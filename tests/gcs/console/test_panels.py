@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 from gcs.console.drawing.canvas import Canvas
 from gcs.console.drawing.chart import chart, curve_styles
 from gcs.console.job import can_suspend
-from gcs.console.model import TRAIL_LENGTH, Watch, margin, ordered
+from gcs.console.model import TRAIL_LENGTH, SessionModel, margin, ordered
 from gcs.console.pages.fleet import table, window
 from gcs.console.pages.heading import session_line
 from gcs.console.pages.map_view import symbol
@@ -187,7 +187,7 @@ def test_axes_stand_before_anybody_has_competed() -> None:
 
 
 def test_trails_are_bounded_and_forgotten_when_time_goes_back() -> None:
-    watch = Watch()
+    watch = SessionModel()
     for tick in range(2000):
         watch.take([snapshot(tick / 10.0, since_s=(tick - 1) / 10.0)])
     assert {len(trail) for trail in watch.trails.values()} == {TRAIL_LENGTH}
@@ -202,7 +202,7 @@ def test_the_margin_is_the_share_less_what_is_needed() -> None:
 
 
 def test_a_lost_connection_is_told_in_words() -> None:
-    watch = Watch()
+    watch = SessionModel()
     watch.take([snapshot(10.0)])
     assert "not connected" in text([session_line(watch, "demo", False, 80, UNICODE)])[0]
 

@@ -15,7 +15,7 @@ from typing import Any
 import pytest
 
 from gcs.session.client import Client, Lines
-from gcs.session.plain_text import JsonView, News, PlainView, farewell, progress
+from gcs.session.plain_text import EventLines, JsonView, PlainView, farewell, progress
 from gcs.session.supervised import PATIENCE_S, SAVES_WITHIN_S, Supervised
 
 
@@ -79,7 +79,7 @@ def demo(**other: Any) -> dict[str, Any]:
 
 
 def news(content: dict[str, Any]) -> list[str]:
-    return News().lines(content)
+    return EventLines().lines(content)
 
 
 def test_text_from_the_air_cannot_steer_the_terminal() -> None:

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from gcs.link.impairment import Blackout, Impairment
+from gcs.link.impairment import BlackoutWindow, Impairment
 
 MANY = 20_000
 
@@ -74,7 +74,7 @@ def test_reordered_frame_follows_the_next_one_even_over_ticks() -> None:
 
 
 def test_nothing_passes_in_a_blackout_of_that_vehicle_only() -> None:
-    radio = Impairment(blackouts=[Blackout(sysid=1, from_s=1.0, to_s=2.0)])
+    radio = Impairment(blackouts=[BlackoutWindow(sysid=1, from_s=1.0, to_s=2.0)])
     times = sorted({at for at, _ in flown(radio, ticks=30)})
     assert times == [tick / 10 for tick in (*range(10), *range(20, 30))]
     assert len(flown(radio, ticks=30, sysid=2)) == 150

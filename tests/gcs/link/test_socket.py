@@ -5,14 +5,14 @@ import socket
 import pytest
 
 from gcs.link.socket import AddressRefused, open_udp, resolve
-from gcs.scenario.endpoint import Address
+from gcs.scenario.endpoint import Endpoint
 
 
 @pytest.mark.parametrize("host", ["127.0.0.1", "localhost"])
 def test_one_listens_and_the_other_finds_it(host: str) -> None:
-    listens, _ = open_udp(Address("udpin", host, 0))
+    listens, _ = open_udp(Endpoint("udpin", host, 0))
     with listens:
-        speaks, where = open_udp(Address("udpout", host, listens.getsockname()[1]))
+        speaks, where = open_udp(Endpoint("udpout", host, listens.getsockname()[1]))
         with speaks:
             speaks.sendto(b"hello", where)
             listens.settimeout(5.0)
@@ -25,7 +25,7 @@ def test_one_listens_and_the_other_finds_it(host: str) -> None:
 def test_an_address_in_use_is_told_with_what_to_do() -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
         taken.bind(("127.0.0.1", 0))
-        at = Address("udpin", *taken.getsockname())
+        at = Endpoint("udpin", *taken.getsockname())
         with pytest.raises(AddressRefused) as caught:
             open_udp(at)
     assert str(caught.value) == (
@@ -36,10 +36,10 @@ def test_an_address_in_use_is_told_with_what_to_do() -> None:
 
 def test_an_address_of_another_machine_is_told_with_what_to_do() -> None:
     with pytest.raises(AddressRefused, match=r"^udpin:203\.0\.113\.7:14550 cannot .* this machine has no such address"):
-        open_udp(Address("udpin", "203.0.113.7", 14550))
+        open_udp(Endpoint("udpin", "203.0.113.7", 14550))
 
 
 @pytest.mark.parametrize("host", ["no.such.host.invalid", "x" * 70 + ".y"])
 def test_a_host_that_cannot_be_found_is_named(host: str) -> None:
     with pytest.raises(AddressRefused, match=f"^udpout:{host}:14550: the host {host} cannot be found: "):
-        resolve(Address("udpout", host, 14550))
+        resolve(Endpoint("udpout", host, 14550))

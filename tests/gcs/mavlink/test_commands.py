@@ -8,7 +8,7 @@ from pymavlink.dialects.v20 import common
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Message
-from gcs.mavlink.commands import PROGRESS_S, CommandInt, CommandLong, CommandQueue, CommandResult, Target
+from gcs.mavlink.commands import PROGRESS_S, CommandInt, CommandLong, CommandQueue, CommandResult, CommandTarget
 
 ARM, TAKEOFF = common.MAV_CMD_COMPONENT_ARM_DISARM, common.MAV_CMD_NAV_TAKEOFF
 ACCEPTED, DENIED, IN_PROGRESS = (
@@ -16,7 +16,7 @@ ACCEPTED, DENIED, IN_PROGRESS = (
     common.MAV_RESULT_DENIED,
     common.MAV_RESULT_IN_PROGRESS,
 )
-VEHICLE = Target(3, 1)
+VEHICLE = CommandTarget(3, 1)
 
 
 def ack(command: int, result: int = ACCEPTED, target: tuple[int, int] = (255, 190)) -> Any:
@@ -112,7 +112,7 @@ def test_same_id_waits_its_turn_and_others_do_not(queue: CommandQueue) -> None:
     assert len(queue.send(first, 0.0, token=1)) == 1
     assert queue.send(second, 0.0, token=2) == []
     assert len(queue.send(CommandLong(VEHICLE, ARM), 0.0)) == 1
-    assert len(queue.send(CommandLong(Target(3, 100), first.command, (30,)), 0.0)) == 1
+    assert len(queue.send(CommandLong(CommandTarget(3, 100), first.command, (30,)), 0.0)) == 1
     step = queue.on_ack(3, 1, ack(first.command, DENIED), 0.1)
     assert [result.token for result in step.results] == [1]
     assert [decoded(message).param1 for message in step.messages] == [32]
@@ -145,7 +145,7 @@ def test_acknowledgements_for_others_from_others_or_of_nothing_are_ignored(queue
 def test_unaddressed_acknowledgement_and_any_component_of_a_broadcast_count(queue: CommandQueue) -> None:
     queue.send(CommandLong(VEHICLE, ARM, (1,)), 0.0)
     assert len(queue.on_ack(3, 1, ack(ARM, target=(0, 0)), 0.1).results) == 1
-    queue.send(CommandLong(Target(3, 0), ARM, (1,)), 1.0)
+    queue.send(CommandLong(CommandTarget(3, 0), ARM, (1,)), 1.0)
     assert queue.on_ack(3, 1, ack(ARM), 1.1).results[0].target == (3, 0)
 
 
@@ -157,7 +157,7 @@ def test_command_that_does_not_fit_is_refused_and_leaves_no_trace(queue: Command
     with pytest.raises(ValueError, match=r"COMMAND_INT.x cannot be nan"):
         queue.send(CommandInt(VEHICLE, ARM, 0, x=math.nan), 0.0)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match=r"COMMAND_LONG.target_system cannot be 256"):
-        queue.send(CommandLong(Target(256, 1), ARM), 0.0)
+        queue.send(CommandLong(CommandTarget(256, 1), ARM), 0.0)
     assert queue.idle
 
 

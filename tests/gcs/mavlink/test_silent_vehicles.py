@@ -3,13 +3,13 @@
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink import codec
-from gcs.mavlink.stream_requests import QUIET_S, Quiet, everything
+from gcs.mavlink.stream_requests import QUIET_S, SilentVehicles, everything
 
 HEARTBEAT, ATTITUDE = mav.MAVLINK_MSG_ID_HEARTBEAT, mav.MAVLINK_MSG_ID_ATTITUDE
 
 
 def test_who_only_beats_is_dealt_with_again_and_again_until_he_tells_more() -> None:
-    quiet = Quiet()
+    quiet = SilentVehicles()
     for k in range(12):
         quiet.heard(3, HEARTBEAT, 1.0 + k)
         quiet.heard(4, HEARTBEAT, 1.0 + k)

@@ -4,31 +4,31 @@ import pytest
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink import codec
-from gcs.mavlink.stream_requests import CHECK_S, Streams, needs
+from gcs.mavlink.stream_requests import CHECK_S, StreamRequests, needs
 
 RATES_HZ = {need.name: need.rate_hz for need in needs(0.1)}
 
 
-def asked(streams: Streams, now_s: float, known: bool = True) -> dict[str, tuple[int, tuple[float, ...]]]:
+def asked(streams: StreamRequests, now_s: float, known: bool = True) -> dict[str, tuple[int, tuple[float, ...]]]:
     asks, _ = streams.poll(now_s, origin_known=known)
     return {ask.token: (ask.command.command, ask.command.params) for ask in asks}
 
 
-def old_way(streams: Streams, now_s: float) -> list[tuple[int, int]]:
+def old_way(streams: StreamRequests, now_s: float) -> list[tuple[int, int]]:
     _, messages = streams.poll(now_s, origin_known=True)
     names = codec.layout("REQUEST_DATA_STREAM").record._fields
     fields = [dict(zip(names, message.values, strict=True)) for message in messages]
     return [(one["req_stream_id"], one["req_message_rate"]) for one in fields]
 
 
-def hear(streams: Streams, seconds: float, **left_out: float) -> None:
+def hear(streams: StreamRequests, seconds: float, **left_out: float) -> None:
     for name, rate_hz in (RATES_HZ | left_out).items():
         for _ in range(round(seconds * rate_hz)):
             streams.heard(codec.msgid(name), 0.0)
 
 
 def test_each_message_is_asked_for_once_at_the_rate_that_is_needed() -> None:
-    streams = Streams(3, needs(0.1))
+    streams = StreamRequests(3, needs(0.1))
     first = asked(streams, 0.0)
     for name, rate_hz in RATES_HZ.items():
         number = float(getattr(mav, f"MAVLINK_MSG_ID_{name}"))
@@ -39,7 +39,7 @@ def test_each_message_is_asked_for_once_at_the_rate_that_is_needed() -> None:
 
 
 def test_what_is_refused_is_asked_for_by_its_group_and_then_by_all() -> None:
-    streams = Streams(3, needs(0.1))
+    streams = StreamRequests(3, needs(0.1))
     asked(streams, 0.0)
     assert old_way(streams, 0.1) == []
     streams.answered("stream LOCAL_POSITION_NED", False)
@@ -58,7 +58,7 @@ def test_what_is_refused_is_asked_for_by_its_group_and_then_by_all() -> None:
 
 
 def test_what_does_not_come_or_too_seldom_is_named_once_and_again_when_it_comes() -> None:
-    streams = Streams(3, needs(0.1))
+    streams = StreamRequests(3, needs(0.1))
     asked(streams, 0.0)
     hear(streams, CHECK_S, BATTERY_STATUS=0.0, ATTITUDE=1.0)
     assert streams.check(CHECK_S - 0.1) == []
@@ -76,7 +76,7 @@ def test_what_does_not_come_or_too_seldom_is_named_once_and_again_when_it_comes(
 
 def test_what_begins_to_come_in_the_midst_of_a_count_is_counted_from_there() -> None:
     """An ArduCopter tells its position from when it has found it."""
-    streams = Streams(3, needs(0.1))
+    streams = StreamRequests(3, needs(0.1))
     asked(streams, 0.0)
     hear(streams, CHECK_S, LOCAL_POSITION_NED=0.0)
     assert streams.check(CHECK_S) == ["LOCAL_POSITION_NED does not come"]
@@ -89,7 +89,7 @@ def test_what_begins_to_come_in_the_midst_of_a_count_is_counted_from_there() -> 
 
 
 def test_what_was_granted_and_does_not_come_is_asked_for_the_old_way_too() -> None:
-    streams = Streams(3, needs(0.1))
+    streams = StreamRequests(3, needs(0.1))
     asked(streams, 0.0)
     hear(streams, CHECK_S, ATTITUDE=0.0)
     streams.check(CHECK_S)
@@ -98,7 +98,7 @@ def test_what_was_granted_and_does_not_come_is_asked_for_the_old_way_too() -> No
 
 def test_who_says_nothing_of_what_was_asked_for_is_asked_again() -> None:
     """An ArduCopter that has booted sends its HEARTBEAT and little else; whether it flies is in no group."""
-    streams = Streams(3, needs(0.1))
+    streams = StreamRequests(3, needs(0.1))
     first = asked(streams, 0.0)
     hear(streams, CHECK_S)
     streams.check(CHECK_S)
@@ -112,7 +112,7 @@ def test_who_says_nothing_of_what_was_asked_for_is_asked_again() -> None:
 
 
 def test_the_origin_is_asked_for_until_it_is_known_and_now_and_then_after() -> None:
-    streams = Streams(3, needs(0.1))
+    streams = StreamRequests(3, needs(0.1))
     tokens = ("origin GPS_GLOBAL_ORIGIN", "origin HOME_POSITION")
     first = asked(streams, 0.0, known=False)
     numbers = [first[token] for token in tokens]
@@ -124,17 +124,17 @@ def test_the_origin_is_asked_for_until_it_is_known_and_now_and_then_after() -> N
 
 
 def test_who_cannot_be_asked_for_a_message_is_asked_for_home_in_the_old_words() -> None:
-    streams = Streams(3, needs(0.1))
+    streams = StreamRequests(3, needs(0.1))
     (ask,) = streams.answered("origin HOME_POSITION", False)
     assert ask.command.command == mav.MAV_CMD_GET_HOME_POSITION
     assert streams.answered("origin GPS_GLOBAL_ORIGIN", False) == []
     assert streams.answered(ask.token, False) == []
-    assert Streams.owns(ask.token)
-    assert not Streams.owns("pilot arm")
+    assert StreamRequests.owns(ask.token)
+    assert not StreamRequests.owns("pilot arm")
 
 
 def test_after_a_boot_everything_is_asked_for_again() -> None:
-    streams = Streams(3, needs(0.1))
+    streams = StreamRequests(3, needs(0.1))
     asked(streams, 0.0)
     streams.restart()
     assert {f"stream {name}" for name in RATES_HZ} <= set(asked(streams, 50.0))

@@ -18,7 +18,7 @@ from gcs.planner.planner import Planner
 from gcs.scenario import geometry
 from gcs.scenario.geometry import surface
 from gcs.scenario.model import Obstacle, Scenario
-from gcs.telemetry.state import Snapshot, TrafficView, Vec3, VehicleView
+from gcs.telemetry.state import FleetState, TrafficView, Vec3, VehicleView
 
 PERIOD_S = 0.1
 LAG_S = 0.37
@@ -60,9 +60,9 @@ class World:
         self.v = dict.fromkeys(self.at, (0.0, 0.0, 0.0))
         self._past: dict[int, deque[tuple[float, Vec3, Vec3]]] = {sysid: deque(maxlen=8) for sysid in self.at}
 
-    def snapshot(self) -> Snapshot:
+    def snapshot(self) -> FleetState:
         views = [view(v.sysid, v.role, self.at[v.sysid], self.v[v.sysid]) for v in self.scenario.vehicles.all]
-        return Snapshot(self.time_s, tuple(views), tuple(self.traffic(self.time_s)))
+        return FleetState(self.time_s, tuple(views), tuple(self.traffic(self.time_s)))
 
     def tick(
         self, rendezvous: Mapping[int, int] | None = None, partners: Iterable[tuple[int, int]] = (), move: bool = True

@@ -11,7 +11,7 @@ from gcs.recording.decisions import event_of, records_of_tick
 from gcs.recording.writer import decision_line
 from gcs.refuelling.bidding import Standing
 from gcs.refuelling.service import Decision
-from gcs.scenario.guard import Problem
+from gcs.scenario.guard import PluginFault
 from gcs.telemetry.energy import Fact
 
 SERVED = {
@@ -28,7 +28,7 @@ def test_what_is_told_of_a_tick_is_what_its_lines_tell_afterwards() -> None:
         (),
         pursued=[{"kind": "pursuit", "pursuer": 1, "target": 101}],
         facts=[(3, Fact("A battery was swapped", 1000.0))],
-        problems=[Problem(4, "planner a:B", "returned NaN")],
+        problems=[PluginFault(4, "planner a:B", "returned NaN")],
         standings=(nobody, nobody),
     )
     assert [event.text for event in events] == [

@@ -12,11 +12,11 @@ import pytest
 from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.mavlink.commands import CommandRequest
 from gcs.refuelling.explain import sentence
-from gcs.refuelling.scheduler import Schedule
+from gcs.refuelling.scheduler import Scheduler
 from gcs.refuelling.service import Decision, Phase, Service
-from gcs.refuelling.transfer_command import Role
-from gcs.scenario.model import Base, Battery, Competition, Refuelling, Tanker
-from gcs.telemetry.state import Snapshot, VehicleView
+from gcs.refuelling.transfer_command import TransferRole
+from gcs.scenario.model import Base, Battery, CompetitionRules, RefuellingRules, Tanker
+from gcs.telemetry.state import FleetState, VehicleView
 
 ORDER = 31010
 PAD = Base(name="pad", position_m=(10.0, 0.0, 0.0), rate_w=2000.0, stock_j=50_000.0)
@@ -38,7 +38,7 @@ def view(sysid: int, role: str = "pursuer", **changed: Any) -> VehicleView:
 class World:
     """Vehicles that go where they are led at once, land when they are to, and count what bases tell them of."""
 
-    schedule: Schedule
+    schedule: Scheduler
     views: dict[int, VehicleView]
     hears: bool = True
     """whether receivers credit what the base's XferOut tells"""
@@ -56,7 +56,9 @@ class World:
         self.views[sysid] = self.views[sysid]._replace(**changed)
 
     def tick(self) -> Decision:
-        decision = self.schedule.decide(Snapshot(self.now_s, tuple(self.views[key] for key in sorted(self.views)), ()))
+        decision = self.schedule.decide(
+            FleetState(self.now_s, tuple(self.views[key] for key in sorted(self.views)), ())
+        )
         self.decisions.append(decision)
         for wish in decision.requests:
             self._obey(wish)
@@ -85,10 +87,10 @@ class World:
         assert wish.command == ORDER
         self.orders.append((wish.sysid, *map(int, wish.params[:6])))
         role = int(wish.params[1])
-        self.schedule.result(wish.token, self.accepts or role == Role.STOP)
-        if role == Role.RECEIVE and self.accepts:
+        self.schedule.result(wish.token, self.accepts or role == TransferRole.STOP)
+        if role == TransferRole.RECEIVE and self.accepts:
             self.starts[wish.sysid], self.credited[wish.sysid] = int(wish.params[5]), 0
-        elif role == Role.STOP:
+        elif role == TransferRole.STOP:
             self.starts.pop(wish.sysid, None)
 
     def until(self, phase: Phase, service: int = 0, within_s: float = 120.0) -> Service:
@@ -104,12 +106,12 @@ class World:
 
 
 def world(
-    *views: VehicleView, bases: tuple[Base, ...] = (PAD,), rules: Refuelling | None = None, **changed: Any
+    *views: VehicleView, bases: tuple[Base, ...] = (PAD,), rules: RefuellingRules | None = None, **changed: Any
 ) -> World:
     seen = views or (view(1),)
     unable = {one.sysid: False for one in seen if one.role == "pursuer"}
-    schedule = Schedule(
-        Competition(), rules or Refuelling(hold_s=1.0), (), bases=bases, can_receive=unable, cruise_m_s=1.5
+    schedule = Scheduler(
+        CompetitionRules(), rules or RefuellingRules(hold_s=1.0), (), bases=bases, can_receive=unable, cruise_m_s=1.5
     )
     return World(schedule, {one.sysid: one for one in seen}, **changed)
 
@@ -149,10 +151,13 @@ def test_the_ground_station_is_the_partner_on_the_wire() -> None:
     """MAV_CMD_USER_1: partner 255, role, limit in J, rate in W, transfer id, the base's XferOut at the start."""
     game = world()
     game.until(Phase.DONE)
-    assert game.orders == [(1, 255, Role.RECEIVE, 5000, 2000, 1, 0), (1, 255, Role.STOP, 5000, 2000, 1, 0)]
+    assert game.orders == [
+        (1, 255, TransferRole.RECEIVE, 5000, 2000, 1, 0),
+        (1, 255, TransferRole.STOP, 5000, 2000, 1, 0),
+    ]
     game.set(1, drawn_j=5_000.0)
     game.until(Phase.DONE, 1)
-    assert game.orders[2] == (1, 255, Role.RECEIVE, 5000, 2000, 2, 5000)
+    assert game.orders[2] == (1, 255, TransferRole.RECEIVE, 5000, 2000, 2, 5000)
 
 
 def test_it_is_led_above_the_base_before_it_is_to_land() -> None:
@@ -196,9 +201,11 @@ def test_two_bases_serve_two_at_once_each_the_nearer_one() -> None:
 def test_tankers_serve_those_who_can_and_bases_those_who_cannot() -> None:
     tanker = Tanker(sysid=201, start_m=(0.0, 0.0, -6.0), airborne=True, battery=Battery(capacity_j=150_000.0))
     views = (view(1), view(2), view(201, "tanker", p_ned=(0.0, 0.0, -6.0), capacity_j=15e4, initial_j=15e4))
-    schedule = Schedule(Competition(), Refuelling(), (tanker,), bases=(PAD,), can_receive={1: True, 2: False})
+    schedule = Scheduler(
+        CompetitionRules(), RefuellingRules(), (tanker,), bases=(PAD,), can_receive={1: True, 2: False}
+    )
     for k in range(40):
-        schedule.decide(Snapshot(0.1 * k, views, ()))
+        schedule.decide(FleetState(0.1 * k, views, ()))
     assert {service.receiver: service.giver for service in schedule.services} == {1: "201", 2: "base pad"}
     tanked, based = schedule.standings
     assert (2 in tanked.tau, 1 in based.tau) == (False, False)
@@ -207,8 +214,8 @@ def test_tankers_serve_those_who_can_and_bases_those_who_cannot() -> None:
 def test_without_a_base_who_cannot_take_a_transfer_is_served_by_nobody() -> None:
     tanker = Tanker(sysid=201, start_m=(0.0, 0.0, -6.0), airborne=True, battery=Battery(capacity_j=150_000.0))
     views = (view(2), view(201, "tanker", capacity_j=15e4, initial_j=15e4))
-    schedule = Schedule(Competition(), Refuelling(), (tanker,), can_receive={2: False})
-    records = [record for k in range(600) for record in schedule.decide(Snapshot(0.1 * k, views, ())).records]
+    schedule = Scheduler(CompetitionRules(), RefuellingRules(), (tanker,), can_receive={2: False})
+    records = [record for k in range(600) for record in schedule.decide(FleetState(0.1 * k, views, ())).records]
     assert [record["kind"] for record in records] == ["unable"]
 
 
@@ -283,12 +290,12 @@ def test_a_receiver_that_refuses_takes_off_again() -> None:
     game = world(accepts=False)
     service = game.until(Phase.DONE)
     assert service.ended_by == "the receiver refused"
-    assert [role for _, _, role, *_ in game.orders] == [Role.RECEIVE] * 5 + [Role.STOP]
+    assert [role for _, _, role, *_ in game.orders] == [TransferRole.RECEIVE] * 5 + [TransferRole.STOP]
     assert game.schedule.stocks[0].given_j == 0
 
 
 def test_a_limit_is_kept() -> None:
-    game = world(rules=Refuelling(hold_s=1.0, limit_j=1_234.0))
+    game = world(rules=RefuellingRules(hold_s=1.0, limit_j=1_234.0))
     service = game.until(Phase.DONE)
     assert (service.energy_j, service.ended_by) == (1_234, "limit")
 
@@ -334,7 +341,9 @@ def test_one_that_is_taken_out_leaves_its_service_in_order(phase: Phase) -> None
     service = game.until(Phase.DONE)
     assert service.ended_by == "pursuer 1 is out"
     assert game.schedule.stocks[0].given_j == service.energy_j == (600 if phase is Phase.TRANSFER else 0)
-    assert [role for _, _, role, *_ in game.orders] == ([Role.RECEIVE, Role.STOP] if phase is Phase.TRANSFER else [])
+    assert [role for _, _, role, *_ in game.orders] == (
+        [TransferRole.RECEIVE, TransferRole.STOP] if phase is Phase.TRANSFER else []
+    )
 
 
 def test_only_a_charge_binds_a_vehicle() -> None:

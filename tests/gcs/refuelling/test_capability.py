@@ -7,9 +7,9 @@ import math
 import pytest
 
 from gcs.mavlink.autopilots import PX4, FlightMode
-from gcs.refuelling.capability import Ability
+from gcs.refuelling.capability import ReceiverCapability
 from gcs.refuelling.service import ServiceRequests
-from gcs.telemetry.state import Snapshot, VehicleView
+from gcs.telemetry.state import FleetState, VehicleView
 
 VIEW = VehicleView(
     sysid=1, role="pursuer", label="pursuer 1", alive=True, profile=PX4, mode=FlightMode.HOLD, armed=False,
@@ -20,7 +20,7 @@ VIEW = VehicleView(
 
 
 def run(
-    ability: Ability,
+    ability: ReceiverCapability,
     requests: ServiceRequests,
     seconds: float,
     *,
@@ -30,11 +30,11 @@ def run(
 ) -> None:
     for k in range(round(seconds / 0.5) + 1):
         seen = VIEW._replace(battery_told=told, heard_s=0.0 if heard else -math.inf)
-        ability.decide(Snapshot(at_s + 0.5 * k, (seen,), ()), requests)
+        ability.decide(FleetState(at_s + 0.5 * k, (seen,), ()), requests)
 
 
 def test_who_is_not_asked_is_as_the_scenario_says() -> None:
-    requests, ability = ServiceRequests(), Ability({1: True, 2: False})
+    requests, ability = ServiceRequests(), ReceiverCapability({1: True, 2: False})
     run(ability, requests, 20.0)
     assert requests.requests == []
     assert ability.unable == {2: "the scenario says so"}
@@ -42,7 +42,7 @@ def test_who_is_not_asked_is_as_the_scenario_says() -> None:
 
 
 def test_a_vehicle_with_a_battery_model_is_asked_once_by_a_command_that_does_nothing() -> None:
-    requests, ability = ServiceRequests(), Ability({1: None})
+    requests, ability = ServiceRequests(), ReceiverCapability({1: None})
     run(ability, requests, 5.0)
     (wish,) = requests.requests
     assert (wish.sysid, wish.command, any(wish.params)) == (1, 31010, False)
@@ -51,7 +51,7 @@ def test_a_vehicle_with_a_battery_model_is_asked_once_by_a_command_that_does_not
 
 @pytest.mark.parametrize("accepted", [True, False])
 def test_its_answer_decides(accepted: bool) -> None:
-    requests, ability = ServiceRequests(), Ability({1: None})
+    requests, ability = ServiceRequests(), ReceiverCapability({1: None})
     run(ability, requests, 1.0)
     requests.take_result(requests.requests[0].token, accepted)
     run(ability, requests, 1.0, at_s=2.0)
@@ -60,7 +60,7 @@ def test_its_answer_decides(accepted: bool) -> None:
 
 
 def test_a_stranger_without_a_battery_model_is_sent_nothing_and_waited_for_ten_seconds() -> None:
-    requests, ability = ServiceRequests(), Ability({1: None})
+    requests, ability = ServiceRequests(), ReceiverCapability({1: None})
     run(ability, requests, 30.0, heard=False)
     assert ability.unknown == {1}
     run(ability, requests, 10.0, told=False, at_s=31.0)

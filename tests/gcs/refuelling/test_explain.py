@@ -5,13 +5,13 @@ from dataclasses import replace
 import pytest
 from views import snapshot, view
 
-from gcs.mavlink.commands import CommandResult, Target
+from gcs.mavlink.commands import CommandResult, CommandTarget
 from gcs.refuelling.bidding import Standing
 from gcs.refuelling.explain import acknowledged, competition_of, history_of, rendezvous_ned, why
 from gcs.refuelling.service import Phase, Service
-from gcs.scenario.model import Competition, Refuelling
+from gcs.scenario.model import CompetitionRules, RefuellingRules
 
-RULES, COMPETITION = Refuelling(hold_s=1.0, reserve_s=20.0), Competition(dwell_s=2.0, decide_within_s=30.0)
+RULES, COMPETITION = RefuellingRules(hold_s=1.0, reserve_s=20.0), CompetitionRules(dwell_s=2.0, decide_within_s=30.0)
 RECEIVER = view(3, p_ned=(10.0, 0.0, -4.0), v_ned=(0.0, 1.0, 0.0))
 TANKER = view(20, "tanker", p_ned=(0.0, 0.0, -5.2))
 
@@ -72,7 +72,7 @@ def test_the_history_is_the_last_twenty_that_ended() -> None:
 
 
 def result(outcome: str, code: int | None, token: str) -> CommandResult:
-    return CommandResult(176, Target(3, 1), outcome, code, 4, token)  # type: ignore[arg-type]
+    return CommandResult(176, CommandTarget(3, 1), outcome, code, 4, token)  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize(

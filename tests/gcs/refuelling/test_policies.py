@@ -9,9 +9,9 @@ from typing import Any
 import pytest
 
 from gcs.refuelling.policies import SHIPPED, GreedyNearest, MostEmptyFirst, Optimal, Request
-from gcs.scenario.model import Refuelling
+from gcs.scenario.model import RefuellingRules
 
-RULES = Refuelling(hold_s=0.0, rate_w=1000.0, until=1.0)
+RULES = RefuellingRules(hold_s=0.0, rate_w=1000.0, until=1.0)
 
 
 def view(sysid: int, north_m: float, remaining_j: float, power_w: float = 100.0) -> Any:

@@ -5,11 +5,11 @@ from typing import Any
 import pytest
 
 from gcs.mavlink.autopilots import FlightMode
-from gcs.refuelling.scheduler import Schedule
+from gcs.refuelling.scheduler import Scheduler
 from gcs.refuelling.service import Decision, Phase
-from gcs.refuelling.transfer_command import Role
-from gcs.scenario.model import Competition, Refuelling
-from gcs.telemetry.state import Snapshot
+from gcs.refuelling.transfer_command import TransferRole
+from gcs.scenario.model import CompetitionRules, RefuellingRules
+from gcs.telemetry.state import FleetState
 from tests.support.services import FOLLOW_TARGET, INTERVAL, RATE_W, Fleet, Play, play, tanker, view
 
 
@@ -19,7 +19,11 @@ def test_a_whole_service_in_its_order() -> None:
     assert service.ended_by == "full"
     assert game.kinds == ["decided", "transfer", "served"]
     assert [(who, role) for who, _, role, *_ in game.fleet.orders] == [
-        (1, Role.RECEIVE), (201, Role.GIVE), (201, Role.STOP), (1, Role.STOP)]  # fmt: skip
+        (1, TransferRole.RECEIVE),
+        (201, TransferRole.GIVE),
+        (201, TransferRole.STOP),
+        (1, TransferRole.STOP),
+    ]
     # 90 % of 10 kJ, 200 J a tick, 4 kJ at the start; the giver stops a tick after the level was seen.
     assert 5_000 <= service.energy_j <= 5_400
     assert game.fleet.views[201].given_j == service.energy_j
@@ -34,7 +38,10 @@ def test_the_command_on_the_wire_is_the_contracts() -> None:
     game.fleet.set(201, given_j=777)
     game.until(Phase.TRANSFER)
     # room: 10 000 - 4 000
-    assert game.fleet.orders == [(1, 201, Role.RECEIVE, 6000, 2000, 1, 777), (201, 1, Role.GIVE, 6000, 2000, 1, 777)]
+    assert game.fleet.orders == [
+        (1, 201, TransferRole.RECEIVE, 6000, 2000, 1, 777),
+        (201, 1, TransferRole.GIVE, 6000, 2000, 1, 777),
+    ]
     requests = [wish for decision in game.decisions for wish in decision.requests]
     assert requests[0].params[:2] == (FOLLOW_TARGET, 100_000.0)
     assert (requests[0].sysid, requests[0].command) == (201, INTERVAL)
@@ -104,16 +111,16 @@ def test_a_rendezvous_that_does_not_come_about_is_given_up_and_the_tanker_is_fre
 
 def test_a_receiver_that_refuses_is_asked_again_from_the_formation_and_given_up_in_the_end() -> None:
     game = play()
-    game.fleet.refused = {(1, Role.RECEIVE)}
+    game.fleet.refused = {(1, TransferRole.RECEIVE)}
     service = game.until(Phase.DONE)
     assert service.ended_by == "the receiver refused"
-    assert [role for _, _, role, *_ in game.fleet.orders].count(Role.RECEIVE) == 5
-    assert Role.GIVE not in [role for _, _, role, *_ in game.fleet.orders]
+    assert [role for _, _, role, *_ in game.fleet.orders].count(TransferRole.RECEIVE) == 5
+    assert TransferRole.GIVE not in [role for _, _, role, *_ in game.fleet.orders]
 
 
 def test_a_receiver_that_refuses_once_is_served_in_the_end() -> None:
     game = play()
-    game.fleet.refused = {(1, Role.RECEIVE)}
+    game.fleet.refused = {(1, TransferRole.RECEIVE)}
     game.until(Phase.START_RECEIVER)
     game.tick()
     game.fleet.refused.clear()
@@ -122,27 +129,27 @@ def test_a_receiver_that_refuses_once_is_served_in_the_end() -> None:
 
 def test_a_giver_that_refuses_ends_the_service_and_the_receiver_is_released() -> None:
     game = play()
-    game.fleet.refused = {(201, Role.GIVE)}
+    game.fleet.refused = {(201, TransferRole.GIVE)}
     assert game.until(Phase.DONE).ended_by == "the giver refused"
     assert game.fleet.views[1].mode is FlightMode.OFFBOARD
-    assert game.fleet.orders[-1][:3] == (1, 201, Role.STOP)
+    assert game.fleet.orders[-1][:3] == (1, 201, TransferRole.STOP)
 
 
-@pytest.mark.parametrize("order", [(1, Role.RECEIVE), (201, Role.GIVE)])
+@pytest.mark.parametrize("order", [(1, TransferRole.RECEIVE), (201, TransferRole.GIVE)])
 def test_whoever_began_but_was_never_heard_to_is_told_to_stop(order: tuple[int, int]) -> None:
     game = play()
     game.fleet.unheard = {order}
-    game.until(Phase.START_RECEIVER if order[1] == Role.RECEIVE else Phase.START_GIVER)
+    game.until(Phase.START_RECEIVER if order[1] == TransferRole.RECEIVE else Phase.START_GIVER)
     for _ in range(90):
         game.tick()
-    stopped = {who for who, _, role, *_ in game.fleet.orders if role == Role.STOP}
+    stopped = {who for who, _, role, *_ in game.fleet.orders if role == TransferRole.STOP}
     assert order[0] in stopped
     game.fleet.unheard.clear()
     game.until(Phase.DONE)
     assert not game.fleet.active
 
 
-@pytest.mark.parametrize("order", [(201, Role.STOP), (1, Role.STOP)])
+@pytest.mark.parametrize("order", [(201, TransferRole.STOP), (1, TransferRole.STOP)])
 def test_a_stop_that_is_never_acknowledged_holds_nothing_up_for_long(order: tuple[int, int]) -> None:
     game = play()
     game.fleet.unheard = {order}
@@ -162,7 +169,7 @@ def test_a_transfer_that_one_side_breaks_off_is_joined_again(side: int) -> None:
     assert "broken off" in game.kinds
     assert game.until(Phase.DONE) is service
     assert service.ended_by == "full"
-    second = [order for order in game.fleet.orders if order[2] == Role.GIVE][1]
+    second = [order for order in game.fleet.orders if order[2] == TransferRole.GIVE][1]
     assert second[6] == before_j  # the giver's XferOut at the new start
     assert service.energy_j == game.fleet.views[1].received_j  # both parts
 
@@ -176,7 +183,7 @@ def test_a_transfer_broken_off_before_it_was_seen_is_noticed_at_once() -> None:
 
 def test_a_giver_that_has_given_all_that_was_ordered_ends_the_service() -> None:
     """Asked to fill up to 100 %, the receiver draws meanwhile: the joules ordered at the start never fill it."""
-    game = play(Refuelling(rate_w=RATE_W, until=1.0))
+    game = play(RefuellingRules(rate_w=RATE_W, until=1.0))
     service = game.until(Phase.TRANSFER)
     while game.fleet.views[201].given_j < 6000:
         game.fleet.set(1, drawn_j=game.fleet.views[1].drawn_j + 21.0)
@@ -187,7 +194,7 @@ def test_a_giver_that_has_given_all_that_was_ordered_ends_the_service() -> None:
 
 
 def test_the_limit_of_a_service_ends_it() -> None:
-    game = play(Refuelling(rate_w=RATE_W, limit_j=1500.0))
+    game = play(RefuellingRules(rate_w=RATE_W, limit_j=1500.0))
     service = game.until(Phase.DONE)
     assert service.ended_by == "limit"
     assert game.fleet.orders[1][3] == 1500
@@ -195,14 +202,14 @@ def test_the_limit_of_a_service_ends_it() -> None:
 
 
 def test_what_is_left_of_the_limit_is_ordered_after_a_break() -> None:
-    game = play(Refuelling(rate_w=RATE_W, limit_j=3000.0))
+    game = play(RefuellingRules(rate_w=RATE_W, limit_j=3000.0))
     game.until(Phase.TRANSFER)
     for _ in range(4):
         game.tick()
     game.fleet.end(1)
     received_j = game.until(Phase.JOIN).energy_j
     game.until(Phase.TRANSFER)
-    second = [order for order in game.fleet.orders if order[2] == Role.GIVE][1]
+    second = [order for order in game.fleet.orders if order[2] == TransferRole.GIVE][1]
     assert second[3] == 3000 - received_j < 3000
 
 
@@ -262,7 +269,9 @@ def test_in_radio_silence_every_phase_ends() -> None:
     """Nothing is acknowledged and no counter moves any more: the tanker is free within the time-outs' sum."""
     game = play()
     service = game.until(Phase.TRANSFER)
-    game.fleet.unheard = {(who, role) for who in (1, 201) for role in (Role.STOP, Role.GIVE, Role.RECEIVE)}
+    game.fleet.unheard = {
+        (who, role) for who in (1, 201) for role in (TransferRole.STOP, TransferRole.GIVE, TransferRole.RECEIVE)
+    }
     game.fleet.active.clear()
     game.fleet.set(1, mode=FlightMode.OFFBOARD)
     game.fleet.set(201, mode=FlightMode.OFFBOARD, p_ned=(9.0, 0.0, -6.0))
@@ -279,7 +288,7 @@ def test_joules_that_are_told_late_are_booked_on_their_service() -> None:
     assert first.energy_j == before_j + 150
     assert first.energy_j + second.energy_j == game.fleet.views[1].received_j
     game.fleet.set(1, received_j=game.fleet.views[1].received_j + 30)
-    game.schedule.settle(Snapshot(game.now_s, tuple(game.fleet.views.values()), ()))
+    game.schedule.settle(FleetState(game.now_s, tuple(game.fleet.views.values()), ()))
     assert first.energy_j + second.energy_j == game.fleet.views[1].received_j
 
 
@@ -287,7 +296,7 @@ def test_several_tankers_never_share_a_receiver_and_serve_by_need() -> None:
     fleet = Fleet({k: view(k, "pursuer", (6.0 * k, 0.0, -4.8), 4_500.0 - 500.0 * k, 10_000.0) for k in range(1, 6)})
     for sysid in (201, 202):
         fleet.views[sysid] = view(sysid, "tanker", (0.0, 0.0, -6.0), 150_000.0, 150_000.0)
-    schedule = Schedule(Competition(), Refuelling(rate_w=RATE_W), (tanker(201), tanker(202)))
+    schedule = Scheduler(CompetitionRules(), RefuellingRules(rate_w=RATE_W), (tanker(201), tanker(202)))
     game = Play(schedule, fleet)
     at_once = 0
     while len(schedule.refuelled) < 5:
@@ -307,7 +316,7 @@ def test_several_tankers_never_share_a_receiver_and_serve_by_need() -> None:
 
 @pytest.mark.parametrize("off", ["competition", "refuelling"])
 def test_switched_off_nothing_is_decided(off: str) -> None:
-    game = play(Refuelling(enabled=off != "refuelling"), enabled=off != "competition")
+    game = play(RefuellingRules(enabled=off != "refuelling"), enabled=off != "competition")
     assert all(game.tick() == Decision() for _ in range(100))
     assert game.schedule.standing.v == {}
 

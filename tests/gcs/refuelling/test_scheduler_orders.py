@@ -4,7 +4,7 @@ import pytest
 
 from gcs.mavlink.autopilots import FlightMode
 from gcs.refuelling.service import Phase
-from gcs.refuelling.transfer_command import Role
+from gcs.refuelling.transfer_command import TransferRole
 from tests.support.services import play, view
 
 
@@ -13,9 +13,15 @@ from tests.support.services import play, view
     ("phase", "orders"),
     [
         (Phase.JOIN, []),
-        (Phase.START_RECEIVER, [(1, Role.RECEIVE), (1, Role.STOP)]),
-        (Phase.START_GIVER, [(1, Role.RECEIVE), (201, Role.GIVE), (201, Role.STOP), (1, Role.STOP)]),
-        (Phase.TRANSFER, [(1, Role.RECEIVE), (201, Role.GIVE), (201, Role.STOP), (1, Role.STOP)]),
+        (Phase.START_RECEIVER, [(1, TransferRole.RECEIVE), (1, TransferRole.STOP)]),
+        (
+            Phase.START_GIVER,
+            [(1, TransferRole.RECEIVE), (201, TransferRole.GIVE), (201, TransferRole.STOP), (1, TransferRole.STOP)],
+        ),
+        (
+            Phase.TRANSFER,
+            [(1, TransferRole.RECEIVE), (201, TransferRole.GIVE), (201, TransferRole.STOP), (1, TransferRole.STOP)],
+        ),
     ],
 )
 def test_a_side_that_is_taken_out_ends_the_service_in_order_from_any_phase(
@@ -23,9 +29,9 @@ def test_a_side_that_is_taken_out_ends_the_service_in_order_from_any_phase(
 ) -> None:
     game = play()
     if phase is Phase.START_RECEIVER:
-        game.fleet.unheard = {(1, Role.RECEIVE)}
+        game.fleet.unheard = {(1, TransferRole.RECEIVE)}
     if phase is Phase.START_GIVER:
-        game.fleet.unheard = {(201, Role.GIVE)}
+        game.fleet.unheard = {(201, TransferRole.GIVE)}
     game.until(phase)
     game.schedule.out[side] = "taken by the operator"
     service = game.until(Phase.DONE)

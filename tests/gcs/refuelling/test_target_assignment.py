@@ -8,9 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gcs.mavlink.autopilots import PX4, FlightMode
-from gcs.refuelling.target_assignment import GRAVITY_M_S2, Pursuit, predicted_effort
-from gcs.scenario.model import Pursuit as Rules
-from gcs.telemetry.state import Snapshot, Vec3, VehicleView
+from gcs.refuelling.target_assignment import GRAVITY_M_S2, TargetAssignment, predicted_effort
+from gcs.scenario.model import PursuitRules as Rules
+from gcs.telemetry.state import FleetState, Vec3, VehicleView
 
 STILL: Vec3 = (0.0, 0.0, 0.0)
 SPEED = 2.0
@@ -26,14 +26,14 @@ def view(sysid: int, *at: float, role: str = "pursuer", **changed: Any) -> Vehic
     return made._replace(**changed)
 
 
-def pursuit(targets: tuple[int, ...] = (101,), pursuers: tuple[int, ...] = (1, 2, 3), **rules: Any) -> Pursuit:
-    return Pursuit(Rules(by="competition", **rules), pursuers, targets, SPEED)
+def pursuit(targets: tuple[int, ...] = (101,), pursuers: tuple[int, ...] = (1, 2, 3), **rules: Any) -> TargetAssignment:
+    return TargetAssignment(Rules(by="competition", **rules), pursuers, targets, SPEED)
 
 
-def run(races: Pursuit, views: list[VehicleView], from_s: float, to_s: float) -> dict[int, int]:
+def run(races: TargetAssignment, views: list[VehicleView], from_s: float, to_s: float) -> dict[int, int]:
     chosen: dict[int, int] = {}
     for k in range(round(from_s * 10), round(to_s * 10) + 1):
-        chosen = races.decide(Snapshot(k / 10, tuple(views), ()))
+        chosen = races.decide(FleetState(k / 10, tuple(views), ()))
     return chosen
 
 

@@ -2,20 +2,20 @@
 
 import pytest
 
-from gcs.scenario.endpoint import Address, address
+from gcs.scenario.endpoint import Endpoint, address
 
 
 @pytest.mark.parametrize(
     ("text", "at"),
     [
-        ("udpin:127.0.0.1:14550", Address("udpin", "127.0.0.1", 14550)),
-        ("udpout:drone.local:14580", Address("udpout", "drone.local", 14580)),
-        ("udpin:[::1]:14550", Address("udpin", "::1", 14550)),
-        ("tcp:localhost:5760", Address("tcp", "localhost", 5760)),
-        ("udpin:127.0.0.1:0", Address("udpin", "127.0.0.1", 0)),
+        ("udpin:127.0.0.1:14550", Endpoint("udpin", "127.0.0.1", 14550)),
+        ("udpout:drone.local:14580", Endpoint("udpout", "drone.local", 14580)),
+        ("udpin:[::1]:14550", Endpoint("udpin", "::1", 14550)),
+        ("tcp:localhost:5760", Endpoint("tcp", "localhost", 5760)),
+        ("udpin:127.0.0.1:0", Endpoint("udpin", "127.0.0.1", 0)),
     ],
 )
-def test_an_address_is_read_and_written_again_as_it_was(text: str, at: Address) -> None:
+def test_an_address_is_read_and_written_again_as_it_was(text: str, at: Endpoint) -> None:
     assert address(text, "udpin", "udpout", "tcp") == at
     assert at.text == text
 

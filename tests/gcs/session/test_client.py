@@ -6,7 +6,7 @@ import itertools
 from pathlib import Path
 from typing import Any
 
-from gcs.session.client import RETRY_S, Earlier, SessionSource
+from gcs.session.client import RETRY_S, EarlierEvents, SessionSource
 from gcs.session.server import BACKLOG_BYTES, REMEMBERED, Publisher
 
 
@@ -44,7 +44,7 @@ def test_who_comes_late_and_is_dropped_and_comes_again_sees_every_event_once(tmp
 
 
 def test_another_session_in_the_same_place_is_shown_from_its_start() -> None:
-    earlier = Earlier()
+    earlier = EarlierEvents()
     first: dict[str, Any] = {"type": "session", "events": [{"n": n} for n in range(5)], "told": 5}
     other: dict[str, Any] = {"type": "session", "events": [{"n": 90}], "told": 1}
     assert told(earlier.joined([first, snapshot(5), other, snapshot(91)])) == [0, 1, 2, 3, 4, 5, 90, 91]
@@ -52,5 +52,5 @@ def test_another_session_in_the_same_place_is_shown_from_its_start() -> None:
 
 def test_of_more_than_a_session_remembers_the_last_are_shown_and_a_session_that_tells_none_is_no_trouble() -> None:
     some: dict[str, Any] = {"type": "session", "events": [{"n": n} for n in range(REMEMBERED)], "told": 10 * REMEMBERED}
-    assert told(Earlier().joined([some, snapshot()])) == list(range(REMEMBERED))
-    assert told(Earlier().joined([{"type": "session"}, snapshot(7), snapshot()])) == [7]
+    assert told(EarlierEvents().joined([some, snapshot()])) == list(range(REMEMBERED))
+    assert told(EarlierEvents().joined([{"type": "session"}, snapshot(7), snapshot()])) == [7]

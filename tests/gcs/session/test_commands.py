@@ -7,14 +7,14 @@ import pytest
 
 from gcs.session.commands import Clients
 from gcs.session.pace import Pace
-from gcs.session.server import Publisher, Request
+from gcs.session.server import ClientRequest, Publisher
 
 
 class Socket(Publisher):
     """A publisher whose clients are numbers, and which keeps its replies."""
 
     def __init__(self) -> None:
-        self.asked: list[Request] = []
+        self.asked: list[ClientRequest] = []
         self.here = {1, 2}
         self.replies: list[tuple[int, bool, str]] = []
 
@@ -22,11 +22,11 @@ class Socket(Publisher):
     def clients(self) -> frozenset[int]:
         return frozenset(self.here)
 
-    def poll(self) -> list[Request]:
+    def poll(self) -> list[ClientRequest]:
         asked, self.asked = self.asked, []
         return asked
 
-    def reply(self, request: Request, ok: bool, text: str) -> None:
+    def reply(self, request: ClientRequest, ok: bool, text: str) -> None:
         self.replies.append((request.client, ok, text))
 
 
@@ -39,7 +39,7 @@ class Table:
 
     def ask(self, command: str, client: int = 1, **keys: Any) -> tuple[bool, str]:
         """Whether it was taken, and the words; nothing else is answered."""
-        self.socket.asked.append(Request(client, {"command": command, **keys}))
+        self.socket.asked.append(ClientRequest(client, {"command": command, **keys}))
         self.stops = self.clients.serve()
         ((to, ok, text),) = self.socket.replies
         self.socket.replies.clear()

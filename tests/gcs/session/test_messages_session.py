@@ -8,7 +8,7 @@ import pytest
 
 from gcs.scenario.file import find, load
 from gcs.scenario.model import Obstacle
-from gcs.session.messages import obstacle_of, session_line
+from gcs.session.messages import obstacle_of, session_message
 
 
 def area_m2(outline: list[tuple[float, float]]) -> float:
@@ -19,7 +19,7 @@ def area_m2(outline: list[tuple[float, float]]) -> float:
 
 def test_the_demo_is_told_whole_as_json() -> None:
     scenario = load(find("demo"))
-    line = json.loads(json.dumps(session_line(scenario, "/somewhere"), allow_nan=False))
+    line = json.loads(json.dumps(session_message(scenario, "/somewhere"), allow_nan=False))
     assert (line["type"], line["name"], line["folder"], line["control"]) == ("session", "demo", "/somewhere", True)
     assert [v["sysid"] for v in line["vehicles"]] == [v.sysid for v in scenario.vehicles.all]
     assert len(line["obstacles"]) == len(scenario.obstacles)
@@ -29,7 +29,7 @@ def test_the_demo_is_told_whole_as_json() -> None:
 
 
 def test_lockstep_has_no_speed() -> None:
-    line = session_line(load(find("demo")).flown(lockstep=True), None)
+    line = session_message(load(find("demo")).flown(lockstep=True), None)
     assert (line["clock"], line["speed"]) == ("lockstep", None)
 
 

@@ -5,13 +5,15 @@ from typing import Any
 
 import pytest
 
-from gcs.session.messages import picture
+from gcs.session.messages import snapshot_message
 from gcs.telemetry.events import Event
 
 
 def shown(session: Any, **changed: Any) -> dict[str, Any]:
     how: dict[str, Any] = {"phase": "flying", "speed": 5.0, "refuelled": 0, "events": []}
-    content: dict[str, Any] = json.loads(json.dumps(picture(session.supervisor, **(how | changed)), allow_nan=False))
+    content: dict[str, Any] = json.loads(
+        json.dumps(snapshot_message(session.supervisor, **(how | changed)), allow_nan=False)
+    )
     return content
 
 

@@ -7,7 +7,7 @@ import pytest
 import yaml
 
 from gcs.scenario.model import Scenario
-from gcs.session.vehicles import Ended, Order, traffic_order, vehicle_order, vehicle_orders, vehicle_parameters
+from gcs.session.vehicles import Ended, ProcessSpec, traffic_order, vehicle_order, vehicle_orders, vehicle_parameters
 
 LINK = ("--supervised", "udpout:127.0.0.1:5000")
 
@@ -34,7 +34,7 @@ def scenario(**changed: Any) -> Scenario:
     } | changed)  # fmt: skip
 
 
-def options(order: Order) -> dict[str, str | None]:
+def options(order: ProcessSpec) -> dict[str, str | None]:
     """An option's value by its name; None for a flag."""
     words, found = list(order.argv), {}
     while words:

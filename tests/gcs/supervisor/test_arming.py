@@ -9,7 +9,7 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import ARDUCOPTER, PX4, FlightMode
 from gcs.mavlink.commands import CommandRequest
-from gcs.supervisor.arming import SELDOM_S, Pilot, Stage
+from gcs.supervisor.arming import SELDOM_S, ArmingSequence, Stage
 from gcs.telemetry.state import VehicleView
 
 ARM, TAKEOFF, SET_MODE = 400, 22, 176
@@ -31,12 +31,12 @@ UP = CLIMBING._replace(mode=FlightMode.HOLD, p_ned=(0.0, 0.0, -2.4))
 FLYING = UP._replace(mode=FlightMode.OFFBOARD)
 
 
-def commands(pilot: Pilot, seen: VehicleView, now_s: float) -> list[CommandRequest]:
+def commands(pilot: ArmingSequence, seen: VehicleView, now_s: float) -> list[CommandRequest]:
     return pilot.decide(seen, now_s)[0]
 
 
-def brought_up() -> Pilot:
-    pilot = Pilot(3, 2.5)
+def brought_up() -> ArmingSequence:
+    pilot = ArmingSequence(3, 2.5)
     for k, seen in enumerate((view(), ARMED, CLIMBING, UP, FLYING)):
         pilot.decide(seen, 0.1 * k)
     assert pilot.stage is Stage.FLY
@@ -44,7 +44,7 @@ def brought_up() -> Pilot:
 
 
 def test_the_way_up_when_everything_is_granted() -> None:
-    pilot = Pilot(3, 2.5)
+    pilot = ArmingSequence(3, 2.5)
     unknown = view(p_ned=None, origin_offset_ned=None, heard_s=-math.inf)
     assert (commands(pilot, unknown, 0.0), pilot.stage) == ([], Stage.IDENTIFY)
     (arm,) = commands(pilot, view(), 0.1)
@@ -64,7 +64,7 @@ def test_the_way_up_when_everything_is_granted() -> None:
 
 
 def test_take_off_height_goes_by_the_profile() -> None:
-    pilot = Pilot(3, 2.5)
+    pilot = ArmingSequence(3, 2.5)
     pilot.decide(view(profile=ARDUCOPTER), 0.0)
     (takeoff,) = commands(pilot, view(profile=ARDUCOPTER, armed=True), 0.1)
     assert takeoff.params[6] == 2.5
@@ -73,7 +73,7 @@ def test_take_off_height_goes_by_the_profile() -> None:
 @pytest.mark.parametrize("down_m", [-12.0, 30.0])
 def test_height_is_above_the_own_ground_wherever_the_common_origin_lies(down_m: float) -> None:
     """A vehicle whose home is 12 m above the common origin is not up before it has left its ground."""
-    pilot, offset = Pilot(3, 2.5), (0.0, 0.0, down_m)
+    pilot, offset = ArmingSequence(3, 2.5), (0.0, 0.0, down_m)
     for k, seen in enumerate((view(), ARMED, CLIMBING)):
         assert seen.p_ned is not None
         pilot.decide(seen._replace(origin_offset_ned=offset, p_ned=(0.0, 0.0, seen.p_ned[2] + down_m)), 0.1 * k)
@@ -83,13 +83,13 @@ def test_height_is_above_the_own_ground_wherever_the_common_origin_lies(down_m: 
 
 
 def test_a_stranger_that_refuses_is_asked_again_every_second() -> None:
-    pilot = Pilot(3, 2.5)
+    pilot = ArmingSequence(3, 2.5)
     asked = [k for k in range(400) if commands(pilot, view(), k / 10)]
     assert asked == list(range(0, 400, 10))
 
 
 def test_one_of_ours_that_refuses_is_asked_ever_more_seldom_and_its_refusal_told_once() -> None:
-    pilot = Pilot(3, 2.5, seldom_s=SELDOM_S)
+    pilot = ArmingSequence(3, 2.5, seldom_s=SELDOM_S)
     asked, told = [], []
     for k in range(2000):
         if commands(pilot, view(), k / 10):
@@ -102,7 +102,7 @@ def test_one_of_ours_that_refuses_is_asked_ever_more_seldom_and_its_refusal_told
 
 
 def test_one_whose_battery_has_been_charged_is_asked_at_once() -> None:
-    pilot = Pilot(3, 2.5, seldom_s=SELDOM_S)
+    pilot = ArmingSequence(3, 2.5, seldom_s=SELDOM_S)
     for k in range(1000):
         pilot.decide(view(energy_source="energy_consumed"), k / 10)
     # 1 % of 10 kJ, and that again; the last time it was asked was at 95 s
@@ -113,7 +113,7 @@ def test_one_whose_battery_has_been_charged_is_asked_at_once() -> None:
 
 
 def test_one_that_was_armed_meanwhile_begins_anew() -> None:
-    pilot = Pilot(3, 2.5, seldom_s=SELDOM_S)
+    pilot = ArmingSequence(3, 2.5, seldom_s=SELDOM_S)
     for k in range(1000):
         pilot.decide(view(), k / 10)
     assert pilot.repeats("no") is False
@@ -124,7 +124,7 @@ def test_one_that_was_armed_meanwhile_begins_anew() -> None:
 
 
 def test_a_vehicle_that_disarms_on_the_ground_is_armed_again() -> None:
-    pilot = Pilot(3, 2.5)
+    pilot = ArmingSequence(3, 2.5)
     pilot.decide(view(), 0.0)
     pilot.decide(ARMED, 0.1)
     (again,) = commands(pilot, view(), 0.2)
@@ -132,7 +132,7 @@ def test_a_vehicle_that_disarms_on_the_ground_is_armed_again() -> None:
 
 
 def test_a_take_off_that_stops_too_low_is_asked_for_again() -> None:
-    pilot = Pilot(3, 2.5)
+    pilot = ArmingSequence(3, 2.5)
     for k, seen in enumerate((view(), ARMED, CLIMBING)):
         pilot.decide(seen, 0.1 * k)
     (again,) = commands(pilot, CLIMBING._replace(mode=FlightMode.HOLD), 3.0)
@@ -168,13 +168,13 @@ def test_one_that_lands_disarms_or_dies_is_down_for_good(end: VehicleView) -> No
 
 
 def test_a_start_in_the_air_flies_at_once() -> None:
-    pilot = Pilot(3, 2.5)
+    pilot = ArmingSequence(3, 2.5)
     assert commands(pilot, FLYING, 0.0) == []
     assert pilot.stage is Stage.FLY
 
 
 def test_battery_parameters_are_read_until_told() -> None:
-    pilot = Pilot(3, 2.5)
+    pilot = ArmingSequence(3, 2.5)
     assert pilot.decide(view(battery_told=False, heard_s=-math.inf), 0.0) == ([], [])
     _, requests = pilot.decide(FLYING._replace(battery_told=False), 0.1)
     read = [codec.fields(codec.split(codec.frame(request, 0, 255, 190)).frames[0]) for request in requests]
@@ -216,7 +216,7 @@ def test_while_it_is_bound_an_order_waits_and_set_points_go_on() -> None:
 
 
 def test_one_with_its_motors_off_stays_there_without_a_word() -> None:
-    pilot = Pilot(3, 2.5)
+    pilot = ArmingSequence(3, 2.5)
     pilot.take("hold")
     assert commands(pilot, view(), 0.1) == []
     assert commands(pilot, view(), 5.0) == []

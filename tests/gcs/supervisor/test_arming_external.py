@@ -9,7 +9,7 @@ from pymavlink.dialects.v20 import ardupilotmega as mav
 from gcs.mavlink.autopilots import ARDUCOPTER, PX4, FlightMode, Profile
 from gcs.scenario.external import External
 from gcs.supervisor.arming import Stage
-from gcs.supervisor.arming_external import BLAMED_S, FAR_M, LATE_S, PARAMETER_TRIES, QUIET_S, ExternalPilot
+from gcs.supervisor.arming_external import BLAMED_S, FAR_M, LATE_S, PARAMETER_TRIES, QUIET_S, ExternalArmingSequence
 from gcs.telemetry.state import VehicleView
 
 ARM, TAKEOFF, SET_MODE = mav.MAV_CMD_COMPONENT_ARM_DISARM, mav.MAV_CMD_NAV_TAKEOFF, mav.MAV_CMD_DO_SET_MODE
@@ -31,16 +31,16 @@ UP = view(armed=True, landed=False, p_ned=(10.0, 0.0, -4.2))
 FLYING = UP._replace(mode=FlightMode.OFFBOARD)
 
 
-def pilot(**rules: Any) -> ExternalPilot:
+def pilot(**rules: Any) -> ExternalArmingSequence:
     block = External(connect="udpin:127.0.0.1:14550", capacity_j=1e4, **{"arm_within_s": 20.0, **rules})
-    return ExternalPilot(3, 2.5, block)
+    return ExternalArmingSequence(3, 2.5, block)
 
 
-def told(made: ExternalPilot, seen: VehicleView, now_s: float) -> list[int]:
+def told(made: ExternalArmingSequence, seen: VehicleView, now_s: float) -> list[int]:
     return [wish.command for wish in made.decide(seen, now_s)[0]]
 
 
-def flying() -> ExternalPilot:
+def flying() -> ExternalArmingSequence:
     made = pilot()
     for k, seen in enumerate((view(), ARMED, UP, FLYING)):
         made.decide(seen, float(k))
@@ -189,7 +189,7 @@ def test_a_take_off_is_over_when_the_autopilot_holds_after_it_however_high_it_sa
 HELD = FLYING._replace(mode=FlightMode.HOLD)
 
 
-def steered(made: ExternalPilot, from_s: float, until_s: float, seen: VehicleView = FLYING) -> list[int]:
+def steered(made: ExternalArmingSequence, from_s: float, until_s: float, seen: VehicleView = FLYING) -> list[int]:
     """Ten ticks a second of the same; what is asked in them."""
     ticks = range(round(10 * from_s), round(10 * until_s))
     return [command for k in ticks for command in told(made, seen, k / 10.0)]

@@ -6,14 +6,14 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
 from gcs.mavlink.commands import OPERATOR, PILOT, CommandRequest
-from gcs.supervisor.command_queue import Outbox
+from gcs.supervisor.command_queue import FleetCommandQueue
 
 ARM = CommandRequest(3, mav.MAV_CMD_COMPONENT_ARM_DISARM, (), f"{PILOT} arm")
 LAND = CommandRequest(3, mav.MAV_CMD_NAV_LAND, (), f"{OPERATOR} land")
 SERVE = CommandRequest(3, mav.MAV_CMD_USER_1, (), "5 receive")
 
 
-def commands(outbox: Outbox, sysid: int = 3) -> list[int]:
+def commands(outbox: FleetCommandQueue, sysid: int = 3) -> list[int]:
     """The ids of the commands that leave for a vehicle now."""
     return [codec.fields(codec.split(codec.frame(m, 0, 255, 190)).frames[0]).command for m in outbox.take(sysid)]
 
@@ -26,7 +26,7 @@ def ack(wish: CommandRequest) -> Any:
 
 
 def test_what_is_put_leaves_once_in_order_and_for_its_vehicle_alone() -> None:
-    outbox = Outbox([3, 4])
+    outbox = FleetCommandQueue([3, 4])
     ping, pong = (codec.message("PING", time_usec=t, seq=t, target_system=0, target_component=0) for t in (1, 2))
     outbox.put(3, [ping])
     outbox.put(3, [pong])
@@ -36,7 +36,7 @@ def test_what_is_put_leaves_once_in_order_and_for_its_vehicle_alone() -> None:
 
 
 def test_a_command_is_sent_again_until_it_is_acknowledged_and_then_told() -> None:
-    outbox = Outbox([3])
+    outbox = FleetCommandQueue([3])
     outbox.ask([ARM], 0.0)
     assert commands(outbox) == [ARM.command]
     assert outbox.poll(3, 0.6) == []
@@ -48,7 +48,7 @@ def test_a_command_is_sent_again_until_it_is_acknowledged_and_then_told() -> Non
 
 
 def test_what_is_asked_once_is_not_lined_up_behind_itself() -> None:
-    outbox = Outbox([3])
+    outbox = FleetCommandQueue([3])
     for now_s in (0.0, 0.1):
         outbox.ask_once([ARM], now_s)
     assert commands(outbox) == [ARM.command]
@@ -59,7 +59,7 @@ def test_what_is_asked_once_is_not_lined_up_behind_itself() -> None:
 
 
 def test_pilots_and_operators_commands_are_withdrawn_and_a_services_go_on() -> None:
-    outbox = Outbox([3])
+    outbox = FleetCommandQueue([3])
     outbox.ask([ARM, LAND, SERVE], 0.0)
     assert commands(outbox) == [ARM.command, LAND.command, SERVE.command]
     outbox.withdraw(3)
@@ -69,7 +69,7 @@ def test_pilots_and_operators_commands_are_withdrawn_and_a_services_go_on() -> N
 
 
 def test_a_withdrawn_command_that_waited_its_turn_may_be_asked_again_at_once() -> None:
-    outbox = Outbox([3])
+    outbox = FleetCommandQueue([3])
     waits = CommandRequest(3, SERVE.command, (), f"{PILOT} arm")
     outbox.ask([SERVE, waits], 0.0)
     assert commands(outbox) == [SERVE.command]
@@ -78,7 +78,7 @@ def test_a_withdrawn_command_that_waited_its_turn_may_be_asked_again_at_once() -
 
 
 def test_what_waits_is_forgotten_and_its_commands_are_not() -> None:
-    outbox = Outbox([3])
+    outbox = FleetCommandQueue([3])
     outbox.ask([ARM], 0.0)
     outbox.clear()
     assert commands(outbox) == []

@@ -6,10 +6,10 @@ import pytest
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink import codec
-from gcs.mavlink.commands import CommandResult, Target
+from gcs.mavlink.commands import CommandResult, CommandTarget
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import Stage
-from gcs.supervisor.external_fleet import ENDING, LOST_S, SAY_AGAIN_S, Externals
+from gcs.supervisor.external_fleet import ENDING, LOST_S, SAY_AGAIN_S, ExternalFleet
 from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
 
 LAT, LON, ALT = 47.0, 8.0, 400.0
@@ -24,7 +24,7 @@ class Tower:
             "schema": 1, "name": "tower", "axes": "ned", "origin": {"lat_deg": LAT, "lon_deg": LON, "alt_m": ALT},
             "goal": {"duration_s": 60.0}, "vehicles": {"pursuers": [{"external": block}]},
         })  # fmt: skip
-        self.externals = Externals(scenario)
+        self.externals = ExternalFleet(scenario)
         self.fleet = Fleet([Member(3, "pursuer", "pursuer 3", 1e5, 1e5, external=True)], GlobalOrigin(LAT, LON, ALT))
         self.sender = mav.MAVLink(None, srcSystem=3, srcComponent=1)
 
@@ -60,7 +60,7 @@ def origin() -> Any:
 
 
 def result(token: str, outcome: str = "rejected") -> CommandResult:
-    return CommandResult(400, Target(3, 1), outcome, 4, 1, token)  # type: ignore[arg-type]
+    return CommandResult(400, CommandTarget(3, 1), outcome, 4, 1, token)  # type: ignore[arg-type]
 
 
 def test_ten_seconds_of_silence_count_as_lost_until_it_is_heard() -> None:
@@ -160,7 +160,7 @@ def test_who_does_not_obey_at_the_end_is_named_with_its_answer(outcome: Any, cod
     tower.hear(0.0, heartbeat(), landed(mav.MAV_LANDED_STATE_IN_AIR))
     tower.end(Stage.FLY)
     if outcome is not None:
-        tower.externals.settles(3, CommandResult(176, Target(3, 1), outcome, code, 4, ENDING), 1.0)
+        tower.externals.settles(3, CommandResult(176, CommandTarget(3, 1), outcome, code, 4, ENDING), 1.0)
     tower.said()
     tower.externals.tell_disobedience(tower.fleet.snapshot(1.0))
     text = f"Still in offboard though nobody steers it any more ({said}): look after it"

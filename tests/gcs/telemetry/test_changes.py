@@ -6,13 +6,13 @@ import pytest
 from views import snapshot, view
 
 from gcs.mavlink.autopilots import FlightMode
-from gcs.telemetry.changes import Watch
+from gcs.telemetry.changes import ChangeDetector
 
 OFFBOARD, HOLD, RETURN, LAND = FlightMode.OFFBOARD, FlightMode.HOLD, FlightMode.RETURN, FlightMode.LAND
 
 
 def told(before: FlightMode, after: FlightMode, ordered: Any, **changed: Any) -> list[tuple[str, str, str]]:
-    watch = Watch()
+    watch = ChangeDetector()
     assert watch.look(snapshot(view(mode=before)), ordered) == []
     events = watch.look(snapshot(view(mode=after, **changed)), ordered)
     assert watch.look(snapshot(view(mode=after, **changed)), ordered) == []
@@ -60,11 +60,11 @@ def test_one_on_the_ground_flies_no_failsafe() -> None:
 
 
 def test_silence_and_its_end_are_told_once() -> None:
-    watch = Watch()
+    watch = ChangeDetector()
     ages = [0.0, 1.6, 3.0, 0.0, 0.0]
     events = [event for age_s in ages for event in watch.look(snapshot(view(age_s=age_s)), {})]
     assert [(event.kind, event.text) for event in events] == [("link", "No word for 1.6 s"), ("link", "Heard again")]
 
 
 def test_the_dead_are_not_silent() -> None:
-    assert Watch().look(snapshot(view(age_s=5.0, alive=False)), {}) == []
+    assert ChangeDetector().look(snapshot(view(age_s=5.0, alive=False)), {}) == []

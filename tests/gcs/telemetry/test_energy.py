@@ -12,7 +12,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import battery, codec
 from gcs.mavlink.battery import BatteryReport
-from gcs.telemetry.energy import GAP_S, EnergyEstimator, Fact, Source
+from gcs.telemetry.energy import GAP_S, EnergyEstimator, EnergySource, Fact
 
 CAPACITY_J = 100_000.0
 CELLS = [65535] * 10
@@ -143,7 +143,7 @@ def test_a_charging_current_is_no_energy_drawn_back() -> None:
 def test_the_autopilots_own_total_goes_before_everything() -> None:
     reports = [BatteryReport(float(t), 500.0 * t, 100.0, 1.0 - 0.01 * t) for t in range(5)]
     estimator, _ = heard(*reports)
-    assert (estimator.source, estimator.drawn_j) == (Source.ENERGY_CONSUMED, 2000.0)
+    assert (estimator.source, estimator.drawn_j) == (EnergySource.ENERGY_CONSUMED, 2000.0)
     assert estimator.power_w == pytest.approx(500.0)
 
 
@@ -156,7 +156,7 @@ def test_a_share_is_what_is_left_where_nothing_else_is_told() -> None:
 
 def test_nothing_told_is_no_source() -> None:
     estimator, _ = heard(status())
-    assert (estimator.source, estimator.drawn_j, estimator.power_w) == (Source.NONE, 0.0, 0.0)
+    assert (estimator.source, estimator.drawn_j, estimator.power_w) == (EnergySource.NONE, 0.0, 0.0)
 
 
 def test_a_source_that_falls_silent_gives_its_place_and_not_a_joule_is_lost_or_counted_twice() -> None:

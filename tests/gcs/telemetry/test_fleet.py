@@ -10,7 +10,7 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import PX4, FlightMode, Profile
 from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
-from gcs.telemetry.state import Snapshot, VehicleView
+from gcs.telemetry.state import FleetState, VehicleView
 
 ORIGIN = GlobalOrigin(47.397742, 8.545594, 488.0)
 DEG_E7 = (473977420, 85455940, 488000)
@@ -259,7 +259,7 @@ def test_a_dead_vehicle_does_not_fly(fleet: Fleet) -> None:
 
 
 def test_vehicles_stand_in_order_and_unknown_ones_are_an_error(fleet: Fleet) -> None:
-    snapshot: Snapshot = fleet.snapshot(0.0)
+    snapshot: FleetState = fleet.snapshot(0.0)
     assert [view.sysid for view in snapshot.vehicles] == [3, 200]
     assert [view.sysid for view in snapshot.of_role("tanker")] == [200]
     with pytest.raises(KeyError):

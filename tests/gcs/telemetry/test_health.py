@@ -7,13 +7,13 @@ import pytest
 from views import view
 
 from gcs.mavlink.autopilots import FlightMode
-from gcs.telemetry.health import ACT, LOOK, WELL, State, severity, state, troubles
+from gcs.telemetry.health import ACT, LOOK, WELL, State, health_issues, severity, state
 
 NOW_S = 100.0
 
 
 def test_a_vehicle_that_is_well_has_no_trouble() -> None:
-    assert troubles(view(), NOW_S) == []
+    assert health_issues(view(), NOW_S) == []
     assert severity([]) == WELL
 
 
@@ -39,7 +39,7 @@ def test_a_vehicle_that_is_well_has_no_trouble() -> None:
     ],
 )
 def test_each_trouble_has_its_words_and_its_weight(changed: Any, how: Any, text: str, how_bad: int) -> None:
-    found = troubles(view(**changed), NOW_S, **how)
+    found = health_issues(view(**changed), NOW_S, **how)
     assert [trouble.text for trouble in found] == [text]
     assert severity(found) == how_bad
 
@@ -55,17 +55,17 @@ def test_each_trouble_has_its_words_and_its_weight(changed: Any, how: Any, text:
     ],
 )
 def test_what_is_in_order_is_no_trouble(changed: Any, how: Any) -> None:
-    assert troubles(view(**changed), NOW_S, **how) == []
+    assert health_issues(view(**changed), NOW_S, **how) == []
 
 
 def test_the_worst_comes_first() -> None:
-    found = troubles(view(age_s=2.0, drawn_j=9_500.0, mode=FlightMode.LAND), NOW_S, lost_share=0.3)
+    found = health_issues(view(age_s=2.0, drawn_j=9_500.0, mode=FlightMode.LAND), NOW_S, lost_share=0.3)
     assert [trouble.severity for trouble in found] == sorted((trouble.severity for trouble in found), reverse=True)
     assert {"battery 5 %", "land", "position old", "loses 30 %"} <= {trouble.text for trouble in found}
 
 
 def test_before_three_seconds_nobody_need_have_spoken() -> None:
-    assert troubles(view(heard_s=-math.inf), 2.9) == []
+    assert health_issues(view(heard_s=-math.inf), 2.9) == []
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ from pymavlink.dialects.v20 import common
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
-from gcs.telemetry.message_inspector import Inspection
+from gcs.telemetry.message_inspector import MessageInspector
 
 NAMES = {"XferIn": 1, "XferOut": -1}
 
@@ -24,7 +24,7 @@ def attitude(sysid: int = 1, roll: float = 0.25) -> Frame:
 
 
 def test_the_latest_is_told_as_pymavlink_reads_it() -> None:
-    inspection = Inspection()
+    inspection = MessageInspector()
     inspection.want({1})
     inspection.take([attitude(roll=0.1), attitude(roll=0.75)], 3.0)
     told = inspection.told(4.5)["1"]["ATTITUDE"]
@@ -37,7 +37,7 @@ def test_the_latest_is_told_as_pymavlink_reads_it() -> None:
 
 
 def test_texts_and_arrays_are_json() -> None:
-    inspection = Inspection()
+    inspection = MessageInspector()
     inspection.want({1})
     inspection.take([frame("STATUSTEXT", severity=4, text="Hold")], 0.0)
     battery = {"id": 0, "battery_function": 0, "type": 0, "temperature": 0, "voltages": [7] * 10, "current_battery": -1,
@@ -50,7 +50,7 @@ def test_texts_and_arrays_are_json() -> None:
 
 @pytest.mark.parametrize("every_s", [0.1, 0.5, 1.0])
 def test_the_rate_is_how_often_it_comes(every_s: float) -> None:
-    inspection = Inspection()
+    inspection = MessageInspector()
     inspection.want({1})
     for k in range(100):
         inspection.take([attitude()], k * every_s)
@@ -58,7 +58,7 @@ def test_the_rate_is_how_often_it_comes(every_s: float) -> None:
 
 
 def test_nothing_is_kept_of_others_and_nothing_once_nobody_looks() -> None:
-    inspection = Inspection()
+    inspection = MessageInspector()
     inspection.take([attitude()], 0.0)
     inspection.want({1, 2})
     inspection.take([attitude(1), attitude(3)], 0.0)
@@ -72,7 +72,7 @@ def test_nothing_is_kept_of_others_and_nothing_once_nobody_looks() -> None:
 
 
 def test_values_that_share_a_message_are_told_each_by_its_name() -> None:
-    inspection = Inspection()
+    inspection = MessageInspector()
     inspection.want({1})
     for k in range(3):
         named = [frame("NAMED_VALUE_INT", time_boot_ms=k, name=name, value=k * sign) for name, sign in NAMES.items()]

@@ -10,7 +10,7 @@ from gcs.mavlink.setpoints import SetPoint
 from gcs.scenario.geometry import of_scenario
 from gcs.scenario.model import Obstacle, Scenario
 from gcs.telemetry.metrics import PLAN_MEMORY, Metrics
-from gcs.telemetry.state import Snapshot, TrafficView, Vec3, VehicleView
+from gcs.telemetry.state import FleetState, TrafficView, Vec3, VehicleView
 
 BATTERY = {"capacity_j": 1e4}
 
@@ -39,7 +39,7 @@ def view(sysid: int, at: Vec3, v: Vec3 = (0.0, 0.0, 0.0), age_s: float = 0.0, la
 
 
 def take(m: Metrics, t_s: float, *views: VehicleView, points: Any = (), partners: Any = (), traffic: Any = ()) -> None:
-    m.take(Snapshot(t_s, views, tuple(traffic)), points, partners)
+    m.take(FleetState(t_s, views, tuple(traffic)), points, partners)
 
 
 def test_nothing_flown_is_nothing_measured() -> None:
@@ -124,6 +124,6 @@ def test_where_one_pursuer_is_chosen_it_is_the_target_that_must_be_followed() ->
     for k in range(50):  # handed over from 1 to 2 at 2 s, without a gap
         chosen = {1: 101} if k < 20 else {2: 101}
         views = (view(1, (2.0 if k < 20 else 9.0, 0.0, 0.0)), view(2, (9.0 if k < 20 else 2.0, 0.0, 0.0)))
-        m.take(Snapshot(k / 10, (*views, view(101, (0.0, 0.0, 0.0))), ()), [], [], chosen)
+        m.take(FleetState(k / 10, (*views, view(101, (0.0, 0.0, 0.0))), ()), [], [], chosen)
         assert m.target_of == chosen
     assert m.held_s == pytest.approx({101: 4.9})

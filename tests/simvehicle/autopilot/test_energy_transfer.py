@@ -10,15 +10,17 @@ from hypothesis import strategies as st
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.body import Start
-from simvehicle.autopilot.energy_transfer import Envelope, Neighbour, Order, Role, Transfer, refusal
+from simvehicle.autopilot.energy_transfer import Envelope, Neighbour, Transfer, TransferOrder, TransferSide, refusal
 
 ACCEPTED, TEMPORARILY_REJECTED = 0, 1
 GIVER, RECEIVER = 9, 1
 RELAYED = {GIVER: ("FOLLOW_TARGET", "XferOut"), RECEIVER: ("XferIn",)}
 
 
-def order(role: Role = Role.GIVE, *, limit_j: float = 1e6, rate_w: float = 100.0, start_j: int = 0) -> Order:
-    return Order(2, role, limit_j, rate_w, 1, start_j)
+def order(
+    role: TransferSide = TransferSide.GIVE, *, limit_j: float = 1e6, rate_w: float = 100.0, start_j: int = 0
+) -> TransferOrder:
+    return TransferOrder(2, role, limit_j, rate_w, 1, start_j)
 
 
 @settings(max_examples=200)
@@ -48,7 +50,7 @@ def test_giver_gives_whole_joules_at_its_rate_within_limit_and_stock(
 def test_receiver_credits_the_greatest_counter_heard_once_and_no_more_than_it_has_room_for(
     heard: list[int], start_j: int, room_j: float
 ) -> None:
-    transfer = Transfer(order(Role.RECEIVE, start_j=start_j), 0.0)
+    transfer = Transfer(order(TransferSide.RECEIVE, start_j=start_j), 0.0)
     credited = 0
     for value in heard:
         transfer.hear_out(value)

@@ -5,7 +5,7 @@ from typing import Any
 import pytest
 from pymavlink.dialects.v20 import common as mav
 
-from simvehicle.mavlink.codec import Frame, message, split
+from simvehicle.mavlink.codec import ReceivedFrame, message, split
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.lockstep import Bundle, Grants
 
@@ -164,4 +164,4 @@ def test_frames_of_a_bundle_are_what_split_gives(grants: Grants, supervisor: Sup
     datagram = supervisor.heartbeat() + supervisor.grant(0)
     bundle = taken(grants, datagram)
     assert bundle.frames == tuple(split(datagram))[:-1]
-    assert all(isinstance(frame, Frame) for frame in bundle.frames)
+    assert all(isinstance(frame, ReceivedFrame) for frame in bundle.frames)

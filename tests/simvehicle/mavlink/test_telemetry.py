@@ -12,18 +12,18 @@ from simvehicle.autopilot.body import Start
 from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.identity import IDENTITIES
 from simvehicle.mavlink.codec import encode
-from simvehicle.mavlink.telemetry import TELEMETRY, Snapshot, autopilot_version
+from simvehicle.mavlink.telemetry import TELEMETRY, VehicleState, autopilot_version
 
 ORIGIN = (47.397742, 8.545594, 488.0)
 
 
-def flying(vehicle_bench: Any) -> Snapshot:
+def flying(vehicle_bench: Any) -> VehicleState:
     bench = vehicle_bench(start=Start((30.0, -40.0, -12.0), (1.5, -2.0, 0.5), (0.1, -0.2, 0.3), airborne=True))
-    made: Snapshot = bench.vehicle.snapshot()
+    made: VehicleState = bench.vehicle.snapshot()
     return made
 
 
-def told(snapshot: Snapshot, key: str) -> Any:
+def told(snapshot: VehicleState, key: str) -> Any:
     (stream,) = [s for s in TELEMETRY if s.key == key]
     (read,) = mav.MAVLink(None).parse_buffer(encode(stream.build(snapshot), seq=0, sysid=1, compid=1))
     return read

@@ -12,14 +12,14 @@ from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.mavlink.connection import Connection
-from simvehicle.sitl.traffic import Mover, Traffic, TrafficError, load
+from simvehicle.sitl.traffic import Aircraft, Traffic, TrafficError, load
 
 SQUARE = ((0.0, 0.0, -10.0), (20.0, 0.0, -10.0), (20.0, 20.0, -10.0), (0.0, 20.0, -10.0))
 ORIGIN = (47.397742, 8.545594, 488.0)
 
 
 def test_closed_path_is_flown_round_and_round() -> None:
-    mover = Mover("A", SQUARE, 4.0, True, 2.0)
+    mover = Aircraft("A", SQUARE, 4.0, True, 2.0)
     for lap in range(3):
         for time_s, p, v in (
             (2.5, (2.0, 0.0, -10.0), (4.0, 0.0, 0.0)),
@@ -33,7 +33,7 @@ def test_closed_path_is_flown_round_and_round() -> None:
 
 
 def test_open_path_is_flown_to_its_end_and_back() -> None:
-    mover = Mover("A", ((0.0, 0.0, 0.0), (3.0, 4.0, 0.0), (3.0, 4.0, -5.0)), 1.0, False, 0.0)
+    mover = Aircraft("A", ((0.0, 0.0, 0.0), (3.0, 4.0, 0.0), (3.0, 4.0, -5.0)), 1.0, False, 0.0)
     for time_s, p in (
         (2.5, (1.5, 2.0, 0.0)),
         (7.5, (3.0, 4.0, -2.5)),
@@ -46,7 +46,7 @@ def test_open_path_is_flown_to_its_end_and_back() -> None:
 
 
 def test_mover_waits_at_its_first_point_until_its_start() -> None:
-    mover = Mover("A", SQUARE, 4.0, True, 2.0)
+    mover = Aircraft("A", SQUARE, 4.0, True, 2.0)
     for time_s in (-1.0, 0.0, 2.0):
         assert mover.at(time_s) == (SQUARE[0], (0.0, 0.0, 0.0))
 
@@ -54,7 +54,7 @@ def test_mover_waits_at_its_first_point_until_its_start() -> None:
 @pytest.mark.parametrize("path", [((1.0, 2.0, 3.0),), ((1.0, 2.0, 3.0), (1.0, 2.0, 3.0))])
 @pytest.mark.parametrize("closed", [False, True])
 def test_path_without_length_stands_still(path: Any, closed: bool) -> None:
-    assert Mover("A", path, 4.0, closed, 0.0).at(9.0) == ((1.0, 2.0, 3.0), (0.0, 0.0, 0.0))
+    assert Aircraft("A", path, 4.0, closed, 0.0).at(9.0) == ((1.0, 2.0, 3.0), (0.0, 0.0, 0.0))
 
 
 points = st.tuples(*[st.floats(-100.0, 100.0)] * 3)
@@ -63,7 +63,7 @@ points = st.tuples(*[st.floats(-100.0, 100.0)] * 3)
 @settings(max_examples=200)
 @given(st.lists(points, min_size=2, max_size=6), st.floats(0.1, 30.0), st.booleans(), st.floats(0.0, 500.0))
 def test_mover_moves_at_its_speed_and_never_jumps(path: Any, speed: float, closed: bool, time_s: float) -> None:
-    mover = Mover("A", tuple(path), speed, closed, 0.0)
+    mover = Aircraft("A", tuple(path), speed, closed, 0.0)
     (p, v), (q, _) = mover.at(time_s), mover.at(time_s + 0.01)
     assert math.dist(p, q) <= 0.01 * speed * (1.0 + 1e-6) + 1e-9
     length = sum(math.dist(a, b) for a, b in pairwise(path))
@@ -79,8 +79,8 @@ def said_by(traffic: Traffic, connection: Connection, to_ms: int) -> list[Any]:
 def test_movers_are_told_every_100_ms_in_wgs84_with_a_heartbeat_every_second() -> None:
     frame, connection = LocalFrame(*ORIGIN), Connection(255, 156)
     movers = [
-        Mover("BIRD1", SQUARE, 4.0, True, 0.0),
-        Mover("BIRD2", ((0.0, 0.0, 0.0), (0.0, 0.0, -30.0)), 2.0, False, 0.0),
+        Aircraft("BIRD1", SQUARE, 4.0, True, 0.0),
+        Aircraft("BIRD2", ((0.0, 0.0, 0.0), (0.0, 0.0, -30.0)), 2.0, False, 0.0),
     ]
     traffic = Traffic(frame, movers, [connection])
     said = [said_by(traffic, connection, t) for t in range(0, 3000, 100)]
@@ -112,7 +112,7 @@ def test_file_is_read(tmp_path: Path) -> None:
     path.write_text(GOOD)
     frame, movers = load(path)
     assert frame == LocalFrame(47.0, 8.0, 400.0)
-    assert movers == [Mover("BIRD1", ((0.0, 0.0, -5.0), (10.0, 0.0, -5.0)), 2.0, True, 1.5)]
+    assert movers == [Aircraft("BIRD1", ((0.0, 0.0, -5.0), (10.0, 0.0, -5.0)), 2.0, True, 1.5)]
 
 
 @pytest.mark.parametrize(

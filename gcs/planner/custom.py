@@ -9,8 +9,8 @@ A scenario names it: `planner: {method: MODULE:CLASS}`.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from typing import Any, Protocol
 
 import numpy as np
@@ -18,6 +18,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from gcs.mavlink.setpoints import SetPoint
 from gcs.planner.planner import Planner
+from gcs.planner.request import PlanRequest, TickPlanner
+from gcs.planner.safe_planner import SafePlanner
 from gcs.scenario import plugins
 from gcs.scenario.guard import Guard, Nonsense
 from gcs.scenario.model import Obstacle, Scenario
@@ -72,32 +74,21 @@ class OwnPlanner:
         """The scenario's obstacles as the shipped planner's table."""
         return self._shipped.obstacles
 
-    def plan(
-        self,
-        snapshot: FleetState,
-        steered: frozenset[int],
-        *,
-        rendezvous: Mapping[int, int],
-        partners: Iterable[tuple[int, int]],
-        targets_move: bool,
-        period_s: float,
-        pursuing: Mapping[int, int] | None = None,
-        stations: Mapping[int, Vec3] | None = None,
-    ) -> list[SetPoint]:
+    def take_records(self) -> list[dict[str, Any]]:
+        """None: set points tell all."""
+        return []
+
+    def anchor(self, sysid: int, p_ned: Vec3) -> None:
+        """As `Planner.anchor`; a planner of a user's own keeps its points."""
+        self._shipped.anchor(sysid, p_ned)
+
+    def plan(self, request: PlanRequest) -> list[SetPoint]:
         """As `Planner.plan`, which also leads the pursuers that have a station."""
-        own_pursuers = self._pursuers - (stations or {}).keys()
-        follows = self._follows if pursuing is None else pursuing
-        situation = Situation(snapshot.time_s, period_s, snapshot, follows, self._scenario.obstacles)
-        points = self._shipped.plan(
-            snapshot,
-            steered - own_pursuers,
-            rendezvous=rendezvous,
-            partners=partners,
-            targets_move=targets_move,
-            period_s=period_s,
-            pursuing=pursuing,
-            stations=stations,
-        )
+        snapshot, steered = request.snapshot, request.steered
+        own_pursuers = self._pursuers - request.stations.keys()
+        follows = self._follows if request.pursuing is None else request.pursuing
+        situation = Situation(snapshot.time_s, request.period_s, snapshot, follows, self._scenario.obstacles)
+        points = self._shipped.plan(replace(request, steered=steered - own_pursuers))
         self._guard.begin_tick()
         led = steered & own_pursuers
         own = [view for view in snapshot.of_role("pursuer") if view.sysid in led and view.p_ned is not None]
@@ -129,10 +120,16 @@ def _checked(answer: Any) -> tuple[Vec3, Vec3]:
     return (n, e, d), (vn, ve, vd)
 
 
-def make_planner(scenario: Scenario) -> tuple[Planner | OwnPlanner, Guard | None]:
+def make_planner(scenario: Scenario) -> tuple[TickPlanner, Guard | None]:
     """The planner that a scenario names, and what guards it where it is not the shipped one. Raises ScenarioError."""
     method = scenario.planner.method
     if ":" not in method:
-        return Planner(scenario), None
+        return behind_filter(scenario, Planner(scenario)), None
     guard = Guard(f"planner {method}")
-    return OwnPlanner(scenario, plugins.make("planner.method", method, "plan", scenario), guard), guard
+    own = OwnPlanner(scenario, plugins.make("planner.method", method, "plan", scenario), guard)
+    return behind_filter(scenario, own), guard
+
+
+def behind_filter(scenario: Scenario, planner: TickPlanner) -> TickPlanner:
+    """The planner behind the safety filter, unless the scenario leaves that out."""
+    return SafePlanner(scenario, planner) if scenario.planner.safety else planner

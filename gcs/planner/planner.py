@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +20,7 @@ from numpy.typing import NDArray
 from gcs.mavlink.setpoints import SetPoint
 from gcs.planner import formation, fuzzy_escape, leader
 from gcs.planner.potential_field import Field, widened_range
+from gcs.planner.request import PlanRequest
 from gcs.scenario import geometry
 from gcs.scenario.model import Scenario, Tanker, Target
 from gcs.telemetry.state import FleetState, Vec3, VehicleView
@@ -28,6 +30,8 @@ CATCH_UP_SPEED = 1.3
 """A target's leader may be this much faster than its carrot, so that it comes back after an obstacle."""
 FLOOR_M = 0.3
 """No leader of a vehicle that has a ground goes lower than this above it: only landing does."""
+BRAKE_SHARE = 0.4
+"""Of the acceleration of leaders, with which they are to stop at their goals; the rest is for giving way."""
 ROLES = ("target", "pursuer", "tanker")
 OFF_PLAN_M = 1.0
 """A vehicle farther than this from its plan is met where it flies, not where it is planned."""
@@ -77,24 +81,9 @@ class Planner:
         self._slots: dict[int, Vec3] = {}
         self._slots_of: dict[int, frozenset[int]] = {}
 
-    def plan(
-        self,
-        snapshot: FleetState,
-        steered: frozenset[int],
-        *,
-        rendezvous: Mapping[int, int],
-        partners: Iterable[tuple[int, int]],
-        targets_move: bool,
-        period_s: float,
-        pursuing: Mapping[int, int] | None = None,
-        stations: Mapping[int, Vec3] | None = None,
-    ) -> list[SetPoint]:
-        """Set points for the vehicles in `steered`, in order of system id; each holds at the snapshot's time.
-
-        `rendezvous` says which receiver a tanker is to stand above; `partners` are pairs that may come close;
-        `pursuing` says which pursuer follows which target while the others hold, None that each follows its own;
-        `stations` says who is to be at a place instead.
-        """
+    def plan(self, request: PlanRequest) -> list[SetPoint]:
+        """Set points for the steered vehicles, in order of system id; each holds at the snapshot's time."""
+        snapshot, steered, period_s = request.snapshot, request.steered, request.period_s
         views = [view for view in snapshot.vehicles if view.sysid in steered and view.p_ned is not None]
         self._forget({view.sysid for view in views})
         if not views:
@@ -105,13 +94,22 @@ class Planner:
                 self._v[view.sysid] = STILL
                 self._memory[view.sysid] = fuzzy_escape.new_memory(1)[0]
         self._begin = {view.sysid: _vec(self._q[view.sysid]) for view in views}
-        self._pursuing, self._stations = pursuing, stations or {}
+        self._pursuing, self._stations = request.pursuing, request.stations
         for role in ROLES:
             led = [view for view in views if view.role == role]
             if led:
-                wanted = self._wants(role, snapshot, led, rendezvous, targets_move=targets_move, period_s=period_s)
-                self._move(snapshot, led, wanted, partners, period_s)
+                wanted = self._wants(role, request, led)
+                self._move(snapshot, led, wanted, request.partners, period_s)
         return [SetPoint(view.sysid, self._begin[view.sysid], self._v[view.sysid]) for view in views]
+
+    def take_records(self) -> list[dict[str, Any]]:
+        """None: set points tell all."""
+        return []
+
+    def anchor(self, sysid: int, p_ned: Vec3) -> None:
+        """Go on from here: where the safety filter takes the leader of a vehicle to."""
+        if sysid in self._q:
+            self._q[sysid] = np.array(p_ned)
 
     def _move(
         self,
@@ -137,7 +135,7 @@ class Planner:
             owner=owner,
             exempt=self._exempt(snapshot, views, others, partners),
             field=self._field,
-            speed_m_s=np.array([self._leashed(view, want.speed_m_s) for view, want in zip(views, wanted, strict=True)]),
+            speed_m_s=np.array([self._speed(view, want) for view, want in zip(views, wanted, strict=True)]),
             period_s=period_s,
             escape=self._scenario.planner.escape,
             attractors=attractors,
@@ -156,25 +154,17 @@ class Planner:
         for sysid in self._q.keys() - kept:
             del self._q[sysid], self._v[sysid], self._memory[sysid]
 
-    def _wants(
-        self,
-        role: str,
-        snapshot: FleetState,
-        views: list[VehicleView],
-        rendezvous: Mapping[int, int],
-        *,
-        targets_move: bool,
-        period_s: float,
-    ) -> list[_Wanted]:
+    def _wants(self, role: str, request: PlanRequest, views: list[VehicleView]) -> list[_Wanted]:
+        snapshot = request.snapshot
         wants: dict[int, _Wanted] = {}
         if role == "target":
             for target in self._scenario.vehicles.targets:
-                wants[target.sysid] = self._carrot(target, targets_move, period_s)
+                wants[target.sysid] = self._carrot(target, request.targets_move, request.period_s)
         elif role == "pursuer":
             wants = self._formation(snapshot) | {sysid: self._course(sysid) for sysid in self._courses.keys() & self._q}
         else:
             for tanker in self._scenario.vehicles.tankers:
-                wants[tanker.sysid] = self._station(tanker, snapshot, rendezvous.get(tanker.sysid))
+                wants[tanker.sysid] = self._station(tanker, snapshot, request.rendezvous.get(tanker.sysid))
         cruise_m_s = self._scenario.planner.cruise_m_s  # who holds may still give way
         wants |= {sysid: _Wanted(place, STILL, cruise_m_s) for sysid, place in self._stations.items()}
         return [wants.get(view.sysid, _Wanted(_vec(self._q[view.sysid]), STILL, cruise_m_s)) for view in views]
@@ -201,7 +191,8 @@ class Planner:
     def _course(self, sysid: int) -> _Wanted:
         """The next of a vehicle's own way points; at the last one it stays."""
         course, here = self._courses[sysid], _vec(self._q[sysid])
-        if course and math.dist(here, course[0]) <= self._field.step_m:
+        last = 1 if self._scenario.planner.safety else 0  # who gives way at the last one comes back to it
+        if len(course) > last and math.dist(here, course[0]) <= self._field.step_m:
             course.pop(0)
         if not course:
             return _Wanted(here, STILL, 0.0)
@@ -274,7 +265,8 @@ class Planner:
             ages.append(aircraft.age_s + self._scenario.clock.period_s)
         ranges = widened_range(self._field.repulsion_range_m, np.array(speeds), np.array(ages))
         owner = np.array([rows.get(view.sysid, -1) for view in others] + [-1] * len(snapshot.traffic), dtype=np.int64)
-        radii = np.array([self._radius_m(view) for view in others] + [0.0] * len(snapshot.traffic))
+        aircraft_m = self._scenario.planner.separation_m if self._scenario.planner.safety else 0.0
+        radii = np.array([self._radius_m(view) for view in others] + [aircraft_m] * len(snapshot.traffic))
         return np.array(at).reshape(-1, 3), radii, np.broadcast_to(ranges, len(at)), owner
 
     def _radius_m(self, view: VehicleView) -> float:
@@ -307,6 +299,15 @@ class Planner:
                 if one in rows and other in columns:
                     exempt[rows[one], columns[other]] = True
         return exempt
+
+    def _speed(self, view: VehicleView, want: _Wanted) -> float:
+        """Leashed; and under the safety filter, whose leaders brake at a limit, no faster than they can still stop."""
+        speed_m_s = self._leashed(view, want.speed_m_s)
+        if not self._scenario.planner.safety:
+            return speed_m_s
+        way_m = math.dist(self._q[view.sysid], want.p_ned)
+        brake_m_s2 = BRAKE_SHARE * self._scenario.planner.acceleration_m_s2
+        return min(speed_m_s, math.hypot(*want.v_ned) + math.sqrt(2.0 * brake_m_s2 * way_m))
 
     def _leashed(self, view: VehicleView, speed_m_s: float) -> float:
         """The leader waits for a vehicle that has fallen behind by more than its speed explains."""

@@ -70,6 +70,12 @@ class PlannerRules(Part):
     """false: each vehicle is planned as if it were alone, and may start where another does"""
     leash_m: Metres = 2.0
     """how far the planned point may run ahead of its vehicle"""
+    safety: Flag = True
+    """the safety filter behind the planner, which keeps everyone apart; false: planned points as they are"""
+    acceleration_m_s2: Positive = 4.0
+    """greatest acceleration of planned points under the safety filter, m/s²; launched vehicles can do 5"""
+    clearance_m: NotNegative = 0.2
+    """distance that the safety filter keeps to obstacles' surfaces beside each vehicle's margin, m"""
 
 
 class FormationRules(Part):

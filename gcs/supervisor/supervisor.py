@@ -21,6 +21,7 @@ from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, TRAFFIC
 from gcs.mavlink.sequence import GapCounter
 from gcs.mavlink.setpoints import SetPoint, encoded
 from gcs.planner.custom import make_planner
+from gcs.planner.request import PlanRequest
 from gcs.recording.decisions import TickRecord, records_of_tick
 from gcs.recording.writer import Digest, Recorder
 from gcs.refuelling.base import giver_messages
@@ -280,14 +281,16 @@ class Supervisor:
             ready = all(p.stage in _SETTLED for s, p in self.pilots.items() if self._join_ms[s] == 0)
             self.targets_move = ready or self.time_s > self._wait_for_fleet_s
         return self.planner.plan(
-            snapshot,
-            steered,
-            rendezvous=decision.rendezvous,
-            partners=decision.partners,
-            targets_move=self.targets_move,
-            period_s=self._periods * self.scenario.clock.period_s,
-            pursuing=pursuing,
-            stations=decision.stations,
+            PlanRequest(
+                snapshot,
+                steered,
+                self._periods * self.scenario.clock.period_s,
+                targets_move=self.targets_move,
+                rendezvous=decision.rendezvous,
+                partners=decision.partners,
+                pursuing=pursuing,
+                stations=decision.stations,
+            )
         )
 
     def _queue_set_points(self, set_points: Iterable[SetPoint], snapshot: FleetState) -> None:
@@ -364,7 +367,7 @@ class Supervisor:
             standings=self.schedule.standings,
         )
         self.events += events
-        return self._told() + records
+        return self._told() + self.planner.take_records() + records
 
     def _told(self) -> list[dict[str, Any]]:
         """Who has died, and what operators have commanded, since the last call."""

@@ -8,7 +8,9 @@ from __future__ import annotations
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
+from gcs.planner.custom import behind_filter
 from gcs.planner.planner import Planner
+from gcs.planner.request import PlanRequest
 from gcs.scenario.model import Scenario
 from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
 from gcs.telemetry.metrics import PLAN_MEMORY, Metrics
@@ -25,12 +27,10 @@ def rehearse(scenario: Scenario) -> None:
         for frame in codec.split(_telling(vehicle.sysid, vehicle.start_m, scenario)).frames:
             fleet.ingest(frame, 0.0)
     snapshot = fleet.snapshot(0.0)
-    planner = Planner(scenario)
+    planner = behind_filter(scenario, Planner(scenario))
     metrics = Metrics(scenario, planner.obstacles)
     everyone = frozenset(vehicle.sysid for vehicle in vehicles)
-    set_points = planner.plan(
-        snapshot, everyone, rendezvous={}, partners=(), targets_move=True, period_s=scenario.clock.period_s
-    )
+    set_points = planner.plan(PlanRequest(snapshot, everyone, scenario.clock.period_s))
     for _ in range(PLAN_MEMORY):  # only then is a vehicle's way held against its plan
         metrics.take(snapshot, set_points, ())
 

@@ -15,6 +15,7 @@ from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.mavlink.setpoints import SetPoint
 from gcs.planner.formation import assign, ring_offsets
 from gcs.planner.planner import Planner
+from gcs.planner.request import PlanRequest
 from gcs.scenario import geometry
 from gcs.scenario.geometry import surface
 from gcs.scenario.model import Obstacle, Scenario
@@ -28,8 +29,10 @@ BATTERY = {"capacity_j": 24_000.0}
 def scenario(**changed: Any) -> Scenario:
     content: dict[str, Any] = {
         "schema": 1, "name": "plan", "axes": "ned", "origin": {"lat_deg": 47.0, "lon_deg": 8.0, "alt_m": 400.0},
-        "goal": {"duration_s": 60.0}, "vehicles": {},
+        "goal": {"duration_s": 60.0}, "vehicles": {}, "planner": {"safety": False},
     }  # fmt: skip
+    if "planner" in changed:
+        changed["planner"] = {"safety": False} | changed["planner"]
     return Scenario.model_validate(content | changed)
 
 
@@ -68,8 +71,10 @@ class World:
         self, rendezvous: Mapping[int, int] | None = None, partners: Iterable[tuple[int, int]] = (), move: bool = True
     ) -> dict[int, Vec3]:
         self.plan = self.planner.plan(
-            self.snapshot(), frozenset(self.at), rendezvous=rendezvous or {}, partners=partners, targets_move=move,
-            period_s=PERIOD_S,
+            PlanRequest(
+                self.snapshot(), frozenset(self.at), PERIOD_S, targets_move=move, rendezvous=rendezvous or {},
+                partners=partners,
+            )
         )  # fmt: skip
         for point in self.plan:
             self._past[point.sysid].append((self.time_s, point.p_ned, point.v_ned))
@@ -267,13 +272,13 @@ def test_slots_are_assigned_anew_when_one_is_lost() -> None:
 def test_unknown_places_are_not_planned_for_and_a_vehicle_given_back_starts_where_it_is() -> None:
     world = World(scenario(vehicles={"pursuers": FIVE[:2], "targets": [target(101, (0, 0, -4))]}, formation=RING))
     world.fly(5.0)
-    how: dict[str, Any] = {"rendezvous": {}, "partners": (), "targets_move": False, "period_s": PERIOD_S}
+    how: dict[str, Any] = {"targets_move": False, "period_s": PERIOD_S}
     snapshot = world.snapshot()
-    assert [point.sysid for point in world.planner.plan(snapshot, frozenset({2, 101}), **how)] == [2, 101]
+    assert [point.sysid for point in world.planner.plan(PlanRequest(snapshot, frozenset({2, 101}), **how))] == [2, 101]
     moved = replace(snapshot, vehicles=(snapshot.vehicles[0]._replace(p_ned=(9.0, 9.0, -9.0)), *snapshot.vehicles[1:]))
-    assert world.planner.plan(moved, frozenset({1}), **how)[0].p_ned == (9.0, 9.0, -9.0)
+    assert world.planner.plan(PlanRequest(moved, frozenset({1}), **how))[0].p_ned == (9.0, 9.0, -9.0)
     blind = replace(snapshot, vehicles=tuple(v._replace(p_ned=None) for v in snapshot.vehicles))
-    assert world.planner.plan(blind, frozenset({1, 2, 101}), **how) == []
+    assert world.planner.plan(PlanRequest(blind, frozenset({1, 2, 101}), **how)) == []
 
 
 def test_the_same_world_is_planned_the_same_to_the_last_bit() -> None:
@@ -331,9 +336,8 @@ def test_only_the_chosen_pursuers_follow_and_the_others_hold() -> None:
     content = {"pursuers": FIVE, "targets": [target(101, (9, 0, -4))]}
     world = World(scenario(vehicles=content))
     starts = dict(world.at)
-    how = {"rendezvous": {}, "partners": (), "targets_move": True, "period_s": PERIOD_S}
     for _ in range(20):
-        plan = world.planner.plan(world.snapshot(), frozenset(world.at), pursuing={3: 101}, **how)
+        plan = world.planner.plan(PlanRequest(world.snapshot(), frozenset(world.at), PERIOD_S, pursuing={3: 101}))
     where = {point.sysid: point.p_ned for point in plan}
     assert math.dist(where[3], (9, 0, -4)) < math.dist(starts[3], (9, 0, -4)) - 2.0
     assert {sysid: where[sysid] for sysid in (1, 2, 4, 5)} == {sysid: starts[sysid] for sysid in (1, 2, 4, 5)}

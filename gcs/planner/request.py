@@ -1,0 +1,50 @@
+"""Request to a planner: what one tick of planning is asked for, and by whom it is answered."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gcs.mavlink.setpoints import SetPoint
+from gcs.telemetry.state import FleetState, Vec3
+
+
+@dataclass(frozen=True, slots=True)
+class PlanRequest:
+    """One tick of planning; positions are in the common NED frame, m.
+
+    steered: system ids of the vehicles that fly set points. rendezvous: the receiver above which each tanker is to
+    stand. partners: pairs of a transfer, which may come near each other. targets_move: whether targets fly on along
+    their paths. period_s: until the next request. pursuing: the target of each pursuer while all others hold; None:
+    each pursues its own. stations: vehicles that are to be at a place instead.
+    """
+
+    snapshot: FleetState
+    steered: frozenset[int]
+    period_s: float
+    targets_move: bool = True
+    rendezvous: Mapping[int, int] = field(default_factory=dict)
+    partners: Iterable[tuple[int, int]] = ()
+    pursuing: Mapping[int, int] | None = None
+    stations: Mapping[int, Vec3] = field(default_factory=dict)
+
+
+class TickPlanner(Protocol):
+    """Planner of all steered vehicles."""
+
+    @property
+    def obstacles(self) -> NDArray[np.float64]:
+        """Obstacle table (gcs/scenario/geometry.py)."""
+
+    def plan(self, request: PlanRequest) -> list[SetPoint]:
+        """Set points for the steered vehicles whose place is known, in order of system id, at the snapshot's time."""
+
+    def take_records(self) -> list[dict[str, Any]]:
+        """Decisions since the last call that the set points do not tell."""
+
+    def anchor(self, sysid: int, p_ned: Vec3) -> None:
+        """Go on planning from here: where the safety filter takes a vehicle's planned point to."""

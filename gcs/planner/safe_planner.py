@@ -1,0 +1,269 @@
+"""Safety layer: any planner's set points, changed as little as keeps everyone apart (docs/model.md#safety-layer).
+
+Each steered vehicle has a leader that obeys limits of speed and acceleration. The planner proposes where it goes, the
+safety filter (safety_filter.py) has the last word, and the vehicle is sent the leader's place and mean velocity. Then
+the planner goes on from where the leader is. Leaders of all roles are filtered together, so they give way to each
+other; traffic, vehicles that nobody steers and silent ones do not, and are looked at where they will be when the
+vehicles have followed their leaders.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gcs.mavlink.setpoints import SetPoint
+from gcs.planner.request import PlanRequest, TickPlanner
+from gcs.planner.safety_filter import KINDS, Filtered, Others, Rules, Vehicles, filter_step
+from gcs.planner.tracking import Tracking
+from gcs.scenario.model import Scenario
+from gcs.telemetry.state import Vec3, VehicleView
+
+LAG_S = 0.37
+"""How far launched vehicles fly behind their leaders: 0.32 s of guidance, and half a grant."""
+LEAST_MARGIN_M, MOST_MARGIN_M = 0.1, 1.5
+SPARE_M = 0.05
+"""Added to the measured error."""
+OFF_LEADER_M = 2.0
+"""A vehicle farther from its leader's way gets a new leader where it is."""
+SETTLE_S = 0.5
+"""A leader that is not where a planner of a user's own wants it comes there in about so long."""
+SLOWEST_M_S = 1.0
+"""Even who is to stand may give way this fast."""
+EXTERNAL_M_S2 = 2.0
+"""Autopilots that somebody else tuned follow leaders of no more acceleration."""
+FLOOR_M = 0.3
+SILENT_S = 1.0
+DRIFT_M_S2 = 1.0
+"""What moves otherwise than it told: its place is unknown by half of this times its age squared."""
+MOST_DRIFT_M = 3.0
+MOST_GROWTH_M_S = 1.0
+PARTNERS_SHARE = 0.5
+"""Of the height in which a tanker stands: so near may partners of a transfer come."""
+ACTS_M_S2 = 1.0
+"""A change of a wish by so much is an intervention to be recorded, once in QUIET_S for each vehicle and cause."""
+QUIET_S = 2.0
+
+
+@dataclass(slots=True)
+class _Leader:
+    p_ned: NDArray[np.float64]
+    v_ned: NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class _Other:
+    """Somebody who gives no way; `owner`: a vehicle that is led but silent, and need not keep away from itself."""
+
+    name: str
+    owner: int | None
+    p_ned: NDArray[np.float64]
+    v_ned: NDArray[np.float64]
+    radius_m: float
+    growth_m_s: float
+
+    @classmethod
+    def of(
+        cls, name: str, owner: int | None, p_ned: Vec3, v_ned: Vec3, lead_s: float, radius_m: float, age_s: float
+    ) -> _Other:
+        """Carried forward by `lead_s`, and the less certain the older the report of it is."""
+        v = np.array(v_ned)
+        drift_m = min(0.5 * DRIFT_M_S2 * age_s**2, MOST_DRIFT_M)
+        growth_m_s = min(DRIFT_M_S2 * age_s, MOST_GROWTH_M_S) if drift_m < MOST_DRIFT_M else 0.0
+        return cls(name, owner, np.array(p_ned) + lead_s * v, v, radius_m + drift_m, growth_m_s)
+
+
+class SafePlanner:
+    """A planner whose set points pass the safety filter."""
+
+    def __init__(self, scenario: Scenario, planner: TickPlanner) -> None:
+        self._scenario = scenario
+        self._planner = planner
+        self._leaders: dict[int, _Leader] = {}
+        self.tracking: dict[int, Tracking] = {}
+        self._speed_m_s = {v.sysid: scenario.planner.cruise_m_s for v in scenario.vehicles.pursuers}
+        self._speed_m_s |= {t.sysid: 1.3 * t.speed_m_s for t in scenario.vehicles.targets}
+        self._speed_m_s |= {t.sysid: t.speed_m_s for t in scenario.vehicles.tankers}
+        most = scenario.planner.acceleration_m_s2
+        self._a_max = {v.sysid: most if v.external is None else min(most, EXTERNAL_M_S2) for v in scenario.vehicles.all}
+        self._grounded = {v.sysid for v in scenario.vehicles.all if not v.airborne}
+        self._told_s: dict[tuple[int, str], float] = {}
+        self._records: list[dict[str, Any]] = []
+
+    @property
+    def obstacles(self) -> NDArray[np.float64]:
+        """The scenario's obstacle table."""
+        return self._planner.obstacles
+
+    def margin_m(self, sysid: int) -> float:
+        """What is added to the separation for a vehicle's tracking error."""
+        tracking = self.tracking.get(sysid)
+        error_m = 0.0 if tracking is None else tracking.error_m + SPARE_M
+        return min(max(error_m, LEAST_MARGIN_M), MOST_MARGIN_M)
+
+    def take_records(self) -> list[dict[str, Any]]:
+        """Interventions of the filter since the last call, as decisions."""
+        taken, self._records = self._records, []
+        return taken
+
+    def anchor(self, sysid: int, p_ned: Vec3) -> None:
+        """As the planner's."""
+        self._planner.anchor(sysid, p_ned)
+
+    def plan(self, request: PlanRequest) -> list[SetPoint]:
+        """The planner's set points, filtered."""
+        snapshot, period_s = request.snapshot, request.period_s
+        views = {view.sysid: view for view in snapshot.vehicles}
+        self._follow(request, views)
+        points = self._planner.plan(request)
+        self._keep(points, views)
+        if not points:
+            return []
+        others = self._others(request, {point.sysid for point in points})
+        filtered = self._filter(points, request, views, others)
+        set_points = []
+        for row, point in enumerate(points):
+            leader = self._leaders[point.sysid]
+            mean = leader.v_ned + 0.5 * period_s * filtered.u_ned[row]
+            set_points.append(SetPoint(point.sysid, _vec(leader.p_ned), _vec(mean)))
+            leader.p_ned, leader.v_ned = filtered.p_next_ned[row], filtered.v_next_ned[row]
+            self.tracking[point.sysid].lead(snapshot.time_s + period_s, _vec(leader.p_ned))
+            self._planner.anchor(point.sysid, _vec(leader.p_ned))
+        self._record(points, filtered, snapshot.time_s, others)
+        return set_points
+
+    def _follow(self, request: PlanRequest, views: dict[int, VehicleView]) -> None:
+        """Measure each vehicle against its leader; one that is far off gets a new leader where it is."""
+        for sysid, leader in self._leaders.items():
+            view, tracking = views[sysid], self.tracking[sysid]
+            if view.p_ned is None or view.age_s > SILENT_S:
+                continue
+            tracking.measure(request.snapshot.time_s, view.p_now_ned(), request.period_s)
+            if tracking.now_m > OFF_LEADER_M:
+                leader.p_ned = np.array(view.p_now_ned()) + LAG_S * np.array(view.v_ned)
+                leader.v_ned = self._within_speed(sysid, np.array(view.v_ned))
+                tracking.restart()
+                self._planner.anchor(sysid, _vec(leader.p_ned))
+
+    def _keep(self, points: Iterable[SetPoint], views: dict[int, VehicleView]) -> None:
+        """A leader for each set point, and none for who has none."""
+        kept = {point.sysid for point in points}
+        for sysid in self._leaders.keys() - kept:
+            del self._leaders[sysid]
+            self.tracking[sysid].restart()
+        for point in points:
+            if point.sysid not in self._leaders:
+                v_ned = self._within_speed(point.sysid, np.array(views[point.sysid].v_ned))
+                self._leaders[point.sysid] = _Leader(np.array(point.p_ned), v_ned)
+                self.tracking.setdefault(point.sysid, Tracking(LAG_S))
+
+    def _within_speed(self, sysid: int, v_ned: NDArray[np.float64]) -> NDArray[np.float64]:
+        most = max(self._speed_m_s[sysid], SLOWEST_M_S)
+        return v_ned * min(1.0, most / max(float(np.linalg.norm(v_ned)), 1e-9))
+
+    def _filter(
+        self, points: list[SetPoint], request: PlanRequest, views: dict[int, VehicleView], others: list[_Other]
+    ) -> Filtered:
+        rules = self._scenario.planner
+        ids = [point.sysid for point in points]
+        p = np.array([self._leaders[sysid].p_ned for sysid in ids])
+        v = np.array([self._leaders[sysid].v_ned for sysid in ids])
+        planned = np.array([point.v_ned for point in points])
+        wish = planned + (np.array([point.p_ned for point in points]) - p) / SETTLE_S
+        silent = np.array([views[sysid].age_s > SILENT_S for sysid in ids])
+        wish[silent] = 0.0
+        speeds = np.array([max(self._speed_m_s[sysid], SLOWEST_M_S) for sysid in ids])
+        fence = np.full((len(ids), 3), np.inf)
+        fence[:, 2] = [self._floor(views[sysid]) for sysid in ids]
+        return filter_step(
+            Vehicles(
+                ids=ids,
+                p_ned=p,
+                v_ned=v,
+                v_max_m_s=speeds,
+                a_max_m_s2=[self._a_max[sysid] for sysid in ids],
+                margin_m=[self.margin_m(sysid) for sysid in ids],
+                high_ned=fence,
+            ),
+            wish,
+            rules=Rules(request.period_s, rules.separation_m, rules.clearance_m),
+            others=_table(others),
+            obstacles=self._planner.obstacles,
+            pair_required_m=self._special_pairs(ids, request),
+            other_required_m=[(other.owner, row, 0.0) for row, other in enumerate(others) if other.owner is not None],
+        )
+
+    def _floor(self, view: VehicleView) -> float:
+        """Greatest down of a leader: above the ground of its vehicle, as its home tells, whatever the origin says."""
+        if view.sysid not in self._grounded:
+            return math.inf
+        return (view.ground_down_m or 0.0) - FLOOR_M
+
+    def _special_pairs(self, ids: list[int], request: PlanRequest) -> list[tuple[int, int, float]]:
+        rules = self._scenario.planner
+        if not rules.vehicles_repel:
+            return [(a, b, 0.0) for i, a in enumerate(ids) for b in ids[i + 1 :]]
+        near_m = PARTNERS_SHARE * self._scenario.refuelling.height_m
+        return [
+            (a, b, min(near_m, rules.separation_m + self.margin_m(a) + self.margin_m(b))) for a, b in request.partners
+        ]
+
+    def _others(self, request: PlanRequest, led: set[int]) -> list[_Other]:
+        """Who gives no way, where it will be when vehicles fly where their leaders are now."""
+        rules, others = self._scenario.planner, []
+        for view in request.snapshot.vehicles:
+            silent = view.age_s > SILENT_S
+            if not rules.vehicles_repel or not view.flying or (view.sysid in led and not silent):
+                continue
+            radius_m = rules.separation_m + self.margin_m(view.sysid)
+            name, owner = f"vehicle {view.sysid}", view.sysid if view.sysid in led else None
+            others.append(_Other.of(name, owner, view.p_now_ned(), view.v_ned, LAG_S, radius_m, view.age_s))
+        for aircraft in request.snapshot.traffic:
+            name, lead_s = f"traffic {aircraft.callsign}", LAG_S + aircraft.age_s
+            radius_m = rules.separation_m
+            others.append(_Other.of(name, None, aircraft.p_ned, aircraft.v_ned, lead_s, radius_m, aircraft.age_s))
+        return others
+
+    def _record(self, points: list[SetPoint], filtered: Filtered, now_s: float, others: list[_Other]) -> None:
+        for row in np.flatnonzero(filtered.changed_m_s2 > ACTS_M_S2):
+            sysid = points[row].sysid
+            by = self._named(int(filtered.binding_kind[row]), int(filtered.binding[row]), points, others)
+            if now_s < self._told_s.get((sysid, by), -math.inf) + QUIET_S:
+                continue
+            self._told_s[sysid, by] = now_s
+            change = round(float(filtered.changed_m_s2[row]), 3)
+            braked = bool(filtered.checked[row] == 3)
+            self._records.append(
+                {"t_s": now_s, "kind": "safety", "sysid": sysid, "by": by, "change_m_s2": change, "braked": braked}
+            )
+
+    def _named(self, kind: int, index: int, points: list[SetPoint], others: list[_Other]) -> str:
+        """What bound the filter, for a person."""
+        if KINDS[kind] == "vehicle":
+            return f"vehicle {points[index].sysid}"
+        if KINDS[kind] == "other":
+            return others[index].name
+        if KINDS[kind] == "obstacle":
+            obstacle = self._scenario.obstacles[index]
+            return f"obstacle {obstacle.name or f'{obstacle.kind} {index + 1}'}"
+        return "ground" if KINDS[kind] == "wall" else "limits"
+
+
+def _table(others: list[_Other]) -> Others:
+    if not others:
+        return Others()
+    return Others(
+        np.array([other.p_ned for other in others]),
+        np.array([other.v_ned for other in others]),
+        np.array([other.radius_m for other in others]),
+        np.array([other.growth_m_s for other in others]),
+    )
+
+
+def _vec(row: NDArray[np.float64]) -> Vec3:
+    return (float(row[0]), float(row[1]), float(row[2]))

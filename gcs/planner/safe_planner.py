@@ -12,11 +12,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
+from statistics import median
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from gcs.mavlink.autopilots import STEERABLE
 from gcs.mavlink.setpoints import SetPoint
 from gcs.planner.request import PlanRequest, TickPlanner
 from gcs.planner.safety_filter import KINDS, Filtered, Others, Rules, Vehicles, filter_step
@@ -85,13 +87,17 @@ class SafePlanner:
         self._scenario = scenario
         self._planner = planner
         self._leaders: dict[int, _Leader] = {}
-        self.tracking: dict[int, Tracking] = {}
+        self.tracking = Tracking((v.sysid for v in scenario.vehicles.all), LAG_S)
         self._speed_m_s = {v.sysid: scenario.planner.cruise_m_s for v in scenario.vehicles.pursuers}
         self._speed_m_s |= {t.sysid: 1.3 * t.speed_m_s for t in scenario.vehicles.targets}
         self._speed_m_s |= {t.sysid: t.speed_m_s for t in scenario.vehicles.tankers}
         most = scenario.planner.acceleration_m_s2
         self._a_max = {v.sysid: most if v.external is None else min(most, EXTERNAL_M_S2) for v in scenario.vehicles.all}
         self._grounded = {v.sysid for v in scenario.vehicles.all if not v.airborne}
+        launched = (v for v in scenario.vehicles.all if v.external is None)
+        self._airborne = {v.sysid: v.start_m for v in launched if v.airborne and not v.join_s}
+        self.lag_s = LAG_S
+        """how far vehicles fly behind their leaders, usually"""
         self._told_s: dict[tuple[int, str], float] = {}
         self._records: list[dict[str, Any]] = []
 
@@ -102,9 +108,8 @@ class SafePlanner:
 
     def margin_m(self, sysid: int) -> float:
         """What is added to the separation for a vehicle's tracking error."""
-        tracking = self.tracking.get(sysid)
-        error_m = 0.0 if tracking is None else tracking.error_m + SPARE_M
-        return min(max(error_m, LEAST_MARGIN_M), MOST_MARGIN_M)
+        error_m = float(self.tracking.error_m[self.tracking.row[sysid]])
+        return min(max(error_m + SPARE_M, LEAST_MARGIN_M), MOST_MARGIN_M)
 
     def take_records(self) -> list[dict[str, Any]]:
         """Interventions of the filter since the last call, as decisions."""
@@ -132,35 +137,45 @@ class SafePlanner:
             mean = leader.v_ned + 0.5 * period_s * filtered.u_ned[row]
             set_points.append(SetPoint(point.sysid, _vec(leader.p_ned), _vec(mean)))
             leader.p_ned, leader.v_ned = filtered.p_next_ned[row], filtered.v_next_ned[row]
-            self.tracking[point.sysid].lead(snapshot.time_s + period_s, _vec(leader.p_ned))
+            self.tracking.lead(point.sysid, snapshot.time_s + period_s, leader.p_ned)
             self._planner.anchor(point.sysid, _vec(leader.p_ned))
         self._record(points, filtered, snapshot.time_s, others)
         return set_points
 
     def _follow(self, request: PlanRequest, views: dict[int, VehicleView]) -> None:
-        """Measure each vehicle against its leader; one that is far off gets a new leader where it is."""
-        for sysid, leader in self._leaders.items():
-            view, tracking = views[sysid], self.tracking[sysid]
-            if view.p_ned is None or view.age_s > SILENT_S:
-                continue
-            tracking.measure(request.snapshot.time_s, view.p_now_ned(), request.period_s)
-            if tracking.now_m > OFF_LEADER_M:
-                leader.p_ned = np.array(view.p_now_ned()) + LAG_S * np.array(view.v_ned)
-                leader.v_ned = self._within_speed(sysid, np.array(view.v_ned))
-                tracking.restart()
-                self._planner.anchor(sysid, _vec(leader.p_ned))
+        """Measure each vehicle against its leader; one that is far off, or follows none, gets one where it is."""
+        led = [views[sysid] for sysid in self._leaders]
+        known = [view for view in led if view.p_ned is not None and view.age_s <= SILENT_S]
+        following = [view for view in known if view.mode in STEERABLE]
+        tracking = self.tracking
+        tracking.measure(
+            [view.sysid for view in following],
+            [view.p_now_ned() for view in following],
+            request.snapshot.time_s,
+            request.period_s,
+            self.lag_s,
+        )
+        for view in known:
+            if view.mode not in STEERABLE or tracking.now_m[tracking.row[view.sysid]] > OFF_LEADER_M:
+                v_ned = np.array(view.v_ned)
+                leader = self._leaders[view.sysid]
+                leader.p_ned = np.array(view.p_now_ned()) + self.lag_s * v_ned
+                leader.v_ned = self._within_speed(view.sysid, v_ned)
+                tracking.restart(view.sysid)
+                self._planner.anchor(view.sysid, _vec(leader.p_ned))
+        lags = [tracking.lag_s[tracking.row[sysid]] for sysid in self._leaders]
+        self.lag_s = max(float(median(lags)), LAG_S) if lags else LAG_S
 
     def _keep(self, points: Iterable[SetPoint], views: dict[int, VehicleView]) -> None:
         """A leader for each set point, and none for who has none."""
         kept = {point.sysid for point in points}
         for sysid in self._leaders.keys() - kept:
             del self._leaders[sysid]
-            self.tracking[sysid].restart()
+            self.tracking.restart(sysid)
         for point in points:
             if point.sysid not in self._leaders:
                 v_ned = self._within_speed(point.sysid, np.array(views[point.sysid].v_ned))
                 self._leaders[point.sysid] = _Leader(np.array(point.p_ned), v_ned)
-                self.tracking.setdefault(point.sysid, Tracking(LAG_S))
 
     def _within_speed(self, sysid: int, v_ned: NDArray[np.float64]) -> NDArray[np.float64]:
         most = max(self._speed_m_s[sysid], SLOWEST_M_S)
@@ -218,16 +233,35 @@ class SafePlanner:
         rules, others = self._scenario.planner, []
         for view in request.snapshot.vehicles:
             silent = view.age_s > SILENT_S
-            if not rules.vehicles_repel or not view.flying or (view.sysid in led and not silent):
+            place = self._place(view)
+            follows = view.sysid in led and not silent and view.mode in STEERABLE
+            if not rules.vehicles_repel or place is None or follows:
                 continue
             radius_m = rules.separation_m + self.margin_m(view.sysid)
             name, owner = f"vehicle {view.sysid}", view.sysid if view.sysid in led else None
-            others.append(_Other.of(name, owner, view.p_now_ned(), view.v_ned, LAG_S, radius_m, view.age_s))
+            others.append(
+                _Other.of(
+                    name, owner, place, view.v_ned, self.lag_s, radius_m, min(view.age_s, request.snapshot.time_s)
+                )
+            )
         for aircraft in request.snapshot.traffic:
-            name, lead_s = f"traffic {aircraft.callsign}", LAG_S + aircraft.age_s
+            name, lead_s = f"traffic {aircraft.callsign}", self.lag_s + aircraft.age_s
             radius_m = rules.separation_m
             others.append(_Other.of(name, None, aircraft.p_ned, aircraft.v_ned, lead_s, radius_m, aircraft.age_s))
         return others
+
+    def _place(self, view: VehicleView) -> Vec3 | None:
+        """Where anybody is who is not on the ground, whether or not his arming has been heard of; None on the ground.
+
+        Launched vehicles have the scenario's origin and start, so that their place is known before they tell it.
+        """
+        if not view.alive:
+            return None
+        if view.p_ned is not None:
+            in_the_air = view.flying or view.height_m is None or view.height_m > FLOOR_M
+            return view.p_now_ned() if in_the_air else None
+        start = self._airborne.get(view.sysid)
+        return None if start is None else view.p_local_ned or start
 
     def _record(self, points: list[SetPoint], filtered: Filtered, now_s: float, others: list[_Other]) -> None:
         for row in np.flatnonzero(filtered.changed_m_s2 > ACTS_M_S2):

@@ -1,67 +1,106 @@
 """Tracking error and lag of each vehicle, measured against the way of its virtual leader [choice].
 
-A vehicle flies a lag behind its leader. Both are measured in every tick: the error is the distance of the vehicle from
-the leader's way of the last HISTORY_S, the lag the age of the nearest place on it, while the leader moves.
+A vehicle flies a lag behind its leader. The lag is the age of the nearest place on the leader's way, while that moves.
+The error is the distance from where the leader was the fleet's usual lag ago: who is late is as wrong as who is aside.
 """
 
 from __future__ import annotations
 
-from collections import deque
+import math
+from collections.abc import Iterable, Sequence
 
 import numpy as np
+from numba import njit
 from numpy.typing import NDArray
 
 from gcs.telemetry.state import Vec3
 
-HISTORY_S = 2.5
+KEPT = 32
+"""Places of each leader's way, one a period."""
 MOVING_M_S = 0.5
 """Only a leader that moves faster shows a lag."""
 DECAY_S = 20.0
 """An error that is not measured again counts by 1/e less after so long."""
 LAG_SHARE = 0.1
 """Of a newly measured lag in the one that is kept."""
+MOST_LAG_S = 2.5
+
+Floats = NDArray[np.float64]
 
 
 class Tracking:
-    """Error and lag of one vehicle."""
+    """Errors and lags of a fleet; each vehicle has a row for as long as the session lasts."""
 
-    def __init__(self, lag_s: float) -> None:
-        self.error_m = 0.0
-        """greatest error of late"""
-        self.now_m = 0.0
+    def __init__(self, sysids: Iterable[int], lag_s: float) -> None:
+        self.row = {sysid: row for row, sysid in enumerate(sysids)}
+        n = len(self.row)
+        self.now_m = np.zeros(n)
         """error in the last tick"""
-        self.lag_s = lag_s
-        self._way: deque[tuple[float, Vec3]] = deque()
+        self.error_m = np.zeros(n)
+        """greatest error of late"""
+        self.lag_s = np.full(n, lag_s)
+        self._time_s = np.zeros((n, KEPT))
+        self._way = np.zeros((n, KEPT, 3))
+        self._count = np.zeros(n, dtype=np.int64)
 
-    def lead(self, time_s: float, p_ned: Vec3) -> None:
-        """Append a place of the leader (NED, m) at a session time."""
-        self._way.append((time_s, p_ned))
-        while self._way[-1][0] - self._way[0][0] > HISTORY_S:
-            self._way.popleft()
+    def lead(self, sysid: int, time_s: float, p_ned: Sequence[float] | Floats) -> None:
+        """Append a place of a leader (NED, m) at a session time."""
+        row = self.row[sysid]
+        at = self._count[row] % KEPT
+        self._time_s[row, at], self._way[row, at] = time_s, p_ned
+        self._count[row] += 1
 
-    def measure(self, time_s: float, p_ned: Vec3, period_s: float) -> None:
-        """Hold the vehicle's place (NED, m) at a session time against the leader's way."""
-        if len(self._way) < 2:
-            return
-        times = np.array([t for t, _ in self._way])
-        way = np.array([p for _, p in self._way])
-        distance_m, at_s = nearest(times, way, np.array(p_ned))
-        self.now_m = distance_m
-        self.error_m = max(distance_m, self.error_m * float(np.exp(-period_s / DECAY_S)))
-        moved_m = float(np.linalg.norm(way[-1] - way[0]))
-        if moved_m > MOVING_M_S * (times[-1] - times[0]):
-            self.lag_s += LAG_SHARE * (min(max(time_s - at_s, 0.0), HISTORY_S) - self.lag_s)
+    def measure(
+        self, sysids: Sequence[int], p_ned: Sequence[Vec3], time_s: float, period_s: float, lag_s: float
+    ) -> None:
+        """Hold vehicles' places (NED, m) at a session time against their leaders', the fleet's lag before."""
+        if sysids:
+            rows = np.array([self.row[sysid] for sysid in sysids], dtype=np.int64)
+            _measure(
+                rows, np.array(p_ned, dtype=np.float64), time_s, math.exp(-period_s / DECAY_S), lag_s, self._time_s,
+                self._way, self._count, self.now_m, self.error_m, self.lag_s,
+            )  # fmt: skip
 
-    def restart(self) -> None:
-        """Forget the way: the leader begins anew."""
-        self._way.clear()
+    def restart(self, sysid: int) -> None:
+        """Forget a leader's way: it begins anew."""
+        self._count[self.row[sysid]] = 0
+        self.now_m[self.row[sysid]] = 0.0
 
 
-def nearest(times_s: NDArray[np.float64], way: NDArray[np.float64], p: NDArray[np.float64]) -> tuple[float, float]:
-    """Distance (m) of a point p (3,) from a way of points (k, 3), k >= 2, and the time (s) of its nearest place."""
-    start, along = way[:-1], np.diff(way, axis=0)
-    square = np.maximum((along**2).sum(axis=1), 1e-12)
-    share = np.clip(((p - start) * along).sum(axis=1) / square, 0.0, 1.0)
-    apart = np.linalg.norm(start + share[:, None] * along - p, axis=1)
-    k = int(len(apart) - 1 - np.argmin(apart[::-1]))
-    return float(apart[k]), float(times_s[k] + share[k] * (times_s[k + 1] - times_s[k]))
+@njit(cache=True)
+def _measure(
+    rows: NDArray[np.int64], p: Floats, time_s: float, decay: float, lag_s: float, times: Floats, way: Floats,
+    count: NDArray[np.int64], now: Floats, error: Floats, lag: Floats,
+) -> None:  # fmt: skip
+    """Kernel: writes `now`, `error` and `lag` of the rows."""
+    for k in range(len(rows)):
+        row = rows[k]
+        kept = min(count[row], KEPT)
+        if kept < 2:
+            continue
+        first = count[row] - kept
+        best, at_s, apart = math.inf, time_s, math.inf
+        then_s = time_s - lag_s
+        for i in range(kept - 1):
+            a, b = (first + i) % KEPT, (first + i + 1) % KEPT
+            dn, de, dd = (
+                way[row, b, 0] - way[row, a, 0],
+                way[row, b, 1] - way[row, a, 1],
+                way[row, b, 2] - way[row, a, 2],
+            )
+            xn, xe, xd = p[k, 0] - way[row, a, 0], p[k, 1] - way[row, a, 1], p[k, 2] - way[row, a, 2]
+            span = times[row, b] - times[row, a]
+            share = min(max((xn * dn + xe * de + xd * dd) / max(dn * dn + de * de + dd * dd, 1e-12), 0.0), 1.0)
+            square = (xn - share * dn) ** 2 + (xe - share * de) ** 2 + (xd - share * dd) ** 2
+            if square <= best:
+                best, at_s = square, times[row, a] + share * span
+            then = (then_s - times[row, a]) / span
+            if (then >= 0.0 or i == 0) and (then <= 1.0 or i == kept - 2):
+                then = min(max(then, 0.0), 1.0)
+                apart = math.sqrt((xn - then * dn) ** 2 + (xe - then * de) ** 2 + (xd - then * dd) ** 2)
+        now[row] = apart
+        error[row] = max(apart, error[row] * decay)
+        a, b = first % KEPT, (first + kept - 1) % KEPT
+        moved = math.sqrt(((way[row, b] - way[row, a]) ** 2).sum())
+        if moved > MOVING_M_S * (times[row, b] - times[row, a]):
+            lag[row] += LAG_SHARE * (min(max(time_s - at_s, 0.0), MOST_LAG_S) - lag[row])

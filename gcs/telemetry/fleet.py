@@ -130,6 +130,7 @@ class _Track:
             origin_offset_ned=self.offset,
             ground_amsl_m=self.origin_alt_m if self.home_amsl_m is None else self.home_amsl_m,
             ground_down_m=ground_down_m,
+            p_local_ned=self.p_local,
             capacity_j=self.capacity_j,
             initial_j=self.initial_j,
             battery_told=len(self.parameters_told) == len(BATTERY_PARAMETERS),

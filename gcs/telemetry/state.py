@@ -51,6 +51,8 @@ class VehicleView(NamedTuple):
     """HEARTBEAT's, for those who name it to a person"""
     failsafe: bool = False
     """whether its autopilot says that it flies by a failsafe of its own"""
+    p_local_ned: Vec3 | None = None
+    """in its own frame; where that lies it may not have told yet"""
 
     @property
     def height_m(self) -> float | None:

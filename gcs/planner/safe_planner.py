@@ -10,7 +10,7 @@ vehicles have followed their leaders.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from statistics import median
 from typing import Any
@@ -22,6 +22,7 @@ from gcs.mavlink.autopilots import STEERABLE
 from gcs.mavlink.setpoints import SetPoint
 from gcs.planner.request import PlanRequest, TickPlanner
 from gcs.planner.safety_filter import KINDS, Filtered, Others, Rules, Vehicles, filter_step
+from gcs.planner.silence import STEP_M, Failsafe, presumed_places
 from gcs.planner.tracking import Tracking
 from gcs.scenario.model import Scenario
 from gcs.telemetry.state import Vec3, VehicleView
@@ -40,10 +41,11 @@ SLOWEST_M_S = 1.0
 EXTERNAL_M_S2 = 2.0
 """Autopilots that somebody else tuned follow leaders of no more acceleration."""
 FLOOR_M = 0.3
+STILL: Vec3 = (0.0, 0.0, 0.0)
 SILENT_S = 1.0
 DRIFT_M_S2 = 1.0
 """What moves otherwise than it told: its place is unknown by half of this times its age squared."""
-MOST_DRIFT_M = 3.0
+MOST_DRIFT_M = 1.5
 MOST_GROWTH_M_S = 1.0
 PARTNERS_SHARE = 0.5
 """Of the height in which a tanker stands: so near may partners of a transfer come."""
@@ -98,6 +100,9 @@ class SafePlanner:
         self._airborne = {v.sysid: v.start_m for v in launched if v.airborne and not v.join_s}
         self.lag_s = LAG_S
         """how far vehicles fly behind their leaders, usually"""
+        self._failsafes = {
+            v.sysid: (v.start_m, _failsafe(v.params)) for v in scenario.vehicles.all if v.external is None
+        }
         self._told_s: dict[tuple[int, str], float] = {}
         self._records: list[dict[str, Any]] = []
 
@@ -239,11 +244,12 @@ class SafePlanner:
                 continue
             radius_m = rules.separation_m + self.margin_m(view.sysid)
             name, owner = f"vehicle {view.sysid}", view.sysid if view.sysid in led else None
-            others.append(
-                _Other.of(
-                    name, owner, place, view.v_ned, self.lag_s, radius_m, min(view.age_s, request.snapshot.time_s)
-                )
-            )
+            age_s = min(view.age_s, request.snapshot.time_s)
+            others.append(_Other.of(name, owner, place, view.v_ned, self.lag_s, radius_m, age_s))
+            if silent and view.sysid in self._failsafes:
+                home, failsafe = self._failsafes[view.sysid]
+                for presumed in presumed_places(place, home, age_s, failsafe):
+                    others.append(_Other.of(name, owner, presumed, STILL, 0.0, radius_m + 0.5 * STEP_M, 0.0))
         for aircraft in request.snapshot.traffic:
             name, lead_s = f"traffic {aircraft.callsign}", self.lag_s + aircraft.age_s
             radius_m = rules.separation_m
@@ -286,6 +292,17 @@ class SafePlanner:
             obstacle = self._scenario.obstacles[index]
             return f"obstacle {obstacle.name or f'{obstacle.kind} {index + 1}'}"
         return "ground" if KINDS[kind] == "wall" else "limits"
+
+
+def _failsafe(params: Mapping[str, float]) -> Failsafe:
+    """Failsafe of a launched vehicle with these parameters."""
+    usual = Failsafe()
+    return Failsafe(
+        params.get("COM_DL_LOSS_T", usual.loss_s),
+        params.get("RTL_RETURN_ALT", usual.altitude_m),
+        params.get("MPC_XY_CRUISE", usual.speed_m_s),
+        params.get("MPC_LAND_SPEED", usual.sink_m_s),
+    )
 
 
 def _table(others: list[_Other]) -> Others:

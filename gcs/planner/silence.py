@@ -1,0 +1,70 @@
+"""Presumed places of a vehicle that is not heard any more [choice].
+
+Our vehicles and most autopilots do the same when nothing reaches them: they hold when set points stay away, and return
+home when the ground station does: up to a height, straight to above their home, and down. When that begins is uncertain
+by the ground station's last heartbeats, and how far they are by their acceleration, so the answer is a stretch of that
+way, as places with a distance of STEP_M.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from gcs.telemetry.state import Vec3
+
+STEP_M = 0.7
+"""Between two presumed places: their spheres overlap."""
+HEARTBEAT_S = 1.5
+"""So much earlier than the last report of a vehicle it may have heard the last heartbeat."""
+SLOW_S = 2.5
+"""So much later than by its speed alone it may be anywhere: it brakes at each corner."""
+AHEAD_S = 1.5
+"""So much farther it is looked for, since whoever is in its way needs time."""
+
+
+@dataclass(frozen=True, slots=True)
+class Failsafe:
+    """Parameters of a vehicle that has lost its ground station; the names are those of its parameters."""
+
+    loss_s: float = 5.0
+    """COM_DL_LOSS_T"""
+    altitude_m: float = 5.0
+    """RTL_RETURN_ALT, above home"""
+    speed_m_s: float = 5.0
+    """MPC_XY_CRUISE"""
+    sink_m_s: float = 0.7
+    """MPC_LAND_SPEED"""
+
+
+def presumed_places(p_ned: Vec3, home_ned: Vec3, silent_s: float, failsafe: Failsafe) -> list[Vec3]:
+    """Places (NED, m) where a vehicle may be that was last heard of at p_ned; none while it may only hold."""
+    begun_s = silent_s - failsafe.loss_s + HEARTBEAT_S
+    if begun_s <= 0.0:
+        return []
+    height = min(p_ned[2], home_ned[2] - failsafe.altitude_m)
+    above = (home_ned[0], home_ned[1], height)
+    legs = [
+        (p_ned, (p_ned[0], p_ned[1], height), failsafe.speed_m_s),
+        ((p_ned[0], p_ned[1], height), above, failsafe.speed_m_s),
+        (above, (home_ned[0], home_ned[1], max(home_ned[2], 0.0)), failsafe.sink_m_s),
+    ]
+    least_s = max(begun_s - HEARTBEAT_S - SLOW_S, 0.0)
+    places: list[Vec3] = []
+    start_s = 0.0
+    for a, b, speed_m_s in legs:
+        length_m = math.dist(a, b)
+        end_s = start_s + length_m / speed_m_s
+        low_s, high_s = max(least_s, start_s), min(begun_s + AHEAD_S, end_s)
+        if length_m > 0.0 and low_s < high_s:
+            low_m, high_m = (low_s - start_s) * speed_m_s, (high_s - start_s) * speed_m_s
+            count = math.ceil((high_m - low_m) / STEP_M) + 1
+            for k in range(count):
+                share = (low_m + (high_m - low_m) * k / max(count - 1, 1)) / length_m
+                places.append((_between(a[0], b[0], share), _between(a[1], b[1], share), _between(a[2], b[2], share)))
+        start_s = end_s
+    return places or [home_ned]
+
+
+def _between(a: float, b: float, share: float) -> float:
+    return a + share * (b - a)

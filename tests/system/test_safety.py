@@ -1,0 +1,107 @@
+"""The safety filter in real sessions, judged by the truth that the vehicles wrote: who came how near to what."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from sessions import Outcome, fly
+
+WANTED_M = 0.6
+ONE_POINT = """
+class OnePoint:
+    def __init__(self, scenario): pass
+    def plan(self, vehicle, situation): return (0.0, 0.0, -5.0), (0.0, 0.0, 0.0)
+class Raises:
+    def __init__(self, scenario): pass
+    def plan(self, vehicle, situation): raise ValueError("no plan")
+"""
+
+
+def circle(n: int, speed_m_s: float, **changes: Any) -> dict[str, Any]:
+    """n vehicles that change places across a circle of 5 m; every way leads through the middle."""
+    pursuers = []
+    for k in range(n):
+        north, east = 5.0 * math.cos(2 * math.pi * k / n), 5.0 * math.sin(2 * math.pi * k / n)
+        pursuers.append({
+            "sysid": k + 1, "airborne": True, "start_m": [round(north, 3), round(east, 3), -5.0],
+            "waypoints_m": [[round(-north, 3), round(-east, 3), -5.0]],
+        })  # fmt: skip
+    content: dict[str, Any] = {
+        "schema": 1, "name": "circle", "axes": "ned", "seed": 1, "clock": {"mode": "lockstep"},
+        "origin": {"lat_deg": 47.0, "lon_deg": 8.0, "alt_m": 400.0}, "goal": {"duration_s": 16.0},
+        "vehicles": {"defaults": {"battery": {"capacity_j": 60000}}, "pursuers": pursuers},
+        "planner": {"cruise_m_s": speed_m_s, "separation_m": WANTED_M},
+    }  # fmt: skip
+    planner = content["planner"] | changes.pop("planner", {})
+    return content | changes | {"planner": planner}
+
+
+def nearest_m(outcome: Outcome, sysids: list[int]) -> float:
+    """Least distance of any two, by truth at the ends of grants."""
+    ways = []
+    for sysid in sysids:
+        truth = outcome.truth(sysid)
+        ways.append({round(float(t), 3): p for t, p in zip(truth.time_s, truth.p_ned, strict=True)})
+    times = sorted(set.intersection(*(set(way) for way in ways)))
+    at = np.array([[way[t] for way in ways] for t in times])
+    pairs = itertools.combinations(range(len(sysids)), 2)
+    return min(float(np.linalg.norm(at[:, a] - at[:, b], axis=1).min()) for a, b in pairs)
+
+
+@pytest.mark.parametrize("speed_m_s", [1.5, 2.5, 5.0])
+def test_a_circle_of_eight_changes_places_and_everyone_arrives(tmp_path: Path, speed_m_s: float) -> None:
+    content = circle(8, speed_m_s)
+    outcome = fly(content, tmp_path)
+    assert nearest_m(outcome, list(range(1, 9))) > WANTED_M
+    for pursuer in content["vehicles"]["pursuers"]:
+        away_m = np.linalg.norm(outcome.truth(pursuer["sysid"]).p_ned[-1] - pursuer["waypoints_m"][-1])
+        assert away_m < 0.15
+
+
+def test_without_the_filter_they_meet(tmp_path: Path) -> None:
+    """What the other tests rest on: it is the filter that keeps them apart."""
+    outcome = fly(circle(8, 5.0, planner={"safety": False}), tmp_path)
+    assert nearest_m(outcome, list(range(1, 9))) < 0.3
+
+
+@pytest.mark.parametrize(
+    "radio",
+    [
+        {"loss": 0.3},
+        {"delay_s": 0.5},
+        {"blackouts": [{"sysid": 3, "from_s": 1.5, "to_s": 31.5}]},
+    ],
+    ids=["loss", "delay", "blackout"],
+)
+def test_a_bad_radio_keeps_them_apart_too(tmp_path: Path, radio: dict[str, Any]) -> None:
+    outcome = fly(circle(8, 2.5, radio=radio, goal={"duration_s": 30.0}), tmp_path)
+    assert nearest_m(outcome, list(range(1, 9))) > WANTED_M
+
+
+@pytest.mark.parametrize("planner", ["OnePoint", "Raises"])
+def test_a_planner_of_a_users_own_cannot_make_them_meet(tmp_path: Path, planner: str) -> None:
+    (tmp_path / "bad.py").write_text(ONE_POINT, encoding="utf-8")
+    outcome = fly(circle(6, 4.0, planner={"method": f"bad:{planner}"}), tmp_path)
+    assert nearest_m(outcome, list(range(1, 7))) > WANTED_M
+
+
+def test_who_hovers_gives_way_to_traffic(tmp_path: Path) -> None:
+    content = circle(
+        1, 1.5, traffic=[{"callsign": "JET", "path_m": [[12.0, 0.0, -5.0], [-20.0, 0.0, -5.0]], "speed_m_s": 4.0}]
+    )
+    content["vehicles"]["pursuers"][0] |= {"start_m": [0.0, 0.0, -5.0], "waypoints_m": [[0.0, 0.0, -5.0]]}
+    outcome = fly(content, tmp_path)
+    truth = outcome.truth(1)
+    jet = np.stack(
+        [12.0 - 4.0 * np.clip(truth.time_s, 0.0, 8.0), np.zeros_like(truth.time_s), np.full_like(truth.time_s, -5.0)], 1
+    )
+    assert float(np.linalg.norm(truth.p_ned - jet, axis=1).min()) > WANTED_M
+    assert np.linalg.norm(truth.p_ned[-1] - (0.0, 0.0, -5.0)) < 0.15
+    told = [record for record in outcome.decisions if record["kind"] == "safety"]
+    assert told
+    assert {record["by"] for record in told} == {"traffic JET"}

@@ -43,6 +43,7 @@ def advance(
     attractors: ArrayLike = (),
     attraction_ranges_m: ArrayLike = (),
     drawn: ArrayLike | None = None,
+    obstacle_ranges_m: ArrayLike | None = None,
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Next positions (n, 3) m, next memory (n, MEMORY_SIZE) and mean velocity (n, 3) m/s of n leaders, NED.
 
@@ -56,6 +57,7 @@ def advance(
     speed_m_s: (n,), or one for all, >= 0. escape: whether the fuzzy escape helps out of local minima.
     attractors (m3, 3) m, attraction_ranges_m (m3,): points beside the goal that draw a leader within their range
     (paper eq. 10), held where they are for the period. drawn (n, m3): whom they draw, everyone without it.
+    obstacle_ranges_m (n,): how far obstacles repel each leader, instead of field.repulsion_range_m.
 
     Leaders see each other where they were at the start, so that their order does not matter. The arguments are left as
     they are. ValueError names the argument whose shape is wrong or which holds a value that is not finite.
@@ -87,6 +89,7 @@ def advance(
     if draws.shape != (n, len(others)):
         raise ValueError(f"drawn has shape {draws.shape}; it must be {(n, len(others))}: leaders, attractors")
 
+    reach_of_obstacles = np.full(n, field.repulsion_range_m) if obstacle_ranges_m is None else obstacle_ranges_m
     start = q.copy()
     reach_m = speeds * period_s
     spheres, ranges = points(at, radii_m), _array("ranges_m", ranges_m, (m,))
@@ -105,7 +108,7 @@ def advance(
         exempted,
         *within_range(q, reach_m, spheres, ranges),
         field.constants(),
-        field.repulsion_range_m,
+        _array("obstacle_ranges_m", reach_of_obstacles, (n,)),
         speeds,
         period_s,
         escape,
@@ -146,7 +149,7 @@ def _advance_all(
     moving_first: IntArray,
     moving_end: IntArray,
     constants: FloatArray,
-    obstacle_range: float,
+    obstacle_ranges: FloatArray,
     speed: FloatArray,
     period: float,
     escape: bool,
@@ -175,9 +178,9 @@ def _advance_all(
             on = 0.0
             oe = 0.0
             od = 0.0
-            for k in range(obstacle_first[i], obstacle_end[i]):
+            for k in range(obstacle_first[i], obstacle_end[i] if obstacle_ranges[i] > 0.0 else obstacle_first[i]):
                 fn, fe, fd = repulsion_of_shape(
-                    obstacles, obstacle_rows[k], obstacle_range, q[i, 0], q[i, 1], q[i, 2], constants
+                    obstacles, obstacle_rows[k], obstacle_ranges[i], q[i, 0], q[i, 1], q[i, 2], constants
                 )
                 on += fn
                 oe += fe

@@ -19,8 +19,10 @@ from numpy.typing import NDArray
 
 from gcs.mavlink.setpoints import SetPoint
 from gcs.planner import formation, fuzzy_escape, leader
+from gcs.planner.guide import STRAIGHT, Follower
 from gcs.planner.potential_field import Field, widened_range
 from gcs.planner.request import PlanRequest
+from gcs.planner.route import Router
 from gcs.scenario import geometry
 from gcs.scenario.model import Scenario, Tanker, Target
 from gcs.telemetry.state import FleetState, Vec3, VehicleView
@@ -29,10 +31,14 @@ LOOKAHEAD_S = 0.37
 CATCH_UP_SPEED = 1.3
 """A target's leader may be this much faster than its carrot, so that it comes back after an obstacle."""
 FLOOR_M = 0.3
+LEAST_MARGIN_M = 0.1
+"""Of every vehicle: so much farther than its clearance the safety filter keeps it from obstacles."""
 """No leader of a vehicle that has a ground goes lower than this above it: only landing does."""
 BRAKE_SHARE = 0.4
 """Of the acceleration of leaders, with which they are to stop at their goals; the rest is for giving way."""
 ROLES = ("target", "pursuer", "tanker")
+NEAR_GOAL_M = 2.0
+"""A route shorter than this is flown with the velocity of its goal."""
 OFF_PLAN_M = 1.0
 """A vehicle farther than this from its plan is met where it flies, not where it is planned."""
 STILL: Vec3 = (0.0, 0.0, 0.0)
@@ -40,11 +46,12 @@ STILL: Vec3 = (0.0, 0.0, 0.0)
 
 @dataclass(frozen=True, slots=True)
 class _Wanted:
-    """A leader's goal, the goal's velocity and the leader's speed limit."""
+    """A leader's goal, the goal's velocity and the leader's speed limit; on a route, the way that is left of it."""
 
     p_ned: Vec3
     v_ned: Vec3
     speed_m_s: float
+    route_m: float | None = None
 
 
 class Planner:
@@ -78,6 +85,11 @@ class Planner:
         self._starts = {p.sysid: p.start_m for p in scenario.vehicles.pursuers if p.waypoints_m and p.airborne}
         self._attracting = {mover.callsign for mover in scenario.traffic if mover.attracts}
         self._grounded = {v.sysid for v in scenario.vehicles.all if not v.airborne}
+        self._guides: dict[str, Follower] | None = None
+        if rules.safety and rules.guide and len(self.obstacles):
+            clearance_m = 2.0 * (rules.clearance_m + LEAST_MARGIN_M)
+            router = Router(self.obstacles, clearance_m, floor_m=FLOOR_M if self._grounded else None)
+            self._guides = {role: Follower(router) for role in ROLES}
         self._slots: dict[int, Vec3] = {}
         self._slots_of: dict[int, frozenset[int]] = {}
 
@@ -98,13 +110,27 @@ class Planner:
         for role in ROLES:
             led = [view for view in views if view.role == role]
             if led:
-                wanted = self._wants(role, request, led)
+                wanted = self._guided(led, self._wants(role, request, led))
                 self._move(snapshot, led, wanted, request.partners, period_s)
         return [SetPoint(view.sysid, self._begin[view.sysid], self._v[view.sysid]) for view in views]
 
     def take_records(self) -> list[dict[str, Any]]:
         """None: set points tell all."""
         return []
+
+    def _guided(self, views: list[VehicleView], wanted: list[_Wanted]) -> list[_Wanted]:
+        """Goals as they are where the way to them is free, else the next place of a route around what is in it."""
+        if self._guides is None or not len(self.obstacles):
+            return wanted
+        guide = self._guides[views[0].role]
+        here = [self._q[view.sysid] for view in views]
+        found = guide.aims([view.sysid for view in views], here, [want.p_ned for want in wanted])
+        guided = []
+        for want, aim, left_m, state in zip(wanted, found.aim_ned, found.remaining_m, found.state, strict=True):
+            free = state == STRAIGHT
+            v_ned = want.v_ned if left_m < NEAR_GOAL_M else STILL
+            guided.append(want if free else _Wanted(_vec(aim), v_ned, want.speed_m_s, float(left_m)))
+        return guided
 
     def anchor(self, sysid: int, p_ned: Vec3) -> None:
         """Go on from here: where the safety filter takes the leader of a vehicle to."""
@@ -141,6 +167,8 @@ class Planner:
             attractors=attractors,
             attraction_ranges_m=attraction_ranges,
             drawn=drawn,
+            # A route keeps its own distance from obstacles, in gaps less than their range.
+            obstacle_ranges_m=[self._field.repulsion_range_m if want.route_m is None else 0.0 for want in wanted],
         )
         for i, view in enumerate(views):
             if view.sysid in self._grounded and q_next[i, 2] > -FLOOR_M:
@@ -192,7 +220,10 @@ class Planner:
         """The next of a vehicle's own way points; at the last one it stays."""
         course, here = self._courses[sysid], _vec(self._q[sysid])
         last = 1 if self._scenario.planner.safety else 0  # who gives way at the last one comes back to it
-        if len(course) > last and math.dist(here, course[0]) <= self._field.step_m:
+        reached_m = self._field.step_m
+        if self._scenario.planner.safety:  # a leader with an inertia passes by within a period's way
+            reached_m = max(reached_m, self._scenario.planner.cruise_m_s * self._scenario.clock.period_s)
+        if len(course) > last and math.dist(here, course[0]) <= reached_m:
             course.pop(0)
         if not course:
             return _Wanted(here, STILL, 0.0)
@@ -305,7 +336,9 @@ class Planner:
         speed_m_s = self._leashed(view, want.speed_m_s)
         if not self._scenario.planner.safety:
             return speed_m_s
-        way_m = math.dist(self._q[view.sysid], want.p_ned)
+        way_m = math.dist(self._q[view.sysid], want.p_ned) if want.route_m is None else want.route_m
+        if math.isinf(way_m):
+            return 0.0 if want.route_m is not None else speed_m_s
         brake_m_s2 = BRAKE_SHARE * self._scenario.planner.acceleration_m_s2
         return min(speed_m_s, math.hypot(*want.v_ned) + math.sqrt(2.0 * brake_m_s2 * way_m))
 

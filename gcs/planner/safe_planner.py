@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.mavlink.setpoints import SetPoint
+from gcs.planner.planner import LEAST_MARGIN_M
 from gcs.planner.request import PlanRequest, TickPlanner
 from gcs.planner.safety_filter import KINDS, Filtered, Others, Rules, Vehicles, filter_step
 from gcs.planner.silence import STEP_M, Failsafe, presumed_places
@@ -29,7 +30,7 @@ from gcs.telemetry.state import Vec3, VehicleView
 
 LAG_S = 0.37
 """How far launched vehicles fly behind their leaders: 0.32 s of guidance, and half a grant."""
-LEAST_MARGIN_M, MOST_MARGIN_M = 0.1, 1.5
+MOST_MARGIN_M = 1.5
 SPARE_M = 0.05
 """Added to the measured error."""
 OFF_LEADER_M = 2.0

@@ -72,6 +72,8 @@ class PlannerRules(Part):
     """how far the planned point may run ahead of its vehicle"""
     safety: Flag = True
     """the safety filter behind the planner, which keeps everyone apart; false: planned points as they are"""
+    guide: Flag = True
+    """routes around obstacles that lie in the straight line, under the safety filter"""
     acceleration_m_s2: Positive = 4.0
     """greatest acceleration of planned points under the safety filter, m/s²; launched vehicles can do 5"""
     clearance_m: NotNegative = 0.2

@@ -1,0 +1,320 @@
+"""Aims for many vehicles that follow routes: at each tick the place that each one is to fly to now.
+
+Straight to the goal while that is free; else along a route (route.py), towards the farthest place on its next two legs
+that can be seen, so that a vehicle rounds a corner instead of stopping at it. A route is kept as long as it holds:
+
+- a goal that moves takes the route's end along while the last leg stays free, and asks for a new search once it has
+  moved by `moved_m` out of sight, or by `refresh_m` in any case;
+- a new route replaces one that still leads there only if it is shorter by `shorter_share`, so that a vehicle does not
+  flip between two equal ones; a straight line once free is kept until it is blocked by more than `slack_share`;
+- a vehicle that was pushed out of sight of its next way point is given a new route from where it is.
+
+Searches in a tick are made, longest waiting first, until they have cost `cells` cells of the grid settled, so that they
+are the same searches on every machine; who waits keeps his last aim. State is per vehicle, forgotten when a tick leaves
+the vehicle out. Same calls, same aims; frames NED, lengths in metres, no clock.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numba import njit
+from numpy.typing import ArrayLike, NDArray
+
+from gcs.planner.line_of_sight import FloatArray, IntArray, Sight, clear_m, visible
+from gcs.planner.route import Route, Router
+
+STRAIGHT, ROUTED, PARTIAL, NO_ROUTE, WAITING = range(5)
+"""States of `Aims`: flies straight; along a route; along one to the place nearest to a goal that lies within a surface;
+holds, for there is no way; keeps its last aim until there is time to search."""
+MOST_POINTS = 32
+"""[choice] Way points kept of a route; at the end of a longer one the rest is searched."""
+_HALVINGS = 5
+_SEARCH_CELLS = 3_000  # [choice] what a search costs beside the cells that it settles, about 1 ms
+_NEVER = math.inf
+_THERE_M = 0.05  # [choice] a way point is reached, whatever can be seen from here
+_LEAST_SLACK = 0.25  # [choice] share of the slack that is left in the narrowest gap
+_LOST_SHARE = 0.2  # [choice] of moved_m: who sees no way point searches again after this way
+
+States = NDArray[np.int8]
+
+
+@dataclass(frozen=True, slots=True)
+class Rules:
+    """When to search again and when to change over [choice]; Shares are of the clearance wanted."""
+
+    moved_m: float = 0.5
+    refresh_m: float = 3.0
+    shorter_share: float = 0.1
+    slack_share: float = 0.2
+    reached_share: float = 0.25
+    cells: int = 60_000
+
+    def __post_init__(self) -> None:
+        for name in ("moved_m", "refresh_m", "slack_share", "reached_share"):
+            if not 0.0 < getattr(self, name) < math.inf:
+                raise ValueError(f"{name} is {getattr(self, name)!r}; it must be finite and above 0")
+        if not 0.0 <= self.shorter_share < 1.0 or self.slack_share >= 1.0:
+            raise ValueError(f"shorter_share is {self.shorter_share!r} and slack_share {self.slack_share!r}; below 1")
+        if self.cells < 1:
+            raise ValueError(f"cells is {self.cells!r}; it must be at least 1")
+
+
+class Aims(NamedTuple):
+    """For each vehicle: where to fly now (n, 3), how far the goal is along the route (n,), and its state (n,)."""
+
+    aim_ned: FloatArray
+    remaining_m: FloatArray
+    state: States
+
+
+class _Routes(NamedTuple):
+    """What is kept of each vehicle, one row each."""
+
+    points: FloatArray  # (rows, MOST_POINTS, 3)
+    legs: FloatArray  # (rows, MOST_POINTS): what the leg to each point keeps
+    size: IntArray  # how many points; 0 without a route
+    at: IntArray  # the point that is flown to
+    state: States
+    searched_from: FloatArray  # (rows, 3), infinite before the first search
+    searched_to: FloatArray
+    aim: FloatArray
+    waits: IntArray  # ticks
+
+
+class Follower:
+    """Routes of all vehicles in one world; `aims` is called once in each tick."""
+
+    def __init__(self, router: Router, rules: Rules | None = None) -> None:
+        self._router, self._rules = router, rules or Rules()
+        self._rows: dict[int, int] = {}
+        self._kept = _new_routes(0)
+        self.searches = 0
+        """made so far"""
+
+    def use(self, router: Router) -> None:
+        """Another world: every route is looked for anew, `Rules.cells` in each tick."""
+        self._router = router
+        self._kept.size[:] = 0
+        self._kept.searched_from[:] = _NEVER
+
+    def route(self, sysid: int) -> FloatArray:
+        """What lies before a vehicle on its route (k, 3), for display; empty where it flies straight."""
+        if sysid not in self._rows:
+            return np.zeros((0, 3))
+        row = self._rows[sysid]
+        return self._kept.points[row, self._kept.at[row] : self._kept.size[row]].copy()
+
+    def aims(self, sysids: Sequence[int], p_ned: ArrayLike, goals_ned: ArrayLike) -> Aims:
+        """Aims of the vehicles `sysids` (n), at p_ned (n, 3), whose goals are goals_ned (n, 3).
+
+        ValueError where shapes differ, an id comes twice, or a place is not finite.
+        """
+        p, goals = np.array(p_ned, dtype=np.float64), np.array(goals_ned, dtype=np.float64)
+        if p.shape != (len(sysids), 3) or goals.shape != p.shape:
+            raise ValueError(f"p_ned is {p.shape} and goals_ned {goals.shape}; they must be {(len(sysids), 3)}")
+        if not (np.isfinite(p).all() and np.isfinite(goals).all()):
+            raise ValueError("p_ned or goals_ned holds a value that is not finite; leave that vehicle out")
+        router = self._router
+        goals[:, 2] = np.minimum(goals[:, 2], router.floor_d)
+        rows = self._rows_of(sysids, p)
+        aims, remaining, wanted = self._step(rows, p, goals)
+        asking = np.flatnonzero(wanted)
+        if len(asking):
+            turn = asking[np.argsort(-self._kept.waits[rows[asking]], kind="stable")]
+            end = router.settled + self._rules.cells
+            count = 0
+            while count < len(turn) and (count == 0 or router.settled + count * _SEARCH_CELLS < end):
+                self._search(int(rows[turn[count]]), p[turn[count]], goals[turn[count]])
+                count += 1
+            served, unserved = turn[:count], turn[count:]
+            aims[served], remaining[served], _ = self._step(rows[served], p[served], goals[served])
+            self._kept.waits[rows[served]] = 0
+            self._kept.waits[rows[unserved]] += 1
+        self._kept.aim[rows] = aims
+        return Aims(aims, remaining, self._kept.state[rows].copy())
+
+    def _step(self, rows: IntArray, p: FloatArray, goals: FloatArray) -> tuple[FloatArray, FloatArray, States]:
+        router, rules = self._router, self._rules
+        aims, remaining, wanted = p.copy(), np.zeros(len(p)), np.zeros(len(p), dtype=np.int8)
+        _advance(
+            router.sight,
+            self._kept,
+            rows,
+            p,
+            goals,
+            router.clearance_m,
+            router.least_clearance_m,
+            rules.slack_share * router.clearance_m,
+            rules.reached_share * router.clearance_m,
+            rules.moved_m,
+            rules.refresh_m,
+            router.floor_d,
+            aims,
+            remaining,
+            wanted,
+        )
+        return aims, remaining, wanted
+
+    def _search(self, row: int, p: FloatArray, goal: FloatArray) -> None:
+        """A route from p to the goal, unless the present one, led on to the goal, is as good."""
+        kept = self._kept
+        self.searches += 1
+        kept.searched_from[row], kept.searched_to[row] = p, goal
+        found = self._router.plan(p, goal)
+        at, count = int(kept.at[row]), int(kept.size[row])
+        if found is not None and found.reaches_goal and at < count - 1 and self._sees_next(row, p):
+            before = np.vstack([p, kept.points[row, at : count - 1]])
+            onward = self._router.plan(before[-1], goal)
+            if onward is not None and onward.reaches_goal:
+                length_m = float(np.linalg.norm(np.diff(before, axis=0), axis=1).sum()) + onward.length_m
+                if found.length_m >= (1.0 - self._rules.shorter_share) * length_m:
+                    legs = np.concatenate((kept.legs[row, at : count - 1], onward.legs_m))
+                    found = Route(np.vstack([before[1:], onward.points_ned]), legs, length_m)
+        kept.at[row] = 0
+        kept.size[row] = 0 if found is None else min(len(found.points_ned), MOST_POINTS)
+        kept.state[row] = NO_ROUTE if found is None else ROUTED if found.reaches_goal else PARTIAL
+        if found is not None:
+            kept.points[row, : kept.size[row]] = found.points_ned[:MOST_POINTS]
+            kept.legs[row, : kept.size[row]] = found.legs_m[:MOST_POINTS]
+
+    def _sees_next(self, row: int, p: FloatArray) -> bool:
+        router, at = self._router, self._kept.at[row]
+        leg_m = float(self._kept.legs[row, at])
+        slack_m = self._rules.slack_share * router.clearance_m
+        level = leg_m - _slack(leg_m, router.clearance_m, router.least_clearance_m, slack_m)
+        return bool(visible(router.sight, p, self._kept.points[row, at], level, router.floor_d))
+
+    def _rows_of(self, sysids: Sequence[int], p: FloatArray) -> IntArray:
+        """A row for each vehicle; those left out are forgotten."""
+        if len(set(sysids)) != len(sysids):
+            raise ValueError("sysids names a vehicle twice; each has one route")
+        if self._rows.keys() != set(sysids):
+            known, old = self._rows, self._kept
+            self._rows = {sysid: row for row, sysid in enumerate(sysids)}
+            self._kept = _new_routes(len(sysids))
+            self._kept.aim[:] = p
+            for sysid, row in self._rows.items():
+                if sysid in known:
+                    _copy(old, known[sysid], self._kept, row)
+        return np.array([self._rows[sysid] for sysid in sysids], dtype=np.int64)
+
+
+def _new_routes(rows: int) -> _Routes:
+    return _Routes(
+        points=np.zeros((rows, MOST_POINTS, 3)),
+        legs=np.zeros((rows, MOST_POINTS)),
+        size=np.zeros(rows, dtype=np.int64),
+        at=np.zeros(rows, dtype=np.int64),
+        state=np.full(rows, WAITING, dtype=np.int8),
+        searched_from=np.full((rows, 3), _NEVER),
+        searched_to=np.full((rows, 3), _NEVER),
+        aim=np.zeros((rows, 3)),
+        waits=np.zeros(rows, dtype=np.int64),
+    )
+
+
+def _copy(old: _Routes, row: int, new: _Routes, to: int) -> None:
+    """Everything kept of one vehicle into another table's row."""
+    columns: list[tuple[NDArray[Any], NDArray[Any]]] = list(zip(old, new, strict=True))
+    for before, after in columns:
+        after[to] = before[row]
+
+
+@njit(cache=True)
+def _apart(a: FloatArray, b: FloatArray) -> float:
+    return math.sqrt((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2 + (a[2] - b[2]) ** 2)
+
+
+@njit(cache=True)
+def _slack(leg: float, clearance: float, least: float, slack: float) -> float:
+    """Kernel: how much less than its route's leg a vehicle may keep: all of it in the open, little in a narrow gap."""
+    share = (leg - least) / (clearance - least) if clearance > least else 1.0
+    return max(slack * min(max(share, 0.0), 1.0), _LEAST_SLACK * slack)
+
+
+@njit(cache=True)
+def _advance(
+    s: Sight,
+    kept: _Routes,
+    rows: IntArray,
+    p: FloatArray,
+    goals: FloatArray,
+    clearance: float,
+    least: float,
+    slack: float,
+    reached: float,
+    moved: float,
+    refresh: float,
+    floor_d: float,
+    aims: FloatArray,
+    remaining: FloatArray,
+    wanted: States,
+) -> None:
+    """Kernel: aims, ways remaining and whether a search is wanted; moves each route on to the point flown to."""
+    for i in range(rows.shape[0]):
+        row, here, goal = rows[i], p[i], goals[i]
+        level = clearance - slack if kept.state[row] == STRAIGHT else clearance
+        at_goal = clear_m(s, goal, goal, clearance)
+        if at_goal >= least - 1e-6 and visible(s, here, goal, level, floor_d):
+            kept.state[row], kept.size[row] = STRAIGHT, 0
+            aims[i], remaining[i] = goal, _apart(here, goal)
+            continue
+        goal_moved = _apart(goal, kept.searched_to[row])
+        self_moved = _apart(here, kept.searched_from[row])
+        # Compared this way round because infinity less infinity is no number: never searched, never near.
+        elsewhere = not (goal_moved <= moved and self_moved <= moved)
+        if kept.size[row] == 0:
+            wanted[i] = elsewhere or kept.state[row] not in (NO_ROUTE,)
+            if kept.state[row] != NO_ROUTE:
+                kept.state[row] = WAITING
+                aims[i] = kept.aim[row]
+            remaining[i] = math.inf
+            continue
+        points, legs = kept.points[row], kept.legs[row]
+        last = kept.size[row] - 1
+        at = kept.at[row]
+        if kept.state[row] == ROUTED and _apart(points[last], goal) > 0.0:
+            before = here if last == 0 else points[last - 1]
+            if visible(s, before, goal, legs[last], floor_d):
+                points[last] = goal
+                wanted[i] = goal_moved > refresh
+            else:
+                wanted[i] = goal_moved > moved or (at == last and self_moved > moved)
+        elif kept.state[row] == PARTIAL:
+            wanted[i] = goal_moved > moved
+        seen = False
+        while True:
+            level = legs[at] - _slack(legs[at], clearance, least, slack)
+            seen = visible(s, here, points[at], level, floor_d)
+            if at == last:
+                break
+            near, level = _apart(here, points[at]), min(legs[at], legs[at + 1])
+            if near <= reached or not seen:
+                level -= _slack(level, clearance, least, slack)
+            if near > _THERE_M and not visible(s, here, points[at + 1], level, floor_d):
+                break
+            at += 1
+        kept.at[row] = at
+        if not seen and not self_moved <= _LOST_SHARE * moved:
+            wanted[i] = 1
+        aims[i] = points[at]
+        if at < last:
+            level = min(legs[at], legs[at + 1])
+            level -= _slack(level, clearance, least, slack)
+            low, high, middle = 0.0, 1.0, 0.5
+            for _ in range(_HALVINGS):
+                place = points[at] + middle * (points[at + 1] - points[at])
+                if visible(s, here, place, level, floor_d):
+                    low, aims[i] = middle, place
+                else:
+                    high = middle
+                middle = (low + high) / 2.0
+        length = _apart(here, points[at])
+        for j in range(at, last):
+            length += _apart(points[j], points[j + 1])
+        remaining[i] = length

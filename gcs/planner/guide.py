@@ -10,8 +10,8 @@ that can be seen, so that a vehicle rounds a corner instead of stopping at it. A
 - a vehicle that was pushed out of sight of its next way point is given a new route from where it is.
 
 Searches in a tick are made, longest waiting first, until they have cost `cells` cells of the grid settled, so that they
-are the same searches on every machine; who waits keeps his last aim. State is per vehicle, forgotten when a tick leaves
-the vehicle out. Same calls, same aims; frames NED, lengths in metres, no clock.
+are the same searches on every machine; who waits keeps his last aim. State is per vehicle and is forgotten when a tick
+leaves the vehicle out. Same calls, same aims; frames NED, lengths in metres, no clock.
 """
 
 from __future__ import annotations

@@ -147,12 +147,14 @@ class Router:
 
     def _cell_path(self, start: int, goal: int) -> FloatArray:
         """Centres (k, 3) of the cells from one to another."""
-        field = self._fields.pop(goal, None) or Field.towards(self.grid, goal)
+        field = self._fields.pop(goal, None)
+        if field is None:
+            cost = None
+            if len(self._fields) >= min(max(FIELD_BYTES // (4 * len(self.grid.weight)), 2), 64):
+                cost = self._fields.popitem(last=False)[1].cleared()
+            field = Field.towards(self.grid, goal, cost)
         self._fields[goal] = field
         before = field.settled
-        most = min(max(FIELD_BYTES // field.cost.nbytes, 2), 64)
-        while len(self._fields) > most:
-            self._fields.popitem(last=False)
         grid = self.grid
         rest, d = np.divmod(field.path(grid, start), grid.count_d)
         self.settled += field.settled - before

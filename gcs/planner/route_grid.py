@@ -132,18 +132,29 @@ class Field:
     goal: int
     cost: Costs
     open_cells: IntArray
+    seen: list[IntArray]
+    """every cell whose cost is not 0"""
     settled: int = 0
 
     @classmethod
-    def towards(cls, grid: Cells, goal: int) -> Field:
-        """A field in which nothing is settled."""
-        cost = np.zeros(len(grid.weight), dtype=np.int32)
+    def towards(cls, grid: Cells, goal: int, cost: Costs | None = None) -> Field:
+        """A field in which nothing is settled; `cost` is an array of zeros that may be used for it."""
+        if cost is None:
+            cost = np.zeros(len(grid.weight), dtype=np.int32)
         cost[goal] = -1
-        return cls(goal, cost, np.array([goal], dtype=np.int64))
+        begin = np.array([goal], dtype=np.int64)
+        return cls(goal, cost, begin, [begin])
+
+    def cleared(self) -> Costs:
+        """The array of costs, zero again, for another field: in a huge region far cheaper than a new one."""
+        for cells_seen in self.seen:
+            self.cost[cells_seen] = 0
+        return self.cost
 
     def path(self, grid: Cells, start: int) -> IntArray:
         """Cells from `start` to the goal; it must be in the same part."""
-        self.open_cells, settled = _settle(grid, self.cost, self.open_cells, start)
+        self.open_cells, seen, settled = _settle(grid, self.cost, self.open_cells, start)
+        self.seen.append(seen)
         self.settled += settled
         return _descend(grid, self.cost, start, self.goal)
 
@@ -228,11 +239,16 @@ def _moves(stride_n: int, stride_e: int) -> tuple[IntArray, IntArray]:
 
 
 @njit(cache=True)
-def _settle(grid: Cells, cost: Costs, open_cells: IntArray, start: int) -> tuple[IntArray, int]:
-    """Kernel: settle every cell that can lie on a cheapest path from `start`; what stays open, how many did not."""
+def _settle(grid: Cells, cost: Costs, open_cells: IntArray, start: int) -> tuple[IntArray, IntArray, int]:
+    """Kernel: settle every cell that can lie on a cheapest path from `start`.
+
+    Returns the cells that stay open, those that were not seen before, and how many were settled.
+    """
     settled = 0
     if cost[start] > 0:
-        return open_cells, settled
+        return open_cells, np.empty(0, dtype=np.int64), settled
+    seen = np.empty(4096, dtype=np.int64)
+    new_cells = 0
     weight = grid.weight
     stride_e = grid.count_d
     stride_n = grid.count_d * grid.count_e
@@ -262,6 +278,10 @@ def _settle(grid: Cells, cost: Costs, open_cells: IntArray, start: int) -> tuple
             longer = np.empty(2 * heap.shape[0], dtype=np.int64)
             longer[:size] = heap[:size]
             heap = longer
+        if new_cells + 27 > seen.shape[0]:
+            longer = np.empty(2 * seen.shape[0], dtype=np.int64)
+            longer[:new_cells] = seen[:new_cells]
+            seen = longer
         _allowed(weight, cell, around, free)
         n, e, d = cell // stride_n - start_n, cell // stride_e % grid.count_e - start_e, cell % stride_e - start_d
         here = free[13]
@@ -277,6 +297,9 @@ def _settle(grid: Cells, cost: Costs, open_cells: IntArray, start: int) -> tuple
                     if known > 0:
                         continue
                     new = own + moves[k] * (here + free[k])
+                    if known == 0:
+                        seen[new_cells] = other
+                        new_cells += 1
                     if known == 0 or -known > new:
                         cost[other] = -new
                         _push(heap, size, (new + _estimate(n + dn, e + de, d + dd)) << 32 | other)
@@ -288,7 +311,7 @@ def _settle(grid: Cells, cost: Costs, open_cells: IntArray, start: int) -> tuple
         if cost[cell] < 0:
             kept[count] = cell
             count += 1
-    return np.unique(kept[:count]), settled
+    return np.unique(kept[:count]), seen[:new_cells].copy(), settled
 
 
 @njit(cache=True)
@@ -325,18 +348,23 @@ def _descend(grid: Cells, cost: Costs, start: int, goal: int) -> IntArray:
 @njit(cache=True)
 def nearest_in_part(grid: Cells, part: int, dearest: int, p_ned: FloatArray) -> int:
     """Kernel: the cell of a part, no dearer than told, whose centre is nearest to a place; -1 where none is."""
-    best, nearest = math.inf, -1
-    cell = 0
-    for n in range(grid.count_n):
-        dn = (grid.low_ned[0] + n * grid.cell_m - p_ned[0]) ** 2
-        for e in range(grid.count_e):
-            dh = dn + (grid.low_ned[1] + e * grid.cell_m - p_ned[1]) ** 2
-            if dh >= best:
-                cell += grid.count_d
-                continue
-            for d in range(grid.count_d):
-                square = dh + (grid.low_ned[2] + d * grid.cell_m - p_ned[2]) ** 2
-                if square < best and grid.part[cell] == part and grid.weight[cell] <= dearest:
-                    best, nearest = square, cell
-                cell += 1
-    return nearest
+    counts = np.array([grid.count_n, grid.count_e, grid.count_d])
+    at = np.empty(3)
+    for axis in range(3):
+        at[axis] = min(max((p_ned[axis] - grid.low_ned[axis]) / grid.cell_m, 0.0), counts[axis] - 1.0)
+    wide = 4
+    while True:
+        low = np.maximum(np.floor(at).astype(np.int64) - wide, 0)
+        high = np.minimum(np.floor(at).astype(np.int64) + wide + 1, counts - 1)
+        best, nearest = math.inf, -1
+        for n in range(low[0], high[0] + 1):
+            for e in range(low[1], high[1] + 1):
+                for d in range(low[2], high[2] + 1):
+                    square = (n - at[0]) ** 2 + (e - at[1]) ** 2 + (d - at[2]) ** 2
+                    cell = (n * grid.count_e + e) * grid.count_d + d
+                    if square < best and grid.part[cell] == part and grid.weight[cell] <= dearest:
+                        best, nearest = square, cell
+        # What lies outside of the box is farther than its half width.
+        if best <= wide * wide or wide > counts.max():
+            return nearest
+        wide *= 2

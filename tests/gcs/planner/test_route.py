@@ -272,3 +272,17 @@ def test_what_cannot_be_is_refused(keys):
 def test_places_must_be_finite():
     with pytest.raises(ValueError, match="goal_ned"):
         Router(ob.table([]), 0.6).route([0, 0, 0], [math.nan, 0, 0])
+
+
+def test_fields_that_are_used_again_change_no_route(monkeypatch):
+    monkeypatch.setattr("route.FIELD_BYTES", 1)  # two fields are kept
+    rng = np.random.default_rng(5)
+    table = random_table(rng, 20)
+    few, places = Router(table, 0.6, floor_m=0.3), rng.uniform([-6, -6, -6], [6, 6, -0.3], (16, 2, 3))
+    routes = [few.route(start, goal) for start, goal in places]
+    assert sum(found is not None and len(found) > 1 for found in routes) > 4
+    for (start, goal), found in zip(places, routes, strict=True):
+        fresh = Router(table, 0.6, floor_m=0.3).route(start, goal)
+        assert (fresh is None) == (found is None)
+        if fresh is not None:
+            np.testing.assert_array_equal(found, fresh)

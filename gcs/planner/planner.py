@@ -41,6 +41,8 @@ NEAR_GOAL_M = 2.0
 """A route shorter than this is flown with the velocity of its goal."""
 OFF_PLAN_M = 1.0
 """A vehicle farther than this from its plan is met where it flies, not where it is planned."""
+GROUND_ROUNDING_M = 0.1
+"""So much a home may differ from height 0 by the wire's rounding alone."""
 STILL: Vec3 = (0.0, 0.0, 0.0)
 
 
@@ -171,8 +173,9 @@ class Planner:
             obstacle_ranges_m=[self._field.repulsion_range_m if want.route_m is None else 0.0 for want in wanted],
         )
         for i, view in enumerate(views):
-            if view.sysid in self._grounded and q_next[i, 2] > -FLOOR_M:
-                q_next[i, 2] = -FLOOR_M
+            lowest_d = floor_d(view)
+            if view.sysid in self._grounded and q_next[i, 2] > lowest_d:
+                q_next[i, 2] = lowest_d
                 v_ned[i] = (q_next[i] - np.array(self._begin[view.sysid])) / period_s
             self._q[view.sysid], self._memory[view.sysid] = q_next[i], memory[i]
             self._v[view.sysid] = _vec(v_ned[i])
@@ -348,6 +351,12 @@ class Planner:
         slack_m = self._scenario.planner.leash_m + LOOKAHEAD_S * speed_m_s
         behind_m = math.dist(self._q[view.sysid], view.p_now_ned())
         return speed_m_s * min(max(2.0 * (1.0 - behind_m / slack_m), 0.0), 1.0)
+
+
+def floor_d(view: VehicleView) -> float:
+    """Greatest down of a leader: above the scenario's height 0 and above the vehicle's own ground, as its home tells."""
+    ground_d = view.ground_down_m or 0.0
+    return -FLOOR_M + (ground_d if ground_d < -GROUND_ROUNDING_M else 0.0)
 
 
 def _ahead(p_ned: Vec3, v_ned: Vec3, time_s: float = LOOKAHEAD_S) -> Vec3:

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.mavlink.setpoints import SetPoint
-from gcs.planner.planner import LEAST_MARGIN_M
+from gcs.planner.planner import FLOOR_M, LEAST_MARGIN_M, STILL, floor_d
 from gcs.planner.request import PlanRequest, TickPlanner
 from gcs.planner.safety_filter import KINDS, Filtered, Others, Rules, Vehicles, filter_step
 from gcs.planner.silence import STEP_M, Failsafe, presumed_places
@@ -41,8 +41,6 @@ SLOWEST_M_S = 1.0
 """Even who is to stand may give way this fast."""
 EXTERNAL_M_S2 = 2.0
 """Autopilots that somebody else tuned follow leaders of no more acceleration."""
-FLOOR_M = 0.3
-STILL: Vec3 = (0.0, 0.0, 0.0)
 SILENT_S = 1.0
 DRIFT_M_S2 = 1.0
 """What moves otherwise than it told: its place is unknown by half of this times its age squared."""
@@ -200,7 +198,7 @@ class SafePlanner:
         wish[silent] = 0.0
         speeds = np.array([max(self._speed_m_s[sysid], SLOWEST_M_S) for sysid in ids])
         fence = np.full((len(ids), 3), np.inf)
-        fence[:, 2] = [self._floor(views[sysid]) for sysid in ids]
+        fence[:, 2] = [floor_d(views[sysid]) if sysid in self._grounded else math.inf for sysid in ids]
         return filter_step(
             Vehicles(
                 ids=ids,
@@ -218,12 +216,6 @@ class SafePlanner:
             pair_required_m=self._special_pairs(ids, request),
             other_required_m=[(other.owner, row, 0.0) for row, other in enumerate(others) if other.owner is not None],
         )
-
-    def _floor(self, view: VehicleView) -> float:
-        """Greatest down of a leader: above the ground of its vehicle, as its home tells, whatever the origin says."""
-        if view.sysid not in self._grounded:
-            return math.inf
-        return (view.ground_down_m or 0.0) - FLOOR_M
 
     def _special_pairs(self, ids: list[int], request: PlanRequest) -> list[tuple[int, int, float]]:
         rules = self._scenario.planner

@@ -93,6 +93,9 @@ def event_of(record: Mapping[str, Any]) -> Event:
         return Event(t_s, int(record.get("sysid", 0)), level, f"Operator: {record.get('text', '')}", "operator")
     if kind == "pursuit":
         return Event(t_s, int(record["pursuer"]), "info", f"Pursues {record['target']} from now on", "decision")
+    if kind == "safety":
+        does = "Brakes for" if record.get("braked") else "Gives way to"
+        return Event(t_s, int(record["sysid"]), "info", f"{does} {record['by']}", "decision")
     if kind == "battery":
         return Event(t_s, int(record["sysid"]), "warning", str(record["text"]))
     if kind == "policy failed":

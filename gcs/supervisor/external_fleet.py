@@ -25,6 +25,8 @@ SILENT_S = CHECK_S * SLOW_SHARE
 """A silence so long would make every stream look slow."""
 SAY_AGAIN_S = 10.0
 NO_ORIGIN_S = 5.0
+GROUND_OFF_M = 2.0
+"""A home that lies so much higher or lower than the scenario's height 0 is told."""
 STEERED = frozenset({Stage.ARM, Stage.TAKEOFF, Stage.OFFBOARD, Stage.FLY})
 ENDING = "end"
 _ENDS: Mapping[End, str] = {"hold": "hold", "return": "return to where it took off", "land": "land"}
@@ -45,6 +47,7 @@ class ExternalFleet:
         self._said_s: dict[tuple[int, str], float] = {}
         self._asks: dict[int, list[Ask]] = {sysid: [] for sysid in self.rules}
         self._origin_noted: set[int] = set()
+        self._ground_noted: set[int] = set()
         self._handed_back: set[int] = set()
         self._answers: dict[int, str] = {}
         self._events: list[Event] = []
@@ -104,6 +107,15 @@ class ExternalFleet:
             elif known and sysid in self._origin_noted:
                 self._origin_noted.discard(sysid)
                 self._note(sysid, "info", "Its frame is known now")
+            if known and view.ground_down_m is not None and sysid not in self._ground_noted:
+                self._ground_noted.add(sysid)
+                if abs(view.ground_down_m) >= GROUND_OFF_M:
+                    where = "below" if view.ground_down_m > 0.0 else "above"
+                    said = (
+                        f"Its ground lies {abs(view.ground_down_m):.1f} m {where} the height 0 of the scenario: "
+                        "set points stay above both; correct origin.alt_m if that is not so"
+                    )
+                    self._note(sysid, "warning", said)
             for ask in self._asks[sysid]:
                 wishes.append(CommandRequest(sysid, ask.command.command, ask.command.params, ask.token))
             self._asks[sysid] = []

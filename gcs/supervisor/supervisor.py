@@ -22,7 +22,7 @@ from gcs.mavlink.sequence import GapCounter
 from gcs.mavlink.setpoints import SetPoint, encoded
 from gcs.planner.custom import make_planner
 from gcs.planner.request import PlanRequest
-from gcs.recording.decisions import TickRecord, records_of_tick
+from gcs.recording.decisions import TickRecord, event_of, records_of_tick
 from gcs.recording.writer import Digest, Recorder
 from gcs.refuelling.base import giver_messages
 from gcs.refuelling.bidding import make_bidding
@@ -367,7 +367,9 @@ class Supervisor:
             standings=self.schedule.standings,
         )
         self.events += events
-        return self._told() + self.planner.take_records() + records
+        interventions = self.planner.take_records()
+        self.events += [event_of(record) for record in interventions]
+        return self._told() + interventions + records
 
     def _told(self) -> list[dict[str, Any]]:
         """Who has died, and what operators have commanded, since the last call."""

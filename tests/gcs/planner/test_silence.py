@@ -1,0 +1,37 @@
+"""Where a silent vehicle may be: by hand from its failsafe, 5 m/s home and 0.7 m/s down after 5 s of silence."""
+
+from __future__ import annotations
+
+import itertools
+import math
+
+import pytest
+
+from gcs.planner.silence import Failsafe, presumed_places
+
+HOME = (0.0, 0.0, -5.0)
+LAST = (20.0, 0.0, -5.0)  # 5 m up to -10, 20 m home, then down: 1 s, 4 s
+USUAL = Failsafe()
+
+
+def test_it_holds_until_the_ground_station_may_be_lost() -> None:
+    assert presumed_places(LAST, HOME, 3.4, USUAL) == []
+
+
+def test_it_is_looked_for_all_along_the_way_that_it_may_have_flown() -> None:
+    places = presumed_places(LAST, HOME, 6.0, USUAL)  # began 0 to 2.5 s ago, looked for 1.5 s ahead: up to 4 s of way
+    assert places[0] == LAST
+    assert min(n for n, _, _ in places) == pytest.approx(20.0 - 5.0 * (4.0 - 1.0))
+    gaps = [math.dist(a, b) for a, b in itertools.pairwise(places)]
+    assert max(gaps) <= 0.7 + 1e-9
+
+
+def test_it_comes_down_at_home() -> None:
+    places = presumed_places(LAST, HOME, 20.0, USUAL)  # sinks since 6.5 to 11.5 s: 4.55 m to 9.1 m below -10
+    assert {(n, e) for n, e, _ in places} == {(0.0, 0.0)}
+    assert places[0][2] == pytest.approx(-10.0 + 0.7 * (16.5 - 1.5 - 2.5 - 5.0))
+    assert places[-1][2] == pytest.approx(-10.0 + 0.7 * (16.5 + 1.5 - 5.0))
+
+
+def test_parameters_of_its_own_count() -> None:
+    assert presumed_places(LAST, HOME, 20.0, Failsafe(loss_s=60.0)) == []

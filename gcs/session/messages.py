@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
 from gcs.refuelling import explain
@@ -17,6 +17,15 @@ from gcs.telemetry.state import TrafficView, Vec3, VehicleView
 if TYPE_CHECKING:  # a monitor and a replay have none
     from gcs.supervisor.supervisor import Supervisor
 
+NO_GOAL: Mapping[str, Any] = {
+    "separation_m": None,
+    "clearance_m": None,
+    "traffic_m": None,
+    "pursue_within_m": None,
+    "pursue_for_s": None,
+    "refuelled_at_least": 0,
+}
+"""of who knows no scenario"""
 ROUND_CORNERS = 32
 """of the outline of what is round"""
 

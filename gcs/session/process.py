@@ -123,7 +123,9 @@ class SessionProcess:
             if self._begun:
                 died = self._hatch is not None and not self._hatch.alive
                 with contextlib.suppress(OSError):  # a full disk may have no room for it either
-                    why = "lost every vehicle: the process that makes them has died" if died else "the session broke off"
+                    why = (
+                        "lost every vehicle: the process that makes them has died" if died else "the session broke off"
+                    )
                     self._summarise("lost" if died else goal.INTERRUPTED, f"not met: {why}")
             raise
         finally:

@@ -65,7 +65,9 @@ class GoalWatch:
 
     # in flight
 
-    def take(self, snapshot: FleetState, partners: Iterable[tuple[int, int]]) -> tuple[list[dict[str, Any]], list[Event]]:
+    def take(
+        self, snapshot: FleetState, partners: Iterable[tuple[int, int]]
+    ) -> tuple[list[dict[str, Any]], list[Event]]:
         """Count one tick; records and events of what has just been broken."""
         now_s, count = snapshot.time_s, len(self._vehicles)
         p_ned, height_m = np.full((count, 3), np.nan), np.full(count, np.nan)
@@ -90,7 +92,9 @@ class GoalWatch:
             air = self._air
         self._air = air
         traffic = {
-            aircraft.callsign: tuple(p + v * aircraft.age_s for p, v in zip(aircraft.p_ned, aircraft.v_ned, strict=True))
+            aircraft.callsign: tuple(
+                p + v * aircraft.age_s for p, v in zip(aircraft.p_ned, aircraft.v_ned, strict=True)
+            )
             for aircraft in snapshot.traffic
         }
         places = Places(np.where(flying[:, None], p_ned, np.nan), height_m, traffic=traffic)
@@ -172,7 +176,9 @@ class GoalWatch:
         """Judge again by the vehicles' own truth, where they left it; what only that shows."""
         if not self._log:
             return [], []
-        tables = {row: truth.read(folder, vehicle.sysid) for row, vehicle in enumerate(self._vehicles) if self._ours[row]}
+        tables = {
+            row: truth.read(folder, vehicle.sysid) for row, vehicle in enumerate(self._vehicles) if self._ours[row]
+        }
         if not tables or any(table is None for table in tables.values()):
             return [], []
         ticks = np.array([t_s for t_s, _, _ in self._log])
@@ -247,8 +253,8 @@ class GoalWatch:
         if breach.part == "ground":
             return f"{who} touches the ground"
         if breach.part == "separation":
-            return f"{who} are {goal.metres(near.m)} apart; the goal wants {limit:g} m"
-        return f"{who} is {goal.metres(near.m)} from {near.what}; the goal wants {limit:g} m"
+            return f"{who} are {goal.metres(near.m, limit)} apart; the goal wants {limit:g} m"
+        return f"{who} is {goal.metres(near.m, limit)} from {near.what}; the goal wants {limit:g} m"
 
     def _record(
         self, t_s: float, part: str, by: str, at_s: float, sysids: tuple[int, ...], what: str, value: float, text: str

@@ -144,9 +144,7 @@ def _part(judged: Judgement) -> GoalPartSummary:
 
 
 def _closest(nearest: Nearest) -> ClosestSummary:
-    return ClosestSummary(
-        distance_m=nearest.m, sysids=list(nearest.sysids), what=nearest.what, t_s=nearest.t_s
-    )
+    return ClosestSummary(distance_m=nearest.m, sysids=list(nearest.sysids), what=nearest.what, t_s=nearest.t_s)
 
 
 def _finite(value: float) -> float | None:

@@ -91,14 +91,22 @@ class Judgement:
         return f"{self.part} {self.reached}"
 
 
+class Case(NamedTuple):
+    """What one part is judged by; `limit` is what the scenario demands of it."""
+
+    scenario: Scenario
+    measured: Measured
+    limit: float
+
+
 class GoalPart(NamedTuple):
-    """One part: `limit` is what a scenario demands of it, None where it demands nothing."""
+    """One part: `limit` is what a scenario demands of it, None where it demands nothing; `wanted` a sentence of it."""
 
     name: str
     unit: str
     limit: Callable[[Scenario], float | None]
-    wanted: Callable[[Scenario, float], str]
-    judge: Callable[[Measured, float, Scenario], _Found]
+    wanted: str
+    judge: Callable[[Case], _Found]
 
 
 class _Found(NamedTuple):
@@ -115,6 +123,8 @@ _UNKNOWN = _Found(None, "not known")
 
 def separation_m(scenario: Scenario) -> float | None:
     """The least distance of two vehicles that the goal demands, m."""
+    if len(scenario.vehicles.all) < 2:
+        return None
     rules, asked = scenario.planner, scenario.goal.separation_m
     return _asked(asked, rules.separation_m if rules.vehicles_repel else 0.0)
 
@@ -148,6 +158,10 @@ def _waypoints(scenario: Scenario) -> float | None:
     return 0.0 if scenario.goal.waypoints == "all" and some else None
 
 
+def _refuelled(scenario: Scenario) -> float | None:
+    return float(scenario.goal.refuelled_at_least) or None
+
+
 def _pursue_s(scenario: Scenario) -> float | None:
     return scenario.goal.pursue.for_s if scenario.goal.pursue is not None else None
 
@@ -155,16 +169,23 @@ def _pursue_s(scenario: Scenario) -> float | None:
 # judging
 
 
-def _judge_near(nearest: Nearest | None, limit: float) -> _Found:
-    if nearest is None:
-        return _UNKNOWN
-    if not math.isfinite(nearest.m):
-        return _Found(True, nearest.text(limit))
-    return _Found(nearest.m >= limit, nearest.text(limit), nearest.m, nearest.sysids, nearest.what, nearest.t_s)
+def _near(of: Callable[[Measured], Nearest | None]) -> Callable[[Case], _Found]:
+    """The judge of a distance."""
+
+    def judge(case: Case) -> _Found:
+        nearest, limit = of(case.measured), case.limit
+        if nearest is None:
+            return _UNKNOWN
+        if not math.isfinite(nearest.m):
+            return _Found(True, nearest.text(limit))
+        about = nearest.m, nearest.sysids, nearest.what, nearest.t_s
+        return _Found(nearest.m >= limit, nearest.text(limit), *about)
+
+    return judge
 
 
-def _judge_ground(measured: Measured, limit: float, scenario: Scenario) -> _Found:
-    touched = measured.ground
+def _judge_ground(case: Case) -> _Found:
+    touched = case.measured.ground
     if touched is None:
         return _UNKNOWN
     if not math.isfinite(touched.m):
@@ -172,8 +193,8 @@ def _judge_ground(measured: Measured, limit: float, scenario: Scenario) -> _Foun
     return _Found(False, f"touched ({touched.who})", touched.m, touched.sysids, "", touched.t_s)
 
 
-def _judge_lost(measured: Measured, limit: float, scenario: Scenario) -> _Found:
-    lost = measured.lost
+def _judge_lost(case: Case) -> _Found:
+    lost = case.measured.lost
     if lost is None:
         return _UNKNOWN
     if not lost:
@@ -181,21 +202,23 @@ def _judge_lost(measured: Measured, limit: float, scenario: Scenario) -> _Found:
     told = [f"{_name(loss.sysid)} at {loss.t_s:.1f} s: {loss.why}" for loss in lost[:NAMED]]
     more = f"; {len(lost) - NAMED} more" if len(lost) > NAMED else ""
     who = tuple(loss.sysid for loss in lost)
-    return _Found(len(lost) <= limit, f"{len(lost)} ({'; '.join(told)}{more})", float(len(lost)), who, "", lost[0].t_s)
+    text = f"{len(lost)} ({'; '.join(told)}{more})"
+    return _Found(len(lost) <= case.limit, text, float(len(lost)), who, "", lost[0].t_s)
 
 
-def _judge_duration(measured: Measured, limit: float, scenario: Scenario) -> _Found:
-    if measured.time_s is None:
+def _judge_duration(case: Case) -> _Found:
+    time_s = case.measured.time_s
+    if time_s is None:
         return _UNKNOWN
-    done = measured.time_s >= limit - ROUNDING_S
-    return _Found(done, f"{measured.time_s:.1f} s" + ("" if done else f" of {limit:g} s"), measured.time_s)
+    done = time_s >= case.limit - ROUNDING_S
+    return _Found(done, f"{time_s:.1f} s" + ("" if done else f" of {case.limit:g} s"), time_s)
 
 
-def _judge_waypoints(measured: Measured, limit: float, scenario: Scenario) -> _Found:
-    if measured.missed is None:
+def _judge_waypoints(case: Case) -> _Found:
+    if case.measured.missed is None:
         return _UNKNOWN
-    count = {pursuer.sysid: len(pursuer.waypoints_m) for pursuer in scenario.vehicles.pursuers}
-    missed = {sysid: number for sysid, number in measured.missed.items() if number}
+    count = {pursuer.sysid: len(pursuer.waypoints_m) for pursuer in case.scenario.vehicles.pursuers}
+    missed = {sysid: number for sysid, number in case.measured.missed.items() if number}
     if not missed:
         return _Found(True, "all passed", 0.0)
     told = [f"{sysid}: {number} of {count.get(sysid, number)}" for sysid, number in sorted(missed.items())]
@@ -204,63 +227,32 @@ def _judge_waypoints(measured: Measured, limit: float, scenario: Scenario) -> _F
     return _Found(False, text, float(sum(missed.values())), tuple(sorted(missed)))
 
 
-def _judge_pursue(measured: Measured, limit: float, scenario: Scenario) -> _Found:
-    held_s = measured.pursuit_held_s
+def _judge_pursue(case: Case) -> _Found:
+    held_s = case.measured.pursuit_held_s
     if held_s is None:
         return _UNKNOWN
-    return _Found(held_s >= limit - ROUNDING_S, progress_text(held_s, limit, " s", digits=1), held_s)
+    return _Found(held_s >= case.limit - ROUNDING_S, progress_text(held_s, case.limit, " s", digits=1), held_s)
 
 
-def _judge_refuelled(measured: Measured, limit: float, scenario: Scenario) -> _Found:
-    if measured.refuelled is None:
+def _judge_refuelled(case: Case) -> _Found:
+    if case.measured.refuelled is None:
         return _UNKNOWN
-    done = float(measured.refuelled)
-    return _Found(done >= limit, progress_text(done, limit, ""), done)
+    done = float(case.measured.refuelled)
+    return _Found(done >= case.limit, progress_text(done, case.limit, ""), done)
 
 
-def _want_pursue(scenario: Scenario, for_s: float) -> str:
-    within_m = scenario.goal.pursue.within_m if scenario.goal.pursue else 0.0
-    return f"every pursuer within {within_m:g} m of its target for {for_s:g} s"
-
-
-def _want_lost(scenario: Scenario, most: float) -> str:
-    return "no vehicle is lost" if most == 0 else f"at most {most:.0f} vehicles are lost"
-
-
-def _want_clearance(scenario: Scenario, limit: float) -> str:
-    return f"no obstacle nearer than {limit:g} m" if limit else "nobody inside an obstacle"
-
-
+_SEPARATION = "no two vehicles nearer than {limit:g} m, partners of a transfer aside"
+_PURSUE = "every pursuer within {within_m:g} m of its target for {limit:g} s"
 PARTS: tuple[GoalPart, ...] = (
-    GoalPart("lost", "1", lambda s: float(s.goal.lost_at_most), _want_lost, _judge_lost),
-    GoalPart("duration", "s", lambda s: s.goal.duration_s, lambda s, limit: f"{limit:g} s are flown", _judge_duration),
-    GoalPart(
-        "separation",
-        "m",
-        lambda s: separation_m(s) if len(s.vehicles.all) > 1 else None,
-        lambda s, limit: f"no two vehicles nearer than {limit:g} m, partners of a transfer aside",
-        lambda m, limit, s: _judge_near(m.separation, limit),
-    ),
-    GoalPart("clearance", "m", clearance_m, _want_clearance, lambda m, limit, s: _judge_near(m.clearance, limit)),
-    GoalPart(
-        "traffic",
-        "m",
-        traffic_m,
-        lambda s, limit: f"no traffic nearer than {limit:g} m",
-        lambda m, limit, s: _judge_near(m.traffic, limit),
-    ),
-    GoalPart("ground", "m", _has_ground, lambda s, limit: "nobody in flight touches the ground", _judge_ground),
-    GoalPart(
-        "waypoints", "1", _waypoints, lambda s, limit: "every pursuer passes all its way points", _judge_waypoints
-    ),
-    GoalPart("pursue", "s", _pursue_s, _want_pursue, _judge_pursue),
-    GoalPart(
-        "refuelled",
-        "1",
-        lambda s: float(s.goal.refuelled_at_least) or None,
-        lambda s, limit: f"at least {limit:.0f} refuelled",
-        _judge_refuelled,
-    ),
+    GoalPart("lost", "1", lambda s: float(s.goal.lost_at_most), "at most {limit:g} vehicles lost", _judge_lost),
+    GoalPart("duration", "s", lambda s: s.goal.duration_s, "{limit:g} s are flown", _judge_duration),
+    GoalPart("separation", "m", separation_m, _SEPARATION, _near(lambda measured: measured.separation)),
+    GoalPart("clearance", "m", clearance_m, "no obstacle nearer than {limit:g} m", _near(lambda m: m.clearance)),
+    GoalPart("traffic", "m", traffic_m, "no traffic nearer than {limit:g} m", _near(lambda m: m.traffic)),
+    GoalPart("ground", "m", _has_ground, "nobody in flight touches the ground", _judge_ground),
+    GoalPart("waypoints", "1", _waypoints, "every pursuer passes all its way points", _judge_waypoints),
+    GoalPart("pursue", "s", _pursue_s, _PURSUE, _judge_pursue),
+    GoalPart("refuelled", "1", _refuelled, "at least {limit:g} refuelled", _judge_refuelled),
 )
 """In the order in which an outcome names them."""
 BY_NAME = {part.name: part for part in PARTS}
@@ -275,10 +267,11 @@ def asked(scenario: Scenario) -> dict[str, float]:
 def judge(scenario: Scenario, measured: Measured) -> list[Judgement]:
     """What came of each part that the scenario asks for."""
     found = []
+    within_m = scenario.goal.pursue.within_m if scenario.goal.pursue is not None else 0.0
     for name, limit in asked(scenario).items():
         part = BY_NAME[name]
-        met, reached, value, sysids, what, t_s = part.judge(measured, limit, scenario)
-        wanted = part.wanted(scenario, limit)
+        met, reached, value, sysids, what, t_s = part.judge(Case(scenario, measured, limit))
+        wanted = part.wanted.format(limit=limit, within_m=within_m)
         found.append(Judgement(name, wanted, reached, met, limit, part.unit, value, sysids, what, t_s))
     return found
 

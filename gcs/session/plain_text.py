@@ -168,8 +168,9 @@ def _closest(summary: Mapping[str, Any], name: str) -> str:
     text = f"minimum {name}: {metres(value, limit)}"
     if who:
         text += f" ({Nearest(value, tuple(who['sysids']), who['t_s'], clean(who['what'])).who})"
-    reported = believed is not None and abs(believed - value) >= REPORTED_OFF_M
-    return f"{text}; reported: {metres(believed, limit)}" if reported else text
+    if believed is not None and abs(believed - value) >= REPORTED_OFF_M:
+        text += f"; reported: {metres(believed, limit)}"
+    return text
 
 
 def _listed(title: str, parts: Sequence[str]) -> list[str]:

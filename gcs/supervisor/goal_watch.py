@@ -25,8 +25,10 @@ from gcs.telemetry.approach import Floats
 from gcs.telemetry.changes import GOING_DOWN
 from gcs.telemetry.events import Event
 from gcs.telemetry.proximity import Airspace, Breach, Places, Proximity, WayPoints
-from gcs.telemetry.state import FleetState, VehicleView
+from gcs.telemetry.state import FleetState, TrafficView, Vec3, VehicleView
 
+Told = tuple[list[dict[str, Any]], list[Event]]
+"""Records and events."""
 UP_M = 0.3
 """A vehicle that has been so high must not touch the ground until it lands."""
 NEVER_FLEW_S = 10.0
@@ -65,9 +67,7 @@ class GoalWatch:
 
     # in flight
 
-    def take(
-        self, snapshot: FleetState, partners: Iterable[tuple[int, int]]
-    ) -> tuple[list[dict[str, Any]], list[Event]]:
+    def take(self, snapshot: FleetState, partners: Iterable[tuple[int, int]]) -> Told:
         """Count one tick; records and events of what has just been broken."""
         now_s, count = snapshot.time_s, len(self._vehicles)
         p_ned, height_m = np.full((count, 3), np.nan), np.full(count, np.nan)
@@ -91,12 +91,7 @@ class GoalWatch:
         if self._air is not None and air.same(self._air):
             air = self._air
         self._air = air
-        traffic = {
-            aircraft.callsign: tuple(
-                p + v * aircraft.age_s for p, v in zip(aircraft.p_ned, aircraft.v_ned, strict=True)
-            )
-            for aircraft in snapshot.traffic
-        }
+        traffic = {aircraft.callsign: _now(aircraft) for aircraft in snapshot.traffic}
         places = Places(np.where(flying[:, None], p_ned, np.nan), height_m, traffic=traffic)
         if self._keeps_log:
             self._log.append((now_s, air, traffic))
@@ -158,7 +153,7 @@ class GoalWatch:
                 lost[view.sysid] = Loss(view.sysid, end_s, f"its failsafe flies it ({view.mode})")
         return sorted(lost.values(), key=lambda loss: (loss.t_s, loss.sysid))
 
-    def take_losses(self, now_s: float) -> tuple[list[dict[str, Any]], list[Event]]:
+    def take_losses(self, now_s: float) -> Told:
         """Records and events of those losses that are more than the goal allows, once each."""
         if len(self._lost) <= self._asked["lost"]:
             return [], []
@@ -172,7 +167,7 @@ class GoalWatch:
 
     # at the end
 
-    def judge_truth(self, folder: Path, now_s: float) -> tuple[list[dict[str, Any]], list[Event]]:
+    def judge_truth(self, folder: Path, now_s: float) -> Told:
         """Judge again by the vehicles' own truth, where they left it; what only that shows."""
         if not self._log:
             return [], []
@@ -191,14 +186,14 @@ class GoalWatch:
             at[row] = np.where(same, k, -1)
         judged, waypoints = Proximity(self._scenario, self._shapes), WayPoints(self._scenario)
         breaches: list[Breach] = []
-        for k, (t_s, air, traffic) in enumerate(self._log):
+        for tick, (t_s, air, traffic) in enumerate(self._log):
             p_ned, v_ned = np.full((len(at), 3), np.nan), np.zeros((len(at), 3))
             for row, table in tables.items():
-                if at[row, k] >= 0 and table is not None:
-                    p_ned[row], v_ned[row] = table[at[row, k], 1:4], table[at[row, k], 4:7]
+                if at[row, tick] >= 0 and table is not None:
+                    p_ned[row], v_ned[row] = table[at[row, tick], 1:4], table[at[row, tick], 4:7]
             curved = not self._strangers
             if self._strangers:
-                p_ned[~self._ours] = self._strangers[k]
+                p_ned[~self._ours] = self._strangers[tick]
             waypoints.take(air.flying, p_ned)
             places = Places(p_ned, 0.0 - p_ned[:, 2], v_ned if curved else np.empty((0, 3)), traffic)
             breaches += judged.take(t_s, air, places)
@@ -234,7 +229,7 @@ class GoalWatch:
 
     # telling
 
-    def _told_of(self, now_s: float, breaches: Sequence[Breach], by: str) -> tuple[list[dict[str, Any]], list[Event]]:
+    def _told_of(self, now_s: float, breaches: Sequence[Breach], by: str) -> Told:
         records = []
         for breach in breaches:
             near = breach.nearest
@@ -265,6 +260,11 @@ class GoalWatch:
     def _label(self, sysid: int) -> str:
         row = self._rows.get(sysid)
         return "traffic" if row is None else self._vehicles[row].label
+
+
+def _now(aircraft: TrafficView) -> Vec3:
+    (n, e, d), (vn, ve, vd), age_s = aircraft.p_ned, aircraft.v_ned, aircraft.age_s
+    return (n + vn * age_s, e + ve * age_s, d + vd * age_s)
 
 
 def _event(record: Mapping[str, Any]) -> Event:

@@ -169,10 +169,13 @@ def clearances(shapes: Floats, before: Floats, now: Floats, worth_m: float) -> t
     shares = np.ones(len(now))
     moved = np.linalg.norm(now - before, axis=1)
     for i in np.flatnonzero(least - moved < worth_m).tolist():
-        between = np.linspace(0.0, 1.0, FINE + 1)
-        there = geometry.clearance(shapes, before[i] + between[:, None] * (now[i] - before[i]))
-        k = int(there.argmin())
-        least[i], shares[i] = there[k], between[k]
+        low, high = 0.0, 1.0
+        for _ in range(2):  # the second time closer around the nearest place of the first
+            between = np.linspace(low, high, FINE + 1)
+            there = geometry.clearance(shapes, before[i] + between[:, None] * (now[i] - before[i]))
+            k = int(there.argmin())
+            least[i], shares[i] = there[k], between[k]
+            low, high = between[max(k - 1, 0)], between[min(k + 1, FINE)]
     return least, shares
 
 

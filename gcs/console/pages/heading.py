@@ -77,9 +77,11 @@ def _tabs(page: str, *, short: bool) -> Line:
 def _goal(watch: SessionModel) -> Iterable[tuple[str, float, float, str]]:
     goal = {**(watch.session.get("goal") or {}), **(watch.snapshot.get("goal") or {})}
     refuelled = int(watch.snapshot.get("refuelled") or 0)
-    yield from goal_parts(goal, refuelled)
+    for what, have, need, _ in goal_parts(goal, refuelled):
+        word, unit = ("pursue", " s") if what == "pursuit" else ("refuel", "")
+        yield word, have, need, f"{have:.0f}{unit} met" if have >= need else f"{have:.0f}/{need:.0f}{unit}"
     if refuelled and not goal.get("refuelled_at_least"):
-        yield "refuelled", 1, 1, str(refuelled)
+        yield "refuel", 1, 1, str(refuelled)
 
 
 def trouble_line(watch: SessionModel, width: int, glyphs: Glyphs) -> Line:

@@ -78,8 +78,9 @@ def module_arguments(scenario: str) -> list[str]:
 def validate(scenario: str, image: Path | None, quiet: bool) -> int:
     """Check SCENARIO and draw what it says: vehicles, targets' paths, obstacles and ranges, seen from above.
 
-    Every mistake is a line with file, line and column. A planner or policy of your own is imported and looked at, but
-    not run.
+    Every mistake is a line with file, line and column. What can be flown and is likely to break the goal is a warning
+    on stderr: speed, latency and braking against ranges and separation, places of pursuers, obstacles on the ring. A
+    planner or policy of your own is imported and looked at, but not run.
 
     \b
     Examples:
@@ -88,11 +89,11 @@ def validate(scenario: str, image: Path | None, quiet: bool) -> int:
 
     \b
     Exit status:
-      0    the scenario can be flown
+      0    the scenario can be flown, also with warnings
       1    the image could not be written
       2    it cannot be flown; each reason is a line on stderr
     """
-    from gcs.scenario import plot
+    from gcs.scenario import plot, warnings
 
     checked = load_scenario(scenario)
     if image is not None:
@@ -102,6 +103,8 @@ def validate(scenario: str, image: Path | None, quiet: bool) -> int:
             why = error.strerror if isinstance(error, OSError) else str(error)
             click.echo(f"{image}: the plan cannot be drawn there: {why}", err=True)
             return NOT_DONE
+    for warning in warnings.warnings(checked):
+        click.echo(f"{scenario}: warning: {warning.about}: {warning.text}", err=True)
     if quiet:
         return 0
     if image is None:

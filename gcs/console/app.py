@@ -13,6 +13,7 @@ from gcs.console.main_screen import MainScreen
 from gcs.console.shell import Shell
 from gcs.console.text import Glyphs
 from gcs.session.client import MessageSource
+from gcs.session.plain_text import outcome_line
 
 BEAT_S = 0.2
 """The screen is looked at, and drawn where it has changed, this often: 5 Hz."""
@@ -73,7 +74,7 @@ def show(source: MessageSource, title: str = "", *, owner: bool = False) -> int:
     try:
         app.run()
         if app.seen.end is not None and not owner:
-            print(f"outcome: {app.seen.end.get('outcome') or 'unknown'}")
+            print(outcome_line(app.seen.end.get("outcome") or "unknown", app.seen.end.get("text")))
         return app.return_code or 0
     finally:
         for number, handler in handlers.items():

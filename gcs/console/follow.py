@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable
 
 from gcs.session.client import Message, MessageSource
-from gcs.session.plain_text import JsonView, PlainView, mute_stdout
+from gcs.session.plain_text import JsonView, PlainView, mute_stdout, outcome_line
 
 LOOK_EVERY_S = 0.1
 STEP_S = 0.5
@@ -52,7 +52,7 @@ def follow(
                 wait()
         view.close()
         if end is not None:
-            write(json.dumps(end) if as_json else f"outcome: {end.get('outcome') or 'unknown'}")
+            write(json.dumps(end) if as_json else outcome_line(end.get("outcome") or "unknown", end.get("text")))
     except BrokenPipeError:
         mute_stdout()
     finally:

@@ -354,7 +354,7 @@ class Planner:
 
 
 def floor_d(view: VehicleView) -> float:
-    """Greatest down of a leader: above the scenario's height 0 and above the vehicle's own ground, as its home tells."""
+    """Greatest down of a leader: above the scenario's height 0 and above the vehicle's own ground, by its home."""
     ground_d = view.ground_down_m or 0.0
     return -FLOOR_M + (ground_d if ground_d < -GROUND_ROUNDING_M else 0.0)
 

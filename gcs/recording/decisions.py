@@ -88,6 +88,9 @@ def event_of(record: Mapping[str, Any]) -> Event:
     t_s, kind = float(record["t_s"]), record["kind"]
     if kind == "death":
         return Event(t_s, int(record["sysid"]), "critical", str(record.get("text", "died")), "death")
+    if kind == "violation":
+        whom = record.get("sysids") or [0]
+        return Event(t_s, int(whom[0]), "critical", str(record.get("text", "")), "violation")
     if kind == "operator":
         level: Level = "info" if record.get("taken") else "warning"
         return Event(t_s, int(record.get("sysid", 0)), level, f"Operator: {record.get('text', '')}", "operator")

@@ -49,6 +49,7 @@ NEEDED: dict[str, tuple[str, ...]] = {
     "pursuit": ("target", "pursuer"),
     "policy failed": ("policy", "problem"),
     "death": ("text",),
+    "violation": ("part", "at_s", "sysids", "text"),
     "unable": ("receiver", "reason"),
     "operator": ("command", "taken", "text"),
 }

@@ -89,6 +89,36 @@ class LinkSummary(_Part):
     command_retries: int
 
 
+class GoalPartSummary(_Part):
+    """What came of one part of the goal (docs/protocol.md#goal)."""
+
+    part: str
+    """`lost`, `duration`, `separation`, `clearance`, `traffic`, `ground`, `waypoints`, `pursue` or `refuelled`"""
+    wanted: str
+    reached: str
+    met: bool
+    value: float | None
+    """null where there was nothing to measure"""
+    limit: float
+    unit: str
+    sysids: list[int]
+    """who it was; of `separation` the pair"""
+    what: str
+    """the obstacle or aircraft; empty otherwise"""
+    t_s: float | None
+    """when, s of session time; null of what has no one time"""
+
+
+class ClosestSummary(_Part):
+    """Who came nearest, to what and when."""
+
+    distance_m: float
+    sysids: list[int]
+    what: str
+    """the obstacle or aircraft; empty between vehicles"""
+    t_s: float
+
+
 class Summary(_Part):
     """The session."""
 
@@ -105,12 +135,30 @@ class Summary(_Part):
     """how much the session's clock fell behind its pace; with external vehicles, what late ticks had to catch up"""
     completed: bool
     outcome: str
-    """`met`, the first part of the goal that was not met, `vehicle_lost` or `interrupted`"""
+    """`met`, the name of the first part of the goal that was not met, or `interrupted`"""
+    outcome_text: str = ""
+    """the same as a sentence, with every part that was not met; empty in sessions of earlier versions"""
+    goal: list[GoalPartSummary] = []
+    """each part of the goal, in the order in which an outcome names them"""
+    unmet: list[GoalPartSummary] = []
+    """those of them that were not met"""
+    judged_by: Literal["truth", "reports"] = "reports"
+    """whether the distances are those that launched vehicles themselves knew, or those that vehicles reported"""
     digest: str | None
     """null with external vehicles: their flight never repeats"""
     versions: dict[str, str]
     min_separation_m: float | None
+    """least distance of two vehicles in flight, partners of a transfer aside, between ticks too; null without a pair"""
     min_clearance_m: float | None
+    """least distance to an obstacle's surface (a point's is its centre); null without obstacles"""
+    min_traffic_m: float | None = None
+    """least distance to traffic that is to be kept away from; null without any"""
+    closest: dict[str, ClosestSummary] = {}
+    """who that was and when, by `separation`, `clearance` and `traffic`"""
+    believed_min_separation_m: float | None = None
+    """the same by what vehicles reported"""
+    believed_min_clearance_m: float | None = None
+    believed_min_traffic_m: float | None = None
     vehicles: list[VehicleSummary]
     refuelling: list[RefuellingSummary]
     refuel_order: list[int]

@@ -77,7 +77,12 @@ class Charts:
         found, scenario = self._found, self._found.scenario
         goal = scenario.goal.pursue if scenario else None
         within = [(goal.within_m, f"goal: within {goal.within_m:g} m")] if goal else []
-        apart = [(scenario.planner.separation_m, "separation wanted")] if scenario else []
+        wanted = {name: [(limit, f"goal: {limit:g} m")] for name, limit in found.limits.items()}
+        broken = [
+            {"t_s": t_s, "id": sysid, "label": "✗", "text": text, "bad": True}
+            for name in ("separation", "clearance", "traffic")
+            for t_s, sysid, text in found.violations(name)
+        ]
         attitudes = found.attitudes.items()
         roll, pitch, yaw = (
             {sysid: Series(told[i].t_s, DEGREES * told[i].values) for sysid, told in attitudes} for i in range(3)
@@ -88,6 +93,9 @@ class Charts:
             if s.start_s is not None
         ]
         near = found.nearness
+        to_traffic = ChartPanel(
+            "Least distance to traffic", "m", {}, {"traffic": near.traffic}, wanted.get("traffic", [])
+        )
         frames = [ChartPanel("Frames received", "1/s", found.rates, digits=0, from_zero=True)]
         if any(line.values.max(initial=0.0) > 0.0 for line in found.losses.values()):
             frames.append(ChartPanel("Frames missing so far", "1", found.losses, digits=0, from_zero=True))
@@ -118,9 +126,23 @@ class Charts:
             ),
             "nearness": self._time(
                 [
-                    ChartPanel("Least separation of two vehicles", "m", {}, {"separation": near.separation}, apart),
-                    ChartPanel("Least clearance to obstacles and traffic", "m", {}, {"clearance": near.clearance}),
+                    ChartPanel(
+                        "Least separation of two vehicles",
+                        "m",
+                        {},
+                        {"separation": near.separation},
+                        wanted.get("separation", []),
+                    ),
+                    ChartPanel(
+                        "Least clearance to obstacles",
+                        "m",
+                        {},
+                        {"clearance": near.clearance},
+                        wanted.get("clearance", []),
+                    ),
+                    *([to_traffic] if np.isfinite(near.traffic.values).any() else []),
                 ],
+                marks=broken,
             ),
             "link": self._time(frames),
         }

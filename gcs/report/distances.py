@@ -1,7 +1,7 @@
 """How near things came in a session, over time: vehicles to each other, to obstacles, to their targets, to their plans.
 
 Times are the planner's ticks, and places those that the ground station knew then, so that the extremes are those of the
-summary (gcs/telemetry/metrics.py judges with the same kernels).
+summary's `believed_` figures (gcs/telemetry/proximity.py measures with the same kernels).
 """
 
 from __future__ import annotations
@@ -19,7 +19,8 @@ from gcs.recording.series import Floats, Series, Track, rows_of
 from gcs.recording.session_folder import Recorded
 from gcs.recording.set_points import P_NED, SYSID, T_S
 from gcs.scenario import geometry
-from gcs.telemetry.metrics import PLAN_MEMORY, closest_pair, distance_to_path
+from gcs.telemetry.approach import nearest_pair
+from gcs.telemetry.metrics import PLAN_MEMORY, distance_to_path
 
 BLOCK_TICKS = 2000
 
@@ -33,9 +34,9 @@ class Nearness:
     pair: NDArray[np.int64]
     """(k, 2) which two those were, system ids"""
     clearance: Series
-    """the least distance of any vehicle in flight to an obstacle's surface or to another aircraft"""
-    nearest: NDArray[np.int64]
-    """(k,) which vehicle that was"""
+    """the least distance of any vehicle in flight to an obstacle's surface"""
+    traffic: Series
+    """the least distance of any vehicle in flight to traffic that is to be kept away from"""
     to_target: dict[int, Series]
     """each pursuer's distance to what it pursues"""
     held_s: dict[int, float]
@@ -49,27 +50,30 @@ def measure(recorded: Recorded, flown: Mapping[int, Track], others: Mapping[str,
     ticks = len(t_s)
     sysids = np.array(sorted(flown), dtype=np.int64)
     rows = {sysid: row for row, sysid in enumerate(sysids.tolist())}
-    separation, clearance = np.full(ticks, np.nan), np.full(ticks, np.nan)
-    pair, nearest = np.zeros((ticks, 2), dtype=np.int64), np.zeros(ticks, dtype=np.int64)
+    separation, clearance, traffic = np.full(ticks, np.nan), np.full(ticks, np.nan), np.full(ticks, np.nan)
+    pair = np.zeros((ticks, 2), dtype=np.int64)
+    draws = {mover.callsign for mover in scenario.traffic if mover.attracts} if scenario else set()
+    aircraft = [track for name, track in others.items() if name not in draws]
     shapes = geometry.of_scenario(scenario.obstacles) if scenario else np.empty((0, geometry.COLUMNS))
     partners = _partners(recorded, rows)
     whom = pursued(recorded, t_s)
     to_target = {sysid: np.full(ticks, np.nan) for sysid in whom if sysid in rows}
     for begin in range(0, ticks, BLOCK_TICKS):
         some = slice(begin, min(begin + BLOCK_TICKS, ticks))
-        at = np.stack([flown[sysid].at(t_s[some]) for sysid in sysids.tolist()], axis=1)
-        _separations(at, t_s[some], partners, separation[some], pair[some])
-        near = np.full(at.shape[:2], np.inf)
+        lead = min(begin, 1)  # the interval that ends with the block's first tick begins in the one before
+        with_lead = slice(begin - lead, some.stop)
+        ways = np.stack([flown[sysid].at(t_s[with_lead]) for sysid in sysids.tolist()], axis=1)
+        at = ways[lead:]
+        first = separation[with_lead].copy(), pair[with_lead].copy()
+        _separations(ways, t_s[with_lead], partners, separation[with_lead], pair[with_lead])
+        if lead:
+            separation[begin - 1], pair[begin - 1] = first[0][0], first[1][0]
         if len(shapes):
             near = geometry.clearance(shapes, np.nan_to_num(at.reshape(-1, 3))).reshape(at.shape[:2])
-        for other in others.values():
+            clearance[some] = _least(np.where(np.isnan(at[:, :, 0]), np.nan, near))
+        for other in aircraft:
             there = other.at(t_s[some])[:, np.newaxis]
-            near = np.fmin(near, np.linalg.norm(at - there, axis=2))
-        near = np.where(np.isnan(at[:, :, 0]), np.inf, near)
-        which = near.argmin(axis=1)
-        least = near[np.arange(len(near)), which]
-        clearance[some] = np.where(np.isfinite(least), least, np.nan)
-        nearest[some] = sysids[which]
+            traffic[some] = np.fmin(traffic[some], _least(np.linalg.norm(at - there, axis=2)))
         for sysid in to_target:
             for target in np.unique(whom[sysid][some]).tolist():
                 if target in rows:
@@ -82,10 +86,16 @@ def measure(recorded: Recorded, flown: Mapping[int, Track], others: Mapping[str,
         Series(t_s, separation),
         pairs,
         Series(t_s, clearance),
-        nearest,
+        Series(t_s, traffic),
         {sysid: Series(t_s, values) for sysid, values in to_target.items()},
         {s: longest_s(t_s, values <= pursue.within_m) for s, values in to_target.items()} if pursue else {},
     )
+
+
+def _least(distances: Floats) -> Floats:
+    """(k,) the least of each row (k, n); NaN where nothing is known."""
+    filled = np.where(np.isnan(distances), np.inf, distances).min(axis=1)
+    return np.where(np.isfinite(filled), filled, np.nan)
 
 
 def longest_s(t_s: Floats, holds: NDArray[np.bool_]) -> float:
@@ -130,24 +140,33 @@ def _partners(recorded: Recorded, rows: Mapping[int, int]) -> Floats:
 
 @njit(cache=True)
 def _separations(at: Floats, t_s: Floats, partners: Floats, separation: Floats, pair: NDArray[np.int64]) -> None:
-    """Kernel: fills the least distance (k,) and the rows of its pair (k, 2) from places (k, n, 3), NaN for not flying.
+    """Kernel: fills the least distance (k,) in the interval up to each tick, and the rows of its pair (k, 2), from
+    places (k, n, 3), NaN for not flying.
 
     partners (m, 4): rows of a pair, and from when to when its distance does not count.
     """
     close = np.empty((partners.shape[0], 2), dtype=np.int64)
+    straight, found = np.empty((0, 3)), np.empty((0, 4))
     for k in range(at.shape[0]):
         rows = np.flatnonzero(~np.isnan(at[k, :, 0]))
         here = np.empty((rows.size, 3))
+        before = np.empty((rows.size, 3))
         place = np.full(at.shape[1], -1, dtype=np.int64)
         for i in range(rows.size):
             here[i] = at[k, rows[i]]
+            before[i] = here[i] if k == 0 or np.isnan(at[k - 1, rows[i], 0]) else at[k - 1, rows[i]]
             place[rows[i]] = i
         m = 0
         for s in range(partners.shape[0]):
-            if partners[s, 2] - 1e-6 <= t_s[k] < partners[s, 3] - 1e-6:
+            until_s = partners[s, 3] - 1e-6
+            ceased = k > 0 and t_s[k - 1] < until_s  # they were partners when the interval began
+            if partners[s, 2] - 1e-6 <= t_s[k] and (t_s[k] < until_s or ceased):
                 close[m, 0], close[m, 1] = place[int(partners[s, 0])], place[int(partners[s, 1])]
                 m += 1
-        least_m, one, other = closest_pair(here, close[:m])
+        ours = np.ones(rows.size, dtype=np.bool_)
+        least_m, one, other, _, _ = nearest_pair(
+            before, here, straight, straight, 0.0, ours, close[:m], 0.0, math.inf, found
+        )
         if one >= 0:
             separation[k] = least_m
             pair[k, 0], pair[k, 1] = rows[one], rows[other]

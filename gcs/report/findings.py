@@ -15,7 +15,8 @@ from gcs.recording import series
 from gcs.recording.series import Series, Track, VehicleInfo
 from gcs.recording.session_folder import Recorded
 from gcs.report import distances
-from gcs.report.junit import cases
+from gcs.scenario import goal
+from gcs.scenario.goal import Measured, Nearest
 from gcs.scenario.model import Scenario
 
 Level = Literal["bad", "warn", "note"]
@@ -147,48 +148,68 @@ class Findings:
 
     @cached_property
     def parts(self) -> list[GoalPart]:
-        """The goal, part by part, and what was reached."""
+        """The goal, part by part, and what was reached: as the session judged it, or, where it left no summary, as far
+        as its recording tells."""
         if self.scenario is None:
             return []
-        return [GoalPart(name, *self._reached(key)) for key, name in cases(self.scenario.goal)]
+        told = {part.part: part for part in self.summary.goal} if self.summary is not None else {}
+        judged = goal.judge(self.scenario, self._measured())
+        return [
+            GoalPart(told[one.part].wanted, told[one.part].reached, told[one.part].met)
+            if one.part in told
+            else GoalPart(one.wanted, one.reached, one.met)
+            for one in judged
+        ]
 
-    def _reached(self, key: str) -> tuple[str, bool | None]:
-        goal, summary = self.scenario.goal if self.scenario else None, self.summary
-        assert goal is not None
-        if key == "vehicle_lost":
-            if summary is None:
-                return "not known", None
-            dead = [v.sysid for v in summary.vehicles if v.final_mode == "dead"]
-            return (f"lost: {few(dead)}" if dead else "none was lost"), not dead
-        if key == "duration_s":
-            return f"{self.end_s:.1f} s", self.end_s >= goal.duration_s - 1e-6
-        if key == "pursue" and goal.pursue is not None:
-            held = self.nearness.held_s
-            if not held or not self.tracks:
-                return "not known", None
-            if self.scenario is not None and self.scenario.pursuit.by == "competition":
-                # One pursuer each is chosen for the targets: the summary judges them, and the pursuers tell little.
-                met = None if summary is None else summary.outcome != "pursue"
-                return "by the chosen pursuers", met
-            worst = min(held, key=lambda sysid: (held[sysid], sysid))
-            return f"{held[worst]:.1f} s by the worst, vehicle {worst}", held[worst] >= goal.pursue.for_s - 1e-6
-        done = len(summary.refuel_order) if summary else sum(s.energy_j > 0 for s in self.services)
-        return f"{done} refuelled", done >= goal.refuelled_at_least
+    def _measured(self) -> Measured:
+        """What the recording alone tells."""
+        near, summary = self.nearness, self.summary
+        held = near.held_s if self.scenario is not None and self.scenario.pursuit.by != "competition" else {}
+        dead = [d for d in self.recorded.decisions if d["kind"] == "death"]
+        return Measured(
+            time_s=self.end_s,
+            separation=self._closest(near.separation, near.pair, "separation") if self.tracks else None,
+            lost=[goal.Loss(int(d["sysid"]), d["t_s"], "its process died") for d in dead] if dead else None,
+            pursuit_held_s=min(held.values()) if held and self.tracks else None,
+            refuelled=len(summary.refuel_order) if summary else sum(s.energy_j > 0 for s in self.services),
+        )
+
+    def _closest(self, line: Series, pair: Any, name: str) -> Nearest:
+        """Who came nearest by the recording."""
+        if not np.isfinite(line.values).any():
+            return Nearest()
+        k = int(np.nanargmin(line.values))
+        return Nearest(float(line.values[k]), tuple(sorted(np.atleast_1d(pair[k]).tolist())), float(line.t_s[k]))
+
+    def closest(self, name: str) -> Nearest | None:
+        """Who came nearest: `separation`, `clearance` or `traffic`, as judged; None where that is not known."""
+        told = self.summary.closest.get(name) if self.summary is not None else None
+        return None if told is None else Nearest(told.distance_m, tuple(told.sysids), told.t_s, told.what)
+
+    @property
+    def limits(self) -> dict[str, float]:
+        """What the goal demands, by part."""
+        return goal.asked(self.scenario) if self.scenario is not None else {}
+
+    def violations(self, part: str) -> list[tuple[float, int, str]]:
+        """(when, whom, what to say) of each time that a part of the goal was broken."""
+        return [
+            (d["at_s"], d["sysids"][0] if d["sysids"] else 0, d["text"])
+            for d in self.recorded.decisions
+            if d["kind"] == "violation" and d["part"] == part
+        ]
 
     @property
     def outcome(self) -> str:
-        """The headline, a few words."""
+        """The headline: what came of the goal."""
         if self.summary is None:
             return "No outcome is known"
-        words = {
-            "met": "The goal was met",
-            "vehicle_lost": "A vehicle was lost",
-            "interrupted": "The session was interrupted",
-            "duration_s": "The session ended early",
-            "pursue": "The targets were not pursued long enough",
-            "refuelled_at_least": "Too few were refuelled",
-        }
-        return words.get(self.summary.outcome, f"The goal was not met: {self.summary.outcome}")
+        if self.summary.outcome == goal.MET:
+            return "The goal was met"
+        if self.summary.outcome == goal.INTERRUPTED:
+            return f"The session was {self.summary.outcome_text or goal.INTERRUPTED}"
+        text = self.summary.outcome_text.removeprefix("not met: ") or self.summary.outcome
+        return f"The goal was not met: {text}"
 
     # what went wrong
 
@@ -231,20 +252,15 @@ class Findings:
             yield SessionProblem(level, f"“{text}” said by {plural} {few(who)} ({_times(len(said), said[0][0])}).")
 
     def _too_near(self) -> Iterator[SessionProblem]:
-        separation, clearance = self.nearness.separation, self.nearness.clearance
-        wanted_m = self.scenario.planner.separation_m if self.scenario else 0.0
-        if np.isfinite(separation.values).any():
-            k = int(np.nanargmin(separation.values))
-            least_m = float(separation.values[k])
-            if least_m < wanted_m:
-                a, b = sorted(self.nearness.pair[k].tolist())
-                what = f"Vehicles {a} and {b} came within {least_m:.2f} m of each other at {separation.t_s[k]:.1f} s"
-                yield SessionProblem("bad", f"{what}; {wanted_m:g} m were wanted.")
-        if np.isfinite(clearance.values).any():
-            k = int(np.nanargmin(clearance.values))
-            if clearance.values[k] <= 0.0:
-                hit = f"Vehicle {self.nearness.nearest[k]} was inside an obstacle at {clearance.t_s[k]:.1f} s"
-                yield SessionProblem("bad", f"{hit}, {-float(clearance.values[k]):.2f} m deep.")
+        told: dict[str, list[tuple[float, int, str]]] = {}
+        for part in ("separation", "clearance", "traffic", "ground"):
+            told[part] = self.violations(part)
+        for part, found in told.items():
+            for t_s, _, text in found[:FEW]:
+                when = "" if " at " in text else f" ({t_s:.1f} s)"
+                yield SessionProblem("bad", f"{text[:1].upper()}{text[1:]}{when}.")
+            if len(found) > FEW:
+                yield SessionProblem("bad", f"{len(found) - FEW} more broke the goal's {part}.")
 
     def _services_cut_short(self) -> Iterator[SessionProblem]:
         broken = [d for d in self.recorded.decisions if d["kind"] == "broken off"]

@@ -7,59 +7,48 @@ from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree as ET
 
-from gcs.scenario.model import Goal, Scenario
+from gcs.scenario.goal import INTERRUPTED, Measured, judge
+from gcs.scenario.model import Scenario
 
 NO_XML = dict.fromkeys((*range(9), 11, 12, *range(14, 32), 0xFFFE, 0xFFFF), "\ufffd")
 """Characters that no XML file may hold."""
 
 
-def cases(goal: Goal) -> list[tuple[str, str]]:
-    """(outcome that tells of its failure, name) of each part of a goal, in the order in which they are judged."""
-    parts = [("vehicle_lost", "no vehicle is lost"), ("duration_s", f"{goal.duration_s:g} s are flown")]
-    if goal.pursue is not None:
-        pursue = goal.pursue
-        parts.append(("pursue", f"every pursuer within {pursue.within_m:g} m of its target for {pursue.for_s:g} s"))
-    if goal.refuelled_at_least:
-        parts.append(("refuelled_at_least", f"at least {goal.refuelled_at_least} refuelled in flight"))
-    return parts
-
-
 def document(scenario: Scenario, summary: dict[str, Any] | None, error: str | None, folder: Path) -> str:
     """The XML. `summary` is summary.json's content, None where none was written; `error` is why the session failed."""
-    parts = cases(scenario.goal)
-    outcome = summary["outcome"] if summary else "none"
-    kinds = [key for key, _ in parts]
-    failed_at = kinds.index(outcome) if outcome in kinds else None
+    parts = [(one.part, one.wanted) for one in judge(scenario, Measured())]
+    judged = {part["part"]: part for part in (summary or {}).get("goal", ())}
     suite = ET.Element("testsuite", name=scenario.name, tests=str(len(parts)))
     counts = dict.fromkeys(("failures", "errors", "skipped"), 0)
     wall_s = summary["wall_time_s"] if summary else 0.0
-    for i, (_, name) in enumerate(parts):
-        case = ET.SubElement(suite, "testcase", classname=f"skytender.{scenario.name}", name=name, time="0")
+    ended = summary is not None and not error and summary["outcome"] != INTERRUPTED
+    for i, (part, wanted) in enumerate(parts):
+        case = ET.SubElement(suite, "testcase", classname=f"skytender.{scenario.name}", name=wanted, time="0")
         if i == 0:
             case.set("time", f"{wall_s:.3f}")
-        if summary is None or error or outcome == "interrupted":
-            if i == 0:
-                counts["errors"] += 1
-                why = error or ("the session was interrupted" if summary else "the session left no summary")
-                ET.SubElement(case, "error", message=_text(why)).text = _text(f"{why}\nsession: {folder}")
-            else:
-                counts["skipped"] += 1
-                ET.SubElement(case, "skipped", message="not judged")
-        elif failed_at is not None and i >= failed_at:
-            if i == failed_at:
-                counts["failures"] += 1
-                ET.SubElement(case, "failure", message=f"outcome: {outcome}").text = _text(f"session: {folder}")
-            else:
-                counts["skipped"] += 1
-                ET.SubElement(case, "skipped", message=f"not judged: the outcome is {outcome}")
+        found = judged.get(part)
+        if not ended and i == 0:
+            counts["errors"] += 1
+            why = error or (summary.get("outcome_text") or INTERRUPTED if summary else "the session left no summary")
+            ET.SubElement(case, "error", message=_text(why)).text = _text(f"{why}\nsession: {folder}")
+        elif not ended or found is None:
+            counts["skipped"] += 1
+            ET.SubElement(case, "skipped", message="not judged")
+        elif not found["met"]:
+            counts["failures"] += 1
+            said = _text(f"not met: {part} {found['reached']}")
+            ET.SubElement(case, "failure", message=said).text = _text(f"session: {folder}")
     for key, number in counts.items():
         suite.set(key, str(number))
     suite.set("time", f"{wall_s:.3f}")
     if summary is not None:
-        keys = ("seed", "clock", "digest", "sim_time_s", "min_separation_m", "min_clearance_m", "refuel_order")
+        keys = (
+            *("seed", "clock", "digest", "sim_time_s", "outcome", "min_separation_m", "min_clearance_m"),
+            *("min_traffic_m", "refuel_order"),
+        )
         properties = ET.Element("properties")
         for key in keys:
-            ET.SubElement(properties, "property", name=key, value=_text(json.dumps(summary[key]).strip('"')))
+            ET.SubElement(properties, "property", name=key, value=_text(json.dumps(summary.get(key)).strip('"')))
         suite.insert(0, properties)
     root = ET.Element("testsuites")
     root.append(suite)

@@ -128,7 +128,7 @@
     if (figure.marks.length) {
       data.push({
         type: "scatter", mode: "markers", x: figure.marks.map((m) => m.t_s), y: figure.marks.map(() => 1), name: "decided",
-        marker: { size: 6, color: soft }, text: figure.marks.map((m) => label(m.id)), hovertemplate: "%{text} is next, %{x:.1f} s",
+        marker: { size: 6, color: soft }, text: figure.marks.map((m) => m.text ?? `${label(m.id)} is next`), hovertemplate: "%{text}, %{x:.1f} s",
       });
     }
     for (const span of figure.spans) {

@@ -8,6 +8,7 @@ after. Browsers unpack it themselves (DecompressionStream, since 2023).
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Iterable, Sequence
 from datetime import UTC, datetime
 from html import escape
@@ -20,6 +21,7 @@ from gcs.report import tables
 from gcs.report.charts import Charts
 from gcs.report.findings import Findings
 from gcs.report.pack import packed
+from gcs.scenario.goal import metres
 
 MOST_NAMED = 40
 _MARKS = {"bad": "✗", "warn": "!", "note": "·"}
@@ -154,11 +156,14 @@ def _missing(problems: Sequence[str]) -> str:
 def _cards(found: Findings) -> str:
     cards: list[tuple[str, str, str]] = []
     summary, near = found.summary, found.nearness
-    separation, clearance = found.least(near.separation), found.least(near.clearance)
-    if separation:
-        cards.append(("least separation", f"{separation[0]:.2f} m", f"at {separation[1]:.1f} s"))
-    if clearance:
-        cards.append(("least clearance", f"{clearance[0]:.2f} m", f"at {clearance[1]:.1f} s"))
+    reported = {"separation": near.separation, "clearance": near.clearance, "traffic": near.traffic}
+    for name, line in reported.items():
+        nearest, least = found.closest(name), found.least(line)
+        words = f"least distance to {name}" if name == "traffic" else f"least {name}"
+        if nearest is not None:
+            cards.append((words, metres(nearest.m, found.limits.get(name, -math.inf)), nearest.who))
+        elif least:
+            cards.append((words, f"{least[0]:.2f} m", f"at {least[1]:.1f} s, as reported"))
     pursuers = {v.sysid for v in found.vehicles if v.role != "tanker"}
     error = found.greatest({s: line for s, line in found.errors.items() if s in pursuers})
     if error:
@@ -270,8 +275,9 @@ def _sections(found: Findings, figures: set[str]) -> Iterable[tuple[str, str, st
         "Separation and clearance",
         figure(
             "nearness",
-            "The least distance of any two vehicles in flight, partners of a refuelling apart; and of any vehicle to "
-            "an obstacle's surface (a point's centre) or another aircraft.",
+            "The least distance of any two vehicles in flight, partners of a refuelling apart; of any vehicle to an "
+            "obstacle's surface (a point's centre); and to traffic: by the reported places. Dashed: what the goal "
+            "demands; dotted: when it was broken.",
         ),
     )
     yield section("link", "Link", figure("link", _of_the_link(found)), tables.link(found))

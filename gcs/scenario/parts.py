@@ -21,6 +21,7 @@ from gcs.scenario.types import (
     Height,
     Joules,
     Label,
+    Limit,
     Metres,
     NotNegative,
     Number,
@@ -83,7 +84,8 @@ class Pursue(Part):
 
 
 class Goal(Part):
-    """What makes the session a success."""
+    """What makes the session a success (docs/protocol.md#goal): every part must be met. Nobody collides, falls out or
+    misses a way point unless the scenario says that this does not matter."""
 
     pursue: Pursue | None = None
     """pursuit that is demanded; none by default"""
@@ -91,6 +93,24 @@ class Goal(Part):
     """number of services that must have delivered energy; 0 demands none"""
     duration_s: Annotated[float, Field(strict=True, gt=0, le=86_400)]
     """length of the session, s of session time"""
+    separation_m: Limit = None
+    """least distance of two vehicles in flight, m, partners of a transfer aside; by default planner.separation_m where
+    planner.vehicles_repel; `false` or 0 demands none"""
+    traffic_m: Limit = None
+    """least distance of a vehicle in flight to traffic, m, except traffic that attracts; by default
+    planner.separation_m; `false` or 0 demands none"""
+    clearance_m: Limit = 0.1
+    """least distance of a vehicle in flight to an obstacle's surface (a point's is its centre), m; nearer counts as
+    touched; 0: only inside counts; `false` demands none"""
+    ground: Flag = True
+    """whether touching the ground, other than to take off and land, fails the goal; not of vehicles that start
+    `airborne`, which have no ground"""
+    lost_at_most: Count = 0
+    """how many vehicles may be lost: dead, run dry, landed by a failsafe that nobody ordered, or never in the air"""
+    waypoints: Literal["all", "none"] = "all"
+    """`all`: every pursuer with waypoints_m passes all of them in order; `none`: nobody need"""
+    waypoint_within_m: Metres = 1.0
+    """how near a pursuer must pass a way point, m; at least planner.step_m"""
 
 
 class Battery(Part):

@@ -3,9 +3,12 @@
 With the validation context {"axes": "paper"} geometry is turned from paper axes as it is read.
 """
 
-from typing import Annotated, Any
+import math
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationInfo
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationInfo, WithJsonSchema
+
+MOST_M = 1e5
 
 
 def _into_ned(value: Any, info: ValidationInfo) -> Any:
@@ -15,6 +18,21 @@ def _into_ned(value: Any, info: ValidationInfo) -> Any:
     return (value[0], *(0.0 - part for part in value[1:])) if isinstance(value, tuple) else 0.0 - value
 
 
+def _limit(value: Any) -> Any:
+    """A distance, `false`, or nothing: what is meant then is the key's own default."""
+    if value is None or value is False:
+        return value
+    usable = isinstance(value, int | float) and value is not True
+    if not usable or not math.isfinite(value) or not 0.0 <= value <= MOST_M:
+        raise ValueError(f"must be a number from 0 to {MOST_M:.0f}, or false")
+    return float(value)
+
+
+if TYPE_CHECKING:
+    Limit = float | Literal[False] | None
+else:
+    _LIMIT = {"anyOf": [{"type": "number", "minimum": 0, "maximum": MOST_M}, {"enum": [False, None]}]}
+    Limit = Annotated[Any, AfterValidator(_limit), WithJsonSchema(_LIMIT)]
 Flag = Annotated[bool, Field(strict=True)]
 Count = Annotated[int, Field(strict=True, ge=0, lt=1 << 63)]
 SysId = Annotated[int, Field(strict=True, ge=1, le=254)]

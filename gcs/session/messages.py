@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
 from gcs.refuelling import explain
 from gcs.refuelling.service import Phase
-from gcs.scenario.model import Goal, Obstacle, Scenario, VehicleBase
+from gcs.scenario.goal import Judgement, asked
+from gcs.scenario.model import Obstacle, Scenario, VehicleBase
 from gcs.telemetry.events import Event
 from gcs.telemetry.health import HealthIssue, State, health_issues, severity, state
 from gcs.telemetry.state import TrafficView, Vec3, VehicleView
@@ -16,6 +17,15 @@ from gcs.telemetry.state import TrafficView, Vec3, VehicleView
 if TYPE_CHECKING:  # a monitor and a replay have none
     from gcs.supervisor.supervisor import Supervisor
 
+NO_GOAL: Mapping[str, Any] = {
+    "separation_m": None,
+    "clearance_m": None,
+    "traffic_m": None,
+    "pursue_within_m": None,
+    "pursue_for_s": None,
+    "refuelled_at_least": 0,
+}
+"""of who knows no scenario"""
 ROUND_CORNERS = 32
 """of the outline of what is round"""
 
@@ -126,7 +136,11 @@ def snapshot_message(
             for stock in schedule.stocks
         ],
         "refuelled": refuelled,
-        "goal": {**goal_of(scenario.goal), "pursue_held_s": supervisor.metrics.pursuit_held_s},
+        "goal": {
+            **goal_of(scenario),
+            "pursue_held_s": supervisor.metrics.pursuit_held_s,
+            "broken": [broken_of(judged) for judged in supervisor.goal_watch.broken()],
+        },
         "inspected": supervisor.inspection.told(snapshot.time_s),
         "events": [event_row(event) for event in events],
     }
@@ -202,13 +216,22 @@ def session_message(
         "vehicles": [vehicle_of(vehicle) for vehicle in scenario.vehicles.all],
         "obstacles": [obstacle_of(shape, f"{shape.kind} {i + 1}") for i, shape in enumerate(scenario.obstacles)],
         "bases": [{"name": base.name, "p_ned": base.position_m} for base in scenario.bases],
-        "goal": goal_of(scenario.goal),
+        "goal": goal_of(scenario),
     }
 
 
-def goal_of(goal: Goal) -> dict[str, Any]:
-    """What makes the session a success."""
+def broken_of(judged: Judgement) -> dict[str, Any]:
+    """A part of the goal that can no longer be met."""
+    return {"part": judged.part, "text": judged.text, "t_s": judged.t_s}
+
+
+def goal_of(scenario: Scenario) -> dict[str, Any]:
+    """What makes the session a success; a limit is null where nothing is demanded."""
+    goal, limits = scenario.goal, asked(scenario)
     return {
+        "separation_m": limits.get("separation"),
+        "clearance_m": limits.get("clearance"),
+        "traffic_m": limits.get("traffic"),
         "pursue_within_m": goal.pursue.within_m if goal.pursue else None,
         "pursue_for_s": goal.pursue.for_s if goal.pursue else None,
         "refuelled_at_least": goal.refuelled_at_least,

@@ -20,7 +20,7 @@ from gcs.mavlink.codec import Frame
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.mavlink.sequence import GapCounter
 from gcs.scenario.model import Scenario
-from gcs.session.messages import distance_m, event_row, session_message, traffic_row, vehicle_row
+from gcs.session.messages import NO_GOAL, distance_m, event_row, session_message, traffic_row, vehicle_row
 from gcs.telemetry.adapter import Ear
 from gcs.telemetry.changes import ChangeDetector
 from gcs.telemetry.events import Event, level_of
@@ -197,7 +197,7 @@ class Observer:
             "vehicles": [self._found(sysid) for sysid in self.sysids],
             "obstacles": [],
             "bases": [],
-            "goal": {"pursue_within_m": None, "pursue_for_s": None, "refuelled_at_least": 0},
+            "goal": dict(NO_GOAL),
         }
 
     def view(self, t_s: float) -> FleetState:
@@ -235,12 +235,7 @@ class Observer:
             "services": [],
             "history": [],
             "refuelled": 0,
-            "goal": {
-                "pursue_within_m": None,
-                "pursue_for_s": None,
-                "refuelled_at_least": 0,
-                "pursue_held_s": None,
-            },
+            "goal": {**NO_GOAL, "pursue_held_s": None, "broken": []},
             "inspected": self.inspection.told(t_s),
             "events": [event_row(event) for event in events],
             **known,

@@ -10,12 +10,16 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from gcs.scenario.goal import Nearest, metres, outcome_text, progress_text
+
 Snapshot = Mapping[str, Any]
 """A message of type "snapshot"; its `events` are those since the snapshot before it."""
 
 PROGRESS_EVERY_S = 2.0
 JSON_EVERY_S = 1.0
 FAREWELL_WIDTH = 80
+REPORTED_OFF_M = 0.01
+"""Where what vehicles reported is off by so much, both figures are told."""
 STARTING = "still starting; the first session on a machine compiles what flies and plans, for up to a minute ..."
 EXPLAINED_WITHIN_S = 2.0
 """A vehicle that announced something this recently (session time) has explained its own change of mode."""
@@ -48,15 +52,22 @@ def told(snapshot: Snapshot, event: Mapping[str, Any]) -> str:
     return text if text.startswith(who) else f"{who}: {text}"
 
 
-def goal_parts(snapshot: Snapshot) -> list[tuple[str, float, float, str]]:
-    """(what, how much, of how much, unit) for each part of the session's goal."""
-    goal = snapshot["goal"]
+def goal_parts(goal: Mapping[str, Any], refuelled: int) -> list[tuple[str, float, float, str]]:
+    """(what, how much, of how much, both for a person) for each part of the session's goal that is gathered."""
     parts = []
     if goal.get("pursue_for_s") is not None:
-        parts.append(("pursuit", float(goal.get("pursue_held_s") or 0.0), float(goal["pursue_for_s"]), " s"))
+        have, need = float(goal.get("pursue_held_s") or 0.0), float(goal["pursue_for_s"])
+        parts.append(("pursuit", have, need, progress_text(have, need, " s")))
     if goal.get("refuelled_at_least"):
-        parts.append(("refuelled", float(snapshot["refuelled"]), float(goal["refuelled_at_least"]), ""))
+        have, need = float(refuelled), float(goal["refuelled_at_least"])
+        parts.append(("refuelled", have, need, progress_text(have, need, "")))
     return parts
+
+
+def broken_text(goal: Mapping[str, Any]) -> str:
+    """`not met: separation 0.02 m (3 and 5 at 12.4 s)` once that cannot be cured any more; else empty."""
+    broken = [clean(part["text"]) for part in goal.get("broken") or ()]
+    return outcome_text(broken) if broken else ""
 
 
 def counts(vehicles: Sequence[Mapping[str, Any]]) -> str:
@@ -76,8 +87,8 @@ def progress(snapshot: Snapshot) -> str:
     if known:
         lowest = min(known, key=lambda v: v["battery"])
         parts.append(f"lowest battery {100.0 * lowest['battery']:.0f} % ({clean(lowest['label'])})")
-    for what, have, need, unit in goal_parts(snapshot):
-        parts.append(f"{what} {have:.0f}/{need:.0f}{unit}")
+    parts += [f"{what} {text}" for what, _, _, text in goal_parts(snapshot["goal"], snapshot["refuelled"])]
+    parts.append(broken_text(snapshot["goal"]))
     return " | ".join(part for part in parts if part)
 
 
@@ -119,15 +130,16 @@ def _giver(service: Mapping[str, Any]) -> str:
 
 def farewell(summary: Mapping[str, Any] | None, outcome: str | None, folder: Path) -> list[str]:
     """How the session ended, for a person; `summary` is None where none was written."""
-    lines = [f"outcome: {clean(outcome or (summary or {}).get('outcome') or 'none')}"]
+    told = summary or {}
+    lines = [outcome_line(outcome or told.get("outcome"), told.get("outcome_text"))]
     if summary is not None:
         if lost := [f"{v['role']} {v['sysid']}" for v in summary["vehicles"] if v["final_mode"] == "dead"]:
             lines.append(f"lost: {clean(', '.join(lost))}")
         done = [r for r in summary["refuelling"] if r["energy_j"] > 0]
         order = [f"{r['receiver']} {_giver(r)} ({r['energy_j']:.0f} J, {r['by']})" for r in done]
         lines += _listed("refuelled: ", order or ["nobody"])
-        lines.append(f"minimum separation: {_metres(summary['min_separation_m'])}")
-        lines.append(f"minimum clearance: {_metres(summary['min_clearance_m'])}")
+        lines += [_closest(summary, name) for name in ("separation", "clearance", "traffic")]
+        lines = [line for line in lines if line]
         flown = f"{summary['sim_time_s']:.1f} s flown in {summary['wall_time_s']:.1f} s"
         late = f", {summary['lag_s']:.1f} s behind its pace" if summary["lag_s"] >= 0.1 else ""
         lines.append(f"speed: {summary['speed_achieved']:.2f} ({flown}{late})")
@@ -135,6 +147,30 @@ def farewell(summary: Mapping[str, Any] | None, outcome: str | None, folder: Pat
             lines.append(f"digest: {summary['digest']}")
     lines.append(f"session: {folder}")
     return lines
+
+
+def outcome_line(outcome: str | None, text: str | None) -> str:
+    """`outcome: met`, or `not met: ` and why; nobody is shown the bare name of a part."""
+    text = clean(text or "")
+    if text.startswith("not met: "):
+        return text
+    return f"outcome: {text or clean(outcome or 'none')}"
+
+
+def _closest(summary: Mapping[str, Any], name: str) -> str:
+    """`minimum separation: 0.85 m (3 and 5 at 12.4 s)`; by truth with what was reported beside it where they differ."""
+    key = f"min_{name}_m"
+    value, believed = summary.get(key), summary.get(f"believed_{key}")
+    if value is None:
+        return "" if name == "traffic" else f"minimum {name}: -"
+    limit = next((part["limit"] for part in summary.get("goal") or () if part["part"] == name), -math.inf)
+    who = (summary.get("closest") or {}).get(name)
+    text = f"minimum {name}: {metres(value, limit)}"
+    if who:
+        text += f" ({Nearest(value, tuple(who['sysids']), who['t_s'], clean(who['what'])).who})"
+    if believed is not None and abs(believed - value) >= REPORTED_OFF_M:
+        text += f"; reported: {metres(believed, limit)}"
+    return text
 
 
 def _listed(title: str, parts: Sequence[str]) -> list[str]:
@@ -147,10 +183,6 @@ def _listed(title: str, parts: Sequence[str]) -> list[str]:
         else:
             lines.append(margin + part)
     return lines
-
-
-def _metres(value: float | None) -> str:
-    return "-" if value is None else f"{value:.2f} m"
 
 
 def mute_stdout() -> None:

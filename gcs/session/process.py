@@ -30,7 +30,7 @@ from gcs.link.socket import BUFFER_BYTES, AddressRefused
 from gcs.mavlink.ids import AUTOPILOT, TRAFFIC
 from gcs.recording.reserve import Reserve
 from gcs.recording.writer import Recorder, RecorderError
-from gcs.scenario import plugins
+from gcs.scenario import goal, plugins
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
 from gcs.session.commands import Clients
@@ -93,7 +93,6 @@ class SessionProcess:
         self._clients = Clients(self._publisher, self._supervisor, self._pace)
         self._labels = {v.sysid: v.label for v in scenario.vehicles.all} | {255: "traffic"}
         self._blocks: dict[int, tuple[int, ...]] = {}
-        self._lost: list[int] = []
         self._told_refused: set[tuple[int, int]] = set()
         self._answered_s = self._said_waiting_s = math.inf
         self._published_s = self._watched_s = 0.0
@@ -112,29 +111,34 @@ class SessionProcess:
             with self._recorder:
                 _say({"listening": True})
                 interrupted = self._fly_fleet()
-            outcome = "interrupted" if interrupted else self._outcome()
-            self._summarise(outcome)
+                self._supervisor.judge(self._folder)
+            outcome, text = self._outcome(interrupted)
+            self._summarise(outcome, text)
             self._phase = "ended"
-            status = INTERRUPTED if interrupted else DONE if outcome == "met" else NOT_DONE
+            status = INTERRUPTED if interrupted else DONE if outcome == goal.MET else NOT_DONE
             self._publisher.publish(self._next_picture())
-            self._publisher.publish({"type": "end", "outcome": outcome, "exit": status})
+            self._publisher.publish({"type": "end", "outcome": outcome, "text": text, "exit": status})
             return status, outcome
         except (SessionFailed, RecorderError):
             if self._begun:
                 died = self._hatch is not None and not self._hatch.alive
                 with contextlib.suppress(OSError):  # a full disk may have no room for it either
-                    self._summarise("vehicle_lost" if died else "interrupted")
+                    why = (
+                        "lost every vehicle: the process that makes them has died" if died else "the session broke off"
+                    )
+                    self._summarise("lost" if died else goal.INTERRUPTED, f"not met: {why}")
             raise
         finally:
             self._link.close()
             self._publisher.close()
 
-    def _summarise(self, outcome: str) -> None:
+    def _summarise(self, outcome: str, text: str) -> None:
         self._reserve.release()
         summarise(
             self._supervisor,
             self._link,
             outcome=outcome,
+            outcome_text=text,
             completed=self._supervisor.time_ms >= round(1e3 * self._scenario.goal.duration_s),
             wall_time_s=self._wall_time_s,
             lag_s=self._pace.lag_s,
@@ -286,7 +290,6 @@ class SessionProcess:
                     key[0], "warning", f"{label} lives but has not answered for {waited_s:.0f} s of wall time", "link"
                 )
                 continue
-            self._lost.append(key[0])
             self._supervisor.lose(key, f"{label} lives but has not answered for {waited_s:.0f} s: given up")
 
     def _lose(self, end: Ended) -> None:
@@ -295,7 +298,6 @@ class SessionProcess:
         if self._phase == "starting":
             raise (BadVehicleError if end.status == BAD_INPUT else SessionFailed)(sentence)
         for sysid in sysids:
-            self._lost.append(sysid)
             self._supervisor.lose(TRAFFIC if sysid == TRAFFIC[0] else (sysid, AUTOPILOT), sentence)
 
     def _event(self, sysid: int, level: Level, text: str, kind: Kind = "session") -> None:
@@ -303,18 +305,14 @@ class SessionProcess:
 
     # tell
 
-    def _outcome(self) -> str:
-        """`met`, or the first part of the goal that was not."""
-        goal, supervisor = self._scenario.goal, self._supervisor
-        if self._lost or supervisor.externals.lost:
-            return "vehicle_lost"
-        if supervisor.time_ms < round(1e3 * goal.duration_s):
-            return "duration_s"
-        if goal.pursue is not None and supervisor.metrics.pursuit_held_s < goal.pursue.for_s:
-            return "pursue"
-        if len(supervisor.schedule.refuelled) < goal.refuelled_at_least:
-            return "refuelled_at_least"
-        return "met"
+    def _outcome(self, interrupted: bool) -> tuple[str, str]:
+        """`met`, the first part of the goal that was not, or `interrupted`; and the same as a sentence."""
+        supervisor = self._supervisor
+        if not interrupted:
+            return goal.verdict(supervisor.judged())
+        text = f"interrupted at {supervisor.time_s:.1f} s"
+        broken = [one.text for one in supervisor.goal_watch.broken()]
+        return goal.INTERRUPTED, f"{text}; {goal.outcome_text(broken)}" if broken else text
 
     def _gather_events(self) -> None:
         """What is new, for the next picture and for the reader's."""

@@ -3,7 +3,7 @@
     with gcs.Session("demo", lockstep=True) as session:
         for snapshot in session:
             ...
-    print(session.summary.outcome)
+    print(session.summary.outcome_text)
 
 The same processes as `gcs run` starts, and the same folder left behind; here the loop's body sees every snapshot, and
 in lockstep the fleet waits for it.

@@ -6,6 +6,7 @@ What is missing of it is said, and the rest is played.
 
 from __future__ import annotations
 
+import contextlib
 import math
 import time
 from collections.abc import Callable, Collection, Iterator, Mapping
@@ -14,6 +15,8 @@ from typing import Any
 
 from gcs.recording.missing import SCENARIO, passed_over, unread
 from gcs.recording.pursuit_held import Course, CourseReader
+from gcs.recording.summary import FILE as SUMMARY
+from gcs.recording.summary import Summary
 from gcs.recording.writer import DECISIONS, TLOG
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
@@ -170,6 +173,9 @@ class Replay:
         except OSError as error:
             self.problems.append(unread(folder / DECISIONS, error, "decisions are not shown."))
         else:
+            with contextlib.suppress(OSError, ValueError):  # as after a session that was killed
+                summary = Summary.model_validate_json((folder / SUMMARY).read_bytes())
+                self._story.unmet = summary.unmet if summary.goal else None
             if self._story.broken:
                 self.problems.append(passed_over(DECISIONS, self._story.broken))
         return round(1e6 * self._scenario.clock.epoch.timestamp())

@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import bisect
 import json
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
 from gcs.mavlink.autopilots import End
 from gcs.recording.decisions import event_of
+from gcs.recording.summary import GoalPartSummary
 from gcs.refuelling import explain
 from gcs.refuelling.bidding import Standing
 from gcs.refuelling.service import Phase, Service
@@ -77,9 +78,15 @@ class Timeline:
         """(time, system id, what it is to fly; None: by the plan again) of what operators took in hand"""
         self.chases: list[dict[str, Any]] = []
         """the decisions and orders that say who pursues whom"""
+        self.violations: list[dict[str, Any]] = []
+        """the goal's parts that were broken, in the order of their times"""
+        self.unmet: Sequence[GoalPartSummary] | None = None
+        """what the session's summary says of them; None where there is none"""
         self.broken = 0
         for line in self._lines(path, progress):
             self._take(line)
+        self._told.sort(key=lambda told: told[0])  # what only the vehicles' truth showed was recorded at the end
+        self.violations.sort(key=lambda record: float(record["at_s"]))
         self._standing_s = [t_s for t_s, _ in self._standing]
         self._told_s = [t_s for t_s, _ in self._told]
 
@@ -108,9 +115,11 @@ class Timeline:
         self._book(services, snapshot)
         standing = self._standing_at(t_s)
         is_open = [service for service in services if service.phase is not Phase.DONE]
-        goal = scenario.goal
+        goal = {**goal_of(scenario), "pursue_held_s": pursue_held_s, "broken": self._broken_at(t_s)}
+        if pursue_held_s is None:
+            goal |= {"pursue_within_m": None, "pursue_for_s": None}
         return {
-            "duration_s": goal.duration_s,
+            "duration_s": scenario.goal.duration_s,
             "competition": explain.competition_of(standing, scenario.competition),
             "services": [
                 explain.service_of(
@@ -125,12 +134,26 @@ class Timeline:
             ],
             "history": explain.history_of(services),
             "refuelled": sum(service.phase is Phase.DONE and service.energy_j > 0 for service in services),
-            "goal": {
-                **goal_of(goal if pursue_held_s is not None else goal.model_copy(update={"pursue": None})),
-                "pursue_held_s": pursue_held_s,
-            },
+            "goal": goal,
             "parts": self._parts(snapshot, standing, is_open),
         }
+
+    def _broken_at(self, t_s: float) -> list[dict[str, Any]]:
+        """Parts of the goal that were broken by a time: as the session judged them at its end, by truth; where it left
+        no summary, by what was recorded when it happened."""
+        if self.unmet is not None:
+            at_end = t_s >= self._scenario.goal.duration_s - 1e-6
+            return [
+                {"part": part.part, "text": f"{part.part} {part.reached}", "t_s": part.t_s}
+                for part in self.unmet
+                if (part.t_s is None and at_end) or (part.t_s is not None and part.t_s <= t_s)
+            ]
+        first: dict[str, dict[str, Any]] = {}
+        for record in self.violations:
+            if record["at_s"] <= t_s:
+                told = {"part": record["part"], "text": f"{record['part']}: {record['text']}", "t_s": record["at_s"]}
+                first.setdefault(record["part"], told)
+        return list(first.values())
 
     def _parts(self, snapshot: FleetState, standing: Standing, services: list[Service]) -> dict[int, dict[str, Any]]:
         waiting = {service.receiver for service in services if service.phase is Phase.JOIN}
@@ -211,6 +234,9 @@ class Timeline:
             if record["kind"] == "set_point":
                 return
             if self._read(t_s, record):
+                if record["kind"] == "violation" and record["by"] == "truth":
+                    t_s = float(record["at_s"])
+                    record["t_s"] = t_s
                 self._told.append((t_s, record))
         except (ValueError, KeyError, TypeError, AttributeError, IndexError):
             self.broken += 1
@@ -251,6 +277,9 @@ class Timeline:
         elif kind == "pursuit":
             self._pursuing.append((t_s, int(record["pursuer"]), int(record["target"])))
             self.chases.append(dict(record))
+        elif kind == "violation":
+            _ = float(record["at_s"]), str(record["part"]), str(record["text"]), str(record["by"])
+            self.violations.append(dict(record))
         elif kind == "death":
             self.deaths.append((t_s, int(record["sysid"]), str(record.get("text", ""))))
         elif kind == "operator" and record.get("taken") and "sysid" in record:

@@ -10,13 +10,16 @@ from typing import TYPE_CHECKING, cast
 
 from gcs.recording.summary import (
     BaseSummary,
+    ClosestSummary,
     EnergySummary,
+    GoalPartSummary,
     LinkSummary,
     RefuellingSummary,
     Role,
     Summary,
     VehicleSummary,
 )
+from gcs.scenario.goal import Judgement, Nearest
 
 if TYPE_CHECKING:  # who only reads a summary need not load the supervisor
     from gcs.link.fleet import MixedLink
@@ -30,6 +33,7 @@ def summarise(
     link: FleetLink | MixedLink,
     *,
     outcome: str,
+    outcome_text: str = "",
     completed: bool,
     wall_time_s: float,
     lag_s: float,
@@ -37,6 +41,8 @@ def summarise(
     """What a session that has ended amounts to; the link must still be open."""
     scenario, metrics, schedule = supervisor.scenario, supervisor.metrics, supervisor.schedule
     snapshot = supervisor.fleet.snapshot(supervisor.time_s)
+    goal = [_part(judged) for judged in supervisor.judged()]
+    near, believed = supervisor.goal_watch.judged, supervisor.goal_watch.believed
     schedule.settle(snapshot)
     credited_j: dict[int | str | None, int] = defaultdict(int)
     for service in schedule.services:
@@ -53,10 +59,27 @@ def summarise(
         lag_s=lag_s,
         completed=completed,
         outcome=outcome,
+        outcome_text=outcome_text,
+        goal=goal,
+        unmet=[part for part in goal if not part.met],
+        judged_by="truth" if supervisor.goal_watch.from_truth else "reports",
         digest=None if scenario.vehicles.external else supervisor.digest.hexdigest(),
         versions=_versions(),
-        min_separation_m=_finite(metrics.min_separation_m),
-        min_clearance_m=_finite(metrics.min_clearance_m),
+        min_separation_m=_finite(near.separation.m),
+        min_clearance_m=_finite(near.clearance.m),
+        min_traffic_m=_finite(near.traffic.m),
+        closest={
+            name: _closest(nearest)
+            for name, nearest in (
+                ("separation", near.separation),
+                ("clearance", near.clearance),
+                ("traffic", near.traffic),
+            )
+            if math.isfinite(nearest.m)
+        },
+        believed_min_separation_m=_finite(believed.separation.m),
+        believed_min_clearance_m=_finite(believed.clearance.m),
+        believed_min_traffic_m=_finite(believed.traffic.m),
         vehicles=[
             VehicleSummary(
                 sysid=view.sysid,
@@ -103,6 +126,25 @@ def _ledger(view: VehicleView, lost_j: int) -> EnergySummary:
         remaining_j=view.remaining_j,
         source=view.energy_source,
     )
+
+
+def _part(judged: Judgement) -> GoalPartSummary:
+    return GoalPartSummary(
+        part=judged.part,
+        wanted=judged.wanted,
+        reached=judged.reached,
+        met=judged.met is not False,
+        value=judged.value,
+        limit=judged.limit,
+        unit=judged.unit,
+        sysids=list(judged.sysids),
+        what=judged.what,
+        t_s=judged.t_s,
+    )
+
+
+def _closest(nearest: Nearest) -> ClosestSummary:
+    return ClosestSummary(distance_m=nearest.m, sysids=list(nearest.sysids), what=nearest.what, t_s=nearest.t_s)
 
 
 def _finite(value: float) -> float | None:

@@ -8,6 +8,7 @@ What the tick at T decides leaves with the grant up to T + period, and is flown 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
 from typing import Any
 
 from gcs.link.fleet import MixedLink
@@ -31,11 +32,13 @@ from gcs.refuelling.relay import Relay, relayed
 from gcs.refuelling.scheduler import Scheduler
 from gcs.refuelling.service import Decision
 from gcs.refuelling.target_assignment import TargetAssignment
+from gcs.scenario.goal import Judgement, judge
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import Stage
 from gcs.supervisor.command_queue import FleetCommandQueue
 from gcs.supervisor.external_fleet import ENDING, ExternalFleet
 from gcs.supervisor.factory import make_fleet, make_pilots, make_radio
+from gcs.supervisor.goal_watch import GoalWatch
 from gcs.supervisor.operator import Operator, OperatorReply
 from gcs.telemetry.changes import ChangeDetector
 from gcs.telemetry.events import Event, Kind, level_of
@@ -78,8 +81,9 @@ class Supervisor:
             targets = [target.sysid for target in scenario.vehicles.targets]
             pursuers = [p.sysid for p in scenario.vehicles.pursuers if not p.waypoints_m]
             self.pursuit = TargetAssignment(scenario.pursuit, pursuers, targets, scenario.planner.cruise_m_s)
-        self.metrics = Metrics(scenario, self.planner.obstacles)
+        self.metrics = Metrics(scenario)
         self.pilots = make_pilots(scenario)
+        self.goal_watch = GoalWatch(scenario, self.planner.obstacles, self.pilots)
         self.operator = Operator(scenario, self.pilots, self.schedule)
         self.externals = ExternalFleet(scenario)
         self._wait_for_fleet_s = WAIT_FOR_FLEET_S + self.externals.patience_s
@@ -99,6 +103,7 @@ class Supervisor:
         self._watch = ChangeDetector()
         self.inspection = MessageInspector()
         self._deaths: list[dict[str, Any]] = []
+        self._told_lost: set[int] = set()
         self.set_points: list[SetPoint] = []
         self.snapshot: FleetState = self.fleet.snapshot(0.0)
 
@@ -147,14 +152,46 @@ class Supervisor:
         self._queue_set_points(set_points, snapshot)
         self._grant_all(relays, recording)
         recording.decisions += self._records(now_s, decision, set_points)
-        self.metrics.take(snapshot, set_points, decision.partners, pursuing)
+        self.metrics.take(snapshot, set_points, pursuing)
+        recording.decisions += self._watch_goal(snapshot, decision.partners)
         self._record(recording)
 
     def finish(self, idle: Callable[[], None]) -> None:
         """Collect and record the answers to the last grant; nothing is decided any more."""
         arrived, _ = self._hear(self._link.answers(idle), self.time_s)
         self.snapshot = self.fleet.snapshot(self.time_s)
-        self._record(TickRecord(self.time_ms, arrived, [], self._told()))
+        broken = self._watch_goal(self.snapshot, self._partners)
+        self._record(TickRecord(self.time_ms, arrived, [], self._told() + broken))
+
+    def judge(self, folder: Path) -> None:
+        """At the end: judge the goal by the truth that our own vehicles have left in the session's folder, and record
+        what only that shows."""
+        records, events = self.goal_watch.judge_truth(folder, self.time_s)
+        self.events += events
+        if records:
+            self._record(TickRecord(self.time_ms, [], [], records))
+
+    def judged(self) -> list[Judgement]:
+        """What came of each part of the goal by now."""
+        refuelled, held_s = len(self.schedule.refuelled), self.metrics.pursuit_held_s
+        measured = self.goal_watch.measured(
+            self.snapshot, time_s=self.time_s, pursuit_held_s=held_s, refuelled=refuelled
+        )
+        return judge(self.scenario, measured)
+
+    def _watch_goal(self, snapshot: FleetState, partners: Iterable[tuple[int, int]]) -> list[dict[str, Any]]:
+        """Measure the tick for the goal; records of what has just been broken."""
+        self._partners = frozenset(partners)
+        watch, now_s = self.goal_watch, snapshot.time_s
+        for sysid in self.externals.lost - self._told_lost:
+            watch.lose(sysid, now_s, "silent")
+        for sysid in self._told_lost - self.externals.lost:
+            watch.find(sysid)
+        self._told_lost = set(self.externals.lost)
+        broken, events = watch.take(snapshot, self._partners)
+        lost, told = watch.take_losses(now_s)
+        self.events += events + told
+        return broken + lost
 
     def stop(self) -> None:
         """Record what has been ordered and who has died since the last tick: there is none after it."""
@@ -174,6 +211,7 @@ class Supervisor:
         """A process has died: hold it no longer, tell everyone, let the others go on."""
         self._link.leave(key)
         self._deaths.append({"t_s": self.time_s, "kind": "death", "sysid": key[0], "text": why})
+        self.goal_watch.lose(key[0], self.time_s, "its process died")
         if key == TRAFFIC:
             self.events.append(Event(self.time_s, 255, "critical", why, "death"))
             return
@@ -326,6 +364,7 @@ class Supervisor:
 
     _begun = False
     _periods = 1
+    _partners: frozenset[tuple[int, int]] = frozenset()
 
     def hand_back(self) -> None:
         """Nobody steers the external vehicles any more: tell them what to do then. `exchange` sends it."""

@@ -12,6 +12,8 @@ from gcs.planner.custom import behind_filter
 from gcs.planner.planner import Planner
 from gcs.planner.request import PlanRequest
 from gcs.scenario.model import Scenario
+from gcs.supervisor.factory import make_pilots
+from gcs.supervisor.goal_watch import GoalWatch
 from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
 from gcs.telemetry.metrics import PLAN_MEMORY, Metrics
 
@@ -28,11 +30,13 @@ def rehearse(scenario: Scenario) -> None:
             fleet.ingest(frame, 0.0)
     snapshot = fleet.snapshot(0.0)
     planner = behind_filter(scenario, Planner(scenario))
-    metrics = Metrics(scenario, planner.obstacles)
+    metrics = Metrics(scenario)
+    watch = GoalWatch(scenario, planner.obstacles, make_pilots(scenario))
     everyone = frozenset(vehicle.sysid for vehicle in vehicles)
     set_points = planner.plan(PlanRequest(snapshot, everyone, scenario.clock.period_s))
     for _ in range(PLAN_MEMORY):  # only then is a vehicle's way held against its plan
-        metrics.take(snapshot, set_points, ())
+        metrics.take(snapshot, set_points)
+        watch.take(snapshot, ())
 
 
 def _telling(sysid: int, p_ned: tuple[float, float, float], scenario: Scenario) -> bytes:

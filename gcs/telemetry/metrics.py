@@ -1,4 +1,4 @@
-"""What a session amounts to, gathered tick by tick from snapshots: paths, pursuit, and how near things came."""
+"""What a session amounts to, gathered tick by tick from snapshots: paths, tracking and pursuit."""
 
 from __future__ import annotations
 
@@ -10,7 +10,6 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from gcs.scenario import geometry
 from gcs.scenario.model import Scenario
 from gcs.telemetry.state import FleetState, Vec3
 
@@ -24,8 +23,7 @@ PLAN_MEMORY = 20
 class Metrics:
     """Running figures of one session."""
 
-    def __init__(self, scenario: Scenario, obstacle_table: NDArray[np.float64]) -> None:
-        self._obstacles = obstacle_table
+    def __init__(self, scenario: Scenario) -> None:
         self.target_of = _targets(scenario)
         self._of_targets = scenario.pursuit.by == "competition"
         self._within_m = scenario.goal.pursue.within_m if scenario.goal.pursue else math.inf
@@ -38,17 +36,14 @@ class Metrics:
         )
         self.path_length_m: dict[int, float] = {}
         self.max_tracking_error_m: dict[int, float] = {}
-        self.min_separation_m = math.inf
-        self.min_clearance_m = math.inf
 
     def take(
         self,
         snapshot: FleetState,
         set_points: Iterable[SetPoint],
-        partners: Iterable[tuple[int, int]],
         pursuing: Mapping[int, int] | None = None,
     ) -> None:
-        """Count one tick; `partners` are pairs that may come close to each other.
+        """Count one tick.
 
         `pursuing` says who pursues which target where one vehicle is chosen for each: it is then the targets that must
         have their pursuer near.
@@ -57,7 +52,6 @@ class Metrics:
             self.target_of = dict(pursuing)
         here = {view.sysid: view.p_now_ned() for view in snapshot.vehicles if view.flying and view.fresh}
         self._measure_paths(here, {point.sysid: point.p_ned for point in set_points})
-        self._measure_distances(snapshot, here, {frozenset(pair) for pair in partners})
         self._measure_pursuit(snapshot.time_s, here)
 
     @property
@@ -80,22 +74,6 @@ class Metrics:
             if sysid in here and count + 1 >= PLAN_MEMORY:
                 error_m = float(distance_to_path(plan, (count + 1) % PLAN_MEMORY, *here[sysid]))
                 self.max_tracking_error_m[sysid] = max(self.max_tracking_error_m.get(sysid, 0.0), error_m)
-
-    def _measure_distances(self, snapshot: FleetState, here: dict[int, Vec3], partners: set[frozenset[int]]) -> None:
-        if not here:
-            return
-        at = np.array(list(here.values()))
-        rows = {sysid: row for row, sysid in enumerate(here)}
-        close = np.array(
-            [[rows[sysid] for sysid in pair] for pair in partners if pair <= here.keys()], dtype=np.int64
-        ).reshape(-1, 2)
-        self.min_separation_m = min(self.min_separation_m, float(closest_pair(at, close)[0]))
-        if len(self._obstacles):
-            self.min_clearance_m = min(self.min_clearance_m, float(geometry.clearance(self._obstacles, at).min()))
-        for aircraft in snapshot.traffic:
-            there = [p + v * aircraft.age_s for p, v in zip(aircraft.p_ned, aircraft.v_ned, strict=True)]
-            nearest = float(np.linalg.norm(at - np.array(there), axis=1).min())
-            self.min_clearance_m = min(self.min_clearance_m, nearest)
 
     def _measure_pursuit(self, now_s: float, here: dict[int, Vec3]) -> None:
         near = set()
@@ -133,21 +111,3 @@ def distance_to_path(plan: NDArray[np.float64], oldest: int, n: float, e: float,
         off_d -= share * along_d
         least2 = min(least2, off_n * off_n + off_e * off_e + off_d * off_d)
     return math.sqrt(least2)
-
-
-@njit(cache=True)
-def closest_pair(at: NDArray[np.float64], close: NDArray[np.int64]) -> tuple[float, int, int]:
-    """Least distance between any two of the points (n, 3), and their rows; the pairs of rows in `close` (k, 2) are left
-    out. (inf, -1, -1) where no pair is left."""
-    least2 = math.inf
-    one, other = -1, -1
-    for i in range(at.shape[0]):
-        for j in range(i):
-            gap2 = (at[i, 0] - at[j, 0]) ** 2 + (at[i, 1] - at[j, 1]) ** 2 + (at[i, 2] - at[j, 2]) ** 2
-            if gap2 < least2:
-                exempt = False
-                for k in range(close.shape[0]):
-                    exempt |= (close[k, 0] == i and close[k, 1] == j) or (close[k, 0] == j and close[k, 1] == i)
-                if not exempt:
-                    least2, one, other = gap2, j, i
-    return math.sqrt(least2), one, other

@@ -7,7 +7,7 @@ from typing import Any
 
 from gcs.console.model import SessionModel, severity, troubles
 from gcs.console.text import Glyphs, Line, bar, fitted, width_of
-from gcs.session.plain_text import clean
+from gcs.session.plain_text import broken_text, clean, goal_parts
 
 PAGES = ("fleet", "map", "competition", "events", "vehicle")
 PHASES = {"starting": "info", "flying": "well", "paused": "look", "ended": "title"}
@@ -50,6 +50,8 @@ def _pace(replay: Mapping[str, Any] | None, snapshot: Mapping[str, Any]) -> str:
 def goal_line(watch: SessionModel, page: str, width: int, glyphs: Glyphs) -> Line:
     """The pages, the present one marked, and how far the goal is."""
     goal: Line = []
+    if broken := broken_text(watch.snapshot.get("goal") or {}):
+        goal.append((broken, "act"))
     for what, have, need, text in _goal(watch):
         style = "well" if have >= need else "info"
         goal += [("  " if goal else "", ""), (f"{what} ", "dim"), (text, style)]
@@ -74,13 +76,11 @@ def _tabs(page: str, *, short: bool) -> Line:
 
 def _goal(watch: SessionModel) -> Iterable[tuple[str, float, float, str]]:
     goal = {**(watch.session.get("goal") or {}), **(watch.snapshot.get("goal") or {})}
-    if goal.get("pursue_for_s") is not None:
-        have, need = float(goal.get("pursue_held_s") or 0.0), float(goal["pursue_for_s"])
-        yield "pursue", have, need, f"{have:.0f}/{need:.0f} s"
-    refuelled, wanted = int(watch.snapshot.get("refuelled") or 0), goal.get("refuelled_at_least")
-    if wanted:
-        yield "refuel", refuelled, int(wanted), f"{refuelled}/{wanted}"
-    elif refuelled:
+    refuelled = int(watch.snapshot.get("refuelled") or 0)
+    for what, have, need, _ in goal_parts(goal, refuelled):
+        word, unit = ("pursue", " s") if what == "pursuit" else ("refuel", "")
+        yield word, have, need, f"{have:.0f}{unit} met" if have >= need else f"{have:.0f}/{need:.0f}{unit}"
+    if refuelled and not goal.get("refuelled_at_least"):
         yield "refuel", 1, 1, str(refuelled)
 
 

@@ -49,7 +49,7 @@ TITLES = {
 }
 ALIASES = {"fig7": "example1", "fig8": "example1", "fig9": "example2", "fig10": "example3", "fig11": "example4"}
 PARTS = tuple(TITLES)
-UNFINISHED = ("vehicle_lost", "interrupted", "duration_s")
+UNFINISHED = ("lost", "interrupted", "duration")
 
 
 class PaperError(RuntimeError):

@@ -92,7 +92,7 @@ def test_text_from_the_air_cannot_steer_the_terminal() -> None:
 def test_a_progress_line_says_time_modes_lowest_battery_and_goal() -> None:
     assert progress(demo()) == (
         "   52.3 s of 150 s | x4.98 | flying | 5 offboard, 1 hold, 1 refuel | lowest battery 15 % (pursuer 3) | "
-        "pursuit 12/20 s | refuelled 2/3"
+        "pursuit 12 of 20 s | refuelled 2 of 3"
     )
 
 

@@ -63,15 +63,19 @@ def sentences(findings: Findings) -> list[tuple[str, str]]:
 
 def test_what_was_not_reached_comes_first_and_counts_come_last() -> None:
     link = {"received": 9, "sent": 9, "lost": 4, "malformed": 0, "overflowed": 0, "command_retries": 2}
-    findings = found(summary=summary(outcome="refuelled_at_least", link=link, lag_s=3.25))
+    findings = found(
+        summary=summary(outcome="refuelled", outcome_text="not met: refuelled 0 of 1", link=link, lag_s=3.25)
+    )
     assert sentences(findings) == [
-        ("bad", "Not reached: at least 1 refuelled in flight (0 refuelled)."),
+        ("bad", "Not reached: at least 1 refuelled (0 of 1)."),
         ("warn", "4 frames were lost."),
         ("warn", "The session fell 3.2 s behind its pace: the machine was busy."),
         ("note", "2 commands had to be sent again."),
     ]
-    assert findings.outcome == "Too few were refuelled"
-    assert [part.met for part in findings.parts] == [True, True, False]
+    assert findings.outcome == "The goal was not met: refuelled 0 of 1"
+    told = {part.wanted: part.met for part in findings.parts}
+    assert told["60 s are flown"] is True
+    assert told["at least 1 refuelled"] is False
 
 
 def test_a_vehicle_that_did_not_send_what_it_was_asked_for_is_named() -> None:

@@ -16,11 +16,14 @@ from gcs.scenario.file import find
 DEMO = load(find("demo"))
 
 
-def suite(outcome: str | None, error: str | None = None) -> ET.Element:
+NAMES = ["lost", "duration", "separation", "clearance", "traffic", "ground", "pursue", "refuelled"]
+
+
+def suite(unmet: tuple[str, ...], *, outcome: str = "", left: bool = True, error: str | None = None) -> ET.Element:
     summary: dict[str, Any] | None = None
-    if outcome is not None:
-        keys = ("seed", "clock", "digest", "sim_time_s", "min_separation_m", "min_clearance_m", "refuel_order")
-        summary = {"outcome": outcome, "wall_time_s": 1.5, **dict.fromkeys(keys)}
+    if left:
+        goal = [{"part": name, "reached": "0.02 m", "met": name not in unmet} for name in NAMES]
+        summary = {"outcome": outcome or (*unmet, "met")[0], "wall_time_s": 1.5, "goal": goal, "seed": 3}
     root = ET.fromstring(document(DEMO, summary, error, Path("there")))
     assert root.tag == "testsuites"
     (found,) = root
@@ -31,27 +34,25 @@ def verdicts(element: ET.Element) -> list[str]:
     return [case[0].tag if len(case) else "passed" for case in element.iter("testcase")]
 
 
-@pytest.mark.parametrize(
-    ("outcome", "wanted"),
-    [
-        ("met", ["passed"] * 4),
-        ("vehicle_lost", ["failure", "skipped", "skipped", "skipped"]),
-        ("pursue", ["passed", "passed", "failure", "skipped"]),
-        ("refuelled_at_least", ["passed", "passed", "passed", "failure"]),
-        ("interrupted", ["error", "skipped", "skipped", "skipped"]),
-        (None, ["error", "skipped", "skipped", "skipped"]),
-    ],
-)
-def test_each_part_of_the_goal_is_a_case_and_the_counts_agree(outcome: str | None, wanted: list[str]) -> None:
-    found = suite(outcome)
-    assert verdicts(found) == wanted
-    assert (found.get("tests"), found.get("failures"), found.get("errors"), found.get("skipped")) == tuple(
-        str(number) for number in (4, wanted.count("failure"), wanted.count("error"), wanted.count("skipped"))
-    )
+@pytest.mark.parametrize("unmet", [(), ("lost",), ("pursue",), ("separation", "refuelled")])
+def test_each_part_of_the_goal_is_a_case_that_is_judged_by_itself(unmet: tuple[str, ...]) -> None:
+    found = suite(unmet)
+    assert verdicts(found) == ["failure" if name in unmet else "passed" for name in NAMES]
+    counts = [found.get(key) for key in ("tests", "failures", "errors", "skipped")]
+    assert counts == ["8", str(len(unmet)), "0", "0"]
+    told = [case[0].get("message") for case in found.iter("testcase") if len(case)]
+    assert told == [f"not met: {name} 0.02 m" for name in NAMES if name in unmet]
+
+
+@pytest.mark.parametrize("ended", [{"outcome": "interrupted"}, {"left": False}, {"error": "died"}])
+def test_what_did_not_come_to_its_end_is_an_error_and_not_judged(ended: dict[str, Any]) -> None:
+    found = suite((), **ended)
+    assert verdicts(found) == ["error", *["skipped"] * 7]
+    assert [found.get(key) for key in ("tests", "failures", "errors", "skipped")] == ["8", "0", "1", "7"]
 
 
 def test_an_error_is_told_even_with_what_no_xml_may_hold() -> None:
-    (case, *_) = suite(None, "died \x00 at <once>").iter("testcase")
+    (case, *_) = suite((), left=False, error="died \x00 at <once>").iter("testcase")
     assert case[0].get("message") == "died \ufffd at <once>"
 
 

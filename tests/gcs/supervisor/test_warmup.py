@@ -8,14 +8,14 @@ CODE = """
 import json, sys
 from gcs.scenario import geometry
 from gcs.session import process
-from gcs.telemetry import metrics
+from gcs.telemetry import approach, metrics
 from gcs.scenario.file import find
 from gcs.planner import leader
 from gcs.supervisor.warmup import rehearse
 from gcs.scenario import load
 
 scenario = load(find("paper/example1"))
-kernels = [leader._advance_all, geometry._clearances, metrics.distance_to_path, metrics.closest_pair]
+kernels = [leader._advance_all, geometry._clearances, metrics.distance_to_path, approach.nearest_pair]
 before = [len(kernel.signatures) for kernel in kernels]
 rehearse(scenario)
 loaded = set(sys.modules)

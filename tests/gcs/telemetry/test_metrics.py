@@ -1,21 +1,19 @@
 """Figures of hand-made flights: distances, paths, pursuit and tracking that are known beforehand."""
 
-import math
 from typing import Any
 
 import pytest
 
 from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.mavlink.setpoints import SetPoint
-from gcs.scenario.geometry import of_scenario
-from gcs.scenario.model import Obstacle, Scenario
+from gcs.scenario.model import Scenario
 from gcs.telemetry.metrics import PLAN_MEMORY, Metrics
-from gcs.telemetry.state import FleetState, TrafficView, Vec3, VehicleView
+from gcs.telemetry.state import FleetState, Vec3, VehicleView
 
 BATTERY = {"capacity_j": 1e4}
 
 
-def metrics(*obstacles: Obstacle, **more_of_it: Any) -> Metrics:
+def metrics(**more_of_it: Any) -> Metrics:
     def vehicle(sysid: int, **more: Any) -> dict[str, Any]:
         return {"sysid": sysid, "start_m": (float(sysid), 0.0, 0.0), "battery": BATTERY} | more
 
@@ -26,7 +24,7 @@ def metrics(*obstacles: Obstacle, **more_of_it: Any) -> Metrics:
                      "targets": [vehicle(101, path_m=[(0.0, 0.0, 0.0)], speed_m_s=1.0)]},
         **more_of_it,
     })  # fmt: skip
-    return Metrics(scenario, of_scenario(obstacles))
+    return Metrics(scenario)
 
 
 def view(sysid: int, at: Vec3, v: Vec3 = (0.0, 0.0, 0.0), age_s: float = 0.0, landed: bool = False) -> VehicleView:
@@ -38,38 +36,14 @@ def view(sysid: int, at: Vec3, v: Vec3 = (0.0, 0.0, 0.0), age_s: float = 0.0, la
     )  # fmt: skip
 
 
-def take(m: Metrics, t_s: float, *views: VehicleView, points: Any = (), partners: Any = (), traffic: Any = ()) -> None:
-    m.take(FleetState(t_s, views, tuple(traffic)), points, partners)
+def take(m: Metrics, t_s: float, *views: VehicleView, points: Any = ()) -> None:
+    m.take(FleetState(t_s, views, ()), points)
 
 
 def test_nothing_flown_is_nothing_measured() -> None:
     m = metrics()
     take(m, 0.0, view(1, (0, 0, 0), landed=True), view(2, (0, 0, 0.1)))
-    assert (m.min_separation_m, m.min_clearance_m, m.path_length_m, m.pursuit_held_s) == (math.inf, math.inf, {}, 0.0)
-
-
-def test_least_separation_leaves_partners_out() -> None:
-    m = metrics()
-    take(m, 0.0, view(1, (0, 0, 0)), view(2, (3, 4, 0)), view(101, (0, 0, 0.5)), partners=[(101, 1)])
-    assert m.min_separation_m == 5.0
-    take(m, 0.1, view(1, (0, 0, 0)), view(2, (9, 9, 9)), view(101, (0, 0, 0.5)))
-    assert m.min_separation_m == 0.5
-
-
-def test_an_old_position_is_carried_forward() -> None:
-    m = metrics()
-    take(m, 0.0, view(1, (0, 0, 0), v=(2, 0, 0), age_s=0.5), view(2, (3, 0, 0)))
-    assert m.min_separation_m == 2.0
-
-
-def test_least_clearance_is_to_a_points_centre_a_volumes_surface_or_traffic() -> None:
-    m = metrics(Obstacle(point_m=(0, 5, 0)), Obstacle(sphere_m=(10, 0, 0), radius_m=2.0))
-    take(m, 0.0, view(1, (0, 0, 0)))
-    assert m.min_clearance_m == 5.0
-    take(m, 0.1, view(1, (4, 0, 0)))
-    assert m.min_clearance_m == 4.0
-    take(m, 0.2, view(1, (0, 0, 0)), traffic=[TrafficView("A", (0, -2.5, 0), (0, 1.0, 0), 1.0)])
-    assert m.min_clearance_m == 1.5
+    assert (m.path_length_m, m.pursuit_held_s) == ({}, 0.0)
 
 
 def test_path_length_is_the_way_flown_without_the_gaps() -> None:
@@ -124,6 +98,6 @@ def test_where_one_pursuer_is_chosen_it_is_the_target_that_must_be_followed() ->
     for k in range(50):  # handed over from 1 to 2 at 2 s, without a gap
         chosen = {1: 101} if k < 20 else {2: 101}
         views = (view(1, (2.0 if k < 20 else 9.0, 0.0, 0.0)), view(2, (9.0 if k < 20 else 2.0, 0.0, 0.0)))
-        m.take(FleetState(k / 10, (*views, view(101, (0.0, 0.0, 0.0))), ()), [], [], chosen)
+        m.take(FleetState(k / 10, (*views, view(101, (0.0, 0.0, 0.0))), ()), [], chosen)
         assert m.target_of == chosen
     assert m.held_s == pytest.approx({101: 4.9})

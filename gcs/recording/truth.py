@@ -1,0 +1,48 @@
+"""What vehicles themselves knew of their places, from a session's `vehicles/SYSID.truth` (docs/protocol.md#truth)."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+FOLDER = "vehicles"
+COLUMNS = 7
+"""time, s; place, m, and velocity, m/s, in the common NED frame"""
+
+
+def read(folder: Path, sysid: int) -> NDArray[np.float64] | None:
+    """(k, COLUMNS) of a vehicle's records, one per grant; None where it left none that can be read."""
+    path = folder / FOLDER / f"{sysid}.truth"
+    try:
+        with path.open("rb") as file:
+            head = json.loads(file.readline())
+            names = ["time_s", "steps", *head["state"], *head["energy"]]
+            columns = np.array([names.index(name) for name in ("time_s", "n", "e", "d", "vn", "ve", "vd")])
+            begin = file.tell()
+        size = (path.stat().st_size - begin) // 8
+        if not size:
+            return None
+        numbers = np.memmap(path, dtype="<f8", mode="r", offset=begin, shape=(size,))
+        return _records(numbers, len(names), columns)
+    except (OSError, ValueError, KeyError, TypeError):
+        return None
+
+
+@njit(cache=True)
+def _records(numbers: NDArray[np.float64], width: int, columns: NDArray[np.int64]) -> NDArray[np.float64]:
+    """Kernel: the wanted columns of each whole record; one is `width` numbers and as many more as it has steps."""
+    count = at = 0
+    while at + width <= numbers.size and at + width + int(numbers[at + 1]) <= numbers.size:
+        at += width + int(numbers[at + 1])
+        count += 1
+    rows = np.empty((count, columns.size))
+    at = 0
+    for k in range(count):
+        for c in range(columns.size):
+            rows[k, c] = numbers[at + columns[c]]
+        at += width + int(numbers[at + 1])
+    return rows

@@ -1,0 +1,307 @@
+"""The parts of a session's goal: what each wants of a scenario, and how it is judged over what was measured.
+
+Everything that tells whether a goal is met uses these: the session while it flies and at its end, JUnit, replay,
+report. A part that the scenario does not ask for is not there.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from gcs.scenario.model import Scenario
+
+MET, INTERRUPTED = "met", "interrupted"
+NAMED = 4
+"""Of many vehicles so many are named."""
+ROUNDING_S = 1e-6
+
+
+@dataclass(frozen=True)
+class Nearest:
+    """How near something came, to whom and when."""
+
+    m: float = math.inf
+    """inf: nothing was there to come near"""
+    sysids: tuple[int, ...] = ()
+    t_s: float = 0.0
+    what: str = ""
+    """the obstacle or the aircraft; empty between vehicles"""
+
+    def text(self, limit_m: float) -> str:
+        """`0.02 m (3 and 5 at 12.4 s)`, held against a limit."""
+        if not math.isfinite(self.m):
+            return "nothing to come near"
+        return f"{metres(self.m, limit_m)} ({self.who})"
+
+    @property
+    def who(self) -> str:
+        """`3 and 5 at 12.4 s`."""
+        names = [*map(str, self.sysids), *([self.what] if self.what else [])]
+        return f"{' and '.join(names)} at {self.t_s:.1f} s"
+
+
+@dataclass(frozen=True)
+class Loss:
+    """A vehicle that was lost, when and why; 255 is the traffic."""
+
+    sysid: int
+    t_s: float
+    why: str
+
+
+@dataclass(frozen=True)
+class Measured:
+    """What a session, or a recording of one, amounts to by now. None: not known."""
+
+    time_s: float | None = None
+    separation: Nearest | None = None
+    clearance: Nearest | None = None
+    traffic: Nearest | None = None
+    ground: Nearest | None = None
+    """who touched the ground, its height as the distance"""
+    lost: Sequence[Loss] | None = None
+    missed: Mapping[int, int] | None = None
+    """how many of its way points each pursuer that has some has not passed"""
+    pursuit_held_s: float | None = None
+    refuelled: int | None = None
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """What came of one part of the goal."""
+
+    part: str
+    wanted: str
+    reached: str
+    met: bool | None
+    """None: not known"""
+    limit: float
+    unit: str
+    value: float | None = None
+    sysids: tuple[int, ...] = ()
+    what: str = ""
+    t_s: float | None = None
+
+    @property
+    def text(self) -> str:
+        """`separation 0.02 m (3 and 5 at 12.4 s)`."""
+        return f"{self.part} {self.reached}"
+
+
+class Case(NamedTuple):
+    """What one part is judged by; `limit` is what the scenario demands of it."""
+
+    scenario: Scenario
+    measured: Measured
+    limit: float
+
+
+class GoalPart(NamedTuple):
+    """One part: `limit` is what a scenario demands of it, None where it demands nothing; `wanted` a sentence of it."""
+
+    name: str
+    unit: str
+    limit: Callable[[Scenario], float | None]
+    wanted: str
+    judge: Callable[[Case], _Found]
+
+
+class _Found(NamedTuple):
+    met: bool | None
+    reached: str
+    value: float | None = None
+    sysids: tuple[int, ...] = ()
+    what: str = ""
+    t_s: float | None = None
+
+
+_UNKNOWN = _Found(None, "not known")
+
+
+def separation_m(scenario: Scenario) -> float | None:
+    """The least distance of two vehicles that the goal demands, m."""
+    if len(scenario.vehicles.all) < 2:
+        return None
+    rules, asked = scenario.planner, scenario.goal.separation_m
+    return _asked(asked, rules.separation_m if rules.vehicles_repel else 0.0)
+
+
+def traffic_m(scenario: Scenario) -> float | None:
+    """The least distance to traffic that the goal demands, m; None also where there is none to keep away from."""
+    kept_off = any(not mover.attracts for mover in scenario.traffic)
+    return _asked(scenario.goal.traffic_m, scenario.planner.separation_m) if kept_off else None
+
+
+def clearance_m(scenario: Scenario) -> float | None:
+    """The least distance to an obstacle's surface that the goal demands, m."""
+    asked = scenario.goal.clearance_m
+    if not scenario.obstacles or asked is False:
+        return None
+    return 0.1 if asked is None else float(asked)
+
+
+def _asked(asked: float | None, default: float) -> float | None:
+    value = default if asked is None else float(asked)
+    return value if value > 0.0 else None
+
+
+def _has_ground(scenario: Scenario) -> float | None:
+    grounded = any(not vehicle.airborne for vehicle in scenario.vehicles.all)
+    return 0.0 if scenario.goal.ground and grounded else None
+
+
+def _waypoints(scenario: Scenario) -> float | None:
+    some = any(pursuer.waypoints_m for pursuer in scenario.vehicles.pursuers)
+    return 0.0 if scenario.goal.waypoints == "all" and some else None
+
+
+def _refuelled(scenario: Scenario) -> float | None:
+    return float(scenario.goal.refuelled_at_least) or None
+
+
+def _pursue_s(scenario: Scenario) -> float | None:
+    return scenario.goal.pursue.for_s if scenario.goal.pursue is not None else None
+
+
+# judging
+
+
+def _near(of: Callable[[Measured], Nearest | None]) -> Callable[[Case], _Found]:
+    """The judge of a distance."""
+
+    def judge(case: Case) -> _Found:
+        nearest, limit = of(case.measured), case.limit
+        if nearest is None:
+            return _UNKNOWN
+        if not math.isfinite(nearest.m):
+            return _Found(True, nearest.text(limit))
+        about = nearest.m, nearest.sysids, nearest.what, nearest.t_s
+        return _Found(nearest.m >= limit, nearest.text(limit), *about)
+
+    return judge
+
+
+def _judge_ground(case: Case) -> _Found:
+    touched = case.measured.ground
+    if touched is None:
+        return _UNKNOWN
+    if not math.isfinite(touched.m):
+        return _Found(True, "not touched")
+    return _Found(False, f"touched ({touched.who})", touched.m, touched.sysids, "", touched.t_s)
+
+
+def _judge_lost(case: Case) -> _Found:
+    lost = case.measured.lost
+    if lost is None:
+        return _UNKNOWN
+    if not lost:
+        return _Found(True, "none", 0.0)
+    told = [f"{_name(loss.sysid)} at {loss.t_s:.1f} s: {loss.why}" for loss in lost[:NAMED]]
+    more = f"; {len(lost) - NAMED} more" if len(lost) > NAMED else ""
+    who = tuple(loss.sysid for loss in lost)
+    text = f"{len(lost)} ({'; '.join(told)}{more})"
+    return _Found(len(lost) <= case.limit, text, float(len(lost)), who, "", lost[0].t_s)
+
+
+def _judge_duration(case: Case) -> _Found:
+    time_s = case.measured.time_s
+    if time_s is None:
+        return _UNKNOWN
+    done = time_s >= case.limit - ROUNDING_S
+    return _Found(done, f"{time_s:.1f} s" + ("" if done else f" of {case.limit:g} s"), time_s)
+
+
+def _judge_waypoints(case: Case) -> _Found:
+    if case.measured.missed is None:
+        return _UNKNOWN
+    count = {pursuer.sysid: len(pursuer.waypoints_m) for pursuer in case.scenario.vehicles.pursuers}
+    missed = {sysid: number for sysid, number in case.measured.missed.items() if number}
+    if not missed:
+        return _Found(True, "all passed", 0.0)
+    told = [f"{sysid}: {number} of {count.get(sysid, number)}" for sysid, number in sorted(missed.items())]
+    more = f" and {len(told) - NAMED} more" if len(told) > NAMED else ""
+    text = f"missed (by {', '.join(told[:NAMED])}{more})"
+    return _Found(False, text, float(sum(missed.values())), tuple(sorted(missed)))
+
+
+def _judge_pursue(case: Case) -> _Found:
+    held_s = case.measured.pursuit_held_s
+    if held_s is None:
+        return _UNKNOWN
+    return _Found(held_s >= case.limit - ROUNDING_S, progress_text(held_s, case.limit, " s", digits=1), held_s)
+
+
+def _judge_refuelled(case: Case) -> _Found:
+    if case.measured.refuelled is None:
+        return _UNKNOWN
+    done = float(case.measured.refuelled)
+    return _Found(done >= case.limit, progress_text(done, case.limit, ""), done)
+
+
+_SEPARATION = "no two vehicles nearer than {limit:g} m, partners of a transfer aside"
+_PURSUE = "every pursuer within {within_m:g} m of its target for {limit:g} s"
+PARTS: tuple[GoalPart, ...] = (
+    GoalPart("lost", "1", lambda s: float(s.goal.lost_at_most), "at most {limit:g} vehicles lost", _judge_lost),
+    GoalPart("duration", "s", lambda s: s.goal.duration_s, "{limit:g} s are flown", _judge_duration),
+    GoalPart("separation", "m", separation_m, _SEPARATION, _near(lambda measured: measured.separation)),
+    GoalPart("clearance", "m", clearance_m, "no obstacle nearer than {limit:g} m", _near(lambda m: m.clearance)),
+    GoalPart("traffic", "m", traffic_m, "no traffic nearer than {limit:g} m", _near(lambda m: m.traffic)),
+    GoalPart("ground", "m", _has_ground, "nobody in flight touches the ground", _judge_ground),
+    GoalPart("waypoints", "1", _waypoints, "every pursuer passes all its way points", _judge_waypoints),
+    GoalPart("pursue", "s", _pursue_s, _PURSUE, _judge_pursue),
+    GoalPart("refuelled", "1", _refuelled, "at least {limit:g} refuelled", _judge_refuelled),
+)
+"""In the order in which an outcome names them."""
+BY_NAME = {part.name: part for part in PARTS}
+
+
+def asked(scenario: Scenario) -> dict[str, float]:
+    """The parts that a scenario asks for, and the limit of each."""
+    limits = ((part.name, part.limit(scenario)) for part in PARTS)
+    return {name: limit for name, limit in limits if limit is not None}
+
+
+def judge(scenario: Scenario, measured: Measured) -> list[Judgement]:
+    """What came of each part that the scenario asks for."""
+    found = []
+    within_m = scenario.goal.pursue.within_m if scenario.goal.pursue is not None else 0.0
+    for name, limit in asked(scenario).items():
+        part = BY_NAME[name]
+        met, reached, value, sysids, what, t_s = part.judge(Case(scenario, measured, limit))
+        wanted = part.wanted.format(limit=limit, within_m=within_m)
+        found.append(Judgement(name, wanted, reached, met, limit, part.unit, value, sysids, what, t_s))
+    return found
+
+
+def verdict(judged: Sequence[Judgement]) -> tuple[str, str]:
+    """(`met` or the first unmet part's name, the same as a sentence that names every unmet part)."""
+    unmet = [one for one in judged if one.met is False]
+    return (unmet[0].part if unmet else MET), outcome_text([one.text for one in unmet])
+
+
+def outcome_text(unmet: Sequence[str]) -> str:
+    """`met`, or `not met: ` and what of each part."""
+    return f"not met: {'; '.join(unmet)}" if unmet else MET
+
+
+def progress_text(have: float, need: float, unit: str, *, digits: int = 0) -> str:
+    """How far a part is that is gathered: `12 of 20 s`, and once there is enough `119 s (20 s wanted)`."""
+    if have >= need - ROUNDING_S:
+        return f"{have:.{digits}f}{unit} ({need:g}{unit} wanted)"
+    return f"{math.floor(have * 10**digits) / 10**digits:.{digits}f} of {need:g}{unit}"
+
+
+def metres(value: float, limit: float = -math.inf) -> str:
+    """A distance for a person; what is below a limit does not read as if it were not."""
+    for digits in (2, 3):
+        text = f"{value:.{digits}f}"
+        if (float(text) < limit) == (value < limit):
+            return f"{text} m"
+    return f"{value:.6f} m"
+
+
+def _name(sysid: int) -> str:
+    return "traffic" if sysid == 255 else str(sysid)

@@ -1,0 +1,155 @@
+"""What of a scenario can be flown and is likely to go wrong: where speed, latency, ranges and separations do not fit.
+
+Rules of thumb, said before anything flies; nothing here keeps a scenario from being flown.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from gcs.scenario import geometry, goal
+from gcs.scenario.model import Scenario
+from gcs.scenario.types import Vec3
+
+LAG_S = 0.37
+"""How far a vehicle flies behind its planned point (docs/model.md#guidance)."""
+LAUNCHED_M_S2 = 5.0
+"""The greatest horizontal acceleration of a launched vehicle."""
+EXTERNAL_ERROR_M = 1.0
+"""How far real autopilots were seen beside their set points in sharp turns (docs/how-to/external-autopilots.md)."""
+RING_LOOKS, PATH_STEP_M = 36, 0.25
+MOST_LOOKS = 200_000
+"""Places of rings at which obstacles are looked for, in all; long paths are looked at more coarsely."""
+
+
+class ScenarioWarning(NamedTuple):
+    """One thing that is likely to go wrong: what it is about, in a word, and a sentence."""
+
+    about: str
+    text: str
+
+
+def latency_s(scenario: Scenario) -> float:
+    """From what happens until a vehicle's answer to it: a period, the vehicle's lag, the radio to and fro."""
+    radio_s = 2.0 * (scenario.radio.delay_s + 0.5 * scenario.radio.jitter_s)
+    return scenario.clock.period_s + LAG_S + radio_s
+
+
+def stopping_m(scenario: Scenario, speed_m_s: float) -> float:
+    """The way that a vehicle flies before it stands: through the latency, then braking, v²/(2a)."""
+    return speed_m_s * latency_s(scenario) + speed_m_s**2 / (2.0 * LAUNCHED_M_S2)
+
+
+def warnings(scenario: Scenario) -> list[ScenarioWarning]:
+    """All of them; those about distances first."""
+    return [*_of_speed(scenario), *_of_places(scenario), *_of_the_ring(scenario)]
+
+
+def _of_speed(scenario: Scenario) -> Iterator[ScenarioWarning]:
+    rules, vehicles = scenario.planner, scenario.vehicles
+    separation_m = goal.separation_m(scenario)
+    speed_m_s = rules.cruise_m_s
+    need_m = stopping_m(scenario, speed_m_s)
+    how = (
+        f"at {speed_m_s:g} m/s a vehicle needs {need_m:.1f} m to stand: {latency_s(scenario):.2f} s of latency (period, "
+        f"{LAG_S} s of lag, radio to and fro) and braking at {LAUNCHED_M_S2:g} m/s²"
+    )
+    if vehicles.pursuers and separation_m and 2.0 * need_m > separation_m + 2.0 * rules.repulsion_range_m:
+        yield ScenarioWarning(
+            "separation",
+            f"{how}; two that meet head on need {2.0 * need_m:.1f} m, and repel each other from {separation_m:g} m + "
+            f"2 · {rules.repulsion_range_m:g} m on: lower planner.cruise_m_s or widen planner.repulsion_range_m",
+        )
+    if vehicles.pursuers and scenario.obstacles and need_m > rules.repulsion_range_m:
+        yield ScenarioWarning(
+            "clearance",
+            f"{how}, and obstacles repel from planner.repulsion_range_m, {rules.repulsion_range_m:g} m, on",
+        )
+    fastest = max((mover.speed_m_s for mover in scenario.traffic if not mover.attracts), default=0.0)
+    traffic_m = goal.traffic_m(scenario)
+    if traffic_m and vehicles.pursuers and traffic_m + fastest * latency_s(scenario) > rules.repulsion_range_m:
+        yield ScenarioWarning(
+            "traffic",
+            f"traffic at {fastest:g} m/s flies {fastest * latency_s(scenario):.1f} m before a vehicle answers; with "
+            f"the {traffic_m:g} m that the goal wants this is more than planner.repulsion_range_m, "
+            f"{rules.repulsion_range_m:g} m",
+        )
+    if vehicles.external and separation_m and separation_m < 2.0 * EXTERNAL_ERROR_M:
+        yield ScenarioWarning(
+            "separation",
+            f"external autopilots fly up to about {EXTERNAL_ERROR_M:g} m beside their set points in sharp turns: a "
+            f"separation of {separation_m:g} m is less than two of them can be off",
+        )
+
+
+def _of_places(scenario: Scenario) -> Iterator[ScenarioWarning]:
+    """Pursuers whose place is their target's, and rings on which there is no room."""
+    vehicles, ring_m = scenario.vehicles, scenario.formation.ring_m
+    separation_m = goal.separation_m(scenario)
+    if separation_m is None or (scenario.planner.method != "potential_field"):
+        return
+    followers: dict[int, list[str]] = {}
+    for pursuer in vehicles.pursuers:
+        if (target := vehicles.target_of(pursuer)) is not None:
+            followers.setdefault(target, []).append(pursuer.label)
+    offset_m = math.hypot(ring_m or 0.0, scenario.formation.height_m)
+    for target, labels in followers.items():
+        chosen = labels if scenario.pursuit.by == "all" else labels[:1]
+        if offset_m < separation_m:
+            who = labels[0] if len(labels) == 1 else f"{labels[0]} and {len(labels) - 1} more"
+            where = "is the target's own" if not offset_m else f"is {offset_m:g} m from the target"
+            yield ScenarioWarning(
+                "separation",
+                f"the place of {who} {where} ({target}), and the goal wants {separation_m:g} m: give formation.ring_m",
+            )
+        elif ring_m and len(chosen) > 1 and 2.0 * ring_m * math.sin(math.pi / len(chosen)) < separation_m:
+            gap_m = 2.0 * ring_m * math.sin(math.pi / len(chosen))
+            yield ScenarioWarning(
+                "separation",
+                f"on a ring of {ring_m:g} m {len(chosen)} pursuers of {target} are {gap_m:.2f} m apart, and the goal "
+                f"wants {separation_m:g} m: widen formation.ring_m",
+            )
+
+
+def _of_the_ring(scenario: Scenario) -> Iterator[ScenarioWarning]:
+    """Obstacles that the ring comes too near while the target flies its path."""
+    ring_m, clearance_m = scenario.formation.ring_m, goal.clearance_m(scenario)
+    if not ring_m or clearance_m is None or scenario.planner.method != "potential_field":
+        return
+    shapes = geometry.of_scenario(scenario.obstacles)
+    angles = 2.0 * math.pi * np.arange(RING_LOOKS) / RING_LOOKS
+    down_m = np.full(RING_LOOKS, -scenario.formation.height_m)
+    ring = np.column_stack((ring_m * np.cos(angles), ring_m * np.sin(angles), down_m))
+    followed = {scenario.vehicles.target_of(pursuer) for pursuer in scenario.vehicles.pursuers}
+    for target in scenario.vehicles.targets:
+        if target.sysid not in followed:
+            continue
+        places = _along(target.path_m, closed=target.closed)
+        places = places[:: max(1, len(places) * RING_LOOKS * len(shapes) // (100 * MOST_LOOKS))]
+        everywhere = (places[:, None] + ring[None]).reshape(-1, 3)
+        crossed = []
+        for k, shape in enumerate(scenario.obstacles):
+            if float(geometry.clearance(shapes[k : k + 1], everywhere).min()) < max(clearance_m, PATH_STEP_M / 2.0):
+                crossed.append(shape.name or f"{shape.kind} {k + 1}")
+        if crossed:
+            more = f" and {len(crossed) - 1} more" if len(crossed) > 1 else ""
+            yield ScenarioWarning(
+                "clearance",
+                f"the ring of {ring_m:g} m around {target.label} crosses {crossed[0]}{more} on the target's way: who "
+                "has that place must leave it",
+            )
+
+
+def _along(path: tuple[Vec3, ...], *, closed: bool) -> geometry.FloatArray:
+    """Places along a path, PATH_STEP_M apart."""
+    corners = [*path, path[0]] if closed else list(path)
+    legs = [np.array([corners[0]], dtype=np.float64)]
+    for a, b in pairwise(corners):
+        count = max(2, min(math.ceil(math.dist(a, b) / PATH_STEP_M) + 1, 100_000))
+        legs.append(np.linspace(a, b, count)[1:])
+    return np.concatenate(legs)

@@ -1,0 +1,185 @@
+"""Closest approach between two ticks, from relative motion: of vehicles to each other, to traffic, to obstacles.
+
+Between two ticks everything flies straight from place to place; where velocities are given too it flies the cubic curve
+(Hermite) that has these places and velocities at both ends, looked at every FINE-th of the interval.
+All places are (n, 3), m, in the common NED frame; a share is the part of the interval that has passed, 0 to 1.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from gcs.scenario import geometry
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+Flags = NDArray[np.bool_]
+
+FINE = 25
+"""Looks per interval on a curve: 4 ms, the vehicles' own step, of a period of 0.1 s."""
+MOST_FOUND = 64
+"""So many pairs that are too near are told of one interval."""
+CLOSING_M_S = 0.1
+"""Who is flown by nobody of ours comes too near only where ours closes in by more than this."""
+CURVED_M = 0.1
+"""A curve is nearer than its chord by at most this much: at 5 m/s² each and 0.1 s it is 0.0125 m."""
+NOBODY = np.empty((0, 2), dtype=np.int64)
+STRAIGHT = np.empty((0, 3))
+
+
+@njit(cache=True)
+def segment_gap2(rn: float, re: float, rd: float, dn: float, de: float, dd: float) -> tuple[float, float]:
+    """Least square distance to zero on the way from r to r + d, and the share at which it is reached."""
+    length2 = dn * dn + de * de + dd * dd
+    share = 0.0
+    if length2 > 0.0:
+        share = min(max(-(rn * dn + re * de + rd * dd) / length2, 0.0), 1.0)
+    n, e, d = rn + share * dn, re + share * de, rd + share * dd
+    return n * n + e * e + d * d, share
+
+
+@njit(cache=True)
+def curve_gap2(r0: Floats, r1: Floats, v0: Floats, v1: Floats, period_s: float) -> tuple[float, float]:
+    """The same on the cubic curve from r0 with velocity v0 to r1 with velocity v1, (3,) each."""
+    best2, best_share = math.inf, 0.0
+    before = np.empty(3)
+    for step in range(FINE + 1):
+        s = step / FINE
+        h00, h10 = (1.0 + 2.0 * s) * (1.0 - s) ** 2, s * (1.0 - s) ** 2 * period_s
+        h01, h11 = s * s * (3.0 - 2.0 * s), s * s * (s - 1.0) * period_s
+        n = h00 * r0[0] + h10 * v0[0] + h01 * r1[0] + h11 * v1[0]
+        e = h00 * r0[1] + h10 * v0[1] + h01 * r1[1] + h11 * v1[1]
+        d = h00 * r0[2] + h10 * v0[2] + h01 * r1[2] + h11 * v1[2]
+        if step > 0:
+            gap2, share = segment_gap2(before[0], before[1], before[2], n - before[0], e - before[1], d - before[2])
+            if gap2 < best2:
+                best2, best_share = gap2, (step - 1 + share) / FINE
+        before[0], before[1], before[2] = n, e, d
+    return best2, best_share
+
+
+@njit(cache=True)
+def nearest_pair(
+    before: Floats,
+    now: Floats,
+    v_before: Floats,
+    v_now: Floats,
+    period_s: float,
+    ours: Flags,
+    exempt: Ints,
+    limit_m: float,
+    worth_m: float,
+    found: Floats,
+) -> tuple[float, int, int, float, int]:
+    """The nearest two of n vehicles in an interval: (distance, row, row, share), inf and -1 where there are none; and
+    how many pairs came nearer than `limit_m`, of which `found` (k, 4) takes row, row, distance, share.
+
+    A pair in `exempt` (k, 2) is left out, as is one of which neither is `ours` (n,), and one of which one is, where
+    that one does not close in. v_before, v_now: (n, 3), or (0, 3) for straight ways. Pairs that stay farther apart than
+    both limit_m and worth_m need not be told.
+    """
+    n = now.shape[0]
+    count = 0
+    least, one, other, at = math.inf, -1, -1, 0.0
+    moved = 0.0
+    for i in range(n):
+        step = (now[i, 0] - before[i, 0]) ** 2 + (now[i, 1] - before[i, 1]) ** 2 + (now[i, 2] - before[i, 2]) ** 2
+        moved = max(moved, step)
+    moved = 2.0 * math.sqrt(moved)
+    curved = v_now.shape[0] > 0
+    slack = CURVED_M if curved else 0.0
+    reach = max(limit_m, min(worth_m, 1e9)) + moved + slack
+    for i in range(n):
+        for j in range(i):
+            rn, re, rd = now[i, 0] - now[j, 0], now[i, 1] - now[j, 1], now[i, 2] - now[j, 2]
+            if rn * rn + re * re + rd * rd > reach * reach:
+                continue
+            bn, be, bd = before[i, 0] - before[j, 0], before[i, 1] - before[j, 1], before[i, 2] - before[j, 2]
+            gap2, share = segment_gap2(bn, be, bd, rn - bn, re - be, rd - bd)
+            nearest = max(limit_m, min(least, worth_m)) + slack
+            if gap2 > nearest * nearest:
+                continue
+            left_out = not (ours[i] or ours[j])
+            for k in range(exempt.shape[0]):
+                left_out |= (exempt[k, 0] == i and exempt[k, 1] == j) or (exempt[k, 0] == j and exempt[k, 1] == i)
+            if left_out:
+                continue
+            if ours[i] != ours[j]:
+                own = i if ours[i] else j
+                to = -1.0 if ours[i] else 1.0
+                away = math.sqrt(bn * bn + be * be + bd * bd)
+                closing = to * (
+                    bn * (now[own, 0] - before[own, 0])
+                    + be * (now[own, 1] - before[own, 1])
+                    + bd * (now[own, 2] - before[own, 2])
+                )
+                if closing <= CLOSING_M_S * period_s * away:
+                    continue
+            if curved:
+                gap2, share = curve_gap2(
+                    before[i] - before[j], now[i] - now[j], v_before[i] - v_before[j], v_now[i] - v_now[j], period_s
+                )
+            gap = math.sqrt(gap2)
+            if gap < limit_m:
+                if count < found.shape[0]:
+                    found[count, 0], found[count, 1], found[count, 2], found[count, 3] = j, i, gap, share
+                count += 1
+            if gap < least:
+                least, one, other, at = gap, j, i, share
+                reach = min(reach, max(limit_m, min(least, worth_m)) + moved + slack)
+    return least, one, other, at, count
+
+
+@njit(cache=True)
+def nearest_to(before: Floats, now: Floats, others_before: Floats, others_now: Floats) -> tuple[Floats, Ints, Floats]:
+    """For each of n vehicles the least distance (n,) to any of m others in an interval, which that is, and the share;
+    straight ways."""
+    least = np.full(now.shape[0], np.inf)
+    which = np.full(now.shape[0], -1, dtype=np.int64)
+    shares = np.zeros(now.shape[0])
+    for i in range(now.shape[0]):
+        for j in range(others_now.shape[0]):
+            bn, be, bd = (
+                before[i, 0] - others_before[j, 0],
+                before[i, 1] - others_before[j, 1],
+                before[i, 2] - others_before[j, 2],
+            )
+            rn, re, rd = (
+                now[i, 0] - others_now[j, 0],
+                now[i, 1] - others_now[j, 1],
+                now[i, 2] - others_now[j, 2],
+            )
+            gap2, share = segment_gap2(bn, be, bd, rn - bn, re - be, rd - bd)
+            if gap2 < least[i] * least[i]:
+                least[i], which[i], shares[i] = math.sqrt(gap2), j, share
+    return least, which, shares
+
+
+def clearances(shapes: Floats, before: Floats, now: Floats, worth_m: float) -> tuple[Floats, Floats]:
+    """For each of n vehicles the least clearance (n,) to any shape in an interval, and the share; straight ways.
+
+    A distance changes by no more than the way flown: only those that may have come nearer than `worth_m` between the
+    ticks are looked at there.
+    """
+    least = geometry.clearance(shapes, now)
+    shares = np.ones(len(now))
+    moved = np.linalg.norm(now - before, axis=1)
+    for i in np.flatnonzero(least - moved < worth_m).tolist():
+        low, high = 0.0, 1.0
+        for _ in range(2):  # the second time closer around the nearest place of the first
+            between = np.linspace(low, high, FINE + 1)
+            there = geometry.clearance(shapes, before[i] + between[:, None] * (now[i] - before[i]))
+            k = int(there.argmin())
+            least[i], shares[i] = there[k], between[k]
+            low, high = between[max(k - 1, 0)], between[min(k + 1, FINE)]
+    return least, shares
+
+
+def nearest_shape(shapes: Floats, place: Floats) -> int:
+    """Which shape's surface is nearest to a place (3,)."""
+    each = [float(geometry.clearance(shapes[k : k + 1], place[None])[0]) for k in range(len(shapes))]
+    return int(np.argmin(each))

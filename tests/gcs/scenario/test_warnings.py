@@ -1,0 +1,88 @@
+"""What `gcs validate` warns of, and what it leaves alone: figures by hand."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+from sessions import merged, small
+
+from gcs.cli.main import run_argv
+from gcs.scenario.model import Scenario
+from gcs.scenario.warnings import latency_s, stopping_m, warnings
+
+
+def scenario(**changes: Any) -> Scenario:
+    content = small(goal={"refuelled_at_least": 0}, refuelling={"enabled": False})
+    content["vehicles"]["pursuers"].append(
+        {**content["vehicles"]["pursuers"][0], "sysid": 2, "start_m": [-2.0, 0.0, 0.0]}
+    )
+    del content["vehicles"]["tankers"]
+    content = merged(content, changes)
+    for key in [key for key, value in content.items() if value is None]:
+        del content[key]
+    for vehicle in (v for group in content["vehicles"].values() for v in group):
+        for key in ("start_m", "path_m"):
+            if key in vehicle:
+                vehicle[key] = tuple(tuple(p) if isinstance(p, list) else p for p in vehicle[key])
+    return Scenario.model_validate(content)
+
+
+def about(checked: Scenario) -> list[str]:
+    return [warning.about for warning in warnings(checked)]
+
+
+def test_a_scenario_whose_figures_fit_is_left_alone() -> None:
+    assert warnings(scenario()) == []
+
+
+def test_the_way_to_a_stand_is_latency_and_braking() -> None:
+    """0.1 s + 0.37 s + 2 (0.1 + 0.05 / 2) s; at 3 m/s that times 3, and 9 / (2 · 5)."""
+    slow = scenario(radio={"delay_s": 0.1, "jitter_s": 0.05})
+    assert latency_s(slow) == pytest.approx(0.72)
+    assert stopping_m(slow, 3.0) == pytest.approx(3.0 * 0.72 + 0.9)
+
+
+@pytest.mark.parametrize(("speed_m_s", "warned"), [(1.5, []), (2.0, []), (2.5, ["separation"]), (5.0, ["separation"])])
+def test_a_speed_at_which_two_cannot_stop_in_time_is_warned_of(speed_m_s: float, warned: list[str]) -> None:
+    """Head on with 0.6 m of separation and 1 m of range each: 2 (0.47 v + v²/10) is 2.6 m at 2.0 m/s, 3.6 at 2.5."""
+    found = about(scenario(planner={"cruise_m_s": speed_m_s, "repulsion_range_m": 1.1}))
+    assert found == warned
+
+
+def test_a_pursuer_whose_place_is_its_targets_is_warned_of() -> None:
+    found = warnings(scenario(formation=None))
+    assert [warning.about for warning in found] == ["separation"]
+    assert "formation.ring_m" in found[0].text
+
+
+def test_a_ring_without_room_is_warned_of() -> None:
+    """Two on a ring of 0.7 m are 1.4 m apart."""
+    assert about(scenario(formation={"ring_m": 0.7}, planner={"separation_m": 0.6})) == []
+    assert about(scenario(formation={"ring_m": 1.6}, planner={"separation_m": 1.5, "repulsion_range_m": 2.0})) == []
+    found = about(scenario(formation={"ring_m": 0.7, "height_m": 2.0}, planner={"separation_m": 1.5}))
+    assert found == ["separation"]
+
+
+def test_an_obstacle_on_the_ring_is_warned_of_by_name() -> None:
+    buoy = {"sphere_m": (0.0, 2.2, -2.5), "radius_m": 0.4, "name": "buoy"}
+    found = warnings(scenario(obstacles=[buoy]))
+    assert ["buoy" in warning.text for warning in found] == [True]
+    assert about(scenario(obstacles=[{**buoy, "sphere_m": (0.0, 5.0, -2.5)}])) == []
+
+
+def test_what_the_goal_does_not_ask_is_not_warned_of() -> None:
+    assert about(scenario(formation=None, goal={"separation_m": False})) == []
+
+
+def test_validate_prints_warnings_and_ends_with_0(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "sunk.yaml"
+    content = small()
+    del content["formation"]
+    path.write_text(yaml.safe_dump(content))
+    assert run_argv(["validate", str(path)]) == 0
+    told = capsys.readouterr()
+    assert f"{path}: warning: separation: the place of pursuer 1 is the target's own (101)" in told.err
+    assert "valid" in told.out

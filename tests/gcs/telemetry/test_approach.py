@@ -1,0 +1,119 @@
+"""Closest approach between two ticks, against closed forms: two lines pass each other, a line passes a point."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from gcs.scenario.geometry import of_scenario
+from gcs.scenario.model import Obstacle
+from gcs.telemetry import approach
+from gcs.telemetry.approach import STRAIGHT, clearances, nearest_pair, nearest_to
+
+METRES = st.floats(-5.0, 5.0, width=32)
+VECTOR = st.tuples(METRES, METRES, METRES)
+
+
+def pair(
+    before: np.ndarray,
+    now: np.ndarray,
+    *,
+    ours: tuple[bool, ...] = (True, True),
+    exempt: object = (),
+    limit_m: float = 0.0,
+) -> tuple[float, float, int]:
+    """(distance, share, how many are too near) of two vehicles."""
+    pairs = np.array(exempt, dtype=np.int64).reshape(-1, 2)
+    flags = np.array(ours)
+    found = np.empty((approach.MOST_FOUND, 4))
+    least_m, _, _, share, count = nearest_pair(
+        before, now, STRAIGHT, STRAIGHT, 0.1, flags, pairs, limit_m, math.inf, found
+    )
+    return least_m, share, count
+
+
+def test_two_who_fly_through_each_other_between_two_ticks_touch() -> None:
+    """Head on, 10 m/s together: 0.5 m apart at both ticks, at one place half way."""
+    before, now = np.array([[0.0, 0, 0], [0.5, 0, 0]]), np.array([[0.5, 0.0, 0], [0.0, 0, 0]])
+    assert pair(before, now, limit_m=0.6) == pytest.approx((0.0, 0.5, 1))
+
+
+@given(VECTOR, VECTOR, VECTOR, VECTOR)
+@settings(max_examples=300, deadline=None)
+def test_straight_ways_come_as_near_as_relative_motion_says(a0: object, a1: object, b0: object, b1: object) -> None:
+    """|r + s d|² is least at s = -r·d/d², within 0 to 1."""
+    before, now = np.array([a0, b0], dtype=float), np.array([a1, b1], dtype=float)
+    r, d = before[0] - before[1], (now[0] - before[0]) - (now[1] - before[1])
+    share = float(np.clip(-(r @ d) / (d @ d), 0.0, 1.0)) if d @ d > 0 else 0.0
+    least_m, _, _ = pair(before, now)
+    assert least_m == pytest.approx(float(np.linalg.norm(r + share * d)), abs=1e-9)
+
+
+def test_a_curve_is_followed_to_the_millimetre() -> None:
+    """Two fly towards each other, 5 m/s² each sideways and back: x(t) = ±(1/2) a t (T - t) from x = 0 at both ticks."""
+    period_s, a_m_s2, apart_m = 0.1, 5.0, 0.05
+    before = now = np.array([[0.0, 0.0, 0.0], [0.0, apart_m, 0.0]])
+    v0 = np.array([[0.0, a_m_s2 * period_s / 2, 0.0], [0.0, -a_m_s2 * period_s / 2, 0.0]])
+    found = np.empty((4, 4))
+    least_m, _, _, share, _ = nearest_pair(
+        before, now, v0, -v0, period_s, np.ones(2, dtype=bool), approach.NOBODY, 0.0, math.inf, found
+    )
+    assert least_m == pytest.approx(apart_m - 2 * a_m_s2 * period_s**2 / 8, abs=1e-4)
+    assert share == pytest.approx(0.5, abs=0.05)
+
+
+def test_partners_and_those_whom_nobody_of_ours_flies_are_left_out() -> None:
+    before, now = np.array([[0.0, 0, 0], [0.3, 0, 0]]), np.array([[0.1, 0.0, 0], [0.2, 0, 0]])
+    assert pair(before, now, exempt=[(1, 0)])[0] == math.inf
+    assert pair(before, now, ours=(False, False))[0] == math.inf
+
+
+@pytest.mark.parametrize(("moves", "counts"), [(0, True), (1, False)])
+def test_beside_one_that_somebody_else_flies_only_closing_in_counts(moves: int, counts: bool) -> None:
+    """0 is ours, 1 is not; one of them stands."""
+    before = np.array([[0.0, 0, 0], [0.5, 0, 0]])
+    now = before.copy()
+    now[moves, 0] += 0.2 if moves == 0 else -0.2
+    assert (pair(before, now, ours=(True, False), limit_m=0.6)[2] == 1) is counts
+
+
+def test_every_pair_too_near_is_told_and_the_least_of_all_is_the_same_by_brute_force() -> None:
+    rng = np.random.default_rng(3)
+    before = rng.uniform(-4.0, 4.0, (40, 3))
+    now = before + rng.uniform(-0.3, 0.3, (40, 3))
+    gaps = []
+    for i in range(40):
+        for j in range(i):
+            r, d = before[i] - before[j], (now[i] - before[i]) - (now[j] - before[j])
+            gaps.append(float(np.linalg.norm(r + np.clip(-(r @ d) / (d @ d), 0, 1) * d)))
+    found = np.empty((200, 4))
+    least_m, _, _, _, count = nearest_pair(
+        before, now, STRAIGHT, STRAIGHT, 0.1, np.ones(40, dtype=bool), approach.NOBODY, 1.0, math.inf, found
+    )
+    assert least_m == pytest.approx(min(gaps))
+    assert count == sum(gap < 1.0 for gap in gaps) > 5
+    assert sorted(found[:count, 2]) == pytest.approx(sorted(gap for gap in gaps if gap < 1.0))
+
+
+def test_traffic_is_met_between_ticks() -> None:
+    """A vehicle stands at 0.3 m beside the way of an aircraft that flies 20 m/s."""
+    stands = np.array([[1.0, 0.3, 0.0]])
+    least, which, shares = nearest_to(
+        stands, stands, np.array([[9.0, 9, 9], [0.0, 0, 0]]), np.array([[9.0, 9, 9], [2.0, 0, 0]])
+    )
+    assert (least[0], which[0], shares[0]) == pytest.approx((0.3, 1, 0.5))
+
+
+@pytest.mark.parametrize(
+    ("shape", "least_m"),
+    [(Obstacle(point_m=(1.0, 0.2, 0.0)), 0.2), (Obstacle(sphere_m=(1.0, 0.5, 0.0), radius_m=0.6), -0.1)],
+)
+def test_an_obstacle_is_passed_between_ticks(shape: Obstacle, least_m: float) -> None:
+    """Places at both ticks are 1 m before and 1 m behind it."""
+    before, now = np.array([[0.0, 0.0, 0.0]]), np.array([[2.0, 0.0, 0.0]])
+    least, shares = clearances(of_scenario([shape]), before, now, 1.0)
+    assert (least[0], shares[0]) == pytest.approx((least_m, 0.5), abs=0.005)

@@ -80,7 +80,7 @@ def true_least_m(outcome: Outcome, *sysids: int) -> float:
 def gathered(tmp_path_factory: pytest.TempPathFactory) -> tuple[Outcome, Path]:
     folder = tmp_path_factory.mktemp("gathered")
     junit = folder / "junit.xml"
-    content = scenario(planner={"method": "planners:Gather"})
+    content = scenario(planner={"method": "planners:Gather", "safety": False})
     return flown(content, folder, "--junit", str(junit)), junit
 
 
@@ -127,7 +127,7 @@ def test_a_replay_tells_it_at_its_time(gathered: tuple[Outcome, Path]) -> None:
 
 
 def test_what_a_scenario_does_not_ask_is_not_judged(tmp_path: Path) -> None:
-    content = scenario(planner={"method": "planners:Gather"}, goal={"separation_m": False})
+    content = scenario(planner={"method": "planners:Gather", "safety": False}, goal={"separation_m": False})
     outcome = flown(content, tmp_path)
     assert (outcome.status, outcome.summary["outcome_text"]) == (0, "met")
     assert not [d for d in outcome.decisions if d["kind"] == "violation"]
@@ -136,7 +136,7 @@ def test_what_a_scenario_does_not_ask_is_not_judged(tmp_path: Path) -> None:
 
 def test_a_planner_that_raises_at_every_call_lets_the_target_fly_into_who_is_held(tmp_path: Path) -> None:
     way = {"path_m": [[0.0, 0.0, -2.5], [8.0, 0.0, -2.5]], "speed_m_s": 1.0}
-    content = scenario(planner={"method": "planners:Raises"})
+    content = scenario(planner={"method": "planners:Raises", "safety": False})
     content["vehicles"]["targets"][0] |= way
     outcome = flown(content, tmp_path)
     assert unmet(outcome)["separation"]["sysids"] == [1, 101]
@@ -163,7 +163,7 @@ def test_half_the_fleet_landing_empty_is_a_loss(tmp_path: Path) -> None:
 
 
 def test_a_pursuer_that_sinks_into_its_target_breaks_the_separation(tmp_path: Path) -> None:
-    content = scenario(goal={"pursue": {"within_m": 3.0, "for_s": 2.0}})
+    content = scenario(planner={"safety": False}, goal={"pursue": {"within_m": 3.0, "for_s": 2.0}})
     content["vehicles"]["pursuers"] = pursuers((4.0, 0.0))
     del content["formation"]
     part = unmet(flown(content, tmp_path))["separation"]

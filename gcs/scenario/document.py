@@ -278,7 +278,7 @@ def parse(text: str, file: str) -> Document:
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
         line, column = (mark.line + 1, mark.column + 1) if mark else (None, None)
-        raise ScenarioError([Problem(file, line, column, syntax(error))]) from None
+        raise ScenarioError([Problem(file, line, column, syntax(error, text))]) from None
     except yaml.reader.ReaderError as error:
         line, column = _place(text, error.position)
         message = f"the character U+{error.character:04X} does not belong in YAML text"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import io
 import json
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -193,6 +194,38 @@ def test_the_schema_refuses_what_validate_refuses() -> None:
     assert not validator.is_valid({**good, "plannner": {}})
     assert not validator.is_valid({**good, "competition": {"policy": "best"}})
     assert not validator.is_valid({**good, "seed": "one"})
+
+
+def keys_of(node: Any, path: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], dict[str, Any]]]:
+    """(path, schema) of every key in a piece of JSON Schema."""
+    for key, value in node.get("properties", {}).items():
+        yield (*path, key), value
+        yield from keys_of(value, (*path, key))
+    for choice in (*node.get("anyOf", ()), node.get("items"), node.get("additionalProperties")):
+        if isinstance(choice, dict):
+            yield from keys_of(choice, path)
+
+
+def test_the_schema_explains_every_key_and_every_block() -> None:
+    printed = editor_schema()
+    parts = {"scenario": printed, **printed["$defs"]}
+    keys = dict(pair for name, part in parts.items() for pair in keys_of(part, (name,)))
+    assert {("scenario", "planner"), ("Target", "grid", "columns"), ("Vehicles", "defaults", "battery")} <= keys.keys()
+    assert len(keys) > 190
+    assert [path for path, value in keys.items() if not value.get("description", "").strip()] == []
+    assert [name for name, part in parts.items() if not part.get("description", "").strip()] == []
+
+
+@pytest.mark.parametrize(("block", "key"), [("planner", "method"), ("competition", "policy")])
+def test_a_name_put_over_the_line_of_a_block_is_told_with_the_form_that_works(block: str, key: str) -> None:
+    gcs("init", "mine")
+    text = Path("mine.yaml").read_text()
+    Path("mine.yaml").write_text(text.replace(f"\n{block}:\n", f"\n{block}: mine:Own\n"))
+    line = text.splitlines().index(f"{block}:") + 1
+    done = gcs("validate", "mine.yaml")
+    assert done.exit_code == 2
+    assert f"{block} on line {line} has the value mine:Own and keys below it" in done.output
+    assert f'or write {key}: "mine:Own" below {block}:' in done.output
 
 
 def test_the_doctor_finds_nothing_that_keeps_sessions_from_running_here() -> None:

@@ -11,6 +11,7 @@
 from __future__ import annotations
 
 import ast
+import functools
 import json
 import re
 import sys
@@ -43,18 +44,25 @@ def main() -> None:
         raise SystemExit("generate.py FOLDER")
     folder = Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
+    for name, text in pages().items():
+        (folder / name).write_text(text, encoding="utf-8")
+
+
+@functools.cache
+def pages() -> Mapping[str, str]:
+    """Text of every generated file, by name."""
     graph = imports_by_package(ROOT, PACKAGES)
-    pages = {
+    drawings = {
+        f"packages-{program}.svg": drawing({a: below for a, below in graph.items() if a.partition(".")[0] == program})
+        for program in PACKAGES
+    }
+    return {
         "scenario.md": scenario_page(editor_schema()),
         "commands.md": commands_page({"gcs": gcs_command, "simvehicle": simvehicle_command}),
         "parameters.md": parameters_page(),
         "packages.md": packages_page(graph),
+        **drawings,
     }
-    for program in PACKAGES:
-        own = {name: below for name, below in graph.items() if name.partition(".")[0] == program}
-        pages[f"packages-{program}.svg"] = drawing(own)
-    for name, text in pages.items():
-        (folder / name).write_text(text, encoding="utf-8")
 
 
 # Scenario

@@ -27,6 +27,6 @@ def test_the_printed_program_flies(peers: Path, tmp_path: Path) -> None:
         check=False,
     )
     assert done.returncode == 0, done.stderr
-    reached, landed = done.stdout.splitlines()[-2:]
-    assert reached.startswith("north 2.") or reached.startswith("north 3.")
-    assert landed == "landed"
+    said = done.stdout.splitlines()
+    assert "landed" in said
+    assert [line for line in said if line.startswith(("north 2.", "north 3."))]

@@ -34,6 +34,7 @@ ELSEWHERE = {
     "python3 -m venv .venv && . .venv/bin/activate": "the environment is here",
     "pip install '.[pandas,parquet]'": "tests/system/test_wheel.py installs what is built",
     'eval "$(_GCS_COMPLETE=bash_source gcs)"': "the completion is tested below",
+    'eval "$(_SIMVEHICLE_COMPLETE=bash_source simvehicle)"': "likewise",
     "python fly_with_mavsdk.py": "tests/peers/test_docs.py, where MAVSDK is",
     "gcs check --connect udpin:127.0.0.1:14550 --arm": "tests/system/test_check.py",
     "gcs check --connect udpin:127.0.0.1:14550 --json": "tests/system/test_check.py",
@@ -156,12 +157,21 @@ def test_the_program_flies_the_readers_scenario(folder: Path) -> None:
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
-def test_a_shell_gets_its_completion(shell: str) -> None:
-    asked = {**os.environ, "_GCS_COMPLETE": f"{shell}_source"}
-    done = subprocess.run(words("gcs"), env=asked, capture_output=True, text=True, check=False)
+@pytest.mark.parametrize("program", ["gcs", "simvehicle"])
+def test_a_shell_gets_its_completion(program: str, shell: str) -> None:
+    asked = {**os.environ, f"_{program.upper()}_COMPLETE": f"{shell}_source"}
+    done = subprocess.run(words(program), env=asked, capture_output=True, text=True, check=False)
     if shell == "bash" and shutil.which("bash") is None:
         pytest.skip("no bash here")
-    assert "gcs" in done.stdout
+    assert program in done.stdout
+
+
+def test_an_option_of_the_vehicle_is_completed() -> None:
+    asked = {
+        **os.environ, "_SIMVEHICLE_COMPLETE": "bash_complete", "COMP_WORDS": "simvehicle --auto", "COMP_CWORD": "1"
+    }  # fmt: skip
+    done = subprocess.run(words("simvehicle"), env=asked, capture_output=True, text=True, check=False)
+    assert "plain,--autopilot" in done.stdout.splitlines()
 
 
 def test_a_shipped_scenario_is_completed() -> None:

@@ -170,13 +170,35 @@ def test_an_older_scenario_is_told_what_changed(monkeypatch: pytest.MonkeyPatch)
     older = file.refusal(-1)
     assert older is not None
     assert older.endswith("-1 to 0: rename a to b; 0 to 1: write `axes`")
-    assert "pip install -U skytender" in (file.refusal(2) or "")
+    assert "install a newer Skytender" in (file.refusal(2) or "")
     gcs("init")
     path = Path("my-scenario.yaml")
     path.write_text(path.read_text().replace("schema: 1", "schema: 0"))
     done = gcs("validate", str(path))
     assert done.exit_code == 2
     assert done.output.startswith("my-scenario.yaml:11:9: schema 0 is an older format; change the file")
+
+
+def test_a_sysid_given_twice_is_told_together_with_other_mistakes() -> None:
+    gcs("init", "mine")
+    text = Path("mine.yaml").read_text().replace("sysid: 2,", "sysid: 1,").replace("cruise_m_s: 1.5", "cruise: 1.5")
+    Path("mine.yaml").write_text(text)
+    done = gcs("validate", "mine.yaml")
+    assert "unknown key 'cruise' in planner" in done.output
+    first = next(i for i, line in enumerate(text.splitlines(), 1) if "sysid: 1," in line)
+    assert f"the sysid 1 is given twice (see line {first})" in done.output
+    assert done.output.count("is given twice") == 1
+
+
+def test_errors_begin_with_the_programs_name_or_with_the_place_in_the_file() -> None:
+    assert gcs("run", "demo", "--speed", "-1").output.splitlines()[-1].startswith("gcs: Invalid value for '--speed'")
+    assert gcs("validate", "dmeo").output.startswith("gcs: dmeo: no such file")
+    Path("bad.yaml").write_text("schema: 1\n")
+    assert gcs("validate", "bad.yaml").output.startswith("bad.yaml:1:1: ")
+    for words in (["run"], ["fly"], ["run", "demo", "--quiet", "--json"]):
+        *_, usage, last = gcs(*words).output.splitlines()
+        assert "--help" in usage or "-h" in usage
+        assert last.startswith("gcs: ")
 
 
 def test_every_shipped_scenario_keeps_to_the_schema_that_editors_get() -> None:

@@ -7,7 +7,10 @@ CONSTRAINTS := tests/constraints.txt
 PEERS := .venv-peers
 PEERS_READY := $(PEERS)/.ready
 
-.PHONY: run test bench clean
+DOCS := .venv-docs
+DOCS_READY := $(DOCS)/.ready
+
+.PHONY: run test bench docs clean
 
 run: $(READY)
 	@$(VENV)/bin/gcs run demo
@@ -21,8 +24,11 @@ test: $(READY) $(PEERS_READY)
 bench: $(READY)
 	@$(VENV)/bin/python tests/benchmarks
 
+docs: $(READY) $(DOCS_READY)
+	@$(VENV)/bin/python docs/.site/build.py --builder $(DOCS)/bin/python
+
 clean:
-	rm -rf $(VENV) $(PEERS) .mypy_cache .ruff_cache
+	rm -rf $(VENV) $(PEERS) $(DOCS) .docs-site .mypy_cache .ruff_cache
 
 $(READY): pyproject.toml $(CONSTRAINTS)
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
@@ -46,3 +52,13 @@ $(PEERS_READY): tests/peers/constraints.txt
 	@if $(PEERS)/bin/python -m pip install --quiet --disable-pip-version-check --no-deps -r $< 2>$(PEERS)/pip.log; \
 	  then touch $@; \
 	  else { echo "MAVSDK and MAVProxy could not be installed:"; tail -n 1 $(PEERS)/pip.log; } | tee $(PEERS)/missing; fi
+
+# What builds the documentation's site, which only `make docs` needs.
+$(DOCS_READY): docs/.site/requirements.txt
+	@echo "[docs] installing the documentation's builder in $(DOCS)"
+	@rm -rf $(DOCS)
+	@$(PYTHON) -m venv $(DOCS)
+	@$(DOCS)/bin/python -m pip install --quiet --disable-pip-version-check -r $< 2>$(DOCS)/pip.log || \
+	  { echo "The documentation's builder (docs/.site/requirements.txt) could not be installed:"; tail -n 1 $(DOCS)/pip.log; \
+	    echo "The pages can be read as they are, in docs/."; exit 2; }
+	@touch $@

@@ -1,35 +1,66 @@
 """MAVLink ground-station supervisor: plans, competes, refuels, records.
 
-From Python: `Session`, and what it takes and gives. They load when they are first asked for.
+From Python: `Session`, and what it takes and gives; what planners and refuelling policies of one's own get. They load
+when they are first asked for.
 """
 
 from __future__ import annotations
 
 from importlib import import_module
 
+from gcs.renamed import install
+
 TYPE_CHECKING = False  # as from typing, which would take longer to load than all else here
 
 if TYPE_CHECKING:
     from typing import Any
 
+    from gcs.planner.custom import PursuerPlanner, Situation
     from gcs.recording.summary import Summary
+    from gcs.refuelling.policies import RefuellingPolicy, RefuellingRequest
     from gcs.scenario.file import load
     from gcs.scenario.model import Scenario, ScenarioError
     from gcs.session.arrays import MissingExtra, Snapshot
     from gcs.session.python import Session, SessionError
+    from gcs.telemetry.state import FleetState, TrafficView, VehicleView
 
-__all__ = ["MissingExtra", "Scenario", "ScenarioError", "Session", "SessionError", "Snapshot", "Summary", "load"]
+__all__ = [
+    "FleetState",
+    "MissingExtra",
+    "PursuerPlanner",
+    "RefuellingPolicy",
+    "RefuellingRequest",
+    "Scenario",
+    "ScenarioError",
+    "Session",
+    "SessionError",
+    "Situation",
+    "Snapshot",
+    "Summary",
+    "TrafficView",
+    "VehicleView",
+    "load",
+]
 
 _HOME = {
+    "FleetState": "telemetry.state",
     "MissingExtra": "session.arrays",
+    "PursuerPlanner": "planner.custom",
+    "RefuellingPolicy": "refuelling.policies",
+    "RefuellingRequest": "refuelling.policies",
     "Scenario": "scenario.model",
     "ScenarioError": "scenario.document",
     "Session": "session.python",
     "SessionError": "session.python",
+    "Situation": "planner.custom",
     "Snapshot": "session.arrays",
     "Summary": "recording.summary",
+    "TrafficView": "telemetry.state",
+    "VehicleView": "telemetry.state",
     "load": "scenario.file",
 }
+
+install()
 
 
 def __getattr__(name: str) -> Any:

@@ -3,7 +3,7 @@
     scenario.md      every key of a scenario file, from its JSON Schema
     commands.md      every command and option, from click
     parameters.md    every MAVLink parameter of the vehicle, from its table
-    packages.md      which package imports which, from the code; packages.svg
+    packages.md      which package imports which, from the code, with a picture of each program
 
 `python docs/.site/generate.py FOLDER` needs a Python that has Skytender installed; build.py calls it.
 """
@@ -11,6 +11,7 @@
 from __future__ import annotations
 
 import ast
+import functools
 import json
 import re
 import sys
@@ -19,11 +20,11 @@ from pathlib import Path
 from typing import Any
 
 import click
-from gcs.editor_schema import editor_schema
-from simvehicle.mavlink.parameters import TABLE as PARAMETERS
 
 # All that is taken from the project; the rest of this file knows no module of it.
-from gcs.cli import cli as gcs_command
+from gcs.cli.main import cli as gcs_command
+from gcs.scenario.json_schema import editor_schema
+from simvehicle.autopilot.parameters import TABLE as PARAMETERS
 from simvehicle.cli import cli as simvehicle_command
 
 PACKAGES = ("gcs", "simvehicle")
@@ -43,16 +44,25 @@ def main() -> None:
         raise SystemExit("generate.py FOLDER")
     folder = Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
+    for name, text in pages().items():
+        (folder / name).write_text(text, encoding="utf-8")
+
+
+@functools.cache
+def pages() -> Mapping[str, str]:
+    """Text of every generated file, by name."""
     graph = imports_by_package(ROOT, PACKAGES)
-    pages = {
+    drawings = {
+        f"packages-{program}.svg": drawing({a: below for a, below in graph.items() if a.partition(".")[0] == program})
+        for program in PACKAGES
+    }
+    return {
         "scenario.md": scenario_page(editor_schema()),
         "commands.md": commands_page({"gcs": gcs_command, "simvehicle": simvehicle_command}),
         "parameters.md": parameters_page(),
         "packages.md": packages_page(graph),
-        "packages.svg": drawing(graph),
+        **drawings,
     }
-    for name, text in pages.items():
-        (folder / name).write_text(text, encoding="utf-8")
 
 
 # Scenario
@@ -72,8 +82,13 @@ def scenario_page(schema: Mapping[str, Any]) -> str:
         *section(ROOT_TITLE, schema, parts),
     ]
     for name in order:
-        lines += section(name, parts[name], parts)
+        lines += section(heading(name), parts[name], parts)
     return "\n".join(lines) + "\n"
+
+
+def heading(name: str) -> str:
+    """A part's heading: its name as a user knows it."""
+    return name.removesuffix("Rules")
 
 
 def reachable(schema: Mapping[str, Any], parts: Mapping[str, Any]) -> list[str]:
@@ -107,14 +122,23 @@ def section(title: str, part: Mapping[str, Any], parts: Mapping[str, Any]) -> li
         lines += [prose(part["description"]), ""]
     lines += ["| key | type | unit | default | meaning |", "|---|---|---|---|---|"]
     required = set(part.get("required", ()))
-    for key, value in part.get("properties", {}).items():
+    for key, value in with_inner_keys(part.get("properties", {})):
         given = "required" if key in required or key == "sysid" else "required, here or by `defaults`"
-        default = f"`{shown(value['default'])}`" if "default" in value else "" if key in OPTIONAL else given
+        optional = key in OPTIONAL or key.startswith("grid.")
+        default = f"`{shown(value['default'])}`" if "default" in value else "" if optional else given
         if "default" in value and any(True for _ in references(value)):
             default = "its defaults" if value["default"] else default
         meaning = prose(value.get("description", "")) or prose(parts_description(value, parts))
         lines.append(f"| `{key}` | {cell(kind(value))} | {unit(key)} | {cell(default)} | {cell(meaning)} |")
     return [*lines, ""]
+
+
+def with_inner_keys(properties: Mapping[str, Any]) -> Iterator[tuple[str, Mapping[str, Any]]]:
+    """(key, schema) of each key; a grid's own keys, which are no part of their own, follow it as `grid.KEY`."""
+    for key, value in properties.items():
+        yield key, value
+        if key == "grid":
+            yield from ((f"{key}.{inner}", inside) for inner, inside in value["properties"].items())
 
 
 def parts_description(value: Mapping[str, Any], parts: Mapping[str, Any]) -> str:
@@ -126,7 +150,7 @@ def kind(value: Mapping[str, Any]) -> str:
     """A schema's type in words, with its limits."""
     if "$ref" in value:
         name = value["$ref"].rpartition("/")[2]
-        return f"[{name}](#{name.lower()})"
+        return f"[{heading(name)}](#{heading(name).lower()})"
     if "enum" in value:
         return " or ".join(f"`{choice}`" for choice in value["enum"])
     if "const" in value:
@@ -259,12 +283,12 @@ def imports_by_package(root: Path, names: Sequence[str]) -> dict[str, set[str]]:
         for name in names
         for path in sorted((root / name).rglob("*.py"))
     }
-    folders = {module for module, path in modules.items() if path.name == "__init__.py"}
+    on_top = ("", "__main__", "pytest_plugin")
 
     def package(module: str) -> str:
-        parts = module.split(".")
-        below = ".".join(parts[:2])
-        return below if below in folders else parts[0]
+        program, _, rest = module.partition(".")
+        below = rest.split(".")[0]
+        return program if below in on_top else f"{program}.{below}"
 
     graph: dict[str, set[str]] = {package(module): set() for module in modules}
     for module, path in modules.items():
@@ -301,10 +325,10 @@ def packages_page(graph: Mapping[str, set[str]]) -> str:
         "# Packages",
         "",
         "Which package imports which, read from the code. Each package stands above those that it imports; lines that",
-        "follow from others are left out, and red ones close a circle. `gcs` and `simvehicle` never import each other.",
+        "follow from others are left out, and red ones close a circle. `gcs` and `simvehicle` never import each other;",
+        "by these two names the picture means their `__init__`, `__main__` and, in `gcs`, the pytest plugin.",
         "",
-        "![Import graph by package](packages.svg)",
-        "",
+        *(line for program in PACKAGES for line in (f"![Packages of {program}](packages-{program}.svg)", "")),
         "| package | imports |",
         "|---|---|",
     ]

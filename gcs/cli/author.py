@@ -55,7 +55,8 @@ def load_scenario(scenario: str) -> Scenario:
         plugins.check(loaded, file)
         return loaded
     except ScenarioError as error:
-        click.echo(str(error), err=True)
+        nowhere = all(problem.line is None for problem in error.problems)
+        click.echo(f"gcs: {error}" if nowhere else str(error), err=True)  # else FILE:LINE:COLUMN, for editors
         raise ScenarioRefused(str(error)) from None
 
 

@@ -71,7 +71,7 @@ def _versions() -> Iterator[MachineFinding]:
         own = version(PACKAGE)
         wanted = requires(PACKAGE) or []
     except PackageNotFoundError:
-        advice = "install it: pip install skytender, or pip install . in its checkout"
+        advice = "install it: pip install . in its checkout"
         yield MachineFinding("problem", PACKAGE, "not installed, only on the path", advice)
         return
     yield MachineFinding("ok", PACKAGE, own)
@@ -98,7 +98,7 @@ def _versions() -> Iterator[MachineFinding]:
 
 def install_extra(extra: str) -> str:
     """The command that installs one of Skytender's extras."""
-    return f"pip install '{PACKAGE}[{extra}]'"
+    return f"pip install '.[{extra}]' in Skytender's checkout"
 
 
 def satisfies(have: str, limits: str) -> bool:

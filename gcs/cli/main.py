@@ -193,6 +193,7 @@ def run(
     if junit is not None and not junit.parent.is_dir():
         raise click.UsageError(f"--junit: there is no folder {junit.parent}.")
     from gcs.report.junit import flown, refused
+    from gcs.scenario.plugins import named
     from gcs.session.plain_text import mute_stdout
     from gcs.session.session_log import logged
     from gcs.session.supervised import make_folder
@@ -209,6 +210,8 @@ def run(
     if vehicles_per_process is not None:
         resolved = resolved.model_copy(update={"vehicles_per_process": vehicles_per_process})
     folder = make_folder(out, resolved)
+    if seed is not None and not quiet and not (resolved.radio.random or any(named(resolved))):
+        click.echo("gcs: --seed changes nothing: without loss and the like in radio: nothing here is random", err=True)
     if not quiet:
         try:
             click.echo(f"{resolved.name}: starting; the session's folder is {folder}", err=as_json)
@@ -328,7 +331,7 @@ def run_argv(argv: list[str] | None = None) -> int:
     try:
         return int(cli.main(argv, standalone_mode=False) or 0)
     except click.ClickException as error:
-        error.show()
+        _show(error)
         return error.exit_code
     except (KeyboardInterrupt, click.Abort):
         return INTERRUPTED
@@ -340,6 +343,15 @@ def run_argv(argv: list[str] | None = None) -> int:
         where = f"{Path(place.filename).name}:{place.lineno}"
         click.echo(f"gcs: internal error, please report it: {type(error).__name__} at {where}: {error}", err=True)
         return INTERNAL_ERROR
+
+
+def _show(error: click.ClickException) -> None:
+    """Say what is wrong as `gcs: …`, as all errors of the program are said; with the usage where that helps."""
+    context = error.ctx if isinstance(error, click.UsageError) else None
+    if context is not None:
+        click.echo(context.get_usage(), err=True)
+        click.echo(f"Try '{context.command_path} {context.help_option_names[0]}' for help.", err=True)
+    click.echo(f"gcs: {error.format_message()}", err=True)
 
 
 def main() -> None:

@@ -17,7 +17,10 @@ from numpy.typing import NDArray
 
 Format = Literal["csv", "parquet"]
 Column = NDArray[Any] | Sequence[Any]
-NO_PARQUET = "Parquet needs pyarrow, which is not installed: pip install 'skytender[parquet]', or give --format csv."
+NO_PARQUET = (
+    "Parquet needs pyarrow, which is not installed: pip install '.[parquet]' in Skytender's checkout, "
+    "or give --format csv."
+)
 ROW_GROUP = 1 << 17
 
 

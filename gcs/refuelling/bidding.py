@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from gcs.mavlink.autopilots import STEERABLE
-from gcs.refuelling.policies import SHIPPED, WINNER_TAKE_ALL, RefuellingPolicy, Request
+from gcs.refuelling.policies import SHIPPED, WINNER_TAKE_ALL, RefuellingPolicy, RefuellingRequest
 from gcs.refuelling.winner_take_all import advance, normalise, revive, share
 from gcs.scenario import plugins
 from gcs.scenario.guard import Guard, Nonsense
@@ -186,7 +186,9 @@ class PolicyBidding(Bidding):
         if not self._wanting:
             return None
         others = tuple(view for view in free if view.sysid != tanker.sysid)
-        request = Request(snapshot.time_s, tanker, self._wanting, (tanker, *others), self._speed_m_s, self._refuelling)
+        request = RefuellingRequest(
+            snapshot.time_s, tanker, self._wanting, (tanker, *others), self._speed_m_s, self._refuelling
+        )
         answer = self._guard.call(tanker.sysid, lambda: self._checked(self._policy.choose(request)))
         return None if answer is None or answer.value is None else (answer.value, "policy")
 

@@ -25,7 +25,7 @@ MOST_PLANNED = 6
 
 
 @dataclass(frozen=True, slots=True)
-class Request:
+class RefuellingRequest:
     """A tanker is free and at least one vehicle wants energy."""
 
     time_s: float
@@ -42,7 +42,7 @@ class Request:
 class RefuellingPolicy(Protocol):
     """One-method protocol; made once, as CLASS(scenario)."""
 
-    def choose(self, request: Request) -> int | None:
+    def choose(self, request: RefuellingRequest) -> int | None:
         """The candidate whom request.tanker is to serve, by system id; None: nobody, ask again in the next tick."""
 
 
@@ -52,7 +52,7 @@ class GreedyNearest:
     def __init__(self, scenario: Scenario) -> None:
         pass
 
-    def choose(self, request: Request) -> int | None:
+    def choose(self, request: RefuellingRequest) -> int | None:
         """The nearest; of equals the lowest system id."""
         here = request.tanker.p_now_ned()
         return min(request.candidates, key=lambda view: (math.dist(here, view.p_now_ned()), view.sysid)).sysid
@@ -64,7 +64,7 @@ class MostEmptyFirst:
     def __init__(self, scenario: Scenario) -> None:
         pass
 
-    def choose(self, request: Request) -> int | None:
+    def choose(self, request: RefuellingRequest) -> int | None:
         """The neediest; of equals the lowest system id."""
         return min(request.candidates, key=lambda view: (-view.need, view.sysid)).sysid
 
@@ -81,7 +81,7 @@ class Optimal:
     def __init__(self, scenario: Scenario) -> None:
         pass
 
-    def choose(self, request: Request) -> int | None:
+    def choose(self, request: RefuellingRequest) -> int | None:
         """This tanker's first receiver in the best plan; None where the best plan leaves them to another free one."""
         planned = sorted(request.candidates, key=lambda view: (view.endurance_s, view.sysid))[:MOST_PLANNED]
         best: tuple[tuple[float, float, list[list[int]]], int | None] | None = None
@@ -94,7 +94,7 @@ class Optimal:
         return None if best is None else best[1]
 
     @staticmethod
-    def _worth(request: Request, queues: Sequence[Sequence[VehicleView]]) -> tuple[float, float]:
+    def _worth(request: RefuellingRequest, queues: Sequence[Sequence[VehicleView]]) -> tuple[float, float]:
         """(least endurance left at the begin of a service, time until the last is done), s."""
         margin_s, done_s = math.inf, 0.0
         for tanker, queue in zip(request.free_tankers, queues, strict=True):

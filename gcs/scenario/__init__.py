@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from importlib import import_module
 
+from gcs.renamed import old_classes
+
 TYPE_CHECKING = False
 
 if TYPE_CHECKING:
@@ -19,9 +21,17 @@ if TYPE_CHECKING:
 __all__ = ["Scenario", "ScenarioError", "dump", "load"]
 
 _HOME = {"Scenario": "model", "ScenarioError": "document", "dump": "file", "load": "file"}
+_PARTS = (
+    *("Attractor", "Base", "Battery", "Blackout", "Clock", "Goal", "Mover", "Obstacle", "Origin", "Problem", "Pursue"),
+    *("Pursuer", "Radio", "Tanker", "Target", "VehicleBase", "Vehicles"),
+)
+"""Classes of `gcs.scenario.model` that may be asked for here."""
+_renamed = old_classes("gcs.scenario", lambda name: getattr(import_module("gcs.scenario.model"), name), globals())
 
 
 def __getattr__(name: str) -> Any:
-    if name not in _HOME:
+    home = _HOME.get(name) or ("model" if name in _PARTS else None)
+    found = getattr(import_module(f"gcs.scenario.{home}"), name) if home is not None else _renamed(name)
+    if found is None:
         raise AttributeError(f"module 'gcs.scenario' has no attribute {name!r}")
-    return getattr(import_module(f"gcs.scenario.{_HOME[name]}"), name)
+    return found

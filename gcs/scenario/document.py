@@ -105,6 +105,11 @@ class Document:
         marks = self.marks.get(path, _Marks((1, 1), (1, 1)))
         return Problem(self.file, *(marks.key if at_key else marks.value), message)
 
+    def disagreement(self, conflict: Conflict, path: Path = ()) -> Problem:
+        """A conflict where the file has it; its paths count from `path`."""
+        also = f" (see line {self.problem(path + conflict.also, '').line})" if conflict.also else ""
+        return self.problem(path + conflict.path, conflict.message + also)
+
     def inherit(self, source: Path, heir: Path) -> None:
         """Give the mapping at `heir` what the mapping at `source` has and it lacks, mapping by mapping."""
         given, own = self.value(source), self.value(heir)
@@ -140,8 +145,7 @@ class Document:
         path = tuple(part for part in details["loc"] if part != "[key]")
         if kind == "conflict":
             for conflict in context["found"]:
-                also = f" (see line {self.problem(path + conflict.also, '').line})" if conflict.also else ""
-                yield self.problem(path + conflict.path, conflict.message + also)
+                yield self.disagreement(conflict, path)
             return
         written = self._written(path)
         name, parent, last = dotted(written), dotted(written[:-1]), written[-1] if written else ""
@@ -278,7 +282,7 @@ def parse(text: str, file: str) -> Document:
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
         line, column = (mark.line + 1, mark.column + 1) if mark else (None, None)
-        raise ScenarioError([Problem(file, line, column, syntax(error))]) from None
+        raise ScenarioError([Problem(file, line, column, syntax(error, text))]) from None
     except yaml.reader.ReaderError as error:
         line, column = _place(text, error.position)
         message = f"the character U+{error.character:04X} does not belong in YAML text"

@@ -6,15 +6,17 @@ Shipped ones stand in `configs/`: beside the packages in a checkout, inside `gcs
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 from pydantic import ValidationError
 
 from gcs.scenario import external
-from gcs.scenario.document import Problem, ScenarioError, did_you_mean, emit, read
+from gcs.scenario.document import Conflict, Problem, ScenarioError, did_you_mean, emit, read
+from gcs.scenario.document import Path as Place
 from gcs.scenario.grid import expand
-from gcs.scenario.model import Scenario
+from gcs.scenario.model import Scenario, repeats
 
 CURRENT = 1
 CHANGED: dict[int, str] = {0: "this is the number of drafts; the first published format is 1, which `gcs init` writes"}
@@ -60,7 +62,7 @@ def refusal(version: Any) -> str | None:
     if isinstance(version, bool) or not isinstance(version, int) or version == CURRENT:
         return None
     if version > CURRENT:
-        return f"schema {version} is newer than this program, which reads {CURRENT}: pip install -U skytender"
+        return f"schema {version} is newer than this program, which reads {CURRENT}: install a newer Skytender"
     steps = [f"{old} to {old + 1}: {CHANGED[old]}" for old in range(version, CURRENT) if old in CHANGED]
     if not steps:
         return None
@@ -90,7 +92,25 @@ def load(path: str | os.PathLike[str]) -> Scenario:
     try:
         return Scenario.model_validate(document.data, context={"axes": document.data.get("axes")})
     except ValidationError as error:
-        raise ScenarioError(document.explain(error, Scenario.model_json_schema())) from None
+        problems = document.explain(error, Scenario.model_json_schema())
+        if not any(details["type"] == "conflict" for details in error.errors()):  # they were not looked for
+            problems += [document.disagreement(repeated) for repeated in _repeated_ids(document.data)]
+        raise ScenarioError(sorted(problems, key=lambda problem: (problem.line or 0, problem.column or 0))) from None
+
+
+def _repeated_ids(data: dict[str, Any]) -> Iterator[Conflict]:
+    """System ids that a file gives twice, whatever else is wrong with it."""
+    vehicles = data.get("vehicles")
+    groups = vehicles if isinstance(vehicles, dict) else {}
+    given: list[tuple[Place, object]] = []
+    for key in ("pursuers", "targets", "tankers"):
+        for i, vehicle in enumerate(groups[key] if isinstance(groups.get(key), list) else ()):
+            block = vehicle.get("external") if isinstance(vehicle, dict) else None
+            for where, place in ((vehicle, ()), (block, ("external",))):
+                if isinstance(where, dict) and type(where.get("sysid")) is int:
+                    given.append((("vehicles", key, i, *place, "sysid"), where["sysid"]))
+                    break
+    return repeats("sysid", given)
 
 
 def dump(scenario: Scenario) -> str:

@@ -16,9 +16,15 @@ GRID = {
     "type": "object",
     "description": "Many alike, row by row; system ids count up.",
     "properties": {
-        "count": {"type": "integer", "minimum": 1},
-        "columns": {"type": "integer", "minimum": 1},
-        "spacing_m": {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2},
+        "count": {"type": "integer", "minimum": 1, "description": "how many"},
+        "columns": {"type": "integer", "minimum": 1, "description": "how many stand in a row, along the second axis"},
+        "spacing_m": {
+            "type": "array",
+            "items": {"type": "number"},
+            "minItems": 2,
+            "maxItems": 2,
+            "description": "between rows, along the first axis, and between neighbours in a row, along the second, m",
+        },
     },
     "required": ["count", "columns", "spacing_m"],
     "additionalProperties": False,
@@ -42,7 +48,7 @@ def editor_schema() -> dict[str, Any]:
         parts[name]["properties"]["grid"] = GRID
     for key in ("planner", "competition"):
         part = schema["properties"][key]
-        schema["properties"][key] = {"anyOf": [{"$ref": part["$ref"]}, {"type": "string"}], "default": part["default"]}
+        part["anyOf"] = [{"$ref": part.pop("$ref")}, {"type": "string"}]
     parts["Vehicles"]["properties"]["defaults"] = {
         "type": "object",
         "description": "Keys that are given to each vehicle that lacks them.",

@@ -200,7 +200,7 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
         rules.append((obstacle.fault(), ("obstacles", i), obstacle.fault()))
     for i, mover in enumerate(s.traffic):
         yield from _route_conflicts(("traffic", i, "path_m"), mover)
-    yield from _repeats("callsign", [(("traffic", i, "callsign"), mover.callsign) for i, mover in enumerate(s.traffic)])
+    yield from repeats("callsign", [(("traffic", i, "callsign"), mover.callsign) for i, mover in enumerate(s.traffic)])
     yield from (Conflict(path, sentence) for broken, path, sentence in rules if broken)
 
 
@@ -210,8 +210,8 @@ def _vehicle_conflicts(s: Scenario) -> Iterator[Conflict]:
     placed: list[tuple[Path, VehicleBase]] = []
     for group in (s.vehicles.pursuers, s.vehicles.targets, s.vehicles.tankers):
         placed.extend((("vehicles", f"{vehicle.role}s", i), vehicle) for i, vehicle in enumerate(group))
-    yield from _repeats("sysid", [((*path, "sysid"), vehicle.sysid) for path, vehicle in placed])
-    yield from _repeats("name", [((*path, "name"), vehicle.name) for path, vehicle in placed if vehicle.name])
+    yield from repeats("sysid", [((*path, "sysid"), vehicle.sysid) for path, vehicle in placed])
+    yield from repeats("name", [((*path, "name"), vehicle.name) for path, vehicle in placed if vehicle.name])
     for i, (path, vehicle) in enumerate(placed):
         yield from external.conflicts(path, vehicle)
         if vehicle.join_s >= s.goal.duration_s:
@@ -257,7 +257,8 @@ def _start_conflicts(
             yield Conflict(start, sentence, (*other_path, "start_m"))
 
 
-def _repeats(key: str, values: Iterable[tuple[Path, object]]) -> Iterator[Conflict]:
+def repeats(key: str, values: Iterable[tuple[Path, object]]) -> Iterator[Conflict]:
+    """Values of `key`, by where they stand, that are given twice."""
     first: dict[object, Path] = {}
     for path, value in values:
         if first.setdefault(value, path) != path:

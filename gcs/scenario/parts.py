@@ -379,6 +379,11 @@ class Radio(Part):
     blackouts: tuple[Blackout, ...] = ()
     """times at which nothing from or to a vehicle arrives"""
 
+    @property
+    def random(self) -> bool:
+        """Whether the seed decides what happens to frames."""
+        return any((self.loss, self.jitter_s, self.duplicate, self.reorder))
+
 
 class Base(Part):
     """A giver on the ground, with a rate and a stock; it serves one vehicle at a time."""

@@ -8,11 +8,13 @@ from __future__ import annotations
 import importlib
 import sys
 import traceback
+import warnings
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, redirect_stdout
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
+from gcs.renamed import RenamedWarning
 from gcs.scenario.document import Problem, ScenarioError, did_you_mean, read
 from gcs.scenario.model import Scenario
 
@@ -45,18 +47,27 @@ def output_kept(scenario: Scenario, folder: Path) -> Iterator[None]:
 def check(scenario: Scenario, file: Path | None) -> None:
     """See that every implementation that a scenario, read from `file`, names is there, without making it.
 
-    Raises ScenarioError, at the lines that name them.
+    Old names of ours that it imports are warned of. Raises ScenarioError, at the lines that name them.
     """
     problems = []
     for key, name, method in named(scenario):
         try:
-            find(name, method)
+            with _old_names("default"):
+                find(name, method)
         except ValueError as error:
             text, path = f"{key}: {error}", tuple(key.split("."))
             nowhere = Problem(scenario.name, None, None, text)
             problems.append(nowhere if file is None else read(file).problem(path, text))
     if problems:
         raise ScenarioError(problems)
+
+
+@contextmanager
+def _old_names(action: Literal["default", "ignore"]) -> Iterator[None]:
+    """Show the warnings of old names once, or not at all; they are no errors, whatever filters are set."""
+    with warnings.catch_warnings():
+        warnings.simplefilter(action, RenamedWarning)
+        yield
 
 
 def find(name: str, method: str) -> Any:
@@ -89,7 +100,8 @@ def make(key: str, name: str, method: str, scenario: Scenario) -> Any:
     """The implementation itself, given the scenario. Raises ScenarioError where it cannot be made."""
     try:
         try:
-            made = find(name, method)(scenario)
+            with _old_names("ignore"):  # `check` has shown them
+                made = find(name, method)(scenario)
         except ValueError:
             raise
         except (Exception, SystemExit) as error:

@@ -76,9 +76,11 @@ SCALARS: dict[str, Callable[[str], Any]] = {
 }
 
 
-def syntax(error: yaml.MarkedYAMLError) -> str:
+def syntax(error: yaml.MarkedYAMLError, text: str = "") -> str:
     """What is wrong with a text that is no YAML, or none that a scenario may use, in words for a person."""
     message = error.problem or "cannot be read"
+    if message.startswith("mapping values") and (both := _value_and_keys(text, error.problem_mark)):
+        return both
     if isinstance(error, Refused):
         return message
     if "another document" in message:
@@ -93,6 +95,20 @@ def syntax(error: yaml.MarkedYAMLError) -> str:
     return f"YAML syntax: {context}{message}{hint}"
 
 
+def _value_and_keys(text: str, mark: yaml.Mark | None) -> str | None:
+    """The sentence for a key that has a value on its line and keys below; None where `mark` shows something else."""
+    above = [(i, line) for i, line in enumerate(text.splitlines()[: mark.line] if mark else (), 1) if line.strip()]
+    found = _VALUE.match(above[-1][1]) if above else None
+    if found is None:
+        return None
+    key, value = found["key"], found["value"].strip("\"'")
+    sentence = f"YAML syntax: {key} on line {above[-1][0]} has the value {value} and keys below it; one of them must go"
+    return f'{sentence}, or write {_SHORT[key]}: "{value}" below {key}:' if key in _SHORT else sentence
+
+
+_VALUE = re.compile(r"\s*(?P<key>\w+): +(?P<value>[^\s#{\[|>&*][^#]*?)\s*(#.*)?$")
+_SHORT = {"planner": "method", "competition": "policy"}
+"""Keys whose value alone stands for a block with this key."""
 _TOKENS = {
     "<scalar>": "a value",
     "<block end>": "the block's end",

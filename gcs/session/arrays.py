@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-EXTRA = "pip install 'skytender[pandas]'"
+EXTRA = "pip install '.[pandas]' in Skytender's checkout"
 
 
 class MissingExtra(ImportError):

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from gcs.scenario.goal import Nearest, metres, outcome_text, progress_text
+from gcs.session.startup import starting_line
 
 Snapshot = Mapping[str, Any]
 """A message of type "snapshot"; its `events` are those since the snapshot before it."""
@@ -20,7 +21,6 @@ JSON_EVERY_S = 1.0
 FAREWELL_WIDTH = 80
 REPORTED_OFF_M = 0.01
 """Where what vehicles reported is off by so much, both figures are told."""
-STARTING = "still starting; the first session on a machine compiles what flies and plans, for up to a minute ..."
 EXPLAINED_WITHIN_S = 2.0
 """A vehicle that announced something this recently (session time) has explained its own change of mode."""
 
@@ -229,7 +229,7 @@ class PlainView:
         elif self._last is None and self._begun_s is None:
             self._begun_s = now_s
         elif self._last is None and now_s - (self._begun_s or 0.0) >= PROGRESS_EVERY_S:
-            self._write(STARTING)
+            self._write(starting_line())
             self._begun_s = math.inf
 
     def close(self) -> None:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Collection, Mapping
+from pathlib import Path
 
 from gcs.scenario.endpoint import ONLY_ONCE
 from gcs.scenario.external import External
@@ -11,6 +13,21 @@ from gcs.scenario.external import External
 HELLO_WITHIN_S = 60.0
 """Wall time that launched vehicles have for their first word."""
 SAY_AGAIN_S = 5.0
+
+
+def starting_line() -> str:
+    """What is said when a session takes its time to start; of compiling only where that is what takes it."""
+    compiles = "" if compiled() else ": compiling what flies and plans, once, for up to a minute"
+    return f"still starting{compiles} ..."
+
+
+def compiled() -> bool:
+    """Whether the planner's compiled code is there and newer than its source; the vehicles' comes with it."""
+    source = Path(__file__).resolve().parents[1] / "planner" / "leader.py"
+    elsewhere = os.environ.get("NUMBA_CACHE_DIR")
+    folders = [Path(elsewhere)] if elsewhere else [source.parent / "__pycache__", Path.home() / ".cache" / "numba"]
+    made = (index for folder in folders for index in folder.rglob("leader.*.nbi"))
+    return any(index.stat().st_mtime >= source.stat().st_mtime for index in made)
 
 
 class Arrivals:

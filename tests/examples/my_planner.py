@@ -4,9 +4,7 @@ import math
 
 import numpy as np
 
-from gcs.planner.custom import Situation
-from gcs.scenario import Scenario
-from gcs.telemetry.state import VehicleView
+from gcs import Scenario, Situation, VehicleView
 
 
 class Ring:

@@ -1,8 +1,7 @@
-"""The README's commands and programs, each as it is printed there."""
+"""What the README and the documentation have a reader type, each as it is printed there."""
 
 from __future__ import annotations
 
-import json
 import os
 import re
 import shlex
@@ -15,38 +14,59 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
-import yaml
-from sessions import ROOT, small
+from pages import PAGES, README, ROOT, files, terminal_lines
 
-README = (ROOT / "README.md").read_text(encoding="utf-8")
+PRINTED = README.read_text(encoding="utf-8")
 PROGRAMS = Path(sys.executable).parent
 COMMANDS = [
     line.split("  #")[0].strip()
-    for line in README.splitlines()
+    for line in PRINTED.splitlines()
     if re.match(r"^ {4}(gcs|simvehicle|make|skytender) [a-z-]", line) and "──" not in line and "→" not in line
 ]
-MAKE = {"make run", "make test", "make bench"}
-"""`make test` runs this, `make run` is `gcs run demo` in the same environment, and `make bench` takes minutes."""
+TYPED = [line for page in PAGES for line in terminal_lines(page)]
+ELSEWHERE = {
+    "make run": "`gcs run demo` in an environment that it makes",
+    "make test": "runs this",
+    "make bench": "takes minutes",
+    "make docs": "tests/test_docs.py builds the site",
+    "python tests/benchmarks --only 1,3": "takes minutes",
+    "git clone … skytender && cd skytender": "the checkout is here",
+    "python3 -m venv .venv && . .venv/bin/activate": "the environment is here",
+    "pip install '.[pandas,parquet]'": "tests/system/test_wheel.py installs what is built",
+    'eval "$(_GCS_COMPLETE=bash_source gcs)"': "the completion is tested below",
+    'eval "$(_SIMVEHICLE_COMPLETE=bash_source simvehicle)"': "likewise",
+    "python fly_with_mavsdk.py": "tests/peers/test_docs.py, where MAVSDK is",
+    "gcs check --connect udpin:127.0.0.1:14550 --arm": "tests/system/test_check.py",
+    "gcs check --connect udpin:127.0.0.1:14550 --json": "tests/system/test_check.py",
+    "SKYTENDER_PX4=~/PX4-Autopilot/build/px4_sitl_default python -m pytest tests/peers/test_real_px4.py": "needs a PX4",
+    "SKYTENDER_ARDUCOPTER=~/ardupilot/build/sitl/bin/arducopter python -m pytest tests/peers/test_real_arducopter.py": (
+        "needs an ArduCopter"
+    ),
+}
+"""What is not typed here, and why."""
 UNTIL = {
     "gcs run demo": "Take-off",
-    "gcs run demo --lockstep --plain": "Take-off",
     "gcs run demo --lockstep --json": '"type": "snapshot"',
     "gcs run fleet": "Take-off",
+    "gcs run external.yaml --plain": "pursuer 3: ",
     "gcs monitor": "offboard",
     "gcs monitor --connect udpin:127.0.0.1:14550": "First heard of",
     "gcs replay flown": "Take-off",
     "gcs launch demo": "tanker",
-    "gcs launch demo --json": '"vehicles"',
+    "gcs launch demo --json --until-eof": '"vehicles"',
     "gcs launch demo --connect udpout:127.0.0.1:14550": "tanker",
     "simvehicle --sysid 1 --connect udpout:127.0.0.1:14550": "vehicle 1: ",
+    "simvehicle --sysid 2 --connect udpin:127.0.0.1:14540 --autopilot ardupilot": "vehicle 2: ",
     "simvehicle --sysid 1 --count 25 --connect udpout:127.0.0.1:14550": "vehicle 25: ",
 }
 """What goes on until someone ends it: the words on stdout after which Ctrl-C does."""
 
+ONE_VEHICLE = "simvehicle --sysid 1 --connect udpout:127.0.0.1:14550"
 COMPANIONS = {
     "gcs monitor": "gcs run demo --plain",
-    "gcs monitor --connect udpin:127.0.0.1:14550": "simvehicle --sysid 1 --connect udpout:127.0.0.1:14550",
-    "gcs check --connect udpin:127.0.0.1:14550": "simvehicle --sysid 1 --connect udpout:127.0.0.1:14550",
+    "gcs monitor --connect udpin:127.0.0.1:14550": ONE_VEHICLE,
+    "gcs check --connect udpin:127.0.0.1:14550": ONE_VEHICLE,
+    "gcs run external.yaml --plain": ONE_VEHICLE.replace("sysid 1", "sysid 3"),
 }
 """What runs meanwhile in the reader's other terminal."""
 
@@ -61,7 +81,7 @@ def beside(command: str, folder: Path) -> Iterator[None]:
     with subprocess.Popen(argv, cwd=folder, stdout=subprocess.PIPE, text=True, env=environment()) as companion:
         assert companion.stdout is not None
         lines = iter(companion.stdout.readline, "")
-        assert any("vehicle 1: " in line or "offboard" in line for line in lines)
+        assert any(re.match(r"vehicle \d+: ", line) or "offboard" in line for line in lines)
         try:
             yield
         finally:
@@ -71,8 +91,12 @@ def beside(command: str, folder: Path) -> Iterator[None]:
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Where a reader stands; the README's commands build upon each other."""
-    return tmp_path_factory.mktemp("reader")
+    """Where a reader stands, with the files that the pages print; the README's commands build upon each other."""
+    folder = tmp_path_factory.mktemp("reader")
+    for page in PAGES:
+        for name, text in files(page).items():
+            (folder / name).write_text(text, encoding="utf-8")
+    return folder
 
 
 def words(command: str) -> list[str]:
@@ -85,10 +109,11 @@ def environment() -> dict[str, str]:
 
 
 def test_the_commands_are_found() -> None:
-    assert set(COMMANDS) >= MAKE | set(UNTIL) | {"gcs init mine", "gcs doctor", "gcs schema"}
+    assert {"make run", "gcs init mine", "gcs doctor", "gcs replay flown"} <= set(COMMANDS)
+    assert {*ELSEWHERE, *UNTIL, *COMPANIONS} <= {*COMMANDS, *TYPED}
 
 
-@pytest.mark.parametrize("command", [c for c in dict.fromkeys(COMMANDS) if c not in MAKE])
+@pytest.mark.parametrize("command", [c for c in dict.fromkeys([*COMMANDS, *TYPED]) if c not in ELSEWHERE])
 def test_a_command_does_what_the_reader_expects(command: str, folder: Path) -> None:
     with beside(command, folder):
         does_what_is_said(command, folder)
@@ -97,7 +122,13 @@ def test_a_command_does_what_the_reader_expects(command: str, folder: Path) -> N
 def does_what_is_said(command: str, folder: Path) -> None:
     if command in UNTIL:
         process = subprocess.Popen(
-            words(command), cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment()
+            words(command),
+            cwd=folder,
+            stdin=subprocess.PIPE if "--until-eof" in command else None,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            env=environment(),
         )
         assert process.stdout is not None
         try:
@@ -111,54 +142,36 @@ def does_what_is_said(command: str, folder: Path) -> None:
         return
     done = subprocess.run(words(command), cwd=folder, capture_output=True, text=True, timeout=100, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
-    if "--decide" in command:
-        assert "decisions" in done.stdout
-        assert done.stdout.rstrip().endswith("agree")
-    if command == "gcs schema":
-        json.loads(done.stdout)
-    if "--junit" in command:
-        assert "testsuite" in (folder / "outcome.xml").read_text()
-
-
-def blocks() -> dict[str, str]:
-    found = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
-    names = ("session", "planner", "policy", "fleet")
-    assert len(found) == len(names)
-    return dict(zip(names, found, strict=True))
 
 
 def test_the_program_flies_the_readers_scenario(folder: Path) -> None:
     if not (folder / "mine.yaml").exists():
         subprocess.run(words("gcs init mine"), cwd=folder, check=True, capture_output=True)
-    program = [sys.executable, "-W", "error", "-c", blocks()["session"]]
+    (printed,) = re.findall(r"```python\n(.*?)```", PRINTED, re.DOTALL)
+    program = [sys.executable, "-W", "error", "-c", printed]
     done = subprocess.run(program, cwd=folder, capture_output=True, text=True, timeout=100, check=False)
     assert done.returncode == 0, done.stderr
-    first, *rest = done.stdout.splitlines()
+    first, lowest = done.stdout.splitlines()
     assert re.fullmatch(r"met \[2(, \d+)*\]", first)
-    assert any(line.startswith("2 ") for line in rest)
-
-
-def test_the_printed_planner_and_policy_are_the_tested_examples() -> None:
-    printed = blocks()
-    for name in ("planner", "policy"):
-        example = (ROOT / "tests" / "examples" / f"my_{name}.py").read_text(encoding="utf-8")
-        assert example.split('"""\n\n', 1)[1] == printed[name]
-
-
-def test_the_printed_test_passes_in_the_readers_own_suite(folder: Path) -> None:
-    (folder / "test_mine.py").write_text(blocks()["fleet"])
-    run = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "test_mine.py"]
-    done = subprocess.run(run, cwd=folder, capture_output=True, text=True, timeout=100, check=False)
-    assert "1 passed" in done.stdout, done.stdout + done.stderr
+    assert re.match(r"\{1: 0\.\d+, 2: 0\.\d+, ", lowest)
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
-def test_a_shell_gets_its_completion(shell: str) -> None:
-    asked = {**os.environ, "_GCS_COMPLETE": f"{shell}_source"}
-    done = subprocess.run(words("gcs"), env=asked, capture_output=True, text=True, check=False)
+@pytest.mark.parametrize("program", ["gcs", "simvehicle"])
+def test_a_shell_gets_its_completion(program: str, shell: str) -> None:
+    asked = {**os.environ, f"_{program.upper()}_COMPLETE": f"{shell}_source"}
+    done = subprocess.run(words(program), env=asked, capture_output=True, text=True, check=False)
     if shell == "bash" and shutil.which("bash") is None:
         pytest.skip("no bash here")
-    assert "gcs" in done.stdout
+    assert program in done.stdout
+
+
+def test_an_option_of_the_vehicle_is_completed() -> None:
+    asked = {
+        **os.environ, "_SIMVEHICLE_COMPLETE": "bash_complete", "COMP_WORDS": "simvehicle --auto", "COMP_CWORD": "1"
+    }  # fmt: skip
+    done = subprocess.run(words("simvehicle"), env=asked, capture_output=True, text=True, check=False)
+    assert "plain,--autopilot" in done.stdout.splitlines()
 
 
 def test_a_shipped_scenario_is_completed() -> None:
@@ -173,13 +186,3 @@ def test_the_ci_example_runs_the_demo_in_lockstep_and_keeps_its_folder() -> None
     assert "demo --lockstep" in flown
     out = flown.split("--out ")[1].split()[0]
     assert f"            {out}\n" in text.split("upload-artifact")[1]
-
-
-def test_the_printed_vehicles_of_ones_own_and_bases_make_a_scenario(tmp_path: Path) -> None:
-    external, bases = (yaml.safe_load(block) for block in re.findall(r"```yaml\n(.*?)```", README, re.DOTALL))
-    content = small(clock={"mode": "real", "speed": 1.0}) | bases
-    content["vehicles"] = content["vehicles"] | external["vehicles"]
-    (tmp_path / "own.yaml").write_text(yaml.safe_dump(content))
-    done = subprocess.run(words("gcs validate own.yaml"), cwd=tmp_path, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
-    assert "pursuer 3" in done.stdout

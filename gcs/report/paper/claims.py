@@ -33,6 +33,8 @@ class Claim:
     tolerance: str
     criterion: str
     accept: Mapping[str, Any] | None
+    ours: str = ""
+    """what of it is this project's and not the paper's"""
 
 
 @dataclass(frozen=True)
@@ -65,6 +67,7 @@ class Judged:
             "figure": self.claim.figure,
             "claim": self.claim.claim,
             "paper": self.claim.paper,
+            **({"ours": self.claim.ours} if self.claim.ours else {}),
             "tolerance": self.claim.tolerance,
             "criterion": self.claim.criterion,
             "measured": list(value) if isinstance(value, Sequence) else value,
@@ -80,7 +83,7 @@ def load() -> list[Claim]:
     for row in yaml.safe_load(text)["claims"]:
         accept = None if row["accept"] == "none" else row["accept"]
         words = {key: str(row[key]) for key in ("id", "figure", "part", "claim", "paper", "tolerance", "criterion")}
-        claim = Claim(**words, accept=accept)
+        claim = Claim(**words, accept=accept, ours=str(row.get("ours", "")))
         if accept is not None and (len(accept) != 1 or not accept.keys() <= _TESTS.keys()):
             raise ValueError(f"claims.yaml: {claim.id} has no test that is known; use one of {', '.join(_TESTS)}")
         claims.append(claim)

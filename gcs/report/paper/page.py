@@ -38,7 +38,8 @@ _PAGE = Template("""<!doctype html>
 <p>Y. Yang, L. Liao, H. Yang, S. Li, <i>An Optimal Control Strategy for Multi-UAVs Target Tracking and Cooperative
 Competition</i>, IEEE/CAA Journal of Automatica Sinica 8(12), 2021. Its examples were flown by vehicle processes over
 MAVLink, in lockstep, and measured from the recorded sessions. What each claim is, and what would count as agreement,
-was written down before anything was measured.</p>
+was written down before anything was measured. The paper's displayed equations, the entries of Table I and its curves
+are lost; what of a claim is therefore not the paper's stands beside it.</p>
 <p>$counts</p>
 <nav>$links</nav>
 $parts
@@ -104,10 +105,11 @@ def _claims(claims: Sequence[Judged]) -> str:
 
 def _claim(one: Judged) -> str:
     claim = one.claim
+    ours = f'<div class="criterion">not the paper\'s: {escape(claim.ours)}</div>' if claim.ours else ""
     cells = (
         escape(claim.figure),
         f'{escape(claim.claim)}<div class="criterion">{escape(claim.criterion)}</div>',
-        f'{escape(claim.paper)}<div class="criterion">tolerance: {escape(claim.tolerance)}</div>',
+        f'{escape(claim.paper)}{ours}<div class="criterion">tolerance: {escape(claim.tolerance)}</div>',
         escape(shown(one.value)),
         f'<span class="verdict {MARKS[one.verdict]}">{one.verdict}</span>',
         escape(one.why),

@@ -19,7 +19,7 @@ from gcs.scenario import geometry
 Floats = NDArray[np.float64]
 
 TERMS = ("NB", "NM", "S", "PM", "PB")
-TABLE_I = (  # rows: terms of ΔΦ, columns: terms of ΔF
+RULES = (  # of docs/model.md#fuzzy-escape, since Table I's entries are lost; rows: terms of ΔΦ, columns: terms of ΔF
     ("NB", "NB", "NB", "NM", "S"),
     ("NM", "NM", "NM", "S", "S"),
     ("S", "S", "S", "S", "S"),
@@ -47,9 +47,9 @@ SPEED_GAIN, ROTATIONAL_DRAG_1_S = 3.0, 0.2 * 0.015 / 1.25  # λ and L Kγ/Iγ
 
 
 def fig3() -> Study:
-    """The fuzzy surface against Table I; five scenes with and without the fuzzy force."""
+    """The fuzzy surface against its rule table; five scenes with and without the fuzzy force."""
     off = max(
-        abs(fuzzy_escape.escape_strength(phi, force) - PEAKS_F[TERMS.index(TABLE_I[i][j])])
+        abs(fuzzy_escape.escape_strength(phi, force) - PEAKS_F[TERMS.index(RULES[i][j])])
         for i, phi in enumerate(PEAKS_PHI)
         for j, force in enumerate(PEAKS_F)
     )
@@ -64,7 +64,7 @@ def fig3() -> Study:
         stops = "reaches it" if _arrived(plain) else f"stops {np.linalg.norm(plain[-1] - TARGET):.2f} m before it"
         rows.append([name, stops, str(len(fled) - 1) if _arrived(fled) else "not reached", f"{clear:.3f}"])
     measured = {
-        "fig3a-rules": Measurement(float(off)),
+        "fig3a-rules": Measurement(float(off), "against this project's own table"),
         "fig3b-stuck": Measurement(stuck, "scenes; only exactly on the axis: the minimum is a saddle"),
         "fig3b-escape": Measurement(reached, "scenes"),
     }

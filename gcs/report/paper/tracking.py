@@ -144,7 +144,7 @@ def tracking_figure(flights: Sequence[Flight]) -> Figure:
         figures.label(axes[row, 0], "time, s" if row == 2 else "", f"v{v_name}, m/s")
         figures.label(axes[row, 1], "time, s" if row == 2 else "", f"{angle_name}, rad")
     axes[0, 0].legend(ncols=3, fontsize=6.5)
-    axes[0, 1].set_title("dashed: desired, from eq. 17", loc="left")
+    axes[0, 1].set_title("dashed: desired, with the floor of 0.3 g", loc="left")
     return figure
 
 

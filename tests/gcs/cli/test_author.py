@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import io
 import json
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -169,13 +170,35 @@ def test_an_older_scenario_is_told_what_changed(monkeypatch: pytest.MonkeyPatch)
     older = file.refusal(-1)
     assert older is not None
     assert older.endswith("-1 to 0: rename a to b; 0 to 1: write `axes`")
-    assert "pip install -U skytender" in (file.refusal(2) or "")
+    assert "install a newer Skytender" in (file.refusal(2) or "")
     gcs("init")
     path = Path("my-scenario.yaml")
     path.write_text(path.read_text().replace("schema: 1", "schema: 0"))
     done = gcs("validate", str(path))
     assert done.exit_code == 2
     assert done.output.startswith("my-scenario.yaml:11:9: schema 0 is an older format; change the file")
+
+
+def test_a_sysid_given_twice_is_told_together_with_other_mistakes() -> None:
+    gcs("init", "mine")
+    text = Path("mine.yaml").read_text().replace("sysid: 2,", "sysid: 1,").replace("cruise_m_s: 1.5", "cruise: 1.5")
+    Path("mine.yaml").write_text(text)
+    done = gcs("validate", "mine.yaml")
+    assert "unknown key 'cruise' in planner" in done.output
+    first = next(i for i, line in enumerate(text.splitlines(), 1) if "sysid: 1," in line)
+    assert f"the sysid 1 is given twice (see line {first})" in done.output
+    assert done.output.count("is given twice") == 1
+
+
+def test_errors_begin_with_the_programs_name_or_with_the_place_in_the_file() -> None:
+    assert gcs("run", "demo", "--speed", "-1").output.splitlines()[-1].startswith("gcs: Invalid value for '--speed'")
+    assert gcs("validate", "dmeo").output.startswith("gcs: dmeo: no such file")
+    Path("bad.yaml").write_text("schema: 1\n")
+    assert gcs("validate", "bad.yaml").output.startswith("bad.yaml:1:1: ")
+    for words in (["run"], ["fly"], ["run", "demo", "--quiet", "--json"]):
+        *_, usage, last = gcs(*words).output.splitlines()
+        assert "--help" in usage or "-h" in usage
+        assert last.startswith("gcs: ")
 
 
 def test_every_shipped_scenario_keeps_to_the_schema_that_editors_get() -> None:
@@ -193,6 +216,38 @@ def test_the_schema_refuses_what_validate_refuses() -> None:
     assert not validator.is_valid({**good, "plannner": {}})
     assert not validator.is_valid({**good, "competition": {"policy": "best"}})
     assert not validator.is_valid({**good, "seed": "one"})
+
+
+def keys_of(node: Any, path: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], dict[str, Any]]]:
+    """(path, schema) of every key in a piece of JSON Schema."""
+    for key, value in node.get("properties", {}).items():
+        yield (*path, key), value
+        yield from keys_of(value, (*path, key))
+    for choice in (*node.get("anyOf", ()), node.get("items"), node.get("additionalProperties")):
+        if isinstance(choice, dict):
+            yield from keys_of(choice, path)
+
+
+def test_the_schema_explains_every_key_and_every_block() -> None:
+    printed = editor_schema()
+    parts = {"scenario": printed, **printed["$defs"]}
+    keys = dict(pair for name, part in parts.items() for pair in keys_of(part, (name,)))
+    assert {("scenario", "planner"), ("Target", "grid", "columns"), ("Vehicles", "defaults", "battery")} <= keys.keys()
+    assert len(keys) > 190
+    assert [path for path, value in keys.items() if not value.get("description", "").strip()] == []
+    assert [name for name, part in parts.items() if not part.get("description", "").strip()] == []
+
+
+@pytest.mark.parametrize(("block", "key"), [("planner", "method"), ("competition", "policy")])
+def test_a_name_put_over_the_line_of_a_block_is_told_with_the_form_that_works(block: str, key: str) -> None:
+    gcs("init", "mine")
+    text = Path("mine.yaml").read_text()
+    Path("mine.yaml").write_text(text.replace(f"\n{block}:\n", f"\n{block}: mine:Own\n"))
+    line = text.splitlines().index(f"{block}:") + 1
+    done = gcs("validate", "mine.yaml")
+    assert done.exit_code == 2
+    assert f"{block} on line {line} has the value mine:Own and keys below it" in done.output
+    assert f'or write {key}: "mine:Own" below {block}:' in done.output
 
 
 def test_the_doctor_finds_nothing_that_keeps_sessions_from_running_here() -> None:

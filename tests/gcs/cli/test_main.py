@@ -113,7 +113,7 @@ def test_an_unknown_scenario_is_named_with_the_nearest_known_one(command: str, t
     done = gcs(command, "dmeo", cwd=tmp_path)
     assert done.returncode == 2
     (line,) = done.stderr.splitlines()
-    assert line.startswith("dmeo: no such file, and no shipped scenario of that name")
+    assert line.startswith("gcs: dmeo: no such file, and no shipped scenario of that name")
     assert "did you mean 'demo'" in line
     assert os.listdir(tmp_path) == []
 
@@ -134,7 +134,7 @@ def test_an_existing_folder_is_left_as_it_is(command: str, tmp_path: Path) -> No
     (tmp_path / "there").mkdir()
     done = gcs(command, "two.yaml", "--out", "there", cwd=tmp_path)
     assert done.returncode == 2
-    assert "Error: there exists already and is left as it is; give --out another folder" in done.stderr.splitlines()
+    assert "gcs: there exists already and is left as it is; give --out another folder" in done.stderr.splitlines()
     assert os.listdir(tmp_path / "there") == []
 
 
@@ -142,7 +142,7 @@ def test_a_place_that_cannot_be_written_is_one_sentence(two: Path) -> None:
     done = gcs("run", str(two), "--out", "/proc/session")
     assert done.returncode == 2
     (line,) = done.stderr.splitlines()
-    assert line.startswith("Error: cannot make the folder /proc/session: ")
+    assert line.startswith("gcs: cannot make the folder /proc/session: ")
 
 
 @contextmanager
@@ -250,3 +250,14 @@ def _bound(station: socket.socket) -> str:
 
 def _children(pid: int) -> list[int]:
     return [int(child) for child in Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
+
+
+@pytest.mark.parametrize(("radio", "words", "told"), [("", ["--seed", "7"], True), ("", [], False),
+                                                      ("radio: {loss: 0.01}\n", ["--seed", "7"], False)])  # fmt: skip
+def test_a_seed_that_changes_nothing_is_told(
+    radio: str, words: list[str], told: bool, two: Path, tmp_path: Path
+) -> None:
+    two.write_text(TWO.replace("duration_s: 10", "duration_s: 1") + radio)
+    done = gcs("run", "two.yaml", "--lockstep", "--plain", "--no-report", "--out", "out", *words, cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert ("gcs: --seed changes nothing" in done.stderr) == told

@@ -1,4 +1,4 @@
-"""Truth: scikit-fuzzy's control system, the paper's rule table, and the scenes measured in
+"""Truth: scikit-fuzzy's control system, the rule table of docs/model.md#fuzzy-escape, and the scenes measured in
 docs/model.md#fuzzy-escape."""
 
 import warnings
@@ -14,8 +14,8 @@ from gcs.scenario import geometry
 
 FIELD = Field()
 TERMS = ["NB", "NM", "S", "PM", "PB"]
-# Paper, Table I: rows ΔΦ, columns ΔF.
-TABLE_I = {
+# Rows ΔΦ, columns ΔF; [choice], since the entries of the paper's Table I are lost.
+RULES = {
     "NB": "NB NB NB NM S",
     "NM": "NM NM NM S S",
     "S": "S S S S S",
@@ -46,7 +46,7 @@ def scikit_fuzzy_system() -> control.ControlSystemSimulation:
     f = variable(control.Consequent, "f", np.linspace(-1.5, 1.5, 601), 1.0)
     rules = [
         control.Rule(phi[row] & df[column], f[output])
-        for row, outputs in TABLE_I.items()
+        for row, outputs in RULES.items()
         for column, output in zip(TERMS, outputs.split(), strict=True)
     ]
     return control.ControlSystemSimulation(control.ControlSystem(rules))
@@ -66,7 +66,7 @@ def test_strength_agrees_with_scikit_fuzzy() -> None:
 
 def test_at_the_peaks_the_output_is_the_tables_term() -> None:
     value = dict(zip(TERMS, (-1, -0.5, 0, 0.5, 1), strict=True))
-    for row, outputs in TABLE_I.items():
+    for row, outputs in RULES.items():
         for column, output in zip(TERMS, outputs.split(), strict=True):
             got = fuzzy_escape.escape_strength(value[row] * np.pi, value[column])
             assert got == pytest.approx(value[output], abs=1e-12)

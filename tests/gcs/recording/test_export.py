@@ -292,7 +292,7 @@ def test_without_pyarrow_one_sentence_says_which_extra_to_install(tmp_path: Path
     argv = [sys.executable, "-c", code, "export", str(tmp_path / "flight.tlog"), "--format", "parquet"]
     refused = subprocess.run(argv, capture_output=True, text=True, check=False)
     assert refused.returncode == 2
-    assert "pip install 'skytender[parquet]'" in refused.stderr
+    assert "pip install '.[parquet]' in Skytender's checkout" in refused.stderr
     assert "Traceback" not in refused.stderr
 
 

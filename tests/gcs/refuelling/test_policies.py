@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from gcs.refuelling.policies import SHIPPED, GreedyNearest, MostEmptyFirst, Optimal, Request
+from gcs.refuelling.policies import SHIPPED, GreedyNearest, MostEmptyFirst, Optimal, RefuellingRequest
 from gcs.scenario.model import RefuellingRules
 
 RULES = RefuellingRules(hold_s=0.0, rate_w=1000.0, until=1.0)
@@ -27,10 +27,10 @@ def view(sysid: int, north_m: float, remaining_j: float, power_w: float = 100.0)
     )
 
 
-def request(candidates: list[Any], tankers: list[Any] | None = None) -> Request:
+def request(candidates: list[Any], tankers: list[Any] | None = None) -> RefuellingRequest:
     free = tankers or [view(201, 0.0, 10_000.0)]
     ordered = tuple(sorted(candidates, key=lambda v: v.sysid))
-    return Request(0.0, free[0], ordered, tuple(free), {v.sysid: 1.0 for v in free}, RULES)
+    return RefuellingRequest(0.0, free[0], ordered, tuple(free), {v.sysid: 1.0 for v in free}, RULES)
 
 
 def test_the_nearest_and_the_emptiest_are_what_they_say() -> None:

@@ -56,5 +56,5 @@ def test_no_vehicle_is_an_empty_table() -> None:
 
 def test_without_pandas_the_extra_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "pandas", None)
-    with pytest.raises(MissingExtra, match=r"pip install 'skytender\[pandas\]'"):
+    with pytest.raises(MissingExtra, match=r"pip install '\.\[pandas\]'"):
         snapshot(vehicle(1)).frame()

@@ -1,7 +1,12 @@
 """What is said of vehicles that are missing before a session begins, and when that ends it."""
 
+import os
+from pathlib import Path
+
+import pytest
+
 from gcs.scenario.external import External
-from gcs.session.startup import HELLO_WITHIN_S, SAY_AGAIN_S, Arrivals
+from gcs.session.startup import HELLO_WITHIN_S, SAY_AGAIN_S, Arrivals, compiled, starting_line
 
 AT = "udpin:127.0.0.1:14550"
 LABELS = {1: "pursuer 1", 2: "pursuer 2", 101: "target 101"}
@@ -38,3 +43,14 @@ def test_each_has_its_own_patience() -> None:
     assert why.startswith(f"no HEARTBEAT of pursuer 2 at {AT} within 10 s: is it switched on")
     assert waiting.too_late({101}, HELLO_WITHIN_S) is None
     assert waiting.too_late({101}, HELLO_WITHIN_S + 0.1) == "no word from target 101 within 60 s of their start"
+
+
+def test_compiling_is_spoken_of_only_where_it_happens(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
+    assert "compiling what flies and plans" in starting_line()
+    index = tmp_path / "planner_1" / "leader._advance_all-1.py311.nbi"
+    index.parent.mkdir()
+    index.touch()
+    assert starting_line() == "still starting ..."
+    os.utime(index, (0, 0))  # older than the source
+    assert not compiled()

@@ -1,5 +1,6 @@
 """Verdicts by hand; the table is whole, and what comes of it keeps to the schema that ships."""
 
+import hashlib
 import json
 from importlib import resources
 from pathlib import Path
@@ -11,6 +12,9 @@ import pytest
 from gcs.report.paper import claims, make, page
 from gcs.report.paper.claims import Claim, Measurement, Value, judge
 from gcs.report.paper.study import Table
+
+BEFORE = "2c97ff53cc025d6c14d86fe328edd0886943948df1d8e4a891b2134b500dd311"
+"""Of ids and tolerances, as they were committed first."""
 
 
 def claim(accept: dict[str, Any] | None) -> Claim:
@@ -58,6 +62,22 @@ def test_each_claim_of_the_table_is_whole_and_belongs_to_a_part() -> None:
     assert len({one.id for one in table}) == len(table) == 51
     assert {one.part for one in table} == set(make.PARTS)
     assert all(all((one.figure, one.claim, one.paper, one.tolerance, one.criterion)) for one in table)
+
+
+def test_the_tolerances_are_those_that_were_written_down_before_anything_was_measured() -> None:
+    table = json.dumps([[one.id, one.accept] for one in claims.load()], sort_keys=True)
+    assert hashlib.sha256(table.encode()).hexdigest() == BEFORE
+
+
+def test_what_is_not_the_papers_is_called_ours() -> None:
+    table = {one.id: one for one in claims.load()}
+    assert "Table I" in table["fig3a-rules"].ours
+    for one in table.values():
+        assert "tau^(1/p)" not in one.paper
+        assert "tau^(1/p)" not in one.criterion or "tau^(1/p)" in one.ours or "tau^(1/2)" in one.criterion
+        assert "as eq. 21 reads" not in one.claim
+    row = judge(table["chatter-explicit"], Measurement(57.0)).row()
+    assert "explicit steps" in row["ours"]
 
 
 def test_the_file_keeps_to_the_schema(tmp_path: Path) -> None:

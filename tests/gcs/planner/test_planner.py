@@ -10,13 +10,13 @@ from typing import Any
 
 import numpy as np
 import pytest
+from field import surface
 
 from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.mavlink.setpoints import SetPoint
 from gcs.planner.formation import assign, ring_offsets
 from gcs.planner.planner import Planner
 from gcs.scenario import geometry
-from gcs.scenario.geometry import surface
 from gcs.scenario.model import Obstacle, Scenario
 from gcs.telemetry.state import FleetState, TrafficView, Vec3, VehicleView
 

@@ -10,11 +10,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 from pydantic import ValidationError
 
-from gcs.mavlink.ids import AUTOPILOT
+from gcs.mavlink.gaps import RecordedGaps
+from gcs.mavlink.ids import STATION
 from gcs.recording import set_points, tlog
 from gcs.recording import summary as summaries
 from gcs.recording.summary import Summary
@@ -76,7 +76,7 @@ class Recorded:
     set_points: NDArray[np.float64] = field(default_factory=lambda: np.empty((0, set_points.COLUMNS)))
     """(n, COLUMNS) in the order of decision"""
     traffic_count: NDArray[np.int64] = field(default_factory=lambda: np.zeros((256, 0), dtype=np.int64))
-    """(256, seconds) frames received of each vehicle's autopilot in each second"""
+    """(256, seconds) frames received of each vehicle in each second"""
     traffic_lost: NDArray[np.int64] = field(default_factory=lambda: np.zeros((256, 0), dtype=np.int64))
     """(256, seconds) gaps in their sequence numbers"""
     end_s: float = 0.0
@@ -201,8 +201,7 @@ class Gathering:
         self._epoch_us = round(1e6 * scenario.clock.epoch.timestamp()) if scenario else None
         self._pieces: dict[str, list[NDArray[Any]]] = {name: [] for name in wanted}
         self._counted = counted
-        self._newest = np.full(256, -1, dtype=np.int64)
-        self._missing = np.zeros((256, 256), dtype=np.bool_)
+        self._gaps = RecordedGaps()
 
     def take(self, chunk: tlog.Chunk) -> None:
         """Take in the next stretch."""
@@ -225,13 +224,21 @@ class Gathering:
                 tables[name] = np.concatenate(pieces)
 
     def _count(self, heads: NDArray[np.int64], epoch_us: int) -> None:
+        """Count frames and gaps second by second; a frame that comes again, as relayed ones do, is neither. One that
+        comes late makes good its gap in the second in which it comes."""
         recorded = self._recorded
-        grown = _last_second(heads, epoch_us) + 1 - recorded.traffic_count.shape[1]
+        second = (heads[:, tlog.T_US] - epoch_us) // 1_000_000
+        # A foreign time, years away, must not make a table of years.
+        mine = (heads[:, tlog.SYSID] < STATION[0]) & (second >= 0) & (second < MOST_SECONDS)
+        second, heads = second[mine], heads[mine]
+        grown = second.max(initial=-1) + 1 - recorded.traffic_count.shape[1]
         if grown > 0:
             recorded.traffic_count = np.pad(recorded.traffic_count, ((0, 0), (0, grown)))
             recorded.traffic_lost = np.pad(recorded.traffic_lost, ((0, 0), (0, grown)))
-        counts = recorded.traffic_count, recorded.traffic_lost
-        _gaps(heads, epoch_us, self._newest, self._missing, *counts)
+        sysids = heads[:, tlog.SYSID]
+        lost, new = self._gaps.count(sysids, heads[:, tlog.COMPID], heads[:, tlog.SEQ])
+        np.add.at(recorded.traffic_count, (sysids, second), new)
+        np.add.at(recorded.traffic_lost, (sysids, second), lost)
 
 
 def _columns(table: NDArray[Any], fields: tuple[str, ...], epoch_us: int) -> NDArray[Any]:
@@ -242,61 +249,3 @@ def _columns(table: NDArray[Any], fields: tuple[str, ...], epoch_us: int) -> NDA
     for name, _ in kept:
         columns[name] = table[name]
     return columns
-
-
-@njit(cache=True)
-def _own_second(head: NDArray[np.int64], epoch_us: int) -> int:
-    """Kernel: the session's second in which an autopilot's frame came; -1 of other frames, and where the time is a
-    foreign one, years away, which must not make a table of years."""
-    if head[tlog.COMPID] != AUTOPILOT:
-        return -1
-    second = (head[tlog.T_US] - epoch_us) // 1_000_000
-    return second if 0 <= second < MOST_SECONDS else -1
-
-
-@njit(cache=True)
-def _last_second(heads: NDArray[np.int64], epoch_us: int) -> int:
-    """Kernel: the last second in which a frame counts; -1 where none does."""
-    last = -1
-    for i in range(heads.shape[0]):
-        last = max(last, _own_second(heads[i], epoch_us))
-    return last
-
-
-@njit(cache=True)
-def _gaps(
-    heads: NDArray[np.int64],
-    epoch_us: int,
-    newest: NDArray[np.int64],
-    missing: NDArray[np.bool_],
-    count: NDArray[np.int64],
-    lost: NDArray[np.int64],
-) -> None:
-    """Kernel: counts frames and gaps as gcs.mavlink.sequence.GapCounter does, second by second; a frame that comes
-    again, as relayed ones do, is neither. A frame that comes late makes good its gap in the second in which it comes.
-
-    newest (256,) and missing (256, 256) are the memory from call to call.
-    """
-    for i in range(heads.shape[0]):
-        now = _own_second(heads[i], epoch_us)
-        if now < 0:
-            continue
-        sender, number = heads[i, tlog.SYSID], heads[i, tlog.SEQ]
-        if newest[sender] < 0:
-            newest[sender] = number
-            count[sender, now] += 1
-            continue
-        ahead = (number - newest[sender]) % 256
-        if 0 < ahead < 128:
-            for step in range(1, ahead):
-                missing[sender, (newest[sender] + step) % 256] = True
-            for step in range(ahead):  # a number half a turn old can no longer be told from a new one
-                missing[sender, (number - 128 - step) % 256] = False
-            missing[sender, number] = False
-            lost[sender, now] += ahead - 1
-            newest[sender] = number
-            count[sender, now] += 1
-        elif missing[sender, number]:
-            missing[sender, number] = False
-            lost[sender, now] -= 1
-            count[sender, now] += 1

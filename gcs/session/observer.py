@@ -17,8 +17,8 @@ from gcs.link.quality import LinkQuality
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import End, profile_of
 from gcs.mavlink.codec import Frame
+from gcs.mavlink.gaps import GapCounter
 from gcs.mavlink.ids import AUTOPILOT
-from gcs.mavlink.sequence import GapCounter
 from gcs.scenario.model import Scenario
 from gcs.session.messages import distance_m, event_row, session_message, traffic_row, vehicle_row
 from gcs.telemetry.adapter import Ear
@@ -133,11 +133,11 @@ class Observer:
         ear = self._ears.get(frame.sysid)
         if ear is None:
             ear = self._discover(frame, t_s)
-        if ear is None or frame.compid != ear.compid:
-            return
-        if counted:
+        if counted and (ear is not None or frame.sysid in self._known or frame.sysid in self._expected):
             self._gaps.feed(frame.sysid, frame.compid, frame.seq)
             self.quality.take(frame.sysid, 1, t_s)
+        if ear is None or frame.compid != ear.compid:
+            return
         if frame.sysid in self.inspection.wanted:
             self.inspection.take((frame,), t_s)
         if self.scenario is not None and frame.sysid in self._known:

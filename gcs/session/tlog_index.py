@@ -10,7 +10,7 @@ from __future__ import annotations
 import mmap
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numba import njit
@@ -19,10 +19,10 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
+from gcs.mavlink.gaps import GapCounter, RecordedGaps, resumed
 from gcs.mavlink.ids import STATION
-from gcs.mavlink.sequence import GapCounter
 from gcs.recording import tlog
-from gcs.recording.tlog import AT, MSGID, T_US
+from gcs.recording.tlog import AT, COMPID, MSGID, SEQ, SYSID, T_US
 
 IntArray = NDArray[np.int64]
 ByteArray = NDArray[np.uint8]
@@ -32,7 +32,6 @@ MOST_BLOCKS = 256
 READ_BYTES = 1 << 18
 WARM_S = 6.0
 """A vehicle's draw is read off so much of what its battery said."""
-SENDERS = 1 << 16
 _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
 _HEARTBEAT = codec.msgid("HEARTBEAT")
 _RELAYED = (codec.msgid("FOLLOW_TARGET"), codec.msgid("NAMED_VALUE_INT"))
@@ -78,17 +77,6 @@ class Directions:
 _STATION = bytes([mav.MAV_TYPE_GCS])
 
 
-class _Counted(NamedTuple):
-    """What has been counted of sequence numbers before a block."""
-
-    lost: IntArray
-    """of each system id"""
-    senders: IntArray
-    """heard so far, as sysid << 8 | compid; and of each the newest number, and which are missing, 256 bits"""
-    newest: IntArray
-    missing: ByteArray
-
-
 _NONE = np.empty(0, dtype=np.int64)
 
 
@@ -97,7 +85,8 @@ class _Block(NamedTuple):
 
     begin: int
     from_s: float
-    counted: _Counted
+    counted: tuple[Any, ...]
+    """sequence numbers before it, as `RecordedGaps.packed`"""
     keys: IntArray = _NONE
     places: IntArray = _NONE
     """in the file, of the last frame of each key"""
@@ -132,7 +121,7 @@ class TlogIndex:
         self.frames = 0
         block_bytes = block_bytes or max(BLOCK_BYTES, path.stat().st_size // MOST_BLOCKS)
         log = tlog.Tlog(path, chunk_bytes=block_bytes)
-        numbers = _Numbers()
+        gaps = RecordedGaps()
         latest_us, last_us, first_us = -1, -1, None
         for chunk in log.chunks():
             heads = chunk.heads
@@ -145,13 +134,13 @@ class TlogIndex:
                 if new or (self._blocks and heads[0, T_US] == last_us):
                     new = new or len(heads)
                     self._blocks[-1] = self._blocks[-1].with_more(keys[:new], places[:new])
-                    numbers.count(heads[:new])
+                    _count(gaps, heads[:new])
                 if new < len(heads):
                     latest_us = max(latest_us, int(heads[new, T_US]))
                     begin, from_s = int(places[new]) - tlog.TIME_BYTES, (latest_us - epoch_us) / 1e6
-                    block = _Block(begin, from_s, numbers.counted())
+                    block = _Block(begin, from_s, gaps.packed())
                     self._blocks.append(block.with_more(keys[new:], places[new:]))
-                    numbers.count(heads[new:])
+                    _count(gaps, heads[new:])
                 latest_us = max(latest_us, int(heads[:, T_US].max()))
                 last_us = int(heads[-1, T_US])
                 self.frames += len(heads)
@@ -211,14 +200,7 @@ class TlogIndex:
 
     def gaps_before(self, from_s: float) -> GapCounter:
         """The sequence numbers as they had been counted before the block of a time."""
-        counted = self._blocks[self._block_of(from_s)].counted
-        missing = np.unpackbits(counted.missing, axis=1)
-        senders = {
-            (sender >> 8, sender & 0xFF): (newest, np.flatnonzero(numbers).tolist())
-            for sender, newest, numbers in zip(counted.senders.tolist(), counted.newest.tolist(), missing, strict=True)
-        }
-        lost_of = {int(sysid): int(counted.lost[sysid]) for sysid in np.flatnonzero(counted.lost)}
-        return GapCounter.resumed(lost_of, senders)
+        return resumed(*self._blocks[self._block_of(from_s)].counted)
 
     def _block_of(self, t_s: float) -> int:
         """The last block that begins before a time."""
@@ -229,23 +211,8 @@ class TlogIndex:
         return at
 
 
-class _Numbers:
-    """Counts the gaps in all sequence numbers of a recording, as `GapCounter` counts them."""
-
-    def __init__(self) -> None:
-        self._newest = np.full(SENDERS, -1, dtype=np.int64)
-        self._missing = np.zeros((SENDERS, 256), dtype=np.bool_)
-        self._lost = np.zeros(256, dtype=np.int64)
-
-    def count(self, heads: IntArray) -> None:
-        """Go on with these frames."""
-        _count_lost(heads, self._newest, self._missing, self._lost)
-
-    def counted(self) -> _Counted:
-        """How far it is."""
-        senders = np.flatnonzero(self._newest >= 0)
-        missing = np.packbits(self._missing[senders], axis=1)
-        return _Counted(self._lost.copy(), senders, self._newest[senders], missing)
+def _count(gaps: RecordedGaps, heads: IntArray) -> None:
+    gaps.count(heads[:, SYSID], heads[:, COMPID], heads[:, SEQ])
 
 
 def _subjects() -> IntArray:
@@ -311,28 +278,3 @@ def _last_of_each(keys: IntArray) -> IntArray:
             slots[slot] = last[count] = i
             count += 1
     return last[:count].copy()
-
-
-@njit(cache=True)
-def _count_lost(heads: IntArray, newest: IntArray, missing: NDArray[np.bool_], lost: IntArray) -> None:
-    """Kernel: adds to `lost` (256) the gaps in each sender's numbers, as `sequence.GapCounter` counts them.
-
-    newest (senders,) and missing (senders, 256) go on from call to call. Relayed frames are old and change nothing.
-    """
-    for i in range(heads.shape[0]):
-        sender = heads[i, 2] << 8 | heads[i, 3]
-        seq = heads[i, 4]
-        if newest[sender] < 0:
-            newest[sender] = seq
-            continue
-        ahead = (seq - newest[sender]) % 256
-        if 0 < ahead < 128:
-            for step in range(1, ahead + 1):
-                missing[sender, (newest[sender] + step + 127) % 256] = False
-            for step in range(1, ahead):
-                missing[sender, (newest[sender] + step) % 256] = True
-                lost[heads[i, 2]] += 1
-            newest[sender] = seq
-        elif missing[sender, seq]:
-            missing[sender, seq] = False
-            lost[heads[i, 2]] -= 1

@@ -17,8 +17,8 @@ from gcs.mavlink import codec
 from gcs.mavlink.autopilots import End
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.commands import CommandResult
+from gcs.mavlink.gaps import GapCounter
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, TRAFFIC
-from gcs.mavlink.sequence import GapCounter
 from gcs.mavlink.setpoints import SetPoint, encoded
 from gcs.planner.custom import make_planner
 from gcs.recording.decisions import TickRecord, records_of_tick

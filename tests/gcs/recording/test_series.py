@@ -16,7 +16,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gcs.mavlink import codec
-from gcs.mavlink.sequence import GapCounter
+from gcs.mavlink.gaps import GapCounter
 from gcs.recording import pursuit_held, series, tlog
 from gcs.recording.session_folder import NoSession, Recorded, read
 from gcs.recording.writer import Recorder

@@ -3,7 +3,6 @@ what it alone could tell. `Recorded.problems` says what that is."""
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -15,8 +14,9 @@ from pydantic import ValidationError
 
 from gcs.mavlink.gaps import RecordedGaps
 from gcs.mavlink.ids import STATION
-from gcs.recording import set_points, tlog
 from gcs.recording import summary as summaries
+from gcs.recording import tlog
+from gcs.recording.decision_lines import COLUMNS, DecisionLines
 from gcs.recording.summary import Summary
 from gcs.recording.writer import DECISIONS, TLOG
 from gcs.scenario.file import load
@@ -36,7 +36,6 @@ WANTED = {
     "ADSB_VEHICLE": ("ICAO_address", "lat", "lon", "altitude", "heading", "hor_velocity", "ver_velocity", "callsign"),
 }
 """The messages that a report is made from, and the fields that it needs of them."""
-BLOCK_BYTES = 1 << 22
 MOST_SECONDS = 7 * 86_400
 NEEDED: dict[str, tuple[str, ...]] = {
     "competition": ("v", "leader", "share"),
@@ -73,7 +72,7 @@ class Recorded:
     """by message: t_s of the session, sysid, compid and the fields of WANTED, in the order of arrival"""
     decisions: list[dict[str, Any]] = field(default_factory=list)
     """every decision but the set points"""
-    set_points: NDArray[np.float64] = field(default_factory=lambda: np.empty((0, set_points.COLUMNS)))
+    set_points: NDArray[np.float64] = field(default_factory=lambda: np.empty((0, COLUMNS)))
     """(n, COLUMNS) in the order of decision"""
     traffic_count: NDArray[np.int64] = field(default_factory=lambda: np.zeros((256, 0), dtype=np.int64))
     """(256, seconds) frames received of each vehicle in each second"""
@@ -125,55 +124,28 @@ def _read_scenario(recorded: Recorded) -> None:
 
 
 def _read_decisions(recorded: Recorded, progress: Progress) -> None:
-    path = recorded.folder / DECISIONS
+    lines = DecisionLines(recorded.folder / DECISIONS, progress)
     points: list[NDArray[np.float64]] = []
-    broken = done = 0
-    carried = b""
+    foreign = 0
     try:
-        size = max(path.stat().st_size, 1)
-        with path.open("rb") as file:
-            while block := file.read(BLOCK_BYTES):
-                done += len(block)
-                text = carried + block
-                end = text.rfind(b"\n") + 1
-                carried = text[end:]
-                rows, others = set_points.scan(text[:end])
-                points.append(rows)
-                broken += _take_decisions(recorded, others, points)
-                progress(done / size)
-        broken += _take_decisions(recorded, [carried] if carried else [], points)
+        for some, others in lines.blocks():
+            points.append(some)
+            for line in others:
+                record = line.record()
+                if any(key not in record for key in NEEDED.get(line.kind, ())):
+                    foreign += 1
+                    continue
+                if line.kind == "competition":  # one a tick, with numbers of every vehicle
+                    record = {key: record[key] for key in COMPETITION if key in record}
+                recorded.decisions.append({**record, "t_s": line.t_s})
     except OSError as error:
         why = "is missing" if isinstance(error, FileNotFoundError) else f"cannot be read ({error.strerror})"
-        recorded.problems.append(f"{path.name} {why}: plan, tracking error and competition cannot be shown.")
-    if broken:
+        recorded.problems.append(f"{DECISIONS} {why}: plan, tracking error and competition cannot be shown.")
+    if broken := foreign + lines.passed_over:
         lines_are = "1 line that is" if broken == 1 else f"{broken} lines that are"
-        recorded.problems.append(f"{path.name} has {lines_are} no decision, cut short or foreign; passed over.")
+        recorded.problems.append(f"{DECISIONS} has {lines_are} no decision, cut short or foreign; passed over.")
     if points:
         recorded.set_points = np.concatenate(points)
-
-
-def _take_decisions(recorded: Recorded, lines: Iterable[bytes], points: list[NDArray[np.float64]]) -> int:
-    """Take decisions line by line; how many were none."""
-    broken = 0
-    rows = []
-    for line in lines:
-        try:
-            decision = json.loads(line)
-            if decision["kind"] == "set_point":
-                told = (*decision["p_ned"], decision["sysid"], decision["t_s"], *decision["v_ned"])
-                rows.append(np.array(told, dtype=np.float64).reshape(8)[: set_points.COLUMNS])
-            elif missing := [key for key in NEEDED.get(decision["kind"], ()) if key not in decision]:
-                raise KeyError(missing)
-            else:
-                kept = decision.items()
-                if decision["kind"] == "competition":  # one a tick, with numbers of every vehicle
-                    kept = [(key, value) for key, value in kept if key in COMPETITION]
-                recorded.decisions.append({**dict(kept), "t_s": float(decision["t_s"])})
-        except (ValueError, TypeError, KeyError):
-            broken += 1
-    if rows:
-        points.append(np.stack(rows))
-    return broken
 
 
 def read_tlog(recorded: Recorded, progress: Progress) -> None:

@@ -14,10 +14,10 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from gcs.recording.decision_lines import P_NED, SYSID, T_S
 from gcs.recording.pursuit_held import pursued, ticks_of
 from gcs.recording.series import Floats, Series, Track, rows_of
 from gcs.recording.session_folder import Recorded
-from gcs.recording.set_points import P_NED, SYSID, T_S
 from gcs.scenario import geometry
 from gcs.telemetry.metrics import PLAN_MEMORY, closest_pair, distance_to_path
 

@@ -7,13 +7,13 @@ frames tell them too.
 from __future__ import annotations
 
 import bisect
-import json
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
 from gcs.mavlink.autopilots import End
+from gcs.recording.decision_lines import DecisionLines, Line
 from gcs.recording.decisions import event_of
 from gcs.refuelling import explain
 from gcs.refuelling.bidding import Standing
@@ -25,8 +25,6 @@ from gcs.telemetry.events import Event
 from gcs.telemetry.health import state
 from gcs.telemetry.state import FleetState, Vec3
 
-_SET_POINT = b'{"kind":"set_point"'
-BLOCK_BYTES = 1 << 22
 STANDS_S = 0.35
 """A competition that has not been heard of for so long is over."""
 
@@ -68,7 +66,7 @@ class Timeline:
         self._speed: dict[int | None, float] = {t.sysid: t.speed_m_s for t in scenario.vehicles.tankers}
         self._base_ned: dict[str | None, Vec3] = {base.name: base.position_m for base in scenario.bases}
         self._lives: list[_Life] = []
-        self._standing: list[tuple[float, bytes]] = []
+        self._standing: list[Line] = []
         self._told: list[tuple[float, dict[str, Any]]] = []
         self._pursuing: list[tuple[float, int, int]] = []
         self.deaths: list[tuple[float, int, str]] = []
@@ -78,9 +76,12 @@ class Timeline:
         self.chases: list[dict[str, Any]] = []
         """the decisions and orders that say who pursues whom"""
         self.broken = 0
-        for line in self._lines(path, progress):
-            self._take(line)
-        self._standing_s = [t_s for t_s, _ in self._standing]
+        lines = DecisionLines(path, progress)
+        for _, others in lines.blocks(set_points=False):
+            for line in others:
+                self._take(line)
+        self.broken += lines.passed_over
+        self._standing_s = [line.t_s for line in self._standing]
         self._told_s = [t_s for t_s, _ in self._told]
 
     def events(self, after_s: float, until_s: float) -> Iterator[Event]:
@@ -184,39 +185,26 @@ class Timeline:
         at = bisect.bisect_right(self._standing_s, t_s) - 1
         if at < 0 or t_s - self._standing_s[at] > STANDS_S:
             return Standing()
-        record = json.loads(self._standing[at][1])
+        record = self._standing[at].record()
         v, tau = _by_sysid(record["v"]), _by_sysid(record["tau"])
         return Standing(v, tau, {}, record["leader"], record["share"])
 
     # reading
 
-    def _lines(self, path: Path, progress: Callable[[float], object]) -> Iterator[bytes]:
-        size, done = max(path.stat().st_size, 1), 0
-        with path.open("rb") as file:
-            while lines := file.readlines(BLOCK_BYTES):
-                yield from (line for line in lines if not line.startswith(_SET_POINT))
-                done += sum(map(len, lines))
-                progress(min(done / size, 1.0))
-
-    def _take(self, line: bytes) -> None:
+    def _take(self, line: Line) -> None:
+        if line.kind == "competition":
+            if line.giver != "base":
+                self._standing.append(line)
+            return
         try:
-            if b'"kind":"competition"' in line:
-                if b'"giver":"base"' in line:
-                    return
-                at = line.index(b'"t_s":') + 6
-                self._standing.append((float(line[at : at + 24].split(b",")[0].split(b"}")[0]), line))
-                return
-            record = json.loads(line)
-            t_s = float(record["t_s"])
-            if record["kind"] == "set_point":
-                return
-            if self._read(t_s, record):
-                self._told.append((t_s, record))
-        except (ValueError, KeyError, TypeError, AttributeError, IndexError):
+            record = line.record()
+            self._read(line.t_s, record)
+            self._told.append((line.t_s, record))
+        except (ValueError, KeyError, TypeError, AttributeError, StopIteration):
             self.broken += 1
 
-    def _read(self, t_s: float, record: Mapping[str, Any]) -> bool:
-        """Take a decision in; whether it is one to tell of."""
+    def _read(self, t_s: float, record: Mapping[str, Any]) -> None:
+        """Take a decision in."""
         kind = record["kind"]
         if kind == "decided":
             receiver, need = int(record["receiver"]), _by_sysid(record["need"])
@@ -261,7 +249,6 @@ class Timeline:
             elif record["command"] == "retarget":
                 self._pursuing.append((t_s, int(record["sysid"]), int(record["target"])))
                 self.chases.append(dict(record))
-        return True
 
 
 def _by_sysid(numbers: Mapping[str, float]) -> dict[int, float]:

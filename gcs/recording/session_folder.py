@@ -26,16 +26,19 @@ SCENARIO = "scenario.yaml"
 WANTED = {
     "LOCAL_POSITION_NED": ("time_boot_ms", "x", "y", "z", "vx", "vy", "vz"),
     "ATTITUDE": ("time_boot_ms", "roll", "pitch", "yaw"),
-    "HEARTBEAT": ("base_mode",),
+    "HEARTBEAT": ("place", "autopilot", "base_mode"),
     "EXTENDED_SYS_STATE": ("landed_state",),
     "GPS_GLOBAL_ORIGIN": ("latitude", "longitude", "altitude"),
-    "BATTERY_STATUS": ("id", "energy_consumed", "battery_remaining"),
-    "NAMED_VALUE_INT": ("name", "value"),
-    "PARAM_VALUE": ("param_id", "param_value"),
+    "BATTERY_STATUS": (
+        *("place", "id", "energy_consumed", "battery_remaining", "current_battery", "voltages", "voltages_ext"),
+    ),
+    "SYS_STATUS": ("place", "voltage_battery", "current_battery", "battery_remaining"),
+    "NAMED_VALUE_INT": ("place", "name", "value"),
+    "PARAM_VALUE": ("place", "param_id", "param_value", "param_type"),
     "STATUSTEXT": ("severity", "text", "id", "chunk_seq"),
     "ADSB_VEHICLE": ("ICAO_address", "lat", "lon", "altitude", "heading", "hor_velocity", "ver_velocity", "callsign"),
 }
-"""The messages that a report is made from, and the fields that it needs of them."""
+"""The messages that a report is made from, and the fields that it needs of them; `place`: where in the file."""
 MOST_SECONDS = 7 * 86_400
 NEEDED: dict[str, tuple[str, ...]] = {
     "competition": ("v", "leader", "share"),
@@ -182,7 +185,7 @@ class Gathering:
             return
         epoch_us = self._epoch_us = int(heads[0, tlog.T_US]) if self._epoch_us is None else self._epoch_us
         for name, pieces in self._pieces.items():
-            pieces.append(_columns(chunk.table(name), WANTED[name], epoch_us))
+            pieces.append(_columns(chunk, name, epoch_us))
         self._recorded.end_s = max(self._recorded.end_s, 1e-6 * (int(heads[-1, tlog.T_US]) - epoch_us))
         if self._counted:
             self._count(heads, epoch_us)
@@ -213,11 +216,15 @@ class Gathering:
         np.add.at(recorded.traffic_lost, (sysids, second), lost)
 
 
-def _columns(table: NDArray[Any], fields: tuple[str, ...], epoch_us: int) -> NDArray[Any]:
-    """A table's times in session seconds, senders and these fields alone."""
-    kept = [(name, table.dtype[name]) for name in ("sysid", "compid", *fields)]
-    columns = np.empty(len(table), dtype=[("t_s", np.float64), *kept])
+def _columns(chunk: tlog.Chunk, message: str, epoch_us: int) -> NDArray[Any]:
+    """One message's times in session seconds, senders and wanted fields alone."""
+    table = chunk.table(message)
+    names = ("sysid", "compid", *(name for name in WANTED[message] if name != "place"))
+    own: list[Any] = [("t_s", np.float64)] + [("place", np.int64)] * ("place" in WANTED[message])
+    columns = np.empty(len(table), dtype=[*own, *((name, table.dtype[name]) for name in names)])
     columns["t_s"] = 1e-6 * (table["t_us"] - epoch_us)
-    for name, _ in kept:
+    if "place" in WANTED[message]:
+        columns["place"] = chunk.places(message)
+    for name in names:
         columns[name] = table[name]
     return columns

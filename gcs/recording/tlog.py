@@ -73,6 +73,11 @@ class Chunk:
         for t_us, at, sysid, compid, seq, msgid in self.heads.tolist():
             yield t_us, Frame(sysid, compid, seq, msgid, raw_at(data, at))
 
+    def places(self, message: int | str) -> IntArray:
+        """(n,) where in the file the rows of `table` begin."""
+        places: IntArray = self.begin + self.heads[self._msgids == codec.layout(message).msgid, AT]
+        return places
+
     def table(self, message: int | str) -> NDArray[Any]:
         """Every frame of one message as a structured array (n,): t_us, sysid, compid, seq, then the message's fields
         in wire order and MAVLink's own units; a field named like one of the four comes with a `_` after it.

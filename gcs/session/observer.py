@@ -17,6 +17,7 @@ from gcs.link.quality import LinkQuality
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import End, profile_of
 from gcs.mavlink.codec import Frame
+from gcs.mavlink.commands import result_in_words
 from gcs.mavlink.gaps import GapCounter
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.scenario.model import Scenario
@@ -301,6 +302,7 @@ class Observer:
             self._acknowledged(t_s, sysid, ack)
 
     def _gather(self, view: FleetState) -> None:
+        self._said(view.time_s)
         if self.scenario is not None:
             self._events += self._watch.look(view, self.ordered)
             return
@@ -318,10 +320,10 @@ class Observer:
         if accepted and self._source == "replay":
             return
         command = mav.enums["MAV_CMD"].get(ack.command)
-        result = mav.enums["MAV_RESULT"].get(ack.result)
         what = command.name.removeprefix("MAV_CMD_") if command else f"command {ack.command}"
-        how = result.name.removeprefix("MAV_RESULT_").replace("_", " ").lower() if result else f"result {ack.result}"
-        self._events.append(Event(t_s, sysid, "info" if accepted else "warning", f"{what}: {how}", "ack"))
+        self._events.append(
+            Event(t_s, sysid, "info" if accepted else "warning", f"{what}: {result_in_words(ack.result)}", "ack")
+        )
 
     def _rows(self, snapshot: FleetState, parts: Mapping[int, Mapping[str, Any]]) -> list[dict[str, Any]]:
         rows = []
@@ -347,7 +349,7 @@ class Observer:
             )
             row["mode"] = _mode(view)
             if strange and ear is not None and not math.isfinite(told.remaining_j):
-                row |= {"battery": share, "remaining_j": None, "power_w": ear.cell.power_w, "endurance_s": None}
+                row |= {"battery": share, "remaining_j": None, "power_w": ear.power_w, "endurance_s": None}
             rows.append(row)
         return rows
 

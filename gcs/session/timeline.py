@@ -10,7 +10,7 @@ import bisect
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from gcs.mavlink.autopilots import End
 from gcs.recording.decision_lines import DecisionLines, Line
@@ -58,6 +58,15 @@ class _Life:
         )
 
 
+class Happening(NamedTuple):
+    """What befell a vehicle that its frames do not tell: its death, or energy in J that a base gave it."""
+
+    t_s: float
+    sysid: int
+    booked_j: int | None
+    """None: it died"""
+
+
 class Timeline:
     """What was decided. Raises OSError where the file cannot be read."""
 
@@ -69,8 +78,7 @@ class Timeline:
         self._standing: list[Line] = []
         self._told: list[tuple[float, dict[str, Any]]] = []
         self._pursuing: list[tuple[float, int, int]] = []
-        self.deaths: list[tuple[float, int, str]] = []
-        """(time, system id, sentence)"""
+        self.happened: list[Happening] = []
         self.orders: list[tuple[float, int, End | None]] = []
         """(time, system id, what it is to fly; None: by the plan again) of what operators took in hand"""
         self.chases: list[dict[str, Any]] = []
@@ -232,6 +240,8 @@ class Timeline:
             if kind == "served":
                 life.end_s, life.reason, life.energy_j = t_s, record["reason"], float(record["energy_j"])
                 life.service.joined_at_s, life.service.start_s = record["joined_at_s"], record["start_s"]
+                if record.get("base"):
+                    self.happened.append(Happening(t_s, life.service.receiver, round(life.energy_j)))
             else:
                 life.phases.append((t_s, Phase.TRANSFER if kind == "transfer" else Phase.JOIN))
                 if kind == "transfer" and life.service.start_s is None:
@@ -240,7 +250,7 @@ class Timeline:
             self._pursuing.append((t_s, int(record["pursuer"]), int(record["target"])))
             self.chases.append(dict(record))
         elif kind == "death":
-            self.deaths.append((t_s, int(record["sysid"]), str(record.get("text", ""))))
+            self.happened.append(Happening(t_s, int(record["sysid"]), None))
         elif kind == "operator" and record.get("taken") and "sysid" in record:
             if record["command"] == "rejoin":
                 self.orders.append((t_s, int(record["sysid"]), None))

@@ -8,7 +8,7 @@ the block itself says; however long the recording is, that is a part of it.
 from __future__ import annotations
 
 import mmap
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -36,6 +36,7 @@ _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
 _HEARTBEAT = codec.msgid("HEARTBEAT")
 _RELAYED = (codec.msgid("FOLLOW_TARGET"), codec.msgid("NAMED_VALUE_INT"))
 _BATTERY = codec.msgid("BATTERY_STATUS")
+_OF_BATTERIES = [_BATTERY, *map(codec.msgid, ("SYS_STATUS", "NAMED_VALUE_INT", "PARAM_VALUE", "HEARTBEAT"))]
 
 
 class Told(NamedTuple):
@@ -102,7 +103,8 @@ class TlogIndex:
     """One .tlog. Raises OSError where it cannot be read.
 
     epoch_us: the time that is 0 s; the first frame's without it. block_bytes: of the index; by the file's size without
-    it. `watch` is given each stretch of the file as it is read. `problems` says what could not be read.
+    it. metered: vehicles whose energy is known only from all that they said of their batteries. `watch` is given
+     each stretch of the file as it is read. `problems` says what could not be read.
     """
 
     def __init__(
@@ -112,6 +114,7 @@ class TlogIndex:
         epoch_us: int | None = None,
         session: bool = False,
         block_bytes: int | None = None,
+        metered: Collection[int] = (),
         progress: Callable[[float], None] = lambda _: None,
         watch: Callable[[tlog.Chunk], object] = lambda _: None,
     ) -> None:
@@ -122,6 +125,8 @@ class TlogIndex:
         block_bytes = block_bytes or max(BLOCK_BYTES, path.stat().st_size // MOST_BLOCKS)
         log = tlog.Tlog(path, chunk_bytes=block_bytes)
         gaps = RecordedGaps()
+        self._metered = frozenset(metered)
+        of_batteries = [np.empty(0, dtype=np.int64)]
         latest_us, last_us, first_us = -1, -1, None
         for chunk in log.chunks():
             heads = chunk.heads
@@ -144,8 +149,12 @@ class TlogIndex:
                 latest_us = max(latest_us, int(heads[:, T_US].max()))
                 last_us = int(heads[-1, T_US])
                 self.frames += len(heads)
+                if metered:
+                    mine = np.isin(heads[:, SYSID], list(metered)) & np.isin(heads[:, MSGID], _OF_BATTERIES)
+                    of_batteries.append(chunk.begin + heads[mine, AT])
             watch(chunk)
             progress(chunk.read_share)
+        self._of_batteries = np.concatenate(of_batteries)
         self.problems = log.problems
         self._epoch_us = epoch_us or 0
         self.from_s = 0.0 if first_us is None else (first_us - self._epoch_us) / 1e6
@@ -176,6 +185,7 @@ class TlogIndex:
         keys = np.concatenate([block.keys for block in reversed(earlier)])
         places = np.concatenate([block.places for block in reversed(earlier)])
         found = set(places[np.unique(keys, return_index=True)[1]].tolist())
+        found |= set(self._of_batteries[self._of_batteries < self._blocks[at].begin].tolist())
         warm_us = (from_s - WARM_S) * 1e6 + self._epoch_us
         first = self._block_of(from_s - WARM_S)
         if first < at:
@@ -195,8 +205,9 @@ class TlogIndex:
                 frame = Frame(raw[5], raw[6], raw[4], int.from_bytes(raw[7:10], "little"), raw)
                 t_us = int.from_bytes(record[:8], "big")
                 told.append(Told((t_us - self._epoch_us) / 1e6, frame, directions.sent(t_us, frame)))
-        # Batteries last: what they say is read by what was armed, given and received.
-        return sorted(told, key=lambda each: each.frame.msgid == _BATTERY)
+        # Batteries last: what they say is read by what was armed, given and received. Of those of which everything is
+        # told it stands among it.
+        return sorted(told, key=lambda each: each.frame.msgid == _BATTERY and each.frame.sysid not in self._metered)
 
     def gaps_before(self, from_s: float) -> GapCounter:
         """The sequence numbers as they had been counted before the block of a time."""

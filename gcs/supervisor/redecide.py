@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, cast
 
-from gcs.link.lockstep import FleetLink, Key
+from gcs.link.link import Key
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import AUTOPILOT, STATION, TRAFFIC
@@ -113,7 +113,7 @@ class Comparison:
 
 
 class RecordedLink:
-    """What a `FleetLink` is to a supervisor: it hands out what was recorded, and lets the grants go."""
+    """A link of a supervisor without vehicles: it hands out what was recorded, and lets the grants go."""
 
     def __init__(self, keys: Sequence[Key]) -> None:
         self.joined: set[Key] = set(keys)
@@ -121,21 +121,33 @@ class RecordedLink:
         self.recorded: Mapping[Key, list[Frame]] = {}
 
     def leave(self, key: Key) -> None:
-        """As `FleetLink.leave`."""
+        """As `Link.leave`."""
         self.joined.discard(key)
         self._granted.discard(key)
 
     def grant(
         self, key: Key, t_ms: int, unix_us: int, messages: Sequence[Message], relayed: Sequence[bytes]
     ) -> list[bytes]:
-        """As `FleetLink.grant`, but nothing is sent."""
+        """As `Link.grant`, but nothing is sent."""
         self._granted.add(key)
         return []
 
     def answers(self, idle: Callable[[], None]) -> Iterator[tuple[Key, list[Frame]]]:
-        """As `FleetLink.answers`: those of the tick that is being replayed."""
+        """As `Link.answers`: those of the tick that is being replayed."""
         for key in sorted(self._granted):
             yield key, self.recorded.get(key, [])
+
+    def unawaited(self) -> dict[Key, list[Frame]]:
+        """As `Link.unawaited`: none."""
+        return {}
+
+    def clock_offsets_s(self) -> dict[int, float]:
+        """As `Link.clock_offsets_s`: none."""
+        return {}
+
+    def take_rebooted(self) -> set[int]:
+        """As `Link.take_rebooted`: nobody."""
+        return set()
 
 
 class Comparer:
@@ -229,7 +241,7 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Comparison:
     link = RecordedLink([*keys, TRAFFIC] if scenario.traffic else keys)
     comparer = Comparer()
     # The supervisor asks of link and recorder only what these two have.
-    supervisor = Supervisor(scenario, cast(FleetLink, link), cast(Recorder, comparer))
+    supervisor = Supervisor(scenario, link, cast(Recorder, comparer))
     verdict = Comparison()
     whole = (folder / SUMMARY).exists()
     supervisor.begin()

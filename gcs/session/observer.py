@@ -11,6 +11,8 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any, Literal
 
+import msgspec
+from msgspec import UNSET
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.link.quality import LinkQuality
@@ -21,6 +23,19 @@ from gcs.mavlink.commands import result_in_words
 from gcs.mavlink.gaps import GapCounter
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.scenario.model import Scenario
+from gcs.session.message_types import (
+    CompetitionRow,
+    GoalRow,
+    GoalStateRow,
+    MemberRow,
+    ReplayRow,
+    ServedRow,
+    ServiceRow,
+    SessionLine,
+    Snapshot,
+    VehicleRow,
+    plain,
+)
 from gcs.session.messages import distance_m, event_row, session_message, traffic_row, vehicle_row
 from gcs.telemetry.adapter import Ear
 from gcs.telemetry.changes import ChangeDetector
@@ -33,8 +48,12 @@ from gcs.telemetry.state import FleetState, Vec3, VehicleView
 Kind = Literal["monitor", "replay"]
 UNKNOWN_CAPACITY_J = math.nan
 ORIGIN_WITHIN_S = 3.0
-THRESHOLD = 0.9
-"""Of a competition that nobody holds: the default share."""
+NOBODY: Mapping[str, Any] = {
+    **{"v": {}, "tau": {}, "leader": None, "share": None, "runner_up": None},
+    "threshold": 0.9,  # the default share
+}
+"""A competition that nobody holds."""
+NO_GOAL = {"pursue_within_m": None, "pursue_for_s": None, "refuelled_at_least": 0, "pursue_held_s": None}
 _ADSB = codec.msgid("ADSB_VEHICLE")
 _GLOBAL = codec.msgid("GLOBAL_POSITION_INT")
 _HEARTBEAT = codec.msgid("HEARTBEAT")
@@ -183,23 +202,24 @@ class Observer:
                 self.scenario, self._folder, source=self._source, clock=self._clock, control=self.control
             )
             known = {vehicle["sysid"] for vehicle in line["vehicles"]}
-            line["vehicles"] += [self._found(sysid) for sysid in self.sysids if sysid not in known]
+            line["vehicles"] += [msgspec.to_builtins(self._found(s)) for s in self.sysids if s not in known]
             return line | {"speed": None}
-        return {
-            "type": "session",
-            "name": self._name,
-            "folder": self._folder,
-            "source": self._source,
-            "duration_s": self.duration_s,
-            "clock": self._clock,
-            "speed": None,
-            "control": self.control,
-            "separation_m": None,
-            "vehicles": [self._found(sysid) for sysid in self.sysids],
-            "obstacles": [],
-            "bases": [],
-            "goal": {"pursue_within_m": None, "pursue_for_s": None, "refuelled_at_least": 0},
-        }
+        return plain(
+            SessionLine(
+                name=self._name,
+                folder=self._folder,
+                source=self._source,
+                duration_s=self.duration_s,
+                clock=self._clock,
+                speed=None,
+                control=self.control,
+                separation_m=None,
+                vehicles=[self._found(sysid) for sysid in self.sysids],
+                obstacles=[],
+                bases=[],
+                goal=GoalRow(None, None, 0),
+            )
+        )
 
     def view(self, t_s: float) -> FleetState:
         """The fleet at `t_s`, for those who want to know more of it than a snapshot's line says."""
@@ -217,35 +237,24 @@ class Observer:
         events, self._events = self._events, []
         known = dict(more or {})
         parts: Mapping[int, Mapping[str, Any]] = known.pop("parts", {})
-        return {
-            "type": "snapshot",
-            "t_s": t_s,
-            "duration_s": self.duration_s,
-            "speed": speed,
-            "phase": phase,
-            "vehicles": self._rows(view, parts),
-            "traffic": [traffic_row(aircraft) for aircraft in view.traffic],
-            "competition": {
-                "v": {},
-                "tau": {},
-                "leader": None,
-                "share": None,
-                "runner_up": None,
-                "threshold": THRESHOLD,
-            },
-            "services": [],
-            "history": [],
-            "refuelled": 0,
-            "goal": {
-                "pursue_within_m": None,
-                "pursue_for_s": None,
-                "refuelled_at_least": 0,
-                "pursue_held_s": None,
-            },
-            "inspected": self.inspection.told(t_s),
-            "events": [event_row(event) for event in events],
-            **known,
-        }
+        return plain(
+            Snapshot(
+                t_s=t_s,
+                duration_s=known.get("duration_s", self.duration_s),
+                speed=speed,
+                phase=phase,
+                vehicles=self._rows(view, parts),
+                traffic=[traffic_row(aircraft) for aircraft in view.traffic],
+                competition=CompetitionRow(**known.get("competition", NOBODY)),
+                services=[ServiceRow(**row) for row in known.get("services", ())],
+                history=[ServedRow(**row) for row in known.get("history", ())],
+                refuelled=known.get("refuelled", 0),
+                goal=GoalStateRow(**known.get("goal", NO_GOAL)),
+                inspected=self.inspection.told(t_s),
+                events=[event_row(event) for event in events],
+                replay=ReplayRow(**known["replay"]) if "replay" in known else UNSET,
+            )
+        )
 
     # who is there
 
@@ -280,10 +289,10 @@ class Observer:
         early = t_s - self._since_s.setdefault(ear.sysid, t_s) < ORIGIN_WITHIN_S
         return None if early and frame.msgid == _GLOBAL else ear.origin_of(frame)
 
-    def _found(self, sysid: int) -> dict[str, Any]:
+    def _found(self, sysid: int) -> MemberRow:
         view = self.fleet.snapshot(0.0).vehicle(sysid)
         capacity_j = view.capacity_j if math.isfinite(view.capacity_j) else None
-        return {"sysid": sysid, "role": view.role, "label": view.label, "capacity_j": capacity_j, "path_ned": []}
+        return MemberRow(sysid, view.role, view.label, capacity_j, [])
 
     # what is told of them
 
@@ -325,7 +334,7 @@ class Observer:
             Event(t_s, sysid, "info" if accepted else "warning", f"{what}: {result_in_words(ack.result)}", "ack")
         )
 
-    def _rows(self, snapshot: FleetState, parts: Mapping[int, Mapping[str, Any]]) -> list[dict[str, Any]]:
+    def _rows(self, snapshot: FleetState, parts: Mapping[int, Mapping[str, Any]]) -> list[VehicleRow]:
         rows = []
         places = {view.sysid: view.p_ned for view in snapshot.vehicles}
         for told in snapshot.vehicles:
@@ -347,9 +356,9 @@ class Observer:
                 found=health_issues(view, snapshot.time_s, lost_share=lost_share, ordered=view.sysid in self.ordered),
                 **part,
             )
-            row["mode"] = _mode(view)
+            row.mode = _mode(view)
             if strange and ear is not None and not math.isfinite(told.remaining_j):
-                row |= {"battery": share, "remaining_j": None, "power_w": ear.power_w, "endurance_s": None}
+                row.battery, row.remaining_j, row.power_w, row.endurance_s = share, None, ear.power_w, None
             rows.append(row)
         return rows
 

@@ -35,7 +35,7 @@ from gcs.scenario import plugins
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
 from gcs.session.commands import Clients
-from gcs.session.messages import session_message, snapshot_message
+from gcs.session.messages import end_message, session_message, snapshot_message
 from gcs.session.pace import Pace
 from gcs.session.server import Publisher, Reader
 from gcs.session.startup import Arrivals
@@ -119,7 +119,7 @@ class SessionProcess:
             self._phase = "ended"
             status = INTERRUPTED if interrupted else DONE if outcome == "met" else NOT_DONE
             self._publisher.publish(self._next_picture())
-            self._publisher.publish({"type": "end", "outcome": outcome, "exit": status})
+            self._publisher.publish(end_message(outcome, status))
             return status, outcome
         except (SessionFailed, RecorderError):
             if self._begun:

@@ -17,6 +17,7 @@ from gcs.recording.pursuit_held import Course, CourseReader
 from gcs.recording.writer import DECISIONS, TLOG
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
+from gcs.session.messages import reply_message
 from gcs.session.observer import Observer
 from gcs.session.timeline import Timeline
 from gcs.session.tlog_index import TlogIndex, Told
@@ -231,7 +232,7 @@ class ReplaySource:
     def send(self, command: Message) -> None:
         """Take `pause`, `resume`, `speed`, `seek` and `inspect`; a recording's vehicles take no orders."""
         ok, text = self._obey(command)
-        self._replies.append({"type": "reply", "id": command.get("id"), "ok": ok, "text": text})
+        self._replies.append(reply_message(command.get("id"), ok, text))
 
     def close(self) -> None:
         """End the replay."""

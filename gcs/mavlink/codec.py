@@ -10,9 +10,8 @@ from __future__ import annotations
 
 import struct
 from collections import namedtuple
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from functools import lru_cache
-from itertools import repeat
 from operator import itemgetter
 from typing import Any, NamedTuple, cast
 
@@ -226,25 +225,6 @@ def fields(frame: Frame) -> Any:
     if text_at:
         values = _with_text(values, text_at)
     return _new(record, values)
-
-
-def record_bytes(msgid: int) -> int:
-    """How long header and uncut payload of a message are together. Raises ValueError for an id not in the dialect."""
-    return cast(int, _READERS[msgid].wire.size)
-
-
-def records(msgid: int, packed: bytes | memoryview) -> Iterable[Any]:
-    """What `fields` gives, for many frames of one message at once.
-
-    packed: header and uncut payload of each, `record_bytes` long, without gaps between them.
-    """
-    _, wire, _, regroup, text_at, record = _READERS[msgid]
-    rows: Iterable[tuple[Any, ...]] = wire.iter_unpack(packed)
-    if regroup is not None:
-        rows = map(regroup, rows)
-    if text_at:
-        rows = map(_with_text, rows, repeat(text_at))
-    return map(_new, repeat(record), rows)
 
 
 def _with_text(values: tuple[Any, ...], text_at: tuple[int, ...]) -> tuple[Any, ...]:

@@ -78,7 +78,8 @@ class Message(NamedTuple):
 
 
 class WireLayout(NamedTuple):
-    """How one message lies on the wire; `record` is its named tuple, fields in wire order."""
+    """How one message lies on the wire: the one table from which codec, recordings and exports read it; `record` is its
+    named tuple, fields in wire order."""
 
     msgid: int
     name: str
@@ -116,6 +117,11 @@ def _layout(msgid: int) -> WireLayout:
         raise ValueError(
             f"message id {msgid} is not in the MAVLink dialect '{common.DIALECT}': it cannot be read or sent"
         )
+    return layout_of(cls)
+
+
+def layout_of(cls: Any) -> WireLayout:
+    """The layout of a message class of pymavlink's, also of another dialect."""
     formats = tuple(
         f"{length or 1}s" if code == "c" else f"{length or ''}{code}"
         for code, length in zip(cls.native_format.decode()[1:], cls.array_lengths, strict=True)
@@ -126,7 +132,7 @@ def _layout(msgid: int) -> WireLayout:
     if "mavlink_version" in cls.fieldnames:
         defaults["mavlink_version"] = 3
     record = namedtuple(cls.msgname, cls.ordered_fieldnames)  # type: ignore[misc]
-    return WireLayout(msgid, cls.msgname, record, formats, defaults)
+    return WireLayout(cls.id, cls.msgname, record, formats, defaults)
 
 
 def _is_array(form: str) -> bool:

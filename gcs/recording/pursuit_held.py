@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
@@ -60,9 +61,11 @@ class CourseReader:
 
 
 def ticks_of(recorded: Recorded) -> Floats:
-    """(k,) the times of the planner's ticks."""
-    period_s = recorded.scenario.clock.period_s if recorded.scenario else 0.1
-    return np.arange(1, int(recorded.end_s / period_s + ROUNDING_S) + 1).astype(np.float64) * period_s
+    """(k,) the times of the planner's ticks: none at the session's end, nor while external vehicles are handed back."""
+    scenario = recorded.scenario
+    period_s, last_s = (scenario.clock.period_s, scenario.goal.duration_s) if scenario else (0.1, math.inf)
+    last_s = min(recorded.end_s, last_s - period_s)
+    return np.arange(1, int(last_s / period_s + ROUNDING_S) + 1).astype(np.float64) * period_s
 
 
 def pursued(recorded: Recorded, t_s: Floats) -> dict[int, NDArray[np.int64]]:

@@ -24,7 +24,7 @@ from numba import njit
 from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common
 
-from gcs.mavlink import codec
+from gcs.mavlink import codec, records
 from gcs.mavlink.codec import Frame
 
 IntArray = NDArray[np.int64]
@@ -179,18 +179,9 @@ def raw_at(data: bytes, at: int) -> bytes:
 @lru_cache(maxsize=512)
 def _dtypes(msgid: int) -> tuple[np.dtype[Any], int]:
     """The dtype of a message's table, and how many of its bytes are payload: they come last."""
-    shape = codec.layout(msgid)
     own = [("t_us", "<i8"), ("sysid", "u1"), ("compid", "u1"), ("seq", "u1")]
-    taken = {name for name, _ in own}
-    fields: list[Any] = []
-    for name, form in zip(shape.record._fields, shape.formats, strict=True):
-        label = f"{name}_" if name in taken else name
-        if form[-1] == "s":
-            fields.append((label, f"S{form[:-1]}"))
-        else:
-            length = (int(form[:-1]),) if len(form) > 1 else ()
-            fields.append((label, np.dtype(form[-1]).newbyteorder("<"), length))
-    return np.dtype([*own, *fields]), np.dtype(fields).itemsize
+    payload = records.dtype(codec.layout(msgid), frozenset(name for name, _ in own))
+    return np.dtype([*own, *((name, payload[name]) for name in payload.names or ())]), payload.itemsize
 
 
 @njit(cache=True)

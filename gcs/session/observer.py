@@ -264,7 +264,7 @@ class Observer:
 
     def _discover(self, frame: Frame, t_s: float) -> Ear | None:
         """A vehicle's first HEARTBEAT makes it known; a scenario's vehicles are so already."""
-        if frame.sysid in self._known:
+        if frame.sysid in self._known or frame.sysid in self._expected:
             if frame.compid != AUTOPILOT:
                 return None
             ear = self._ears[frame.sysid] = Ear(frame.sysid, frame.compid)
@@ -276,9 +276,7 @@ class Observer:
         if role is None or content.autopilot == mav.MAV_AUTOPILOT_INVALID:
             return None
         ear = self._ears[frame.sysid] = Ear(frame.sysid, frame.compid)
-        if frame.sysid not in self._expected:
-            label = f"{role} {frame.sysid}"
-            self.fleet.join(Member(frame.sysid, role, label, UNKNOWN_CAPACITY_J, UNKNOWN_CAPACITY_J))
+        self.fleet.join(Member(frame.sysid, role, f"{role} {frame.sysid}", UNKNOWN_CAPACITY_J, UNKNOWN_CAPACITY_J))
         kind = profile_of(content.autopilot).name
         self._events.append(Event(t_s, frame.sysid, "info", f"First heard of: {kind} autopilot", "link"))
         self.changed = True

@@ -69,7 +69,7 @@ class Replay:
             epoch_us=epoch_us,
             session=source.is_dir(),
             block_bytes=block_bytes,
-            metered=[v.sysid for v in self._scenario.vehicles.external] if self._scenario else (),
+            metered=self._scenario.vehicles.external if self._scenario else (),
             progress=lambda share: progress(begin + (end - begin) * share),
             watch=course.take if course is not None else lambda _: None,
         )

@@ -17,7 +17,7 @@ from numba import njit
 from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.mavlink import codec
+from gcs.mavlink import codec, records
 from gcs.mavlink.codec import Frame
 from gcs.mavlink.gaps import GapCounter, RecordedGaps, resumed
 from gcs.mavlink.ids import STATION
@@ -238,13 +238,9 @@ def _subjects() -> IntArray:
     }
     rows = []
     for message, field in told_apart.items():
-        cls = mav.mavlink_map[codec.msgid(message)]
-        sizes = [
-            np.dtype(code if code not in "cs" else "S1").itemsize * max(length, 1)
-            for code, length in zip(cls.native_format.decode()[1:], cls.array_lengths, strict=True)
-        ]
-        at = cls.ordered_fieldnames.index(field)
-        rows.append((codec.msgid(message), sum(sizes[:at]), sizes[at]))
+        shape = codec.layout(message)
+        kind, at = dict(records.dtype(shape).fields or {})[field][:2]
+        rows.append((shape.msgid, at, kind.itemsize))
     return np.array(rows, dtype=np.int64)
 
 

@@ -337,6 +337,7 @@ class Supervisor:
 
     def exchange(self, now_s: float) -> bool:
         """After the last tick: send external vehicles what is left, hear them; whether one has not obeyed yet."""
+        now_s = round(now_s, 3)  # as it is recorded
         arrived, _ = self._hear(self._link.unawaited().items(), now_s)
         self._take_acknowledgements(now_s)
         sent: list[bytes] = []

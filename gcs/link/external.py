@@ -16,7 +16,7 @@ from dataclasses import dataclass, field
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.link.lockstep import Key
+from gcs.link.link import Key
 from gcs.link.socket import RECEIVE_BYTES, AddressRefused, Where, kernel_drops, open_udp
 from gcs.mavlink import codec
 from gcs.mavlink.boot_clock import BootClock

@@ -15,6 +15,7 @@ from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
+from gcs.link.link import Key
 from gcs.link.socket import RECEIVE_BYTES, kernel_drops, widen
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
@@ -25,8 +26,6 @@ DATAGRAM_BYTES = 1400
 RESEND_FIRST_S, RESEND_LAST_S = 0.02, 0.2
 REPEAT_S = 1.0
 GRANT_BYTES = codec.HEADER_BYTES + 12 + codec.CRC_BYTES
-
-Key = tuple[int, int]
 
 
 @dataclass
@@ -132,10 +131,6 @@ class FleetLink:
         self._send(peer)
         return frames
 
-    def collect(self, idle: Callable[[], None]) -> dict[Key, list[Frame]]:
-        """Every vehicle's answer to the last grant, in order of (system, component); waits as `answers` does."""
-        return dict(sorted(self.answers(idle)))
-
     def answers(self, idle: Callable[[], None]) -> Iterator[tuple[Key, list[Frame]]]:
         """Every vehicle's answer to the last grant as soon as it is whole, so that it is read while others still fly.
 
@@ -170,6 +165,21 @@ class FleetLink:
             if time.monotonic() >= repeat_s:
                 self.repeat()
                 repeat_s = time.monotonic() + REPEAT_S
+
+    def begin(self) -> None:
+        """As `Link.begin`: vehicles live on the session's clock."""
+
+    def unawaited(self) -> dict[Key, list[Frame]]:
+        """As `Link.unawaited`: none; every vehicle is waited for."""
+        return {}
+
+    def clock_offsets_s(self) -> dict[int, float]:
+        """As `Link.clock_offsets_s`: none."""
+        return {}
+
+    def take_rebooted(self) -> set[int]:
+        """As `Link.take_rebooted`: nobody."""
+        return set()
 
     def repeat(self) -> None:
         """Send every last bundle again, so that vehicles know during a pause that they are not forgotten."""

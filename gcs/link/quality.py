@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import deque
 from dataclasses import dataclass, field
 
-from gcs.mavlink.sequence import GapCounter
+from gcs.mavlink.gaps import GapCounter
 
 WINDOW_S = 10.0
 SAMPLE_EVERY_S = 1.0

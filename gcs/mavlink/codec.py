@@ -10,9 +10,8 @@ from __future__ import annotations
 
 import struct
 from collections import namedtuple
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from functools import lru_cache
-from itertools import repeat
 from operator import itemgetter
 from typing import Any, NamedTuple, cast
 
@@ -79,7 +78,8 @@ class Message(NamedTuple):
 
 
 class WireLayout(NamedTuple):
-    """How one message lies on the wire; `record` is its named tuple, fields in wire order."""
+    """How one message lies on the wire: the one table from which codec, recordings and exports read it; `record` is its
+    named tuple, fields in wire order."""
 
     msgid: int
     name: str
@@ -117,6 +117,11 @@ def _layout(msgid: int) -> WireLayout:
         raise ValueError(
             f"message id {msgid} is not in the MAVLink dialect '{common.DIALECT}': it cannot be read or sent"
         )
+    return layout_of(cls)
+
+
+def layout_of(cls: Any) -> WireLayout:
+    """The layout of a message class of pymavlink's, also of another dialect."""
     formats = tuple(
         f"{length or 1}s" if code == "c" else f"{length or ''}{code}"
         for code, length in zip(cls.native_format.decode()[1:], cls.array_lengths, strict=True)
@@ -127,7 +132,7 @@ def _layout(msgid: int) -> WireLayout:
     if "mavlink_version" in cls.fieldnames:
         defaults["mavlink_version"] = 3
     record = namedtuple(cls.msgname, cls.ordered_fieldnames)  # type: ignore[misc]
-    return WireLayout(msgid, cls.msgname, record, formats, defaults)
+    return WireLayout(cls.id, cls.msgname, record, formats, defaults)
 
 
 def _is_array(form: str) -> bool:
@@ -226,25 +231,6 @@ def fields(frame: Frame) -> Any:
     if text_at:
         values = _with_text(values, text_at)
     return _new(record, values)
-
-
-def record_bytes(msgid: int) -> int:
-    """How long header and uncut payload of a message are together. Raises ValueError for an id not in the dialect."""
-    return cast(int, _READERS[msgid].wire.size)
-
-
-def records(msgid: int, packed: bytes | memoryview) -> Iterable[Any]:
-    """What `fields` gives, for many frames of one message at once.
-
-    packed: header and uncut payload of each, `record_bytes` long, without gaps between them.
-    """
-    _, wire, _, regroup, text_at, record = _READERS[msgid]
-    rows: Iterable[tuple[Any, ...]] = wire.iter_unpack(packed)
-    if regroup is not None:
-        rows = map(regroup, rows)
-    if text_at:
-        rows = map(_with_text, rows, repeat(text_at))
-    return map(_new, repeat(record), rows)
 
 
 def _with_text(values: tuple[Any, ...], text_at: tuple[int, ...]) -> tuple[Any, ...]:

@@ -34,6 +34,18 @@ _ROUNDING_S = 1e-6
 ACCEPTED: int = common.MAV_RESULT_ACCEPTED
 IN_PROGRESS: int = common.MAV_RESULT_IN_PROGRESS
 
+
+def result_name(result: int) -> str:
+    """MAV_RESULT's own name: `TEMPORARILY_REJECTED`."""
+    entry = common.enums["MAV_RESULT"].get(result)
+    return entry.name.removeprefix("MAV_RESULT_") if entry is not None else f"result {result}"
+
+
+def result_in_words(result: int) -> str:
+    """MAV_RESULT for a person: `temporarily rejected`."""
+    return result_name(result).replace("_", " ").lower()
+
+
 Outcome = Literal["accepted", "rejected", "timeout"]
 
 

@@ -21,6 +21,8 @@ import numpy as np
 from numpy.typing import NDArray
 from pymavlink.dialects.v20 import ardupilotmega
 
+from gcs.mavlink import codec, records
+
 CLASSES: Mapping[int, Any] = ardupilotmega.mavlink_map
 """pymavlink's message classes by id: MAVLink's common messages, and ArduPilot's own."""
 
@@ -244,16 +246,8 @@ def layout(msgid: int) -> MessageTable | None:
     cls = CLASSES.get(msgid)
     if cls is None:
         return None
-    codes, lengths = cls.native_format.decode()[1:], cls.array_lengths
-    types: list[tuple[Any, ...]] = []
-    for name, code, length in zip(cls.ordered_fieldnames, codes, lengths, strict=True):
-        if code in "cs":
-            types.append((name, f"S{length or 1}"))
-        else:
-            types.append((name, np.dtype(f"<{code}"), (length,)) if length else (name, np.dtype(f"<{code}")))
-    text = {name for name, code in zip(cls.ordered_fieldnames, codes, strict=True) if code in "cs"}
-    size = dict(zip(cls.ordered_fieldnames, lengths, strict=True))
-    byte = {name for name, code in zip(cls.ordered_fieldnames, codes, strict=True) if code in "Bb"}
+    wire = codec.layout_of(cls)
+    form = dict(zip(wire.record._fields, wire.formats, strict=True))
     columns: list[FieldColumn] = []
     taken = set(OWN)
     for name in cls.fieldnames:
@@ -261,21 +255,22 @@ def layout(msgid: int) -> MessageTable | None:
         unknown = UNKNOWN.get((cls.msgname, name))
         title = _title(cls.msgname, name, scale, taken)
         taken.add(title)
-        if name in text:
+        elements = int(form[name][:-1] or 1) if form[name][-1] != "s" and len(form[name]) > 1 else 0
+        if form[name][-1] == "s":
             columns.append(FieldColumn(title, name, None, None, None, "text"))
-        elif name in byte and size[name] > BYTES_SHOWN and scale is None:
+        elif form[name][-1] in "Bb" and elements > BYTES_SHOWN and scale is None:
             columns.append(FieldColumn(f"{title}_hex", name, None, None, None, "bytes"))
-        elif size[name]:
+        elif elements:
             stem, suffix = (
                 (title, "") if scale is None else (title.removesuffix(f"_{scale.suffix}"), f"_{scale.suffix}")
             )
             columns += [
                 FieldColumn(f"{stem}_{index}{suffix}", name, index, scale, unknown, "number")
-                for index in range(size[name])
+                for index in range(elements)
             ]
         else:
             columns.append(FieldColumn(title, name, None, scale, unknown, "number"))
-    return MessageTable(cls.msgname, np.dtype(types), tuple(columns))
+    return MessageTable(cls.msgname, records.dtype(wire), tuple(columns))
 
 
 def _scale(unit: str) -> Scale | None:

@@ -1,4 +1,4 @@
-"""Sequence numbers: giving them, counting gaps in them, and knowing by them when a vehicle's tick is in.
+"""Sequence numbers: giving them, and knowing by them when a vehicle's tick is in.
 
 A number is one byte and wraps. Of two numbers the later is the one fewer than 128 steps ahead: that is why a tick holds
 at most 127 frames (docs/protocol.md#answer).
@@ -6,7 +6,7 @@ at most 127 frames (docs/protocol.md#answer).
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Sequence
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
@@ -31,58 +31,6 @@ class SequenceCounter:
         number = self._next
         self._next = (number + 1) % NUMBERS
         return number
-
-
-class GapCounter:
-    """Frames lost on one link: the gaps in the numbers of each (system, component).
-
-    A frame that comes late fills its gap and is no loss; one that comes twice changes nothing.
-    """
-
-    def __init__(self) -> None:
-        self.lost = 0
-        self.lost_of: dict[int, int] = {}
-        """the same by system id; one that has lost nothing is not in it"""
-        self._newest: dict[tuple[int, int], int] = {}
-        self._missing: dict[tuple[int, int], set[int]] = {}
-
-    @classmethod
-    def resumed(
-        cls, lost_of: Mapping[int, int], senders: Mapping[tuple[int, int], tuple[int, Iterable[int]]]
-    ) -> GapCounter:
-        """One that has counted already: frames lost by system id; each sender's newest number, and those missing."""
-        counter = cls()
-        counter.lost_of = dict(lost_of)
-        counter.lost = sum(lost_of.values())
-        for sender, (newest, missing) in senders.items():
-            counter._newest[sender], counter._missing[sender] = newest, set(missing)
-        return counter
-
-    def feed(self, sysid: int, compid: int, seq: int) -> None:
-        """Count a frame that was received."""
-        sender = sysid, compid
-        newest = self._newest.get(sender)
-        if newest is None:
-            self._newest[sender] = seq
-            self._missing[sender] = set()
-            return
-        ahead = (seq - newest) % NUMBERS
-        missing = self._missing[sender]
-        if ahead == 1 and not missing:
-            self._newest[sender] = seq
-        elif 0 < ahead < HALF:
-            skipped = {(newest + step) % NUMBERS for step in range(1, ahead)}
-            self._count(sysid, len(skipped))
-            self._newest[sender] = seq
-            # A number half a turn old can no longer be told from a new one.
-            self._missing[sender] = {old for old in missing | skipped if (seq - old) % NUMBERS < HALF}
-        elif seq in missing:
-            missing.remove(seq)
-            self._count(sysid, -1)
-
-    def _count(self, sysid: int, lost: int) -> None:
-        self.lost += lost
-        self.lost_of[sysid] = self.lost_of.get(sysid, 0) + lost
 
 
 def is_hello(frames: Sequence[Frame]) -> bool:

@@ -7,6 +7,7 @@ nothing after a last chunk that happens to be full. So a full chunk waits for th
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from typing import Any, NamedTuple
 
 CHUNK_CHARACTERS = 50
@@ -47,3 +48,13 @@ class Texts:
         told = [] if self._open is None else [(self._open.severity, self._open.text.rstrip())]
         self._open = None
         return told
+
+
+def recorded(messages: Iterable[tuple[float, Any]]) -> Iterator[tuple[float, int, str]]:
+    """(session time in s, severity, text) of one vehicle's texts, from its STATUSTEXTs and when they were heard."""
+    texts, heard_s = Texts(), 0.0
+    for time_s, content in messages:
+        yield from ((heard_s + PATIENCE_S, *told) for told in texts.overdue(time_s))
+        heard_s = time_s
+        yield from ((time_s, *told) for told in texts.hear(content, time_s))
+    yield from ((heard_s + PATIENCE_S, *told) for told in texts.give_up())

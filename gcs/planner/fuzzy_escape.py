@@ -13,9 +13,7 @@ import math
 
 import numpy as np
 from numba import njit
-from numpy.typing import ArrayLike
 
-from gcs.planner.potential_field import Field
 from gcs.scenario.geometry import FloatArray
 
 GAIN = 1.3  # size of the force, in |F_g|, at f = 1
@@ -51,49 +49,6 @@ def escape_strength(delta_phi: float, delta_f: float) -> float:
     """Fuzzy output f in [-1, 1] for ΔΦ in rad and ΔF (docs/model.md#fuzzy-escape, Table I); inputs beyond the domains
     are clamped."""
     return float(_strength(float(delta_phi), float(delta_f)))
-
-
-def escape(
-    q: ArrayLike,
-    attraction: ArrayLike,
-    repulsion: ArrayLike,
-    goal_distance_m: float,
-    memory: FloatArray,
-    *,
-    field: Field,
-    step_m: float | None = None,
-) -> tuple[FloatArray, FloatArray]:
-    """Escape force (3,), NED in the units of `attraction`, at `q` (3,), m NED, and the leader's next memory.
-
-    The memory is (MEMORY_SIZE,) (docs/model.md#fuzzy-escape; paper eqs. 8, 9 and Table I) [choice], domains and terms
-    [seed].
-
-    Call it once for every step of the planned point, before the step. `attraction` and `repulsion` (3,) are the
-    field's at `q`; `step_m` is the length of a full step, field.step_m by default: a slow leader makes shorter ones and
-    is not stuck for that. The force is zero while the escape is off:
-
-    - on when ten steps moved less than 0.3 of their full length and the goal is not reached (field.step_m);
-    - off when 0.3 m nearer to the goal than at engagement, when the goal is reached, or after 20 steps in a row
-      without repulsion;
-    - side s = F̂_g × up (north when the line is vertical), chosen by the repulsion's lean, a tie is +s, kept while on;
-    - after 25 stuck steps in a row the force turns by 90° about the line to the target, upwards first since the
-      ground is below [choice].
-
-    ValueError when a shape is wrong.
-    """
-    vectors = [np.asarray(x, dtype=np.float64) for x in (q, attraction, repulsion)]
-    for name, vector in zip(("q", "attraction", "repulsion"), vectors, strict=True):
-        if vector.shape != (3,):
-            raise ValueError(f"{name} has shape {vector.shape}; it must be (3,)")
-    if memory.shape != (MEMORY_SIZE,):
-        raise ValueError(f"memory has shape {memory.shape}; take a row of new_memory, ({MEMORY_SIZE},)")
-    following = memory.copy()
-    full_step_m = field.step_m if step_m is None else step_m
-    (qn, qe, qd), (gn, ge, gd), (on, oe, od) = vectors
-    force_ned = escape_force(
-        following, qn, qe, qd, gn, ge, gd, on, oe, od, float(goal_distance_m), full_step_m, field.step_m
-    )
-    return np.array(force_ned), following
 
 
 @njit(cache=True)
@@ -149,7 +104,20 @@ def escape_force(
     full_step: float,
     arrival: float,
 ) -> tuple[float, float, float]:
-    """Kernel of `escape`: (gn, ge, gd) is F_g, (on, oe, od) is F_o; changes `memory` (MEMORY_SIZE,) in place."""
+    """Kernel: the escape force (north, east, down), in the units of the attraction; changes `memory` (MEMORY_SIZE,) in
+    place (docs/model.md#fuzzy-escape; paper eqs. 8, 9 and Table I) [choice], domains and terms [seed].
+
+    (gn, ge, gd) is F_g and (on, oe, od) F_o at (qn, qe, qd), m NED; called once for every step of the planned point,
+    before the step. `full_step` in m is the length of a full step: a slow leader makes shorter ones and is not stuck
+    for that. `arrival` in m is the distance at which the goal is reached. The force is zero while the escape is off:
+
+    - on when ten steps moved less than 0.3 of their full length and the goal is not reached;
+    - off when 0.3 m nearer to the goal than at engagement, when the goal is reached, or after 20 steps in a row
+      without repulsion;
+    - side s = F̂_g × up (north when the line is vertical), chosen by the repulsion's lean, a tie is +s, kept while on;
+    - after 25 stuck steps in a row the force turns by 90° about the line to the target, upwards first since the
+      ground is below [choice].
+    """
     stuck = _record(memory, qn, qe, qd, full_step) and goal_distance > arrival
     size_g = math.sqrt(gn * gn + ge * ge + gd * gd)
     size_o = math.sqrt(on * on + oe * oe + od * od)

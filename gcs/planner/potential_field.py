@@ -79,67 +79,6 @@ def widened_range(range_m: ArrayLike, speed_m_s: ArrayLike, age_s: ArrayLike) ->
     return np.asarray(np.add(range_m, np.multiply(speed_m_s, np.maximum(age_s, 0.0))), dtype=np.float64)
 
 
-def force(
-    q_ned: ArrayLike,
-    *,
-    tracked: ArrayLike,
-    waypoints: ArrayLike,
-    repulsors: FloatArray,
-    ranges_m: ArrayLike,
-    field: Field,
-) -> tuple[FloatArray, FloatArray]:
-    """Attraction (3,) and repulsion (3,), NED without unit, at `q_ned` (3,), m NED (docs/model.md#potential-field;
-    paper eqs. 7, 10, 11).
-
-    Form [choice], values [seed].
-
-    `tracked` (m1, 3) attract at any distance, `waypoints` (m2, 3) within the field's attraction range; `repulsors` is
-    an obstacle table (m, COLUMNS) with one repulsion range each, `ranges_m` (m,). ValueError when the shapes disagree.
-    """
-    q = np.asarray(q_ned, dtype=np.float64)
-    ranges = np.ascontiguousarray(ranges_m, dtype=np.float64)
-    if q.shape != (3,):
-        raise ValueError(f"q_ned has shape {q.shape}; it must be (3,)")
-    if ranges.shape != (len(repulsors),):
-        raise ValueError(f"ranges_m has shape {ranges.shape}; with {len(repulsors)} repulsors give ({len(repulsors)},)")
-    constants = field.constants()
-    attraction, repulsion = np.zeros(3), np.zeros(3)
-    _attract_all(q, _rows(tracked), _rows(waypoints), constants, attraction)
-    _repel_all(q, repulsors, ranges, constants, repulsion)
-    return attraction, repulsion
-
-
-def attraction_potential(distance_m: float, field: Field) -> float:
-    """Potential of an attractor at `distance_m`, of which the capped attraction is the gradient.
-
-    ½ k0 ρ² (docs/model.md#potential-field) up to cap_m, from there straight on with the slope that it has reached
-    [choice].
-    """
-    near = min(distance_m, field.cap_m)
-    return 0.5 * field.k0 * near**2 + (field.k0 * field.cap_m * (distance_m - near) if distance_m > near else 0.0)
-
-
-def repulsion_potential(distance_m: float, range_m: float, field: Field) -> float:
-    """Potential of a repulsor at `distance_m` from its surface (docs/model.md#potential-field).
-
-    Below SURFACE_FLOOR_M, and inside, it goes straight on with the slope that it has reached [choice].
-    """
-    near, inner = max(distance_m, SURFACE_FLOOR_M), field.b * range_m
-    below = near - distance_m
-    potential = 0.0
-    if near <= range_m:
-        potential += 0.5 * field.k1 * (1 / near - 1 / range_m) ** 2
-    if near <= inner:
-        potential += 0.5 * field.a * field.k1 * (1 / near - 1 / inner) ** 2
-    if below > 0:
-        potential += below * float(repulsion_size(near, range_m, field.k1, field.a, field.b))
-    return potential
-
-
-def _rows(positions: ArrayLike) -> FloatArray:
-    return np.ascontiguousarray(positions, dtype=np.float64).reshape(-1, 3)
-
-
 @njit(cache=True)
 def repulsion_size(rho: float, rho_o: float, k1: float, a: float, b: float) -> float:
     """Kernel: |F_o| at distance `rho` of a repulsor of range `rho_o`."""
@@ -177,29 +116,3 @@ def attraction_to(
     if rho > constants[CAP]:
         k *= constants[CAP] / rho
     return k * dn, k * de, k * dd
-
-
-@njit(cache=True)
-def _attract_all(
-    q: FloatArray, tracked: FloatArray, waypoints: FloatArray, constants: FloatArray, total: FloatArray
-) -> None:
-    for i in range(tracked.shape[0] + waypoints.shape[0]):
-        if i < tracked.shape[0]:
-            g = tracked[i]
-            reach = math.inf
-        else:
-            g = waypoints[i - tracked.shape[0]]
-            reach = constants[ATTRACTION_RANGE]
-        n, e, d = attraction_to(g[0], g[1], g[2], reach, q[0], q[1], q[2], constants)
-        total[0] += n
-        total[1] += e
-        total[2] += d
-
-
-@njit(cache=True)
-def _repel_all(q: FloatArray, table: FloatArray, ranges: FloatArray, constants: FloatArray, total: FloatArray) -> None:
-    for i in range(table.shape[0]):
-        n, e, d = repulsion_of_shape(table, i, ranges[i], q[0], q[1], q[2], constants)
-        total[0] += n
-        total[1] += e
-        total[2] += d

@@ -8,7 +8,7 @@ once is a stretch of the log, whatever its length.
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +20,7 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.mavlink import field_units
 from gcs.mavlink.ids import STATION
 from gcs.recording import tlog
+from gcs.recording.decision_lines import DecisionLines
 from gcs.recording.missing import SCENARIO, passed_over, unread
 from gcs.recording.tables import Column, Tables
 from gcs.recording.tlog import AT, COMPID, MSGID, SYSID, T_US, Chunk
@@ -210,12 +211,15 @@ def _unknown(chunk: Chunk, msgid: int, tables: Tables, epoch_us: int, sent: NDAr
 def _export_decisions(path: Path, tables: Tables, progress: Progress) -> list[str]:
     """A table per kind: `decisions_set_point`; what a decision says of each vehicle is a row each in `…_by_vehicle`."""
     shapes: dict[str, tuple[dict[str, type], dict[str, type]]] = {}
-    broken = 0
-    for _, record in _lines(path):
-        if record is None:
-            broken += 1
-        else:
-            _learn(shapes, record)
+    share = 0.0
+
+    def read(to: float) -> None:
+        nonlocal share
+        share = to
+
+    lines = DecisionLines(path, read)
+    for record in lines:
+        _learn(shapes, record)
     waiting: dict[str, list[dict[str, Any]]] = {}
 
     def flush(name: str, types: Mapping[str, type]) -> None:
@@ -223,9 +227,7 @@ def _export_decisions(path: Path, tables: Tables, progress: Progress) -> list[st
         if rows:
             tables.append(name, {key: _typed([row.get(key) for row in rows], kind) for key, kind in types.items()})
 
-    for share, record in _lines(path):
-        if record is None:
-            continue
+    for record in lines:
         name = _table(record)
         plain, vehicles = _flat(record)
         rows = waiting.setdefault(name, [])
@@ -240,21 +242,7 @@ def _export_decisions(path: Path, tables: Tables, progress: Progress) -> list[st
     for name, (types, by_vehicle) in shapes.items():
         flush(name, types)
         flush(f"{name}_by_vehicle", by_vehicle)
-    return [passed_over(path.name, broken)] if broken else []
-
-
-def _lines(path: Path) -> Iterator[tuple[float, dict[str, Any] | None]]:
-    """(share of the file that is read, decision or None where a line is none)"""
-    size, read = max(path.stat().st_size, 1), 0
-    with path.open("rb") as file:
-        for line in file:
-            read += len(line)
-            try:
-                record = json.loads(line)
-            except ValueError:
-                record = None
-            usable = isinstance(record, dict) and isinstance(record.get("kind"), str)
-            yield read / size, record if usable and isinstance(record.get("t_s"), int | float) else None
+    return [passed_over(path.name, lines.passed_over)] if lines.passed_over else []
 
 
 def _table(record: Mapping[str, Any]) -> str:

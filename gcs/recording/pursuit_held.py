@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
@@ -13,6 +14,7 @@ from gcs.recording.series import Floats, Series, Track, held, tracks
 from gcs.recording.session_folder import Gathering, Recorded
 from gcs.recording.tlog import Chunk
 from gcs.scenario.model import Scenario
+from gcs.telemetry.pursuit import PursuitHeld
 
 PLACES = ("LOCAL_POSITION_NED", "HEARTBEAT", "EXTENDED_SYS_STATE", "GPS_GLOBAL_ORIGIN")
 ROUNDING_S = 1e-6
@@ -55,13 +57,15 @@ class CourseReader:
             return None
         self._gathering.finish()
         flown = tracks(self._recorded)
-        return Course(held_by(self._recorded, flown), self._period_s) if flown else None
+        return Course(held_by(self._recorded, flown)[0], self._period_s) if flown else None
 
 
 def ticks_of(recorded: Recorded) -> Floats:
-    """(k,) the times of the planner's ticks."""
-    period_s = recorded.scenario.clock.period_s if recorded.scenario else 0.1
-    return np.arange(1, int(recorded.end_s / period_s + ROUNDING_S) + 1).astype(np.float64) * period_s
+    """(k,) the times of the planner's ticks: none at the session's end, nor while external vehicles are handed back."""
+    scenario = recorded.scenario
+    period_s, last_s = (scenario.clock.period_s, scenario.goal.duration_s) if scenario else (0.1, math.inf)
+    last_s = min(recorded.end_s, last_s - period_s)
+    return np.arange(1, int(last_s / period_s + ROUNDING_S) + 1).astype(np.float64) * period_s
 
 
 def pursued(recorded: Recorded, t_s: Floats) -> dict[int, NDArray[np.int64]]:
@@ -90,38 +94,28 @@ def pursued(recorded: Recorded, t_s: Floats) -> dict[int, NDArray[np.int64]]:
     return found
 
 
-def held_by(recorded: Recorded, flown: Mapping[int, Track]) -> Series:
-    """The longest time for which even the worst pursuer had stayed with its target, or target had had its pursuer, at
-    each tick (gcs/telemetry/metrics.py judges so); without a goal of pursuit it is empty."""
+def held_by(recorded: Recorded, flown: Mapping[int, Track]) -> tuple[Series, dict[int, float]]:
+    """For how long the goal's pursuit had been held: at each tick by the worst, and at the end by each pursuer, or
+    target where one pursuer is chosen for each; empty without a goal of pursuit."""
     scenario = recorded.scenario
     if scenario is None or scenario.goal.pursue is None:
-        return Series(np.empty(0), np.empty(0))
+        return Series(np.empty(0), np.empty(0)), {}
     t_s = ticks_of(recorded)
     of_targets = scenario.pursuit.by == "competition"
     whom = pursued(recorded, t_s)
-    near = {key: np.zeros(len(t_s), dtype=np.bool_) for key in whom}
-    if of_targets:
-        near = {target.sysid: np.zeros(len(t_s), dtype=np.bool_) for target in scenario.vehicles.targets}
+    keys = [target.sysid for target in scenario.vehicles.targets] if of_targets else list(whom)
+    pursuit = PursuitHeld(keys, scenario.goal.pursue.within_m)
+    column = {key: i for i, key in enumerate(keys)}
+    worst_s = np.empty(len(t_s))
     for begin in range(0, len(t_s), BLOCK_TICKS):
         some = slice(begin, min(begin + BLOCK_TICKS, len(t_s)))
         at = {sysid: track.at(t_s[some]) for sysid, track in flown.items()}
+        near_m = np.full((len(t_s[some]), len(keys)), np.nan)
         for pursuer, targets in whom.items():
             for target in np.unique(targets[some]).tolist():
-                if pursuer in at and target in at:
-                    close = np.linalg.norm(at[pursuer] - at[target], axis=1) <= scenario.goal.pursue.within_m
-                    key = target if of_targets else pursuer
-                    if key in near:
-                        near[key][some] |= close & (targets[some] == target)
-    worst = np.full(len(t_s), np.inf)
-    for holds in near.values():
-        worst = np.minimum(worst, longest_yet_s(t_s, holds))
-    return Series(t_s, worst if near else np.zeros(len(t_s)))
-
-
-def longest_yet_s(t_s: Floats, holds: NDArray[np.bool_]) -> Floats:
-    """(k,) the longest time, up to each sample, from the first to the last of samples in a row at which it held."""
-    begins = holds & ~np.concatenate(([False], holds[:-1]))
-    since_s = np.maximum.accumulate(np.where(begins, t_s, -np.inf))
-    with np.errstate(invalid="ignore"):
-        lasted_s = np.where(holds, t_s - since_s, 0.0)
-    return np.maximum.accumulate(lasted_s) if len(t_s) else lasted_s
+                key = column.get(target if of_targets else pursuer)
+                if pursuer in at and target in at and key is not None:
+                    apart_m = np.linalg.norm(at[pursuer] - at[target], axis=1)
+                    near_m[:, key] = np.fmin(near_m[:, key], np.where(targets[some] == target, apart_m, np.nan))
+        worst_s[some] = pursuit.take(t_s[some], near_m)
+    return Series(t_s, worst_s), pursuit.held_s

@@ -5,7 +5,10 @@ Session seconds, SI, the common NED frame. A series is times (k,) and values (k,
 
 from __future__ import annotations
 
+import heapq
 import math
+from collections import namedtuple
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import chain
 from typing import Any, NamedTuple
@@ -14,9 +17,12 @@ import numpy as np
 import pymap3d
 from numpy.typing import NDArray
 
-from gcs.mavlink.battery import HECTOJOULE
+from gcs.mavlink import statustext
+from gcs.mavlink.autopilots import GENERIC, PROFILES, Profile, profile_of
+from gcs.mavlink.battery import battery_status, sys_status
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.recording.session_folder import Recorded
+from gcs.telemetry.battery_account import BatteryAccount
 from gcs.telemetry.state import STALE_S
 
 Floats = NDArray[np.float64]
@@ -25,6 +31,9 @@ GAP_S = 2.0
 LATE_S = 5.0
 """A vehicle's own time is believed where it is at most this much before the arrival: else its clock is another one."""
 ARMED, ON_GROUND, UNDEFINED_STATE = 0x80, 1, 0
+_ACCOUNT = ("HEARTBEAT", "PARAM_VALUE", "NAMED_VALUE_INT", "BATTERY_STATUS", "SYS_STATUS")
+_Told = tuple[float, float, str, Any]
+"""(session time in s, place in the file, message, its content), which so stand in the order in which they came"""
 
 
 class Series(NamedTuple):
@@ -180,49 +189,67 @@ class BatterySeries:
 
 
 def batteries(recorded: Recorded) -> dict[int, BatterySeries]:
-    """Each vehicle's battery by its messages alone: initial + received - drawn - given
-    (docs/protocol.md#energy-accounting)."""
+    """Each vehicle's battery after each report of it, and at the end: the account that the session kept, kept again."""
     if not recorded.tables:
         return {}
-    parameters = _by_vehicle(recorded.tables["PARAM_VALUE"])
-    counters = _by_vehicle(recorded.tables["NAMED_VALUE_INT"])
-    fitted = {v.sysid: v.battery for v in recorded.scenario.vehicles.all} if recorded.scenario else {}
-    ledgers = {v.sysid: v.energy for v in recorded.summary.vehicles} if recorded.summary else {}
+    told = {name: _by_vehicle(recorded.tables[name]) for name in _ACCOUNT if name in recorded.tables}
+    vehicles = {v.sysid: v for v in recorded.scenario.vehicles.all} if recorded.scenario else {}
     found = {}
-    reports = recorded.tables["BATTERY_STATUS"]
-    for sysid, rows in _by_vehicle(reports[reports["id"] == 0]).items():
-        told = {row["param_id"]: float(row["param_value"]) for row in parameters.get(sysid, ())}
-        capacity_j = told.get(b"SIM_BAT_CAP_J") or (fitted[sysid].capacity_j if sysid in fitted else 0.0)
-        if not capacity_j:
-            continue
-        if sysid in ledgers:
-            initial_j = ledgers[sysid].initial_j
-        elif b"SIM_BAT_INIT_J" in told:
-            initial_j = told[b"SIM_BAT_INIT_J"]
-        else:
-            initial_j = 0.01 * (fitted[sysid].initial_percent if sysid in fitted else 100.0) * capacity_j
-        moved_j = np.zeros(len(rows))
-        for name, sign in ((b"XferIn", 1.0), (b"XferOut", -1.0)):
-            count = counters.get(sysid, np.empty(0))
-            count = count[count["name"] == name] if len(count) else count
-            if len(count):
-                total = np.maximum.accumulate(count["value"]).astype(np.float64)
-                moved_j += sign * held(Series(count["t_s"], total), rows["t_s"])
-            elif sign > 0.0:
-                moved_j += held(_booked(recorded, sysid), rows["t_s"])
-        if (rows["energy_consumed"] >= 0).all():
-            left_j = initial_j + moved_j - HECTOJOULE * np.maximum.accumulate(rows["energy_consumed"])
-        else:
-            left_j = np.where(rows["battery_remaining"] >= 0, 0.01 * rows["battery_remaining"] * capacity_j, np.nan)
-        found[sysid] = BatterySeries(capacity_j, Series(rows["t_s"].copy(), left_j))
+    for sysid in sorted(told.get("BATTERY_STATUS", {}).keys() | told.get("SYS_STATUS", {}).keys()):
+        vehicle = vehicles.get(sysid)
+        capacity_j = vehicle.battery.capacity_j if vehicle else 0.0
+        account = BatteryAccount(capacity_j, 0.01 * vehicle.battery.initial_percent * capacity_j if vehicle else 0.0)
+        profile = PROFILES.get(vehicle.external.autopilot) if vehicle and vehicle.external else None
+        messages = [_messages(kind, rows[sysid]) for kind, rows in told.items() if sysid in rows]
+        times_s, left_j = _kept(account, heapq.merge(*messages, _booked(recorded, sysid)), profile)
+        if account.capacity_j and times_s:
+            if left_j[-1] != account.remaining_j:
+                times_s.append(max(recorded.end_s, times_s[-1]))
+                left_j.append(account.remaining_j)
+            found[sysid] = BatterySeries(account.capacity_j, Series(np.array(times_s), np.array(left_j)))
     return found
 
 
-def _booked(recorded: Recorded, sysid: int) -> Series:
-    """What bases gave to a vehicle that counts nothing itself: the sum of its services, each at its end."""
+def _messages(kind: str, rows: NDArray[Any]) -> Iterator[_Told]:
+    """One vehicle's messages of a kind, in the file's order."""
+    return ((content.t_s, content.place, kind, content) for content in _contents(rows))
+
+
+def _contents(rows: NDArray[Any]) -> Iterator[Any]:
+    """Rows of a table as messages' contents, fields by name."""
+    content: Any = namedtuple("content", rows.dtype.names or ())  # type: ignore[misc]
+    return map(content._make, rows.tolist())
+
+
+def _kept(account: BatteryAccount, told: Iterable[_Told], profile: Profile | None) -> tuple[list[float], list[float]]:
+    """What the battery held in J after each report, and when."""
+    armed, speaks = False, profile or GENERIC
+    times_s: list[float] = []
+    left_j: list[float] = []
+    for t_s, _, kind, content in told:
+        if kind == "HEARTBEAT":
+            armed, speaks = bool(content.base_mode & ARMED), profile or profile_of(content.autopilot)
+        elif kind == "NAMED_VALUE_INT":
+            account.counter(content.name.decode("ascii", "replace"), content.value)
+        elif kind == "PARAM_VALUE":
+            value = speaks.parameter(content.param_value, content.param_type)
+            account.parameter(content.param_id.decode("ascii", "replace"), value)
+        elif kind == "served":
+            if not account.told:
+                account.book(content)
+        elif kind == "SYS_STATUS" or content.id == 0:
+            report = (sys_status if kind == "SYS_STATUS" else battery_status)(content, t_s)
+            if account.meter.heeds(report):
+                account.report(report, armed=armed)
+                times_s.append(t_s)
+                left_j.append(account.remaining_j)
+    return times_s, left_j
+
+
+def _booked(recorded: Recorded, sysid: int) -> list[_Told]:
+    """What bases gave to a vehicle, each service at its end."""
     served = [d for d in recorded.decisions if d["kind"] == "served" and d["receiver"] == sysid and d.get("base")]
-    total_j = np.cumsum(np.array([d["energy_j"] for d in served], dtype=np.float64))
-    return Series(np.array([d["t_s"] for d in served], dtype=np.float64), total_j)
+    return [(d["t_s"], math.inf, "served", round(d["energy_j"])) for d in served]
 
 
 @dataclass(frozen=True)
@@ -284,15 +311,14 @@ def links(recorded: Recorded, flown: dict[int, Track]) -> dict[int, LinkSeries]:
 
 
 def texts(recorded: Recorded, worst: int = 4) -> list[tuple[float, int, int, str]]:
-    """(time in s, system id, severity, text) of the STATUSTEXTs at least as severe as this, MAV_SEVERITY."""
+    """(time in s, system id, severity, text) of the texts at least as severe as this, MAV_SEVERITY, put together."""
     if not recorded.tables:
         return []
-    rows = recorded.tables["STATUSTEXT"]
-    rows = rows[_are_own(rows) & (rows["severity"] <= worst) & (rows["chunk_seq"] == 0)]
-    return [
-        (float(row["t_s"]), int(row["sysid"]), int(row["severity"]), row["text"].decode("ascii", "replace"))
-        for row in rows
-    ]
+    found = []
+    for sysid, rows in _by_vehicle(recorded.tables["STATUSTEXT"]).items():
+        heard = ((one.t_s, one._replace(text=one.text.decode("ascii", "replace"))) for one in _contents(rows))
+        found += [(t_s, sysid, severity, text) for t_s, severity, text in statustext.recorded(heard)]
+    return sorted(one for one in found if one[2] <= worst)
 
 
 def _are_own(table: NDArray[Any]) -> NDArray[np.bool_]:

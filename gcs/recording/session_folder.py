@@ -3,20 +3,20 @@ what it alone could tell. `Recorded.problems` says what that is."""
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 from pydantic import ValidationError
 
-from gcs.mavlink.ids import AUTOPILOT
-from gcs.recording import set_points, tlog
+from gcs.mavlink.gaps import RecordedGaps
+from gcs.mavlink.ids import STATION
 from gcs.recording import summary as summaries
+from gcs.recording import tlog
+from gcs.recording.decision_lines import COLUMNS, DecisionLines
 from gcs.recording.summary import Summary
 from gcs.recording.writer import DECISIONS, TLOG
 from gcs.scenario.file import load
@@ -26,17 +26,19 @@ SCENARIO = "scenario.yaml"
 WANTED = {
     "LOCAL_POSITION_NED": ("time_boot_ms", "x", "y", "z", "vx", "vy", "vz"),
     "ATTITUDE": ("time_boot_ms", "roll", "pitch", "yaw"),
-    "HEARTBEAT": ("base_mode",),
+    "HEARTBEAT": ("place", "autopilot", "base_mode"),
     "EXTENDED_SYS_STATE": ("landed_state",),
     "GPS_GLOBAL_ORIGIN": ("latitude", "longitude", "altitude"),
-    "BATTERY_STATUS": ("id", "energy_consumed", "battery_remaining"),
-    "NAMED_VALUE_INT": ("name", "value"),
-    "PARAM_VALUE": ("param_id", "param_value"),
+    "BATTERY_STATUS": (
+        *("place", "id", "energy_consumed", "battery_remaining", "current_battery", "voltages", "voltages_ext"),
+    ),
+    "SYS_STATUS": ("place", "voltage_battery", "current_battery", "battery_remaining"),
+    "NAMED_VALUE_INT": ("place", "name", "value"),
+    "PARAM_VALUE": ("place", "param_id", "param_value", "param_type"),
     "STATUSTEXT": ("severity", "text", "id", "chunk_seq"),
     "ADSB_VEHICLE": ("ICAO_address", "lat", "lon", "altitude", "heading", "hor_velocity", "ver_velocity", "callsign"),
 }
-"""The messages that a report is made from, and the fields that it needs of them."""
-BLOCK_BYTES = 1 << 22
+"""The messages that a report is made from, and the fields that it needs of them; `place`: where in the file."""
 MOST_SECONDS = 7 * 86_400
 NEEDED: dict[str, tuple[str, ...]] = {
     "competition": ("v", "leader", "share"),
@@ -74,10 +76,10 @@ class Recorded:
     """by message: t_s of the session, sysid, compid and the fields of WANTED, in the order of arrival"""
     decisions: list[dict[str, Any]] = field(default_factory=list)
     """every decision but the set points"""
-    set_points: NDArray[np.float64] = field(default_factory=lambda: np.empty((0, set_points.COLUMNS)))
+    set_points: NDArray[np.float64] = field(default_factory=lambda: np.empty((0, COLUMNS)))
     """(n, COLUMNS) in the order of decision"""
     traffic_count: NDArray[np.int64] = field(default_factory=lambda: np.zeros((256, 0), dtype=np.int64))
-    """(256, seconds) frames received of each vehicle's autopilot in each second"""
+    """(256, seconds) frames received of each vehicle in each second"""
     traffic_lost: NDArray[np.int64] = field(default_factory=lambda: np.zeros((256, 0), dtype=np.int64))
     """(256, seconds) gaps in their sequence numbers"""
     end_s: float = 0.0
@@ -126,55 +128,28 @@ def _read_scenario(recorded: Recorded) -> None:
 
 
 def _read_decisions(recorded: Recorded, progress: Progress) -> None:
-    path = recorded.folder / DECISIONS
+    lines = DecisionLines(recorded.folder / DECISIONS, progress)
     points: list[NDArray[np.float64]] = []
-    broken = done = 0
-    carried = b""
+    foreign = 0
     try:
-        size = max(path.stat().st_size, 1)
-        with path.open("rb") as file:
-            while block := file.read(BLOCK_BYTES):
-                done += len(block)
-                text = carried + block
-                end = text.rfind(b"\n") + 1
-                carried = text[end:]
-                rows, others = set_points.scan(text[:end])
-                points.append(rows)
-                broken += _take_decisions(recorded, others, points)
-                progress(done / size)
-        broken += _take_decisions(recorded, [carried] if carried else [], points)
+        for some, others in lines.blocks():
+            points.append(some)
+            for line in others:
+                record = line.record()
+                if any(key not in record for key in NEEDED.get(line.kind, ())):
+                    foreign += 1
+                    continue
+                if line.kind == "competition":  # one a tick, with numbers of every vehicle
+                    record = {key: record[key] for key in COMPETITION if key in record}
+                recorded.decisions.append({**record, "t_s": line.t_s})
     except OSError as error:
         why = "is missing" if isinstance(error, FileNotFoundError) else f"cannot be read ({error.strerror})"
-        recorded.problems.append(f"{path.name} {why}: plan, tracking error and competition cannot be shown.")
-    if broken:
+        recorded.problems.append(f"{DECISIONS} {why}: plan, tracking error and competition cannot be shown.")
+    if broken := foreign + lines.passed_over:
         lines_are = "1 line that is" if broken == 1 else f"{broken} lines that are"
-        recorded.problems.append(f"{path.name} has {lines_are} no decision, cut short or foreign; passed over.")
+        recorded.problems.append(f"{DECISIONS} has {lines_are} no decision, cut short or foreign; passed over.")
     if points:
         recorded.set_points = np.concatenate(points)
-
-
-def _take_decisions(recorded: Recorded, lines: Iterable[bytes], points: list[NDArray[np.float64]]) -> int:
-    """Take decisions line by line; how many were none."""
-    broken = 0
-    rows = []
-    for line in lines:
-        try:
-            decision = json.loads(line)
-            if decision["kind"] == "set_point":
-                told = (*decision["p_ned"], decision["sysid"], decision["t_s"], *decision["v_ned"])
-                rows.append(np.array(told, dtype=np.float64).reshape(8)[: set_points.COLUMNS])
-            elif missing := [key for key in NEEDED.get(decision["kind"], ()) if key not in decision]:
-                raise KeyError(missing)
-            else:
-                kept = decision.items()
-                if decision["kind"] == "competition":  # one a tick, with numbers of every vehicle
-                    kept = [(key, value) for key, value in kept if key in COMPETITION]
-                recorded.decisions.append({**dict(kept), "t_s": float(decision["t_s"])})
-        except (ValueError, TypeError, KeyError):
-            broken += 1
-    if rows:
-        points.append(np.stack(rows))
-    return broken
 
 
 def read_tlog(recorded: Recorded, progress: Progress) -> None:
@@ -202,8 +177,7 @@ class Gathering:
         self._epoch_us = round(1e6 * scenario.clock.epoch.timestamp()) if scenario else None
         self._pieces: dict[str, list[NDArray[Any]]] = {name: [] for name in wanted}
         self._counted = counted
-        self._newest = np.full(256, -1, dtype=np.int64)
-        self._missing = np.zeros((256, 256), dtype=np.bool_)
+        self._gaps = RecordedGaps()
 
     def take(self, chunk: tlog.Chunk) -> None:
         """Take in the next stretch."""
@@ -212,7 +186,7 @@ class Gathering:
             return
         epoch_us = self._epoch_us = int(heads[0, tlog.T_US]) if self._epoch_us is None else self._epoch_us
         for name, pieces in self._pieces.items():
-            pieces.append(_columns(chunk.table(name), WANTED[name], epoch_us))
+            pieces.append(_columns(chunk, name, epoch_us))
         self._recorded.end_s = max(self._recorded.end_s, 1e-6 * (int(heads[-1, tlog.T_US]) - epoch_us))
         if self._counted:
             self._count(heads, epoch_us)
@@ -226,78 +200,32 @@ class Gathering:
                 tables[name] = np.concatenate(pieces)
 
     def _count(self, heads: NDArray[np.int64], epoch_us: int) -> None:
+        """Count frames and gaps second by second; a frame that comes again, as relayed ones do, is neither. One that
+        comes late makes good its gap in the second in which it comes."""
         recorded = self._recorded
-        grown = _last_second(heads, epoch_us) + 1 - recorded.traffic_count.shape[1]
+        second = (heads[:, tlog.T_US] - epoch_us) // 1_000_000
+        # A foreign time, years away, must not make a table of years.
+        mine = (heads[:, tlog.SYSID] < STATION[0]) & (second >= 0) & (second < MOST_SECONDS)
+        second, heads = second[mine], heads[mine]
+        grown = second.max(initial=-1) + 1 - recorded.traffic_count.shape[1]
         if grown > 0:
             recorded.traffic_count = np.pad(recorded.traffic_count, ((0, 0), (0, grown)))
             recorded.traffic_lost = np.pad(recorded.traffic_lost, ((0, 0), (0, grown)))
-        counts = recorded.traffic_count, recorded.traffic_lost
-        _gaps(heads, epoch_us, self._newest, self._missing, *counts)
+        sysids = heads[:, tlog.SYSID]
+        lost, new = self._gaps.count(sysids, heads[:, tlog.COMPID], heads[:, tlog.SEQ])
+        np.add.at(recorded.traffic_count, (sysids, second), new)
+        np.add.at(recorded.traffic_lost, (sysids, second), lost)
 
 
-def _columns(table: NDArray[Any], fields: tuple[str, ...], epoch_us: int) -> NDArray[Any]:
-    """A table's times in session seconds, senders and these fields alone."""
-    kept = [(name, table.dtype[name]) for name in ("sysid", "compid", *fields)]
-    columns = np.empty(len(table), dtype=[("t_s", np.float64), *kept])
+def _columns(chunk: tlog.Chunk, message: str, epoch_us: int) -> NDArray[Any]:
+    """One message's times in session seconds, senders and wanted fields alone."""
+    table = chunk.table(message)
+    names = ("sysid", "compid", *(name for name in WANTED[message] if name != "place"))
+    own: list[Any] = [("t_s", np.float64)] + [("place", np.int64)] * ("place" in WANTED[message])
+    columns = np.empty(len(table), dtype=[*own, *((name, table.dtype[name]) for name in names)])
     columns["t_s"] = 1e-6 * (table["t_us"] - epoch_us)
-    for name, _ in kept:
+    if "place" in WANTED[message]:
+        columns["place"] = chunk.places(message)
+    for name in names:
         columns[name] = table[name]
     return columns
-
-
-@njit(cache=True)
-def _own_second(head: NDArray[np.int64], epoch_us: int) -> int:
-    """Kernel: the session's second in which an autopilot's frame came; -1 of other frames, and where the time is a
-    foreign one, years away, which must not make a table of years."""
-    if head[tlog.COMPID] != AUTOPILOT:
-        return -1
-    second = (head[tlog.T_US] - epoch_us) // 1_000_000
-    return second if 0 <= second < MOST_SECONDS else -1
-
-
-@njit(cache=True)
-def _last_second(heads: NDArray[np.int64], epoch_us: int) -> int:
-    """Kernel: the last second in which a frame counts; -1 where none does."""
-    last = -1
-    for i in range(heads.shape[0]):
-        last = max(last, _own_second(heads[i], epoch_us))
-    return last
-
-
-@njit(cache=True)
-def _gaps(
-    heads: NDArray[np.int64],
-    epoch_us: int,
-    newest: NDArray[np.int64],
-    missing: NDArray[np.bool_],
-    count: NDArray[np.int64],
-    lost: NDArray[np.int64],
-) -> None:
-    """Kernel: counts frames and gaps as gcs.mavlink.sequence.GapCounter does, second by second; a frame that comes
-    again, as relayed ones do, is neither. A frame that comes late makes good its gap in the second in which it comes.
-
-    newest (256,) and missing (256, 256) are the memory from call to call.
-    """
-    for i in range(heads.shape[0]):
-        now = _own_second(heads[i], epoch_us)
-        if now < 0:
-            continue
-        sender, number = heads[i, tlog.SYSID], heads[i, tlog.SEQ]
-        if newest[sender] < 0:
-            newest[sender] = number
-            count[sender, now] += 1
-            continue
-        ahead = (number - newest[sender]) % 256
-        if 0 < ahead < 128:
-            for step in range(1, ahead):
-                missing[sender, (newest[sender] + step) % 256] = True
-            for step in range(ahead):  # a number half a turn old can no longer be told from a new one
-                missing[sender, (number - 128 - step) % 256] = False
-            missing[sender, number] = False
-            lost[sender, now] += ahead - 1
-            newest[sender] = number
-            count[sender, now] += 1
-        elif missing[sender, number]:
-            missing[sender, number] = False
-            lost[sender, now] -= 1
-            count[sender, now] += 1

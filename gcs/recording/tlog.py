@@ -24,7 +24,7 @@ from numba import njit
 from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common
 
-from gcs.mavlink import codec
+from gcs.mavlink import codec, records
 from gcs.mavlink.codec import Frame
 
 IntArray = NDArray[np.int64]
@@ -72,6 +72,11 @@ class Chunk:
         data = self.octets.tobytes()
         for t_us, at, sysid, compid, seq, msgid in self.heads.tolist():
             yield t_us, Frame(sysid, compid, seq, msgid, raw_at(data, at))
+
+    def places(self, message: int | str) -> IntArray:
+        """(n,) where in the file the rows of `table` begin."""
+        places: IntArray = self.begin + self.heads[self._msgids == codec.layout(message).msgid, AT]
+        return places
 
     def table(self, message: int | str) -> NDArray[Any]:
         """Every frame of one message as a structured array (n,): t_us, sysid, compid, seq, then the message's fields
@@ -174,18 +179,9 @@ def raw_at(data: bytes, at: int) -> bytes:
 @lru_cache(maxsize=512)
 def _dtypes(msgid: int) -> tuple[np.dtype[Any], int]:
     """The dtype of a message's table, and how many of its bytes are payload: they come last."""
-    shape = codec.layout(msgid)
     own = [("t_us", "<i8"), ("sysid", "u1"), ("compid", "u1"), ("seq", "u1")]
-    taken = {name for name, _ in own}
-    fields: list[Any] = []
-    for name, form in zip(shape.record._fields, shape.formats, strict=True):
-        label = f"{name}_" if name in taken else name
-        if form[-1] == "s":
-            fields.append((label, f"S{form[:-1]}"))
-        else:
-            length = (int(form[:-1]),) if len(form) > 1 else ()
-            fields.append((label, np.dtype(form[-1]).newbyteorder("<"), length))
-    return np.dtype([*own, *fields]), np.dtype(fields).itemsize
+    payload = records.dtype(codec.layout(msgid), frozenset(name for name, _ in own))
+    return np.dtype([*own, *((name, payload[name]) for name in payload.names or ())]), payload.itemsize
 
 
 @njit(cache=True)

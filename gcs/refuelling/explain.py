@@ -6,9 +6,8 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
-from pymavlink.dialects.v20 import common as mav
 
-from gcs.mavlink.commands import OPERATOR, CommandResult
+from gcs.mavlink.commands import OPERATOR, CommandResult, result_in_words
 from gcs.refuelling.bidding import Standing
 from gcs.refuelling.service import Phase, Service, by_text
 from gcs.refuelling.target_assignment import meeting_s
@@ -146,23 +145,16 @@ def sentence(record: Mapping[str, Any]) -> str:
 
 def acknowledged(result: CommandResult) -> str:
     """How a command ended, for a person."""
-    refused = _RESULTS.get(result.result, "") if result.result is not None else ""
+    refused = result_in_words(result.result or 0)
+    code = "" if refused == f"result {result.result}" else f"result {result.result}, "
     if str(result.token).startswith(OPERATOR):
         order = str(result.token).removeprefix(OPERATOR).strip().capitalize()
         if result.outcome == "timeout":
             return f"{order} was not acknowledged, though it was sent {result.attempts} times"
-        return f"{order} accepted" if result.outcome == "accepted" else f"{order} refused: {refused or result.result}"
+        return f"{order} accepted" if result.outcome == "accepted" else f"{order} refused: {refused}"
     how = {
         "accepted": "was accepted",
         "timeout": "timed out",
-        "rejected": f"was refused (result {result.result}{f', {refused}' if refused else ''})",
+        "rejected": f"was refused ({code}{refused})",
     }
     return f"Command {result.command} ({result.token}) {how[result.outcome]}"
-
-
-_RESULTS = {
-    mav.MAV_RESULT_TEMPORARILY_REJECTED: "not possible now",
-    mav.MAV_RESULT_DENIED: "denied",
-    mav.MAV_RESULT_UNSUPPORTED: "not supported",
-    mav.MAV_RESULT_FAILED: "failed",
-}

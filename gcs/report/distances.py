@@ -14,10 +14,10 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from gcs.recording.pursuit_held import pursued, ticks_of
+from gcs.recording.decision_lines import P_NED, SYSID, T_S
+from gcs.recording.pursuit_held import held_by, pursued, ticks_of
 from gcs.recording.series import Floats, Series, Track, rows_of
 from gcs.recording.session_folder import Recorded
-from gcs.recording.set_points import P_NED, SYSID, T_S
 from gcs.scenario import geometry
 from gcs.telemetry.approach import nearest_pair
 from gcs.telemetry.metrics import PLAN_MEMORY, distance_to_path
@@ -40,7 +40,8 @@ class Nearness:
     to_target: dict[int, Series]
     """each pursuer's distance to what it pursues"""
     held_s: dict[int, float]
-    """the longest time for which it stayed within the goal's distance; empty without such a goal"""
+    """by pursuer, or target where one is chosen for each, the longest time for which it was within the goal's distance;
+    empty without such a goal"""
 
 
 def measure(recorded: Recorded, flown: Mapping[int, Track], others: Mapping[str, Track]) -> Nearness:
@@ -81,14 +82,13 @@ def measure(recorded: Recorded, flown: Mapping[int, Track], others: Mapping[str,
                     chosen = whom[sysid][some] == target
                     to_target[sysid][some][chosen] = distance[chosen]
     pairs = sysids[pair] if len(sysids) else pair
-    pursue = scenario.goal.pursue if scenario else None
     return Nearness(
         Series(t_s, separation),
         pairs,
         Series(t_s, clearance),
         Series(t_s, traffic),
         {sysid: Series(t_s, values) for sysid, values in to_target.items()},
-        {s: longest_s(t_s, values <= pursue.within_m) for s, values in to_target.items()} if pursue else {},
+        held_by(recorded, flown)[1] if flown else {},
     )
 
 
@@ -96,13 +96,6 @@ def _least(distances: Floats) -> Floats:
     """(k,) the least of each row (k, n); NaN where nothing is known."""
     filled = np.where(np.isnan(distances), np.inf, distances).min(axis=1)
     return np.where(np.isfinite(filled), filled, np.nan)
-
-
-def longest_s(t_s: Floats, holds: NDArray[np.bool_]) -> float:
-    """The longest time from the first to the last of samples in a row at which something held."""
-    edges = np.flatnonzero(np.diff(np.concatenate(([False], holds, [False])).astype(np.int8)))
-    begins, ends = edges[::2], edges[1::2] - 1
-    return float((t_s[ends] - t_s[begins]).max(initial=0.0))
 
 
 def tracking_errors(recorded: Recorded, flown: Mapping[int, Track]) -> dict[int, Series]:

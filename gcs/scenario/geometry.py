@@ -100,20 +100,6 @@ def points(positions_ned: ArrayLike, radii_m: ArrayLike = 0.0) -> FloatArray:
     return rows
 
 
-def surface(table: FloatArray, q_ned: ArrayLike) -> tuple[FloatArray, FloatArray]:
-    """Signed distance (m,) in m to each shape's surface, and unit vector (m, 3) from the surface towards `q_ned` (3,).
-
-    Within a volume the distance is minus the depth and the vector points out by the shortest way; of equally short
-    ways north comes before east before down, and from the very centre they lead north, east and up. At a point, and
-    at the centre of a sphere, where every way is as short, the vector is up.
-    """
-    q = _vector("q_ned", q_ned)
-    distance_m = np.empty(len(table))
-    direction_ned = np.empty((len(table), 3))
-    _surfaces(table, q, distance_m, direction_ned)
-    return distance_m, direction_ned
-
-
 def clearance(table: FloatArray, points_ned: ArrayLike) -> FloatArray:
     """Least signed distance (k,) in m from each of `points_ned` (k, 3) to any surface; inf where there is no shape."""
     at = np.ascontiguousarray(points_ned, dtype=np.float64).reshape(-1, 3)
@@ -145,7 +131,12 @@ def _row(kind: float, position_ned: FloatArray, *sizes: float) -> FloatArray:
 
 @njit(cache=True)
 def shape_surface(table: FloatArray, i: int, qn: float, qe: float, qd: float) -> tuple[float, float, float, float]:
-    """Kernel: (signed distance, direction north, east, down) of row `i` as seen from (qn, qe, qd)."""
+    """Kernel: signed distance in m of row `i`'s surface, and unit vector (north, east, down) from it to (qn, qe, qd).
+
+    Within a volume the distance is minus the depth and the vector points out by the shortest way; of equally short
+    ways north comes before east before down, and from the very centre they lead north, east and up. At a point, and
+    at the centre of a sphere, where every way is as short, the vector is up.
+    """
     kind = table[i, KIND]
     dn = qn - table[i, NORTH]
     de = qe - table[i, EAST]
@@ -195,12 +186,6 @@ def _cylinder_surface(
     if out_r >= out_d:
         return out_r, radial_n, radial_e, 0.0
     return out_d, 0.0, 0.0, down
-
-
-@njit(cache=True)
-def _surfaces(table: FloatArray, q: FloatArray, distance: FloatArray, direction: FloatArray) -> None:
-    for i in range(table.shape[0]):
-        distance[i], direction[i, 0], direction[i, 1], direction[i, 2] = shape_surface(table, i, q[0], q[1], q[2])
 
 
 @njit(cache=True)

@@ -1,4 +1,4 @@
-"""Messages of the session's socket: the session line, snapshots, and their rows for vehicles, traffic and events."""
+"""Builds the lines of the session's socket (`message_types`): session, snapshot, reply and end."""
 
 from __future__ import annotations
 
@@ -10,6 +10,26 @@ from gcs.refuelling import explain
 from gcs.refuelling.service import Phase
 from gcs.scenario.goal import Judgement, asked
 from gcs.scenario.model import Obstacle, Scenario, VehicleBase
+from gcs.session.message_types import (
+    BaseRow,
+    BrokenRow,
+    CompetitionRow,
+    End,
+    EventRow,
+    GoalRow,
+    GoalStateRow,
+    MemberRow,
+    ObstacleRow,
+    Reply,
+    ServedRow,
+    ServiceRow,
+    SessionLine,
+    Snapshot,
+    StockRow,
+    TrafficRow,
+    VehicleRow,
+    plain,
+)
 from gcs.telemetry.events import Event
 from gcs.telemetry.health import HealthIssue, State, health_issues, severity, state
 from gcs.telemetry.state import TrafficView, Vec3, VehicleView
@@ -44,57 +64,62 @@ def vehicle_row(
     aim_ned: Vec3 | None = None,
     state: State = State.IDLE,
     found: Sequence[HealthIssue] = (),
-) -> dict[str, Any]:
+) -> VehicleRow:
     """One vehicle at `now_s`; `found` is its trouble, worst first (gcs/telemetry/health.py)."""
     heard = view.heard_s >= 0.0
-    return {
-        "sysid": view.sysid,
-        "role": view.role,
-        "label": view.label,
-        "alive": view.alive,
-        "stage": stage,
-        "mode": str(view.mode),
-        "armed": view.armed,
-        "landed": view.landed,
-        "autopilot": view.profile.name if heard else None,
-        "p_ned": view.p_ned,
-        "v_ned": view.v_ned,
-        "speed_m_s": math.hypot(*view.v_ned),
-        "height_m": -view.p_ned[2] if view.p_ned is not None else None,
-        "heading_rad": view.heading_rad,
-        "aim_ned": aim_ned,
-        "age_s": view.age_s if math.isfinite(view.age_s) else None,
-        "heard_s": max(now_s - view.heard_s, 0.0) if heard else None,
-        "lost": lost,
-        "lost_share": lost_share,
-        "target_m": target_m,
-        "battery": view.remaining_j / view.capacity_j,
-        "remaining_j": view.remaining_j,
-        "power_w": view.power_w,
-        "endurance_s": view.endurance_s if math.isfinite(view.endurance_s) else None,
-        "energy_source": view.energy_source,
-        "v": v,
-        "tau": tau,
-        "state": str(state),
-        "trouble": [trouble.text for trouble in found],
-        "severity": severity(found),
-        "note": note,
-    }
+    return VehicleRow(
+        sysid=view.sysid,
+        role=view.role,
+        label=view.label,
+        alive=view.alive,
+        stage=stage,
+        mode=str(view.mode),
+        armed=view.armed,
+        landed=view.landed,
+        autopilot=view.profile.name if heard else None,
+        p_ned=view.p_ned,
+        v_ned=view.v_ned,
+        speed_m_s=math.hypot(*view.v_ned),
+        height_m=-view.p_ned[2] if view.p_ned is not None else None,
+        heading_rad=view.heading_rad,
+        aim_ned=aim_ned,
+        age_s=view.age_s if math.isfinite(view.age_s) else None,
+        heard_s=max(now_s - view.heard_s, 0.0) if heard else None,
+        lost=lost,
+        lost_share=lost_share,
+        target_m=target_m,
+        battery=view.remaining_j / view.capacity_j,
+        remaining_j=view.remaining_j,
+        power_w=view.power_w,
+        endurance_s=view.endurance_s if math.isfinite(view.endurance_s) else None,
+        energy_source=view.energy_source,
+        v=v,
+        tau=tau,
+        state=str(state),
+        trouble=[trouble.text for trouble in found],
+        severity=severity(found),
+        note=note,
+    )
 
 
-def traffic_row(aircraft: TrafficView) -> dict[str, Any]:
+def traffic_row(aircraft: TrafficView) -> TrafficRow:
     """One aircraft by its ADSB_VEHICLE."""
-    return {
-        "callsign": aircraft.callsign,
-        "p_ned": aircraft.p_ned,
-        "v_ned": aircraft.v_ned,
-        "age_s": aircraft.age_s,
-    }
+    return TrafficRow(aircraft.callsign, aircraft.p_ned, aircraft.v_ned, aircraft.age_s)
 
 
-def event_row(event: Event) -> dict[str, Any]:
+def event_row(event: Event) -> EventRow:
     """One event."""
-    return {"t_s": event.t_s, "sysid": event.sysid, "level": event.level, "text": event.text, "kind": event.kind}
+    return EventRow(event.t_s, event.sysid, event.level, event.text, event.kind)
+
+
+def reply_message(given: object, ok: bool, text: str) -> dict[str, Any]:
+    """The message of type "reply" to a line whose "id" was `given`."""
+    return plain(Reply(given if isinstance(given, str | int) else None, ok, text))
+
+
+def end_message(outcome: str, status: int, text: str = "") -> dict[str, Any]:
+    """The message of type "end"."""
+    return plain(End(outcome, text or outcome, status))
 
 
 def distance_m(a: Vec3 | None, b: Vec3 | None) -> float | None:
@@ -110,43 +135,43 @@ def snapshot_message(
     services = schedule.open_services
     tanker_m_s: dict[int | None, float] = {tanker.sysid: tanker.speed_m_s for tanker in scenario.vehicles.tankers}
     base_ned: dict[str | None, Vec3] = {base.name: base.position_m for base in scenario.bases}
-    return {
-        "type": "snapshot",
-        "t_s": supervisor.time_s,
-        "duration_s": scenario.goal.duration_s,
-        "speed": speed,
-        "phase": phase,
-        "vehicles": _vehicles(supervisor),
-        "traffic": [traffic_row(aircraft) for aircraft in snapshot.traffic],
-        "competition": explain.competition_of(schedule.standing, scenario.competition),
-        "services": [
-            explain.service_of(
-                s,
-                snapshot,
-                scenario.refuelling,
-                scenario.competition,
-                tanker_m_s.get(s.tanker, 0.0),
-                base_ned.get(s.base),
-            )
-            for s in services
-        ],
-        "history": explain.history_of(schedule.services),
-        "bases": [
-            {"name": stock.base.name, "remaining_j": stock.remaining_j, "stock_j": stock.base.stock_j}
-            for stock in schedule.stocks
-        ],
-        "refuelled": refuelled,
-        "goal": {
-            **goal_of(scenario),
-            "pursue_held_s": supervisor.metrics.pursuit_held_s,
-            "broken": [broken_of(judged) for judged in supervisor.goal_watch.broken()],
-        },
-        "inspected": supervisor.inspection.told(snapshot.time_s),
-        "events": [event_row(event) for event in events],
-    }
+    return plain(
+        Snapshot(
+            t_s=supervisor.time_s,
+            duration_s=scenario.goal.duration_s,
+            speed=speed,
+            phase=phase,
+            vehicles=_vehicles(supervisor),
+            traffic=[traffic_row(aircraft) for aircraft in snapshot.traffic],
+            competition=CompetitionRow(**explain.competition_of(schedule.standing, scenario.competition)),
+            services=[
+                ServiceRow(
+                    **explain.service_of(
+                        s,
+                        snapshot,
+                        scenario.refuelling,
+                        scenario.competition,
+                        tanker_m_s.get(s.tanker, 0.0),
+                        base_ned.get(s.base),
+                    )
+                )
+                for s in services
+            ],
+            history=[ServedRow(**row) for row in explain.history_of(schedule.services)],
+            bases=[StockRow(stock.base.name, stock.remaining_j, stock.base.stock_j) for stock in schedule.stocks],
+            refuelled=refuelled,
+            goal=GoalStateRow(
+                **goal_of(scenario),
+                pursue_held_s=supervisor.metrics.pursuit_held_s,
+                broken=[broken_of(judged) for judged in supervisor.goal_watch.broken()],
+            ),
+            inspected=supervisor.inspection.told(snapshot.time_s),
+            events=[event_row(event) for event in events],
+        )
+    )
 
 
-def _vehicles(supervisor: Supervisor) -> list[dict[str, Any]]:
+def _vehicles(supervisor: Supervisor) -> list[VehicleRow]:
     snapshot, standing, quality = supervisor.snapshot, supervisor.schedule.standing, supervisor.quality
     now_s = snapshot.time_s
     services = supervisor.schedule.open_services
@@ -203,26 +228,27 @@ def session_message(
 ) -> dict[str, Any]:
     """The message of type "session"; `clock` is the scenario's own unless given, `control`: commands are taken."""
     mode = clock or scenario.clock.mode
-    return {
-        "type": "session",
-        "name": scenario.name,
-        "folder": folder,
-        "source": source,
-        "duration_s": scenario.goal.duration_s,
-        "clock": mode,
-        "speed": scenario.clock.speed if mode == "real" else None,
-        "control": control,
-        "separation_m": scenario.planner.separation_m,
-        "vehicles": [vehicle_of(vehicle) for vehicle in scenario.vehicles.all],
-        "obstacles": [obstacle_of(shape, f"{shape.kind} {i + 1}") for i, shape in enumerate(scenario.obstacles)],
-        "bases": [{"name": base.name, "p_ned": base.position_m} for base in scenario.bases],
-        "goal": goal_of(scenario),
-    }
+    return plain(
+        SessionLine(
+            name=scenario.name,
+            folder=folder,
+            source=source,
+            duration_s=scenario.goal.duration_s,
+            clock=mode,
+            speed=scenario.clock.speed if mode == "real" else None,
+            control=control,
+            separation_m=scenario.planner.separation_m,
+            vehicles=[vehicle_of(vehicle) for vehicle in scenario.vehicles.all],
+            obstacles=[obstacle_of(shape, f"{shape.kind} {i + 1}") for i, shape in enumerate(scenario.obstacles)],
+            bases=[BaseRow(base.name, base.position_m) for base in scenario.bases],
+            goal=GoalRow(**goal_of(scenario)),
+        )
+    )
 
 
-def broken_of(judged: Judgement) -> dict[str, Any]:
+def broken_of(judged: Judgement) -> BrokenRow:
     """A part of the goal that can no longer be met."""
-    return {"part": judged.part, "text": judged.text, "t_s": judged.t_s}
+    return BrokenRow(judged.part, judged.text, judged.t_s)
 
 
 def goal_of(scenario: Scenario) -> dict[str, Any]:
@@ -238,34 +264,28 @@ def goal_of(scenario: Scenario) -> dict[str, Any]:
     }
 
 
-def vehicle_of(vehicle: VehicleBase) -> dict[str, Any]:
+def vehicle_of(vehicle: VehicleBase) -> MemberRow:
     """Who flies, and the way that it is to fly where there is one; a closed path ends where it begins."""
     path = list(getattr(vehicle, "path_m", None) or getattr(vehicle, "waypoints_m", None) or ())
     if getattr(vehicle, "closed", False):
         path.append(path[0])
-    return {
-        "sysid": vehicle.sysid,
-        "role": vehicle.role,
-        "label": vehicle.label,
-        "capacity_j": vehicle.battery.capacity_j,
-        "path_ned": path,
-    }
+    return MemberRow(vehicle.sysid, vehicle.role, vehicle.label, vehicle.battery.capacity_j, path)
 
 
-def obstacle_of(shape: Obstacle, default_label: str) -> dict[str, Any]:
+def obstacle_of(shape: Obstacle, default_label: str) -> ObstacleRow:
     """An obstacle to draw: outline from above (its last point is its first), centre, and where it begins and ends."""
     (n0, e0, d0), (n1, e1, d1) = shape.low_m, shape.high_m
     up_m = shape.radius_m if shape.kind == "sphere" else 0.0
-    return {
-        "name": shape.name,
-        "label": shape.name or default_label,
-        "kind": shape.kind,
-        "outline_ne": _outline(shape),
-        "centre_ned": ((n0 + n1) / 2.0, (e0 + e1) / 2.0, (d0 + d1) / 2.0),
-        "radius_m": shape.radius_m if shape.kind in ("sphere", "cylinder") else None,
-        "bottom_d": d1 + up_m,
-        "top_d": d0 - up_m,
-    }
+    return ObstacleRow(
+        name=shape.name,
+        label=shape.name or default_label,
+        kind=shape.kind,
+        outline_ne=_outline(shape),
+        centre_ned=((n0 + n1) / 2.0, (e0 + e1) / 2.0, (d0 + d1) / 2.0),
+        radius_m=shape.radius_m if shape.kind in ("sphere", "cylinder") else None,
+        bottom_d=d1 + up_m,
+        top_d=d0 - up_m,
+    )
 
 
 def _outline(shape: Obstacle) -> list[tuple[float, float]]:

@@ -22,6 +22,7 @@ from gcs.mavlink.ids import OUR_HEARTBEAT, STATION
 from gcs.mavlink.sequence import SequenceCounter
 from gcs.mavlink.stream_requests import SilentVehicles, everything
 from gcs.scenario.endpoint import Endpoint
+from gcs.session.messages import end_message, reply_message
 from gcs.session.observer import Observer
 from gcs.telemetry.events import Event
 
@@ -88,13 +89,13 @@ class MonitorSource:
             messages.append(self._observer.snapshot(t_s, speed=1.0, phase="flying"))
         if not self._air.open and not self._ended:
             self._ended = True
-            messages.append({"type": "end", "outcome": "the other end has closed the connection", "exit": 0})
+            messages.append(end_message("the other end has closed the connection", 0))
         return messages
 
     def send(self, command: Mapping[str, Any]) -> None:
         """Take `inspect`, and with control `hold`, `return` and `land`."""
         ok, text = self._obey(command)
-        self._replies.append({"type": "reply", "id": command.get("id"), "ok": ok, "text": text})
+        self._replies.append(reply_message(command.get("id"), ok, text))
 
     def close(self) -> None:
         """Listen no longer."""

@@ -11,15 +11,32 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any, Literal
 
+import msgspec
+from msgspec import UNSET
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.link.quality import LinkQuality
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import End, profile_of
 from gcs.mavlink.codec import Frame
+from gcs.mavlink.commands import result_in_words
+from gcs.mavlink.gaps import GapCounter
 from gcs.mavlink.ids import AUTOPILOT
-from gcs.mavlink.sequence import GapCounter
 from gcs.scenario.model import Scenario
+from gcs.session.message_types import (
+    BrokenRow,
+    CompetitionRow,
+    GoalRow,
+    GoalStateRow,
+    MemberRow,
+    ReplayRow,
+    ServedRow,
+    ServiceRow,
+    SessionLine,
+    Snapshot,
+    VehicleRow,
+    plain,
+)
 from gcs.session.messages import NO_GOAL, distance_m, event_row, session_message, traffic_row, vehicle_row
 from gcs.telemetry.adapter import Ear
 from gcs.telemetry.changes import ChangeDetector
@@ -32,8 +49,11 @@ from gcs.telemetry.state import FleetState, Vec3, VehicleView
 Kind = Literal["monitor", "replay"]
 UNKNOWN_CAPACITY_J = math.nan
 ORIGIN_WITHIN_S = 3.0
-THRESHOLD = 0.9
-"""Of a competition that nobody holds: the default share."""
+NOBODY: Mapping[str, Any] = {
+    **{"v": {}, "tau": {}, "leader": None, "share": None, "runner_up": None},
+    "threshold": 0.9,  # the default share
+}
+"""A competition that nobody holds."""
 _ADSB = codec.msgid("ADSB_VEHICLE")
 _GLOBAL = codec.msgid("GLOBAL_POSITION_INT")
 _HEARTBEAT = codec.msgid("HEARTBEAT")
@@ -133,11 +153,11 @@ class Observer:
         ear = self._ears.get(frame.sysid)
         if ear is None:
             ear = self._discover(frame, t_s)
-        if ear is None or frame.compid != ear.compid:
-            return
-        if counted:
+        if counted and (ear is not None or frame.sysid in self._known or frame.sysid in self._expected):
             self._gaps.feed(frame.sysid, frame.compid, frame.seq)
             self.quality.take(frame.sysid, 1, t_s)
+        if ear is None or frame.compid != ear.compid:
+            return
         if frame.sysid in self.inspection.wanted:
             self.inspection.take((frame,), t_s)
         if self.scenario is not None and frame.sysid in self._known:
@@ -182,23 +202,24 @@ class Observer:
                 self.scenario, self._folder, source=self._source, clock=self._clock, control=self.control
             )
             known = {vehicle["sysid"] for vehicle in line["vehicles"]}
-            line["vehicles"] += [self._found(sysid) for sysid in self.sysids if sysid not in known]
+            line["vehicles"] += [msgspec.to_builtins(self._found(s)) for s in self.sysids if s not in known]
             return line | {"speed": None}
-        return {
-            "type": "session",
-            "name": self._name,
-            "folder": self._folder,
-            "source": self._source,
-            "duration_s": self.duration_s,
-            "clock": self._clock,
-            "speed": None,
-            "control": self.control,
-            "separation_m": None,
-            "vehicles": [self._found(sysid) for sysid in self.sysids],
-            "obstacles": [],
-            "bases": [],
-            "goal": dict(NO_GOAL),
-        }
+        return plain(
+            SessionLine(
+                name=self._name,
+                folder=self._folder,
+                source=self._source,
+                duration_s=self.duration_s,
+                clock=self._clock,
+                speed=None,
+                control=self.control,
+                separation_m=None,
+                vehicles=[self._found(sysid) for sysid in self.sysids],
+                obstacles=[],
+                bases=[],
+                goal=GoalRow(**NO_GOAL),
+            )
+        )
 
     def view(self, t_s: float) -> FleetState:
         """The fleet at `t_s`, for those who want to know more of it than a snapshot's line says."""
@@ -216,30 +237,24 @@ class Observer:
         events, self._events = self._events, []
         known = dict(more or {})
         parts: Mapping[int, Mapping[str, Any]] = known.pop("parts", {})
-        return {
-            "type": "snapshot",
-            "t_s": t_s,
-            "duration_s": self.duration_s,
-            "speed": speed,
-            "phase": phase,
-            "vehicles": self._rows(view, parts),
-            "traffic": [traffic_row(aircraft) for aircraft in view.traffic],
-            "competition": {
-                "v": {},
-                "tau": {},
-                "leader": None,
-                "share": None,
-                "runner_up": None,
-                "threshold": THRESHOLD,
-            },
-            "services": [],
-            "history": [],
-            "refuelled": 0,
-            "goal": {**NO_GOAL, "pursue_held_s": None, "broken": []},
-            "inspected": self.inspection.told(t_s),
-            "events": [event_row(event) for event in events],
-            **known,
-        }
+        return plain(
+            Snapshot(
+                t_s=t_s,
+                duration_s=known.get("duration_s", self.duration_s),
+                speed=speed,
+                phase=phase,
+                vehicles=self._rows(view, parts),
+                traffic=[traffic_row(aircraft) for aircraft in view.traffic],
+                competition=CompetitionRow(**known.get("competition", NOBODY)),
+                services=[ServiceRow(**row) for row in known.get("services", ())],
+                history=[ServedRow(**row) for row in known.get("history", ())],
+                refuelled=known.get("refuelled", 0),
+                goal=_goal_state(known.get("goal", {**NO_GOAL, "pursue_held_s": None, "broken": []})),
+                inspected=self.inspection.told(t_s),
+                events=[event_row(event) for event in events],
+                replay=ReplayRow(**known["replay"]) if "replay" in known else UNSET,
+            )
+        )
 
     # who is there
 
@@ -249,7 +264,7 @@ class Observer:
 
     def _discover(self, frame: Frame, t_s: float) -> Ear | None:
         """A vehicle's first HEARTBEAT makes it known; a scenario's vehicles are so already."""
-        if frame.sysid in self._known:
+        if frame.sysid in self._known or frame.sysid in self._expected:
             if frame.compid != AUTOPILOT:
                 return None
             ear = self._ears[frame.sysid] = Ear(frame.sysid, frame.compid)
@@ -261,9 +276,7 @@ class Observer:
         if role is None or content.autopilot == mav.MAV_AUTOPILOT_INVALID:
             return None
         ear = self._ears[frame.sysid] = Ear(frame.sysid, frame.compid)
-        if frame.sysid not in self._expected:
-            label = f"{role} {frame.sysid}"
-            self.fleet.join(Member(frame.sysid, role, label, UNKNOWN_CAPACITY_J, UNKNOWN_CAPACITY_J))
+        self.fleet.join(Member(frame.sysid, role, f"{role} {frame.sysid}", UNKNOWN_CAPACITY_J, UNKNOWN_CAPACITY_J))
         kind = profile_of(content.autopilot).name
         self._events.append(Event(t_s, frame.sysid, "info", f"First heard of: {kind} autopilot", "link"))
         self.changed = True
@@ -274,10 +287,10 @@ class Observer:
         early = t_s - self._since_s.setdefault(ear.sysid, t_s) < ORIGIN_WITHIN_S
         return None if early and frame.msgid == _GLOBAL else ear.origin_of(frame)
 
-    def _found(self, sysid: int) -> dict[str, Any]:
+    def _found(self, sysid: int) -> MemberRow:
         view = self.fleet.snapshot(0.0).vehicle(sysid)
         capacity_j = view.capacity_j if math.isfinite(view.capacity_j) else None
-        return {"sysid": sysid, "role": view.role, "label": view.label, "capacity_j": capacity_j, "path_ned": []}
+        return MemberRow(sysid, view.role, view.label, capacity_j, [])
 
     # what is told of them
 
@@ -296,6 +309,7 @@ class Observer:
             self._acknowledged(t_s, sysid, ack)
 
     def _gather(self, view: FleetState) -> None:
+        self._said(view.time_s)
         if self.scenario is not None:
             self._events += self._watch.look(view, self.ordered)
             return
@@ -313,12 +327,12 @@ class Observer:
         if accepted and self._source == "replay":
             return
         command = mav.enums["MAV_CMD"].get(ack.command)
-        result = mav.enums["MAV_RESULT"].get(ack.result)
         what = command.name.removeprefix("MAV_CMD_") if command else f"command {ack.command}"
-        how = result.name.removeprefix("MAV_RESULT_").replace("_", " ").lower() if result else f"result {ack.result}"
-        self._events.append(Event(t_s, sysid, "info" if accepted else "warning", f"{what}: {how}", "ack"))
+        self._events.append(
+            Event(t_s, sysid, "info" if accepted else "warning", f"{what}: {result_in_words(ack.result)}", "ack")
+        )
 
-    def _rows(self, snapshot: FleetState, parts: Mapping[int, Mapping[str, Any]]) -> list[dict[str, Any]]:
+    def _rows(self, snapshot: FleetState, parts: Mapping[int, Mapping[str, Any]]) -> list[VehicleRow]:
         rows = []
         places = {view.sysid: view.p_ned for view in snapshot.vehicles}
         for told in snapshot.vehicles:
@@ -340,9 +354,9 @@ class Observer:
                 found=health_issues(view, snapshot.time_s, lost_share=lost_share, ordered=view.sysid in self.ordered),
                 **part,
             )
-            row["mode"] = _mode(view)
+            row.mode = _mode(view)
             if strange and ear is not None and not math.isfinite(told.remaining_j):
-                row |= {"battery": share, "remaining_j": None, "power_w": ear.cell.power_w, "endurance_s": None}
+                row.battery, row.remaining_j, row.power_w, row.endurance_s = share, None, ear.power_w, None
             rows.append(row)
         return rows
 
@@ -359,3 +373,7 @@ def _mode(view: VehicleView) -> str:
 
 def _sum(a: Sequence[float], b: Sequence[float]) -> Vec3:
     return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
+
+
+def _goal_state(goal: Mapping[str, Any]) -> GoalStateRow:
+    return GoalStateRow(**{**goal, "broken": [BrokenRow(**row) for row in goal["broken"]]})

@@ -25,6 +25,7 @@ import click
 from gcs.exit import BAD_INPUT, DONE, INTERNAL_ERROR, INTERRUPTED, NOT_DONE, leave
 from gcs.link.external import ExternalLink
 from gcs.link.fleet import MixedLink
+from gcs.link.link import Link
 from gcs.link.lockstep import REPEAT_S, FleetLink
 from gcs.link.socket import BUFFER_BYTES, AddressRefused
 from gcs.mavlink.ids import AUTOPILOT, TRAFFIC
@@ -34,7 +35,7 @@ from gcs.scenario import goal, plugins
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
 from gcs.session.commands import Clients
-from gcs.session.messages import session_message, snapshot_message
+from gcs.session.messages import end_message, session_message, snapshot_message
 from gcs.session.pace import Pace
 from gcs.session.server import Publisher, Reader
 from gcs.session.startup import Arrivals
@@ -77,10 +78,11 @@ class SessionProcess:
         clock = scenario.clock
         speed = None if clock.mode == "lockstep" else clock.speed
         self._pace = Pace(speed, time.monotonic, keeps_up=bool(external))
-        self._link: FleetLink | MixedLink = FleetLink(drop=drop, seed=scenario.seed)
+        self._fleet_link = FleetLink(drop=drop, seed=scenario.seed)
+        self._link: Link = self._fleet_link
         if external:
             strangers = ExternalLink(external, lambda: self._pace.running_wall_s)
-            self._link = MixedLink(self._link, strangers)
+            self._link = MixedLink(self._fleet_link, strangers)
         self._sleep = strangers.rest if external else time.sleep
         self._recorder = Recorder(folder)
         self._reserve = Reserve(folder, len(scenario.vehicles.all))
@@ -117,7 +119,7 @@ class SessionProcess:
             self._phase = "ended"
             status = INTERRUPTED if interrupted else DONE if outcome == goal.MET else NOT_DONE
             self._publisher.publish(self._next_picture())
-            self._publisher.publish({"type": "end", "outcome": outcome, "text": text, "exit": status})
+            self._publisher.publish(end_message(outcome, status, text))
             return status, outcome
         except (SessionFailed, RecorderError):
             if self._begun:
@@ -156,7 +158,7 @@ class SessionProcess:
                 return True
             finally:
                 self._wall_time_s = self._pace.running_wall_s if self._begun else 0.0
-                if self._begun and isinstance(self._link, MixedLink):
+                if self._begun and self._supervisor.externals.rules:
                     self._hand_back()
         return False
 
@@ -178,7 +180,7 @@ class SessionProcess:
         if self._link.buffer_bytes < BUFFER_BYTES:
             granted = f"{self._link.buffer_bytes >> 10} KiB"
             self._event(0, "warning", f"The kernel grants a receive buffer of {granted}, not 4 MiB: raise rmem_max")
-        connection = ("--supervised", f"udpout:{self._link.host}:{self._link.port}")
+        connection = ("--supervised", f"udpout:{self._fleet_link.host}:{self._fleet_link.port}")
         vehicles = self._scenario.vehicles.launched
         per_process = self._scenario.vehicles_per_process
         orders = vehicle_orders(self._scenario, self._folder, connection, per_process=per_process)
@@ -187,7 +189,7 @@ class SessionProcess:
             orders.append(traffic_order(self._scenario, self._folder, connection))
             keys.append(TRAFFIC)
         self._blocks = {order.sysid: order.sysids for order in orders}
-        self._link.expect(keys)
+        self._fleet_link.expect(keys)
         if self._hatch is not None:
             self._hatch.start(orders)
         rehearse(self._scenario)  # while the vehicles come up
@@ -210,8 +212,7 @@ class SessionProcess:
         self._begun = True
         gc.freeze()  # what lives now lives to the end: no collection need look at it again
         pace.start()
-        if isinstance(self._link, MixedLink):
-            self._link.external.begin()
+        self._link.begin()
         supervisor.begin()
         end_ms = round(1e3 * self._scenario.goal.duration_s)
         while supervisor.time_ms < end_ms and self._link.joined:

@@ -20,6 +20,7 @@ from gcs.recording.summary import Summary
 from gcs.recording.writer import DECISIONS, TLOG
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
+from gcs.session.messages import reply_message
 from gcs.session.observer import Observer
 from gcs.session.timeline import Timeline
 from gcs.session.tlog_index import TlogIndex, Told
@@ -71,6 +72,7 @@ class Replay:
             epoch_us=epoch_us,
             session=source.is_dir(),
             block_bytes=block_bytes,
+            metered=self._scenario.vehicles.external if self._scenario else (),
             progress=lambda share: progress(begin + (end - begin) * share),
             watch=course.take if course is not None else lambda _: None,
         )
@@ -90,7 +92,9 @@ class Replay:
         observer.duration_s = self.to_s if self._scenario is None else self._scenario.goal.duration_s
         observer.inspection.want(self._wanted)
         self.observer, self.t_s = observer, self.from_s
+        self._happened = 0
         for told in self._recording.before(t_s):
+            self._see_what_happened(told.t_s)
             if told.sent:
                 observer.overhear(told.frame)
             else:
@@ -98,7 +102,6 @@ class Replay:
         observer.resume(self._recording.gaps_before(t_s), t_s)
         self._frames: Iterator[Told] = self._recording.play(t_s)
         self._next: Told | None = next(self._frames, None)
-        self._dead = 0
         self.advance(t_s, math.inf)
         observer.forget_events(t_s)
         self._told_s = min(t_s, told_s) if t_s > self.from_s else -math.inf
@@ -109,7 +112,7 @@ class Replay:
         count = 0
         while self._next is not None and self._next.t_s <= t_s:
             told = self._next
-            self._see_deaths(told.t_s)
+            self._see_what_happened(told.t_s)
             if told.sent:
                 observer.overhear(told.frame)
             else:
@@ -120,7 +123,7 @@ class Replay:
             if count % 64 == 0 and time.monotonic() > until_wall_s:
                 return False
         self.t_s = max(self.t_s, min(t_s, self.to_s))
-        self._see_deaths(self.t_s)
+        self._see_what_happened(self.t_s)
         return True
 
     @property
@@ -151,13 +154,17 @@ class Replay:
         phase = "ended" if self.ended else "paused" if paused else "flying"
         return self.observer.snapshot(self.t_s, speed=speed, phase=phase, more=more)
 
-    def _see_deaths(self, t_s: float) -> None:
-        deaths = self._story.deaths if self._story is not None else []
-        while self._dead < len(deaths) and deaths[self._dead][0] <= t_s:
-            sysid = deaths[self._dead][1]
+    def _see_what_happened(self, t_s: float) -> None:
+        """Let vehicles die, and energy be booked, that did so by a time of the recording."""
+        happened = self._story.happened if self._story is not None else []
+        while self._happened < len(happened) and happened[self._happened].t_s <= t_s:
+            sysid, joules = happened[self._happened].sysid, happened[self._happened].booked_j
             if sysid in self.observer.sysids:
-                self.observer.fleet.lost(sysid)
-            self._dead += 1
+                if joules is None:
+                    self.observer.fleet.lost(sysid)
+                elif not self.observer.view(t_s).vehicle(sysid).battery_told:
+                    self.observer.fleet.book(sysid, joules)
+            self._happened += 1
 
     def _read_session(self, folder: Path, progress: Callable[[float], None]) -> int | None:
         """Scenario and decisions, as far as they are there; the session's epoch."""
@@ -231,7 +238,7 @@ class ReplaySource:
     def send(self, command: Message) -> None:
         """Take `pause`, `resume`, `speed`, `seek` and `inspect`; a recording's vehicles take no orders."""
         ok, text = self._obey(command)
-        self._replies.append({"type": "reply", "id": command.get("id"), "ok": ok, "text": text})
+        self._replies.append(reply_message(command.get("id"), ok, text))
 
     def close(self) -> None:
         """End the replay."""

@@ -18,6 +18,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from gcs.session.messages import reply_message
 from gcs.telemetry.events import Event
 
 NEXT, STOP = b"n", b"s"
@@ -28,6 +29,9 @@ READ_BYTES = 65536
 BACKLOG_BYTES = 1 << 20
 REMEMBERED = 200
 """Events that a client is told which came after them."""
+
+
+NO_COMMAND = 'A command is a JSON object with a text under "command", such as {"command": "pause"}.'
 
 
 class ClientRequest(NamedTuple):
@@ -63,7 +67,7 @@ class Publisher:
         return frozenset(self._numbers.values())
 
     def poll(self) -> list[ClientRequest]:
-        """Take new clients and what the present ones ask for; never waits. Lines that are no commands are ignored."""
+        """Take new clients and what the present ones ask for; never waits. Who sends a line that is none is told so."""
         with contextlib.suppress(BlockingIOError):
             while True:
                 client, _ = self._server.accept()
@@ -89,10 +93,14 @@ class Publisher:
             number = self._numbers[client]
             *lines, self._clients[client] = (self._clients[client] + chunk).split(b"\n")
             for line in lines:
+                content: Any = None
                 with contextlib.suppress(ValueError, RecursionError):
                     content = json.loads(line)
-                    if isinstance(content, dict) and isinstance(content.get("command"), str):
-                        commands.append(ClientRequest(number, content))
+                request = ClientRequest(number, content if isinstance(content, dict) else {})
+                if isinstance(request.content.get("command"), str):
+                    commands.append(request)
+                elif line.strip():
+                    self.reply(request, False, NO_COMMAND)
         return commands
 
     def publish(self, content: Mapping[str, Any]) -> None:
@@ -106,8 +114,7 @@ class Publisher:
 
     def reply(self, request: ClientRequest, ok: bool, text: str) -> None:
         """Answer who asked, if it is still there: whether its command is taken, and a sentence."""
-        given = request.content.get("id")
-        line = _line({"type": "reply", "id": given if isinstance(given, str | int) else None, "ok": ok, "text": text})
+        line = _line(reply_message(request.content.get("id"), ok, text))
         for client, number in list(self._numbers.items()):
             if number == request.client:
                 self._send(client, line)

@@ -7,13 +7,13 @@ frames tell them too.
 from __future__ import annotations
 
 import bisect
-import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from gcs.mavlink.autopilots import End
+from gcs.recording.decision_lines import DecisionLines, Line
 from gcs.recording.decisions import event_of
 from gcs.recording.summary import GoalPartSummary
 from gcs.refuelling import explain
@@ -26,8 +26,6 @@ from gcs.telemetry.events import Event
 from gcs.telemetry.health import state
 from gcs.telemetry.state import FleetState, Vec3
 
-_SET_POINT = b'{"kind":"set_point"'
-BLOCK_BYTES = 1 << 22
 STANDS_S = 0.35
 """A competition that has not been heard of for so long is over."""
 
@@ -61,6 +59,15 @@ class _Life:
         )
 
 
+class Happening(NamedTuple):
+    """What befell a vehicle that its frames do not tell: its death, or energy in J that a base gave it."""
+
+    t_s: float
+    sysid: int
+    booked_j: int | None
+    """None: it died"""
+
+
 class Timeline:
     """What was decided. Raises OSError where the file cannot be read."""
 
@@ -69,11 +76,10 @@ class Timeline:
         self._speed: dict[int | None, float] = {t.sysid: t.speed_m_s for t in scenario.vehicles.tankers}
         self._base_ned: dict[str | None, Vec3] = {base.name: base.position_m for base in scenario.bases}
         self._lives: list[_Life] = []
-        self._standing: list[tuple[float, bytes]] = []
+        self._standing: list[Line] = []
         self._told: list[tuple[float, dict[str, Any]]] = []
         self._pursuing: list[tuple[float, int, int]] = []
-        self.deaths: list[tuple[float, int, str]] = []
-        """(time, system id, sentence)"""
+        self.happened: list[Happening] = []
         self.orders: list[tuple[float, int, End | None]] = []
         """(time, system id, what it is to fly; None: by the plan again) of what operators took in hand"""
         self.chases: list[dict[str, Any]] = []
@@ -83,11 +89,14 @@ class Timeline:
         self.unmet: Sequence[GoalPartSummary] | None = None
         """what the session's summary says of them; None where there is none"""
         self.broken = 0
-        for line in self._lines(path, progress):
-            self._take(line)
+        lines = DecisionLines(path, progress)
+        for _, others in lines.blocks(set_points=False):
+            for line in others:
+                self._take(line)
+        self.broken += lines.passed_over
         self._told.sort(key=lambda told: told[0])  # what only the vehicles' truth showed was recorded at the end
         self.violations.sort(key=lambda record: float(record["at_s"]))
-        self._standing_s = [t_s for t_s, _ in self._standing]
+        self._standing_s = [line.t_s for line in self._standing]
         self._told_s = [t_s for t_s, _ in self._told]
 
     def events(self, after_s: float, until_s: float) -> Iterator[Event]:
@@ -207,42 +216,29 @@ class Timeline:
         at = bisect.bisect_right(self._standing_s, t_s) - 1
         if at < 0 or t_s - self._standing_s[at] > STANDS_S:
             return Standing()
-        record = json.loads(self._standing[at][1])
+        record = self._standing[at].record()
         v, tau = _by_sysid(record["v"]), _by_sysid(record["tau"])
         return Standing(v, tau, {}, record["leader"], record["share"])
 
     # reading
 
-    def _lines(self, path: Path, progress: Callable[[float], object]) -> Iterator[bytes]:
-        size, done = max(path.stat().st_size, 1), 0
-        with path.open("rb") as file:
-            while lines := file.readlines(BLOCK_BYTES):
-                yield from (line for line in lines if not line.startswith(_SET_POINT))
-                done += sum(map(len, lines))
-                progress(min(done / size, 1.0))
-
-    def _take(self, line: bytes) -> None:
+    def _take(self, line: Line) -> None:
+        if line.kind == "competition":
+            if line.giver != "base":
+                self._standing.append(line)
+            return
         try:
-            if b'"kind":"competition"' in line:
-                if b'"giver":"base"' in line:
-                    return
-                at = line.index(b'"t_s":') + 6
-                self._standing.append((float(line[at : at + 24].split(b",")[0].split(b"}")[0]), line))
-                return
-            record = json.loads(line)
-            t_s = float(record["t_s"])
-            if record["kind"] == "set_point":
-                return
-            if self._read(t_s, record):
-                if record["kind"] == "violation" and record["by"] == "truth":
-                    t_s = float(record["at_s"])
-                    record["t_s"] = t_s
-                self._told.append((t_s, record))
-        except (ValueError, KeyError, TypeError, AttributeError, IndexError):
+            record, t_s = line.record(), line.t_s
+            self._read(t_s, record)
+            if record["kind"] == "violation" and record["by"] == "truth":
+                t_s = float(record["at_s"])
+                record["t_s"] = t_s
+            self._told.append((t_s, record))
+        except (ValueError, KeyError, TypeError, AttributeError, StopIteration):
             self.broken += 1
 
-    def _read(self, t_s: float, record: Mapping[str, Any]) -> bool:
-        """Take a decision in; whether it is one to tell of."""
+    def _read(self, t_s: float, record: Mapping[str, Any]) -> None:
+        """Take a decision in."""
         kind = record["kind"]
         if kind == "decided":
             receiver, need = int(record["receiver"]), _by_sysid(record["need"])
@@ -270,6 +266,8 @@ class Timeline:
             if kind == "served":
                 life.end_s, life.reason, life.energy_j = t_s, record["reason"], float(record["energy_j"])
                 life.service.joined_at_s, life.service.start_s = record["joined_at_s"], record["start_s"]
+                if record.get("base"):
+                    self.happened.append(Happening(t_s, life.service.receiver, round(life.energy_j)))
             else:
                 life.phases.append((t_s, Phase.TRANSFER if kind == "transfer" else Phase.JOIN))
                 if kind == "transfer" and life.service.start_s is None:
@@ -281,7 +279,7 @@ class Timeline:
             _ = float(record["at_s"]), str(record["part"]), str(record["text"]), str(record["by"])
             self.violations.append(dict(record))
         elif kind == "death":
-            self.deaths.append((t_s, int(record["sysid"]), str(record.get("text", ""))))
+            self.happened.append(Happening(t_s, int(record["sysid"]), None))
         elif kind == "operator" and record.get("taken") and "sysid" in record:
             if record["command"] == "rejoin":
                 self.orders.append((t_s, int(record["sysid"]), None))
@@ -290,7 +288,6 @@ class Timeline:
             elif record["command"] == "retarget":
                 self._pursuing.append((t_s, int(record["sysid"]), int(record["target"])))
                 self.chases.append(dict(record))
-        return True
 
 
 def _by_sysid(numbers: Mapping[str, float]) -> dict[int, float]:

@@ -8,21 +8,21 @@ the block itself says; however long the recording is, that is a part of it.
 from __future__ import annotations
 
 import mmap
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.mavlink import codec
+from gcs.mavlink import codec, records
 from gcs.mavlink.codec import Frame
+from gcs.mavlink.gaps import GapCounter, RecordedGaps, resumed
 from gcs.mavlink.ids import STATION
-from gcs.mavlink.sequence import GapCounter
 from gcs.recording import tlog
-from gcs.recording.tlog import AT, MSGID, T_US
+from gcs.recording.tlog import AT, COMPID, MSGID, SEQ, SYSID, T_US
 
 IntArray = NDArray[np.int64]
 ByteArray = NDArray[np.uint8]
@@ -32,11 +32,11 @@ MOST_BLOCKS = 256
 READ_BYTES = 1 << 18
 WARM_S = 6.0
 """A vehicle's draw is read off so much of what its battery said."""
-SENDERS = 1 << 16
 _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
 _HEARTBEAT = codec.msgid("HEARTBEAT")
 _RELAYED = (codec.msgid("FOLLOW_TARGET"), codec.msgid("NAMED_VALUE_INT"))
 _BATTERY = codec.msgid("BATTERY_STATUS")
+_OF_BATTERIES = [_BATTERY, *map(codec.msgid, ("SYS_STATUS", "NAMED_VALUE_INT", "PARAM_VALUE", "HEARTBEAT"))]
 
 
 class Told(NamedTuple):
@@ -78,17 +78,6 @@ class Directions:
 _STATION = bytes([mav.MAV_TYPE_GCS])
 
 
-class _Counted(NamedTuple):
-    """What has been counted of sequence numbers before a block."""
-
-    lost: IntArray
-    """of each system id"""
-    senders: IntArray
-    """heard so far, as sysid << 8 | compid; and of each the newest number, and which are missing, 256 bits"""
-    newest: IntArray
-    missing: ByteArray
-
-
 _NONE = np.empty(0, dtype=np.int64)
 
 
@@ -97,7 +86,8 @@ class _Block(NamedTuple):
 
     begin: int
     from_s: float
-    counted: _Counted
+    counted: tuple[Any, ...]
+    """sequence numbers before it, as `RecordedGaps.packed`"""
     keys: IntArray = _NONE
     places: IntArray = _NONE
     """in the file, of the last frame of each key"""
@@ -113,7 +103,8 @@ class TlogIndex:
     """One .tlog. Raises OSError where it cannot be read.
 
     epoch_us: the time that is 0 s; the first frame's without it. block_bytes: of the index; by the file's size without
-    it. `watch` is given each stretch of the file as it is read. `problems` says what could not be read.
+    it. metered: vehicles whose energy is known only from all that they said of their batteries. `watch` is given
+     each stretch of the file as it is read. `problems` says what could not be read.
     """
 
     def __init__(
@@ -123,6 +114,7 @@ class TlogIndex:
         epoch_us: int | None = None,
         session: bool = False,
         block_bytes: int | None = None,
+        metered: Collection[int] = (),
         progress: Callable[[float], None] = lambda _: None,
         watch: Callable[[tlog.Chunk], object] = lambda _: None,
     ) -> None:
@@ -132,7 +124,9 @@ class TlogIndex:
         self.frames = 0
         block_bytes = block_bytes or max(BLOCK_BYTES, path.stat().st_size // MOST_BLOCKS)
         log = tlog.Tlog(path, chunk_bytes=block_bytes)
-        numbers = _Numbers()
+        gaps = RecordedGaps()
+        self._metered = frozenset(metered)
+        of_batteries = [np.empty(0, dtype=np.int64)]
         latest_us, last_us, first_us = -1, -1, None
         for chunk in log.chunks():
             heads = chunk.heads
@@ -145,18 +139,22 @@ class TlogIndex:
                 if new or (self._blocks and heads[0, T_US] == last_us):
                     new = new or len(heads)
                     self._blocks[-1] = self._blocks[-1].with_more(keys[:new], places[:new])
-                    numbers.count(heads[:new])
+                    _count(gaps, heads[:new])
                 if new < len(heads):
                     latest_us = max(latest_us, int(heads[new, T_US]))
                     begin, from_s = int(places[new]) - tlog.TIME_BYTES, (latest_us - epoch_us) / 1e6
-                    block = _Block(begin, from_s, numbers.counted())
+                    block = _Block(begin, from_s, gaps.packed())
                     self._blocks.append(block.with_more(keys[new:], places[new:]))
-                    numbers.count(heads[new:])
+                    _count(gaps, heads[new:])
                 latest_us = max(latest_us, int(heads[:, T_US].max()))
                 last_us = int(heads[-1, T_US])
                 self.frames += len(heads)
+                if metered:
+                    mine = np.isin(heads[:, SYSID], list(metered)) & np.isin(heads[:, MSGID], _OF_BATTERIES)
+                    of_batteries.append(chunk.begin + heads[mine, AT])
             watch(chunk)
             progress(chunk.read_share)
+        self._of_batteries = np.concatenate(of_batteries)
         self.problems = log.problems
         self._epoch_us = epoch_us or 0
         self.from_s = 0.0 if first_us is None else (first_us - self._epoch_us) / 1e6
@@ -187,6 +185,7 @@ class TlogIndex:
         keys = np.concatenate([block.keys for block in reversed(earlier)])
         places = np.concatenate([block.places for block in reversed(earlier)])
         found = set(places[np.unique(keys, return_index=True)[1]].tolist())
+        found |= set(self._of_batteries[self._of_batteries < self._blocks[at].begin].tolist())
         warm_us = (from_s - WARM_S) * 1e6 + self._epoch_us
         first = self._block_of(from_s - WARM_S)
         if first < at:
@@ -206,19 +205,13 @@ class TlogIndex:
                 frame = Frame(raw[5], raw[6], raw[4], int.from_bytes(raw[7:10], "little"), raw)
                 t_us = int.from_bytes(record[:8], "big")
                 told.append(Told((t_us - self._epoch_us) / 1e6, frame, directions.sent(t_us, frame)))
-        # Batteries last: what they say is read by what was armed, given and received.
-        return sorted(told, key=lambda each: each.frame.msgid == _BATTERY)
+        # Batteries last: what they say is read by what was armed, given and received. Of those of which everything is
+        # told it stands among it.
+        return sorted(told, key=lambda each: each.frame.msgid == _BATTERY and each.frame.sysid not in self._metered)
 
     def gaps_before(self, from_s: float) -> GapCounter:
         """The sequence numbers as they had been counted before the block of a time."""
-        counted = self._blocks[self._block_of(from_s)].counted
-        missing = np.unpackbits(counted.missing, axis=1)
-        senders = {
-            (sender >> 8, sender & 0xFF): (newest, np.flatnonzero(numbers).tolist())
-            for sender, newest, numbers in zip(counted.senders.tolist(), counted.newest.tolist(), missing, strict=True)
-        }
-        lost_of = {int(sysid): int(counted.lost[sysid]) for sysid in np.flatnonzero(counted.lost)}
-        return GapCounter.resumed(lost_of, senders)
+        return resumed(*self._blocks[self._block_of(from_s)].counted)
 
     def _block_of(self, t_s: float) -> int:
         """The last block that begins before a time."""
@@ -229,23 +222,8 @@ class TlogIndex:
         return at
 
 
-class _Numbers:
-    """Counts the gaps in all sequence numbers of a recording, as `GapCounter` counts them."""
-
-    def __init__(self) -> None:
-        self._newest = np.full(SENDERS, -1, dtype=np.int64)
-        self._missing = np.zeros((SENDERS, 256), dtype=np.bool_)
-        self._lost = np.zeros(256, dtype=np.int64)
-
-    def count(self, heads: IntArray) -> None:
-        """Go on with these frames."""
-        _count_lost(heads, self._newest, self._missing, self._lost)
-
-    def counted(self) -> _Counted:
-        """How far it is."""
-        senders = np.flatnonzero(self._newest >= 0)
-        missing = np.packbits(self._missing[senders], axis=1)
-        return _Counted(self._lost.copy(), senders, self._newest[senders], missing)
+def _count(gaps: RecordedGaps, heads: IntArray) -> None:
+    gaps.count(heads[:, SYSID], heads[:, COMPID], heads[:, SEQ])
 
 
 def _subjects() -> IntArray:
@@ -260,13 +238,9 @@ def _subjects() -> IntArray:
     }
     rows = []
     for message, field in told_apart.items():
-        cls = mav.mavlink_map[codec.msgid(message)]
-        sizes = [
-            np.dtype(code if code not in "cs" else "S1").itemsize * max(length, 1)
-            for code, length in zip(cls.native_format.decode()[1:], cls.array_lengths, strict=True)
-        ]
-        at = cls.ordered_fieldnames.index(field)
-        rows.append((codec.msgid(message), sum(sizes[:at]), sizes[at]))
+        shape = codec.layout(message)
+        kind, at = dict(records.dtype(shape).fields or {})[field][:2]
+        rows.append((shape.msgid, at, kind.itemsize))
     return np.array(rows, dtype=np.int64)
 
 
@@ -311,28 +285,3 @@ def _last_of_each(keys: IntArray) -> IntArray:
             slots[slot] = last[count] = i
             count += 1
     return last[:count].copy()
-
-
-@njit(cache=True)
-def _count_lost(heads: IntArray, newest: IntArray, missing: NDArray[np.bool_], lost: IntArray) -> None:
-    """Kernel: adds to `lost` (256) the gaps in each sender's numbers, as `sequence.GapCounter` counts them.
-
-    newest (senders,) and missing (senders, 256) go on from call to call. Relayed frames are old and change nothing.
-    """
-    for i in range(heads.shape[0]):
-        sender = heads[i, 2] << 8 | heads[i, 3]
-        seq = heads[i, 4]
-        if newest[sender] < 0:
-            newest[sender] = seq
-            continue
-        ahead = (seq - newest[sender]) % 256
-        if 0 < ahead < 128:
-            for step in range(1, ahead + 1):
-                missing[sender, (newest[sender] + step + 127) % 256] = False
-            for step in range(1, ahead):
-                missing[sender, (newest[sender] + step) % 256] = True
-                lost[heads[i, 2]] += 1
-            newest[sender] = seq
-        elif missing[sender, seq]:
-            missing[sender, seq] = False
-            lost[heads[i, 2]] -= 1

@@ -21,7 +21,7 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.mavlink.autopilots import STEERABLE, End, FlightMode
 from gcs.mavlink.codec import Message, message
 from gcs.mavlink.commands import OPERATOR, PILOT, CommandRequest
-from gcs.telemetry.fleet import BATTERY_PARAMETERS
+from gcs.telemetry.battery_account import BATTERY_PARAMETERS
 from gcs.telemetry.state import VehicleView
 
 RETRY_S = 1.0

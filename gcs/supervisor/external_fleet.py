@@ -11,7 +11,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink.autopilots import STEERABLE, End
 from gcs.mavlink.codec import Frame, Message
-from gcs.mavlink.commands import CommandRequest, CommandResult
+from gcs.mavlink.commands import CommandRequest, CommandResult, result_in_words
 from gcs.mavlink.stream_requests import CHECK_S, SLOW_SHARE, Ask, StreamRequests, needs
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import Stage
@@ -198,6 +198,4 @@ def _answer(result: CommandResult) -> str:
         return f"it has not answered, though it was told {result.attempts} times"
     if result.outcome == "accepted":
         return "it answered that it would"
-    known = mav.enums["MAV_RESULT"].get(result.result)
-    why = known.name.removeprefix("MAV_RESULT_").replace("_", " ").lower() if known else f"result {result.result}"
-    return f"it answered: {why}"
+    return f"it answered: {result_in_words(result.result or 0)}"

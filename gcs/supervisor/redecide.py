@@ -14,11 +14,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, cast
 
-from gcs.link.lockstep import FleetLink, Key
+from gcs.link.link import Key
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import AUTOPILOT, STATION, TRAFFIC
 from gcs.recording import tlog
+from gcs.recording.decision_lines import DecisionLines
 from gcs.recording.missing import passed_over
 from gcs.recording.summary import FILE as SUMMARY
 from gcs.recording.writer import DECISIONS, TLOG, Recorder, decision_line
@@ -112,7 +113,7 @@ class Comparison:
 
 
 class RecordedLink:
-    """What a `FleetLink` is to a supervisor: it hands out what was recorded, and lets the grants go."""
+    """A link of a supervisor without vehicles: it hands out what was recorded, and lets the grants go."""
 
     def __init__(self, keys: Sequence[Key]) -> None:
         self.joined: set[Key] = set(keys)
@@ -120,21 +121,33 @@ class RecordedLink:
         self.recorded: Mapping[Key, list[Frame]] = {}
 
     def leave(self, key: Key) -> None:
-        """As `FleetLink.leave`."""
+        """As `Link.leave`."""
         self.joined.discard(key)
         self._granted.discard(key)
 
     def grant(
         self, key: Key, t_ms: int, unix_us: int, messages: Sequence[Message], relayed: Sequence[bytes]
     ) -> list[bytes]:
-        """As `FleetLink.grant`, but nothing is sent."""
+        """As `Link.grant`, but nothing is sent."""
         self._granted.add(key)
         return []
 
     def answers(self, idle: Callable[[], None]) -> Iterator[tuple[Key, list[Frame]]]:
-        """As `FleetLink.answers`: those of the tick that is being replayed."""
+        """As `Link.answers`: those of the tick that is being replayed."""
         for key in sorted(self._granted):
             yield key, self.recorded.get(key, [])
+
+    def unawaited(self) -> dict[Key, list[Frame]]:
+        """As `Link.unawaited`: none."""
+        return {}
+
+    def clock_offsets_s(self) -> dict[int, float]:
+        """As `Link.clock_offsets_s`: none."""
+        return {}
+
+    def take_rebooted(self) -> set[int]:
+        """As `Link.take_rebooted`: nobody."""
+        return set()
 
 
 class Comparer:
@@ -190,39 +203,22 @@ class _Recorded:
     """The recorded decisions, tick by tick."""
 
     def __init__(self, path: Path) -> None:
-        self._lines = self._read(path)
-        self.broken = 0
-        self.cut = False
-        """whether the file ends inside a line; known once there are no more"""
-        self._next = next(self._lines, None)
+        self.lines = DecisionLines(path)
+        self._records = iter(self.lines)
+        self._next = next(self._records, None)
 
     def until(self, t_s: float) -> list[dict[str, Any]]:
         """Those up to a time that have not been handed out yet."""
         taken = []
         while self._next is not None and self._next["t_s"] <= t_s:
             taken.append(self._next)
-            self._next = next(self._lines, None)
+            self._next = next(self._records, None)
         return taken
 
     @property
     def ended(self) -> bool:
         """Whether there are no more."""
         return self._next is None
-
-    def _read(self, path: Path) -> Iterator[dict[str, Any]]:
-        with path.open("rb") as file:
-            for line in file:
-                try:
-                    record = json.loads(line)
-                    usable = isinstance(record["t_s"], int | float) and isinstance(record["kind"], str)
-                except (ValueError, KeyError, TypeError):
-                    usable = False
-                if usable:
-                    yield record
-                elif not line.endswith(b"\n"):
-                    self.cut = True
-                else:
-                    self.broken += 1
 
 
 def redecide(folder: Path, progress: Progress = lambda _: None) -> Comparison:
@@ -245,14 +241,14 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Comparison:
     link = RecordedLink([*keys, TRAFFIC] if scenario.traffic else keys)
     comparer = Comparer()
     # The supervisor asks of link and recorder only what these two have.
-    supervisor = Supervisor(scenario, cast(FleetLink, link), cast(Recorder, comparer))
+    supervisor = Supervisor(scenario, link, cast(Recorder, comparer))
     verdict = Comparison()
     whole = (folder / SUMMARY).exists()
     supervisor.begin()
     end_s = scenario.goal.duration_s
     for tick in ticks(log):
         t_s = (tick.t_us - supervisor.epoch_us) / 1e6
-        if not tick.granted or (recorded.ended and (recorded.cut or not whole)):
+        if not tick.granted or (recorded.ended and (recorded.lines.cut or not whole)):
             break
         if round(1e3 * t_s) != supervisor.time_ms:
             raise RedecideError(
@@ -266,15 +262,15 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Comparison:
         comparer.made = []
         supervisor.tick(_nobody_to_see)
         supervisor.events.clear()
-        if recorded.ended and (recorded.cut or not whole):
+        if recorded.ended and (recorded.lines.cut or not whole):
             break  # of a session that was killed, the last tick's decisions may not all have been written
         _compare(verdict, t_s, [line for line in lines if line["kind"] not in INPUTS], comparer.made)
         verdict.until_s = t_s
         progress(min(t_s / end_s, 1.0))
     verdict.problems += log.problems
-    if recorded.broken:
-        verdict.problems.append(passed_over(DECISIONS, recorded.broken))
-    if recorded.cut:
+    if recorded.lines.broken:
+        verdict.problems.append(passed_over(DECISIONS, recorded.lines.broken))
+    if recorded.lines.cut:
         verdict.problems.append(f"{folder / DECISIONS} ends inside a line, and was compared up to there.")
     if not whole:
         verdict.problems.append(f"{folder} has no {SUMMARY}: the session did not end, and was compared up to there.")

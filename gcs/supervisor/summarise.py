@@ -22,15 +22,14 @@ from gcs.recording.summary import (
 from gcs.scenario.goal import Judgement, Nearest
 
 if TYPE_CHECKING:  # who only reads a summary need not load the supervisor
-    from gcs.link.fleet import MixedLink
-    from gcs.link.lockstep import FleetLink
+    from gcs.link.link import Link
     from gcs.supervisor.supervisor import Supervisor
     from gcs.telemetry.state import VehicleView
 
 
 def summarise(
     supervisor: Supervisor,
-    link: FleetLink | MixedLink,
+    link: Link,
     *,
     outcome: str,
     outcome_text: str = "",

@@ -11,15 +11,14 @@ from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-from gcs.link.fleet import MixedLink
-from gcs.link.lockstep import FleetLink, Key
+from gcs.link.link import Key, TickLink
 from gcs.link.quality import LinkQuality
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import End
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.commands import CommandResult
+from gcs.mavlink.gaps import GapCounter
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, TRAFFIC
-from gcs.mavlink.sequence import GapCounter
 from gcs.mavlink.setpoints import SetPoint, encoded
 from gcs.planner.custom import make_planner
 from gcs.planner.request import PlanRequest
@@ -55,7 +54,7 @@ _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
 class Supervisor:
     """A session's brain: everything between the link and the recorder."""
 
-    def __init__(self, scenario: Scenario, link: FleetLink | MixedLink, recorder: Recorder) -> None:
+    def __init__(self, scenario: Scenario, link: TickLink, recorder: Recorder) -> None:
         self.scenario = scenario
         self.period_ms = round(1e3 * scenario.clock.period_s)
         self.epoch_us = round(1e6 * scenario.clock.epoch.timestamp())
@@ -245,9 +244,9 @@ class Supervisor:
         in_order = sorted(heard_of.items())
         arrived = [frame.raw for _, heard in in_order for frame in heard]
         delivered = {key[0]: heard for key, heard in in_order}
-        if isinstance(self._link, MixedLink):
-            strangers = self._link.external
-            self.externals.hear(delivered, strangers.offsets_s(), strangers.take_rebooted(), self.fleet, now_s)
+        if self.externals.rules:
+            offsets_s, rebooted = self._link.clock_offsets_s(), self._link.take_rebooted()
+            self.externals.hear(delivered, offsets_s, rebooted, self.fleet, now_s)
         self.received += len(arrived)
         for sysid, severity, text in self.fleet.take_statustexts(now_s):
             pilot = self.pilots.get(sysid)
@@ -380,8 +379,8 @@ class Supervisor:
 
     def exchange(self, now_s: float) -> bool:
         """After the last tick: send external vehicles what is left, hear them; whether one has not obeyed yet."""
-        assert isinstance(self._link, MixedLink)
-        arrived, _ = self._hear(self._link.external.collect().items(), now_s)
+        now_s = round(now_s, 3)  # as it is recorded
+        arrived, _ = self._hear(self._link.unawaited().items(), now_s)
         self._take_acknowledgements(now_s)
         sent: list[bytes] = []
         for sysid in self.externals.rules:
@@ -389,7 +388,7 @@ class Supervisor:
                 self._report(sysid, result, now_s)
             messages = self.outbox.take(sysid)
             if (sysid, AUTOPILOT) in self._link.joined:
-                sent += self._link.external.grant((sysid, AUTOPILOT), messages, ())
+                sent += self._link.grant((sysid, AUTOPILOT), self.time_ms, 0, messages, ())
         self.sent += len(sent)
         self._record(TickRecord(round(1e3 * now_s), arrived, sent, []))
         self.snapshot = self.fleet.snapshot(now_s)

@@ -15,13 +15,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Any, Literal, NamedTuple
+from typing import Any, Literal
 
 import pymap3d
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import profile_of
+from gcs.mavlink.battery import BatteryReport, battery_status, sys_status
 from gcs.mavlink.codec import Frame
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.telemetry.fleet import GlobalOrigin
@@ -29,7 +30,6 @@ from gcs.telemetry.state import Vec3, VehicleView
 
 TOGETHER_S = 1.0
 """A local and a global position that came within this time tell of the same place."""
-_U16_UNKNOWN, _NOT_MEASURED = 65535, -1
 _HEARTBEAT = codec.msgid("HEARTBEAT")
 _LOCAL = codec.msgid("LOCAL_POSITION_NED")
 _GLOBAL = codec.msgid("GLOBAL_POSITION_INT")
@@ -40,27 +40,16 @@ _BATTERY = codec.msgid("BATTERY_STATUS")
 _STATUS = codec.msgid("SYS_STATUS")
 
 
-class Cell(NamedTuple):
-    """A battery as a stranger tells it; None: not measured."""
-
-    share: float | None = None
-    voltage_v: float | None = None
-    current_a: float | None = None
-
-    @property
-    def power_w(self) -> float | None:
-        """What is drawn at present."""
-        measured = self.voltage_v is not None and self.current_a is not None
-        return self.voltage_v * self.current_a if measured else None  # type: ignore[operator]
-
-
 class Ear:
     """Listens to one vehicle. `hears` gives the frames that the fleet is to read in place of one."""
 
     def __init__(self, sysid: int, compid: int) -> None:
         self.sysid = sysid
         self.compid = compid
-        self.cell = Cell()
+        self.share: float | None = None
+        """what the battery holds of its capacity, 0..1; None: not told"""
+        self.power_w: float | None = None
+        """what is drawn; None: not measured"""
         self._home_is_local = False
         self._system_status = mav.MAV_STATE_UNINIT
         self._state_told = False
@@ -94,8 +83,10 @@ class Ear:
                 self._system_status = content.system_status
             elif msgid == _STATE:
                 self._state_told = codec.fields(frame).landed_state != mav.MAV_LANDED_STATE_UNDEFINED
-            elif msgid in (_BATTERY, _STATUS):
-                self._hear_battery(codec.fields(frame), msgid)
+            elif msgid == _STATUS:
+                self._hear_battery(sys_status(codec.fields(frame), t_s))
+            elif msgid == _BATTERY and (content := codec.fields(frame)).id == 0:
+                self._hear_battery(battery_status(content, t_s))
             yield frame if frame.compid == AUTOPILOT else frame._replace(compid=AUTOPILOT)
 
     def origin_of(self, frame: Frame) -> GlobalOrigin | None:
@@ -121,7 +112,7 @@ class Ear:
             view = view._replace(landed=not (view.armed and self._system_status in flying))
         if math.isfinite(view.remaining_j) and view.capacity_j > 0.0:
             return view, view.remaining_j / view.capacity_j
-        share = self.cell.share
+        share = self.share
         view = view._replace(
             capacity_j=100.0,
             initial_j=100.0 * (1.0 if share is None else share),
@@ -167,21 +158,11 @@ class Ear:
         if self._reads == "local":
             yield self._origin_frame(origin)
 
-    def _hear_battery(self, content: Any, msgid: int) -> None:
-        if msgid == _BATTERY:
-            if content.id != 0:
-                return
-            cells = [mv for mv in content.voltages if mv != _U16_UNKNOWN]
-            voltage_v = 1e-3 * sum(cells) if cells else None
-        else:
-            voltage_v = 1e-3 * content.voltage_battery if content.voltage_battery != _U16_UNKNOWN else None
-        told = 0 <= content.battery_remaining <= 100
-        current_a = 0.01 * content.current_battery if content.current_battery >= 0 else None
-        self.cell = Cell(
-            0.01 * content.battery_remaining if told else self.cell.share,
-            self.cell.voltage_v if voltage_v is None else voltage_v,
-            self.cell.current_a if current_a is None else current_a,
-        )
+    def _hear_battery(self, report: BatteryReport) -> None:
+        if report.remaining is not None:
+            self.share = report.remaining
+        if report.power_w is not None:
+            self.power_w = report.power_w
 
     def _position(self, t_s: float, at: Vec3, v_ned: Vec3) -> Frame:
         names = ("x", "y", "z", "vx", "vy", "vz")

@@ -22,7 +22,8 @@ from gcs.mavlink.autopilots import GENERIC, FlightMode, Profile, profile_of
 from gcs.mavlink.battery import BatteryReport, battery_status, sys_status
 from gcs.mavlink.codec import Frame, fields
 from gcs.mavlink.statustext import Texts
-from gcs.telemetry.energy import EnergyEstimator, Fact
+from gcs.telemetry.battery_account import GIVEN, BatteryAccount
+from gcs.telemetry.energy import Fact
 from gcs.telemetry.state import ZERO, FleetState, TrafficView, Vec3, VehicleView
 
 LANDED_M = 0.3
@@ -30,7 +31,6 @@ LANDED_M = 0.3
 TRAFFIC_FORGOTTEN_S = 10.0
 """An aircraft that has been silent for so long could be anywhere: its range would fill the sky."""
 _FAILSAFE = frozenset({mav.MAV_STATE_CRITICAL, mav.MAV_STATE_EMERGENCY})
-BATTERY_PARAMETERS = ("SIM_BAT_CAP_J", "SIM_BAT_INIT_J")
 
 
 @dataclass(frozen=True)
@@ -81,23 +81,10 @@ class _Track:
         self.offset: Vec3 | None = None
         self.origin_alt_m = 0.0
         self.origin_told = False
-        self.capacity_j = member.capacity_j
-        self.initial_j = member.initial_j
-        self.energy = EnergyEstimator()
-        self.told_in_j = 0
-        self.booked_j = 0
-        self.counts = False
-        self.given_j = 0
+        self.battery = BatteryAccount(member.capacity_j, member.initial_j)
         self.given_told_s = -math.inf
-        self.initial_told = False
-        self.parameters_told: set[str] = set()
         self.control_effort = 0.0
         self.texts = Texts()
-
-    @property
-    def received_j(self) -> int:
-        """By its own counter, and by the book of bases that charged it without one."""
-        return self.told_in_j + self.booked_j
 
     def view(self, now_s: float) -> VehicleView:
         p_ned = None
@@ -131,15 +118,15 @@ class _Track:
             ground_amsl_m=self.origin_alt_m if self.home_amsl_m is None else self.home_amsl_m,
             ground_down_m=ground_down_m,
             p_local_ned=self.p_local,
-            capacity_j=self.capacity_j,
-            initial_j=self.initial_j,
-            battery_told=len(self.parameters_told) == len(BATTERY_PARAMETERS),
-            drawn_j=self.energy.drawn_j,
-            received_j=self.received_j,
-            given_j=self.given_j,
+            capacity_j=self.battery.capacity_j,
+            initial_j=self.battery.initial_j,
+            battery_told=self.battery.told,
+            drawn_j=self.battery.meter.drawn_j,
+            received_j=self.battery.received_j,
+            given_j=self.battery.given_j,
             given_told_s=self.given_told_s,
-            power_w=self.energy.power_w,
-            energy_source=str(self.energy.source),
+            power_w=self.battery.meter.power_w,
+            energy_source=str(self.battery.meter.source),
             control_effort=self.control_effort,
             custom_mode=self.custom_mode,
             failsafe=self.armed and self.system_status in _FAILSAFE,
@@ -203,7 +190,7 @@ class Fleet:
 
     def book(self, sysid: int, joules: int) -> None:
         """Energy that a vehicle was given by a base and cannot tell of itself."""
-        self._tracks[sysid].booked_j += joules
+        self._tracks[sysid].battery.book(joules)
 
     def snapshot(self, time_s: float) -> FleetState:
         """Everything known at a session time."""
@@ -273,48 +260,19 @@ class Fleet:
         self._take_battery(track, sys_status(content, time_s))
 
     def _take_battery(self, track: _Track, report: BatteryReport) -> None:
-        if not track.energy.heeds(report):
-            return
-        facts = track.energy.take(
-            report,
-            capacity_j=track.capacity_j,
-            moved_j=track.told_in_j - track.given_j,
-            booked_j=track.booked_j,
-            initial_j=track.initial_j if track.initial_told else None,
-            armed=track.armed,
-            swappable=not track.counts,
-        )
-        if not track.initial_told and report.remaining is not None:
-            left_j = report.remaining * track.capacity_j
-            track.initial_j = left_j + track.energy.drawn_j + track.given_j - track.received_j
-            track.initial_told = True
-        track.initial_j += sum(fact.gained_j for fact in facts)
-        self.facts += [(track.member.sysid, fact) for fact in facts]
+        self.facts += [(track.member.sysid, fact) for fact in track.battery.report(report, armed=track.armed)]
 
     def _named_int(self, track: _Track, content: Any, time_s: float) -> None:
-        if content.name == "XferOut":
-            track.given_j = max(track.given_j, content.value)
+        track.battery.counter(content.name, content.value)
+        if content.name == GIVEN:
             track.given_told_s = max(track.given_told_s, _session_s(track, content.time_boot_ms, time_s))
-        elif content.name == "XferIn":
-            track.told_in_j = max(track.told_in_j, content.value)
-        track.counts |= content.name in ("XferOut", "XferIn")
 
     def _named_float(self, track: _Track, content: Any, time_s: float) -> None:
         if content.name == "CtlEffort" and math.isfinite(content.value):
             track.control_effort = content.value
 
     def _parameter(self, track: _Track, content: Any, time_s: float) -> None:
-        if content.param_id not in BATTERY_PARAMETERS:
-            return
-        value = track.profile.parameter(content.param_value, content.param_type)
-        if not (math.isfinite(value) and value >= 0.0):
-            return
-        track.parameters_told.add(content.param_id)
-        if content.param_id == "SIM_BAT_INIT_J":
-            track.initial_j = value
-            track.initial_told = True
-        elif value > 0.0:
-            track.capacity_j = value
+        track.battery.parameter(content.param_id, track.profile.parameter(content.param_value, content.param_type))
 
     def _statustext(self, track: _Track, content: Any, time_s: float) -> None:
         self.statustexts += [(track.member.sysid, *told) for told in track.texts.hear(content, time_s)]

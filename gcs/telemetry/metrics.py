@@ -11,6 +11,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from gcs.scenario.model import Scenario
+from gcs.telemetry.pursuit import PursuitHeld
 from gcs.telemetry.state import FleetState, Vec3
 
 if TYPE_CHECKING:
@@ -26,14 +27,12 @@ class Metrics:
     def __init__(self, scenario: Scenario) -> None:
         self.target_of = _targets(scenario)
         self._of_targets = scenario.pursuit.by == "competition"
-        self._within_m = scenario.goal.pursue.within_m if scenario.goal.pursue else math.inf
+        within_m = scenario.goal.pursue.within_m if scenario.goal.pursue else math.inf
+        targets = (target.sysid for target in scenario.vehicles.targets)
+        self._pursuit = PursuitHeld(targets if self._of_targets else self.target_of, within_m)
         self._last: dict[int, Vec3] = {}
         self._plans: dict[int, NDArray[np.float64]] = {}
         self._planned: dict[int, int] = {}
-        self._held_since_s: dict[int, float] = {}
-        self.held_s: dict[int, float] = dict.fromkeys(
-            (t.sysid for t in scenario.vehicles.targets) if self._of_targets else self.target_of, 0.0
-        )
         self.path_length_m: dict[int, float] = {}
         self.max_tracking_error_m: dict[int, float] = {}
 
@@ -57,7 +56,12 @@ class Metrics:
     @property
     def pursuit_held_s(self) -> float:
         """The longest time for which even the worst pursuer stayed with its target (or target had its pursuer)."""
-        return min(self.held_s.values(), default=0.0)
+        return self._pursuit.worst_s
+
+    @property
+    def held_s(self) -> dict[int, float]:
+        """The same of each pursuer, or target."""
+        return self._pursuit.held_s
 
     def _measure_paths(self, here: dict[int, Vec3], planned: dict[int, Vec3]) -> None:
         for sysid, p_ned in here.items():
@@ -76,16 +80,13 @@ class Metrics:
                 self.max_tracking_error_m[sysid] = max(self.max_tracking_error_m.get(sysid, 0.0), error_m)
 
     def _measure_pursuit(self, now_s: float, here: dict[int, Vec3]) -> None:
-        near = set()
+        near_m: dict[int, float] = {}
         for sysid, target in self.target_of.items():
-            if sysid in here and target in here and math.dist(here[sysid], here[target]) <= self._within_m:
-                near.add(target if self._of_targets else sysid)
-        for key in self.held_s:
-            if key not in near:
-                self._held_since_s.pop(key, None)
-                continue
-            since_s = self._held_since_s.setdefault(key, now_s)
-            self.held_s[key] = max(self.held_s[key], now_s - since_s)
+            if sysid in here and target in here:
+                key = target if self._of_targets else sysid
+                near_m[key] = min(math.dist(here[sysid], here[target]), near_m.get(key, math.inf))
+        distances_m = [near_m.get(key, math.nan) for key in self._pursuit.keys]
+        self._pursuit.take(np.array([now_s]), np.array([distances_m]).reshape(1, -1))
 
 
 def _targets(scenario: Scenario) -> dict[int, int]:

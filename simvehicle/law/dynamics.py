@@ -119,20 +119,6 @@ def derivative(state: ArrayLike, inputs: ArrayLike, *, airframe: Airframe) -> ND
     return rate
 
 
-def step(state: ArrayLike, inputs: ArrayLike, dt_s: float, *, airframe: Airframe) -> NDArray[np.float64]:
-    """Plant states one RK4 step of dt_s later, inputs held: (n, 12) and (n, 4) give (n, 12), units as `derivative`.
-
-    Raises:
-        ValueError: a shape other than (n, 12) and (n, 4).
-    """
-    s, u = _plant_arrays(state, inputs)
-    moved = s.copy()
-    for row, (u1, tau2, tau3, tau4) in zip(moved, u.tolist(), strict=True):
-        gravity, drag = airframe.gravity_m_s2, airframe.drag_1_s
-        plant_step(row, u1, tau2, tau3, tau4, gravity, drag, airframe.rotational_drag_1_s, dt_s)
-    return moved
-
-
 def body_rates(
     roll: float, pitch: float, roll_rate: float, pitch_rate: float, yaw_rate: float
 ) -> tuple[float, float, float]:

@@ -2,7 +2,7 @@
 
 A step in v_d is a spike in torque, so a set point is first followed by a point q of bounded speed and acceleration,
 and q by three first-order lags r1, r2, r3: the reference r = r3 has continuous acceleration and jerk.
-The compiled kernels write the memory that they are given; the public functions leave theirs alone.
+The compiled kernels write the memory that they are given.
 """
 
 from __future__ import annotations
@@ -14,14 +14,13 @@ from numba import njit
 from numpy.typing import ArrayLike, NDArray
 
 from simvehicle.law.dynamics import wrap_angle
-from simvehicle.law.params import Guidance, Limits
+from simvehicle.law.params import Guidance
 
 Row = NDArray[np.float64]
 
 Q, Q_RATE, R1, R2, R3 = range(0, 15, 3)  # offsets of three axes each in the memory
 MEMORY_SIZE = 15
 YAW_Q, YAW_R1, YAW_R2, YAW_R3 = range(4)
-YAW_MEMORY_SIZE = 4
 LINEAR_START, LINEAR_SINCE, LINEAR_STAMP = 0, 3, 4  # v_d at arrival (3), when it arrived, the set point's time
 NO_STAMP = -1e30  # time of no set point
 
@@ -134,63 +133,3 @@ def start(position: ArrayLike, velocity: ArrayLike, *, guidance: Guidance) -> ND
     p, v = np.atleast_2d(np.asarray(position, dtype=np.float64)), np.atleast_2d(np.asarray(velocity, dtype=np.float64))
     lead = v / guidance.omega
     return np.concatenate([p + 3.0 * lead, v, p + 2.0 * lead, p + lead, p], axis=1)
-
-
-def step(
-    memory: ArrayLike,
-    set_position: ArrayLike,
-    set_velocity: ArrayLike,
-    *,
-    guidance: Guidance,
-    limits: Limits,
-    dt_s: float,
-    speed_max_m_s: float = math.inf,
-    use_position: ArrayLike = (1.0, 1.0, 1.0),
-) -> NDArray[np.float64]:
-    """Shaped reference, one step (docs/model.md#guidance) [choice]. All axes nwu.
-
-    Args:
-        memory: (n, 15), q, q', r1, r2, r3, as from `start`.
-        set_position: (n, 3), p̂, m, where the set point is now.
-        set_velocity: (n, 3), v_k, m/s.
-        guidance, limits: the vehicle's.
-        dt_s: the step.
-        speed_max_m_s: cap of |v*| below the vehicle's own.
-        use_position: (3,) or (n, 3), 1 or 0 per axis; an axis at 0 follows its velocity alone.
-
-    Returns:
-        (n, 15), dt_s later.
-
-    Raises:
-        ValueError: a memory whose shape is not (n, 15).
-    """
-    stepped = np.array(memory, dtype=np.float64, order="C")
-    if stepped.ndim != 2 or stepped.shape[1] != MEMORY_SIZE:
-        raise ValueError(f"memory has shape {stepped.shape}, but needs (n, {MEMORY_SIZE})")
-    position = np.asarray(set_position, dtype=np.float64)
-    error = np.asarray(use_position, dtype=np.float64) * (position - stepped[:, Q : Q + 3])
-    velocity = np.broadcast_to(np.asarray(set_velocity, dtype=np.float64), error.shape)
-    speed_max = float(min(speed_max_m_s, limits.speed_m_s))
-    law = (float(limits.acceleration_m_s2), guidance.gain, guidance.decel, guidance.velocity_gain, guidance.omega)
-    for row, e, v in zip(stepped, error.tolist(), velocity.tolist(), strict=True):
-        pull = (*e, *v, speed_max, *law, dt_s)
-        shape(row, *pull)
-    return stepped
-
-
-def reference(
-    memory: ArrayLike, position: ArrayLike, velocity: ArrayLike, *, guidance: Guidance
-) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """What the law flies: r, v_d = r' + k (r - p) and v_d' = r'' + k (r' - v), (n, 3) each (docs/model.md#guidance)
-    [choice].
-
-    Args:
-        memory: (n, 15).
-        position, velocity: (n, 3), the vehicle's own p and v, nwu, m and m/s.
-        guidance: the vehicle's; k is its `reference_gain`.
-    """
-    m = np.asarray(memory, dtype=np.float64)
-    r1, r2, r3, omega = m[:, R1 : R1 + 3], m[:, R2 : R2 + 3], m[:, R3 : R3 + 3], guidance.omega
-    rate, acceleration = omega * (r2 - r3), omega**2 * (r1 - 2.0 * r2 + r3)
-    k = guidance.reference_gain
-    return r3.copy(), rate + k * (r3 - np.asarray(position)), acceleration + k * (rate - np.asarray(velocity))

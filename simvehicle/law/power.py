@@ -4,11 +4,7 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
 from numba import njit
-from numpy.typing import ArrayLike, NDArray
-
-from simvehicle.law.params import Airframe, Battery
 
 
 @njit(cache=True, error_model="numpy")
@@ -22,13 +18,3 @@ def power(u1: float, gravity: float, hover_w: float, avionics_w: float) -> float
 def effort_rate(u1: float, tau2: float, tau3: float, tau4: float) -> float:
     """Σ |τ_k| with τ_1 = u1 (docs/model.md#control-effort) [choice]: m/s² and rad/s² summed."""
     return abs(u1) + abs(tau2) + abs(tau3) + abs(tau4)
-
-
-def power_w(thrust_m_s2: ArrayLike, *, airframe: Airframe, battery: Battery) -> NDArray[np.float64]:
-    """Electrical power in W of thrusts u1 >= 0 in m/s², any shape (docs/model.md#battery) [choice].
-
-    This is what a battery that is not empty gives; an empty one gives nothing.
-    """
-    load = np.asarray(thrust_m_s2, dtype=np.float64) / airframe.gravity_m_s2
-    drawn: NDArray[np.float64] = battery.hover_w * load**1.5 + battery.avionics_w
-    return drawn

@@ -8,11 +8,10 @@ later. They serve the figures of paper.py; no vehicle flies them.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 
 import numpy as np
 from numba import njit
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
@@ -69,80 +68,3 @@ def high_gain(
     """
     error = x1 - signal
     return x1 + dt * (x2 - k1 / alpha * error), x2 - dt * k2 / (alpha * alpha) * error
-
-
-def explicit_step(x: ArrayLike, signal: ArrayLike, dt_s: float, *, epsilon: float) -> Floats:
-    """Finite-time differentiators by one explicit Euler step (docs/model.md#differentiator) [lineage].
-
-    Arguments and result are those of `differentiator.step`, but the signal is that of the step's start.
-
-    Raises:
-        ValueError: ε or the step is not positive and finite, or the shapes are not (..., 3) and (...).
-    """
-    _require(dt_s=dt_s, epsilon=epsilon)
-    return _rows(lambda row, v: explicit(row[0], row[1], row[2], v, dt_s, epsilon), x, signal, 3)
-
-
-def sliding_mode_step(
-    x: ArrayLike, signal: ArrayLike, dt_s: float, *, alpha: float = SLIDING_ALPHA, lambda_: float = SLIDING_LAMBDA
-) -> Floats:
-    """One explicit Euler step of Levant's sliding-mode differentiators (docs/model.md#comparison-differentiators)
-    [lineage].
-
-    Args:
-        x: (..., 3), x, u1 and u: the signal's estimate and two of its derivative, in units of the signal and of the
-            signal per s. Levant's output is u; it belongs to the step's start and is only written.
-        signal: (...), the signal at the start of the step.
-        dt_s: the step.
-        alpha: α, units of the signal per s², greater than the size of the signal's second derivative.
-        lambda_: λ, root of the units of the signal per s.
-
-    Returns:
-        (..., 3), one step later.
-
-    Raises:
-        ValueError: a gain or the step is not positive and finite, or the shapes are not (..., 3) and (...).
-    """
-    _require(dt_s=dt_s, alpha=alpha, lambda_=lambda_)
-    return _rows(lambda row, v: sliding_mode(row[0], row[1], v, dt_s, alpha, lambda_), x, signal, 3)
-
-
-def high_gain_step(
-    x: ArrayLike,
-    signal: ArrayLike,
-    dt_s: float,
-    *,
-    k1: float = HIGH_GAIN_K1,
-    k2: float = HIGH_GAIN_K2,
-    alpha: float = HIGH_GAIN_ALPHA,
-) -> Floats:
-    """One explicit Euler step of linear high-gain differentiators (docs/model.md#comparison-differentiators) [lineage].
-
-    Args:
-        x: (..., 2), x1 and x2: estimates of the signal and of its derivative.
-        signal: (...), the signal at the start of the step.
-        dt_s: the step.
-        k1, k2: gains without unit; alpha: α, s.
-
-    Returns:
-        (..., 2), one step later.
-
-    Raises:
-        ValueError: a gain or the step is not positive and finite, or the shapes are not (..., 2) and (...).
-    """
-    _require(dt_s=dt_s, k1=k1, k2=k2, alpha=alpha)
-    return _rows(lambda row, v: high_gain(row[0], row[1], v, dt_s, k1, k2, alpha), x, signal, 2)
-
-
-def _require(**positive: float) -> None:
-    for name, value in positive.items():
-        if not 0.0 < value < math.inf:
-            raise ValueError(f"{name} is {value!r}, but it must be greater than 0 and finite")
-
-
-def _rows(one: Callable[..., tuple[float, ...]], x: ArrayLike, signal: ArrayLike, width: int) -> Floats:
-    memory, v = np.asarray(x, dtype=np.float64), np.asarray(signal, dtype=np.float64)
-    if memory.shape[-1:] != (width,) or memory.shape[:-1] != v.shape:
-        raise ValueError(f"x and signal have shapes {memory.shape} and {v.shape}, but need (..., {width}) and (...)")
-    pairs = zip(memory.reshape(-1, width).tolist(), v.reshape(-1).tolist(), strict=True)
-    return np.array([one(row, value) for row, value in pairs], dtype=np.float64).reshape(memory.shape)

@@ -1,16 +1,32 @@
-"""Figure 1: decoding and encoding against pymavlink, the same bytes in the same rounds."""
+"""Figure 1: frames as sessions, replays and reports read them, and set points as sessions write them, against
+pymavlink on the same bytes in the same rounds."""
 
 from __future__ import annotations
 
 import random
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
 
 from measure import Figure, cpu_times
 from pymavlink.dialects.v20 import common
 
-from gcs.mavlink import batch, codec
+from gcs.link.link import Key
+from gcs.link.lockstep import FleetLink
+from gcs.mavlink import codec
+from gcs.mavlink.codec import Frame
+from gcs.mavlink.sequence import TickCollector
+from gcs.recording import tlog
+from gcs.recording.session_folder import Gathering, Recorded
+from gcs.recording.writer import TLOG, Recorder
+from gcs.scenario.file import find, load
+from gcs.supervisor.factory import make_fleet
+from gcs.supervisor.supervisor import Supervisor
 
 VEHICLES = 254
 SET_POINTS = 500
+TICKS, PERIOD_MS = 32, 100
+PORT = 20_000
 
 
 def hot_frames() -> list[bytes]:
@@ -35,21 +51,115 @@ def hot_frames() -> list[bytes]:
     return frames
 
 
-def figures() -> list[Figure]:
-    frames = hot_frames()
-    data, count = b"".join(frames), len(frames)
-    packed = [b"".join(frames[i : i + 6]) for i in range(0, count, 6)]
-    peer = common.MAVLink(None)
-    peer.robust_parsing = False
+class Flown:
+    """A supervisor of the shipped fleet and its link, handed the datagrams of one tick after the other: what they do
+    with them from the datagram on, up to the snapshot."""
 
-    def one_by_one() -> None:
-        for datagram in packed:
+    def __init__(self, ticks: list[list[bytes]]) -> None:
+        self._link = FleetLink()
+        self._ticks = ticks
+        self._tick = 0
+        self._keys: list[Key] = [(sysid, 1) for sysid in range(1, VEHICLES + 1)]
+        self._link.expect(self._keys)
+        for key in self._keys:
+            hello = [codec.frame(codec.message("HEARTBEAT", type=2, autopilot=12, base_mode=0, custom_mode=0,
+                     system_status=3), 0, *key), codec.encode("SYSTEM_TIME", 1, *key, time_unix_usec=0,
+                     time_boot_ms=0)]  # fmt: skip
+            self._link._take(b"".join(hello), ("127.0.0.1", PORT + key[0]))
+        scenario = load(find("fleet"))
+        assert {(v.sysid, 1) for v in scenario.vehicles.all} == set(self._keys)
+        self.supervisor = Supervisor(scenario, self._link, Recorder(Path(tempfile.mkdtemp())))
+
+    def tick(self) -> None:
+        """The next one; after the last the first again, its numbers new."""
+        link, at = self._link, self._tick % TICKS
+        self._tick += 1
+        for key, datagram in zip(self._keys, self._ticks[at], strict=True):
+            peer = link._peers[key]
+            if at == 0:
+                peer.collector = TickCollector(*key)
+            peer.collector.begin(PERIOD_MS * (at + 1))
+            peer.held = 0
+            link._awaited.add(key)
+            link._take(datagram, ("127.0.0.1", PORT + key[0]))
+        heard, _ = self.supervisor._hear(self._collected(), 0.1 * self._tick)
+        assert len(heard) == 7 * VEHICLES
+        self.supervisor.fleet.snapshot(0.1 * self._tick)
+
+    def _collected(self) -> Iterator[tuple[Key, list[Frame]]]:
+        while self._link._whole:
+            key = self._link._whole.popleft()
+            yield key, self._link._peers[key].collector.take()
+
+
+def answers() -> list[list[bytes]]:
+    """Ticks of the full fleet: each vehicle's answer of the six hot messages and SYSTEM_TIME, one datagram."""
+    hot = [codec.split(frame).frames[0] for frame in hot_frames()]
+    messages = [codec.Message(frame.msgid, tuple(codec.fields(frame))) for frame in hot]
+    ticks = []
+    for tick in range(TICKS):
+        end = codec.Message(codec.msgid("SYSTEM_TIME"), (0, PERIOD_MS * (tick + 1)))
+        first = 2 + 7 * tick
+        ticks.append(
+            [
+                b"".join(
+                    codec.frame(message, (first + k) % 256, sysid, 1)
+                    for k, message in enumerate([*messages[6 * (sysid - 1) : 6 * sysid], end])
+                )
+                for sysid in range(1, VEHICLES + 1)
+            ]
+        )
+    return ticks
+
+
+def recorded(folder: Path, ticks: list[list[bytes]]) -> None:
+    """The same as a session's recording."""
+    with Recorder(folder) as recorder:
+        for tick, datagrams in enumerate(ticks):
+            frames = [frame.raw for datagram in datagrams for frame in codec.split(datagram).frames]
+            recorder.frames(1_767_225_600_000_000 + 100_000 * tick, frames)
+
+
+def reading() -> list[Figure]:
+    """Frames in."""
+    ticks = answers()
+    count = 7 * VEHICLES
+    flown, peer = Flown(ticks), common.MAVLink(None)
+    peer.robust_parsing = False
+    folder = Path(tempfile.mkdtemp())
+    recorded(folder, ticks)
+    fleet = make_fleet(load(find("fleet")))
+
+    def decode() -> None:
+        for datagram in ticks[0]:
             for frame in codec.split(datagram).frames:
                 codec.fields(frame)
 
-    ours_s, single_s, peer_s = cpu_times(
-        lambda: batch.decode(data), one_by_one, lambda: [peer.parse_buffer(datagram) for datagram in packed]
+    def replay() -> None:
+        for t_us, frame in tlog.read(folder / TLOG):
+            fleet.ingest(frame, 1e-6 * t_us)
+
+    def report() -> None:
+        gathering = Gathering(Recorded(folder))
+        for chunk in tlog.read(folder / TLOG).chunks():
+            gathering.take(chunk)
+        gathering.finish()
+
+    tick_s, decode_s, replay_s, report_s, peer_s = cpu_times(
+        flown.tick, decode, replay, report, lambda: [peer.parse_buffer(datagram) for datagram in ticks[0]]
     )
+    unit, other, theirs = "messages/CPU s", "pymavlink parse_buffer", count / peer_s
+    return [
+        Figure(1, "live: datagram → link → fleet → snapshot", count / tick_s, unit, 1.0, False, True, other, theirs),
+        Figure(1, "  of it split and decode", count / decode_s, unit, 4.0, False, True, other, theirs),
+        Figure(1, "replay: tlog → fleet", TICKS * count / replay_s, unit, 1.3, False, True, other, theirs),
+        Figure(1, "report: tlog → tables", TICKS * count / report_s, unit, 15.0, False, True, other, theirs),
+        Figure(1, "a tick of 254 vehicles heard, at 10 Hz", 100.0 * tick_s / (1e-3 * PERIOD_MS), "% of a core"),
+    ]
+
+
+def figures() -> list[Figure]:
+    """All of them."""
     pack = codec.packer("SET_POSITION_TARGET_LOCAL_NED")
     values = (61_200, 1.5, -2.5, -5.0, 0.5, 0.25, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 3520, 7, 1, 1)
     sender = common.MAVLink(None, srcSystem=255, srcComponent=190)
@@ -60,12 +170,10 @@ def figures() -> list[Figure]:
         lambda: [pack(7, 255, 190, *values) for _ in range(SET_POINTS)],
         lambda: [message(*fields).pack(sender) for _ in range(SET_POINTS)],
     )
-    unit, pymavlink = "messages/CPU s", "pymavlink parse_buffer"
     return [
-        Figure(1, "decode, a tick of 254 vehicles", count / ours_s, unit, 9.0, False, True, pymavlink, count / peer_s),
-        Figure(1, "decode, datagram by datagram", count / single_s, unit, peer=pymavlink, peer_value=count / peer_s),
+        *reading(),
         Figure(
-            1, "encode set points", SET_POINTS / encode_s, unit, 4.0, False, True, "pymavlink pack",
+            1, "encode set points", SET_POINTS / encode_s, "messages/CPU s", 4.0, False, True, "pymavlink pack",
             SET_POINTS / peer_encode_s,
         ),
     ]  # fmt: skip

@@ -14,6 +14,7 @@ from __future__ import annotations
 import argparse
 import contextlib
 import math
+import random
 import select
 import socket
 import struct
@@ -42,10 +43,14 @@ STREAMS = {
 """EXTENDED_SYS_STATE is in none of them: ArduCopter sends it only to who asks for that message."""
 
 
+LOSSY = (mav.MAVLINK_MSG_ID_LOCAL_POSITION_NED, mav.MAVLINK_MSG_ID_ATTITUDE)
+
+
 class Datagrams:
     """What pymavlink writes to: each frame in a datagram of its own."""
 
-    def __init__(self, to: str) -> None:
+    def __init__(self, to: str, lose: float = 0.0) -> None:
+        self._lose, self._random = lose, random.Random(1)
         kind, host, port = to.split(":")
         if kind != "udpout":
             raise SystemExit(f"--connect {to}: only udpout:HOST:PORT")
@@ -54,6 +59,8 @@ class Datagrams:
         self.peer = (host, int(port))
 
     def write(self, frame: bytes) -> None:
+        if frame[7] in LOSSY and self._random.random() < self._lose:
+            return
         with contextlib.suppress(OSError):  # nobody listens yet, or the buffer is full: as on a radio, it is lost
             self.socket.sendto(frame, self.peer)
 
@@ -73,7 +80,7 @@ class ArduCopter:
         self.copter.parameters["SYSID_THISMAV"] = options.sysid
         self.copter.parameters.update(options.param)
         self.telemetry = Telemetry(self.copter, options)
-        self.link = Datagrams(options.connect)
+        self.link = Datagrams(options.connect, options.lose)
         self.out = mav.MAVLink(self.link, srcSystem=options.sysid, srcComponent=mav.MAV_COMP_ID_AUTOPILOT1)
         self.out.robust_parsing = True
         self.due: dict[str, float] = {}
@@ -93,6 +100,10 @@ class ArduCopter:
         self.reasons.append((severity, text))
 
     def _say_it(self) -> None:
+        if self.options.says and self.copter.flying:
+            text, self.options.says = self.options.says.encode(), ""
+            for number, at in enumerate(range(0, len(text), 50)):
+                self.out.statustext_send(mav.MAV_SEVERITY_WARNING, text[at : at + 50], id=7, chunk_seq=number)
         for severity, text in self.reasons:
             self.out.statustext_send(severity, text.encode())
         self.reasons.clear()
@@ -351,6 +362,8 @@ def main() -> None:
         default="current",
         help="what BATTERY_STATUS holds: all; no energy; nothing but the share that remains",
     )
+    says.add_argument("--lose", type=float, default=0.0, help="share of its positions and attitudes that never come")
+    says.add_argument("--says", default="", help="a text, in as many chunks as it needs, once it flies")
     says.add_argument("--param", type=parameter, action="append", default=[], metavar="NAME=VALUE")
     ArduCopter(says.parse_args()).live()
 

@@ -46,6 +46,10 @@ class Attached:
         self.events += content.get("events", ())
         return content
 
+    def send_line(self, line: bytes) -> None:
+        """Send a line as it is."""
+        self._socket.sendall(line + b"\n")
+
     def order(self, command: str, **keys: Any) -> dict[str, Any]:
         """Send a command; the reply to it."""
         mark = f"order {next(self._ids)}"

@@ -9,6 +9,7 @@ from typing import Any
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.cli.check.dialogue import CheckedVehicle, Heard, Judge, Verdict
+from gcs.mavlink.commands import result_name
 from gcs.mavlink.ids import STATION
 
 Fault = Callable[[CheckedVehicle, Any], str]
@@ -22,12 +23,6 @@ REASONS_WITHIN_S = 0.3
 def no_fault(_: CheckedVehicle, __: Any) -> str:
     """Nothing is wrong with any content."""
     return ""
-
-
-def result_name(result: int) -> str:
-    """MAV_RESULT as a word."""
-    entry = mav.enums["MAV_RESULT"].get(result)
-    return entry.name.removeprefix("MAV_RESULT_") if entry is not None else f"result {result}"
 
 
 def _named(heard: Sequence[Heard], name: str) -> Iterator[Any]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import struct
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,13 +11,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from gcs.mavlink import codec
+from gcs.recording import tlog
+from gcs.recording.decision_lines import DecisionLines
 from gcs.recording.writer import DECISIONS, TLOG
 
 Floats = NDArray[np.float64]
 
 NED_TO_PAPER = np.array([1.0, -1.0, -1.0])
-EFFORT = "CtlEffort"
+EFFORT = b"CtlEffort"
 _STATES = 12
 _FIXED = 2 + _STATES + 4  # time, number of steps, states, four energies; then one thrust per step
 
@@ -81,10 +81,11 @@ def read(folder: Path, sysids: list[int], period_s: float) -> list[Flight]:
         if decision["kind"] == "set_point" and decision["sysid"] in plans:
             plans[decision["sysid"]].append([decision["t_s"], *decision["p_ned"], *decision["v_ned"]])
     efforts: dict[int, list[tuple[float, float]]] = {sysid: [] for sysid in sysids}
-    for frame in _frames(folder / TLOG, codec.msgid("NAMED_VALUE_FLOAT")):
-        report = codec.fields(frame)
-        if report.name == EFFORT and frame.sysid in efforts:
-            efforts[frame.sysid].append((report.time_boot_ms / 1e3, report.value))
+    for chunk in tlog.read(folder / TLOG).chunks():
+        reports = chunk.table("NAMED_VALUE_FLOAT")
+        for report in reports[reports["name"] == EFFORT]:
+            if report["sysid"] in efforts:
+                efforts[int(report["sysid"])].append((int(report["time_boot_ms"]) / 1e3, float(report["value"])))
     flights = []
     for sysid in sysids:
         if not plans[sysid] or not efforts[sysid]:
@@ -111,8 +112,7 @@ def read(folder: Path, sysids: list[int], period_s: float) -> list[Flight]:
 
 def decisions(folder: Path) -> Iterator[dict[str, Any]]:
     """Each recorded decision. Raises OSError."""
-    with (folder / DECISIONS).open(encoding="utf-8") as lines:
-        yield from map(json.loads, lines)
+    return iter(DecisionLines(folder / DECISIONS))
 
 
 def summary(folder: Path) -> dict[str, Any]:
@@ -130,16 +130,3 @@ def _truth(path: Path) -> Floats:
         rows.append(numbers[at : at + _FIXED])
         at += _FIXED + int(numbers[at + 1])
     return np.array(rows).reshape(-1, _FIXED)
-
-
-def _frames(path: Path, wanted: int) -> Iterator[codec.Frame]:
-    """The frames of one message id in a tlog: 8 bytes of time, then the frame, again and again."""
-    raw, at = path.read_bytes(), 0
-    while at + 8 + codec.HEADER_BYTES <= len(raw):
-        _, flags, msgid = raw[at + 8], raw[at + 10], int.from_bytes(raw[at + 15 : at + 18], "little")
-        size = codec.HEADER_BYTES + raw[at + 9] + codec.CRC_BYTES
-        size += codec.SIGNATURE_BYTES if flags & codec.SIGNED else 0
-        if msgid == wanted:
-            (seq, sysid, compid) = struct.unpack_from("BBB", raw, at + 12)
-            yield codec.Frame(sysid, compid, seq, msgid, raw[at + 8 : at + 8 + size])
-        at += 8 + size

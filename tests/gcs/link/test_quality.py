@@ -3,7 +3,7 @@
 import pytest
 
 from gcs.link.quality import LinkQuality
-from gcs.mavlink.sequence import GapCounter
+from gcs.mavlink.gaps import GapCounter
 
 
 class Radio:

@@ -7,7 +7,8 @@ import pytest
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
-from gcs.mavlink.sequence import FIRST_ANSWER, GapCounter, SequenceCounter, TickCollector, is_hello
+from gcs.mavlink.gaps import GapCounter
+from gcs.mavlink.sequence import FIRST_ANSWER, SequenceCounter, TickCollector, is_hello
 
 SYSID, COMPID = 4, 1
 

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from field import surface
 
 from gcs.planner import fuzzy_escape, leader, neighbours
 from gcs.planner.potential_field import Field
@@ -34,7 +35,7 @@ def test_nothing_in_range_is_left_out_and_rows_ascend() -> None:
     for i in range(200):
         mine = rows[first[i] : end[i]]
         assert (np.diff(mine) > 0).all()
-        distance_m, _ = geometry.surface(table, q[i])
+        distance_m, _ = surface(table, q[i])
         assert set(np.flatnonzero(distance_m <= ranges + reach[i])) <= set(mine)
 
 

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from field import surface
 
 from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.mavlink.setpoints import SetPoint
@@ -17,7 +18,6 @@ from gcs.planner.formation import assign, ring_offsets
 from gcs.planner.planner import Planner
 from gcs.planner.request import PlanRequest
 from gcs.scenario import geometry
-from gcs.scenario.geometry import surface
 from gcs.scenario.model import Obstacle, Scenario
 from gcs.telemetry.state import FleetState, TrafficView, Vec3, VehicleView
 

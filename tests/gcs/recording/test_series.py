@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import math
 from dataclasses import replace
@@ -16,7 +17,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gcs.mavlink import codec
-from gcs.mavlink.sequence import GapCounter
+from gcs.mavlink.gaps import GapCounter
 from gcs.recording import pursuit_held, series, tlog
 from gcs.recording.session_folder import NoSession, Recorded, read
 from gcs.recording.writer import Recorder
@@ -24,6 +25,7 @@ from gcs.report import distances
 from gcs.report.findings import Findings
 from gcs.scenario.file import dump
 from gcs.scenario.model import Scenario
+from gcs.telemetry.pursuit import PursuitHeld
 
 LAT, LON, ALT = 47.0, 8.0, 400.0
 EPOCH_US = 1_767_225_600_000_000
@@ -201,20 +203,20 @@ def test_rates_are_those_that_pandas_counts(recorded: Recorded, tracks: dict[int
     assert link.longest_silence_s == pytest.approx(gaps_s)
 
 
-def test_the_longest_time_that_something_held_is_from_first_to_last() -> None:
-    t_s = np.arange(10.0)
-    holds = np.array([1, 1, 0, 1, 1, 1, 1, 0, 0, 1], dtype=bool)
-    assert distances.longest_s(t_s, holds) == 3.0
-    assert distances.longest_s(t_s, np.zeros(10, dtype=bool)) == 0.0
+@given(st.lists(st.lists(st.booleans(), min_size=2, max_size=2), max_size=60), st.integers(1, 60))
+def test_pursuit_is_held_from_the_first_to_the_last_tick_in_a_row_by_the_worst(holds: list[Any], block: int) -> None:
+    t_s, near_m = 0.5 * np.arange(len(holds)), np.where(np.array(holds).reshape(-1, 2), 1.0, 3.0)
+    at_once, by_tick = PursuitHeld((1, 2), 2.0), PursuitHeld((1, 2), 2.0)
+    worst_s = at_once.take(t_s, near_m)
+    some = [by_tick.take(t_s[k : k + block], near_m[k : k + block]) for k in range(0, len(t_s), block)]
+    assert np.array_equal(np.concatenate([np.empty(0), *some]), worst_s)
 
+    def longest_s(key: int, until: int) -> float:
+        runs = itertools.groupby(range(until), lambda k: holds[k][key])
+        return max([0.5 * (len(list(run)) - 1) for held, run in runs if held], default=0.0)
 
-@given(st.lists(st.booleans(), max_size=60))
-def test_the_longest_time_yet_is_at_each_time_that_of_what_came_by_then(holds: list[bool]) -> None:
-    t_s = 0.5 * np.arange(len(holds))
-    yet_s = pursuit_held.longest_yet_s(t_s, np.array(holds, dtype=bool))
-    assert list(yet_s) == [
-        distances.longest_s(t_s[: k + 1], np.array(holds[: k + 1], dtype=bool)) for k in range(len(holds))
-    ]
+    assert worst_s.tolist() == [min(longest_s(0, k + 1), longest_s(1, k + 1)) for k in range(len(holds))]
+    assert at_once.held_s == {1: longest_s(0, len(holds)), 2: longest_s(1, len(holds))}
 
 
 def course_of(folder: Path, flown: Scenario) -> pursuit_held.Course | None:

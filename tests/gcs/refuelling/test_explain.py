@@ -79,7 +79,7 @@ def result(outcome: str, code: int | None, token: str) -> CommandResult:
     ("ended", "text"),
     [
         (result("accepted", 0, "operator hold"), "Hold accepted"),
-        (result("rejected", 1, "operator return"), "Return refused: not possible now"),
+        (result("rejected", 1, "operator return"), "Return refused: temporarily rejected"),
         (result("timeout", None, "operator land"), "Land was not acknowledged, though it was sent 4 times"),
         (result("accepted", 0, "pilot arm"), "Command 176 (pilot arm) was accepted"),
         (result("rejected", 2, "pilot arm"), "Command 176 (pilot arm) was refused (result 2, denied)"),

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from field import surface
 
 from gcs.scenario import geometry
 
@@ -31,7 +32,7 @@ CASES = {
 @pytest.mark.parametrize("case", CASES)
 def test_distance_and_direction_are_the_hand_computed(case: str) -> None:
     row, q, distance_m, direction = CASES[case]
-    got_distance, got_direction = geometry.surface(geometry.table([row]), q)
+    got_distance, got_direction = surface(geometry.table([row]), q)
     assert got_distance[0] == pytest.approx(distance_m, abs=1e-12)
     assert got_direction[0] == pytest.approx(direction, abs=1e-12)
 
@@ -67,10 +68,10 @@ def test_distance_is_that_of_the_nearest_sampled_surface_point(row: np.ndarray, 
     on_surface = sample(rng)  # type: ignore[operator]
     table = geometry.table([row])
     for q in rng.uniform(-4, 4, (40, 3)):
-        distance, direction = geometry.surface(table, q)
+        distance, direction = surface(table, q)
         assert abs(distance[0]) == pytest.approx(np.linalg.norm(on_surface - q, axis=1).min(), abs=0.06)
         assert np.linalg.norm(direction[0]) == pytest.approx(1, abs=1e-12)
-        foot, _ = geometry.surface(table, q - distance[0] * direction[0])
+        foot, _ = surface(table, q - distance[0] * direction[0])
         assert foot[0] == pytest.approx(0, abs=1e-9)
 
 
@@ -94,7 +95,7 @@ def test_clearance_of_many_shapes_is_to_the_last_bit_the_least_of_their_distance
             table[:, 1:4] + np.array([0, 0.4, 0]),
         ]
     )
-    least = [min(geometry.surface(row[np.newaxis], place)[0][0] for row in table) for place in places]
+    least = [min(surface(row[np.newaxis], place)[0][0] for row in table) for place in places]
     assert np.array_equal(geometry.clearance(table, places), least)
 
 

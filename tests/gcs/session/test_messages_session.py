@@ -45,13 +45,13 @@ def test_an_outline_is_closed_and_as_large_as_the_solid(
     shape: Obstacle, area: float, bottom_top: tuple[float, float]
 ) -> None:
     told = obstacle_of(shape, "solid 1")
-    assert told["outline_ne"][0] == told["outline_ne"][-1]
+    assert told.outline_ne[0] == told.outline_ne[-1]
     # A circle of 32 corners has 0.6 % less than the round one.
-    assert area_m2(told["outline_ne"]) == pytest.approx(area, rel=0.007)
-    assert (told["bottom_d"], told["top_d"]) == bottom_top
-    assert told["label"] == "solid 1"
+    assert area_m2(told.outline_ne) == pytest.approx(area, rel=0.007)
+    assert (told.bottom_d, told.top_d) == bottom_top
+    assert told.label == "solid 1"
 
 
 def test_a_point_has_no_outline() -> None:
     told = obstacle_of(Obstacle(name="mast", point_m=(1.0, 2.0, -3.0)), "point 1")
-    assert (told["outline_ne"], told["centre_ned"], told["label"]) == ([], (1.0, 2.0, -3.0), "mast")
+    assert (told.outline_ne, told.centre_ned, told.label) == ([], (1.0, 2.0, -3.0), "mast")

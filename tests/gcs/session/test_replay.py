@@ -330,7 +330,7 @@ def test_decisions_passed_on_the_way_to_a_later_time_are_told_and_no_later_ones(
     source.send({"command": "seek", "t_s": 30.0})
     told = [event for message in source.receive() for event in message.get("events", ())]
     decided = [event["t_s"] for event in told if event["kind"] == "decision"]
-    kinds = ("decided", "transfer", "served", "broken off")
+    kinds = ("decided", "transfer", "served", "broken off", "safety")
     made = [record["t_s"] for record in session.decisions if record["kind"] in kinds]
     assert decided == [t_s for t_s in made if t_s <= 30.0]
     source.send({"command": "seek", "t_s": 20.0})

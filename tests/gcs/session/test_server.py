@@ -80,11 +80,17 @@ def test_commands_come_in_whole_however_they_are_cut(publisher: Publisher, tmp_p
     "garbage",
     [b"\n", b"hello\n", b"\xff\xfe\x00\n", b"[1, 2]\n", b'{"command": 7}\n', b"{}\n", b"[" * 20_000 + b"\n", b"NaN\n"],
 )
-def test_lines_that_are_no_commands_are_ignored(publisher: Publisher, tmp_path: Path, garbage: bytes) -> None:
+def test_who_sends_a_line_that_is_no_command_is_told_so(publisher: Publisher, tmp_path: Path, garbage: bytes) -> None:
     with connect(tmp_path) as client:
         publisher.poll()
-        client.sendall(garbage + b'{"command": "pause"}\n')
+        client.sendall(garbage + b'{"command": "pause"}\n{"foo": 1, "id": 7}\n')
         assert asked(publisher) == [{"command": "pause"}]
+        *unnamed, named = lines(client, 1 + (garbage != b"\n"))
+        assert [line["id"] for line in unnamed] == [None] * len(unnamed)  # type: ignore[index]
+        assert named == {
+            "type": "reply", "id": 7, "ok": False,
+            "text": 'A command is a JSON object with a text under "command", such as {"command": "pause"}.',
+        }  # fmt: skip
 
 
 def test_a_line_without_end_costs_its_sender_the_connection(publisher: Publisher, tmp_path: Path) -> None:

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from simvehicle.law import power, step
-from simvehicle.law.params import NAMED, Airframe, Battery, VehicleParams, pack
+from simvehicle.law.params import NAMED, Battery, VehicleParams, pack
 
 
 def flown(params, seconds, *, motors=1.0, ground=0.0):
@@ -24,7 +24,7 @@ def test_hover_draws_hover_power_and_avionics():
 
 
 def test_power_grows_with_thrust_to_three_halves():
-    drawn_w = power.power_w([0.0, 9.8, 4.0 * 9.8], airframe=Airframe(), battery=Battery())
+    drawn_w = [power.power(u1, 9.8, 200.0, 10.0) for u1 in (0.0, 9.8, 4.0 * 9.8)]
     assert drawn_w == pytest.approx([10.0, 210.0, 8.0 * 200.0 + 10.0])
 
 

@@ -1,0 +1,117 @@
+"""Frames lost on a link: the gaps in the sequence numbers of each (system, component).
+
+One rule, `after`, counts frame by frame while a session flies (`GapCounter`) and, compiled, over a recording
+(`RecordedGaps`). A frame that comes late fills its gap and is no loss; one that comes twice changes nothing.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from gcs.mavlink.sequence import HALF, NUMBERS
+
+IntArray = NDArray[np.int64]
+
+
+def after(missing: Any, newest: int, number: int) -> tuple[int, int]:
+    """(newest number, change of the frames lost) after a frame of this number; `newest` -1 before the first.
+
+    missing: 256 flags of one sender, by number, changed in place. A number half a turn old can no longer be told from
+    a new one, and is missing no more.
+    """
+    ahead = (number - newest) % NUMBERS
+    if newest < 0:
+        return number, 0
+    if ahead == 1:  # as nearly every frame
+        missing[number ^ HALF] = 0
+        return number, 0
+    if 0 < ahead < HALF:
+        for step in range(ahead):
+            missing[(number - HALF - step) % NUMBERS] = 0
+        for step in range(1, ahead):
+            missing[(newest + step) % NUMBERS] = 1
+        return number, ahead - 1
+    if missing[number]:
+        missing[number] = 0
+        return newest, -1
+    return newest, 0
+
+
+_after = njit(cache=True)(after)
+
+
+class GapCounter:
+    """Frames lost so far, counted as they come."""
+
+    def __init__(self) -> None:
+        self.lost_of: dict[int, int] = {}
+        """by system id; one that has lost nothing may not be in it"""
+        self._newest: dict[int, int] = {}
+        self._missing: dict[int, bytearray] = {}
+
+    @property
+    def lost(self) -> int:
+        """Of all systems."""
+        return sum(self.lost_of.values())
+
+    def feed(self, sysid: int, compid: int, seq: int) -> None:
+        """Count a frame that was received."""
+        sender = sysid << 8 | compid
+        flags = self._missing.get(sender)
+        if flags is None:
+            self._newest[sender], self._missing[sender] = seq, bytearray(NUMBERS)
+            return
+        self._newest[sender], lost = after(flags, self._newest[sender], seq)
+        if lost:
+            self.lost_of[sysid] = self.lost_of.get(sysid, 0) + lost
+
+
+class RecordedGaps:
+    """The same over a recording, many frames at once."""
+
+    def __init__(self) -> None:
+        self._newest = np.full(1 << 16, -1, dtype=np.int64)
+        self._missing = np.zeros((1 << 16, NUMBERS), dtype=np.uint8)
+        self._lost = np.zeros(NUMBERS, dtype=np.int64)
+
+    def count(self, sysids: IntArray, compids: IntArray, numbers: IntArray) -> tuple[IntArray, NDArray[np.bool_]]:
+        """Go on with these frames (n,): the change of the frames lost with each, and which did not come before."""
+        lost, new = np.empty(len(numbers), dtype=np.int64), np.empty(len(numbers), dtype=np.bool_)
+        _count(sysids << 8 | compids, numbers, self._newest, self._missing, lost, new)
+        np.add.at(self._lost, sysids, lost)
+        return lost, new
+
+    def packed(self) -> tuple[IntArray, IntArray, IntArray, NDArray[np.uint8]]:
+        """How far it is, in little room: for `resumed`."""
+        senders = np.flatnonzero(self._newest >= 0)
+        return self._lost.copy(), senders, self._newest[senders], np.packbits(self._missing[senders], axis=1)
+
+
+def resumed(lost: IntArray, senders: IntArray, newest: IntArray, missing: NDArray[np.uint8]) -> GapCounter:
+    """A counter that goes on from where a recording had been counted, as `RecordedGaps.packed` gave it."""
+    counter = GapCounter()
+    counter.lost_of = {int(sysid): int(lost[sysid]) for sysid in np.flatnonzero(lost)}
+    for sender, number, flags in zip(senders.tolist(), newest.tolist(), np.unpackbits(missing, axis=1), strict=True):
+        counter._newest[sender], counter._missing[sender] = number, bytearray(flags.tobytes())
+    return counter
+
+
+@njit(cache=True)
+def _count(
+    senders: IntArray,
+    numbers: IntArray,
+    newest: IntArray,
+    missing: NDArray[np.uint8],
+    lost: IntArray,
+    new: NDArray[np.bool_],
+) -> None:
+    """Kernel: fills lost (n,) and new (n,); newest (senders,) and missing (senders, 256) go on from call to call."""
+    for i in range(numbers.size):
+        sender = senders[i]
+        before = newest[sender]
+        newest[sender], lost[i] = _after(missing[sender], before, numbers[i])
+        new[i] = newest[sender] != before or lost[i] < 0

@@ -1,0 +1,273 @@
+"""Types of the lines on a session's socket (docs/protocol.md#session-socket): what a session, an observer and a replay
+tell. `gcs/schemas/messages.schema.json` is made of them.
+
+Seconds, metres, joules; positions and velocities in the common NED frame. None: not known.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Literal
+
+import msgspec
+from msgspec import UNSET, Struct, UnsetType
+
+from gcs.telemetry.events import Kind, Level
+from gcs.telemetry.state import Vec3
+
+
+class EventRow(Struct):
+    """A happening; `sysid` 0 is the ground station, 255 the traffic."""
+
+    t_s: float
+    sysid: int
+    level: Level
+    text: str
+    kind: Kind
+
+
+class GoalRow(Struct):
+    """What makes the session a success."""
+
+    separation_m: float | None
+    clearance_m: float | None
+    traffic_m: float | None
+    pursue_within_m: float | None
+    pursue_for_s: float | None
+    refuelled_at_least: int
+
+
+class BrokenRow(Struct):
+    """A part of the goal that can no longer be met."""
+
+    part: str
+    text: str
+    t_s: float | None
+
+
+class GoalStateRow(GoalRow):
+    """The goal, for how long its pursuit has been held, and what of it is broken."""
+
+    pursue_held_s: float | None
+    broken: list[BrokenRow]
+
+
+class MemberRow(Struct):
+    """Who flies, and the way that it is to fly."""
+
+    sysid: int
+    role: str
+    label: str
+    capacity_j: float | None
+    path_ned: list[Vec3]
+
+
+class ObstacleRow(Struct):
+    """An obstacle to draw: outline from above, centre, and the down coordinates where it begins and ends."""
+
+    name: str | None
+    label: str
+    kind: str
+    outline_ne: list[tuple[float, float]]
+    centre_ned: Vec3
+    radius_m: float | None
+    bottom_d: float
+    top_d: float
+
+
+class BaseRow(Struct):
+    """A base."""
+
+    name: str
+    p_ned: Vec3
+
+
+class SessionLine(Struct, tag_field="type", tag="session"):
+    """The first line, and again when what it says has changed."""
+
+    name: str
+    folder: str | None
+    source: Literal["session", "monitor", "replay"]
+    duration_s: float | None
+    clock: Literal["lockstep", "real", "replay"]
+    speed: float | None
+    control: bool
+    separation_m: float | None
+    vehicles: list[MemberRow]
+    obstacles: list[ObstacleRow]
+    bases: list[BaseRow]
+    goal: GoalRow
+    events: list[EventRow] | UnsetType = UNSET
+    """the last ones that were told before, where somebody connects to a session"""
+    told: int | UnsetType = UNSET
+    """how many those were in all"""
+
+
+class VehicleRow(Struct):
+    """A vehicle at the snapshot's time."""
+
+    sysid: int
+    role: str
+    label: str
+    alive: bool
+    stage: str
+    mode: str
+    armed: bool
+    landed: bool
+    autopilot: str | None
+    p_ned: Vec3 | None
+    v_ned: Vec3
+    speed_m_s: float
+    height_m: float | None
+    heading_rad: float
+    aim_ned: Vec3 | None
+    """its set point"""
+    age_s: float | None
+    """of its position"""
+    heard_s: float | None
+    """since its last HEARTBEAT"""
+    lost: int
+    """frames"""
+    lost_share: float | None
+    """of the frames of the last 10 s, 0..1"""
+    target_m: float | None
+    battery: float | None
+    """share of the capacity, 0..1"""
+    remaining_j: float | None
+    power_w: float | None
+    endurance_s: float | None
+    energy_source: str
+    v: float | None
+    tau: float | None
+    state: str
+    trouble: list[str]
+    severity: int
+    note: str
+
+
+class TrafficRow(Struct):
+    """An aircraft by its ADSB_VEHICLE."""
+
+    callsign: str
+    p_ned: Vec3
+    v_ned: Vec3
+    age_s: float
+
+
+class CompetitionRow(Struct):
+    """The competition, by system id as text; `threshold` is the share that wins it."""
+
+    v: dict[str, float]
+    tau: dict[str, float]
+    leader: int | None
+    share: float | None
+    runner_up: int | None
+    threshold: float
+
+
+class ServiceRow(Struct):
+    """A refuelling under way."""
+
+    receiver: int
+    tanker: int | None
+    base: str | None
+    phase: str
+    energy_j: float
+    by: str
+    decided_at_s: float
+    joined_at_s: float | None
+    rendezvous_ned: Vec3 | None
+    bids: dict[str, float]
+    why: str
+
+
+class ServedRow(Struct):
+    """A refuelling that has ended."""
+
+    receiver: int
+    tanker: int | None
+    base: str | None
+    by: str
+    decided_at_s: float
+    joined_at_s: float | None
+    start_s: float | None
+    end_s: float | None
+    energy_j: float
+    reason: str
+
+
+class StockRow(Struct):
+    """What a base holds."""
+
+    name: str
+    remaining_j: float
+    stock_j: float
+
+
+class InspectedRow(Struct):
+    """The latest of one message of an inspected vehicle, fields in MAVLink's own units."""
+
+    count: int
+    rate_hz: float | None
+    age_s: float
+    fields: dict[str, Any]
+
+
+class ReplayRow(Struct):
+    """Where a recording begins and ends, and how it is played; speed None: without waiting."""
+
+    from_s: float
+    to_s: float
+    speed: float | None
+    paused: bool
+
+
+class Snapshot(Struct, tag_field="type", tag="snapshot"):
+    """The state at a session time, with the events since the last one."""
+
+    t_s: float
+    duration_s: float | None
+    speed: float | None
+    phase: str
+    vehicles: list[VehicleRow]
+    traffic: list[TrafficRow]
+    competition: CompetitionRow
+    services: list[ServiceRow]
+    history: list[ServedRow]
+    refuelled: int
+    goal: GoalStateRow
+    inspected: dict[str, dict[str, InspectedRow]]
+    """by system id and message name"""
+    events: list[EventRow]
+    bases: list[StockRow] | UnsetType = UNSET
+    replay: ReplayRow | UnsetType = UNSET
+
+
+class Reply(Struct, tag_field="type", tag="reply"):
+    """The answer to a line of a client's; `id` is the one given in it."""
+
+    id: str | int | None
+    ok: bool
+    text: str
+
+
+class End(Struct, tag_field="type", tag="end"):
+    """The last line."""
+
+    outcome: str
+    text: str
+    exit: int
+
+
+Line = SessionLine | Snapshot | Reply | End
+
+
+def plain(line: Line) -> dict[str, Any]:
+    """A line as plain data, for JSON."""
+    content: dict[str, Any] = msgspec.to_builtins(line)
+    return content
+
+
+def schema() -> dict[str, Any]:
+    """The JSON Schema of a line."""
+    about = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": "A line of a session's socket"}
+    return about | msgspec.json.schema(Line)

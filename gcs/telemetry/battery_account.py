@@ -1,0 +1,85 @@
+"""A vehicle's battery by its messages alone: initial + received - drawn - given (docs/protocol.md#energy-accounting).
+
+One account is kept of each vehicle while a session flies, in its replay and in its report, fed in the same order.
+"""
+
+from __future__ import annotations
+
+import math
+
+from gcs.mavlink.battery import BatteryReport
+from gcs.telemetry.energy import EnergyEstimator, Fact
+
+CAPACITY, INITIAL = BATTERY_PARAMETERS = ("SIM_BAT_CAP_J", "SIM_BAT_INIT_J")
+RECEIVED, GIVEN = "XferIn", "XferOut"
+
+
+class BatteryAccount:
+    """Energies in J; capacity and initial charge as the scenario has them until the vehicle tells them."""
+
+    def __init__(self, capacity_j: float, initial_j: float) -> None:
+        self.capacity_j = capacity_j
+        self.initial_j = initial_j
+        self.meter = EnergyEstimator()
+        self.given_j = 0
+        self._told_in_j = self._booked_j = 0
+        self._counts = self._initial_told = False
+        self._parameters: set[str] = set()
+
+    @property
+    def told(self) -> bool:
+        """Whether the vehicle has told capacity and initial charge, as one does that can take a transfer."""
+        return len(self._parameters) == len(BATTERY_PARAMETERS)
+
+    @property
+    def received_j(self) -> int:
+        """By the vehicle's own counter, and by the book of bases that charged it without one."""
+        return self._told_in_j + self._booked_j
+
+    @property
+    def remaining_j(self) -> float:
+        """What the battery holds."""
+        return self.initial_j + self.received_j - self.meter.drawn_j - self.given_j
+
+    def report(self, report: BatteryReport, *, armed: bool) -> list[Fact]:
+        """Take what a message says of the battery."""
+        if not self.meter.heeds(report):
+            return []
+        facts = self.meter.take(
+            report,
+            capacity_j=self.capacity_j,
+            moved_j=self._told_in_j - self.given_j,
+            booked_j=self._booked_j,
+            initial_j=self.initial_j if self._initial_told else None,
+            armed=armed,
+            swappable=not self._counts,
+        )
+        if not self._initial_told and report.remaining is not None:
+            left_j = report.remaining * self.capacity_j
+            self.initial_j = left_j + self.meter.drawn_j + self.given_j - self.received_j
+            self._initial_told = True
+        self.initial_j += sum(fact.gained_j for fact in facts)
+        return facts
+
+    def counter(self, name: str, value: int) -> None:
+        """Take a NAMED_VALUE_INT: what has been received or given so far."""
+        if name == GIVEN:
+            self.given_j = max(self.given_j, value)
+        elif name == RECEIVED:
+            self._told_in_j = max(self._told_in_j, value)
+        self._counts |= name in (RECEIVED, GIVEN)
+
+    def parameter(self, name: str, value: float) -> None:
+        """Take a parameter."""
+        if name not in BATTERY_PARAMETERS or not (math.isfinite(value) and value >= 0.0):
+            return
+        self._parameters.add(name)
+        if name == INITIAL:
+            self.initial_j = value
+            self._initial_told = True
+        elif value > 0.0:
+            self.capacity_j = value
+
+    def book(self, joules: int) -> None:
+        """Count energy that a base gave to a vehicle which cannot tell of it itself."""
+        self._booked_j += joules

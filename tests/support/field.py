@@ -1,0 +1,53 @@
+"""The planner's compiled kernels of the potential field, summed over what attracts and repels at one place; and the
+potentials that docs/model.md#potential-field gives, whose gradients these forces are."""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from gcs.planner import fuzzy_escape
+from gcs.planner.potential_field import SURFACE_FLOOR_M, Field, attraction_to, repulsion_of_shape, repulsion_size
+from gcs.scenario.geometry import shape_surface
+
+
+def force(q: Any, *, tracked: Any, waypoints: Any, repulsors: Any, ranges_m: Any, field: Field) -> Any:
+    """Attraction (3,) and repulsion (3,) at a place: what the leader's kernel adds up."""
+    constants, at = field.constants(), tuple(map(float, q))
+    pulls = [attraction_to(*map(float, g), math.inf, *at, constants) for g in tracked]
+    pulls += [attraction_to(*map(float, g), field.attraction_range_m, *at, constants) for g in waypoints]
+    ranges = zip(range(len(repulsors)), ranges_m, strict=True)
+    pushes = [repulsion_of_shape(repulsors, i, float(rho_o), *at, constants) for i, rho_o in ranges]
+    return np.array([(0.0, 0.0, 0.0), *pulls]).sum(axis=0), np.array([(0.0, 0.0, 0.0), *pushes]).sum(axis=0)
+
+
+def escape(
+    q: Any, attraction: Any, repulsion: Any, goal_m: float, memory: Any, *, field: Field, step_m: float | None = None
+) -> Any:
+    """Escape force (3,) and the memory after it."""
+    following, numbers = memory.copy(), [float(x) for vector in (q, attraction, repulsion) for x in vector]
+    full_m = field.step_m if step_m is None else step_m
+    return np.array(fuzzy_escape.escape_force(following, *numbers, goal_m, full_m, field.step_m)), following
+
+
+def surface(table: Any, q: Any) -> Any:
+    """Signed distance (m,) to each shape's surface, and unit vectors (m, 3) from the surfaces towards a place."""
+    found = np.array([shape_surface(table, i, *map(float, q)) for i in range(len(table))]).reshape(-1, 4)
+    return found[:, 0], found[:, 1:]
+
+
+def attraction_potential(rho: float, field: Field) -> float:
+    """U_g, straight on from the cap with the slope that it has reached."""
+    near = min(rho, field.cap_m)
+    return 0.5 * field.k0 * near**2 + (field.k0 * field.cap_m * (rho - near) if rho > near else 0.0)
+
+
+def repulsion_potential(rho: float, range_m: float, field: Field) -> float:
+    """U_o, straight on below SURFACE_FLOOR_M with the slope that it has reached."""
+    near, inner = max(rho, SURFACE_FLOOR_M), field.b * range_m
+    potential = 0.0
+    if near <= range_m:
+        potential += 0.5 * field.k1 * (1 / near - 1 / range_m) ** 2
+    if near <= inner:
+        potential += 0.5 * field.a * field.k1 * (1 / near - 1 / inner) ** 2
+    return potential + (near - rho) * float(repulsion_size(near, range_m, field.k1, field.a, field.b))

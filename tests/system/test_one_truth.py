@@ -1,0 +1,126 @@
+"""One session told four times: live, by its summary, by its replay and by its report. They say the same."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from typing import Any
+
+import pytest
+from sessions import Outcome, Running, small
+from strangers import ARDUCOPTER, free_port, strangers
+
+from gcs.recording.session_folder import read
+from gcs.report.findings import Findings
+from gcs.session.replay import Replay
+
+STRANGER = 3
+TEXT = "Battery 1 is low and the pilot is told so at such length that it needs a third chunk, which ends here and now"
+pytestmark = pytest.mark.timeout(150)
+
+
+@dataclass
+class Told:
+    """What each of the four says."""
+
+    outcome: Outcome
+    live: list[dict[str, Any]]
+    replay: list[dict[str, Any]]
+    sought: dict[str, Any]
+    report: Findings
+
+    @property
+    def snapshots(self) -> tuple[dict[str, Any], ...]:
+        """The last of the session, of its replay from begin to end, and of a replay that went to the end at once."""
+        return self.live[-1], self.replay[-1], self.sought
+
+
+@pytest.fixture(scope="module")
+def told(tmp_path_factory: pytest.TempPathFactory) -> Told:
+    """A stranger's ArduCopter that tells voltage and current, a text in three chunks, and loses frames; beside it a
+    pursuer, its target and a tanker of ours."""
+    folder = tmp_path_factory.mktemp("truth")
+    port = free_port()
+    content = small(
+        clock={"mode": "real", "speed": 1.0},
+        goal={"duration_s": 35.0, "refuelled_at_least": 1, "pursue": {"within_m": 4.0, "for_s": 2.0}},
+    )
+    external = {"sysid": STRANGER, "connect": f"udpin:127.0.0.1:{port}", "capacity_j": 252_000}
+    content["vehicles"]["pursuers"].append({"external": external})
+    command = [*ARDUCOPTER, "--sysid", str(STRANGER), "--connect", f"udpout:127.0.0.1:{port}", "--lose", "0.05"]
+    place = ["--origin", "47.397742,8.545594,488.0", "--start", "2.0,4.0,0.0", "--battery-told", "current"]
+    with strangers(folder, [*command, *place, "--says", TEXT]):
+        running = Running(content, folder, "--json")
+        try:
+            live = [json.loads(line) for line in running.lines()]
+            outcome = running.finish()
+        finally:
+            running.stop()
+    replay = Replay(outcome.folder)
+    shown = []
+    for tenth in range(round(10.0 * replay.to_s) + 1):
+        replay.advance(tenth / 10, float("inf"))
+        shown.append(replay.snapshot(speed=None))
+    replay.advance(replay.to_s, float("inf"))
+    shown.append(replay.snapshot(speed=None))
+    sought = Replay(outcome.folder, block_bytes=1 << 16)
+    sought.seek(sought.to_s)
+    snapshots = [line for line in live if line["type"] == "snapshot"]
+    return Told(outcome, snapshots, shown, sought.snapshot(speed=None), Findings(read(outcome.folder)))
+
+
+def row(snapshot: dict[str, Any], sysid: int) -> dict[str, Any]:
+    found: dict[str, Any] = next(vehicle for vehicle in snapshot["vehicles"] if vehicle["sysid"] == sysid)
+    return found
+
+
+@pytest.mark.parametrize("sysid", [1, STRANGER, 101, 201])
+def test_what_a_battery_holds(told: Told, sysid: int) -> None:
+    ledger = told.outcome.vehicle(sysid)["energy"]
+    assert ledger["source"] == ("current_voltage" if sysid == STRANGER else "energy_consumed")
+    assert ledger["drawn_j"] > 1000.0
+    remaining_j = [row(snapshot, sysid)["remaining_j"] for snapshot in told.snapshots]
+    assert remaining_j == pytest.approx([ledger["remaining_j"]] * 3, abs=1e-6)
+    for snapshot in told.snapshots:
+        share = ledger["remaining_j"] / told.report.batteries[sysid].capacity_j
+        assert row(snapshot, sysid)["battery"] == pytest.approx(share, abs=1e-9)
+    battery = told.report.batteries[sysid]
+    assert battery.remaining.values[-1] == pytest.approx(ledger["remaining_j"], abs=1e-6)
+
+
+def test_a_text_in_chunks(told: Told) -> None:
+    for snapshots in (told.live, told.replay):
+        events = [event for snapshot in snapshots for event in snapshot["events"] if event["kind"] == "text"]
+        ((level, text),) = {(e["level"], e["text"]) for e in events if "low" in e["text"]}
+        assert (level, text) == ("warning", TEXT)
+    assert [(sysid, text) for _, sysid, _, text in told.report.texts if "low" in text] == [(STRANGER, TEXT)]
+
+
+def test_how_long_the_pursuit_was_held(told: Told) -> None:
+    by_session, by_replay, by_sought = (snapshot["goal"]["pursue_held_s"] for snapshot in told.snapshots)
+    assert by_session > 2.0
+    assert by_replay == by_sought == pytest.approx(by_session, abs=0.11)
+    assert min(told.report.nearness.held_s.values()) == pytest.approx(by_session, abs=0.11)
+
+
+def test_frames_lost(told: Told) -> None:
+    lost = told.outcome.summary["link"]["lost"]
+    assert lost > 5
+    for snapshot in told.snapshots:
+        assert [(v["sysid"], v["lost"]) for v in snapshot["vehicles"] if v["lost"]] == [(STRANGER, lost)]
+    assert told.report.recorded.traffic_lost.sum(axis=1)[STRANGER] == told.report.recorded.traffic_lost.sum() == lost
+
+
+def test_refuellings(told: Told) -> None:
+    keys = ("receiver", "tanker", "base", "by", "decided_at_s", "joined_at_s", "start_s", "end_s", "energy_j")
+    summary = [tuple(service[key] for key in keys) for service in told.outcome.summary["refuelling"]]
+    ended = [service for service in summary if service[keys.index("end_s")] is not None]
+    assert len(ended) >= 1
+    for snapshot in told.snapshots:
+        assert [tuple(service[key] for key in keys) for service in snapshot["history"]] == ended
+    assert [tuple(getattr(service, key) for key in keys) for service in told.report.services] == summary
+
+
+def test_times_of_the_four(told: Told) -> None:
+    assert told.report.end_s == pytest.approx(told.replay[-1]["t_s"])
+    assert told.replay[-1]["t_s"] == pytest.approx(told.live[-1]["t_s"], abs=3.0)

@@ -25,7 +25,7 @@ def read(folder: Path, sysid: int) -> NDArray[np.float64] | None:
             begin = file.tell()
         size = (path.stat().st_size - begin) // 8
         if not size:
-            return None
+            return np.empty((0, COLUMNS))
         numbers = np.memmap(path, dtype="<f8", mode="r", offset=begin, shape=(size,))
         return _records(numbers, len(names), columns)
     except (OSError, ValueError, KeyError, TypeError):

@@ -56,8 +56,8 @@ def _of_speed(scenario: Scenario) -> Iterator[ScenarioWarning]:
     speed_m_s = rules.cruise_m_s
     need_m = stopping_m(scenario, speed_m_s)
     how = (
-        f"at {speed_m_s:g} m/s a vehicle needs {need_m:.1f} m to stand: {latency_s(scenario):.2f} s of latency "
-        f"(period, {LAG_S} s of lag, radio to and fro) and braking at {LAUNCHED_M_S2:g} m/s²"
+        f"at {speed_m_s:g} m/s a vehicle needs {need_m:.1f} m to stand ({latency_s(scenario):.2f} s of latency: "
+        f"period, {LAG_S} s of lag, radio to and fro; braking at {LAUNCHED_M_S2:g} m/s²)"
     )
     if vehicles.pursuers and separation_m and 2.0 * need_m > separation_m + 2.0 * rules.repulsion_range_m:
         yield ScenarioWarning(

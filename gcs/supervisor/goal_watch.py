@@ -79,7 +79,8 @@ class GoalWatch:
                 self._see_loss(view, pilot, now_s)
                 continue
             self._flew[row] = True
-            ours[row] = pilot.stage not in _OTHERS
+            by_failsafe = view.mode in GOING_DOWN and pilot.stage is not Stage.BASE and not pilot.grounded
+            ours[row] = pilot.stage not in _OTHERS and not by_failsafe
             if view.p_ned is not None and view.fresh:
                 fresh[row] = True
                 p_ned[row] = view.p_now_ned()
@@ -180,6 +181,8 @@ class GoalWatch:
         at = np.full((len(self._vehicles), len(ticks)), -1, dtype=np.int64)
         for row, table in tables.items():
             assert table is not None
+            if not len(table):
+                continue
             k = np.searchsorted(table[:, 0], ticks - 1e-4)
             inside = k < len(table)
             same = inside & (np.abs(table[np.minimum(k, len(table) - 1), 0] - ticks) < 1e-4)

@@ -42,8 +42,9 @@ def assert_tlog_is_whole(outcome: Outcome) -> None:
 def test_a_killed_vehicle_is_named_and_the_others_fly_on(running: Running) -> None:
     victim = running.vehicle(3)
     victim.send_signal(signal.SIGKILL)
-    told = running.wait_for(lambda s: any(e["sysid"] == 3 and e["level"] == "critical" for e in s["events"]))
-    (event,) = (e for e in told["events"] if e["sysid"] == 3 and e["level"] == "critical")
+    told = running.wait_for(lambda s: any(e["sysid"] == 3 and e["kind"] == "death" for e in s["events"]))
+    (event,) = (e for e in told["events"] if e["sysid"] == 3 and e["kind"] == "death")
+    assert event["level"] == "critical"
     assert "pursuer 3" in event["text"]
     assert "signal 9" in event["text"]
     later = running.wait_for(lambda s: s["t_s"] > told["t_s"] + 2.0)

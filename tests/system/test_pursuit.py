@@ -22,7 +22,7 @@ SCENARIO: dict[str, Any] = {
     "axes": "ned",
     "origin": {"lat_deg": 47.397742, "lon_deg": 8.545594, "alt_m": 488.0},
     "clock": {"mode": "lockstep"},
-    "goal": {"duration_s": 40.0, "pursue": {"within_m": 3.0, "for_s": 5.0}},
+    "goal": {"duration_s": 40.0, "pursue": {"within_m": 3.0, "for_s": 5.0}, "separation_m": False},  # without a ring
     "vehicles": {
         # The target is faster than they are: the first falls behind, the second waits ahead, the third is far aside.
         "pursuers": [vehicle(1, 2.0, 3.0, -5.0), vehicle(2, 28.0, 3.0, -5.0), vehicle(3, 15.0, 40.0, -5.0)],

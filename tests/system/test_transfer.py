@@ -76,7 +76,7 @@ def test_it_closes_when_the_tanker_is_killed_in_mid_transfer(tmp_path: Path) -> 
     finally:
         running.stop()
     assert outcome.status == 1
-    assert outcome.summary["outcome"] == "vehicle_lost"
+    assert outcome.summary["outcome"] == "lost"
     assert outcome.vehicle(201)["final_mode"] == "dead"
     assert_ledgers_close(outcome, EVERYONE)
     (service,) = outcome.summary["refuelling"]

@@ -27,7 +27,7 @@ def test_pursuers_hold_when_their_target_dies(tmp_path: Path) -> None:
         outcome = running.finish()
     finally:
         running.stop()
-    assert outcome.summary["outcome"] == "vehicle_lost"
+    assert outcome.summary["outcome"] == "lost"
     for sysid in PURSUERS:
         truth = outcome.truth(sysid)
         late = truth.time_s > 40.0
@@ -96,7 +96,7 @@ def test_a_session_whose_vehicles_all_died_is_not_complete(tmp_path: Path) -> No
     finally:
         running.stop()
     assert outcome.summary["completed"] is False
-    assert outcome.summary["outcome"] == "vehicle_lost"
+    assert outcome.summary["outcome"] == "lost"
 
 
 def test_parameters_that_a_vehicle_refuses_are_bad_input(tmp_path: Path) -> None:

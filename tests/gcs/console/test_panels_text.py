@@ -226,8 +226,10 @@ def test_a_long_farewell_needs_no_line_of_more_than_80_columns_and_leaves_nobody
 
 def test_the_farewell_names_who_was_lost_also_where_the_supervisor_could_not_say_the_outcome() -> None:
     vehicles = [dict(vehicle, final_mode="dead") for vehicle in SUMMARY["vehicles"]]
-    lines = farewell({**SUMMARY, "outcome": "vehicle_lost", "vehicles": vehicles}, "", Path("sessions/x"))
-    assert lines[:2] == ["outcome: vehicle_lost", "lost: pursuer 3, tanker 201"]
+    lines = farewell(
+        {**SUMMARY, "outcome": "lost", "outcome_text": "not met: lost 2", "vehicles": vehicles}, "", Path("sessions/x")
+    )
+    assert lines[:2] == ["not met: lost 2", "lost: pursuer 3, tanker 201"]
 
 
 def test_lines_arrive_whole_however_they_are_cut() -> None:

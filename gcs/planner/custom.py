@@ -78,6 +78,10 @@ class OwnPlanner:
         """None: set points tell all."""
         return []
 
+    def margin_m(self, sysid: int) -> float | None:
+        """None: the safety filter has margins."""
+        return None
+
     def anchor(self, sysid: int, p_ned: Vec3) -> None:
         """As `Planner.anchor`; a planner of a user's own keeps its points."""
         self._shipped.anchor(sysid, p_ned)

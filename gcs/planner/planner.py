@@ -134,6 +134,10 @@ class Planner:
             guided.append(want if free else _Wanted(_vec(aim), v_ned, want.speed_m_s, float(left_m)))
         return guided
 
+    def margin_m(self, sysid: int) -> float | None:
+        """None: the safety filter has margins."""
+        return None
+
     def anchor(self, sysid: int, p_ned: Vec3) -> None:
         """Go on from here: where the safety filter takes the leader of a vehicle to."""
         if sysid in self._q:

@@ -46,5 +46,8 @@ class TickPlanner(Protocol):
     def take_records(self) -> list[dict[str, Any]]:
         """Decisions since the last call that the set points do not tell."""
 
+    def margin_m(self, sysid: int) -> float | None:
+        """Distance that is added for a vehicle's tracking error; None without the safety filter."""
+
     def anchor(self, sysid: int, p_ned: Vec3) -> None:
         """Go on planning from here: where the safety filter takes a vehicle's planned point to."""

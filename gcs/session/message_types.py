@@ -121,6 +121,8 @@ class VehicleRow(Struct):
     heading_rad: float
     aim_ned: Vec3 | None
     """its set point"""
+    margin_m: float | None
+    """added to separation and clearance for its tracking error; null without the safety filter"""
     age_s: float | None
     """of its position"""
     heard_s: float | None

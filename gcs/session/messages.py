@@ -62,6 +62,7 @@ def vehicle_row(
     lost: int = 0,
     lost_share: float | None = None,
     aim_ned: Vec3 | None = None,
+    margin_m: float | None = None,
     state: State = State.IDLE,
     found: Sequence[HealthIssue] = (),
 ) -> VehicleRow:
@@ -83,6 +84,7 @@ def vehicle_row(
         height_m=-view.p_ned[2] if view.p_ned is not None else None,
         heading_rad=view.heading_rad,
         aim_ned=aim_ned,
+        margin_m=margin_m,
         age_s=view.age_s if math.isfinite(view.age_s) else None,
         heard_s=max(now_s - view.heard_s, 0.0) if heard else None,
         lost=lost,
@@ -198,6 +200,7 @@ def _vehicles(supervisor: Supervisor) -> list[VehicleRow]:
                 lost=quality.lost(sysid),
                 lost_share=lost_share,
                 aim_ned=aims.get(sysid),
+                margin_m=supervisor.planner.margin_m(sysid),
                 state=state(
                     view,
                     competing=standing.v or standing.tau,

@@ -64,7 +64,7 @@ def _state(watch: SessionModel, vehicle: Vehicle, width: int, glyphs: Glyphs) ->
         ("v NED m/s", [(_vector(vehicle.get("v_ned")), "")]),
         ("competition", [(_competition(vehicle), "")]),
         ("set point m", [(_vector(vehicle.get("aim_ned")), "")]),
-        ("target m", [(number(vehicle.get("target_m"), 8, 2), "")]),
+        ("target m", [(number(vehicle.get("target_m"), 8, 2) + _margin(vehicle), "")]),
         ("heading", [(_degrees(vehicle.get("heading_rad")), "")]),
         ("link", [(_link(vehicle), "")]),
     ]
@@ -75,6 +75,11 @@ def _state(watch: SessionModel, vehicle: Vehicle, width: int, glyphs: Glyphs) ->
     if note := clean(vehicle.get("note") or ""):
         lines.append(fitted([(" " + left("note", NAME), "dim"), (note, "")], width, glyphs))
     return lines
+
+
+def _margin(vehicle: Vehicle) -> str:
+    margin_m = vehicle.get("margin_m")
+    return "" if margin_m is None else f", margin {number(margin_m, 4, 2).strip()}"
 
 
 def _fact(name: str, value: Line) -> Line:

@@ -158,56 +158,10 @@ def test_missing_field_long_text_short_array_and_huge_float_are_named() -> None:
         codec.message("COMMAND_ACK", command=1)
     with pytest.raises(ValueError, match=r"NAMED_VALUE_INT.name holds 10 characters, not the 11"):
         codec.message("NAMED_VALUE_INT", time_boot_ms=0, name="a" * 11, value=1)
-    with pytest.raises(ValueError, match=r"BATTERY_STATUS.voltages holds 10 values"):
-        codec.frame(
-            codec.Message(
-                codec.msgid("BATTERY_STATUS"),
-                (
-                    0,
-                    0,
-                    0,
-                    [1],
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    [0] * 4,
-                    0,
-                    0,
-                ),
-            ),
-            0,
-            1,
-            1,
-        )
-    with pytest.raises(ValueError, match=r"BATTERY_STATUS.voltages cannot be 70000"):
-        codec.frame(
-            codec.Message(
-                codec.msgid("BATTERY_STATUS"),
-                (
-                    0,
-                    0,
-                    0,
-                    [70000] * 10,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    [0] * 4,
-                    0,
-                    0,
-                ),
-            ),
-            0,
-            1,
-            1,
-        )
+    rest = (0, 0, 0, 0, 0, 0, 0, [0] * 4, 0, 0)
+    for voltages, said in (([1], "holds 10 values"), ([70000] * 10, "cannot be 70000")):
+        with pytest.raises(ValueError, match=rf"BATTERY_STATUS.voltages {said}"):
+            codec.frame(codec.Message(codec.msgid("BATTERY_STATUS"), (0, 0, 0, voltages, *rest)), 0, 1, 1)
     with pytest.raises(ValueError, match=r"NAMED_VALUE_FLOAT.value cannot be 1e\+300"):
         codec.message("NAMED_VALUE_FLOAT", time_boot_ms=0, name="x", value=1e300)
     with pytest.raises(ValueError, match="ATTITUDE takes 7 values"):

@@ -167,23 +167,7 @@ def test_missing_field_long_text_short_array_and_huge_float_are_named() -> None:
     with pytest.raises(ValueError, match="ATTITUDE takes 7 values"):
         codec.frame(codec.Message(codec.msgid("ATTITUDE"), (2,)), 0, 1, 1)
     with pytest.raises(ValueError, match=r"ATTITUDE.seq cannot be 256"):
-        codec.frame(
-            codec.Message(
-                codec.msgid("ATTITUDE"),
-                (
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                    0,
-                ),
-            ),
-            256,
-            1,
-            1,
-        )
+        codec.frame(codec.Message(codec.msgid("ATTITUDE"), (0,) * 7), 256, 1, 1)
 
 
 def test_message_outside_the_dialect_is_named() -> None:

@@ -245,16 +245,9 @@ def _text(characters: bytes) -> str:
     return characters.partition(b"\0")[0].decode("ascii", "replace")
 
 
-def packer(message: int | str) -> Callable[..., bytes]:
-    """The function `(seq, sysid, compid, *values) -> frame` of one message: the quick way to send one that repeats.
-
-    The values are one per field in wire order (`layout(message).record._fields`), an array as a sequence, text as str.
-    The function raises ValueError, in one sentence that names the field, for a value that the field cannot hold.
-    """
-    return cast(Callable[..., bytes], _PACKERS[layout(message).msgid])
-
-
 def _packer(msgid: int) -> Callable[..., bytes]:
+    """The function `(seq, sysid, compid, *values) -> frame` of one message, its values in wire order: an array as a
+    sequence, text as str. It raises ValueError, in one sentence that names the field, for a value that does not fit."""
     shape = _LAYOUTS[msgid]
     wire = struct.Struct(_HEADER + "".join(shape.formats))
     pack, pack_crc, payload_bytes = wire.pack, struct.Struct("<H").pack, wire.size - HEADER_BYTES

@@ -115,7 +115,11 @@ def test_packed_set_point_equals_pymavlinks(
 ) -> None:
     theirs = common.MAVLink_set_position_target_local_ned_message(time_boot_ms, *ids, mask, *floats)
     mav = common.MAVLink(None, srcSystem=255, srcComponent=190)
-    pack = codec.packer("SET_POSITION_TARGET_LOCAL_NED")
+    msgid = codec.msgid("SET_POSITION_TARGET_LOCAL_NED")
+
+    def pack(seq: int, sysid: int, compid: int, *values: Any) -> bytes:
+        return codec.frame(codec.Message(msgid, values), seq, sysid, compid)
+
     assert pack(0, 255, 190, time_boot_ms, *floats, mask, *ids) == bytes(theirs.pack(mav))
 
 
@@ -154,21 +158,21 @@ def test_missing_field_long_text_short_array_and_huge_float_are_named() -> None:
         codec.message("COMMAND_ACK", command=1)
     with pytest.raises(ValueError, match=r"NAMED_VALUE_INT.name holds 10 characters, not the 11"):
         codec.message("NAMED_VALUE_INT", time_boot_ms=0, name="a" * 11, value=1)
-    with pytest.raises(ValueError, match=r"BATTERY_STATUS.voltages holds 10 values"):
-        codec.packer("BATTERY_STATUS")(0, 1, 1, 0, 0, 0, [1], 0, 0, 0, 0, 0, 0, 0, [0] * 4, 0, 0)
-    with pytest.raises(ValueError, match=r"BATTERY_STATUS.voltages cannot be 70000"):
-        codec.packer("BATTERY_STATUS")(0, 1, 1, 0, 0, 0, [70000] * 10, 0, 0, 0, 0, 0, 0, 0, [0] * 4, 0, 0)
+    rest = (0, 0, 0, 0, 0, 0, 0, [0] * 4, 0, 0)
+    for voltages, said in (([1], "holds 10 values"), ([70000] * 10, "cannot be 70000")):
+        with pytest.raises(ValueError, match=rf"BATTERY_STATUS.voltages {said}"):
+            codec.frame(codec.Message(codec.msgid("BATTERY_STATUS"), (0, 0, 0, voltages, *rest)), 0, 1, 1)
     with pytest.raises(ValueError, match=r"NAMED_VALUE_FLOAT.value cannot be 1e\+300"):
         codec.message("NAMED_VALUE_FLOAT", time_boot_ms=0, name="x", value=1e300)
     with pytest.raises(ValueError, match="ATTITUDE takes 7 values"):
-        codec.packer("ATTITUDE")(0, 1, 1, 2)
+        codec.frame(codec.Message(codec.msgid("ATTITUDE"), (2,)), 0, 1, 1)
     with pytest.raises(ValueError, match=r"ATTITUDE.seq cannot be 256"):
-        codec.packer("ATTITUDE")(256, 1, 1, 0, 0, 0, 0, 0, 0, 0)
+        codec.frame(codec.Message(codec.msgid("ATTITUDE"), (0,) * 7), 256, 1, 1)
 
 
 def test_message_outside_the_dialect_is_named() -> None:
     with pytest.raises(ValueError, match="NO_SUCH is no message"):
-        codec.packer("NO_SUCH")
+        codec.layout("NO_SUCH")
     with pytest.raises(ValueError, match="message id 8 is not in"):
         codec.layout(8)
     assert codec.name(8) == "UNKNOWN_8"

@@ -55,9 +55,14 @@ def test_every_pursuer_stays_on_the_ring(flown: Outcome) -> None:
     for sysid in PURSUERS:
         own = flown.truth(sysid)
         assert np.array_equal(own.time_s, target.time_s)
-        distance = np.linalg.norm(own.p_ned - target.p_ned, axis=1)[own.time_s > 20.0]
-        assert np.median(distance) == pytest.approx(2.0, abs=0.25)
-        assert distance.max() < 3.5
+        distance, late = np.linalg.norm(own.p_ned - target.p_ned, axis=1), own.time_s > 20.0
+        assert np.median(distance[late]) == pytest.approx(2.0, abs=0.25)
+        evades = np.zeros_like(late)  # who an aircraft flies at leaves the ring, and comes back
+        for told in flown.decisions:
+            if told["kind"] == "safety" and told["sysid"] == sysid and told["by"].startswith("traffic"):
+                evades |= (own.time_s >= told["t_s"]) & (own.time_s < told["t_s"] + 10.0)
+        assert distance[late & ~evades].max() < 3.5
+        assert distance[late].max() < 6.0
 
 
 def test_nothing_comes_closer_than_allowed_by_the_vehicles_own_knowledge(flown: Outcome) -> None:

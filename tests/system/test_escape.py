@@ -18,7 +18,7 @@ def scene(escape: bool) -> dict[str, Any]:
     content = small(
         goal={"duration_s": 40.0, "refuelled_at_least": 0},
         formation={"ring_m": 0.001},
-        planner={"escape": escape, "cruise_m_s": 1.0},
+        planner={"escape": escape, "cruise_m_s": 1.0, "safety": False},  # the field alone, without the guide
         obstacles=[{"point_m": [5.0, 0.0, -2.5]}],
         refuelling={"enabled": False},
     )

@@ -46,7 +46,11 @@ def test_the_target_is_handed_over_to_whom_it_costs_least_while_the_others_hold(
         assert efforts[str(change["pursuer"])] == min(efforts.values())
     handed_s = changes[1]["t_s"]
     points = [d for d in decisions if d["kind"] == "set_point"]
-    for sysid, from_s, to_s in ((3, 0.0, math.inf), (2, 0.0, handed_s), (1, handed_s + 0.05, math.inf)):
+    for sysid, from_s, to_s in (
+        (3, 0.0, math.inf),
+        (2, 0.0, handed_s),
+        (1, handed_s + 0.5, math.inf),
+    ):  # its leader brakes
         speeds = [math.hypot(*d["v_ned"]) for d in points if d["sysid"] == sysid and from_s <= d["t_s"] < to_s]
         assert len(speeds) > 50
         assert max(speeds) == 0.0

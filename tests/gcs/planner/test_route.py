@@ -275,7 +275,7 @@ def test_places_must_be_finite():
 
 
 def test_fields_that_are_used_again_change_no_route(monkeypatch):
-    monkeypatch.setattr("route.FIELD_BYTES", 1)  # two fields are kept
+    monkeypatch.setattr("gcs.planner.route.FIELD_BYTES", 1)  # two fields are kept
     rng = np.random.default_rng(5)
     table = random_table(rng, 20)
     few, places = Router(table, 0.6, floor_m=0.3), rng.uniform([-6, -6, -6], [6, 6, -0.3], (16, 2, 3))

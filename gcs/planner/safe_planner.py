@@ -25,7 +25,7 @@ from gcs.planner.request import PlanRequest, TickPlanner
 from gcs.planner.safety_filter import KINDS, Filtered, Others, Rules, Vehicles, filter_step
 from gcs.planner.silence import STEP_M, Failsafe, presumed_places
 from gcs.planner.tracking import Tracking
-from gcs.scenario.model import Scenario
+from gcs.scenario.model import Scenario, VehicleBase
 from gcs.telemetry.state import Vec3, VehicleView
 
 LAG_S = 0.37
@@ -39,6 +39,8 @@ SETTLE_S = 0.5
 """A leader that is not where a planner of a user's own wants it comes there in about so long."""
 SLOWEST_M_S = 1.0
 """Even who is to stand may give way this fast."""
+ABLE_SHARE, USUAL_M_S2, USUAL_TILT_DEG, GRAVITY_M_S2 = 0.8, 5.0, 35.0, 9.8
+"""Of what a launched vehicle can by MPC_ACC_HOR and MPC_TILTMAX_AIR: at all of it corners err by half a metre."""
 EXTERNAL_M_S2 = 2.0
 """Autopilots that somebody else tuned follow leaders of no more acceleration."""
 SILENT_S = 1.0
@@ -92,8 +94,7 @@ class SafePlanner:
         self._speed_m_s = {v.sysid: scenario.planner.cruise_m_s for v in scenario.vehicles.pursuers}
         self._speed_m_s |= {t.sysid: 1.3 * t.speed_m_s for t in scenario.vehicles.targets}
         self._speed_m_s |= {t.sysid: t.speed_m_s for t in scenario.vehicles.tankers}
-        most = scenario.planner.acceleration_m_s2
-        self._a_max = {v.sysid: most if v.external is None else min(most, EXTERNAL_M_S2) for v in scenario.vehicles.all}
+        self._a_max = {v.sysid: _acceleration_m_s2(scenario, v) for v in scenario.vehicles.all}
         self._grounded = {v.sysid for v in scenario.vehicles.all if not v.airborne}
         launched = (v for v in scenario.vehicles.all if v.external is None)
         self._airborne = {v.sysid: v.start_m for v in launched if v.airborne and not v.join_s}
@@ -285,6 +286,16 @@ class SafePlanner:
             obstacle = self._scenario.obstacles[index]
             return f"obstacle {obstacle.name or f'{obstacle.kind} {index + 1}'}"
         return "ground" if KINDS[kind] == "wall" else "limits"
+
+
+def _acceleration_m_s2(scenario: Scenario, vehicle: VehicleBase) -> float:
+    """What a vehicle's leader may accelerate: less than the vehicle can, as far as that is known."""
+    most_m_s2 = scenario.planner.acceleration_m_s2
+    if vehicle.external is not None:
+        return min(most_m_s2, EXTERNAL_M_S2)
+    acceleration_m_s2 = vehicle.params.get("MPC_ACC_HOR", USUAL_M_S2)
+    tilt_m_s2 = GRAVITY_M_S2 * math.tan(math.radians(vehicle.params.get("MPC_TILTMAX_AIR", USUAL_TILT_DEG)))
+    return min(most_m_s2, ABLE_SHARE * acceleration_m_s2, ABLE_SHARE * tilt_m_s2)
 
 
 def _failsafe(params: Mapping[str, float]) -> Failsafe:

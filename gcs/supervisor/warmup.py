@@ -5,15 +5,21 @@ Loading the planner's and the metrics' kernels takes about 0.2 s, which in fligh
 
 from __future__ import annotations
 
+import numpy as np
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
 from gcs.planner.custom import behind_filter
+from gcs.planner.guide import Follower
 from gcs.planner.planner import Planner
 from gcs.planner.request import PlanRequest
+from gcs.planner.route import Router
+from gcs.planner.tracking import Tracking
+from gcs.scenario import geometry
 from gcs.scenario.model import Scenario
 from gcs.supervisor.factory import make_pilots
 from gcs.supervisor.goal_watch import GoalWatch
+from gcs.telemetry import approach
 from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
 from gcs.telemetry.metrics import PLAN_MEMORY, Metrics
 
@@ -34,9 +40,24 @@ def rehearse(scenario: Scenario) -> None:
     watch = GoalWatch(scenario, planner.obstacles, make_pilots(scenario))
     everyone = frozenset(vehicle.sysid for vehicle in vehicles)
     set_points = planner.plan(PlanRequest(snapshot, everyone, scenario.clock.period_s))
+    if scenario.planner.safety:
+        _rehearse_what_only_happens_in_flight(guide=scenario.planner.guide and bool(scenario.obstacles))
+    approach.nearest_to(*(np.zeros((1, 3)) for _ in range(4)))  # once traffic is told
     for _ in range(PLAN_MEMORY):  # only then is a vehicle's way held against its plan
         metrics.take(snapshot, set_points)
         watch.take(snapshot, ())
+
+
+def _rehearse_what_only_happens_in_flight(*, guide: bool) -> None:
+    """A vehicle behind its leader, and a route around a wall."""
+    tracking = Tracking([1], 0.3)
+    for k in range(3):
+        tracking.lead(1, 0.1 * k, (0.1 * k, 0.0, 0.0))
+    tracking.measure([1], [(0.0, 0.0, 0.0)], 0.3, 0.1, 0.3)
+    if guide:
+        wall = geometry.table([geometry.box((4.0, -3.0, -9.0), (4.3, 3.0, 0.0))])
+        goals = [(8.0, 0.0, -3.0), (4.15, 0.0, -3.0)]  # behind the wall, and in it
+        Follower(Router(wall, 0.6, floor_m=0.3)).aims([1, 2], [(0.0, 0.0, -3.0)] * 2, goals)
 
 
 def _telling(sysid: int, p_ned: tuple[float, float, float], scenario: Scenario) -> bytes:

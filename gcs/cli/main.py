@@ -108,6 +108,7 @@ for _command in (
     metavar="N",
     help="Of everything random, instead of the scenario's.",
 )
+@author.SET
 @click.option(
     "--out",
     type=click.Path(path_type=Path),
@@ -147,6 +148,7 @@ def run(
     lockstep: bool,
     speed: float | None,
     seed: int | None,
+    settings: tuple[str, ...],
     out: Path | None,
     plain: bool,
     as_json: bool,
@@ -169,6 +171,7 @@ def run(
       gcs run demo
       gcs run demo --speed 2 --out first-flight
       gcs run my-scenario.yaml --lockstep --seed 7 --plain
+      gcs run demo --set planner.cruise_m_s=2 --set 'vehicles.pursuers.*.battery.initial_percent=60'
 
     The session's folder holds the resolved scenario (scenario.yaml), every MAVLink frame (session.tlog), every decision
     with its reasons (decisions.jsonl), what was said here (session.log), the vehicles' logs (vehicles/), the result
@@ -199,7 +202,7 @@ def run(
     from gcs.session.supervised import run as fly
 
     try:
-        resolved = load_scenario(scenario).flown(lockstep=lockstep, speed=speed, seed=seed)
+        resolved = load_scenario(scenario, settings).flown(lockstep=lockstep, speed=speed, seed=seed)
     except ScenarioRefused as refusal:
         if junit is not None:
             _write_junit(junit, refused(scenario, refusal.text))

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from gcs.cli import author, paper, recorded, report, watch
+from gcs.cli import author, campaign, paper, recorded, report, watch
 from gcs.cli.author import ScenarioName, ScenarioRefused, load_scenario, module_arguments
 from gcs.cli.check import command
 from gcs.exit import INTERNAL_ERROR, INTERRUPTED, NOT_DONE, leave
@@ -66,6 +66,7 @@ def cli() -> None:
       gcs launch demo          only its vehicles, for QGroundControl, MAVSDK or MAVProxy
       gcs monitor              a further console on a session that runs, or on any fleet with --connect
       gcs replay               a recorded session, or any .tlog, in the console
+      gcs campaign run FILE    a scenario many times, varied: rates, intervals, the worst sessions
       gcs report SESSION       a page of what it recorded: paths, energy, competition, distances
       gcs init                 a scenario of your own to start from; gcs validate draws it
       gcs doctor               what keeps sessions from running here
@@ -87,6 +88,7 @@ for _command in (
     recorded.replay,
     recorded.export,
     paper.paper,
+    campaign.campaign,
 ):
     cli.add_command(_command)
 

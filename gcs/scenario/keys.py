@@ -114,6 +114,11 @@ def known_paths() -> tuple[str, ...]:
     return tuple(dict.fromkeys(walk(list(_options(schema, schema)), ())))
 
 
+def expanded(document: Document, key: str) -> list[str]:
+    """A key path without `*`: every place that it means in a document. Raises ValueError where it means none."""
+    return [".".join(map(str, path)) for path in _places(document, parts_of(key))]
+
+
 @functools.cache
 def _schema() -> dict[str, Any]:
     return editor_schema()

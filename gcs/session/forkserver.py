@@ -1,9 +1,9 @@
 """Supervisors by fork from a process that has everything loaded and compiled: `python -m gcs.session.forkserver`.
 
-stdin: one JSON line per session, {"folder": PATH, "modules": [...]}, in a folder that `make_folder` made; {"stop": true}
-ends the one that flies. stdout: {"ready": true, "folder": PATH} once everything is warm, the folder being a temporary
-one that goes with this process; then the supervisor's own lines (gcs/session/process.py) and
-{"ended": PID, "status", "cpu_s"} with the CPU time of the session's supervisor and vehicles together.
+stdin: one JSON line per session, {"folder": PATH, "modules": [...]}, in a folder that `make_folder` made;
+{"stop": true} ends the one that flies in order, {"kill": true} at once. stdout: {"ready": true, "folder": PATH} once
+everything is warm, the folder being a temporary one that goes with this process; then the supervisor's own lines
+(gcs/session/process.py) and {"ended": PID, "status", "cpu_s"} with the CPU time of supervisor and vehicles together.
 
 One session flies at a time, in processes of its own: a fork of this one is its supervisor, and the one hatch that this
 process keeps forks its vehicles. The end of stdin ends everything and removes the folder. `ps` shows

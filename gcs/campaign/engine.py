@@ -79,14 +79,15 @@ def fly(
     scheduler: str | None = None,
     workers: int | None = None,
     look: Callable[[int], bool] = lambda _: True,
-    on_start: Callable[[Any], None] = lambda _: None,
+    on_start: Callable[[str], None] = lambda _: None,
 ) -> bool:
     """Fly rows, each handed to `take` as it comes, in any order; False where `look` stopped it.
 
-    `look` gets the number of workers several times a second, and says whether to go on. Raises EngineError.
+    `on_start` gets the address of Dask's dashboard. `look` gets the number of workers several times a second, and says
+    whether to go on. Raises EngineError.
     """
     with _cluster(scheduler, workers) as client:
-        on_start(client)
+        on_start(_dashboard(client))
         came: queue.Queue[Any] = queue.Queue()
         waiting = iter(rows)
         flying: dict[str, tuple[Any, Row]] = {}
@@ -207,8 +208,15 @@ def _quiet() -> None:
     """Dask's own words about lost workers and schedulers are ours to tell."""
     import logging  # noqa: PLC0415
 
-    for name in ("distributed", "tornado", "asyncio"):
-        logging.getLogger(name).setLevel(logging.CRITICAL + 1)
+    for name in list(logging.root.manager.loggerDict):
+        if name.split(".")[0] in ("distributed", "tornado", "asyncio"):
+            logging.getLogger(name).setLevel(logging.CRITICAL + 1)
+
+
+def _dashboard(client: Any) -> str:
+    """Where Dask's own page is; empty where there is none."""
+    served = client.scheduler_info().get("services", {})
+    return str(client.dashboard_link) if "dashboard" in served else ""
 
 
 class Store:

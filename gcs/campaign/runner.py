@@ -74,8 +74,8 @@ class Runner:
                 self._tell(progress, None)
                 return not self._stopped
 
-            def started(client: Any) -> None:
-                progress.dashboard = client.dashboard_link or ""
+            def started(dashboard: str) -> None:
+                progress.dashboard = dashboard
                 progress.began_s = time.monotonic()
 
             try:

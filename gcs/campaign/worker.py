@@ -90,6 +90,12 @@ def close() -> None:
         _all.clear()
 
 
+def warm_processes() -> list[WarmSessions]:
+    """Those that run."""
+    with _lock:
+        return list(_all)
+
+
 def warm_up() -> None:
     """Have the warm process of this thread ready. Raises WarmError."""
     _sessions().warm_up()

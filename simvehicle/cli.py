@@ -282,7 +282,7 @@ def _rehearse_start() -> None:
     import tempfile
 
     from simvehicle.autopilot.geodesy import LocalFrame
-    from simvehicle.sitl import block, link, traffic  # noqa: F401 - loaded here, once, for all vehicles
+    from simvehicle.sitl import block, link, storage, traffic  # noqa: F401 - loaded here, once, for all vehicles
 
     triples = ("--position", "0,0,-1", "--velocity", "0,0,0", "--attitude", "0,0,0", "--home", "0,0,0")
     cli.make_context("simvehicle", ["--sysid", "1", *triples, "--params", "none", "--airborne"])

@@ -18,7 +18,6 @@ from typing import Any
 from gcs.campaign import measures
 from gcs.campaign.plan import Plan, Row, RowError
 from gcs.scenario.model import Scenario
-from gcs.session.supervised import RunError
 from gcs.session.warm import Flight, WarmError, WarmSessions
 
 _here = threading.local()
@@ -48,7 +47,7 @@ def fly_row(plan: Plan, row: Row | int) -> dict[str, Any]:
         return failed(plan, chosen, str(error))
     try:
         flight = _flown(scenario, f"row-{chosen.number}", plan)
-    except (WarmError, RunError) as error:
+    except WarmError as error:
         return {**failed(plan, chosen, str(error)), **values}
     try:
         measured, why = _measured(plan, flight, scenario)
@@ -57,6 +56,7 @@ def fly_row(plan: Plan, row: Row | int) -> dict[str, Any]:
         row_done["digest"] = _digest(flight, scenario)
         row_done["kept"] = plan.campaign.keep == "all" or (plan.campaign.keep == "failed" and not row_done["ok"])
         if row_done["kept"]:
+            flight.complete()
             row_done["folder"] = _packed(flight.folder)
     finally:
         flight.discard()

@@ -1,6 +1,6 @@
 """Supervisors by fork from a process that has everything loaded and compiled: `python -m gcs.session.forkserver`.
 
-stdin: one JSON line per session, {"folder": PATH, "modules": [...]}, in a folder that `make_folder` made;
+stdin: one JSON line per session, {"folder": PATH, "scenario": JSON, "modules": [...]}, in a folder with `vehicles/`;
 {"stop": true} ends the one that flies in order, {"kill": true} at once. stdout: {"ready": true, "folder": PATH} once
 everything is warm, the folder being a temporary one that goes with this process; then the supervisor's own lines
 (gcs/session/process.py) and {"ended": PID, "status", "cpu_s"} with the CPU time of supervisor and vehicles together.
@@ -31,6 +31,7 @@ from setproctitle import setproctitle
 
 from gcs.exit import INTERNAL_ERROR
 from gcs.scenario.file import load, shipped_folder
+from gcs.scenario.model import Scenario
 from gcs.session import process
 from gcs.session.supervised import Signals
 from gcs.session.vehicles import READY_WITHIN_S, Hatch
@@ -90,7 +91,8 @@ class SessionForks:
             errors = os.open(folder / "stderr.log", os.O_WRONLY | os.O_CREAT | os.O_APPEND, 0o644)
             os.dup2(errors, 2)
             os.close(errors)
-            status = process.fly(folder, modules=modules, hatch=self._hatch)
+            scenario = Scenario.model_validate_json(order["scenario"])
+            status = process.fly(folder, scenario=scenario, modules=modules, hatch=self._hatch)
         except BaseException:
             traceback.print_exc()
         finally:

@@ -379,17 +379,19 @@ def fly(
     modules: Sequence[str] = (),
     reader: int | None = None,
     every_ms: int | None = None,
+    scenario: Scenario | None = None,
     hatch: Hatch | None = None,
 ) -> int:
     """Fly the session in `folder` in this process and say its last word; the exit status.
 
+    scenario: instead of what the folder's scenario.yaml says.
     hatch: one that is running already and goes on afterwards, instead of one of the session's own.
     """
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     os.set_blocking(0, False)
     status, outcome, error = INTERNAL_ERROR, "", None
     try:
-        scenario = load(folder / "scenario.yaml")
+        scenario = scenario or load(folder / "scenario.yaml")
         plugins.look_in(modules)
         with plugins.output_kept(scenario, folder):
             session = SessionProcess(folder, scenario, drop=drop, hatch=hatch)

@@ -22,8 +22,8 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
 
+from gcs.scenario.file import dump
 from gcs.scenario.model import Scenario
-from gcs.session.supervised import make_folder
 
 WARM_WITHIN_S = 180.0
 ENDS_WITHIN_S = 20.0
@@ -39,6 +39,7 @@ class Flight:
     """A session that has ended, and its folder, which lasts until `discard` or the end of the warm process."""
 
     folder: Path
+    scenario: Scenario
     outcome: str
     """as in the summary; empty where there is none"""
     error: str | None
@@ -50,6 +51,10 @@ class Flight:
     def discard(self) -> None:
         """Remove the folder."""
         shutil.rmtree(self.folder, ignore_errors=True)
+
+    def complete(self) -> None:
+        """Write the scenario into the folder, which then is as `gcs run` leaves it; raises OSError."""
+        (self.folder / "scenario.yaml").write_text(dump(self.scenario), encoding="utf-8")
 
 
 class WarmSessions:
@@ -108,13 +113,18 @@ class WarmSessions:
     ) -> Flight:
         """Fly a session in a folder of this name; one that takes longer than `wall_limit_s` is ended.
 
-        Raises WarmError where the warm process has died, RunError where the folder cannot be made.
+        Raises WarmError where the warm process has died or the folder cannot be made.
         """
         self.warm_up()
         assert self._folder is not None
-        folder = make_folder(self._folder / name, scenario)
-        began_s = time.monotonic()
-        self._send({"folder": str(folder), "modules": list(modules)})
+        folder, began_s = self._folder / name, time.monotonic()
+        try:
+            (folder / "vehicles").mkdir(parents=True)
+        except OSError as error:
+            raise WarmError(f"cannot make the folder {folder}: {error.strerror}") from None
+        self._send(
+            {"folder": str(folder), "modules": list(modules), "scenario": scenario.model_dump_json(by_alias=True)}
+        )
         deadlines_s = [] if wall_limit_s is None else [began_s + wall_limit_s, began_s + wall_limit_s + ENDS_WITHIN_S]
         verdict: dict[str, Any] = {}
         limited = False
@@ -124,10 +134,10 @@ class WarmSessions:
                     verdict = content
                 if "ended" in content:
                     wall_s, cpu_s = time.monotonic() - began_s, float(content["cpu_s"])
-                    error = verdict.get("error") or _fate(verdict, content["status"])
+                    why = verdict.get("error") or _fate(verdict, content["status"])
                     if limited:
-                        error = f"it took longer than {wall_limit_s:g} s of wall time and was ended"
-                    return Flight(folder, verdict.get("outcome") or "", error, wall_s, cpu_s)
+                        why = f"it took longer than {wall_limit_s:g} s of wall time and was ended"
+                    return Flight(folder, scenario, verdict.get("outcome") or "", why, wall_s, cpu_s)
             if deadlines_s and time.monotonic() >= deadlines_s[0]:
                 self._send({"kill": True} if limited else {"stop": True})
                 limited = True

@@ -56,7 +56,9 @@ def figures(sessions: int = SESSIONS) -> list[Figure]:
     return [
         Figure(12, f"{name}: CPU over its flight alone", session_s / flight_s, "x", GOAL, True, cpu_s=session_s),
         Figure(12, "  wall time", statistics.median(wall_s), "s"),
-        Figure(12, f"  memory of the worker after {sessions}, over that after {sessions // 5}", growth, "x", 1.05, True),
+        Figure(
+            12, f"  memory of the worker after {sessions}, over that after {sessions // 5}", growth, "x", 1.05, True
+        ),
     ]
 
 
@@ -68,7 +70,10 @@ def _resident_kib() -> float:
 
 def main(arguments: Sequence[str]) -> None:
     for figure in figures(int(arguments[0]) if arguments else SESSIONS):
-        print(f"{figure.name}: {figure.value:.3f} {figure.unit}" + (f" (CPU {figure.cpu_s:.3f} s)" if figure.cpu_s else ""))
+        print(
+            f"{figure.name}: {figure.value:.3f} {figure.unit}"
+            + (f" (CPU {figure.cpu_s:.3f} s)" if figure.cpu_s else "")
+        )
 
 
 if __name__ == "__main__":

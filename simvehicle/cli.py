@@ -269,13 +269,29 @@ def hatch() -> None:
 
     Modules are loaded and the flight law is compiled once; every vehicle is then a fork of this process.
     """
-    from simvehicle.law import step  # noqa: F401 - loaded here, once, for all vehicles
-    from simvehicle.mavlink import dispatcher  # noqa: F401 - loaded here, once, for all vehicles
     from simvehicle.sitl import forkserver
     from simvehicle.sitl.warmup import warm_up
 
     warm_up()
+    _rehearse_start()
     sys.exit(forkserver.run(run_argv, sysid_of, title_of))
+
+
+def _rehearse_start() -> None:
+    """Go the way of a vehicle's process from its argv to its first hello, so that every fork finds it loaded."""
+    import tempfile
+
+    from simvehicle.autopilot.geodesy import LocalFrame
+    from simvehicle.sitl import block, link, storage, traffic  # noqa: F401 - loaded here, once, for all vehicles
+
+    triples = ("--position", "0,0,-1", "--velocity", "0,0,0", "--attitude", "0,0,0", "--home", "0,0,0")
+    cli.make_context("simvehicle", ["--sysid", "1", *triples, "--params", "none", "--airborne"])
+    LocalFrame(0.0, 0.0, 0.0)
+    with tempfile.NamedTemporaryFile("w", suffix=".yaml") as file:
+        file.write("SIM_BAT_CAP_J: 24000.0\n")
+        file.flush()
+        _parameters(Path(file.name), {})
+    link.open_socket(link.parse_supervisor("udpout:127.0.0.1:9")).close()
 
 
 @cli.command(short_help="Fly the movers of a file and report them by ADSB_VEHICLE.")

@@ -21,6 +21,7 @@ PACKAGES = {
         "supervisor",
         "session",
         "console report",
+        "campaign",
         "cli",
         "__init__ __main__ pytest_plugin",
     ],

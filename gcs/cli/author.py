@@ -7,6 +7,7 @@ from __future__ import annotations
 import json
 import re
 import shutil
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -42,15 +43,29 @@ class ScenarioRefused(click.exceptions.Exit):
         self.text = text
 
 
-def load_scenario(scenario: str) -> Scenario:
-    """The scenario of that name or file. Raises ScenarioRefused, once what is wrong has gone to stderr line by line."""
+SET = click.option(
+    "--set",
+    "settings",
+    multiple=True,
+    metavar="KEY=VALUE",
+    help="Set a key of the scenario, such as planner.cruise_m_s=2 or vehicles.pursuers.*.battery.initial_percent=60; "
+    "null takes it out. Repeatable.",
+)
+
+
+def load_scenario(scenario: str, settings: Sequence[str] = ()) -> Scenario:
+    """The scenario of that name or file, with `KEY=VALUE` settings.
+
+    Raises ScenarioRefused, once what is wrong has gone to stderr line by line.
+    """
     from gcs.scenario import plugins
     from gcs.scenario.file import find, load
+    from gcs.scenario.keys import read_settings
     from gcs.scenario.model import ScenarioError
 
     try:
         file = find(scenario)
-        loaded = load(file)
+        loaded = load(file, set=read_settings(settings))
         plugins.look_in([file.parent, Path.cwd()])
         plugins.check(loaded, file)
         return loaded
@@ -75,8 +90,9 @@ def module_arguments(scenario: str) -> list[str]:
     metavar="FILE",
     help="Draw the plan to this file instead of the terminal: .png, .svg or .pdf.",
 )
+@SET
 @click.option("--quiet", "-q", is_flag=True, help="Only say what is wrong.")
-def validate(scenario: str, image: Path | None, quiet: bool) -> int:
+def validate(scenario: str, image: Path | None, settings: tuple[str, ...], quiet: bool) -> int:
     """Check SCENARIO and draw what it says: vehicles, targets' paths, obstacles and ranges, seen from above.
 
     Every mistake is a line with file, line and column. What can be flown and is likely to break the goal is a warning
@@ -96,7 +112,7 @@ def validate(scenario: str, image: Path | None, quiet: bool) -> int:
     """
     from gcs.scenario import plot, warnings
 
-    checked = load_scenario(scenario)
+    checked = load_scenario(scenario, settings)
     if image is not None:
         try:
             plot.image(checked, image)

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from gcs.cli import author, paper, recorded, report, watch
+from gcs.cli import author, campaign, paper, recorded, report, watch
 from gcs.cli.author import ScenarioName, ScenarioRefused, load_scenario, module_arguments
 from gcs.cli.check import command
 from gcs.exit import INTERNAL_ERROR, INTERRUPTED, NOT_DONE, leave
@@ -66,6 +66,7 @@ def cli() -> None:
       gcs launch demo          only its vehicles, for QGroundControl, MAVSDK or MAVProxy
       gcs monitor              a further console on a session that runs, or on any fleet with --connect
       gcs replay               a recorded session, or any .tlog, in the console
+      gcs campaign run FILE    a scenario many times, varied: rates, intervals, the worst sessions
       gcs report SESSION       a page of what it recorded: paths, energy, competition, distances
       gcs init                 a scenario of your own to start from; gcs validate draws it
       gcs doctor               what keeps sessions from running here
@@ -87,6 +88,7 @@ for _command in (
     recorded.replay,
     recorded.export,
     paper.paper,
+    campaign.campaign,
 ):
     cli.add_command(_command)
 
@@ -108,6 +110,7 @@ for _command in (
     metavar="N",
     help="Of everything random, instead of the scenario's.",
 )
+@author.SET
 @click.option(
     "--out",
     type=click.Path(path_type=Path),
@@ -147,6 +150,7 @@ def run(
     lockstep: bool,
     speed: float | None,
     seed: int | None,
+    settings: tuple[str, ...],
     out: Path | None,
     plain: bool,
     as_json: bool,
@@ -169,6 +173,7 @@ def run(
       gcs run demo
       gcs run demo --speed 2 --out first-flight
       gcs run my-scenario.yaml --lockstep --seed 7 --plain
+      gcs run demo --set planner.cruise_m_s=2 --set 'vehicles.pursuers.*.battery.initial_percent=60'
 
     The session's folder holds the resolved scenario (scenario.yaml), every MAVLink frame (session.tlog), every decision
     with its reasons (decisions.jsonl), what was said here (session.log), the vehicles' logs (vehicles/), the result
@@ -200,7 +205,7 @@ def run(
     from gcs.session.supervised import run as fly
 
     try:
-        resolved = load_scenario(scenario).flown(lockstep=lockstep, speed=speed, seed=seed)
+        resolved = load_scenario(scenario, settings).flown(lockstep=lockstep, speed=speed, seed=seed)
     except ScenarioRefused as refusal:
         if junit is not None:
             _write_junit(junit, refused(scenario, refusal.text))

@@ -79,13 +79,15 @@ class _Marks(NamedTuple):
 class Document:
     """What a file says, and where it says it.
 
-    `data` is plain (dict, list, str, int, float, bool, None); `origins` maps inherited values to where they stand.
+    `data` is plain (dict, list, str, int, float, bool, None); `origins` maps inherited values to where they stand,
+    `given` what was set from outside (gcs/scenario/keys.py) to the words for it.
     """
 
     file: str
     data: dict[str, Any] = field(default_factory=dict)
     marks: dict[Path, _Marks] = field(default_factory=dict)
     origins: dict[Path, Path] = field(default_factory=dict)
+    given: dict[Path, str] = field(default_factory=dict)
 
     def value(self, path: Path) -> Any:
         """The value at `path`, None where there is none."""
@@ -99,6 +101,8 @@ class Document:
 
     def problem(self, path: Path, message: str, *, at_key: bool = False) -> Problem:
         """`message` at the value (or the key) of `path`, or of the nearest thing around it that the file does say."""
+        if (label := self._label(path)) is not None:
+            return Problem(label, None, None, message)
         path = self._written(path)
         while path and path not in self.marks:
             path, at_key = path[:-1], False
@@ -107,7 +111,8 @@ class Document:
 
     def disagreement(self, conflict: Conflict, path: Path = ()) -> Problem:
         """A conflict where the file has it; its paths count from `path`."""
-        also = f" (see line {self.problem(path + conflict.also, '').line})" if conflict.also else ""
+        line = self.problem(path + conflict.also, "").line if conflict.also else None
+        also = "" if line is None else f" (see line {line})"
         return self.problem(path + conflict.path, conflict.message + also)
 
     def inherit(self, source: Path, heir: Path) -> None:
@@ -132,7 +137,15 @@ class Document:
         }
         errors = [details for details in errors if details["type"] != "missing" or details["loc"] not in misspelt]
         found = {problem for details in errors for problem in self._explain(details, schema)}
-        return sorted(found, key=lambda problem: (problem.line, problem.column, problem.message))
+        return sorted(found, key=lambda problem: (problem.line or 0, problem.column or 0, problem.message))
+
+    def _label(self, path: Path) -> str | None:
+        """The words for what was set from outside at `path` or around it; None where the file says it."""
+        for start in (path, self._written(path)) if self.given else ():
+            for length in range(len(start), 0, -1):
+                if start[:length] in self.given:
+                    return self.given[start[:length]]
+        return None
 
     def _written(self, path: Path) -> Path:
         for length in range(len(path), 0, -1):

@@ -6,21 +6,25 @@ Shipped ones stand in `configs/`: beside the packages in a checkout, inside `gcs
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 from pydantic import ValidationError
 
-from gcs.scenario import external
-from gcs.scenario.document import Conflict, Problem, ScenarioError, did_you_mean, emit, read
+from gcs.scenario import external, keys
+from gcs.scenario.document import Conflict, Document, Problem, ScenarioError, did_you_mean, emit, read
 from gcs.scenario.document import Path as Place
 from gcs.scenario.grid import expand
 from gcs.scenario.model import Scenario, repeats
 
 CURRENT = 1
+CAMPAIGNS = "campaigns"
+"""The folder among the shipped scenarios that holds campaigns instead."""
 CHANGED: dict[int, str] = {0: "this is the number of drafts; the first published format is 1, which `gcs init` writes"}
 """By version, what came after it: what to do to a file of that version to make it one of the next."""
+GROUPS = (("vehicles", "pursuers"), ("vehicles", "targets"), ("vehicles", "tankers"), ("obstacles",))
+"""Lists whose entries may be a grid."""
 
 
 def shipped_folder() -> Path:
@@ -33,7 +37,8 @@ def shipped_folder() -> Path:
 def shipped_names() -> tuple[str, ...]:
     """The shipped scenarios' names in alphabetical order, such as `demo` and `paper/example1`."""
     root = shipped_folder()
-    return tuple(sorted(path.relative_to(root).with_suffix("").as_posix() for path in root.rglob("*.yaml")))
+    files = (path.relative_to(root).with_suffix("") for path in root.rglob("*.yaml"))
+    return tuple(sorted(path.as_posix() for path in files if path.parts[0] != CAMPAIGNS))
 
 
 def find(scenario: str) -> Path:
@@ -69,13 +74,24 @@ def refusal(version: Any) -> str | None:
     return f"schema {version} is an older format; change the file, then write 'schema: {CURRENT}'. {'; '.join(steps)}"
 
 
-def load(path: str | os.PathLike[str]) -> Scenario:
-    """The scenario in the YAML file at `path`, in NED. Raises ScenarioError: what is wrong, and where."""
-    document = read(path)
+def load(path: str | os.PathLike[str], *, set: Mapping[str, Any] | None = None) -> Scenario:
+    """The scenario in the YAML file at `path`, in NED. Raises ScenarioError: what is wrong, and where.
+
+    set: values by key path (gcs/scenario/keys.py) instead of the file's, in the file's axes.
+    """
+    return resolve(read(path), set or {})
+
+
+def resolve(document: Document, settings: Mapping[str, Any]) -> Scenario:
+    """The scenario that a document says, with these key paths set; the document is used up. Raises ScenarioError."""
     if (unread := refusal(document.data.get("schema"))) is not None:
         raise ScenarioError([document.problem(("schema",), unread)])
-    for listed in (("vehicles", "pursuers"), ("vehicles", "targets"), ("vehicles", "tankers"), ("obstacles",)):
+    for listed in GROUPS:
         expand(document, listed)
+    if settings:
+        keys.apply(document, settings)
+        for listed in GROUPS:
+            expand(document, listed)
     vehicles = document.data.get("vehicles")
     if isinstance(vehicles, dict) and "defaults" in vehicles:
         defaults = ("vehicles", "defaults")

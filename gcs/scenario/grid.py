@@ -6,6 +6,7 @@ stands for six, row by row: the next in a row lies spacing_m[1] further along th
 further along the first. System ids count up. Everything else is the same for all.
 """
 
+import copy
 from typing import Any
 
 from gcs.scenario.document import Document, Path, ScenarioError
@@ -32,10 +33,10 @@ def expand(document: Document, group: Path) -> None:
             if grid is None:
                 raise ScenarioError([document.problem((*group, i, "grid"), _FORM)])
             count, columns, (first_m, second_m) = grid
-            copies = [_copy(fields, k, k // columns * first_m, k % columns * second_m) for k in range(count)]
-        for copy in copies:
+            copies = [_copied(fields, k, k // columns * first_m, k % columns * second_m) for k in range(count)]
+        for made in copies:
             document.origins[(*group, len(written))] = (*group, i)
-            written.append(copy)
+            written.append(made)
     items[:] = written
 
 
@@ -51,9 +52,10 @@ def _grid(grid: Any) -> tuple[int, int, tuple[float, float]] | None:
     return count, columns, (float(spacing[0]), float(spacing[1]))
 
 
-def _copy(fields: dict[str, Any], k: int, first_m: float, second_m: float) -> dict[str, Any]:
+def _copied(fields: dict[str, Any], k: int, first_m: float, second_m: float) -> dict[str, Any]:
     """The k-th of a grid."""
-    made = {key: _moved(value, first_m, second_m) if key in PLACES else value for key, value in fields.items()}
+    own = copy.deepcopy(fields)  # so that one of many can be changed alone
+    made = {key: _moved(value, first_m, second_m) if key in PLACES else value for key, value in own.items()}
     if isinstance(made.get("sysid"), int):
         made["sysid"] += k
     return made

@@ -71,7 +71,8 @@ class BadVehicleError(SessionFailed):
 class SessionProcess:
     """One session, from the first process to the summary."""
 
-    def __init__(self, folder: Path, scenario: Scenario, *, drop: float) -> None:
+    def __init__(self, folder: Path, scenario: Scenario, *, drop: float = 0.0, hatch: Hatch | None = None) -> None:
+        self._kept_hatch = hatch
         self._folder = folder
         self._scenario = scenario
         external = scenario.vehicles.external
@@ -149,7 +150,7 @@ class SessionProcess:
     def _fly_fleet(self) -> bool:
         """The session from its first process to its last; True where it was interrupted."""
         own = self._scenario.vehicles.launched or self._scenario.traffic
-        with Hatch() if own else contextlib.nullcontext() as self._hatch:
+        with (self._kept_hatch or Hatch()) if own else contextlib.nullcontext() as self._hatch:
             try:
                 self._start_fleet()
                 self._fly()
@@ -367,14 +368,32 @@ def main(
     every_ms: int | None,
 ) -> None:
     """Run the session in FOLDER (scenario.yaml is there); started by `gcs run`."""
+    leave(fly(folder, drop=drop_datagrams, modules=modules, reader=reader, every_ms=every_ms))
+
+
+def fly(
+    folder: Path,
+    *,
+    drop: float = 0.0,
+    modules: Sequence[str] = (),
+    reader: int | None = None,
+    every_ms: int | None = None,
+    scenario: Scenario | None = None,
+    hatch: Hatch | None = None,
+) -> int:
+    """Fly the session in `folder` in this process and say its last word; the exit status.
+
+    scenario: instead of what the folder's scenario.yaml says.
+    hatch: one that is running already and goes on afterwards, instead of one of the session's own.
+    """
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     os.set_blocking(0, False)
     status, outcome, error = INTERNAL_ERROR, "", None
     try:
-        scenario = load(folder / "scenario.yaml")
+        scenario = scenario or load(folder / "scenario.yaml")
         plugins.look_in(modules)
         with plugins.output_kept(scenario, folder):
-            session = SessionProcess(folder, scenario, drop=drop_datagrams)
+            session = SessionProcess(folder, scenario, drop=drop, hatch=hatch)
             signal.signal(signal.SIGTERM, session.terminate)
             if reader is not None:
                 session.reader = Reader(reader, every_ms or round(1e3 * scenario.clock.period_s))
@@ -393,7 +412,7 @@ def main(
             log.write_text(traceback.format_exc(), encoding="utf-8")
         error = f"this is a bug of the supervisor: please report it with {log}"
     _say({"exit": status, "outcome": outcome, "error": error})
-    leave(status)
+    return status
 
 
 if __name__ == "__main__":

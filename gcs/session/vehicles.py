@@ -5,11 +5,14 @@ The hatch is the `simvehicle` program; the ground station knows vehicles only by
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
+import select
 import shutil
 import subprocess
 import sys
+import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -21,6 +24,7 @@ import yaml
 from gcs.scenario.model import Scenario, VehicleBase
 
 READY_WITHIN_S = 120.0
+ENDED_WITHIN_S = 10.0
 CANNOT_WRITE = 74
 """How a vehicle ends whose files cannot be written."""
 
@@ -145,9 +149,10 @@ def _triple(numbers: Sequence[float]) -> str:
 
 
 class Hatch:
-    """The running hatch; leaving the context ends it and every process it made."""
+    """The running hatch; leaving the context ends every process it made, and itself unless it is to be `kept`."""
 
-    def __init__(self) -> None:
+    def __init__(self, *, kept: bool = False) -> None:
+        self._kept = kept
         program = Path(sys.executable).with_name("simvehicle")
         command = str(program) if program.exists() else shutil.which("simvehicle")
         if command is None:
@@ -163,6 +168,8 @@ class Hatch:
         self._pending = b""
         self.pids: dict[int, int] = {}
         self.alive = True
+        self.ended_cpu_s: float | None = None
+        """what all ended processes used in all, once `end_session` has been answered"""
 
     def __enter__(self) -> Self:
         return self
@@ -170,7 +177,10 @@ class Hatch:
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        self.close()
+        if self._kept:
+            self.end_session()
+        else:
+            self.close()
 
     def fileno(self) -> int:
         """For select: readable when something has happened."""
@@ -196,6 +206,9 @@ class Hatch:
         for content in self._messages():
             if content.get("ready"):
                 ready = True
+            elif "ended" in content:
+                self.pids.clear()
+                self.ended_cpu_s = content["cpu_s"]
             elif "exit" in content:
                 self.pids.pop(content["pid"], None)
                 ended.append(Ended(content["sysid"], content["pid"], content["exit"], tuple(content["last_lines"])))
@@ -216,9 +229,25 @@ class Hatch:
         *lines, self._pending = self._pending.split(b"\n")
         return [json.loads(line) for line in lines]
 
+    def end_session(self) -> bool:
+        """End every process it made, but not the hatch; returns when they are gone, False if the hatch has died."""
+        self.ended_cpu_s = None
+        try:
+            self._in.write(b'{"end": true}\n')
+            self._in.flush()
+        except BrokenPipeError:
+            self.alive = False
+        deadline_s = time.monotonic() + ENDED_WITHIN_S
+        while self.alive and self.ended_cpu_s is None and time.monotonic() < deadline_s:
+            select.select([self._out], [], [], max(deadline_s - time.monotonic(), 0.0))
+            self.events()
+        return self.alive and self.ended_cpu_s is not None
+
     def close(self) -> None:
         """End the hatch; returns when all its processes are gone."""
-        self._in.close()
+        self.alive = False
+        with contextlib.suppress(BrokenPipeError):
+            self._in.close()
         try:
             self._process.wait(timeout=10.0)
         except subprocess.TimeoutExpired:

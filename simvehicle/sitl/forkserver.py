@@ -2,7 +2,9 @@
 
 stdin: one JSON line per process, {"argv": ["--sysid", "1", …], "log": PATH}. stdout: {"ready": true} once preloaded,
 then {"sysid", "pid"} at each fork and {"sysid", "pid", "exit", "last_lines"} at each end; `exit` is negative for a
-signal. The end of stdin ends the hatch, and its children die with it, however it dies. `ps` shows `simvehicle 1`.
+signal. The line {"end": true} ends all processes without ending the hatch: {"ended": true, "cpu_s"} follows, the CPU
+time of all that it ever forked. The end of stdin ends the hatch, and its children die with it, however it dies. `ps`
+shows `simvehicle 1`.
 """
 
 from __future__ import annotations
@@ -13,6 +15,7 @@ import errno
 import gc
 import json
 import os
+import resource
 import selectors
 import signal
 import sys
@@ -27,6 +30,7 @@ from simvehicle.exit import BAD_INPUT, CANNOT_WRITE, INTERNAL_ERROR, INTERRUPTED
 
 PR_SET_PDEATHSIG = 1
 LAST_LINES = 8
+END = {"end": True}
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 
 
@@ -49,7 +53,8 @@ def run(
         while True:
             for key, _ in selector.select():
                 if key.fd != 0:
-                    _report_end(selector, key.fd, *children.pop(key.fd))
+                    if key.fd in children:  # it may have been ended meanwhile
+                        _report_end(selector, key.fd, *children.pop(key.fd))
                     continue
                 chunk = os.read(0, 65536)
                 if not chunk:
@@ -59,6 +64,9 @@ def run(
                 for line in lines:
                     try:
                         order = json.loads(line)
+                        if order == END:
+                            _end_session(selector, children)
+                            continue
                         argv, log = list(map(str, order["argv"])), Path(order["log"])
                     except (ValueError, KeyError, TypeError):
                         print(f"hatch: no order: {line[:100]!r}", file=sys.stderr, flush=True)
@@ -70,6 +78,17 @@ def run(
                     children[pidfd] = (pid, sysid, log)
                     selector.register(pidfd, selectors.EVENT_READ)
                     _say({"sysid": sysid, "pid": pid})
+
+
+def _end_session(selector: selectors.BaseSelector, children: dict[int, tuple[int, int, Path]]) -> None:
+    """End all processes, say so, and be ready for more."""
+    _end_all(pid for pid, _, _ in children.values())
+    for pidfd in children:
+        selector.unregister(pidfd)
+        os.close(pidfd)
+    children.clear()
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    _say({"ended": True, "cpu_s": used.ru_utime + used.ru_stime})
 
 
 def _fork(

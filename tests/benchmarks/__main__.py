@@ -13,6 +13,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
+import campaign_sessions
 import codecs_of_a_tick
 import console_drawn
 import laws
@@ -41,6 +42,7 @@ def main() -> None:
         8: lambda: laws.recording(scale),
         9: console_drawn.figures,
         10: report_opened.figures,
+        12: campaign_sessions.figures,
     }
     wanted = [int(number) for number in options.only.split(",")] if options.only else list(figures)
     console = Console(width=None if sys.stdout.isatty() else 170)

@@ -1,0 +1,268 @@
+"""Rows of a campaign flown on Dask's workers: here by default, anywhere by `--scheduler`.
+
+The workers fly and measure; this process alone writes the table. A row counts once it is written, so that whatever
+dies in between costs nothing but the sessions that were in the air.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import fcntl
+import os
+import queue
+import signal
+import tempfile
+import time
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import IO, Any
+
+from gcs.campaign import table, worker
+from gcs.campaign.plan import Plan, Row
+from gcs.session.arrays import MissingExtra
+
+FLUSH_EVERY_S = 2.0
+FLUSH_ROWS = 200
+LOOK_EVERY_S = 0.2
+COUNT_EVERY_S = 1.0
+AHEAD = 3
+"""Rows handed out for each that a worker can fly at once."""
+DEATHS = 5
+"""How often a row's worker may die before the row is an error."""
+CONNECT_WITHIN_S = 20.0
+SETTINGS = {
+    "distributed.scheduler.allowed-failures": DEATHS,
+    "distributed.worker.profile.enabled": False,
+    "distributed.comm.timeouts.connect": CONNECT_WITHIN_S,
+    "distributed.admin.log-length": 100,
+    "distributed.worker.memory.target": False,
+    "distributed.worker.memory.spill": False,
+}
+SESSIONS = "sessions"
+
+
+class EngineError(RuntimeError):
+    """A campaign that cannot go on; the text says why, and rows that were written stay."""
+
+
+@dataclass
+class Progress:
+    """How far a campaign is."""
+
+    total: int
+    done: int = 0
+    failed: int = 0
+    errors: int = 0
+    workers: int = 0
+    began_s: float = field(default_factory=time.monotonic)
+    flown: int = 0
+    """in this run alone"""
+    dashboard: str = ""
+
+    @property
+    def rate(self) -> float:
+        """Rows per second of this run."""
+        return self.flown / max(time.monotonic() - self.began_s, 1e-9)
+
+    @property
+    def left_s(self) -> float | None:
+        """Wall time to the end; None while it cannot be told."""
+        return (self.total - self.done) / self.rate if self.flown else None
+
+
+def fly(
+    plan: Plan,
+    rows: Iterable[int | Row],
+    take: Callable[[dict[str, Any]], None],
+    *,
+    scheduler: str | None = None,
+    workers: int | None = None,
+    look: Callable[[int], bool] = lambda _: True,
+    on_start: Callable[[str], None] = lambda _: None,
+) -> bool:
+    """Fly rows, each handed to `take` as it comes, in any order; False where `look` stopped it.
+
+    `on_start` gets the address of Dask's dashboard. `look` gets the number of workers several times a second, and says
+    whether to go on. Raises EngineError.
+    """
+    with _cluster(scheduler, workers) as client:
+        on_start(_dashboard(client))
+        came: queue.Queue[Any] = queue.Queue()
+        waiting = iter(rows)
+        flying: dict[str, tuple[Any, Row]] = {}
+        exhausted, threads, counted_s = False, 0, -COUNT_EVERY_S
+        while True:
+            if time.monotonic() - counted_s >= COUNT_EVERY_S:
+                threads, counted_s = _threads(client), time.monotonic()
+            while not exhausted and len(flying) < max(AHEAD * threads, AHEAD):
+                following = next(waiting, None)
+                if following is None:
+                    exhausted = True
+                    break
+                row = plan.row(following) if isinstance(following, int) else following
+                future = client.submit(
+                    worker.fly_row, plan, row, pure=False, key=f"row-{row.number}-{os.urandom(4).hex()}"
+                )
+                flying[future.key] = (future, row)
+                future.add_done_callback(came.put)
+            if not flying:
+                return True
+            with contextlib.suppress(queue.Empty):
+                future = came.get(timeout=LOOK_EVERY_S)
+                if future.key in flying:
+                    take(_result(plan, future, flying.pop(future.key)[1]))
+            if not look(threads):
+                return False
+
+
+def _threads(client: Any) -> int:
+    """How many rows can be flown at once. Raises EngineError where the scheduler does not answer."""
+    try:
+        return sum(client.nthreads().values())
+    except (OSError, TimeoutError, RuntimeError, ValueError):
+        raise EngineError("the scheduler is lost") from None
+
+
+def _result(plan: Plan, future: Any, row: Row) -> dict[str, Any]:
+    from distributed.scheduler import KilledWorker  # noqa: PLC0415 - an extra
+
+    if future.status == "finished":
+        result: dict[str, Any] = future.result()
+        future.release()
+        return result
+    if future.status in ("cancelled", "lost"):
+        raise EngineError("the scheduler is lost")
+    error = future.exception()
+    why = f"the worker failed: {type(error).__name__}: {error}"
+    if isinstance(error, KilledWorker):
+        why = f"its workers died, {DEATHS + 1} times"
+    return worker.failed(plan, row, " ".join(why.split()))
+
+
+@contextlib.contextmanager
+def _cluster(scheduler: str | None, workers: int | None) -> Iterator[Any]:
+    """A client of a cluster in this command, or of one that runs; its end leaves nothing of ours behind."""
+    try:
+        import dask  # noqa: PLC0415 - an extra
+        from distributed import Client, LocalCluster  # noqa: PLC0415
+    except ImportError:
+        raise MissingExtra("a campaign needs Dask: pip install 'skytender[campaign]'") from None
+
+    with contextlib.ExitStack() as stack:
+        stack.enter_context(dask.config.set(SETTINGS))
+        _quiet()
+        if scheduler is None:
+            scratch = stack.enter_context(
+                tempfile.TemporaryDirectory(prefix="gcs-campaign-", ignore_cleanup_errors=True)
+            )
+            with _sigint_blocked():  # Ctrl-C is for this process: workers and what they start never see it
+                cluster = stack.enter_context(
+                    LocalCluster(
+                        n_workers=workers or len(os.sched_getaffinity(0)),
+                        threads_per_worker=1,
+                        processes=True,
+                        dashboard_address="127.0.0.1:0",
+                        local_directory=scratch,
+                        silence_logs=50,
+                    )
+                )
+                client = stack.enter_context(Client(cluster))
+        else:
+            try:
+                client = stack.enter_context(Client(scheduler, timeout=CONNECT_WITHIN_S))
+            except (OSError, ValueError, TimeoutError) as error:
+                why = " ".join(str(error).split())
+                raise EngineError(f"no scheduler can be reached at {scheduler}: {why}") from None
+            _check_workers(client)
+        yield client
+
+
+def _check_workers(client: Any) -> None:
+    """Raises EngineError unless there are workers, all with the versions that we have."""
+    try:
+        client.wait_for_workers(1, timeout=CONNECT_WITHIN_S)
+        found = client.run(worker.versions)
+    except TimeoutError:
+        raise EngineError("the scheduler has no workers; start some with `dask worker ADDRESS --nthreads 1`") from None
+    except Exception as error:
+        raise EngineError(f"a worker cannot load Skytender: {type(error).__name__}: {error}") from None
+    ours = worker.versions()
+    for address, theirs in found.items():
+        for package, wanted in ours.items():
+            if theirs.get(package) != wanted:
+                has = theirs.get(package)
+                raise EngineError(f"the worker {address} has {package} {has}, not {wanted}: install the same there")
+
+
+@contextlib.contextmanager
+def _sigint_blocked() -> Iterator[None]:
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def _quiet() -> None:
+    """Dask's own words about lost workers and schedulers are ours to tell."""
+    import logging  # noqa: PLC0415
+
+    for name in list(logging.root.manager.loggerDict):
+        if name.split(".")[0] in ("distributed", "tornado", "asyncio"):
+            logging.getLogger(name).setLevel(logging.CRITICAL + 1)
+
+
+def _dashboard(client: Any) -> str:
+    """Where Dask's own page is; empty where there is none."""
+    served = client.scheduler_info().get("services", {})
+    return str(client.dashboard_link) if "dashboard" in served else ""
+
+
+class Store:
+    """A campaign's folder while it is written: rows in parts, kept sessions; one writer at a time."""
+
+    def __init__(self, folder: Path, plan: Plan) -> None:
+        self._lock: IO[str] = (folder / ".lock").open("w", encoding="utf-8")
+        try:
+            fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            self._lock.close()
+            raise EngineError(f"{folder} is being flown by another process") from None
+        self.folder = folder
+        self._writer = table.Writer(folder, plan.campaign)
+        self._pending: list[dict[str, Any]] = []
+        self._flushed_s = time.monotonic()
+
+    def take(self, row: dict[str, Any]) -> None:
+        """Keep a row, soon on disk; raises EngineError."""
+        content = row.pop("folder", None)
+        try:
+            if content is not None:
+                worker.unpack(content, self.folder / SESSIONS / str(row["row"]))
+        except OSError as error:
+            raise self._full(error) from None
+        self._pending.append(row)
+        if len(self._pending) >= FLUSH_ROWS:
+            self.flush()
+
+    def look(self) -> None:
+        """Write what has waited long enough; raises EngineError."""
+        if time.monotonic() - self._flushed_s >= FLUSH_EVERY_S:
+            self.flush()
+
+    def flush(self) -> None:
+        """Write what waits; raises EngineError."""
+        self._flushed_s = time.monotonic()
+        rows, self._pending = self._pending, []
+        try:
+            self._writer.write(rows)
+        except OSError as error:
+            raise self._full(error) from None
+
+    def close(self) -> None:
+        """Let go of the folder."""
+        self._lock.close()
+
+    def _full(self, error: OSError) -> EngineError:
+        return EngineError(f"{self.folder} cannot be written: {error.strerror}; make room there")

@@ -1,0 +1,168 @@
+"""Measures of a flown session: numbers and words, from what its folder holds."""
+
+from __future__ import annotations
+
+import functools
+import json
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gcs.recording.summary import FILE, Summary
+from gcs.scenario.model import Scenario
+
+REACHED_M = 0.5
+"""How near its last way point a vehicle has to come to be there."""
+_FIXED = 18
+
+Value = float | str | None
+
+
+class Flown:
+    """A session's folder as measures see it; each file is read once, and only if it is asked for."""
+
+    def __init__(self, folder: Path, scenario: Scenario) -> None:
+        self.folder, self.scenario = folder, scenario
+
+    @functools.cached_property
+    def summary(self) -> dict[str, Any]:
+        """summary.json; raises OSError, ValueError."""
+        content = json.loads((self.folder / FILE).read_text(encoding="utf-8"))
+        if not isinstance(content, dict):
+            raise ValueError(f"{FILE} holds no block of keys")
+        return content
+
+    def truth(self, sysid: int) -> NDArray[np.float64]:
+        """Rows of (time, north, east, down) as the vehicle itself knew them; none where it recorded nothing."""
+        try:
+            raw = (self.folder / "vehicles" / f"{sysid}.truth").read_bytes()
+        except OSError:
+            return np.empty((0, 4))
+        _, _, body = raw.partition(b"\n")
+        numbers = np.frombuffer(body[: len(body) // 8 * 8], dtype="<f8")
+        starts, at = [], 0
+        while at + _FIXED <= len(numbers):
+            starts.append(at)
+            at += _FIXED + int(numbers[at + 1])
+        return (
+            numbers[np.array(starts, dtype=np.int64)[:, None] + np.array([0, 2, 3, 4])] if starts else np.empty((0, 4))
+        )
+
+    @functools.cached_property
+    def arrivals_s(self) -> list[float]:
+        """When each pursuer with way points first came to its last one, after which it stayed; inf where it did not."""
+        found = []
+        for pursuer in self.scenario.vehicles.pursuers:
+            if not pursuer.waypoints_m:
+                continue
+            rows = self.truth(pursuer.sysid)
+            away_m = np.linalg.norm(rows[:, 1:] - np.array(pursuer.waypoints_m[-1]), axis=1)
+            outside = np.flatnonzero(away_m > REACHED_M)
+            last = int(outside[-1]) + 1 if len(outside) else 0
+            found.append(float(rows[last, 0]) if last < len(rows) else math.inf)
+        return found
+
+
+def _lost(flown: Flown) -> float:
+    return float(sum(vehicle["final_mode"] == "dead" for vehicle in flown.summary["vehicles"]))
+
+
+def _lowest_battery(flown: Flown) -> Value:
+    capacity_j = {v.sysid: v.battery.capacity_j for v in flown.scenario.vehicles.pursuers}
+    left = [
+        100.0 * vehicle["energy"]["remaining_j"] / capacity_j[vehicle["sysid"]]
+        for vehicle in flown.summary["vehicles"]
+        if vehicle["sysid"] in capacity_j
+    ]
+    return min(left, default=None)
+
+
+def _served(flown: Flown) -> list[dict[str, Any]]:
+    return [service for service in flown.summary["refuelling"] if service["energy_j"] > 0.0]
+
+
+def _waited(flown: Flown) -> Value:
+    """Mean time from the decision to the first joule."""
+    waits = [s["start_s"] - s["decided_at_s"] for s in _served(flown) if s["start_s"] is not None]
+    return float(np.mean(waits)) if waits else None
+
+
+def _arrival(flown: Flown) -> Value:
+    """When the last one that arrives at all has arrived."""
+    there = [t for t in flown.arrivals_s if math.isfinite(t)]
+    return max(there, default=None)
+
+
+def _of_vehicles(key: str, of: Callable[[list[float]], float]) -> Callable[[Flown], Value]:
+    def measure(flown: Flown) -> Value:
+        values = [v[key] for v in flown.summary["vehicles"] if v[key] is not None]
+        return float(of(values)) if values else None
+
+    return measure
+
+
+def _from_summary(key: str) -> Callable[[Flown], Value]:
+    return lambda flown: _plain(flown.summary[key])
+
+
+SHIPPED: dict[str, tuple[Callable[[Flown], Value], str]] = {
+    "outcome": (_from_summary("outcome"), "`met`, or the first part of the goal that was not"),
+    "min_separation_m": (_from_summary("min_separation_m"), "least distance of two vehicles, m"),
+    "min_clearance_m": (_from_summary("min_clearance_m"), "least distance to an obstacle, m"),
+    "lost": (_lost, "vehicles that died"),
+    "lowest_battery": (_lowest_battery, "least charge of a pursuer at the end, % of its capacity"),
+    "delivered_j": (lambda f: float(sum(s["energy_j"] for s in f.summary["refuelling"])), "energy delivered, J"),
+    "refuelled": (lambda f: float(len(_served(f))), "services that delivered energy"),
+    "wait_s": (_waited, "mean time from a decision to its transfer, s"),
+    "time_to_goal_s": (_arrival, "when the last arriving pursuer came to its last way point and stayed, s"),
+    "stuck": (lambda f: float(sum(math.isinf(t) for t in f.arrivals_s)), "pursuers that did not come to theirs"),
+    "path_length_m": (_of_vehicles("path_length_m", sum), "sum of all vehicles' ways, m"),
+    "control_effort": (_of_vehicles("control_effort", sum), "sum of all vehicles' control efforts"),
+    "max_tracking_error_m": (_of_vehicles("max_tracking_error_m", max), "greatest distance from a planned path, m"),
+    "sim_time_s": (_from_summary("sim_time_s"), "session time flown, s"),
+}
+"""By name: how it is taken, and what it means."""
+DEFAULT = ("outcome", "min_separation_m", "min_clearance_m", "lost")
+NAMES = tuple(SHIPPED)
+WORDS = ("outcome",)
+"""Measures that are words; all others are numbers."""
+
+
+def exists(name: str) -> bool:
+    """Whether there is a measure of this name, or a key path that a summary may have."""
+    if name in SHIPPED:
+        return True
+    first, dot, _ = name.partition(".")
+    return first in Summary.model_fields and (bool(dot) or first not in ("vehicles", "refuelling", "link", "bases"))
+
+
+def is_word(name: str) -> bool:
+    """Whether its values are text."""
+    if name in SHIPPED:
+        return name in WORDS
+    field = Summary.model_fields.get(name)
+    return field is not None and field.annotation in (str, str | None)
+
+
+def take(name: str, flown: Flown) -> Value:
+    """A measure's value; None where the session has none."""
+    if name in SHIPPED:
+        return SHIPPED[name][0](flown)
+    node: Any = flown.summary
+    for part in name.split("."):
+        if isinstance(node, list):
+            node = node[int(part)] if part.isdecimal() and int(part) < len(node) else None
+        else:
+            node = node.get(part) if isinstance(node, dict) else None
+    value = _plain(node)
+    return value if is_word(name) == isinstance(value, str) or value is None else None
+
+
+def _plain(value: Any) -> Value:
+    if isinstance(value, bool | int | float):
+        return float(value) if math.isfinite(value) else None
+    return value if isinstance(value, str) else None

@@ -1,0 +1,193 @@
+"""The sessions of a campaign: row by row what is flown. A row depends on the campaign and its own number alone."""
+
+from __future__ import annotations
+
+import copy
+import functools
+import itertools
+import json
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from gcs.campaign import draws
+from gcs.campaign.file import dump
+from gcs.campaign.model import ARGUMENTS, Campaign
+from gcs.scenario import keys, plugins
+from gcs.scenario.document import Document, Problem, ScenarioError, emit, parse
+from gcs.scenario.file import GROUPS, find, resolve
+from gcs.scenario.grid import expand
+from gcs.scenario.model import Scenario
+
+
+class RowError(Exception):
+    """A row that cannot be flown; the text says why."""
+
+
+@dataclass(frozen=True)
+class Row:
+    """One session to be flown: `values` are what vary and draw gave it, by key path."""
+
+    number: int
+    session: int
+    combination: int
+    seed: int
+    values: dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A campaign with the text of its scenario: all that a worker needs."""
+
+    campaign: Campaign
+    file: str
+    """the scenario's name in messages"""
+    text: str
+    """the scenario as YAML; empty where it is generated"""
+    modules: tuple[str, ...] = ()
+    """folders in which planners, policies and generators are looked for"""
+
+    @property
+    def rows(self) -> int:
+        """How many sessions there are."""
+        return self.campaign.sessions * self.campaign.combinations
+
+    def row(self, number: int) -> Row:
+        """A row: sessions in turn, each with every combination, so that pairs are complete early."""
+        campaign = self.campaign
+        session, combination = divmod(number, campaign.combinations)
+        chosen = next(itertools.islice(itertools.product(*campaign.vary.values()), combination, None))
+        values: dict[str, Any] = dict(zip(campaign.vary, chosen, strict=True))
+        row = Row(number, session, combination, draws.seed_of(campaign.seed, session), values)
+        for key, draw in campaign.draw.items():
+            if draw.random is None and (key.startswith(ARGUMENTS) or keys.EACH not in key or draw.together):
+                values[key] = draws.value(draw, draws.stream(campaign.seed, session, key))
+        return row
+
+    def resolved(self, row: Row) -> tuple[Scenario, dict[str, Any]]:
+        """What a row flies, on the lockstep clock, and all its values, those of each `*` included. Raises RowError."""
+        try:
+            return self._resolved(row)
+        except ScenarioError as error:
+            raise RowError(" / ".join(problem.message for problem in error.problems)) from None
+        except ValueError as error:
+            raise RowError(str(error)) from None
+
+    def _resolved(self, row: Row) -> tuple[Scenario, dict[str, Any]]:
+        campaign, values = self.campaign, dict(row.values)
+        document = self._document(row)
+        paper = document.data.get("axes") == "paper"
+        settings: dict[str, Any] = {**campaign.set, "seed": row.seed}
+        settings |= {key: value for key, value in values.items() if not key.startswith(ARGUMENTS)}
+        for key, draw in campaign.draw.items():
+            if key not in values and draw.random is None:  # one value for each place that a `*` means
+                rng, places = draws.stream(campaign.seed, row.session, key), keys.expanded(document, key)
+                values[key] = [draws.value(draw, rng) for _ in places]
+                settings |= dict(zip(places, values[key], strict=True))
+        scenario = resolve(document, settings)
+        drawn = campaign.draw.get("obstacles")
+        if drawn is not None and drawn.random is not None:
+            rng = draws.stream(campaign.seed, row.session, "obstacles")
+            made = draws.obstacles(drawn.random, rng, scenario, paper=paper)
+            values["obstacles"] = [one.model_dump(mode="json", exclude_defaults=True) for one in made]
+            changed = scenario.model_dump(by_alias=True, exclude={"obstacles"})
+            try:
+                scenario = Scenario.model_validate({**changed, "obstacles": (*scenario.obstacles, *made)})
+            except ValidationError as error:
+                found = Document(self.file, changed).explain(error, Scenario.model_json_schema())
+                raise ScenarioError(found) from None
+        limit_s = campaign.limits.session_s
+        if scenario.goal.duration_s > limit_s:
+            raise RowError(f"the session lasts {scenario.goal.duration_s:g} s, above limits.session_s, {limit_s:g} s")
+        if scenario.vehicles.external:
+            raise RowError("a campaign flies simulated vehicles alone, and the scenario has external ones")
+        plugins.check(scenario, None)
+        return scenario.flown(lockstep=True), values
+
+    def _document(self, row: Row) -> Document:
+        """The scenario's data before anything is set, grids written out."""
+        if self.campaign.generate is None:
+            return copy.deepcopy(_parsed(self.text, self.file))
+        arguments = dict(self.campaign.arguments)
+        for key, value in row.values.items():
+            if key.startswith(ARGUMENTS):
+                arguments[key.removeprefix(ARGUMENTS)] = value
+        function = _generator(self.campaign.generate, self.modules)
+        try:
+            data = function(seed=row.seed, **arguments)
+        except Exception as error:
+            what = " ".join(str(error).split())
+            raise ValueError(f"{self.campaign.generate} failed: {type(error).__name__}: {what}") from None
+        if not isinstance(data, dict):
+            raise ValueError(f"{self.campaign.generate} returned no block of keys")
+        return _written_out(parse(emit(data), self.campaign.generate))
+
+    def check(self) -> None:
+        """See that the first session of every combination can be flown. Raises ScenarioError."""
+        problems = []
+        for combination in range(min(self.campaign.combinations, 64)):
+            row = self.row(combination)
+            try:
+                self.resolved(row)
+            except RowError as error:
+                told = ", ".join(f"{key}={row.values[key]}" for key in self.campaign.vary)
+                problems.append(Problem(self.campaign.name, None, None, f"{f'with {told}: ' if told else ''}{error}"))
+        if problems:
+            raise ScenarioError(problems[:1])
+
+    def write(self, folder: Path) -> None:
+        """Put the campaign into its folder, from which `read` makes the same plan; raises OSError."""
+        (folder / "campaign.yaml").write_text(dump(self.campaign), encoding="utf-8")
+        if self.campaign.generate is None:
+            (folder / "scenario.yaml").write_text(self.text, encoding="utf-8")
+        about = {"scenario": self.file, "modules": self.modules}
+        (folder / "plan.json").write_text(json.dumps(about, indent=2) + "\n", encoding="utf-8")
+
+
+def make(campaign: Campaign, beside: Sequence[Path]) -> Plan:
+    """The plan of a campaign; files and modules are looked for in the folders `beside`. Raises ScenarioError."""
+    folders = [*beside, Path.cwd()]
+    if campaign.scenario is None:
+        return Plan(campaign, str(campaign.generate), "", tuple(dict.fromkeys(str(f.resolve()) for f in folders)))
+    name = campaign.scenario
+    near = [folder / name for folder in beside if (folder / name).is_file()]
+    file = near[0] if near else find(name)
+    folders.insert(0, file.parent)
+    text = file.read_text(encoding="utf-8-sig")
+    return Plan(campaign, name, text, tuple(dict.fromkeys(str(f.resolve()) for f in folders)))
+
+
+def read(folder: Path) -> Plan:
+    """The plan that `write` put into a campaign's folder. Raises ScenarioError, OSError."""
+    from gcs.campaign.file import load  # noqa: PLC0415 - only here
+
+    about = json.loads((folder / "plan.json").read_text(encoding="utf-8"))
+    campaign = load(folder / "campaign.yaml")
+    text = "" if campaign.generate is not None else (folder / "scenario.yaml").read_text(encoding="utf-8")
+    return Plan(campaign, about["scenario"], text, tuple(about["modules"]))
+
+
+@functools.lru_cache(4)
+def _parsed(text: str, file: str) -> Document:
+    return _written_out(parse(text, file))
+
+
+def _written_out(document: Document) -> Document:
+    for listed in GROUPS:
+        expand(document, listed)
+    return document
+
+
+@functools.lru_cache(4)
+def _generator(name: str, modules: tuple[str, ...]) -> Callable[..., Any]:
+    plugins.look_in(modules)
+    found: Callable[..., Any] = plugins.find(name, "__call__")
+    return found
+
+
+def rows(plan: Plan, done: frozenset[int] | set[int]) -> Iterator[int]:
+    """Numbers of the rows that are still to be flown, in order."""
+    return (number for number in range(plan.rows) if number not in done)

@@ -1,0 +1,110 @@
+"""A campaign in its folder from start to end, or on from where it stopped."""
+
+from __future__ import annotations
+
+import signal
+import time
+from collections.abc import Callable
+from datetime import datetime
+from pathlib import Path
+from types import FrameType
+from typing import Any
+
+from gcs.campaign import table
+from gcs.campaign.engine import EngineError, Progress, Store, fly
+from gcs.campaign.plan import Plan, rows
+
+DEFAULT_FOLDER = "campaigns"
+
+
+def make_folder(plan: Plan, out: Path | None) -> Path:
+    """A new campaign folder with the plan in it. Raises EngineError."""
+    stamp = datetime.now().astimezone().strftime("%Y%m%d-%H%M%S")
+    folder = out or Path(DEFAULT_FOLDER) / f"{plan.campaign.name}-{stamp}"
+    try:
+        folder.mkdir(parents=True)
+        plan.write(folder)
+    except FileExistsError:
+        raise EngineError(
+            f"{folder} exists already and is left as it is; gcs campaign resume goes on with it"
+        ) from None
+    except OSError as error:
+        raise EngineError(f"cannot write in {folder}: {error.strerror}; give --out a place to write") from None
+    return folder
+
+
+class Runner:
+    """Flies what a campaign's folder lacks. Ctrl-C stops it; what has come is written."""
+
+    def __init__(
+        self,
+        folder: Path,
+        plan: Plan,
+        *,
+        scheduler: str | None = None,
+        workers: int | None = None,
+        tell: Callable[[Progress, dict[str, Any] | None], None] = lambda _progress, _row: None,
+    ) -> None:
+        self._folder, self._plan = folder, plan
+        self._scheduler, self._workers = scheduler, workers
+        self._tell = tell
+        self._stopped = False
+        self.interrupted = 0
+        """the signal that stopped it; 0 where none did"""
+
+    def run(self) -> Progress:
+        """Fly until every row is there, or a signal comes. Raises EngineError."""
+        store = Store(self._folder, self._plan)
+        handlers = _handled(self._interrupt)
+        try:
+            done = table.done(self._folder)
+            progress = Progress(self._plan.rows, len(done))
+
+            def take(row: dict[str, Any]) -> None:
+                store.take(row)
+                progress.done += 1
+                progress.flown += 1
+                progress.failed += not row["ok"]
+                progress.errors += row["error"] is not None
+                self._tell(progress, row)
+
+            def look(workers: int) -> bool:
+                store.look()
+                progress.workers = workers
+                self._tell(progress, None)
+                return not self._stopped
+
+            def started(dashboard: str) -> None:
+                progress.dashboard = dashboard
+                progress.began_s = time.monotonic()
+
+            try:
+                if len(done) < progress.total:
+                    fly(
+                        self._plan,
+                        rows(self._plan, done),
+                        take,
+                        scheduler=self._scheduler,
+                        workers=self._workers,
+                        look=look,
+                        on_start=started,
+                    )
+            finally:
+                store.flush()
+            return progress
+        finally:
+            for number, handler in handlers.items():
+                signal.signal(number, handler)
+            store.close()
+
+    def _interrupt(self, number: int, _: FrameType | None) -> None:
+        self.interrupted = self.interrupted or number
+        self._stopped = True
+
+
+def _handled(handler: Callable[[int, FrameType | None], None]) -> dict[int, Any]:
+    """SIGINT and SIGTERM call this; what they did before. Nothing changes outside the main thread."""
+    try:
+        return {number: signal.signal(number, handler) for number in (signal.SIGINT, signal.SIGTERM)}
+    except ValueError:
+        return {}

@@ -1,0 +1,140 @@
+"""What a campaign's table amounts to: rates with Wilson intervals, means and paired differences with bootstrap ones."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import bootstrap, norm
+
+from gcs.campaign import measures
+from gcs.campaign.plan import Plan
+
+if TYPE_CHECKING:
+    import pyarrow as pa
+
+CONFIDENCE = 0.95
+RESAMPLES = 2000
+SEED = 1
+"""Of the resampling: the same table gives the same page."""
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Interval:
+    """An estimate and its 95 % interval."""
+
+    value: float
+    low: float
+    high: float
+
+
+def wilson(count: int, of: int, confidence: float = CONFIDENCE) -> Interval:
+    """A rate and its Wilson score interval (E. B. Wilson, J. Am. Stat. Assoc. 22, 1927)."""
+    if of == 0:
+        return Interval(math.nan, 0.0, 1.0)
+    z = float(norm.ppf(0.5 + confidence / 2.0))
+    rate = count / of
+    middle = (rate + z * z / (2.0 * of)) / (1.0 + z * z / of)
+    half = z / (1.0 + z * z / of) * math.sqrt(rate * (1.0 - rate) / of + z * z / (4.0 * of * of))
+    low, high = max(0.0, middle - half), min(1.0, middle + half)
+    return Interval(rate, 0.0 if count == 0 else low, 1.0 if count == of else high)
+
+
+def mean(values: Floats) -> Interval:
+    """A mean and its bootstrap interval (BCa; percentile where that cannot be had)."""
+    values = values[np.isfinite(values)]
+    if len(values) == 0:
+        return Interval(math.nan, math.nan, math.nan)
+    centre = float(values.mean())
+    if len(values) < 3 or np.ptp(values) == 0.0:
+        spread = (math.nan, math.nan) if len(values) < 3 else (centre, centre)
+        return Interval(centre, *spread)
+    rng = np.random.default_rng(SEED)
+    found = bootstrap(
+        (values,), np.mean, confidence_level=CONFIDENCE, n_resamples=RESAMPLES, method="percentile", rng=rng
+    )
+    return Interval(centre, float(found.confidence_interval.low), float(found.confidence_interval.high))
+
+
+@dataclass(frozen=True)
+class Difference:
+    """A measure's paired difference between two combinations: the second less the first."""
+
+    measure: str
+    first: int
+    second: int
+    pairs: int
+    difference: Interval
+    effect: float
+    """mean difference over its standard deviation (Cohen's d of paired samples)"""
+    sessions_needed: int | None
+    """pairs by which an effect of this size would be told from none, at 95 % confidence with 80 % power"""
+
+
+def paired(rows: pa.Table, measure: str, first: int, second: int) -> Difference:
+    """The difference in the sessions that both combinations have flown."""
+    session, combination = (np.array(rows[name].to_pylist(), dtype=np.int64) for name in ("session", "combination"))
+    values = numbers(rows, measure)
+    mine, theirs = (
+        dict(zip(session[combination == c], values[combination == c], strict=True)) for c in (first, second)
+    )
+    changes = np.array([theirs[s] - mine[s] for s in sorted(mine.keys() & theirs.keys())], dtype=np.float64)
+    changes = changes[np.isfinite(changes)]
+    deviation = float(changes.std(ddof=1)) if len(changes) > 1 else math.nan
+    effect = float(changes.mean()) / deviation if deviation > 0.0 else math.nan
+    needed = None
+    if math.isfinite(effect) and effect != 0.0:
+        z = float(norm.ppf(0.5 + CONFIDENCE / 2.0) + norm.ppf(0.8))
+        needed = math.ceil((z / effect) ** 2) + 1
+    return Difference(measure, first, second, len(changes), mean(changes), effect, needed)
+
+
+def numbers(rows: pa.Table, measure: str) -> Floats:
+    """A measure's values; nan where there is none, and 1 for `met` of an outcome."""
+    listed = rows[measure].to_pylist()
+    if measures.is_word(measure):
+        listed = [None if value is None else float(value == "met") for value in listed]
+    return np.array([math.nan if value is None else value for value in listed], dtype=np.float64)
+
+
+def name_of(plan: Plan, combination: int) -> str:
+    """A combination's values in words; empty where nothing is varied."""
+    row = plan.row(combination)
+    return ", ".join(f"{_short(key)} {row.values[key]}" for key in plan.campaign.vary)
+
+
+def text(plan: Plan, rows: pa.Table) -> list[str]:
+    """A table for terminals: each combination's success rate, and the means of its numbers."""
+    campaign = plan.campaign
+    shown = [name for name in campaign.measured if not measures.is_word(name)]
+    lines = [("", "ok", "95 %", *shown)]
+    ok, combination = rows["ok"].to_pylist(), np.array(rows["combination"].to_pylist(), dtype=np.int64)
+    columns = {name: numbers(rows, name) for name in shown}
+    for number in range(campaign.combinations):
+        of = np.flatnonzero(combination == number)
+        rate = wilson(sum(bool(ok[i]) for i in of), len(of))
+        means = [columns[name][of] for name in shown]
+        told = [f"{np.nanmean(v):.4g}" if np.isfinite(v).any() else "-" for v in means]
+        good = f"{sum(bool(ok[i]) for i in of)} of {len(of)}"
+        lines.append(
+            (name_of(plan, number) or campaign.name, good, f"{100 * rate.low:.1f} to {100 * rate.high:.1f} %", *told)
+        )
+    return aligned(lines)
+
+
+def aligned(lines: Sequence[Sequence[Any]]) -> list[str]:
+    """Rows of words in columns."""
+    widths = [max(len(str(line[i])) for line in lines) for i in range(len(lines[0]))]
+    return [
+        "  ".join(f"{word!s:<{width}}" for word, width in zip(line, widths, strict=True)).rstrip() for line in lines
+    ]
+
+
+def _short(key: str) -> str:
+    return key.rsplit(".", 1)[-1]

@@ -1,0 +1,135 @@
+"""Rows of a campaign on disk: Parquet parts in one folder, written as they come, each whole or not at all.
+
+Any reader of Parquet can open the folder `rows` while the campaign runs. A row that is in a part is done for good.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import uuid
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from gcs.campaign import measures
+from gcs.campaign.model import ARGUMENTS, Campaign
+from gcs.scenario import keys
+from gcs.session.arrays import MissingExtra
+
+if TYPE_CHECKING:
+    import pyarrow as pa
+
+FOLDER = "rows"
+FIRST = ("row", "session", "combination", "seed")
+LAST = ("ok", "fault", "error", "digest", "wall_s", "cpu_s", "kept")
+
+
+def schema(campaign: Campaign) -> pa.Schema:
+    """The columns: who, what was varied and drawn, what was measured, how it went."""
+    pa = _arrow()
+    types: dict[str, Any] = dict.fromkeys(FIRST, pa.int64())
+    for key, values in campaign.vary.items():
+        types[key] = _type_of(values)
+    for key, draw in campaign.draw.items():
+        kind = (
+            pa.string()
+            if draw.random is not None
+            else _type_of(draw.choice)
+            if draw.choice is not None
+            else pa.int64()
+            if draw.integers is not None
+            else pa.float64()
+        )
+        each = keys.EACH in key and not key.startswith(ARGUMENTS) and not draw.together
+        types[key] = pa.list_(kind) if each else kind
+    for name in campaign.measured:
+        types[name] = pa.string() if measures.is_word(name) else pa.float64()
+    types |= {"ok": pa.bool_(), "fault": pa.string(), "error": pa.string(), "digest": pa.string()}
+    types |= {"wall_s": pa.float64(), "cpu_s": pa.float64(), "kept": pa.bool_()}
+    return pa.schema(list(types.items()))
+
+
+class Writer:
+    """Writes rows of a campaign as parts."""
+
+    def __init__(self, folder: Path, campaign: Campaign) -> None:
+        self._folder = folder / FOLDER
+        self._folder.mkdir(parents=True, exist_ok=True)
+        for unfinished in self._folder.glob(".*"):
+            unfinished.unlink(missing_ok=True)
+        self._schema = schema(campaign)
+
+    def write(self, rows: Sequence[Mapping[str, Any]]) -> None:
+        """Add a part with these rows; raises OSError, and then nothing of it is there."""
+        if not rows:
+            return
+        import pyarrow as pa  # noqa: PLC0415 - an extra
+        import pyarrow.parquet as pq  # noqa: PLC0415
+
+        columns = {
+            field.name: pa.array([_fitted(row.get(field.name), field.type) for row in rows], field.type)
+            for field in self._schema
+        }
+        name = f"part-{rows[0]['row']:08d}-{uuid.uuid4().hex[:8]}.parquet"
+        beside = self._folder / f".{name}"
+        try:
+            pq.write_table(pa.table(columns, schema=self._schema), beside, compression="zstd")
+            with beside.open("rb") as written:
+                os.fsync(written.fileno())
+            beside.replace(self._folder / name)
+        except BaseException:
+            beside.unlink(missing_ok=True)
+            raise
+
+
+def read(folder: Path, campaign: Campaign) -> pa.Table:
+    """All rows so far, in order of their numbers; raises OSError."""
+    pa = _arrow()
+    import pyarrow.parquet as pq  # noqa: PLC0415
+
+    wanted = schema(campaign)
+    parts = [pq.read_table(path, schema=wanted) for path in sorted((folder / FOLDER).glob("part-*.parquet"))]
+    table = pa.concat_tables(parts) if parts else wanted.empty_table()
+    return table.sort_by("row")
+
+
+def done(folder: Path) -> set[int]:
+    """Numbers of the rows that are there."""
+    _arrow()
+    import pyarrow.parquet as pq  # noqa: PLC0415
+
+    found: set[int] = set()
+    for path in (folder / FOLDER).glob("part-*.parquet"):
+        found |= set(pq.read_table(path, columns=["row"]).column("row").to_pylist())
+    return found
+
+
+def _type_of(values: Sequence[Any]) -> pa.DataType:
+    pa = _arrow()
+    if all(isinstance(value, bool) for value in values):
+        return pa.bool_()
+    if all(isinstance(value, int | float) and not isinstance(value, bool) for value in values):
+        return pa.float64()
+    return pa.string()
+
+
+def _fitted(value: Any, kind: pa.DataType) -> Any:
+    """A value as its column has it: what is no number, word or truth value is JSON."""
+    import pyarrow as pa  # noqa: PLC0415
+
+    if value is None:
+        return None
+    if pa.types.is_list(kind):
+        return [_fitted(one, kind.value_type) for one in value]
+    if pa.types.is_string(kind) and not isinstance(value, str):
+        return json.dumps(value)
+    return float(value) if pa.types.is_floating(kind) else value
+
+
+def _arrow() -> Any:
+    try:
+        import pyarrow as pa  # noqa: PLC0415
+    except ImportError:
+        raise MissingExtra("a campaign's table needs pyarrow: pip install 'skytender[campaign]'") from None
+    return pa

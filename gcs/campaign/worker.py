@@ -1,0 +1,180 @@
+"""One row of a campaign flown in this process's warm sessions (gcs/session/warm.py); runs on Dask's workers.
+
+A worker thread keeps its warm process from row to row. Whatever goes wrong with a session becomes its row's error.
+"""
+
+from __future__ import annotations
+
+import atexit
+import io
+import platform
+import tarfile
+import threading
+import time
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+from gcs.campaign import measures
+from gcs.campaign.plan import Plan, Row, RowError
+from gcs.scenario.model import Scenario
+from gcs.session.warm import Flight, WarmError, WarmSessions
+
+_here = threading.local()
+_all: list[WarmSessions] = []
+_lock = threading.Lock()
+
+
+def versions() -> dict[str, str]:
+    """What workers and client must have alike."""
+    packages = ("skytender", "numpy", "numba", "pymavlink")
+    return {"python": platform.python_version()} | {package: version(package) for package in packages}
+
+
+def fly_row(plan: Plan, row: Row | int) -> dict[str, Any]:
+    """Fly a row of a plan; the row as the table has it, and `folder`, the session's as a tar, if it is kept."""
+    chosen = plan.row(row) if isinstance(row, int) else row
+    head = {
+        "row": chosen.number,
+        "session": chosen.session,
+        "combination": chosen.combination,
+        "seed": chosen.seed,
+    }
+    began_s, cpu_s = time.monotonic(), time.thread_time()
+    try:
+        scenario, values = plan.resolved(chosen)
+    except RowError as error:
+        return failed(plan, chosen, str(error))
+    try:
+        flight = _flown(scenario, f"row-{chosen.number}", plan)
+    except WarmError as error:
+        return {**failed(plan, chosen, str(error)), **values}
+    try:
+        measured, why = _measured(plan, flight, scenario)
+        fault = _fault(plan, measured)
+        row_done = {**head, **values, **measured, "fault": fault, "error": why, "ok": not fault and not why}
+        row_done["digest"] = _digest(flight, scenario)
+        row_done["kept"] = plan.campaign.keep == "all" or (plan.campaign.keep == "failed" and not row_done["ok"])
+        if row_done["kept"]:
+            flight.complete()
+            row_done["folder"] = _packed(flight.folder)
+    finally:
+        flight.discard()
+    row_done["wall_s"] = time.monotonic() - began_s
+    row_done["cpu_s"] = flight.cpu_s + time.thread_time() - cpu_s
+    return row_done
+
+
+def failed(plan: Plan, row: Row, why: str) -> dict[str, Any]:
+    """The row of a session that could not be flown."""
+    return {
+        "row": row.number,
+        "session": row.session,
+        "combination": row.combination,
+        "seed": row.seed,
+        **row.values,
+        **dict.fromkeys(plan.campaign.measured),
+        "ok": False,
+        "error": why,
+        "wall_s": 0.0,
+        "cpu_s": 0.0,
+        "kept": False,
+    }
+
+
+def close() -> None:
+    """End every warm process of this one."""
+    with _lock:
+        for sessions in _all:
+            sessions.close()
+        _all.clear()
+
+
+def warm_processes() -> list[WarmSessions]:
+    """Those that run."""
+    with _lock:
+        return list(_all)
+
+
+def warm_up() -> None:
+    """Have the warm process of this thread ready. Raises WarmError."""
+    _sessions().warm_up()
+
+
+def _flown(scenario: Scenario, name: str, plan: Plan) -> Flight:
+    """A flight; a warm process that has died is replaced once."""
+    for attempt in (1, 2):
+        try:
+            return _sessions().fly(
+                scenario, f"{name}-{attempt}", modules=plan.modules, wall_limit_s=plan.campaign.limits.wall_s
+            )
+        except WarmError:
+            _drop()
+            if attempt == 2:
+                raise
+    raise AssertionError("unreachable")
+
+
+def _sessions() -> WarmSessions:
+    sessions: WarmSessions | None = getattr(_here, "sessions", None)
+    if sessions is None or not sessions.alive:
+        if sessions is not None:
+            _drop()
+        sessions = _here.sessions = WarmSessions()
+        with _lock:
+            if not _all:
+                atexit.register(close)
+            _all.append(sessions)
+    return sessions
+
+
+def _drop() -> None:
+    sessions: WarmSessions = _here.sessions
+    with _lock:
+        if sessions in _all:
+            _all.remove(sessions)
+    _here.sessions = None
+    sessions.close()
+
+
+def _measured(plan: Plan, flight: Flight, scenario: Scenario) -> tuple[dict[str, Any], str | None]:
+    """Every measure, and why the session is none to be judged."""
+    flown = measures.Flown(flight.folder, scenario)
+    try:
+        values = {name: measures.take(name, flown) for name in plan.campaign.measured}
+    except (OSError, ValueError, KeyError):
+        return dict.fromkeys(plan.campaign.measured), flight.error or "the session left no summary"
+    return values, flight.error
+
+
+def _fault(plan: Plan, measured: dict[str, Any]) -> str | None:
+    expected = plan.campaign.expect
+    faults = [fault for name, limits in expected.items() if (fault := limits.fault(name, measured.get(name)))]
+    if not expected and measured.get("outcome", "met") != "met":
+        faults.append(f"the goal was not met: {measured['outcome']}")
+    return "; ".join(faults) or None
+
+
+def _digest(flight: Flight, scenario: Scenario) -> str | None:
+    try:
+        digest = measures.Flown(flight.folder, scenario).summary["digest"]
+    except (OSError, ValueError, KeyError):
+        return None
+    return None if digest is None else str(digest)
+
+
+def _packed(folder: Path) -> bytes:
+    """A session's folder as a tar; what is no file, such as a socket, is left out."""
+    content = io.BytesIO()
+    with tarfile.open(fileobj=content, mode="w:gz", compresslevel=1) as tar:
+        for path in sorted(folder.rglob("*")):
+            if path.is_file():
+                tar.add(path, path.relative_to(folder).as_posix())
+    return content.getvalue()
+
+
+def unpack(content: bytes, folder: Path) -> None:
+    """Write a packed session into a folder; raises OSError."""
+    folder.mkdir(parents=True, exist_ok=True)
+    with tarfile.open(fileobj=io.BytesIO(content)) as tar:
+        tar.extractall(folder, filter="data")

@@ -1,0 +1,310 @@
+"""`gcs campaign`: many sessions, one answer."""
+
+# ruff: noqa: PLC0415 - so that `gcs --help` answers at once
+
+from __future__ import annotations
+
+import shutil
+import sys
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from gcs.exit import BAD_INPUT, DONE, NOT_DONE
+
+if TYPE_CHECKING:
+    from gcs.campaign.engine import Progress
+    from gcs.campaign.plan import Plan
+
+PLAIN_EVERY_S = 5.0
+TOLD_FAILURES = 20
+
+FOLDER = click.argument("folder", metavar="DIR", type=click.Path(path_type=Path, file_okay=False))
+SCHEDULER = click.option(
+    "--scheduler", metavar="ADDRESS", help="Fly on the workers of this Dask scheduler, such as tcp://HOST:8786."
+)
+WORKERS = click.option(
+    "--workers", type=click.IntRange(1, 1024), metavar="N", help="Workers on this machine.  [default: one per core]"
+)
+PLAIN = click.option("--plain", is_flag=True, help="Lines of text instead of a progress line.")
+QUIET = click.option("--quiet", "-q", is_flag=True, help="Say only what goes wrong.")
+
+
+class Refused(click.ClickException):
+    """What keeps a campaign from being flown, line by line."""
+
+    exit_code = BAD_INPUT
+
+    def show(self, file: Any = None) -> None:
+        """Just the sentences, as `gcs run` tells of a scenario."""
+        click.echo(self.format_message(), file=file, err=True)
+
+
+@click.group(short_help="Fly a scenario many times, varied, and see what comes of it.")
+def campaign() -> None:
+    """Fly a scenario many times, varied, and see what comes of it, with its uncertainty.
+
+    \b
+    Examples:
+      gcs campaign run policies
+      gcs campaign run my-campaign.yaml --workers 4 --out first
+      gcs campaign status first
+      gcs campaign fly first 17
+    """
+
+
+@campaign.command(short_help="Fly a campaign.")
+@click.argument("file", metavar="FILE")
+@click.option(
+    "--sessions", type=click.IntRange(1), metavar="N", help="Draws of each combination, instead of the file's."
+)
+@click.option("--seed", type=click.IntRange(0), metavar="N", help="Instead of the file's.")
+@click.option(
+    "--out", type=click.Path(path_type=Path), metavar="DIR", help="A new folder.  [default: campaigns/NAME-TIME]"
+)
+@SCHEDULER
+@WORKERS
+@PLAIN
+@QUIET
+def run(
+    file: str,
+    sessions: int | None,
+    seed: int | None,
+    out: Path | None,
+    scheduler: str | None,
+    workers: int | None,
+    plain: bool,
+    quiet: bool,
+) -> int:
+    """Fly FILE, a campaign's file or the name of a shipped one; a row per session, written as rows come.
+
+    Ctrl-C stops it: `gcs campaign resume` flies what is missing. DIR/rows is a folder of Parquet files that pandas and
+    DuckDB read, also while the campaign runs.
+
+    \b
+    Exit status:
+      0    every session is as expected
+      1    some are not, or not all could be flown
+      2    bad input; nothing has flown
+      130  stopped by Ctrl-C (143 by SIGTERM); what was flown is saved
+    """
+    from gcs.campaign.engine import EngineError
+    from gcs.campaign.runner import make_folder
+
+    plan = _planned(file, sessions, seed)
+    try:
+        folder = make_folder(plan, out)
+    except EngineError as error:
+        raise Refused(str(error)) from None
+    return _fly(folder, plan, scheduler, workers, plain, quiet)
+
+
+@campaign.command(short_help="Fly what a campaign lacks.")
+@FOLDER
+@SCHEDULER
+@WORKERS
+@PLAIN
+@QUIET
+def resume(folder: Path, scheduler: str | None, workers: int | None, plain: bool, quiet: bool) -> int:
+    """Go on with the campaign in DIR: only sessions without a row are flown.
+
+    \b
+    Exit status: as of `gcs campaign run`.
+    """
+    return _fly(folder, _found(folder), scheduler, workers, plain, quiet)
+
+
+@campaign.command(short_help="How far a campaign is.")
+@FOLDER
+def status(folder: Path) -> int:
+    """Say how many sessions of the campaign in DIR are there, and how they went; also while it runs.
+
+    \b
+    Exit status:
+      0    all are there
+      1    some are missing
+      2    DIR holds no campaign
+    """
+    from gcs.campaign import statistics, table
+
+    plan = _found(folder)
+    rows = table.read(folder, plan.campaign)
+    click.echo(f"{plan.campaign.name}: {rows.num_rows} of {plan.rows} sessions")
+    for line in statistics.text(plan, rows):
+        click.echo(line)
+    return DONE if rows.num_rows == plan.rows else NOT_DONE
+
+
+@campaign.command(short_help="Fly one session of a campaign again.")
+@FOLDER
+@click.argument("row", type=click.IntRange(0))
+@click.option("--out", type=click.Path(path_type=Path), metavar="DIR", help="The session's folder.")
+@click.option("--scenario", "only", is_flag=True, help="Print the scenario instead of flying it.")
+@QUIET
+def fly(folder: Path, row: int, out: Path | None, only: bool, quiet: bool) -> int:
+    """Fly session ROW of the campaign in DIR as `gcs run` would; its digest is the row's.
+
+    \b
+    Exit status:
+      0    the session's goal was met
+      1    it was not, or the digest is another
+      2    there is no such row, or it cannot be flown
+    """
+    import json
+
+    import pyarrow.compute as pc
+
+    from gcs.campaign import table
+    from gcs.campaign.plan import RowError
+    from gcs.report.make import make as make_report
+    from gcs.scenario.file import dump
+    from gcs.session import supervised
+    from gcs.session.plain_text import PlainView, QuietView
+
+    plan = _found(folder)
+    if row >= plan.rows:
+        raise click.UsageError(f"there is no row {row}: {plan.campaign.name} has rows 0 to {plan.rows - 1}")
+    try:
+        scenario, _ = plan.resolved(plan.row(row))
+    except RowError as error:
+        raise Refused(str(error)) from None
+    if only:
+        click.echo(dump(scenario), nl=False)
+        return DONE
+    session = supervised.make_folder(out, scenario)
+    if not quiet:
+        click.echo(f"{scenario.name}, row {row}: the session's folder is {session}")
+    arguments = [word for module in plan.modules for word in ("--modules", module)]
+    view = QuietView() if quiet else PlainView(click.echo)
+    ended = supervised.run(session, view, str if quiet else click.echo, arguments=arguments)
+    rows = table.read(folder, plan.campaign)
+    recorded = rows.filter(pc.equal(rows["row"], row)).to_pylist()
+    if ended in (DONE, NOT_DONE) and recorded and recorded[0]["digest"] is not None:
+        digest = json.loads((session / "summary.json").read_text(encoding="utf-8"))["digest"]
+        if digest != recorded[0]["digest"]:
+            click.echo(f"the digest is {digest}, the row's {recorded[0]['digest']}: other versions?", err=True)
+            return NOT_DONE
+    make_report(session)
+    return ended
+
+
+def _planned(file: str, sessions: int | None = None, seed: int | None = None) -> Plan:
+    """The plan of a campaign's file or name, its first sessions checked."""
+    from gcs.campaign import file as files
+    from gcs.campaign.plan import make
+    from gcs.scenario.model import ScenarioError
+
+    try:
+        path = files.find(file)
+        loaded = files.load(path)
+        changes: dict[str, Any] = {} if sessions is None else {"sessions": sessions}
+        changes |= {} if seed is None else {"seed": seed}
+        plan = make(loaded.model_copy(update=changes), [path.parent])
+        plan.check()
+    except ScenarioError as error:
+        raise Refused(str(error)) from None
+    return plan
+
+
+def _found(folder: Path) -> Plan:
+    from gcs.campaign.plan import read
+    from gcs.scenario.model import ScenarioError
+
+    try:
+        return read(folder)
+    except (OSError, ValueError, KeyError):
+        raise Refused(f"{folder} holds no campaign: give the folder that gcs campaign run named") from None
+    except ScenarioError as error:
+        raise Refused(str(error)) from None
+
+
+def _fly(folder: Path, plan: Plan, scheduler: str | None, workers: int | None, plain: bool, quiet: bool) -> int:
+    from gcs.campaign import statistics, table
+    from gcs.campaign.engine import EngineError
+    from gcs.campaign.runner import Runner
+
+    if scheduler is not None and workers is not None:
+        raise click.UsageError("--scheduler and --workers exclude each other: its workers are those that it has.")
+    shown = Shown(folder, quiet=quiet, plain=plain or not sys.stdout.isatty())
+    if not quiet:
+        click.echo(f"{plan.campaign.name}: {plan.rows} sessions; the campaign's folder is {folder}")
+    runner = Runner(folder, plan, scheduler=scheduler, workers=workers, tell=shown.tell)
+    try:
+        progress = runner.run()
+    except EngineError as error:
+        shown.end()
+        click.echo(f"gcs: {error}; what was flown is kept, gcs campaign resume {folder} goes on", err=True)
+        return NOT_DONE
+    shown.end()
+    rows = table.read(folder, plan.campaign)
+    if not quiet:
+        for line in statistics.text(plan, rows):
+            click.echo(line)
+    if runner.interrupted:
+        click.echo(f"stopped; gcs campaign resume {folder} flies the other {progress.total - progress.done}", err=True)
+        return 128 + runner.interrupted
+    return DONE if rows.num_rows == plan.rows and all(rows["ok"].to_pylist()) else NOT_DONE
+
+
+class Shown:
+    """Progress as a line that is drawn again, or as lines; failures as they come."""
+
+    def __init__(self, folder: Path, *, quiet: bool, plain: bool) -> None:
+        self._folder, self._quiet, self._plain = folder, quiet, plain
+        self._next_s = 0.0
+        self._width = 0
+        self._failures = 0
+        self._linked = False
+
+    def tell(self, progress: Progress, row: dict[str, Any] | None) -> None:
+        """Take in a row, or just the time."""
+        if self._quiet:
+            return
+        if not self._linked and progress.dashboard:
+            self._linked = True
+            self._line(f"Dask's dashboard: {progress.dashboard}")
+        if row is not None and not row["ok"]:
+            self._failures += 1
+            if self._failures <= TOLD_FAILURES:
+                self._line(f"row {row['row']}: {row['error'] or row['fault']}")
+            elif self._failures == TOLD_FAILURES + 1:
+                self._line(f"more failures: gcs campaign status {self._folder}")
+        now_s = time.monotonic()
+        if now_s < self._next_s:
+            return
+        self._next_s = now_s + (PLAIN_EVERY_S if self._plain else 0.25)
+        text = words(progress)
+        if self._plain:
+            click.echo(text)
+            return
+        text = text[: shutil.get_terminal_size().columns - 1]
+        click.echo(f"\r{text:<{self._width}}", nl=False)
+        self._width = len(text)
+
+    def end(self) -> None:
+        """Leave the line."""
+        if self._width:
+            click.echo()
+
+    def _line(self, text: str) -> None:
+        if self._width:
+            click.echo(f"\r{'':<{self._width}}\r", nl=False)
+        click.echo(text)
+        self._next_s = 0.0 if not self._plain else self._next_s
+
+
+def words(progress: Progress) -> str:
+    """One line: how far, how fast, how long still."""
+    from gcs.session.plain_text import minutes
+
+    parts = [f"{progress.done} of {progress.total} sessions"]
+    if progress.flown:
+        parts.append(f"{60.0 * progress.rate:.1f} per minute, {minutes(progress.left_s)} left")
+    else:
+        parts.append("workers are getting warm ...")
+    parts += [f"{progress.workers} worker{'s' * (progress.workers != 1)}"] if progress.workers else []
+    parts += [f"{progress.failed} failed"] if progress.failed else []
+    parts += [f"{progress.errors} with errors"] if progress.errors else []
+    return ", ".join(parts)

@@ -1,0 +1,188 @@
+"""Supervisors by fork from a process that has everything loaded and compiled: `python -m gcs.session.forkserver`.
+
+stdin: one JSON line per session, {"folder": PATH, "scenario": JSON, "modules": [...]}, in a folder with `vehicles/`;
+{"stop": true} ends the one that flies in order, {"kill": true} at once. stdout: {"ready": true, "folder": PATH} once
+everything is warm, the folder being a temporary one that goes with this process; then the supervisor's own lines
+(gcs/session/process.py) and {"ended": PID, "status", "cpu_s"} with the CPU time of supervisor and vehicles together.
+
+One session flies at a time, in processes of its own: a fork of this one is its supervisor, and the one hatch that this
+process keeps forks its vehicles. The end of stdin ends everything and removes the folder. `ps` shows
+`gcs sessions`, and `gcs session` for the supervisor.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import ctypes
+import gc
+import json
+import os
+import selectors
+import shutil
+import signal
+import sys
+import tempfile
+import traceback
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from setproctitle import setproctitle
+
+from gcs.exit import INTERNAL_ERROR
+from gcs.scenario.file import load, shipped_folder
+from gcs.scenario.model import Scenario
+from gcs.session import process
+from gcs.session.supervised import Signals
+from gcs.session.vehicles import READY_WITHIN_S, Hatch
+from gcs.supervisor import summarise  # noqa: F401 - loaded here, once, for all sessions
+from gcs.supervisor.warmup import rehearse
+
+PR_SET_PDEATHSIG = 1
+WARMED_BY = ("demo", "paper/example1")
+"""Shipped scenarios whose first tick loads and compiles what others need."""
+
+
+class SessionForks:
+    """Forks supervisors one after the other, and keeps the hatch that forks their vehicles."""
+
+    def __init__(self) -> None:
+        self._libc = ctypes.CDLL(None, use_errno=True)
+        self._hatch = Hatch(kept=True)
+        self._vehicles_cpu_s = 0.0
+        self.pid = 0
+        self._pidfd = self._stdin = -1
+
+    def warm_up(self) -> None:
+        """Load and compile what a session runs, and wait until the hatch has done so too."""
+        for name in WARMED_BY:
+            rehearse(load(shipped_folder() / f"{name}.yaml"))
+        with selectors.DefaultSelector() as selector:
+            selector.register(self._hatch, selectors.EVENT_READ)
+            while self._hatch.alive and selector.select(READY_WITHIN_S):
+                if self._hatch.events()[0]:
+                    break
+        gc.collect()
+        gc.freeze()
+
+    def start(self, order: Mapping[str, Any]) -> int:
+        """Fork a supervisor for a session's folder; a descriptor that is readable at its end."""
+        if not self._hatch.alive:
+            self._hatch.close()  # again, or because it has died
+            self._hatch, self._vehicles_cpu_s = Hatch(kept=True), 0.0
+        folder, modules = Path(order["folder"]), [str(path) for path in order.get("modules", ())]
+        reading, self._stdin = os.pipe()
+        parent = os.getpid()
+        self.pid = os.fork()
+        if self.pid:
+            os.close(reading)
+            self._pidfd = os.pidfd_open(self.pid)
+            return self._pidfd
+        status = INTERNAL_ERROR
+        try:
+            self._libc.prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+            if os.getppid() != parent:
+                os._exit(INTERNAL_ERROR)
+            signal.set_wakeup_fd(-1)
+            setproctitle("gcs session")
+            os.close(self._stdin)
+            os.dup2(reading, 0)
+            os.close(reading)
+            errors = os.open(folder / "stderr.log", os.O_WRONLY | os.O_CREAT | os.O_APPEND, 0o644)
+            os.dup2(errors, 2)
+            os.close(errors)
+            scenario = Scenario.model_validate_json(order["scenario"])
+            status = process.fly(folder, scenario=scenario, modules=modules, hatch=self._hatch)
+        except BaseException:
+            traceback.print_exc()
+        finally:
+            with contextlib.suppress(OSError, ValueError):
+                sys.stdout.flush()
+                sys.stderr.flush()
+            os._exit(status)
+
+    def stop(self) -> None:
+        """Let the session that flies end in order: its standard input closes."""
+        if self._stdin >= 0:
+            os.close(self._stdin)
+            self._stdin = -1
+
+    def end(self, *, kill: bool = False) -> dict[str, Any]:
+        """Wait for the supervisor and its vehicles; its last words for the protocol."""
+        if kill:
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(self.pid, signal.SIGKILL)
+        _, raw, used = os.wait4(self.pid, 0)
+        os.close(self._pidfd)
+        self.stop()
+        pid, self.pid = self.pid, 0
+        cpu_s, status = used.ru_utime + used.ru_stime, os.waitstatus_to_exitcode(raw)
+        if status < 0:  # it may have read a part of what the hatch said
+            self._hatch.close()
+        elif self._hatch.end_session():
+            vehicles_s = self._hatch.ended_cpu_s or 0.0
+            cpu_s, self._vehicles_cpu_s = cpu_s + vehicles_s - self._vehicles_cpu_s, vehicles_s
+        return {"ended": pid, "status": status, "cpu_s": cpu_s}
+
+    def close(self) -> None:
+        """End what still flies, and the hatch."""
+        if self.pid:
+            self.end(kill=True)
+        self._hatch.close()
+
+
+def serve(forks: SessionForks, folder: Path) -> None:
+    """Fly what stdin asks for, until it ends or a signal comes."""
+    with Signals() as signals, selectors.DefaultSelector() as selector:
+        forks.warm_up()
+        _say({"ready": True, "folder": str(folder)})
+        selector.register(0, selectors.EVENT_READ)
+        selector.register(signals, selectors.EVENT_READ)
+        pending = b""
+        while True:
+            for key, _ in selector.select():
+                if key.fileobj is signals:
+                    if signal.SIGTERM in signals.take():  # Ctrl-C is for those who asked
+                        return
+                elif key.fd != 0:
+                    selector.unregister(key.fileobj)
+                    _say(forks.end())
+                else:
+                    chunk = os.read(0, 65536)
+                    if not chunk:
+                        return
+                    *lines, pending = (pending + chunk).split(b"\n")
+                    for line in lines:
+                        order = json.loads(line)
+                        if order.get("stop"):
+                            forks.stop()
+                        elif order.get("kill"):
+                            if forks.pid:
+                                os.kill(forks.pid, signal.SIGKILL)
+                        else:
+                            selector.register(forks.start(order), selectors.EVENT_READ)
+
+
+def _say(content: Mapping[str, Any]) -> None:
+    with contextlib.suppress(BrokenPipeError):
+        os.write(1, json.dumps(content).encode() + b"\n")
+
+
+def main() -> None:
+    """Entry point."""
+    setproctitle("gcs sessions")
+    with contextlib.suppress(PermissionError):
+        os.setsid()
+    folder = Path(tempfile.mkdtemp(prefix="gcs-sessions-"))
+    try:
+        forks = SessionForks()
+        try:
+            serve(forks, folder)
+        finally:
+            forks.close()
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,80 @@
+"""Figure 12: what a further session of a campaign costs, over the CPU time of its flight alone.
+
+Sessions of 30 s of the paper's Example 1 are flown one after the other from one warm process, as a campaign's worker
+does, from the row's number to the row; among them long ones of the same flight, to and fro for 150 s. What 30 s more
+of flight cost in a long one is the flight alone.
+"""
+
+from __future__ import annotations
+
+import statistics
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from measure import Figure
+
+from gcs.campaign import worker
+from gcs.campaign.file import from_data
+from gcs.campaign.plan import Plan, make
+
+SESSION_S, LONG_S = 30.0, 150.0
+SESSIONS, SHORT_PER_LONG = 50, 5
+TO_AND_FRO = [[10.0, 10.0, 3.0], [5.0, 5.0, 1.5], [0.0, 0.0, 0.0], [5.0, 5.0, 1.5]] * 5
+GOAL = 1.3
+PAGE_KIB = 4.0
+
+
+def plan(duration_s: float, sessions: int) -> Plan:
+    settings = {"goal.duration_s": duration_s, "vehicles.pursuers.*.waypoints_m": TO_AND_FRO}
+    content: dict[str, Any] = {"schema": 1, "name": "bench", "scenario": "paper/example1", "sessions": sessions}
+    return make(from_data({**content, "set": settings, "keep": "none"}), [])
+
+
+def figures(sessions: int = SESSIONS) -> list[Figure]:
+    short, long = plan(SESSION_S, sessions), plan(LONG_S, sessions)
+    cost_s: list[float] = []
+    long_s: list[float] = []
+    wall_s: list[float] = []
+    worker.warm_up()
+    memory_kib: list[float] = []
+    try:
+        for number in range(sessions):
+            row = worker.fly_row(short, number)
+            cost_s.append(row["cpu_s"])
+            wall_s.append(row["wall_s"])
+            if number % SHORT_PER_LONG == 0:
+                long_s.append(worker.fly_row(long, number)["cpu_s"])
+            memory_kib.append(_resident_kib())
+    finally:
+        worker.close()
+    session_s = statistics.median(cost_s)
+    flight_s = (statistics.median(long_s) - session_s) / (LONG_S - SESSION_S) * SESSION_S
+    growth = memory_kib[-1] / memory_kib[len(memory_kib) // 5]
+    name = f"a further session of {SESSION_S:.0f} s, warm"
+    return [
+        Figure(12, f"{name}: CPU over its flight alone", session_s / flight_s, "x", GOAL, True, cpu_s=session_s),
+        Figure(12, "  wall time", statistics.median(wall_s), "s"),
+        Figure(
+            12, f"  memory of the worker after {sessions}, over that after {sessions // 5}", growth, "x", 1.05, True
+        ),
+    ]
+
+
+def _resident_kib() -> float:
+    """Of this process and the warm one, which its sessions are forked from."""
+    pids = ["self", *(str(sessions.pid) for sessions in worker.warm_processes())]
+    return sum(PAGE_KIB * int(Path(f"/proc/{pid}/statm").read_text(encoding="ascii").split()[1]) for pid in pids)
+
+
+def main(arguments: Sequence[str]) -> None:
+    for figure in figures(int(arguments[0]) if arguments else SESSIONS):
+        print(
+            f"{figure.name}: {figure.value:.3f} {figure.unit}"
+            + (f" (CPU {figure.cpu_s:.3f} s)" if figure.cpu_s else "")
+        )
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

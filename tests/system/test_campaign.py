@@ -1,0 +1,227 @@
+"""Campaigns of whole sessions: the same rows however they are flown, and nothing left behind."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import psutil
+import pytest
+import yaml
+from sessions import GCS
+
+from gcs.campaign import table
+from gcs.campaign.engine import EngineError, Progress
+from gcs.campaign.file import from_data
+from gcs.campaign.plan import Plan, make
+from gcs.campaign.runner import Runner, make_folder
+
+pytestmark = [
+    pytest.mark.timeout(300),
+    pytest.mark.filterwarnings("default"),  # Dask's own, of sockets that a lost scheduler leaves open
+]
+
+CAMPAIGN: dict[str, Any] = {
+    "schema": 1,
+    "name": "small",
+    "scenario": "paper/example1",
+    "sessions": 6,
+    "seed": 7,
+    "set": {"goal.duration_s": 4},
+    "vary": {"planner.cruise_m_s": [1.0, 1.5]},
+    "draw": {"radio.loss": {"uniform": [0.0, 0.3]}},
+    "keep": "none",
+}
+RESULT = ("row", "session", "combination", "seed", "radio.loss", "min_clearance_m", "ok", "error", "digest")
+
+
+def plan(**changes: Any) -> Plan:
+    return make(from_data({**CAMPAIGN, **changes}), [])
+
+
+def rows(folder: Path, flown: Plan) -> list[dict[str, Any]]:
+    return table.read(folder, flown.campaign).select(RESULT).to_pylist()
+
+
+def fly(folder: Path, flown: Plan, tell: Callable[[Progress, Any], None] = lambda *_: None, **options: Any) -> Runner:
+    runner = Runner(folder, flown, tell=tell, **options)
+    runner.run()
+    return runner
+
+
+def descendants(name: str) -> list[psutil.Process]:
+    found = []
+    for process in psutil.Process().children(recursive=True):
+        try:
+            if any(name in word for word in process.cmdline()):
+                found.append(process)
+        except psutil.NoSuchProcess:
+            continue
+    return found
+
+
+@pytest.fixture(scope="module")
+def reference(tmp_path_factory: pytest.TempPathFactory) -> list[dict[str, Any]]:
+    """The rows as one worker flies them."""
+    flown = plan()
+    folder = make_folder(flown, tmp_path_factory.mktemp("reference") / "campaign")
+    fly(folder, flown, workers=1)
+    found = rows(folder, flown)
+    assert [row["row"] for row in found] == list(range(12))
+    assert all(row["error"] is None for row in found)
+    return found
+
+
+def test_a_row_has_the_digest_of_gcs_run(reference: list[dict[str, Any]], tmp_path: Path) -> None:
+    row = reference[3]
+    settings = {"goal.duration_s": 4, "planner.cruise_m_s": 1.5, "radio.loss": row["radio.loss"]}
+    words = [word for key, value in settings.items() for word in ("--set", f"{key}={value!r}")]
+    out = tmp_path / "session"
+    options = ["--lockstep", "--quiet", "--no-report", "--seed", str(row["seed"]), "--out", str(out)]
+    subprocess.run([*GCS, "run", "paper/example1", *words, *options], check=False)
+    assert json.loads((out / "summary.json").read_text(encoding="utf-8"))["digest"] == row["digest"]
+
+
+def test_workers_killed_three_times_leave_one_row_per_session(reference: list[dict[str, Any]], tmp_path: Path) -> None:
+    killed: set[int] = set()
+
+    def kill(_: Progress, row: Any) -> None:
+        if row is None or len(killed) == 3:
+            return
+        for warm in descendants("gcs sessions"):
+            worker = warm.parent()
+            if worker is not None and worker.pid not in killed:
+                killed.add(worker.pid)
+                worker.kill()
+                return
+
+    flown = plan()
+    folder = make_folder(flown, tmp_path / "campaign")
+    fly(folder, flown, kill, workers=2)
+    assert len(killed) == 3
+    assert rows(folder, flown) == reference
+    assert not descendants("gcs session")
+    assert not descendants("simvehicle")
+
+
+def test_an_interrupted_campaign_is_resumed(reference: list[dict[str, Any]], tmp_path: Path) -> None:
+    def interrupt(progress: Progress, row: Any) -> None:
+        if progress.done == 4 and row is not None:
+            os.kill(os.getpid(), signal.SIGINT)
+
+    flown = plan()
+    folder = make_folder(flown, tmp_path / "campaign")
+    runner = fly(folder, flown, interrupt, workers=2)
+    assert runner.interrupted == signal.SIGINT
+    assert 4 <= len(rows(folder, flown)) < 12
+    assert not descendants("gcs session")
+    before = {path: path.stat().st_mtime_ns for path in (folder / "rows").iterdir()}
+    fly(folder, flown, workers=2)
+    assert rows(folder, flown) == reference
+    assert {path: path.stat().st_mtime_ns for path in before} == before
+
+
+def test_a_lost_scheduler_is_one_sentence_and_resume_goes_on(reference: list[dict[str, Any]], tmp_path: Path) -> None:
+    flown = plan()
+    folder = make_folder(flown, tmp_path / "campaign")
+    with Cluster(tmp_path / "first") as first:
+
+        def kill(progress: Progress, row: Any) -> None:
+            if progress.done == 3 and row is not None:
+                first.scheduler.kill()
+
+        with pytest.raises(EngineError, match="the scheduler is lost"):
+            fly(folder, flown, kill, scheduler=first.address)
+    assert 3 <= len(rows(folder, flown)) < 12
+    with Cluster(tmp_path / "second") as second:
+        fly(folder, flown, scheduler=second.address)
+    assert rows(folder, flown) == reference
+
+
+def test_a_scheduler_that_is_not_there_is_one_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("gcs.campaign.engine.CONNECT_WITHIN_S", 1.0)
+    flown = plan()
+    folder = make_folder(flown, tmp_path / "campaign")
+    with pytest.raises(EngineError, match="no scheduler can be reached at tcp:"):
+        fly(folder, flown, scheduler="tcp://127.0.0.1:9")
+
+
+def test_a_session_that_cannot_be_flown_or_takes_too_long_is_a_row(tmp_path: Path) -> None:
+    flown = plan(
+        sessions=1,
+        vary={"vehicles.pursuers.0.sysid": [1, 2], "goal.duration_s": [4, 86_000]},
+        set={},
+        limits={"wall_s": 5.0},
+    )
+    folder = make_folder(flown, tmp_path / "campaign")
+    fly(folder, flown, workers=1)
+    errors = [row["error"] for row in rows(folder, flown)]
+    assert errors[0] is None
+    assert errors[1] == "it took longer than 5 s of wall time and was ended"
+    assert errors[2] is not None
+    assert "the sysid 2 is given twice" in errors[2]
+    assert errors[3] == errors[2]
+
+
+def test_the_command_flies_keeps_tells_and_repeats(tmp_path: Path) -> None:
+    content = {**CAMPAIGN, "sessions": 2, "expect": {"min_clearance_m": {"at_least": 50.0}}, "keep": "failed"}
+    (tmp_path / "small.yaml").write_text(yaml.safe_dump(content), encoding="utf-8")
+    run = [*GCS, "campaign", "run", "small.yaml", "--workers", "2", "--out", "out", "--plain"]
+    done = subprocess.run(run, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (1, "")
+    assert "row 0: min_clearance_m is " in done.stdout
+    assert "below 50" in done.stdout
+    assert "cruise_m_s 1.5  0 of 2" in done.stdout
+    assert (tmp_path / "out" / "sessions" / "3" / "session.tlog").is_file()
+    status = subprocess.run(
+        [*GCS, "campaign", "status", "out"], cwd=tmp_path, capture_output=True, text=True, check=False
+    )
+    assert (status.returncode, status.stdout.splitlines()[0]) == (0, "small: 4 of 4 sessions")
+    again = [*GCS, "campaign", "fly", "out", "3", "--out", "again", "--quiet"]
+    assert subprocess.run(again, cwd=tmp_path, check=False).returncode in (0, 1)
+    first, second = (
+        json.loads((tmp_path / folder / "summary.json").read_text(encoding="utf-8"))["digest"]
+        for folder in ("out/sessions/3", "again")
+    )
+    assert first == second
+
+
+class Cluster:
+    """A scheduler and two workers of Dask, started by hand."""
+
+    def __init__(self, folder: Path) -> None:
+        folder.mkdir()
+        self._processes: list[subprocess.Popen[str]] = []
+        self.scheduler = self._start(folder, "dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard")
+        assert self.scheduler.stderr is not None
+        said = next(line for line in self.scheduler.stderr if "Scheduler at:" in line)
+        self.address = said.split()[-1]
+        for _ in range(2):
+            self._start(folder, "dask_worker", self.address, "--nthreads", "1", "--no-dashboard")
+
+    def _start(self, folder: Path, module: str, *arguments: str) -> subprocess.Popen[str]:
+        local = ["--local-directory", str(folder)] if module == "dask_worker" else []
+        process = subprocess.Popen(
+            [sys.executable, "-m", f"distributed.cli.{module}", *arguments, *local],
+            stderr=subprocess.PIPE if module == "dask_scheduler" else subprocess.DEVNULL,
+            text=True,
+        )
+        self._processes.append(process)
+        return process
+
+    def __enter__(self) -> Cluster:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for process in self._processes[::-1]:
+            process.terminate()
+        for process in self._processes:
+            process.wait()
+            if process.stderr is not None:
+                process.stderr.close()

@@ -1,4 +1,4 @@
-"""What a machine must have for sessions, looked at one by one; each finding says what to do about it."""
+"""Checks of `gcs doctor`: Python, packages, sockets, ports, folder, cache, terminal; each with advice."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`gcs monitor`: look at a session that runs already, or at whoever is on the air."""
+"""Command `gcs monitor`: opens a console on a running session, or on the MAVLink traffic at an address."""
 
 # ruff: noqa: PLC0415 - so that `gcs --help` answers at once
 

@@ -1,4 +1,4 @@
-"""What stands in front of the pages for a moment: a question, a choice, the help page, words to look for."""
+"""Modal dialogs of the console: confirmation, choice of a vehicle, help page, search words for events."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What happened, newest last, and which of it is shown."""
+"""Event list of the console: filter, line formatting and scroll window, newest event last."""
 
 from __future__ import annotations
 

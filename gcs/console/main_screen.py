@@ -76,7 +76,7 @@ class MainScreen(Screen[None]):
 
     def on_mount(self) -> None:
         """Show the first page."""
-        self.desk = OperatorControls(self.app, self.notice)
+        self.controls = OperatorControls(self.app, self.notice)
         self._arrange()
 
     # what is shown
@@ -89,8 +89,8 @@ class MainScreen(Screen[None]):
     def beat(self, news: bool) -> None:
         """Show what has changed."""
         for reply in self.seen.replies:
-            if self.desk.concerns(reply):
-                self.notice(*self.desk.answered(reply))
+            if self.controls.concerns(reply):
+                self.notice(*self.controls.answered(reply))
         self.seen.replies.clear()
         if self.chosen not in self.seen.vehicles:
             fleet = self._ordered()
@@ -259,7 +259,7 @@ class MainScreen(Screen[None]):
     def action_move(self, down: int, across: int) -> None:
         """Arrows: along the fleet, over the map, through events and messages; across in a replay: in time."""
         if across and self.seen.replay is not None:
-            self.desk.seek(across)
+            self.controls.seek(across)
         elif self.page == "map":
             self.action_pan(-down, across)
         elif down:
@@ -364,23 +364,23 @@ class MainScreen(Screen[None]):
 
     def action_play(self) -> None:
         """Pause the replay, or go on."""
-        self.desk.play()
+        self.controls.play()
 
     def action_faster(self, step: int) -> None:
         """The next speed of a replay; on the map of a running session, zoom."""
         if self.seen.replay is None:
             self.action_zoom(step)
         else:
-            self.desk.hurry(step)
+            self.controls.hurry(step)
 
     def action_ask(self, name: str) -> None:
         """An operator's key: ask, then send."""
-        self.desk.ask(name, self.chosen)
+        self.controls.ask(name, self.chosen)
 
     def action_interrupt(self) -> None:
         """Ctrl-C: the session's own console asks to stop it, any other closes."""
         if self.app.owner and self.app.source.connected:
-            self.desk.ask("stop", None, insist=True)
+            self.controls.ask("stop", None, insist=True)
         else:
             self.app.exit(0, return_code=INTERRUPTED if self.app.owner else 0)
 

@@ -1,4 +1,4 @@
-"""What has been told so far, as the panels need it: the newest state, trails, the competition's course, events."""
+"""Session state for the panels, from its messages: newest snapshot, trails, competition history, events."""
 
 from __future__ import annotations
 

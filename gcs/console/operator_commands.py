@@ -1,4 +1,4 @@
-"""What an operator can ask for: the key, the question that is asked first, and the command that is then sent."""
+"""Table of operator commands: key, confirmation question, and the command that is then sent."""
 
 from __future__ import annotations
 

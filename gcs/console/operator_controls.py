@@ -1,4 +1,4 @@
-"""The operator's desk: questions asked, commands sent, replies understood; and a replay's keys."""
+"""Operator commands in the console: confirmation, sending, notices of replies; and the keys of a replay."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the pages know of the app around them."""
+"""Base class of the console app: message source, session model and terminal capabilities, as pages use them."""
 
 from __future__ import annotations
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from gcs.link.external import ExternalLink
 from gcs.link.link import Key
-from gcs.link.lockstep import FleetLink
+from gcs.link.lockstep import LockstepLink
 from gcs.mavlink.codec import Frame, Message
 
 
@@ -16,7 +16,7 @@ class MixedLink:
     Docstrings are those of `Link`.
     """
 
-    def __init__(self, fleet: FleetLink, external: ExternalLink) -> None:
+    def __init__(self, fleet: LockstepLink, external: ExternalLink) -> None:
         self._fleet = fleet
         self._external = external
         self._given_up: set[Key] = set()

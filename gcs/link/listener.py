@@ -1,4 +1,4 @@
-"""The socket of who only listens: UDP, or a TCP stream, cut into frames."""
+"""Socket of `gcs monitor`: UDP or a TCP stream, split into frames, MAVLink 1 too; sends only when asked to."""
 
 from __future__ import annotations
 

@@ -41,7 +41,7 @@ class _Peer:
     held: int = 0
 
 
-class FleetLink:
+class LockstepLink:
     """All supervised links of a session."""
 
     def __init__(self, *, host: str = "127.0.0.1", drop: float = 0.0, seed: int = 0) -> None:

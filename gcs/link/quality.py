@@ -1,4 +1,4 @@
-"""How well each vehicle is heard: gaps in its sequence numbers, so far and lately."""
+"""Frame loss per vehicle from sequence-number gaps: total so far, and share over the last 10 s."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What MAVLink says of a battery, from its units (mV, cA, hJ, %) into SI."""
+"""Conversion of BATTERY_STATUS and SYS_STATUS to SI: J, W and share of charge from hJ, mV, cA and %."""
 
 from __future__ import annotations
 

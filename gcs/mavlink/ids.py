@@ -1,4 +1,4 @@
-"""Who is who on the network, as (system id, component id)."""
+"""MAVLink ids of ground station, autopilot and traffic reporter, and the station's own HEARTBEAT."""
 
 from pymavlink.dialects.v20 import common as mav
 

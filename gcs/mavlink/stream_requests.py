@@ -1,4 +1,4 @@
-"""What a vehicle must tell, and how often: asked for, asked for the old way where that is refused, and checked.
+"""Stream requests: SET_MESSAGE_INTERVAL, REQUEST_DATA_STREAM as the fallback, and checks of the rates.
 
 1. Each needed message is asked for by MAV_CMD_SET_MESSAGE_INTERVAL.
 2. What is refused, not acknowledged, or does not come in spite of it, is asked for by REQUEST_DATA_STREAM, at first the
@@ -20,7 +20,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Message
-from gcs.mavlink.commands import CommandLong, CommandTarget
+from gcs.mavlink.command_protocol import CommandLong, CommandTarget
 from gcs.mavlink.ids import AUTOPILOT
 
 QUIET_S = 5.0

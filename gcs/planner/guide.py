@@ -44,7 +44,7 @@ States = NDArray[np.int8]
 
 
 @dataclass(frozen=True, slots=True)
-class Rules:
+class GuideSettings:
     """When to search again and when to change over [choice]; Shares are of the clearance wanted."""
 
     moved_m: float = 0.5
@@ -52,7 +52,7 @@ class Rules:
     shorter_share: float = 0.1
     slack_share: float = 0.2
     reached_share: float = 0.25
-    cells: int = 60_000
+    cells: int = 12_000
 
     def __post_init__(self) -> None:
         for name in ("moved_m", "refresh_m", "slack_share", "reached_share"):
@@ -86,11 +86,11 @@ class _Routes(NamedTuple):
     waits: IntArray  # ticks
 
 
-class Follower:
+class RouteFollower:
     """Routes of all vehicles in one world; `aims` is called once in each tick."""
 
-    def __init__(self, router: Router, rules: Rules | None = None) -> None:
-        self._router, self._rules = router, rules or Rules()
+    def __init__(self, router: Router, rules: GuideSettings | None = None) -> None:
+        self._router, self._rules = router, rules or GuideSettings()
         self._rows: dict[int, int] = {}
         self._kept = _new_routes(0)
         self.searches = 0

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gcs.planner.fuzzy_escape import MEMORY_SIZE, escape_force
 from gcs.planner.neighbours import IntArray, within_range
-from gcs.planner.potential_field import CAP, K0, STEP, Field, attraction_to, repulsion_of_shape
+from gcs.planner.potential_field import CAP, K0, STEP, FieldConstants, attraction_to, repulsion_of_shape
 from gcs.scenario.geometry import COLUMNS, FloatArray, points
 
 _UNFREE_SHARE = 0.25  # of k0: the repulsion at which nothing is fed forward any more
@@ -36,7 +36,7 @@ def advance(
     ranges_m: ArrayLike,
     owner: ArrayLike,
     exempt: ArrayLike,
-    field: Field,
+    field: FieldConstants,
     speed_m_s: ArrayLike,
     period_s: float,
     escape: bool,

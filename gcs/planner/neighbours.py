@@ -1,4 +1,4 @@
-"""Who can repel whom within a period: neighbour lists from a k-d tree, so that a tick costs N log N and not N².
+"""Neighbour lists from a k-d tree of what can repel whom within a period: N log N per tick, not N².
 
 Only what cannot come into range is left out, so a sum over a leader's neighbours, in their order, is bit for bit the
 sum over everything.

@@ -19,8 +19,8 @@ from numpy.typing import NDArray
 
 from gcs.mavlink.setpoints import SetPoint
 from gcs.planner import formation, fuzzy_escape, leader
-from gcs.planner.guide import STRAIGHT, Follower
-from gcs.planner.potential_field import Field, widened_range
+from gcs.planner.guide import STRAIGHT, RouteFollower
+from gcs.planner.potential_field import FieldConstants, widened_range
 from gcs.planner.request import PlanRequest
 from gcs.planner.route import Router
 from gcs.scenario import geometry
@@ -62,7 +62,7 @@ class Planner:
     def __init__(self, scenario: Scenario) -> None:
         rules = scenario.planner
         self._scenario = scenario
-        self._field = Field(
+        self._field = FieldConstants(
             k0=rules.k0,
             k1=rules.k1,
             a=rules.a,
@@ -87,11 +87,11 @@ class Planner:
         self._starts = {p.sysid: p.start_m for p in scenario.vehicles.pursuers if p.waypoints_m and p.airborne}
         self._attracting = {mover.callsign for mover in scenario.traffic if mover.attracts}
         self._grounded = {v.sysid for v in scenario.vehicles.all if not v.airborne}
-        self._guides: dict[str, Follower] | None = None
+        self._guides: dict[str, RouteFollower] | None = None
         if rules.safety and rules.guide and len(self.obstacles):
             clearance_m = 2.0 * (rules.clearance_m + LEAST_MARGIN_M)
             router = Router(self.obstacles, clearance_m, floor_m=FLOOR_M if self._grounded else None)
-            self._guides = {role: Follower(router) for role in ROLES}
+            self._guides = {role: RouteFollower(router) for role in ROLES}
         self._slots: dict[int, Vec3] = {}
         self._slots_of: dict[int, frozenset[int]] = {}
 

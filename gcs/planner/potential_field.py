@@ -27,7 +27,7 @@ K0, K1, A, B, ATTRACTION_RANGE, STEP, CAP = range(7)
 
 
 @dataclass(frozen=True)
-class Field:
+class FieldConstants:
     """Parameters of the field (docs/model.md#potential-field; values [seed], cap_m [choice]). ValueError names what is
     out of range.
 

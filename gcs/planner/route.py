@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from gcs.planner.line_of_sight import BoolArray, FloatArray, IntArray, clear_m, leg_clearances, sees_all, sight, visible
-from gcs.planner.route_grid import Cells, Field, cell_at, cells, centre, nearest_in_part
+from gcs.planner.route_grid import Cells, CostField, cell_at, cells, centre, nearest_in_part
 from gcs.planner.route_shortening import pulled
 from gcs.scenario.geometry import COLUMNS
 
@@ -83,7 +83,7 @@ class Router:
         self.sight = sight(table, self.clearance_m)
         self._cell_m = CELL_SHARE * least_m if cell_m is None else cell_m
         self._grid: Cells | None = None
-        self._fields: OrderedDict[int, Field] = OrderedDict()
+        self._fields: OrderedDict[int, CostField] = OrderedDict()
         self.settled = 0
         """cells settled by all searches so far, the measure of their cost that is the same on every machine"""
 
@@ -152,7 +152,7 @@ class Router:
             cost = None
             if len(self._fields) >= min(max(FIELD_BYTES // (4 * len(self.grid.weight)), 2), 64):
                 cost = self._fields.popitem(last=False)[1].cleared()
-            field = Field.towards(self.grid, goal, cost)
+            field = CostField.towards(self.grid, goal, cost)
         self._fields[goal] = field
         before = field.settled
         grid = self.grid

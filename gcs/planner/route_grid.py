@@ -126,7 +126,7 @@ def centre(grid: Cells, cell: int) -> FloatArray:
 
 
 @dataclass(slots=True)
-class Field:
+class CostField:
     """Costs to one goal cell: 0 not seen, above 0 settled, below 0 minus the least so far of a cell yet to settle."""
 
     goal: int
@@ -137,7 +137,7 @@ class Field:
     settled: int = 0
 
     @classmethod
-    def towards(cls, grid: Cells, goal: int, cost: Costs | None = None) -> Field:
+    def towards(cls, grid: Cells, goal: int, cost: Costs | None = None) -> CostField:
         """A field in which nothing is settled; `cost` is an array of zeros that may be used for it."""
         if cost is None:
             cost = np.zeros(len(grid.weight), dtype=np.int32)

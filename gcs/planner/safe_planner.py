@@ -22,7 +22,7 @@ from gcs.mavlink.autopilots import STEERABLE
 from gcs.mavlink.setpoints import SetPoint
 from gcs.planner.planner import FLOOR_M, LEAST_MARGIN_M, STILL, floor_d
 from gcs.planner.request import PlanRequest, TickPlanner
-from gcs.planner.safety_filter import KINDS, Filtered, Others, Rules, Vehicles, filter_step
+from gcs.planner.safety_filter import KINDS, Filtered, FilterSettings, Leaders, Others, filter_step
 from gcs.planner.silence import STEP_M, Failsafe, presumed_places
 from gcs.planner.tracking import Tracking
 from gcs.scenario.model import Scenario, VehicleBase
@@ -201,7 +201,7 @@ class SafePlanner:
         fence = np.full((len(ids), 3), np.inf)
         fence[:, 2] = [floor_d(views[sysid]) if sysid in self._grounded else math.inf for sysid in ids]
         return filter_step(
-            Vehicles(
+            Leaders(
                 ids=ids,
                 p_ned=p,
                 v_ned=v,
@@ -211,7 +211,7 @@ class SafePlanner:
                 high_ned=fence,
             ),
             wish,
-            rules=Rules(request.period_s, rules.separation_m, rules.clearance_m),
+            rules=FilterSettings(request.period_s, rules.separation_m, rules.clearance_m),
             others=_table(others),
             obstacles=self._planner.obstacles,
             pair_required_m=self._special_pairs(ids, request),

@@ -1,4 +1,4 @@
-"""What a constraint of the safety filter is: its clearance, its linear form, and the limits of accelerations.
+"""Constraints of the safety filter: clearance, linear form, and limits of acceleration and speed.
 
 A constraint is a row (kind, vehicle, with what): with the row of another vehicle, of the others, of the obstacle table,
 or with a wall 0-5. Only of a pair both sides move.

@@ -47,7 +47,7 @@ def _none() -> FloatArray:
 
 
 @dataclass(frozen=True)
-class Rules:
+class FilterSettings:
     """Constants of the filter [choice];.
 
     period_s: from one call to the next. separation_m: wanted between two vehicles, centre to centre, without margins.
@@ -81,7 +81,7 @@ class Rules:
 
 
 @dataclass(frozen=True)
-class Vehicles:
+class Leaders:
     """The leaders that the filter moves, n of them; scalars stand for all.
 
     ids (n,): different from each other. p_ned, v_ned (n, 3): m, m/s. v_max_m_s, a_max_m_s2 (n,): limits, above 0.
@@ -131,10 +131,10 @@ class Filtered:
 
 
 def filter_step(
-    vehicles: Vehicles,
+    vehicles: Leaders,
     v_wanted_ned: ArrayLike,
     *,
-    rules: Rules,
+    rules: FilterSettings,
     others: Others | None = None,
     obstacles: FloatArray | None = None,
     pair_required_m: ArrayLike = (),
@@ -241,7 +241,7 @@ def _replace(required: FloatArray, i: IntArray, j: IntArray, special: dict[tuple
 
 
 def _pairs(
-    p: FloatArray, reach: FloatArray, margin: FloatArray, rules: Rules, special: dict[tuple[int, int], float]
+    p: FloatArray, reach: FloatArray, margin: FloatArray, rules: FilterSettings, special: dict[tuple[int, int], float]
 ) -> FloatArray:
     n = len(p)
     if n < 2:
@@ -258,7 +258,7 @@ def _pairs(
 
 
 def _others(
-    p: FloatArray, reach: FloatArray, margin: FloatArray, moving: FloatArray, rules: Rules,
+    p: FloatArray, reach: FloatArray, margin: FloatArray, moving: FloatArray, rules: FilterSettings,
     special: dict[tuple[int, int], float],
 ) -> FloatArray:  # fmt: skip
     ahead = rules.horizon_s + rules.period_s
@@ -269,7 +269,9 @@ def _others(
     return _rows(OTHER, i, j, _replace(moving[j, 6] + margin[i], i, j, special))
 
 
-def _shapes(p: FloatArray, reach: FloatArray, margin: FloatArray, table: FloatArray, rules: Rules) -> FloatArray:
+def _shapes(
+    p: FloatArray, reach: FloatArray, margin: FloatArray, table: FloatArray, rules: FilterSettings
+) -> FloatArray:
     if not len(table) or not len(p):
         return np.zeros((0, 4))
     size = np.sqrt((table[:, SIZE_1 : SIZE_3 + 1] ** 2).sum(axis=1))

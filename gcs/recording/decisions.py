@@ -1,4 +1,4 @@
-"""What a tick leaves behind: its frames, and its decisions as records and as events for people."""
+"""Record of one tick: frames in and out, decisions for decisions.jsonl, and the events made of them."""
 
 from __future__ import annotations
 

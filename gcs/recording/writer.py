@@ -1,4 +1,4 @@
-"""What a session leaves on disk while it runs, and the digest of what it was.
+"""Writer of session.tlog and decisions.jsonl, and the digest (SHA-256) of a session.
 
 `session.tlog` is the format of every MAVLink tool: per frame the time in µs since the Unix epoch, 8 bytes, high byte
 first, then the frame. `decisions.jsonl` is one JSON object per line. Both are written in batches, so that recording

@@ -1,4 +1,4 @@
-"""Who is refuelled next: winner-take-all as the schedule uses it (docs/protocol.md#refuelling-schedule).
+"""Selection of the next receiver: bids, dwell time, time limit, urgency (docs/protocol.md#refuelling-schedule).
 
 Needs are the bids. A winner must lead for the dwell time; near ties are cut short by `decide_within_s`; and a vehicle
 that would not last until a rendezvous is served before anyone else.

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from gcs.mavlink.commands import OPERATOR, CommandResult, result_in_words
+from gcs.mavlink.command_protocol import OPERATOR, CommandResult, result_in_words
 from gcs.refuelling.bidding import Standing
 from gcs.refuelling.service import Phase, Service, by_text
 from gcs.refuelling.target_assignment import meeting_s

@@ -1,4 +1,4 @@
-"""Whom a free tanker serves next, by rules other than the competition: shipped ones to compare it with, or your own.
+"""Receiver policies other than the competition: nearest, most empty, optimal, or a user's own class.
 
     class MyPolicy:
         def __init__(self, scenario): ...

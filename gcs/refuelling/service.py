@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
-from gcs.mavlink.commands import CommandRequest
+from gcs.mavlink.command_protocol import CommandRequest
 from gcs.telemetry.state import Vec3
 
 

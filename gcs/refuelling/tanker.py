@@ -16,7 +16,7 @@ from collections.abc import Mapping
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink.autopilots import STEERABLE, FlightMode
-from gcs.mavlink.commands import CommandRequest
+from gcs.mavlink.command_protocol import CommandRequest
 from gcs.refuelling.service import Phase, Service, ServiceRequests, token
 from gcs.refuelling.transfer_command import TransferRole, transfer_request
 from gcs.scenario.model import RefuellingRules, Tanker

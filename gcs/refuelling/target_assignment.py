@@ -1,4 +1,4 @@
-"""Who pursues which target when only the vehicle with the least control effort is to do so (paper, abstract).
+"""Assignment of one pursuer to each target, by the least predicted control effort (paper, abstract).
 
 Each target has a race of its own (docs/model.md#target-assignment): every pursuer bids the control effort that it is
 predicted to need to reach it, the least wins. The winner pursues, the others hold. All is decided anew at each tick: a

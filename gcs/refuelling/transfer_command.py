@@ -7,7 +7,7 @@ from enum import IntEnum
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.mavlink.commands import CommandRequest
+from gcs.mavlink.command_protocol import CommandRequest
 
 
 class TransferRole(IntEnum):

@@ -1,5 +1,5 @@
 """Steps of a competition with noise, delay or changing τ (docs/model.md#noise-and-delay): the kernels of
-`competition.simulate`.
+`winner_take_all.simulate`.
 
     v_i' = c (τ_i(t) - Σ_j |v_j(t)|^p) v_i(t - d_i) + ϑ_i
 

@@ -1,4 +1,4 @@
-"""How near things came in a session, over time: vehicles to each other, to obstacles, to their targets, to their plans.
+"""Time series of distances in a session: between vehicles, to obstacles, to targets, to planned paths.
 
 Times are the planner's ticks, and places those that the ground station knew then, so that the extremes are those of the
 summary's `believed_` figures (gcs/telemetry/proximity.py measures with the same kernels).

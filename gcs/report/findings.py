@@ -34,7 +34,7 @@ class SessionProblem:
 
 
 @dataclass(frozen=True)
-class GoalPart:
+class GoalRow:
     """One part of the goal; `met` None: not known."""
 
     wanted: str
@@ -147,7 +147,7 @@ class Findings:
     # the goal
 
     @cached_property
-    def parts(self) -> list[GoalPart]:
+    def parts(self) -> list[GoalRow]:
         """The goal, part by part, and what was reached: as the session judged it, or, where it left no summary, as far
         as its recording tells."""
         if self.scenario is None:
@@ -155,9 +155,9 @@ class Findings:
         told = {part.part: part for part in self.summary.goal} if self.summary is not None else {}
         judged = goal.judge(self.scenario, self._measured())
         return [
-            GoalPart(told[one.part].wanted, told[one.part].reached, told[one.part].met)
+            GoalRow(told[one.part].wanted, told[one.part].reached, told[one.part].met)
             if one.part in told
-            else GoalPart(one.wanted, one.reached, one.met)
+            else GoalRow(one.wanted, one.reached, one.met)
             for one in judged
         ]
 

@@ -1,4 +1,4 @@
-"""YAML with positions: a file becomes plain data; what is wrong with it becomes sentences with file, line and column.
+"""YAML reader with source positions: plain data out, and errors as sentences with file, line and column.
 
 Aliases are allowed up to a total size, against "billion laughs". Lines and columns count from 1.
 """

@@ -17,7 +17,7 @@ from gcs.link.socket import Where
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import End
 from gcs.mavlink.codec import Frame, Message
-from gcs.mavlink.commands import CommandLong, CommandQueue, CommandResult, CommandTarget, Step
+from gcs.mavlink.command_protocol import CommandLong, CommandQueue, CommandResult, CommandTarget, Step
 from gcs.mavlink.ids import OUR_HEARTBEAT, STATION
 from gcs.mavlink.sequence import SequenceCounter
 from gcs.mavlink.stream_requests import SilentVehicles, everything

@@ -19,7 +19,7 @@ from gcs.link.quality import LinkQuality
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import End, profile_of
 from gcs.mavlink.codec import Frame
-from gcs.mavlink.commands import result_in_words
+from gcs.mavlink.command_protocol import result_in_words
 from gcs.mavlink.gaps import GapCounter
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.scenario.model import Scenario
@@ -38,7 +38,7 @@ from gcs.session.message_types import (
     plain,
 )
 from gcs.session.messages import NO_GOAL, distance_m, event_row, session_message, traffic_row, vehicle_row
-from gcs.telemetry.adapter import Ear
+from gcs.telemetry.adapter import TelemetryAdapter
 from gcs.telemetry.changes import ChangeDetector
 from gcs.telemetry.events import Event, level_of
 from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
@@ -116,7 +116,7 @@ class Observer:
         members = [] if scenario is None else [_member(vehicle) for vehicle in scenario.vehicles.all]
         self._origin = None if scenario is None else GlobalOrigin(*scenario.origin.model_dump().values())
         self.fleet = Fleet(members, self._origin or GlobalOrigin(0.0, 0.0, 0.0))
-        self._ears: dict[int, Ear] = {}
+        self._ears: dict[int, TelemetryAdapter] = {}
         # A session's own vehicles tell all that the fleet reads, on its clock; those of others are strangers here too.
         self._known = set() if scenario is None else {vehicle.sysid for vehicle in scenario.vehicles.launched}
         self._expected = {member.sysid for member in members} - self._known
@@ -262,12 +262,12 @@ class Observer:
     def _clock(self) -> Literal["real", "replay"]:
         return "real" if self._source == "monitor" else "replay"
 
-    def _discover(self, frame: Frame, t_s: float) -> Ear | None:
+    def _discover(self, frame: Frame, t_s: float) -> TelemetryAdapter | None:
         """A vehicle's first HEARTBEAT makes it known; a scenario's vehicles are so already."""
         if frame.sysid in self._known or frame.sysid in self._expected:
             if frame.compid != AUTOPILOT:
                 return None
-            ear = self._ears[frame.sysid] = Ear(frame.sysid, frame.compid)
+            ear = self._ears[frame.sysid] = TelemetryAdapter(frame.sysid, frame.compid)
             return ear
         if frame.msgid != _HEARTBEAT or frame.sysid == 0:
             return None
@@ -275,14 +275,14 @@ class Observer:
         role = ROLES.get(content.type)
         if role is None or content.autopilot == mav.MAV_AUTOPILOT_INVALID:
             return None
-        ear = self._ears[frame.sysid] = Ear(frame.sysid, frame.compid)
+        ear = self._ears[frame.sysid] = TelemetryAdapter(frame.sysid, frame.compid)
         self.fleet.join(Member(frame.sysid, role, f"{role} {frame.sysid}", UNKNOWN_CAPACITY_J, UNKNOWN_CAPACITY_J))
         kind = profile_of(content.autopilot).name
         self._events.append(Event(t_s, frame.sysid, "info", f"First heard of: {kind} autopilot", "link"))
         self.changed = True
         return ear
 
-    def _origin_by(self, ear: Ear, frame: Frame, t_s: float) -> GlobalOrigin | None:
+    def _origin_by(self, ear: TelemetryAdapter, frame: Frame, t_s: float) -> GlobalOrigin | None:
         """Where the common frame is to begin; a vehicle's own origin is waited for a while before its mere place."""
         early = t_s - self._since_s.setdefault(ear.sysid, t_s) < ORIGIN_WITHIN_S
         return None if early and frame.msgid == _GLOBAL else ear.origin_of(frame)

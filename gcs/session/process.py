@@ -26,7 +26,7 @@ from gcs.exit import BAD_INPUT, DONE, INTERNAL_ERROR, INTERRUPTED, NOT_DONE, lea
 from gcs.link.external import ExternalLink
 from gcs.link.fleet import MixedLink
 from gcs.link.link import Link
-from gcs.link.lockstep import REPEAT_S, FleetLink
+from gcs.link.lockstep import REPEAT_S, LockstepLink
 from gcs.link.socket import BUFFER_BYTES, AddressRefused
 from gcs.mavlink.ids import AUTOPILOT, TRAFFIC
 from gcs.recording.reserve import Reserve
@@ -79,7 +79,7 @@ class SessionProcess:
         clock = scenario.clock
         speed = None if clock.mode == "lockstep" else clock.speed
         self._pace = Pace(speed, time.monotonic, keeps_up=bool(external))
-        self._fleet_link = FleetLink(drop=drop, seed=scenario.seed)
+        self._fleet_link = LockstepLink(drop=drop, seed=scenario.seed)
         self._link: Link = self._fleet_link
         if external:
             strangers = ExternalLink(external, lambda: self._pace.running_wall_s)

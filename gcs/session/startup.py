@@ -1,4 +1,4 @@
-"""Who is still missing before a session begins, what is said of it, and when waiting makes no sense any more."""
+"""Waiting for vehicles before a session begins: progress text, missing vehicles, and the time limit."""
 
 from __future__ import annotations
 

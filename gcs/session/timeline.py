@@ -59,7 +59,7 @@ class _Life:
         )
 
 
-class Happening(NamedTuple):
+class ServiceMoment(NamedTuple):
     """What befell a vehicle that its frames do not tell: its death, or energy in J that a base gave it."""
 
     t_s: float
@@ -79,7 +79,7 @@ class Timeline:
         self._standing: list[Line] = []
         self._told: list[tuple[float, dict[str, Any]]] = []
         self._pursuing: list[tuple[float, int, int]] = []
-        self.happened: list[Happening] = []
+        self.happened: list[ServiceMoment] = []
         self.orders: list[tuple[float, int, End | None]] = []
         """(time, system id, what it is to fly; None: by the plan again) of what operators took in hand"""
         self.chases: list[dict[str, Any]] = []
@@ -267,7 +267,7 @@ class Timeline:
                 life.end_s, life.reason, life.energy_j = t_s, record["reason"], float(record["energy_j"])
                 life.service.joined_at_s, life.service.start_s = record["joined_at_s"], record["start_s"]
                 if record.get("base"):
-                    self.happened.append(Happening(t_s, life.service.receiver, round(life.energy_j)))
+                    self.happened.append(ServiceMoment(t_s, life.service.receiver, round(life.energy_j)))
             else:
                 life.phases.append((t_s, Phase.TRANSFER if kind == "transfer" else Phase.JOIN))
                 if kind == "transfer" and life.service.start_s is None:
@@ -279,7 +279,7 @@ class Timeline:
             _ = float(record["at_s"]), str(record["part"]), str(record["text"]), str(record["by"])
             self.violations.append(dict(record))
         elif kind == "death":
-            self.happened.append(Happening(t_s, int(record["sysid"]), None))
+            self.happened.append(ServiceMoment(t_s, int(record["sysid"]), None))
         elif kind == "operator" and record.get("taken") and "sysid" in record:
             if record["command"] == "rejoin":
                 self.orders.append((t_s, int(record["sysid"]), None))

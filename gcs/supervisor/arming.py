@@ -20,7 +20,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink.autopilots import STEERABLE, End, FlightMode
 from gcs.mavlink.codec import Message, message
-from gcs.mavlink.commands import OPERATOR, PILOT, CommandRequest
+from gcs.mavlink.command_protocol import OPERATOR, PILOT, CommandRequest
 from gcs.telemetry.battery_account import BATTERY_PARAMETERS
 from gcs.telemetry.state import VehicleView
 

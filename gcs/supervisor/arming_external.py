@@ -1,4 +1,4 @@
-"""A stranger's vehicle into the air: its own autopilot has the last word, and so has whoever else holds a transmitter.
+"""Arming, take-off and offboard stages of an external vehicle, whose autopilot may refuse or RC pilot take over.
 
     identify → arm → take off → start offboard → fly ⇄ yielded
         └────────┴─ not within arm_within_s: left out
@@ -22,7 +22,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink.autopilots import STEERABLE, FlightMode
 from gcs.mavlink.codec import Message
-from gcs.mavlink.commands import CommandRequest
+from gcs.mavlink.command_protocol import CommandRequest
 from gcs.scenario.external import External
 from gcs.supervisor.arming import ArmingSequence, Stage
 from gcs.telemetry.state import VehicleView
@@ -75,7 +75,7 @@ class ExternalArmingSequence(ArmingSequence):
     def decide(
         self, view: VehicleView, now_s: float, *, bound: bool = False, late_s: float = 0.0
     ) -> tuple[list[CommandRequest], list[Message]]:
-        """As `Pilot.decide`; a silent vehicle is asked for nothing."""
+        """As `ArmingSequence.decide`; a silent vehicle is asked for nothing."""
         if self.stage is Stage.BASE:
             self._begun_s = now_s  # what it is given to be armed in begins anew when it leaves
         elif self.stage is not Stage.IDENTIFY:

@@ -1,4 +1,4 @@
-"""What leaves for each vehicle with its next grant: messages, and commands, sent again until they have ended."""
+"""Queue of messages and commands per vehicle for its next grant; re-sending rules: gcs/mavlink/command_protocol.py."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from gcs.mavlink.codec import Message
-from gcs.mavlink.commands import (
+from gcs.mavlink.command_protocol import (
     OPERATOR,
     PILOT,
     CommandLong,

@@ -11,7 +11,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink.autopilots import STEERABLE, End
 from gcs.mavlink.codec import Frame, Message
-from gcs.mavlink.commands import CommandRequest, CommandResult, result_in_words
+from gcs.mavlink.command_protocol import CommandRequest, CommandResult, result_in_words
 from gcs.mavlink.stream_requests import CHECK_S, SLOW_SHARE, Ask, StreamRequests, needs
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import Stage

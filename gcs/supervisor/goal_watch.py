@@ -1,4 +1,4 @@
-"""Whether the goal is kept, tick by tick by what vehicles report, and at the end by what ours themselves knew.
+"""Goal monitor: measures the goal each tick from telemetry, and at the end from the vehicles' truth files.
 
 Who counts (docs/protocol.md#goal):
 - separation: two vehicles in flight of which we fly at least one. One that somebody else flies (taken over, in an

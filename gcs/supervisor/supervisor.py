@@ -16,7 +16,7 @@ from gcs.link.quality import LinkQuality
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import End
 from gcs.mavlink.codec import Frame, Message
-from gcs.mavlink.commands import CommandResult
+from gcs.mavlink.command_protocol import CommandResult
 from gcs.mavlink.gaps import GapCounter
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, TRAFFIC
 from gcs.mavlink.setpoints import SetPoint, encoded
@@ -88,7 +88,7 @@ class Supervisor:
         self._wait_for_fleet_s = WAIT_FOR_FLEET_S + self.externals.patience_s
         self._join_ms = {v.sysid: round(1e3 * v.join_s) for v in scenario.vehicles.all}
         self._radio = make_radio(scenario)
-        self.outbox = FleetCommandQueue(self.pilots)
+        self.command_queue = FleetCommandQueue(self.pilots)
         self._gaps = GapCounter()
         self.quality = LinkQuality(self._gaps)
         self._heartbeat_due_ms = dict.fromkeys(self.pilots, 0)
@@ -119,7 +119,7 @@ class Supervisor:
     @property
     def command_retries(self) -> int:
         """Commands that were sent again."""
-        return self.outbox.resent
+        return self.command_queue.resent
 
     def begin(self) -> None:
         """Send the first grant, which sets the vehicles' clocks and lets nobody move."""
@@ -142,9 +142,9 @@ class Supervisor:
         self._keep_streams(snapshot)
         pursuing = self.pursuit.decide(snapshot) if self.pursuit else self.operator.pursuing
         self.set_points = set_points = self._plan(snapshot, decision, pursuing)
-        self.outbox.ask(decision.requests, now_s)
+        self.command_queue.ask(decision.requests, now_s)
         for sysid in self.pilots:
-            for result in self.outbox.poll(sysid, now_s):
+            for result in self.command_queue.poll(sysid, now_s):
                 self._report(sysid, result, now_s)
         relays = relayed(decision.relays, delivered)
         recording = TickRecord(self.time_ms, arrived, [], [])
@@ -257,7 +257,7 @@ class Supervisor:
 
     def _take_acknowledgements(self, now_s: float) -> None:
         for sysid, ack in self.fleet.take_acks():
-            for result in self.outbox.on_ack(sysid, ack, now_s):
+            for result in self.command_queue.on_ack(sysid, ack, now_s):
                 self._report(sysid, result, now_s)
 
     def _report(self, sysid: int, result: CommandResult, now_s: float) -> None:
@@ -278,7 +278,7 @@ class Supervisor:
         for sysid, pilot in self.pilots.items():
             pilot.grounded = sysid in decision.grounded
         for report in decision.giver_reports:
-            self.outbox.put(report.sysid, giver_messages(report, self.scenario.origin, self.time_ms))
+            self.command_queue.put(report.sysid, giver_messages(report, self.scenario.origin, self.time_ms))
         for sysid, joules in decision.booked.items():
             self.fleet.book(sysid, joules)
 
@@ -291,7 +291,7 @@ class Supervisor:
             before = pilot.stage
             wishes, requests = pilot.decide(view, now_s, bound=self.schedule.bound(view.sysid), late_s=late_s)
             if (pilot.stage is Stage.TAKEN) != (before is Stage.TAKEN) or any(wish.is_order for wish in wishes):
-                self.outbox.withdraw(view.sysid)
+                self.command_queue.withdraw(view.sysid)
             if pilot.stage is Stage.DOWN and before is not Stage.DOWN and view.alive:
                 why = pilot.left_out or "Lands, and takes no more part"
                 kind: Kind = "session" if pilot.left_out else "decision"
@@ -302,14 +302,14 @@ class Supervisor:
                 self.events.append(Event(now_s, view.sysid, "warning", why))
             elif pilot.stage is Stage.FLY and before is Stage.YIELDED:
                 self.events.append(Event(now_s, view.sysid, "info", "Takes part again"))
-            self.outbox.put(view.sysid, requests)
-            self.outbox.ask_once(wishes, now_s)
+            self.command_queue.put(view.sysid, requests)
+            self.command_queue.ask_once(wishes, now_s)
 
     def _keep_streams(self, snapshot: FleetState) -> None:
         wishes, messages = self.externals.decide(snapshot)
         for sysid, requests in messages.items():
-            self.outbox.put(sysid, requests)
-        self.outbox.ask(wishes, snapshot.time_s)
+            self.command_queue.put(sysid, requests)
+        self.command_queue.ask(wishes, snapshot.time_s)
         self.events += self.externals.take_events()
 
     def _plan(self, snapshot: FleetState, decision: Decision, pursuing: Mapping[int, int] | None) -> list[SetPoint]:
@@ -334,7 +334,7 @@ class Supervisor:
         for point in set_points:
             offset = snapshot.vehicle(point.sysid).origin_offset_ned
             assert offset is not None
-            self.outbox.put(point.sysid, (encoded(point, offset, self.time_ms),))
+            self.command_queue.put(point.sysid, (encoded(point, offset, self.time_ms),))
 
     # out
 
@@ -352,7 +352,7 @@ class Supervisor:
                 if self.time_ms >= self._heartbeat_due_ms[sysid]:
                     self._heartbeat_due_ms[sysid] = self.time_ms + round(1e3 * HEARTBEAT_EVERY_S)
                     messages.append(OUR_HEARTBEAT)
-                messages += self.outbox.take(sysid)
+                messages += self.command_queue.take(sysid)
                 messages += relays.get(sysid, ())
                 messages = list(self._radio.apply(sysid, "out", now_s, messages))
             own = [m for m in messages if isinstance(m, Message)]
@@ -367,9 +367,9 @@ class Supervisor:
 
     def hand_back(self) -> None:
         """Nobody steers the external vehicles any more: tell them what to do then. `exchange` sends it."""
-        self.outbox.clear()
+        self.command_queue.clear()
         stages = {sysid: pilot.stage for sysid, pilot in self.pilots.items()}
-        self.outbox.ask(self.externals.hand_back(self.snapshot, stages), self.time_s)
+        self.command_queue.ask(self.externals.hand_back(self.snapshot, stages), self.time_s)
         self.events += self.externals.take_events()
 
     def tell_disobedience(self) -> None:
@@ -384,15 +384,15 @@ class Supervisor:
         self._take_acknowledgements(now_s)
         sent: list[bytes] = []
         for sysid in self.externals.rules:
-            for result in self.outbox.poll(sysid, now_s):
+            for result in self.command_queue.poll(sysid, now_s):
                 self._report(sysid, result, now_s)
-            messages = self.outbox.take(sysid)
+            messages = self.command_queue.take(sysid)
             if (sysid, AUTOPILOT) in self._link.joined:
                 sent += self._link.grant((sysid, AUTOPILOT), self.time_ms, 0, messages, ())
         self.sent += len(sent)
         self._record(TickRecord(round(1e3 * now_s), arrived, sent, []))
         self.snapshot = self.fleet.snapshot(now_s)
-        return self.externals.awaits(self.snapshot) or self.outbox.awaits(ENDING)
+        return self.externals.awaits(self.snapshot) or self.command_queue.awaits(ENDING)
 
     def _records(self, t_s: float, decision: Decision, set_points: Iterable[SetPoint]) -> list[dict[str, Any]]:
         records, events = records_of_tick(

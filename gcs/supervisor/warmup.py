@@ -10,7 +10,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
 from gcs.planner.custom import behind_filter
-from gcs.planner.guide import Follower
+from gcs.planner.guide import RouteFollower
 from gcs.planner.planner import Planner
 from gcs.planner.request import PlanRequest
 from gcs.planner.route import Router
@@ -57,7 +57,7 @@ def _rehearse_what_only_happens_in_flight(*, guide: bool) -> None:
     if guide:
         wall = geometry.table([geometry.box((4.0, -3.0, -9.0), (4.3, 3.0, 0.0))])
         goals = [(8.0, 0.0, -3.0), (4.15, 0.0, -3.0)]  # behind the wall, and in it
-        Follower(Router(wall, 0.6, floor_m=0.3)).aims([1, 2], [(0.0, 0.0, -3.0)] * 2, goals)
+        RouteFollower(Router(wall, 0.6, floor_m=0.3)).aims([1, 2], [(0.0, 0.0, -3.0)] * 2, goals)
 
 
 def _telling(sysid: int, p_ned: tuple[float, float, float], scenario: Scenario) -> bytes:

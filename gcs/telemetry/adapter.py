@@ -1,4 +1,4 @@
-"""What any autopilot says, in the words that the fleet reads: a stranger's frames in, the fleet's kind of frames out.
+"""Adapter from any autopilot's telemetry to the messages that `Fleet` reads: position, origin, landed state.
 
 The fleet reads a vehicle's own local frame and the global origin of that. Autopilots tell their places in several ways,
 count time since their own start, and some leave out what others say:
@@ -40,7 +40,7 @@ _BATTERY = codec.msgid("BATTERY_STATUS")
 _STATUS = codec.msgid("SYS_STATUS")
 
 
-class Ear:
+class TelemetryAdapter:
     """Listens to one vehicle. `hears` gives the frames that the fleet is to read in place of one."""
 
     def __init__(self, sysid: int, compid: int) -> None:

@@ -1,4 +1,4 @@
-"""What happens to vehicles, read off their snapshots: changes of mode, failsafes, silence and its end."""
+"""Detector of vehicle events from snapshots: mode changes, failsafes, loss and return of telemetry."""
 
 from __future__ import annotations
 

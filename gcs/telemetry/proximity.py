@@ -1,4 +1,4 @@
-"""Who came how near to what, so far: vehicles to each other, to traffic, obstacles and ground; and way points passed.
+"""Least distances so far: between vehicles, to traffic, obstacles and ground; and way points passed.
 
 Fed tick by tick, alike with what vehicles report and with what they themselves knew (gcs/supervisor/goal_watch.py).
 """

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from simvehicle.autopilot.maneuvers import AT_REST, Wish
+from simvehicle.autopilot.maneuvers import AT_REST, ManeuverTarget
 from simvehicle.autopilot.parameters import Parameters
 from simvehicle.autopilot.snapshot import Vec3
 from simvehicle.law import step
@@ -126,7 +126,7 @@ class Body:
         self.state[0, step.REMAINING_J] += joules
         self._now = self.state[0].tolist()
 
-    def fly(self, steps: int, wanted: Wish, *, yaw_ned_rad: float, motors: bool) -> None:
+    def fly(self, steps: int, wanted: ManeuverTarget, *, yaw_ned_rad: float, motors: bool) -> None:
         """Fly some steps of 4 ms towards a wish; `time_ms` is the caller's to move."""
         self._command[0] = (  # in the order of flight.CMD_…
             *nwu_from_ned(wanted.p_ned),

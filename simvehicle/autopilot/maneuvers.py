@@ -60,7 +60,7 @@ class Anchor:
     speed_m_s: float | None = None
 
 
-class Wish(NamedTuple):
+class ManeuverTarget(NamedTuple):
     """Position, velocity, axes on which the position counts, when the position holds, greatest speed."""
 
     p_ned: Vec3
@@ -90,15 +90,15 @@ def wish(
     mission: Mission | None = None,
     followed: Followed | None = None,
     blind: bool = False,
-) -> Wish:
+) -> ManeuverTarget:
     """What the mode wants flown from `now_s` on by a vehicle at `p_ned`; `blind`: it does not know where that is."""
     fastest = parameters["MPC_XY_VEL_MAX"]
     north, east, _ = anchor.p_ned
     if mode in STEERED and setpoint is not None:
-        return Wish(setpoint.p_ned, setpoint.v_ned, setpoint.use_position, setpoint.time_s, fastest)
+        return ManeuverTarget(setpoint.p_ned, setpoint.v_ned, setpoint.use_position, setpoint.time_s, fastest)
     if mode is Mode.TAKEOFF:
         climb = min(parameters["MPC_TKO_SPEED"], fastest)
-        return Wish((north, east, anchor.down_m), AT_REST, _EVERYWHERE, now_s, climb)
+        return ManeuverTarget((north, east, anchor.down_m), AT_REST, _EVERYWHERE, now_s, climb)
     if mode is Mode.LAND:
         return landing(anchor, parameters, blind=blind)
     if mode is Mode.MISSION and mission is not None:
@@ -108,34 +108,36 @@ def wish(
     if mode is Mode.RETURN:
         climbed = p_ned[2] <= anchor.down_m + REACHED_M
         goal = (return_ned[0], return_ned[1], anchor.down_m) if climbed else (north, east, anchor.down_m)
-        return Wish(goal, AT_REST, _EVERYWHERE, now_s, min(parameters["MPC_XY_CRUISE"], fastest))
-    return Wish(anchor.p_ned, AT_REST, _EVERYWHERE, now_s, min(anchor.speed_m_s or fastest, fastest))
+        return ManeuverTarget(goal, AT_REST, _EVERYWHERE, now_s, min(parameters["MPC_XY_CRUISE"], fastest))
+    return ManeuverTarget(anchor.p_ned, AT_REST, _EVERYWHERE, now_s, min(anchor.speed_m_s or fastest, fastest))
 
 
-def landing(anchor: Anchor, parameters: Parameters, *, blind: bool = False) -> Wish:
+def landing(anchor: Anchor, parameters: Parameters, *, blind: bool = False) -> ManeuverTarget:
     """Sink over a place, or, `blind`, without knowing where that is: straight down as far as the velocity tells."""
     sink = (0.0, 0.0, parameters["MPC_LAND_SPEED"])
     held = (not blind, not blind, False)
-    return Wish(anchor.p_ned, sink, held, anchor.time_s, parameters["MPC_XY_VEL_MAX"])
+    return ManeuverTarget(anchor.p_ned, sink, held, anchor.time_s, parameters["MPC_XY_VEL_MAX"])
 
 
-def on_mission(mission: Mission, anchor: Anchor, *, now_s: float, parameters: Parameters) -> Wish:
+def on_mission(mission: Mission, anchor: Anchor, *, now_s: float, parameters: Parameters) -> ManeuverTarget:
     """What a mission wants flown; without a goal, to stay at the anchor."""
     fastest = parameters["MPC_XY_VEL_MAX"]
     goal = mission.goal_ned
     if goal is None:
-        return Wish(anchor.p_ned, AT_REST, _EVERYWHERE, now_s, fastest)
+        return ManeuverTarget(anchor.p_ned, AT_REST, _EVERYWHERE, now_s, fastest)
     if mission.landing:
         return landing(Anchor(goal, anchor.time_s, goal[2]), parameters)
     wanted = parameters["MPC_TKO_SPEED"] if mission.climbing else mission.speed_m_s or parameters["MPC_XY_CRUISE"]
-    return Wish(goal, AT_REST, _EVERYWHERE, now_s, min(wanted, fastest))
+    return ManeuverTarget(goal, AT_REST, _EVERYWHERE, now_s, min(wanted, fastest))
 
 
-def following(target: Followed | None, anchor: Anchor, *, home_ned: Vec3, now_s: float, parameters: Parameters) -> Wish:
+def following(
+    target: Followed | None, anchor: Anchor, *, home_ned: Vec3, now_s: float, parameters: Parameters
+) -> ManeuverTarget:
     """Where to be beside a target; without one, or when it has fallen silent, to stay at the anchor."""
     fastest = parameters["MPC_XY_VEL_MAX"]
     if target is None or now_s - target.time_s > FOLLOW_SILENCE_S:
-        return Wish(anchor.p_ned, AT_REST, _EVERYWHERE, now_s, fastest)
+        return ManeuverTarget(anchor.p_ned, AT_REST, _EVERYWHERE, now_s, fastest)
     lowest_ned = target.p_ned if parameters["FLW_TGT_ALT_M"] == FOLLOW_ITS_HEIGHT else home_ned
     place = place_beside(
         target,
@@ -144,4 +146,4 @@ def following(target: Followed | None, anchor: Anchor, *, home_ned: Vec3, now_s:
         down_m=lowest_ned[2] - parameters["FLW_TGT_HT"],
     )
     v_ned = (target.v_ned[0], target.v_ned[1], 0.0)
-    return Wish(place, v_ned, _EVERYWHERE, target.time_s, min(parameters["FLW_TGT_MAX_VEL"], fastest))
+    return ManeuverTarget(place, v_ned, _EVERYWHERE, target.time_s, min(parameters["FLW_TGT_MAX_VEL"], fastest))

@@ -16,7 +16,7 @@ COMPLAIN_EVERY_S = 5.0
 
 
 class Store(Protocol):
-    """Where parameters and plans outlive a reboot; a plan is rows of numbers by MAV_MISSION_TYPE (`plans.row_of`)."""
+    """Storage of parameters and plans over a reboot; a plan is rows by MAV_MISSION_TYPE (`plan_items.row_of`)."""
 
     plans: dict[int, tuple[tuple[float, ...], ...]]
 

@@ -30,27 +30,27 @@ def _result(done: bool) -> int:
     return ACCEPTED if done else TEMPORARILY_REJECTED
 
 
-def _refuse(desk: ServiceContext, text: str) -> int:
-    desk.vehicle.announce(Severity.WARNING, text)
+def _refuse(context: ServiceContext, text: str) -> int:
+    context.vehicle.announce(Severity.WARNING, text)
     return TEMPORARILY_REJECTED
 
 
-def arm(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
-    vehicle = desk.vehicle
+def arm(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
+    vehicle = context.vehicle
     if request.params[0] not in (0.0, 1.0):
         return DENIED
     if request.whole(1) == 1:
         reason = vehicle.arming_refusal()
         if reason is not None and request.whole(2) not in FORCE_ARM:
-            return _refuse(desk, f"Arming refused: {reason}")
+            return _refuse(context, f"Arming refused: {reason}")
         return _result(vehicle.trigger(Trigger.ARM))
     if not vehicle.landed and request.whole(2) not in FORCE_ARM:
-        return _refuse(desk, "Disarming refused: in the air")
+        return _refuse(context, "Disarming refused: in the air")
     return _result(vehicle.trigger(Trigger.DISARM))
 
 
-def take_off(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
-    vehicle = desk.vehicle
+def take_off(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
+    vehicle = context.vehicle
     height_m = request.value(7, 0.0)
     if height_m == 0.0:
         height_m = vehicle.parameters["MIS_TAKEOFF_ALT"]
@@ -61,21 +61,21 @@ def take_off(desk: ServiceContext, request: VehicleCommand, connection: Connecti
     return _result(vehicle.take_off(height_m))
 
 
-def land(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
-    return _result(desk.vehicle.trigger(Trigger.LAND))
+def land(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
+    return _result(context.vehicle.trigger(Trigger.LAND))
 
 
-def go_home(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
-    return _result(desk.vehicle.trigger(Trigger.RETURN))
+def go_home(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
+    return _result(context.vehicle.trigger(Trigger.RETURN))
 
 
-def hold(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
-    return _result(desk.vehicle.trigger(Trigger.HOLD))
+def hold(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
+    return _result(context.vehicle.trigger(Trigger.HOLD))
 
 
-def _place(desk: ServiceContext, request: VehicleCommand) -> Vec3 | None:
+def _place(context: ServiceContext, request: VehicleCommand) -> Vec3 | None:
     """Params 5..7 in the local frame; None where they name no place."""
-    vehicle, numbers = desk.vehicle, request.params[4:7]
+    vehicle, numbers = context.vehicle, request.params[4:7]
     if not all(map(math.isfinite, numbers)) or not request.frame_is_known:
         return None
     if request.frame == mav.MAV_FRAME_LOCAL_NED:
@@ -87,50 +87,50 @@ def _place(desk: ServiceContext, request: VehicleCommand) -> Vec3 | None:
     return (north, east, down) if max(abs(north), abs(east), abs(down)) < FARTHEST_M else None
 
 
-def reposition(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
-    place = _place(desk, request)
+def reposition(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
+    place = _place(context, request)
     speed_m_s = request.value(1, -1.0)
     if place is None or not -1.0 <= speed_m_s < FASTEST_M_S:
         return DENIED
-    return _result(desk.vehicle.reposition(place, speed_m_s if speed_m_s > 0.0 else None))
+    return _result(context.vehicle.reposition(place, speed_m_s if speed_m_s > 0.0 else None))
 
 
-def change_speed(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
+def change_speed(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
     """MAV_CMD_DO_CHANGE_SPEED: airspeed or ground speed; -1 changes nothing, -2 goes back to the parameters'."""
     speed_m_s = request.value(2, -1.0)
     if request.whole(1) not in (0, 1) or not (0.0 < speed_m_s < FASTEST_M_S or speed_m_s in (-1.0, -2.0)):
         return DENIED
     if speed_m_s != -1.0:
-        desk.vehicle.change_speed(speed_m_s if speed_m_s > 0.0 else None)
+        context.vehicle.change_speed(speed_m_s if speed_m_s > 0.0 else None)
     return ACCEPTED
 
 
-def set_home(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
-    vehicle = desk.vehicle
-    place = vehicle.p_ned if request.whole(1) == 1 else _place(desk, request)
+def set_home(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
+    vehicle = context.vehicle
+    place = vehicle.p_ned if request.whole(1) == 1 else _place(context, request)
     if place is None:
         return DENIED
     vehicle.home_ned = place
-    for each in desk.connections:
+    for each in context.connections:
         each.streams.hasten("HOME_POSITION", vehicle.time_ms)
     return ACCEPTED
 
 
-def set_mode(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
+def set_mode(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
     main, sub = request.whole(2), request.whole(3)
     if not (0 <= main <= 255 and 0 <= sub <= 255):
         return DENIED
-    return enter_custom(desk, main << 16 | sub << 24 if desk.vehicle.identity.modes_packed else main)
+    return enter_custom(context, main << 16 | sub << 24 if context.vehicle.identity.modes_packed else main)
 
 
-def set_mode_message(desk: ServiceContext, call: Call) -> None:
+def set_mode_message(context: ServiceContext, call: Call) -> None:
     """SET_MODE has no acknowledgement: the next HEARTBEAT is the answer."""
-    enter_custom(desk, call.content.custom_mode)
+    enter_custom(context, call.content.custom_mode)
 
 
-def enter_custom(desk: ServiceContext, custom_mode: int) -> int:
+def enter_custom(context: ServiceContext, custom_mode: int) -> int:
     """Enter the mode that the identity knows by this number."""
-    vehicle = desk.vehicle
+    vehicle = context.vehicle
     mode = vehicle.identity.heard.get(custom_mode)
     if mode is None:
         return UNSUPPORTED
@@ -139,48 +139,48 @@ def enter_custom(desk: ServiceContext, custom_mode: int) -> int:
     if mode is Mode.OFFBOARD and not vehicle.setpoints_fresh():
         if vehicle.identity.guided:
             return _result(vehicle.trigger(Trigger.GUIDED))
-        return _refuse(desk, "Offboard refused: no set points")
+        return _refuse(context, "Offboard refused: no set points")
     if mode is Mode.MISSION and vehicle.mission is None:
-        return _refuse(desk, "Mission refused: there is none")
+        return _refuse(context, "Mission refused: there is none")
     if mode is Mode.FOLLOW and vehicle.landed:
-        return _refuse(desk, "Follow refused: on the ground")
+        return _refuse(context, "Follow refused: on the ground")
     return _result(vehicle.trigger(_EVENT_OF_MODE[mode]))
 
 
-def start_mission(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
+def start_mission(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
     """MAV_CMD_MISSION_START: arm where that is needed, and fly; param1 the first item, 0 for where it was left."""
-    vehicle = desk.vehicle
+    vehicle = context.vehicle
     if vehicle.mission is None:
-        return _refuse(desk, "Mission refused: there is none")
+        return _refuse(context, "Mission refused: there is none")
     first = request.whole(1)
     if first and not vehicle.mission.go_to(first):
         return DENIED
     if not vehicle.armed:
         reason = vehicle.arming_refusal()
         if reason is not None:
-            return _refuse(desk, f"Arming refused: {reason}")
+            return _refuse(context, f"Arming refused: {reason}")
         vehicle.trigger(Trigger.ARM)
     return _result(vehicle.trigger(Trigger.MISSION))
 
 
-def pause_or_continue(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
+def pause_or_continue(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
     if request.params[0] not in (0.0, 1.0):
         return DENIED
     if request.params[0] == 0.0:
-        return _result(desk.vehicle.trigger(Trigger.HOLD))
-    if desk.vehicle.mission is None:
-        return _refuse(desk, "Mission refused: there is none")
-    return _result(desk.vehicle.trigger(Trigger.MISSION))
+        return _result(context.vehicle.trigger(Trigger.HOLD))
+    if context.vehicle.mission is None:
+        return _refuse(context, "Mission refused: there is none")
+    return _result(context.vehicle.trigger(Trigger.MISSION))
 
 
-def set_mission_item(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
-    mission = desk.vehicle.mission
+def set_mission_item(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
+    mission = context.vehicle.mission
     if mission is None:
         return TEMPORARILY_REJECTED
     return ACCEPTED if mission.go_to(request.whole(1, -1)) else DENIED
 
 
-def transfer(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
+def transfer(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
     if not all(map(math.isfinite, request.params[:6])) or request.whole(2) not in tuple(TransferSide):
         return DENIED
     role = TransferSide(request.whole(2))
@@ -194,11 +194,11 @@ def transfer(desk: ServiceContext, request: VehicleCommand, connection: Connecti
         transfer_id=request.whole(5),
         giver_start_j=request.whole(6),
     )
-    reason = desk.vehicle.order(order)
+    reason = context.vehicle.order(order)
     if reason is not None:
-        return _refuse(desk, f"Transfer refused: {reason}")
+        return _refuse(context, f"Transfer refused: {reason}")
     for counter in ("XferOut", "XferIn"):
-        connection.streams.hasten(counter, desk.vehicle.time_ms)
+        connection.streams.hasten(counter, context.vehicle.time_ms)
     return ACCEPTED
 
 

@@ -1,4 +1,4 @@
-"""What a workshop does to a vehicle: make things fail and mend them, and reboot it."""
+"""Handlers of MAV_CMD_INJECT_FAILURE and MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ _UNITS = {
 }
 
 
-def inject_failure(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
+def inject_failure(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
     """MAV_CMD_INJECT_FAILURE: param1 the unit, 2 OFF or OK; the instance (3) does not count: there is one each."""
-    vehicle = desk.vehicle
+    vehicle = context.vehicle
     failure = _UNITS.get(request.whole(1, -1))
     kind = request.whole(2, -1)
     if failure is None or kind not in (mav.FAILURE_TYPE_OK, mav.FAILURE_TYPE_OFF):
@@ -50,15 +50,15 @@ class Reboot:
     start or, with a store, as they are; so do plans, and without a store there are none.
     """
 
-    def __init__(self, desk: ServiceContext, restart_plans: Callable[[], None]) -> None:
-        self._desk = desk
+    def __init__(self, context: ServiceContext, restart_plans: Callable[[], None]) -> None:
+        self._desk = context
         self._restart_plans = restart_plans
-        self._at_start = desk.vehicle.parameters.values()
+        self._at_start = context.vehicle.parameters.values()
         self._asked: tuple[VehicleCommand, Connection, float] | None = None
 
-    def ask(self, desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
+    def ask(self, context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
         """Begin, on the ground and disarmed; asked again, still in progress."""
-        vehicle = desk.vehicle
+        vehicle = context.vehicle
         if request.whole(1) == 0 and request.whole(2) == 0:
             return ACCEPTED
         if request.whole(1) != REBOOT:

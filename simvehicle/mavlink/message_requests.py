@@ -26,64 +26,64 @@ DATA_STREAMS: dict[int, tuple[str, ...]] = {
 """REQUEST_DATA_STREAM's groups; those that hold nothing that the vehicle sends are passed over."""
 
 
-def set_interval(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
+def set_interval(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
     interval_us = request.value(2, 0.0)
     if not math.isfinite(interval_us):
         return DENIED
-    known = connection.streams.set_interval(request.whole(1, -1), interval_us, desk.vehicle.time_ms)
+    known = connection.streams.set_interval(request.whole(1, -1), interval_us, context.vehicle.time_ms)
     return ACCEPTED if known else UNSUPPORTED
 
 
-def get_interval(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
+def get_interval(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
     interval_us = connection.streams.interval_us(request.whole(1, -1))
     if interval_us is None:
         return UNSUPPORTED
-    desk.after_ack.append(message("MESSAGE_INTERVAL")(message_id=request.whole(1), interval_us=interval_us))
+    context.after_ack.append(message("MESSAGE_INTERVAL")(message_id=request.whole(1), interval_us=interval_us))
     return ACCEPTED
 
 
-def request_message(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
-    return _answer_with(desk, request.whole(1, -1))
+def request_message(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
+    return _answer_with(context, request.whole(1, -1))
 
 
-def request_version(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
-    return _answer_with(desk, mav.MAVLINK_MSG_ID_AUTOPILOT_VERSION)
+def request_version(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
+    return _answer_with(context, mav.MAVLINK_MSG_ID_AUTOPILOT_VERSION)
 
 
-def get_home(desk: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
-    return _answer_with(desk, mav.MAVLINK_MSG_ID_HOME_POSITION)
+def get_home(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
+    return _answer_with(context, mav.MAVLINK_MSG_ID_HOME_POSITION)
 
 
-def _answer_with(desk: ServiceContext, msgid: int) -> int:
+def _answer_with(context: ServiceContext, msgid: int) -> int:
     """Accepted only with the message behind it; what the vehicle does not have is unsupported."""
-    snapshot = desk.vehicle.snapshot()
+    snapshot = context.vehicle.snapshot()
     answers = [stream.build(snapshot) for stream in TELEMETRY if stream.msgid == msgid]
     if msgid == mav.MAVLINK_MSG_ID_AUTOPILOT_VERSION:
-        answers = [autopilot_version(snapshot, desk.sysid)]
-    desk.after_ack.extend(answers)
+        answers = [autopilot_version(snapshot, context.sysid)]
+    context.after_ack.extend(answers)
     return ACCEPTED if answers else UNSUPPORTED
 
 
-def data_stream(desk: ServiceContext, call: Call) -> None:
+def data_stream(context: ServiceContext, call: Call) -> None:
     content = call.content
     rate_hz = min(content.req_message_rate, FASTEST_HZ) if content.start_stop else 0
     for key in DATA_STREAMS.get(content.req_stream_id, ()):
-        call.connection.streams.set_rate(key, rate_hz, desk.vehicle.time_ms)
+        call.connection.streams.set_rate(key, rate_hz, context.vehicle.time_ms)
 
 
-def ping(desk: ServiceContext, call: Call) -> None:
+def ping(context: ServiceContext, call: Call) -> None:
     reply = ping_reply(call.content, call.sender)
     if reply is not None:
         call.connection.put(reply)
 
 
-def timesync(desk: ServiceContext, call: Call) -> None:
-    reply = timesync_reply(call.content, desk.vehicle.unix_epoch_us + 1000 * desk.vehicle.time_ms)
+def timesync(context: ServiceContext, call: Call) -> None:
+    reply = timesync_reply(call.content, context.vehicle.unix_epoch_us + 1000 * context.vehicle.time_ms)
     if reply is not None:
         call.connection.put(reply)
 
 
-def file_transfer(desk: ServiceContext, call: Call) -> None:
+def file_transfer(context: ServiceContext, call: Call) -> None:
     call.connection.put(ftp_refusal(call.content, call.sender))
 
 

@@ -21,8 +21,8 @@ CURRENT_HZ = 1.0
 class Planning:
     """One vehicle's plans."""
 
-    def __init__(self, desk: ServiceContext) -> None:
-        self._desk = desk
+    def __init__(self, context: ServiceContext) -> None:
+        self._desk = context
         self.protocol = MissionProtocol(self._take)
 
     def _take(self, kind: int, items: tuple[Item, ...]) -> None:
@@ -106,13 +106,13 @@ class Planning:
         return message("MISSION_ACK")(target_system=system, target_component=component, type=result, mission_type=0)
 
 
-def _put_in_force(desk: ServiceContext, kind: int, items: tuple[Item, ...]) -> None:
+def _put_in_force(context: ServiceContext, kind: int, items: tuple[Item, ...]) -> None:
     """Let the vehicle have a plan; raises PlanError, said aloud, and the old one stays."""
-    vehicle = desk.vehicle
+    vehicle = context.vehicle
     try:
         if kind == mav.MAV_MISSION_TYPE_MISSION:
             vehicle.load_mission(legs_from(items, vehicle.frame, item_0_is_home=vehicle.identity.item_0_is_home))
-            desk.set_rate("MISSION_CURRENT", CURRENT_HZ)
+            context.set_rate("MISSION_CURRENT", CURRENT_HZ)
         elif kind == mav.MAV_MISSION_TYPE_FENCE:
             vehicle.fence = fence_from(items, vehicle.frame)
         else:

@@ -1,4 +1,4 @@
-"""What streams towards the vehicle: set points, heartbeats, the places and counters of others."""
+"""Handlers of incoming streams: set points, HEARTBEAT, FOLLOW_TARGET, and counters as NAMED_VALUE_INT."""
 
 from __future__ import annotations
 
@@ -29,30 +29,30 @@ _RELATIVE = frozenset({mav.MAV_FRAME_GLOBAL_RELATIVE_ALT, mav.MAV_FRAME_GLOBAL_R
 _GLOBAL = _RELATIVE | {mav.MAV_FRAME_GLOBAL, mav.MAV_FRAME_GLOBAL_INT}
 
 
-def heartbeat(desk: ServiceContext, call: Call) -> None:
+def heartbeat(context: ServiceContext, call: Call) -> None:
     if call.content.type == mav.MAV_TYPE_GCS:
-        desk.vehicle.gcs_heard()
+        context.vehicle.gcs_heard()
 
 
-def local_set_point(desk: ServiceContext, call: Call) -> None:
+def local_set_point(context: ServiceContext, call: Call) -> None:
     content = call.content
     if content.coordinate_frame not in _LOCAL:
-        return desk.complain("frame", f"Set point ignored: frame {content.coordinate_frame}")
-    return _fly(desk, content, (content.x, content.y, content.z))
+        return context.complain("frame", f"Set point ignored: frame {content.coordinate_frame}")
+    return _fly(context, content, (content.x, content.y, content.z))
 
 
-def global_set_point(desk: ServiceContext, call: Call) -> None:
-    content, vehicle = call.content, desk.vehicle
+def global_set_point(context: ServiceContext, call: Call) -> None:
+    content, vehicle = call.content, context.vehicle
     if content.coordinate_frame not in _GLOBAL:
-        return desk.complain("frame", f"Set point ignored: frame {content.coordinate_frame}")
+        return context.complain("frame", f"Set point ignored: frame {content.coordinate_frame}")
     north, east, down = vehicle.frame.to_local(1e-7 * content.lat_int, 1e-7 * content.lon_int, content.alt)
     if content.coordinate_frame in _RELATIVE:
         down = vehicle.home_ned[2] - content.alt
-    return _fly(desk, content, (north, east, down))
+    return _fly(context, content, (north, east, down))
 
 
-def _fly(desk: ServiceContext, content: Any, place: Vec3) -> None:
-    vehicle, mask, frame = desk.vehicle, content.type_mask, content.coordinate_frame
+def _fly(context: ServiceContext, content: Any, place: Vec3) -> None:
+    vehicle, mask, frame = context.vehicle, content.type_mask, content.coordinate_frame
     use_position = (not mask & 1, not mask & 2, not mask & 4)
     use_velocity = (not mask & 8, not mask & 16, not mask & 32)
     use_yaw = not mask & mav.POSITION_TARGET_TYPEMASK_YAW_IGNORE
@@ -60,12 +60,12 @@ def _fly(desk: ServiceContext, content: Any, place: Vec3) -> None:
     flown = all(p or v for p, v in zip(use_position, use_velocity, strict=True)) and not (use_yaw and use_yaw_rate)
     halved = frame in _TURNED and any(use[0] != use[1] for use in (use_position, use_velocity))
     if mask & _NEVER_FLOWN != _NEVER_FLOWN or not flown or halved:
-        return desk.complain("type_mask", f"Set point ignored: type_mask {mask}")
+        return context.complain("type_mask", f"Set point ignored: type_mask {mask}")
     p_ned = _where_used(place, use_position)
     v_ned = _where_used((content.vx, content.vy, content.vz), use_velocity)
     turn = (content.yaw if use_yaw else 0.0, content.yaw_rate if use_yaw_rate else 0.0)
     if not all(map(math.isfinite, (*p_ned, *v_ned, *turn))):
-        return desk.complain("number", "Set point ignored: not a number")
+        return context.complain("number", "Set point ignored: not a number")
     yaw_ned = vehicle.attitude_ned[2]
     if frame in _TURNED:
         v_ned = _turned(v_ned, yaw_ned)
@@ -84,9 +84,9 @@ def _turned(v: Vec3, yaw_rad: float) -> Vec3:
     return cos * v[0] - sin * v[1], sin * v[0] + cos * v[1], v[2]
 
 
-def follow_target(desk: ServiceContext, call: Call) -> None:
+def follow_target(context: ServiceContext, call: Call) -> None:
     """Somebody's place: of a partner in a transfer, or of whom the vehicle may follow. No velocity is none."""
-    content, vehicle = call.content, desk.vehicle
+    content, vehicle = call.content, context.vehicle
     vel = tuple(0.0 if math.isnan(v) else v for v in content.vel)
     if all(map(math.isfinite, (content.alt, *vel))):
         p_ned = vehicle.frame.to_local(1e-7 * content.lat, 1e-7 * content.lon, content.alt)
@@ -95,8 +95,8 @@ def follow_target(desk: ServiceContext, call: Call) -> None:
             vehicle.exchange.neighbours[call.frame.sysid] = Neighbour(p_ned, tuple(content.vel), vehicle.time_s)
 
 
-def named_value_int(desk: ServiceContext, call: Call) -> None:
-    vehicle = desk.vehicle
+def named_value_int(context: ServiceContext, call: Call) -> None:
+    vehicle = context.vehicle
     vehicle.exchange.hear_counter(call.frame.sysid, call.content.name, call.content.value, vehicle.time_s)
 
 

@@ -16,23 +16,23 @@ NO_INDEX = -1
 CAPACITY = "SIM_BAT_CAP_J"
 
 
-def tell_all(desk: ServiceContext, call: Call) -> None:
-    for index, (row, value) in enumerate(desk.vehicle.parameters):
-        call.connection.put(_told(desk, row, value, index))
+def tell_all(context: ServiceContext, call: Call) -> None:
+    for index, (row, value) in enumerate(context.vehicle.parameters):
+        call.connection.put(_told(context, row, value, index))
 
 
-def read(desk: ServiceContext, call: Call) -> None:
+def read(context: ServiceContext, call: Call) -> None:
     content = call.content
     found = parameters.row_at(content.param_id if content.param_index < 0 else content.param_index)
     if found is None:
         error = error_message(content.param_id, content.param_index, parameters.UNKNOWN, call.sender)
         return call.connection.put(error)
     index, row = found
-    return call.connection.put(_told(desk, row, desk.vehicle.parameters[row.name], index))
+    return call.connection.put(_told(context, row, context.vehicle.parameters[row.name], index))
 
 
-def change(desk: ServiceContext, call: Call) -> None:
-    content, vehicle = call.content, desk.vehicle
+def change(context: ServiceContext, call: Call) -> None:
+    content, vehicle = call.content, context.vehicle
     found = parameters.row_at(content.param_id)
     if found is None:
         error = error_message(content.param_id, NO_INDEX, parameters.UNKNOWN, call.sender)
@@ -47,16 +47,16 @@ def change(desk: ServiceContext, call: Call) -> None:
             raise ParameterError(text, parameters.OUT_OF_RANGE)
         taken = vehicle.parameters.set(row.name, value)
         vehicle.retune()
-        if desk.store is not None:
-            desk.store.keep(row.name, taken)
+        if context.store is not None:
+            context.store.keep(row.name, taken)
     except ParameterError as refusal:
-        desk.complain(row.name, str(refusal))
+        context.complain(row.name, str(refusal))
         call.connection.put(error_message(row.name, index, refusal.code, call.sender))
-    return call.connection.put(_told(desk, row, vehicle.parameters[row.name], index))
+    return call.connection.put(_told(context, row, vehicle.parameters[row.name], index))
 
 
-def _told(desk: ServiceContext, row: parameters.Row, value: float, index: int) -> Any:
-    return value_message(row, value, index, bytewise=desk.vehicle.identity.integers_bytewise)
+def _told(context: ServiceContext, row: parameters.Row, value: float, index: int) -> Any:
+    return value_message(row, value, index, bytewise=context.vehicle.identity.integers_bytewise)
 
 
 MESSAGES: dict[int, MessageHandler] = {

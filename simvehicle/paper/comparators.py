@@ -2,7 +2,7 @@
 itself stepped explicitly.
 
 Every one is stepped by explicit Euler, as such laws usually are: state and signal of one time give the state a step
-later. They serve the figures of paper.py; no vehicle flies them.
+later. They serve the figures of studies.py; no vehicle flies them.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The curves of paper.py as figures, SVG and PNG, drawn without a display."""
+"""The curves of studies.py as figures, SVG and PNG, drawn without a display."""
 
 from __future__ import annotations
 

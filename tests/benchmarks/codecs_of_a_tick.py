@@ -12,7 +12,7 @@ from measure import Figure, cpu_times
 from pymavlink.dialects.v20 import common
 
 from gcs.link.link import Key
-from gcs.link.lockstep import FleetLink
+from gcs.link.lockstep import LockstepLink
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
 from gcs.mavlink.ids import STATION
@@ -58,7 +58,7 @@ class Flown:
     with them from the datagram on, up to the snapshot."""
 
     def __init__(self, ticks: list[list[bytes]]) -> None:
-        self._link = FleetLink()
+        self._link = LockstepLink()
         self._ticks = ticks
         self._tick = 0
         self._keys: list[Key] = [(sysid, 1) for sysid in range(1, VEHICLES + 1)]

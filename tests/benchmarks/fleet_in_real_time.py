@@ -47,7 +47,7 @@ class Watched(SessionProcess):
                     command=mav.MAV_CMD_SET_MESSAGE_INTERVAL, confirmation=0, param1=float(codec.msgid(name)),
                     param2=PERIOD_US, param3=0.0, param4=0.0, param5=0.0, param6=0.0, param7=0.0,
                 )  # fmt: skip
-                self._supervisor.outbox.put(sysid, [request])
+                self._supervisor.command_queue.put(sysid, [request])
         assert self._hatch is not None
         self._hatch.events()
         pids = list(self._hatch.pids)

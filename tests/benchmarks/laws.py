@@ -14,7 +14,7 @@ from measure import Figure, Scale, cpu_times
 from scipy.integrate import solve_ivp
 
 from gcs.planner import fuzzy_escape, leader, neighbours
-from gcs.planner.potential_field import Field
+from gcs.planner.potential_field import FieldConstants
 from gcs.recording.writer import TLOG, Recorder
 from gcs.refuelling.winner_take_all import advance as compete
 from gcs.scenario import geometry
@@ -71,7 +71,7 @@ def flying(scale: Scale) -> list[Figure]:
 
 
 def planning(scale: Scale) -> list[Figure]:
-    field = Field(k0=15.0, k1=2.0, a=0.5, b=0.5, attraction_range_m=1.0, repulsion_range_m=1.0, step_m=0.1)
+    field = FieldConstants(k0=15.0, k1=2.0, a=0.5, b=0.5, attraction_range_m=1.0, repulsion_range_m=1.0, step_m=0.1)
     made = []
     for n in (125, 250, 500, 1000, 2000):
         rng = np.random.default_rng(n)

@@ -7,11 +7,17 @@ from typing import Any
 import numpy as np
 
 from gcs.planner import fuzzy_escape
-from gcs.planner.potential_field import SURFACE_FLOOR_M, Field, attraction_to, repulsion_of_shape, repulsion_size
+from gcs.planner.potential_field import (
+    SURFACE_FLOOR_M,
+    FieldConstants,
+    attraction_to,
+    repulsion_of_shape,
+    repulsion_size,
+)
 from gcs.scenario.geometry import shape_surface
 
 
-def force(q: Any, *, tracked: Any, waypoints: Any, repulsors: Any, ranges_m: Any, field: Field) -> Any:
+def force(q: Any, *, tracked: Any, waypoints: Any, repulsors: Any, ranges_m: Any, field: FieldConstants) -> Any:
     """Attraction (3,) and repulsion (3,) at a place: what the leader's kernel adds up."""
     constants, at = field.constants(), tuple(map(float, q))
     pulls = [attraction_to(*map(float, g), math.inf, *at, constants) for g in tracked]
@@ -22,7 +28,14 @@ def force(q: Any, *, tracked: Any, waypoints: Any, repulsors: Any, ranges_m: Any
 
 
 def escape(
-    q: Any, attraction: Any, repulsion: Any, goal_m: float, memory: Any, *, field: Field, step_m: float | None = None
+    q: Any,
+    attraction: Any,
+    repulsion: Any,
+    goal_m: float,
+    memory: Any,
+    *,
+    field: FieldConstants,
+    step_m: float | None = None,
 ) -> Any:
     """Escape force (3,) and the memory after it."""
     following, numbers = memory.copy(), [float(x) for vector in (q, attraction, repulsion) for x in vector]
@@ -36,13 +49,13 @@ def surface(table: Any, q: Any) -> Any:
     return found[:, 0], found[:, 1:]
 
 
-def attraction_potential(rho: float, field: Field) -> float:
+def attraction_potential(rho: float, field: FieldConstants) -> float:
     """U_g, straight on from the cap with the slope that it has reached."""
     near = min(rho, field.cap_m)
     return 0.5 * field.k0 * near**2 + (field.k0 * field.cap_m * (rho - near) if rho > near else 0.0)
 
 
-def repulsion_potential(rho: float, range_m: float, field: Field) -> float:
+def repulsion_potential(rho: float, range_m: float, field: FieldConstants) -> float:
     """U_o, straight on below SURFACE_FLOOR_M with the slope that it has reached."""
     near, inner = max(rho, SURFACE_FLOOR_M), field.b * range_m
     potential = 0.0

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from gcs.planner.safety_filter import Rules, Vehicles, filter_step
+from gcs.planner.safety_filter import FilterSettings, Leaders, filter_step
 
 Floats = NDArray[np.float64]
 PERIOD_S = 0.1
@@ -50,14 +50,14 @@ def rows(n: int, speed_m_s: float) -> Scene:
     return Scene(f"rows {n}+{n}", np.vstack([left, right]), np.vstack([right, left]), speed_m_s)
 
 
-def fly(scene: Scene, rules: Rules, limit_s: float = 60.0) -> Outcome:
+def fly(scene: Scene, rules: FilterSettings, limit_s: float = 60.0) -> Outcome:
     """All leaders to their goals; distances every 20 ms of the exact ways."""
     n = len(scene.start)
     p, v = scene.start.copy(), np.zeros_like(scene.start)
     outcome = Outcome(np.inf, limit_s, n)
     for k in range(int(limit_s / PERIOD_S)):
         out = filter_step(
-            Vehicles(
+            Leaders(
                 np.arange(n) + 1, p, v, scene.speed_m_s, ACCELERATION_M_S2, MARGIN_M, high_ned=(np.inf, np.inf, -0.3)
             ),
             _wish(scene, p),

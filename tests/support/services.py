@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from gcs.mavlink.autopilots import PX4, FlightMode
-from gcs.mavlink.commands import CommandRequest
+from gcs.mavlink.command_protocol import CommandRequest
 from gcs.refuelling.scheduler import Scheduler
 from gcs.refuelling.service import Decision, Phase, Service
 from gcs.refuelling.transfer_command import TransferRole

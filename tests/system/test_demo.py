@@ -207,3 +207,9 @@ def test_the_session_folder_is_as_promised(flown: Outcome) -> None:
     assert again["axes"] == "ned"
     assert {f"{sysid}.truth" for sysid in EVERYONE} <= {path.name for path in (flown.folder / "vehicles").iterdir()}
     assert json.loads((flown.folder / "summary.json").read_text(encoding="utf-8"))["schema"] == 1
+
+
+def test_the_competition_competes(flown: Outcome) -> None:
+    competitors = [len(told["v"]) for told in flown.decisions if told["kind"] == "competition"]
+    assert max(competitors) >= 2
+    assert sum(count >= 2 for count in competitors) >= 100

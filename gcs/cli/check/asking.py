@@ -1,4 +1,4 @@
-"""How questions are put: commands, requests, and what only looks at what has come; and who asks."""
+"""Builders of check requests: COMMAND_LONG, COMMAND_INT, REQUEST_MESSAGE, passive checks; names of the peers."""
 
 from __future__ import annotations
 

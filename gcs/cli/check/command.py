@@ -1,4 +1,4 @@
-"""`gcs check`: for who builds vehicles."""
+"""Command `gcs check`: tests a vehicle's replies to what MAVSDK, QGroundControl and MAVProxy ask."""
 
 # ruff: noqa: PLC0415 - so that `gcs --help` answers at once
 

@@ -1,4 +1,4 @@
-"""What peers ask at connect: version, home, rates, time, files, plans, and how commands are treated."""
+"""Questions of peers at connect: version, home, message intervals, time, FTP, plans, command handling."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How answers are judged: what counts as come, as wrong, and as never come."""
+"""Predicates that decide whether a reply has come, is wrong, or never came."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.cli.check.dialogue import CheckedVehicle, Heard, Judge, Verdict
-from gcs.mavlink.commands import result_name
+from gcs.mavlink.command_protocol import result_name
 from gcs.mavlink.ids import STATION
 
 Fault = Callable[[CheckedVehicle, Any], str]

@@ -1,4 +1,4 @@
-"""What peers ask of parameters: the list, one by name, writing, refusing, encoding, and those that they need."""
+"""Parameter-protocol questions: list, read by name, write, rejection, value encoding, required parameters."""
 
 from __future__ import annotations
 

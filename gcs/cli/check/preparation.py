@@ -1,4 +1,4 @@
-"""What peers do before a flight: hold, offboard, arm, disarm. It changes modes and arms: only where allowed."""
+"""Pre-flight questions: hold, offboard, arm, disarm. They change modes and arm: only where allowed."""
 
 from __future__ import annotations
 

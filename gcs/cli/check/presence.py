@@ -1,4 +1,4 @@
-"""What peers wait for without asking: heartbeat, mode, streams, health."""
+"""Checks of telemetry that peers expect unasked: heartbeat, flight mode, stream rates, health."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a check found, for a person and for a program."""
+"""Results of a vehicle check, as text lines and as JSON."""
 
 from __future__ import annotations
 

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from gcs.planner import fuzzy_escape
 from gcs.planner.leader import advance
-from gcs.planner.potential_field import Field
+from gcs.planner.potential_field import FieldConstants
 from gcs.report.paper import figures
 from gcs.report.paper.claims import Measurement
 from gcs.report.paper.figures import Drawing
@@ -82,7 +82,7 @@ def fig3() -> Study:
 
 def walk(points: list[tuple[float, float, float]], *, escape: bool) -> Floats:
     """Planned points (k, 3) m from the origin to TARGET, one step of 0.1 m each, at most STEPS of them."""
-    field, table = Field(), geometry.points(np.array(points))
+    field, table = FieldConstants(), geometry.points(np.array(points))
     q, memory, trail = np.zeros((1, 3)), fuzzy_escape.new_memory(1), [np.zeros(3)]
     none = np.zeros((0, 3))
     while len(trail) <= STEPS and np.linalg.norm(trail[-1] - TARGET) > ARRIVED_M:

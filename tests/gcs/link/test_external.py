@@ -12,7 +12,7 @@ from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.link.external import ExternalLink
 from gcs.link.fleet import MixedLink
-from gcs.link.lockstep import FleetLink
+from gcs.link.lockstep import LockstepLink
 from gcs.link.socket import AddressRefused
 from gcs.mavlink import codec
 from gcs.scenario.external import External
@@ -269,7 +269,7 @@ def test_an_address_that_cannot_be_had_is_named_with_the_reason(stand: Any) -> N
 @contextmanager
 def mixed() -> Iterator[tuple[MixedLink, Vehicle]]:
     external, port = udpin(1)
-    link, one = MixedLink(FleetLink(), external), Vehicle(1)
+    link, one = MixedLink(LockstepLink(), external), Vehicle(1)
     try:
         one.say(port, one.heartbeat())
         until(external, lambda: not external.missing)

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from gcs.link.link import Key
-from gcs.link.lockstep import DATAGRAM_BYTES, FleetLink
+from gcs.link.lockstep import DATAGRAM_BYTES, LockstepLink
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import STATION
@@ -18,7 +18,7 @@ SYSTEM_TIME, HEARTBEAT = codec.msgid("SYSTEM_TIME"), codec.msgid("HEARTBEAT")
 BEAT = {"type": 2, "autopilot": 12, "base_mode": 0, "custom_mode": 0, "system_status": 3}
 
 
-def collect(link: FleetLink, idle: Callable[[], None]) -> dict[Key, list[Frame]]:
+def collect(link: LockstepLink, idle: Callable[[], None]) -> dict[Key, list[Frame]]:
     """Every vehicle's answer to the last grant, in order of (system, component)."""
     return dict(sorted(link.answers(idle)))
 
@@ -34,7 +34,7 @@ def text(k: int) -> Message:
 class Vehicle:
     """Answers a grant once every number since the last one is there, and repeats the same bytes when asked again."""
 
-    def __init__(self, link: FleetLink, sysid: int = 1, extra: int = 2, drop: float = 0.0) -> None:
+    def __init__(self, link: LockstepLink, sysid: int = 1, extra: int = 2, drop: float = 0.0) -> None:
         self.sysid = sysid
         self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self.socket.setblocking(False)
@@ -92,8 +92,8 @@ class Vehicle:
 
 
 @pytest.fixture
-def link() -> Iterator[FleetLink]:
-    made = FleetLink()
+def link() -> Iterator[LockstepLink]:
+    made = LockstepLink()
     made.expect([(1, 1), (2, 1)])
     yield made
     made.close()
@@ -107,7 +107,7 @@ def made_vehicles() -> Iterator[list[Vehicle]]:
         vehicle.socket.close()
 
 
-def join(link: FleetLink, made: list[Vehicle], *sysids: int, **how: Any) -> list[Vehicle]:
+def join(link: LockstepLink, made: list[Vehicle], *sysids: int, **how: Any) -> list[Vehicle]:
     for sysid in sysids:
         made.append(Vehicle(link, sysid, **how))
         made[-1].hello()
@@ -116,7 +116,7 @@ def join(link: FleetLink, made: list[Vehicle], *sysids: int, **how: Any) -> list
     return made
 
 
-def test_a_hello_of_an_expected_vehicle_joins(link: FleetLink, made_vehicles: list[Vehicle]) -> None:
+def test_a_hello_of_an_expected_vehicle_joins(link: LockstepLink, made_vehicles: list[Vehicle]) -> None:
     assert link.listen(0.0) == {(1, 1), (2, 1)}
     stranger = Vehicle(link, 9)
     stranger.hello()
@@ -126,7 +126,7 @@ def test_a_hello_of_an_expected_vehicle_joins(link: FleetLink, made_vehicles: li
     stranger.socket.close()
 
 
-def test_what_is_no_hello_does_not_join(link: FleetLink, made_vehicles: list[Vehicle]) -> None:
+def test_what_is_no_hello_does_not_join(link: LockstepLink, made_vehicles: list[Vehicle]) -> None:
     one = Vehicle(link, 1)
     made_vehicles.append(one)
     one.socket.send(one.frame("HEARTBEAT", 0, **BEAT))
@@ -136,7 +136,7 @@ def test_what_is_no_hello_does_not_join(link: FleetLink, made_vehicles: list[Veh
     assert link.malformed == 1
 
 
-def test_a_second_address_of_the_same_vehicle_is_refused(link: FleetLink, made_vehicles: list[Vehicle]) -> None:
+def test_a_second_address_of_the_same_vehicle_is_refused(link: LockstepLink, made_vehicles: list[Vehicle]) -> None:
     (one,) = join(link, made_vehicles, 1)
     foreign = Vehicle(link, 1)
     for _ in range(2):
@@ -151,7 +151,7 @@ def test_a_second_address_of_the_same_vehicle_is_refused(link: FleetLink, made_v
 
 
 def test_answers_come_back_in_order_of_system_id_and_end_with_the_time(
-    link: FleetLink, made_vehicles: list[Vehicle]
+    link: LockstepLink, made_vehicles: list[Vehicle]
 ) -> None:
     two, one = join(link, made_vehicles, 2, 1)
     for tick in range(120):  # numbers wrap
@@ -168,7 +168,7 @@ def test_answers_come_back_in_order_of_system_id_and_end_with_the_time(
 
 
 def test_a_bundle_ends_with_the_grant_and_relayed_frames_stand_uncounted_before_it(
-    link: FleetLink, made_vehicles: list[Vehicle]
+    link: LockstepLink, made_vehicles: list[Vehicle]
 ) -> None:
     (one,) = join(link, made_vehicles, 1)
     relayed = codec.encode("HEARTBEAT", 77, 201, 1, **BEAT)
@@ -186,7 +186,7 @@ def test_a_bundle_ends_with_the_grant_and_relayed_frames_stand_uncounted_before_
 
 
 def test_what_does_not_fit_into_1400_bytes_waits_for_the_next_bundle_in_order(
-    link: FleetLink, made_vehicles: list[Vehicle]
+    link: LockstepLink, made_vehicles: list[Vehicle]
 ) -> None:
     (one,) = join(link, made_vehicles, 1)
     for tick in range(6):
@@ -200,7 +200,7 @@ def test_what_does_not_fit_into_1400_bytes_waits_for_the_next_bundle_in_order(
     assert [int(t[:4]) for t in texts] == list(range(60))
 
 
-def test_the_largest_frames_still_fit(link: FleetLink, made_vehicles: list[Vehicle]) -> None:
+def test_the_largest_frames_still_fit(link: LockstepLink, made_vehicles: list[Vehicle]) -> None:
     (one,) = join(link, made_vehicles, 1)
     largest = codec.message("FILE_TRANSFER_PROTOCOL", target_network=0, target_system=1, target_component=1,
                             payload=[255] * 251)  # fmt: skip
@@ -213,7 +213,7 @@ def test_the_largest_frames_still_fit(link: FleetLink, made_vehicles: list[Vehic
 
 
 def test_after_silence_the_same_bytes_go_out_again_to_the_missing_one_only(
-    link: FleetLink, made_vehicles: list[Vehicle]
+    link: LockstepLink, made_vehicles: list[Vehicle]
 ) -> None:
     one, two = join(link, made_vehicles, 1, 2)
     for key in ((1, 1), (2, 1)):
@@ -235,7 +235,7 @@ def test_after_silence_the_same_bytes_go_out_again_to_the_missing_one_only(
     assert len(set(one.bundles)) == len(two.bundles) == 1
 
 
-def test_an_answer_in_two_datagrams_is_one_tick(link: FleetLink, made_vehicles: list[Vehicle]) -> None:
+def test_an_answer_in_two_datagrams_is_one_tick(link: LockstepLink, made_vehicles: list[Vehicle]) -> None:
     (one,) = join(link, made_vehicles, 1)
     one.split_at = 1
     link.grant((1, 1), 0, 0, [], [])
@@ -244,7 +244,7 @@ def test_an_answer_in_two_datagrams_is_one_tick(link: FleetLink, made_vehicles: 
 
 
 def test_who_leaves_in_mid_tick_is_not_waited_for_and_the_others_go_on(
-    link: FleetLink, made_vehicles: list[Vehicle]
+    link: LockstepLink, made_vehicles: list[Vehicle]
 ) -> None:
     _, two = join(link, made_vehicles, 1, 2)
     for key in ((1, 1), (2, 1)):
@@ -260,7 +260,7 @@ def test_who_leaves_in_mid_tick_is_not_waited_for_and_the_others_go_on(
 
 
 def test_garbage_between_the_answers_is_counted_and_harms_nothing(
-    link: FleetLink, made_vehicles: list[Vehicle]
+    link: LockstepLink, made_vehicles: list[Vehicle]
 ) -> None:
     (one,) = join(link, made_vehicles, 1)
     link.grant((1, 1), 0, 0, [], [])
@@ -272,7 +272,7 @@ def test_garbage_between_the_answers_is_counted_and_harms_nothing(
 
 
 def test_a_pause_repeats_the_last_bundle_and_the_answers_to_it_are_no_new_tick(
-    link: FleetLink, made_vehicles: list[Vehicle]
+    link: LockstepLink, made_vehicles: list[Vehicle]
 ) -> None:
     (one,) = join(link, made_vehicles, 1)
     for tick in range(3):
@@ -285,7 +285,7 @@ def test_a_pause_repeats_the_last_bundle_and_the_answers_to_it_are_no_new_tick(
 
 
 def flown(drop: float) -> tuple[list[bytes], int]:
-    link = FleetLink(drop=drop, seed=5)
+    link = LockstepLink(drop=drop, seed=5)
     link.expect([(1, 1), (2, 1)])
     vehicles = [Vehicle(link, sysid, drop=drop) for sysid in (1, 2)]
     while len(link.joined) < 2:
@@ -318,7 +318,7 @@ def test_lost_datagrams_are_sent_again_and_nothing_is_different() -> None:
     assert (none, some > 5) == (0, True)
 
 
-def test_kernel_drops_are_read_from_the_kernel(link: FleetLink) -> None:
+def test_kernel_drops_are_read_from_the_kernel(link: LockstepLink) -> None:
     assert link.overflowed() == 0
     link._socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:

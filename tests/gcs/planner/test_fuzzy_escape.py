@@ -10,10 +10,10 @@ from field import escape, force
 from skfuzzy import control
 
 from gcs.planner import fuzzy_escape
-from gcs.planner.potential_field import Field
+from gcs.planner.potential_field import FieldConstants
 from gcs.scenario import geometry
 
-FIELD = Field()
+FIELD = FieldConstants()
 TERMS = ["NB", "NM", "S", "PM", "PB"]
 # Rows ΔΦ, columns ΔF; [choice], since the entries of the paper's Table I are lost.
 RULES = {

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from walls import CEILING, L_WALL, U_WALL, room, walls
 
-from gcs.planner.guide import NO_ROUTE, PARTIAL, ROUTED, STRAIGHT, WAITING, Follower, Rules
+from gcs.planner.guide import NO_ROUTE, PARTIAL, ROUTED, STRAIGHT, WAITING, GuideSettings, RouteFollower
 from gcs.planner.route import Router
 from gcs.scenario import geometry as ob
 
@@ -33,7 +33,7 @@ def fly(follower, start, goal_at, ticks, sysid=1):
     ids=["L", "U", "closed ceiling"],
 )
 def test_walls_are_flown_around_with_one_search(table, goal):
-    follower = Follower(Router(table, 0.6, floor_m=0.3))
+    follower = RouteFollower(Router(table, 0.6, floor_m=0.3))
     places, states = fly(follower, [0.0, 0.0, -2.0], lambda _: goal, 250)
     np.testing.assert_allclose(places[-1], goal)
     assert states[0] == ROUTED
@@ -46,7 +46,7 @@ def test_walls_are_flown_around_with_one_search(table, goal):
 
 def test_a_gap_of_one_and_a_half_separations_is_flown_through():
     table = walls(([5, -30, -40], [5.4, -0.45, 0]), ([5, 0.45, -40], [5.4, 30, 0]))
-    places, _ = fly(Follower(Router(table, 0.6, floor_m=0.3)), [0.0, 3.0, -2.0], lambda _: [10.0, 3.0, -2.0], 100)
+    places, _ = fly(RouteFollower(Router(table, 0.6, floor_m=0.3)), [0.0, 3.0, -2.0], lambda _: [10.0, 3.0, -2.0], 100)
     np.testing.assert_allclose(places[-1], [10.0, 3.0, -2.0])
     assert ob.clearance(table, places).min() > 0.3
 
@@ -54,7 +54,7 @@ def test_a_gap_of_one_and_a_half_separations_is_flown_through():
 def test_it_does_not_flip_between_two_equal_ways():
     """The goal sways behind a tall pillar, now left and now right of the middle; the way round stays on one side."""
     table = ob.table([ob.cylinder([5.0, 0.0, -10.0], 2.0, 60.0)])
-    follower = Follower(Router(table, 0.6))
+    follower = RouteFollower(Router(table, 0.6))
     places, _ = fly(follower, [0.0, 0.0, -2.0], lambda tick: [10.0, 0.9 * np.sin(tick / 4), -2.0], 60)
     sides = np.sign(places[np.abs(places[:, 0] - 5.0) < 2.0][:, 1])
     assert len(set(sides)) == 1
@@ -64,13 +64,13 @@ def test_it_does_not_flip_between_two_equal_ways():
 
 
 def test_a_goal_that_moves_in_sight_of_the_last_way_point_costs_no_search():
-    follower = Follower(Router(U_WALL, 0.6, floor_m=0.3))
+    follower = RouteFollower(Router(U_WALL, 0.6, floor_m=0.3))
     fly(follower, [0.0, 0.0, -2.0], lambda tick: [12.0, 0.02 * tick, -2.0], 60)
     assert follower.searches == 1
 
 
 def test_a_vehicle_that_was_pushed_behind_a_wall_is_led_from_there():
-    follower = Follower(Router(L_WALL, 0.6, floor_m=0.3))
+    follower = RouteFollower(Router(L_WALL, 0.6, floor_m=0.3))
     goal = [8.0, 0.0, -2.0]
     fly(follower, [0.0, 0.0, -2.0], lambda _: goal, 5)
     places, _ = fly(follower, [0.0, 9.0, -2.0], lambda _: goal, 100)
@@ -80,7 +80,7 @@ def test_a_vehicle_that_was_pushed_behind_a_wall_is_led_from_there():
 
 
 def test_where_there_is_no_way_it_holds_and_searches_once():
-    follower = Follower(Router(room([-3, -3, -5], [3, 3, 0]), 0.6, floor_m=0.3))
+    follower = RouteFollower(Router(room([-3, -3, -5], [3, 3, 0]), 0.6, floor_m=0.3))
     places, states = fly(follower, [0.0, 0.0, -2.0], lambda _: [9.0, 0.0, -2.0], 20)
     assert set(states) == {NO_ROUTE}
     assert follower.searches == 1
@@ -89,7 +89,7 @@ def test_where_there_is_no_way_it_holds_and_searches_once():
 
 def test_a_goal_within_a_surface_is_approached_and_held():
     table = ob.table([ob.sphere([8.0, 0.0, -3.0], 2.0)])
-    follower = Follower(Router(table, 0.6, floor_m=0.3))
+    follower = RouteFollower(Router(table, 0.6, floor_m=0.3))
     places, states = fly(follower, [0.0, 0.0, -3.0], lambda _: [7.0, 0.0, -3.0], 60)
     assert set(states) == {PARTIAL}
     assert follower.searches == 1
@@ -97,7 +97,7 @@ def test_a_goal_within_a_surface_is_approached_and_held():
 
 
 def test_a_changed_world_is_searched_again_and_a_free_one_flown_straight():
-    follower = Follower(Router(ob.table([]), 0.6))
+    follower = RouteFollower(Router(ob.table([]), 0.6))
     p, goal = np.array([[0.0, 0.0, -2.0]]), np.array([[8.0, 0.0, -2.0]])
     assert follower.aims([1], p, goal).state[0] == STRAIGHT
     follower.use(Router(L_WALL, 0.6, floor_m=0.3))
@@ -109,7 +109,7 @@ def test_a_changed_world_is_searched_again_and_a_free_one_flown_straight():
 
 
 def test_searches_are_spread_over_ticks_longest_waiting_first():
-    follower = Follower(Router(U_WALL, 0.6, floor_m=0.3), Rules(cells=1))
+    follower = RouteFollower(Router(U_WALL, 0.6, floor_m=0.3), GuideSettings(cells=1))
     n = 6
     p = np.array([[0.0, -2.5 + i, -2.0] for i in range(n)])
     goals = np.array([[12.0, -2.5 + i, -2.0 - i / 3] for i in range(n)])
@@ -117,25 +117,25 @@ def test_searches_are_spread_over_ticks_longest_waiting_first():
     assert served[0] >= 1
     assert served == sorted(served)
     assert served[-1] == n
-    first = Follower(Router(U_WALL, 0.6, floor_m=0.3), Rules(cells=1)).aims(range(n), p, goals)
+    first = RouteFollower(Router(U_WALL, 0.6, floor_m=0.3), GuideSettings(cells=1)).aims(range(n), p, goals)
     np.testing.assert_array_equal(first.aim_ned[first.state == WAITING], p[first.state == WAITING])
 
 
 def test_order_and_company_of_vehicles_do_not_matter():
     rng = np.random.default_rng(3)
     p, goals = rng.uniform([-1, -3, -5], [4, 3, -1], (8, 3)), rng.uniform([8, -6, -5], [12, 6, -1], (8, 3))
-    every = Rules(cells=10**9)
-    together = Follower(Router(U_WALL, 0.6, floor_m=0.3), every).aims(range(8), p, goals)
-    back = Follower(Router(U_WALL, 0.6, floor_m=0.3), every).aims(range(7, -1, -1), p[::-1], goals[::-1])
+    every = GuideSettings(cells=10**9)
+    together = RouteFollower(Router(U_WALL, 0.6, floor_m=0.3), every).aims(range(8), p, goals)
+    back = RouteFollower(Router(U_WALL, 0.6, floor_m=0.3), every).aims(range(7, -1, -1), p[::-1], goals[::-1])
     np.testing.assert_array_equal(together.aim_ned, back.aim_ned[::-1])
     for i in range(8):
-        alone = Follower(Router(U_WALL, 0.6, floor_m=0.3), every).aims([i], p[i : i + 1], goals[i : i + 1])
+        alone = RouteFollower(Router(U_WALL, 0.6, floor_m=0.3), every).aims([i], p[i : i + 1], goals[i : i + 1])
         np.testing.assert_array_equal(alone.aim_ned[0], together.aim_ned[i])
         np.testing.assert_array_equal(alone.remaining_m[0], together.remaining_m[i])
 
 
 def test_who_is_left_out_is_forgotten():
-    follower = Follower(Router(L_WALL, 0.6, floor_m=0.3))
+    follower = RouteFollower(Router(L_WALL, 0.6, floor_m=0.3))
     p, goal = np.array([[0.0, 0.0, -2.0]]), np.array([[8.0, 0.0, -2.0]])
     follower.aims([7], p, goal)
     assert len(follower.route(7))
@@ -144,7 +144,7 @@ def test_who_is_left_out_is_forgotten():
 
 
 def test_what_cannot_be_is_refused():
-    follower = Follower(Router(ob.table([]), 0.6))
+    follower = RouteFollower(Router(ob.table([]), 0.6))
     with pytest.raises(ValueError, match="must be"):
         follower.aims([1, 2], np.zeros((1, 3)), np.zeros((1, 3)))
     with pytest.raises(ValueError, match="twice"):
@@ -152,4 +152,4 @@ def test_what_cannot_be_is_refused():
     with pytest.raises(ValueError, match="finite"):
         follower.aims([1], np.full((1, 3), np.nan), np.zeros((1, 3)))
     with pytest.raises(ValueError, match="moved_m"):
-        Rules(moved_m=0.0)
+        GuideSettings(moved_m=0.0)

@@ -9,10 +9,10 @@ import pytest
 
 from gcs.planner import fuzzy_escape
 from gcs.planner.leader import advance
-from gcs.planner.potential_field import Field
+from gcs.planner.potential_field import FieldConstants
 from gcs.scenario import geometry
 
-FIELD = Field()
+FIELD = FieldConstants()
 NO_OBSTACLE = geometry.table([])
 NWU_TO_NED = np.array([1.0, -1.0, -1.0])
 EXAMPLE_1 = NWU_TO_NED * [

@@ -5,10 +5,10 @@ import pytest
 from field import surface
 
 from gcs.planner import fuzzy_escape, leader, neighbours
-from gcs.planner.potential_field import Field
+from gcs.planner.potential_field import FieldConstants
 from gcs.scenario import geometry
 
-FIELD = Field(k0=15.0, k1=2.0, a=0.5, b=0.5, attraction_range_m=1.0, repulsion_range_m=1.0, step_m=0.1)
+FIELD = FieldConstants(k0=15.0, k1=2.0, a=0.5, b=0.5, attraction_range_m=1.0, repulsion_range_m=1.0, step_m=0.1)
 
 
 def shapes(rng: np.random.Generator, count: int) -> np.ndarray:

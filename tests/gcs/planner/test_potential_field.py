@@ -8,10 +8,10 @@ from field import attraction_potential, force, repulsion_potential, surface
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gcs.planner.potential_field import SURFACE_FLOOR_M, Field, widened_range
+from gcs.planner.potential_field import SURFACE_FLOOR_M, FieldConstants, widened_range
 from gcs.scenario import geometry
 
-FIELD = Field()
+FIELD = FieldConstants()
 # Example 1 of the paper (north, west, up), turned to NED.
 NWU_TO_NED = np.array([1.0, -1.0, -1.0])
 EXAMPLE_1 = NWU_TO_NED * [
@@ -21,12 +21,12 @@ EXAMPLE_1 = NWU_TO_NED * [
 LEGS = NWU_TO_NED * [(5, 5, 1.5), (10, 10, 3)]
 
 
-def repulsion_at(q: object, table: np.ndarray, field: Field = FIELD) -> np.ndarray:
+def repulsion_at(q: object, table: np.ndarray, field: FieldConstants = FIELD) -> np.ndarray:
     ranges = np.full(len(table), field.repulsion_range_m)
     return force(q, tracked=[], waypoints=[], repulsors=table, ranges_m=ranges, field=field)[1]
 
 
-def attraction_at(q: object, goal: object, field: Field = FIELD) -> np.ndarray:
+def attraction_at(q: object, goal: object, field: FieldConstants = FIELD) -> np.ndarray:
     return force(q, tracked=[goal], waypoints=[], repulsors=geometry.table([]), ranges_m=[], field=field)[0]
 
 
@@ -41,7 +41,7 @@ def test_repulsion_is_minus_the_gradient_of_its_potential(rho: float) -> None:
 @pytest.mark.parametrize("cap_m", [1.0, math.inf])
 @pytest.mark.parametrize("rho", [0.1, 0.9, 1.1, 30.0])
 def test_attraction_is_minus_the_gradient_of_its_potential(rho: float, cap_m: float) -> None:
-    field, h = Field(cap_m=cap_m), 1e-6
+    field, h = FieldConstants(cap_m=cap_m), 1e-6
     slope = (attraction_potential(rho + h, field) - attraction_potential(rho - h, field)) / (2 * h)
     assert attraction_at((0, rho, 0), (0, 0, 0), field) == pytest.approx([0, -slope, 0], rel=1e-6)
 
@@ -70,7 +70,7 @@ def test_repulsion_and_its_potential_are_continuous_at_both_edges(edge: float) -
 
 
 fields = st.builds(
-    Field,
+    FieldConstants,
     k0=st.floats(0.1, 100.0),
     k1=st.floats(0.1, 20.0),
     a=st.floats(0.0, 3.0),
@@ -83,7 +83,9 @@ away = st.tuples(*[st.floats(-1.0, 1.0)] * 3).filter(lambda d: math.hypot(*d) > 
 
 @settings(max_examples=300, deadline=None)
 @given(fields, away, st.floats(0.03, 6.0))
-def test_any_field_is_minus_the_gradient_in_space(field: Field, direction: tuple[float, ...], rho: float) -> None:
+def test_any_field_is_minus_the_gradient_in_space(
+    field: FieldConstants, direction: tuple[float, ...], rho: float
+) -> None:
     q, h = rho * np.array(direction) / math.hypot(*direction), 1e-6 * rho
     edges = (field.cap_m, field.repulsion_range_m, field.b * field.repulsion_range_m)
     table = geometry.points([(0, 0, 0)])
@@ -105,7 +107,7 @@ def test_any_field_is_minus_the_gradient_in_space(field: Field, direction: tuple
 
 @settings(max_examples=200, deadline=None)
 @given(fields, st.booleans())
-def test_any_repulsion_is_c1_at_both_edges(field: Field, inner: bool) -> None:
+def test_any_repulsion_is_c1_at_both_edges(field: FieldConstants, inner: bool) -> None:
     edge = field.repulsion_range_m * (field.b if inner else 1.0)
     table, d = geometry.points([(0, 0, 0)]), 1e-9 * edge
     below, above = (repulsion_at((edge + s * d, 0, 0), table, field)[0] for s in (-1, 1))
@@ -150,7 +152,7 @@ def test_range_widens_by_speed_times_age() -> None:
     assert widened_range(1.0, [2.0, 3.0, 3.0], [0.5, 0.0, -1.0]) == pytest.approx([2.0, 1.0, 1.0])
 
 
-def walk(start_nwu: object, field: Field) -> tuple[int, float, float]:
+def walk(start_nwu: object, field: FieldConstants) -> tuple[int, float, float]:
     """Full steps κF/|F|, as docs/model.md#potential-field was measured, by way of LEGS: steps, length, clearance in
     m."""
     table = geometry.points(EXAMPLE_1)
@@ -171,7 +173,7 @@ def test_example_1_takes_the_published_steps_and_clearance() -> None:
 
 
 def test_example_1_uncapped_is_pressed_to_the_published_clearance() -> None:
-    assert walk((0, 0, 0), Field(cap_m=math.inf))[2] == pytest.approx(0.356, abs=0.0005)
+    assert walk((0, 0, 0), FieldConstants(cap_m=math.inf))[2] == pytest.approx(0.356, abs=0.0005)
 
 
 @pytest.mark.parametrize(("start", "length_m"), [((0, 0, 0), 14.5), ((0, 5, 0), 12.5), ((0, -5, 0), 18.6)])
@@ -189,4 +191,4 @@ def test_paths_have_the_published_lengths_to_one_step(start: object, length_m: f
 )  # fmt: skip
 def test_a_parameter_out_of_range_is_refused_by_name(name: str, value: float) -> None:
     with pytest.raises(ValueError, match=name):
-        Field(**{name: value})
+        FieldConstants(**{name: value})

@@ -13,7 +13,7 @@ from walls import CEILING, L_WALL, U_WALL, room, walls
 
 from gcs.planner.line_of_sight import leg_clearance, sight
 from gcs.planner.route import Router
-from gcs.planner.route_grid import Field, _allowed, _moves, cell_at, cells, centre
+from gcs.planner.route_grid import CostField, _allowed, _moves, cell_at, cells, centre
 from gcs.scenario import geometry as ob
 
 CLEARANCE_M = 0.6
@@ -197,12 +197,12 @@ def test_search_costs_are_those_of_scipy_on_the_same_graph(seed):
     largest = np.bincount(grid.part[grid.part > 0]).argmax()
     goal, *starts = rng.choice(np.flatnonzero(grid.part == largest), 9, replace=False)
     expected = dijkstra(graph, indices=goal)
-    field = Field.towards(grid, int(goal))
+    field = CostField.towards(grid, int(goal))
     paths = []
     for start in starts:
         paths.append(field.path(grid, int(start)))
         assert field.cost[start] - 1 == expected[start]
-        fresh = Field.towards(grid, int(goal)).path(grid, int(start))
+        fresh = CostField.towards(grid, int(goal)).path(grid, int(start))
         np.testing.assert_array_equal(paths[-1], fresh)  # whoever asked before
     settled = field.cost > 0
     np.testing.assert_array_equal(field.cost[settled] - 1, expected[settled])
@@ -220,7 +220,7 @@ def test_a_routes_length_is_within_10_percent_of_the_grids_and_mostly_below(seed
         if found is not None and len(found.points_ned) > 1 and found.clearance_m >= 0.4 - ROUNDING_M:
             grid = router.grid
             ends = [cell_at(grid, goal), cell_at(grid, start)]
-            field = Field.towards(grid, ends[0])
+            field = CostField.towards(grid, ends[0])
             field.path(grid, ends[1])
             grid_m = (field.cost[ends[1]] - 1) / 70 * grid.cell_m
             grid_m += sum(np.linalg.norm(centre(grid, c) - p) for c, p in zip(ends, (goal, start), strict=True))

@@ -11,12 +11,12 @@ from hypothesis import strategies as st
 
 from gcs.planner import braking_clearance
 from gcs.planner.braking_clearance import stop_way
-from gcs.planner.safety_filter import KINDS, Others, Rules, Vehicles, filter_step
+from gcs.planner.safety_filter import KINDS, FilterSettings, Leaders, Others, filter_step
 from gcs.scenario import geometry as shapes
 
 DT, SUB = 0.1, 8
-RULES = Rules()
-POOR = Rules(rounds=1, sweeps=1, buffer_m=0.0)
+RULES = FilterSettings()
+POOR = FilterSettings(rounds=1, sweeps=1, buffer_m=0.0)
 """A projection so poor that the check is what keeps the invariant."""
 A = 5.0
 MARGIN = 0.1
@@ -113,7 +113,7 @@ def test_what_starts_apart_stays_apart_whatever_is_wished(seed, rules):
         if k % 7 == 0:
             wish = nasty(rng, p, 5.0)
         out = filter_step(
-            Vehicles(p_ned=p, v_ned=v, high_ned=(9, 9, FLOOR + MARGIN), **fleet), wish, rules=rules, obstacles=table
+            Leaders(p_ned=p, v_ned=v, high_ned=(9, 9, FLOOR + MARGIN), **fleet), wish, rules=rules, obstacles=table
         )
         apart, clear = least(way(p, v, out.u_ned, np.full((n, 1), 0.8 * A), 1), table)
         assert apart.min() >= D - 1e-6
@@ -137,7 +137,7 @@ def test_from_any_state_braking_clearance_is_at_least_what_braking_keeps(seed, r
     other = np.hstack([rng.uniform(-3, 3, (m, 3)), rng.normal(size=(m, 3)) * 3])
     radius = rng.uniform(0.3, 1.0, m)
     out = filter_step(
-        Vehicles(np.arange(n), p, v, 6.0, a, margin), nasty(rng, p, 5.0), rules=rules, obstacles=table,
+        Leaders(np.arange(n), p, v, 6.0, a, margin), nasty(rng, p, 5.0), rules=rules, obstacles=table,
         others=Others(other[:, :3], other[:, 3:], radius),
     )  # fmt: skip
     periods = 60
@@ -202,7 +202,7 @@ def test_who_hovers_lets_traffic_pass(seed):
     nearest = math.inf
     for _ in range(80):
         out = filter_step(
-            Vehicles([7], p, v, 3.0, A, MARGIN), 2 * ([0, 0, -5.0] - p), rules=RULES, others=Others([q], [w], 0.9)
+            Leaders([7], p, v, 3.0, A, MARGIN), 2 * ([0, 0, -5.0] - p), rules=RULES, others=Others([q], [w], 0.9)
         )
         for s in np.linspace(0, DT, 11):
             nearest = min(nearest, float(np.linalg.norm(p + s * v + 0.5 * s * s * out.u_ned - q - s * w)))
@@ -233,7 +233,7 @@ def test_partners_of_a_transfer_may_be_near_but_not_nearer_than_theirs():
     for _ in range(80):
         wish = 2 * (np.array([0, 0, -5.0]) - p)
         out = filter_step(
-            Vehicles([5, 2, 9], p, v, 2.0, A, MARGIN), wish, rules=RULES, pair_required_m=[(2, 5, 0.3), (2, 77, 1.0)]
+            Leaders([5, 2, 9], p, v, 2.0, A, MARGIN), wish, rules=RULES, pair_required_m=[(2, 5, 0.3), (2, 77, 1.0)]
         )
         p, v = out.p_next_ned, out.v_next_ned
         assert np.linalg.norm(p[0] - p[1]) >= 0.3 - 1e-6
@@ -246,7 +246,7 @@ def fleet(n=30, seed=3):
     p, v = safe_state(rng, n, world(rng), 3.0)
     return (
         rng,
-        Vehicles(rng.permutation(n) + 10, p, v, 4.0, A, rng.uniform(0, 0.2, n)),
+        Leaders(rng.permutation(n) + 10, p, v, 4.0, A, rng.uniform(0, 0.2, n)),
         nasty(rng, p, 4.0),
         world(rng),
     )
@@ -267,7 +267,7 @@ def test_equal_inputs_give_equal_bits(n):
 def test_the_order_of_vehicles_does_not_matter_to_the_bit(n):
     rng, vehicles, wish, table = fleet(n)
     k = rng.permutation(n)
-    mixed = Vehicles(vehicles.ids[k], vehicles.p_ned[k], vehicles.v_ned[k], 4.0, A, vehicles.margin_m[k])
+    mixed = Leaders(vehicles.ids[k], vehicles.p_ned[k], vehicles.v_ned[k], 4.0, A, vehicles.margin_m[k])
     once = filter_step(vehicles, wish, rules=RULES, obstacles=table)
     again = filter_step(mixed, wish[k], rules=RULES, obstacles=table)
     assert (once.changed_m_s2 > 0).any()
@@ -284,12 +284,12 @@ def test_with_nothing_near_the_wish_is_flown_within_limits(seed):
     p = np.stack([np.arange(5) * 30.0, np.zeros(5), np.full(5, -20.0)], 1)
     v = rng.normal(size=(5, 3))
     wish = v + rng.normal(size=(5, 3)) * 0.1
-    out = filter_step(Vehicles(np.arange(5), p, v, 9.0, A, 0.1, high_ned=(np.inf, np.inf, 0)), wish, rules=RULES)
+    out = filter_step(Leaders(np.arange(5), p, v, 9.0, A, 0.1, high_ned=(np.inf, np.inf, 0)), wish, rules=RULES)
     assert np.allclose(out.v_next_ned, wish, atol=1e-12)
     assert not out.changed_m_s2.any()
     assert (out.binding == -1).all()
     assert not out.binding_kind.any()
-    far = filter_step(Vehicles(np.arange(5), p, v, 9.0, A, 0.1), wish * 100, rules=RULES)
+    far = filter_step(Leaders(np.arange(5), p, v, 9.0, A, 0.1), wish * 100, rules=RULES)
     assert np.linalg.norm(far.u_ned, axis=1).max() <= A + 1e-9
     assert not far.changed_m_s2.any()
 
@@ -299,7 +299,7 @@ def test_a_formation_at_exactly_its_distance_is_left_in_peace(moving):
     p = np.array([[x * D, y * D, -5.0] for x in range(4) for y in range(4)])
     v = np.tile([moving, 0.0, 0.0], (16, 1))
     for _ in range(50):
-        out = filter_step(Vehicles(np.arange(16), p, v, 5.0, A, MARGIN), v, rules=RULES)
+        out = filter_step(Leaders(np.arange(16), p, v, 5.0, A, MARGIN), v, rules=RULES)
         assert np.abs(out.u_ned).max() < 1e-6
         assert not out.checked.any()
         p, v = out.p_next_ned, out.v_next_ned
@@ -309,7 +309,7 @@ def test_slots_nearer_than_allowed_come_to_rest_without_chatter():
     goal = np.array([[x * 0.6, 0.0, -5.0] for x in range(5)])
     p, v, last = goal * (2, 1, 1), np.zeros((5, 3)), []
     for _ in range(300):
-        out = filter_step(Vehicles(np.arange(5), p, v, 2.0, A, MARGIN), 1.5 * (goal - p), rules=RULES)
+        out = filter_step(Leaders(np.arange(5), p, v, 2.0, A, MARGIN), 1.5 * (goal - p), rules=RULES)
         p, v = out.p_next_ned, out.v_next_ned
         last.append(np.linalg.norm(out.u_ned, axis=1).max())
     assert max(last[-50:]) < 0.1
@@ -324,7 +324,7 @@ def test_what_is_too_near_parts(n, spread):
     if spread == 0.3:
         v = rng.normal(size=(n, 3))
     for _ in range(60):
-        out = filter_step(Vehicles(np.arange(n), p, v, 3.0, A, MARGIN), np.zeros((n, 3)), rules=RULES)
+        out = filter_step(Leaders(np.arange(n), p, v, 3.0, A, MARGIN), np.zeros((n, 3)), rules=RULES)
         assert np.isfinite(out.u_ned).all()
         p, v = out.p_next_ned, out.v_next_ned
     assert least(p[None])[0].min() >= D - 1e-6
@@ -341,7 +341,7 @@ def test_inside_obstacles_under_the_floor_and_at_centres_it_comes_out():
     )
     p, v = np.array([[0, 0, -2.0], [5, 0, -2], [9, 0, -2], [13, 0, -2], [17, 0, 0.5]]), np.zeros((5, 3))
     for _ in range(60):
-        out = filter_step(Vehicles(np.arange(5), p, v, 3.0, A, MARGIN, high_ned=(np.inf, np.inf, FLOOR + MARGIN)), np.zeros((5, 3)), rules=RULES, obstacles=table,
+        out = filter_step(Leaders(np.arange(5), p, v, 3.0, A, MARGIN, high_ned=(np.inf, np.inf, FLOOR + MARGIN)), np.zeros((5, 3)), rules=RULES, obstacles=table,
                           others=Others([[5, 0, -2.0]], [[0, 0, 0]], 0.3))  # fmt: skip
         assert np.isfinite(out.u_ned).all()
         p, v = out.p_next_ned, out.v_next_ned
@@ -352,7 +352,7 @@ def test_inside_obstacles_under_the_floor_and_at_centres_it_comes_out():
 def test_the_fence_holds_and_names_its_side():
     p, v = np.array([[0, 0, -5.0]]), np.array([[4.0, 0, 0]])
     for _ in range(200):
-        out = filter_step(Vehicles([1], p, v, 5.0, A, 0.0, (-3, -3, -9), (3, 3, -1)), [[5, 1, -1]], rules=RULES)
+        out = filter_step(Leaders([1], p, v, 5.0, A, 0.0, (-3, -3, -9), (3, 3, -1)), [[5, 1, -1]], rules=RULES)
         p, v = out.p_next_ned, out.v_next_ned
         assert (p <= np.array([3, 3, -1]) + 1e-9).all()
         assert (p >= np.array([-3, -3, -9]) - 1e-9).all()
@@ -364,7 +364,7 @@ def test_a_growing_silence_takes_more_room():
     def room(growth):
         p, v = np.array([[0, 0, -5.0]]), np.zeros((1, 3))
         for k in range(40):
-            out = filter_step(Vehicles([1], p, v, 3.0, A, MARGIN), [[2.0, 0, 0]], rules=RULES,
+            out = filter_step(Leaders([1], p, v, 3.0, A, MARGIN), [[2.0, 0, 0]], rules=RULES,
                               others=Others([[5.0, 0, -5]], [[0, 0, 0]], 0.8 + growth * k * DT, growth))  # fmt: skip
             p, v = out.p_next_ned, out.v_next_ned
         return 5.0 - p[0, 0]
@@ -373,7 +373,7 @@ def test_a_growing_silence_takes_more_room():
 
 
 def test_empty_fleets_and_wrong_arguments():
-    empty = filter_step(Vehicles([], np.zeros((0, 3)), np.zeros((0, 3)), 1.0, 1.0), np.zeros((0, 3)), rules=RULES)
+    empty = filter_step(Leaders([], np.zeros((0, 3)), np.zeros((0, 3)), 1.0, 1.0), np.zeros((0, 3)), rules=RULES)
     assert empty.u_ned.shape == (0, 3)
     good = {"ids": [1, 2], "p_ned": np.zeros((2, 3)), "v_ned": np.zeros((2, 3)), "v_max_m_s": 1.0, "a_max_m_s2": 1.0}
     for bad, words in (
@@ -381,8 +381,8 @@ def test_empty_fleets_and_wrong_arguments():
         ({"v_max_m_s": 0.0}, "v_max_m_s holds"), ({"a_max_m_s2": [1, -1]}, "a_max_m_s2 holds"), ({"margin_m": -0.1}, "margin_m"), ({"low_ned": math.nan}, "low_ned"),
     ):  # fmt: skip
         with pytest.raises(ValueError, match=words):
-            filter_step(Vehicles(**(good | bad)), np.zeros((2, 3)), rules=RULES)
+            filter_step(Leaders(**(good | bad)), np.zeros((2, 3)), rules=RULES)
     with pytest.raises(ValueError, match="v_wanted_ned"):
-        filter_step(Vehicles(**good), np.zeros((1, 3)), rules=RULES)
+        filter_step(Leaders(**good), np.zeros((1, 3)), rules=RULES)
     with pytest.raises(ValueError, match="brake_share"):
-        Rules(brake_share=1.5)
+        FilterSettings(brake_share=1.5)

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from gcs.mavlink.autopilots import PX4, FlightMode
-from gcs.mavlink.commands import CommandRequest
+from gcs.mavlink.command_protocol import CommandRequest
 from gcs.refuelling.explain import sentence
 from gcs.refuelling.scheduler import Scheduler
 from gcs.refuelling.service import Decision, Phase, Service

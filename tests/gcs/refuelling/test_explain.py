@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 from views import snapshot, view
 
-from gcs.mavlink.commands import CommandResult, CommandTarget
+from gcs.mavlink.command_protocol import CommandResult, CommandTarget
 from gcs.refuelling.bidding import Standing
 from gcs.refuelling.explain import acknowledged, competition_of, history_of, rendezvous_ned, why
 from gcs.refuelling.service import Phase, Service

@@ -8,7 +8,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import ARDUCOPTER, PX4, FlightMode
-from gcs.mavlink.commands import CommandRequest
+from gcs.mavlink.command_protocol import CommandRequest
 from gcs.supervisor.arming import SELDOM_S, ArmingSequence, Stage
 from gcs.telemetry.state import VehicleView
 

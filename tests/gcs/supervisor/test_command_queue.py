@@ -5,7 +5,7 @@ from typing import Any
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
-from gcs.mavlink.commands import OPERATOR, PILOT, CommandRequest
+from gcs.mavlink.command_protocol import OPERATOR, PILOT, CommandRequest
 from gcs.supervisor.command_queue import FleetCommandQueue
 
 ARM = CommandRequest(3, mav.MAV_CMD_COMPONENT_ARM_DISARM, (), f"{PILOT} arm")
@@ -13,9 +13,9 @@ LAND = CommandRequest(3, mav.MAV_CMD_NAV_LAND, (), f"{OPERATOR} land")
 SERVE = CommandRequest(3, mav.MAV_CMD_USER_1, (), "5 receive")
 
 
-def commands(outbox: FleetCommandQueue, sysid: int = 3) -> list[int]:
+def commands(queue: FleetCommandQueue, sysid: int = 3) -> list[int]:
     """The ids of the commands that leave for a vehicle now."""
-    return [codec.fields(codec.split(codec.frame(m, 0, 255, 190)).frames[0]).command for m in outbox.take(sysid)]
+    return [codec.fields(codec.split(codec.frame(m, 0, 255, 190)).frames[0]).command for m in queue.take(sysid)]
 
 
 def ack(wish: CommandRequest) -> Any:
@@ -26,61 +26,61 @@ def ack(wish: CommandRequest) -> Any:
 
 
 def test_what_is_put_leaves_once_in_order_and_for_its_vehicle_alone() -> None:
-    outbox = FleetCommandQueue([3, 4])
+    queue = FleetCommandQueue([3, 4])
     ping, pong = (codec.message("PING", time_usec=t, seq=t, target_system=0, target_component=0) for t in (1, 2))
-    outbox.put(3, [ping])
-    outbox.put(3, [pong])
-    assert outbox.take(4) == []
-    assert outbox.take(3) == [ping, pong]
-    assert outbox.take(3) == []
+    queue.put(3, [ping])
+    queue.put(3, [pong])
+    assert queue.take(4) == []
+    assert queue.take(3) == [ping, pong]
+    assert queue.take(3) == []
 
 
 def test_a_command_is_sent_again_until_it_is_acknowledged_and_then_told() -> None:
-    outbox = FleetCommandQueue([3])
-    outbox.ask([ARM], 0.0)
-    assert commands(outbox) == [ARM.command]
-    assert outbox.poll(3, 0.6) == []
-    assert commands(outbox) == [ARM.command]
-    assert (outbox.resent, outbox.awaits(ARM.token)) == (1, True)
-    (result,) = outbox.on_ack(3, ack(ARM), 0.7)
+    queue = FleetCommandQueue([3])
+    queue.ask([ARM], 0.0)
+    assert commands(queue) == [ARM.command]
+    assert queue.poll(3, 0.6) == []
+    assert commands(queue) == [ARM.command]
+    assert (queue.resent, queue.awaits(ARM.token)) == (1, True)
+    (result,) = queue.on_ack(3, ack(ARM), 0.7)
     assert (result.outcome, result.token) == ("accepted", ARM.token)
-    assert not outbox.awaits(ARM.token)
+    assert not queue.awaits(ARM.token)
 
 
 def test_what_is_asked_once_is_not_lined_up_behind_itself() -> None:
-    outbox = FleetCommandQueue([3])
+    queue = FleetCommandQueue([3])
     for now_s in (0.0, 0.1):
-        outbox.ask_once([ARM], now_s)
-    assert commands(outbox) == [ARM.command]
-    outbox.on_ack(3, ack(ARM), 0.2)
-    assert commands(outbox) == []
-    outbox.ask_once([ARM], 0.3)
-    assert commands(outbox) == [ARM.command]
+        queue.ask_once([ARM], now_s)
+    assert commands(queue) == [ARM.command]
+    queue.on_ack(3, ack(ARM), 0.2)
+    assert commands(queue) == []
+    queue.ask_once([ARM], 0.3)
+    assert commands(queue) == [ARM.command]
 
 
 def test_pilots_and_operators_commands_are_withdrawn_and_a_services_go_on() -> None:
-    outbox = FleetCommandQueue([3])
-    outbox.ask([ARM, LAND, SERVE], 0.0)
-    assert commands(outbox) == [ARM.command, LAND.command, SERVE.command]
-    outbox.withdraw(3)
-    ended = outbox.poll(3, 0.6)
+    queue = FleetCommandQueue([3])
+    queue.ask([ARM, LAND, SERVE], 0.0)
+    assert commands(queue) == [ARM.command, LAND.command, SERVE.command]
+    queue.withdraw(3)
+    ended = queue.poll(3, 0.6)
     assert [(result.token, result.outcome) for result in ended] == [(ARM.token, "timeout"), (LAND.token, "timeout")]
-    assert commands(outbox) == [SERVE.command]
+    assert commands(queue) == [SERVE.command]
 
 
 def test_a_withdrawn_command_that_waited_its_turn_may_be_asked_again_at_once() -> None:
-    outbox = FleetCommandQueue([3])
+    queue = FleetCommandQueue([3])
     waits = CommandRequest(3, SERVE.command, (), f"{PILOT} arm")
-    outbox.ask([SERVE, waits], 0.0)
-    assert commands(outbox) == [SERVE.command]
-    outbox.withdraw(3)
-    assert not outbox.awaits(waits.token)
+    queue.ask([SERVE, waits], 0.0)
+    assert commands(queue) == [SERVE.command]
+    queue.withdraw(3)
+    assert not queue.awaits(waits.token)
 
 
 def test_what_waits_is_forgotten_and_its_commands_are_not() -> None:
-    outbox = FleetCommandQueue([3])
-    outbox.ask([ARM], 0.0)
-    outbox.clear()
-    assert commands(outbox) == []
-    outbox.poll(3, 0.6)
-    assert commands(outbox) == [ARM.command]
+    queue = FleetCommandQueue([3])
+    queue.ask([ARM], 0.0)
+    queue.clear()
+    assert commands(queue) == []
+    queue.poll(3, 0.6)
+    assert commands(queue) == [ARM.command]

@@ -8,7 +8,7 @@ from pymavlink.dialects.v20 import common
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Message
-from gcs.mavlink.commands import PROGRESS_S, CommandInt, CommandLong, CommandQueue, CommandResult, CommandTarget
+from gcs.mavlink.command_protocol import PROGRESS_S, CommandInt, CommandLong, CommandQueue, CommandResult, CommandTarget
 
 ARM, TAKEOFF = common.MAV_CMD_COMPONENT_ARM_DISARM, common.MAV_CMD_NAV_TAKEOFF
 ACCEPTED, DENIED, IN_PROGRESS = (

@@ -12,15 +12,27 @@ TYPE_CHECKING = False  # as from typing, which would take longer to load than al
 if TYPE_CHECKING:
     from typing import Any
 
+    from gcs.campaign.python import Campaign
     from gcs.recording.summary import Summary
     from gcs.scenario.file import load
     from gcs.scenario.model import Scenario, ScenarioError
     from gcs.session.arrays import MissingExtra, Snapshot
     from gcs.session.python import Session, SessionError
 
-__all__ = ["MissingExtra", "Scenario", "ScenarioError", "Session", "SessionError", "Snapshot", "Summary", "load"]
+__all__ = [
+    "Campaign",
+    "MissingExtra",
+    "Scenario",
+    "ScenarioError",
+    "Session",
+    "SessionError",
+    "Snapshot",
+    "Summary",
+    "load",
+]
 
 _HOME = {
+    "Campaign": "campaign.python",
     "MissingExtra": "session.arrays",
     "Scenario": "scenario.model",
     "ScenarioError": "scenario.document",

@@ -1,4 +1,4 @@
-"""pytest plugin: the mark `campaign`, and the `fleet` fixture, real vehicle processes for tests of your own MAVLink code.
+"""pytest plugin: the mark `campaign`, and the `fleet` fixture, real vehicle processes for tests of your MAVLink code.
 
     def test_it_answers(fleet):
         connection = mavutil.mavlink_connection(fleet[1].address)

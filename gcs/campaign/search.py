@@ -38,8 +38,8 @@ class Search:
         """Take in a flown row."""
         value = row.get(self._measure)
         sign = 1.0 if self._rules.minimise is not None else -1.0
-        known = value is not None and not row["error"] and math.isfinite(float(value))
-        self._results[row["row"]] = sign * float(value) if known else WORST
+        known = isinstance(value, float | int) and not row["error"] and math.isfinite(value)
+        self._results[row["row"]] = sign * float(value or 0.0) if known else WORST
 
     def rows(self) -> Iterator[Row | None]:
         """The trials to be flown."""

@@ -31,6 +31,7 @@ class Search:
         self._optuna = _optuna()
         self._study = self._optuna.create_study(sampler=self._sampler())
         self._results: dict[int, float] = {}
+        self._trials: dict[int, Row] = {}
         for row in table.read(folder, plan.campaign).to_pylist():
             self.take(row)
 
@@ -54,13 +55,20 @@ class Search:
             for trial in trials:
                 self._study.tell(trial, self._results[trial.number])
 
+    def row(self, flown: dict[str, Any]) -> Row:
+        """The trial that a row of the table came from."""
+        number = int(flown["row"])
+        return self._trials[number]
+
     def _row(self, trial: Any) -> Row:
         campaign = self._plan.campaign
         values = dict(self._plan.row(0).values)
         for key, draw in campaign.draw.items():
             if draw.random is None:
                 values[key] = _suggested(trial, key, draw)
-        return Row(trial.number, trial.number, 0, draws.seed_of(campaign.seed, trial.number), values)
+        row = Row(trial.number, trial.number, 0, draws.seed_of(campaign.seed, trial.number), values)
+        self._trials[trial.number] = row
+        return row
 
     def _sampler(self) -> Any:
         samplers, seed = self._optuna.samplers, self._plan.campaign.seed % (1 << 32)

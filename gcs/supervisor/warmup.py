@@ -56,7 +56,7 @@ def find_way() -> None:
     start = np.array([[0.0, 0.0, -1.0]])
     for goal in ([5.0, 0.0, -1.0], [5.0, 0.5, -1.0], [2.2, 0.0, -1.0]):
         for tick in range(WAY_TICKS):  # a goal that moves away is searched for from on the route
-            aims = follower.aims([1], start, np.array([goal]) + [0.2 * tick, 0.0, 0.0])
+            aims = follower.aims([1], start, np.array([[goal[0] + 0.2 * tick, goal[1], goal[2]]]))
             start = start + 0.3 * (aims.aim_ned - start)
 
 

@@ -15,6 +15,7 @@ TYPE_CHECKING = False  # as from typing, which would take longer to load than al
 if TYPE_CHECKING:
     from typing import Any
 
+    from gcs.campaign.python import Campaign
     from gcs.planner.custom import PursuerPlanner, Situation
     from gcs.recording.summary import Summary
     from gcs.refuelling.policies import RefuellingPolicy, RefuellingRequest
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
     from gcs.telemetry.state import FleetState, TrafficView, VehicleView
 
 __all__ = [
+    "Campaign",
     "FleetState",
     "MissingExtra",
     "PursuerPlanner",
@@ -43,6 +45,7 @@ __all__ = [
 ]
 
 _HOME = {
+    "Campaign": "campaign.python",
     "FleetState": "telemetry.state",
     "MissingExtra": "session.arrays",
     "PursuerPlanner": "planner.custom",

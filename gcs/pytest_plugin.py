@@ -1,10 +1,13 @@
-"""pytest plugin: the `fleet` fixture, real vehicle processes for tests of your own MAVLink code.
+"""pytest plugin: the mark `campaign`, and the `fleet` fixture, real vehicle processes for tests of your MAVLink code.
 
     def test_it_answers(fleet):
         connection = mavutil.mavlink_connection(fleet[1].address)
 
     @pytest.mark.fleet(3)              # system ids 1 to 3, in a row of 3 m to the east
     @pytest.mark.fleet("demo")         # or the vehicles of a scenario: a file, or the name of a shipped one
+
+    @pytest.mark.campaign("policies", sessions=20)    # fails with the rows that are not as expected
+    def test_policies(campaign):                      # the campaign's table; the argument may be left out
 
 One vehicle without a mark. Addresses are of the system's choosing, so that tests may run in parallel; vehicles are
 ready when the test begins, and gone after it, also where pytest itself is killed.
@@ -23,11 +26,16 @@ import time
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 READY_WITHIN_S = 120.0
 GONE_WITHIN_S = 20.0
+CAMPAIGN_MARK = (
+    "campaign(what, sessions=None, workers=None): fly a campaign (a file, a shipped name or plain data) before the test"
+)
+MOST_TOLD = 20
 MARK = "fleet(what): vehicles for the `fleet` fixture: how many (1 to 254), or a scenario's file or shipped name"
 
 
@@ -74,6 +82,31 @@ class FlyingFleet:
 def pytest_configure(config: pytest.Config) -> None:
     """Make the mark known."""
     config.addinivalue_line("markers", MARK)
+    config.addinivalue_line("markers", CAMPAIGN_MARK)
+
+
+def pytest_itemcollected(item: pytest.Item) -> None:
+    """A test with the mark `campaign` has the fixture of that name."""
+    names = getattr(item, "fixturenames", None)
+    if names is not None and item.get_closest_marker("campaign") is not None and "campaign" not in names:
+        names.append("campaign")
+
+
+@pytest.fixture
+def campaign(request: pytest.FixtureRequest, tmp_path: Path) -> Any:
+    """The table of the campaign that the mark `campaign` names; fails with the rows that are not as expected."""
+    from gcs.campaign.python import Campaign  # noqa: PLC0415 - what takes long
+
+    mark = request.node.get_closest_marker("campaign")
+    if mark is None or not mark.args:
+        pytest.fail("the fixture campaign needs @pytest.mark.campaign(FILE, sessions=N)", pytrace=False)
+    flown = Campaign(mark.args[0], out=tmp_path / "campaign", **mark.kwargs)
+    table = flown.fly()
+    if failures := flown.failures:
+        told = [*failures[:MOST_TOLD], *([f"... and {len(failures) - MOST_TOLD} more"] * (len(failures) > MOST_TOLD))]
+        again = f"gcs campaign fly {flown.folder} ROW flies one again"
+        pytest.fail("\n".join([f"{len(failures)} of {table.num_rows} sessions failed:", *told, again]), pytrace=False)
+    return table
 
 
 @pytest.fixture

@@ -40,6 +40,7 @@ SETTINGS = {
     "distributed.worker.memory.spill": False,
 }
 SESSIONS = "sessions"
+END = object()
 
 
 class EngineError(RuntimeError):
@@ -73,7 +74,7 @@ class Progress:
 
 def fly(
     plan: Plan,
-    rows: Iterable[int | Row],
+    rows: Iterable[int | Row | None],
     take: Callable[[dict[str, Any]], None],
     *,
     scheduler: str | None = None,
@@ -83,6 +84,7 @@ def fly(
 ) -> bool:
     """Fly rows, each handed to `take` as it comes, in any order; False where `look` stopped it.
 
+    None among the rows means that those to follow depend on what is still in the air.
     `on_start` gets the address of Dask's dashboard. `look` gets the number of workers several times a second, and says
     whether to go on. Raises EngineError.
     """
@@ -96,17 +98,18 @@ def fly(
             if time.monotonic() - counted_s >= COUNT_EVERY_S:
                 threads, counted_s = _threads(client), time.monotonic()
             while not exhausted and len(flying) < max(AHEAD * threads, AHEAD):
-                following = next(waiting, None)
-                if following is None:
-                    exhausted = True
+                following = next(waiting, END)
+                exhausted = following is END
+                if following is END or following is None:
                     break
+                assert isinstance(following, int | Row)
                 row = plan.row(following) if isinstance(following, int) else following
                 future = client.submit(
                     worker.fly_row, plan, row, pure=False, key=f"row-{row.number}-{os.urandom(4).hex()}"
                 )
                 flying[future.key] = (future, row)
                 future.add_done_callback(came.put)
-            if not flying:
+            if exhausted and not flying:
                 return True
             with contextlib.suppress(queue.Empty):
                 future = came.get(timeout=LOOK_EVERY_S)

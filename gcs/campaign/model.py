@@ -209,7 +209,8 @@ class Campaign(Part):
         for where in ("set", "vary", "draw"):
             found += [Conflict((where, key), fault) for key in getattr(self, where) if (fault := self._fault(key))]
             earlier = {"set": {}, "vary": self.set, "draw": {**self.set, **self.vary}}[where]
-            found += [Conflict((where, key), f"{key} is set twice") for key in getattr(self, where) if key in earlier]
+            again = [key for key in getattr(self, where) if key in earlier and (where, key) != ("draw", "obstacles")]
+            found += [Conflict((where, key), f"{key} is set twice") for key in again]
         for key, values in self.vary.items():
             if len({repr(value) for value in values}) < len(values):
                 found.append(Conflict(("vary", key), "a value is given twice"))

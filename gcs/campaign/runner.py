@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import signal
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from datetime import datetime
 from pathlib import Path
 from types import FrameType
@@ -12,7 +12,7 @@ from typing import Any
 
 from gcs.campaign import table
 from gcs.campaign.engine import EngineError, Progress, Store, fly
-from gcs.campaign.plan import Plan, rows
+from gcs.campaign.plan import Plan, Row, rows
 
 DEFAULT_FOLDER = "campaigns"
 
@@ -34,7 +34,10 @@ def make_folder(plan: Plan, out: Path | None) -> Path:
 
 
 class Runner:
-    """Flies what a campaign's folder lacks. Ctrl-C stops it; what has come is written."""
+    """Flies what a campaign's folder lacks. Ctrl-C stops it; what has come is written.
+
+    rows, total: other rows than the plan's, and how many there will be.
+    """
 
     def __init__(
         self,
@@ -44,7 +47,10 @@ class Runner:
         scheduler: str | None = None,
         workers: int | None = None,
         tell: Callable[[Progress, dict[str, Any] | None], None] = lambda _progress, _row: None,
+        rows: Iterator[Row | None] | None = None,
+        total: int | None = None,
     ) -> None:
+        self._rows, self._total = rows, total
         self._folder, self._plan = folder, plan
         self._scheduler, self._workers = scheduler, workers
         self._tell = tell
@@ -58,7 +64,7 @@ class Runner:
         handlers = _handled(self._interrupt)
         try:
             done = table.done(self._folder)
-            progress = Progress(self._plan.rows, len(done))
+            progress = Progress(self._total or self._plan.rows, len(done))
 
             def take(row: dict[str, Any]) -> None:
                 store.take(row)
@@ -82,7 +88,7 @@ class Runner:
                 if len(done) < progress.total:
                     fly(
                         self._plan,
-                        rows(self._plan, done),
+                        self._rows or rows(self._plan, done),
                         take,
                         scheduler=self._scheduler,
                         workers=self._workers,

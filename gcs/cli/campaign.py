@@ -4,18 +4,22 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from gcs.cli.author import SET, load_scenario
 from gcs.exit import BAD_INPUT, DONE, NOT_DONE
 
 if TYPE_CHECKING:
     from gcs.campaign.engine import Progress
+    from gcs.campaign.model import Expectation
     from gcs.campaign.plan import Plan
 
 PLAIN_EVERY_S = 5.0
@@ -190,6 +194,173 @@ def fly(folder: Path, row: int, out: Path | None, only: bool, quiet: bool) -> in
     return ended
 
 
+@campaign.command(short_help="Make the page of a campaign.")
+@FOLDER
+def report(folder: Path) -> int:
+    """Write DIR/report.html: rates, distributions, paired differences, each with its interval, and the worst sessions.
+
+    \b
+    Exit status:
+      0    the page was written
+      1    it could not be written
+      2    DIR holds no campaign
+    """
+    from gcs.campaign import report as pages
+
+    plan = _found(folder)
+    try:
+        path = pages.make(folder, plan)
+    except OSError as error:
+        click.echo(f"{folder}: the page cannot be written: {error.strerror}", err=True)
+        return NOT_DONE
+    click.echo(f"{path}: written")
+    return DONE
+
+
+@campaign.command(short_help="Look for the worst case.")
+@click.argument("file", metavar="FILE")
+@click.option("--trials", type=click.IntRange(1), metavar="N", help="Instead of the file's.")
+@click.option("--seed", type=click.IntRange(0), metavar="N", help="Instead of the file's.")
+@click.option(
+    "--out", type=click.Path(path_type=Path), metavar="DIR", help="A new folder.  [default: campaigns/NAME-TIME]"
+)
+@SCHEDULER
+@WORKERS
+@PLAIN
+@QUIET
+def search(
+    file: str,
+    trials: int | None,
+    seed: int | None,
+    out: Path | None,
+    scheduler: str | None,
+    workers: int | None,
+    plain: bool,
+    quiet: bool,
+) -> int:
+    """Search what FILE, a campaign with `search:`, draws for the worst value of a measure, and write that scenario.
+
+    DIR/worst.yaml is what `gcs run --lockstep` flies; the table has a row per trial.
+
+    \b
+    Exit status:
+      0    every trial is there
+      1    not all could be flown
+      2    bad input; nothing has flown
+      130  stopped by Ctrl-C
+    """
+    from gcs.campaign import table
+    from gcs.campaign.engine import EngineError
+    from gcs.campaign.model import Search as Rules
+    from gcs.campaign.runner import Runner, make_folder
+    from gcs.campaign.search import Search
+    from gcs.scenario.file import dump
+
+    plan = _planned(file, None, seed)
+    rules = plan.campaign.search
+    if rules is None:
+        raise Refused(f"{file} says nothing of a search: add 'search: {{minimise: min_separation_m, trials: 200}}'")
+    if trials is not None:
+        rules = Rules.model_validate({**rules.model_dump(), "trials": trials})
+    each = {key: draw.model_copy(update={"together": True}) for key, draw in plan.campaign.draw.items()}
+    changed = {"search": rules, "vary": {}, "keep": "none", "sessions": rules.trials, "draw": each}
+    changed["set"] = {**plan.campaign.set, **{k: v for k, v in plan.row(0).values.items() if k in plan.campaign.vary}}
+    plan = replace(plan, campaign=plan.campaign.model_copy(update=changed))
+    try:
+        folder = make_folder(plan, out)
+        searched = Search(plan, folder)
+        shown = Shown(folder, quiet=quiet, plain=plain or not sys.stdout.isatty())
+
+        def tell(progress: Progress, row: dict[str, Any] | None) -> None:
+            if row is not None:
+                searched.take(row)
+            shown.tell(progress, None)
+
+        total = rules.trials
+        runner = Runner(
+            folder, plan, scheduler=scheduler, workers=workers, tell=tell, rows=searched.rows(), total=total
+        )
+        progress = runner.run()
+    except EngineError as error:
+        click.echo(f"gcs: {error}", err=True)
+        return NOT_DONE
+    shown.end()
+    name = str(rules.minimise or rules.maximise)
+    rows = [row for row in table.read(folder, plan.campaign).to_pylist() if row[name] is not None]
+    if rows:
+        worst = (min if rules.minimise else max)(rows, key=lambda row: (row[name], row["row"]))
+        scenario, _ = plan.resolved(searched.row(worst))
+        (folder / "worst.yaml").write_text(dump(scenario), encoding="utf-8")
+        if not quiet:
+            click.echo(f"{name} {worst[name]:.4g} in trial {worst['row']}: gcs run {folder / 'worst.yaml'} --lockstep")
+    if runner.interrupted:
+        return 128 + runner.interrupted
+    return DONE if progress.done == total else NOT_DONE
+
+
+@campaign.command(short_help="Make a failing scenario small.")
+@click.argument("scenario", metavar="SCENARIO")
+@SET
+@click.option(
+    "--expect",
+    multiple=True,
+    metavar="MEASURE>=N",
+    help="What it fails: min_separation_m>=0.6 or lost<=0; repeatable.  [default: its goal]",
+)
+@click.option("--out", type=click.Path(path_type=Path, dir_okay=False), default=Path("small.yaml"), show_default=True)
+@QUIET
+def shrink(scenario: str, settings: tuple[str, ...], expect: tuple[str, ...], out: Path, quiet: bool) -> int:
+    """Take vehicles, obstacles and digits from SCENARIO while its session still fails, and write what is left.
+
+    \b
+    Examples:
+      gcs campaign shrink worst.yaml --expect 'min_separation_m>=0.6'
+
+    \b
+    Exit status:
+      0    the small scenario was written
+      1    SCENARIO does not fail
+      2    it cannot be flown
+    """
+    from gcs.campaign import shrink as shrinking
+    from gcs.scenario.file import dump
+    from gcs.session.warm import WarmError, WarmSessions
+
+    loaded = load_scenario(scenario, settings).flown(lockstep=True)
+    wanted = dict(_expectation(text) for text in expect)
+    try:
+        with WarmSessions() as sessions:
+            small = shrinking.shrink(
+                loaded, shrinking.failing(sessions, wanted, (lambda _: None) if quiet else click.echo)
+            )
+    except ValueError as error:
+        click.echo(f"{scenario}: {error}", err=True)
+        return NOT_DONE
+    except WarmError as error:
+        raise Refused(str(error)) from None
+    out.write_text(dump(small), encoding="utf-8")
+    click.echo(f"{out}: written; gcs run {out} --lockstep flies it")
+    return DONE
+
+
+def _expectation(text: str) -> tuple[str, Expectation]:
+    """A measure and its limit, from `MEASURE>=N` or `MEASURE<=N`."""
+    from gcs.campaign import measures
+    from gcs.campaign.model import Expectation as Limit
+    from gcs.scenario.document import did_you_mean
+
+    name, sign, number = (part.strip() for part in re.fullmatch(r"([^<>=]*)([<>]=|)(.*)", text).groups())  # type: ignore[union-attr]
+    try:
+        limit = float(number)
+    except ValueError:
+        sign = ""
+    if not sign:
+        raise click.UsageError(f"--expect {text}: write MEASURE>=N or MEASURE<=N")
+    if not measures.exists(name):
+        raise click.UsageError(f"--expect: there is no measure {name!r}{did_you_mean(name, measures.NAMES)}")
+    return name, Limit(at_least=limit) if sign == ">=" else Limit(at_most=limit)
+
+
 def _planned(file: str, sessions: int | None = None, seed: int | None = None) -> Plan:
     """The plan of a campaign's file or name, its first sessions checked."""
     from gcs.campaign import file as files
@@ -242,10 +413,25 @@ def _fly(folder: Path, plan: Plan, scheduler: str | None, workers: int | None, p
     if not quiet:
         for line in statistics.text(plan, rows):
             click.echo(line)
+    if rows.num_rows:
+        _page(folder, plan, quiet=quiet)
     if runner.interrupted:
         click.echo(f"stopped; gcs campaign resume {folder} flies the other {progress.total - progress.done}", err=True)
         return 128 + runner.interrupted
     return DONE if rows.num_rows == plan.rows and all(rows["ok"].to_pylist()) else NOT_DONE
+
+
+def _page(folder: Path, plan: Plan, *, quiet: bool) -> None:
+    """Make the page after a run; that it cannot be written does not undo the run."""
+    from gcs.campaign import report as pages
+
+    try:
+        path = pages.make(folder, plan)
+    except OSError as error:
+        click.echo(f"gcs: the page of {folder} cannot be written: {error.strerror}", err=True)
+        return
+    if not quiet:
+        click.echo(f"report: {path}")
 
 
 class Shown:

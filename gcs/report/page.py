@@ -86,7 +86,7 @@ def text(findings: Findings) -> str:
         bucket_s=f"{charts.end_s / charts.buckets:.2g} s",
         model=json.dumps(model, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c"),
         series=charts.pack.text(),
-        plotly=packed(_plotly()),
+        plotly=packed(plotly_js()),
         script=_asset("page.js"),
     )
 
@@ -95,7 +95,7 @@ def _asset(name: str) -> str:
     return files("gcs.report").joinpath(name).read_text(encoding="utf-8")
 
 
-def _plotly() -> bytes:
+def plotly_js() -> bytes:
     """plotly.js, found without importing its package, which takes a while."""
     spec = find_spec("plotly")
     place = Path(spec.origin).parent / "package_data" / "plotly.min.js" if spec and spec.origin else None

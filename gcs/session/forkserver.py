@@ -36,7 +36,7 @@ from gcs.session import process
 from gcs.session.supervised import Signals
 from gcs.session.vehicles import READY_WITHIN_S, Hatch
 from gcs.supervisor import summarise  # noqa: F401 - loaded here, once, for all sessions
-from gcs.supervisor.warmup import rehearse
+from gcs.supervisor.warmup import find_way, rehearse
 
 PR_SET_PDEATHSIG = 1
 WARMED_BY = ("demo", "paper/example1")
@@ -57,6 +57,7 @@ class SessionForks:
         """Load and compile what a session runs, and wait until the hatch has done so too."""
         for name in WARMED_BY:
             rehearse(load(shipped_folder() / f"{name}.yaml"))
+        find_way()
         with selectors.DefaultSelector() as selector:
             selector.register(self._hatch, selectors.EVENT_READ)
             while self._hatch.alive and selector.select(READY_WITHIN_S):

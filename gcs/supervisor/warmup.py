@@ -5,6 +5,8 @@ Loading the planner's and the metrics' kernels takes about 0.2 s, which in fligh
 
 from __future__ import annotations
 
+import functools
+
 import numpy as np
 from pymavlink.dialects.v20 import common as mav
 
@@ -23,9 +25,13 @@ from gcs.telemetry import approach
 from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
 from gcs.telemetry.metrics import PLAN_MEMORY, Metrics
 
+WAY_TICKS = 12
+
 
 def rehearse(scenario: Scenario) -> None:
     """Plan for, and measure, a fleet in the air at its starts; everything that does so is thrown away afterwards."""
+    if scenario.planner.guide and scenario.planner.safety and scenario.obstacles:
+        find_way()
     origin, vehicles = scenario.origin, scenario.vehicles.all
     fleet = Fleet(
         [Member(v.sysid, v.role, v.label, v.battery.capacity_j, v.battery.capacity_j) for v in vehicles],
@@ -41,23 +47,34 @@ def rehearse(scenario: Scenario) -> None:
     everyone = frozenset(vehicle.sysid for vehicle in vehicles)
     set_points = planner.plan(PlanRequest(snapshot, everyone, scenario.clock.period_s))
     if scenario.planner.safety:
-        _rehearse_what_only_happens_in_flight(guide=scenario.planner.guide and bool(scenario.obstacles))
+        _rehearse_tracking()
     approach.nearest_to(*(np.zeros((1, 3)) for _ in range(4)))  # once traffic is told
     for _ in range(PLAN_MEMORY):  # only then is a vehicle's way held against its plan
         metrics.take(snapshot, set_points)
         watch.take(snapshot, ())
 
 
-def _rehearse_what_only_happens_in_flight(*, guide: bool) -> None:
-    """A vehicle behind its leader, and a route around a wall."""
+def _rehearse_tracking() -> None:
+    """A vehicle behind its leader."""
     tracking = Tracking([1], 0.3)
     for k in range(3):
         tracking.lead(1, 0.1 * k, (0.1 * k, 0.0, 0.0))
     tracking.measure([1], [(0.0, 0.0, 0.0)], 0.3, 0.1, 0.3)
-    if guide:
-        wall = geometry.table([geometry.box((4.0, -3.0, -9.0), (4.3, 3.0, 0.0))])
-        goals = [(8.0, 0.0, -3.0), (4.15, 0.0, -3.0)]  # behind the wall, and in it
-        RouteFollower(Router(wall, 0.6, floor_m=0.3)).aims([1, 2], [(0.0, 0.0, -3.0)] * 2, goals)
+
+
+@functools.cache
+def find_way() -> None:
+    """Search, shorten and follow a route around a wall: the first search of a session must not wait for its compiler.
+
+    It took up to 20 s, after which vehicles that wait for a grant have left.
+    """
+    wall = geometry.table([geometry.box([2.0, -2.0, -3.0], [2.4, 2.0, 0.0]), geometry.sphere([4.0, 4.0, -2.0], 0.3)])
+    follower = RouteFollower(Router(wall, 0.6, floor_m=0.3))
+    start = np.array([[0.0, 0.0, -1.0]])
+    for goal in ([5.0, 0.0, -1.0], [5.0, 0.5, -1.0], [2.2, 0.0, -1.0]):
+        for tick in range(WAY_TICKS):  # a goal that moves away is searched for from on the route
+            aims = follower.aims([1], start, np.array([[goal[0] + 0.2 * tick, goal[1], goal[2]]]))
+            start = start + 0.3 * (aims.aim_ned - start)
 
 
 def _telling(sysid: int, p_ned: tuple[float, float, float], scenario: Scenario) -> bytes:

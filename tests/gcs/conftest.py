@@ -69,7 +69,7 @@ class ScriptedVehicle:
 
 
 class ScriptedLink:
-    """Takes grants and gives answers as `gcs.link.lockstep.FleetLink` does; `bundles` keeps all that was sent."""
+    """Takes grants and gives answers as `gcs.link.lockstep.LockstepLink` does; `bundles` keeps all that was sent."""
 
     def __init__(self, vehicles: Sequence[ScriptedVehicle]) -> None:
         self.vehicles = {(vehicle.sysid, 1): vehicle for vehicle in vehicles}

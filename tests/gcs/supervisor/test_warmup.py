@@ -32,3 +32,34 @@ def test_a_rehearsal_loads_every_kernel_of_a_tick_for_good() -> None:
     assert before == [0, 0, 0, 0]
     assert after == again == [1, 1, 1, 1]
     assert imported_later == []
+
+
+ROUTES = """
+import numpy as np
+from gcs.planner import guide, line_of_sight, route_grid, route_shortening
+from gcs.planner.guide import RouteFollower
+from gcs.planner.route import Router
+from gcs.scenario import geometry
+from gcs.supervisor.warmup import find_way
+
+def signatures():
+    modules = (guide, line_of_sight, route_grid, route_shortening, geometry)
+    kernels = {(m.__name__, n): k for m in modules for n, k in vars(m).items() if hasattr(k, "signatures")}
+    return {name: len(kernel.signatures) for name, kernel in kernels.items()}
+
+find_way()
+before = signatures()
+rng = np.random.default_rng(1)
+for _ in range(20):
+    rows = [geometry.box(p - [0.5, 3.0, 3.0], p + [0.5, 3.0, 3.0]) for p in rng.uniform(-8.0, 8.0, (4, 3))]
+    follower = RouteFollower(Router(geometry.table(rows), 0.6, floor_m=None))
+    for _ in range(5):
+        follower.aims([1, 2], rng.uniform(-12.0, 12.0, (2, 3)), rng.uniform(-12.0, 12.0, (2, 3)))
+after = signatures()
+print({name: (before[name], count) for name, count in after.items() if count != before[name]})
+"""
+
+
+def test_a_rehearsed_way_loads_every_kernel_of_the_guide() -> None:
+    done = subprocess.run([sys.executable, "-c", ROUTES], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "{}"

@@ -1,0 +1,87 @@
+"""A campaign from Python:
+
+table = gcs.Campaign("policies", sessions=20).fly()
+print(table.to_pandas().groupby("competition.policy")["delivered_j"].mean())
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from gcs.campaign import file, table
+from gcs.campaign.engine import EngineError, Progress
+from gcs.campaign.plan import make, read
+from gcs.campaign.runner import Runner, make_folder
+
+if TYPE_CHECKING:
+    import pyarrow as pa
+
+
+class Campaign:
+    """One campaign and its folder.
+
+    campaign: a file, the name of a shipped one, or its content as plain data. sessions, seed: instead of its own.
+    out: a new folder, or one to go on with, which then needs to be of this campaign; `campaigns/NAME-TIME` without it.
+    scheduler: address of a Dask scheduler; otherwise so many `workers` here, one per core by default.
+
+    Raises ScenarioError where it cannot be flown.
+    """
+
+    def __init__(
+        self,
+        campaign: str | os.PathLike[str] | Mapping[str, Any],
+        *,
+        sessions: int | None = None,
+        seed: int | None = None,
+        out: str | os.PathLike[str] | None = None,
+        scheduler: str | None = None,
+        workers: int | None = None,
+    ) -> None:
+        beside: list[Path] = []
+        if isinstance(campaign, Mapping):
+            loaded = file.from_data(dict(campaign))
+        else:
+            path = file.find(os.fspath(campaign))
+            loaded, beside = file.load(path), [path.parent]
+        changes = {key: value for key, value in (("sessions", sessions), ("seed", seed)) if value is not None}
+        self.plan = make(loaded.model_copy(update=changes), beside)
+        self.plan.check()
+        self._scheduler, self._workers = scheduler, workers
+        self._out = None if out is None else Path(out)
+        self._folder: Path | None = None
+
+    @property
+    def folder(self) -> Path:
+        """Where its rows are. Raises EngineError before `fly`."""
+        if self._folder is None:
+            raise EngineError("the campaign has no folder before it is flown")
+        return self._folder
+
+    @property
+    def table(self) -> pa.Table:
+        """The rows so far; `to_pandas` makes a frame of them."""
+        return table.read(self.folder, self.plan.campaign)
+
+    @property
+    def failures(self) -> list[str]:
+        """A sentence for each session that is not as expected."""
+        rows = self.table.select(["row", "ok", "fault", "error"]).to_pylist()
+        return [f"row {row['row']}: {row['error'] or row['fault']}" for row in rows if not row["ok"]]
+
+    def fly(self, tell: Callable[[Progress, dict[str, Any] | None], None] = lambda _progress, _row: None) -> pa.Table:
+        """Fly what is missing; the table. `tell` gets each row. Raises EngineError, KeyboardInterrupt."""
+        if self._folder is None:
+            if self._out is not None and (self._out / "plan.json").exists():
+                if read(self._out).campaign != self.plan.campaign:
+                    raise EngineError(f"{self._out} holds another campaign; give a new folder")
+                self._folder = self._out
+            else:
+                self._folder = make_folder(self.plan, self._out)
+        runner = Runner(self._folder, self.plan, scheduler=self._scheduler, workers=self._workers, tell=tell)
+        runner.run()
+        if runner.interrupted:
+            raise KeyboardInterrupt
+        return self.table

@@ -1,0 +1,98 @@
+"""The worst case of a campaign: Optuna searches what it draws for the least or greatest value of a measure.
+
+Trials are asked for in batches and told in order of their numbers, so that the same search flies the same trials with
+any number of workers, and goes on where it stopped. Its table has a row per trial.
+"""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from gcs.campaign import draws, table
+from gcs.campaign.model import Draw
+from gcs.campaign.plan import Plan, Row
+from gcs.session.arrays import MissingExtra
+
+WORST = 1e9
+"""Of a trial without a value: as far from what is searched for as can be."""
+
+
+class Search:
+    """One search: an iterator of rows for the engine, None while those in the air have to be awaited."""
+
+    def __init__(self, plan: Plan, folder: Path) -> None:
+        assert plan.campaign.search is not None
+        self._plan, self._rules = plan, plan.campaign.search
+        self._measure = str(self._rules.minimise or self._rules.maximise)
+        self._optuna = _optuna()
+        self._study = self._optuna.create_study(sampler=self._sampler())
+        self._results: dict[int, float] = {}
+        self._trials: dict[int, Row] = {}
+        for row in table.read(folder, plan.campaign).to_pylist():
+            self.take(row)
+
+    def take(self, row: dict[str, Any]) -> None:
+        """Take in a flown row."""
+        value = row.get(self._measure)
+        sign = 1.0 if self._rules.minimise is not None else -1.0
+        known = isinstance(value, float | int) and not row["error"] and math.isfinite(value)
+        self._results[row["row"]] = sign * float(value or 0.0) if known else WORST
+
+    def rows(self) -> Iterator[Row | None]:
+        """The trials to be flown."""
+        for first in range(0, self._rules.trials, self._rules.batch):
+            trials = [self._study.ask() for _ in range(first, min(first + self._rules.batch, self._rules.trials))]
+            for trial in trials:
+                row = self._row(trial)
+                if trial.number not in self._results:
+                    yield row
+            while any(trial.number not in self._results for trial in trials):
+                yield None
+            for trial in trials:
+                self._study.tell(trial, self._results[trial.number])
+
+    def row(self, flown: dict[str, Any]) -> Row:
+        """The trial that a row of the table came from."""
+        number = int(flown["row"])
+        return self._trials[number]
+
+    def _row(self, trial: Any) -> Row:
+        campaign = self._plan.campaign
+        values = dict(self._plan.row(0).values)
+        for key, draw in campaign.draw.items():
+            if draw.random is None:
+                values[key] = _suggested(trial, key, draw)
+        row = Row(trial.number, trial.number, 0, draws.seed_of(campaign.seed, trial.number), values)
+        self._trials[trial.number] = row
+        return row
+
+    def _sampler(self) -> Any:
+        samplers, seed = self._optuna.samplers, self._plan.campaign.seed % (1 << 32)
+        if self._rules.sampler == "cmaes":
+            return samplers.CmaEsSampler(seed=seed)
+        if self._rules.sampler == "sobol":
+            return samplers.QMCSampler(qmc_type="sobol", scramble=True, seed=seed)
+        return samplers.TPESampler(seed=seed, multivariate=True)
+
+
+def _suggested(trial: Any, key: str, draw: Draw) -> Any:
+    """A trial's value of a key; numbers by their share of the distribution."""
+    if draw.choice is not None:
+        return draw.choice[trial.suggest_categorical(key, list(range(len(draw.choice))))]
+    if draw.integers is not None:
+        return trial.suggest_int(key, *draw.integers)
+    return draws.scaled(draw, trial.suggest_float(key, 0.0, 1.0))
+
+
+def _optuna() -> Any:
+    try:
+        import optuna  # noqa: PLC0415 - an extra
+    except ImportError:
+        raise MissingExtra("a search needs Optuna: pip install 'skytender[campaign]'") from None
+    optuna.logging.set_verbosity(optuna.logging.ERROR)
+    warnings.filterwarnings("ignore", category=optuna.exceptions.ExperimentalWarning)
+    return optuna

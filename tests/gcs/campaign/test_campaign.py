@@ -1,0 +1,183 @@
+"""Campaign files, what they draw, and what becomes of their tables."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import duckdb
+import numpy as np
+import pytest
+
+from gcs.campaign import draws, file, statistics, table
+from gcs.campaign.model import Draw
+from gcs.campaign.plan import Plan, make, read
+from gcs.scenario import geometry
+from gcs.scenario.model import ScenarioError
+
+CONTENT: dict[str, Any] = {
+    "schema": 1,
+    "name": "trial",
+    "scenario": "demo",
+    "sessions": 50,
+    "seed": 7,
+    "vary": {"competition.policy": ["winner_take_all", "optimal"], "planner.cruise_m_s": [1.0, 2.0]},
+    "draw": {
+        "vehicles.pursuers.*.battery.initial_percent": {"uniform": [45, 100]},
+        "radio.loss": {"uniform": [0.0, 0.3]},
+    },
+}
+
+
+def plan(**changes: Any) -> Plan:
+    return make(file.from_data({**CONTENT, **changes}), [])
+
+
+def told(**changes: Any) -> str:
+    with pytest.raises(ScenarioError) as refused:
+        plan(**changes).check()
+    return str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("changes", "sentence"),
+    [
+        ({"draw": {"planner.crise_m_s": {"uniform": [1, 2]}}}, "did you mean 'cruise_m_s'?"),
+        ({"draw": {"radio.loss": {"uniform": [1, 1]}}}, "must be [least, most], the first below the second"),
+        ({"draw": {"radio.loss": {}}}, "a draw needs exactly one of uniform"),
+        ({"draw": {"radio.loss": {"choice": []}}}, "should have at least 1 item"),
+        ({"draw": {"radio.loss": {"log_uniform": [0, 1]}}}, "must be above 0"),
+        ({"measure": ["min_seperation_m"]}, "no measure 'min_seperation_m'; did you mean 'min_separation_m'?"),
+        ({"expect": {"losst": {"at_most": 0}}}, "there is no measure 'losst'; did you mean 'lost'?"),
+        ({"sessions": 0}, "sessions must be greater than or equal to 1"),
+        ({"scenario": "demmo"}, "did you mean 'demo'?"),
+        ({"scenario": None}, "exactly one of scenario, generate"),
+        ({"vary": {"radio.loss": [0.1]}}, "radio.loss is set twice"),
+        ({"vary": {"seed": [1, 2]}}, "each session has a seed of its own"),
+        ({"set": {"goal.duration_s": -1}}, "goal.duration_s must be greater than 0"),
+        ({"keep": "some"}, "keep must be 'all', 'failed' or 'none'"),
+        ({"sesions": 3}, "unknown key 'sesions' at the top level; did you mean 'sessions'?"),
+        ({"generate": "nowhere:family", "scenario": None}, "there is no module 'nowhere'"),
+    ],
+)
+def test_mistakes_are_told_before_anything_flies(changes: dict[str, Any], sentence: str) -> None:
+    text = told(**changes)
+    assert sentence.lower().replace("should", "must") in text.lower().replace("should", "must")
+
+
+def test_a_campaign_is_written_and_read_back_equal(tmp_path: Path) -> None:
+    first = plan()
+    first.write(tmp_path)
+    second = read(tmp_path)
+    assert second == first
+    assert [second.resolved(second.row(i)) for i in (0, 5)] == [first.resolved(first.row(i)) for i in (0, 5)]
+
+
+def test_combinations_of_a_session_share_draws_and_seed_and_sessions_do_not() -> None:
+    flown = plan()
+    rows = [flown.resolved(flown.row(number)) for number in range(8)]
+    for scenarios in (rows[:4], rows[4:]):
+        assert len({scenario.seed for scenario, _ in scenarios}) == 1
+        assert len({scenario.radio.loss for scenario, _ in scenarios}) == 1
+        assert len({(s.competition.policy, s.planner.cruise_m_s) for s, _ in scenarios}) == 4
+    assert rows[0][0].seed != rows[4][0].seed
+    assert rows[0][0].radio.loss != rows[4][0].radio.loss
+    percents = [p.battery.initial_percent for p in rows[0][0].vehicles.pursuers]
+    assert len(set(percents)) == 5  # one value for each vehicle
+    assert rows[0][1]["vehicles.pursuers.*.battery.initial_percent"] == percents
+
+
+def test_a_value_does_not_depend_on_other_draws_or_on_how_many_sessions_there_are() -> None:
+    alone = plan(draw={"radio.loss": {"uniform": [0.0, 0.3]}}, sessions=3)
+    assert [alone.row(n).values["radio.loss"] for n in range(12)] == [
+        plan().row(n).values["radio.loss"] for n in range(12)
+    ]
+
+
+def test_seeds_are_those_of_numpys_spawned_sequences() -> None:
+    spawned = np.random.SeedSequence(7).spawn(5)
+    assert [draws.seed_of(7, i) for i in range(5)] == [int(one.generate_state(1)[0]) for one in spawned]
+
+
+@pytest.mark.parametrize(
+    ("draw", "mean", "deviation", "low", "high"),
+    [
+        ({"uniform": [2, 6]}, 4.0, 4.0 / math.sqrt(12.0), 2, 6),
+        ({"normal": [3, 0.5]}, 3.0, 0.5, -math.inf, math.inf),
+        ({"log_uniform": [1, math.e]}, math.e - 1.0, math.sqrt((math.e**2 - 1) / 2 - (math.e - 1) ** 2), 1, math.e),
+        ({"integers": [1, 6]}, 3.5, math.sqrt(35.0 / 12.0), 1, 6),
+    ],
+)
+def test_draws_have_the_moments_of_their_distribution(
+    draw: dict[str, Any], mean: float, deviation: float, low: float, high: float
+) -> None:
+    rng = np.random.default_rng(3)
+    values = np.array([draws.value(Draw.model_validate(draw), rng) for _ in range(20_000)])
+    assert values.mean() == pytest.approx(mean, abs=4 * deviation / math.sqrt(20_000))
+    assert values.std() == pytest.approx(deviation, rel=0.03)
+    assert low <= values.min() <= values.max() <= high
+
+
+def test_random_obstacles_lie_in_their_room_and_keep_clear() -> None:
+    wanted = {"count": [3, 12], "within_m": [[-12, -12, 0], [12, 12, 6]], "apart_m": 1.2}
+    flown = plan(draw={"obstacles": {"random": wanted}}, set={"obstacles": []}, vary={})
+    counts = set()
+    for number in range(20):
+        scenario, _ = flown.resolved(flown.row(number))
+        counts.add(len(scenario.obstacles))
+        shapes = geometry.of_scenario(scenario.obstacles)
+        starts = np.array([v.start_m for v in scenario.vehicles.launched])
+        assert geometry.clearance(shapes, starts).min() >= 1.2
+        for one in scenario.obstacles:
+            centre = (np.array(one.low_m) + np.array(one.high_m)) / 2
+            assert (np.abs(centre[:2]) <= 12.0).all()
+            assert centre[2] <= 0.0  # above the ground: the demo's axes are the paper's, z up
+    assert len(counts) > 3
+    assert counts <= set(range(3, 13))
+
+
+@pytest.mark.parametrize(
+    ("count", "of", "low", "high"),
+    [  # R 4.3, prop.test(count, of, correct = FALSE)$conf.int
+        (10, 10, 0.7224672, 1.0),
+        (0, 10, 0.0, 0.2775328),
+        (5, 10, 0.2365931, 0.7634069),
+        (81, 263, 0.2552579, 0.3662241),
+    ],
+)
+def test_wilson_intervals_are_those_of_the_literature(count: int, of: int, low: float, high: float) -> None:
+    interval = statistics.wilson(count, of)
+    assert interval.low == pytest.approx(low, abs=2e-4)
+    assert interval.high == pytest.approx(high, abs=2e-4)
+
+
+def test_paired_differences_are_found_where_unpaired_ones_drown(tmp_path: Path) -> None:
+    flown = plan(vary={"competition.policy": ["winner_take_all", "optimal"]}, draw={}, measure=["min_separation_m"])
+    rng = np.random.default_rng(5)
+    rows = []
+    for session in range(40):
+        common = float(rng.normal(10.0, 5.0))
+        for combination in (0, 1):
+            value = common + 0.5 * combination + float(rng.normal(0.0, 0.2))
+            rows.append({"row": 2 * session + combination, "session": session, "combination": combination, "seed": 1}
+                        | {"min_separation_m": value, "ok": True, "kept": False})  # fmt: skip
+    writer = table.Writer(tmp_path, flown.campaign)
+    writer.write(rows[60:])
+    writer.write(rows[:60])
+    read_back = table.read(tmp_path, flown.campaign)
+    assert read_back["row"].to_pylist() == list(range(80))
+    assert table.done(tmp_path) == set(range(80))
+    found = statistics.paired(read_back, "min_separation_m", 0, 1)
+    assert found.pairs == 40
+    assert found.difference.low < 0.5 < found.difference.high
+    assert found.difference.low > 0.3
+    counted = duckdb.sql(f"select count(*) from '{tmp_path}/rows/*.parquet'").fetchall()
+    assert counted == [(80,)]
+
+
+def test_the_shipped_campaigns_can_be_flown() -> None:
+    assert set(file.shipped_names()) == {"safety", "speed-against-safety", "loss", "policies"}
+    for name in file.shipped_names():
+        path = file.find(name)
+        make(file.load(path), [path.parent]).check()

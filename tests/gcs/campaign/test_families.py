@@ -1,0 +1,53 @@
+"""Scenarios of every family load, allow what is wanted of them, and depend on name and seed alone."""
+
+import json
+from pathlib import Path
+
+import pytest
+import yaml
+
+from gcs.campaign.families import FAMILIES, LONGEST_S, family, faults
+from gcs.scenario.file import load
+
+SEEDS = range(12)
+
+
+@pytest.mark.parametrize("name", FAMILIES)
+def test_every_scenario_loads_and_its_starts_allow_what_is_wanted(name: str, tmp_path: Path) -> None:
+    for seed in SEEDS:
+        document = family(name, seed)
+        assert faults(document) == []
+        path = tmp_path / f"{seed}.yaml"
+        path.write_text(yaml.safe_dump(document, sort_keys=False))
+        scenario = load(path)
+        assert (scenario.name, scenario.seed) == (f"{name}-{seed}", seed)
+        assert 20 <= scenario.goal.duration_s <= LONGEST_S
+        assert scenario.clock.mode == "lockstep"
+        assert 1.5 <= scenario.planner.cruise_m_s <= 5.0
+
+
+@pytest.mark.parametrize("name", FAMILIES)
+def test_a_scenario_is_plain_data_and_the_same_again(name: str) -> None:
+    one, again, other = family(name, 3), family(name, 3), family(name, 4)
+    assert json.loads(json.dumps(one)) == again
+    assert one != {**other, "name": one["name"], "seed": 3}
+
+
+def test_families_that_share_a_maker_draw_differently() -> None:
+    assert family("loss", 5)["vehicles"] != family("delay", 5)["vehicles"]
+
+
+def test_faults_are_found() -> None:
+    document = family("circles", 1)
+    document["vehicles"]["pursuers"][0]["start_m"] = document["vehicles"]["pursuers"][1]["start_m"]
+    assert "apart" in faults(document)[0]
+    document = family("circles", 1)
+    document["obstacles"] = [{"point_m": document["vehicles"]["pursuers"][0]["start_m"]}]
+    assert "obstacle" in faults(document)[0]
+
+
+def test_unknown_families_and_seeds_are_refused() -> None:
+    with pytest.raises(ValueError, match="one of tracking"):
+        family("squares", 1)
+    with pytest.raises(ValueError, match="at least 0"):
+        family("circles", -1)

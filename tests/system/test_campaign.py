@@ -225,3 +225,26 @@ class Cluster:
             process.wait()
             if process.stderr is not None:
                 process.stderr.close()
+
+
+SEARCH = {
+    "search": {"minimise": "min_clearance_m", "trials": 6, "batch": 3},
+    "vary": {},
+    "draw": {"planner.cruise_m_s": {"uniform": [0.8, 2.0]}},
+    "set": {"goal.duration_s": 15},
+}
+
+
+def test_a_search_is_the_same_with_one_worker_and_with_two_and_its_worst_shrinks(tmp_path: Path) -> None:
+    (tmp_path / "small.yaml").write_text(yaml.safe_dump({**CAMPAIGN, **SEARCH}), encoding="utf-8")
+    worst = []
+    for workers in ("1", "2"):
+        command = [*GCS, "campaign", "search", "small.yaml", "--workers", workers, "--out", workers, "--quiet"]
+        subprocess.run(command, cwd=tmp_path, check=True)
+        worst.append((tmp_path / workers / "worst.yaml").read_text(encoding="utf-8"))
+    assert worst[0] == worst[1]
+    command = [*GCS, "campaign", "shrink", "1/worst.yaml", "--expect", "min_clearance_m>=0.9", "--out", "tiny.yaml"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert "still fails: 1 pursuers, 1 obstacles" in done.stdout
+    tiny = yaml.safe_load((tmp_path / "tiny.yaml").read_text(encoding="utf-8"))
+    assert (len(tiny["vehicles"]["pursuers"]), len(tiny["obstacles"])) == (1, 1)

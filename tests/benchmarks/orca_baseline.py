@@ -1,9 +1,9 @@
 """Baseline flights of scenario families: A* way points and 2-D ORCA on point masses, the yardstick for time to goal.
 
 Each vehicle is a point with a speed and an acceleration limit, decided at 10 Hz. Its wish leads to its aim
-(gcs/planner/guide.py) and brakes for the goal and for corners; ORCA [lineage: van den Berg, Guy, Lin, Manocha, Reciprocal n-body collision
-avoidance, ISRR 2009; library pyrvo] changes the horizontal part; then no velocity leads into an obstacle within
-`_WALL_S`. ORCA knows no acceleration limit, so separations are lost at speed: only its times are a goal to reach.
+(gcs/planner/guide.py) and brakes for the goal and for corners; ORCA [lineage: van den Berg, Guy, Lin, Manocha,
+Reciprocal n-body collision avoidance, ISRR 2009; library pyrvo] changes the horizontal part; then no velocity leads
+into an obstacle within `_WALL_S`. ORCA knows no acceleration limit, so separations are lost at speed: only its times are a goal to reach.
 
 Vehicles that start on the ground are put at their take-off height; times leave the take-off out.
 
@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 
 from gcs.campaign.families import family
 from gcs.campaign.family_parts import TAKEOFF_M, table_of
-from gcs.planner.guide import Follower
+from gcs.planner.guide import RouteFollower
 from gcs.planner.route import Router
 from gcs.scenario import geometry as shapes
 
@@ -70,7 +70,7 @@ def fly(document: dict[str, Any], name: str, seed: int) -> Flight:
     goals = np.array([v["waypoints_m"][-1] for v in pursuers], dtype=np.float64)
     table, n, cruise = table_of(document), len(pursuers), float(document["planner"]["cruise_m_s"])
     separation_m = float(document["planner"]["separation_m"])
-    follower = Follower(Router(table, CLEARANCE_M, floor_m=FLOOR_M if grounded else None))
+    follower = RouteFollower(Router(table, CLEARANCE_M, floor_m=FLOOR_M if grounded else None))
     orca = pyrvo.RVOSimulator(
         PERIOD_S, _NEIGHBOUR_M, _NEIGHBOURS, _HORIZON_S, _HORIZON_S, (separation_m + MARGIN_M) / 2, cruise
     )

@@ -1,9 +1,10 @@
 """Baseline flights of scenario families: A* way points and 2-D ORCA on point masses, the yardstick for time to goal.
 
 Each vehicle is a point with a speed and an acceleration limit, decided at 10 Hz. Its wish leads to its aim
-(gcs/planner/guide.py) and brakes for the goal and for corners; ORCA [lineage: van den Berg, Guy, Lin, Manocha, Reciprocal n-body collision
-avoidance, ISRR 2009; library pyrvo] changes the horizontal part; then no velocity leads into an obstacle within
-`_WALL_S`. ORCA knows no acceleration limit, so separations are lost at speed: only its times are a goal to reach.
+(gcs/planner/guide.py) and brakes for the goal and for corners; ORCA [lineage: van den Berg, Guy, Lin, Manocha,
+Reciprocal n-body collision avoidance, ISRR 2009; library pyrvo] changes the horizontal part; then no velocity leads
+into an obstacle within `_WALL_S`. ORCA knows no acceleration limit, so separations are lost at speed: only its times
+are a goal to reach.
 
 Vehicles that start on the ground are put at their take-off height; times leave the take-off out.
 

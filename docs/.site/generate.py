@@ -218,9 +218,14 @@ def commands_page(programs: Mapping[str, click.Command]) -> str:
             with context_of(command, name) as context:
                 for sub in command.list_commands(context):
                     below = command.get_command(context, sub)
-                    if below is not None and not below.hidden:
-                        lines += [f"### {name} {sub}", ""]
-                        lines += command_section(below, context_of(below, sub, context))
+                    if below is None or below.hidden:
+                        continue
+                    inner = context_of(below, sub, context)
+                    lines += [f"### {name} {sub}", "", *command_section(below, inner)]
+                    for last in below.list_commands(inner) if isinstance(below, click.Group) else ():
+                        if (command_of_group := below.get_command(inner, last)) is not None:
+                            lines += [f"#### {name} {sub} {last}", ""]
+                            lines += command_section(command_of_group, context_of(command_of_group, last, inner))
     return "\n".join(lines) + "\n"
 
 

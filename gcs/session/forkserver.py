@@ -49,6 +49,7 @@ class SessionForks:
     def __init__(self) -> None:
         self._libc = ctypes.CDLL(None, use_errno=True)
         self._hatch = Hatch(kept=True)
+        self._hatch_is_good = True
         self._vehicles_cpu_s = 0.0
         self.pid = 0
         self._pidfd = self._stdin = -1
@@ -68,9 +69,9 @@ class SessionForks:
 
     def start(self, order: Mapping[str, Any]) -> int:
         """Fork a supervisor for a session's folder; a descriptor that is readable at its end."""
-        if not self._hatch.alive:
-            self._hatch.close()  # again, or because it has died
-            self._hatch, self._vehicles_cpu_s = Hatch(kept=True), 0.0
+        if not (self._hatch_is_good and self._hatch.alive):
+            self._hatch.close()
+            self._hatch, self._hatch_is_good, self._vehicles_cpu_s = Hatch(kept=True), True, 0.0
         folder, modules = Path(order["folder"]), [str(path) for path in order.get("modules", ())]
         reading, self._stdin = os.pipe()
         parent = os.getpid()
@@ -119,6 +120,7 @@ class SessionForks:
         pid, self.pid = self.pid, 0
         cpu_s, status = used.ru_utime + used.ru_stime, os.waitstatus_to_exitcode(raw)
         if status < 0:  # it may have read a part of what the hatch said
+            self._hatch_is_good = False
             self._hatch.close()
         elif self._hatch.end_session():
             vehicles_s = self._hatch.ended_cpu_s or 0.0

@@ -245,7 +245,6 @@ class Hatch:
 
     def close(self) -> None:
         """End the hatch; returns when all its processes are gone."""
-        self.alive = False
         with contextlib.suppress(BrokenPipeError):
             self._in.close()
         try:

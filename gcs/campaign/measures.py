@@ -68,7 +68,9 @@ class Flown:
 
 
 def _lost(flown: Flown) -> float:
-    return float(sum(vehicle["final_mode"] == "dead" for vehicle in flown.summary["vehicles"]))
+    """As the session's goal counts them: dead, run dry, landed by a failsafe that nobody ordered, never in the air."""
+    judged = next(part for part in flown.summary["goal"] if part["part"] == "lost")
+    return float(judged["value"] or 0.0)
 
 
 def _lowest_battery(flown: Flown) -> Value:
@@ -113,7 +115,7 @@ SHIPPED: dict[str, tuple[Callable[[Flown], Value], str]] = {
     "outcome": (_from_summary("outcome"), "`met`, or the first part of the goal that was not"),
     "min_separation_m": (_from_summary("min_separation_m"), "least distance of two vehicles, m"),
     "min_clearance_m": (_from_summary("min_clearance_m"), "least distance to an obstacle, m"),
-    "lost": (_lost, "vehicles that died"),
+    "lost": (_lost, "vehicles lost: dead, run dry, landed by a failsafe, never in the air"),
     "lowest_battery": (_lowest_battery, "least charge of a pursuer at the end, % of its capacity"),
     "delivered_j": (lambda f: float(sum(s["energy_j"] for s in f.summary["refuelling"])), "energy delivered, J"),
     "refuelled": (lambda f: float(len(_served(f))), "services that delivered energy"),

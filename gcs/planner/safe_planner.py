@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.mavlink.setpoints import SetPoint
-from gcs.planner.planner import FLOOR_M, LEAST_MARGIN_M, STILL, floor_d
+from gcs.planner.planner import CATCH_UP_SPEED, FLOOR_M, LEAST_MARGIN_M, LOOKAHEAD_S, STILL, floor_d
 from gcs.planner.request import PlanRequest, TickPlanner
 from gcs.planner.safety_filter import KINDS, Filtered, FilterSettings, Leaders, Others, filter_step
 from gcs.planner.silence import STEP_M, Failsafe, presumed_places
@@ -28,8 +28,6 @@ from gcs.planner.tracking import Tracking
 from gcs.scenario.model import Scenario, VehicleBase
 from gcs.telemetry.state import Vec3, VehicleView
 
-LAG_S = 0.37
-"""How far launched vehicles fly behind their leaders: 0.32 s of guidance, and half a grant."""
 MOST_MARGIN_M = 1.5
 SPARE_M = 0.05
 """Added to the measured error."""
@@ -90,15 +88,15 @@ class SafePlanner:
         self._scenario = scenario
         self._planner = planner
         self._leaders: dict[int, _Leader] = {}
-        self.tracking = Tracking((v.sysid for v in scenario.vehicles.all), LAG_S)
+        self.tracking = Tracking((v.sysid for v in scenario.vehicles.all), LOOKAHEAD_S)
         self._speed_m_s = {v.sysid: scenario.planner.cruise_m_s for v in scenario.vehicles.pursuers}
-        self._speed_m_s |= {t.sysid: 1.3 * t.speed_m_s for t in scenario.vehicles.targets}
+        self._speed_m_s |= {t.sysid: CATCH_UP_SPEED * t.speed_m_s for t in scenario.vehicles.targets}
         self._speed_m_s |= {t.sysid: t.speed_m_s for t in scenario.vehicles.tankers}
         self._a_max = {v.sysid: _acceleration_m_s2(scenario, v) for v in scenario.vehicles.all}
         self._grounded = {v.sysid for v in scenario.vehicles.all if not v.airborne}
         launched = (v for v in scenario.vehicles.all if v.external is None)
         self._airborne = {v.sysid: v.start_m for v in launched if v.airborne and not v.join_s}
-        self.lag_s = LAG_S
+        self.lag_s = LOOKAHEAD_S
         """how far vehicles fly behind their leaders, usually"""
         self._failsafes = {
             v.sysid: (v.start_m, _failsafe(v.params)) for v in scenario.vehicles.all if v.external is None
@@ -169,7 +167,7 @@ class SafePlanner:
                 tracking.restart(view.sysid)
                 self._planner.anchor(view.sysid, _vec(leader.p_ned))
         lags = [tracking.lag_s[tracking.row[sysid]] for sysid in self._leaders]
-        self.lag_s = max(float(median(lags)), LAG_S) if lags else LAG_S
+        self.lag_s = max(float(median(lags)), LOOKAHEAD_S) if lags else LOOKAHEAD_S
 
     def _keep(self, points: Iterable[SetPoint], views: dict[int, VehicleView]) -> None:
         """A leader for each set point, and none for who has none."""
@@ -214,18 +212,15 @@ class SafePlanner:
             rules=FilterSettings(request.period_s, rules.separation_m, rules.clearance_m),
             others=_table(others),
             obstacles=self._planner.obstacles,
-            pair_required_m=self._special_pairs(ids, request),
+            pair_required_m=self._partners(request),
             other_required_m=[(other.owner, row, 0.0) for row, other in enumerate(others) if other.owner is not None],
+            apart=rules.vehicles_repel,
         )
 
-    def _special_pairs(self, ids: list[int], request: PlanRequest) -> list[tuple[int, int, float]]:
-        rules = self._scenario.planner
-        if not rules.vehicles_repel:
-            return [(a, b, 0.0) for i, a in enumerate(ids) for b in ids[i + 1 :]]
-        near_m = PARTNERS_SHARE * self._scenario.refuelling.height_m
-        return [
-            (a, b, min(near_m, rules.separation_m + self.margin_m(a) + self.margin_m(b))) for a, b in request.partners
-        ]
+    def _partners(self, request: PlanRequest) -> list[tuple[int, int, float]]:
+        """How near the partners of a transfer may come, by pair."""
+        near_m, separation_m = PARTNERS_SHARE * self._scenario.refuelling.height_m, self._scenario.planner.separation_m
+        return [(a, b, min(near_m, separation_m + self.margin_m(a) + self.margin_m(b))) for a, b in request.partners]
 
     def _others(self, request: PlanRequest, led: set[int]) -> list[_Other]:
         """Who gives no way, where it will be when vehicles fly where their leaders are now."""

@@ -139,12 +139,14 @@ def filter_step(
     obstacles: FloatArray | None = None,
     pair_required_m: ArrayLike = (),
     other_required_m: ArrayLike = (),
+    apart: bool = True,
 ) -> Filtered:
     """The next period of all leaders (module docstring).
 
     v_wanted_ned (n, 3): velocity wanted at the period's end. obstacles: table of gcs/scenario/geometry.py.
     pair_required_m: rows (id, id, m), whole distance between two leaders instead of separation + margins, as for the
     partners of a transfer. other_required_m: rows (id, index of the other, m) instead of radius + margin.
+    apart: whether leaders keep apart from each other; else each is filtered as if it were alone.
     ValueError says which argument has a wrong shape or a value that is not finite or out of range.
     """
     ids = np.asarray(vehicles.ids, dtype=np.int64)
@@ -177,7 +179,7 @@ def filter_step(
     # No way is longer: the coming period, the braking after it (stop_distance), and what activates below.
     reach = rules.period_s * speed + speed**2 / (2 * brake) + brake * rules.period_s**2 / 8 + rules.buffer_m
     rows = [
-        _pairs(p, reach, margin, rules, _special(pair_required_m, ids, ids, order, back)),
+        *([_pairs(p, reach, margin, rules, _special(pair_required_m, ids, ids, order, back))] if apart else []),
         _others(p, reach, margin, moving, rules, _special(other_required_m, ids, np.arange(m), order, None)),
         _shapes(p, reach, margin, table, rules),
         _walls(p, reach, margin, walls[order]),

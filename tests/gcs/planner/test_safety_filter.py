@@ -386,3 +386,17 @@ def test_empty_fleets_and_wrong_arguments():
         filter_step(Leaders(**good), np.zeros((1, 3)), rules=RULES)
     with pytest.raises(ValueError, match="brake_share"):
         FilterSettings(brake_share=1.5)
+
+
+def test_leaders_that_need_not_keep_apart_share_a_place_and_still_heed_obstacles():
+    p = np.array([[0.0, 0.0, -5.0]] * 3)
+    v_wanted = np.array([[1.0, 0, 0], [1.0, 0, 0], [0, 1.0, 0]])
+    together = Leaders([1, 2, 3], p, np.zeros((3, 3)), 2.0, A, MARGIN)
+    alone = filter_step(together, v_wanted, rules=RULES, apart=False)
+    assert np.array_equal(alone.changed_m_s2, np.zeros(3))
+    assert filter_step(together, v_wanted, rules=RULES).changed_m_s2.max() > 0.0
+    ball = shapes.table([shapes.sphere((0.5, 0.0, -5.0), 0.15)])
+    assert (
+        filter_step(together, v_wanted, rules=RULES, apart=False, obstacles=ball).binding_kind.tolist()[:2]
+        == [KINDS.index("obstacle")] * 2
+    )

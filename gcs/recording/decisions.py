@@ -97,8 +97,11 @@ def event_of(record: Mapping[str, Any]) -> Event:
     if kind == "pursuit":
         return Event(t_s, int(record["pursuer"]), "info", f"Pursues {record['target']} from now on", "decision")
     if kind == "safety":
-        does = "Brakes for" if record.get("braked") else "Gives way to"
-        return Event(t_s, int(record["sysid"]), "info", f"{does} {record['by']}", "decision")
+        by = str(record["by"])
+        gives = "Gives way to" if by.startswith(("vehicle", "traffic")) else "Keeps clear of"
+        return Event(
+            t_s, int(record["sysid"]), "info", f"{'Brakes for' if record.get('braked') else gives} {by}", "decision"
+        )
     if kind == "battery":
         return Event(t_s, int(record["sysid"]), "warning", str(record["text"]))
     if kind == "policy failed":

@@ -5,9 +5,7 @@
 from __future__ import annotations
 
 import re
-import shutil
 import sys
-import time
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -15,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from gcs.cli.author import SET, load_scenario
+from gcs.cli.campaign_progress import ProgressLine
 from gcs.exit import BAD_INPUT, DONE, NOT_DONE
 
 if TYPE_CHECKING:
@@ -22,9 +21,11 @@ if TYPE_CHECKING:
     from gcs.campaign.model import Expectation
     from gcs.campaign.plan import Plan
 
-PLAIN_EVERY_S = 5.0
-TOLD_FAILURES = 20
 
+SEED = click.option("--seed", type=click.IntRange(0), metavar="N", help="Instead of the file's.")
+OUT = click.option(
+    "--out", type=click.Path(path_type=Path), metavar="DIR", help="A new folder.  [default: campaigns/NAME-TIME]"
+)
 FOLDER = click.argument("folder", metavar="DIR", type=click.Path(path_type=Path, file_okay=False))
 SCHEDULER = click.option(
     "--scheduler", metavar="ADDRESS", help="Fly on the workers of this Dask scheduler, such as tcp://HOST:8786."
@@ -64,10 +65,8 @@ def campaign() -> None:
 @click.option(
     "--sessions", type=click.IntRange(1), metavar="N", help="Draws of each combination, instead of the file's."
 )
-@click.option("--seed", type=click.IntRange(0), metavar="N", help="Instead of the file's.")
-@click.option(
-    "--out", type=click.Path(path_type=Path), metavar="DIR", help="A new folder.  [default: campaigns/NAME-TIME]"
-)
+@SEED
+@OUT
 @SCHEDULER
 @WORKERS
 @PLAIN
@@ -220,10 +219,8 @@ def report(folder: Path) -> int:
 @campaign.command(short_help="Look for the worst case.")
 @click.argument("file", metavar="FILE")
 @click.option("--trials", type=click.IntRange(1), metavar="N", help="Instead of the file's.")
-@click.option("--seed", type=click.IntRange(0), metavar="N", help="Instead of the file's.")
-@click.option(
-    "--out", type=click.Path(path_type=Path), metavar="DIR", help="A new folder.  [default: campaigns/NAME-TIME]"
-)
+@SEED
+@OUT
 @SCHEDULER
 @WORKERS
 @PLAIN
@@ -269,7 +266,7 @@ def search(
     try:
         folder = make_folder(plan, out)
         searched = Search(plan, folder)
-        shown = Shown(folder, quiet=quiet, plain=plain or not sys.stdout.isatty())
+        shown = ProgressLine(folder, quiet=quiet, plain=plain or not sys.stdout.isatty())
 
         def tell(progress: Progress, row: dict[str, Any] | None) -> None:
             if row is not None:
@@ -398,7 +395,7 @@ def _fly(folder: Path, plan: Plan, scheduler: str | None, workers: int | None, p
 
     if scheduler is not None and workers is not None:
         raise click.UsageError("--scheduler and --workers exclude each other: its workers are those that it has.")
-    shown = Shown(folder, quiet=quiet, plain=plain or not sys.stdout.isatty())
+    shown = ProgressLine(folder, quiet=quiet, plain=plain or not sys.stdout.isatty())
     if not quiet:
         click.echo(f"{plan.campaign.name}: {plan.rows} sessions; the campaign's folder is {folder}")
     runner = Runner(folder, plan, scheduler=scheduler, workers=workers, tell=shown.tell)
@@ -432,65 +429,3 @@ def _page(folder: Path, plan: Plan, *, quiet: bool) -> None:
         return
     if not quiet:
         click.echo(f"report: {path}")
-
-
-class Shown:
-    """Progress as a line that is drawn again, or as lines; failures as they come."""
-
-    def __init__(self, folder: Path, *, quiet: bool, plain: bool) -> None:
-        self._folder, self._quiet, self._plain = folder, quiet, plain
-        self._next_s = 0.0
-        self._width = 0
-        self._failures = 0
-        self._linked = False
-
-    def tell(self, progress: Progress, row: dict[str, Any] | None) -> None:
-        """Take in a row, or just the time."""
-        if self._quiet:
-            return
-        if not self._linked and progress.dashboard:
-            self._linked = True
-            self._line(f"Dask's dashboard: {progress.dashboard}")
-        if row is not None and not row["ok"]:
-            self._failures += 1
-            if self._failures <= TOLD_FAILURES:
-                self._line(f"row {row['row']}: {row['error'] or row['fault']}")
-            elif self._failures == TOLD_FAILURES + 1:
-                self._line(f"more failures: gcs campaign status {self._folder}")
-        now_s = time.monotonic()
-        if now_s < self._next_s:
-            return
-        self._next_s = now_s + (PLAIN_EVERY_S if self._plain else 0.25)
-        text = words(progress)
-        if self._plain:
-            click.echo(text)
-            return
-        text = text[: shutil.get_terminal_size().columns - 1]
-        click.echo(f"\r{text:<{self._width}}", nl=False)
-        self._width = len(text)
-
-    def end(self) -> None:
-        """Leave the line."""
-        if self._width:
-            click.echo()
-
-    def _line(self, text: str) -> None:
-        if self._width:
-            click.echo(f"\r{'':<{self._width}}\r", nl=False)
-        click.echo(text)
-        self._next_s = 0.0 if not self._plain else self._next_s
-
-
-def words(progress: Progress) -> str:
-    """One line: how far, how fast, how long still."""
-    from gcs.session.plain_text import minutes
-
-    parts = [f"{progress.done} of {progress.total} sessions"]
-    if progress.flown:
-        parts.append(f"{60.0 * progress.rate:.1f} per minute, {minutes(progress.left_s)} left")
-    else:
-        parts.append("workers are getting warm ...")
-    parts += [f"{progress.workers} worker{'s' * (progress.workers != 1)}"] if progress.workers else []
-    parts += [f"{progress.failed} failed"] if progress.failed else []
-    parts += [f"{progress.errors} with errors"] if progress.errors else []
-    return ", ".join(parts)

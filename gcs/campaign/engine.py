@@ -11,6 +11,7 @@ import fcntl
 import os
 import queue
 import signal
+import sys
 import tempfile
 import time
 from collections.abc import Callable, Iterable, Iterator
@@ -156,6 +157,7 @@ def _cluster(scheduler: str | None, workers: int | None) -> Iterator[Any]:
         stack.enter_context(dask.config.set(SETTINGS))
         _quiet()
         if scheduler is None:
+            stack.enter_context(_without_main())
             scratch = stack.enter_context(
                 tempfile.TemporaryDirectory(prefix="gcs-campaign-", ignore_cleanup_errors=True)
             )
@@ -179,6 +181,24 @@ def _cluster(scheduler: str | None, workers: int | None) -> Iterator[Any]:
                 raise EngineError(f"no scheduler can be reached at {scheduler}: {why}") from None
             _check_workers(client)
         yield client
+
+
+@contextlib.contextmanager
+def _without_main() -> Iterator[None]:
+    """Processes that are spawned meanwhile do not run this one's main module again.
+
+    Workers import what they need by name. Without this a script that calls `fly` outside of `if __name__ ==
+    "__main__":` would be run by each worker, and fly a campaign of its own.
+    """
+    main = sys.modules["__main__"]
+    kept = {name: getattr(main, name) for name in ("__file__", "__spec__") if hasattr(main, name)}
+    try:
+        for name in kept:
+            setattr(main, name, None)
+        yield
+    finally:
+        for name, value in kept.items():
+            setattr(main, name, value)
 
 
 def _check_workers(client: Any) -> None:

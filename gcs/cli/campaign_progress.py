@@ -65,7 +65,7 @@ class ProgressLine:
 
 def words(progress: Progress) -> str:
     """One line: how far, how fast, how long still."""
-    from gcs.session.plain_text import minutes
+    from gcs.session.plain_text import minutes  # noqa: PLC0415 - so that --help answers at once
 
     parts = [f"{progress.done} of {progress.total} sessions"]
     if progress.flown:

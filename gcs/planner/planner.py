@@ -36,6 +36,9 @@ LEAST_MARGIN_M = 0.1
 """No leader of a vehicle that has a ground goes lower than this above it: only landing does."""
 BRAKE_SHARE = 0.4
 """Of the acceleration of leaders, with which they are to stop at their goals; the rest is for giving way."""
+SAFE_RANGE_SHARE = 0.5
+"""[choice] Of the range in which vehicles repel each other, where the safety filter keeps them apart: at all of it
+those who hover in a tight row push each other to and fro."""
 ROLES = ("target", "pursuer", "tanker")
 NEAR_GOAL_M = 2.0
 """A route shorter than this is flown with the velocity of its goal."""
@@ -302,6 +305,8 @@ class Planner:
             speeds.append(math.hypot(*aircraft.v_ned))
             ages.append(aircraft.age_s + self._scenario.clock.period_s)
         ranges = widened_range(self._field.repulsion_range_m, np.array(speeds), np.array(ages))
+        if self._scenario.planner.safety:
+            ranges = SAFE_RANGE_SHARE * ranges
         owner = np.array([rows.get(view.sysid, -1) for view in others] + [-1] * len(snapshot.traffic), dtype=np.int64)
         aircraft_m = self._scenario.planner.separation_m if self._scenario.planner.safety else 0.0
         radii = np.array([self._radius_m(view) for view in others] + [aircraft_m] * len(snapshot.traffic))

@@ -364,7 +364,7 @@ class Observer:
 def _member(vehicle: Any) -> Member:
     battery = vehicle.battery
     initial_j = battery.capacity_j * battery.initial_percent / 100.0
-    return Member(vehicle.sysid, vehicle.role, vehicle.label, battery.capacity_j, initial_j)
+    return Member(vehicle.sysid, vehicle.role, vehicle.label, battery.capacity_j, initial_j, airborne=vehicle.airborne)
 
 
 def _mode(view: VehicleView) -> str:

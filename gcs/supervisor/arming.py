@@ -8,7 +8,8 @@ A vehicle that starts in the air and already follows set points goes from `ident
 whatever its reason, is `down` and stays there, unless it was to land: then it is `at a base`, and comes back by `arm`.
 One that refuses to be armed is asked ever more seldom, and at once when its battery has been charged. One that an
 operator takes is his from any stage (`operator`). From that and from `down` it comes back by `rejoin`: from
-where it is, through as many of these stages as that needs.
+where it is, through as many of these stages as that needs. One whose failsafe flies or has landed it because its link
+was out rejoins by itself once it is received again, if `rejoins_itself` and its battery allows.
 """
 
 from __future__ import annotations
@@ -33,6 +34,12 @@ _ROUNDING_S = 1e-6
 REACHED_M = 0.3
 DISARMS_ITSELF_S = 3.0
 """Most autopilots disarm by themselves so long after touchdown."""
+CUT_OFF_S = 2.0
+"""Not received for so long, a vehicle may have lost the ground station, too, and be flown by its failsafe."""
+BLAMED_S = 3.0
+"""How long after that a landing is put down to it: it may need a HEARTBEAT or two to be reported."""
+REJOIN_SHARE = 0.2
+"""[choice] Of its battery that a vehicle needs to rejoin by itself: to take off, come back and land again."""
 SET_POINTS_FIRST_S = 0.2
 """Set points flow for this long before offboard is asked for: PX4 wants them first."""
 
@@ -54,8 +61,12 @@ class Stage(StrEnum):
 class ArmingSequence:
     """One vehicle's way into the air."""
 
-    def __init__(self, sysid: int, takeoff_m: float, *, seldom_s: float = RETRY_S) -> None:
+    def __init__(
+        self, sysid: int, takeoff_m: float, *, seldom_s: float = RETRY_S, rejoins_itself: bool = False
+    ) -> None:
         self.sysid = sysid
+        self._rejoins_itself = rejoins_itself
+        self._cut_off_s = -math.inf
         self._seldom_s = seldom_s
         self._arming_tries = 0
         self._refused_j = math.inf
@@ -83,6 +94,11 @@ class ArmingSequence:
     def down(self) -> bool:
         """Whether it flies no more, for good."""
         return self.stage is Stage.DOWN
+
+    @property
+    def rejoining(self) -> bool:
+        """Whether it is on its way back to the planner."""
+        return self._rejoins
 
     def take(self, mode: End) -> None:
         """An operator wants it to hold, return or land, and to be left alone then."""
@@ -171,6 +187,8 @@ class ArmingSequence:
         return self._come_down(view, now_s) if self.stage is Stage.BASE else []
 
     def _move_on(self, view: VehicleView, now_s: float, bound: bool) -> None:
+        if self.stage in (Stage.OFFBOARD, Stage.FLY):
+            self._blame_link(view, now_s)
         stage = Stage.TAKEN if self.ordered is not None and view.alive and not bound else self._next(view)
         if stage is not self.stage:
             self.stage = stage
@@ -179,6 +197,18 @@ class ArmingSequence:
             self._arming_tries = 0
             self._refusals.clear()
         self._comes_down = view.landed or view.mode not in STEERABLE
+
+    def _blame_link(self, view: VehicleView, now_s: float) -> None:
+        """Let a vehicle rejoin that its failsafe took out of offboard control because its link was out."""
+        if view.age_s > CUT_OFF_S:
+            self._cut_off_s = now_s
+        elif (
+            self._rejoins_itself
+            and now_s - self._cut_off_s <= BLAMED_S
+            and not (view.mode in STEERABLE and view.armed)
+            and view.remaining_j >= REJOIN_SHARE * view.capacity_j
+        ):
+            self._rejoins = True
 
     def _next(self, view: VehicleView) -> Stage:
         if not view.alive:

@@ -22,6 +22,7 @@ def make_fleet(scenario: Scenario) -> Fleet:
             v.battery.capacity_j * v.battery.initial_percent / 100.0,
             external=v.external is not None,
             profile=PROFILES.get(v.external.autopilot) if v.external else None,
+            airborne=v.airborne and v.external is None,
         )
         for v in scenario.vehicles.all
     ]
@@ -33,7 +34,7 @@ def make_pilots(scenario: Scenario) -> dict[int, ArmingSequence]:
     return {
         v.sysid: ExternalArmingSequence(v.sysid, v.takeoff_m, v.external)
         if v.external
-        else ArmingSequence(v.sysid, v.takeoff_m, seldom_s=SELDOM_S)
+        else ArmingSequence(v.sysid, v.takeoff_m, seldom_s=SELDOM_S, rejoins_itself=True)
         for v in scenario.vehicles.all
     }
 

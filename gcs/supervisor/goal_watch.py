@@ -20,7 +20,7 @@ from gcs.recording import truth
 from gcs.scenario import goal
 from gcs.scenario.goal import Judgement, Loss, Measured
 from gcs.scenario.model import Scenario
-from gcs.supervisor.arming import ArmingSequence, Stage
+from gcs.supervisor.arming import CUT_OFF_S, ArmingSequence, Stage
 from gcs.telemetry.approach import Floats
 from gcs.telemetry.changes import GOING_DOWN
 from gcs.telemetry.events import Event
@@ -104,6 +104,7 @@ class GoalWatch:
     def _see_height(self, row: int, view: VehicleView, pilot: ArmingSequence, height_m: Floats) -> None:
         """Whether it is up, and must not touch the ground; one that says it has landed touches it."""
         follows = pilot.stage in _STEERED and view.mode in STEERABLE and view.alive and view.armed
+        follows = follows and view.age_s <= CUT_OFF_S  # else its failsafe may be landing it
         if not follows or self._vehicles[row].airborne or pilot.grounded:
             self._up[row] = False
         elif self._up[row] and view.landed:
@@ -150,6 +151,8 @@ class GoalWatch:
             failsafe = vehicle.external is None or view.failsafe
             if not self._flew[row] and pilot.stage is not Stage.BASE and end_s - vehicle.join_s >= NEVER_FLEW_S:
                 lost[view.sysid] = Loss(view.sysid, end_s, "never in the air")
+            elif pilot.rejoining and not view.flying:
+                lost[view.sysid] = Loss(view.sysid, end_s, "landed by itself")
             elif failsafe and view.flying and view.mode in GOING_DOWN and pilot.stage in (*_STEERED, Stage.YIELDED):
                 lost[view.sysid] = Loss(view.sysid, end_s, f"its failsafe flies it ({view.mode})")
         return sorted(lost.values(), key=lambda loss: (loss.t_s, loss.sysid))

@@ -55,6 +55,8 @@ class Member:
     """not launched by the session: its clock is its own, and it may lack any message"""
     profile: Profile | None = None
     """whose habits it has; None: as its HEARTBEAT says"""
+    airborne: bool = False
+    """launched in the air, where it is until it reports that it has landed"""
 
 
 class _Track:
@@ -72,7 +74,7 @@ class _Track:
         self.custom_mode = 0
         self.system_status = 0
         self.armed = False
-        self.landed = True
+        self.landed = not member.airborne
         self.heard_s = -math.inf
         self.p_local: Vec3 | None = None
         self.v_ned: Vec3 = ZERO

@@ -325,3 +325,35 @@ def test_an_autopilot_that_does_not_disarm_by_itself_is_disarmed_at_the_base() -
     asked = [(k, wish) for k in range(80) for wish in commands(pilot, landed, 10.1 + 0.1 * k)]
     assert [(wish.command, wish.params[0]) for _, wish in asked] == [(ARM, 0.0)] * 2
     assert asked[0][0] >= 29
+
+
+def cut_off(*, rejoins_itself: bool, charge_j: float = 5e3) -> ArmingSequence:
+    """Flown by its failsafe while 30 s of its link were out, and landed when it is received again."""
+    pilot = ArmingSequence(3, 2.5, rejoins_itself=rejoins_itself)
+    for k, seen in enumerate((view(), ARMED, CLIMBING, UP, FLYING)):
+        pilot.decide(seen, 0.1 * k)
+    for k in range(30):
+        pilot.decide(FLYING._replace(age_s=float(k)), 1.0 + k)
+    pilot.decide(FLYING, 31.0)  # the first position comes before the first HEARTBEAT
+    assert pilot.stage is Stage.FLY
+    pilot.decide(view(drawn_j=1e4 - charge_j), 31.4)
+    return pilot
+
+
+def test_a_vehicle_whose_link_was_out_rejoins_by_itself_where_its_battery_allows() -> None:
+    assert cut_off(rejoins_itself=True).stage is Stage.ARM
+    assert cut_off(rejoins_itself=True, charge_j=1.9e3).stage is Stage.DOWN
+    assert cut_off(rejoins_itself=False).stage is Stage.DOWN
+
+
+def test_it_is_asked_back_from_the_middle_of_its_landing_and_a_landing_much_later_is_no_outage() -> None:
+    pilot = ArmingSequence(3, 2.5, rejoins_itself=True)
+    for k, seen in enumerate((view(), ARMED, CLIMBING, UP, FLYING, FLYING._replace(age_s=2.5))):
+        pilot.decide(seen, 0.1 * k)
+    assert commands(pilot, UP._replace(mode=FlightMode.LAND), 2.0) == []  # set points come first
+    (offboard,) = commands(pilot, UP._replace(mode=FlightMode.LAND), 2.2)
+    assert (pilot.stage, pilot.rejoining, offboard.command) == (Stage.OFFBOARD, True, SET_MODE)
+    pilot.decide(FLYING, 2.5)
+    assert (pilot.stage, pilot.rejoining) == (Stage.FLY, False)
+    pilot.decide(UP._replace(mode=FlightMode.LAND), 6.0)
+    assert pilot.stage is Stage.DOWN

@@ -1,6 +1,6 @@
 """Table of docs/safety.md: the scenario families flown by Skytender, by its field alone and by A* with ORCA.
 
-    cd tests/benchmarks && python safety_table.py --out ../../campaigns/safety-1 [--seed 1] [--sessions 77] [--beside 20]
+    python safety_table.py --out ../../campaigns/safety-1 [--seed 1] [--sessions 77] [--beside 20]
 
 The same command goes on where it was stopped. All three fly the same scenarios in the same simulator: launched
 vehicles, sockets, lockstep. Distances are the vehicles' own truth.

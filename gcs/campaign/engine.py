@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import IO, Any
 
 from gcs.campaign import table, worker
-from gcs.campaign.plan import Plan, Row
+from gcs.campaign.plan import Plan, PlannedRow
 from gcs.session.arrays import MissingExtra
 
 FLUSH_EVERY_S = 2.0
@@ -74,15 +74,15 @@ class Progress:
 
 def fly(
     plan: Plan,
-    rows: Iterable[int | Row | None],
-    take: Callable[[dict[str, Any]], None],
+    rows: Iterable[int | PlannedRow | None],
+    keep: Callable[[dict[str, Any]], None],
     *,
     scheduler: str | None = None,
     workers: int | None = None,
     look: Callable[[int], bool] = lambda _: True,
     on_start: Callable[[str], None] = lambda _: None,
 ) -> bool:
-    """Fly rows, each handed to `take` as it comes, in any order; False where `look` stopped it.
+    """Fly rows, each handed to `.keep` as it comes, in any order; False where `look` stopped it.
 
     None among the rows means that those to follow depend on what is still in the air.
     `on_start` gets the address of Dask's dashboard. `look` gets the number of workers several times a second, and says
@@ -92,7 +92,7 @@ def fly(
         on_start(_dashboard(client))
         came: queue.Queue[Any] = queue.Queue()
         waiting = iter(rows)
-        flying: dict[str, tuple[Any, Row]] = {}
+        flying: dict[str, tuple[Any, PlannedRow]] = {}
         exhausted, threads, counted_s = False, 0, -COUNT_EVERY_S
         while True:
             if time.monotonic() - counted_s >= COUNT_EVERY_S:
@@ -102,7 +102,7 @@ def fly(
                 exhausted = following is END
                 if following is END or following is None:
                     break
-                assert isinstance(following, int | Row)
+                assert isinstance(following, int | PlannedRow)
                 row = plan.row(following) if isinstance(following, int) else following
                 future = client.submit(
                     worker.fly_row, plan, row, pure=False, key=f"row-{row.number}-{os.urandom(4).hex()}"
@@ -114,7 +114,7 @@ def fly(
             with contextlib.suppress(queue.Empty):
                 future = came.get(timeout=LOOK_EVERY_S)
                 if future.key in flying:
-                    take(_result(plan, future, flying.pop(future.key)[1]))
+                    keep(_result(plan, future, flying.pop(future.key)[1]))
             if not look(threads):
                 return False
 
@@ -127,7 +127,7 @@ def _threads(client: Any) -> int:
         raise EngineError("the scheduler is lost") from None
 
 
-def _result(plan: Plan, future: Any, row: Row) -> dict[str, Any]:
+def _result(plan: Plan, future: Any, row: PlannedRow) -> dict[str, Any]:
     from distributed.scheduler import KilledWorker  # noqa: PLC0415 - an extra
 
     if future.status == "finished":
@@ -154,7 +154,7 @@ def _cluster(scheduler: str | None, workers: int | None) -> Iterator[Any]:
 
     with contextlib.ExitStack() as stack:
         stack.enter_context(dask.config.set(SETTINGS))
-        _quiet()
+        _quieten_dask()
         if scheduler is None:
             scratch = stack.enter_context(
                 tempfile.TemporaryDirectory(prefix="gcs-campaign-", ignore_cleanup_errors=True)
@@ -207,7 +207,7 @@ def _sigint_blocked() -> Iterator[None]:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
-def _quiet() -> None:
+def _quieten_dask() -> None:
     """Dask's own words about lost workers and schedulers are ours to tell."""
     import logging  # noqa: PLC0415
 
@@ -222,7 +222,7 @@ def _dashboard(client: Any) -> str:
     return str(client.dashboard_link) if "dashboard" in served else ""
 
 
-class Store:
+class CampaignStore:
     """A campaign's folder while it is written: rows in parts, kept sessions; one writer at a time."""
 
     def __init__(self, folder: Path, plan: Plan) -> None:
@@ -237,7 +237,7 @@ class Store:
         self._pending: list[dict[str, Any]] = []
         self._flushed_s = time.monotonic()
 
-    def take(self, row: dict[str, Any]) -> None:
+    def keep(self, row: dict[str, Any]) -> None:
         """Keep a row, soon on disk; raises EngineError."""
         content = row.pop("folder", None)
         try:

@@ -150,7 +150,7 @@ def is_word(name: str) -> bool:
     return field is not None and field.annotation in (str, str | None)
 
 
-def take(name: str, flown: Flown) -> Value:
+def measure(name: str, flown: Flown) -> Value:
     """A measure's value; None where the session has none."""
     if name in SHIPPED:
         return SHIPPED[name][0](flown)

@@ -117,7 +117,7 @@ class Expectation(Part):
         return None
 
 
-class Limits(Part):
+class CampaignLimits(Part):
     """What a session may take; one that takes more is a row with an error."""
 
     wall_s: Positive = 600.0
@@ -126,7 +126,7 @@ class Limits(Part):
     """session time, s"""
 
 
-class Search(Part):
+class SearchRules(Part):
     """The worst case instead of the average: `draw` is searched for it."""
 
     model_config = ConfigDict(populate_by_name=True)
@@ -145,7 +145,7 @@ class Search(Part):
         return self
 
 
-class Campaign(Part):
+class CampaignRules(Part):
     """One campaign."""
 
     model_config = ConfigDict(populate_by_name=True)
@@ -178,9 +178,9 @@ class Campaign(Part):
     """what makes a session a success; without it that its goal was met"""
     keep: Literal["all", "failed", "none"] = "failed"
     """which sessions' folders are kept"""
-    limits: Limits = Limits()
+    limits: CampaignLimits = CampaignLimits()
     """wall and session time of one session"""
-    search: Search | None = None
+    search: SearchRules | None = None
     """for `gcs campaign search`"""
 
     @property

@@ -107,11 +107,11 @@ def _differences(plan: Plan, rows: pa.Table, measured: Sequence[str]) -> str:
         found = paired(rows, name, first, second)
         if not found.pairs:
             continue
-        told = "yes" if found.difference.low > 0.0 or found.difference.high < 0.0 else "no"
+        distinguished = "yes" if found.difference.low > 0.0 or found.difference.high < 0.0 else "no"
         who = f"{name_of(plan, second)} less {name_of(plan, first)}"
         effect = "-" if math.isnan(found.effect) else f"{found.effect:.2f}"
         needed = "-" if found.sessions_needed is None else str(found.sessions_needed)
-        lines.append([name, who, str(found.pairs), _interval(found.difference), told, effect, needed])
+        lines.append([name, who, str(found.pairs), _interval(found.difference), distinguished, effect, needed])
     return _table(["measure", "", "pairs", "difference", "differs", "effect", "sessions needed"], lines)
 
 

@@ -154,11 +154,11 @@ def _decide(session: Path, as_json: bool) -> int:
         click.echo(f"gcs: {problem}", err=True)
     if not verdict.compared:
         raise click.UsageError(f"{session} holds no decision to compare: was it killed before the first was written?")
-    (_tell_json if as_json else _tell)(verdict)
+    (_print_json if as_json else _print_verdict)(verdict)
     return AGREES if verdict.agrees else DIFFERS
 
 
-def _tell(verdict: Comparison) -> None:
+def _print_verdict(verdict: Comparison) -> None:
     if verdict.agrees:
         click.echo(f"all {verdict.compared} decisions up to {verdict.until_s:.1f} s agree")
         return
@@ -174,7 +174,7 @@ def _tell(verdict: Comparison) -> None:
         click.echo(f"  and of {len(subjects) - SHOWN} more kinds or vehicles; --json tells each")
 
 
-def _tell_json(verdict: Comparison) -> None:
+def _print_json(verdict: Comparison) -> None:
     for difference in verdict.differences:
         click.echo(json.dumps(difference.record()))
     click.echo(

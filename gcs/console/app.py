@@ -39,13 +39,13 @@ class ConsoleApp(Shell):
 
     def beat(self) -> None:
         """Take in what has come and show it."""
-        news = self.seen.take(self.source.receive())
-        if news:
-            self.heard_s = time.monotonic()
+        changed = self.seen.update(self.source.receive())
+        if changed:
+            self.last_received_s = time.monotonic()
         if self.seen.end is not None:
             self.exit(0)
             return
-        self.main.beat(news)
+        self.main.beat(changed)
 
     def action_suspend_process(self) -> None:
         """Give the terminal back to the shell, if there is one that can continue us."""

@@ -25,7 +25,7 @@ class Shell(App[int]):
         self.owner = owner
         self.glyphs = glyphs or own_glyphs(sys.__stderr__.encoding if sys.__stderr__ else "ascii")
         self.seen = SessionModel()
-        self.heard_s = time.monotonic()
+        self.last_received_s = time.monotonic()
 
     def lost(self) -> list[str]:
         """What this terminal cannot show, in sentences."""

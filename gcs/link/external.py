@@ -29,7 +29,7 @@ from gcs.scenario.external import External
 ANNOUNCE_EVERY_S = 1.0
 REPEAT_AFTER_S = 0.2
 """A session that stands still for longer goes on sending its last set points: autopilots leave offboard without."""
-MOST_STRANGERS = 32
+MOST_UNKNOWN_SENDERS = 32
 MAVLINK_1 = b"\xfe"
 _HEARTBEAT = codec.msgid("HEARTBEAT")
 _CLOCKS = frozenset({codec.msgid("LOCAL_POSITION_NED"), codec.msgid("ATTITUDE")})
@@ -47,19 +47,19 @@ class _Door:
     counters: dict[Where, SequenceCounter] = field(default_factory=dict)
     speakers: set[Where] = field(default_factory=set)
     """addresses of vehicles"""
-    strangers: set[Where] = field(default_factory=set)
+    unknown_senders: set[Where] = field(default_factory=set)
     """who speaks MAVLink 1: some autopilots go on to MAVLink 2 when they hear it"""
 
     def send(self, message: Message | bytes, address: Where) -> bytes:
         counter = self.counters.setdefault(address, SequenceCounter())
-        raw = message if isinstance(message, bytes) else codec.frame(message, counter.take(), *STATION)
+        raw = message if isinstance(message, bytes) else codec.frame(message, counter.next(), *STATION)
         with contextlib.suppress(OSError):  # nobody there yet, or no room: as on the air, it is lost
             self.socket.sendto(raw, address)
         return raw
 
 
 @dataclass
-class _Peer:
+class _ExternalPeer:
     """One vehicle."""
 
     key: Key
@@ -77,7 +77,7 @@ class ExternalLink:
         """Open a socket for each address; `now_s` reads the session's clock. Raises AddressRefused."""
         self._now_s = now_s
         self._doors: dict[str, _Door] = {}
-        self._peers: dict[int, _Peer] = {}
+        self._peers: dict[int, _ExternalPeer] = {}
         self._poll = select.poll()
         self._kept = False
         self._announced_s = self._sent_s = -ANNOUNCE_EVERY_S
@@ -92,7 +92,7 @@ class ExternalLink:
                 except AddressRefused:
                     self.close()
                     raise
-            self._peers[sysid] = _Peer((sysid, AUTOPILOT), self._doors[external.connect])
+            self._peers[sysid] = _ExternalPeer((sysid, AUTOPILOT), self._doors[external.connect])
         for door in self._doors.values():
             self._poll.register(door.socket, select.POLLIN)
 
@@ -120,7 +120,7 @@ class ExternalLink:
         known = {sysid: peer.clock.offset_s for sysid, peer in self._peers.items()}
         return {sysid: offset_s for sysid, offset_s in known.items() if offset_s is not None}
 
-    def take_rebooted(self) -> set[int]:
+    def pop_rebooted(self) -> set[int]:
         """Whose clock has begun anew since the last call."""
         taken, self._rebooted = self._rebooted, set()
         return taken
@@ -131,7 +131,7 @@ class ExternalLink:
         if now_s - self._announced_s >= ANNOUNCE_EVERY_S:
             self._announced_s = now_s
             for door in self._doors.values():
-                for address in (door.remote,) if door.remote else (door.speakers | door.strangers):
+                for address in (door.remote,) if door.remote else (door.speakers | door.unknown_senders):
                     door.send(OUR_HEARTBEAT, address)
         self.rest(wait_s)
 
@@ -190,14 +190,14 @@ class ExternalLink:
                     break
                 except OSError:  # a udpout whose other end is not there: told once for each datagram sent
                     continue
-                self._take(door, datagram, address)
+                self._receive(door, datagram, address)
 
-    def _take(self, door: _Door, datagram: bytes, address: Where) -> None:
+    def _receive(self, door: _Door, datagram: bytes, address: Where) -> None:
         frames, malformed, _ = codec.split(datagram)
         if address in door.speakers:
             self.malformed += malformed
-        elif datagram[:1] == MAVLINK_1 and len(door.strangers) < MOST_STRANGERS:
-            door.strangers.add(address)
+        elif datagram[:1] == MAVLINK_1 and len(door.unknown_senders) < MOST_UNKNOWN_SENDERS:
+            door.unknown_senders.add(address)
         for frame in frames:
             peer = self._peers.get(frame.sysid)
             if peer is None:

@@ -35,7 +35,7 @@ class TickLink(Protocol):
     def clock_offsets_s(self) -> dict[int, float]:
         """What added to the own time of a vehicle that has a clock of its own gives the session's, by system id."""
 
-    def take_rebooted(self) -> set[int]:
+    def pop_rebooted(self) -> set[int]:
         """Whose clock has begun anew since the last call."""
 
 

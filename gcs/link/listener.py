@@ -14,7 +14,7 @@ from gcs.scenario.endpoint import Endpoint
 CONNECT_WITHIN_S = 5.0
 
 
-class Air:
+class Listener:
     """What is heard at an address, with who said it, of MAVLink 1 too. Raises AddressRefused where it cannot be had."""
 
     def __init__(self, at: Endpoint) -> None:

@@ -22,7 +22,7 @@ from pymavlink.dialects.v20 import common
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Message
 
-PILOT, OPERATOR = "pilot", "operator"
+ARMING, OPERATOR = "pilot", "operator"
 """How the tokens of commands begin: whose wish it is."""
 
 TIMEOUT_S = 0.5

@@ -23,7 +23,7 @@ from gcs.mavlink.codec import Message
 from gcs.mavlink.command_protocol import CommandLong, CommandTarget
 from gcs.mavlink.ids import AUTOPILOT
 
-QUIET_S = 5.0
+STALE_S = 5.0
 """So long it has before it counts as quiet, and between two askings."""
 RATE_HZ = 4
 _TELEMETRY = frozenset(map(codec.msgid, ("GLOBAL_POSITION_INT", "LOCAL_POSITION_NED", "ATTITUDE", "SYS_STATUS")))
@@ -70,7 +70,7 @@ class StreamRequests:
     def __init__(self, sysid: int, wanted: Sequence[Need]) -> None:
         self._sysid = sysid
         self._needs = {codec.msgid(need.name): need for need in wanted}
-        self._told: dict[str, str] = {}
+        self._reported: dict[str, str] = {}
         self.restart()
 
     def restart(self) -> None:
@@ -87,9 +87,9 @@ class StreamRequests:
     @property
     def missing(self) -> tuple[str, ...]:
         """Messages that do not come, or too seldom, as of the last check."""
-        return tuple(sorted(self._told))
+        return tuple(sorted(self._reported))
 
-    def heard(self, msgid: int, now_s: float) -> None:
+    def received(self, msgid: int, now_s: float) -> None:
         """Count a message that has come."""
         if msgid in self._count:
             self._began_s.setdefault(msgid, now_s)
@@ -146,12 +146,12 @@ class StreamRequests:
                 found[need.name] = f"{need.name} comes at less than half of the {need.rate_hz:g} Hz asked for"
         if not any(self._count.values()):
             self._asked = False
-        news = [sentence for name, sentence in found.items() if self._told.get(name) != sentence]
-        news += [f"{name} comes as it should now" for name in self._told if name not in found]
-        self._told = found
+        notices = [sentence for name, sentence in found.items() if self._reported.get(name) != sentence]
+        notices += [f"{name} comes as it should now" for name in self._reported if name not in found]
+        self._reported = found
         self._count = dict.fromkeys(self._needs, 0)
         self._counted_since_s = now_s
-        return news
+        return notices
 
     def count_anew(self, now_s: float) -> None:
         """The vehicle says nothing at all: no message of it is missing more than another."""
@@ -194,15 +194,15 @@ class SilentVehicles:
     def __init__(self) -> None:
         self._due_s: dict[int, float] = {}
 
-    def heard(self, sysid: int, msgid: int, now_s: float) -> None:
+    def received(self, sysid: int, msgid: int, now_s: float) -> None:
         """Take note of a message of a vehicle."""
         if msgid in _TELEMETRY or sysid not in self._due_s:
-            self._due_s[sysid] = now_s + QUIET_S
+            self._due_s[sysid] = now_s + STALE_S
 
     def due(self, now_s: float) -> list[int]:
         """Whose quiet is to be dealt with now, by system id: at first, and again every QUIET_S."""
         found = sorted(sysid for sysid, due_s in self._due_s.items() if now_s >= due_s)
-        self._due_s.update(dict.fromkeys(found, now_s + QUIET_S))
+        self._due_s.update(dict.fromkeys(found, now_s + STALE_S))
         return found
 
 

@@ -23,7 +23,7 @@ from gcs.planner.safe_planner import SafePlanner
 from gcs.scenario import plugins
 from gcs.scenario.guard import Guard, Nonsense
 from gcs.scenario.model import Obstacle, Scenario
-from gcs.telemetry.state import FleetState, Vec3, VehicleView
+from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 
 FARTHEST = 1e5
 """m, and m/s: beyond every scenario."""
@@ -36,7 +36,7 @@ class Situation:
     time_s: float
     period_s: float
     """until it is asked again"""
-    snapshot: FleetState
+    snapshot: FleetSnapshot
     """everyone, as their messages tell; also traffic"""
     pursuing: Mapping[int, int]
     """the target's system id by the pursuer's"""
@@ -74,7 +74,7 @@ class OwnPlanner:
         """The scenario's obstacles as the shipped planner's table."""
         return self._shipped.obstacles
 
-    def take_records(self) -> list[dict[str, Any]]:
+    def pop_records(self) -> list[dict[str, Any]]:
         """None: set points tell all."""
         return []
 

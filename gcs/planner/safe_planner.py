@@ -50,7 +50,7 @@ PARTNERS_SHARE = 0.5
 """Of the height in which a tanker stands: so near may partners of a transfer come."""
 ACTS_M_S2 = 1.0
 """A change of a wish by so much is an intervention to be recorded, once in QUIET_S for each vehicle and cause."""
-QUIET_S = 2.0
+REPEAT_AFTER_S = 2.0
 
 
 @dataclass(slots=True)
@@ -101,7 +101,7 @@ class SafePlanner:
         self._failsafes = {
             v.sysid: (v.start_m, _failsafe(v.params)) for v in scenario.vehicles.all if v.external is None
         }
-        self._told_s: dict[tuple[int, str], float] = {}
+        self._reported_s: dict[tuple[int, str], float] = {}
         self._records: list[dict[str, Any]] = []
 
     @property
@@ -114,7 +114,7 @@ class SafePlanner:
         error_m = float(self.tracking.error_m[self.tracking.row[sysid]])
         return min(max(error_m + SPARE_M, LEAST_MARGIN_M), MOST_MARGIN_M)
 
-    def take_records(self) -> list[dict[str, Any]]:
+    def pop_records(self) -> list[dict[str, Any]]:
         """Interventions of the filter since the last call, as decisions."""
         taken, self._records = self._records, []
         return taken
@@ -192,9 +192,9 @@ class SafePlanner:
         p = np.array([self._leaders[sysid].p_ned for sysid in ids])
         v = np.array([self._leaders[sysid].v_ned for sysid in ids])
         planned = np.array([point.v_ned for point in points])
-        wish = planned + (np.array([point.p_ned for point in points]) - p) / SETTLE_S
+        wanted_ned = planned + (np.array([point.p_ned for point in points]) - p) / SETTLE_S
         silent = np.array([views[sysid].age_s > SILENT_S for sysid in ids])
-        wish[silent] = 0.0
+        wanted_ned[silent] = 0.0
         speeds = np.array([max(self._speed_m_s[sysid], SLOWEST_M_S) for sysid in ids])
         fence = np.full((len(ids), 3), np.inf)
         fence[:, 2] = [floor_d(views[sysid]) if sysid in self._grounded else math.inf for sysid in ids]
@@ -208,7 +208,7 @@ class SafePlanner:
                 margin_m=[self.margin_m(sysid) for sysid in ids],
                 high_ned=fence,
             ),
-            wish,
+            wanted_ned,
             rules=FilterSettings(request.period_s, rules.separation_m, rules.clearance_m),
             others=_table(others),
             obstacles=self._planner.obstacles,
@@ -262,9 +262,9 @@ class SafePlanner:
         for row in np.flatnonzero(filtered.changed_m_s2 > ACTS_M_S2):
             sysid = points[row].sysid
             by = self._named(int(filtered.binding_kind[row]), int(filtered.binding[row]), points, others)
-            if now_s < self._told_s.get((sysid, by), -math.inf) + QUIET_S:
+            if now_s < self._reported_s.get((sysid, by), -math.inf) + REPEAT_AFTER_S:
                 continue
-            self._told_s[sysid, by] = now_s
+            self._reported_s[sysid, by] = now_s
             change = round(float(filtered.changed_m_s2[row]), 3)
             braked = bool(filtered.checked[row] == 3)
             self._records.append(

@@ -157,7 +157,7 @@ def filter_step(
     back = np.argsort(order, kind="stable")
     p = _array("p_ned", vehicles.p_ned, (n, 3))[order]
     v = _array("v_ned", vehicles.v_ned, (n, 3))[order]
-    wish = _array("v_wanted_ned", v_wanted_ned, (n, 3))[order]
+    wanted = _array("v_wanted_ned", v_wanted_ned, (n, 3))[order]
     v_max = _array("v_max_m_s", vehicles.v_max_m_s, (n,), least=1e-6)[order]
     a_max = _array("a_max_m_s2", vehicles.a_max_m_s2, (n,), least=1e-6)[order]
     margin = _array("margin_m", vehicles.margin_m, (n,), least=0.0)[order]
@@ -186,7 +186,7 @@ def filter_step(
     ]
     constraints = np.concatenate(rows)
     u, changed, kind, binding, checked = solve(
-        p, v, wish, v_max, a_max, brake, ids[order], np.ascontiguousarray(constraints[:, :3], dtype=np.int64),
+        p, v, wanted, v_max, a_max, brake, ids[order], np.ascontiguousarray(constraints[:, :3], dtype=np.int64),
         np.ascontiguousarray(constraints[:, 3]), moving, table, walls[order], rules.period_s, rules.horizon_s,
         rules.buffer_m, rules.recover_m_s, rules.turn_rad, rules.climb_rad, rules.rounds, rules.sweeps,
     )  # fmt: skip

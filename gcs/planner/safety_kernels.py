@@ -40,20 +40,20 @@ _SOFT_M = 0.1  # above the distance aimed at: there the turn of a wish begins
 
 
 @njit(error_model="numpy")
-def _turned(wish: FloatArray, ids: IntArray, share: FloatArray, turn: float, climb: float) -> FloatArray:
+def _turned(wanted: FloatArray, ids: IntArray, share: FloatArray, turn: float, climb: float) -> FloatArray:
     """Wanted velocities turned to the right by turn share and raised by up to climb share, differently for each id."""
-    out = wish.copy()
-    for i in range(len(wish)):
+    out = wanted.copy()
+    for i in range(len(wanted)):
         if share[i] > 0.0:
             cos, sin = math.cos(turn * share[i]), math.sin(turn * share[i])
             part = (ids[i] * GOLDEN) % 1.0
             # A wish straight up or down has no right side, so one is chosen by id.
-            right_n = abs(wish[i, 2]) * math.cos(2.0 * math.pi * part) - wish[i, 1]
-            right_e = abs(wish[i, 2]) * math.sin(2.0 * math.pi * part) + wish[i, 0]
-            out[i, 0] = cos * wish[i, 0] + sin * right_n
-            out[i, 1] = cos * wish[i, 1] + sin * right_e
-            speed = math.sqrt(wish[i, 0] ** 2 + wish[i, 1] ** 2)
-            out[i, 2] = wish[i, 2] + (2.0 * part - 1.0) * math.tan(climb * share[i]) * speed
+            right_n = abs(wanted[i, 2]) * math.cos(2.0 * math.pi * part) - wanted[i, 1]
+            right_e = abs(wanted[i, 2]) * math.sin(2.0 * math.pi * part) + wanted[i, 0]
+            out[i, 0] = cos * wanted[i, 0] + sin * right_n
+            out[i, 1] = cos * wanted[i, 1] + sin * right_e
+            speed = math.sqrt(wanted[i, 0] ** 2 + wanted[i, 1] ** 2)
+            out[i, 2] = wanted[i, 2] + (2.0 * part - 1.0) * math.tan(climb * share[i]) * speed
     return out
 
 
@@ -211,7 +211,7 @@ def _restore(
 
 @njit(error_model="numpy")
 def _solve(
-    p: FloatArray, v: FloatArray, wish: FloatArray, v_max: FloatArray, a_max: FloatArray, brake: FloatArray,
+    p: FloatArray, v: FloatArray, wanted: FloatArray, v_max: FloatArray, a_max: FloatArray, brake: FloatArray,
     ids: IntArray, rows: IntArray, required: FloatArray, others: FloatArray, table: FloatArray, walls: FloatArray,
     dt: float, horizon: float, buffer: float, recover: float, turn: float, climb: float, rounds: int, sweeps: int,
 ) -> tuple[FloatArray, FloatArray, IntArray, IntArray, IntArray]:  # fmt: skip
@@ -222,12 +222,12 @@ def _solve(
         u_b[i, 0], u_b[i, 1], u_b[i, 2] = braking(v[i, 0], v[i, 1], v[i, 2], brake[i], dt)
         speed = math.sqrt(v[i, 0] ** 2 + v[i, 1] ** 2 + v[i, 2] ** 2)
         v_top[i] = max(v_max[i], speed - brake[i] * dt)
-    plain, all_live = (wish - v) / dt, np.ones(n, dtype=np.bool_)
+    plain, all_live = (wanted - v) / dt, np.ones(n, dtype=np.bool_)
     within_limits(plain, all_live, v, u_b, a_max, v_top, dt)
     u = plain.copy()
     target, least = np.empty(m), np.empty(m)
     share, still, cause = np.zeros(n), np.zeros((n, 3)), np.full(n, -1)
-    full = wish.copy()  # the wish, no faster than allowed
+    full = wanted.copy()  # the wish, no faster than allowed
     for i in range(n):
         into_ball(full, i, 0.0, 0.0, 0.0, v_max[i])
     for c in range(m):
@@ -335,13 +335,13 @@ def _compiled(build: int) -> Callable[..., Any]:
 
     @njit(cache=True)
     def solve(
-        p: FloatArray, v: FloatArray, wish: FloatArray, v_max: FloatArray, a_max: FloatArray, brake: FloatArray,
+        p: FloatArray, v: FloatArray, wanted: FloatArray, v_max: FloatArray, a_max: FloatArray, brake: FloatArray,
         ids: IntArray, rows: IntArray, required: FloatArray, others: FloatArray, table: FloatArray, walls: FloatArray,
         dt: float, horizon: float, buffer: float, recover: float, turn: float, climb: float, rounds: int, sweeps: int,
     ) -> tuple[FloatArray, FloatArray, IntArray, IntArray, IntArray]:  # fmt: skip
         _ = build
         return _solve(
-            p, v, wish, v_max, a_max, brake, ids, rows, required, others, table, walls, dt, horizon, buffer, recover,
+            p, v, wanted, v_max, a_max, brake, ids, rows, required, others, table, walls, dt, horizon, buffer, recover,
             turn, climb, rounds, sweeps,
         )  # fmt: skip
 

@@ -43,7 +43,7 @@ _POINTS, _HEADS = msgspec.json.Decoder(_SetPoint), msgspec.json.Decoder(_Head)
 _RECORDS = msgspec.json.Decoder(dict[str, Any])
 
 
-class Line(NamedTuple):
+class DecisionLine(NamedTuple):
     """A decision that is no set point; `record` reads the rest of it."""
 
     t_s: float
@@ -84,7 +84,7 @@ class DecisionLines:
                 else:
                     self._pass_over(line)
 
-    def blocks(self, *, set_points: bool = True) -> Iterator[tuple[NDArray[np.float64], list[Line]]]:
+    def blocks(self, *, set_points: bool = True) -> Iterator[tuple[NDArray[np.float64], list[DecisionLine]]]:
         """(n, COLUMNS) numbers of set points, none where they are not wanted; and the other decisions' lines."""
         for lines in self._blocks():
             own = [line for line in lines if line.startswith(_BEGIN)] if set_points else []
@@ -92,7 +92,7 @@ class DecisionLines:
             others = []
             for head, line in self._decoded(_HEADS, [line for line in lines if not line.startswith(_BEGIN)]):
                 if head.kind != "set_point":
-                    others.append(Line(head.t_s, head.kind, head.giver, line))
+                    others.append(DecisionLine(head.t_s, head.kind, head.giver, line))
                 elif set_points:  # by another writer
                     points += [point for point, _ in self._decoded(_POINTS, [line])]
             rows = [(*point.p_ned, point.sysid, point.t_s) for point in points]

@@ -21,7 +21,7 @@ ROUNDING_S = 1e-6
 BLOCK_TICKS = 2000
 
 
-class Course:
+class HeldTimes:
     """The goal's pursuit over a session: at each time, the longest for which even the worst had held it by then."""
 
     def __init__(self, held_s: Series, period_s: float) -> None:
@@ -33,8 +33,8 @@ class Course:
         return float(held(self._held_s, np.array([t_s - self._period_s + ROUNDING_S]))[0])
 
 
-class CourseReader:
-    """Reads the course out of a recording that somebody else walks: `take` each stretch of it, and ask at its end.
+class HeldTimesReader:
+    """Reads the course out of a recording that somebody else walks: `add` each stretch of it, and ask at its end.
 
     `decisions`: those of kinds "pursuit" and "operator".
     """
@@ -46,18 +46,18 @@ class CourseReader:
         if scenario.goal.pursue is not None:
             self._gathering = Gathering(self._recorded, PLACES, counted=False)
 
-    def take(self, chunk: Chunk) -> None:
+    def add(self, chunk: Chunk) -> None:
         """Take in the next stretch."""
         if self._gathering is not None:
-            self._gathering.take(chunk)
+            self._gathering.add(chunk)
 
-    def course(self) -> Course | None:
+    def held_times(self) -> HeldTimes | None:
         """None where the goal asks for no pursuit, or nobody told a place."""
         if self._gathering is None:
             return None
         self._gathering.finish()
         flown = tracks(self._recorded)
-        return Course(held_by(self._recorded, flown)[0], self._period_s) if flown else None
+        return HeldTimes(held_by(self._recorded, flown)[0], self._period_s) if flown else None
 
 
 def ticks_of(recorded: Recorded) -> Floats:
@@ -117,5 +117,5 @@ def held_by(recorded: Recorded, flown: Mapping[int, Track]) -> tuple[Series, dic
                 if pursuer in at and target in at and key is not None:
                     apart_m = np.linalg.norm(at[pursuer] - at[target], axis=1)
                     near_m[:, key] = np.fmin(near_m[:, key], np.where(targets[some] == target, apart_m, np.nan))
-        worst_s[some] = pursuit.take(t_s[some], near_m)
+        worst_s[some] = pursuit.update(t_s[some], near_m)
     return Series(t_s, worst_s), pursuit.held_s

@@ -32,7 +32,7 @@ LATE_S = 5.0
 """A vehicle's own time is believed where it is at most this much before the arrival: else its clock is another one."""
 ARMED, ON_GROUND, UNDEFINED_STATE = 0x80, 1, 0
 _ACCOUNT = ("HEARTBEAT", "PARAM_VALUE", "NAMED_VALUE_INT", "BATTERY_STATUS", "SYS_STATUS")
-_Told = tuple[float, float, str, Any]
+_TimedContent = tuple[float, float, str, Any]
 """(session time in s, place in the file, message, its content), which so stand in the order in which they came"""
 
 
@@ -92,10 +92,10 @@ def vehicles(recorded: Recorded) -> list[VehicleInfo]:
         return [VehicleInfo(v.sysid, v.role, v.label) for v in recorded.scenario.vehicles.all]
     if recorded.summary is not None:
         return [VehicleInfo(v.sysid, v.role, f"{v.role} {v.sysid}") for v in recorded.summary.vehicles]
-    return [VehicleInfo(sysid, "vehicle", f"vehicle {sysid}") for sysid in heard(recorded)]
+    return [VehicleInfo(sysid, "vehicle", f"vehicle {sysid}") for sysid in senders(recorded)]
 
 
-def heard(recorded: Recorded) -> list[int]:
+def senders(recorded: Recorded) -> list[int]:
     """The system ids that told a position."""
     if not recorded.tables:
         return []
@@ -117,7 +117,7 @@ def tracks(recorded: Recorded) -> dict[int, Track]:
         if sysid not in origins or zero is None:
             continue
         offset = np.array(pymap3d.geodetic2ned(*_place(origins[sysid][0]), *zero), dtype=np.float64)
-        t_s = _told_s(rows)
+        t_s = _times_s(rows)
         p_ned = np.column_stack([rows[axis] for axis in "xyz"]).astype(np.float64) + offset
         v_ned = np.column_stack([rows[f"v{axis}"] for axis in "xyz"]).astype(np.float64)
         # In the order in which they were true; what came late and out of order changes nothing that is known.
@@ -162,7 +162,7 @@ def attitudes(recorded: Recorded) -> dict[int, tuple[Series, Series, Series]]:
         return {}
     found = {}
     for sysid, rows in _by_vehicle(recorded.tables["ATTITUDE"]).items():
-        t_s = _told_s(rows)
+        t_s = _times_s(rows)
         order = np.argsort(t_s, kind="stable")
         roll, pitch, yaw = (
             Series(t_s[order], rows[name][order].astype(np.float64)) for name in ("roll", "pitch", "yaw")
@@ -192,15 +192,15 @@ def batteries(recorded: Recorded) -> dict[int, BatterySeries]:
     """Each vehicle's battery after each report of it, and at the end: the account that the session kept, kept again."""
     if not recorded.tables:
         return {}
-    told = {name: _by_vehicle(recorded.tables[name]) for name in _ACCOUNT if name in recorded.tables}
+    reported = {name: _by_vehicle(recorded.tables[name]) for name in _ACCOUNT if name in recorded.tables}
     vehicles = {v.sysid: v for v in recorded.scenario.vehicles.all} if recorded.scenario else {}
     found = {}
-    for sysid in sorted(told.get("BATTERY_STATUS", {}).keys() | told.get("SYS_STATUS", {}).keys()):
+    for sysid in sorted(reported.get("BATTERY_STATUS", {}).keys() | reported.get("SYS_STATUS", {}).keys()):
         vehicle = vehicles.get(sysid)
         capacity_j = vehicle.battery.capacity_j if vehicle else 0.0
         account = BatteryAccount(capacity_j, 0.01 * vehicle.battery.initial_percent * capacity_j if vehicle else 0.0)
         profile = PROFILES.get(vehicle.external.autopilot) if vehicle and vehicle.external else None
-        messages = [_messages(kind, rows[sysid]) for kind, rows in told.items() if sysid in rows]
+        messages = [_messages(kind, rows[sysid]) for kind, rows in reported.items() if sysid in rows]
         times_s, left_j = _kept(account, heapq.merge(*messages, _booked(recorded, sysid)), profile)
         if account.capacity_j and times_s:
             if left_j[-1] != account.remaining_j:
@@ -210,7 +210,7 @@ def batteries(recorded: Recorded) -> dict[int, BatterySeries]:
     return found
 
 
-def _messages(kind: str, rows: NDArray[Any]) -> Iterator[_Told]:
+def _messages(kind: str, rows: NDArray[Any]) -> Iterator[_TimedContent]:
     """One vehicle's messages of a kind, in the file's order."""
     return ((content.t_s, content.place, kind, content) for content in _contents(rows))
 
@@ -221,12 +221,14 @@ def _contents(rows: NDArray[Any]) -> Iterator[Any]:
     return map(content._make, rows.tolist())
 
 
-def _kept(account: BatteryAccount, told: Iterable[_Told], profile: Profile | None) -> tuple[list[float], list[float]]:
+def _kept(
+    account: BatteryAccount, reported: Iterable[_TimedContent], profile: Profile | None
+) -> tuple[list[float], list[float]]:
     """What the battery held in J after each report, and when."""
     armed, speaks = False, profile or GENERIC
     times_s: list[float] = []
     left_j: list[float] = []
-    for t_s, _, kind, content in told:
+    for t_s, _, kind, content in reported:
         if kind == "HEARTBEAT":
             armed, speaks = bool(content.base_mode & ARMED), profile or profile_of(content.autopilot)
         elif kind == "NAMED_VALUE_INT":
@@ -235,7 +237,7 @@ def _kept(account: BatteryAccount, told: Iterable[_Told], profile: Profile | Non
             value = speaks.parameter(content.param_value, content.param_type)
             account.parameter(content.param_id.decode("ascii", "replace"), value)
         elif kind == "served":
-            if not account.told:
+            if not account.reported:
                 account.book(content)
         elif kind == "SYS_STATUS" or content.id == 0:
             report = (sys_status if kind == "SYS_STATUS" else battery_status)(content, t_s)
@@ -246,7 +248,7 @@ def _kept(account: BatteryAccount, told: Iterable[_Told], profile: Profile | Non
     return times_s, left_j
 
 
-def _booked(recorded: Recorded, sysid: int) -> list[_Told]:
+def _booked(recorded: Recorded, sysid: int) -> list[_TimedContent]:
     """What bases gave to a vehicle, each service at its end."""
     served = [d for d in recorded.decisions if d["kind"] == "served" and d["receiver"] == sysid and d.get("base")]
     return [(d["t_s"], math.inf, "served", round(d["energy_j"])) for d in served]
@@ -268,11 +270,11 @@ def contest(recorded: Recorded, *, for_bases: bool = False) -> CompetitionSeries
     every = (decision for decision in recorded.decisions if decision["kind"] == "competition")
     lines = [decision for decision in every if (decision.get("giver") == "base") == for_bases]
     t_s = np.array([line["t_s"] for line in lines], dtype=np.float64)
-    told = [line["v"] for line in lines]
-    sysid_of = {name: int(name) for name in set().union(*told)}
-    sysids = np.fromiter((sysid_of[name] for v in told for name in v), dtype=np.int64)
-    values = np.fromiter(chain.from_iterable(v.values() for v in told), dtype=np.float64)
-    times_s = np.repeat(t_s, [len(v) for v in told])
+    reported = [line["v"] for line in lines]
+    sysid_of = {name: int(name) for name in set().union(*reported)}
+    sysids = np.fromiter((sysid_of[name] for v in reported for name in v), dtype=np.int64)
+    values = np.fromiter(chain.from_iterable(v.values() for v in reported), dtype=np.float64)
+    times_s = np.repeat(t_s, [len(v) for v in reported])
     gap_s = 2.5 * (recorded.scenario.clock.period_s if recorded.scenario else 0.1)
     v_of = {}
     for sysid, rows in rows_of(sysids).items():
@@ -316,8 +318,8 @@ def texts(recorded: Recorded, worst: int = 4) -> list[tuple[float, int, int, str
         return []
     found = []
     for sysid, rows in _by_vehicle(recorded.tables["STATUSTEXT"]).items():
-        heard = ((one.t_s, one._replace(text=one.text.decode("ascii", "replace"))) for one in _contents(rows))
-        found += [(t_s, sysid, severity, text) for t_s, severity, text in statustext.recorded(heard)]
+        senders = ((one.t_s, one._replace(text=one.text.decode("ascii", "replace"))) for one in _contents(rows))
+        found += [(t_s, sysid, severity, text) for t_s, severity, text in statustext.recorded(senders)]
     return sorted(one for one in found if one[2] <= worst)
 
 
@@ -341,7 +343,7 @@ def rows_of(keys: NDArray[Any]) -> dict[int, NDArray[np.int64]]:
     return {int(keys[rows[0]]): rows for rows in parts if len(rows)}
 
 
-def _told_s(rows: NDArray[Any]) -> Floats:
+def _times_s(rows: NDArray[Any]) -> Floats:
     """When each row was true: by the vehicle's own clock where that is the session's."""
     own_s = 1e-3 * rows["time_boot_ms"].astype(np.float64)
     late_s = rows["t_s"] - own_s

@@ -158,7 +158,7 @@ def read_tlog(recorded: Recorded, progress: Progress) -> None:
     try:
         log = tlog.read(recorded.folder / TLOG)
         for chunk in log.chunks():
-            gathering.take(chunk)
+            gathering.add(chunk)
             progress(chunk.read_share)
         recorded.problems += log.problems
     except OSError as error:
@@ -179,7 +179,7 @@ class Gathering:
         self._counted = counted
         self._gaps = RecordedGaps()
 
-    def take(self, chunk: tlog.Chunk) -> None:
+    def add(self, chunk: tlog.Chunk) -> None:
         """Take in the next stretch."""
         heads = chunk.heads
         if not len(heads):

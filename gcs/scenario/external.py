@@ -11,7 +11,7 @@ from typing import Annotated, Any, Literal, Protocol
 
 from pydantic import AfterValidator, Field
 
-from gcs.scenario.document import Conflict, Path
+from gcs.scenario.document import Conflict, KeyPath
 from gcs.scenario.endpoint import address
 from gcs.scenario.types import Joules, Part, SysId
 
@@ -93,7 +93,7 @@ def inherited(vehicle: dict[str, Any], own: Iterable[str]) -> None:
             vehicle.pop(key, None)
 
 
-def conflicts(path: Path, vehicle: Any) -> Iterator[Conflict]:
+def conflicts(path: KeyPath, vehicle: Any) -> Iterator[Conflict]:
     """What an external vehicle's keys say that cannot be, or not together."""
     block: External | None = vehicle.external
     if block is None:

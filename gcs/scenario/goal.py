@@ -199,10 +199,10 @@ def _judge_lost(case: Case) -> _Found:
         return _UNKNOWN
     if not lost:
         return _Found(True, "none", 0.0)
-    told = [f"{_name(loss.sysid)} at {loss.t_s:.1f} s: {loss.why}" for loss in lost[:NAMED]]
+    listed = [f"{_name(loss.sysid)} at {loss.t_s:.1f} s: {loss.why}" for loss in lost[:NAMED]]
     more = f"; {len(lost) - NAMED} more" if len(lost) > NAMED else ""
     who = tuple(loss.sysid for loss in lost)
-    text = f"{len(lost)} ({'; '.join(told)}{more})"
+    text = f"{len(lost)} ({'; '.join(listed)}{more})"
     return _Found(len(lost) <= case.limit, text, float(len(lost)), who, "", lost[0].t_s)
 
 
@@ -221,9 +221,9 @@ def _judge_waypoints(case: Case) -> _Found:
     missed = {sysid: number for sysid, number in case.measured.missed.items() if number}
     if not missed:
         return _Found(True, "all passed", 0.0)
-    told = [f"{sysid}: {number} of {count.get(sysid, number)}" for sysid, number in sorted(missed.items())]
-    more = f" and {len(told) - NAMED} more" if len(told) > NAMED else ""
-    text = f"missed (by {', '.join(told[:NAMED])}{more})"
+    listed = [f"{sysid}: {number} of {count.get(sysid, number)}" for sysid, number in sorted(missed.items())]
+    more = f" and {len(listed) - NAMED} more" if len(listed) > NAMED else ""
+    text = f"missed (by {', '.join(listed[:NAMED])}{more})"
     return _Found(False, text, float(sum(missed.values())), tuple(sorted(missed)))
 
 

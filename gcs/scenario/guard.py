@@ -60,7 +60,7 @@ class Guard:
     def __init__(self, policy: str, limit_s: float = LIMIT_S) -> None:
         self.policy = policy
         self._limit_s = limit_s
-        self._told: dict[int, str] = {}
+        self._reported: dict[int, str] = {}
         self._cut: set[int] = set()
         self._new: list[PluginFault] = []
         self._cut_now = False
@@ -86,25 +86,25 @@ class Guard:
         except Nonsense as problem:
             self._blame(sysid, str(problem))
         except (Exception, SystemExit) as error:
-            self._blame(sysid, f"raised {_told(error)}")
+            self._blame(sysid, f"raised {_described(error)}")
         else:
-            self._told.pop(sysid, None)
+            self._reported.pop(sysid, None)
             return answer
         return None
 
     def _blame(self, sysid: int, problem: str) -> None:
         """A vehicle is held for this; said once until it gets a good answer or something else is wrong."""
-        if self._told.get(sysid) != problem:
-            self._told[sysid] = problem
+        if self._reported.get(sysid) != problem:
+            self._reported[sysid] = problem
             self._new.append(PluginFault(sysid, self.policy, problem))
 
-    def take(self) -> list[PluginFault]:
+    def pop_faults(self) -> list[PluginFault]:
         """The problems since the last call."""
         taken, self._new = self._new, []
         return taken
 
 
-def _told(error: BaseException) -> str:
+def _described(error: BaseException) -> str:
     """`ValueError at planner.py:12: text`, on one line."""
     frames = traceback.extract_tb(error.__traceback__)
     where = next((f for f in reversed(frames) if "site-packages" not in f.filename), frames[-1])

@@ -174,7 +174,7 @@ class Pursuer(VehicleBase):
     """whether it can take energy in the air, or only a base can serve it; without it external vehicles are asked"""
 
     @property
-    def can_receive(self) -> bool | None:
+    def transfer_capable(self) -> bool | None:
         """Whether it can take energy in the air; None where it is to be asked."""
         asked = self.transfer is None and self.external is not None
         return None if asked else self.transfer is not False

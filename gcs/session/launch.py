@@ -67,7 +67,7 @@ def launch(
                 if not reported:
                     print(f"gcs: {ENDED_EARLY}", file=sys.stderr)
                 return DONE
-            if arrived := signals.take():
+            if arrived := signals.pop():
                 return 128 + arrived[0]
             for ended in hatch.events()[1]:
                 alive.discard(ended.sysid)

@@ -223,7 +223,7 @@ class ReplayRow(Struct):
     paused: bool
 
 
-class Snapshot(Struct, tag_field="type", tag="snapshot"):
+class SnapshotMessage(Struct, tag_field="type", tag="snapshot"):
     """The state at a session time, with the events since the last one."""
 
     t_s: float
@@ -260,10 +260,10 @@ class End(Struct, tag_field="type", tag="end"):
     exit: int
 
 
-Line = SessionLine | Snapshot | Reply | End
+SessionMessage = SessionLine | SnapshotMessage | Reply | End
 
 
-def plain(line: Line) -> dict[str, Any]:
+def plain(line: SessionMessage) -> dict[str, Any]:
     """A line as plain data, for JSON."""
     content: dict[str, Any] = msgspec.to_builtins(line)
     return content
@@ -272,4 +272,4 @@ def plain(line: Line) -> dict[str, Any]:
 def schema() -> dict[str, Any]:
     """The JSON Schema of a line."""
     about = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": "A line of a session's socket"}
-    return about | msgspec.json.schema(Line)
+    return about | msgspec.json.schema(SessionMessage)

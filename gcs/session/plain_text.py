@@ -210,22 +210,22 @@ class PlainView:
 
     def __init__(self, write: Callable[[str], object]) -> None:
         self._write = write
-        self._news = EventLines()
+        self._event_lines = EventLines()
         self._last: Snapshot | None = None
-        self._told: Snapshot | None = None
-        self._told_s = -PROGRESS_EVERY_S
+        self._printed: Snapshot | None = None
+        self._printed_s = -PROGRESS_EVERY_S
         self._begun_s: float | None = None
 
     def show(self, snapshot: Snapshot) -> None:
         """Take in the newest state."""
-        for line in self._news.lines(snapshot):
+        for line in self._event_lines.lines(snapshot):
             self._write(line)
         self._last = snapshot
 
     def tick(self, now_s: float) -> None:
         """Write the line that is due at wall time `now_s`."""
-        if self._last is not None and now_s - self._told_s >= PROGRESS_EVERY_S:
-            self._tell(now_s)
+        if self._last is not None and now_s - self._printed_s >= PROGRESS_EVERY_S:
+            self._print_progress(now_s)
         elif self._last is None and self._begun_s is None:
             self._begun_s = now_s
         elif self._last is None and now_s - (self._begun_s or 0.0) >= PROGRESS_EVERY_S:
@@ -234,13 +234,13 @@ class PlainView:
 
     def close(self) -> None:
         """Write how far it got."""
-        if self._last is not self._told:
-            self._tell(self._told_s)
+        if self._last is not self._printed:
+            self._print_progress(self._printed_s)
 
-    def _tell(self, now_s: float) -> None:
+    def _print_progress(self, now_s: float) -> None:
         assert self._last is not None
         self._write(progress(self._last))
-        self._told, self._told_s = self._last, now_s
+        self._printed, self._printed_s = self._last, now_s
 
 
 class JsonView:
@@ -249,7 +249,7 @@ class JsonView:
     def __init__(self, write: Callable[[str], object]) -> None:
         self._write = write
         self._waiting: Snapshot | None = None
-        self._told_s = -JSON_EVERY_S
+        self._printed_s = -JSON_EVERY_S
 
     def show(self, snapshot: Snapshot) -> None:
         """Take in the newest state."""
@@ -258,9 +258,9 @@ class JsonView:
 
     def tick(self, now_s: float) -> None:
         """Write the snapshot that is due at wall time `now_s`."""
-        if self._waiting is not None and now_s - self._told_s >= JSON_EVERY_S:
+        if self._waiting is not None and now_s - self._printed_s >= JSON_EVERY_S:
             self.close()
-            self._told_s = now_s
+            self._printed_s = now_s
 
     def close(self) -> None:
         """Write the last snapshot."""

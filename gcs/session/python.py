@@ -26,7 +26,7 @@ from gcs.recording.summary import FILE, Summary
 from gcs.scenario import plugins
 from gcs.scenario.file import find, load
 from gcs.scenario.model import Scenario
-from gcs.session.arrays import Snapshot, from_picture
+from gcs.session.arrays import Snapshot, from_message
 from gcs.session.supervised import PATIENCE_S, SUPERVISOR, RunError, Supervised, make_folder
 
 NEXT, STOP = b"n", b"s"
@@ -128,7 +128,7 @@ class Session:
                     return
                 pending += chunk
             line, _, pending = pending.partition(b"\n")
-            yield from_picture(json.loads(line))
+            yield from_message(json.loads(line))
 
     def finish(self) -> Summary:
         """Fly on to the end without looking, and return the summary."""

@@ -59,7 +59,7 @@ class Publisher:
         self._numbers: dict[socket.socket, int] = {}
         self._known = 0
         self._events: deque[Any] = deque(maxlen=REMEMBERED)
-        self._told = 0
+        self._event_count = 0
 
     @property
     def clients(self) -> frozenset[int]:
@@ -77,7 +77,7 @@ class Publisher:
                 self._known += 1
                 self._numbers[client] = self._known
                 if self._greeting is not None:
-                    earlier = {"events": list(self._events), "told": self._told}
+                    earlier = {"events": list(self._events), "told": self._event_count}
                     self._send(client, _line({**self._greeting, **earlier}))
         commands = []
         for client in list(self._clients):
@@ -107,7 +107,7 @@ class Publisher:
         """Send one line to every client; who cannot take it whole is dropped. Its events are kept for later clients."""
         events = content.get("events") or ()
         self._events.extend(events)
-        self._told += len(events)
+        self._event_count += len(events)
         line = _line(content)
         for client in list(self._clients):
             self._send(client, line)
@@ -177,10 +177,10 @@ class Reader:
         """Keep these for the next snapshot."""
         self._events += events
 
-    def give(self, picture: Mapping[str, Any]) -> None:
+    def give(self, snapshot: Mapping[str, Any]) -> None:
         """Answer with this picture and the events since the last one."""
         events, self._events = self._events, []
         self.asked = False
-        line = json.dumps({**picture, "events": [asdict(event) for event in events]}, allow_nan=False)
+        line = json.dumps({**snapshot, "events": [asdict(event) for event in events]}, allow_nan=False)
         with contextlib.suppress(OSError):
             self._socket.sendall(line.encode() + b"\n")

@@ -77,7 +77,7 @@ class Signals:
         """Readable when a signal has come."""
         return self._read.fileno()
 
-    def take(self) -> list[int]:
+    def pop(self) -> list[int]:
         """The signals that have come, in order."""
         try:
             return [number for number in self._read.recv(256) if number in self._handlers]
@@ -243,7 +243,7 @@ class Supervised:
 def run(
     folder: Path,
     view: View,
-    tell: Callable[[str], object],
+    echo: Callable[[str], object],
     *,
     arguments: Sequence[str] = (),
     supervisor: Sequence[str] = SUPERVISOR,
@@ -253,7 +253,7 @@ def run(
 ) -> int:
     """Fly the session prepared in `folder`; the exit status (docs/protocol.md#exit-status).
 
-    `view` shows it while it flies, `finish` gets the supervisor's last word, and `tell` the lines that sum it up.
+    `view` shows it while it flies, `finish` gets the supervisor's last word, and `echo` the lines that sum it up.
     `stderr` takes what the supervisor says there; our own standard error without it. `hurry` is called where a person
     has asked more than once for the end.
     """
@@ -280,14 +280,14 @@ def run(
         print(f"gcs: {clean(verdict['error'])}", file=sys.stderr)
     with contextlib.suppress(OSError):  # nobody may be there to be told
         for line in farewell(_summary(folder), verdict.get("outcome"), folder):
-            tell(line)
+            echo(line)
     failed = verdict["exit"] == INTERNAL_ERROR or verdict.get("error")
     return int(verdict["exit"]) if failed or not interrupted else 128 + interrupted
 
 
 def _watch(process: Supervised, signals: Signals, view: View, hurry: Callable[[], object]) -> int:
     """Show the session until its supervisor has ended; the first signal that asked it to stop, or 0."""
-    interrupted, told = 0, False
+    interrupted, notified = 0, False
     with selectors.DefaultSelector() as selector:
         for source in (process, process.death, signals):
             selector.register(source, selectors.EVENT_READ)
@@ -299,15 +299,15 @@ def _watch(process: Supervised, signals: Signals, view: View, hurry: Callable[[]
             ended = process.ended
             if not process.read() and process in selector.get_map():
                 selector.unregister(process)
-            for number in signals.take():
+            for number in signals.pop():
                 if interrupted:
                     hurry()
                 if process.verdict is None:
                     interrupted = interrupted or number
                 process.interrupt(now_s)
             process.insist(now_s)
-            if not told and not ended and process.keeps_waiting(now_s):
-                told = True
+            if not notified and not ended and process.keeps_waiting(now_s):
+                notified = True
                 print("gcs: waiting until the session is saved; Ctrl-C twice more ends it unsaved", file=sys.stderr)
             try:
                 for content in earlier.joined(watched.receive()) if watched is not None else ():

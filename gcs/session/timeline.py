@@ -13,18 +13,18 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from gcs.mavlink.autopilots import End
-from gcs.recording.decision_lines import DecisionLines, Line
+from gcs.recording.decision_lines import DecisionLine, DecisionLines
 from gcs.recording.decisions import event_of
 from gcs.recording.summary import GoalPartSummary
 from gcs.refuelling import explain
-from gcs.refuelling.bidding import Standing
+from gcs.refuelling.bidding import CompetitionState
 from gcs.refuelling.service import Phase, Service
 from gcs.scenario.model import Scenario
 from gcs.session.messages import goal_of
 from gcs.supervisor.operator import TAKEN
 from gcs.telemetry.events import Event
 from gcs.telemetry.health import state
-from gcs.telemetry.state import FleetState, Vec3
+from gcs.telemetry.state import FleetSnapshot, Vec3
 
 STANDS_S = 0.35
 """A competition that has not been heard of for so long is over."""
@@ -76,8 +76,8 @@ class Timeline:
         self._speed: dict[int | None, float] = {t.sysid: t.speed_m_s for t in scenario.vehicles.tankers}
         self._base_ned: dict[str | None, Vec3] = {base.name: base.position_m for base in scenario.bases}
         self._lives: list[_Life] = []
-        self._standing: list[Line] = []
-        self._told: list[tuple[float, dict[str, Any]]] = []
+        self._competition_lines: list[DecisionLine] = []
+        self._shown: list[tuple[float, dict[str, Any]]] = []
         self._pursuing: list[tuple[float, int, int]] = []
         self.happened: list[ServiceMoment] = []
         self.orders: list[tuple[float, int, End | None]] = []
@@ -92,17 +92,19 @@ class Timeline:
         lines = DecisionLines(path, progress)
         for _, others in lines.blocks(set_points=False):
             for line in others:
-                self._take(line)
+                self._add(line)
         self.broken += lines.passed_over
-        self._told.sort(key=lambda told: told[0])  # what only the vehicles' truth showed was recorded at the end
+        self._shown.sort(
+            key=lambda first_broken: first_broken[0]
+        )  # what only the vehicles' truth showed was recorded at the end
         self.violations.sort(key=lambda record: float(record["at_s"]))
-        self._standing_s = [line.t_s for line in self._standing]
-        self._told_s = [t_s for t_s, _ in self._told]
+        self._competition_s = [line.t_s for line in self._competition_lines]
+        self._shown_s = [t_s for t_s, _ in self._shown]
 
     def events(self, after_s: float, until_s: float) -> Iterator[Event]:
         """What was decided, ordered or died in after_s < t ≤ until_s."""
-        first, last = bisect.bisect_right(self._told_s, after_s), bisect.bisect_right(self._told_s, until_s)
-        return (event_of(record) for _, record in self._told[first:last])
+        first, last = bisect.bisect_right(self._shown_s, after_s), bisect.bisect_right(self._shown_s, until_s)
+        return (event_of(record) for _, record in self._shown[first:last])
 
     def ordered(self, t_s: float) -> dict[int, End]:
         """What vehicles that an operator has in hand are to fly."""
@@ -114,7 +116,7 @@ class Timeline:
                     held[sysid] = mode
         return held
 
-    def at(self, snapshot: FleetState, pursue_held_s: float | None) -> dict[str, Any]:
+    def at(self, snapshot: FleetSnapshot, pursue_held_s: float | None) -> dict[str, Any]:
         """What a snapshot's line tells of decisions at its time; `parts` by system id as `Observer.snapshot` reads.
 
         pursue_held_s: for how long the goal's pursuit had been held; None where nobody knows, and the goal goes unsaid.
@@ -122,14 +124,14 @@ class Timeline:
         t_s, scenario = snapshot.time_s, self._scenario
         services = [life.at(t_s) for life in self._lives if life.service.decided_at_s <= t_s]
         self._book(services, snapshot)
-        standing = self._standing_at(t_s)
+        competition_state = self._competition_at(t_s)
         is_open = [service for service in services if service.phase is not Phase.DONE]
         goal = {**goal_of(scenario), "pursue_held_s": pursue_held_s, "broken": self._broken_at(t_s)}
         if pursue_held_s is None:
             goal |= {"pursue_within_m": None, "pursue_for_s": None}
         return {
             "duration_s": scenario.goal.duration_s,
-            "competition": explain.competition_of(standing, scenario.competition),
+            "competition": explain.competition_of(competition_state, scenario.competition),
             "services": [
                 explain.service_of(
                     s,
@@ -144,7 +146,7 @@ class Timeline:
             "history": explain.history_of(services),
             "refuelled": sum(service.phase is Phase.DONE and service.energy_j > 0 for service in services),
             "goal": goal,
-            "parts": self._parts(snapshot, standing, is_open),
+            "parts": self._parts(snapshot, competition_state, is_open),
         }
 
     def _broken_at(self, t_s: float) -> list[dict[str, Any]]:
@@ -160,11 +162,17 @@ class Timeline:
         first: dict[str, dict[str, Any]] = {}
         for record in self.violations:
             if record["at_s"] <= t_s:
-                told = {"part": record["part"], "text": f"{record['part']}: {record['text']}", "t_s": record["at_s"]}
-                first.setdefault(record["part"], told)
+                first_broken = {
+                    "part": record["part"],
+                    "text": f"{record['part']}: {record['text']}",
+                    "t_s": record["at_s"],
+                }
+                first.setdefault(record["part"], first_broken)
         return list(first.values())
 
-    def _parts(self, snapshot: FleetState, standing: Standing, services: list[Service]) -> dict[int, dict[str, Any]]:
+    def _parts(
+        self, snapshot: FleetSnapshot, competition_state: CompetitionState, services: list[Service]
+    ) -> dict[int, dict[str, Any]]:
         waiting = {service.receiver for service in services if service.phase is Phase.JOIN}
         served = {service.receiver for service in services} - waiting
         serving = {service.tanker for service in services if service.tanker is not None}
@@ -172,14 +180,14 @@ class Timeline:
         targets = self._targets(snapshot.time_s)
         return {
             view.sysid: {
-                "v": standing.v.get(view.sysid),
-                "tau": standing.tau.get(view.sysid),
+                "v": competition_state.v.get(view.sysid),
+                "tau": competition_state.tau.get(view.sysid),
                 "note": notes.get(view.sysid, ""),
                 "target": targets.get(view.sysid),
                 "state": state(
                     view,
-                    competing=standing.v or standing.tau,
-                    leader=standing.leader,
+                    competing=competition_state.v or competition_state.tau,
+                    leader=competition_state.leader,
                     waiting=waiting,
                     served=served,
                     serving=serving,
@@ -201,7 +209,7 @@ class Timeline:
                 found[pursuer] = target
         return found
 
-    def _book(self, services: list[Service], snapshot: FleetState) -> None:
+    def _book(self, services: list[Service], snapshot: FleetSnapshot) -> None:
         """What an open service has transferred: what its receiver has got beyond what earlier ones gave it."""
         before: dict[int, float] = {}
         for service in services:
@@ -212,20 +220,20 @@ class Timeline:
                 received_j = snapshot.vehicle(service.receiver).received_j
                 service.energy_j = max(round(received_j - before.get(service.receiver, 0.0)), 0)
 
-    def _standing_at(self, t_s: float) -> Standing:
-        at = bisect.bisect_right(self._standing_s, t_s) - 1
-        if at < 0 or t_s - self._standing_s[at] > STANDS_S:
-            return Standing()
-        record = self._standing[at].record()
+    def _competition_at(self, t_s: float) -> CompetitionState:
+        at = bisect.bisect_right(self._competition_s, t_s) - 1
+        if at < 0 or t_s - self._competition_s[at] > STANDS_S:
+            return CompetitionState()
+        record = self._competition_lines[at].record()
         v, tau = _by_sysid(record["v"]), _by_sysid(record["tau"])
-        return Standing(v, tau, {}, record["leader"], record["share"])
+        return CompetitionState(v, tau, {}, record["leader"], record["share"])
 
     # reading
 
-    def _take(self, line: Line) -> None:
+    def _add(self, line: DecisionLine) -> None:
         if line.kind == "competition":
             if line.giver != "base":
-                self._standing.append(line)
+                self._competition_lines.append(line)
             return
         try:
             record, t_s = line.record(), line.t_s
@@ -233,7 +241,7 @@ class Timeline:
             if record["kind"] == "violation" and record["by"] == "truth":
                 t_s = float(record["at_s"])
                 record["t_s"] = t_s
-            self._told.append((t_s, record))
+            self._shown.append((t_s, record))
         except (ValueError, KeyError, TypeError, AttributeError, StopIteration):
             self.broken += 1
 

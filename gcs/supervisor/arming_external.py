@@ -41,7 +41,7 @@ says by its mode that its take-off is over need not have come so far: a PX4 is c
 and moves its home's altitude, from which the height is told, while it flies."""
 ON_THE_WAY = frozenset({FlightMode.TAKEOFF, FlightMode.HOLD})
 """Modes from which offboard is asked for, of one that flies already when it is met."""
-LATE_S, QUIET_S = 0.5, 1.0
+LATE_S, STALE_S = 0.5, 1.0
 """Autopilots leave offboard so soon after the last set point (PX4's COM_OF_LOSS_T: 1 s, 0.5 s in older ones): a session
 that stood still for longer, or a link that was quiet for longer, may have been why."""
 BLAMED_S = 3.0
@@ -82,7 +82,7 @@ class ExternalArmingSequence(ArmingSequence):
             self._begun_s = min(self._begun_s, now_s)
         elif self._begun_s == math.inf or self._took_off:  # at first, and when it is brought back
             self._begun_s, self._took_off = now_s, False
-        if max(now_s - self._decided_s, late_s) > LATE_S or view.age_s > QUIET_S or not view.alive:
+        if max(now_s - self._decided_s, late_s) > LATE_S or view.age_s > STALE_S or not view.alive:
             self._starved_s = now_s
         self._now_s = self._decided_s = now_s
         self._silent = not view.alive
@@ -99,7 +99,7 @@ class ExternalArmingSequence(ArmingSequence):
     def _wanted(self, view: VehicleView, now_s: float) -> list[CommandRequest]:
         profile = view.profile
         if self.stage is Stage.ARM and view.mode not in profile.arms_in:
-            return [self._wish(mav.MAV_CMD_DO_SET_MODE, *profile.arming)]
+            return [self._command(mav.MAV_CMD_DO_SET_MODE, *profile.arming)]
         if self.stage is Stage.TAKEOFF:
             if not view.landed or now_s - self._takeoff_s < TAKEOFF_AGAIN_S:
                 return []
@@ -107,7 +107,7 @@ class ExternalArmingSequence(ArmingSequence):
         if self.stage is Stage.OFFBOARD and now_s - self._stage_since_s < SET_POINTS_FIRST_S:
             return []
         if self.stage is Stage.DOWN and self.left_out and view.armed and view.landed:
-            return [self._wish(mav.MAV_CMD_COMPONENT_ARM_DISARM, 0.0, 0.0)]
+            return [self._command(mav.MAV_CMD_COMPONENT_ARM_DISARM, 0.0, 0.0)]
         return super()._wanted(view, now_s)
 
     def _next(self, view: VehicleView) -> Stage:
@@ -134,7 +134,7 @@ class ExternalArmingSequence(ArmingSequence):
         return Stage.OFFBOARD if starved and stage is Stage.FLY and view.mode is FlightMode.HOLD else Stage.YIELDED
 
     def _before_flight(self, view: VehicleView) -> Stage:
-        if view.p_ned is None or view.heard_s < 0.0:
+        if view.p_ned is None or view.last_received_s < 0.0:
             return Stage.IDENTIFY
         if self.stage is Stage.IDENTIFY:
             return self._when_flying(view) if view.flying else Stage.ARM

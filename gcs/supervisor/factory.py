@@ -28,7 +28,7 @@ def make_fleet(scenario: Scenario) -> Fleet:
     return Fleet(members, GlobalOrigin(origin.lat_deg, origin.lon_deg, origin.alt_m))
 
 
-def make_pilots(scenario: Scenario) -> dict[int, ArmingSequence]:
+def make_arming_sequences(scenario: Scenario) -> dict[int, ArmingSequence]:
     """A pilot for each vehicle, by system id."""
     return {
         v.sysid: ExternalArmingSequence(v.sysid, v.takeoff_m, v.external)

@@ -61,8 +61,8 @@ class Difference:
         if self.today is None:
             return f"{head}: recorded only"
         changed = [key for key in {**self.recorded, **self.today} if self.recorded.get(key) != self.today.get(key)]
-        told = [f"{key} was {_short(self.recorded.get(key))}, is {_short(self.today.get(key))}" for key in changed]
-        return f"{head}: {'; '.join(told)}"
+        changes = [f"{key} was {_short(self.recorded.get(key))}, is {_short(self.today.get(key))}" for key in changed]
+        return f"{head}: {'; '.join(changes)}"
 
     def record(self) -> dict[str, Any]:
         """As one JSON object."""
@@ -145,8 +145,8 @@ class RecordedLink:
         """As `Link.clock_offsets_s`: none."""
         return {}
 
-    def take_rebooted(self) -> set[int]:
-        """As `Link.take_rebooted`: nobody."""
+    def pop_rebooted(self) -> set[int]:
+        """As `Link.pop_rebooted`: nobody."""
         return set()
 
 
@@ -260,7 +260,7 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Comparison:
             _relive(supervisor, line)
         link.recorded = tick.answers
         comparer.made = []
-        supervisor.tick(_nobody_to_see)
+        supervisor.tick(_ignore)
         supervisor.events.clear()
         if recorded.ended and (recorded.lines.cut or not whole):
             break  # of a session that was killed, the last tick's decisions may not all have been written
@@ -277,7 +277,7 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Comparison:
     return verdict
 
 
-def _nobody_to_see() -> None:
+def _ignore() -> None:
     """In a recording no process needs watching."""
 
 

@@ -82,7 +82,7 @@ class EnergyEstimator:
         first_hand_s = [said_s for (_, second_hand), said_s in self._spoke_s.items() if not second_hand]
         return not report.second_hand or report.time_s - max(first_hand_s, default=self._first_s) > GAP_S
 
-    def take(
+    def update(
         self,
         report: BatteryReport,
         *,
@@ -142,7 +142,7 @@ class EnergyEstimator:
         for source in BEST_FIRST[BEST_FIRST.index(best) :]:
             if source in self._meters:
                 self._anchors[source] = (self._meters[source], self.drawn_j)
-        self._tell_power(now_s)
+        self._update_power(now_s)
 
     def _total(self, consumed_j: float, armed: bool) -> None:
         if not armed and consumed_j < min(self._consumed_j - RESTART_J, 0.5 * self._consumed_j):
@@ -189,7 +189,7 @@ class EnergyEstimator:
             self._expected_j, self._unseen_j = left_j, max(self._unseen_j - rise_j, 0.0)
         return []
 
-    def _tell_power(self, now_s: float) -> None:
+    def _update_power(self, now_s: float) -> None:
         """Mean power of the last while, over steps of the energy drawn where it moves in steps."""
         history = self._history
         in_steps = self.source is EnergySource.BATTERY_REMAINING

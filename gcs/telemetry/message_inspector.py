@@ -46,7 +46,7 @@ class MessageInspector:
         self.wanted = frozenset(sysids)
         self._latest = {sysid: self._latest.get(sysid, {}) for sysid in sorted(self.wanted)}
 
-    def take(self, frames: Iterable[Frame], now_s: float) -> None:
+    def add(self, frames: Iterable[Frame], now_s: float) -> None:
         """Keep what wanted vehicles sent, delivered at `now_s`."""
         for frame in frames:
             messages = self._latest.get(frame.sysid)
@@ -60,7 +60,7 @@ class MessageInspector:
             latest.count += 1
             latest.times_s.append(now_s)
 
-    def told(self, now_s: float) -> dict[str, dict[str, Any]]:
+    def latest_messages(self, now_s: float) -> dict[str, dict[str, Any]]:
         """By system id and message name: count, rate, age, and the latest's fields in MAVLink's own units.
 
         What a named value is called follows the message's name: `NAMED_VALUE_INT XferIn`.

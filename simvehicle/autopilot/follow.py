@@ -20,7 +20,9 @@ class Followed(NamedTuple):
     time_s: float
 
 
-def hear(last: Followed | None, p_ned: Vec3, v_ned: Vec3, now_s: float, *, kept: float, towards_rad: float) -> Followed:
+def smoothed(
+    last: Followed | None, p_ned: Vec3, v_ned: Vec3, now_s: float, *, kept: float, towards_rad: float
+) -> Followed:
     """Take a report in; `kept`: the share of the old velocity in the new; `towards_rad`: the course to begin with."""
     if last is not None:
         north, east, down = (kept * old + (1.0 - kept) * new for old, new in zip(last.v_ned, v_ned, strict=True))

@@ -77,7 +77,7 @@ def resting_place(p_ned: Vec3, v_ned: Vec3, *, ground: bool, landed: bool) -> Ve
     return north, east, min(down, 0.0) if ground else down
 
 
-def wish(
+def set_point_of(
     mode: Mode,
     setpoint: OffboardSetPoint | None,
     anchor: Anchor,

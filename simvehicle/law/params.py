@@ -127,7 +127,7 @@ class Limits:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Battery:
+class BatteryParams:
     """Battery and what is drawn from it (docs/model.md#battery) [choice]. An infinite `initial_j`, the default, means
     full.
 
@@ -195,7 +195,7 @@ class VehicleParams:
     airframe: Airframe = field(default_factory=Airframe)
     gains: Gains = field(default_factory=Gains)
     limits: Limits = field(default_factory=Limits)
-    battery: Battery = field(default_factory=Battery)
+    battery: BatteryParams = field(default_factory=BatteryParams)
     guidance: Guidance = field(default_factory=Guidance)
     bumpless: bool = True
 

@@ -12,9 +12,9 @@ from textual.strip import Strip
 from textual.widget import Widget
 
 from gcs.console.styles import style
-from gcs.console.text import Lines, width_of
+from gcs.console.text import StyledLines, width_of
 
-Paint = Callable[[int, int], Lines]
+Paint = Callable[[int, int], StyledLines]
 Pointed = Callable[[int, int, int], object]
 
 
@@ -31,7 +31,7 @@ class Panel(Widget):
         self._paint = paint
         self._ground = ground
         self._pointed = pointed
-        self._lines: Lines = []
+        self._lines: StyledLines = []
         self._strips: list[Strip] = []
 
     def redraw(self) -> None:

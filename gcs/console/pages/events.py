@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from gcs.console import events_log
 from gcs.console.model import SessionModel
-from gcs.console.text import Glyphs, Line, Lines, titled
+from gcs.console.text import Glyphs, StyledLine, StyledLines, titled
 
-NONE: Line = [("  none", "dim")]
+NONE: StyledLine = [("  none", "dim")]
 
 
 class EventsPage:
@@ -16,7 +16,7 @@ class EventsPage:
         self.filter = events_log.Filter()
         self._back = self._matched = 0
 
-    def page(self, watch: SessionModel, *, width: int, height: int, glyphs: Glyphs) -> Lines:
+    def page(self, watch: SessionModel, *, width: int, height: int, glyphs: Glyphs) -> StyledLines:
         """As many as there is room for, from where it was scrolled to."""
         found = events_log.matching(watch, self.filter)
         if self._back:  # who reads what is past is not to lose his place
@@ -25,15 +25,15 @@ class EventsPage:
         shown, self._back = events_log.window(
             watch, found, width=width, height=height - 1, back=self._back, glyphs=glyphs
         )
-        note: Line = [(f"{self.filter.said()}: {len(found)} of {len(watch.events)}", "info")]
+        note: StyledLine = [(f"{self.filter.said()}: {len(found)} of {len(watch.events)}", "info")]
         if self._back:
             note.append((f", {self._back} newer below", "look"))
         return [titled("events", width, glyphs, note), *(shown or [NONE])]
 
-    def recent(self, watch: SessionModel, *, width: int, height: int, glyphs: Glyphs) -> Lines:
+    def recent(self, watch: SessionModel, *, width: int, height: int, glyphs: Glyphs) -> StyledLines:
         """The newest ones."""
         found = events_log.matching(watch, self.filter)
-        note: Line = [] if self.filter.open else [(self.filter.said(), "info")]
+        note: StyledLine = [] if self.filter.open else [(self.filter.said(), "info")]
         shown, _ = events_log.window(watch, found, width=width, height=height - 1, back=0, glyphs=glyphs)
         return [titled("events", width, glyphs, note), *(shown or [NONE])]
 

@@ -9,7 +9,7 @@ from typing import Any
 
 from gcs.console.drawing.canvas import Canvas, Point
 from gcs.console.model import SessionModel, Vehicle, severity
-from gcs.console.text import Glyphs, Lines
+from gcs.console.text import Glyphs, StyledLines
 from gcs.session.plain_text import clean
 
 ZOOM = 1.25
@@ -78,7 +78,9 @@ def _extent(watch: SessionModel) -> Iterable[tuple[float, float]]:
             yield base["p_ned"][0], base["p_ned"][1]
 
 
-def draw(watch: SessionModel, view: PlanView, *, width: int, height: int, glyphs: Glyphs, chosen: int | None) -> Lines:
+def draw(
+    watch: SessionModel, view: PlanView, *, width: int, height: int, glyphs: Glyphs, chosen: int | None
+) -> StyledLines:
     """The plan in `width` x `height` cells; `view` is settled on the way."""
     canvas = Canvas(width, height, glyphs)
     view.settle(watch, canvas)

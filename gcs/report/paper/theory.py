@@ -29,7 +29,7 @@ RULES = (  # of docs/model.md#fuzzy-escape, since Table I's entries are lost; ro
 PEAKS_PHI, PEAKS_F = np.linspace(-np.pi, np.pi, 5), np.linspace(-1.0, 1.0, 5)
 
 WALL = [(5.0, -0.5, 0.0), (5.0, 0.0, 0.0), (5.0, 0.5, 0.0)]
-SCENES = {
+LAYOUTS = {
     "one obstacle on the line": [(5.0, 0.0, 0.0)],
     "wall of three, 0.5 m apart": WALL,
     "wall of three, 0.8 m apart": [(5.0, -0.8, 0.0), (5.0, 0.0, 0.0), (5.0, 0.8, 0.0)],
@@ -55,7 +55,7 @@ def fig3() -> Study:
     )
     rows, stuck, reached = [], 0, 0
     trails: dict[str, tuple[Floats, Floats]] = {}
-    for name, points in SCENES.items():
+    for name, points in LAYOUTS.items():
         plain, fled = walk(points, escape=False), walk(points, escape=True)
         trails[name] = plain, fled
         stuck += not _arrived(plain)
@@ -73,7 +73,7 @@ def fig3() -> Study:
         Drawing(
             "fig3b",
             "Fig. 3(b): the scenes from above and from the side; grey without, blue with the fuzzy force.",
-            _scenes(trails),
+            _layouts(trails),
         ),
     ]
     columns = ["scene", "without the fuzzy force", "steps with it", "clearance, m"]
@@ -151,10 +151,10 @@ def _surface() -> Figure:
     return figure
 
 
-def _scenes(trails: dict[str, tuple[Floats, Floats]]) -> Figure:
+def _layouts(trails: dict[str, tuple[Floats, Floats]]) -> Figure:
     figure, axes = figures.sheet(4.6, len(trails), 2, sharex=True)
     for row, (name, both) in enumerate(trails.items()):
-        points, plain, fled = (NED_TO_PAPER * trail for trail in (np.array(SCENES[name]), *both))
+        points, plain, fled = (NED_TO_PAPER * trail for trail in (np.array(LAYOUTS[name]), *both))
         for column, (axis, y) in enumerate(((1, "y, m"), (2, "z, m"))):
             ax = axes[row, column]
             ax.plot(points[:, 0], points[:, axis], "x", color="#d55e00", markersize=4)

@@ -71,7 +71,7 @@ def test_the_clock_is_stopped_and_started_and_both_are_recorded(table: Table) ->
 def test_an_order_reaches_the_operator(table: Table) -> None:
     ok, text = table.ask("hold", sysid=1)
     assert (ok, text) == (True, "Pursuer 1 holds where it is until it rejoins.")
-    assert table.session.supervisor.pilots[1].ordered == "hold"
+    assert table.session.supervisor.arming[1].ordered == "hold"
 
 
 @pytest.mark.parametrize(

@@ -18,9 +18,10 @@ ARM, TAKEOFF, SET_MODE = 400, 22, 176
 def view(**changed: Any) -> VehicleView:
     ground = VehicleView(
         sysid=3, role="pursuer", label="pursuer 3", alive=True, profile=PX4, mode=FlightMode.HOLD, armed=False,
-        landed=True, heard_s=0.0, p_ned=(0.0, 0.0, 0.0), v_ned=(0.0, 0.0, 0.0), age_s=0.0, heading_rad=0.0,
-        origin_offset_ned=(0.0, 0.0, 0.0), ground_amsl_m=488.0, capacity_j=1e4, initial_j=1e4, battery_told=True,
-        drawn_j=0.0, received_j=0, given_j=0, given_told_s=0.0, power_w=0.0, energy_source="none", control_effort=0.0,
+        landed=True, last_received_s=0.0, p_ned=(0.0, 0.0, 0.0), v_ned=(0.0, 0.0, 0.0), age_s=0.0, heading_rad=0.0,
+        origin_offset_ned=(0.0, 0.0, 0.0), ground_amsl_m=488.0, capacity_j=1e4, initial_j=1e4, battery_reported=True,
+        drawn_j=0.0, received_j=0, given_j=0, given_reported_s=0.0, power_w=0.0, energy_source="none",
+        control_effort=0.0,
     )  # fmt: skip
     return ground._replace(**changed)
 
@@ -45,7 +46,7 @@ def brought_up() -> ArmingSequence:
 
 def test_the_way_up_when_everything_is_granted() -> None:
     pilot = ArmingSequence(3, 2.5)
-    unknown = view(p_ned=None, origin_offset_ned=None, heard_s=-math.inf)
+    unknown = view(p_ned=None, origin_offset_ned=None, last_received_s=-math.inf)
     assert (commands(pilot, unknown, 0.0), pilot.stage) == ([], Stage.IDENTIFY)
     (arm,) = commands(pilot, view(), 0.1)
     assert (arm.sysid, arm.command, arm.params[:2]) == (3, ARM, (1.0, 0.0))
@@ -175,15 +176,15 @@ def test_a_start_in_the_air_flies_at_once() -> None:
 
 def test_battery_parameters_are_read_until_told() -> None:
     pilot = ArmingSequence(3, 2.5)
-    assert pilot.decide(view(battery_told=False, heard_s=-math.inf), 0.0) == ([], [])
-    _, requests = pilot.decide(FLYING._replace(battery_told=False), 0.1)
+    assert pilot.decide(view(battery_reported=False, last_received_s=-math.inf), 0.0) == ([], [])
+    _, requests = pilot.decide(FLYING._replace(battery_reported=False), 0.1)
     read = [codec.fields(codec.split(codec.frame(request, 0, 255, 190)).frames[0]) for request in requests]
     assert [(r.target_system, r.target_component, r.param_index, r.param_id) for r in read] == [
         (3, mav.MAV_COMP_ID_AUTOPILOT1, -1, "SIM_BAT_CAP_J"),
         (3, mav.MAV_COMP_ID_AUTOPILOT1, -1, "SIM_BAT_INIT_J"),
     ]
-    assert pilot.decide(FLYING._replace(battery_told=False), 1.0) == ([], [])
-    assert len(pilot.decide(FLYING._replace(battery_told=False), 1.1)[1]) == 2
+    assert pilot.decide(FLYING._replace(battery_reported=False), 1.0) == ([], [])
+    assert len(pilot.decide(FLYING._replace(battery_reported=False), 1.1)[1]) == 2
     assert pilot.decide(FLYING, 2.1) == ([], [])
 
 
@@ -198,7 +199,7 @@ def test_battery_parameters_are_read_until_told() -> None:
 )
 def test_one_that_is_taken_is_told_so_once_and_left_alone(order: Any, profile: Any, command: int, params: Any) -> None:
     pilot, seen = brought_up(), FLYING._replace(profile=profile)
-    pilot.take(order)
+    pilot.order(order)
     (told,) = commands(pilot, seen, 10.0)
     assert (told.command, told.params[: len(params)], told.token) == (command, params, f"operator {order}")
     assert (pilot.stage, pilot.sends_set_points, pilot.down) == (Stage.TAKEN, False, False)
@@ -209,7 +210,7 @@ def test_one_that_is_taken_is_told_so_once_and_left_alone(order: Any, profile: A
 
 def test_while_it_is_bound_an_order_waits_and_set_points_go_on() -> None:
     pilot = brought_up()
-    pilot.take("hold")
+    pilot.order("hold")
     assert pilot.decide(FLYING, 10.0, bound=True) == ([], [])
     assert pilot.sends_set_points
     assert len(pilot.decide(FLYING, 10.1)[0]) == 1
@@ -217,7 +218,7 @@ def test_while_it_is_bound_an_order_waits_and_set_points_go_on() -> None:
 
 def test_one_with_its_motors_off_stays_there_without_a_word() -> None:
     pilot = ArmingSequence(3, 2.5)
-    pilot.take("hold")
+    pilot.order("hold")
     assert commands(pilot, view(), 0.1) == []
     assert commands(pilot, view(), 5.0) == []
     assert pilot.stage is Stage.TAKEN
@@ -225,15 +226,15 @@ def test_one_with_its_motors_off_stays_there_without_a_word() -> None:
 
 def test_another_order_replaces_the_one_before() -> None:
     pilot = brought_up()
-    pilot.take("hold")
+    pilot.order("hold")
     commands(pilot, FLYING, 10.0)
-    pilot.take("land")
+    pilot.order("land")
     assert [wish.token for wish in commands(pilot, FLYING, 11.0)] == ["operator land"]
 
 
 def test_one_that_rejoins_in_the_air_gets_set_points_and_no_take_off() -> None:
     pilot = brought_up()
-    pilot.take("hold")
+    pilot.order("hold")
     commands(pilot, FLYING, 10.0)
     held = UP._replace(mode=FlightMode.HOLD)
     pilot.rejoin()
@@ -246,7 +247,7 @@ def test_one_that_rejoins_in_the_air_gets_set_points_and_no_take_off() -> None:
 
 def test_one_that_rejoins_while_it_lands_is_caught_and_one_that_is_low_climbs() -> None:
     pilot = brought_up()
-    pilot.take("land")
+    pilot.order("land")
     commands(pilot, FLYING, 10.0)
     pilot.rejoin()
     landing = UP._replace(mode=FlightMode.LAND)
@@ -261,7 +262,7 @@ def test_one_that_rejoins_while_it_lands_is_caught_and_one_that_is_low_climbs() 
 def test_one_that_has_landed_takes_off_again_when_it_rejoins(by: str) -> None:
     pilot = brought_up()
     if by == "order":
-        pilot.take("land")
+        pilot.order("land")
     landed = view(mode=FlightMode.LAND)
     pilot.decide(landed, 10.0)
     assert pilot.stage is (Stage.TAKEN if by == "order" else Stage.DOWN)
@@ -279,7 +280,7 @@ def test_one_that_has_landed_takes_off_again_when_it_rejoins(by: str) -> None:
 
 def test_a_dead_vehicle_is_nobodys() -> None:
     pilot = brought_up()
-    pilot.take("hold")
+    pilot.order("hold")
     assert commands(pilot, FLYING._replace(alive=False), 10.0) == []
     assert pilot.stage is Stage.DOWN
 

@@ -18,9 +18,10 @@ ARM, TAKEOFF, SET_MODE = mav.MAV_CMD_COMPONENT_ARM_DISARM, mav.MAV_CMD_NAV_TAKEO
 def view(**changed: Any) -> VehicleView:
     ground = VehicleView(
         sysid=3, role="pursuer", label="pursuer 3", alive=True, profile=PX4, mode=FlightMode.HOLD, armed=False,
-        landed=True, heard_s=0.0, p_ned=(10.0, 0.0, -2.0), v_ned=(0.0, 0.0, 0.0), age_s=0.0, heading_rad=0.0,
+        landed=True, last_received_s=0.0, p_ned=(10.0, 0.0, -2.0), v_ned=(0.0, 0.0, 0.0), age_s=0.0, heading_rad=0.0,
         origin_offset_ned=(10.0, 0.0, -2.0), ground_amsl_m=490.0, ground_down_m=-2.0, capacity_j=1e4, initial_j=1e4,
-        battery_told=True, drawn_j=0.0, received_j=0, given_j=0, given_told_s=0.0, power_w=0.0, energy_source="none",
+        battery_reported=True, drawn_j=0.0, received_j=0, given_j=0, given_reported_s=0.0, power_w=0.0,
+        energy_source="none",
         control_effort=0.0,
     )  # fmt: skip
     return ground._replace(**changed)
@@ -298,7 +299,7 @@ def test_one_that_flies_already_is_taken_as_it_is(mode: FlightMode, stage: Stage
 @pytest.mark.parametrize("profile", [PX4, ARDUCOPTER])
 def test_a_stranger_that_knows_no_parameter_of_ours_is_not_asked_for_ever(profile: Profile) -> None:
     made = pilot()
-    unknown = view(profile=profile, battery_told=False)
+    unknown = view(profile=profile, battery_reported=False)
     requests = [made.decide(unknown, float(k))[1] for k in range(10)]
     assert [len(asked) for asked in requests] == [2] * PARAMETER_TRIES + [0] * (10 - PARAMETER_TRIES)
     assert math.isfinite(unknown.capacity_j)

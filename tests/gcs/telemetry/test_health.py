@@ -65,7 +65,7 @@ def test_the_worst_comes_first() -> None:
 
 
 def test_before_three_seconds_nobody_need_have_spoken() -> None:
-    assert health_issues(view(heard_s=-math.inf), 2.9) == []
+    assert health_issues(view(last_received_s=-math.inf), 2.9) == []
 
 
 @pytest.mark.parametrize(

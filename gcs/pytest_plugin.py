@@ -153,7 +153,7 @@ def _started(what: int | str | os.PathLike[str]) -> Iterator[FlyingFleet]:
 
 
 def _line(process: subprocess.Popen[bytes]) -> bytes | None:
-    """The line that tells the addresses; None where there is none in time."""
+    """The line that holds the addresses; None where there is none in time."""
     assert process.stdout is not None
     os.set_blocking(process.stdout.fileno(), False)
     said, deadline_s = b"", time.monotonic() + READY_WITHIN_S

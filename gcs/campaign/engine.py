@@ -29,7 +29,7 @@ COUNT_EVERY_S = 1.0
 AHEAD = 3
 """Rows handed out for each that a worker can fly at once."""
 DEATHS = 5
-"""How often a row's worker may die before the row is an error."""
+"""Number of times that a row's worker may die before the row is an error."""
 CONNECT_WITHIN_S = 20.0
 SETTINGS = {
     "distributed.scheduler.allowed-failures": DEATHS,
@@ -49,7 +49,7 @@ class EngineError(RuntimeError):
 
 @dataclass
 class Progress:
-    """How far a campaign is."""
+    """Progress of a campaign."""
 
     total: int
     done: int = 0
@@ -68,7 +68,7 @@ class Progress:
 
     @property
     def left_s(self) -> float | None:
-        """Wall time to the end; None while it cannot be told."""
+        """Wall time to the end; None while it is unknown."""
         return (self.total - self.done) / self.rate if self.flown else None
 
 
@@ -120,7 +120,7 @@ def fly(
 
 
 def _threads(client: Any) -> int:
-    """How many rows can be flown at once. Raises EngineError where the scheduler does not answer."""
+    """Number of rows that can be flown at once. Raises EngineError where the scheduler does not answer."""
     try:
         return sum(client.nthreads().values())
     except (OSError, TimeoutError, RuntimeError, ValueError):
@@ -208,7 +208,7 @@ def _sigint_blocked() -> Iterator[None]:
 
 
 def _quieten_dask() -> None:
-    """Dask's own words about lost workers and schedulers are ours to tell."""
+    """Dask's own words about lost workers and schedulers are reported by us."""
     import logging  # noqa: PLC0415
 
     for name in list(logging.root.manager.loggerDict):
@@ -217,7 +217,7 @@ def _quieten_dask() -> None:
 
 
 def _dashboard(client: Any) -> str:
-    """Where Dask's own page is; empty where there is none."""
+    """Address of Dask's own page; empty where there is none."""
     served = client.scheduler_info().get("services", {})
     return str(client.dashboard_link) if "dashboard" in served else ""
 

@@ -56,7 +56,7 @@ class RandomObstacles(Part):
 
 
 class Draw(Part):
-    """Where a value comes from: exactly one of the first six, and how it is drawn."""
+    """Source of a value: exactly one of the first six, and how it is drawn."""
 
     uniform: Range | None = None
     """evenly between two numbers"""
@@ -118,7 +118,7 @@ class Expectation(Part):
 
 
 class CampaignLimits(Part):
-    """What a session may take; one that takes more is a row with an error."""
+    """Limits of a session's cost; one that takes more is a row with an error."""
 
     wall_s: Positive = 600.0
     """wall time, s"""
@@ -192,7 +192,7 @@ class CampaignRules(Part):
 
     @property
     def combinations(self) -> int:
-        """How many combinations `vary` makes."""
+        """Number of combinations that `vary` makes."""
         return math.prod(len(values) for values in self.vary.values())
 
     @model_validator(mode="after")
@@ -234,7 +234,7 @@ class CampaignRules(Part):
         return self
 
     def _fault(self, key: str) -> str | None:
-        """What is wrong with a key path, as a sentence; None if nothing is."""
+        """Fault of a key path, as a sentence; None without one."""
         if key.startswith(ARGUMENTS):
             name = key.removeprefix(ARGUMENTS)
             if self.generate is None:

@@ -52,7 +52,7 @@ class Plan:
 
     @property
     def rows(self) -> int:
-        """How many sessions there are."""
+        """Number of sessions."""
         return self.campaign.sessions * self.campaign.combinations
 
     def row(self, number: int) -> PlannedRow:
@@ -68,7 +68,7 @@ class Plan:
         return row
 
     def resolved(self, row: PlannedRow) -> tuple[Scenario, dict[str, Any]]:
-        """What a row flies, on the lockstep clock, and all its values, those of each `*` included. Raises RowError."""
+        """Scenario of a row, on the lockstep clock, and all its values, those of each `*` included. Raises RowError."""
         try:
             return self._resolved(row)
         except ScenarioError as error:

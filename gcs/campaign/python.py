@@ -55,7 +55,7 @@ class Campaign:
 
     @property
     def folder(self) -> Path:
-        """Where its rows are. Raises EngineError before `fly`."""
+        """Folder of its rows. Raises EngineError before `fly`."""
         if self._folder is None:
             raise EngineError("the campaign has no folder before it is flown")
         return self._folder
@@ -72,7 +72,7 @@ class Campaign:
         return [f"row {row['row']}: {row['error'] or row['fault']}" for row in rows if not row["ok"]]
 
     def fly(self, notify: Callable[[Progress, dict[str, Any] | None], None] = lambda _progress, _row: None) -> pa.Table:
-        """Fly what is missing; the table. `notify` gets each row. Raises EngineError, KeyboardInterrupt."""
+        """Fly what is missing; the table. `notify` is called with each row. Raises EngineError, KeyboardInterrupt."""
         if self._folder is None:
             if self._out is not None and (self._out / "plan.json").exists():
                 if read(self._out).campaign != self.plan.campaign:

@@ -142,7 +142,7 @@ def _box(plan: Plan, rows: pa.Table, name: str, number: int) -> str:
 
 
 def _parallel(plan: Plan, rows: pa.Table, measured: Sequence[str]) -> str:
-    """What was drawn and what came of it, a line per session."""
+    """Drawn values and results, a line per session."""
     shown = rows.slice(0, MOST_LINES)
     drawn = [key for key in (*plan.campaign.vary, *plan.campaign.draw) if key in rows.column_names]
     dimensions = []

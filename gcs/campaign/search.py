@@ -1,7 +1,7 @@
 """The worst case of a campaign: Optuna searches what it draws for the least or greatest value of a measure.
 
-Trials are asked for in batches and told in order of their numbers, so that the same search flies the same trials with
-any number of workers, and goes on where it stopped. Its table has a row per trial.
+Trials are asked for in batches and reported in order of their numbers, so that the same search flies the same trials
+with any number of workers, and goes on where it stopped. Its table has a row per trial.
 """
 
 from __future__ import annotations

@@ -33,7 +33,7 @@ Fails = Callable[[dict[str, Any]], bool]
 def failing(
     sessions: WarmSessions, expect: Mapping[str, Expectation], notify: Callable[[str], object] = lambda _: None
 ) -> Fails:
-    """Whether a scenario, as plain data, can be flown and fails; flights are told and not repeated."""
+    """Whether a scenario, as plain data, can be flown and fails; flights are reported and not repeated."""
     known: dict[str, bool] = {}
 
     def fails(data: dict[str, Any]) -> bool:

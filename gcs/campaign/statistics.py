@@ -1,4 +1,4 @@
-"""What a campaign's table amounts to: rates with Wilson intervals, means and paired differences with bootstrap ones."""
+"""Statistics of a campaign's table: rates with Wilson intervals, means and paired differences with bootstrap ones."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ class PairedDifference:
     effect: float
     """mean difference over its standard deviation (Cohen's d of paired samples)"""
     sessions_needed: int | None
-    """pairs by which an effect of this size would be told from none, at 95 % confidence with 80 % power"""
+    """pairs by which an effect of this size would be distinguished from none, at 95 % confidence with 80 % power"""
 
 
 def paired(rows: pa.Table, measure: str, first: int, second: int) -> PairedDifference:

@@ -26,7 +26,7 @@ _lock = threading.Lock()
 
 
 def versions() -> dict[str, str]:
-    """What workers and client must have alike."""
+    """Versions in which workers and client must agree."""
     packages = ("skytender", "numpy", "numba", "pymavlink")
     return {"python": platform.python_version()} | {package: version(package) for package in packages}
 
@@ -91,7 +91,7 @@ def close() -> None:
 
 
 def warm_processes() -> list[WarmSessions]:
-    """Those that run."""
+    """Sessions that run."""
     with _lock:
         return list(_all)
 

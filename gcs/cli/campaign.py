@@ -38,12 +38,12 @@ QUIET = click.option("--quiet", "-q", is_flag=True, help="Say only what goes wro
 
 
 class CampaignRefused(click.ClickException):
-    """What keeps a campaign from being flown, line by line."""
+    """Mistakes that keep a campaign from being flown, line by line."""
 
     exit_code = BAD_INPUT
 
     def show(self, file: Any = None) -> None:
-        """Just the sentences, as `gcs run` tells of a scenario."""
+        """Just the sentences, as `gcs run` prints a scenario's."""
         click.echo(self.format_message(), file=file, err=True)
 
 

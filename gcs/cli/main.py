@@ -257,7 +257,7 @@ def _write_junit(path: Path, xml: str) -> bool:
 def _view(
     folder: Path, name: str, plain: bool, as_json: bool, *, verbose: bool, quiet: bool
 ) -> tuple[View, Callable[[str], object]]:
-    """What shows the session, and what writes its last lines."""
+    """View of the session, and the writer of its last lines."""
     from gcs.session.plain_text import JsonView, PlainView, QuietView
 
     if quiet or verbose:

@@ -23,12 +23,12 @@ if TYPE_CHECKING:
 
 AGREES, DIFFERS = 0, 1
 SHOWN = 20
-"""Kinds of decision and vehicles whose first difference is told."""
+"""Kinds of decision and vehicles whose first difference is printed."""
 
 
 @contextlib.contextmanager
 def _progress(what: str) -> Iterator[Callable[[float], None]]:
-    """A bar on a terminal's standard error, told the share that is done."""
+    """A bar on a terminal's standard error; it is given the share that is done."""
     from rich.console import Console
     from rich.progress import Progress
 
@@ -141,7 +141,7 @@ def _decide(session: Path, as_json: bool) -> int:
         raise click.UsageError(f"--decide: {session} is no session's folder: a .tlog alone holds no decisions.")
     plugins.look_in([Path.cwd(), session])
     try:
-        # What a planner or policy of somebody's own prints must not stand among the verdict's lines.
+        # What a user's planner or policy prints must not stand among the verdict's lines.
         with _progress("deciding") as progress, contextlib.redirect_stdout(sys.stderr):
             verdict = redecide(session, progress)
     except RedecideError as error:

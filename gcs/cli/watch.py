@@ -87,7 +87,7 @@ def _session(session: Path | None) -> tuple[MessageSource, str]:
 
 
 def _monitor(connect: str, control: bool) -> tuple[MessageSource, str]:
-    """Whoever is heard at an address. Raises click.UsageError where nobody can be."""
+    """Monitor of all vehicles received at an address. Raises click.UsageError where it cannot be opened."""
     from gcs.link.socket import AddressRefused
     from gcs.scenario.endpoint import address
     from gcs.session.monitor import MonitorSource

@@ -58,7 +58,7 @@ class Dialog(ModalScreen[Answer]):
 
     @abstractmethod
     def paint(self, width: int, height: int) -> StyledLines:
-        """What the box says."""
+        """Text of the box."""
 
     def on_mount(self) -> None:
         """Give the box the height of what it says."""
@@ -186,7 +186,7 @@ class Help(Dialog[None]):
         self._shown, self._at = lines, 0
 
     def paint(self, width: int, height: int) -> StyledLines:
-        """As much as there is room for."""
+        """The lines that there is room for."""
         shown = [part for line in self._shown for part in _hanging(line, width)]
         room = height if height >= len(shown) else height - 1
         self._at = max(0, min(self._at, len(shown) - room))
@@ -224,7 +224,7 @@ class Look(Dialog[str | None]):
             yield Input(self._words)
 
     def paint(self, width: int, height: int) -> StyledLines:
-        """What to do."""
+        """Keys of the dialog."""
         keys: StyledLine = [
             ("Enter", "key"),
             (" yes, without a word all are shown    ", ""),

@@ -46,7 +46,7 @@ class Filter:
         return self == Filter()
 
     def said(self) -> str:
-        """What is set, for a person."""
+        """The filter's settings, for a person."""
         parts = [f"{self.level} and worse" if self.level == "warning" else self.level if self.level != "info" else ""]
         parts += [self.kind, f"vehicle {self.sysid}" if self.sysid is not None else ""]
         parts += [f'"{self.words}"' if self.words else ""]
@@ -63,7 +63,7 @@ class Filter:
 
 
 def kind_of(event: Event) -> str:
-    """What sort of thing happened."""
+    """Category of the event."""
     return str(event.get("kind") or ("text" if event.get("sysid") else "session"))
 
 

@@ -28,7 +28,7 @@ WIDE = Size(120, 30)
 NOTICE_S = 8.0
 SILENT_S = 3.0
 ORDERINGS = ("id", "battery", "competition")
-INTERRUPTED = 130  # the exit status when its person wants the end of a session that cannot be told yet
+INTERRUPTED = 130  # the exit status when the operator wants the end of a session that cannot be asked yet
 
 
 class MainScreen(Screen[None]):
@@ -83,7 +83,7 @@ class MainScreen(Screen[None]):
 
     @property
     def seen(self) -> SessionModel:
-        """What has been told."""
+        """State from the messages received."""
         return self.app.seen
 
     def beat(self, changed: bool) -> None:
@@ -155,7 +155,7 @@ class MainScreen(Screen[None]):
     def _goal(self, width: int, height: int) -> StyledLines:
         return [heading.goal_line(self.seen, self.page, width, self.app.glyphs)]
 
-    def _trouble(self, width: int, height: int) -> StyledLines:
+    def _health(self, width: int, height: int) -> StyledLines:
         return [heading.health_line(self.seen, width, self.app.glyphs)]
 
     def _keys(self, width: int, height: int) -> StyledLines:

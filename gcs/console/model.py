@@ -106,12 +106,12 @@ class SessionModel:
 
     @property
     def replay(self) -> Mapping[str, Any] | None:
-        """How far a recording is played; None for what happens now."""
+        """Progress of a replay; None for a live session."""
         return self.snapshot.get("replay")
 
     @property
     def competition(self) -> Mapping[str, Any]:
-        """v_i, bids, leader and share; from the vehicles themselves where nobody sums them up."""
+        """v_i, bids, leader and share; from the vehicles themselves where the snapshot has no summary."""
         if given := self.snapshot.get("competition"):
             return dict(given)
         vehicles = self.vehicles.values()
@@ -119,7 +119,7 @@ class SessionModel:
         return found if found["v"] else {}
 
     def giver(self, service: Mapping[str, Any]) -> str:
-        """Who serves: `tanker 201`, or `base pad`."""
+        """Giver of a service: `tanker 201`, or `base pad`."""
         base = service.get("base")
         return self.name(service.get("tanker")) if base is None else f"base {clean(base)}"
 
@@ -142,7 +142,7 @@ def severity(vehicle: Vehicle) -> int:
 
 
 def issues(vehicle: Vehicle) -> list[str]:
-    """What is wrong with a vehicle, worst first."""
+    """Health issues of a vehicle, worst first."""
     given = [clean(word) for word in vehicle.get("trouble") or ()]
     return given if given or vehicle.get("alive", True) else ["dead"]
 
@@ -154,7 +154,7 @@ def battery_share(vehicle: Vehicle) -> float | None:
 
 
 def ordered(vehicles: Iterable[Vehicle], by: str) -> list[Vehicle]:
-    """The worst trouble first; the well, and the equally troubled, by `id`, `battery` or `competition`."""
+    """The worst health first; equally healthy vehicles by `id`, `battery` or `competition`."""
 
     def key(vehicle: Vehicle) -> tuple[int, float, int]:
         second = 0.0

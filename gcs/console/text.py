@@ -1,4 +1,4 @@
-"""What every panel is written with: styled text of fixed width, numbers that keep their column, bars, characters.
+"""Text tools of every panel: styled text of fixed width, numbers that keep their column, bars, characters.
 
 A line is a list of (text, style name) pairs. A style name is words from `gcs/console/styles.py`, so that what a
 panel says can be computed, and tested, without a terminal.

@@ -1,4 +1,4 @@
-"""The link to vehicles that somebody else has started: plain MAVLink over UDP, one frame per datagram.
+"""The link to vehicles that another program has started: plain MAVLink over UDP, one frame per datagram.
 
 A vehicle is known by its system id and component 1, and by the address of its first HEARTBEAT; whoever says the same
 from elsewhere is refused and reported. Several vehicles may speak to one port, each from its own address or all
@@ -33,7 +33,7 @@ MOST_UNKNOWN_SENDERS = 32
 MAVLINK_1 = b"\xfe"
 _HEARTBEAT = codec.msgid("HEARTBEAT")
 _CLOCKS = frozenset({codec.msgid("LOCAL_POSITION_NED"), codec.msgid("ATTITUDE")})
-"""What tells a vehicle's time; the second comes also while it has not found its place, as after a boot."""
+"""Messages that carry a vehicle's time; the second comes also while it has not found its place, as after a boot."""
 _SET_POINT = codec.msgid("SET_POSITION_TARGET_LOCAL_NED")
 
 
@@ -48,12 +48,12 @@ class _Door:
     speakers: set[Where] = field(default_factory=set)
     """addresses of vehicles"""
     unknown_senders: set[Where] = field(default_factory=set)
-    """who speaks MAVLink 1: some autopilots go on to MAVLink 2 when they hear it"""
+    """senders of MAVLink 1: some autopilots change to MAVLink 2 when they receive it"""
 
     def send(self, message: Message | bytes, address: Where) -> bytes:
         counter = self.counters.setdefault(address, SequenceCounter())
         raw = message if isinstance(message, bytes) else codec.frame(message, counter.next(), *STATION)
-        with contextlib.suppress(OSError):  # nobody there yet, or no room: as on the air, it is lost
+        with contextlib.suppress(OSError):  # no receiver yet, or no room: as on a radio link, it is lost
             self.socket.sendto(raw, address)
         return raw
 
@@ -98,12 +98,12 @@ class ExternalLink:
 
     @property
     def joined(self) -> set[Key]:
-        """Vehicles that have been heard and are still held."""
+        """Vehicles that have been received and are still held."""
         return {peer.key for peer in self._peers.values() if peer.address is not None}
 
     @property
     def missing(self) -> set[Key]:
-        """Vehicles that have not been heard yet."""
+        """Vehicles that have not been received yet."""
         return {peer.key for peer in self._peers.values() if peer.address is None}
 
     @property
@@ -112,21 +112,21 @@ class ExternalLink:
         return min(door.socket.getsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF) // 2 for door in self._doors.values())
 
     def overflowed(self) -> int:
-        """Datagrams that the kernel dropped because nobody read them in time."""
+        """Datagrams that the kernel dropped because they were not read in time."""
         return sum(kernel_drops(door.socket) for door in self._doors.values())
 
     def offsets_s(self) -> dict[int, float]:
-        """What added to a vehicle's own time gives the session's, by system id."""
+        """Offset from a vehicle's own time to the session's, s, by system id."""
         known = {sysid: peer.clock.offset_s for sysid, peer in self._peers.items()}
         return {sysid: offset_s for sysid, offset_s in known.items() if offset_s is not None}
 
     def pop_rebooted(self) -> set[int]:
-        """Whose clock has begun anew since the last call."""
+        """System ids of vehicles whose clock has restarted since the last call."""
         taken, self._rebooted = self._rebooted, set()
         return taken
 
     def listen(self, wait_s: float) -> None:
-        """Look for vehicles for at most `wait_s`, and let them know that someone is here."""
+        """Look for vehicles for at most `wait_s`, and let them know that a ground station is here."""
         now_s = time.monotonic()
         if now_s - self._announced_s >= ANNOUNCE_EVERY_S:
             self._announced_s = now_s
@@ -160,7 +160,7 @@ class ExternalLink:
         return [peer.door.send(item, peer.address) for item in items]
 
     def collect(self) -> dict[Key, list[Frame]]:
-        """What has come from each vehicle since the last call, in order of system id."""
+        """Frames received from each vehicle since the last call, in order of system id."""
         self._drain()
         taken = {peer.key: peer.frames for _, peer in sorted(self._peers.items()) if peer.address is not None}
         for peer in self._peers.values():
@@ -168,7 +168,7 @@ class ExternalLink:
         return taken
 
     def stand_in(self) -> None:
-        """While the session stands still: hear, and send the last set points again."""
+        """While the session stands still: receive, and send the last set points again."""
         self._drain()
         if time.monotonic() - self._sent_s >= REPEAT_AFTER_S:
             self._sent_s = time.monotonic()
@@ -188,7 +188,7 @@ class ExternalLink:
                     datagram, address = door.socket.recvfrom(RECEIVE_BYTES)
                 except BlockingIOError:
                     break
-                except OSError:  # a udpout whose other end is not there: told once for each datagram sent
+                except OSError:  # a udpout whose other end is not there: raised once for each datagram sent
                     continue
                 self._receive(door, datagram, address)
 

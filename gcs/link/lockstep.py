@@ -81,11 +81,11 @@ class LockstepLink:
 
     @property
     def awaited(self) -> list[Key]:
-        """Who has not answered the last grant yet."""
+        """Vehicles that have not answered the last grant yet."""
         return sorted(self._awaited)
 
     def overflowed(self) -> int:
-        """Datagrams that the kernel dropped because nobody read them in time."""
+        """Datagrams that the kernel dropped because they were not read in time."""
         return kernel_drops(self._socket)
 
     def expect(self, keys: Iterable[Key]) -> None:
@@ -93,7 +93,7 @@ class LockstepLink:
         self._expected |= set(keys)
 
     def listen(self, wait_s: float) -> set[Key]:
-        """Take hellos for at most `wait_s`; who is still expected."""
+        """Receive hellos for at most `wait_s`; those still expected."""
         self._poll.poll(1e3 * wait_s)
         self._drain()
         return self._expected - self.joined
@@ -136,7 +136,7 @@ class LockstepLink:
 
         Waits without spinning; after 20 ms without progress, doubling to 200 ms, the same bytes go out again to those
         that are missing, and `idle` is called: it sees whether they still live and may call `leave`. Those that have
-        answered hear their last bundle every second, so that one that stalls does not make the others leave.
+        answered get their last bundle every second, so that one that stalls does not make the others leave.
         """
         wait_s = RESEND_FIRST_S
         repeat_s = time.monotonic() + REPEAT_S
@@ -178,7 +178,7 @@ class LockstepLink:
         return {}
 
     def pop_rebooted(self) -> set[int]:
-        """As `Link.pop_rebooted`: nobody."""
+        """As `Link.pop_rebooted`: none."""
         return set()
 
     def repeat(self) -> None:

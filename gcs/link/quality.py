@@ -40,7 +40,7 @@ class LinkQuality:
                 samples.popleft()
 
     def begin(self, now_s: float) -> None:
-        """What was lost lately is what is lost from `now_s` on."""
+        """Count lost frames from `now_s` on."""
         self._counts = {sysid: _Counts(samples=deque([(now_s, 0, lost)])) for sysid, lost in self._gaps.lost_of.items()}
 
     def lost(self, sysid: int) -> int:

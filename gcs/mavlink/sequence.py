@@ -56,7 +56,7 @@ class TickCollector:
 
     @property
     def held(self) -> int:
-        """How many frames of the unfinished tick have come: it grows when there is progress."""
+        """Number of frames of the unfinished tick received: it grows when there is progress."""
         return len(self._held)
 
     def begin(self, t_ms: int) -> None:

@@ -31,7 +31,8 @@ class Texts:
         self._open: _Open | None = None
 
     def add(self, content: Any, time_s: float) -> list[tuple[int, str]]:
-        """Take STATUSTEXT's fields, heard at a session time; (severity, text) of each that is whole now."""
+        """Take in STATUSTEXT's fields, received at a session time; (severity, text) of each text that is complete
+        now."""
         goes_on = self._open is not None and content.chunk_seq > 0 and content.id == self._open.text_id
         whole = [] if goes_on else self.give_up()
         before = self._open.text if self._open is not None else ""
@@ -51,7 +52,8 @@ class Texts:
 
 
 def recorded(messages: Iterable[tuple[float, Any]]) -> Iterator[tuple[float, int, str]]:
-    """(session time in s, severity, text) of one vehicle's texts, from its STATUSTEXTs and when they were heard."""
+    """(session time in s, severity, text) of one vehicle's texts, from its STATUSTEXTs and the times of their
+    reception."""
     texts, received_s = Texts(), 0.0
     for time_s, content in messages:
         yield from ((received_s + PATIENCE_S, *text) for text in texts.overdue(time_s))

@@ -6,7 +6,8 @@
    acknowledgement.
 3. Every CHECK_S what has come is counted: a message that does not come, or at less than half of its rate, is named
    once, and again when it comes. One that begins to come in the midst of a count is counted from there.
-4. Who says none of it, though he is heard, has forgotten that he was asked, and is asked again: he may have booted.
+4. A vehicle that sends none of it, though its HEARTBEAT comes, has forgotten the request and is asked again: it may
+   have booted.
 5. Where the local frame lies is asked for by MAV_CMD_REQUEST_MESSAGE until it is known, and now and then after: it may
    move. Who does not know that command may know MAV_CMD_GET_HOME_POSITION.
 """
@@ -24,7 +25,7 @@ from gcs.mavlink.command_protocol import CommandLong, CommandTarget
 from gcs.mavlink.ids import AUTOPILOT
 
 STALE_S = 5.0
-"""So long it has before it counts as quiet, and between two askings."""
+"""Time after which it counts as silent, and between two requests."""
 RATE_HZ = 4
 _TELEMETRY = frozenset(map(codec.msgid, ("GLOBAL_POSITION_INT", "LOCAL_POSITION_NED", "ATTITUDE", "SYS_STATUS")))
 
@@ -54,7 +55,7 @@ class Ask(NamedTuple):
 
 
 def needs(period_s: float) -> tuple[Need, ...]:
-    """What the supervisor reads of a vehicle, with a tick every `period_s`."""
+    """Messages that the supervisor reads of a vehicle, with a tick every `period_s`."""
     return (
         Need("LOCAL_POSITION_NED", min(1.0 / period_s, 10.0), mav.MAV_DATA_STREAM_POSITION),
         Need("ATTITUDE", 4.0, mav.MAV_DATA_STREAM_EXTRA1),
@@ -101,7 +102,7 @@ class StreamRequests:
         return token.startswith((_TOKEN, _ORIGIN))
 
     def answered(self, token: str, accepted: bool) -> list[Ask]:
-        """What became of a command; what is to be tried instead."""
+        """Take in a command's result; requests to try instead."""
         if accepted:
             return []
         if token.startswith(_TOKEN):
@@ -189,7 +190,7 @@ class StreamRequests:
 
 
 class SilentVehicles:
-    """Who is heard, and whether more than that."""
+    """Vehicles that send only HEARTBEAT."""
 
     def __init__(self) -> None:
         self._due_s: dict[int, float] = {}
@@ -200,7 +201,7 @@ class SilentVehicles:
             self._due_s[sysid] = now_s + STALE_S
 
     def due(self, now_s: float) -> list[int]:
-        """Whose quiet is to be dealt with now, by system id: at first, and again every QUIET_S."""
+        """Silent vehicles to be asked now, by system id: at first, and again every STALE_S."""
         found = sorted(sysid for sysid, due_s in self._due_s.items() if now_s >= due_s)
         self._due_s.update(dict.fromkeys(found, now_s + STALE_S))
         return found

@@ -1,4 +1,4 @@
-"""Where each pursuer belongs around its moving target: slots on a ring, one each, and the way there [choice]."""
+"""Places of pursuers around their moving target: slots on a ring, one each, and the way there [choice]."""
 
 from __future__ import annotations
 

@@ -42,7 +42,7 @@ NEAR_GOAL_M = 2.0
 OFF_PLAN_M = 1.0
 """A vehicle farther than this from its plan is met where it flies, not where it is planned."""
 GROUND_ROUNDING_M = 0.1
-"""So much a home may differ from height 0 by the wire's rounding alone."""
+"""Difference of a home from height 0 that the wire's rounding alone can cause."""
 STILL: Vec3 = (0.0, 0.0, 0.0)
 
 
@@ -117,7 +117,7 @@ class Planner:
         return [SetPoint(view.sysid, self._begin[view.sysid], self._v[view.sysid]) for view in views]
 
     def pop_records(self) -> list[dict[str, Any]]:
-        """None: set points tell all."""
+        """None: set points say all."""
         return []
 
     def _guided(self, views: list[VehicleView], wanted: list[_Wanted]) -> list[_Wanted]:
@@ -239,7 +239,7 @@ class Planner:
     def _formation(self, snapshot: FleetSnapshot) -> dict[int, _Wanted]:
         """Each pursuer's slot around its target, assigned anew when the set of pursuers in the air changes.
 
-        A target that is dead, silent, or not steered (it may be landing) leads nobody: its pursuers hold.
+        A target that is dead, silent, or not steered (it may be landing) leads no one: its pursuers hold.
         """
         rules = self._scenario.formation
         wants = {}
@@ -320,7 +320,8 @@ class Planner:
         others: list[VehicleView],
         partners: Iterable[tuple[int, int]],
     ) -> NDArray[np.bool_]:
-        """Whom each leader need not keep away from: partners of a transfer; whom it pursues; what attracts it."""
+        """Vehicles that each leader need not keep away from: partners of a transfer; whom it pursues; what attracts
+        it."""
         exempt = np.zeros((len(views), len(others) + len(snapshot.traffic)), dtype=bool)
         of_view, of_other = np.array([view.role for view in views]), np.array([other.role for other in others])
         flying = exempt[:, : len(others)]

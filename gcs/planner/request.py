@@ -44,7 +44,7 @@ class TickPlanner(Protocol):
         """Set points for the steered vehicles whose place is known, in order of system id, at the snapshot's time."""
 
     def pop_records(self) -> list[dict[str, Any]]:
-        """Decisions since the last call that the set points do not tell."""
+        """Decisions since the last call that the set points do not show."""
 
     def margin_m(self, sysid: int) -> float | None:
         """Distance that is added for a vehicle's tracking error; None without the safety filter."""

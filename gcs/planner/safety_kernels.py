@@ -1,4 +1,5 @@
-"""Kernels of the safety filter: projection of all wishes together, and the check that makes the guarantee.
+"""Kernels of the safety filter: projection of all wanted accelerations together, and the check that makes the
+guarantee.
 
 Everything runs in the order of the rows that are given and a fixed number of times, so equal inputs give equal bits.
 A constraint is a row (kind, vehicle, with what) and its required distance D; safety_filter.py has the equations.
@@ -36,7 +37,7 @@ _BLENDS = np.array([1.0, 0.5, 0.2, 0.0])  # shares of the projected acceleration
 _ACTIVE_M = 0.25
 _REPAIRS = 4
 _FEWEST_ROUNDS = 2
-_SOFT_M = 0.1  # above the distance aimed at: there the turn of a wish begins
+_SOFT_M = 0.1  # above the distance aimed at: there the turn of a wanted velocity begins
 
 
 @njit(error_model="numpy")
@@ -47,7 +48,7 @@ def _turned(wanted: FloatArray, ids: IntArray, share: FloatArray, turn: float, c
         if share[i] > 0.0:
             cos, sin = math.cos(turn * share[i]), math.sin(turn * share[i])
             part = (ids[i] * GOLDEN) % 1.0
-            # A wish straight up or down has no right side, so one is chosen by id.
+            # A wanted velocity straight up or down has no right side, so one is chosen by id.
             right_n = abs(wanted[i, 2]) * math.cos(2.0 * math.pi * part) - wanted[i, 1]
             right_e = abs(wanted[i, 2]) * math.sin(2.0 * math.pi * part) + wanted[i, 0]
             out[i, 0] = cos * wanted[i, 0] + sin * right_n
@@ -126,7 +127,7 @@ def _check(
     """Take vehicles towards braking until every constraint keeps its least clearance; writes u (module docstring).
 
     All of a pass are judged by the same accelerations, so their order does not matter. Every pass but the last one
-    lowers somebody's share, and shares end at 0, full braking, which needs no proof: so it ends.
+    lowers a vehicle's share, and shares end at 0, full braking, which needs no proof: so it ends.
     """
     n = len(u)
     wanted = u.copy()
@@ -215,7 +216,8 @@ def _solve(
     ids: IntArray, rows: IntArray, required: FloatArray, others: FloatArray, table: FloatArray, walls: FloatArray,
     dt: float, horizon: float, buffer: float, recover: float, turn: float, climb: float, rounds: int, sweeps: int,
 ) -> tuple[FloatArray, FloatArray, IntArray, IntArray, IntArray]:  # fmt: skip
-    """Accelerations (n, 3), their change from the wish, what bound them, and how far the check had to go, (n,) each."""
+    """Accelerations (n, 3), their change from the wanted ones, what bound them, and how far the check had to go, (n,)
+    each."""
     n, m = len(p), len(rows)
     u_b, v_top = np.empty((n, 3)), np.empty(n)
     for i in range(n):
@@ -227,7 +229,7 @@ def _solve(
     u = plain.copy()
     target, least = np.empty(m), np.empty(m)
     share, still, cause = np.zeros(n), np.zeros((n, 3)), np.full(n, -1)
-    full = wanted.copy()  # the wish, no faster than allowed
+    full = wanted.copy()  # the wanted velocity, no faster than allowed
     for i in range(n):
         into_ball(full, i, 0.0, 0.0, 0.0, v_max[i])
     for c in range(m):
@@ -243,7 +245,8 @@ def _solve(
         enough = target[c] + _SOFT_M
         _, after, _, _, _, _ = clearance_of(rows, c, enough, p, v, u, brake, others, table, walls, dt, horizon)
         if after < enough:
-            # How far the wish cannot be had is seen where it is flown already: who stands has turned as much.
+            # How far the wanted velocity cannot be had is seen where it is flown already: who stands has turned as
+            # much.
             gate = min((enough - after) / _SOFT_M, 1.0)
             _, after, _, _, _, _ = clearance_of(
                 rows, c, target[c], p, full, still, brake, others, table, walls, dt, horizon

@@ -20,7 +20,7 @@ if TYPE_CHECKING:  # who only reads records need not load those who make them
 
 @dataclass
 class TickRecord:
-    """What one tick leaves behind, kept until the grants are out."""
+    """Records of one tick, kept until the grants are out."""
 
     t_ms: int
     arrived: list[bytes]
@@ -84,7 +84,7 @@ def records_of_tick(
 
 
 def event_of(record: Mapping[str, Any]) -> Event:
-    """How a decision, as a line of decisions.jsonl holds it, is told to people."""
+    """Event for people of a decision, as a line of decisions.jsonl holds it."""
     t_s, kind = float(record["t_s"]), record["kind"]
     if kind == "death":
         return Event(t_s, int(record["sysid"]), "critical", str(record.get("text", "died")), "death")

@@ -1,4 +1,5 @@
-"""Who pursued whom in a recorded session, and for how long the goal's pursuit had been held by each time of it."""
+"""Pairs of pursuer and target in a recorded session, and for how long the goal's pursuit had been held by each time of
+it."""
 
 from __future__ import annotations
 
@@ -28,13 +29,13 @@ class HeldTimes:
         self._held_s, self._period_s = held_s, period_s
 
     def at(self, t_s: float) -> float:
-        """In s, as the session told it at a time: measured at the tick before, since a tick ends by granting the next
-        period, which moves the session's time on."""
+        """In s, as the session reported it at a time: measured at the tick before, since a tick ends by granting the
+        next period, which moves the session's time on."""
         return float(held(self._held_s, np.array([t_s - self._period_s + ROUNDING_S]))[0])
 
 
 class HeldTimesReader:
-    """Reads the course out of a recording that somebody else walks: `add` each stretch of it, and ask at its end.
+    """Reads the times held out of a recording that another reader walks: `add` each stretch of it, ask at its end.
 
     `decisions`: those of kinds "pursuit" and "operator".
     """
@@ -52,7 +53,7 @@ class HeldTimesReader:
             self._gathering.add(chunk)
 
     def held_times(self) -> HeldTimes | None:
-        """None where the goal asks for no pursuit, or nobody told a place."""
+        """None where the goal asks for no pursuit, or no vehicle reported a position."""
         if self._gathering is None:
             return None
         self._gathering.finish()
@@ -69,7 +70,7 @@ def ticks_of(recorded: Recorded) -> Floats:
 
 
 def pursued(recorded: Recorded, t_s: Floats) -> dict[int, NDArray[np.int64]]:
-    """(k,) whom each pursuer pursues at each tick, by scenario, competition and operators; 0 for nobody."""
+    """(k,) system id of each pursuer's target at each tick, by scenario, competition and operators; 0 for none."""
     scenario = recorded.scenario
     if scenario is None:
         return {}

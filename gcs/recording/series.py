@@ -45,7 +45,7 @@ class Series(NamedTuple):
 
 @dataclass(frozen=True)
 class VehicleInfo:
-    """Who flew."""
+    """Vehicles that flew."""
 
     sysid: int
     role: str
@@ -63,14 +63,14 @@ class Track:
     in_air: Series
 
     def flying(self, t_s: Floats) -> NDArray[np.bool_]:
-        """(k,) whether it was armed and in the air at each time, and had told its place lately."""
+        """(k,) whether it was armed and in the air at each time, and had reported its place lately."""
         last = np.searchsorted(self.t_s, t_s, side="right") - 1
         age_s = np.where(last >= 0, t_s - self.t_s[np.maximum(last, 0)], np.inf) if len(self.t_s) else t_s + np.inf
         return (age_s <= STALE_S) & (held(self.armed, t_s) > 0.0) & (held(self.in_air, t_s) > 0.0)
 
     def at(self, t_s: Floats) -> Floats:
-        """(k, 3) places as the ground station knew them: the last one told, carried forward by its age; NaN where the
-        vehicle did not fly or had not told its place lately."""
+        """(k, 3) places as the ground station knew them: the last one reported, carried forward by its age; NaN where
+        the vehicle did not fly or had not reported its place lately."""
         if not len(self.t_s):
             return np.full((len(t_s), 3), np.nan)
         last = np.maximum(np.searchsorted(self.t_s, t_s, side="right") - 1, 0)
@@ -96,7 +96,7 @@ def vehicles(recorded: Recorded) -> list[VehicleInfo]:
 
 
 def senders(recorded: Recorded) -> list[int]:
-    """The system ids that told a position."""
+    """The system ids that reported a position."""
     if not recorded.tables:
         return []
     table = recorded.tables["LOCAL_POSITION_NED"]
@@ -105,7 +105,7 @@ def senders(recorded: Recorded) -> list[int]:
 
 
 def tracks(recorded: Recorded) -> dict[int, Track]:
-    """Each vehicle's track, as far as it told where its own frame's zero lies."""
+    """Each vehicle's track, as far as it reported where its own frame's zero lies."""
     if not recorded.tables:
         return {}
     origins = _by_vehicle(recorded.tables["GPS_GLOBAL_ORIGIN"])
@@ -143,7 +143,7 @@ def traffic(recorded: Recorded) -> dict[str, Track]:
     found = {}
     for address in np.unique(table["ICAO_address"]):
         rows = table[table["ICAO_address"] == address]
-        _, first = np.unique(rows["t_s"], return_index=True)  # each vehicle's relay hears the same
+        _, first = np.unique(rows["t_s"], return_index=True)  # each vehicle's relay receives the same
         rows = rows[first]
         places = pymap3d.geodetic2ned(1e-7 * rows["lat"], 1e-7 * rows["lon"], 1e-3 * rows["altitude"], *zero)
         heading_rad, speed_m_s = np.radians(1e-2 * rows["heading"]), 1e-2 * rows["hor_velocity"]
@@ -182,7 +182,7 @@ def with_gaps(series: Series, gap_s: float = GAP_S) -> Series:
 
 @dataclass(frozen=True)
 class BatterySeries:
-    """What a battery held, in J, at each report of it, and what it can hold."""
+    """Energy in a battery, in J, at each report of it, and its capacity."""
 
     capacity_j: float
     remaining: Series
@@ -224,7 +224,7 @@ def _contents(rows: NDArray[Any]) -> Iterator[Any]:
 def _kept(
     account: BatteryAccount, reported: Iterable[_TimedContent], profile: Profile | None
 ) -> tuple[list[float], list[float]]:
-    """What the battery held in J after each report, and when."""
+    """Energy in the battery in J after each report, and its times."""
     armed, speaks = False, profile or GENERIC
     times_s: list[float] = []
     left_j: list[float] = []
@@ -249,7 +249,7 @@ def _kept(
 
 
 def _booked(recorded: Recorded, sysid: int) -> list[_TimedContent]:
-    """What bases gave to a vehicle, each service at its end."""
+    """Energy that bases gave to a vehicle, each service at its end."""
     served = [d for d in recorded.decisions if d["kind"] == "served" and d["receiver"] == sysid and d.get("base")]
     return [(d["t_s"], math.inf, "served", round(d["energy_j"])) for d in served]
 
@@ -261,12 +261,12 @@ class CompetitionSeries:
     v: dict[int, Series]
     share: Series
     leader: Series
-    """system id; NaN: nobody leads"""
+    """system id; NaN: no leader"""
 
 
 def contest(recorded: Recorded, *, for_bases: bool = False) -> CompetitionSeries:
-    """The competition for the tankers, or for the places at bases, as it was decided tick by tick; gaps where nobody
-    competed."""
+    """The competition for the tankers, or for the places at bases, as it was decided tick by tick; gaps where no
+    vehicle competed."""
     every = (decision for decision in recorded.decisions if decision["kind"] == "competition")
     lines = [decision for decision in every if (decision.get("giver") == "base") == for_bases]
     t_s = np.array([line["t_s"] for line in lines], dtype=np.float64)
@@ -286,7 +286,7 @@ def contest(recorded: Recorded, *, for_bases: bool = False) -> CompetitionSeries
 
 @dataclass(frozen=True)
 class LinkSeries:
-    """What was heard of a vehicle, second by second."""
+    """Frames received from a vehicle, second by second."""
 
     rate_hz: Series
     lost: Series
@@ -296,7 +296,7 @@ class LinkSeries:
 
 
 def links(recorded: Recorded, flown: dict[int, Track]) -> dict[int, LinkSeries]:
-    """The link of each vehicle that was heard."""
+    """The link of each vehicle that was received."""
     found = {}
     for sysid in np.flatnonzero(recorded.traffic_count.sum(axis=1)).tolist():
         # The last second is seldom whole; its rate would be a drop that never was.

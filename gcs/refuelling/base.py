@@ -3,8 +3,8 @@
     join (fly to above the base) → land → start receiver → transfer → catch up → stop receiver → take off → done
 
 A vehicle that knows transfers is charged by the same protocol as in the air, with the ground station as its partner:
-it hears where the base is and what it has given, and answers with its own counter. Its ledger and the base's so close
-to the joule. One that does not is charged by the book: what the base gave is what the vehicle received.
+it receives where the base is and what it has given, and answers with its own counter. Its ledger and the base's so
+close to the joule. One that does not is charged by the book: what the base gave is what the vehicle received.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ class Stock:
 
     @property
     def remaining_j(self) -> float:
-        """What it holds; a part of a joule is never given."""
+        """Energy that it holds; a part of a joule is never given."""
         return self.base.stock_j - self.given_j
 
 
@@ -76,17 +76,17 @@ class BaseSteps:
         """who stays on the ground: too empty to fly on, and nothing left to charge it with"""
 
     def grounded(self, services: Iterable[Service]) -> frozenset[int]:
-        """Who is to be on the ground now."""
+        """Vehicles that are to be on the ground now."""
         self.stays -= self._out.keys()
         return frozenset(self.stays | {service.receiver for service in services if service.phase in _CHARGING})
 
     def stations(self, services: Iterable[Service]) -> dict[int, Vec3]:
-        """Where those are to be that still fly by set points."""
+        """Set points of those that still fly by them."""
         flies = (Phase.JOIN, Phase.LAND)
         return {service.receiver: self._base(service).above_m for service in services if service.phase in flies}
 
     def giver_reports(self, services: Iterable[Service], snapshot: FleetSnapshot) -> tuple[GiverReport, ...]:
-        """What the bases tell vehicles that can hear it."""
+        """Messages of the bases to vehicles that can receive them."""
         return tuple(
             GiverReport(service.receiver, self._base(service).position_m, self._stock(service).given_j)
             for service in services

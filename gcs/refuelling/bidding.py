@@ -87,7 +87,8 @@ class Bidding:
         reserve_s: float,
         free: Sequence[VehicleView] = (),
     ) -> tuple[int, str] | None:
-        """Who a free tanker serves next, and by what: `urgency`, `competition` or `timeout`; None while undecided.
+        """System id that a free tanker serves next, and by what: `urgency`, `competition` or `timeout`; None while
+        undecided.
 
         `free` are the tankers that have not been given anyone yet, for those who plan for several at once.
         """
@@ -170,7 +171,8 @@ class PolicyBidding(Bidding):
         self._wanting: tuple[VehicleView, ...] = ()
 
     def advance(self, snapshot: FleetSnapshot, served: Collection[int]) -> None:
-        """Who may be served at the snapshot's time; nothing competes, so that bids are needs and v is empty."""
+        """Find vehicles that may be served at the snapshot's time; nothing competes, so that bids are needs and v is
+        empty."""
         self._guard.begin_tick()
         able = [view for view in snapshot.of_role("pursuer") if view.sysid not in served and is_servable(view)]
         self._able = [view.sysid for view in able]
@@ -187,7 +189,8 @@ class PolicyBidding(Bidding):
         reserve_s: float,
         free: Sequence[VehicleView] = (),
     ) -> tuple[int, str] | None:
-        """Who a free tanker serves next, and by what: `urgency` or `policy`; None where the policy names nobody."""
+        """System id that a free tanker serves next, and by what: `urgency` or `policy`; None where the policy names
+        none."""
         urgent = most_urgent(snapshot, self._able, tanker, speed_m_s, reserve_s)
         if urgent is not None:
             return urgent, "urgency"
@@ -201,7 +204,7 @@ class PolicyBidding(Bidding):
         return None if answer is None or answer.value is None else (answer.value, "policy")
 
     def award(self, sysid: int, now_s: float) -> None:
-        """The one chosen is nobody else's any more."""
+        """The vehicle chosen is no candidate any more."""
         self._able.remove(sysid)
         self._wanting = tuple(view for view in self._wanting if view.sysid != sysid)
         self.competition_state = CompetitionState(

@@ -1,6 +1,7 @@
-"""Who can take energy in the air (docs/protocol.md#transfer-capability): as the scenario says, or found out by asking.
+"""Ability to take energy in the air (docs/protocol.md#transfer-capability): as the scenario says, or found out by
+asking.
 
-MAV_CMD_USER_1 may mean anything to a stranger's autopilot. So only a vehicle that has the parameter SIM_BAT_CAP_J is
+MAV_CMD_USER_1 may mean anything to an unknown autopilot. So only a vehicle that has the parameter SIM_BAT_CAP_J is
 asked, and by a command that does nothing: to stop a transfer that it has not begun.
 """
 
@@ -14,14 +15,14 @@ from gcs.refuelling.transfer_command import inquiry
 from gcs.telemetry.state import FleetSnapshot
 
 ASK_WITHIN_S = 10.0
-"""So long after its first word a vehicle may keep back its parameters."""
+"""Time after its first message within which a vehicle must send its parameters."""
 BY_SCENARIO = "the scenario says so"
 NO_BATTERY_MODEL = "it has no SIM_BAT_CAP_J"
 REFUSED = "it does not know MAV_CMD_USER_1"
 
 
 class ReceiverCapability:
-    """What is known by now of each vehicle that may be refuelled."""
+    """Ability of each vehicle that may be refuelled, as far as it is known."""
 
     def __init__(self, said: Mapping[int, bool | None]) -> None:
         """`said` by system id: whether it can, None where it is to be asked."""

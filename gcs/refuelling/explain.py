@@ -64,7 +64,7 @@ def history_of(services: Iterable[Service]) -> list[dict[str, Any]]:
 
 
 def rendezvous_ned(service: Service, snapshot: FleetSnapshot, height_m: float, speed_m_s: float) -> Vec3 | None:
-    """Where the tanker meets its receiver if that flies straight on; above it where it is, once they have met."""
+    """Point where the tanker meets its receiver if that flies straight on; above it where it is, once they have met."""
     if service.tanker is None:
         return None
     receiver, tanker = snapshot.vehicle(service.receiver), snapshot.vehicle(service.tanker)
@@ -112,7 +112,7 @@ def why(service: Service, snapshot: FleetSnapshot, rules: RefuellingRules, compe
 
 
 def notes_of(services: Iterable[Service], asked: Iterable[int], out: Mapping[int, str]) -> Mapping[int, str]:
-    """What each vehicle has to do with refuelling, by system id: a side of a service, `asked` for next, or `out`."""
+    """Part of each vehicle in refuelling, by system id: a side of a service, `asked` for next, or `out`."""
     notes = {**dict.fromkeys(asked, "refuelled next, by the operator"), **out}
     for service in services:
         notes[service.receiver] = f"served by {service.giver}: {service.phase}"
@@ -144,7 +144,7 @@ def sentence(record: Mapping[str, Any]) -> str:
 
 
 def acknowledged(result: CommandResult) -> str:
-    """How a command ended, for a person."""
+    """Result of a command, for a person."""
     refused = result_in_words(result.result or 0)
     code = "" if refused == f"result {result.result}" else f"result {result.result}, "
     if str(result.token).startswith(OPERATOR):

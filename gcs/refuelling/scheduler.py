@@ -44,8 +44,9 @@ class Scheduler:
         transfer_capable: Mapping[int, bool | None] | None = None,
         cruise_m_s: float = 1.5,
     ) -> None:
-        """`own` takes the competition's place for the tankers. `transfer_capable`: who can take energy in the air, by system
-        id, None where it is to be found out; those who are not named can. `cruise_m_s`: how fast they fly to a base."""
+        """`own` takes the competition's place for the tankers. `transfer_capable`: whether a vehicle can take energy in
+        the air, by system id, None where it is to be found out; those who are not named can. `cruise_m_s`: how fast
+        they fly to a base."""
         competes = competition.enabled and refuelling.enabled
         self._contest = (own or Bidding(competition)) if competes else None
         self._base_contest = Bidding(competition) if competes and bases else None
@@ -64,7 +65,8 @@ class Scheduler:
 
     @property
     def competition_state(self) -> CompetitionState:
-        """The competition for the tankers as it stands, or where nobody competes for them the one for the bases."""
+        """The competition for the tankers as it stands, or, where no vehicle competes for them, the one for the
+        bases."""
         by_tanker, by_base = self.competition_states
         return by_tanker if by_tanker.tau or not by_base.tau else by_base
 
@@ -79,7 +81,7 @@ class Scheduler:
 
     @property
     def unable(self) -> Mapping[int, str]:
-        """Who cannot take energy in the air, and how that is known: only a base can serve them."""
+        """Vehicles that cannot take energy in the air, and how that is known: only a base can serve them."""
         return self._ability.unable
 
     @property
@@ -98,7 +100,7 @@ class Scheduler:
         return [service for service in self.services if service.phase is Phase.DONE and service.energy_j > 0]
 
     def settle(self, snapshot: FleetSnapshot) -> None:
-        """Book on each service what its receiver's counter shows by now: the last joules may be told late."""
+        """Book on each service what its receiver's counter shows by now: the last joules may be reported late."""
         newest = {service.receiver: service for service in self.services if service.joined_at_s is not None}
         for receiver, service in newest.items():
             service.energy_j = snapshot.vehicle(receiver).received_j - service.in_at_start_j
@@ -113,7 +115,7 @@ class Scheduler:
         return False
 
     def result(self, token: str, accepted: bool) -> None:
-        """The result of a command whose wish carried this token."""
+        """The result of a command whose request carried this token."""
         self._requests.receive_result(token, accepted)
 
     def decide(self, snapshot: FleetSnapshot) -> Decision:
@@ -173,13 +175,13 @@ class Scheduler:
         ]
 
     def _prune(self, snapshot: FleetSnapshot) -> None:
-        """Who is dead, out or being served is asked for no more."""
+        """Withdraw requests of vehicles that are dead, out or being served."""
         served = {service.receiver for service in self.open_services}
         gone = served | self.out.keys()
         self.asked = [sysid for sysid in self.asked if sysid not in gone and snapshot.vehicle(sysid).alive]
 
     def _asked_for(self, snapshot: FleetSnapshot, *, base: bool) -> int | None:
-        """Who is asked for next of those whom a base, or a tanker, can serve."""
+        """Vehicle that is asked for next of those that a base, or a tanker, can serve."""
         for sysid in self.asked:
             known = sysid not in self._ability.unknown
             if known and (sysid in self.unable) == base and is_servable(snapshot.vehicle(sysid)):
@@ -188,7 +190,7 @@ class Scheduler:
         return None
 
     def _next(self, free: Sequence[VehicleView], snapshot: FleetSnapshot) -> tuple[int, str] | None:
-        """Who the first of the free tankers serves next, and by what; None while undecided."""
+        """System id that the first free tanker serves next, and by what; None while undecided."""
         asked = self._asked_for(snapshot, base=False)
         if asked is not None or self._contest is None:
             return None if asked is None else (asked, "operator")

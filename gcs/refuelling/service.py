@@ -12,7 +12,7 @@ from gcs.telemetry.state import Vec3
 
 
 class Phase(StrEnum):
-    """How far one service is."""
+    """Phase of one service."""
 
     JOIN = "join"
     LAND = "land at the base"
@@ -79,7 +79,7 @@ class Service:
         return {"receiver": self.receiver, "tanker": self.tanker, **base}
 
     def record(self) -> dict[str, Any]:
-        """The service as the summary tells it."""
+        """The service as the summary holds it."""
         return {
             **self.sides,
             "by": self.by,

@@ -24,13 +24,13 @@ from gcs.telemetry.state import FleetSnapshot, VehicleView
 
 CATCH_UP_S = 1.0
 COUNTER_SETTLES_S = 0.5
-"""A giver's counter is trusted as a transfer's start when it was heard this long after the last one ended."""
+"""A giver's counter is trusted as a transfer's start when it was received this long after the last one ended."""
 JOIN_WITHIN_S = 60.0
 START_WITHIN_S = 5.0
 BREAKS = 5
 """A service that was broken off so often ends; the receiver competes again, and so may the others."""
 REFUSALS = 5
-"""So often in a row a receiver may refuse before its service is given up: others wait for the tanker."""
+"""Refusals of a receiver in a row after which its service is given up: others wait for the tanker."""
 FOLLOW_EVERY_US = 100_000.0
 _FOLLOW = float(mav.MAVLINK_MSG_ID_FOLLOW_TARGET)
 
@@ -48,13 +48,13 @@ class TankerSteps:
         self._out_of_it = out
 
     def available_j(self, tanker: VehicleView, limit_j: float) -> float:
-        """What a tanker may give and still get home with its reserve."""
+        """Energy that a tanker may give and still get home with its reserve."""
         rules = self._tankers[tanker.sysid]
         way_home_j = math.dist(tanker.p_now_ned(), rules.home_m or rules.start_m) / rules.speed_m_s * tanker.power_w
         return min(tanker.remaining_j - rules.reserve_j - way_home_j, limit_j)
 
     def begin(self, service: Service) -> None:
-        """The tanker is to tell where it is often enough for its receiver."""
+        """The tanker is to report its position often enough for its receiver."""
         assert service.tanker is not None
         stream = token(service, "stream")
         self._requests.request(_follow_target_every(FOLLOW_EVERY_US, service.tanker, stream))

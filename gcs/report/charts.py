@@ -58,7 +58,7 @@ class Charts:
         self.buckets = BUCKETS_OF_MANY if self.many else BUCKETS
 
     def model(self) -> dict[str, Any]:
-        """What the script draws: the vehicles, and each figure by its name; a figure without data is left out."""
+        """Data that the script draws: the vehicles, and each figure by its name; a figure without data is left out."""
         found = self._found
         figures: dict[str, Any] = {"plan": self._plan(), **self._of_time()}
         if found.services:
@@ -220,7 +220,7 @@ class Charts:
         }
 
     def _meets(self) -> list[dict[str, Any]]:
-        """Where each transfer began."""
+        """Points where each transfer began."""
         meets = []
         for service in self._found.services:
             track = self._found.tracks.get(service.receiver)

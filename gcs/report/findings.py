@@ -1,4 +1,4 @@
-"""What a session amounts to, for a reader: its series, its services, its ledgers; and in words what came of the goal
+"""Findings of a session, for a reader: its series, its services, its ledgers; and in words what came of the goal
 and what went wrong, the worst first."""
 
 from __future__ import annotations
@@ -60,12 +60,12 @@ class ServiceFinding:
 
     @property
     def giver(self) -> str:
-        """Who gives, for a person."""
+        """Giver, for a person."""
         return f"base {self.base}" if self.tanker is None else f"tanker {self.tanker}"
 
 
 class Findings:
-    """Everything that the page tells, from what was recorded."""
+    """Everything that the page shows, from the recording."""
 
     def __init__(self, recorded: Recorded) -> None:
         self.recorded = recorded
@@ -149,7 +149,7 @@ class Findings:
     @cached_property
     def parts(self) -> list[GoalFinding]:
         """The goal, part by part, and what was reached: as the session judged it, or, where it left no summary, as far
-        as its recording tells."""
+        as its recording shows."""
         if self.scenario is None:
             return []
         reported = {part.part: part for part in self.summary.goal} if self.summary is not None else {}
@@ -162,7 +162,7 @@ class Findings:
         ]
 
     def _measured(self) -> Measured:
-        """What the recording alone tells."""
+        """Figures from the recording alone."""
         near, summary = self.nearness, self.summary
         held = near.held_s if self.scenario is not None and self.scenario.pursuit.by != "competition" else {}
         dead = [d for d in self.recorded.decisions if d["kind"] == "death"]
@@ -175,14 +175,14 @@ class Findings:
         )
 
     def _closest(self, line: Series, pair: Any, name: str) -> Nearest:
-        """Who came nearest by the recording."""
+        """Nearest approach by the recording."""
         if not np.isfinite(line.values).any():
             return Nearest()
         k = int(np.nanargmin(line.values))
         return Nearest(float(line.values[k]), tuple(sorted(np.atleast_1d(pair[k]).tolist())), float(line.t_s[k]))
 
     def closest(self, name: str) -> Nearest | None:
-        """Who came nearest: `separation`, `clearance` or `traffic`, as judged; None where that is not known."""
+        """Nearest approach: `separation`, `clearance` or `traffic`, as judged; None where that is not known."""
         reported = self.summary.closest.get(name) if self.summary is not None else None
         return (
             None
@@ -192,7 +192,7 @@ class Findings:
 
     @property
     def limits(self) -> dict[str, float]:
-        """What the goal demands, by part."""
+        """Demands of the goal, by part."""
         return goal.asked(self.scenario) if self.scenario is not None else {}
 
     def violations(self, part: str) -> list[tuple[float, int, str]]:
@@ -219,7 +219,7 @@ class Findings:
 
     @cached_property
     def problems(self) -> list[SessionProblem]:
-        """What went wrong in flight, the worst first."""
+        """Faults in flight, the worst first."""
         order: dict[Level, int] = {"bad": 0, "warn": 1, "note": 2}
         return sorted(self._problems(), key=lambda problem: order[problem.level])
 
@@ -245,7 +245,7 @@ class Findings:
         yield from self._of_the_link()
 
     def _said(self) -> Iterator[SessionProblem]:
-        """What vehicles said of themselves, alike said once."""
+        """Status texts of the vehicles, equal ones once."""
         alike: dict[tuple[str, int], list[tuple[float, int]]] = {}
         for t_s, sysid, severity, text in self.texts:
             alike.setdefault((text, severity), []).append((t_s, sysid))

@@ -128,7 +128,7 @@ def numbers(found: Findings) -> str:
 
 
 def again(found: Findings) -> str:
-    """How to fly the session again, and by what to tell that it is the same."""
+    """How to fly the session again, and the digest that shows it is the same."""
     folder, summary = found.recorded.folder.resolve(), found.summary
     parts = []
     if found.scenario is not None:

@@ -77,7 +77,7 @@ class _Marks(NamedTuple):
 
 @dataclass
 class Document:
-    """What a file says, and where it says it.
+    """Content of a file, and the place of each value in it.
 
     `data` is plain (dict, list, str, int, float, bool, None); `origins` maps inherited values to where they stand,
     `given` what was set from outside (gcs/scenario/keys.py) to the words for it.
@@ -316,7 +316,7 @@ def emit(data: dict[str, Any]) -> str:
 
 
 def _convert(document: Document, root: yaml.Node, problems: list[Problem]) -> Any:
-    """`root` as plain data; fills `document.marks` and `problems`. Raises Refused where going on makes no sense."""
+    """`root` as plain data; fills `document.marks` and `problems`. Raises YamlRefused where going on makes no sense."""
     total = 0
     open_nodes: list[yaml.Node] = []
 

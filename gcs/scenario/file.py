@@ -27,7 +27,7 @@ GROUPS = (("vehicles", "pursuers"), ("vehicles", "targets"), ("vehicles", "tanke
 
 
 def shipped_folder() -> Path:
-    """Where the shipped scenarios stand."""
+    """Folder of the shipped scenarios."""
     package = Path(__file__).resolve().parents[1]
     inside = package / "configs"
     return inside if inside.is_dir() else package.parent / "configs"

@@ -1,4 +1,4 @@
-"""Somebody else's code inside a tick: it may raise, never return, or answer nonsense, and the session goes on.
+"""Guard of a user's code inside a tick: it may raise, never return, or answer nonsense, and the session goes on.
 
 A call is cut off after LIMIT_S of wall time by an interval timer, which also ends endless loops and sleeps (not a call
 into compiled code that never comes back). Who has been cut off is not asked again: ten of them in a row would end
@@ -27,7 +27,7 @@ T = TypeVar("T")
 
 @dataclass(frozen=True)
 class PluginFault:
-    """What somebody's code did wrong, and the vehicle that is held for it."""
+    """Fault of a user's code, and the vehicle that is held for it."""
 
     sysid: int
     policy: str
@@ -49,7 +49,7 @@ class Nonsense(Exception):
 
 @dataclass(frozen=True)
 class GuardedResult(Generic[T]):
-    """What a call returned."""
+    """Result of a call."""
 
     value: T
 
@@ -70,7 +70,7 @@ class Guard:
         self._cut_now = False
 
     def call(self, sysid: int, function: Callable[[], T]) -> GuardedResult[T] | None:
-        """What `function` returns for this vehicle; None where it failed, now or for good, and the vehicle is held.
+        """Result of `function` for this vehicle; None where it failed, now or for good, and the vehicle is held.
 
         `function` raises Nonsense where what it was answered cannot be used.
         """

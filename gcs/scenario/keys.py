@@ -1,7 +1,7 @@
 """Key paths of a scenario: `vehicles.pursuers.*.battery.initial_percent` names one value or many, to be set.
 
 Parts are keys, positions in a list (from 0, as `.0` or `[0]`) and `*`, each of a list. A path is set in the file's data
-before that is checked, so that a value out of range is told like one in the file. A null takes the key out.
+before that is checked, so that a value out of range is reported like one in the file. A null takes the key out.
 """
 
 from __future__ import annotations

@@ -233,7 +233,7 @@ def _vehicle_conflicts(s: Scenario) -> Iterator[Conflict]:
 def _start_conflicts(
     s: Scenario, path: KeyPath, vehicle: VehicleBase, before: Iterable[tuple[KeyPath, VehicleBase]]
 ) -> Iterator[Conflict]:
-    """How a launched vehicle starts, and who or what stands there: obstacles, and those `before` it."""
+    """Start of a launched vehicle, and what stands there: obstacles, and those `before` it."""
     start = (*path, "start_m")
     if not vehicle.airborne:
         if any(vehicle.velocity_m_s):

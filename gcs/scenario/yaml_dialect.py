@@ -25,7 +25,7 @@ class YamlRefused(yaml.MarkedYAMLError):
 
 
 class Loader(yaml.SafeLoader):
-    """Reads a text as nodes with marks; tags and deep nesting are Refused."""
+    """Reads a text as nodes with marks; tags and deep nesting raise YamlRefused."""
 
     yaml_implicit_resolvers: dict[str, Any] = {}  # noqa: RUF012 (PyYAML's own name; emptied, or 1.1's scalars are inherited)
     _depth = 0
@@ -77,7 +77,7 @@ SCALARS: dict[str, Callable[[str], Any]] = {
 
 
 def syntax(error: yaml.MarkedYAMLError, text: str = "") -> str:
-    """What is wrong with a text that is no YAML, or none that a scenario may use, in words for a person."""
+    """Fault of a text that is no YAML, or none that a scenario may use, in words for a person."""
     message = error.problem or "cannot be read"
     if message.startswith("mapping values") and (both := _value_and_keys(text, error.problem_mark)):
         return both

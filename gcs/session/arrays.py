@@ -18,7 +18,7 @@ class MissingExtra(ImportError):
 
 @dataclass(frozen=True, slots=True)
 class Happening:
-    """Something that a person would want to hear of."""
+    """Something that a person should know."""
 
     t_s: float
     sysid: int
@@ -44,7 +44,8 @@ class Serving:
 
 @dataclass(frozen=True, slots=True)
 class Snapshot:
-    """The fleet at one instant of session time, as its messages tell. n vehicles; NaN: not known, or not competing.
+    """The fleet at one instant of session time, as its messages report it. n vehicles; NaN: not known, or not
+    competing.
 
     Positions (m) and velocities (m/s) are in the common NED frame, whose zero is the scenario's origin.
     """
@@ -142,5 +143,5 @@ def from_message(message: Mapping[str, Any]) -> Snapshot:
 
 
 def _known(kind: type[Happening] | type[Serving], content: Mapping[str, Any]) -> dict[str, Any]:
-    """Those of a message's keys that the class has."""
+    """Keys of a message that the class has."""
     return {field.name: content[field.name] for field in fields(kind) if field.name in content}

@@ -16,14 +16,14 @@ Message = Mapping[str, Any]
 
 RETRY_S = 0.25
 GONE_S = 3.0
-"""A session whose socket nobody has answered for this long, after someone had, is over."""
+"""A session whose socket has not answered for this long, after it had, is over."""
 
 SOCKET = "session.sock"
 READ_BYTES = 1 << 16
 
 
 class Client:
-    """One connection to the session in `folder`; raises OSError where nobody listens there.
+    """One connection to the session in `folder`; raises OSError where no session listens there.
 
     `connected` turns False when the session has ended or has dropped this client for being slow.
     """
@@ -117,7 +117,7 @@ class SessionSource:
         return self._client is not None and self._client.connected
 
     def receive(self) -> list[Message]:
-        """What has come; an `end` of our own where the session has gone without a word."""
+        """Messages received; an `end` of our own where the session has gone without a word."""
         now_s = self._clock()
         if self._over:
             return []
@@ -164,7 +164,7 @@ class SessionSource:
 
 
 class EarlierEvents:
-    """Lasts as long as somebody looks on, over any number of connections."""
+    """Lasts as long as its viewer, over any number of connections."""
 
     def __init__(self) -> None:
         self._event_count = 0
@@ -193,11 +193,11 @@ class EarlierEvents:
 
 
 class MessageSource(Protocol):
-    """What the console asks of whoever feeds it; all of it is called from the console's one thread."""
+    """Source of the console's messages; all of it is called from the console's one thread."""
 
     @property
     def connected(self) -> bool:
-        """Whether there is someone at the other end; what was received before may still be shown."""
+        """Whether the other end is there; what was received before may still be shown."""
 
     def receive(self) -> list[Message]:
         """The messages that have come since the last call; never waits, never raises."""

@@ -1,4 +1,4 @@
-"""What clients of the session's socket ask for, and the answers that they get."""
+"""Commands of the session's clients, and their answers."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Clients:
         self._inspects: dict[int, int] = {}
 
     def serve(self) -> bool:
-        """Do what was asked for since the last call; True where somebody wants the session to stop."""
+        """Carry out commands since the last call; True where one stops the session."""
         stop = False
         for request in self._publisher.poll():
             answer = self._obey(request)

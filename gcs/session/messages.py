@@ -66,7 +66,7 @@ def vehicle_row(
     state: State = State.IDLE,
     found: Sequence[HealthIssue] = (),
 ) -> VehicleRow:
-    """One vehicle at `now_s`; `found` is its trouble, worst first (gcs/telemetry/health.py)."""
+    """One vehicle at `now_s`; `found` is its health issues, worst first (gcs/telemetry/health.py)."""
     received = view.last_received_s >= 0.0
     return VehicleRow(
         sysid=view.sysid,
@@ -132,7 +132,7 @@ def distance_m(a: Vec3 | None, b: Vec3 | None) -> float | None:
 def snapshot_message(
     supervisor: Supervisor, *, phase: str, speed: float, refuelled: int, events: Iterable[Event]
 ) -> dict[str, Any]:
-    """The present state; `speed` is session time over wall time so far, `events` are those that nobody was told yet."""
+    """The present state; `speed` is session time over wall time so far, `events` are those that were not sent yet."""
     scenario, snapshot, schedule = supervisor.scenario, supervisor.snapshot, supervisor.schedule
     services = schedule.open_services
     tanker_m_s: dict[int | None, float] = {tanker.sysid: tanker.speed_m_s for tanker in scenario.vehicles.tankers}
@@ -259,7 +259,7 @@ def broken_of(judged: Judgement) -> BrokenRow:
 
 
 def goal_of(scenario: Scenario) -> dict[str, Any]:
-    """What makes the session a success; a limit is null where nothing is demanded."""
+    """Goal of the session; a limit is null where nothing is demanded."""
     goal, limits = scenario.goal, asked(scenario)
     return {
         "separation_m": limits.get("separation"),
@@ -272,7 +272,7 @@ def goal_of(scenario: Scenario) -> dict[str, Any]:
 
 
 def vehicle_of(vehicle: VehicleBase) -> MemberRow:
-    """Who flies, and the way that it is to fly where there is one; a closed path ends where it begins."""
+    """The vehicles, and their routes where they have one; a closed path ends where it begins."""
     path = list(getattr(vehicle, "path_m", None) or getattr(vehicle, "waypoints_m", None) or ())
     if getattr(vehicle, "closed", False):
         path.append(path[0])

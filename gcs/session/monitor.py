@@ -1,7 +1,7 @@
 """Any fleet on the air as a console's source: one socket, an observer, the wall clock; nothing to configure.
 
 A monitor is passive: not a byte leaves its socket. With `control` it is a ground station: a HEARTBEAT each second to
-whoever was heard, a request for streams to who sends none, and hold, return and land for one vehicle, in its own
+known senders, a request for streams to vehicles that send none, and hold, return and land for one vehicle, in its own
 autopilot's way.
 """
 
@@ -114,7 +114,7 @@ class MonitorSource:
             return
         observer.receive(frame, t_s)
         if frame.sysid not in observer.sysids:
-            observer.overhear(frame)
+            observer.receive_sent(frame)
             return
         self._peers[frame.sysid] = (peer, t_s)
         self._silent_vehicles.received(frame.sysid, frame.msgid, t_s)

@@ -53,7 +53,7 @@ NO_COMPETITION: Mapping[str, Any] = {
     **{"v": {}, "tau": {}, "leader": None, "share": None, "runner_up": None},
     "threshold": 0.9,  # the default share
 }
-"""A competition that nobody holds."""
+"""A competition that no vehicle is in."""
 _ADSB = codec.msgid("ADSB_VEHICLE")
 _GLOBAL = codec.msgid("GLOBAL_POSITION_INT")
 _HEARTBEAT = codec.msgid("HEARTBEAT")
@@ -94,11 +94,11 @@ ROLES: Mapping[int, str] = {
     mav.MAV_TYPE_ROCKET: "rocket",
     mav.MAV_TYPE_GENERIC: "vehicle",
 }
-"""What a vehicle is, by HEARTBEAT's type. Types that are not here are no vehicles: ground stations, cameras, …"""
+"""Kind of a vehicle, by HEARTBEAT's type. Types that are not here are no vehicles: ground stations, cameras, …"""
 
 
 class Observer:
-    """Watches a fleet. Times are in s since whatever `receive` is told them since, and do not fall.
+    """Watches a fleet. Times are in s since the zero that `receive` is given them from, and do not fall.
 
     scenario: of a recorded session, whose vehicles need not be discovered and whose local clock is the session's.
     """
@@ -117,7 +117,7 @@ class Observer:
         self._origin = None if scenario is None else GlobalOrigin(*scenario.origin.model_dump().values())
         self.fleet = Fleet(members, self._origin or GlobalOrigin(0.0, 0.0, 0.0))
         self._adapters: dict[int, TelemetryAdapter] = {}
-        # A session's own vehicles tell all that the fleet reads, on its clock; those of others are strangers here too.
+        # A session's own vehicles send all that the fleet reads, on its clock; those of others are unknown here too.
         self._known = set() if scenario is None else {vehicle.sysid for vehicle in scenario.vehicles.launched}
         self._expected = {member.sysid for member in members} - self._known
         self._gaps = GapCounter()
@@ -144,7 +144,7 @@ class Observer:
     def receive(self, frame: Frame, t_s: float, *, counted: bool = True) -> None:
         """Take a frame that came at `t_s`; who is no vehicle is passed over, but for ADS-B.
 
-        Not `counted`: it is one of many, the others of which are not told, and says nothing of the link.
+        Not `counted`: it is one of many, the others of which are not passed in, and says nothing of the link.
         """
         if frame.msgid == _ADSB:
             if self._origin is not None:
@@ -180,17 +180,17 @@ class Observer:
             self._aim(content.target_system, content)
 
     def add_event(self, event: Event) -> None:
-        """Let the next snapshot tell of something that no vehicle said."""
+        """Add to the next snapshot an event that no vehicle reported."""
         self._events.append(event)
 
     def resume(self, gaps: GapCounter, t_s: float) -> None:
-        """Count lost frames from `t_s` on where somebody has counted those before."""
+        """Count lost frames from `t_s` on where those before are counted already."""
         self._gaps = gaps
         self.quality = LinkQuality(gaps)
         self.quality.begin(t_s)
 
     def forget_events(self, t_s: float) -> None:
-        """Drop what a snapshot at `t_s` would tell of what has happened before: nobody was there to see it."""
+        """Drop what a snapshot at `t_s` would report of earlier events: no client was there to see it."""
         self._gather(self.view(t_s))
         self._events.clear()
 
@@ -230,7 +230,7 @@ class Observer:
     ) -> dict[str, Any]:
         """The message of type "snapshot" at `t_s`, with the events since the last one.
 
-        `more`: keys that somebody who knows the session's decisions fills in, among them `parts`, of each vehicle.
+        `more`: keys that a caller who knows the session's decisions fills in, among them `parts`, of each vehicle.
         """
         view = self.view(t_s)
         self._gather(view)
@@ -283,7 +283,7 @@ class Observer:
         return adapter
 
     def _origin_by(self, adapter: TelemetryAdapter, frame: Frame, t_s: float) -> GlobalOrigin | None:
-        """Where the common frame is to begin; a vehicle's own origin is waited for a while before its mere place."""
+        """Origin of the common frame; a vehicle's own origin is waited for a while before its mere place."""
         early = t_s - self._since_s.setdefault(adapter.sysid, t_s) < ORIGIN_WITHIN_S
         return None if early and frame.msgid == _GLOBAL else adapter.origin_of(frame)
 
@@ -292,7 +292,7 @@ class Observer:
         capacity_j = view.capacity_j if math.isfinite(view.capacity_j) else None
         return MemberRow(sysid, view.role, view.label, capacity_j, [])
 
-    # what is told of them
+    # rows of the snapshot
 
     def _aim(self, sysid: int, content: Any) -> None:
         place = (content.x, content.y, content.z)

@@ -49,15 +49,15 @@ PUBLISH_EVERY_S = 0.1
 WATCH_EVERY_S = 0.05
 SAY_WAITING_EVERY_S = 5.0
 GIVE_UP_S, GIVE_UP_SOON_S = 60.0, 5.0
-"""How long the session stands still for a process that lives but does not answer, in wall time; the second is with
+"""Time that the session stands still for a process that lives but does not answer, in wall time; the second is with
 external vehicles, which fly on meanwhile."""
 ELSEWHERE = "Free space there, or give --out another place."
 HAND_BACK_S = 2.5
-"""How long external vehicles have at the end to obey; their HEARTBEAT, once a second, shows that they do."""
+"""Time that external vehicles have at the end to obey; their HEARTBEAT, once a second, shows that they do."""
 
 
 class _Stopped(Exception):
-    """Someone asked for the session's end."""
+    """The session's end was asked for."""
 
 
 class SessionFailed(Exception):
@@ -260,7 +260,7 @@ class SessionProcess:
             self._watch()
 
     def _watch(self) -> None:
-        """Deaths, operators, the parent's pipe; and a fresh picture for those who look."""
+        """Deaths, operators, the parent's pipe; and a fresh snapshot for clients."""
         self._watched_s = now_s = time.monotonic()
         for end in self._hatch.events()[1] if self._hatch is not None else ():
             self._lose(end)
@@ -305,7 +305,7 @@ class SessionProcess:
     def _event(self, sysid: int, level: Level, text: str, kind: Kind = "session") -> None:
         self._supervisor.events.append(Event(self._supervisor.time_s, sysid, level, text, kind))
 
-    # tell
+    # publish
 
     def _outcome(self, interrupted: bool) -> tuple[str, str]:
         """`met`, the first part of the goal that was not, or `interrupted`; and the same as a sentence."""
@@ -317,7 +317,7 @@ class SessionProcess:
         return goal.INTERRUPTED, f"{text}; {goal.outcome_text(broken)}" if broken else text
 
     def _gather_events(self) -> None:
-        """What is new, for the next picture and for the reader's."""
+        """New events, for the next snapshot and for the reader's."""
         events, self._supervisor.events = self._supervisor.events, []
         self._unpublished += events
         if self.reader is not None:

@@ -28,7 +28,7 @@ from gcs.telemetry.events import Event
 
 FASTEST = 1000.0
 DECIDED, INDEXED = 0.25, 0.9
-"""How much of the time that opening a session takes is gone when its decisions, and its frames, have been read."""
+"""Share of the time that opening a session takes which is gone when its decisions, and its frames, have been read."""
 SNAPSHOT_EVERY_S = 0.1
 """of wall time, as from a session"""
 PATIENCE_S = 0.05
@@ -86,7 +86,7 @@ class Replay:
         self.seek(self.from_s)
 
     def seek(self, t_s: float, *, reported_s: float = math.inf) -> None:
-        """Go to a time of the recording; what is known then is known, and what was decided after `reported_s` is told."""
+        """Go to a time of the recording: what is known then is known; decisions after `reported_s` are reported."""
         t_s = min(max(t_s, self.from_s), self.to_s)
         observer = Observer("replay", self.name, scenario=self._scenario, folder=self._folder)
         observer.duration_s = self.to_s if self._scenario is None else self._scenario.goal.duration_s
@@ -132,7 +132,7 @@ class Replay:
         return self._next is None and self.t_s >= self.to_s
 
     def inspect(self, sysids: Collection[int]) -> None:
-        """Let snapshots tell everything that these vehicles send."""
+        """Let snapshots hold everything that these vehicles send."""
         self._wanted = frozenset(sysids)
         self.observer.inspection.want(self._wanted)
 

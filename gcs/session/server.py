@@ -1,7 +1,7 @@
 """The session's socket: snapshots out, operators' commands in, newline-delimited JSON
 (docs/protocol.md#session-socket).
 
-A client first reads the greeting, a line of type "session": it ends with the last events that were told before, and how
+A client first reads the greeting, a line of type "session": it ends with the last events that were sent before, and how
 many those were in all. One that reads slowly is dropped, never waited for.
 """
 
@@ -28,14 +28,14 @@ NAME = "session.sock"
 READ_BYTES = 65536
 BACKLOG_BYTES = 1 << 20
 REMEMBERED = 200
-"""Events that a client is told which came after them."""
+"""Earlier events that a new client is sent."""
 
 
 NO_COMMAND = 'A command is a JSON object with a text under "command", such as {"command": "pause"}.'
 
 
 class ClientRequest(NamedTuple):
-    """What one client asks for: an object with a text under "command"."""
+    """Request of one client: an object with a text under "command"."""
 
     client: int
     """whose it is, while it is connected"""
@@ -63,11 +63,11 @@ class Publisher:
 
     @property
     def clients(self) -> frozenset[int]:
-        """Who is connected, by the number that requests carry."""
+        """Clients connected, by the number that requests carry."""
         return frozenset(self._numbers.values())
 
     def poll(self) -> list[ClientRequest]:
-        """Take new clients and what the present ones ask for; never waits. Who sends a line that is none is told so."""
+        """Take new clients and what the present ones ask for; never waits. A line that is no request is answered so."""
         with contextlib.suppress(BlockingIOError):
             while True:
                 client, _ = self._server.accept()
@@ -178,7 +178,7 @@ class Reader:
         self._events += events
 
     def give(self, snapshot: Mapping[str, Any]) -> None:
-        """Answer with this picture and the events since the last one."""
+        """Answer with this snapshot and the events since the last one."""
         events, self._events = self._events, []
         self.asked = False
         line = json.dumps({**snapshot, "events": [asdict(event) for event in events]}, allow_nan=False)

@@ -1,4 +1,4 @@
-"""What `gcs run` says: quietly, at length, and in any case into the session's folder."""
+"""Output of `gcs run`: on the terminal, and in any case into the session's folder."""
 
 from __future__ import annotations
 

@@ -16,7 +16,7 @@ SAY_AGAIN_S = 5.0
 
 
 def starting_line() -> str:
-    """What is said when a session takes its time to start; of compiling only where that is what takes it."""
+    """Sentence where a session takes long to start; of compiling only where that is what takes it."""
     compiles = "" if compiled() else ": compiling what flies and plans, once, for up to a minute"
     return f"still starting{compiles} ..."
 
@@ -31,7 +31,7 @@ def compiled() -> bool:
 
 
 class Arrivals:
-    """Waits for launched vehicles and for those that somebody else has started; times are s since it began."""
+    """Waits for launched vehicles and for external ones; times are s since it began."""
 
     def __init__(self, labels: Mapping[int, str], external: Mapping[int, External]) -> None:
         self._labels = labels

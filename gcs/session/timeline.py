@@ -1,7 +1,7 @@
 """A recorded session's decisions, at any time of it: who competes, which services are under way, and why.
 
 From decisions.jsonl and the scenario alone. The set points, nearly all of the file, are passed over: the recorded
-frames tell them too.
+frames show them too.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from gcs.telemetry.health import state
 from gcs.telemetry.state import FleetSnapshot, Vec3
 
 STANDS_S = 0.35
-"""A competition that has not been heard of for so long is over."""
+"""A competition that has not been recorded for so long is over."""
 
 
 @dataclass
@@ -41,7 +41,7 @@ class _Life:
     energy_j: float = 0.0
 
     def at(self, t_s: float) -> Service:
-        """As it was at a time."""
+        """State at a time."""
         if self.end_s is not None and self.end_s <= t_s:
             return replace(
                 self.service, phase=Phase.DONE, end_s=self.end_s, ended_by=self.reason, energy_j=round(self.energy_j)
@@ -60,7 +60,7 @@ class _Life:
 
 
 class ServiceMoment(NamedTuple):
-    """What befell a vehicle that its frames do not tell: its death, or energy in J that a base gave it."""
+    """Events of a vehicle that its frames do not show: its death, or energy in J that a base gave it."""
 
     t_s: float
     sysid: int
@@ -69,7 +69,7 @@ class ServiceMoment(NamedTuple):
 
 
 class Timeline:
-    """What was decided. Raises OSError where the file cannot be read."""
+    """Decisions of a session. Raises OSError where the file cannot be read."""
 
     def __init__(self, path: Path, scenario: Scenario, progress: Callable[[float], object] = lambda _: None) -> None:
         self._scenario = scenario
@@ -102,12 +102,12 @@ class Timeline:
         self._shown_s = [t_s for t_s, _ in self._shown]
 
     def events(self, after_s: float, until_s: float) -> Iterator[Event]:
-        """What was decided, ordered or died in after_s < t ≤ until_s."""
+        """Decisions, orders and deaths in after_s < t ≤ until_s."""
         first, last = bisect.bisect_right(self._shown_s, after_s), bisect.bisect_right(self._shown_s, until_s)
         return (event_of(record) for _, record in self._shown[first:last])
 
     def ordered(self, t_s: float) -> dict[int, End]:
-        """What vehicles that an operator has in hand are to fly."""
+        """Modes of vehicles that an operator has taken over."""
         held: dict[int, End] = {}
         for since_s, sysid, mode in self.orders:
             if since_s <= t_s:
@@ -117,9 +117,10 @@ class Timeline:
         return held
 
     def at(self, snapshot: FleetSnapshot, pursue_held_s: float | None) -> dict[str, Any]:
-        """What a snapshot's line tells of decisions at its time; `parts` by system id as `Observer.snapshot` reads.
+        """Part of a snapshot that holds decisions at its time; `parts` by system id as `Observer.snapshot` reads.
 
-        pursue_held_s: for how long the goal's pursuit had been held; None where nobody knows, and the goal goes unsaid.
+        pursue_held_s: for how long the goal's pursuit had been held; None where it is unknown, and the goal is left
+        out.
         """
         t_s, scenario = snapshot.time_s, self._scenario
         services = [life.at(t_s) for life in self._lives if life.service.decided_at_s <= t_s]
@@ -210,7 +211,7 @@ class Timeline:
         return found
 
     def _book(self, services: list[Service], snapshot: FleetSnapshot) -> None:
-        """What an open service has transferred: what its receiver has got beyond what earlier ones gave it."""
+        """Energy that an open service has transferred: what its receiver has got beyond what earlier ones gave it."""
         before: dict[int, float] = {}
         for service in services:
             if service.phase is Phase.DONE:

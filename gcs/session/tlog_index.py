@@ -48,7 +48,7 @@ class RecordedFrame(NamedTuple):
 
 
 class Directions:
-    """Who sent what to whom, frame by frame.
+    """Sender and receiver of each frame.
 
     Ground stations are known by their HEARTBEAT. In a session of ours a vehicle's own FOLLOW_TARGET or counter behind
     the SYSTEM_TIME that ended its answer has been relayed to another.
@@ -174,9 +174,9 @@ class TlogIndex:
                 yield RecordedFrame(latest_s, frame, directions.sent(t_us, frame))
 
     def before(self, from_s: float) -> list[RecordedFrame]:
-        """What was known before the block of a time: the last of each kind of message, and of batteries a while more.
+        """Frames known before the block of a time: the last of each kind of message, and of batteries a while more.
 
-        What went to vehicles is among it, told as the vehicles' own frames are.
+        Frames sent to vehicles are among them, as the vehicles' own are.
         """
         at = self._block_of(from_s)
         earlier = self._blocks[:at]
@@ -206,7 +206,7 @@ class TlogIndex:
                 t_us = int.from_bytes(record[:8], "big")
                 frames.append(RecordedFrame((t_us - self._epoch_us) / 1e6, frame, directions.sent(t_us, frame)))
         # Batteries last: what they say is read by what was armed, given and received. Of those of which everything is
-        # told it stands among it.
+        # recorded it stands among it.
         return sorted(frames, key=lambda each: each.frame.msgid == _BATTERY and each.frame.sysid not in self._metered)
 
     def gaps_before(self, from_s: float) -> GapCounter:

@@ -58,7 +58,7 @@ class Flight:
 
 
 class WarmSessions:
-    """The warm process; leaving the context ends it and whatever flies."""
+    """The warm process; its context's end ends it and whatever flies."""
 
     def __init__(self) -> None:
         self._process = subprocess.Popen(
@@ -166,7 +166,7 @@ class WarmSessions:
             raise WarmError("the process that forks supervisors has died") from None
 
     def _messages(self, deadline_s: float | None) -> Iterator[dict[str, Any]]:
-        """What it says next, waiting for it; nothing where it says no more, or not until the deadline."""
+        """Its next messages, waiting for them; none where it says no more, or not until the deadline."""
         while b"\n" not in self._pending:
             left_s = None if deadline_s is None else max(deadline_s - time.monotonic(), 0.0)
             if not select.select([self._out], [], [], left_s)[0]:
@@ -181,7 +181,7 @@ class WarmSessions:
 
 
 def _fate(verdict: dict[str, Any], status: int) -> str | None:
-    """What is to be said of a supervisor that ended without a last word."""
+    """Sentence on a supervisor that ended without a last word."""
     if verdict:
         return None
     how = f"was killed by signal {-status}" if status < 0 else f"ended with status {status}"

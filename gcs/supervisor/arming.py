@@ -1,4 +1,4 @@
-"""From the ground into offboard control, and back into it: what one vehicle must be told next.
+"""Arming, take-off and offboard sequence of one vehicle: the next command to it.
 
     identify → arm → take off → start offboard → fly
                                       ▲           │ any other mode, unless it is landing
@@ -38,7 +38,7 @@ SET_POINTS_FIRST_S = 0.2
 
 
 class Stage(StrEnum):
-    """How far a vehicle is."""
+    """Stage of a vehicle."""
 
     IDENTIFY = "identify"
     ARM = "arm"
@@ -116,7 +116,7 @@ class ArmingSequence:
         return commands, requests
 
     def _wait_s(self, view: VehicleView) -> float:
-        """From one wish to the next."""
+        """Move from one stage to the next."""
         charged = view.remaining_j - self._refused_j >= CHARGED_SHARE * view.capacity_j
         if self._arming_tries == 0 or charged:
             return RETRY_S
@@ -124,7 +124,7 @@ class ArmingSequence:
 
     @property
     def asks_again(self) -> str:
-        """What is to be said behind a refusal that does not end the matter."""
+        """Words behind a refusal that does not end the matter."""
         seldom = self.stage is Stage.ARM and self._seldom_s > RETRY_S
         return f"; it is asked again, after a second and then up to {self._seldom_s:.0f} s" if seldom else ""
 
@@ -147,7 +147,7 @@ class ArmingSequence:
         return [self._command(command, *params)]
 
     def _carry_out_order(self, view: VehicleView) -> list[CommandRequest]:
-        """The operator's order, once; one whose motors are off stays where it is without being told."""
+        """The operator's order, once; one whose motors are off stays where it is without a command."""
         if self._order_sent or self.ordered is None:
             return []
         self._order_sent = True

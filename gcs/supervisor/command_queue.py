@@ -37,7 +37,7 @@ class FleetCommandQueue:
         self._waiting[sysid] += messages
 
     def pop(self, sysid: int) -> list[Message]:
-        """What waits for the vehicle; it waits no longer."""
+        """Remove and return the messages that wait for the vehicle."""
         taken, self._waiting[sysid] = self._waiting[sysid], []
         return taken
 
@@ -46,7 +46,7 @@ class FleetCommandQueue:
         self._waiting = {sysid: [] for sysid in self._waiting}
 
     def ask(self, requests: Iterable[CommandRequest], now_s: float) -> None:
-        """Command what is wished, each in a COMMAND_LONG to the vehicle's autopilot."""
+        """Send each request in a COMMAND_LONG to the vehicle's autopilot."""
         for request in requests:
             self._under_way.add((request.sysid, request.token))
             command = CommandLong(CommandTarget(request.sysid, AUTOPILOT), request.command, request.params)
@@ -61,7 +61,7 @@ class FleetCommandQueue:
         return any(other == token for _, other in self._under_way)
 
     def withdraw(self, sysid: int) -> None:
-        """What pilot or operator wanted before counts no more, and must not be repeated after what they want now."""
+        """Drop what arming sequence or operator wanted before: it must not be repeated after what they want now."""
         for token in self._queues[sysid].withdraw(lambda token: str(token).startswith((OPERATOR, ARMING))):
             self._under_way.discard((sysid, token))
 

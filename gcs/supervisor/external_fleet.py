@@ -1,4 +1,4 @@
-"""What a session does for vehicles that it has not launched, tick by tick, beside what it does for all.
+"""External vehicles of a session, tick by tick: what they need beside what all vehicles do.
 
 Streams are asked for and checked, clocks compared, silence judged, and repetitions kept from the person who looks on.
 """
@@ -20,13 +20,13 @@ from gcs.telemetry.fleet import Fleet
 from gcs.telemetry.state import FleetSnapshot, VehicleView
 
 LOST_S = 10.0
-"""A vehicle that has been silent for so long is counted as lost, until it is heard again."""
+"""A vehicle that has been silent for so long is counted as lost, until it reports again."""
 SILENT_S = CHECK_S * SLOW_SHARE
 """A silence so long would make every stream look slow."""
 SAY_AGAIN_S = 10.0
 NO_ORIGIN_S = 5.0
 GROUND_OFF_M = 2.0
-"""A home that lies so much higher or lower than the scenario's height 0 is told."""
+"""A home that lies so much higher or lower than the scenario's height 0 is reported."""
 STEERED = frozenset({Stage.ARM, Stage.TAKEOFF, Stage.OFFBOARD, Stage.FLY})
 ENDING = "end"
 _ENDS: Mapping[End, str] = {"hold": "hold", "return": "return to where it took off", "land": "land"}
@@ -122,7 +122,7 @@ class ExternalFleet:
         return commands, messages
 
     def settles(self, sysid: int, result: CommandResult, now_s: float) -> bool:
-        """Take a command's result; whether nobody needs to hear of it."""
+        """Take in a command's result; whether it needs no report."""
         token = str(result.token)
         if sysid not in self.rules:
             return False
@@ -144,9 +144,9 @@ class ExternalFleet:
         return False
 
     def hand_back(self, snapshot: FleetSnapshot, stages: Mapping[int, Stage]) -> list[CommandRequest]:
-        """What is said to those whom we steer, at the end: nobody does any more.
+        """Commands at the end to vehicles that we steer: they are not steered any more.
 
-        One that somebody else has taken over, or that is on the ground unarmed, is left alone; one that stands armed on
+        One that another has taken over, or that is on the ground unarmed, is left alone; one that stands armed on
         the ground is disarmed.
         """
         commands = []
@@ -167,7 +167,7 @@ class ExternalFleet:
         return bool(self._steered_still(snapshot))
 
     def report_disobedience(self, snapshot: FleetSnapshot) -> None:
-        """Name who has not done in time what it was told at the end, and what it answered to that."""
+        """Name vehicles that have not obeyed in time at the end, and what they answered."""
         for view in self._steered_still(snapshot):
             answer = self._answers.get(view.sysid, "it has not answered yet")
             state = "on the ground and armed" if view.landed else f"in {view.mode}"
@@ -184,7 +184,7 @@ class ExternalFleet:
         return [] if streams is None else list(streams.missing)
 
     def pop_events(self) -> list[Event]:
-        """What is to be told since the last call."""
+        """Events since the last call."""
         taken, self._events = self._events, []
         return taken
 
@@ -193,7 +193,7 @@ class ExternalFleet:
 
 
 def _answer(result: CommandResult) -> str:
-    """What came back to a command, for a person."""
+    """Answer to a command, for a person."""
     if result.outcome == "timeout":
         return f"it has not answered, though it was told {result.attempts} times"
     if result.outcome == "accepted":

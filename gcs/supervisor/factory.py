@@ -1,4 +1,4 @@
-"""What a scenario says of its vehicles, made into those who look after them: fleet, pilots, radio."""
+"""Fleet, arming sequences and radio of a scenario."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def make_fleet(scenario: Scenario) -> Fleet:
 
 
 def make_arming_sequences(scenario: Scenario) -> dict[int, ArmingSequence]:
-    """A pilot for each vehicle, by system id."""
+    """An arming sequence for each vehicle, by system id."""
     return {
         v.sysid: ExternalArmingSequence(v.sysid, v.takeoff_m, v.external)
         if v.external

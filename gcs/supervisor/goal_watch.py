@@ -1,7 +1,7 @@
 """Goal monitor: measures the goal each tick from telemetry, and at the end from the vehicles' truth files.
 
 Who counts (docs/protocol.md#goal):
-- separation: two vehicles in flight of which we fly at least one. One that somebody else flies (taken over, in an
+- separation: two vehicles in flight of which we fly at least one. One that another flies (taken over, in an
   operator's hands, on its failsafe) gives no way; near it counts only where ours closes in.
 - obstacles, traffic: vehicles in flight that we fly.
 - ground: vehicles that we fly and that were up, which follow set points; not who takes off, lands or stands at a base.
@@ -32,15 +32,15 @@ Notices = tuple[list[dict[str, Any]], list[Event]]
 UP_M = 0.3
 """A vehicle that has been so high must not touch the ground until it lands."""
 NEVER_FLEW_S = 10.0
-"""Who is not in the air so long after it joined has never taken part."""
+"""A vehicle that is not in the air so long after it joined has never taken part."""
 PARTING_S = 3.0
-"""Where a tanker stands nearer to its receiver than the separation, both have so long to part."""
+"""Time that a tanker and its receiver, nearer than the separation, have to part."""
 _OTHERS = frozenset({Stage.YIELDED, Stage.TAKEN, Stage.DOWN})
 _STEERED = frozenset({Stage.OFFBOARD, Stage.FLY})
 
 
 class GoalWatch:
-    """All that is measured for the goal, and what of it has been told."""
+    """All that is measured for the goal, and what of it has been reported."""
 
     def __init__(self, scenario: Scenario, shapes: Floats, arming: Mapping[int, ArmingSequence]) -> None:
         self._scenario = scenario
@@ -141,7 +141,8 @@ class GoalWatch:
         self._lost.pop(sysid, None)
 
     def losses(self, snapshot: FleetSnapshot, end_s: float) -> list[Loss]:
-        """Who is lost by now, in order of time; with those who never flew, and those on their failsafe's way down."""
+        """Vehicles lost by now, in order of time; with those that never flew, and those on their failsafe's way
+        down."""
         lost = dict(self._lost)
         for row, view in enumerate(snapshot.vehicles):
             vehicle, arming = self._vehicles[row], self._arming[view.sysid]
@@ -219,7 +220,7 @@ class GoalWatch:
         )
 
     def broken(self) -> list[Judgement]:
-        """What of the goal can no longer be met, by what is known now."""
+        """Parts of the goal that can no longer be met, by what is known now."""
         near = self.judged
         so_far = Measured(
             separation=near.separation,
@@ -230,7 +231,7 @@ class GoalWatch:
         )
         return [judged for judged in goal.judge(self._scenario, so_far) if judged.met is False]
 
-    # telling
+    # reports
 
     def _notices_of(self, now_s: float, breaches: Sequence[Breach], by: str) -> Notices:
         records = []

@@ -1,4 +1,4 @@
-"""What operators order: who is taken out of the planner's hands and given back, who is served next, who follows whom.
+"""Operators' commands: vehicles taken over and given back, services asked for and skipped, targets changed.
 
     hold, return, land   the vehicle is the operator's; it flies that, and takes no part in anything, until `rejoin`
     rejoin               back to the planner, from wherever it is; also one that a failsafe has landed
@@ -56,7 +56,7 @@ class Operator:
 
     @property
     def ordered(self) -> dict[int, End]:
-        """What each vehicle that is in an operator's hands is to fly."""
+        """Mode of each vehicle that an operator has taken over."""
         return {sysid: arming.ordered for sysid, arming in self._arming.items() if arming.ordered is not None}
 
     def obey(self, content: Mapping[str, Any], snapshot: FleetSnapshot) -> tuple[OperatorReply, Event]:
@@ -71,7 +71,7 @@ class Operator:
     def note(
         self, t_s: float, command: str, answer: OperatorReply, sysid: int | None = None, target: int | None = None
     ) -> Event:
-        """Record an operator's command, also one that somebody else carries out; what to tell of it."""
+        """Record an operator's command, also one that another part carries out; the event of it."""
         named = {"sysid": sysid, "target": target}
         self._records.append(
             {

@@ -122,7 +122,7 @@ class Supervisor:
         return self.command_queue.resent
 
     def begin(self) -> None:
-        """Send the first grant, which sets the vehicles' clocks and lets nobody move."""
+        """Send the first grant, which sets the vehicles' clocks and lets none move."""
         recording = TickRecord(0, [], [], [])
         self._grant_all({}, recording)
         self._record(recording)
@@ -171,7 +171,7 @@ class Supervisor:
             self._record(TickRecord(self.time_ms, [], [], records))
 
     def judged(self) -> list[Judgement]:
-        """What came of each part of the goal by now."""
+        """Result of each part of the goal so far."""
         refuelled, held_s = len(self.schedule.refuelled), self.metrics.pursuit_held_s
         measured = self.goal_watch.measured(
             self.snapshot, time_s=self.time_s, pursuit_held_s=held_s, refuelled=refuelled
@@ -203,11 +203,11 @@ class Supervisor:
         return answer
 
     def note(self, command: str, answer: OperatorReply) -> None:
-        """Tell and record a command that the session's clock has carried out."""
+        """Report and record a command that the session's clock has carried out."""
         self.events.append(self.operator.note(self.time_s, command, answer))
 
     def lose(self, key: Key, why: str) -> None:
-        """A process has died: hold it no longer, tell everyone, let the others go on."""
+        """A process has died: hold it no longer, report it, let the others go on."""
         self._link.leave(key)
         self._deaths.append({"t_s": self.time_s, "kind": "death", "sysid": key[0], "text": why})
         self.goal_watch.lose(key[0], self.time_s, "its process died")
@@ -341,7 +341,7 @@ class Supervisor:
     # out
 
     def _grant_all(self, relays: Mapping[int, list[Relay]], recording: TickRecord) -> None:
-        """Send everyone the next bundle; the first one carries T = 0 and lets nobody move."""
+        """Send all vehicles the next bundle; the first one carries T = 0 and lets none move."""
         now_s = self.time_s
         grant_ms = self.time_ms + self._periods * self.period_ms if recording.t_ms or self._begun else 0
         self._begun = True
@@ -368,19 +368,19 @@ class Supervisor:
     _partners: frozenset[tuple[int, int]] = frozenset()
 
     def hand_back(self) -> None:
-        """Nobody steers the external vehicles any more: tell them what to do then. `exchange` sends it."""
+        """Command external vehicles for the end, when they are not steered any more. `exchange` sends it."""
         self.command_queue.clear()
         stages = {sysid: arming.stage for sysid, arming in self.arming.items()}
         self.command_queue.ask(self.externals.hand_back(self.snapshot, stages), self.time_s)
         self.events += self.externals.pop_events()
 
     def report_disobedience(self) -> None:
-        """Name the external vehicles that have not obeyed, now that nobody waits for them any longer."""
+        """Name the external vehicles that have not obeyed, now that the session no longer waits."""
         self.externals.report_disobedience(self.snapshot)
         self.events += self.externals.pop_events()
 
     def exchange(self, now_s: float) -> bool:
-        """After the last tick: send external vehicles what is left, hear them; whether one has not obeyed yet."""
+        """After the last tick: send external vehicles what is left, receive; whether one has not obeyed yet."""
         now_s = round(now_s, 3)  # as it is recorded
         arrived, _ = self._receive(self._link.unawaited().items(), now_s)
         self._receive_acknowledgements(now_s)
@@ -412,7 +412,7 @@ class Supervisor:
         return self._new_records() + interventions + records
 
     def _new_records(self) -> list[dict[str, Any]]:
-        """Who has died, and what operators have commanded, since the last call."""
+        """Records of deaths and of operators' commands since the last call."""
         deaths, self._deaths = self._deaths, []
         return deaths + self.operator.pop_records()
 

@@ -48,7 +48,7 @@ def rehearse(scenario: Scenario) -> None:
     set_points = planner.plan(PlanRequest(snapshot, everyone, scenario.clock.period_s))
     if scenario.planner.safety:
         _rehearse_tracking()
-    approach.nearest_to(*(np.zeros((1, 3)) for _ in range(4)))  # once traffic is told
+    approach.nearest_to(*(np.zeros((1, 3)) for _ in range(4)))  # once traffic is reported
     for _ in range(PLAN_MEMORY):  # only then is a vehicle's way held against its plan
         metrics.update(snapshot, set_points)
         watch.update(snapshot, ())

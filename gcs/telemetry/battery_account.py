@@ -15,7 +15,7 @@ RECEIVED, GIVEN = "XferIn", "XferOut"
 
 
 class BatteryAccount:
-    """Energies in J; capacity and initial charge as the scenario has them until the vehicle tells them."""
+    """Energies in J; capacity and initial charge as the scenario has them until the vehicle reports them."""
 
     def __init__(self, capacity_j: float, initial_j: float) -> None:
         self.capacity_j = capacity_j
@@ -28,7 +28,7 @@ class BatteryAccount:
 
     @property
     def reported(self) -> bool:
-        """Whether the vehicle has told capacity and initial charge, as one does that can take a transfer."""
+        """Whether the vehicle has reported capacity and initial charge, as one does that can take a transfer."""
         return len(self._parameters) == len(BATTERY_PARAMETERS)
 
     @property
@@ -38,7 +38,7 @@ class BatteryAccount:
 
     @property
     def remaining_j(self) -> float:
-        """What the battery holds."""
+        """Energy in the battery, J."""
         return self.initial_j + self.received_j - self.meter.drawn_j - self.given_j
 
     def report(self, report: BatteryReport, *, armed: bool) -> list[Fact]:
@@ -81,5 +81,5 @@ class BatteryAccount:
             self.capacity_j = value
 
     def book(self, joules: int) -> None:
-        """Count energy that a base gave to a vehicle which cannot tell of it itself."""
+        """Count energy that a base gave to a vehicle which cannot report it itself."""
         self._booked_j += joules

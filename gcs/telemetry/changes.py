@@ -13,17 +13,17 @@ GOING_DOWN = frozenset({FlightMode.RETURN, FlightMode.LAND})
 
 
 class ChangeDetector:
-    """Remembers what each vehicle did; `look` tells what is new."""
+    """Remembers what each vehicle did; `look` returns what is new."""
 
     def __init__(self) -> None:
         self._modes: dict[int, FlightMode] = {}
         self._silent: set[int] = set()
 
     def look(self, snapshot: FleetSnapshot, ordered: Mapping[int, End] | None) -> list[Event]:
-        """What has changed since the last snapshot.
+        """Events since the last snapshot.
 
-        `ordered` says what somebody wants vehicles to fly instead of the plan: that is no failsafe. None: nobody here
-        commands them, so that no change of mode can be told from an order.
+        `ordered` says what an operator wants vehicles to fly instead of the plan: that is no failsafe. None: no one
+        here commands them, so that no change of mode can be distinguished from an order.
         """
         events: list[Event] = []
         for view in snapshot.vehicles:

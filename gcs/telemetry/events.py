@@ -1,4 +1,4 @@
-"""What a person wants to hear of while a session flies."""
+"""Events that a person should see while a session flies."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ LESS_SEVERE: dict[int, Level] = {
 
 
 def level_of(severity: int) -> Level:
-    """How loudly a STATUSTEXT of this MAV_SEVERITY is told; from error on, and what is none, it is critical."""
+    """Level of a STATUSTEXT of this MAV_SEVERITY; from error on, and what is none, it is critical."""
     return LESS_SEVERE.get(severity, "critical")
 
 

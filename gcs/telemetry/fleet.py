@@ -1,4 +1,4 @@
-"""What the fleet tells, collected: MAVLink messages in, a snapshot in SI units and the common NED frame out.
+"""State of the fleet by its telemetry: MAVLink messages in, a snapshot in SI units and the common NED frame out.
 
 The common frame is the scenario's origin. A vehicle's own local frame is moved there by its GPS_GLOBAL_ORIGIN, or by
 HOME_POSITION where that says where home lies in it; until one has come its position is unknown, and nothing is planned
@@ -27,7 +27,7 @@ from gcs.telemetry.energy import Fact
 from gcs.telemetry.state import ZERO, FleetSnapshot, TrafficView, Vec3, VehicleView
 
 LANDED_M = 0.3
-"""A vehicle that does not tell whether it has landed is in the air above this height."""
+"""A vehicle that does not report whether it has landed is in the air above this height."""
 TRAFFIC_FORGOTTEN_S = 10.0
 """An aircraft that has been silent for so long could be anywhere: its range would fill the sky."""
 _FAILSAFE = frozenset({mav.MAV_STATE_CRITICAL, mav.MAV_STATE_EMERGENCY})
@@ -44,7 +44,7 @@ class GlobalOrigin:
 
 @dataclass(frozen=True)
 class Member:
-    """What the scenario says of a vehicle before it says anything itself."""
+    """A vehicle's data from the scenario, before it reports anything itself."""
 
     sysid: int
     role: str
@@ -58,7 +58,7 @@ class Member:
 
 
 class _Track:
-    """The latest of everything that one vehicle has told."""
+    """The latest of everything that one vehicle has reported."""
 
     def __init__(self, member: Member) -> None:
         self.member = member
@@ -120,7 +120,7 @@ class _Track:
             p_local_ned=self.p_local,
             capacity_j=self.battery.capacity_j,
             initial_j=self.battery.initial_j,
-            battery_reported=self.battery.told,
+            battery_reported=self.battery.reported,
             drawn_j=self.battery.meter.drawn_j,
             received_j=self.battery.received_j,
             given_j=self.battery.given_j,
@@ -156,7 +156,7 @@ class Fleet:
         handler(self, track, fields(frame), time_s)
 
     def join(self, member: Member) -> None:
-        """Take in a vehicle that nobody knew of before; the snapshot keeps its order of system ids."""
+        """Add a vehicle that was unknown before; the snapshot keeps its order of system ids."""
         self._tracks[member.sysid] = _Track(member)
         self._tracks = dict(sorted(self._tracks.items()))
 
@@ -165,11 +165,11 @@ class Fleet:
         self._tracks[sysid].alive = False
 
     def found(self, sysid: int) -> None:
-        """A vehicle that was lost is heard again."""
+        """A vehicle that was lost reports again."""
         self._tracks[sysid].alive = True
 
     def set_clock(self, sysid: int, offset_s: float) -> None:
-        """What added to this vehicle's own time gives the session's."""
+        """Offset from this vehicle's own time to the session's, s."""
         self._tracks[sysid].clock_offset_s = offset_s
 
     def pop_statustexts(self, now_s: float) -> list[tuple[int, int, str]]:
@@ -189,7 +189,7 @@ class Fleet:
         return sorted(taken, key=itemgetter(0))
 
     def book(self, sysid: int, joules: int) -> None:
-        """Energy that a vehicle was given by a base and cannot tell of itself."""
+        """Energy that a vehicle was given by a base and cannot report itself."""
         self._tracks[sysid].battery.book(joules)
 
     def snapshot(self, time_s: float) -> FleetSnapshot:

@@ -1,6 +1,6 @@
-"""What is wrong with a vehicle, and what part it has in the refuelling: a few words each, from its messages alone.
+"""Health issues of a vehicle, and its part in the refuelling: a few words each, from its messages alone.
 
-Pure functions of a `VehicleView`: a session, a passive monitor and a replay all tell the same.
+Pure functions of a `VehicleView`: a session, a passive monitor and a replay all say the same.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What a session amounts to, gathered tick by tick from snapshots: paths, tracking and pursuit."""
+"""Measures of a session, gathered tick by tick from snapshots: paths, tracking and pursuit."""
 
 from __future__ import annotations
 

@@ -20,7 +20,7 @@ from gcs.telemetry.approach import Flags, Floats, Ints
 GROUND_M = 0.05
 """A vehicle in flight that is no higher than this above its ground touches it."""
 MOST_REPORTED = 20
-"""Breaches of one part that are told one by one; of further ones only the least distance is kept."""
+"""Breaches of one part that are reported one by one; of further ones only the least distance is kept."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,7 +51,7 @@ class Breach:
 
 @dataclass(frozen=True, eq=False)
 class Places:
-    """Where everything is at a tick, common NED frame, m: (n, 3) and NaN where nobody knows."""
+    """Positions of everything at a tick, common NED frame, m: (n, 3) and NaN where unknown."""
 
     p_ned: Floats
     height_m: Floats
@@ -62,7 +62,7 @@ class Places:
 
 
 class Proximity:
-    """The least distances so far; `update` tells what has just come too near."""
+    """The least distances so far; `update` returns what has just come too near."""
 
     def __init__(self, scenario: Scenario, shapes: Floats) -> None:
         self.separation, self.clearance = Nearest(), Nearest()
@@ -185,7 +185,7 @@ class Proximity:
         return Nearest(float(m), tuple(sorted(self._sysids[int(row)] for row in rows)), float(t_s), what)
 
     def _new(self, part: str, near: list[Nearest]) -> list[Breach]:
-        """Those that have not been told yet, in an order that depends on nothing else."""
+        """Breaches that have not been reported yet, in an order that depends on nothing else."""
         breaches = []
         for found in sorted(near, key=lambda one: (one.sysids, one.what)):
             key = (part, found.sysids, found.what)
@@ -208,7 +208,7 @@ class WayPoints:
 
     @property
     def missed(self) -> dict[int, int]:
-        """How many each has not passed yet."""
+        """Number of way points that each has not passed yet."""
         return {sysid: len(left) for sysid, left in self._left.items()}
 
     def update(self, flying: Flags, p_ned: Floats) -> None:

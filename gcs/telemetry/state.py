@@ -16,7 +16,7 @@ STALE_S = 1.5
 
 
 class VehicleView(NamedTuple):
-    """One vehicle as its messages show it at the snapshot's time. None: not told yet.
+    """One vehicle as its messages show it at the snapshot's time. None: not reported yet.
 
     Positions and velocities are in the common NED frame; `age_s` is how old the position is. Energies are in J.
     """
@@ -53,7 +53,7 @@ class VehicleView(NamedTuple):
     failsafe: bool = False
     """whether its autopilot says that it flies by a failsafe of its own"""
     p_local_ned: Vec3 | None = None
-    """in its own frame; where that lies it may not have told yet"""
+    """in its own frame; where that lies it may not have reported yet"""
 
     @property
     def height_m(self) -> float | None:
@@ -64,7 +64,7 @@ class VehicleView(NamedTuple):
 
     @property
     def remaining_j(self) -> float:
-        """What the battery holds, by the vehicle's messages alone (docs/protocol.md#energy-accounting)."""
+        """Energy in the battery, J, by the vehicle's messages alone (docs/protocol.md#energy-accounting)."""
         return self.initial_j + self.received_j - self.drawn_j - self.given_j
 
     @property
@@ -74,7 +74,7 @@ class VehicleView(NamedTuple):
 
     @property
     def endurance_s(self) -> float:
-        """How long the battery lasts at the present draw."""
+        """Time that the battery lasts at the present draw."""
         return self.remaining_j / self.power_w if self.power_w > 0.0 else math.inf
 
     @property
@@ -84,7 +84,7 @@ class VehicleView(NamedTuple):
 
     @property
     def fresh(self) -> bool:
-        """Lives, and has told its place lately: only then is it led, followed, refuelled and measured."""
+        """Lives, and has reported its place lately: only then is it led, followed, refuelled and measured."""
         return self.alive and self.age_s <= STALE_S
 
     @property

@@ -1,4 +1,4 @@
-"""Following somebody: where to be beside a target that tells where it is. Pure functions; NED, m, m/s, rad."""
+"""Following: the place beside a target that reports its position. Pure functions; NED, m, m/s, rad."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ SLOWEST_COURSE_M_S = 0.3
 
 
 class Followed(NamedTuple):
-    """A target as it was told last, its velocity smoothed, and the course that it keeps."""
+    """A target as it was reported last, its velocity smoothed, and the course that it keeps."""
 
     p_ned: Vec3
     v_ned: Vec3
@@ -34,7 +34,7 @@ def smoothed(
 
 
 def place_beside(target: Followed, *, distance_m: float, angle_rad: float, down_m: float) -> Vec3:
-    """Where to be when the report was made: at a distance, an angle from its course (0 ahead, pi behind), a height."""
+    """Place wanted when the report was made: at a distance, an angle from its course (0 ahead, pi behind), a height."""
     bearing_rad = target.course_rad + angle_rad
     north = target.p_ned[0] + distance_m * cos(bearing_rad)
     east = target.p_ned[1] + distance_m * sin(bearing_rad)

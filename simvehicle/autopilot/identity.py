@@ -1,4 +1,4 @@
-"""Who the vehicle says it is: every number that changes with the autopilot it stands in for, in one table."""
+"""Identity of the vehicle: every number that changes with the autopilot it stands in for, in one table."""
 
 from __future__ import annotations
 

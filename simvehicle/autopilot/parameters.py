@@ -170,7 +170,7 @@ class Parameters:
         self._values.update(values)
 
     def flight(self) -> VehicleParams:
-        """What the flight law flies with these values; the `paper` set keeps its gains and has no limits."""
+        """Flight law's parameters by these values; the `paper` set keeps its gains and has no limits."""
         paper = self["SIM_GAIN_SET"] == 1
         base = NAMED["paper" if paper else "default"]
         battery = BatteryParams(

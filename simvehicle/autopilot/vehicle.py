@@ -25,7 +25,7 @@ from simvehicle.autopilot.parameters import Parameters
 from simvehicle.autopilot.snapshot import Vec3, VehicleState
 
 FENCE_HOLD, FENCE_RETURN = 2, 3
-"""What GF_ACTION may ask for, beside nothing and a warning."""
+"""Values of GF_ACTION beside nothing and a warning."""
 
 NO_MISSION = Mission(())
 
@@ -78,7 +78,7 @@ class Vehicle(Body):
         return self.exchange.received_j
 
     def snapshot(self) -> VehicleState:
-        """Everything that telemetry tells, at the present time."""
+        """Everything that telemetry reports, at the present time."""
         target_p_ned, target_v_ned = self.reference_ned
         mission = self.mission or NO_MISSION
         return VehicleState(
@@ -165,7 +165,7 @@ class Vehicle(Body):
                 self.mission.enter()
 
     def receive_target(self, p_ned: Vec3, v_ned: Vec3) -> None:
-        """Somebody who may be followed has told where it is."""
+        """Take in the position of a target that may be followed."""
         north, east, _ = self.p_ned
         self._followed = smoothed(
             self._followed,

@@ -1,4 +1,4 @@
-"""What a vehicle is made of: frozen airframe, gains, limits, battery and guidance, and the named sets of them.
+"""Parameters of a vehicle: frozen airframe, gains, limits, battery and guidance, and the named sets of them.
 
 Every object is checked when it is made; `pack` lays a set out as the flat vector that the compiled flight core reads.
 An infinite limit is an absent one.
@@ -98,7 +98,7 @@ class Gains:
 
 @dataclass(frozen=True, kw_only=True)
 class Limits:
-    """What the vehicle may do: tilt, mass-normalised thrust u1, |tau_k| for k = 2..4, |v*|, and |q''| of the guidance.
+    """Limits of the vehicle: tilt, mass-normalised thrust u1, |tau_k| for k = 2..4, |v*|, and |q''| of the guidance.
 
     Raises:
         ValueError: a limit that is not positive, a tilt of 90° or more (other than infinite).

@@ -12,7 +12,7 @@ DATAGRAM_BYTES = 1400
 
 
 class Connection:
-    """A connection's own sequence counter, stream schedule and outbox."""
+    """A connection's own sequence counter, stream schedule and send queue."""
 
     def __init__(self, sysid: int, compid: int = 1) -> None:
         self.sysid = sysid

@@ -6,7 +6,7 @@ The rules of an upload:
 2. The plan in force stays until the last item has come and the whole is accepted; what is refused changes nothing.
 3. A request without an answer is repeated every 0.5 s; after five of them the upload is given up, and said so.
 4. The last item, repeated because the acknowledgement was lost, is acknowledged again.
-5. One upload at a time: a count from the same sender begins it again, one from somebody else is refused.
+5. One upload at a time: a count from the same sender begins it again, one from another sender is refused.
 """
 
 from __future__ import annotations
@@ -152,7 +152,7 @@ class MissionProtocol:
             self._upload = None
 
     def due(self, now_s: float) -> list[Post]:
-        """What has to be asked for again, or given up."""
+        """Repeat what has to be asked for again, or give up."""
         upload = self._upload
         if upload is None or now_s - upload.asked_s < RETRY_S:
             return []

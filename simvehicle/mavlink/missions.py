@@ -1,4 +1,5 @@
-"""Missions, geofence and rally points: the protocol's plans put in force in the vehicle, and their progress told."""
+"""Missions, geofence and rally points: the protocol's plans put in force in the vehicle, and their progress
+reported."""
 
 from __future__ import annotations
 

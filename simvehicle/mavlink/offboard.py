@@ -85,7 +85,8 @@ def _turned(v: Vec3, yaw_rad: float) -> Vec3:
 
 
 def follow_target(context: ServiceContext, call: Call) -> None:
-    """Somebody's place: of a partner in a transfer, or of whom the vehicle may follow. No velocity is none."""
+    """Take in a position: of a partner in a transfer, or of a target that the vehicle may follow. No velocity is
+    none."""
     content, vehicle = call.content, context.vehicle
     vel = tuple(0.0 if math.isnan(v) else v for v in content.vel)
     if all(map(math.isfinite, (content.alt, *vel))):

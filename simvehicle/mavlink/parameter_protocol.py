@@ -1,4 +1,5 @@
-"""The parameter protocol: list, read, set; what is refused is told by PARAM_ERROR, and the value in force after it."""
+"""The parameter protocol: list, read, set; what is refused is reported by PARAM_ERROR, and the value in force after
+it."""
 
 from __future__ import annotations
 
@@ -86,7 +87,7 @@ def error_message(name: str, index: int, code: int, asker: tuple[int, int]) -> A
 
 
 def value_from_wire(row: ParameterRow, wire: float, kind: int, *, bytewise: bool) -> float:
-    """What a PARAM_SET's param_value of MAV_PARAM_TYPE `kind` means for this parameter; raises ParameterError.
+    """Value that a PARAM_SET's param_value of MAV_PARAM_TYPE `kind` means for this parameter; raises ParameterError.
 
     Sent by value, every type says the same. Bytewise, another type's bytes would be another number.
     """

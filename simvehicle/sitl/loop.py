@@ -20,7 +20,7 @@ FREE_TICK_MS = 20
 
 
 class Unit(Protocol):
-    """What a loop drives: a vehicle with its services, or traffic."""
+    """Unit that a loop drives: a vehicle with its services, or traffic."""
 
     def hello(self) -> object:
         """The HEARTBEAT of the hello."""

@@ -70,7 +70,7 @@ def check(connect: Endpoint, sysid: int | None, peers: tuple[str, ...], arm: boo
     Exit status:
       0    nothing is missing and nothing is wrong
       1    something is
-      2    bad input, or no vehicle was heard
+      2    bad input, or no vehicle was received
       130  stopped by Ctrl-C
     """
     from gcs.cli.check import report

@@ -47,7 +47,7 @@ class ReceivedMessage(NamedTuple):
 
 @dataclass
 class CheckedVehicle:
-    """What is known so far of the vehicle that is asked."""
+    """State known so far of the vehicle that is asked."""
 
     sysid: int
     compid: int
@@ -83,7 +83,7 @@ class CheckedVehicle:
 
     @property
     def capabilities(self) -> int:
-        """AUTOPILOT_VERSION's capability bits; 0 where it was never told."""
+        """AUTOPILOT_VERSION's capability bits; 0 where it was never received."""
         version = self.of("AUTOPILOT_VERSION")
         return 0 if version is None else int(version.capabilities)
 
@@ -94,14 +94,14 @@ class CheckedVehicle:
 
 
 class Verdict(NamedTuple):
-    """What came of a question; `text` says what was found, for a person."""
+    """Result of a question; `text` says for a person what was found."""
 
     outcome: Outcome
     text: str = ""
 
 
 Judge = Callable[[CheckedVehicle, Sequence[ReceivedMessage]], "Verdict | None"]
-"""What was heard since the question was first asked → the verdict, None while it may still come."""
+"""Messages received since the question was first asked → the verdict, None while it may still come."""
 
 
 @dataclass(frozen=True)
@@ -142,7 +142,7 @@ class Dialogue:
     def __init__(self, questions: Iterable[Question], sysid: int | None = None) -> None:
         self.vehicle: CheckedVehicle | None = None
         self.others: set[int] = set()
-        """system ids of further vehicles that were heard"""
+        """system ids of further vehicles that were received"""
         self.findings: list[CheckFinding] = []
         self._wanted = sysid
         self._left = deque(questions)
@@ -155,7 +155,7 @@ class Dialogue:
 
     @property
     def current(self) -> Question | None:
-        """The question that is being asked; None before the vehicle was heard and at the end."""
+        """The question that is being asked; None before the vehicle is found and at the end."""
         return self._left[0] if self.vehicle is not None and self._left else None
 
     @property

@@ -13,7 +13,7 @@ from gcs.mavlink.command_protocol import result_name
 from gcs.mavlink.ids import STATION
 
 Fault = Callable[[CheckedVehicle, Any], str]
-"""What is wrong with a message's fields; empty where nothing is."""
+"""Fault of a message's fields; empty without one."""
 
 OK = Verdict("ok")
 REASONS_WITHIN_S = 0.3
@@ -30,7 +30,7 @@ def _named(received: Sequence[ReceivedMessage], name: str) -> Iterator[Any]:
 
 
 def _names(received: Sequence[ReceivedMessage]) -> set[str]:
-    """What has come, also of messages that no dialect of ours holds: those have no fields to read."""
+    """Names of received messages, also of those that no dialect of ours holds: those have no fields to read."""
     return {h.name for h in received}
 
 
@@ -113,14 +113,14 @@ def refuses(command: int) -> Judge:
 
 
 def silent(_: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verdict | None:
-    """A command to somebody else: any acknowledgement shows that it was obeyed."""
+    """A command to another system: any acknowledgement shows that it was obeyed."""
     if any(_named(received, "COMMAND_ACK")):
         return Verdict("wrong", "obeyed a command whose target_system is another vehicle's")
     return None
 
 
 def streamed(name: str, at_least_hz: float) -> Callable[[CheckedVehicle, Sequence[ReceivedMessage]], Verdict]:
-    """The message has come unasked, since the vehicle was first heard, about as often as is wanted."""
+    """The message has come unasked, since the vehicle was first received, about as often as is wanted."""
 
     def at_end(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> Verdict:
         arrivals_s = vehicle.arrivals_s.get(name, [])

@@ -17,7 +17,7 @@ MAVSDK_LOSES_S = 3.0
 
 
 def _stream_request(vehicle: CheckedVehicle) -> Sequence[Message]:
-    """ArduPilot's peers ask for its streams; nobody asks PX4 for them."""
+    """ArduPilot's peers ask for its streams; PX4 sends them unasked."""
     if vehicle.profile is not ARDUCOPTER:
         return []
     return to_vehicle("REQUEST_DATA_STREAM", req_stream_id=0, req_message_rate=4, start_stop=1)(vehicle)

@@ -68,7 +68,8 @@ def check(
     *,
     find_within_s: float = FIND_WITHIN_S,
 ) -> None:
-    """Have the whole dialogue; `on_finding` hears of each finding as it is made. Raises CheckError where nobody is there."""
+    """Have the whole dialogue; `on_finding` is called with each finding. Raises CheckError where no vehicle is
+    there."""
     begun_s = time.monotonic()
     count = 0
     while not dialogue.done:

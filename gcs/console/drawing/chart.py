@@ -10,7 +10,7 @@ from gcs.console.text import Glyphs, StyledLines, left, number, right
 AXIS = 5
 LABEL = 9
 GAP_S = 2.0
-"""Samples farther apart are not joined: nobody competed between them."""
+"""Samples farther apart are not joined: there was no competition between them."""
 CURVES = ("curve1", "curve2", "curve3", "curve4", "curve5", "curve6")
 
 

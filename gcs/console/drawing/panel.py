@@ -21,7 +21,7 @@ Pointed = Callable[[int, int, int], object]
 class Panel(Widget):
     """Shows what `paint(width, height)` returns, on the style `ground`.
 
-    `pointed(column, row, turn)` hears clicks (0) and the wheel (±1).
+    `pointed(column, row, turn)` is called for clicks (0) and the wheel (±1).
     """
 
     def __init__(
@@ -69,15 +69,15 @@ class Panel(Widget):
         self.redraw()
 
     def on_click(self, event: events.Click) -> None:
-        """Tell who listens."""
+        """Notify the listener."""
         self._point(event, 0)
 
     def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
-        """Tell who listens."""
+        """Notify the listener."""
         self._point(event, -1)
 
     def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
-        """Tell who listens."""
+        """Notify the listener."""
         self._point(event, 1)
 
     def _point(self, event: Any, turn: int) -> None:

@@ -12,11 +12,11 @@ from gcs.session.plain_text import clean
 MOST_CURVES = len(CURVES)
 SPAN_S = 60.0
 BRIEF = 60
-"""Cells below which a service that has ended is told by numbers alone."""
+"""Cells below which a service that has ended is shown by numbers alone."""
 
 
 def verdict(watch: SessionModel) -> StyledLine:
-    """Who leads by how much, in one line."""
+    """The leader and its share, in one line."""
     competition = watch.competition
     if not competition.get("v"):
         return [("nobody competes at present", "dim")]
@@ -117,7 +117,8 @@ def _bids(watch: SessionModel, glyphs: Glyphs) -> StyledLines:
 
 
 def _past(watch: SessionModel, *, brief: bool) -> StyledLines:
-    """What was served, the last one first: when it ended, how much, who by whom, and why; `brief`: in 40 cells."""
+    """Services that have ended, the last one first: when it ended, how much, who by whom, and why; `brief`: in 40
+    cells."""
     lines: StyledLines = []
     for service in reversed(watch.snapshot.get("history") or ()):
         when = service.get("end_s")

@@ -17,7 +17,7 @@ class EventsPage:
         self._back = self._matched = 0
 
     def page(self, watch: SessionModel, *, width: int, height: int, glyphs: Glyphs) -> StyledLines:
-        """As many as there is room for, from where it was scrolled to."""
+        """The events that there is room for, from where it was scrolled to."""
         found = events_log.matching(watch, self.filter)
         if self._back:  # who reads what is past is not to lose his place
             self._back += max(0, len(found) - self._matched)
@@ -38,7 +38,7 @@ class EventsPage:
         return [titled("events", width, glyphs, note), *(shown or [NONE])]
 
     def scroll(self, down: int) -> None:
-        """So many events on, or back for a negative number."""
+        """Scroll some events on, or back for a negative number."""
         self._back = max(0, self._back - down)
 
     def change(self, what: str, chosen: int | None) -> None:

@@ -1,4 +1,4 @@
-"""The fleet as a table: as many columns as fit, vehicles in trouble first and always in sight."""
+"""The fleet as a table: as many columns as fit, vehicles with health issues first and always in sight."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def _axis(axis: int) -> Cell:
 
 
 def identity(vehicle: Vehicle, glyphs: Glyphs, width: int) -> StyledLine:
-    """The vehicle's id with the mark of its trouble in front."""
+    """The vehicle's id with the mark of its health in front."""
     level = severity(vehicle)
     mark = (" ", glyphs.look, glyphs.act)[level]
     return [(mark + right(str(vehicle["sysid"]), width - 1), SEVERITY_STYLES[level])]
@@ -80,7 +80,7 @@ def _armed(vehicle: Vehicle, glyphs: Glyphs, width: int) -> StyledLine:
 
 
 def battery_style(share: float) -> str:
-    """How a charge is drawn: calm down to a fifth; whether someone has to act is for the trouble to say."""
+    """Style of a charge: calm down to a fifth; whether to act is said by the health issues."""
     return "look" if share < LOW else "half" if share < HALF else "charge"
 
 
@@ -141,7 +141,7 @@ COLUMNS = (
 
 @dataclass(frozen=True)
 class TableLayout:
-    """Which columns stand in a table of some width, how wide, and what room is left for words of trouble."""
+    """Which columns stand in a table of some width, how wide, and what room is left for health issues."""
 
     columns: tuple[tuple[TableColumn, int], ...]
     gap: int
@@ -193,8 +193,8 @@ def row(vehicle: Vehicle, plan: TableLayout, glyphs: Glyphs, *, chosen: bool) ->
 def window(vehicles: Sequence[Vehicle], room: int, chosen: int | None, top: int) -> tuple[list[Vehicle], int, int]:
     """(the vehicles shown, how many of them are pinned at the top, the new `top`) of an ordered fleet.
 
-    Those in trouble stay in sight, in up to a half of the room, however far the rest is scrolled; `top` is the first
-    of the others that is shown, and moves as little as keeps the chosen one in sight.
+    Those with health issues stay in sight, in up to a half of the room, however far the rest is scrolled; `top` is the
+    first of the others that is shown, and moves as little as keeps the chosen one in sight.
     """
     if len(vehicles) <= room or room <= 0:
         return list(vehicles[: max(room, 0)]), 0, 0

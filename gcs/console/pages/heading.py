@@ -1,4 +1,4 @@
-"""The lines that every page has: session and progress, pages and goal, trouble; and the keys at the bottom."""
+"""The lines that every page has: session and progress, pages and goal, health; and the keys at the bottom."""
 
 from __future__ import annotations
 
@@ -117,7 +117,7 @@ def health_line(watch: SessionModel, width: int, glyphs: Glyphs) -> StyledLine:
 
 
 def keys_line(keys: Sequence[tuple[str, str]], width: int) -> StyledLine:
-    """As many (key, what it does) as fit whole, the first ones first."""
+    """The (key, what it does) that fit whole, the first ones first."""
     line: StyledLine = []
     for key, meaning in keys:
         piece: StyledLine = [(f" {key}", "key"), (f" {meaning} ", "keys")]

@@ -44,7 +44,7 @@ class PlanView:
         self.centre_ne = (n + north * PAN * height * self.m_per_dot, e + east * PAN * width * self.m_per_dot)
 
     def settle(self, watch: SessionModel, canvas: Canvas) -> None:
-        """Take the window that `fit` or `follow` asks for. It moves in steps, so that the picture does not tremble."""
+        """Take the window that `fit` or `follow` asks for. It moves in steps, so that the map does not jitter."""
         if self.fit or self.m_per_dot <= 0.0:
             self._fit(list(_extent(watch)), canvas)
         if self.follow is not None and (vehicle := watch.vehicles.get(self.follow)) and vehicle.get("p_ned"):

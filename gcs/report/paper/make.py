@@ -53,7 +53,7 @@ UNFINISHED = ("lost", "interrupted", "duration")
 
 
 class PaperError(RuntimeError):
-    """What kept the page from being made, as a sentence."""
+    """Reason why the page was not made, as a sentence."""
 
 
 def chosen(only: str | None) -> list[str]:

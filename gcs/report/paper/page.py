@@ -132,5 +132,5 @@ def _table(table: Table) -> str:
 
 
 def counted(judged: Sequence[Judged]) -> Mapping[str, int]:
-    """How many claims came to each verdict."""
+    """Number of claims with each verdict."""
     return {verdict: sum(one.verdict == verdict for one in judged) for verdict in MARKS}

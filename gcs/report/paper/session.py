@@ -1,4 +1,4 @@
-"""A recorded session as arrays: what each vehicle was told, what it flew, what it reported. Paper axes (x, y, z up)."""
+"""A recorded session as arrays: each vehicle's set points, its truth, its telemetry. Paper axes (x, y, z up)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""What needs no flight: fuzzy surface and local minima (Fig. 3), level sets (Fig. 6), the order of the two loops."""
+"""Studies that need no flight: fuzzy surface and local minima (Fig. 3), level sets (Fig. 6), the order of the two
+loops."""
 
 from __future__ import annotations
 
@@ -47,7 +48,7 @@ SPEED_GAIN, ROTATIONAL_DRAG_1_S = 3.0, 0.2 * 0.015 / 1.25  # λ and L Kγ/Iγ
 
 
 def fig3() -> Study:
-    """The fuzzy surface against its rule table; five scenes with and without the fuzzy force."""
+    """The fuzzy surface against its rule table; five layouts with and without the fuzzy force."""
     off = max(
         abs(fuzzy_escape.escape_strength(phi, force) - PEAKS_F[TERMS.index(RULES[i][j])])
         for i, phi in enumerate(PEAKS_PHI)
@@ -125,7 +126,7 @@ def fig6() -> Study:
 
 
 def loops() -> Study:
-    """How fast the attitude's error falls, against the speed's (docs/model.md#control-law)."""
+    """Rate at which the attitude's error falls, against the speed's (docs/model.md#control-law)."""
     roots = np.roots([1.0, RATE_GAIN + ROTATIONAL_DRAG_1_S, ANGLE_GAIN])
     inner = float(-roots.real.max())
     note = f"the attitude's error falls with {inner:.3f} 1/s, the speed's with {SPEED_GAIN:g} 1/s"

@@ -94,7 +94,7 @@ def measure(prefix: str, flights: Sequence[RecordedFlight]) -> dict[str, Measure
 
 
 def table(flights: Sequence[RecordedFlight], obstacles: Floats) -> Table:
-    """What each vehicle's tracking came to."""
+    """Tracking errors of each vehicle."""
     columns = ["vehicle", "start, m", "initial speed, m/s", "planned path, m", "clearance, m", "at the end after, s"]
     columns += ["|v - v_d| along the path, rms, m/s", "after 8 s constant, m/s", "control effort at the end"]
     values = zip(flights, clearances(flights, obstacles), path_errors(flights), speed_errors(flights), strict=True)

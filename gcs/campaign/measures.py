@@ -68,7 +68,7 @@ class Flown:
 
 
 def _lost(flown: Flown) -> float:
-    """Vehicles lost, as the session's goal counts them: dead, run dry, landed by a failsafe without an order, never in the air."""
+    """Vehicles lost as the goal counts them: dead, run dry, landed by a failsafe without an order, never in the air."""
     judged = next(part for part in flown.summary["goal"] if part["part"] == "lost")
     return float(judged["value"] or 0.0)
 

@@ -98,7 +98,7 @@ def vehicle_row(
         v=v,
         tau=tau,
         state=str(state),
-        trouble=[trouble.text for trouble in found],
+        trouble=[issue.text for issue in found],
         severity=severity(found),
         note=note,
     )

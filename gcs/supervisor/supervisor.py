@@ -188,8 +188,8 @@ class Supervisor:
             watch.find(sysid)
         self._reported_lost = set(self.externals.lost)
         broken, events = watch.update(snapshot, self._partners)
-        lost, told = watch.new_losses(now_s)
-        self.events += events + told
+        lost, of_losses = watch.new_losses(now_s)
+        self.events += events + of_losses
         return broken + lost
 
     def stop(self) -> None:
@@ -231,9 +231,9 @@ class Supervisor:
         for key, frames in answers:
             received = frames
             if not self._radio.clear:
-                told = [frame for frame in frames if frame.msgid != _SYSTEM_TIME]
+                impaired = [frame for frame in frames if frame.msgid != _SYSTEM_TIME]
                 grants = [frame for frame in frames if frame.msgid == _SYSTEM_TIME]
-                received = [*self._radio.apply(key[0], "in", now_s, told), *grants]
+                received = [*self._radio.apply(key[0], "in", now_s, impaired), *grants]
             for frame in received:
                 self._gaps.feed(frame.sysid, frame.compid, frame.seq)
                 self.fleet.ingest(frame, now_s)

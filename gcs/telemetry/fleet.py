@@ -174,7 +174,7 @@ class Fleet:
 
     def pop_statustexts(self, now_s: float) -> list[tuple[int, int, str]]:
         """(system id, severity, text) of each STATUSTEXT since the last call."""
-        late = [(sysid, *told) for sysid, track in self._tracks.items() for told in track.texts.overdue(now_s)]
+        late = [(sysid, *text) for sysid, track in self._tracks.items() for text in track.texts.overdue(now_s)]
         taken, self.statustexts = self.statustexts + late, []
         return sorted(taken, key=itemgetter(0))
 
@@ -275,7 +275,7 @@ class Fleet:
         track.battery.parameter(content.param_id, track.profile.parameter(content.param_value, content.param_type))
 
     def _statustext(self, track: _Track, content: Any, time_s: float) -> None:
-        self.statustexts += [(track.member.sysid, *told) for told in track.texts.add(content, time_s)]
+        self.statustexts += [(track.member.sysid, *text) for text in track.texts.add(content, time_s)]
 
     def _ack(self, track: _Track, content: Any, time_s: float) -> None:
         self.acks.append((track.member.sysid, content))

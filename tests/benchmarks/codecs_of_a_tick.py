@@ -84,7 +84,7 @@ class Flown:
             peer.held = 0
             link._awaited.add(key)
             link._receive(datagram, ("127.0.0.1", PORT + key[0]))
-        heard, _ = self.supervisor._hear(self._collected(), 0.1 * self._tick)
+        heard, _ = self.supervisor._receive(self._collected(), 0.1 * self._tick)
         assert len(heard) == 7 * VEHICLES
         self.supervisor.fleet.snapshot(0.1 * self._tick)
 

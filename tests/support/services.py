@@ -19,7 +19,7 @@ ORDER, INTERVAL, FOLLOW_TARGET = 31010, 511, 144
 def view(sysid: int, role: str, at: tuple[float, float, float], remaining_j: float, capacity_j: float) -> VehicleView:
     return VehicleView(
         sysid=sysid, role=role, label=f"{role} {sysid}", alive=True, profile=PX4, mode=FlightMode.OFFBOARD, armed=True,
-        landed=False, heard_s=0.0, p_ned=at, v_ned=(0.0, 0.0, 0.0), age_s=0.0, heading_rad=0.0,
+        landed=False, last_received_s=0.0, p_ned=at, v_ned=(0.0, 0.0, 0.0), age_s=0.0, heading_rad=0.0,
         origin_offset_ned=(0.0, 0.0, 0.0), ground_amsl_m=0.0, capacity_j=capacity_j, initial_j=remaining_j,
         battery_reported=True, drawn_j=0.0, received_j=0, given_j=0, given_reported_s=0.0, power_w=0.0,
         energy_source="energy_consumed", control_effort=0.0,

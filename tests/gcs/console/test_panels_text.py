@@ -14,7 +14,7 @@ from typing import Any
 
 import pytest
 
-from gcs.session.client import Client, StyledLines
+from gcs.session.client import Client, Lines
 from gcs.session.plain_text import EventLines, JsonView, PlainView, farewell, progress
 from gcs.session.supervised import PATIENCE_S, SAVES_WITHIN_S, Supervised
 
@@ -236,7 +236,7 @@ def test_the_farewell_names_who_was_lost_also_where_the_supervisor_could_not_say
 def test_lines_arrive_whole_however_they_are_cut() -> None:
     content = b'{"a": 1}\nnot json\n[1]\n{"b": "\xc3\xa9"}\n{"unfinished'
     for size in range(1, len(content) + 1):
-        lines = StyledLines()
+        lines = Lines()
         got = [m for i in range(0, len(content), size) for m in lines.feed(content[i : i + size])]
         assert got == [{"a": 1}, {"b": "é"}]
 

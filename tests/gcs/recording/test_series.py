@@ -219,11 +219,11 @@ def test_pursuit_is_held_from_the_first_to_the_last_tick_in_a_row_by_the_worst(h
     assert at_once.held_s == {1: longest_s(0, len(holds)), 2: longest_s(1, len(holds))}
 
 
-def course_of(folder: Path, flown: Scenario) -> pursuit_held.Course | None:
+def course_of(folder: Path, flown: Scenario) -> pursuit_held.HeldTimes | None:
     reader = pursuit_held.HeldTimesReader(flown, [])
     for chunk in tlog.read(folder / "session.tlog").chunks():
         reader.add(chunk)
-    return reader.course()
+    return reader.held_times()
 
 
 def test_pursuit_is_held_from_the_first_tick_on_by_who_circles_within_the_goals_distance(recorded: Recorded) -> None:

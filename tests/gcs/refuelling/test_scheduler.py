@@ -86,8 +86,8 @@ def test_no_start_before_the_givers_counter_is_known() -> None:
     original = game.fleet.set
 
     def deaf(sysid: int, **changed: Any) -> None:
-        if changed.keys() == {"given_told_s"}:
-            changed = {"given_told_s": 0.0}
+        if changed.keys() == {"given_reported_s"}:
+            changed = {"given_reported_s": 0.0}
         original(sysid, **changed)
 
     game.fleet.set = deaf  # type: ignore[method-assign]

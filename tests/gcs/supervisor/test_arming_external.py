@@ -9,7 +9,7 @@ from pymavlink.dialects.v20 import ardupilotmega as mav
 from gcs.mavlink.autopilots import ARDUCOPTER, PX4, FlightMode, Profile
 from gcs.scenario.external import External
 from gcs.supervisor.arming import Stage
-from gcs.supervisor.arming_external import BLAMED_S, FAR_M, LATE_S, PARAMETER_TRIES, QUIET_S, ExternalArmingSequence
+from gcs.supervisor.arming_external import BLAMED_S, FAR_M, LATE_S, PARAMETER_TRIES, STALE_S, ExternalArmingSequence
 from gcs.telemetry.state import VehicleView
 
 ARM, TAKEOFF, SET_MODE = mav.MAV_CMD_COMPONENT_ARM_DISARM, mav.MAV_CMD_NAV_TAKEOFF, mav.MAV_CMD_DO_SET_MODE
@@ -228,7 +228,7 @@ def test_after_a_hold_because_the_session_stood_still_offboard_is_asked_for_agai
 def test_after_a_hold_because_the_link_was_quiet_offboard_is_asked_for_again() -> None:
     made = flying()
     steered(made, 3.1, 10.0)
-    steered(made, 10.0, 11.0, FLYING._replace(age_s=2 * QUIET_S))
+    steered(made, 10.0, 11.0, FLYING._replace(age_s=2 * STALE_S))
     assert steered(made, 11.0, 12.5, HELD) == [SET_MODE]
 
 

@@ -33,7 +33,7 @@ class Tower:
         frames = codec.split(b"".join(bytes(message.pack(self.sender)) for message in messages)).frames
         for frame in frames:
             self.fleet.ingest(frame, now_s)
-        self.externals.hear({3: frames}, {3: -100.0}, rebooted, self.fleet, now_s)
+        self.externals.receive({3: frames}, {3: -100.0}, rebooted, self.fleet, now_s)
 
     def decide(self, now_s: float) -> dict[str, int]:
         wishes, _ = self.externals.decide(self.fleet.snapshot(now_s))

@@ -86,7 +86,7 @@ class ArduCopter:
         self.due: dict[str, float] = {}
         self.interval: dict[str, float] = {}
         self.parameters_to_tell: list[int] = []
-        self.origin_reported = False
+        self.origin_told = False
         self.heartbeat_s = 0.0
         self.runtime_s = 1.0
         self.reasons: list[tuple[int, str]] = []
@@ -275,8 +275,8 @@ class ArduCopter:
         if now_s >= self.heartbeat_s:
             self.tell("HEARTBEAT")
             self.heartbeat_s += 1.0
-        if self.telemetry.has_origin and not self.origin_reported:
-            self.origin_reported = True
+        if self.telemetry.has_origin and not self.origin_told:
+            self.origin_told = True
             self.say(mav.MAV_SEVERITY_INFO, "EKF3 IMU0 origin set")
             self.tell("GPS_GLOBAL_ORIGIN")
             self.tell("HOME_POSITION")

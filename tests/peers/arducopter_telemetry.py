@@ -60,7 +60,7 @@ class Telemetry:
         )
 
     def _battery_status(self) -> Any:
-        copter, told = self.copter, self.options.battery_reported
+        copter, told = self.copter, self.options.battery_told
         measured = told != "remaining"
         cells = [round(1000.0 * copter.volts), *[65535] * 9] if measured else [65535] * 10
         return mav.MAVLink_battery_status_message(

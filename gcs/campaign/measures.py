@@ -17,7 +17,7 @@ from gcs.scenario import goal
 from gcs.scenario.model import Scenario
 
 REACHED_M = 0.5
-"""How near its last way point a vehicle has to come to be there."""
+"""Distance from its last way point within which a vehicle has arrived."""
 _FIXED = 18
 
 Value = float | str | None
@@ -68,7 +68,7 @@ class Flown:
 
 
 def _lost(flown: Flown) -> float:
-    """As the session's goal counts them: dead, run dry, landed by a failsafe that nobody ordered, never in the air."""
+    """Vehicles lost as the goal counts them: dead, run dry, landed by a failsafe without an order, never in the air."""
     judged = next(part for part in flown.summary["goal"] if part["part"] == "lost")
     return float(judged["value"] or 0.0)
 
@@ -153,7 +153,7 @@ def is_word(name: str) -> bool:
     return field is not None and field.annotation in (str, str | None)
 
 
-def take(name: str, flown: Flown) -> Value:
+def measure(name: str, flown: Flown) -> Value:
     """A measure's value; None where the session has none. Of a list in the summary: by position, or by `part`."""
     if name in SHIPPED:
         return SHIPPED[name][0](flown)

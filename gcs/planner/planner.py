@@ -25,7 +25,7 @@ from gcs.planner.request import PlanRequest
 from gcs.planner.route import Router
 from gcs.scenario import geometry
 from gcs.scenario.model import Scenario, Tanker, Target
-from gcs.telemetry.state import FleetState, Vec3, VehicleView
+from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 
 LOOKAHEAD_S = 0.37
 CATCH_UP_SPEED = 1.3
@@ -45,7 +45,7 @@ NEAR_GOAL_M = 2.0
 OFF_PLAN_M = 1.0
 """A vehicle farther than this from its plan is met where it flies, not where it is planned."""
 GROUND_ROUNDING_M = 0.1
-"""So much a home may differ from height 0 by the wire's rounding alone."""
+"""Difference of a home from height 0 that the wire's rounding alone can cause."""
 STILL: Vec3 = (0.0, 0.0, 0.0)
 
 
@@ -79,7 +79,7 @@ class Planner:
         self._v: dict[int, Vec3] = {}
         self._memory: dict[int, NDArray[np.float64]] = {}
         self._paths = {
-            target.sysid: formation.Path(target.path_m, closed=target.closed, laps=target.laps)
+            target.sysid: formation.ConstantSpeedPath(target.path_m, closed=target.closed, laps=target.laps)
             for target in scenario.vehicles.targets
         }
         self._begin: dict[int, Vec3] = {}
@@ -119,8 +119,8 @@ class Planner:
                 self._move(snapshot, led, wanted, request.partners, period_s)
         return [SetPoint(view.sysid, self._begin[view.sysid], self._v[view.sysid]) for view in views]
 
-    def take_records(self) -> list[dict[str, Any]]:
-        """None: set points tell all."""
+    def pop_records(self) -> list[dict[str, Any]]:
+        """None: set points say all."""
         return []
 
     def _guided(self, views: list[VehicleView], wanted: list[_Wanted]) -> list[_Wanted]:
@@ -148,7 +148,7 @@ class Planner:
 
     def _move(
         self,
-        snapshot: FleetState,
+        snapshot: FleetSnapshot,
         views: list[VehicleView],
         wanted: list[_Wanted],
         partners: Iterable[tuple[int, int]],
@@ -207,7 +207,7 @@ class Planner:
         wants |= {sysid: _Wanted(place, STILL, cruise_m_s) for sysid, place in self._stations.items()}
         return [wants.get(view.sysid, _Wanted(_vec(self._q[view.sysid]), STILL, cruise_m_s)) for view in views]
 
-    def _station(self, tanker: Tanker, snapshot: FleetState, receiver: int | None) -> _Wanted:
+    def _station(self, tanker: Tanker, snapshot: FleetSnapshot, receiver: int | None) -> _Wanted:
         """Above its receiver, or where it waits."""
         if receiver is None:
             n, e, d = tanker.start_m
@@ -239,10 +239,10 @@ class Planner:
             return _Wanted(here, STILL, 0.0)
         return _Wanted(course[0], STILL, self._scenario.planner.cruise_m_s)
 
-    def _formation(self, snapshot: FleetState) -> dict[int, _Wanted]:
+    def _formation(self, snapshot: FleetSnapshot) -> dict[int, _Wanted]:
         """Each pursuer's slot around its target, assigned anew when the set of pursuers in the air changes.
 
-        A target that is dead, silent, or not steered (it may be landing) leads nobody: its pursuers hold.
+        A target that is dead, silent, or not steered (it may be landing) leads no one: its pursuers hold.
         """
         rules = self._scenario.formation
         wants = {}
@@ -276,7 +276,7 @@ class Planner:
         return flown, view.v_ned
 
     def _attractors(
-        self, snapshot: FleetState, views: list[VehicleView]
+        self, snapshot: FleetSnapshot, views: list[VehicleView]
     ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.bool_]]:
         """Places and ranges of what draws pursuers beside their goals, and whom each one draws."""
         default_m = self._scenario.planner.attraction_range_m
@@ -289,7 +289,7 @@ class Planner:
         return table[:, :3], table[:, 3], np.repeat(pursuers[:, np.newaxis], len(table), axis=1)
 
     def _movers(
-        self, snapshot: FleetState, views: list[VehicleView], others: list[VehicleView]
+        self, snapshot: FleetSnapshot, views: list[VehicleView], others: list[VehicleView]
     ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], NDArray[np.int64]]:
         """Places, radii, ranges and owners of everything that moves and repels: vehicles in the air, then traffic.
 
@@ -320,12 +320,13 @@ class Planner:
 
     def _exempt(
         self,
-        snapshot: FleetState,
+        snapshot: FleetSnapshot,
         views: list[VehicleView],
         others: list[VehicleView],
         partners: Iterable[tuple[int, int]],
     ) -> NDArray[np.bool_]:
-        """Whom each leader need not keep away from: partners of a transfer; whom it pursues; what attracts it."""
+        """Vehicles that each leader need not keep away from: partners of a transfer; whom it pursues; what attracts
+        it."""
         exempt = np.zeros((len(views), len(others) + len(snapshot.traffic)), dtype=bool)
         of_view, of_other = np.array([view.role for view in views]), np.array([other.role for other in others])
         flying = exempt[:, : len(others)]

@@ -298,3 +298,27 @@ def test_a_search_is_the_same_with_one_worker_and_with_two_and_its_worst_shrinks
     assert "still fails: 1 pursuers, 1 obstacles" in done.stdout
     tiny = yaml.safe_load((tmp_path / "tiny.yaml").read_text(encoding="utf-8"))
     assert (len(tiny["vehicles"]["pursuers"]), len(tiny["obstacles"])) == (1, 1)
+
+
+def test_ten_vehicles_and_twenty_obstacles_shrink_to_the_two_that_meet(tmp_path: Path) -> None:
+    """1 and 2 fly head on without the filter; everybody and everything else is far away."""
+    others = [(i, 8.0 + 4.0 * i) for i in range(3, 11)]
+    ways = [(1, [-6.0, 0.0, -5.0], [6.0, 0.0, -5.0]), (2, [6.0, 0.05, -5.0], [-6.0, 0.05, -5.0])]
+    ways += [(i, [-6.0, east, -5.0], [6.0, east, -5.0]) for i, east in others]
+    scenario = {
+        "schema": 1, "name": "ten", "axes": "ned", "clock": {"mode": "lockstep"},
+        "origin": {"lat_deg": 47.0, "lon_deg": 8.0, "alt_m": 400.0}, "goal": {"duration_s": 5.0, "waypoints": "none"},
+        "vehicles": {
+            "defaults": {"battery": {"capacity_j": 60000}, "airborne": True},
+            "pursuers": [{"sysid": i, "start_m": start, "waypoints_m": [end]} for i, start, end in ways],
+        },
+        "obstacles": [{"sphere_m": [float(k), -10.0 - k, -5.0], "radius_m": 0.5} for k in range(20)],
+        "planner": {"cruise_m_s": 3.0, "safety": False},
+    }  # fmt: skip
+    (tmp_path / "ten.yaml").write_text(yaml.safe_dump(scenario), encoding="utf-8")
+    command = ["campaign", "shrink", "ten.yaml", "--expect", "min_separation_m>=0.6", "--out", "small.yaml"]
+    done = subprocess.run([*GCS, *command], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    small = yaml.safe_load((tmp_path / "small.yaml").read_text(encoding="utf-8"))
+    assert {pursuer["sysid"] for pursuer in small["vehicles"]["pursuers"]} == {1, 2}
+    assert small["obstacles"] == []

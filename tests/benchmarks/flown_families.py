@@ -1,4 +1,4 @@
-"""Scenario families under three planners, for the comparison in docs/safety.md."""
+"""Scenario families under three planners, for the comparison in docs/campaigns/safety.md."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Table of docs/safety.md: the scenario families flown by Skytender, by its field alone and by A* with ORCA.
+"""Table of docs/campaigns/safety.md: the scenario families flown by Skytender, by its field alone and by A* with ORCA.
 
     python safety_table.py --out ../../campaigns/safety-1 [--seed 1] [--sessions 77] [--beside 20]
 

@@ -83,7 +83,7 @@ def fly(
     look: Callable[[int], bool] = lambda _: True,
     on_start: Callable[[str], None] = lambda _: None,
 ) -> bool:
-    """Fly rows, each handed to `.keep` as it comes, in any order; False where `look` stopped it.
+    """Fly rows, each handed to `keep` as it comes, in any order; False where `look` stopped it.
 
     None among the rows means that those to follow depend on what is still in the air.
     `on_start` gets the address of Dask's dashboard. `look` gets the number of workers several times a second, and says

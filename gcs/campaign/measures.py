@@ -55,15 +55,16 @@ class Flown:
 
     @functools.cached_property
     def arrivals_s(self) -> list[float]:
-        """When each pursuer with way points first came to its last one; inf where it never did."""
+        """When each pursuer with way points first came to its last one, after which it stayed; inf where it did not."""
         found = []
         for pursuer in self.scenario.vehicles.pursuers:
             if not pursuer.waypoints_m:
                 continue
             rows = self.truth(pursuer.sysid)
             away_m = np.linalg.norm(rows[:, 1:] - np.array(pursuer.waypoints_m[-1]), axis=1)
-            there = np.flatnonzero(away_m <= REACHED_M)
-            found.append(float(rows[there[0], 0]) if len(there) else math.inf)
+            outside = np.flatnonzero(away_m > REACHED_M)
+            last = int(outside[-1]) + 1 if len(outside) else 0
+            found.append(float(rows[last, 0]) if last < len(rows) else math.inf)
         return found
 
 
@@ -120,8 +121,11 @@ SHIPPED: dict[str, tuple[Callable[[Flown], Value], str]] = {
     "delivered_j": (lambda f: float(sum(s["energy_j"] for s in f.summary["refuelling"])), "energy delivered, J"),
     "refuelled": (lambda f: float(len(_served(f))), "services that delivered energy"),
     "wait_s": (_waited, "mean time from a decision to its transfer, s"),
-    "time_to_goal_s": (_arrival, "when the last arriving pursuer came to its last way point, s"),
-    "stuck": (lambda f: float(sum(math.isinf(t) for t in f.arrivals_s)), "pursuers that never came to theirs"),
+    "time_to_goal_s": (_arrival, "when the last arriving pursuer came to its last way point and stayed, s"),
+    "stuck": (
+        lambda f: float(sum(math.isinf(t) for t in f.arrivals_s)),
+        "pursuers that did not come to theirs, or not to stay",
+    ),
     "path_length_m": (_of_vehicles("path_length_m", sum), "sum of all vehicles' ways, m"),
     "control_effort": (_of_vehicles("control_effort", sum), "sum of all vehicles' control efforts"),
     "max_tracking_error_m": (_of_vehicles("max_tracking_error_m", max), "greatest distance from a planned path, m"),

@@ -158,8 +158,9 @@ class CostField:
 
     def path(self, grid: Cells, start: int, most: int = ALL_CELLS) -> IntArray | None:
         """Cells from `start` to the goal; it must be in the same part. None: the search was paused after `most`."""
-        paused = self.paused == start
-        self.open_cells, seen, settled, found = _settle(grid, self.cost, self.open_cells, start, most, paused)
+        if self.cost[start] > 0 and self.paused != start:
+            return _descend(grid, self.cost, start, self.goal)
+        self.open_cells, seen, settled, found = _settle(grid, self.cost, self.open_cells, start, most)
         self.seen.append(seen)
         self.settled += settled
         self.paused = -1 if found else start
@@ -247,18 +248,15 @@ def _moves(stride_n: int, stride_e: int) -> tuple[IntArray, IntArray]:
 
 @njit(cache=True)
 def _settle(
-    grid: Cells, cost: Costs, open_cells: IntArray, start: int, most: int, paused: bool
+    grid: Cells, cost: Costs, open_cells: IntArray, start: int, most: int
 ) -> tuple[IntArray, IntArray, int, bool]:
     """Kernel: settle every cell that can lie on a cheapest path from `start`, or `most` of them.
 
-    `paused`: the last call was for the same start and did not settle all.
     Returns the cells that stay open, those that were not seen before, how many were settled, and whether that was all.
     """
     settled = 0
     limit = np.int64(1) << 62
     if cost[start] > 0:
-        if not paused:
-            return open_cells, np.empty(0, dtype=np.int64), settled, True
         limit = np.int64(cost[start])
     seen = np.empty(4096, dtype=np.int64)
     new_cells = 0

@@ -132,7 +132,7 @@ class ArmingSequence:
         return commands, requests
 
     def _wait_s(self, view: VehicleView) -> float:
-        """Move from one stage to the next."""
+        """Time from one command to the next."""
         charged = view.remaining_j - self._refused_j >= CHARGED_SHARE * view.capacity_j
         if self._arming_tries == 0 or charged:
             return RETRY_S

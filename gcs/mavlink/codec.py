@@ -23,6 +23,9 @@ HEADER_BYTES = 10
 CRC_BYTES = 2
 SIGNED = 0x01
 SIGNATURE_BYTES = 13
+LARGEST_FRAME = HEADER_BYTES + 255 + CRC_BYTES + SIGNATURE_BYTES
+MOST_TRIES = 64
+"""Places in a datagram that may look like a frame's beginning and be none, before the rest of it is passed over."""
 
 # Marker, payload length, incompatibility flags, compatibility flags, seq, sysid, compid, id (low 16 bits, high 8).
 _HEADER = "<BBBBBBBHB"
@@ -181,10 +184,11 @@ def split(datagram: bytes) -> Split:
     A frame counts when its checksum is right. An unknown id's checksum has an unknown seed, so such a frame must fit
     twice over: some seed must explain its checksum, and it must lie without a gap between other frames or the
     datagram's ends. Signed frames are taken, their signature unchecked; any other incompatibility flag, and MAVLink 1,
-    is malformed.
+    is malformed. Size, marker and flags are looked at before a checksum is taken, and no more than MOST_TRIES places
+    that are no frame are tried: what a stranger can make this cost is bounded.
     """
     frames: list[Frame] = []
-    malformed = unknown = 0
+    malformed = unknown = tries = 0
     size = len(datagram)
     at = frame_end = 0  # where to look next; where the last frame ended
     while at + _SMALLEST_FRAME <= size:
@@ -192,11 +196,12 @@ def split(datagram: bytes) -> Split:
         end = at + _SMALLEST_FRAME + length
         if end <= size:
             marker, flags, seq, sysid, compid, id_bytes, crc = _READ_FRAME[length](datagram, at)
-            msgid, seed = _SEEDS.get(id_bytes, _UNKNOWN)
-            body_crc = mcrf4xx(datagram[at + 1 : end - CRC_BYTES] + seed)
+            body_end = end - CRC_BYTES
             if flags & 0xFF:
                 end = end + SIGNATURE_BYTES if flags & 0xFF == SIGNED else size + 1
             if marker == MARKER and end <= size:
+                msgid, seed = _SEEDS.get(id_bytes, _UNKNOWN)
+                body_crc = mcrf4xx(datagram[at + 1 : body_end] + seed)
                 if msgid is not None:
                     valid = body_crc == crc
                 else:
@@ -209,7 +214,8 @@ def split(datagram: bytes) -> Split:
                     frames.append(_new(Frame, (sysid, compid, seq, msgid, datagram[at:end])))
                     at = frame_end = end
                     continue
-        at = datagram.find(_MARKER_BYTE, at + 1)
+        tries += 1
+        at = datagram.find(_MARKER_BYTE, at + 1) if tries < MOST_TRIES else -1
         if at < 0:
             break
     return _new(Split, (frames, malformed + (frame_end != size), unknown))

@@ -302,6 +302,7 @@ def traffic(file: Path, supervised: str) -> None:
     from simvehicle.mavlink.connection import Connection
     from simvehicle.sitl.link import AddressError, SupervisedLink, parse_supervisor
     from simvehicle.sitl.loop import Seat, run_supervised
+    from simvehicle.sitl.secret import from_hatch
     from simvehicle.sitl.traffic import COMPID, SYSID, Traffic, TrafficError, load
 
     try:
@@ -312,7 +313,7 @@ def traffic(file: Path, supervised: str) -> None:
     except (AddressError, TrafficError) as error:
         raise click.UsageError(str(error)) from error
     with link:
-        run_supervised([Seat(Traffic(frame, movers, [connection]), link, [])])
+        run_supervised([Seat(Traffic(frame, movers, [connection]), link, [])], from_hatch())
 
 
 @cli.command(short_help="Draw the paper's vehicle-only figures.")

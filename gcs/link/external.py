@@ -1,8 +1,9 @@
 """The link to vehicles that somebody else has started: plain MAVLink over UDP, one frame per datagram.
 
 A vehicle is known by its system id and component 1, and by the address of its first HEARTBEAT; whoever says the same
-from elsewhere is refused and reported. Several vehicles may speak to one port, each from its own address or all
-through one router. What has come by the tick is delivered at the tick.
+from elsewhere is refused and reported. Two who say the same before the session begins are `rivals`: nobody can know
+which is the vehicle. One that was silent for a while may go on from another address. Several vehicles may speak to one
+port, each from its own address or all through one router. What has come by the tick is delivered at the tick.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from dataclasses import dataclass, field
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.link.link import Key
-from gcs.link.socket import RECEIVE_BYTES, AddressRefused, Where, kernel_drops, open_udp
+from gcs.link.socket import MOST_AT_ONCE, RECEIVE_BYTES, AddressRefused, Where, kernel_drops, open_udp
 from gcs.mavlink import codec
 from gcs.mavlink.boot_clock import BootClock
 from gcs.mavlink.codec import Frame, Message
@@ -30,6 +31,13 @@ ANNOUNCE_EVERY_S = 1.0
 REPEAT_AFTER_S = 0.2
 """A session that stands still for longer goes on sending its last set points: autopilots leave offboard without."""
 MOST_STRANGERS = 32
+STRANGERS_READ = 256
+"""Datagrams of those who are no vehicle of the session that are looked into before anything else has its turn."""
+STRANGER_BYTES = 512
+CLAIM_S = 1.5
+"""So long after a vehicle's first HEARTBEAT somebody else may say that it is the one: it comes once a second."""
+MOVED_AFTER_S = 10.0
+"""A vehicle that has been silent for so long may be heard from another address."""
 MAVLINK_1 = b"\xfe"
 _HEARTBEAT = codec.msgid("HEARTBEAT")
 _CLOCKS = frozenset({codec.msgid("LOCAL_POSITION_NED"), codec.msgid("ATTITUDE")})
@@ -65,6 +73,8 @@ class _Peer:
     key: Key
     door: _Door
     address: Where | None = None
+    found_s: float = 0.0
+    heard_s: float = 0.0
     clock: BootClock = field(default_factory=BootClock)
     frames: list[Frame] = field(default_factory=list)
     set_point: Message | None = None
@@ -83,6 +93,9 @@ class ExternalLink:
         self._announced_s = self._sent_s = -ANNOUNCE_EVERY_S
         self.refused: dict[Key, tuple[str, int]] = {}
         """who spoke with an id that another address has already, and from where; the first of each"""
+        self.rivals: dict[Key, tuple[Where, Where]] = {}
+        """who was claimed from two addresses before the session began"""
+        self._moved: dict[Key, Where] = {}
         self.malformed = 0
         self._rebooted: set[int] = set()
         for sysid, external in expected.items():
@@ -105,6 +118,19 @@ class ExternalLink:
     def missing(self) -> set[Key]:
         """Vehicles that have not been heard yet."""
         return {peer.key for peer in self._peers.values() if peer.address is None}
+
+    @property
+    def settled(self) -> bool:
+        """Whether everyone is there, and has been for so long that a rival would have spoken."""
+        now_s = time.monotonic()
+        return not self.missing and all(
+            peer.door.remote is not None or now_s - peer.found_s >= CLAIM_S for peer in self._peers.values()
+        )
+
+    def take_moved(self) -> dict[Key, Where]:
+        """Who has been heard from another address, after a silence, since the last call."""
+        taken, self._moved = self._moved, {}
+        return taken
 
     @property
     def buffer_bytes(self) -> int:
@@ -183,37 +209,62 @@ class ExternalLink:
 
     def _drain(self) -> None:
         for door in self._doors.values():
-            while True:
+            strangers = 0
+            for _ in range(MOST_AT_ONCE):
                 try:
                     datagram, address = door.socket.recvfrom(RECEIVE_BYTES)
                 except BlockingIOError:
                     break
                 except OSError:  # a udpout whose other end is not there: told once for each datagram sent
                     continue
-                self._take(door, datagram, address)
+                if address in door.speakers:
+                    frames, malformed, _ = codec.split(datagram)
+                    self.malformed += malformed
+                    self._take(door, frames, address)
+                elif strangers < STRANGERS_READ:
+                    strangers += 1
+                    self._look_into(door, datagram, address)
 
-    def _take(self, door: _Door, datagram: bytes, address: Where) -> None:
-        frames, malformed, _ = codec.split(datagram)
-        if address in door.speakers:
-            self.malformed += malformed
-        elif datagram[:1] == MAVLINK_1 and len(door.strangers) < MOST_STRANGERS:
-            door.strangers.add(address)
+    def _look_into(self, door: _Door, datagram: bytes, address: Where) -> None:
+        """A datagram of somebody who is no vehicle yet: no more of it is read than STRANGER_BYTES."""
+        if datagram[:1] == MAVLINK_1:
+            if len(door.strangers) < MOST_STRANGERS:
+                door.strangers.add(address)
+        else:
+            self._take(door, codec.split(datagram[:STRANGER_BYTES]).frames, address)
+
+    def _take(self, door: _Door, frames: Sequence[Frame], address: Where) -> None:
+        now_s = time.monotonic()
         for frame in frames:
             peer = self._peers.get(frame.sysid)
             if peer is None:
                 continue
-            if peer.address is None and peer.door is door and _is_autopilot(frame):
-                peer.address = address
-                door.speakers.add(address)
+            if peer.address != address and peer.door is door and _is_autopilot(frame):
+                self._claim(peer, address, now_s)
             if peer.address != address or peer.door is not door:
                 if peer.address is not None and frame.compid == AUTOPILOT:
                     self.refused.setdefault(peer.key, (str(address[0]), int(address[1])))
                 continue
+            peer.heard_s = now_s
             if self._kept:
                 peer.frames.append(frame)
                 if frame.msgid in _CLOCKS and frame.compid == AUTOPILOT:
                     rebooted = peer.clock.feed(codec.fields(frame).time_boot_ms / 1e3, self._now_s())
                     self._rebooted |= {frame.sysid} if rebooted else set()
+
+    def _claim(self, peer: _Peer, address: Where, now_s: float) -> None:
+        """Somebody says that it is this vehicle, from an address from which nobody did."""
+        if peer.address is None:
+            peer.found_s = now_s
+        elif not self._kept:
+            self.rivals.setdefault(peer.key, (peer.address, address))
+            return
+        elif now_s - peer.heard_s < MOVED_AFTER_S:
+            return
+        else:
+            self._moved[peer.key] = address
+        peer.address, peer.heard_s = address, now_s
+        peer.door.speakers.add(address)
 
 
 def _is_autopilot(frame: Frame) -> bool:

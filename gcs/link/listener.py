@@ -6,7 +6,7 @@ import contextlib
 import socket
 from collections.abc import Iterator
 
-from gcs.link.socket import RECEIVE_BYTES, AddressRefused, Where, open_udp, resolve
+from gcs.link.socket import MOST_AT_ONCE, RECEIVE_BYTES, AddressRefused, Where, open_udp, resolve
 from gcs.mavlink import codec, v1
 from gcs.mavlink.codec import Frame
 from gcs.scenario.endpoint import Endpoint
@@ -34,8 +34,10 @@ class Air:
         return self._socket.fileno()
 
     def receive(self) -> Iterator[tuple[list[Frame], Where]]:
-        """What has come, with who sent it; never waits."""
-        while self.open:
+        """What has come, with who sent it, up to a bounded number of datagrams; never waits."""
+        for _ in range(MOST_AT_ONCE):
+            if not self.open:
+                return
             try:
                 data, peer = self._socket.recvfrom(RECEIVE_BYTES)
             except OSError as error:
@@ -74,7 +76,7 @@ class Air:
         if frames:
             last = frames[-1].raw
             self._pending = self._pending[self._pending.rindex(last) + len(last) :]
-        self._pending = self._pending[-RECEIVE_BYTES:]
+        self._pending = self._pending[-codec.LARGEST_FRAME :]  # what is earlier belongs to no frame that is to come
         return frames
 
 

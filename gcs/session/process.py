@@ -76,15 +76,16 @@ class SessionProcess:
         self._folder = folder
         self._scenario = scenario
         external = scenario.vehicles.external
+        self._strangers: ExternalLink | None = None
         clock = scenario.clock
         speed = None if clock.mode == "lockstep" else clock.speed
         self._pace = Pace(speed, time.monotonic, keeps_up=bool(external))
         self._fleet_link = LockstepLink(drop=drop, seed=scenario.seed)
         self._link: Link = self._fleet_link
         if external:
-            strangers = ExternalLink(external, lambda: self._pace.running_wall_s)
-            self._link = MixedLink(self._fleet_link, strangers)
-        self._sleep = strangers.rest if external else time.sleep
+            self._strangers = ExternalLink(external, lambda: self._pace.running_wall_s)
+            self._link = MixedLink(self._fleet_link, self._strangers)
+        self._sleep = time.sleep if self._strangers is None else self._strangers.rest
         self._recorder = Recorder(folder)
         self._reserve = Reserve(folder, len(scenario.vehicles.all))
         self._publisher = Publisher(folder, session_message(scenario, str(folder.resolve())))
@@ -192,11 +193,11 @@ class SessionProcess:
         self._blocks = {order.sysid: order.sysids for order in orders}
         self._fleet_link.expect(keys)
         if self._hatch is not None:
-            self._hatch.start(orders)
+            self._hatch.start(orders, self._fleet_link.secret)
         rehearse(self._scenario)  # while the vehicles come up
         arrivals, began_s = Arrivals(self._labels, self._scenario.vehicles.external), time.monotonic()
         missing: set[int] | None = None
-        while missing is None or missing:
+        while missing is None or missing or not (self._strangers is None or self._strangers.settled):
             missing = {sysid for sysid, _ in self._link.listen(WATCH_EVERY_S)}
             waited_s = time.monotonic() - began_s
             for sysid, text in arrivals.look(missing, waited_s):
@@ -204,6 +205,22 @@ class SessionProcess:
             self._watch()
             if (why := arrivals.too_late(missing, waited_s)) is not None:
                 raise SessionFailed(why)
+            for (sysid, _), (host, port) in self._fleet_link.rivals.items():
+                name = self._labels.get(sysid, f"vehicle {sysid}")
+                raise SessionFailed(
+                    f"two of the session's own processes say that they are {name}, one from {host}:{port}"
+                )
+            if self._strangers is not None:
+                self._refuse_rivals(self._strangers)
+
+    def _refuse_rivals(self, strangers: ExternalLink) -> None:
+        """Nothing flies while two say that they are one vehicle: the wrong one would be believed."""
+        for (sysid, _), (one, other) in strangers.rivals.items():
+            at = self._scenario.vehicles.external[sysid].connect
+            raise SessionFailed(
+                f"two say that they are {self._labels[sysid]} at {at}, {one[0]}:{one[1]} and {other[0]}:{other[1]}: "
+                "end the one that is not, or let the vehicle sign (signing.key_file)"
+            )
 
     # fly
 
@@ -211,6 +228,7 @@ class SessionProcess:
         supervisor, pace = self._supervisor, self._pace
         self._phase = "flying"
         self._begun = True
+        self._answered_s = self._said_waiting_s = time.monotonic()
         gc.freeze()  # what lives now lives to the end: no collection need look at it again
         pace.start()
         self._link.begin()
@@ -279,6 +297,9 @@ class SessionProcess:
             self._event(
                 key[0], "warning", f"Another vehicle says that it is {key[0]}, from {host}:{port}: ignored", "link"
             )
+        moved = self._strangers.take_moved() if self._strangers is not None else {}
+        for (sysid, _), address in moved.items():
+            self._event(sysid, "warning", f"Heard from {address[0]}:{address[1]} now, after a silence", "link")
         if now_s - self._published_s >= PUBLISH_EVERY_S:
             self._published_s = now_s
             self._publisher.publish(self._next_picture())

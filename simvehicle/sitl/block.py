@@ -18,6 +18,7 @@ from simvehicle.mavlink.dispatcher import Services
 from simvehicle.mavlink.telemetry import UNPROMPTED
 from simvehicle.sitl.link import Address, PlainLink, SupervisedLink, parse_address, parse_supervisor
 from simvehicle.sitl.loop import Seat, run_free, run_supervised
+from simvehicle.sitl.secret import from_hatch
 from simvehicle.sitl.truth import TruthWriter
 from simvehicle.sitl.unit import VehicleUnit
 
@@ -51,7 +52,7 @@ def fly(
             for link in plain:
                 print(f"vehicle {one.sysid}: {link.address} (local port {link.port})", flush=True)
         if supervisor is not None:
-            run_supervised(seats)
+            run_supervised(seats, from_hatch())
         else:
             run_free(seats)
 

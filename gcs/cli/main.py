@@ -198,7 +198,7 @@ def run(
     if junit is not None and not junit.parent.is_dir():
         raise click.UsageError(f"--junit: there is no folder {junit.parent}.")
     from gcs.report.junit import flown, refused
-    from gcs.scenario.plugins import named
+    from gcs.scenario.plugins import named, told
     from gcs.session.plain_text import mute_stdout
     from gcs.session.session_log import logged
     from gcs.session.supervised import make_folder
@@ -217,6 +217,9 @@ def run(
     folder = make_folder(out, resolved)
     if seed is not None and not quiet and not (resolved.radio.random or any(named(resolved))):
         click.echo("gcs: --seed changes nothing: without loss and the like in radio: nothing here is random", err=True)
+    code = ", ".join(told(resolved))
+    if code and not quiet:
+        click.echo(f"gcs: the scenario names code, which the session runs as you: {code}", err=True)
     if not quiet:
         try:
             click.echo(f"{resolved.name}: starting; the session's folder is {folder}", err=as_json)
@@ -311,7 +314,7 @@ def launch(scenario: str, connect: str | None, out: Path | None, as_json: bool, 
     """
     from gcs.session.launch import launch as start
 
-    resolved = load_scenario(scenario)
+    resolved = load_scenario(scenario, runs_code=False)  # vehicles plan nothing
     for sysid, external in resolved.vehicles.external.items():
         click.echo(f"vehicle {sysid} is not launched: it is expected at {external.connect}", err=True)
     if not resolved.vehicles.launched:

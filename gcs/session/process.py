@@ -412,7 +412,8 @@ def fly(
     status, outcome, error = INTERNAL_ERROR, "", None
     try:
         scenario = scenario or load(folder / "scenario.yaml")
-        plugins.look_in(modules)
+        if any(plugins.named(scenario)):
+            plugins.look_in(modules)
         with plugins.output_kept(scenario, folder):
             session = SessionProcess(folder, scenario, drop=drop, hatch=hatch)
             signal.signal(signal.SIGTERM, session.terminate)

@@ -56,7 +56,8 @@ SET = click.option(
 def load_scenario(scenario: str, settings: Sequence[str] = (), *, runs_code: bool = True) -> Scenario:
     """The scenario of that name or file, with `KEY=VALUE` settings.
 
-    runs_code: whether code that it names, which anybody may have written, is imported to see that it is there. Raises ScenarioRefused, once what is wrong has gone to stderr line by line.
+    runs_code: whether code that it names, which anybody may have written, is imported to see that it is there.
+    Raises ScenarioRefused, once what is wrong has gone to stderr line by line.
     """
     from gcs.scenario import plugins
     from gcs.scenario.file import find, load

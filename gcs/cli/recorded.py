@@ -259,7 +259,7 @@ def export(session: Path, form: str, out: Path | None) -> int:
         shutil.rmtree(unfinished, ignore_errors=True)
     for problem in problems:
         click.echo(f"gcs: {problem}", err=True)
-    width = max(len(name) for name in written.rows)
+    width = max(map(len, written.rows), default=0)
     for name, rows in sorted(written.rows.items()):
         click.echo(f"{name:<{width}}  {rows:>9} rows")
     click.echo(f"tables: {folder}")

@@ -296,10 +296,14 @@ class LinkSeries:
 def links(recorded: Recorded, flown: dict[int, Track]) -> dict[int, LinkSeries]:
     """The link of each vehicle that was heard."""
     found = {}
-    for sysid in np.flatnonzero(recorded.traffic_count.sum(axis=1)).tolist():
-        # The last second is seldom whole; its rate would be a drop that never was.
-        counts, lost = recorded.traffic_count[sysid], recorded.traffic_lost[sysid]
-        whole = max(min(len(counts), int(recorded.end_s + 1e-6)), 1)
+    longest = max(map(len, recorded.traffic_count.values()), default=0)
+    # The last second is seldom whole; its rate would be a drop that never was.
+    whole = max(min(longest, int(recorded.end_s + 1e-6)), 1)
+    for sysid in sorted(sysid for sysid, counts in recorded.traffic_count.items() if counts.any()):
+        counts, lost = (
+            np.pad(table[sysid], (0, longest - len(table[sysid])))
+            for table in (recorded.traffic_count, recorded.traffic_lost)
+        )
         t_s: Floats = np.arange(whole).astype(np.float64) + 0.5
         silence_s = np.diff(flown[sysid].t_s).max(initial=0.0) if sysid in flown else math.nan
         found[sysid] = LinkSeries(

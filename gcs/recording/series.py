@@ -23,6 +23,7 @@ from gcs.mavlink.battery import battery_status, sys_status
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.recording.session_folder import Recorded
 from gcs.telemetry.battery_account import BatteryAccount
+from gcs.telemetry.plausibility import FARTHEST_M, FASTEST_M_S
 from gcs.telemetry.state import STALE_S
 
 Floats = NDArray[np.float64]
@@ -121,7 +122,8 @@ def tracks(recorded: Recorded) -> dict[int, Track]:
         p_ned = np.column_stack([rows[axis] for axis in "xyz"]).astype(np.float64) + offset
         v_ned = np.column_stack([rows[f"v{axis}"] for axis in "xyz"]).astype(np.float64)
         # In the order in which they were true; what came late and out of order changes nothing that is known.
-        good = np.isfinite(p_ned).all(axis=1) & np.isfinite(v_ned).all(axis=1)
+        with np.errstate(invalid="ignore", over="ignore"):  # a vehicle may tell anything; so much of it is believed
+            good = (np.abs(p_ned) <= FARTHEST_M).all(axis=1) & (np.abs(v_ned) <= FASTEST_M_S).all(axis=1)
         good &= t_s >= np.maximum.accumulate(np.where(good, t_s, -np.inf))
         beats, states = armed.get(sysid), landed.get(sysid)
         found[sysid] = Track(

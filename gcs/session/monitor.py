@@ -29,6 +29,8 @@ from gcs.telemetry.events import Event
 SNAPSHOT_EVERY_S = 0.1
 HEARTBEAT_EVERY_S = 1.0
 COMMAND_TIMEOUT_S = 1.0
+MOST_REFUSED = 64
+"""Of so many who say that they are a vehicle which is elsewhere it is told."""
 GONE_S = 5.0
 """A vehicle may come from another address once the one that it had has been silent for so long."""
 ORDERS: Mapping[str, End] = {"hold": "hold", "return": "return", "land": "land"}
@@ -107,7 +109,7 @@ class MonitorSource:
         observer = self._observer
         known = self._peers.get(frame.sysid)
         if known is not None and known[0] != peer and t_s - known[1] < GONE_S:
-            if (frame.sysid, peer) not in self._refused:
+            if (frame.sysid, peer) not in self._refused and len(self._refused) < MOST_REFUSED:
                 self._refused.add((frame.sysid, peer))
                 text = f"Another vehicle says that it is {frame.sysid}, from {_where(peer)}: ignored"
                 observer.tell(Event(t_s, frame.sysid, "warning", text, "link"))

@@ -150,6 +150,8 @@ class GoalWatch:
             failsafe = vehicle.external is None or view.failsafe
             if not self._flew[row] and pilot.stage is not Stage.BASE and end_s - vehicle.join_s >= NEVER_FLEW_S:
                 lost[view.sysid] = Loss(view.sysid, end_s, "never in the air")
+            elif view.doubt:
+                lost[view.sysid] = Loss(view.sysid, end_s, f"it is not believed: {view.doubt}")
             elif failsafe and view.flying and view.mode in GOING_DOWN and pilot.stage in (*_STEERED, Stage.YIELDED):
                 lost[view.sysid] = Loss(view.sysid, end_s, f"its failsafe flies it ({view.mode})")
         return sorted(lost.values(), key=lambda loss: (loss.t_s, loss.sysid))

@@ -7,6 +7,7 @@ What the tick at T decides leaves with the grant up to T + period, and is flown 
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
@@ -47,6 +48,8 @@ from gcs.telemetry.state import FleetState
 
 HEARTBEAT_EVERY_S = 1.0
 WAIT_FOR_FLEET_S = 30.0
+MOST_TEXTS = 20
+"""Texts of one vehicle that are told in one tick."""
 _SETTLED = frozenset({Stage.FLY, Stage.YIELDED, Stage.DOWN, Stage.TAKEN})
 _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
 
@@ -248,7 +251,11 @@ class Supervisor:
             offsets_s, rebooted = self._link.clock_offsets_s(), self._link.take_rebooted()
             self.externals.hear(delivered, offsets_s, rebooted, self.fleet, now_s)
         self.received += len(arrived)
+        count: Counter[int] = Counter()
         for sysid, severity, text in self.fleet.take_statustexts(now_s):
+            count[sysid] += 1
+            if count[sysid] > MOST_TEXTS:
+                continue
             pilot = self.pilots.get(sysid)
             if self.externals.repeats(sysid, text, now_s) or (pilot and pilot.repeats(text)):
                 continue

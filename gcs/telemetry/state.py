@@ -53,6 +53,8 @@ class VehicleView(NamedTuple):
     """whether its autopilot says that it flies by a failsafe of its own"""
     p_local_ned: Vec3 | None = None
     """in its own frame; where that lies it may not have told yet"""
+    doubt: str = ""
+    """why it is not believed; nothing while it is"""
 
     @property
     def height_m(self) -> float | None:
@@ -83,8 +85,8 @@ class VehicleView(NamedTuple):
 
     @property
     def fresh(self) -> bool:
-        """Lives, and has told its place lately: only then is it led, followed, refuelled and measured."""
-        return self.alive and self.age_s <= STALE_S
+        """Lives, has told its place lately, and is believed: only then is it led, followed, refuelled and measured."""
+        return self.alive and self.age_s <= STALE_S and not self.doubt
 
     def p_now_ned(self) -> Vec3:
         """Position carried forward by its age while that is fresh; call only where `p_ned` is known."""

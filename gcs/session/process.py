@@ -39,6 +39,7 @@ from gcs.session.messages import end_message, session_message, snapshot_message
 from gcs.session.pace import Pace
 from gcs.session.server import Publisher, Reader
 from gcs.session.startup import Arrivals
+from gcs.session.suspension import SuspensionWatch
 from gcs.session.vehicles import Ended, Hatch, LaunchError, traffic_order, vehicle_orders
 from gcs.supervisor.summarise import summarise
 from gcs.supervisor.supervisor import Supervisor
@@ -99,6 +100,7 @@ class SessionProcess:
         self._blocks: dict[int, tuple[int, ...]] = {}
         self._told_refused: set[tuple[int, int]] = set()
         self._answered_s = self._said_waiting_s = math.inf
+        self._suspension = SuspensionWatch()
         self._published_s = self._watched_s = 0.0
         self._phase = "starting"
         self._begun = False
@@ -280,6 +282,8 @@ class SessionProcess:
     def _watch(self) -> None:
         """Deaths, operators, the parent's pipe; and a fresh picture for those who look."""
         self._watched_s = now_s = time.monotonic()
+        if away_s := self._suspension.look():
+            self._go_on_after(away_s)
         for end in self._hatch.events()[1] if self._hatch is not None else ():
             self._lose(end)
         if self._hatch is not None and not self._hatch.alive:
@@ -303,6 +307,17 @@ class SessionProcess:
         if now_s - self._published_s >= PUBLISH_EVERY_S:
             self._published_s = now_s
             self._publisher.publish(self._next_picture())
+
+    def _go_on_after(self, away_s: float) -> None:
+        """The supervisor did not run for so long: nobody is to blame for the silence meanwhile."""
+        now_s = time.monotonic()
+        if self._begun:
+            self._answered_s = self._said_waiting_s = now_s
+        external = bool(self._scenario.vehicles.external)
+        if external:
+            self._supervisor.recovery.returned(self._supervisor.time_s)
+        how = "the external vehicles flew on without it" if external else "the session stood still, and goes on"
+        self._event(0, "warning", f"The supervisor was suspended for {away_s:.0f} s: {how}")
 
     def _wait_for(self, waited_s: float) -> None:
         """Say whose answer the session waits for; after a minute, go on without them."""

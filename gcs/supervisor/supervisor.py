@@ -40,6 +40,7 @@ from gcs.supervisor.external_fleet import ENDING, ExternalFleet
 from gcs.supervisor.factory import make_fleet, make_pilots, make_radio
 from gcs.supervisor.goal_watch import GoalWatch
 from gcs.supervisor.operator import Operator, OperatorReply
+from gcs.supervisor.recovery import Recovery
 from gcs.telemetry.changes import ChangeDetector
 from gcs.telemetry.events import Event, Kind, level_of
 from gcs.telemetry.message_inspector import MessageInspector
@@ -87,6 +88,7 @@ class Supervisor:
         self.pilots = make_pilots(scenario)
         self.goal_watch = GoalWatch(scenario, self.planner.obstacles, self.pilots)
         self.operator = Operator(scenario, self.pilots, self.schedule)
+        self.recovery = Recovery(self.pilots)
         self.externals = ExternalFleet(scenario)
         self._wait_for_fleet_s = WAIT_FOR_FLEET_S + self.externals.patience_s
         self._join_ms = {v.sysid: round(1e3 * v.join_s) for v in scenario.vehicles.all}
@@ -142,6 +144,7 @@ class Supervisor:
         decision = self.schedule.decide(snapshot)
         self._serve_at_bases(decision)
         self._fly(snapshot, now_s)
+        self.events += self.recovery.look(snapshot)
         self._keep_streams(snapshot)
         pursuing = self.pursuit.decide(snapshot) if self.pursuit else self.operator.pursuing
         self.set_points = set_points = self._plan(snapshot, decision, pursuing)

@@ -36,7 +36,7 @@ class ScenarioName(click.ParamType[str]):
 
 
 class ScenarioRefused(click.exceptions.Exit):
-    """A scenario that cannot be flown: ends the program once its mistakes, `text`, have been told."""
+    """A scenario that cannot be flown: ends the program once its mistakes, `text`, are printed."""
 
     def __init__(self, text: str) -> None:
         super().__init__(BAD_INPUT)
@@ -117,7 +117,7 @@ def validate(scenario: str, image: Path | None, settings: tuple[str, ...], trust
     from gcs.scenario import plot, plugins, warnings
 
     checked = load_scenario(scenario, settings, runs_code=trust)
-    code = ", ".join(plugins.told(checked))
+    code = ", ".join(plugins.listed(checked))
     if code and not trust:
         click.echo(f"{scenario}: names code, which is not looked at without --trust: {code}", err=True)
     if image is not None:

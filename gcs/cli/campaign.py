@@ -37,13 +37,13 @@ PLAIN = click.option("--plain", is_flag=True, help="Lines of text instead of a p
 QUIET = click.option("--quiet", "-q", is_flag=True, help="Say only what goes wrong.")
 
 
-class Refused(click.ClickException):
-    """What keeps a campaign from being flown, line by line."""
+class CampaignRefused(click.ClickException):
+    """Mistakes that keep a campaign from being flown, line by line."""
 
     exit_code = BAD_INPUT
 
     def show(self, file: Any = None) -> None:
-        """Just the sentences, as `gcs run` tells of a scenario."""
+        """Just the sentences, as `gcs run` prints a scenario's."""
         click.echo(self.format_message(), file=file, err=True)
 
 
@@ -100,7 +100,7 @@ def run(
     try:
         folder = make_folder(plan, out)
     except EngineError as error:
-        raise Refused(str(error)) from None
+        raise CampaignRefused(str(error)) from None
     return _fly(folder, plan, scheduler, workers, plain, quiet)
 
 
@@ -172,7 +172,7 @@ def fly(folder: Path, row: int, out: Path | None, only: bool, quiet: bool) -> in
     try:
         scenario, _ = plan.resolved(plan.row(row))
     except RowError as error:
-        raise Refused(str(error)) from None
+        raise CampaignRefused(str(error)) from None
     if only:
         click.echo(dump(scenario), nl=False)
         return DONE
@@ -248,7 +248,7 @@ def search(
     """
     from gcs.campaign import table
     from gcs.campaign.engine import EngineError
-    from gcs.campaign.model import Search as Rules
+    from gcs.campaign.model import SearchRules
     from gcs.campaign.runner import Runner, make_folder
     from gcs.campaign.search import Search
     from gcs.scenario.file import dump
@@ -256,9 +256,11 @@ def search(
     plan = _planned(file, None, seed)
     rules = plan.campaign.search
     if rules is None:
-        raise Refused(f"{file} says nothing of a search: add 'search: {{minimise: min_separation_m, trials: 200}}'")
+        raise CampaignRefused(
+            f"{file} says nothing of a search: add 'search: {{minimise: min_separation_m, trials: 200}}'"
+        )
     if trials is not None:
-        rules = Rules.model_validate({**rules.model_dump(), "trials": trials})
+        rules = SearchRules.model_validate({**rules.model_dump(), "trials": trials})
     each = {key: draw.model_copy(update={"together": True}) for key, draw in plan.campaign.draw.items()}
     changed = {"search": rules, "vary": {}, "keep": "none", "sessions": rules.trials, "draw": each}
     changed["set"] = {**plan.campaign.set, **{k: v for k, v in plan.row(0).values.items() if k in plan.campaign.vary}}
@@ -268,14 +270,14 @@ def search(
         searched = Search(plan, folder)
         shown = ProgressLine(folder, quiet=quiet, plain=plain or not sys.stdout.isatty())
 
-        def tell(progress: Progress, row: dict[str, Any] | None) -> None:
+        def notify(progress: Progress, row: dict[str, Any] | None) -> None:
             if row is not None:
-                searched.take(row)
-            shown.tell(progress, None)
+                searched.add(row)
+            shown.update(progress, None)
 
         total = rules.trials
         runner = Runner(
-            folder, plan, scheduler=scheduler, workers=workers, tell=tell, rows=searched.rows(), total=total
+            folder, plan, scheduler=scheduler, workers=workers, notify=notify, rows=searched.rows(), total=total
         )
         progress = runner.run()
     except EngineError as error:
@@ -334,7 +336,7 @@ def shrink(scenario: str, settings: tuple[str, ...], expect: tuple[str, ...], ou
         click.echo(f"{scenario}: {error}", err=True)
         return NOT_DONE
     except WarmError as error:
-        raise Refused(str(error)) from None
+        raise CampaignRefused(str(error)) from None
     out.write_text(dump(small), encoding="utf-8")
     click.echo(f"{out}: written; gcs run {out} --lockstep flies it")
     return DONE
@@ -372,7 +374,7 @@ def _planned(file: str, sessions: int | None = None, seed: int | None = None) ->
         plan = make(loaded.model_copy(update=changes), [path.parent])
         plan.check()
     except ScenarioError as error:
-        raise Refused(str(error)) from None
+        raise CampaignRefused(str(error)) from None
     return plan
 
 
@@ -383,9 +385,9 @@ def _found(folder: Path) -> Plan:
     try:
         return read(folder)
     except (OSError, ValueError, KeyError):
-        raise Refused(f"{folder} holds no campaign: give the folder that gcs campaign run named") from None
+        raise CampaignRefused(f"{folder} holds no campaign: give the folder that gcs campaign run named") from None
     except ScenarioError as error:
-        raise Refused(str(error)) from None
+        raise CampaignRefused(str(error)) from None
 
 
 def _fly(folder: Path, plan: Plan, scheduler: str | None, workers: int | None, plain: bool, quiet: bool) -> int:
@@ -398,7 +400,7 @@ def _fly(folder: Path, plan: Plan, scheduler: str | None, workers: int | None, p
     shown = ProgressLine(folder, quiet=quiet, plain=plain or not sys.stdout.isatty())
     if not quiet:
         click.echo(f"{plan.campaign.name}: {plan.rows} sessions; the campaign's folder is {folder}")
-    runner = Runner(folder, plan, scheduler=scheduler, workers=workers, tell=shown.tell)
+    runner = Runner(folder, plan, scheduler=scheduler, workers=workers, notify=shown.update)
     try:
         progress = runner.run()
     except EngineError as error:

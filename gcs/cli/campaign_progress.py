@@ -1,5 +1,7 @@
 """Progress of a campaign in the terminal: a line that is drawn again, or plain lines; failures as they come."""
 
+# ruff: noqa: PLC0415 - so that `gcs --help` answers at once
+
 from __future__ import annotations
 
 import shutil
@@ -12,7 +14,7 @@ import click
 if TYPE_CHECKING:
     from gcs.campaign.engine import Progress
 
-TOLD_FAILURES = 20
+LISTED_FAILURES = 20
 PLAIN_EVERY_S = 5.0
 
 
@@ -26,7 +28,7 @@ class ProgressLine:
         self._failures = 0
         self._linked = False
 
-    def tell(self, progress: Progress, row: dict[str, Any] | None) -> None:
+    def update(self, progress: Progress, row: dict[str, Any] | None) -> None:
         """Take in a row, or just the time."""
         if self._quiet:
             return
@@ -35,9 +37,9 @@ class ProgressLine:
             self._line(f"Dask's dashboard: {progress.dashboard}")
         if row is not None and not row["ok"]:
             self._failures += 1
-            if self._failures <= TOLD_FAILURES:
+            if self._failures <= LISTED_FAILURES:
                 self._line(f"row {row['row']}: {row['error'] or row['fault']}")
-            elif self._failures == TOLD_FAILURES + 1:
+            elif self._failures == LISTED_FAILURES + 1:
                 self._line(f"more failures: gcs campaign status {self._folder}")
         now_s = time.monotonic()
         if now_s < self._next_s:

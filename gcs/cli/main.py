@@ -38,7 +38,7 @@ def _limits(wanted: str, holds: Callable[[Any], bool]) -> Callable[[click.Contex
     return check
 
 
-def _someone(ctx: click.Context, param: click.Parameter, value: str | None) -> str | None:
+def _checked_address(ctx: click.Context, param: click.Parameter, value: str | None) -> str | None:
     """A --connect is an address whose host can be found."""
     if value is not None:
         from gcs.link.socket import AddressRefused, resolve
@@ -198,7 +198,7 @@ def run(
     if junit is not None and not junit.parent.is_dir():
         raise click.UsageError(f"--junit: there is no folder {junit.parent}.")
     from gcs.report.junit import flown, refused
-    from gcs.scenario.plugins import named, told
+    from gcs.scenario.plugins import listed, named
     from gcs.session.plain_text import mute_stdout
     from gcs.session.session_log import logged
     from gcs.session.supervised import make_folder
@@ -217,7 +217,7 @@ def run(
     folder = make_folder(out, resolved)
     if seed is not None and not quiet and not (resolved.radio.random or any(named(resolved))):
         click.echo("gcs: --seed changes nothing: without loss and the like in radio: nothing here is random", err=True)
-    code = ", ".join(told(resolved))
+    code = ", ".join(listed(resolved))
     if code and not quiet:
         click.echo(f"gcs: the scenario names code, which the session runs as you: {code}", err=True)
     if not quiet:
@@ -237,13 +237,13 @@ def run(
         if as_json:
             click.echo(json.dumps({"type": "end", **verdict, "session": str(folder)}))
 
-    with logged(shown, said, folder) as (view, tell):
+    with logged(shown, said, folder) as (view, echo):
         stderr = getattr(shown, "stderr", None)
-        status = fly(folder, view, tell, arguments=arguments, finish=finish, stderr=stderr, hurry=hurry.set)
+        status = fly(folder, view, echo, arguments=arguments, finish=finish, stderr=stderr, hurry=hurry.set)
         if junit is not None and not _write_junit(junit, flown(folder, resolved, error)):
             status = status or NOT_DONE
         if not no_report:
-            report.after_run(folder, tell, status, hurried=hurry.is_set())
+            report.after_run(folder, echo, status, hurried=hurry.is_set())
     return status
 
 
@@ -260,7 +260,7 @@ def _write_junit(path: Path, xml: str) -> bool:
 def _view(
     folder: Path, name: str, plain: bool, as_json: bool, *, verbose: bool, quiet: bool
 ) -> tuple[View, Callable[[str], object]]:
-    """What shows the session, and what writes its last lines."""
+    """View of the session, and the writer of its last lines."""
     from gcs.session.plain_text import JsonView, PlainView, QuietView
 
     if quiet or verbose:
@@ -280,7 +280,7 @@ def _view(
 @click.argument("scenario", type=ScenarioName())
 @click.option(
     "--connect",
-    callback=_someone,
+    callback=_checked_address,
     metavar="udpout:HOST:PORT",
     help="All vehicles speak to this address.  [default: each listens at a port of its own]",
 )

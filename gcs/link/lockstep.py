@@ -27,7 +27,7 @@ from gcs.mavlink.sequence import SequenceCounter, TickCollector, secret_of_hello
 
 DATAGRAM_BYTES = 1400
 RECEIVE_BYTES = 2048
-"""What is longer is no answer, and is cut."""
+"""A longer datagram is no answer, and is cut."""
 HELLO_BYTES = 64
 """No hello is longer."""
 MOST_AT_ONCE = 4096
@@ -39,7 +39,7 @@ GRANT_BYTES = codec.HEADER_BYTES + 12 + codec.CRC_BYTES
 
 
 @dataclass
-class _Peer:
+class _LockstepPeer:
     """One vehicle's link."""
 
     key: Key
@@ -67,8 +67,8 @@ class LockstepLink:
         self._random = random.Random(seed)
         self.secret = secrets.randbits(SECRET_BITS - 1) + 1
         """what a vehicle of this session says in its hello; never 0, which those say who have none"""
-        self._peers: dict[Key, _Peer] = {}
-        self._by_address: dict[tuple[str, int], _Peer] = {}
+        self._peers: dict[Key, _LockstepPeer] = {}
+        self._by_address: dict[tuple[str, int], _LockstepPeer] = {}
         self._expected: set[Key] = set()
         self._awaited: set[Key] = set()
         self._whole: deque[Key] = deque()
@@ -96,11 +96,11 @@ class LockstepLink:
 
     @property
     def awaited(self) -> list[Key]:
-        """Who has not answered the last grant yet."""
+        """Vehicles that have not answered the last grant yet."""
         return sorted(self._awaited)
 
     def overflowed(self) -> int:
-        """Datagrams that the kernel dropped because nobody read them in time."""
+        """Datagrams that the kernel dropped because they were not read in time."""
         return kernel_drops(self._socket)
 
     def expect(self, keys: Iterable[Key]) -> None:
@@ -108,7 +108,7 @@ class LockstepLink:
         self._expected |= set(keys)
 
     def listen(self, wait_s: float) -> set[Key]:
-        """Take hellos for at most `wait_s`; who is still expected."""
+        """Receive hellos for at most `wait_s`; those still expected."""
         self._poll.poll(1e3 * wait_s)
         self._drain()
         return self._expected - self.joined
@@ -153,7 +153,7 @@ class LockstepLink:
 
         Waits without spinning; after 20 ms without progress, doubling to 200 ms, the same bytes go out again to those
         that are missing, and `idle` is called: it sees whether they still live and may call `leave`. Those that have
-        answered hear their last bundle every second, so that one that stalls does not make the others leave.
+        answered get their last bundle every second, so that one that stalls does not make the others leave.
         """
         wait_s = RESEND_FIRST_S
         repeat_s = time.monotonic() + REPEAT_S
@@ -163,7 +163,7 @@ class LockstepLink:
             while self._whole:
                 key = self._whole.popleft()
                 if key in self._peers:
-                    yield key, self._peers[key].collector.take()
+                    yield key, self._peers[key].collector.pop_frames()
             if not self._awaited:
                 continue
             left_s = deadline_s - time.monotonic()
@@ -194,8 +194,8 @@ class LockstepLink:
         """As `Link.clock_offsets_s`: none."""
         return {}
 
-    def take_rebooted(self) -> set[int]:
-        """As `Link.take_rebooted`: nobody."""
+    def pop_rebooted(self) -> set[int]:
+        """As `Link.pop_rebooted`: none."""
         return set()
 
     def repeat(self) -> None:
@@ -209,10 +209,10 @@ class LockstepLink:
         """Close the socket."""
         self._socket.close()
 
-    def _frame(self, peer: _Peer, message: Message) -> bytes:
-        return codec.frame(message, peer.counter.take(), *STATION)
+    def _frame(self, peer: _LockstepPeer, message: Message) -> bytes:
+        return codec.frame(message, peer.counter.next(), *STATION)
 
-    def _send(self, peer: _Peer) -> None:
+    def _send(self, peer: _LockstepPeer) -> None:
         if self._drop and self._random.random() < self._drop:
             return
         with contextlib.suppress(OSError):
@@ -227,10 +227,10 @@ class LockstepLink:
             except OSError:
                 break
             if not (self._drop and self._random.random() < self._drop):
-                progress |= self._take(datagram, address)
+                progress |= self._receive(datagram, address)
         return progress
 
-    def _take(self, datagram: bytes, address: tuple[str, int]) -> bool:
+    def _receive(self, datagram: bytes, address: tuple[str, int]) -> bool:
         peer = self._by_address.get(address)
         if peer is None:
             self._admit(datagram, address)
@@ -259,7 +259,7 @@ class LockstepLink:
         elif key in self._peers:
             self.rivals.setdefault(key, address)
         else:
-            self._peers[key] = self._by_address[address] = _Peer(key, address, TickCollector(*key))
+            self._peers[key] = self._by_address[address] = _LockstepPeer(key, address, TickCollector(*key))
 
 
 _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")

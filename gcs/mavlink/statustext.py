@@ -33,8 +33,9 @@ class Texts:
         self._open: _Open | None = None
         self._cut_id: int | None = None
 
-    def hear(self, content: Any, time_s: float) -> list[tuple[int, str]]:
-        """Take STATUSTEXT's fields, heard at a session time; (severity, text) of each that is whole now."""
+    def add(self, content: Any, time_s: float) -> list[tuple[int, str]]:
+        """Take in STATUSTEXT's fields, received at a session time; (severity, text) of each text that is complete
+        now."""
         if content.chunk_seq == 0 or content.id != self._cut_id:
             self._cut_id = None
         else:
@@ -55,16 +56,17 @@ class Texts:
 
     def give_up(self) -> list[tuple[int, str]]:
         """The text that waits, as far as it came."""
-        told = [] if self._open is None else [(self._open.severity, self._open.text.rstrip())]
+        texts = [] if self._open is None else [(self._open.severity, self._open.text.rstrip())]
         self._open = None
-        return told
+        return texts
 
 
 def recorded(messages: Iterable[tuple[float, Any]]) -> Iterator[tuple[float, int, str]]:
-    """(session time in s, severity, text) of one vehicle's texts, from its STATUSTEXTs and when they were heard."""
-    texts, heard_s = Texts(), 0.0
+    """(session time in s, severity, text) of one vehicle's texts, from its STATUSTEXTs and the times of their
+    reception."""
+    texts, received_s = Texts(), 0.0
     for time_s, content in messages:
-        yield from ((heard_s + PATIENCE_S, *told) for told in texts.overdue(time_s))
-        heard_s = time_s
-        yield from ((time_s, *told) for told in texts.hear(content, time_s))
-    yield from ((heard_s + PATIENCE_S, *told) for told in texts.give_up())
+        yield from ((received_s + PATIENCE_S, *text) for text in texts.overdue(time_s))
+        received_s = time_s
+        yield from ((time_s, *text) for text in texts.add(content, time_s))
+    yield from ((received_s + PATIENCE_S, *text) for text in texts.give_up())

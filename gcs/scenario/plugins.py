@@ -28,8 +28,8 @@ def named(scenario: Scenario) -> Iterator[tuple[str, str, str]]:
         yield "competition.policy", scenario.competition.policy, "choose"
 
 
-def told(scenario: Scenario) -> list[str]:
-    """Whose code a scenario names, a few words each: a scenario from elsewhere may name what it brings along."""
+def listed(scenario: Scenario) -> list[str]:
+    """Code that a scenario names, a few words each: one from elsewhere may name code that it brings along."""
     return [f"{name} ({key})" for key, name, _ in named(scenario)]
 
 
@@ -42,7 +42,7 @@ def look_in(folders: Iterable[str | Path]) -> None:
 
 @contextmanager
 def output_kept(scenario: Scenario, folder: Path) -> Iterator[None]:
-    """What somebody's own code prints goes to FOLDER/policies.log: the supervisor's own output is a protocol."""
+    """Print a user's code's output to FOLDER/policies.log: the supervisor's own output is a protocol."""
     if not any(named(scenario)):
         yield
         return

@@ -24,7 +24,7 @@ import click
 
 from gcs.exit import BAD_INPUT, DONE, INTERNAL_ERROR, INTERRUPTED, NOT_DONE, leave
 from gcs.link.external import ExternalLink
-from gcs.link.fleet import MixedLink
+from gcs.link.fleet import FleetLink
 from gcs.link.link import Link
 from gcs.link.lockstep import REPEAT_S, LockstepLink
 from gcs.link.socket import BUFFER_BYTES, AddressRefused
@@ -50,15 +50,15 @@ PUBLISH_EVERY_S = 0.1
 WATCH_EVERY_S = 0.05
 SAY_WAITING_EVERY_S = 5.0
 GIVE_UP_S, GIVE_UP_SOON_S = 60.0, 5.0
-"""How long the session stands still for a process that lives but does not answer, in wall time; the second is with
+"""Time that the session stands still for a process that lives but does not answer, in wall time; the second is with
 external vehicles, which fly on meanwhile."""
 ELSEWHERE = "Free space there, or give --out another place."
 HAND_BACK_S = 2.5
-"""How long external vehicles have at the end to obey; their HEARTBEAT, once a second, shows that they do."""
+"""Time that external vehicles have at the end to obey; their HEARTBEAT, once a second, shows that they do."""
 
 
 class _Stopped(Exception):
-    """Someone asked for the session's end."""
+    """The session's end was asked for."""
 
 
 class SessionFailed(Exception):
@@ -77,16 +77,16 @@ class SessionProcess:
         self._folder = folder
         self._scenario = scenario
         external = scenario.vehicles.external
-        self._strangers: ExternalLink | None = None
+        self._external_link: ExternalLink | None = None
         clock = scenario.clock
         speed = None if clock.mode == "lockstep" else clock.speed
         self._pace = Pace(speed, time.monotonic, keeps_up=bool(external))
-        self._fleet_link = LockstepLink(drop=drop, seed=scenario.seed)
-        self._link: Link = self._fleet_link
+        self._lockstep_link = LockstepLink(drop=drop, seed=scenario.seed)
+        self._link: Link = self._lockstep_link
         if external:
-            self._strangers = ExternalLink(external, lambda: self._pace.running_wall_s)
-            self._link = MixedLink(self._fleet_link, self._strangers)
-        self._sleep = time.sleep if self._strangers is None else self._strangers.rest
+            self._external_link = ExternalLink(external, lambda: self._pace.running_wall_s)
+            self._link = FleetLink(self._lockstep_link, self._external_link)
+        self._sleep = time.sleep if self._external_link is None else self._external_link.rest
         self._recorder = Recorder(folder)
         self._reserve = Reserve(folder, len(scenario.vehicles.all))
         self._publisher = Publisher(folder, session_message(scenario, str(folder.resolve())))
@@ -98,7 +98,7 @@ class SessionProcess:
         self._clients = Clients(self._publisher, self._supervisor, self._pace)
         self._labels = {v.sysid: v.label for v in scenario.vehicles.all} | {255: "traffic"}
         self._blocks: dict[int, tuple[int, ...]] = {}
-        self._told_refused: set[tuple[int, int]] = set()
+        self._reported_refused: set[tuple[int, int]] = set()
         self._answered_s = self._said_waiting_s = math.inf
         self._suspension = SuspensionWatch()
         self._published_s = self._watched_s = 0.0
@@ -122,7 +122,7 @@ class SessionProcess:
             self._summarise(outcome, text)
             self._phase = "ended"
             status = INTERRUPTED if interrupted else DONE if outcome == goal.MET else NOT_DONE
-            self._publisher.publish(self._next_picture())
+            self._publisher.publish(self._next_snapshot())
             self._publisher.publish(end_message(outcome, status, text))
             return status, outcome
         except (SessionFailed, RecorderError):
@@ -174,7 +174,7 @@ class SessionProcess:
         with contextlib.suppress(RecorderError):  # it has been reported, or will be; what matters now is sent before
             while supervisor.exchange(self._pace.running_wall_s):
                 if time.monotonic() > deadline_s:
-                    supervisor.tell_disobedience()
+                    supervisor.report_disobedience()
                     break
                 self._sleep(WATCH_EVERY_S)
 
@@ -184,7 +184,7 @@ class SessionProcess:
         if self._link.buffer_bytes < BUFFER_BYTES:
             granted = f"{self._link.buffer_bytes >> 10} KiB"
             self._event(0, "warning", f"The kernel grants a receive buffer of {granted}, not 4 MiB: raise rmem_max")
-        connection = ("--supervised", f"udpout:{self._fleet_link.host}:{self._fleet_link.port}")
+        connection = ("--supervised", f"udpout:{self._lockstep_link.host}:{self._lockstep_link.port}")
         vehicles = self._scenario.vehicles.launched
         per_process = self._scenario.vehicles_per_process
         orders = vehicle_orders(self._scenario, self._folder, connection, per_process=per_process)
@@ -193,13 +193,13 @@ class SessionProcess:
             orders.append(traffic_order(self._scenario, self._folder, connection))
             keys.append(TRAFFIC)
         self._blocks = {order.sysid: order.sysids for order in orders}
-        self._fleet_link.expect(keys)
+        self._lockstep_link.expect(keys)
         if self._hatch is not None:
-            self._hatch.start(orders, self._fleet_link.secret)
+            self._hatch.start(orders, self._lockstep_link.secret)
         rehearse(self._scenario)  # while the vehicles come up
         arrivals, began_s = Arrivals(self._labels, self._scenario.vehicles.external), time.monotonic()
         missing: set[int] | None = None
-        while missing is None or missing or not (self._strangers is None or self._strangers.settled):
+        while missing is None or missing or not (self._external_link is None or self._external_link.settled):
             missing = {sysid for sysid, _ in self._link.listen(WATCH_EVERY_S)}
             waited_s = time.monotonic() - began_s
             for sysid, text in arrivals.look(missing, waited_s):
@@ -207,17 +207,17 @@ class SessionProcess:
             self._watch()
             if (why := arrivals.too_late(missing, waited_s)) is not None:
                 raise SessionFailed(why)
-            for (sysid, _), (host, port) in self._fleet_link.rivals.items():
+            for (sysid, _), (host, port) in self._lockstep_link.rivals.items():
                 name = self._labels.get(sysid, f"vehicle {sysid}")
                 raise SessionFailed(
                     f"two of the session's own processes say that they are {name}, one from {host}:{port}"
                 )
-            if self._strangers is not None:
-                self._refuse_rivals(self._strangers)
+            if self._external_link is not None:
+                self._refuse_rivals(self._external_link)
 
-    def _refuse_rivals(self, strangers: ExternalLink) -> None:
+    def _refuse_rivals(self, external: ExternalLink) -> None:
         """Nothing flies while two say that they are one vehicle: the wrong one would be believed."""
-        for (sysid, _), (one, other) in strangers.rivals.items():
+        for (sysid, _), (one, other) in external.rivals.items():
             at = self._scenario.vehicles.external[sysid].connect
             raise SessionFailed(
                 f"two say that they are {self._labels[sysid]} at {at}, {one[0]}:{one[1]} and {other[0]}:{other[1]}: "
@@ -272,7 +272,7 @@ class SessionProcess:
             raise _Stopped
         if reader.asked:
             self._gather_events()
-            reader.give({**self._picture(()), "t_s": supervisor.snapshot.time_s})
+            reader.give({**self._snapshot(()), "t_s": supervisor.snapshot.time_s})
 
     def _look_around(self) -> None:
         """At most every 50 ms of wall time: the rest of the world."""
@@ -280,7 +280,7 @@ class SessionProcess:
             self._watch()
 
     def _watch(self) -> None:
-        """Deaths, operators, the parent's pipe; and a fresh picture for those who look."""
+        """Deaths, operators, the parent's pipe; and a fresh snapshot for clients."""
         self._watched_s = now_s = time.monotonic()
         if away_s := self._suspension.look():
             self._go_on_after(away_s)
@@ -295,18 +295,18 @@ class SessionProcess:
             self._event(0, "warning", "The supervisor was told to end (SIGTERM): the session stops")
         if self._clients.serve() or _stdin_closed() or self._terminated:
             raise _Stopped
-        for key in self._link.refused.keys() - self._told_refused:
-            self._told_refused.add(key)
+        for key in self._link.refused.keys() - self._reported_refused:
+            self._reported_refused.add(key)
             host, port = self._link.refused[key]
             self._event(
                 key[0], "warning", f"Another vehicle says that it is {key[0]}, from {host}:{port}: ignored", "link"
             )
-        moved = self._strangers.take_moved() if self._strangers is not None else {}
+        moved = self._external_link.pop_moved() if self._external_link is not None else {}
         for (sysid, _), address in moved.items():
             self._event(sysid, "warning", f"Heard from {address[0]}:{address[1]} now, after a silence", "link")
         if now_s - self._published_s >= PUBLISH_EVERY_S:
             self._published_s = now_s
-            self._publisher.publish(self._next_picture())
+            self._publisher.publish(self._next_snapshot())
 
     def _go_on_after(self, away_s: float) -> None:
         """The supervisor did not run for so long: nobody is to blame for the silence meanwhile."""
@@ -341,7 +341,7 @@ class SessionProcess:
     def _event(self, sysid: int, level: Level, text: str, kind: Kind = "session") -> None:
         self._supervisor.events.append(Event(self._supervisor.time_s, sysid, level, text, kind))
 
-    # tell
+    # publish
 
     def _outcome(self, interrupted: bool) -> tuple[str, str]:
         """`met`, the first part of the goal that was not, or `interrupted`; and the same as a sentence."""
@@ -353,19 +353,19 @@ class SessionProcess:
         return goal.INTERRUPTED, f"{text}; {goal.outcome_text(broken)}" if broken else text
 
     def _gather_events(self) -> None:
-        """What is new, for the next picture and for the reader's."""
+        """New events, for the next snapshot and for the reader's."""
         events, self._supervisor.events = self._supervisor.events, []
         self._unpublished += events
         if self.reader is not None:
             self.reader.remember(events)
 
-    def _next_picture(self) -> dict[str, Any]:
+    def _next_snapshot(self) -> dict[str, Any]:
         """The snapshot that clients see, with the events since the last one."""
         self._gather_events()
         events, self._unpublished = self._unpublished, []
-        return self._picture(events)
+        return self._snapshot(events)
 
-    def _picture(self, events: Sequence[Event]) -> dict[str, Any]:
+    def _snapshot(self, events: Sequence[Event]) -> dict[str, Any]:
         supervisor = self._supervisor
         wall_s = self._pace.running_wall_s if self._begun else 0.0
         return snapshot_message(

@@ -1,7 +1,7 @@
 """The session's socket: snapshots out, operators' commands in, newline-delimited JSON
 (docs/protocol.md#session-socket).
 
-A client first reads the greeting, a line of type "session": it ends with the last events that were told before, and how
+A client first reads the greeting, a line of type "session": it ends with the last events that were sent before, and how
 many those were in all. One that reads slowly is dropped, never waited for.
 """
 
@@ -28,7 +28,7 @@ NAME = "session.sock"
 READ_BYTES = 65536
 BACKLOG_BYTES = 1 << 20
 REMEMBERED = 200
-"""Events that a client is told which came after them."""
+"""Earlier events that a new client is sent."""
 MOST_CLIENTS = 32
 MOST_COMMANDS = 4
 """Lines of one client that are taken in one poll; the rest wait, and it waits with them."""
@@ -40,7 +40,7 @@ NO_COMMAND = 'A command is a JSON object with a text under "command", such as {"
 
 
 class ClientRequest(NamedTuple):
-    """What one client asks for: an object with a text under "command"."""
+    """Request of one client: an object with a text under "command"."""
 
     client: int
     """whose it is, while it is connected"""
@@ -65,11 +65,11 @@ class Publisher:
         self._numbers: dict[socket.socket, int] = {}
         self._known = 0
         self._events: deque[Any] = deque(maxlen=REMEMBERED)
-        self._told = 0
+        self._event_count = 0
 
     @property
     def clients(self) -> frozenset[int]:
-        """Who is connected, by the number that requests carry."""
+        """Clients connected, by the number that requests carry."""
         return frozenset(self._numbers.values())
 
     def poll(self) -> list[ClientRequest]:
@@ -127,14 +127,14 @@ class Publisher:
             self._known += 1
             self._numbers[client] = self._known
             if self._greeting is not None:
-                earlier = {"events": list(self._events), "told": self._told}
+                earlier = {"events": list(self._events), "told": self._event_count}
                 self._send(client, _line({**self._greeting, **earlier}))
 
     def publish(self, content: Mapping[str, Any]) -> None:
         """Send one line to every client; who cannot take it whole is dropped. Its events are kept for later clients."""
         events = content.get("events") or ()
         self._events.extend(events)
-        self._told += len(events)
+        self._event_count += len(events)
         line = _line(content)
         for client in list(self._clients):
             self._send(client, line)
@@ -204,10 +204,10 @@ class Reader:
         """Keep these for the next snapshot."""
         self._events += events
 
-    def give(self, picture: Mapping[str, Any]) -> None:
-        """Answer with this picture and the events since the last one."""
+    def give(self, snapshot: Mapping[str, Any]) -> None:
+        """Answer with this snapshot and the events since the last one."""
         events, self._events = self._events, []
         self.asked = False
-        line = json.dumps({**picture, "events": [asdict(event) for event in events]}, allow_nan=False)
+        line = json.dumps({**snapshot, "events": [asdict(event) for event in events]}, allow_nan=False)
         with contextlib.suppress(OSError):
             self._socket.sendall(line.encode() + b"\n")

@@ -8,7 +8,7 @@ from collections.abc import Callable
 LEAST_S = 3.0
 """A gap is a suspension from so long on. Whoever runs looks many times as often."""
 IDLE_SHARE = 0.5
-"""Who computed for more of the gap than this has not been suspended."""
+"""A process that computed for more of the gap than this was not suspended."""
 
 
 def machine_s() -> float:

@@ -19,15 +19,15 @@ MOST_W = 1e5
 STEP_J = 1e5
 """A count of energy may grow by so much besides: reports are rounded, and late."""
 LEAST_SHARE, MOST_SHARE = -1.0, 2.0
-"""What a battery may hold of its capacity, by a ledger of several messages that may be lost or late."""
+"""Shares of its capacity that a battery may hold, by a ledger of several messages that may be lost or late."""
 DOUBTED_S = 5.0
 """A vehicle is doubted for so long after the last that could not be."""
 
 
 def place(
-    p_ned: Sequence[float], v_ned: Sequence[float], told_s: float, before: Sequence[float] | None, before_s: float
+    p_ned: Sequence[float], v_ned: Sequence[float], reported_s: float, before: Sequence[float] | None, before_s: float
 ) -> str:
-    """Why a place in m and a velocity in m/s cannot be, told as of `told_s`; nothing where they can.
+    """Why a place in m and a velocity in m/s cannot be, reported as of `reported_s`; nothing where they can.
 
     `before`: the last place that was believed, as of `before_s`.
     """
@@ -37,7 +37,7 @@ def place(
         return f"its position is more than {FARTHEST_M / 1e3:.0f} km away"
     if math.hypot(*v_ned) > FASTEST_M_S:
         return f"its velocity is above {FASTEST_M_S:.0f} m/s"
-    if before is not None and math.dist(p_ned, before) > JUMP_M + FASTEST_M_S * max(told_s - before_s, 0.0):
+    if before is not None and math.dist(p_ned, before) > JUMP_M + FASTEST_M_S * max(reported_s - before_s, 0.0):
         return f"its position jumps by {math.dist(p_ned, before):.0f} m"
     return ""
 

@@ -13,13 +13,13 @@ from simvehicle.mavlink.codec import ReceivedFrame, speaks_mavlink_1, split
 from simvehicle.mavlink.connection import Connection
 
 RECEIVE_BYTES = 2048
-"""What is longer is cut: nobody sends MAVLink so."""
+"""Longer datagrams are cut: nobody sends MAVLink so."""
 MOST_AT_ONCE = 256
 """Datagrams of one link that are taken in before anything else has its turn."""
 MOST_PEERS = 32
 """A udpin link answers this many."""
 PEER_SILENT_S = 10.0
-"""Who has not spoken for so long is answered no more: a ground station says HEARTBEAT every second."""
+"""A peer that has been silent for so long is answered no more: a ground station sends HEARTBEAT every second."""
 _ADDRESS = re.compile(r"(udpin|udpout):(\[[0-9A-Fa-f:.]+\]|[^:\s]+):(\d{1,5})")
 
 
@@ -79,7 +79,7 @@ def open_socket(address: Address) -> socket.socket:
 
 
 class _Link:
-    """A socket with a conversation on it; leaving its context closes the socket."""
+    """A socket with a connection on it; its context's end closes the socket."""
 
     def __init__(self, address: Address, connection: Connection) -> None:
         self.connection = connection
@@ -113,7 +113,7 @@ class PlainLink(_Link):
     def receive(self) -> list[ReceivedFrame]:
         """The intact frames that have come, of MOST_AT_ONCE datagrams at most; who sent one is answered from now on.
 
-        Ground stations that know both begin with MAVLink 1 and change when they hear MAVLink 2.
+        Ground stations that know both begin with MAVLink 1 and change when they receive MAVLink 2.
         """
         frames: list[ReceivedFrame] = []
         now_s = self._clock()
@@ -124,9 +124,9 @@ class PlainLink(_Link):
                 continue
             except OSError:
                 break
-            told = list(split(datagram))
-            frames += told
-            if (told or speaks_mavlink_1(datagram)) and (peer in self._peers or self._has_room(now_s)):
+            received = list(split(datagram))
+            frames += received
+            if (received or speaks_mavlink_1(datagram)) and (peer in self._peers or self._has_room(now_s)):
                 self._peers[peer] = now_s
         return frames
 
@@ -137,7 +137,7 @@ class PlainLink(_Link):
         return len(self._peers) < MOST_PEERS
 
     def _forget(self, now_s: float) -> None:
-        gone = [peer for peer, heard_s in self._peers.items() if now_s - heard_s >= PEER_SILENT_S]
+        gone = [peer for peer, received_s in self._peers.items() if now_s - received_s >= PEER_SILENT_S]
         for peer in gone:
             del self._peers[peer]
 

@@ -12,11 +12,14 @@ import contextlib
 import select
 import socket
 import time
+from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 
 from pymavlink.dialects.v20 import common as mav
 
+from gcs.link.keys import KeyRefused, SignatureGate
 from gcs.link.link import Key
 from gcs.link.socket import MOST_AT_ONCE, RECEIVE_BYTES, AddressRefused, Where, kernel_drops, open_udp
 from gcs.mavlink import codec
@@ -24,6 +27,7 @@ from gcs.mavlink.boot_clock import BootClock
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION
 from gcs.mavlink.sequence import SequenceCounter
+from gcs.mavlink.signing import SignatureVerdict
 from gcs.scenario.endpoint import address
 from gcs.scenario.external import External
 
@@ -52,6 +56,7 @@ class _Door:
     connect: str
     socket: socket.socket
     remote: Where | None
+    gate: SignatureGate
     counters: dict[Where, SequenceCounter] = field(default_factory=dict)
     speakers: set[Where] = field(default_factory=set)
     """addresses of vehicles"""
@@ -61,6 +66,7 @@ class _Door:
     def send(self, message: Message | bytes, address: Where) -> bytes:
         counter = self.counters.setdefault(address, SequenceCounter())
         raw = message if isinstance(message, bytes) else codec.frame(message, counter.next(), *STATION)
+        raw = self.gate.signed(raw)
         with contextlib.suppress(OSError):  # no receiver yet, or no room: as on a radio link, it is lost
             self.socket.sendto(raw, address)
         return raw
@@ -84,7 +90,7 @@ class ExternalLink:
     """All vehicles of a session that were not launched."""
 
     def __init__(self, expected: Mapping[int, External], now_s: Callable[[], float]) -> None:
-        """Open a socket for each address; `now_s` reads the session's clock. Raises AddressRefused."""
+        """Open a socket for each address; `now_s` reads the session's clock. Raises AddressRefused, KeyRefused."""
         self._now_s = now_s
         self._doors: dict[str, _Door] = {}
         self._peers: dict[int, _ExternalPeer] = {}
@@ -101,8 +107,8 @@ class ExternalLink:
         for sysid, external in expected.items():
             if external.connect not in self._doors:
                 try:
-                    self._doors[external.connect] = _open(external.connect)
-                except AddressRefused:
+                    self._doors[external.connect] = _open(external)
+                except (AddressRefused, KeyRefused):
                     self.close()
                     raise
             self._peers[sysid] = _ExternalPeer((sysid, AUTOPILOT), self._doors[external.connect])
@@ -126,6 +132,16 @@ class ExternalLink:
         return not self.missing and all(
             peer.door.remote is not None or now_s - peer.found_s >= CLAIM_S for peer in self._peers.values()
         )
+
+    @property
+    def signature_refusals(self) -> dict[int, int]:
+        """Frames refused for their signature, by system id."""
+        return dict(sum((door.gate.refused for door in self._doors.values()), Counter()))
+
+    @property
+    def signature_reasons(self) -> dict[int, SignatureVerdict]:
+        """Why the last of them was refused."""
+        return {sysid: why for door in self._doors.values() for sysid, why in door.gate.reasons.items()}
 
     def pop_moved(self) -> dict[Key, Where]:
         """Vehicles received from another address, after a silence, since the last call."""
@@ -206,6 +222,7 @@ class ExternalLink:
         """Close the sockets."""
         for door in self._doors.values():
             door.socket.close()
+            door.gate.close()
 
     def _drain(self) -> None:
         for door in self._doors.values():
@@ -235,7 +252,7 @@ class ExternalLink:
 
     def _receive(self, door: _Door, frames: Sequence[Frame], address: Where) -> None:
         now_s = time.monotonic()
-        for frame in frames:
+        for frame in door.gate.accepted(frames):
             peer = self._peers.get(frame.sysid)
             if peer is None:
                 continue
@@ -274,15 +291,17 @@ def _is_autopilot(frame: Frame) -> bool:
     return bool(codec.fields(frame).autopilot != mav.MAV_AUTOPILOT_INVALID)
 
 
-def _open(connect: str) -> _Door:
+def _open(external: External) -> _Door:
+    connect = external.connect
     at = address(connect, "udpin", "udpout")
     assert at is not None  # as the scenario has checked
+    gate = SignatureGate(Path(external.signing.key_file) if external.signing else None)
     made, where = open_udp(at)
     if at.way == "udpin":
-        return _Door(connect, made, None)
+        return _Door(connect, made, None, gate)
     try:
         made.connect(where)
     except OSError as error:
         made.close()
         raise AddressRefused(f"{connect} cannot be spoken to: {error.strerror}") from None
-    return _Door(connect, made, where)
+    return _Door(connect, made, where, gate)

@@ -5,7 +5,9 @@ from __future__ import annotations
 import contextlib
 import socket
 from collections.abc import Iterator
+from pathlib import Path
 
+from gcs.link.keys import SignatureGate
 from gcs.link.socket import MOST_AT_ONCE, RECEIVE_BYTES, AddressRefused, Where, open_udp, resolve
 from gcs.mavlink import codec, v1
 from gcs.mavlink.codec import Frame
@@ -18,7 +20,9 @@ class Listener:
     """Frames received at an address, with their senders, of MAVLink 1 too. Raises AddressRefused where it cannot be
     had."""
 
-    def __init__(self, at: Endpoint) -> None:
+    def __init__(self, at: Endpoint, key_file: Path | None = None) -> None:
+        """Raises AddressRefused, KeyRefused."""
+        self.gate = SignatureGate(key_file)
         self._stream = at.way == "tcp"
         self._pending = b""
         self.open = True
@@ -48,12 +52,13 @@ class Listener:
                 if not data:
                     self.open = False
                     return
-                yield self._cut(data), self._to or ()
+                yield self.gate.accepted(self._cut(data)), self._to or ()
                 continue
-            yield codec.split(data).frames or v1.split(data), tuple(peer)
+            yield self.gate.accepted(codec.split(data).frames or v1.split(data)), tuple(peer)
 
     def send(self, raw: bytes, peer: Where) -> None:
         """Send a frame to a known sender, or to the address of a udpout or tcp."""
+        raw = self.gate.signed(raw)
         with contextlib.suppress(OSError):
             if self._stream:
                 self._socket.sendall(raw)
@@ -69,6 +74,7 @@ class Listener:
         """Close the socket."""
         self.open = False
         self._socket.close()
+        self.gate.close()
 
     def _cut(self, data: bytes) -> list[Frame]:
         """The frames that a stream's next bytes complete."""

@@ -85,6 +85,11 @@ class LockstepLink:
         return int(self._socket.getsockname()[1])
 
     @property
+    def signature_refusals(self) -> dict[int, int]:
+        """As `Link.signature_refusals`: none; the link is private."""
+        return {}
+
+    @property
     def buffer_bytes(self) -> int:
         """The receive buffer that the kernel granted."""
         return self._socket.getsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF) // 2

@@ -178,6 +178,11 @@ def msgid(message: str) -> int:
     return layout(message).msgid
 
 
+def seed_of(raw: bytes) -> bytes:
+    """The byte with which the checksum of a frame of the dialect ends."""
+    return _SEEDS[raw[7:10]][1]
+
+
 def split(datagram: bytes) -> Split:
     """Take a datagram apart into its MAVLink 2 frames; never raises.
 

@@ -10,8 +10,10 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import Any, cast
 
+from gcs.link.keys import RefusalNotices
 from gcs.link.listener import Listener
 from gcs.link.socket import Where
 from gcs.mavlink import codec
@@ -38,10 +40,18 @@ _COMMAND_ACK = codec.msgid("COMMAND_ACK")
 
 
 class MonitorSource:
-    """A console's source that listens at an address. Raises AddressRefused where it cannot."""
+    """A console's source that listens at an address. Raises AddressRefused, KeyRefused where it cannot."""
 
-    def __init__(self, at: Endpoint, *, control: bool = False, clock: Callable[[], float] = time.monotonic) -> None:
-        self._listener = Listener(at)
+    def __init__(
+        self,
+        at: Endpoint,
+        *,
+        control: bool = False,
+        key_file: Path | None = None,
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
+        self._listener = Listener(at, key_file)
+        self._refusals = RefusalNotices()
         self._clock = clock
         self._begun_s = clock()
         self._observer = Observer("monitor", at.text)
@@ -81,6 +91,9 @@ class MonitorSource:
             for frame in frames:
                 self._receive(frame, peer, t_s)
         self._report_silent(t_s)
+        gate = self._listener.gate
+        for sysid, text in self._refusals.poll(gate.refused, gate.reasons, t_s):
+            self._observer.add_event(Event(t_s, sysid, "warning", text, "link"))
         if self._control:
             self._speak(t_s)
         messages, self._replies = self._replies, []

@@ -25,6 +25,7 @@ import click
 from gcs.exit import BAD_INPUT, DONE, INTERNAL_ERROR, INTERRUPTED, NOT_DONE, leave
 from gcs.link.external import ExternalLink
 from gcs.link.fleet import FleetLink
+from gcs.link.keys import KeyRefused, RefusalNotices
 from gcs.link.link import Link
 from gcs.link.lockstep import REPEAT_S, LockstepLink
 from gcs.link.socket import BUFFER_BYTES, AddressRefused
@@ -101,6 +102,7 @@ class SessionProcess:
         self._reported_refused: set[tuple[int, int]] = set()
         self._answered_s = self._said_waiting_s = math.inf
         self._suspension = SuspensionWatch()
+        self._refusals = RefusalNotices()
         self._published_s = self._watched_s = 0.0
         self._phase = "starting"
         self._begun = False
@@ -205,7 +207,8 @@ class SessionProcess:
             for sysid, text in arrivals.look(missing, waited_s):
                 self._event(sysid, "info", text)
             self._watch()
-            if (why := arrivals.too_late(missing, waited_s)) is not None:
+            reasons = self._external_link.signature_reasons if self._external_link is not None else {}
+            if (why := arrivals.too_late(missing, waited_s, reasons)) is not None:
                 raise SessionFailed(why)
             for (sysid, _), (host, port) in self._lockstep_link.rivals.items():
                 name = self._labels.get(sysid, f"vehicle {sysid}")
@@ -304,6 +307,10 @@ class SessionProcess:
         moved = self._external_link.pop_moved() if self._external_link is not None else {}
         for (sysid, _), address in moved.items():
             self._event(sysid, "warning", f"Heard from {address[0]}:{address[1]} now, after a silence", "link")
+        if self._external_link is not None:
+            refused, reasons = self._external_link.signature_refusals, self._external_link.signature_reasons
+            for sysid, text in self._refusals.poll(refused, reasons, now_s):
+                self._event(sysid, "critical", text, "link")
         if now_s - self._published_s >= PUBLISH_EVERY_S:
             self._published_s = now_s
             self._publisher.publish(self._next_snapshot())
@@ -435,7 +442,7 @@ def fly(
             if reader is not None:
                 session.reader = Reader(reader, every_ms or round(1e3 * scenario.clock.period_s))
             status, outcome = session.run()
-    except (ScenarioError, BadVehicleError, AddressRefused) as problem:
+    except (ScenarioError, BadVehicleError, AddressRefused, KeyRefused) as problem:
         status, error = BAD_INPUT, str(problem)
     except RecorderError as problem:
         status, error = NOT_DONE, f"{problem} What was flown until then is kept. {ELSEWHERE}"

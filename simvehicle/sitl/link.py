@@ -11,6 +11,7 @@ from typing import NamedTuple, Self
 
 from simvehicle.mavlink.codec import ReceivedFrame, speaks_mavlink_1, split
 from simvehicle.mavlink.connection import Connection
+from simvehicle.sitl.keys import Keyring
 
 RECEIVE_BYTES = 2048
 """Longer datagrams are cut: nobody sends MAVLink so."""
@@ -98,9 +99,19 @@ class PlainLink(_Link):
     Who has spoken for longest keeps its place: newcomers are not answered while there is none free.
     """
 
-    def __init__(self, address: Address, connection: Connection, clock: Callable[[], float] = time.monotonic) -> None:
+    def __init__(
+        self,
+        address: Address,
+        connection: Connection,
+        clock: Callable[[], float] = time.monotonic,
+        *,
+        keyring: Keyring | None = None,
+        link_id: int = 0,
+    ) -> None:
         super().__init__(address, connection)
         self.address = address
+        self._keyring = keyring or Keyring(connection.sysid)
+        self._link_id = link_id
         self._clock = clock
         self._peers: dict[tuple[str, int], float] = {}
         """when each was heard last, in s of the wall"""
@@ -124,11 +135,15 @@ class PlainLink(_Link):
                 continue
             except OSError:
                 break
-            received = list(split(datagram))
+            received = self._keyring.accepted(list(split(datagram)))
             frames += received
-            if (received or speaks_mavlink_1(datagram)) and (peer in self._peers or self._has_room(now_s)):
+            if (received or self._is_old_speaker(datagram)) and (peer in self._peers or self._has_room(now_s)):
                 self._peers[peer] = now_s
         return frames
+
+    def _is_old_speaker(self, datagram: bytes) -> bool:
+        """Whether this is MAVLink 1, from somebody who may change when spoken to; it cannot be signed."""
+        return not self._keyring.has_key and speaks_mavlink_1(datagram)
 
     def _has_room(self, now_s: float) -> bool:
         """Whether a newcomer can be answered, once those who have gone are forgotten."""
@@ -144,7 +159,8 @@ class PlainLink(_Link):
     def flush(self) -> None:
         """Send what waits on the connection; frames with nobody to hear them are dropped."""
         self._forget(self._clock())
-        for frame in self.connection.frames():
+        for unsigned in self.connection.frames():
+            frame = self._keyring.signed(unsigned, self._link_id)
             try:
                 if self.address.kind == "udpout":
                     self.socket.send(frame)

@@ -46,7 +46,7 @@ _SEED_TERMS = frozenset(mcrf4xx(bytes([seed]), 0) for seed in range(256))
 
 # A checksum leaves the marker out. From this register the marker leads to the one that checksums begin with, so that a
 # frame need not be cut before it is summed.
-_BEFORE_MARKER = next(crc for crc in range(1 << 16) if mcrf4xx(_MARKER_BYTE, crc) == 0xFFFF)
+BEFORE_MARKER = next(crc for crc in range(1 << 16) if mcrf4xx(_MARKER_BYTE, crc) == 0xFFFF)
 
 
 class Frame(NamedTuple):
@@ -275,7 +275,7 @@ def _packer(msgid: int) -> Callable[..., bytes]:
         if not body[-1]:
             payload = body[HEADER_BYTES:].rstrip(b"\0") or b"\0"
             body = body[:1] + bytes([len(payload)]) + body[2:HEADER_BYTES] + payload
-        return body + pack_crc(mcrf4xx(body + seed, _BEFORE_MARKER))
+        return body + pack_crc(mcrf4xx(body + seed, BEFORE_MARKER))
 
     return pack_frame
 

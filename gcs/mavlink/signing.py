@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import hashlib
 import hmac
+import struct
 from collections.abc import Mapping
 from enum import StrEnum
 
@@ -25,6 +26,8 @@ STALE_TICKS = 60 * TICKS_PER_S
 MOST_STREAMS = 1024
 _STAMP_BYTES, _HASH_BYTES = 6, 6
 _MASK = (1 << 48) - 1
+_TAIL = struct.Struct("<HBIH").pack
+"""Checksum, link id, time stamp (low 32 bits, high 16)."""
 UNSIGNED = frozenset({codec.msgid("RADIO_STATUS"), codec.msgid("ADSB_VEHICLE")})
 """Messages that are taken without a signature: radios and transponders have no key."""
 SETUP_SIGNING = codec.msgid("SETUP_SIGNING")
@@ -67,17 +70,20 @@ class Signing:
         if len(key) != KEY_BYTES:
             raise ValueError(f"a signing key has {KEY_BYTES} bytes, not {len(key)}")
         self._hash = hashlib.sha256(key)
-        self._link = bytes([link_id])
+        self._link = link_id
         self.latest = latest
         self.streams: dict[Stream, int] = dict(streams or {})
 
     def sign(self, raw: bytes, now_ticks: int) -> bytes:
         """An unsigned frame of the dialect, signed."""
         self.latest = max(self.latest + 1, now_ticks)
+        latest = self.latest
         body = raw[:2] + b"\x01" + raw[3 : -codec.CRC_BYTES]
-        body += mcrf4xx(body[1:] + codec.seed_of(raw)).to_bytes(codec.CRC_BYTES, "little")
-        stamped = body + self._link + self.latest.to_bytes(_STAMP_BYTES, "little")
-        return stamped + self._signature(stamped)
+        crc = mcrf4xx(body + codec.seed_of(raw), codec.BEFORE_MARKER)
+        stamped = body + _TAIL(crc, self._link, latest & 0xFFFF_FFFF, latest >> 32)
+        digest = self._hash.copy()
+        digest.update(stamped)
+        return stamped + digest.digest()[:_HASH_BYTES]
 
     def judge(self, frame: Frame, now_ticks: int) -> SignatureVerdict:
         """Whether a received frame counts; its time stamp is kept where it does."""

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import hashlib
 import hmac
+import struct
 from collections.abc import Callable, Mapping
 
 from fastcrc.crc16 import mcrf4xx
@@ -26,6 +27,8 @@ EPOCH_S = 1_420_070_400
 """2015-01-01 in Unix time."""
 STALE_TICKS = 60 * TICKS_PER_S
 MOST_STREAMS = 256
+_TAIL = struct.Struct("<HBIH").pack
+"""Checksum, link id, time stamp (low 32 bits, high 16)."""
 _HASH_BYTES = _STAMP_BYTES = 6
 _UNSIGNED = frozenset({mav.MAVLINK_MSG_ID_RADIO_STATUS, mav.MAVLINK_MSG_ID_ADSB_VEHICLE})
 GOOD, NO_KEY = "", "signed, and no key is set"
@@ -68,9 +71,10 @@ class VehicleSigning:
         self.latest = max(self.latest + 1, now_ticks)
         row = schema(int.from_bytes(raw[7:10], "little"))
         assert row is not None
+        latest = self.latest
         body = raw[:2] + bytes((SIGNED,)) + raw[3:-CHECKSUM_BYTES]
-        body += mcrf4xx(body[1:] + row.seed).to_bytes(CHECKSUM_BYTES, "little")
-        stamped = body + bytes((link_id,)) + self.latest.to_bytes(_STAMP_BYTES, "little")
+        crc = mcrf4xx(body[1:] + row.seed)
+        stamped = body + _TAIL(crc, link_id, latest & 0xFFFF_FFFF, latest >> 32)
         return stamped + self._signature(stamped)
 
     def judge(self, frame: ReceivedFrame, now_ticks: int) -> str:

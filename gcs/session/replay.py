@@ -46,7 +46,7 @@ class ReplayError(Exception):
 class Replay:
     """A recording and the fleet in it, at `t_s` of it. Raises ReplayError, OSError.
 
-    source: a session's folder, or a .tlog file. block_bytes: as of a `Recording`. `problems`: what could not be read, a
+    source: a session's folder, or a .tlog file. block_bytes: as of a `TlogIndex`. `problems`: what could not be read, a
     sentence each.
     """
 

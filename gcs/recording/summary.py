@@ -57,7 +57,7 @@ class RefuellingSummary(_Part):
     tanker: int | None
     """null: a base served it"""
     base: str | None = None
-    by: Literal["competition", "timeout", "urgency", "policy", "operator"]
+    by: Literal["competition", "unopposed", "timeout", "urgency", "policy", "operator"]
     decided_at_s: float
     joined_at_s: float | None
     start_s: float | None

@@ -87,6 +87,8 @@ def why(service: Service, snapshot: FleetState, rules: RefuellingRules, competit
         largest = "is the largest" if service.need_is_largest else "had been the largest"
         reason = f"{need} {largest} and it held {100.0 * service.share:.0f} % of the competition"
         reason += f" for {competition.dwell_s:g} s"
+    elif service.by == "unopposed":
+        reason = f"nobody else waits for a tanker or base that it would take ({need})"
     elif service.by == "timeout":
         reason = f"nobody held {100.0 * competition.share:.0f} % of the competition within"
         reason += f" {competition.decide_within_s:g} s, and it was ahead with {need}"

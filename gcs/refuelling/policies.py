@@ -16,6 +16,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
+from gcs.refuelling.giver import Giver, ServiceTimes
 from gcs.scenario.model import RefuellingRules, Scenario
 from gcs.telemetry.state import VehicleView
 
@@ -37,6 +38,14 @@ class RefuellingRequest:
     speed_m_s: Mapping[int, float]
     """by tanker"""
     rules: RefuellingRules
+    givers: tuple[Giver, ...] = ()
+    """every tanker that serves, the busy ones with where and when they are free"""
+    later: tuple[VehicleView, ...] = ()
+    """who can be served but does not want it yet, in order of system id"""
+    times: ServiceTimes | None = None
+    """how long services take, as learnt so far"""
+    left_s: float = math.inf
+    """until the session ends"""
 
 
 class RefuellingPolicy(Protocol):

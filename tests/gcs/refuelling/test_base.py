@@ -138,7 +138,7 @@ def test_the_schedule_says_that_a_base_serves_it_and_why() -> None:
     game.until(Phase.DONE)
     unable, decided, begun, served = game.records
     assert unable == {"kind": "unable", "receiver": 1, "reason": "the scenario says so"}
-    assert (decided["base"], decided["tanker"], decided["by"]) == ("pad", None, "competition")
+    assert (decided["base"], decided["tanker"], decided["by"]) == ("pad", None, "unopposed")
     assert decided["reason"] == "cannot take a transfer: the scenario says so"
     assert "at base pad" in sentence(decided)
     assert "cannot take a transfer" in sentence(decided)

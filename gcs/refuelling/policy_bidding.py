@@ -1,0 +1,134 @@
+"""Policies in the competition's place, and which contest a scenario names."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from typing import Any
+
+from gcs.refuelling.bidding import Award, Bidding, Contest, Standing, can_receive, urgent_of
+from gcs.refuelling.giver import Giver, ServiceTimes
+from gcs.refuelling.policies import SHIPPED, WINNER_TAKE_ALL, RefuellingPolicy, RefuellingRequest
+from gcs.refuelling.time_bidding import TimeBidding
+from gcs.refuelling.winner_take_all import normalise
+from gcs.scenario import plugins
+from gcs.scenario.guard import Guard, Nonsense
+from gcs.scenario.model import CompetitionRules, RefuellingRules, Scenario
+from gcs.telemetry.state import FleetState, VehicleView
+
+
+class PolicyBidding:
+    """Asks a policy for each free tanker; a tanker without a good answer waits where it is."""
+
+    def __init__(
+        self,
+        rules: CompetitionRules,
+        refuelling: RefuellingRules,
+        speed_m_s: Mapping[int, float],
+        policy: RefuellingPolicy,
+        guard: Guard,
+        end_s: float,
+    ) -> None:
+        """`end_s`: session time at which the session ends."""
+        self._rules = rules
+        self._refuelling = refuelling
+        self._speed_m_s = speed_m_s
+        self._policy = policy
+        self._looks_ahead = bool(getattr(policy, "looks_ahead", False))
+        self._guard = guard
+        self._end_s = end_s
+        self._able: list[int] = []
+        self._wanting: tuple[VehicleView, ...] = ()
+        self._givers: tuple[Giver, ...] = ()
+        self._times: ServiceTimes | None = None
+        self.standing = Standing()
+
+    def advance(
+        self, snapshot: FleetState, served: Collection[int], givers: Sequence[Giver], times: ServiceTimes
+    ) -> None:
+        """Who may be served at the snapshot's time; nothing competes, so that bids are needs and v is empty."""
+        self._guard.begin_tick()
+        self._givers, self._times = tuple(givers), times
+        able = [view for view in snapshot.of_role("pursuer") if view.sysid not in served and can_receive(view)]
+        self._able = [view.sysid for view in able]
+        self._wanting = tuple(view for view in able if view.need >= self._rules.need_from)
+        need = {view.sysid: view.need for view in self._wanting}
+        bids = normalise(list(need.values()), low=self._rules.floor, high=self._rules.high) if need else ()
+        self.standing = Standing({}, dict(zip(need, map(float, bids), strict=True)), need, None, 0.0)
+
+    def awards(self, snapshot: FleetState, free: Sequence[Giver]) -> Iterator[Award]:
+        """By `urgency` or `policy`, for one free tanker after another; none for those for whom nobody is named."""
+        waiting = [giver for giver in free if giver.is_tanker]
+        while waiting:
+            giver = waiting.pop(0)
+            won = self._won(snapshot, giver, waiting)
+            if won is not None:
+                yield Award(giver, *won)
+
+    def _won(self, snapshot: FleetState, giver: Giver, others: Sequence[Giver]) -> tuple[int, str] | None:
+        if not self._looks_ahead:
+            reserve_s = self._refuelling.hold_s + self._refuelling.reserve_s
+            urgent = urgent_of(snapshot, self._able, [giver.p_ned], giver.speed_m_s, reserve_s)
+            if urgent is not None:
+                return urgent, "urgency"
+        if not self._wanting:
+            return None
+        tanker = snapshot.vehicle(int(giver.name))
+        beside = tuple(snapshot.vehicle(int(other.name)) for other in others)
+        wanting = {view.sysid for view in self._wanting}
+        request = RefuellingRequest(
+            snapshot.time_s,
+            tanker,
+            self._wanting,
+            (tanker, *beside),
+            self._speed_m_s,
+            self._refuelling,
+            givers=tuple(one for one in self._givers if one.is_tanker),
+            later=tuple(view for view in map(snapshot.vehicle, self._able) if view.sysid not in wanting),
+            times=self._times,
+            left_s=max(self._end_s - snapshot.time_s, 0.0),
+        )
+        answer = self._guard.call(tanker.sysid, lambda: self._checked(self._policy.choose(request)))
+        return None if answer is None or answer.value is None else (answer.value, "policy")
+
+    def approaches(self, snapshot: FleetState, free: Sequence[Giver]) -> dict[int, int]:
+        """Nobody moves before it is decided."""
+        return {}
+
+    def award(self, sysid: int, now_s: float) -> None:
+        """The one chosen is nobody else's any more."""
+        self._able = [one for one in self._able if one != sysid]
+        self._wanting = tuple(view for view in self._wanting if view.sysid != sysid)
+        self.standing = Standing({}, self.standing.tau, self.standing.need, None, 0.0)
+
+    def _checked(self, answer: Any) -> int | None:
+        """The answer as a system id or None. Raises Nonsense."""
+        if answer is None:
+            return None
+        for view in self._wanting:
+            if answer == view.sysid:
+                return view.sysid
+        told = "NaN" if answer != answer else " ".join(repr(answer).split())[:60]  # noqa: PLR0124 - NaN alone differs
+        raise Nonsense(f"returned {told}, which is no candidate's system id")
+
+
+def make_competition(rules: CompetitionRules, refuelling: RefuellingRules) -> Contest:
+    """The competition by time, or the paper's by need."""
+    if rules.bids == "need":
+        return Bidding(rules, refuelling.hold_s + refuelling.reserve_s)
+    return TimeBidding(rules, refuelling)
+
+
+def make_bidding(scenario: Scenario) -> tuple[Contest, Guard | None]:
+    """The contest that a scenario names, and what guards it where it is not the competition. Raises ScenarioError."""
+    name, rules = scenario.competition.policy, scenario.competition
+    if name == WINNER_TAKE_ALL:
+        return make_competition(rules, scenario.refuelling), None
+    policy: RefuellingPolicy
+    if name in SHIPPED:
+        policy = SHIPPED[name](scenario)
+    else:
+        policy = plugins.make("competition.policy", name, "choose", scenario)
+    speed_m_s = {tanker.sysid: tanker.speed_m_s for tanker in scenario.vehicles.tankers}
+    guard = Guard(f"policy {name}")
+    end_s = scenario.goal.duration_s
+    return PolicyBidding(rules, scenario.refuelling, speed_m_s, policy, guard, end_s), guard

@@ -27,7 +27,7 @@ FEWEST, MOST = 4, 12
 def tight(rng: np.random.Generator) -> Document:
     """4 to 12 pursuers and 1 to 3 tankers of different speeds, stocks and reserves."""
     tankers = int(rng.integers(1, MOST_TANKERS + 1))
-    capacity_j, load = float(rng.uniform(9e3, 24e3)), float(rng.uniform(0.6, 1.0))
+    capacity_j, load = float(rng.uniform(9e3, 24e3)), float(rng.uniform(0.75, 1.15))
     flies_s = 0.7 * capacity_j / HOVER_W
     serves_s = OVERHEAD_S + 0.7 * capacity_j / (RATE_W - HOVER_W)
     n = min(max(round(load * tankers * flies_s / serves_s), FEWEST), MOST)
@@ -37,7 +37,7 @@ def tight(rng: np.random.Generator) -> Document:
         battery = {
             **BATTERY,
             "capacity_j": round(capacity_j * float(rng.uniform(0.8, 1.25))),
-            "initial_percent": round(float(rng.uniform(35.0, 90.0)), 1),
+            "initial_percent": round(float(rng.uniform(28.0, 85.0)), 1),
         }
         at = rounded_m(place)
         pursuers.append({"sysid": i + 1, "start_m": at, "airborne": True, "waypoints_m": [at], "battery": battery})

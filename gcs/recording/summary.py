@@ -162,6 +162,8 @@ class Summary(_Part):
     vehicles: list[VehicleSummary]
     refuelling: list[RefuellingSummary]
     refuel_order: list[int]
+    tanker_idle_s: float = 0.0
+    """tankers' time, summed, in which they stood free although somebody waited for energy"""
     link: LinkSummary
     bases: list[BaseSummary] = []
 

@@ -49,6 +49,8 @@ class Contest(Protocol):
     """What decides who is served next."""
 
     standing: Standing
+    waits_for_all: bool
+    """whether nothing is to be decided before everyone who is heard can be served, at a session's start"""
 
     def advance(
         self, snapshot: FleetState, served: Collection[int], givers: Sequence[Giver], times: ServiceTimes
@@ -68,6 +70,8 @@ class Contest(Protocol):
 
 class Bidding:
     """The competition's memory from tick to tick."""
+
+    waits_for_all = False
 
     def __init__(self, rules: CompetitionRules, reserve_s: float = 0.0) -> None:
         """`reserve_s`: who would not last so long after a rendezvous is urgent."""

@@ -115,3 +115,9 @@ def nearest_s(givers: Sequence[Giver], view: VehicleView, times: ServiceTimes) -
     place = view.p_now_ned()
     ways = (g.free_in_s + times.begins_in_s(math.dist(g.p_ned, place) / g.speed_m_s) for g in givers)
     return min(ways, default=math.inf)
+
+
+def lasts_s(view: VehicleView, lands_at: float) -> float:
+    """Time until a vehicle lands by itself at its present draw, s."""
+    left_j = max(view.remaining_j - lands_at * view.capacity_j, 0.0)
+    return left_j / view.power_w if view.power_w > 0.0 else math.inf

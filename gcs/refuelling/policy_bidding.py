@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from typing import Any
 
 from gcs.refuelling.bidding import Award, Bidding, Contest, Standing, can_receive, urgent_of
@@ -19,6 +19,8 @@ from gcs.telemetry.state import FleetState, VehicleView
 class PolicyBidding:
     """Asks a policy for each free tanker; a tanker without a good answer waits where it is."""
 
+    waits_for_all = True
+
     def __init__(
         self,
         rules: CompetitionRules,
@@ -33,7 +35,7 @@ class PolicyBidding:
         self._refuelling = refuelling
         self._speed_m_s = speed_m_s
         self._policy = policy
-        self._looks_ahead = bool(getattr(policy, "looks_ahead", False))
+        self._assign: Callable[[RefuellingRequest], Any] | None = getattr(policy, "assign", None)
         self._guard = guard
         self._end_s = end_s
         self._able: list[int] = []
@@ -56,30 +58,48 @@ class PolicyBidding:
         self.standing = Standing({}, dict(zip(need, map(float, bids), strict=True)), need, None, 0.0)
 
     def awards(self, snapshot: FleetState, free: Sequence[Giver]) -> Iterator[Award]:
-        """By `urgency` or `policy`, for one free tanker after another; none for those for whom nobody is named."""
+        """By `urgency` or `policy`: for all free tankers at once where the policy can, else for one after another."""
         waiting = [giver for giver in free if giver.is_tanker]
+        if not waiting:
+            return
+        if self._assign is not None:
+            if self._wanting:
+                yield from self._assigned(snapshot, waiting)
+            return
         while waiting:
             giver = waiting.pop(0)
             won = self._won(snapshot, giver, waiting)
             if won is not None:
                 yield Award(giver, *won)
 
+    def _assigned(self, snapshot: FleetState, free: Sequence[Giver]) -> Iterator[Award]:
+        assign, request = self._assign, self._request(snapshot, free)
+        assert assign is not None
+        answer = self._guard.call(request.tanker.sysid, lambda: self._all_checked(assign(request), request))
+        pairs = {} if answer is None else answer.value
+        for giver in free:
+            if giver.name in pairs:
+                yield Award(giver, pairs[giver.name], "policy")
+
     def _won(self, snapshot: FleetState, giver: Giver, others: Sequence[Giver]) -> tuple[int, str] | None:
-        if not self._looks_ahead:
-            reserve_s = self._refuelling.hold_s + self._refuelling.reserve_s
-            urgent = urgent_of(snapshot, self._able, [giver.p_ned], giver.speed_m_s, reserve_s)
-            if urgent is not None:
-                return urgent, "urgency"
+        reserve_s = self._refuelling.hold_s + self._refuelling.reserve_s
+        urgent = urgent_of(snapshot, self._able, [giver.p_ned], giver.speed_m_s, reserve_s)
+        if urgent is not None:
+            return urgent, "urgency"
         if not self._wanting:
             return None
-        tanker = snapshot.vehicle(int(giver.name))
-        beside = tuple(snapshot.vehicle(int(other.name)) for other in others)
+        request = self._request(snapshot, [giver, *others])
+        answer = self._guard.call(request.tanker.sysid, lambda: self._checked(self._policy.choose(request)))
+        return None if answer is None or answer.value is None else (answer.value, "policy")
+
+    def _request(self, snapshot: FleetState, free: Sequence[Giver]) -> RefuellingRequest:
+        tankers = tuple(snapshot.vehicle(int(giver.name)) for giver in free)
         wanting = {view.sysid for view in self._wanting}
-        request = RefuellingRequest(
+        return RefuellingRequest(
             snapshot.time_s,
-            tanker,
+            tankers[0],
             self._wanting,
-            (tanker, *beside),
+            tankers,
             self._speed_m_s,
             self._refuelling,
             givers=tuple(one for one in self._givers if one.is_tanker),
@@ -87,8 +107,6 @@ class PolicyBidding:
             times=self._times,
             left_s=max(self._end_s - snapshot.time_s, 0.0),
         )
-        answer = self._guard.call(tanker.sysid, lambda: self._checked(self._policy.choose(request)))
-        return None if answer is None or answer.value is None else (answer.value, "policy")
 
     def approaches(self, snapshot: FleetState, free: Sequence[Giver]) -> dict[int, int]:
         """Nobody moves before it is decided."""
@@ -99,6 +117,22 @@ class PolicyBidding:
         self._able = [one for one in self._able if one != sysid]
         self._wanting = tuple(view for view in self._wanting if view.sysid != sysid)
         self.standing = Standing({}, self.standing.tau, self.standing.need, None, 0.0)
+
+    def _all_checked(self, answer: Any, request: RefuellingRequest) -> dict[int, int]:
+        """The answer as receivers by tanker. Raises Nonsense."""
+        if not isinstance(answer, Mapping):
+            raise Nonsense(f"returned {type(answer).__name__}, which is no mapping from tankers to receivers")
+        free = {view.sysid for view in request.free_tankers}
+        found = {}
+        for tanker, receiver in answer.items():
+            if tanker not in free:
+                raise Nonsense(f"returned {tanker!r}, which is no free tanker's system id")
+            checked = self._checked(receiver)
+            if checked is not None:
+                found[int(tanker)] = checked
+        if len(set(found.values())) < len(found):
+            raise Nonsense("gave one vehicle to two tankers")
+        return found
 
     def _checked(self, answer: Any) -> int | None:
         """The answer as a system id or None. Raises Nonsense."""

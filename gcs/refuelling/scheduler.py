@@ -29,7 +29,9 @@ from gcs.scenario.model import Base, CompetitionRules, RefuellingRules, Tanker
 from gcs.telemetry.state import FleetState, VehicleView
 
 RELAY_WITHIN_M = 15.0
-TANKER_TIMES = (3.25, 1.14, 1.2)
+UP_WITHIN_S = 1.0
+"""So long after the first one the others may take to be in the air before anything is decided."""
+TANKER_TIMES = (3.0, 1.14, 0.5)
 BASE_TIMES = (10.0, 1.2, 6.0)
 """First guesses of a, b and what passes after the last joule, s; measured in random sessions [choice]."""
 
@@ -55,6 +57,7 @@ class Scheduler:
         self._base_contest = make_competition(competition, refuelling) if competes and bases else None
         self._rules = refuelling
         self._cruise_m_s = cruise_m_s
+        self._need_from = competition.need_from
         self._tankers = {tanker.sysid: tanker for tanker in tankers}
         self.services: list[Service] = []
         self.out: dict[int, str] = {}
@@ -68,6 +71,12 @@ class Scheduler:
         self.tanker_times = ServiceTimes(*TANKER_TIMES)
         self.base_times = ServiceTimes(*BASE_TIMES)
         self._approaches: dict[int, int] = {}
+        self._first_up_s: float | None = None
+        self._last_s: float | None = None
+        self._free: list[int | str] = []
+        self.tanker_idle_s = 0.0
+        """tankers' time, summed, in which they stood free although somebody waited"""
+        self._up: set[int] = set()
 
     @property
     def standing(self) -> Standing:
@@ -122,6 +131,8 @@ class Scheduler:
 
     def decide(self, snapshot: FleetState) -> Decision:
         """Move the competition and every service to the snapshot's time."""
+        dt_s = 0.0 if self._last_s is None else snapshot.time_s - self._last_s
+        self._last_s = snapshot.time_s
         self._requests.clear()
         self._bases.booked = {}
         self.settle(snapshot)
@@ -130,6 +141,7 @@ class Scheduler:
         self._compete(snapshot)
         for service in self.open_services:
             (self._steps if service.base is None else self._bases).serve(service, snapshot)
+        self.tanker_idle_s += dt_s * self._idle_tankers(snapshot)
         in_air = {s.tanker: s for s in self.open_services if s.tanker is not None}
         at_base = [service for service in self.open_services if service.base is not None]
         return Decision(
@@ -156,6 +168,7 @@ class Scheduler:
         served = {service.receiver for service in self.open_services} | self.out.keys()
         unable = self._ability.unable.keys()
         tankers, bases = self._tanker_givers(snapshot), self._base_givers(snapshot)
+        self._free = [giver.name for giver in tankers if giver.free_in_s == 0.0]
         self.tanker_times.learn((s for s in self.services if s.base is None), lambda _: self._rules.rate_w)
         self.base_times.learn((s for s in self.services if s.base is not None), self._base_rate_w)
         if self._contest is not None:
@@ -168,13 +181,37 @@ class Scheduler:
             return
         for contest, givers in ((self._contest, tankers), (self._base_contest, bases)):
             free = self._award_asked([giver for giver in givers if giver.free_in_s == 0.0], contest, snapshot)
-            if contest is None or not free:
+            if contest is None or not free or (contest.waits_for_all and not self._all_are_up(snapshot)):
                 continue
             for award in contest.awards(snapshot, free):
                 self._award(award, contest, snapshot)
                 free = [giver for giver in free if giver.name != award.giver.name]
             if contest is self._contest:
                 self._approaches = contest.approaches(snapshot, free)
+
+    def _all_are_up(self, snapshot: FleetState) -> bool:
+        """Whether everyone who is heard could be served by now, or has had its time after the first one could."""
+        pursuers = [view for view in snapshot.of_role("pursuer") if view.alive and view.heard_s >= 0.0]
+        able = {view.sysid for view in pursuers if can_receive(view)}
+        if self._first_up_s is None and able:
+            self._first_up_s = snapshot.time_s
+        self._up |= able
+        waited = self._first_up_s is not None and snapshot.time_s - self._first_up_s >= UP_WITHIN_S
+        return waited or all(view.sysid in self._up or view.sysid in self.out for view in pursuers)
+
+    def _idle_tankers(self, snapshot: FleetState) -> int:
+        """How many tankers stand free after this tick's decisions although somebody waits for each."""
+        if self._contest is None or not self._rules.enabled:
+            return 0
+        busy = {service.tanker for service in self.open_services} | self._approaches.keys()
+        served = {service.receiver for service in self.open_services} | set(self._approaches.values())
+        waiting = sum(
+            view.need >= self._need_from and can_receive(view)
+            for view in snapshot.of_role("pursuer")
+            if view.sysid not in served and view.sysid not in self.out and view.sysid not in self._ability.unable
+        )
+        free = sum(giver not in busy for giver in self._free)
+        return min(free, waiting)
 
     def _tanker_givers(self, snapshot: FleetState) -> list[Giver]:
         """Every tanker that flies and has something to spare, busy ones from where and when their service ends."""

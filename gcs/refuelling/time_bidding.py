@@ -9,12 +9,12 @@ competition goes on for every k, so that a giver that becomes free is seldom kep
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 import numpy as np
 
 from gcs.refuelling.bidding import Award, Standing, can_receive
-from gcs.refuelling.giver import Giver, ServiceTimes, nearest_s
+from gcs.refuelling.giver import Giver, ServiceTimes, lasts_s, nearest_s
 from gcs.refuelling.k_winners import Competitor, Reading, bounded, read
 from gcs.refuelling.matching import match
 from gcs.refuelling.winner_take_all import advance_ln
@@ -27,14 +27,10 @@ wrong as that."""
 _ROUNDING_S = 1e-6
 
 
-def lasts_s(view: VehicleView, lands_at: float) -> float:
-    """Time until a vehicle lands by itself at its present draw, s."""
-    left_j = max(view.remaining_j - lands_at * view.capacity_j, 0.0)
-    return left_j / view.power_w if view.power_w > 0.0 else math.inf
-
-
 class TimeBidding:
     """The competition's memory from tick to tick."""
+
+    waits_for_all = True
 
     def __init__(self, rules: CompetitionRules, refuelling: RefuellingRules) -> None:
         self._rules = rules
@@ -45,6 +41,7 @@ class TimeBidding:
         self._held_since_s: dict[int, float] = {}
         self._begun_s: float | None = None
         self._last_s: float | None = None
+        self._times: ServiceTimes | None = None
         self.slack_s: dict[int, float] = {}
         """time until each competitor must land, less the time until energy can reach it"""
         self.standing = Standing()
@@ -53,7 +50,7 @@ class TimeBidding:
         self, snapshot: FleetState, served: Collection[int], givers: Sequence[Giver], times: ServiceTimes
     ) -> None:
         """Let those who compete do so up to the snapshot's time; `givers` are all that there are, busy ones too."""
-        now_s, rules = snapshot.time_s, self._rules
+        now_s, rules, self._times = snapshot.time_s, self._rules, times
         dt_s = now_s - self._last_s if self._last_s is not None else 0.0
         self._last_s = now_s
         able = [v for v in snapshot.of_role("pursuer") if v.sysid not in served and can_receive(v)]
@@ -82,17 +79,30 @@ class TimeBidding:
     def _compete(self, competitors: Sequence[VehicleView], dt_s: float, places: int) -> None:
         """Advance the law by one tick."""
         rules = self._rules
-        bottom = min(self._ln_v.values(), default=places * math.log(rules.floor))
         bids_s = [self._bid_s(view.sysid) for view in competitors]
+        begins = self._beginnings(dict(zip((view.sysid for view in competitors), bids_s, strict=True)), places)
         above = 1.0 - np.array(bids_s) / rules.horizon_s
         self._tau = rules.floor * (1.0 - above) + rules.high * above
-        ln_v = np.array([self._ln_v.get(view.sysid, bottom) for view in competitors])
+        ln_v = np.array([begins[view.sysid] for view in competitors])
         ln_v = bounded(advance_ln(ln_v, self._tau, dt_s, p=rules.p, rate=rules.rate), places, rules.floor)
         self._ln_v = {view.sysid: float(x) for view, x in zip(competitors, ln_v, strict=True)}
         self._competing = [
             Competitor(view.sysid, self._ln_v[view.sysid], bid_s, self._rank(view))
             for view, bid_s in zip(competitors, bids_s, strict=True)
         ]
+
+    def _beginnings(self, bids_s: Mapping[int, float], places: int) -> dict[int, float]:
+        """States of the last tick; who is new begins beside the one whose bid is nearest to its own, as though it had
+        competed as long, and where all are new, at the bottom."""
+        known = [sysid for sysid in bids_s if sysid in self._ln_v]
+        if not known:
+            return dict.fromkeys(bids_s, places * math.log(self._rules.floor))
+        return {
+            sysid: self._ln_v[
+                sysid if sysid in self._ln_v else min(known, key=lambda one: (abs(bids_s[one] - bid_s), one))
+            ]
+            for sysid, bid_s in bids_s.items()
+        }
 
     def _bid_s(self, sysid: int) -> float:
         slack_s = self.slack_s[sysid]
@@ -177,5 +187,21 @@ class TimeBidding:
         self._begun_s = now_s if left else None
 
     def _matched(self, winners: Sequence[int], by: str, snapshot: FleetState, free: Sequence[Giver]) -> list[Award]:
+        """The winners' givers. Whom its giver would reach too late leaves the place to the next one whom it would not:
+        another giver that is free soon may be nearer."""
+        assert self._times is not None
+        begins_in_s = self._times.begins_in_s
         pairs = match(free, [snapshot.vehicle(sysid) for sysid in winners])
-        return [Award(giver, view.sysid, by) for giver, view in pairs]
+        others = [one.sysid for one in sorted(self._competing, key=lambda one: (-one.ln_v, one.rank))]
+        others = [sysid for sysid in others if sysid not in winners]
+        found = []
+        for giver, winner in pairs:
+            view = winner
+            for candidate in (winner, *map(snapshot.vehicle, others)):
+                if begins_in_s(giver.way_s(candidate)) <= lasts_s(candidate, self._refuelling.lands_at):
+                    view = candidate
+                    break
+            if view.sysid in others:
+                others.remove(view.sysid)
+            found.append(Award(giver, view.sysid, by))
+        return found

@@ -30,7 +30,15 @@ if TYPE_CHECKING:
     Policy = str
 else:
     Method = _one_of("potential_field")
-    Policy = _one_of("winner_take_all", "greedy_nearest", "most_empty_first", "optimal")
+    Policy = _one_of(
+        "winner_take_all",
+        "optimal",
+        "earliest_deadline",
+        "hungarian",
+        "auction",
+        "greedy_nearest",
+        "most_empty_first",
+    )
 
 
 def _named(key: str, value: Any) -> Any:
@@ -124,7 +132,7 @@ class CompetitionRules(Part):
     """with bids by time: who has so long left beyond the time until it can be served bids `floor`, s"""
     tie_s: Seconds = 2.0
     """with bids by time: who differ by less tie, s"""
-    rate: Positive = 10.0
+    rate: Positive = 20.0
     """rate c of the law, 1/s; larger decides faster"""
     floor: Positive = 0.01
     """least bid, without unit, below `high`; and how far a state may fall behind the one before it"""
@@ -135,7 +143,7 @@ class CompetitionRules(Part):
     share: Annotated[float, Field(strict=True, gt=0, lt=1)] = 0.9
     """share of v^p that the last winner must hold against the next one, 0 to 1; with bids by need, of the sum less the
     floor's own"""
-    dwell_s: Seconds = 2.0
+    dwell_s: Seconds = 1.0
     """how long it must hold that share, s"""
     decide_within_s: Seconds = 30.0
     """after so long without a winner the greatest state is served, s"""

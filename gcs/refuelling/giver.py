@@ -12,13 +12,17 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gcs.refuelling.service import Phase, Service
 from gcs.refuelling.target_assignment import meeting_s
+from gcs.scenario.model import RefuellingRules
 from gcs.telemetry.state import Vec3, VehicleView
 
 WORTH_J = 500.0
 """A giver with less to spare takes nobody on."""
+FloatArray = NDArray[np.float64]
+
 PRIOR_WEIGHT = 4.0
 """As many services as the first guess counts for."""
 
@@ -121,3 +125,40 @@ def lasts_s(view: VehicleView, lands_at: float) -> float:
     """Time until a vehicle lands by itself at its present draw, s."""
     left_j = max(view.remaining_j - lands_at * view.capacity_j, 0.0)
     return left_j / view.power_w if view.power_w > 0.0 else math.inf
+
+
+def ways_s(givers: Sequence[Giver], views: Sequence[VehicleView]) -> list[float]:
+    """Time that the way to each vehicle takes the nearest of those givers that are free first, s; 0 without any."""
+    soonest_s = min((giver.free_in_s for giver in givers), default=0.0)
+    first = [giver for giver in givers if giver.free_in_s == soonest_s]
+    return [min((math.dist(g.p_ned, v.p_now_ned()) / g.speed_m_s for g in first), default=0.0) for v in views]
+
+
+def served_if_passed_over_s(
+    givers: Sequence[Giver], views: Sequence[VehicleView], times: ServiceTimes, rules: RefuellingRules
+) -> FloatArray:
+    """(n,) time until energy could flow into each of n vehicles if another of them were served first by whoever is free
+    first, any of the others as likely; a giver that is free later may take it before any other. Without givers, or for
+    one alone, the time until it is served at all."""
+    n = len(views)
+    if not givers or n < 2:
+        return np.array([nearest_s(givers, view, times) if givers else 0.0 for view in views])
+    at = np.array([view.p_now_ned() for view in views])
+    free_s = np.array([giver.free_in_s for giver in givers])
+    speed_m_s = np.array([giver.speed_m_s for giver in givers])
+    away_m = np.linalg.norm(np.array([giver.p_ned for giver in givers])[:, None] - at, axis=2)
+    begins_s = free_s[:, None] + times.start_s + times.per_way * away_m / speed_m_s[:, None]
+    apart_m = np.linalg.norm(at[:, None] - at, axis=2)
+    missing_j = np.array([rules.until * view.capacity_j - view.remaining_j for view in views])
+    power_w = np.array([view.power_w for view in views])
+    found = np.full(n, math.inf)
+    for g, giver in enumerate(givers):
+        if free_s[g] > free_s.min():
+            found = np.minimum(found, begins_s[g])
+            continue
+        net_w = np.maximum(giver.rate_w - power_w, 0.1 * giver.rate_w)
+        ends_s = begins_s[g] + np.maximum(missing_j + power_w * begins_s[g], 0.0) / net_w + times.end_s
+        after_s = ends_s[:, None] + times.start_s + times.per_way * apart_m / speed_m_s[g]
+        np.fill_diagonal(after_s, 0.0)
+        found = np.minimum(found, after_s.sum(axis=0) / (n - 1))
+    return found

@@ -1,9 +1,10 @@
 """The competition of those who wait, as many winners at once as givers are free
 (docs/protocol.md#refuelling-schedule, docs/model.md#k-winners) [choice].
 
-A bid is the time until the vehicle must land, less the time until energy can reach it. The law is the paper's; the k
-greatest win at once when the last of them has left the next one behind for the dwell time. While nobody is free the
-competition goes on for every k, so that a giver that becomes free is seldom kept waiting.
+A bid is the time until the vehicle must land, less the time until energy could reach it if another were served first,
+and the way to it, which all others wait for, added: the least bids most. The law is the paper's; the k greatest win at
+once when the last of them has left the next one behind for the dwell time. While nobody is free the competition goes on
+for every k, so that a giver that becomes free is seldom kept waiting.
 """
 
 from __future__ import annotations
@@ -12,9 +13,10 @@ import math
 from collections.abc import Collection, Iterable, Mapping, Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gcs.refuelling.bidding import Award, Standing, can_receive
-from gcs.refuelling.giver import Giver, ServiceTimes, lasts_s, nearest_s
+from gcs.refuelling.giver import Giver, ServiceTimes, lasts_s, nearest_s, served_if_passed_over_s, ways_s
 from gcs.refuelling.k_winners import Competitor, Reading, bounded, read
 from gcs.refuelling.matching import match
 from gcs.refuelling.winner_take_all import advance_ln
@@ -24,6 +26,8 @@ from gcs.telemetry.state import FleetState, VehicleView
 HOPELESS_S = -3.0
 """[choice] Who would have landed so long before energy could reach it is served after all others: estimates are as
 wrong as that."""
+LATEST_S = 15.0
+"""[choice] Who would be so much too late, were another served first, bids `high`."""
 _ROUNDING_S = 1e-6
 
 
@@ -42,8 +46,10 @@ class TimeBidding:
         self._begun_s: float | None = None
         self._last_s: float | None = None
         self._times: ServiceTimes | None = None
+        self._tau: NDArray[np.float64] = np.empty(0)
+        self._spare_s: dict[int, float] = {}
         self.slack_s: dict[int, float] = {}
-        """time until each competitor must land, less the time until energy can reach it"""
+        """time until each competitor must land, less the time until energy can reach it if it is served first"""
         self.standing = Standing()
 
     def advance(
@@ -67,7 +73,7 @@ class TimeBidding:
         if not competitors:
             self._forget()
             return
-        self._compete(competitors, dt_s, places=max(len(givers), 1))
+        self._compete(competitors, dt_s, givers, max(len(givers), 1))
         self._watch(now_s, max(len(givers), 1))
         self._tell({view.sysid: view.need for view in competitors})
 
@@ -76,9 +82,16 @@ class TimeBidding:
         self._begun_s = None
         self.standing = Standing()
 
-    def _compete(self, competitors: Sequence[VehicleView], dt_s: float, places: int) -> None:
+    def _compete(self, competitors: Sequence[VehicleView], dt_s: float, givers: Sequence[Giver], places: int) -> None:
         """Advance the law by one tick."""
         rules = self._rules
+        assert self._times is not None
+        passed_s = served_if_passed_over_s(givers, competitors, self._times, self._refuelling)
+        left_s = [lasts_s(view, self._refuelling.lands_at) for view in competitors]
+        self._spare_s = {
+            view.sysid: left + way - passed
+            for view, left, way, passed in zip(competitors, left_s, ways_s(givers, competitors), passed_s, strict=True)
+        }
         bids_s = [self._bid_s(view.sysid) for view in competitors]
         begins = self._beginnings(dict(zip((view.sysid for view in competitors), bids_s, strict=True)), places)
         above = 1.0 - np.array(bids_s) / rules.horizon_s
@@ -105,8 +118,9 @@ class TimeBidding:
         }
 
     def _bid_s(self, sysid: int) -> float:
-        slack_s = self.slack_s[sysid]
-        return self._rules.horizon_s if slack_s < HOPELESS_S else min(max(slack_s, 0.0), self._rules.horizon_s)
+        if self.slack_s[sysid] < HOPELESS_S:
+            return self._rules.horizon_s
+        return min(max(self._spare_s[sysid] + LATEST_S, 0.0), self._rules.horizon_s)
 
     def _rank(self, view: VehicleView) -> tuple[float, ...]:
         """Of those who tie: the hopeless last, then need to the percent, way to the second, system id."""
@@ -148,7 +162,7 @@ class TimeBidding:
         since_s = self._held_since_s.get(k)
         if since_s is not None and now_s - since_s >= rules.dwell_s - _ROUNDING_S:
             return self._matched(self._readings[k].winners, "competition", snapshot, free)
-        least_s = min(one.time_s for one in self._competing)
+        least_s = min((s for s in self.slack_s.values() if s >= HOPELESS_S), default=math.inf)
         if least_s <= 2.0 * rules.dwell_s:
             by_bid = [one._replace(ln_v=-one.time_s) for one in self._competing]
             winners = read(by_bid, k, p=rules.p, tie_s=rules.tie_s).winners

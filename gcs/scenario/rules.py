@@ -171,5 +171,7 @@ class RefuellingRules(Part):
     bids by need and with policies that do not look at the time left"""
     lands_at: Fraction = 0.05
     """share of its battery at which a vehicle lands by itself, 0 to 1"""
+    tops_up: Flag = True
+    """a tanker is ordered to give what its receiver draws meanwhile, too, so that `until` can be reached"""
     limit_j: Joules | None = None
     """most energy of one service, J; by default only `until` limits it"""

@@ -30,7 +30,7 @@ from gcs.telemetry.state import FleetState, VehicleView
 
 RELAY_WITHIN_M = 15.0
 UP_WITHIN_S = 1.0
-"""So long after the first one the others may take to be in the air before anything is decided."""
+"""So long after the first one the others may take before anything is decided."""
 TANKER_TIMES = (3.0, 1.14, 0.5)
 BASE_TIMES = (10.0, 1.2, 6.0)
 """First guesses of a, b and what passes after the last joule, s; measured in random sessions [choice]."""
@@ -190,14 +190,14 @@ class Scheduler:
                 self._approaches = contest.approaches(snapshot, free)
 
     def _all_are_up(self, snapshot: FleetState) -> bool:
-        """Whether everyone who is heard could be served by now, or has had its time after the first one could."""
-        pursuers = [view for view in snapshot.of_role("pursuer") if view.alive and view.heard_s >= 0.0]
-        able = {view.sysid for view in pursuers if can_receive(view)}
+        """Whether everyone could be served by now and its draw is known, or had its time after the first one."""
+        pursuers = [view for view in snapshot.of_role("pursuer") if view.alive and view.sysid not in self.out]
+        able = {view.sysid for view in pursuers if can_receive(view) and view.power_w > 0.0}
         if self._first_up_s is None and able:
             self._first_up_s = snapshot.time_s
         self._up |= able
         waited = self._first_up_s is not None and snapshot.time_s - self._first_up_s >= UP_WITHIN_S
-        return waited or all(view.sysid in self._up or view.sysid in self.out for view in pursuers)
+        return waited or all(view.sysid in self._up for view in pursuers)
 
     def _idle_tankers(self, snapshot: FleetState) -> int:
         """How many tankers stand free after this tick's decisions although somebody waits for each."""

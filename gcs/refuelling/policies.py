@@ -115,6 +115,8 @@ class Optimal:
             planned = self._planned(request, views)
             named = [views[i] for i, s in zip(planned.first, planned.starts_s, strict=True) if i >= 0 and s == 0.0]
             winners = [view for view in named if view.sysid in waiting]
+            others = [view for view in views if view.sysid in waiting and view not in winners]
+            winners += others[: len(free) - len(winners)]  # whom the plan holds to be lost, rather than nobody
         return _pairs(match(free, winners))
 
     def _planned(self, request: RefuellingRequest, views: Sequence[VehicleView]) -> Planned:
@@ -174,7 +176,7 @@ class Hungarian:
         free, lands_at = _free(request), request.rules.lands_at
         cost_s = np.array([[giver.way_s(view) for view in request.candidates] for giver in free])
         left_s = np.array([min(lasts_s(view, lands_at), LONGEST_S) for view in request.candidates])
-        cost_s[left_s - cost_s < request.rules.reserve_s] -= LONGEST_S
+        cost_s[:, left_s - cost_s.min(axis=0) < request.rules.reserve_s] -= LONGEST_S
         rows, columns = linear_sum_assignment(cost_s)
         return {int(free[i].name): request.candidates[j].sysid for i, j in zip(rows, columns, strict=True)}
 

@@ -28,6 +28,8 @@ COST = 8.0
 """[choice] Of one that is lost, where a service that begins at the very last moment costs ln 2."""
 TOO_LATE_S = 3.0
 """Who would have landed so long before is not flown to."""
+SHORTEST_S = 1.0
+"""No service takes less: plans are of bounded length."""
 WIDTH = 64
 """Plans kept of each length."""
 FORESEEN_S = 6.0
@@ -136,7 +138,7 @@ def plan(fleet: Fleet, tankers: Tankers, takes: Durations, *, horizon_s: float, 
         new_lands, new_free, new_left = lands[of], free[of], left_j[of]
         gained_s = flow * takes.rate_w / fleet.power_w[chosen]
         new_lands[each, chosen] = np.maximum(new_lands[each, chosen], begin) + gained_s
-        new_free[each, by] = begin + flow + takes.end_s
+        new_free[each, by] = np.maximum(begin + flow + takes.end_s, sets_off[parent] + SHORTEST_S)
         new_left[each, by] -= flow * takes.rate_w
         new_free[each, by] = np.where(new_left[each, by] < 500.0, math.inf, new_free[each, by])
         new_place, new_first, new_starts = place[of], first[of], starts[of]

@@ -192,10 +192,10 @@ class Scheduler:
     def _all_are_up(self, snapshot: FleetState) -> bool:
         """Whether everyone could be served by now and its draw is known, or had its time after the first one."""
         pursuers = [view for view in snapshot.of_role("pursuer") if view.alive and view.sysid not in self.out]
-        able = {view.sysid for view in pursuers if can_receive(view) and view.power_w > 0.0}
+        able = [view for view in pursuers if can_receive(view)]
         if self._first_up_s is None and able:
             self._first_up_s = snapshot.time_s
-        self._up |= able
+        self._up |= {view.sysid for view in able if view.power_w > 0.0}
         waited = self._first_up_s is not None and snapshot.time_s - self._first_up_s >= UP_WITHIN_S
         return waited or all(view.sysid in self._up for view in pursuers)
 

@@ -48,6 +48,8 @@ class TimeBidding:
         self._times: ServiceTimes | None = None
         self._tau: NDArray[np.float64] = np.empty(0)
         self._spare_s: dict[int, float] = {}
+        self.bids_s: dict[int, float] = {}
+        """each competitor's bid on its scale of time, 0 to the horizon: the least is the greatest bid"""
         self.slack_s: dict[int, float] = {}
         """time until each competitor must land, less the time until energy can reach it if it is served first"""
         self.standing = Standing()
@@ -92,8 +94,9 @@ class TimeBidding:
             view.sysid: left + way - passed
             for view, left, way, passed in zip(competitors, left_s, ways_s(givers, competitors), passed_s, strict=True)
         }
-        bids_s = [self._bid_s(view.sysid) for view in competitors]
-        begins = self._beginnings(dict(zip((view.sysid for view in competitors), bids_s, strict=True)), places)
+        self.bids_s = {view.sysid: self._bid_s(view.sysid) for view in competitors}
+        bids_s = list(self.bids_s.values())
+        begins = self._beginnings(self.bids_s, places)
         above = 1.0 - np.array(bids_s) / rules.horizon_s
         self._tau = rules.floor * (1.0 - above) + rules.high * above
         ln_v = np.array([begins[view.sysid] for view in competitors])

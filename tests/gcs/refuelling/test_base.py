@@ -220,9 +220,9 @@ def test_without_a_base_who_cannot_take_a_transfer_is_served_by_nobody() -> None
 
 
 def test_one_that_would_not_last_goes_first() -> None:
-    game = world(view(1, initial_j=2_000.0), view(2, initial_j=4_000.0, power_w=200.0))
+    game = world(view(1, initial_j=2_000.0), view(2, initial_j=5_000.0, power_w=200.0))
     service = game.until(Phase.DONE)
-    assert (service.receiver, service.by) == (2, "urgency")  # 20 s left; 10 m at 1.5 m/s, and 21 s of reserve
+    assert (service.receiver, service.by) == (2, "competition")  # 1 is emptier, but lasts longer
 
 
 def test_a_vehicle_that_knows_no_transfers_is_charged_by_the_book() -> None:

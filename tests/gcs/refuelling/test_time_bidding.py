@@ -45,12 +45,12 @@ def decide(
     return math.inf, []
 
 
-@pytest.mark.parametrize(("n", "k", "within_s"), [(12, 4, 6.0), (200, 8, 15.0)])
-def test_as_many_win_at_once_as_tankers_are_free(n: int, k: int, within_s: float) -> None:
-    """Fleets of ten seeds, near ties and all: never by time-out, and no more lacks to a winner than ties allow."""
-    for seed in range(10):
+@pytest.mark.parametrize(("n", "k", "within_s", "seeds"), [(12, 4, 6.0, 12), (200, 8, 15.0, 3)])
+def test_as_many_win_at_once_as_tankers_are_free(n: int, k: int, within_s: float, seeds: int) -> None:
+    """Random fleets, near ties and all: never by time-out, and no winner bids less than who ties with the last one."""
+    for seed in range(seeds):
         rng = np.random.default_rng(seed)
-        lasts = rng.uniform(14.0, 48.0, n)
+        lasts = rng.uniform(22.0, 45.0, n)
         views = [pursuer(i + 1, float(s), (*rng.uniform(-50, 50, 2), -5.0)) for i, s in enumerate(lasts)]
         givers = [giver(200 + j, (*rng.uniform(-50, 50, 2), -6.0)) for j in range(k)]
         contest = TimeBidding(RULES, RefuellingRules())
@@ -59,8 +59,8 @@ def test_as_many_win_at_once_as_tankers_are_free(n: int, k: int, within_s: float
         assert {by for _, _, by in found} <= {"competition", "urgency"}
         assert len({receiver for _, receiver, _ in found}) == len({name for name, *_ in found}) == k
         won = {receiver for _, receiver, _ in found}
-        served = [s for sysid, s in contest.slack_s.items() if sysid in won and s > -3.0]
-        passed = [s for sysid, s in contest.slack_s.items() if sysid not in won and s > -3.0]
+        served = [s for sysid, s in contest.bids_s.items() if sysid in won]
+        passed = [s for sysid, s in contest.bids_s.items() if sysid not in won]
         assert max(served) <= min(passed) + 2.0 * RULES.tie_s + 0.5
 
 
@@ -104,7 +104,7 @@ def test_who_waits_alone_or_finds_a_tanker_for_each_does_not_wait() -> None:
 
 
 def test_ties_go_by_need_then_way_then_id() -> None:
-    contest = TimeBidding(RULES, RefuellingRules())
+    contest = TimeBidding(RULES.model_copy(update={"tie_s": 60.0}), RefuellingRules())
     emptier = pursuer(7, 30.0)._replace(capacity_j=40_000.0, initial_j=2000.0 + 200.0 * 30.0)
     assert decide(contest, [pursuer(3, 30.0), emptier], [giver(201)])[1] == [(201, 7, "competition")]
     aside = pursuer(3, 30.4, (0.0, 2.0, -6.0))

@@ -77,6 +77,7 @@ class Scheduler:
         self.tanker_idle_s = 0.0
         """tankers' time, summed, in which they stood free although somebody waited"""
         self._up: set[int] = set()
+        self._settled = False
 
     @property
     def standing(self) -> Standing:
@@ -181,8 +182,12 @@ class Scheduler:
             return
         for contest, givers in ((self._contest, tankers), (self._base_contest, bases)):
             free = self._award_asked([giver for giver in givers if giver.free_in_s == 0.0], contest, snapshot)
-            if contest is None or not free or (contest.waits_for_all and not self._all_are_up(snapshot)):
+            if contest is None or not free:
                 continue
+            if contest.waits_for_all and not self._settled:
+                self._settled = self._all_are_up(snapshot)
+                if not self._settled:
+                    continue
             for award in contest.awards(snapshot, free):
                 self._award(award, contest, snapshot)
                 free = [giver for giver in free if giver.name != award.giver.name]
@@ -190,7 +195,7 @@ class Scheduler:
                 self._approaches = contest.approaches(snapshot, free)
 
     def _all_are_up(self, snapshot: FleetState) -> bool:
-        """Whether everyone could be served by now and its draw is known, or had its time after the first one."""
+        """Whether everyone could be served by now and its draw is known, or has had its time after the first one."""
         pursuers = [view for view in snapshot.of_role("pursuer") if view.alive and view.sysid not in self.out]
         able = [view for view in pursuers if can_receive(view)]
         if self._first_up_s is None and able:
@@ -200,8 +205,9 @@ class Scheduler:
         return waited or all(view.sysid in self._up for view in pursuers)
 
     def _idle_tankers(self, snapshot: FleetState) -> int:
-        """How many tankers stand free after this tick's decisions although somebody waits for each."""
-        if self._contest is None or not self._rules.enabled:
+        """How many tankers stand free after this tick's decisions although somebody waits for each, from when all are up
+        on."""
+        if self._contest is None or not self._rules.enabled or (self._contest.waits_for_all and not self._settled):
             return 0
         busy = {service.tanker for service in self.open_services} | self._approaches.keys()
         served = {service.receiver for service in self.open_services} | set(self._approaches.values())

@@ -205,8 +205,7 @@ class Scheduler:
         return waited or all(view.sysid in self._up for view in pursuers)
 
     def _idle_tankers(self, snapshot: FleetState) -> int:
-        """How many tankers stand free after this tick's decisions although somebody waits for each, from when all are up
-        on."""
+        """How many tankers stand free after this tick's decisions although somebody waits for each, once all are up."""
         if self._contest is None or not self._rules.enabled or (self._contest.waits_for_all and not self._settled):
             return 0
         busy = {service.tanker for service in self.open_services} | self._approaches.keys()

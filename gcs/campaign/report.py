@@ -107,11 +107,11 @@ def _differences(plan: Plan, rows: pa.Table, measured: Sequence[str]) -> str:
         found = paired(rows, name, first, second)
         if not found.pairs:
             continue
-        told = "yes" if found.difference.low > 0.0 or found.difference.high < 0.0 else "no"
+        distinguished = "yes" if found.difference.low > 0.0 or found.difference.high < 0.0 else "no"
         who = f"{name_of(plan, second)} less {name_of(plan, first)}"
         effect = "-" if math.isnan(found.effect) else f"{found.effect:.2f}"
         needed = "-" if found.sessions_needed is None else str(found.sessions_needed)
-        lines.append([name, who, str(found.pairs), _interval(found.difference), told, effect, needed])
+        lines.append([name, who, str(found.pairs), _interval(found.difference), distinguished, effect, needed])
     return _table(["measure", "", "pairs", "difference", "differs", "effect", "sessions needed"], lines)
 
 
@@ -142,7 +142,7 @@ def _box(plan: Plan, rows: pa.Table, name: str, number: int) -> str:
 
 
 def _parallel(plan: Plan, rows: pa.Table, measured: Sequence[str]) -> str:
-    """What was drawn and what came of it, a line per session."""
+    """Drawn values and results, a line per session."""
     shown = rows.slice(0, MOST_LINES)
     drawn = [key for key in (*plan.campaign.vary, *plan.campaign.draw) if key in rows.column_names]
     dimensions = []

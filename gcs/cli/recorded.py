@@ -23,12 +23,12 @@ if TYPE_CHECKING:
 
 AGREES, DIFFERS = 0, 1
 SHOWN = 20
-"""Kinds of decision and vehicles whose first difference is told."""
+"""Kinds of decision and vehicles whose first difference is printed."""
 
 
 @contextlib.contextmanager
 def _progress(what: str) -> Iterator[Callable[[float], None]]:
-    """A bar on a terminal's standard error, told the share that is done."""
+    """A bar on a terminal's standard error; it is given the share that is done."""
     from rich.console import Console
     from rich.progress import Progress
 
@@ -63,7 +63,10 @@ def _time(ctx: click.Context, param: click.Parameter, value: float | None) -> fl
 @click.option("--plain", is_flag=True, help="Lines of text instead of the console; also used without a terminal.")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object per recorded second on stdout.")
 @click.option("--decide", is_flag=True, help="Decide everything again, and list where the decisions differ.")
-def replay(session: Path, speed: float | None, from_s: float | None, plain: bool, as_json: bool, decide: bool) -> int:
+@click.option("--trust", is_flag=True, help="With --decide: run the code that the session's scenario names.")
+def replay(
+    session: Path, speed: float | None, from_s: float | None, plain: bool, as_json: bool, decide: bool, trust: bool
+) -> int:
     """Play SESSION, a session's folder or any .tlog file, also another ground station's, in the console.
 
     In the console you pause, change the speed and go to any time. A session's folder shows its obstacles, competition
@@ -71,7 +74,8 @@ def replay(session: Path, speed: float | None, from_s: float | None, plain: bool
 
     --decide plays nothing: planner and scheduler run again over the recorded telemetry, and each decision that they
     would make today is held against the recorded one, to the last digit. Use it to see what a change of the code, or
-    of the scenario.yaml in the folder, does to a session that has been flown.
+    of the scenario.yaml in the folder, does to a session that has been flown. A planner or policy that the scenario
+    names is somebody's code, found in the current folder or in the session's: it runs only with --trust.
 
     \b
     Examples:
@@ -93,7 +97,7 @@ def replay(session: Path, speed: float | None, from_s: float | None, plain: bool
     if decide:
         if speed is not None or from_s is not None:
             raise click.UsageError("--decide plays nothing: leave out --speed and --from.")
-        return _decide(session, as_json)
+        return _decide(session, as_json, trust=trust)
     from gcs.session.replay import Replay, ReplayError
 
     try:
@@ -132,16 +136,22 @@ def _play(recording: Replay, speed: float | None, *, plain: bool, as_json: bool)
     return 0
 
 
-def _decide(session: Path, as_json: bool) -> int:
+def _decide(session: Path, as_json: bool, *, trust: bool) -> int:
+    from gcs.recording.missing import SCENARIO
     from gcs.scenario import plugins
+    from gcs.scenario.file import load
     from gcs.scenario.model import ScenarioError
     from gcs.supervisor.redecide import RedecideError, redecide
 
     if not session.is_dir():
         raise click.UsageError(f"--decide: {session} is no session's folder: a .tlog alone holds no decisions.")
-    plugins.look_in([Path.cwd(), session])
     try:
-        # What a planner or policy of somebody's own prints must not stand among the verdict's lines.
+        code = ", ".join(plugins.listed(load(session / SCENARIO))) if (session / SCENARIO).exists() else ""
+        if code and not trust:
+            raise click.UsageError(f"--decide: the scenario of {session} names code: {code}; --trust runs it.")
+        if code:
+            plugins.look_in([Path.cwd(), session])
+        # What a user's planner or policy prints must not stand among the verdict's lines.
         with _progress("deciding") as progress, contextlib.redirect_stdout(sys.stderr):
             verdict = redecide(session, progress)
     except RedecideError as error:
@@ -154,11 +164,11 @@ def _decide(session: Path, as_json: bool) -> int:
         click.echo(f"gcs: {problem}", err=True)
     if not verdict.compared:
         raise click.UsageError(f"{session} holds no decision to compare: was it killed before the first was written?")
-    (_tell_json if as_json else _tell)(verdict)
+    (_print_json if as_json else _print_verdict)(verdict)
     return AGREES if verdict.agrees else DIFFERS
 
 
-def _tell(verdict: Comparison) -> None:
+def _print_verdict(verdict: Comparison) -> None:
     if verdict.agrees:
         click.echo(f"all {verdict.compared} decisions up to {verdict.until_s:.1f} s agree")
         return
@@ -174,7 +184,7 @@ def _tell(verdict: Comparison) -> None:
         click.echo(f"  and of {len(subjects) - SHOWN} more kinds or vehicles; --json tells each")
 
 
-def _tell_json(verdict: Comparison) -> None:
+def _print_json(verdict: Comparison) -> None:
     for difference in verdict.differences:
         click.echo(json.dumps(difference.record()))
     click.echo(
@@ -249,7 +259,7 @@ def export(session: Path, form: str, out: Path | None) -> int:
         shutil.rmtree(unfinished, ignore_errors=True)
     for problem in problems:
         click.echo(f"gcs: {problem}", err=True)
-    width = max(len(name) for name in written.rows)
+    width = max(map(len, written.rows), default=0)
     for name, rows in sorted(written.rows.items()):
         click.echo(f"{name:<{width}}  {rows:>9} rows")
     click.echo(f"tables: {folder}")

@@ -1,8 +1,9 @@
-"""The link to vehicles that somebody else has started: plain MAVLink over UDP, one frame per datagram.
+"""The link to vehicles that another program has started: plain MAVLink over UDP, one frame per datagram.
 
 A vehicle is known by its system id and component 1, and by the address of its first HEARTBEAT; whoever says the same
-from elsewhere is refused and reported. Several vehicles may speak to one port, each from its own address or all
-through one router. What has come by the tick is delivered at the tick.
+from elsewhere is refused and reported. Two who say the same before the session begins are `rivals`: nobody can know
+which is the vehicle. One that was silent for a while may go on from another address. Several vehicles may speak to one
+port, each from its own address or all through one router. What has come by the tick is delivered at the tick.
 """
 
 from __future__ import annotations
@@ -11,29 +12,40 @@ import contextlib
 import select
 import socket
 import time
+from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 
 from pymavlink.dialects.v20 import common as mav
 
+from gcs.link.keys import KeyRefused, SignatureGate
 from gcs.link.link import Key
-from gcs.link.socket import RECEIVE_BYTES, AddressRefused, Where, kernel_drops, open_udp
+from gcs.link.socket import MOST_AT_ONCE, RECEIVE_BYTES, AddressRefused, Where, kernel_drops, open_udp
 from gcs.mavlink import codec
 from gcs.mavlink.boot_clock import BootClock
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION
 from gcs.mavlink.sequence import SequenceCounter
+from gcs.mavlink.signing import SignatureVerdict
 from gcs.scenario.endpoint import address
 from gcs.scenario.external import External
 
 ANNOUNCE_EVERY_S = 1.0
 REPEAT_AFTER_S = 0.2
 """A session that stands still for longer goes on sending its last set points: autopilots leave offboard without."""
-MOST_STRANGERS = 32
+MOST_UNKNOWN_SENDERS = 32
+UNKNOWN_READ = 256
+"""Datagrams of those who are no vehicle of the session that are looked into before anything else has its turn."""
+UNKNOWN_BYTES = 512
+CLAIM_S = 1.5
+"""So long after a vehicle's first HEARTBEAT somebody else may say that it is the one: it comes once a second."""
+MOVED_AFTER_S = 10.0
+"""A vehicle that has been silent for so long may be heard from another address."""
 MAVLINK_1 = b"\xfe"
 _HEARTBEAT = codec.msgid("HEARTBEAT")
 _CLOCKS = frozenset({codec.msgid("LOCAL_POSITION_NED"), codec.msgid("ATTITUDE")})
-"""What tells a vehicle's time; the second comes also while it has not found its place, as after a boot."""
+"""Messages that carry a vehicle's time; the second comes also while it has not found its place, as after a boot."""
 _SET_POINT = codec.msgid("SET_POSITION_TARGET_LOCAL_NED")
 
 
@@ -44,27 +56,31 @@ class _Door:
     connect: str
     socket: socket.socket
     remote: Where | None
+    gate: SignatureGate
     counters: dict[Where, SequenceCounter] = field(default_factory=dict)
     speakers: set[Where] = field(default_factory=set)
     """addresses of vehicles"""
-    strangers: set[Where] = field(default_factory=set)
-    """who speaks MAVLink 1: some autopilots go on to MAVLink 2 when they hear it"""
+    unknown_senders: set[Where] = field(default_factory=set)
+    """senders of MAVLink 1: some autopilots change to MAVLink 2 when they receive it"""
 
     def send(self, message: Message | bytes, address: Where) -> bytes:
         counter = self.counters.setdefault(address, SequenceCounter())
-        raw = message if isinstance(message, bytes) else codec.frame(message, counter.take(), *STATION)
-        with contextlib.suppress(OSError):  # nobody there yet, or no room: as on the air, it is lost
+        raw = message if isinstance(message, bytes) else codec.frame(message, counter.next(), *STATION)
+        raw = self.gate.signed(raw)
+        with contextlib.suppress(OSError):  # no receiver yet, or no room: as on a radio link, it is lost
             self.socket.sendto(raw, address)
         return raw
 
 
 @dataclass
-class _Peer:
+class _ExternalPeer:
     """One vehicle."""
 
     key: Key
     door: _Door
     address: Where | None = None
+    found_s: float = 0.0
+    received_s: float = 0.0
     clock: BootClock = field(default_factory=BootClock)
     frames: list[Frame] = field(default_factory=list)
     set_point: Message | None = None
@@ -74,37 +90,63 @@ class ExternalLink:
     """All vehicles of a session that were not launched."""
 
     def __init__(self, expected: Mapping[int, External], now_s: Callable[[], float]) -> None:
-        """Open a socket for each address; `now_s` reads the session's clock. Raises AddressRefused."""
+        """Open a socket for each address; `now_s` reads the session's clock. Raises AddressRefused, KeyRefused."""
         self._now_s = now_s
         self._doors: dict[str, _Door] = {}
-        self._peers: dict[int, _Peer] = {}
+        self._peers: dict[int, _ExternalPeer] = {}
         self._poll = select.poll()
         self._kept = False
         self._announced_s = self._sent_s = -ANNOUNCE_EVERY_S
         self.refused: dict[Key, tuple[str, int]] = {}
         """who spoke with an id that another address has already, and from where; the first of each"""
+        self.rivals: dict[Key, tuple[Where, Where]] = {}
+        """who was claimed from two addresses before the session began"""
+        self._moved: dict[Key, Where] = {}
         self.malformed = 0
         self._rebooted: set[int] = set()
         for sysid, external in expected.items():
             if external.connect not in self._doors:
                 try:
-                    self._doors[external.connect] = _open(external.connect)
-                except AddressRefused:
+                    self._doors[external.connect] = _open(external)
+                except (AddressRefused, KeyRefused):
                     self.close()
                     raise
-            self._peers[sysid] = _Peer((sysid, AUTOPILOT), self._doors[external.connect])
+            self._peers[sysid] = _ExternalPeer((sysid, AUTOPILOT), self._doors[external.connect])
         for door in self._doors.values():
             self._poll.register(door.socket, select.POLLIN)
 
     @property
     def joined(self) -> set[Key]:
-        """Vehicles that have been heard and are still held."""
+        """Vehicles that have been received and are still held."""
         return {peer.key for peer in self._peers.values() if peer.address is not None}
 
     @property
     def missing(self) -> set[Key]:
-        """Vehicles that have not been heard yet."""
+        """Vehicles that have not been received yet."""
         return {peer.key for peer in self._peers.values() if peer.address is None}
+
+    @property
+    def settled(self) -> bool:
+        """Whether everyone is there, and has been for so long that a rival would have spoken."""
+        now_s = time.monotonic()
+        return not self.missing and all(
+            peer.door.remote is not None or now_s - peer.found_s >= CLAIM_S for peer in self._peers.values()
+        )
+
+    @property
+    def signature_refusals(self) -> dict[int, int]:
+        """Frames refused for their signature, by system id."""
+        return dict(sum((door.gate.refused for door in self._doors.values()), Counter()))
+
+    @property
+    def signature_reasons(self) -> dict[int, SignatureVerdict]:
+        """Why the last of them was refused."""
+        return {sysid: why for door in self._doors.values() for sysid, why in door.gate.reasons.items()}
+
+    def pop_moved(self) -> dict[Key, Where]:
+        """Vehicles received from another address, after a silence, since the last call."""
+        taken, self._moved = self._moved, {}
+        return taken
 
     @property
     def buffer_bytes(self) -> int:
@@ -112,26 +154,26 @@ class ExternalLink:
         return min(door.socket.getsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF) // 2 for door in self._doors.values())
 
     def overflowed(self) -> int:
-        """Datagrams that the kernel dropped because nobody read them in time."""
+        """Datagrams that the kernel dropped because they were not read in time."""
         return sum(kernel_drops(door.socket) for door in self._doors.values())
 
     def offsets_s(self) -> dict[int, float]:
-        """What added to a vehicle's own time gives the session's, by system id."""
+        """Offset from a vehicle's own time to the session's, s, by system id."""
         known = {sysid: peer.clock.offset_s for sysid, peer in self._peers.items()}
         return {sysid: offset_s for sysid, offset_s in known.items() if offset_s is not None}
 
-    def take_rebooted(self) -> set[int]:
-        """Whose clock has begun anew since the last call."""
+    def pop_rebooted(self) -> set[int]:
+        """System ids of vehicles whose clock has restarted since the last call."""
         taken, self._rebooted = self._rebooted, set()
         return taken
 
     def listen(self, wait_s: float) -> None:
-        """Look for vehicles for at most `wait_s`, and let them know that someone is here."""
+        """Look for vehicles for at most `wait_s`, and let them know that a ground station is here."""
         now_s = time.monotonic()
         if now_s - self._announced_s >= ANNOUNCE_EVERY_S:
             self._announced_s = now_s
             for door in self._doors.values():
-                for address in (door.remote,) if door.remote else (door.speakers | door.strangers):
+                for address in (door.remote,) if door.remote else (door.speakers | door.unknown_senders):
                     door.send(OUR_HEARTBEAT, address)
         self.rest(wait_s)
 
@@ -160,7 +202,7 @@ class ExternalLink:
         return [peer.door.send(item, peer.address) for item in items]
 
     def collect(self) -> dict[Key, list[Frame]]:
-        """What has come from each vehicle since the last call, in order of system id."""
+        """Frames received from each vehicle since the last call, in order of system id."""
         self._drain()
         taken = {peer.key: peer.frames for _, peer in sorted(self._peers.items()) if peer.address is not None}
         for peer in self._peers.values():
@@ -168,7 +210,7 @@ class ExternalLink:
         return taken
 
     def stand_in(self) -> None:
-        """While the session stands still: hear, and send the last set points again."""
+        """While the session stands still: receive, and send the last set points again."""
         self._drain()
         if time.monotonic() - self._sent_s >= REPEAT_AFTER_S:
             self._sent_s = time.monotonic()
@@ -180,40 +222,66 @@ class ExternalLink:
         """Close the sockets."""
         for door in self._doors.values():
             door.socket.close()
+            door.gate.close()
 
     def _drain(self) -> None:
         for door in self._doors.values():
-            while True:
+            unknown = 0
+            for _ in range(MOST_AT_ONCE):
                 try:
                     datagram, address = door.socket.recvfrom(RECEIVE_BYTES)
                 except BlockingIOError:
                     break
-                except OSError:  # a udpout whose other end is not there: told once for each datagram sent
+                except OSError:  # a udpout whose other end is not there: raised once for each datagram sent
                     continue
-                self._take(door, datagram, address)
+                if address in door.speakers:
+                    frames, malformed, _ = codec.split(datagram)
+                    self.malformed += malformed
+                    self._receive(door, frames, address)
+                elif unknown < UNKNOWN_READ:
+                    unknown += 1
+                    self._look_into(door, datagram, address)
 
-    def _take(self, door: _Door, datagram: bytes, address: Where) -> None:
-        frames, malformed, _ = codec.split(datagram)
-        if address in door.speakers:
-            self.malformed += malformed
-        elif datagram[:1] == MAVLINK_1 and len(door.strangers) < MOST_STRANGERS:
-            door.strangers.add(address)
-        for frame in frames:
+    def _look_into(self, door: _Door, datagram: bytes, address: Where) -> None:
+        """A datagram of somebody who is no vehicle yet: no more of it is read than UNKNOWN_BYTES."""
+        if datagram[:1] == MAVLINK_1:
+            if len(door.unknown_senders) < MOST_UNKNOWN_SENDERS:
+                door.unknown_senders.add(address)
+        else:
+            self._receive(door, codec.split(datagram[:UNKNOWN_BYTES]).frames, address)
+
+    def _receive(self, door: _Door, frames: Sequence[Frame], address: Where) -> None:
+        now_s = time.monotonic()
+        for frame in door.gate.accepted(frames):
             peer = self._peers.get(frame.sysid)
             if peer is None:
                 continue
-            if peer.address is None and peer.door is door and _is_autopilot(frame):
-                peer.address = address
-                door.speakers.add(address)
+            if peer.address != address and peer.door is door and _is_autopilot(frame):
+                self._claim(peer, address, now_s)
             if peer.address != address or peer.door is not door:
                 if peer.address is not None and frame.compid == AUTOPILOT:
                     self.refused.setdefault(peer.key, (str(address[0]), int(address[1])))
                 continue
+            peer.received_s = now_s
             if self._kept:
                 peer.frames.append(frame)
                 if frame.msgid in _CLOCKS and frame.compid == AUTOPILOT:
                     rebooted = peer.clock.feed(codec.fields(frame).time_boot_ms / 1e3, self._now_s())
                     self._rebooted |= {frame.sysid} if rebooted else set()
+
+    def _claim(self, peer: _ExternalPeer, address: Where, now_s: float) -> None:
+        """Somebody says that it is this vehicle, from an address from which nobody did."""
+        if peer.address is None:
+            peer.found_s = now_s
+        elif not self._kept:
+            self.rivals.setdefault(peer.key, (peer.address, address))
+            return
+        elif now_s - peer.received_s < MOVED_AFTER_S:
+            return
+        else:
+            self._moved[peer.key] = address
+        peer.address, peer.received_s = address, now_s
+        peer.door.speakers.add(address)
 
 
 def _is_autopilot(frame: Frame) -> bool:
@@ -223,15 +291,17 @@ def _is_autopilot(frame: Frame) -> bool:
     return bool(codec.fields(frame).autopilot != mav.MAV_AUTOPILOT_INVALID)
 
 
-def _open(connect: str) -> _Door:
+def _open(external: External) -> _Door:
+    connect = external.connect
     at = address(connect, "udpin", "udpout")
     assert at is not None  # as the scenario has checked
+    gate = SignatureGate(Path(external.signing.key_file) if external.signing else None)
     made, where = open_udp(at)
     if at.way == "udpin":
-        return _Door(connect, made, None)
+        return _Door(connect, made, None, gate)
     try:
         made.connect(where)
     except OSError as error:
         made.close()
         raise AddressRefused(f"{connect} cannot be spoken to: {error.strerror}") from None
-    return _Door(connect, made, where)
+    return _Door(connect, made, where, gate)

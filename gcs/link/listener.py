@@ -5,8 +5,10 @@ from __future__ import annotations
 import contextlib
 import socket
 from collections.abc import Iterator
+from pathlib import Path
 
-from gcs.link.socket import RECEIVE_BYTES, AddressRefused, Where, open_udp, resolve
+from gcs.link.keys import SignatureGate
+from gcs.link.socket import MOST_AT_ONCE, RECEIVE_BYTES, AddressRefused, Where, open_udp, resolve
 from gcs.mavlink import codec, v1
 from gcs.mavlink.codec import Frame
 from gcs.scenario.endpoint import Endpoint
@@ -14,10 +16,13 @@ from gcs.scenario.endpoint import Endpoint
 CONNECT_WITHIN_S = 5.0
 
 
-class Air:
-    """What is heard at an address, with who said it, of MAVLink 1 too. Raises AddressRefused where it cannot be had."""
+class Listener:
+    """Frames received at an address, with their senders, of MAVLink 1 too. Raises AddressRefused where it cannot be
+    had."""
 
-    def __init__(self, at: Endpoint) -> None:
+    def __init__(self, at: Endpoint, key_file: Path | None = None) -> None:
+        """Raises AddressRefused, KeyRefused."""
+        self.gate = SignatureGate(key_file)
         self._stream = at.way == "tcp"
         self._pending = b""
         self.open = True
@@ -34,8 +39,10 @@ class Air:
         return self._socket.fileno()
 
     def receive(self) -> Iterator[tuple[list[Frame], Where]]:
-        """What has come, with who sent it; never waits."""
-        while self.open:
+        """Frames received, with their senders, of a bounded number of datagrams; never waits."""
+        for _ in range(MOST_AT_ONCE):
+            if not self.open:
+                return
             try:
                 data, peer = self._socket.recvfrom(RECEIVE_BYTES)
             except OSError as error:
@@ -45,12 +52,13 @@ class Air:
                 if not data:
                     self.open = False
                     return
-                yield self._cut(data), self._to or ()
+                yield self.gate.accepted(self._cut(data)), self._to or ()
                 continue
-            yield codec.split(data).frames or v1.split(data), tuple(peer)
+            yield self.gate.accepted(codec.split(data).frames or v1.split(data)), tuple(peer)
 
     def send(self, raw: bytes, peer: Where) -> None:
-        """Send a frame to somebody who was heard, or to the one that was gone to."""
+        """Send a frame to a known sender, or to the address of a udpout or tcp."""
+        raw = self.gate.signed(raw)
         with contextlib.suppress(OSError):
             if self._stream:
                 self._socket.sendall(raw)
@@ -59,13 +67,14 @@ class Air:
 
     @property
     def to(self) -> Where | None:
-        """Whom it goes to; None where it listens."""
+        """Address that it sends to; None where it listens."""
         return self._to
 
     def close(self) -> None:
         """Close the socket."""
         self.open = False
         self._socket.close()
+        self.gate.close()
 
     def _cut(self, data: bytes) -> list[Frame]:
         """The frames that a stream's next bytes complete."""
@@ -74,12 +83,12 @@ class Air:
         if frames:
             last = frames[-1].raw
             self._pending = self._pending[self._pending.rindex(last) + len(last) :]
-        self._pending = self._pending[-RECEIVE_BYTES:]
+        self._pending = self._pending[-codec.LARGEST_FRAME :]  # what is earlier belongs to no frame that is to come
         return frames
 
 
 def _connected(at: Endpoint) -> tuple[socket.socket, Where]:
-    """A stream to somebody who listens. Raises AddressRefused."""
+    """A stream to a listener. Raises AddressRefused."""
     family, where = resolve(at, socket.SOCK_STREAM)
     made = socket.socket(family, socket.SOCK_STREAM)
     try:

@@ -15,13 +15,15 @@ from numpy.typing import NDArray
 from gcs.mavlink.sequence import HALF, NUMBERS
 
 IntArray = NDArray[np.int64]
+MOST_SENDERS = 2048
+"""Components of all systems whose numbers are watched; more than eight of each of 254 vehicles are none."""
 
 
 def after(missing: Any, newest: int, number: int) -> tuple[int, int]:
     """(newest number, change of the frames lost) after a frame of this number; `newest` -1 before the first.
 
-    missing: 256 flags of one sender, by number, changed in place. A number half a turn old can no longer be told from
-    a new one, and is missing no more.
+    missing: 256 flags of one sender, by number, changed in place. A number half a turn old can no longer be
+    distinguished from a new one, and is missing no more.
     """
     ahead = (number - newest) % NUMBERS
     if newest < 0:
@@ -63,6 +65,8 @@ class GapCounter:
         sender = sysid << 8 | compid
         flags = self._missing.get(sender)
         if flags is None:
+            if len(self._missing) >= MOST_SENDERS:
+                return
             self._newest[sender], self._missing[sender] = seq, bytearray(NUMBERS)
             return
         self._newest[sender], lost = after(flags, self._newest[sender], seq)
@@ -86,7 +90,7 @@ class RecordedGaps:
         return lost, new
 
     def packed(self) -> tuple[IntArray, IntArray, IntArray, NDArray[np.uint8]]:
-        """How far it is, in little room: for `resumed`."""
+        """State of the counter, in little room: for `resumed`."""
         senders = np.flatnonzero(self._newest >= 0)
         return self._lost.copy(), senders, self._newest[senders], np.packbits(self._missing[senders], axis=1)
 

@@ -11,6 +11,8 @@ from collections.abc import Iterable, Iterator
 from typing import Any, NamedTuple
 
 CHUNK_CHARACTERS = 50
+MOST_CHARACTERS = 500
+"""A text is told as soon as it is so long; what goes on with it is passed over."""
 PATIENCE_S = 0.5
 """The chunks of a text are sent without a pause between them."""
 
@@ -29,13 +31,22 @@ class Texts:
 
     def __init__(self) -> None:
         self._open: _Open | None = None
+        self._cut_id: int | None = None
 
-    def hear(self, content: Any, time_s: float) -> list[tuple[int, str]]:
-        """Take STATUSTEXT's fields, heard at a session time; (severity, text) of each that is whole now."""
+    def add(self, content: Any, time_s: float) -> list[tuple[int, str]]:
+        """Take in STATUSTEXT's fields, received at a session time; (severity, text) of each text that is complete
+        now."""
+        if content.chunk_seq == 0 or content.id != self._cut_id:
+            self._cut_id = None
+        else:
+            return []
         goes_on = self._open is not None and content.chunk_seq > 0 and content.id == self._open.text_id
         whole = [] if goes_on else self.give_up()
         before = self._open.text if self._open is not None else ""
         self._open = _Open(content.severity, before + content.text, content.id, time_s)
+        if len(self._open.text) >= MOST_CHARACTERS:
+            self._cut_id = content.id
+            return whole + self.give_up()
         return whole + (self.give_up() if len(content.text) < CHUNK_CHARACTERS else [])
 
     def overdue(self, now_s: float) -> list[tuple[int, str]]:
@@ -45,16 +56,17 @@ class Texts:
 
     def give_up(self) -> list[tuple[int, str]]:
         """The text that waits, as far as it came."""
-        told = [] if self._open is None else [(self._open.severity, self._open.text.rstrip())]
+        texts = [] if self._open is None else [(self._open.severity, self._open.text.rstrip())]
         self._open = None
-        return told
+        return texts
 
 
 def recorded(messages: Iterable[tuple[float, Any]]) -> Iterator[tuple[float, int, str]]:
-    """(session time in s, severity, text) of one vehicle's texts, from its STATUSTEXTs and when they were heard."""
-    texts, heard_s = Texts(), 0.0
+    """(session time in s, severity, text) of one vehicle's texts, from its STATUSTEXTs and the times of their
+    reception."""
+    texts, received_s = Texts(), 0.0
     for time_s, content in messages:
-        yield from ((heard_s + PATIENCE_S, *told) for told in texts.overdue(time_s))
-        heard_s = time_s
-        yield from ((time_s, *told) for told in texts.hear(content, time_s))
-    yield from ((heard_s + PATIENCE_S, *told) for told in texts.give_up())
+        yield from ((received_s + PATIENCE_S, *text) for text in texts.overdue(time_s))
+        received_s = time_s
+        yield from ((time_s, *text) for text in texts.add(content, time_s))
+    yield from ((received_s + PATIENCE_S, *text) for text in texts.give_up())

@@ -21,6 +21,8 @@ P_NED, SYSID, T_S = slice(0, 3), 3, 4
 """Columns of set points; their velocities are left out."""
 COLUMNS = 5
 BLOCK_BYTES = 1 << 22
+MOST_OPENED = 500
+"""Lists and objects in a line: one with more is no decision of ours, and could be nested deeper than is read."""
 _BEGIN = b'{"kind":"set_point",'
 """as the recorder writes them, with sorted keys"""
 
@@ -32,7 +34,7 @@ class _SetPoint(msgspec.Struct, tag_field="kind", tag="set_point", gc=False):
 
 
 class _Head(msgspec.Struct, gc=False):
-    """What every decision has, and by which two competitions are told apart."""
+    """Keys that every decision has, and the one that distinguishes two competitions."""
 
     kind: str
     t_s: float
@@ -43,7 +45,7 @@ _POINTS, _HEADS = msgspec.json.Decoder(_SetPoint), msgspec.json.Decoder(_Head)
 _RECORDS = msgspec.json.Decoder(dict[str, Any])
 
 
-class Line(NamedTuple):
+class DecisionLine(NamedTuple):
     """A decision that is no set point; `record` reads the rest of it."""
 
     t_s: float
@@ -56,11 +58,16 @@ class Line(NamedTuple):
         return _RECORDS.decode(self.raw)
 
 
+def _is_deep(line: bytes) -> bool:
+    """Whether a line may be nested more deeply than it can be read."""
+    return len(line) > MOST_OPENED and line.count(b"[") + line.count(b"{") > MOST_OPENED
+
+
 class DecisionLines:
     """One file of decisions; walking it again begins anew. Walking raises OSError where it cannot be read."""
 
     def __init__(self, path: Path, progress: Callable[[float], object] = lambda _: None) -> None:
-        """`progress` is told the share of the file that has been read."""
+        """`progress` is given the share of the file that has been read."""
         self._path = path
         self._progress = progress
         self.broken = 0
@@ -72,7 +79,7 @@ class DecisionLines:
 
     @property
     def passed_over(self) -> int:
-        """How many lines are no decision, the cut one among them."""
+        """Number of lines that are no decision, the cut one among them."""
         return self.broken + self.cut
 
     def __iter__(self) -> Iterator[dict[str, Any]]:
@@ -84,7 +91,7 @@ class DecisionLines:
                 else:
                     self._pass_over(line)
 
-    def blocks(self, *, set_points: bool = True) -> Iterator[tuple[NDArray[np.float64], list[Line]]]:
+    def blocks(self, *, set_points: bool = True) -> Iterator[tuple[NDArray[np.float64], list[DecisionLine]]]:
         """(n, COLUMNS) numbers of set points, none where they are not wanted; and the other decisions' lines."""
         for lines in self._blocks():
             own = [line for line in lines if line.startswith(_BEGIN)] if set_points else []
@@ -92,7 +99,7 @@ class DecisionLines:
             others = []
             for head, line in self._decoded(_HEADS, [line for line in lines if not line.startswith(_BEGIN)]):
                 if head.kind != "set_point":
-                    others.append(Line(head.t_s, head.kind, head.giver, line))
+                    others.append(DecisionLine(head.t_s, head.kind, head.giver, line))
                 elif set_points:  # by another writer
                     points += [point for point, _ in self._decoded(_POINTS, [line])]
             rows = [(*point.p_ned, point.sysid, point.t_s) for point in points]
@@ -106,11 +113,13 @@ class DecisionLines:
                 done += len(block)
                 lines = [line for line in block.split(b"\n") if line]
                 self._last = lines[-1] if lines and not block.endswith(b"\n") else None
-                yield lines
+                for line in filter(_is_deep, lines):
+                    self._pass_over(line)
+                yield [line for line in lines if not _is_deep(line)]
                 self._progress(min(done / size, 1.0))
 
     def _decoded(self, decoder: msgspec.json.Decoder[Any], lines: Sequence[bytes]) -> Iterator[tuple[Any, bytes]]:
-        """What each line holds; those that hold nothing of the kind are passed over."""
+        """Values of each line; those without such a value are passed over."""
         try:
             found = decoder.decode_lines(b"\n".join(lines))
         except msgspec.MsgspecError:  # one is broken: only one by one can the others be had

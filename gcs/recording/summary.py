@@ -19,7 +19,7 @@ class _Part(BaseModel):
 
 
 class EnergySummary(_Part):
-    """One vehicle's ledger, as its messages tell it."""
+    """One vehicle's ledger, as its messages report it."""
 
     initial_j: float
     drawn_j: float
@@ -48,6 +48,8 @@ class VehicleSummary(_Part):
     energy: EnergySummary
     missing_streams: list[str] = []
     """messages that an external vehicle was asked for and did not send at the end, or at less than half the rate"""
+    refused_messages: int = 0
+    """messages with its id that were refused: not signed, signed with another key, repeated, or without a key here"""
 
 
 class RefuellingSummary(_Part):
@@ -90,7 +92,7 @@ class LinkSummary(_Part):
 
 
 class GoalPartSummary(_Part):
-    """What came of one part of the goal (docs/protocol.md#goal)."""
+    """Result of one part of the goal (docs/protocol.md#goal)."""
 
     part: str
     """`lost`, `duration`, `separation`, `clearance`, `traffic`, `ground`, `waypoints`, `pursue` or `refuelled`"""
@@ -110,7 +112,7 @@ class GoalPartSummary(_Part):
 
 
 class ClosestSummary(_Part):
-    """Who came nearest, to what and when."""
+    """The nearest approach: vehicles, object and time."""
 
     distance_m: float
     sysids: list[int]

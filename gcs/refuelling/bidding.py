@@ -18,14 +18,14 @@ from gcs.mavlink.autopilots import STEERABLE
 from gcs.refuelling.giver import Giver, ServiceTimes
 from gcs.refuelling.winner_take_all import advance, normalise, revive, share
 from gcs.scenario.model import CompetitionRules
-from gcs.telemetry.state import FleetState, Vec3, VehicleView
+from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 
 # Session times are sums of tick lengths; a dwell time must not slip a tick for their last bits.
 _ROUNDING_S = 1e-6
 
 
 @dataclass(frozen=True)
-class Standing:
+class CompetitionState:
     """The competition as it stands, by system id: state v, bid τ and need; who leads, and with which share."""
 
     v: dict[int, float] = field(default_factory=dict)
@@ -48,20 +48,20 @@ class Award(NamedTuple):
 class Contest(Protocol):
     """What decides who is served next."""
 
-    standing: Standing
+    competition_state: CompetitionState
     waits_for_all: bool
     """whether nothing is to be decided before everyone who is heard can be served, at a session's start"""
 
     def advance(
-        self, snapshot: FleetState, served: Collection[int], givers: Sequence[Giver], times: ServiceTimes
+        self, snapshot: FleetSnapshot, served: Collection[int], givers: Sequence[Giver], times: ServiceTimes
     ) -> None:
         """Move on to the snapshot's time; `served` are those who take no part, `givers` all that there are, busy ones
         too."""
 
-    def awards(self, snapshot: FleetState, free: Sequence[Giver]) -> Iterable[Award]:
+    def awards(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> Iterable[Award]:
         """Whom the free givers serve next; `award` is called with each before the next is asked for."""
 
-    def approaches(self, snapshot: FleetState, free: Sequence[Giver]) -> dict[int, int]:
+    def approaches(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> dict[int, int]:
         """Receiver by tanker, of free tankers that fly towards somebody while nothing is decided."""
 
     def award(self, sysid: int, now_s: float) -> None:
@@ -82,22 +82,22 @@ class Bidding:
         self._leading_since_s: float | None = None
         self._begun_s: float | None = None
         self._last_s: float | None = None
-        self.standing = Standing()
+        self.competition_state = CompetitionState()
 
     def advance(
-        self, snapshot: FleetState, served: Collection[int], givers: Sequence[Giver] = (), times: object = None
+        self, snapshot: FleetSnapshot, served: Collection[int], givers: Sequence[Giver] = (), times: object = None
     ) -> None:
         """Let those who compete do so up to the snapshot's time; `served` are those whose turn it is already."""
         now_s, rules = snapshot.time_s, self._rules
         dt_s = now_s - self._last_s if self._last_s is not None else 0.0
         self._last_s = now_s
         self._able = [
-            view.sysid for view in snapshot.of_role("pursuer") if view.sysid not in served and can_receive(view)
+            view.sysid for view in snapshot.of_role("pursuer") if view.sysid not in served and is_servable(view)
         ]
         competitors = [view for view in map(snapshot.vehicle, self._able) if view.need >= rules.need_from]
         if not competitors:
             self._v, self._begun_s = {}, None
-            self.standing = Standing()
+            self.competition_state = CompetitionState()
             return
         if self._begun_s is None:
             self._begun_s = now_s
@@ -107,15 +107,17 @@ class Bidding:
         v = np.array([self._v.get(sysid, rules.floor) for sysid in sysids])
         v = revive(advance(v, tau, dt_s, p=rules.p, rate=rules.rate), rules.floor)
         leader, held = sysids[int(v.argmax())], share(v, rules.p, rules.floor)
-        if leader != self.standing.leader or held < rules.share:
+        if leader != self.competition_state.leader or held < rules.share:
             self._leading_since_s = None
         if self._leading_since_s is None and held >= rules.share:
             self._leading_since_s = now_s
         self._v = dict(zip(sysids, map(float, v), strict=True))
         bids = dict(zip(sysids, map(float, tau), strict=True))
-        self.standing = Standing(dict(self._v), bids, dict(zip(sysids, needs, strict=True)), leader, held)
+        self.competition_state = CompetitionState(
+            dict(self._v), bids, dict(zip(sysids, needs, strict=True)), leader, held
+        )
 
-    def awards(self, snapshot: FleetState, free: Sequence[Giver]) -> Iterator[Award]:
+    def awards(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> Iterator[Award]:
         """One for each free tanker in turn; of several bases the one that is nearest to who is decided."""
         for giver in (one for one in free if one.is_tanker):
             won = self.winner_at([giver.p_ned], snapshot, giver.speed_m_s, self._reserve_s)
@@ -131,45 +133,51 @@ class Bidding:
             bases.remove(base)
             yield Award(base, *won)
 
-    def approaches(self, snapshot: FleetState, free: Sequence[Giver]) -> dict[int, int]:
+    def approaches(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> dict[int, int]:
         """Nobody moves before it is decided."""
         return {}
 
     def winner(
-        self, snapshot: FleetState, tanker: VehicleView, speed_m_s: float, reserve_s: float
+        self, snapshot: FleetSnapshot, tanker: VehicleView, speed_m_s: float, reserve_s: float
     ) -> tuple[int, str] | None:
         """Who a free tanker serves next, and by what: `urgency`, `competition` or `timeout`; None while undecided."""
         return self.winner_at([tanker.p_now_ned()], snapshot, speed_m_s, reserve_s)
 
     def winner_at(
-        self, places: Sequence[Vec3], snapshot: FleetState, speed_m_s: float, reserve_s: float
+        self, places: Sequence[Vec3], snapshot: FleetSnapshot, speed_m_s: float, reserve_s: float
     ) -> tuple[int, str] | None:
         """The same where givers are at some places; urgent is who would not last until the nearest."""
-        standing, rules, now_s = self.standing, self._rules, snapshot.time_s
+        competition_state, rules, now_s = self.competition_state, self._rules, snapshot.time_s
         urgent = urgent_of(snapshot, self._able, places, speed_m_s, reserve_s)
         if urgent is not None:
             return urgent, "urgency"
-        if not standing.v:
+        if not competition_state.v:
             return None
         since_s = self._leading_since_s
-        if standing.leader is not None and since_s is not None and now_s - since_s >= rules.dwell_s - _ROUNDING_S:
-            return standing.leader, "competition"
+        if (
+            competition_state.leader is not None
+            and since_s is not None
+            and now_s - since_s >= rules.dwell_s - _ROUNDING_S
+        ):
+            return competition_state.leader, "competition"
         if self._begun_s is not None and now_s - self._begun_s >= rules.decide_within_s:
-            return max(standing.v, key=lambda sysid: (standing.v[sysid], -sysid)), "timeout"
+            return max(competition_state.v, key=lambda sysid: (competition_state.v[sysid], -sysid)), "timeout"
         return None
 
     def award(self, sysid: int, now_s: float) -> None:
         """The winner leaves; the others go on, and the next decision takes its own time."""
         self._v.pop(sysid, None)
         self._able.remove(sysid)
-        left = {key: value for key, value in self.standing.v.items() if key != sysid}
-        self.standing = Standing(left, self.standing.tau, self.standing.need, None, 0.0)
+        left = {key: value for key, value in self.competition_state.v.items() if key != sysid}
+        self.competition_state = CompetitionState(
+            left, self.competition_state.tau, self.competition_state.need, None, 0.0
+        )
         self._leading_since_s = None
         self._begun_s = now_s if left else None
 
 
 def urgent_of(
-    snapshot: FleetState, able: Iterable[int], places: Sequence[Vec3], speed_m_s: float, reserve_s: float
+    snapshot: FleetSnapshot, able: Iterable[int], places: Sequence[Vec3], speed_m_s: float, reserve_s: float
 ) -> int | None:
     """The first to run empty of those who would not last until the nearest of some places and `reserve_s` after it;
     common NED frame, m."""
@@ -182,6 +190,6 @@ def urgent_of(
     return min(urgent)[1] if urgent else None
 
 
-def can_receive(view: VehicleView) -> bool:
+def is_servable(view: VehicleView) -> bool:
     """Only vehicles that can receive compete, or are served."""
     return view.flying and view.fresh and view.mode in STEERABLE

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from typing import Any
 
-from gcs.refuelling.bidding import Award, Bidding, Contest, Standing, can_receive, urgent_of
+from gcs.refuelling.bidding import Award, Bidding, CompetitionState, Contest, is_servable, urgent_of
 from gcs.refuelling.giver import Giver, ServiceTimes
 from gcs.refuelling.policies import SHIPPED, WINNER_TAKE_ALL, RefuellingPolicy, RefuellingRequest
 from gcs.refuelling.time_bidding import TimeBidding
@@ -13,7 +13,7 @@ from gcs.refuelling.winner_take_all import normalise
 from gcs.scenario import plugins
 from gcs.scenario.guard import Guard, Nonsense
 from gcs.scenario.model import CompetitionRules, RefuellingRules, Scenario
-from gcs.telemetry.state import FleetState, VehicleView
+from gcs.telemetry.state import FleetSnapshot, VehicleView
 
 
 class PolicyBidding:
@@ -42,22 +42,22 @@ class PolicyBidding:
         self._wanting: tuple[VehicleView, ...] = ()
         self._givers: tuple[Giver, ...] = ()
         self._times: ServiceTimes | None = None
-        self.standing = Standing()
+        self.competition_state = CompetitionState()
 
     def advance(
-        self, snapshot: FleetState, served: Collection[int], givers: Sequence[Giver], times: ServiceTimes
+        self, snapshot: FleetSnapshot, served: Collection[int], givers: Sequence[Giver], times: ServiceTimes
     ) -> None:
         """Who may be served at the snapshot's time; nothing competes, so that bids are needs and v is empty."""
         self._guard.begin_tick()
         self._givers, self._times = tuple(givers), times
-        able = [view for view in snapshot.of_role("pursuer") if view.sysid not in served and can_receive(view)]
+        able = [view for view in snapshot.of_role("pursuer") if view.sysid not in served and is_servable(view)]
         self._able = [view.sysid for view in able]
         self._wanting = tuple(view for view in able if view.need >= self._rules.need_from)
         need = {view.sysid: view.need for view in self._wanting}
         bids = normalise(list(need.values()), low=self._rules.floor, high=self._rules.high) if need else ()
-        self.standing = Standing({}, dict(zip(need, map(float, bids), strict=True)), need, None, 0.0)
+        self.competition_state = CompetitionState({}, dict(zip(need, map(float, bids), strict=True)), need, None, 0.0)
 
-    def awards(self, snapshot: FleetState, free: Sequence[Giver]) -> Iterator[Award]:
+    def awards(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> Iterator[Award]:
         """By `urgency` or `policy`: for all free tankers at once where the policy can, else for one after another."""
         waiting = [giver for giver in free if giver.is_tanker]
         if not waiting:
@@ -72,7 +72,7 @@ class PolicyBidding:
             if won is not None:
                 yield Award(giver, *won)
 
-    def _assigned(self, snapshot: FleetState, free: Sequence[Giver]) -> Iterator[Award]:
+    def _assigned(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> Iterator[Award]:
         assign, request = self._assign, self._request(snapshot, free)
         assert assign is not None
         answer = self._guard.call(request.tanker.sysid, lambda: self._all_checked(assign(request), request))
@@ -81,7 +81,7 @@ class PolicyBidding:
             if giver.name in pairs:
                 yield Award(giver, pairs[giver.name], "policy")
 
-    def _won(self, snapshot: FleetState, giver: Giver, others: Sequence[Giver]) -> tuple[int, str] | None:
+    def _won(self, snapshot: FleetSnapshot, giver: Giver, others: Sequence[Giver]) -> tuple[int, str] | None:
         reserve_s = self._refuelling.hold_s + self._refuelling.reserve_s
         urgent = urgent_of(snapshot, self._able, [giver.p_ned], giver.speed_m_s, reserve_s)
         if urgent is not None:
@@ -92,7 +92,7 @@ class PolicyBidding:
         answer = self._guard.call(request.tanker.sysid, lambda: self._checked(self._policy.choose(request)))
         return None if answer is None or answer.value is None else (answer.value, "policy")
 
-    def _request(self, snapshot: FleetState, free: Sequence[Giver]) -> RefuellingRequest:
+    def _request(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> RefuellingRequest:
         tankers = tuple(snapshot.vehicle(int(giver.name)) for giver in free)
         wanting = {view.sysid for view in self._wanting}
         return RefuellingRequest(
@@ -108,7 +108,7 @@ class PolicyBidding:
             left_s=max(self._end_s - snapshot.time_s, 0.0),
         )
 
-    def approaches(self, snapshot: FleetState, free: Sequence[Giver]) -> dict[int, int]:
+    def approaches(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> dict[int, int]:
         """Nobody moves before it is decided."""
         return {}
 
@@ -116,7 +116,9 @@ class PolicyBidding:
         """The one chosen is nobody else's any more."""
         self._able = [one for one in self._able if one != sysid]
         self._wanting = tuple(view for view in self._wanting if view.sysid != sysid)
-        self.standing = Standing({}, self.standing.tau, self.standing.need, None, 0.0)
+        self.competition_state = CompetitionState(
+            {}, self.competition_state.tau, self.competition_state.need, None, 0.0
+        )
 
     def _all_checked(self, answer: Any, request: RefuellingRequest) -> dict[int, int]:
         """The answer as receivers by tanker. Raises Nonsense."""

@@ -18,7 +18,7 @@ import numpy as np
 
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.refuelling.base import BaseSteps, Stock
-from gcs.refuelling.bidding import Award, Contest, Standing, can_receive
+from gcs.refuelling.bidding import Award, CompetitionState, Contest, is_servable
 from gcs.refuelling.capability import ReceiverCapability
 from gcs.refuelling.giver import WORTH_J, Giver, ServiceTimes
 from gcs.refuelling.policy_bidding import make_competition
@@ -26,7 +26,7 @@ from gcs.refuelling.service import Decision, Phase, Service, ServiceRequests, by
 from gcs.refuelling.tanker import TankerSteps
 from gcs.refuelling.target_assignment import meeting_s
 from gcs.scenario.model import Base, CompetitionRules, RefuellingRules, Tanker
-from gcs.telemetry.state import FleetState, VehicleView
+from gcs.telemetry.state import FleetSnapshot, VehicleView
 
 RELAY_WITHIN_M = 15.0
 UP_WITHIN_S = 1.0
@@ -47,11 +47,12 @@ class Scheduler:
         own: Contest | None = None,
         *,
         bases: Sequence[Base] = (),
-        can_receive: Mapping[int, bool | None] | None = None,
+        transfer_capable: Mapping[int, bool | None] | None = None,
         cruise_m_s: float = 1.5,
     ) -> None:
-        """`own` takes the competition's place for the tankers. `can_receive`: who can take energy in the air, by system
-        id, None where it is to be found out; those who are not named can. `cruise_m_s`: how fast they fly to a base."""
+        """`own` takes the competition's place for the tankers. `transfer_capable`: whether a vehicle can take energy in
+        the air, by system id, None where it is to be found out; those who are not named can. `cruise_m_s`: how fast
+        they fly to a base."""
         competes = competition.enabled and refuelling.enabled
         self._contest = (own or make_competition(competition, refuelling)) if competes else None
         self._base_contest = make_competition(competition, refuelling) if competes and bases else None
@@ -67,7 +68,7 @@ class Scheduler:
         self._requests = ServiceRequests()
         self._steps = TankerSteps(refuelling, self._tankers, self._requests, self.out)
         self._bases = BaseSteps(refuelling, bases, self._requests, self.out, need_from=competition.need_from)
-        self._ability = ReceiverCapability(can_receive or {})
+        self._ability = ReceiverCapability(transfer_capable or {})
         self.tanker_times = ServiceTimes(*TANKER_TIMES)
         self.base_times = ServiceTimes(*BASE_TIMES)
         self._approaches: dict[int, int] = {}
@@ -80,20 +81,24 @@ class Scheduler:
         self._settled = False
 
     @property
-    def standing(self) -> Standing:
-        """The competition for the tankers as it stands, or where nobody competes for them the one for the bases."""
-        by_tanker, by_base = self.standings
+    def competition_state(self) -> CompetitionState:
+        """The competition for the tankers as it stands, or, where no vehicle competes for them, the one for the
+        bases."""
+        by_tanker, by_base = self.competition_states
         return by_tanker if by_tanker.tau or not by_base.tau else by_base
 
     @property
-    def standings(self) -> tuple[Standing, Standing]:
+    def competition_states(self) -> tuple[CompetitionState, CompetitionState]:
         """The competitions as they stand: for the tankers, and for the bases."""
         tanker, base = self._contest, self._base_contest
-        return Standing() if tanker is None else tanker.standing, Standing() if base is None else base.standing
+        return (
+            CompetitionState() if tanker is None else tanker.competition_state,
+            CompetitionState() if base is None else base.competition_state,
+        )
 
     @property
     def unable(self) -> Mapping[int, str]:
-        """Who cannot take energy in the air, and how that is known: only a base can serve them."""
+        """Vehicles that cannot take energy in the air, and how that is known: only a base can serve them."""
         return self._ability.unable
 
     @property
@@ -111,8 +116,8 @@ class Scheduler:
         """Services that ended with energy on board of the receiver."""
         return [service for service in self.services if service.phase is Phase.DONE and service.energy_j > 0]
 
-    def settle(self, snapshot: FleetState) -> None:
-        """Book on each service what its receiver's counter shows by now: the last joules may be told late."""
+    def settle(self, snapshot: FleetSnapshot) -> None:
+        """Book on each service what its receiver's counter shows by now: the last joules may be reported late."""
         newest = {service.receiver: service for service in self.services if service.joined_at_s is not None}
         for receiver, service in newest.items():
             service.energy_j = snapshot.vehicle(receiver).received_j - service.in_at_start_j
@@ -127,10 +132,10 @@ class Scheduler:
         return False
 
     def result(self, token: str, accepted: bool) -> None:
-        """The result of a command whose wish carried this token."""
-        self._requests.take_result(token, accepted)
+        """The result of a command whose request carried this token."""
+        self._requests.receive_result(token, accepted)
 
-    def decide(self, snapshot: FleetState) -> Decision:
+    def decide(self, snapshot: FleetSnapshot) -> Decision:
         """Move the competition and every service to the snapshot's time."""
         dt_s = 0.0 if self._last_s is None else snapshot.time_s - self._last_s
         self._last_s = snapshot.time_s
@@ -164,7 +169,7 @@ class Scheduler:
             records=tuple(self._requests.records),
         )
 
-    def _compete(self, snapshot: FleetState) -> None:
+    def _compete(self, snapshot: FleetSnapshot) -> None:
         """Move both competitions on, and give every free tanker and base who is decided for it."""
         served = {service.receiver for service in self.open_services} | self.out.keys()
         unable = self._ability.unable.keys()
@@ -194,31 +199,31 @@ class Scheduler:
             if contest is self._contest:
                 self._approaches = contest.approaches(snapshot, free)
 
-    def _all_are_up(self, snapshot: FleetState) -> bool:
+    def _all_are_up(self, snapshot: FleetSnapshot) -> bool:
         """Whether everyone could be served by now and its draw is known, or has had its time after the first one."""
         pursuers = [view for view in snapshot.of_role("pursuer") if view.alive and view.sysid not in self.out]
-        able = [view for view in pursuers if can_receive(view)]
+        able = [view for view in pursuers if is_servable(view)]
         if self._first_up_s is None and able:
             self._first_up_s = snapshot.time_s
         self._up |= {view.sysid for view in able if view.power_w > 0.0}
         waited = self._first_up_s is not None and snapshot.time_s - self._first_up_s >= UP_WITHIN_S
         return waited or all(view.sysid in self._up for view in pursuers)
 
-    def _idle_tankers(self, snapshot: FleetState) -> int:
+    def _idle_tankers(self, snapshot: FleetSnapshot) -> int:
         """How many tankers stand free after this tick's decisions although somebody waits for each, once all are up."""
         if self._contest is None or not self._rules.enabled or (self._contest.waits_for_all and not self._settled):
             return 0
         busy = {service.tanker for service in self.open_services} | self._approaches.keys()
         served = {service.receiver for service in self.open_services} | set(self._approaches.values())
         waiting = sum(
-            view.need >= self._need_from and can_receive(view)
+            view.need >= self._need_from and is_servable(view)
             for view in snapshot.of_role("pursuer")
             if view.sysid not in served and view.sysid not in self.out and view.sysid not in self._ability.unable
         )
         free = sum(giver not in busy for giver in self._free)
         return min(free, waiting)
 
-    def _tanker_givers(self, snapshot: FleetState) -> list[Giver]:
+    def _tanker_givers(self, snapshot: FleetSnapshot) -> list[Giver]:
         """Every tanker that flies and has something to spare, busy ones from where and when their service ends."""
         serves = {service.tanker: service for service in self.open_services}
         found = []
@@ -239,7 +244,7 @@ class Scheduler:
                 found.append(Giver(view.sysid, place, free_in_s, speed_m_s, available_j, self._rules.rate_w))
         return found
 
-    def _base_givers(self, snapshot: FleetState) -> list[Giver]:
+    def _base_givers(self, snapshot: FleetSnapshot) -> list[Giver]:
         """Every base with something left, busy ones from when their service ends."""
         serves = {service.base: service for service in self.open_services}
         found = []
@@ -258,22 +263,22 @@ class Scheduler:
         assert service.base is not None
         return self._bases.stocks[service.base].base.rate_w
 
-    def _prune(self, snapshot: FleetState) -> None:
-        """Who is dead, out or being served is asked for no more."""
+    def _prune(self, snapshot: FleetSnapshot) -> None:
+        """Withdraw requests of vehicles that are dead, out or being served."""
         served = {service.receiver for service in self.open_services}
         gone = served | self.out.keys()
         self.asked = [sysid for sysid in self.asked if sysid not in gone and snapshot.vehicle(sysid).alive]
 
-    def _asked_for(self, snapshot: FleetState, *, base: bool) -> int | None:
-        """Who is asked for next of those whom a base, or a tanker, can serve."""
+    def _asked_for(self, snapshot: FleetSnapshot, *, base: bool) -> int | None:
+        """Vehicle that is asked for next of those that a base, or a tanker, can serve."""
         for sysid in self.asked:
             known = sysid not in self._ability.unknown
-            if known and (sysid in self.unable) == base and can_receive(snapshot.vehicle(sysid)):
+            if known and (sysid in self.unable) == base and is_servable(snapshot.vehicle(sysid)):
                 self.asked.remove(sysid)
                 return sysid
         return None
 
-    def _award_asked(self, free: Sequence[Giver], contest: Contest | None, snapshot: FleetState) -> list[Giver]:
+    def _award_asked(self, free: Sequence[Giver], contest: Contest | None, snapshot: FleetSnapshot) -> list[Giver]:
         """Give those whom the operator asked for the nearest of the free givers; who is still free."""
         left = list(free)
         while left:
@@ -286,15 +291,15 @@ class Scheduler:
             self._award(Award(giver, asked, "operator"), contest, snapshot)
         return left
 
-    def _award(self, award: Award, contest: Contest | None, snapshot: FleetState) -> None:
+    def _award(self, award: Award, contest: Contest | None, snapshot: FleetSnapshot) -> None:
         """Begin the service of a receiver by its giver."""
-        standing, now_s = Standing() if contest is None else contest.standing, snapshot.time_s
+        competition_state, now_s = CompetitionState() if contest is None else contest.competition_state, snapshot.time_s
         if contest is not None:
             contest.award(award.receiver, now_s)
         view, giver = snapshot.vehicle(award.receiver), award.giver
         more: dict[str, Any] = {}
         tanker = int(giver.name) if giver.is_tanker else None
-        service = self._decide(standing, view, tanker, award.by, now_s)
+        service = self._decide(competition_state, view, tanker, award.by, now_s)
         if tanker is None:
             service.base, service.why_base = str(giver.name), self.unable[award.receiver]
             service.meets_in_s = math.dist(giver.p_ned, view.p_now_ned()) / self._cruise_m_s
@@ -303,17 +308,21 @@ class Scheduler:
             way = np.subtract(view.p_now_ned(), giver.p_ned)
             service.meets_in_s = meeting_s(way, np.asarray(view.v_ned), giver.speed_m_s)
             self._steps.begin(service)
-        self._tell(service, standing, more)
+        self._record_decision(service, competition_state, more)
 
-    def _decide(self, standing: Standing, view: VehicleView, tanker: int | None, by: str, now_s: float) -> Service:
-        bids = {sysid: standing.tau[sysid] for sysid in standing.v or standing.tau}
+    def _decide(
+        self, competition_state: CompetitionState, view: VehicleView, tanker: int | None, by: str, now_s: float
+    ) -> Service:
+        bids = {sysid: competition_state.tau[sysid] for sysid in competition_state.v or competition_state.tau}
         service = Service(len(self.services) + 1, view.sysid, tanker, by, bids, now_s, phase_since_s=now_s)
-        service.need, service.share = view.need, standing.share
-        service.need_is_largest = view.need >= max(standing.need.values(), default=0.0)
+        service.need, service.share = view.need, competition_state.share
+        service.need_is_largest = view.need >= max(competition_state.need.values(), default=0.0)
         self.services.append(service)
         return service
 
-    def _tell(self, service: Service, standing: Standing, more: Mapping[str, Any] | None = None) -> None:
+    def _record_decision(
+        self, service: Service, competition_state: CompetitionState, more: Mapping[str, Any] | None = None
+    ) -> None:
         self._requests.records.append(
             {
                 "kind": "decided",
@@ -321,11 +330,11 @@ class Scheduler:
                 **(more or {}),
                 "by": service.by,
                 "bids": by_text(service.bids),
-                "v": by_text(standing.v),
-                "need": by_text(standing.need),
-                "share": standing.share,
+                "v": by_text(competition_state.v),
+                "need": by_text(competition_state.need),
+                "share": competition_state.share,
             }
         )
 
-    def _distance_m(self, tanker: int, service: Service, snapshot: FleetState) -> float:
+    def _distance_m(self, tanker: int, service: Service, snapshot: FleetSnapshot) -> float:
         return math.dist(snapshot.vehicle(service.receiver).p_now_ned(), snapshot.vehicle(tanker).p_now_ned())

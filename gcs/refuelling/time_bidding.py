@@ -15,13 +15,13 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from gcs.refuelling.bidding import Award, Standing, can_receive
+from gcs.refuelling.bidding import Award, CompetitionState, is_servable
 from gcs.refuelling.giver import Giver, ServiceTimes, lasts_s, nearest_s, served_if_passed_over_s, ways_s
 from gcs.refuelling.k_winners import Competitor, Reading, bounded, read
 from gcs.refuelling.matching import match
 from gcs.refuelling.winner_take_all import advance_ln
 from gcs.scenario.model import CompetitionRules, RefuellingRules
-from gcs.telemetry.state import FleetState, VehicleView
+from gcs.telemetry.state import FleetSnapshot, VehicleView
 
 HOPELESS_S = -3.0
 """[choice] Who would have landed so long before energy could reach it is served after all others: estimates are as
@@ -52,16 +52,16 @@ class TimeBidding:
         """each competitor's bid on its scale of time, 0 to the horizon: the least is the greatest bid"""
         self.slack_s: dict[int, float] = {}
         """time until each competitor must land, less the time until energy can reach it if it is served first"""
-        self.standing = Standing()
+        self.competition_state = CompetitionState()
 
     def advance(
-        self, snapshot: FleetState, served: Collection[int], givers: Sequence[Giver], times: ServiceTimes
+        self, snapshot: FleetSnapshot, served: Collection[int], givers: Sequence[Giver], times: ServiceTimes
     ) -> None:
         """Let those who compete do so up to the snapshot's time; `givers` are all that there are, busy ones too."""
         now_s, rules, self._times = snapshot.time_s, self._rules, times
         dt_s = now_s - self._last_s if self._last_s is not None else 0.0
         self._last_s = now_s
-        able = [v for v in snapshot.of_role("pursuer") if v.sysid not in served and can_receive(v)]
+        able = [v for v in snapshot.of_role("pursuer") if v.sysid not in served and is_servable(v)]
         self.slack_s = {}
         competitors = []
         for view in able:
@@ -82,7 +82,7 @@ class TimeBidding:
     def _forget(self) -> None:
         self._ln_v, self._competing, self._readings, self._held_since_s = {}, [], {}, {}
         self._begun_s = None
-        self.standing = Standing()
+        self.competition_state = CompetitionState()
 
     def _compete(self, competitors: Sequence[VehicleView], dt_s: float, givers: Sequence[Giver], places: int) -> None:
         """Advance the law by one tick."""
@@ -153,9 +153,9 @@ class TimeBidding:
         tau = {one.sysid: float(t) for one, t in zip(self._competing, self._tau, strict=True)}
         first = self._readings.get(1)
         leader, held = (first.winners[0], first.share) if first else (self._competing[0].sysid, 1.0)
-        self.standing = Standing(v, tau, need, leader, held)
+        self.competition_state = CompetitionState(v, tau, need, leader, held)
 
-    def awards(self, snapshot: FleetState, free: Sequence[Giver]) -> Iterable[Award]:
+    def awards(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> Iterable[Award]:
         """Whom the free givers serve next, each matched to its own; none while that is undecided."""
         if not free or not self._competing:
             return []
@@ -180,7 +180,7 @@ class TimeBidding:
             return tuple(one.sysid for one in self._competing)
         return read(self._competing, k, p=self._rules.p, tie_s=self._rules.tie_s).winners
 
-    def approaches(self, snapshot: FleetState, free: Sequence[Giver]) -> dict[int, int]:
+    def approaches(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> dict[int, int]:
         """Receiver by tanker, of free tankers that fly towards who would win now while that is undecided."""
         tankers = [giver for giver in free if giver.is_tanker]
         if not tankers or not self._competing:
@@ -194,8 +194,10 @@ class TimeBidding:
             return
         del self._ln_v[sysid]
         self._competing = [one for one in self._competing if one.sysid != sysid]
-        left = {key: value for key, value in self.standing.v.items() if key != sysid}
-        self.standing = Standing(left, self.standing.tau, self.standing.need, None, 0.0)
+        left = {key: value for key, value in self.competition_state.v.items() if key != sysid}
+        self.competition_state = CompetitionState(
+            left, self.competition_state.tau, self.competition_state.need, None, 0.0
+        )
         others = {k - 1: now for k, now in self._readings.items() if k > 1 and sysid in now.winners}
         self._held_since_s = {k: self._held_since_s[k + 1] for k in others if k + 1 in self._held_since_s}
         self._readings = {
@@ -203,7 +205,7 @@ class TimeBidding:
         }
         self._begun_s = now_s if left else None
 
-    def _matched(self, winners: Sequence[int], by: str, snapshot: FleetState, free: Sequence[Giver]) -> list[Award]:
+    def _matched(self, winners: Sequence[int], by: str, snapshot: FleetSnapshot, free: Sequence[Giver]) -> list[Award]:
         """The winners' givers. Whom its giver would reach too late leaves the place to the next one whom it would not:
         another giver that is free soon may be nearer."""
         assert self._times is not None

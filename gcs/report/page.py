@@ -190,18 +190,18 @@ def _cards(found: Findings) -> str:
 def _sections(found: Findings, figures: set[str]) -> Iterable[tuple[str, str, str] | None]:
     """(id, title, HTML) of each section; None where there is nothing to show."""
 
-    def figure(name: str, told: str, *, view: str = "", kind: str = "") -> str:
+    def figure(name: str, caption: str, *, view: str = "", kind: str = "") -> str:
         if name not in figures:
             return ""
         shown = f' data-view="{view}"' if view else ""
         plot = (
-            f'<div class="plot {kind}" data-figure="{name}"{shown} role="img" aria-label="{escape(told)}">'
+            f'<div class="plot {kind}" data-figure="{name}"{shown} role="img" aria-label="{escape(caption)}">'
             '<p class="waiting">drawing …</p></div>'
         )
         if view == "space":
             plot = plot.replace('class="plot ', 'class="plot only-screen ')
             plot += plot.replace("only-screen", "only-print").replace('data-view="space"', 'data-view="drawn"')
-        return f"<figure>{plot}<figcaption>{escape(told)}</figcaption></figure>"
+        return f"<figure>{plot}<figcaption>{escape(caption)}</figcaption></figure>"
 
     def section(part: str, title: str, *bodies: str) -> tuple[str, str, str] | None:
         return (part, title, "".join(bodies)) if any(bodies) else None

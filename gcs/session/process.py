@@ -24,7 +24,8 @@ import click
 
 from gcs.exit import BAD_INPUT, DONE, INTERNAL_ERROR, INTERRUPTED, NOT_DONE, leave
 from gcs.link.external import ExternalLink
-from gcs.link.fleet import MixedLink
+from gcs.link.fleet import FleetLink
+from gcs.link.keys import KeyRefused, RefusalNotices
 from gcs.link.link import Link
 from gcs.link.lockstep import REPEAT_S, LockstepLink
 from gcs.link.socket import BUFFER_BYTES, AddressRefused
@@ -39,6 +40,7 @@ from gcs.session.messages import end_message, session_message, snapshot_message
 from gcs.session.pace import Pace
 from gcs.session.server import Publisher, Reader
 from gcs.session.startup import Arrivals
+from gcs.session.suspension import SuspensionWatch
 from gcs.session.vehicles import Ended, Hatch, LaunchError, traffic_order, vehicle_orders
 from gcs.supervisor.summarise import summarise
 from gcs.supervisor.supervisor import Supervisor
@@ -49,15 +51,15 @@ PUBLISH_EVERY_S = 0.1
 WATCH_EVERY_S = 0.05
 SAY_WAITING_EVERY_S = 5.0
 GIVE_UP_S, GIVE_UP_SOON_S = 60.0, 5.0
-"""How long the session stands still for a process that lives but does not answer, in wall time; the second is with
+"""Time that the session stands still for a process that lives but does not answer, in wall time; the second is with
 external vehicles, which fly on meanwhile."""
 ELSEWHERE = "Free space there, or give --out another place."
 HAND_BACK_S = 2.5
-"""How long external vehicles have at the end to obey; their HEARTBEAT, once a second, shows that they do."""
+"""Time that external vehicles have at the end to obey; their HEARTBEAT, once a second, shows that they do."""
 
 
 class _Stopped(Exception):
-    """Someone asked for the session's end."""
+    """The session's end was asked for."""
 
 
 class SessionFailed(Exception):
@@ -76,15 +78,16 @@ class SessionProcess:
         self._folder = folder
         self._scenario = scenario
         external = scenario.vehicles.external
+        self._external_link: ExternalLink | None = None
         clock = scenario.clock
         speed = None if clock.mode == "lockstep" else clock.speed
         self._pace = Pace(speed, time.monotonic, keeps_up=bool(external))
-        self._fleet_link = LockstepLink(drop=drop, seed=scenario.seed)
-        self._link: Link = self._fleet_link
+        self._lockstep_link = LockstepLink(drop=drop, seed=scenario.seed)
+        self._link: Link = self._lockstep_link
         if external:
-            strangers = ExternalLink(external, lambda: self._pace.running_wall_s)
-            self._link = MixedLink(self._fleet_link, strangers)
-        self._sleep = strangers.rest if external else time.sleep
+            self._external_link = ExternalLink(external, lambda: self._pace.running_wall_s)
+            self._link = FleetLink(self._lockstep_link, self._external_link)
+        self._sleep = time.sleep if self._external_link is None else self._external_link.rest
         self._recorder = Recorder(folder)
         self._reserve = Reserve(folder, len(scenario.vehicles.all))
         self._publisher = Publisher(folder, session_message(scenario, str(folder.resolve())))
@@ -96,8 +99,10 @@ class SessionProcess:
         self._clients = Clients(self._publisher, self._supervisor, self._pace)
         self._labels = {v.sysid: v.label for v in scenario.vehicles.all} | {255: "traffic"}
         self._blocks: dict[int, tuple[int, ...]] = {}
-        self._told_refused: set[tuple[int, int]] = set()
+        self._reported_refused: set[tuple[int, int]] = set()
         self._answered_s = self._said_waiting_s = math.inf
+        self._suspension = SuspensionWatch()
+        self._refusals = RefusalNotices()
         self._published_s = self._watched_s = 0.0
         self._phase = "starting"
         self._begun = False
@@ -119,7 +124,7 @@ class SessionProcess:
             self._summarise(outcome, text)
             self._phase = "ended"
             status = INTERRUPTED if interrupted else DONE if outcome == goal.MET else NOT_DONE
-            self._publisher.publish(self._next_picture())
+            self._publisher.publish(self._next_snapshot())
             self._publisher.publish(end_message(outcome, status, text))
             return status, outcome
         except (SessionFailed, RecorderError):
@@ -171,7 +176,7 @@ class SessionProcess:
         with contextlib.suppress(RecorderError):  # it has been reported, or will be; what matters now is sent before
             while supervisor.exchange(self._pace.running_wall_s):
                 if time.monotonic() > deadline_s:
-                    supervisor.tell_disobedience()
+                    supervisor.report_disobedience()
                     break
                 self._sleep(WATCH_EVERY_S)
 
@@ -181,7 +186,7 @@ class SessionProcess:
         if self._link.buffer_bytes < BUFFER_BYTES:
             granted = f"{self._link.buffer_bytes >> 10} KiB"
             self._event(0, "warning", f"The kernel grants a receive buffer of {granted}, not 4 MiB: raise rmem_max")
-        connection = ("--supervised", f"udpout:{self._fleet_link.host}:{self._fleet_link.port}")
+        connection = ("--supervised", f"udpout:{self._lockstep_link.host}:{self._lockstep_link.port}")
         vehicles = self._scenario.vehicles.launched
         per_process = self._scenario.vehicles_per_process
         orders = vehicle_orders(self._scenario, self._folder, connection, per_process=per_process)
@@ -190,20 +195,37 @@ class SessionProcess:
             orders.append(traffic_order(self._scenario, self._folder, connection))
             keys.append(TRAFFIC)
         self._blocks = {order.sysid: order.sysids for order in orders}
-        self._fleet_link.expect(keys)
+        self._lockstep_link.expect(keys)
         if self._hatch is not None:
-            self._hatch.start(orders)
+            self._hatch.start(orders, self._lockstep_link.secret)
         rehearse(self._scenario)  # while the vehicles come up
         arrivals, began_s = Arrivals(self._labels, self._scenario.vehicles.external), time.monotonic()
         missing: set[int] | None = None
-        while missing is None or missing:
+        while missing is None or missing or not (self._external_link is None or self._external_link.settled):
             missing = {sysid for sysid, _ in self._link.listen(WATCH_EVERY_S)}
             waited_s = time.monotonic() - began_s
             for sysid, text in arrivals.look(missing, waited_s):
                 self._event(sysid, "info", text)
             self._watch()
-            if (why := arrivals.too_late(missing, waited_s)) is not None:
+            reasons = self._external_link.signature_reasons if self._external_link is not None else {}
+            if (why := arrivals.too_late(missing, waited_s, reasons)) is not None:
                 raise SessionFailed(why)
+            for (sysid, _), (host, port) in self._lockstep_link.rivals.items():
+                name = self._labels.get(sysid, f"vehicle {sysid}")
+                raise SessionFailed(
+                    f"two of the session's own processes say that they are {name}, one from {host}:{port}"
+                )
+            if self._external_link is not None:
+                self._refuse_rivals(self._external_link)
+
+    def _refuse_rivals(self, external: ExternalLink) -> None:
+        """Nothing flies while two say that they are one vehicle: the wrong one would be believed."""
+        for (sysid, _), (one, other) in external.rivals.items():
+            at = self._scenario.vehicles.external[sysid].connect
+            raise SessionFailed(
+                f"two say that they are {self._labels[sysid]} at {at}, {one[0]}:{one[1]} and {other[0]}:{other[1]}: "
+                "end the one that is not, or let the vehicle sign (signing.key_file)"
+            )
 
     # fly
 
@@ -211,6 +233,7 @@ class SessionProcess:
         supervisor, pace = self._supervisor, self._pace
         self._phase = "flying"
         self._begun = True
+        self._answered_s = self._said_waiting_s = time.monotonic()
         gc.freeze()  # what lives now lives to the end: no collection need look at it again
         pace.start()
         self._link.begin()
@@ -252,7 +275,7 @@ class SessionProcess:
             raise _Stopped
         if reader.asked:
             self._gather_events()
-            reader.give({**self._picture(()), "t_s": supervisor.snapshot.time_s})
+            reader.give({**self._snapshot(()), "t_s": supervisor.snapshot.time_s})
 
     def _look_around(self) -> None:
         """At most every 50 ms of wall time: the rest of the world."""
@@ -260,8 +283,10 @@ class SessionProcess:
             self._watch()
 
     def _watch(self) -> None:
-        """Deaths, operators, the parent's pipe; and a fresh picture for those who look."""
+        """Deaths, operators, the parent's pipe; and a fresh snapshot for clients."""
         self._watched_s = now_s = time.monotonic()
+        if away_s := self._suspension.look():
+            self._go_on_after(away_s)
         for end in self._hatch.events()[1] if self._hatch is not None else ():
             self._lose(end)
         if self._hatch is not None and not self._hatch.alive:
@@ -273,15 +298,33 @@ class SessionProcess:
             self._event(0, "warning", "The supervisor was told to end (SIGTERM): the session stops")
         if self._clients.serve() or _stdin_closed() or self._terminated:
             raise _Stopped
-        for key in self._link.refused.keys() - self._told_refused:
-            self._told_refused.add(key)
+        for key in self._link.refused.keys() - self._reported_refused:
+            self._reported_refused.add(key)
             host, port = self._link.refused[key]
             self._event(
                 key[0], "warning", f"Another vehicle says that it is {key[0]}, from {host}:{port}: ignored", "link"
             )
+        moved = self._external_link.pop_moved() if self._external_link is not None else {}
+        for (sysid, _), address in moved.items():
+            self._event(sysid, "warning", f"Heard from {address[0]}:{address[1]} now, after a silence", "link")
+        if self._external_link is not None:
+            refused, reasons = self._external_link.signature_refusals, self._external_link.signature_reasons
+            for sysid, text in self._refusals.poll(refused, reasons, now_s):
+                self._event(sysid, "critical", text, "link")
         if now_s - self._published_s >= PUBLISH_EVERY_S:
             self._published_s = now_s
-            self._publisher.publish(self._next_picture())
+            self._publisher.publish(self._next_snapshot())
+
+    def _go_on_after(self, away_s: float) -> None:
+        """The supervisor did not run for so long: nobody is to blame for the silence meanwhile."""
+        now_s = time.monotonic()
+        if self._begun:
+            self._answered_s = self._said_waiting_s = now_s
+        external = bool(self._scenario.vehicles.external)
+        if external:
+            self._supervisor.recovery.returned(self._supervisor.time_s)
+        how = "the external vehicles flew on without it" if external else "the session stood still, and goes on"
+        self._event(0, "warning", f"The supervisor was suspended for {away_s:.0f} s: {how}")
 
     def _wait_for(self, waited_s: float) -> None:
         """Say whose answer the session waits for; after a minute, go on without them."""
@@ -305,7 +348,7 @@ class SessionProcess:
     def _event(self, sysid: int, level: Level, text: str, kind: Kind = "session") -> None:
         self._supervisor.events.append(Event(self._supervisor.time_s, sysid, level, text, kind))
 
-    # tell
+    # publish
 
     def _outcome(self, interrupted: bool) -> tuple[str, str]:
         """`met`, the first part of the goal that was not, or `interrupted`; and the same as a sentence."""
@@ -317,19 +360,19 @@ class SessionProcess:
         return goal.INTERRUPTED, f"{text}; {goal.outcome_text(broken)}" if broken else text
 
     def _gather_events(self) -> None:
-        """What is new, for the next picture and for the reader's."""
+        """New events, for the next snapshot and for the reader's."""
         events, self._supervisor.events = self._supervisor.events, []
         self._unpublished += events
         if self.reader is not None:
             self.reader.remember(events)
 
-    def _next_picture(self) -> dict[str, Any]:
+    def _next_snapshot(self) -> dict[str, Any]:
         """The snapshot that clients see, with the events since the last one."""
         self._gather_events()
         events, self._unpublished = self._unpublished, []
-        return self._picture(events)
+        return self._snapshot(events)
 
-    def _picture(self, events: Sequence[Event]) -> dict[str, Any]:
+    def _snapshot(self, events: Sequence[Event]) -> dict[str, Any]:
         supervisor = self._supervisor
         wall_s = self._pace.running_wall_s if self._begun else 0.0
         return snapshot_message(
@@ -391,14 +434,15 @@ def fly(
     status, outcome, error = INTERNAL_ERROR, "", None
     try:
         scenario = scenario or load(folder / "scenario.yaml")
-        plugins.look_in(modules)
+        if any(plugins.named(scenario)):
+            plugins.look_in(modules)
         with plugins.output_kept(scenario, folder):
             session = SessionProcess(folder, scenario, drop=drop, hatch=hatch)
             signal.signal(signal.SIGTERM, session.terminate)
             if reader is not None:
                 session.reader = Reader(reader, every_ms or round(1e3 * scenario.clock.period_s))
             status, outcome = session.run()
-    except (ScenarioError, BadVehicleError, AddressRefused) as problem:
+    except (ScenarioError, BadVehicleError, AddressRefused, KeyRefused) as problem:
         status, error = BAD_INPUT, str(problem)
     except RecorderError as problem:
         status, error = NOT_DONE, f"{problem} What was flown until then is kept. {ELSEWHERE}"

@@ -1,7 +1,7 @@
 """The session's socket: snapshots out, operators' commands in, newline-delimited JSON
 (docs/protocol.md#session-socket).
 
-A client first reads the greeting, a line of type "session": it ends with the last events that were told before, and how
+A client first reads the greeting, a line of type "session": it ends with the last events that were sent before, and how
 many those were in all. One that reads slowly is dropped, never waited for.
 """
 
@@ -28,14 +28,19 @@ NAME = "session.sock"
 READ_BYTES = 65536
 BACKLOG_BYTES = 1 << 20
 REMEMBERED = 200
-"""Events that a client is told which came after them."""
+"""Earlier events that a new client is sent."""
+MOST_CLIENTS = 32
+MOST_COMMANDS = 4
+"""Lines of one client that are taken in one poll; the rest wait, and it waits with them."""
+MOST_IN_ALL = 32
+TOO_MANY = f"The session has {MOST_CLIENTS} clients, and takes no more: close one of them."
 
 
 NO_COMMAND = 'A command is a JSON object with a text under "command", such as {"command": "pause"}.'
 
 
 class ClientRequest(NamedTuple):
-    """What one client asks for: an object with a text under "command"."""
+    """Request of one client: an object with a text under "command"."""
 
     client: int
     """whose it is, while it is connected"""
@@ -52,6 +57,7 @@ class Publisher:
         try:
             self._server = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM | socket.SOCK_NONBLOCK)
             self._server.bind(f"/proc/self/fd/{directory}/{NAME}")
+            os.chmod(f"/proc/self/fd/{directory}/{NAME}", 0o600)  # before anybody can connect
             self._server.listen(16)
         finally:
             os.close(directory)
@@ -59,39 +65,39 @@ class Publisher:
         self._numbers: dict[socket.socket, int] = {}
         self._known = 0
         self._events: deque[Any] = deque(maxlen=REMEMBERED)
-        self._told = 0
+        self._event_count = 0
 
     @property
     def clients(self) -> frozenset[int]:
-        """Who is connected, by the number that requests carry."""
+        """Clients connected, by the number that requests carry."""
         return frozenset(self._numbers.values())
 
     def poll(self) -> list[ClientRequest]:
-        """Take new clients and what the present ones ask for; never waits. Who sends a line that is none is told so."""
-        with contextlib.suppress(BlockingIOError):
-            while True:
-                client, _ = self._server.accept()
-                client.setblocking(False)
-                client.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, BACKLOG_BYTES)
-                self._clients[client] = b""
-                self._known += 1
-                self._numbers[client] = self._known
-                if self._greeting is not None:
-                    earlier = {"events": list(self._events), "told": self._told}
-                    self._send(client, _line({**self._greeting, **earlier}))
-        commands = []
+        """Take new clients and what the present ones ask for; never waits. Who sends a line that is none is told so.
+
+        Clients and what each may ask for in one poll are bounded: who asks for more than that is slow, nobody else.
+        """
+        self._accept()
+        commands: list[ClientRequest] = []
         for client in list(self._clients):
-            try:
-                chunk = client.recv(READ_BYTES)
-            except BlockingIOError:
-                continue
-            except OSError:
-                chunk = b""
-            if not chunk or len(self._clients[client]) > READ_BYTES:
-                self._drop(client)
-                continue
+            if len(commands) >= MOST_IN_ALL:
+                break
+            waiting = self._clients.pop(client)
+            self._clients[client] = waiting  # whose turn it was is the last one next time
+            if waiting.count(b"\n") < MOST_COMMANDS:
+                try:
+                    chunk = client.recv(READ_BYTES)
+                except BlockingIOError:
+                    chunk = None
+                except OSError:
+                    chunk = b""
+                ended = chunk == b"" or (chunk is not None and len(waiting) > READ_BYTES)
+                if ended and b"\n" not in waiting + (chunk or b""):
+                    self._drop(client)
+                    continue
+                waiting += chunk or b""
             number = self._numbers[client]
-            *lines, self._clients[client] = (self._clients[client] + chunk).split(b"\n")
+            *lines, self._clients[client] = waiting.split(b"\n", MOST_COMMANDS)
             for line in lines:
                 content: Any = None
                 with contextlib.suppress(ValueError, RecursionError):
@@ -103,11 +109,32 @@ class Publisher:
                     self.reply(request, False, NO_COMMAND)
         return commands
 
+    def _accept(self) -> None:
+        """Let those in who have come, each with its greeting, while there is room."""
+        for _ in range(MOST_CLIENTS):
+            try:
+                client, _address = self._server.accept()
+            except OSError:  # nobody is there, or no descriptor is left: who is there waits
+                return
+            client.setblocking(False)
+            if len(self._clients) >= MOST_CLIENTS:
+                with contextlib.suppress(OSError):
+                    client.send(_line(reply_message(None, False, TOO_MANY)))
+                client.close()
+                continue
+            client.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, BACKLOG_BYTES)
+            self._clients[client] = b""
+            self._known += 1
+            self._numbers[client] = self._known
+            if self._greeting is not None:
+                earlier = {"events": list(self._events), "told": self._event_count}
+                self._send(client, _line({**self._greeting, **earlier}))
+
     def publish(self, content: Mapping[str, Any]) -> None:
         """Send one line to every client; who cannot take it whole is dropped. Its events are kept for later clients."""
         events = content.get("events") or ()
         self._events.extend(events)
-        self._told += len(events)
+        self._event_count += len(events)
         line = _line(content)
         for client in list(self._clients):
             self._send(client, line)
@@ -177,10 +204,10 @@ class Reader:
         """Keep these for the next snapshot."""
         self._events += events
 
-    def give(self, picture: Mapping[str, Any]) -> None:
-        """Answer with this picture and the events since the last one."""
+    def give(self, snapshot: Mapping[str, Any]) -> None:
+        """Answer with this snapshot and the events since the last one."""
         events, self._events = self._events, []
         self.asked = False
-        line = json.dumps({**picture, "events": [asdict(event) for event in events]}, allow_nan=False)
+        line = json.dumps({**snapshot, "events": [asdict(event) for event in events]}, allow_nan=False)
         with contextlib.suppress(OSError):
             self._socket.sendall(line.encode() + b"\n")

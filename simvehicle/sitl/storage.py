@@ -1,4 +1,5 @@
-"""Where a vehicle's parameters and plans outlive its process: two JSON files per vehicle in a folder of the user's."""
+"""Storage of a vehicle's parameters and plans beyond its process: two JSON files per vehicle in a folder of the
+user's."""
 
 from __future__ import annotations
 
@@ -24,7 +25,7 @@ class StateError(ValueError):
 
 
 class StateFile:
-    """What one vehicle was ever given: SYSID.parameters.json and SYSID.plans.json in `folder`, made where missing.
+    """Parameters and plans of one vehicle: SYSID.parameters.json and SYSID.plans.json in `folder`, made where missing.
 
     `values` holds the parameters that were changed, `plans` the items in force by MAV_MISSION_TYPE.
     """
@@ -36,12 +37,12 @@ class StateFile:
         self.plans_path = folder / f"{sysid}.plans.json"
         try:
             self.values = {str(name): float(value) for name, value in _read(self.path).items()}
-        except (ValueError, AttributeError, TypeError) as error:
+        except (ValueError, AttributeError, TypeError, RecursionError) as error:
             raise _broken(self.path, "parameters") from error
         try:
             content = _read(self.plans_path)
             self.plans = {_KINDS.index(name): tuple(map(_row, rows)) for name, rows in content.items()}
-        except (ValueError, AttributeError, TypeError) as error:
+        except (ValueError, AttributeError, TypeError, RecursionError) as error:
             raise _broken(self.plans_path, "plans") from error
 
     def keep(self, name: str, value: float) -> None:

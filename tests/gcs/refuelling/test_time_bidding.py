@@ -10,7 +10,7 @@ from scipy.optimize import linear_sum_assignment
 from gcs.refuelling.giver import Giver, ServiceTimes
 from gcs.refuelling.time_bidding import TimeBidding
 from gcs.scenario.model import CompetitionRules, RefuellingRules
-from gcs.telemetry.state import FleetState, VehicleView
+from gcs.telemetry.state import FleetSnapshot, VehicleView
 from tests.support.services import view
 
 RULES = CompetitionRules()
@@ -38,7 +38,7 @@ def decide(
     for k in range(round(within_s * 10) + 1):
         now_s = from_s + k / 10
         drawn = [v._replace(drawn_j=v.drawn_j + v.power_w * (now_s - from_s)) for v in views]
-        snapshot = FleetState(now_s, tuple(drawn), ())
+        snapshot = FleetSnapshot(now_s, tuple(drawn), ())
         contest.advance(snapshot, (), givers, TIMES)
         if found := list(contest.awards(snapshot, [g for g in givers if g.free_in_s == 0.0])):
             return now_s, [(award.giver.name, award.receiver, award.by) for award in found]
@@ -143,7 +143,7 @@ def test_who_cannot_be_reached_in_time_is_served_last() -> None:
 def test_a_tanker_flies_to_who_would_win_while_it_is_undecided() -> None:
     contest = TimeBidding(RULES, RefuellingRules())
     views = [pursuer(1, 30.0), pursuer(2, 40.0)]
-    snapshot, free = FleetState(0.0, tuple(views), ()), [giver(201)]
+    snapshot, free = FleetSnapshot(0.0, tuple(views), ()), [giver(201)]
     contest.advance(snapshot, (), free, TIMES)
     assert list(contest.awards(snapshot, free)) == []
     assert contest.approaches(snapshot, free) == {201: 1}

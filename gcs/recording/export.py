@@ -19,13 +19,13 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import field_units
 from gcs.mavlink.ids import STATION
-from gcs.recording import tlog
-from gcs.recording.decision_lines import DecisionLines
+from gcs.recording import tlog_reader
+from gcs.recording.decisions_reader import DecisionLines
 from gcs.recording.missing import SCENARIO, passed_over, unread
+from gcs.recording.recorder import DECISIONS, TLOG
 from gcs.recording.tables import Column, Tables
-from gcs.recording.tlog import AT, COMPID, MSGID, SYSID, T_US, Chunk
+from gcs.recording.tlog_reader import AT, COMPID, MSGID, SYSID, T_US, Chunk
 from gcs.recording.truth import record_end
-from gcs.recording.writer import DECISIONS, TLOG
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
 
@@ -59,7 +59,7 @@ def export(source: Path, tables: Tables, progress: Progress = lambda _: None) ->
         return _export_session(source, tables, progress)
     if not source.exists():
         raise ExportError(f"{source} does not exist; give a session's folder or a .tlog file.")
-    log = tlog.read(source)
+    log = tlog_reader.read(source)
     _export_frames(log, tables, None, progress)
     if not tables.rows:
         raise ExportError(" ".join(log.problems) or f"{source} holds no MAVLink frame.")
@@ -90,7 +90,7 @@ def _export_session(folder: Path, tables: Tables, progress: Progress) -> list[st
             problems += _without_truth(folder, scenario, {path.stem for path in truths})
         except (OSError, ScenarioError) as error:
             problems.append(unread(folder / SCENARIO, error, "time_s counts from the first frame."))
-        log = tlog.read(frames)
+        log = tlog_reader.read(frames)
         _export_frames(log, tables, epoch_us, part(frames), session=True)
         problems += log.problems
         done += frames.stat().st_size
@@ -117,7 +117,7 @@ def _without_truth(folder: Path, scenario: Scenario, found: Collection[str]) -> 
 
 
 def _export_frames(
-    log: tlog.Tlog, tables: Tables, epoch_us: int | None, progress: Progress, *, session: bool = False
+    log: tlog_reader.Tlog, tables: Tables, epoch_us: int | None, progress: Progress, *, session: bool = False
 ) -> None:
     stations = np.zeros(1 << 16, dtype=np.bool_)
     if session:

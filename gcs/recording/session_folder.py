@@ -15,10 +15,10 @@ from pydantic import ValidationError
 from gcs.mavlink.gaps import RecordedGaps
 from gcs.mavlink.ids import STATION
 from gcs.recording import summary as summaries
-from gcs.recording import tlog
-from gcs.recording.decision_lines import COLUMNS, DecisionLines
+from gcs.recording import tlog_reader
+from gcs.recording.decisions_reader import COLUMNS, DecisionLines
+from gcs.recording.recorder import DECISIONS, TLOG
 from gcs.recording.summary import Summary
-from gcs.recording.writer import DECISIONS, TLOG
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
 
@@ -158,7 +158,7 @@ def read_tlog(recorded: Recorded, progress: Progress) -> None:
     """Take in the folder's recording; problems are noted."""
     gathering = Gathering(recorded)
     try:
-        log = tlog.read(recorded.folder / TLOG)
+        log = tlog_reader.read(recorded.folder / TLOG)
         for chunk in log.chunks():
             gathering.add(chunk)
             progress(chunk.read_share)
@@ -182,15 +182,15 @@ class Gathering:
         self._gaps = RecordedGaps()
         self._frames = 0
 
-    def add(self, chunk: tlog.Chunk) -> None:
+    def add(self, chunk: tlog_reader.Chunk) -> None:
         """Take in the next stretch."""
         heads = chunk.heads
         if not len(heads):
             return
-        epoch_us = self._epoch_us = int(heads[0, tlog.T_US]) if self._epoch_us is None else self._epoch_us
+        epoch_us = self._epoch_us = int(heads[0, tlog_reader.T_US]) if self._epoch_us is None else self._epoch_us
         for name, pieces in self._pieces.items():
             pieces.append(_columns(chunk, name, epoch_us))
-        self._recorded.end_s = max(self._recorded.end_s, 1e-6 * (int(heads[-1, tlog.T_US]) - epoch_us))
+        self._recorded.end_s = max(self._recorded.end_s, 1e-6 * (int(heads[-1, tlog_reader.T_US]) - epoch_us))
         if self._counted:
             self._count(heads, epoch_us)
 
@@ -206,14 +206,14 @@ class Gathering:
         """Count frames and gaps second by second; a frame that comes again, as relayed ones do, is neither. One that
         comes late makes good its gap in the second in which it comes."""
         recorded = self._recorded
-        second = (heads[:, tlog.T_US] - epoch_us) // 1_000_000
+        second = (heads[:, tlog_reader.T_US] - epoch_us) // 1_000_000
         # Foreign times, years away, must not make a table of years: so few frames do not fill so many seconds.
         self._frames += len(heads)
         most = min(MOST_SECONDS, FEWEST_SECONDS + SECONDS_A_FRAME * self._frames)
-        mine = (heads[:, tlog.SYSID] < STATION[0]) & (second >= 0) & (second < most)
+        mine = (heads[:, tlog_reader.SYSID] < STATION[0]) & (second >= 0) & (second < most)
         second, heads = second[mine], heads[mine]
-        sysids = heads[:, tlog.SYSID]
-        lost, new = self._gaps.count(sysids, heads[:, tlog.COMPID], heads[:, tlog.SEQ])
+        sysids = heads[:, tlog_reader.SYSID]
+        lost, new = self._gaps.count(sysids, heads[:, tlog_reader.COMPID], heads[:, tlog_reader.SEQ])
         for sysid in np.unique(sysids).tolist():
             own = sysids == sysid
             for table, values in ((recorded.traffic_count, new), (recorded.traffic_lost, lost)):
@@ -228,7 +228,7 @@ def _added(table: NDArray[np.int32] | None, second: NDArray[np.int64], values: N
     return table
 
 
-def _columns(chunk: tlog.Chunk, message: str, epoch_us: int) -> NDArray[Any]:
+def _columns(chunk: tlog_reader.Chunk, message: str, epoch_us: int) -> NDArray[Any]:
     """One message's times in session seconds, senders and wanted fields alone."""
     table = chunk.table(message)
     names = ("sysid", "compid", *(name for name in WANTED[message] if name != "place"))

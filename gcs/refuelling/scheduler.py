@@ -1,8 +1,8 @@
 """Refuelling scheduler: gives receivers to tankers and bases (docs/protocol.md#refuelling-schedule).
 
 The schedule is pure but for its own memory: a snapshot and the results of earlier commands go in, requests and records
-come out. It never knows a socket or a clock. How one service goes on from its decision: gcs/refuelling/tanker.py and
-gcs/refuelling/base.py.
+come out. It never knows a socket or a clock. How one service goes on from its decision:
+gcs/refuelling/tanker_service.py and gcs/refuelling/base_service.py.
 
 Vehicles that cannot take energy in the air compete by themselves, for the places at bases: by the same rules, since a
 tanker is of no use to them, nor a place at a base to the others.
@@ -17,13 +17,13 @@ from typing import Any
 import numpy as np
 
 from gcs.mavlink.autopilots import STEERABLE
-from gcs.refuelling.base import BaseSteps, Stock
+from gcs.refuelling.base_service import BaseSteps, Stock
 from gcs.refuelling.bidding import Award, CompetitionState, Contest, is_servable
 from gcs.refuelling.capability import ReceiverCapability
 from gcs.refuelling.giver import WORTH_J, Giver, ServiceTimes
 from gcs.refuelling.policy_bidding import make_competition
 from gcs.refuelling.service import Decision, Phase, Service, ServiceRequests, by_text
-from gcs.refuelling.tanker import TankerSteps
+from gcs.refuelling.tanker_service import TankerSteps
 from gcs.refuelling.target_assignment import meeting_s
 from gcs.scenario.model import Base, CompetitionRules, RefuellingRules, Tanker
 from gcs.telemetry.state import FleetSnapshot, VehicleView

@@ -30,8 +30,8 @@ from gcs.link.link import Link
 from gcs.link.lockstep import REPEAT_S, LockstepLink
 from gcs.link.socket import BUFFER_BYTES, AddressRefused
 from gcs.mavlink.ids import AUTOPILOT, TRAFFIC
+from gcs.recording.recorder import Recorder, RecorderError
 from gcs.recording.reserve import Reserve
-from gcs.recording.writer import Recorder, RecorderError
 from gcs.scenario import goal, plugins
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError

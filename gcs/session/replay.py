@@ -15,9 +15,9 @@ from typing import Any
 
 from gcs.recording.missing import SCENARIO, passed_over, unread
 from gcs.recording.pursuit_held import HeldTimes, HeldTimesReader
+from gcs.recording.recorder import DECISIONS, TLOG
 from gcs.recording.summary import FILE as SUMMARY
 from gcs.recording.summary import Summary
-from gcs.recording.writer import DECISIONS, TLOG
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
 from gcs.session.messages import reply_message

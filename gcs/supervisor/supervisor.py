@@ -24,9 +24,9 @@ from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, TRAFFIC
 from gcs.mavlink.setpoints import SetPoint, encoded
 from gcs.planner.custom import make_planner
 from gcs.planner.request import PlanRequest
-from gcs.recording.decisions import TickRecord, event_of, records_of_tick
-from gcs.recording.writer import Digest, Recorder
-from gcs.refuelling.base import giver_messages
+from gcs.recording.recorder import Digest, Recorder
+from gcs.recording.tick_record import TickRecord, event_of, records_of_tick
+from gcs.refuelling.base_service import giver_messages
 from gcs.refuelling.explain import acknowledged
 from gcs.refuelling.policy_bidding import make_bidding
 from gcs.refuelling.relay import Relay, relayed
@@ -36,9 +36,9 @@ from gcs.refuelling.target_assignment import TargetAssignment
 from gcs.scenario.goal import Judgement, judge
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import Stage
-from gcs.supervisor.command_queue import FleetCommandQueue
 from gcs.supervisor.external_fleet import ENDING, ExternalFleet
 from gcs.supervisor.factory import make_arming_sequences, make_fleet, make_radio
+from gcs.supervisor.fleet_command_queue import FleetCommandQueue
 from gcs.supervisor.goal_watch import GoalWatch
 from gcs.supervisor.operator import Operator, OperatorReply
 from gcs.supervisor.recovery import Recovery

@@ -18,9 +18,9 @@ from gcs.link.external import ExternalLink
 from gcs.link.lockstep import LockstepLink
 from gcs.mavlink import codec
 from gcs.recording import export, series, session_folder
+from gcs.recording.recorder import DECISIONS, TLOG, Recorder
 from gcs.recording.summary import FILE as SUMMARY
 from gcs.recording.tables import tables
-from gcs.recording.writer import DECISIONS, TLOG, Recorder
 from gcs.scenario.endpoint import Endpoint
 from gcs.scenario.external import External
 from gcs.scenario.file import load

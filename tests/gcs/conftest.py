@@ -10,7 +10,7 @@ import pytest
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
-from gcs.recording.writer import Recorder
+from gcs.recording.recorder import Recorder
 from gcs.scenario.model import Scenario
 from gcs.supervisor.supervisor import Supervisor
 

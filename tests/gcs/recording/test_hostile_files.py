@@ -16,8 +16,8 @@ from commands import gcs
 from sessions import Outcome, fly, small
 
 from gcs.mavlink import codec
-from gcs.recording import session_folder, tlog, truth
-from gcs.recording.decision_lines import DecisionLines
+from gcs.recording import session_folder, tlog_reader, truth
+from gcs.recording.decisions_reader import DecisionLines
 from gcs.session.client import Lines
 
 EPOCH_US = 1_767_225_600_000_000
@@ -40,7 +40,7 @@ def record(t_us: int, seq: int = 0) -> bytes:
 
 
 def times_of(path: Path) -> list[int]:
-    return [t_us for t_us, _ in tlog.read(path)]
+    return [t_us for t_us, _ in tlog_reader.read(path)]
 
 
 @pytest.mark.parametrize("at", [0, 1, 17, 39])
@@ -53,7 +53,7 @@ def test_a_time_with_a_flipped_bit_is_the_one_before(tmp_path: Path, at: int, bi
     read = times_of(path)
     assert read[:at] + read[at + 1 :] == times[:at] + times[at + 1 :]
     assert read[at] == times[max(at - 1, 0)] or (at == 0 and read[0] == times[1])
-    log = tlog.read(path)
+    log = tlog_reader.read(path)
     assert len(list(log)) == 40
     assert log.problems == ["flipped.tlog: one frame has a time that cannot be: it has the time of the frame before."]
 
@@ -69,8 +69,8 @@ def flip_times(path: Path, seed: int) -> None:
     """One time in ten gets a random high bit flipped."""
     rng = np.random.default_rng(seed)
     data = bytearray(path.read_bytes())
-    for chunk in tlog.read(path).chunks():
-        for at in chunk.heads[:, tlog.AT].tolist():
+    for chunk in tlog_reader.read(path).chunks():
+        for at in chunk.heads[:, tlog_reader.AT].tolist():
             if rng.random() < 0.1:
                 bit = int(rng.integers(36, 63))
                 data[chunk.begin + at - 1 - bit // 8] ^= 1 << bit % 8

@@ -6,7 +6,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
 from gcs.mavlink.command_protocol import ARMING, OPERATOR, CommandRequest
-from gcs.supervisor.command_queue import FleetCommandQueue
+from gcs.supervisor.fleet_command_queue import FleetCommandQueue
 
 ARM = CommandRequest(3, mav.MAV_CMD_COMPONENT_ARM_DISARM, (), f"{ARMING} arm")
 LAND = CommandRequest(3, mav.MAV_CMD_NAV_LAND, (), f"{OPERATOR} land")

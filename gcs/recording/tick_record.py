@@ -12,7 +12,7 @@ from gcs.telemetry.events import Event, Level
 
 if TYPE_CHECKING:  # who only reads records need not load those who make them
     from gcs.mavlink.setpoints import SetPoint
-    from gcs.recording.writer import Digest, Recorder
+    from gcs.recording.recorder import Digest, Recorder
     from gcs.refuelling.bidding import CompetitionState
     from gcs.refuelling.service import Decision
     from gcs.telemetry.energy import Fact

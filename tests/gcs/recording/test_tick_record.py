@@ -7,8 +7,8 @@ from typing import Any
 
 import pytest
 
-from gcs.recording.decisions import event_of, records_of_tick
-from gcs.recording.writer import decision_line
+from gcs.recording.recorder import decision_line
+from gcs.recording.tick_record import event_of, records_of_tick
 from gcs.refuelling.bidding import CompetitionState
 from gcs.refuelling.service import Decision
 from gcs.scenario.guard import PluginFault

@@ -16,7 +16,7 @@ from pathlib import Path
 import pytest
 
 from gcs.mavlink import codec
-from gcs.recording.writer import BATCH_BYTES, DECISIONS, TLOG, Digest, Recorder, RecorderError
+from gcs.recording.recorder import BATCH_BYTES, DECISIONS, TLOG, Digest, Recorder, RecorderError
 
 with warnings.catch_warnings():
     warnings.simplefilter("ignore")  # mavutil's own imports warn
@@ -146,14 +146,14 @@ def test_full_device_is_told_as_such() -> None:
     code = textwrap.dedent("""
         import os
         from pathlib import Path
-        from gcs.recording import writer
+        from gcs.recording import recorder
         real = os.open
         os.open = lambda path, flags, mode=0o777: real("/dev/full", os.O_WRONLY)
-        r = writer.Recorder(Path("/session"))
+        r = recorder.Recorder(Path("/session"))
         r.frame(1, b"frame")
         try:
             r.close()
-        except writer.RecorderError as error:
+        except recorder.RecorderError as error:
             print(error)
     """)
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

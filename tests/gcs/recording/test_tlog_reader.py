@@ -14,7 +14,7 @@ from pymavlink.dialects.v10 import common as mavlink1
 from pymavlink.dialects.v20 import ardupilotmega, common
 
 from gcs.mavlink import codec
-from gcs.recording import tlog
+from gcs.recording import tlog_reader
 
 T0_US = 1_767_225_600_000_000
 STEP_US = 100_000
@@ -55,7 +55,7 @@ def mixed() -> list[bytes]:
 def test_what_pymavlink_reads_is_what_is_read(mixed: list[bytes], tmp_path: Path) -> None:
     path = tmp_path / "session.tlog"
     path.write_bytes(b"".join(mixed))
-    log = tlog.read(path)
+    log = tlog_reader.read(path)
     ours = list(log)
     oracle = mavutil.mavlogfile(str(path), robust_parsing=False)
     for t_us, frame in ours:
@@ -73,11 +73,11 @@ def test_what_pymavlink_reads_is_what_is_read(mixed: list[bytes], tmp_path: Path
 def test_a_table_holds_every_field_of_every_frame(mixed: list[bytes], tmp_path: Path) -> None:
     path = tmp_path / "session.tlog"
     path.write_bytes(b"".join(mixed))
-    (chunk,) = tlog.read(path).chunks()
+    (chunk,) = tlog_reader.read(path).chunks()
     by_name = {name: chunk.table(name) for name in ("ATTITUDE", "STATUSTEXT", "BATTERY_STATUS", "HEARTBEAT")}
     assert [len(rows) for rows in by_name.values()] == [250] * 4
     told = {name: iter(rows) for name, rows in by_name.items()}
-    for t_us, frame in tlog.read(path):
+    for t_us, frame in tlog_reader.read(path):
         row, content = next(told[codec.name(frame.msgid)]), codec.fields(frame)
         assert (row["t_us"], row["sysid"], row["compid"], row["seq"]) == (t_us, frame.sysid, frame.compid, frame.seq)
         for field, value in content._asdict().items():
@@ -93,7 +93,7 @@ def test_the_stretches_in_which_it_is_read_make_no_difference(
     path = tmp_path / "session.tlog"
     content = [*mixed[:300], b"\xfd\x03 rubbish with markers \xfe\xfd" * 40, *mixed[300:], mixed[0][:-5]]
     path.write_bytes(b"".join(content))
-    whole, pieces = tlog.read(path), tlog.Tlog(path, chunk_bytes)
+    whole, pieces = tlog_reader.read(path), tlog_reader.Tlog(path, chunk_bytes)
     assert list(pieces) == list(whole)
     assert len(list(whole)) == len(mixed)
     assert pieces.problems == whole.problems
@@ -104,7 +104,7 @@ def test_the_stretches_in_which_it_is_read_make_no_difference(
 def test_a_cut_end_costs_the_last_frame_only(mixed: list[bytes], tmp_path: Path, cut: int) -> None:
     path = tmp_path / "session.tlog"
     path.write_bytes(b"".join(mixed)[:-cut])
-    log = tlog.read(path)
+    log = tlog_reader.read(path)
     assert len(list(log)) == len(mixed) - 1
     assert log.problems == [
         f"session.tlog ends inside a frame: its last {len(mixed[-1]) - cut} bytes could not be read."
@@ -116,7 +116,7 @@ def test_a_damaged_frame_costs_that_frame_only(mixed: list[bytes], tmp_path: Pat
     damaged[-4] ^= 0x55
     path = tmp_path / "session.tlog"
     path.write_bytes(b"".join([*mixed[:500], bytes(damaged), *mixed[501:]]))
-    log = tlog.read(path)
+    log = tlog_reader.read(path)
     read = list(log)
     assert [frame.raw for _, frame in read] == [record[8:] for record in [*mixed[:500], *mixed[501:]]]
     assert read[500][0] == T0_US + 501 * STEP_US
@@ -128,7 +128,7 @@ def test_a_damaged_frame_costs_that_frame_only(mixed: list[bytes], tmp_path: Pat
 def test_mavlink_1_reads_like_mavlink_2(tmp_path: Path) -> None:
     path = tmp_path / "old.tlog"
     path.write_bytes(b"".join(timed(packed(mavlink1, 3, attitudes(20, mavlink1)))))
-    log = tlog.read(path)
+    log = tlog_reader.read(path)
     for k, (t_us, frame) in enumerate(log):
         content = codec.fields(frame)
         assert (t_us, frame.sysid, frame.seq, content.time_boot_ms) == (T0_US + STEP_US * k, 3, k, 100 * k)
@@ -145,7 +145,7 @@ def test_signed_frames_and_foreign_dialects_are_handed_out_whole(tmp_path: Path)
     raws = [*signed, *foreign, *signed]
     path = tmp_path / "foreign.tlog"
     path.write_bytes(b"".join(timed(raws)))
-    log = tlog.read(path)
+    log = tlog_reader.read(path)
     assert [frame.raw for _, frame in log] == raws
     assert log.problems == []
 
@@ -154,7 +154,7 @@ def test_frames_without_a_time_of_their_own_have_the_one_before(tmp_path: Path) 
     raws = packed(common, 2, attitudes(4))
     path = tmp_path / "one-time.tlog"
     path.write_bytes(struct.pack(">Q", T0_US) + b"".join(raws))
-    assert [(t_us, frame.raw) for t_us, frame in tlog.read(path)] == [(T0_US, raw) for raw in raws]
+    assert [(t_us, frame.raw) for t_us, frame in tlog_reader.read(path)] == [(T0_US, raw) for raw in raws]
 
 
 @pytest.mark.parametrize(
@@ -168,19 +168,19 @@ def test_frames_without_a_time_of_their_own_have_the_one_before(tmp_path: Path) 
 def test_a_file_that_is_no_recording_is_called_so(content: bytes, said: str, tmp_path: Path) -> None:
     path = tmp_path / "x.tlog"
     path.write_bytes(content)
-    log = tlog.read(path)
+    log = tlog_reader.read(path)
     assert list(log) == []
     assert log.problems == [said]
 
 
 def test_a_missing_file_is_the_systems_error(tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError):
-        tlog.read(tmp_path / "none.tlog")
+        tlog_reader.read(tmp_path / "none.tlog")
 
 
 def test_an_unknown_message_has_no_table(mixed: list[bytes], tmp_path: Path) -> None:
     path = tmp_path / "session.tlog"
     path.write_bytes(b"".join(mixed))
-    (chunk,) = tlog.read(path).chunks()
+    (chunk,) = tlog_reader.read(path).chunks()
     with pytest.raises(ValueError, match="NOT_A_MESSAGE is no message"):
         chunk.table("NOT_A_MESSAGE")

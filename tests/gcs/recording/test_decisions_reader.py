@@ -10,7 +10,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gcs.recording.decision_lines import COLUMNS, DecisionLines
+from gcs.recording.decisions_reader import COLUMNS, DecisionLines
 
 FLOATS = st.floats(allow_nan=False, allow_infinity=False)
 

@@ -20,6 +20,7 @@ PACKAGES = {
         "recording",
         "supervisor",
         "session",
+        "web",
         "console report",
         "campaign",
         "cli",

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from gcs.cli import page
 from gcs.exit import NOT_DONE
 
 if TYPE_CHECKING:
@@ -62,8 +63,11 @@ def _time(ctx: click.Context, param: click.Parameter, value: float | None) -> fl
 @click.option("--from", "from_s", type=float, callback=_time, metavar="T", help="Begin T seconds into the recording.")
 @click.option("--plain", is_flag=True, help="Lines of text instead of the console; also used without a terminal.")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object per recorded second on stdout.")
+@page.WEB
 @click.option("--decide", is_flag=True, help="Decide everything again, and list where the decisions differ.")
-def replay(session: Path, speed: float | None, from_s: float | None, plain: bool, as_json: bool, decide: bool) -> int:
+def replay(
+    session: Path, speed: float | None, from_s: float | None, plain: bool, as_json: bool, web: bool, decide: bool
+) -> int:
     """Play SESSION, a session's folder or any .tlog file, also another ground station's, in the console.
 
     In the console you pause, change the speed and go to any time. A session's folder shows its obstacles, competition
@@ -77,6 +81,7 @@ def replay(session: Path, speed: float | None, from_s: float | None, plain: bool
     Examples:
       gcs replay sessions/demo-20260101-120000
       gcs replay flight.tlog --speed 4 --from 120
+      gcs replay first-flight --web
       gcs replay flight.tlog --json > flight.jsonl
       gcs replay first-flight --decide
 
@@ -90,9 +95,11 @@ def replay(session: Path, speed: float | None, from_s: float | None, plain: bool
     """
     if plain and as_json:
         raise click.UsageError("--plain and --json exclude each other: choose what goes to stdout.")
+    if web and (plain or as_json):
+        raise click.UsageError("--web excludes --plain and --json: the page shows what they would tell.")
     if decide:
-        if speed is not None or from_s is not None:
-            raise click.UsageError("--decide plays nothing: leave out --speed and --from.")
+        if speed is not None or from_s is not None or web:
+            raise click.UsageError("--decide plays nothing: leave out --speed, --from and --web.")
         return _decide(session, as_json)
     from gcs.session.replay import Replay, ReplayError
 
@@ -109,6 +116,11 @@ def replay(session: Path, speed: float | None, from_s: float | None, plain: bool
         if not recording.from_s <= from_s <= recording.to_s:
             raise click.UsageError(f"--from: the recording goes from {recording.from_s:g} to {recording.to_s:g} s.")
         recording.seek(from_s)
+    if web:
+        from gcs.session.replay import ReplaySource
+
+        page.show(ReplaySource(recording, speed=speed or 1.0), commands=False)
+        return 0
     return _play(recording, speed, plain=plain, as_json=as_json)
 
 

@@ -53,6 +53,8 @@ class VehicleView(NamedTuple):
     """whether its autopilot says that it flies by a failsafe of its own"""
     p_local_ned: Vec3 | None = None
     """in its own frame; where that lies it may not have told yet"""
+    roll_rad: float = 0.0
+    pitch_rad: float = 0.0
 
     @property
     def height_m(self) -> float | None:

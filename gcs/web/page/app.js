@@ -326,7 +326,7 @@ export class App {
   /** What need not be drawn at every frame. @param {number} now */
   #late(now) {
     const snapshot = this.current;
-    if (snapshot && now - this.shown_at > PANELS_MS && this.paneled !== snapshot) {
+    if (snapshot && now - this.shown_at > (this.flight.columns.size > MANY ? 2.5 : 1) * PANELS_MS && this.paneled !== snapshot) {
       this.shown_at = now;
       this.paneled = snapshot;
       this.table.show(snapshot, this.chosen);

@@ -1,6 +1,8 @@
 // The fleet from above, north up: obstacles, paths, vehicles with their headings, a scale. Drag, wheel or pinch move it.
 // @ts-check
 import { fit, number } from "./elements.js";
+import { last } from "./flight.js";
+import { plane } from "./graphics.js";
 import { colourOf, dashOf, look } from "./look.js";
 
 /** @typedef {import("./flight.js").Flight} Flight */
@@ -9,6 +11,8 @@ import { colourOf, dashOf, look } from "./look.js";
 
 const MARGIN = 0.08;
 const MOST_NAMED = 40;
+const TRAIL_S = 20; // of more vehicles, only what they flew last
+const TRAIL_POINTS = 20;
 const NICE = [1, 2, 5];
 
 /** The nice length (1, 2 or 5 times a power of ten) next below a given one. @param {number} length */
@@ -17,8 +21,20 @@ export function nice(length) {
   return power * Math.max(...NICE.filter((one) => one * power <= length * 1.0001), 1);
 }
 
+/** @type {WeakMap<Flight, {version: number, session: unknown, found: [Plane, Plane] | null}>} */
+const extents = new WeakMap();
+
 /** What the flight covers: least and greatest north and east. @param {Flight} flight @returns {[Plane, Plane] | null} */
 export function extent(flight) {
+  const known = extents.get(flight);
+  if (known && known.version === flight.version && known.session === flight.session) return known.found;
+  const found = covered(flight);
+  extents.set(flight, { version: flight.version, session: flight.session, found });
+  return found;
+}
+
+/** @param {Flight} flight @returns {[Plane, Plane] | null} */
+function covered(flight) {
   let [n0, n1, e0, e1] = [Infinity, -Infinity, Infinity, -Infinity];
   /** @param {number} n @param {number} e */
   const add = (n, e) => {
@@ -138,7 +154,7 @@ export class MapView {
    */
   draw(flight, snapshot, { chosen, paths, until_s, shown = null }) {
     const { width, height, scale } = fit(this.canvas);
-    const context = /** @type {CanvasRenderingContext2D} */ (this.canvas.getContext("2d"));
+    const context = plane(this.canvas);
     const colours = look();
     context.setTransform(scale, 0, 0, scale, 0, 0);
     context.fillStyle = colours.paper;
@@ -245,35 +261,33 @@ export class MapView {
    */
   #paths(context, flight, X, Y, until_s, chosen, shown) {
     const many = flight.columns.size > MOST_NAMED;
-    let count = 0;
-    while (count < flight.count && flight.t_s[count] <= until_s + 1e-6) count += Math.min(64, Math.max(flight.count - count, 1));
-    count = Math.min(count, flight.count);
-    while (count > 0 && flight.t_s[count - 1] > until_s + 1e-6) count -= 1;
-    const step = many ? Math.max(Math.floor(count / 150), 1) : 1;
+    const count = last(flight.t_s, until_s + 1e-6, flight.count) + 1;
+    const recent = last(flight.t_s, until_s - TRAIL_S, flight.count) + 1;
     const { soft } = look();
     context.lineJoin = "round";
     for (const [sysid, columns] of flight.columns) {
       if (shown && !shown.has(sysid) && !many) continue;
       const lit = sysid === chosen || (shown?.has(sysid) ?? false);
-      context.globalAlpha = lit || !many ? (chosen === null || lit ? 0.95 : 0.45) : 0.2;
+      context.globalAlpha = lit || !many ? (chosen === null || lit ? 0.95 : 0.45) : 0.35;
       context.strokeStyle = colourOf(sysid);
       context.lineWidth = lit ? 2.4 : 1.4;
       context.setLineDash(many ? [] : dashOf(sysid));
-      this.#line(context, columns.e, columns.n, count, step, X, Y);
+      const from = lit || !many ? 0 : recent;
+      this.#line(context, columns.e, columns.n, from, count, Math.max(Math.floor((count - from) / (lit || !many ? 2000 : TRAIL_POINTS)), 1), X, Y);
     }
     context.globalAlpha = 0.9;
     context.strokeStyle = soft;
     context.setLineDash([2, 4]);
-    for (const [n, e] of flight.traffic.values()) this.#line(context, e, n, count, step, X, Y);
+    for (const [n, e] of flight.traffic.values()) this.#line(context, e, n, 0, count, Math.max(Math.floor(count / 500), 1), X, Y);
     context.setLineDash([]);
     context.globalAlpha = 1;
   }
 
-  /** @param {CanvasRenderingContext2D} context @param {Float32Array} e @param {Float32Array} n @param {number} count @param {number} step @param {Axis} X @param {Axis} Y */
-  #line(context, e, n, count, step, X, Y) {
+  /** @param {CanvasRenderingContext2D} context @param {Float32Array} e @param {Float32Array} n @param {number} from @param {number} count @param {number} step @param {Axis} X @param {Axis} Y */
+  #line(context, e, n, from, count, step, X, Y) {
     context.beginPath();
     let drawn = false;
-    for (let k = 0; k < count; k += step) {
+    for (let k = from; k < count; k = k + step < count || k === count - 1 ? k + step : count - 1) {
       if (Number.isNaN(n[k])) {
         drawn = false;
         continue;
@@ -360,7 +374,8 @@ export class MapView {
     const named = snapshot.vehicles.filter((row) => !many || row.sysid === chosen || row.severity > 1 || row.role !== "pursuer");
     named.sort((a, b) => Number(b.sysid === chosen) - Number(a.sysid === chosen) || b.severity - a.severity);
     context.font = "600 12px system-ui, sans-serif";
-    for (const row of named.slice(0, 3 * MOST_NAMED)) {
+    context.lineJoin = "round";
+    for (const row of named.slice(0, MOST_NAMED)) {
       if (row.p_ned) this.#name(context, String(row.sysid), X(row.p_ned[1]), Y(row.p_ned[0]), colours.ink, taken);
     }
   }

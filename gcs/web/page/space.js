@@ -3,10 +3,12 @@
 import {
   AmbientLight, BoxGeometry, BufferAttribute, BufferGeometry, Color, ConeGeometry, CylinderGeometry, DirectionalLight, DoubleSide,
   ExtrudeGeometry, Group, GridHelper, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshLambertMaterial,
-  OctahedronGeometry, PerspectiveCamera, Quaternion, Scene, Shape, SphereGeometry, Vector3, WebGLRenderer,
+  OctahedronGeometry, PerspectiveCamera, PlaneGeometry, Quaternion, Scene, Shape, SphereGeometry, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js";
+import { last } from "./flight.js";
+import { plane } from "./graphics.js";
 import { colourOf, look } from "./look.js";
 import { extent, nice } from "./map.js";
 
@@ -17,6 +19,8 @@ import { extent, nice } from "./map.js";
 
 const MOST_NAMED = 40;
 const PATH_POINTS = 24000; // of all paths together
+const TRAIL_S = 20; // of many vehicles, only what they flew last
+const TRAIL_POINTS = 20;
 const CIRCLE = 48;
 const MOST = 254;
 
@@ -33,9 +37,17 @@ function turn(row, to) {
 }
 const Q = [new Quaternion(), new Quaternion(), new Quaternion()];
 
-/** A quadrotor of 1 m across; a tanker carries a tank, a target a mast. @param {string} role */
-function body(role) {
+/** A quadrotor of 1 m across; a tanker carries a tank, a target a mast. @param {string} role @param {boolean} plain one of many, small */
+function body(role, plain) {
   const parts = [];
+  const middle = role === "tanker" ? new BoxGeometry(0.34, 0.26, 0.6) : new BoxGeometry(0.2, 0.12, 0.28);
+  const mast = new OctahedronGeometry(0.22).translate(0, 0.28, 0);
+  if (plain) {
+    for (const angle of [Math.PI / 4, -Math.PI / 4]) parts.push(new PlaneGeometry(0.34, 1.3).rotateX(Math.PI / 2).rotateY(angle));
+    const nose = new ConeGeometry(0.14, 0.5, 3).rotateX(-Math.PI / 2).translate(0, 0.02, -0.35);
+    parts.push(nose, ...(role === "pursuer" ? [] : [middle]), ...(role === "target" ? [mast] : []));
+    return mergeGeometries(parts.map((part) => (part.index ? part.toNonIndexed() : part)));
+  }
   for (const [x, z] of [[1, 1], [1, -1], [-1, 1], [-1, -1]]) {
     const rotor = new CylinderGeometry(0.22, 0.22, 0.03, 10);
     rotor.translate(0.32 * x, 0.05, 0.32 * z);
@@ -47,9 +59,8 @@ function body(role) {
   const nose = new ConeGeometry(0.09, 0.3, 6);
   nose.rotateX(-Math.PI / 2);
   nose.translate(0, 0.02, -0.28);
-  const middle = role === "tanker" ? new BoxGeometry(0.34, 0.26, 0.6) : new BoxGeometry(0.2, 0.12, 0.28);
   parts.push(nose, middle);
-  if (role === "target") parts.push(new OctahedronGeometry(0.22).translate(0, 0.28, 0));
+  if (role === "target") parts.push(mast);
   return mergeGeometries(parts.map((part) => (part.index ? part.toNonIndexed() : part)));
 }
 
@@ -86,6 +97,10 @@ export class SpaceView {
     this.places = [];
     this.target = new Vector3();
     this.framed = false;
+    this.framedFar = 0;
+    /** whether a person has moved the camera */
+    this.touched = false;
+    this.controls.addEventListener("start", () => (this.touched = true));
     this.width = 0;
     this.height = 0;
     let pressed = [0, 0];
@@ -118,13 +133,15 @@ export class SpaceView {
       return;
     }
     this.camera.position.copy(this.controls.target).add(away);
+    this.touched = true;
+    this.controls.update();
     this.dirty = true;
     event.preventDefault();
     event.stopPropagation();
   }
 
   whole() {
-    this.framed = false;
+    this.framed = this.touched = false;
     this.mode = "free";
     this.dirty = true;
   }
@@ -169,7 +186,7 @@ export class SpaceView {
     const span = Math.max(all[0][1] - all[0][0], all[1][1] - all[1][0], 10);
     const step = nice(span / 6);
     const cells = 2 * Math.ceil((0.75 * span) / step);
-    const ground = new GridHelper(cells * step, cells, colours.soft, colours.grid);
+    const ground = new GridHelper(cells * step, cells, colours.grid, colours.grid);
     const middle = (/** @type {readonly number[]} */ pair) => Math.round((pair[0] + pair[1]) / 2 / step) * step;
     ground.position.set(middle(all[1]), 0, -middle(all[0]));
     this.fixed.add(ground);
@@ -222,16 +239,27 @@ export class SpaceView {
     this.scene.background = new Color(colours.paper);
   }
 
+  /** How far the camera stands off to see everything. @param {Flight} flight */
+  #far(flight) {
+    const all = extent(flight);
+    if (!all) return 8;
+    const [[n0, n1], [e0, e1]] = all;
+    const narrow = Math.max(1, 1.3 / this.camera.aspect);
+    return 1.05 * narrow * Math.max(n1 - n0, 0.75 * (e1 - e0), 8);
+  }
+
   /** @param {Flight} flight */
   #frame(flight) {
     const all = extent(flight);
     if (!all || !flight.count) return;
     const [[n0, n1], [e0, e1]] = all;
-    const far = 0.95 * Math.max(n1 - n0, e1 - e0, 8);
+    const far = this.#far(flight);
     this.target.set((e0 + e1) / 2, 2, -(n0 + n1) / 2);
     this.controls.target.copy(this.target);
-    this.camera.position.set(this.target.x - 0.45 * far, 2 + 0.6 * far, this.target.z + 0.85 * far);
+    this.camera.position.set(this.target.x - 0.35 * far, 2 + 0.5 * far, this.target.z + 0.72 * far);
+    this.controls.update();
     this.framed = true;
+    this.framedFar = far;
   }
 
   /**
@@ -249,7 +277,8 @@ export class SpaceView {
       this.camera.updateProjectionMatrix();
     }
     this.#fix(flight);
-    if (!this.framed) this.#frame(flight);
+    const grown = this.#far(flight) > 1.15 * this.framedFar;
+    if (!this.framed || (grown && !this.touched)) this.#frame(flight);
     this.#bodies(snapshot, chosen);
     this.#drawLines(flight, snapshot);
     this.paths.visible = paths;
@@ -267,14 +296,16 @@ export class SpaceView {
     const at = new Vector3();
     const scale = new Vector3();
     const tint = new Color();
+    const many = snapshot.vehicles.length > MOST_NAMED;
     for (const row of snapshot.vehicles) {
       if (!row.p_ned || (this.mode === "first" && row.sysid === chosen)) continue;
       const role = roles.has(row.role) ? row.role : "pursuer";
-      let mesh = this.bodies.get(role);
+      const kind = `${role} ${many}`;
+      let mesh = this.bodies.get(kind);
       if (!mesh) {
-        mesh = new InstancedMesh(body(role), this.material, MOST + 1);
+        mesh = new InstancedMesh(body(role, many), this.material, MOST + 1);
         mesh.frustumCulled = false;
-        this.bodies.set(role, mesh);
+        this.bodies.set(kind, mesh);
         this.scene.add(mesh);
       }
       const k = roles.get(role) ?? 0;
@@ -284,8 +315,8 @@ export class SpaceView {
       mesh.setColorAt(k, tint.set(row.alive ? colourOf(row.sysid) : look().bad));
       roles.set(role, k + 1);
     }
-    for (const [role, mesh] of this.bodies) {
-      mesh.count = roles.get(role) ?? 0;
+    for (const [kind, mesh] of this.bodies) {
+      mesh.count = kind.endsWith(String(many)) ? (roles.get(kind.split(" ")[0]) ?? 0) : 0;
       mesh.instanceMatrix.needsUpdate = true;
       if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
     }
@@ -356,9 +387,8 @@ export class SpaceView {
     // With many vehicles a path need not grow ten times a second.
     if (flight.columns.size > MOST_NAMED && now - of.at < 900 && of.chosen === chosen && of.dark === dark && until_s >= of.until_s) return;
     this.pathsOf = { version: flight.version, until_s, chosen, dark, at: now };
-    let count = flight.count;
-    while (count > 0 && flight.t_s[count - 1] > until_s + 1e-6) count -= 1;
-    const step = Math.max(Math.ceil((count * flight.columns.size) / PATH_POINTS), 1);
+    const count = last(flight.t_s, until_s + 1e-6, flight.count) + 1;
+    const recent = last(flight.t_s, until_s - TRAIL_S, flight.count) + 1;
     /** @type {number[]} */
     const positions = [];
     /** @type {number[]} */
@@ -367,9 +397,11 @@ export class SpaceView {
     for (const [sysid, { n, e, d }] of flight.columns) {
       const many = flight.columns.size > MOST_NAMED;
       const colour = new Color(colourOf(sysid));
-      if (chosen === null ? many : sysid !== chosen) colour.lerp(paper, many ? 0.75 : 0.45);
-      for (let k = 0; k + step < count; k += step) {
-        const m = k + step;
+      if (chosen === null ? many : sysid !== chosen) colour.lerp(paper, many ? 0.6 : 0.45);
+      const from = many && sysid !== chosen ? recent : 0;
+      const step = Math.max(Math.ceil((count - from) / (many ? TRAIL_POINTS : PATH_POINTS / flight.columns.size)), 1);
+      for (let k = from; k < count - 1; k += step) {
+        const m = Math.min(k + step, count - 1);
         if (Number.isNaN(n[k]) || Number.isNaN(n[m])) continue;
         positions.push(e[k], -d[k], -n[k], e[m], -d[m], -n[m]);
         tints.push(colour.r, colour.g, colour.b, colour.r, colour.g, colour.b);
@@ -382,7 +414,10 @@ export class SpaceView {
   #look(snapshot, chosen) {
     const row = snapshot.vehicles.find((one) => one.sysid === chosen);
     this.controls.enabled = this.mode !== "first" || !row?.p_ned;
-    if (!row?.p_ned || this.mode === "free") return;
+    if (!row?.p_ned || this.mode === "free") {
+      this.controls.update();
+      return;
+    }
     const here = place(row.p_ned);
     if (this.mode === "follow") {
       const away = this.camera.position.clone().sub(this.controls.target);
@@ -402,7 +437,7 @@ export class SpaceView {
     const { width, height } = this;
     if (this.names.width !== Math.round(width * scale)) this.names.width = Math.round(width * scale);
     if (this.names.height !== Math.round(height * scale)) this.names.height = Math.round(height * scale);
-    const context = /** @type {CanvasRenderingContext2D} */ (this.names.getContext("2d"));
+    const context = plane(this.names);
     context.setTransform(scale, 0, 0, scale, 0, 0);
     context.clearRect(0, 0, width, height);
     context.font = "600 12px system-ui, sans-serif";
@@ -436,7 +471,7 @@ export class SpaceView {
         context.arc(x, y, 15, 0, 2 * Math.PI);
         context.stroke();
       }
-      if (!many || row.sysid === chosen || row.severity > 1 || row.role !== "pursuer") write(String(row.sysid), x, y, row.severity > 1 ? bad : ink);
+      if (taken.length < MOST_NAMED && (!many || row.sysid === chosen || row.severity > 1 || row.role !== "pursuer")) write(String(row.sysid), x, y, row.severity > 1 ? bad : ink);
     }
     for (const craft of snapshot.traffic) {
       place(craft.p_ned, at).project(this.camera);

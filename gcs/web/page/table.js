@@ -28,7 +28,7 @@ export class FleetTable {
     this.choose = choose;
     this.by = "id";
     this.down = false;
-    /** @type {Map<number, {row: HTMLTableRowElement, cells: HTMLTableCellElement[], swatch: HTMLElement}>} */
+    /** @type {Map<number, {row: HTMLTableRowElement, cells: HTMLTableCellElement[], swatch: HTMLElement, colour: string}>} */
     this.rows = new Map();
     this.shown_at = 0;
     this.filter = h("input", { type: "search", placeholder: "filter, e.g. tanker, served, 12", "aria-label": "filter vehicles", oninput: () => this.again() });
@@ -89,12 +89,15 @@ export class FleetTable {
     for (const row of rows) {
       const one = this.rows.get(row.sysid) ?? this.#make(row);
       COLUMNS.forEach((col, k) => (k ? say(one.cells[k], col.text(row)) : say(/** @type {Node} */ (one.cells[0].lastChild), col.text(row))));
-      one.swatch.style.background = colourOf(row.sysid);
+      const colour = colourOf(row.sysid);
+      if (one.colour !== colour) one.swatch.style.background = one.colour = colour;
       const text = `${row.sysid} ${row.role} ${row.label} ${row.state} ${row.mode} ${row.note} ${row.trouble.join(" ")}`.toLowerCase();
       const hidden = wanted !== "" && !wanted.split(/\s+/).every((word) => (/^\d+$/.test(word) ? String(row.sysid).startsWith(word) : text.includes(word)));
       if (one.row.hidden !== hidden) one.row.hidden = hidden;
-      one.row.setAttribute("aria-selected", String(row.sysid === chosen));
-      one.row.className = row.severity > 1 || !row.alive ? "bad" : row.severity > 0 ? "warn" : "";
+      const selected = String(row.sysid === chosen);
+      if (one.row.getAttribute("aria-selected") !== selected) one.row.setAttribute("aria-selected", selected);
+      const level = row.severity > 1 || !row.alive ? "acute" : row.severity > 0 ? "doubtful" : "";
+      if (one.row.className !== level) one.row.className = level;
       place.push(one.row);
     }
     if (place.some((row, k) => this.body.children[k] !== row) || this.body.children.length !== place.length) this.body.replaceChildren(...place);
@@ -110,7 +113,7 @@ export class FleetTable {
       const link = h("button", { type: "button", class: "link" }, String(row.sysid));
       return h("td", {}, swatch, link);
     });
-    const made = { row: h("tr", { onclick: () => this.choose(row.sysid, false) }, ...cells), cells, swatch };
+    const made = { row: h("tr", { onclick: () => this.choose(row.sysid, false) }, ...cells), cells, swatch, colour: "" };
     this.rows.set(row.sysid, made);
     return made;
   }

@@ -1,6 +1,7 @@
 // The line of time: a slider over what is known, marks of events, play, pause and speed.
 // @ts-check
 import { clock, fit, h, say } from "./elements.js";
+import { plane } from "./graphics.js";
 import { look } from "./look.js";
 
 /** @typedef {import("./messages").EventRow} EventRow */
@@ -48,7 +49,7 @@ export class Timeline {
     if (key === this.marked) return;
     this.marked = key;
     const { width, height, scale } = fit(this.marks);
-    const context = /** @type {CanvasRenderingContext2D} */ (this.marks.getContext("2d"));
+    const context = plane(this.marks);
     const { bad, warn, soft } = look();
     context.setTransform(scale, 0, 0, scale, 0, 0);
     context.clearRect(0, 0, width, height);

@@ -116,7 +116,7 @@ class Hub:
         """What a page asks for, as the source is to be told; None where it was answered already."""
         try:
             content = msgspec.json.decode(text)
-        except msgspec.DecodeError:
+        except (ValueError, RecursionError):
             content = None
         if not isinstance(content, dict) or not isinstance(content.get("command"), str):
             return None

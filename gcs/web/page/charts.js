@@ -130,7 +130,7 @@ export class TimeChart {
     }
     if (panel.zero) low = Math.min(low, 0);
     if (low > high) [low, high] = [0, 1];
-    const room = Math.max((high - low) * 0.06, 1e-3);
+    const room = Math.max((high - low) * 0.06, 10 ** -panel.digits);
     /** @returns {{min: number, max: number}} */
     const range = () => (panel.range ? { min: panel.range[0], max: panel.range[1] } : { min: panel.zero && low >= 0 ? 0 : low - room, max: high + room });
     return { panel, series, data, range };
@@ -155,8 +155,8 @@ export class TimeChart {
         padding: [6, 10, 0, 0],
         scales: { x: { time: false, range: (_, min, max) => [min, max] }, y: { range: (_, min, max) => [min, max] } },
         axes: [
-          { stroke: soft, font, grid: { stroke: grid, width: 1 }, ticks: { show: false }, incrs: SECONDS, size: foot ? 40 : 22,
-            label: foot ? "session time (s)" : undefined, labelFont: font, labelSize: 16, labelGap: 0 },
+          { stroke: soft, font, grid: { stroke: grid, width: 1 }, ticks: { show: false }, incrs: SECONDS, size: 22,
+            label: foot ? "session time (s)" : undefined, labelFont: font, labelSize: 18, labelGap: 0 },
           { stroke: soft, font, grid: { stroke: grid, width: 1 }, ticks: { show: false }, size: AXIS_PX, space: 28 },
         ],
         bands: panel.band ? [{ series: [2, 1], fill: band }] : [],

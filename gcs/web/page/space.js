@@ -245,7 +245,7 @@ export class SpaceView {
     if (!all) return 8;
     const [[n0, n1], [e0, e1]] = all;
     const narrow = Math.max(1, 1.3 / this.camera.aspect);
-    return 1.05 * narrow * Math.max(n1 - n0, 0.75 * (e1 - e0), 8);
+    return 1.15 * narrow * Math.max(n1 - n0, 0.9 * (e1 - e0), 8);
   }
 
   /** @param {Flight} flight */

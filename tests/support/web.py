@@ -1,4 +1,4 @@
-"""Pages for tests: a server of a source in this process, a link that can be cut, and Debian's Chromium by Playwright."""
+"""Pages for tests: a server of a source in this process, a cable that can be cut, Debian's Chromium by Playwright."""
 
 from __future__ import annotations
 
@@ -17,7 +17,11 @@ from gcs.web.serve import serve
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 MISSING = "Chromium is not installed (Debian: apt-get install chromium)"
-ARGUMENTS = ["--no-sandbox", "--enable-unsafe-swiftshader", "--disable-dev-shm-usage"]  # tests run as root, without a card
+ARGUMENTS = [
+    "--no-sandbox",
+    "--enable-unsafe-swiftshader",
+    "--disable-dev-shm-usage",
+]  # tests run as root, without a card
 PATIENCE_MS = 45_000
 
 
@@ -158,15 +162,26 @@ class Watched:
         self.page.on("request", lambda request: self.asked.append(request.url))
 
     def open(self, url: str) -> Page:
-        """Go to a page; one that is served is waited for until it shows vehicles."""
+        """Go to a page."""
         self.page.goto(url)
         return self.page
 
     def flying(self, url: str) -> Page:
         """Go to a page that is served, and wait until it shows vehicles."""
         self.open(url)
-        self.page.wait_for_function("window.skytender?.current?.vehicles.length > 0")
+        until(self.page, "window.skytender?.current?.vehicles.length > 0")
         return self.page
+
+
+UNTIL = """new Promise((done) => {{
+  const look = () => (({0}) ? done() : setTimeout(look, 20));
+  look();
+}})"""
+
+
+def until(page: Page, expression: str) -> None:
+    """Wait in the page until an expression of JavaScript holds; the page's policy lets nothing else evaluate text."""
+    page.evaluate(UNTIL.format(expression))
 
 
 def serious(page: Page) -> list[str]:

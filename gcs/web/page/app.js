@@ -16,6 +16,7 @@ import { Timeline } from "./timeline.js";
 
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50, 100];
 const MANY = 16;
+const TRAIL_S = 20; // of many vehicles that move, only what they flew last is drawn
 const CHARTS_MS = 500;
 const BAND_POINTS = 300;
 const PANELS_MS = 200;
@@ -46,6 +47,8 @@ export class App {
     this.shown = new Set();
     this.given = false;
     this.paths = true;
+    /** whether paths are drawn whole while nothing moves */
+    this.whole_paths = false;
     this.view = "space";
     this.player = player;
     this.playing = true;
@@ -69,6 +72,10 @@ export class App {
     this.charted_at = 0;
     this.shown_at = 0;
     this.time.seek = (t_s) => player.seek(t_s);
+    /** @type {() => void} */
+    this.drawnFirst = () => {};
+    /** is kept when the fleet has been drawn */
+    this.first = new Promise((resolve) => (this.drawnFirst = () => resolve(null)));
 
     const choose = (/** @type {number | null} */ sysid) => this.choose(sysid);
     this.trouble = h("ul", { class: "problems", "aria-label": "what is wrong", "aria-live": "polite" });
@@ -303,10 +310,11 @@ export class App {
     this.map.dirty = false;
     if (this.space) this.space.dirty = false;
     const t_s = this.at_s ?? snapshot.t_s;
-    const options = { chosen: this.chosen, paths: this.paths, until_s: this.until(t_s) };
+    const options = { chosen: this.chosen, paths: this.paths, until_s: t_s, trail_s: this.whole_paths && !this.playing ? Infinity : TRAIL_S };
     if (this.view === "space") this.space?.draw(this.flight, snapshot, options);
     else this.map.draw(this.flight, snapshot, options);
     this.frames += 1;
+    this.drawnFirst();
     this.current = snapshot;
     this.time.begin_s = this.flight.first_s;
     this.time.end_s = Math.max(this.flight.last_s, this.end_s ?? 0);
@@ -316,11 +324,6 @@ export class App {
       speed: this.speed, following: this.at_s === null, events: this.flight.events,
     });
     this.#late(now);
-  }
-
-  /** To which time paths are drawn. @param {number} t_s */
-  until(t_s) {
-    return t_s;
   }
 
   /** What need not be drawn at every frame. @param {number} now */

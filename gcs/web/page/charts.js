@@ -11,6 +11,7 @@ import { colourOf, dashOf, look, sourceColour } from "./look.js";
  *   band?: {least: Line, median: Line, greatest: Line, count: number}}} Panel
  * @typedef {{t_s: number, id?: number, label: string, text?: string, bad?: boolean}} Mark
  * @typedef {{from: number, to: number, id: number}} Span
+ * @typedef {Pick<SharedTime, "range" | "zoom" | "now_s" | "begin_s" | "end_s" | "charts" | "setZoom" | "seek" | "point">} Time
  * @typedef {{panels: Panel[], marks: Mark[], spans: Span[]}} Figure
  */
 
@@ -61,7 +62,7 @@ function gaps(values) {
 }
 
 export class TimeChart {
-  /** @param {HTMLElement} div @param {SharedTime} time @param {(id: number) => string} label */
+  /** @param {HTMLElement} div @param {Time} time @param {(id: number) => string} label */
   constructor(div, time, label) {
     this.div = div;
     this.time = time;
@@ -304,7 +305,7 @@ const STAGES = ["on the way", "in formation", "transfer"];
 /**
  * Services as bars over time, a row for each receiver.
  * @param {HTMLElement} div @param {{rows: string[], bars: {row: string, stage: number, from: number, to: number, text: string}[]}} figure
- * @param {SharedTime} time
+ * @param {Time} time
  */
 export function drawTimeline(div, figure, time) {
   const [begin_s, end_s] = [time.begin_s, Math.max(time.end_s, time.begin_s + 1e-3)];

@@ -27,7 +27,7 @@ function numbersOf(row) {
 }
 
 /** Everything of a vehicle that is no number over time; kept where it changes. */
-class Words {
+export class Words {
   constructor() {
     /** @type {number[]} */
     this.t_s = [];
@@ -245,6 +245,12 @@ export class Flight {
       }));
     }
     vehicles.sort((a, b) => a.sysid - b.sysid);
+    const { services, history, refuelled } = this.#servicesAt(t_s);
+    for (const row of vehicles) {
+      if (row.state) continue; // a recording in the page tells none: a vehicle is what the refuellings make of it
+      const service = services.find((one) => one.receiver === row.sysid || one.tanker === row.sysid);
+      row.state = !service ? "" : service.tanker === row.sysid ? "serves" : service.phase === "transfer" ? "served" : "waits";
+    }
     const traffic = [];
     for (const [callsign, columns] of this.traffic) {
       const p_ned = /** @type {[number, number, number]} */ (columns.map((column) => between(column)));
@@ -259,7 +265,7 @@ export class Flight {
         ...newest.competition, v: /** @type {Record<string, number>} */ (v), tau: {}, share,
         leader: share === null || !ids.length ? null : Number(ids[0]), runner_up: ids.length > 1 ? Number(ids[1]) : null,
       },
-      ...this.#servicesAt(t_s),
+      services, history, refuelled,
       goal: { ...newest.goal, pursue_held_s: null, broken: newest.goal.broken.filter((one) => one.t_s === null || one.t_s <= t_s) },
     };
   }

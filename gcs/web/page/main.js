@@ -157,7 +157,7 @@ function served(config) {
     document.documentElement.dataset.connection = live.state;
   };
   live.open();
-  return app;
+  return Object.assign(app, { operator });
 }
 
 restoreTheme();

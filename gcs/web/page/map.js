@@ -11,8 +11,7 @@ import { colourOf, dashOf, look } from "./look.js";
 
 const MARGIN = 0.08;
 const MOST_NAMED = 40;
-const TRAIL_S = 20; // of more vehicles, only what they flew last
-const TRAIL_POINTS = 20;
+const TRAIL_POINTS = 150; // of each of more vehicles
 const NICE = [1, 2, 5];
 
 /** The nice length (1, 2 or 5 times a power of ten) next below a given one. @param {number} length */
@@ -150,9 +149,10 @@ export class MapView {
 
   /**
    * @param {Flight} flight @param {Snapshot} snapshot
-   * @param {{chosen: number | null, paths: boolean, until_s: number, shown?: Set<number> | null}} options
+   * @param {{chosen: number | null, paths: boolean, until_s: number, trail_s: number, shown?: Set<number> | null}} options
+   *   `trail_s`: how much of their paths is drawn where there are many
    */
-  draw(flight, snapshot, { chosen, paths, until_s, shown = null }) {
+  draw(flight, snapshot, { chosen, paths, until_s, trail_s, shown = null }) {
     const { width, height, scale } = fit(this.canvas);
     const context = plane(this.canvas);
     const colours = look();
@@ -177,7 +177,7 @@ export class MapView {
     const Y = (/** @type {number} */ north) => height / 2 - (north - n) * perMetre;
     this.#grid(context, X, Y, perMetre, width, height);
     this.#ground(context, flight, X, Y, perMetre);
-    if (paths) this.#paths(context, flight, X, Y, until_s, chosen, shown);
+    if (paths) this.#paths(context, flight, X, Y, until_s, trail_s, chosen, shown);
     this.#services(context, flight, snapshot, X, Y);
     this.#vehicles(context, flight, snapshot, X, Y, perMetre, chosen);
     this.#scale(context, perMetre, width, height);
@@ -257,14 +257,15 @@ export class MapView {
 
   /**
    * @param {CanvasRenderingContext2D} context @param {Flight} flight @param {Axis} X @param {Axis} Y
-   * @param {number} until_s @param {number | null} chosen @param {Set<number> | null} shown
+   * @param {number} until_s @param {number} trail_s @param {number | null} chosen @param {Set<number> | null} shown
    */
-  #paths(context, flight, X, Y, until_s, chosen, shown) {
+  #paths(context, flight, X, Y, until_s, trail_s, chosen, shown) {
     const many = flight.columns.size > MOST_NAMED;
     const count = last(flight.t_s, until_s + 1e-6, flight.count) + 1;
-    const recent = last(flight.t_s, until_s - TRAIL_S, flight.count) + 1;
+    const recent = last(flight.t_s, until_s - trail_s, flight.count) + 1;
     const { soft } = look();
     context.lineJoin = "round";
+    const starts = many ? 0 : 3;
     for (const [sysid, columns] of flight.columns) {
       if (shown && !shown.has(sysid) && !many) continue;
       const lit = sysid === chosen || (shown?.has(sysid) ?? false);
@@ -274,6 +275,12 @@ export class MapView {
       context.setLineDash(many ? [] : dashOf(sysid));
       const from = lit || !many ? 0 : recent;
       this.#line(context, columns.e, columns.n, from, count, Math.max(Math.floor((count - from) / (lit || !many ? 2000 : TRAIL_POINTS)), 1), X, Y);
+      const k = columns.n.findIndex((value) => !Number.isNaN(value));
+      if (!starts || k < 0 || k >= count) continue;
+      context.setLineDash([]);
+      context.beginPath();
+      context.arc(X(columns.e[k]), Y(columns.n[k]), starts, 0, 2 * Math.PI); // where it began
+      context.stroke();
     }
     context.globalAlpha = 0.9;
     context.strokeStyle = soft;

@@ -19,8 +19,7 @@ import { extent, nice } from "./map.js";
 
 const MOST_NAMED = 40;
 const PATH_POINTS = 24000; // of all paths together
-const TRAIL_S = 20; // of many vehicles, only what they flew last
-const TRAIL_POINTS = 20;
+const TRAIL_POINTS = 100; // of each of many
 const CIRCLE = 48;
 const MOST = 254;
 
@@ -264,9 +263,9 @@ export class SpaceView {
 
   /**
    * @param {Flight} flight @param {Snapshot} snapshot
-   * @param {{chosen: number | null, paths: boolean, until_s: number}} options
+   * @param {{chosen: number | null, paths: boolean, until_s: number, trail_s: number}} options
    */
-  draw(flight, snapshot, { chosen, paths, until_s }) {
+  draw(flight, snapshot, { chosen, paths, until_s, trail_s }) {
     const box = this.canvas.getBoundingClientRect();
     if (!box.width || !box.height) return;
     if (this.width !== box.width || this.height !== box.height) {
@@ -282,7 +281,7 @@ export class SpaceView {
     this.#bodies(snapshot, chosen);
     this.#drawLines(flight, snapshot);
     this.paths.visible = paths;
-    if (paths) this.#drawPaths(flight, until_s, chosen);
+    if (paths) this.#drawPaths(flight, until_s, trail_s, chosen);
     this.#look(snapshot, chosen);
     this.renderer.render(this.scene, this.camera);
     this.#write(snapshot, chosen);
@@ -378,8 +377,8 @@ export class SpaceView {
     this.#fill(this.lines, positions, tints);
   }
 
-  /** @param {Flight} flight @param {number} until_s @param {number | null} chosen */
-  #drawPaths(flight, until_s, chosen) {
+  /** @param {Flight} flight @param {number} until_s @param {number} trail_s @param {number | null} chosen */
+  #drawPaths(flight, until_s, trail_s, chosen) {
     const dark = look().dark;
     const of = this.pathsOf;
     const now = performance.now();
@@ -388,7 +387,7 @@ export class SpaceView {
     if (flight.columns.size > MOST_NAMED && now - of.at < 900 && of.chosen === chosen && of.dark === dark && until_s >= of.until_s) return;
     this.pathsOf = { version: flight.version, until_s, chosen, dark, at: now };
     const count = last(flight.t_s, until_s + 1e-6, flight.count) + 1;
-    const recent = last(flight.t_s, until_s - TRAIL_S, flight.count) + 1;
+    const recent = last(flight.t_s, until_s - trail_s, flight.count) + 1;
     /** @type {number[]} */
     const positions = [];
     /** @type {number[]} */

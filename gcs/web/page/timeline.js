@@ -24,7 +24,7 @@ export class Timeline {
     this.slower = h("button", { type: "button", "aria-label": "slower", onclick: () => player.faster(-1) }, "−");
     this.quicker = h("button", { type: "button", "aria-label": "faster", onclick: () => player.faster(1) }, "+");
     this.speed = h("span", { class: "value" });
-    this.time = h("output", { class: "value time" });
+    this.time = h("span", { class: "value time" });
     this.live = h("button", { type: "button", class: "live", onclick: () => player.newest?.() }, "live");
     this.live.hidden = !player.newest;
     this.marked = "";

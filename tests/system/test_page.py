@@ -4,16 +4,20 @@ from __future__ import annotations
 
 import json
 import re
+import shutil
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
+import numpy as np
 import pytest
+import yaml
 from playwright.sync_api import Browser, Page, expect
 from sessions import Outcome, Running, merged, small
 from web import CHROMIUM, MISSING, Cable, Script, Watched, chromium, serious, served, until
 
+from gcs.report.make import make
 from gcs.scenario.model import Scenario
 from gcs.session.messages import session_message
 from gcs.session.replay import Replay, ReplaySource
@@ -147,6 +151,42 @@ def test_the_slider_moves_a_replay(recorded: Outcome, browser: Browser) -> None:
         assert serious(page) == []
         assert watched.wrong == []
         page.close()
+
+
+def test_the_report_plays_from_a_file_and_fetches_nothing(recorded: Outcome, tmp_path: Path, browser: Browser) -> None:
+    """The scenario's name and description are a stranger's; the page's policy lets nothing but its own script run."""
+    folder = tmp_path / "hostile"
+    shutil.copytree(recorded.folder, folder, ignore=shutil.ignore_patterns("*.sock"))
+    scenario = yaml.safe_load((folder / "scenario.yaml").read_text(encoding="utf-8"))
+    (folder / "scenario.yaml").write_text(yaml.safe_dump(scenario | {"description": HOSTILE}), encoding="utf-8")
+    page_file = make(folder)
+    assert page_file.stat().st_size < 900_000
+    watched = Watched(browser)
+    page = watched.open(page_file.as_uri())
+    until(page, "document.documentElement.dataset.all")
+    page.evaluate("skytender.then((app) => { window.app = app; })")
+    assert page.evaluate("app.current.t_s") == 25.0
+    page.get_by_role("slider", name="time").fill("10")
+    until(page, "Math.abs(app.current.t_s - 10) < 1e-6")
+    at = page.evaluate("app.current.vehicles.find((one) => one.sysid === 1)")
+    truth = recorded.truth(1)
+    k = int(np.searchsorted(truth.time_s, 10.0))
+    assert at["p_ned"] == pytest.approx(truth.p_ned[k], abs=0.05)
+    service = recorded.summary["refuelling"][0]
+    assert service["start_s"] < 10.0 < service["end_s"]
+    assert (at["mode"], at["state"]) == ("refuel", "served")
+    page.get_by_role("button", name="play", exact=True).click()
+    until(page, "app.current.t_s > 11")
+    assert page.evaluate("app.time.now_s > 11"), "the figures' line of time goes with it"
+    assert page.evaluate("window.hacked") is None
+    assert page.locator("img").count() == 0
+    assert serious(page) == []
+    assert watched.wrong == []
+    assert watched.asked == [page_file.as_uri()]
+    page.evaluate("fetch('https://example.org/').then(() => { window.fetched = 1; }, () => { window.fetched = 0; })")
+    until(page, "window.fetched !== undefined")
+    assert page.evaluate("window.fetched") == 0, "the policy"
+    page.close()
 
 
 def test_254_vehicles_are_filtered_counted_and_gone_to(browser: Browser) -> None:

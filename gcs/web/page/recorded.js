@@ -90,7 +90,7 @@ export async function recorded(config, keyboard) {
     app.given = true;
     app.after.push(() => picked());
     const help = keyboard(app, [], () => {});
-    const tools = h("div", { class: "tools" }, h("button", { type: "button", onclick: () => nextTheme() }, "dark / light"), h("button", { type: "button", onclick: () => help.showModal() }, "keys ?"));
+    const tools = h("div", { class: "tools only-screen" }, h("button", { type: "button", onclick: () => nextTheme() }, "dark / light"), h("button", { type: "button", onclick: () => help.showModal() }, "keys ?"));
     root?.before(tools);
   }
 

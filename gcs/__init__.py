@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from importlib import import_module
 
-from gcs.renamed import install
+from gcs.renamed import install, old_classes
 
 TYPE_CHECKING = False  # as from typing, which would take longer to load than all else here
 
@@ -23,11 +23,11 @@ if TYPE_CHECKING:
     from gcs.scenario.model import Scenario, ScenarioError
     from gcs.session.arrays import MissingExtra, Snapshot
     from gcs.session.python import Session, SessionError
-    from gcs.telemetry.state import FleetState, TrafficView, VehicleView
+    from gcs.telemetry.state import FleetSnapshot, TrafficView, VehicleView
 
 __all__ = [
     "Campaign",
-    "FleetState",
+    "FleetSnapshot",
     "MissingExtra",
     "PursuerPlanner",
     "RefuellingPolicy",
@@ -46,7 +46,7 @@ __all__ = [
 
 _HOME = {
     "Campaign": "campaign.python",
-    "FleetState": "telemetry.state",
+    "FleetSnapshot": "telemetry.state",
     "MissingExtra": "session.arrays",
     "PursuerPlanner": "planner.custom",
     "RefuellingPolicy": "refuelling.policies",
@@ -64,12 +64,14 @@ _HOME = {
 }
 
 install()
+_renamed = old_classes("gcs", lambda name: getattr(import_module(f"gcs.{_HOME[name]}"), name), globals())
 
 
 def __getattr__(name: str) -> Any:
-    if name not in _HOME:
+    found = getattr(import_module(f"gcs.{_HOME[name]}"), name) if name in _HOME else _renamed(name)
+    if found is None:
         raise AttributeError(f"module 'gcs' has no attribute {name!r}")
-    return getattr(import_module(f"gcs.{_HOME[name]}"), name)
+    return found
 
 
 def __dir__() -> list[str]:

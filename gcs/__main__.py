@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 def main() -> None:
     """Entry point. While modules are loaded there is nothing to clean up: a Ctrl-C ends the process at once."""
     handler = signal.getsignal(signal.SIGINT)
-    if handler is signal.default_int_handler:  # else somebody wants it ignored, as nohup does
+    if handler is signal.default_int_handler:  # else the caller ignores it, as nohup does
         signal.signal(signal.SIGINT, lambda *_: os._exit(INTERRUPTED))
     from gcs.cli.main import main as command_line  # noqa: PLC0415 - what takes long
 

@@ -35,7 +35,7 @@ GONE_WITHIN_S = 20.0
 CAMPAIGN_MARK = (
     "campaign(what, sessions=None, workers=None): fly a campaign (a file, a shipped name or plain data) before the test"
 )
-MOST_TOLD = 20
+MOST_LISTED = 20
 MARK = "fleet(what): vehicles for the `fleet` fixture: how many (1 to 254), or a scenario's file or shipped name"
 
 
@@ -103,9 +103,12 @@ def campaign(request: pytest.FixtureRequest, tmp_path: Path) -> Any:
     flown = Campaign(mark.args[0], out=tmp_path / "campaign", **mark.kwargs)
     table = flown.fly()
     if failures := flown.failures:
-        told = [*failures[:MOST_TOLD], *([f"... and {len(failures) - MOST_TOLD} more"] * (len(failures) > MOST_TOLD))]
+        listed = [
+            *failures[:MOST_LISTED],
+            *([f"... and {len(failures) - MOST_LISTED} more"] * (len(failures) > MOST_LISTED)),
+        ]
         again = f"gcs campaign fly {flown.folder} ROW flies one again"
-        pytest.fail("\n".join([f"{len(failures)} of {table.num_rows} sessions failed:", *told, again]), pytrace=False)
+        pytest.fail("\n".join([f"{len(failures)} of {table.num_rows} sessions failed:", *listed, again]), pytrace=False)
     return table
 
 
@@ -150,7 +153,7 @@ def _started(what: int | str | os.PathLike[str]) -> Iterator[FlyingFleet]:
 
 
 def _line(process: subprocess.Popen[bytes]) -> bytes | None:
-    """The line that tells the addresses; None where there is none in time."""
+    """The line that holds the addresses; None where there is none in time."""
     assert process.stdout is not None
     os.set_blocking(process.stdout.fileno(), False)
     said, deadline_s = b"", time.monotonic() + READY_WITHIN_S

@@ -32,6 +32,7 @@ MODULES = {
 """New name of a module by its old one."""
 
 CLASSES: dict[str, dict[str, str]] = {
+    "gcs": {"FleetState": "FleetSnapshot"},
     "gcs.policies": {"Request": "RefuellingRequest"},
     "gcs.scenario": {
         "Competition": "CompetitionRules",
@@ -47,7 +48,7 @@ CLASSES: dict[str, dict[str, str]] = {
         "Refuelling": "RefuellingSummary",
         "Vehicle": "VehicleSummary",
     },
-    "gcs.views": {"Snapshot": "FleetState"},
+    "gcs.views": {"Snapshot": "FleetSnapshot"},
 }
 """New name of a class by its old one, by the module that had it."""
 
@@ -91,6 +92,11 @@ def old_classes(module: str, find: Callable[[str], Any], known: dict[str, Any]) 
         return known.setdefault(name, find(names[name]))
 
     return renamed
+
+
+def warn_of_field(owner: str, old: str, new: str) -> None:
+    """Warn a caller's caller that reads a field by its old name."""
+    warnings.warn(f"{owner}.{old} is now {owner}.{new}", RenamedWarning, stacklevel=3)
 
 
 def install() -> None:

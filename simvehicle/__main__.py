@@ -11,7 +11,7 @@ from simvehicle.exit import INTERRUPTED
 def main() -> None:
     """Entry point. While modules are loaded there is nothing to clean up: a Ctrl-C ends the process at once."""
     handler = signal.getsignal(signal.SIGINT)
-    if handler is signal.default_int_handler:  # else somebody wants it ignored, as nohup does
+    if handler is signal.default_int_handler:  # else the caller ignores it, as nohup does
         signal.signal(signal.SIGINT, lambda *_: os._exit(INTERRUPTED))
     from simvehicle import cli  # noqa: PLC0415 - what takes long
 

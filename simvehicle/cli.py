@@ -352,7 +352,7 @@ def sysid_of(argv: Sequence[str]) -> int:
 
 
 def title_of(argv: Sequence[str]) -> str:
-    """What a process of this argv calls itself: `simvehicle 3`, a block `simvehicle 3-27`, or `simvehicle traffic`."""
+    """Process title of this argv: `simvehicle 3`, a block `simvehicle 3-27`, or `simvehicle traffic`."""
     first = sysid_of(argv)
     if not 0 < first <= LAST_SYSID:
         return "simvehicle traffic" if first else "simvehicle"

@@ -1,4 +1,4 @@
-"""What the exit status of a vehicle, or of the hatch, says."""
+"""Exit statuses of a vehicle and of the hatch."""
 
 BAD_INPUT = 2
 INTERNAL_ERROR = 70

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import ast
 import functools
+import re
+from collections import Counter
 from pathlib import Path
 
 import networkx as nx
@@ -149,3 +151,68 @@ def test_top_level_holds_nothing_else() -> None:
     }
     found = {path.name for path in ROOT.iterdir() if not path.name.startswith(".")}
     assert found - {"sessions", "dist", "build", "bench.json"} <= allowed
+
+
+@functools.cache
+def definitions(program: str) -> list[tuple[str, ast.AST]]:
+    """(module, node) of every syntax node of a program."""
+    return [
+        (name, node)
+        for name, path in modules(program).items()
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+    ]
+
+
+def test_no_two_classes_have_one_name() -> None:
+    found = Counter(
+        node.name
+        for program in PACKAGES
+        for name, node in definitions(program)
+        if isinstance(node, ast.ClassDef) and name != "renamed"  # one for each program: neither imports the other
+    )
+    assert [name for name, count in found.items() if count > 1] == []
+
+
+RETIRED = re.compile(
+    r"(?:^|_)(?:told|tell|tells|telling|heard|hears?|hearing|overhear|nobody|somebody|someone|strangers?|news|lacking|"
+    r"leaving|quiet|quieter|troubles?|crew|story|scenes?|pictures?|beacon|desk|wish|wishes|outbox|ears?)(?:_|$)"
+)
+"""Words of ours for which the field has its own: received, reported, unknown sender, notice, health, snapshot, …"""
+KEPT = {
+    "battery_told": "old name of a field",
+    "given_told_s": "old name of a field",
+    "heard_s": "key of session.sock, and old name of a field",
+    "quiet": "--quiet",
+    "_quiet": "--quiet",
+    "QUIET": "--quiet",
+    "QuietView": "--quiet",
+    "told": "key of session.sock",
+    "trouble": "key of session.sock",
+}
+
+
+def test_identifiers_use_the_words_of_the_field() -> None:
+    wrong = set()
+    for program in PACKAGES:
+        for module, node in definitions(program):
+            match node:
+                case ast.Name(id=name, ctx=ast.Store()) | ast.arg(arg=name) | ast.Attribute(attr=name, ctx=ast.Store()):
+                    pass
+                case ast.ClassDef(name=name) | ast.FunctionDef(name=name):
+                    pass
+                case _:
+                    continue
+            if RETIRED.search(re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()) and name not in KEPT:
+                wrong.add(f"{program}.{module}: {name}")
+    assert not wrong
+
+
+def test_docstrings_open_in_plain_words() -> None:
+    openings = [
+        f"{program}.{module}:{node.lineno}"
+        for program in PACKAGES
+        for module, node in definitions(program)
+        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)
+        if re.match(r"\s*(What|Who|Whom|Whose)\b", node.value.value)
+    ]
+    assert not openings

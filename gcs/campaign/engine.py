@@ -11,6 +11,7 @@ import fcntl
 import os
 import queue
 import signal
+import sys
 import tempfile
 import time
 from collections.abc import Callable, Iterable, Iterator
@@ -19,7 +20,7 @@ from pathlib import Path
 from typing import IO, Any
 
 from gcs.campaign import table, worker
-from gcs.campaign.plan import Plan, Row
+from gcs.campaign.plan import Plan, PlannedRow
 from gcs.session.arrays import MissingExtra
 
 FLUSH_EVERY_S = 2.0
@@ -29,7 +30,7 @@ COUNT_EVERY_S = 1.0
 AHEAD = 3
 """Rows handed out for each that a worker can fly at once."""
 DEATHS = 5
-"""How often a row's worker may die before the row is an error."""
+"""Number of times that a row's worker may die before the row is an error."""
 CONNECT_WITHIN_S = 20.0
 SETTINGS = {
     "distributed.scheduler.allowed-failures": DEATHS,
@@ -49,7 +50,7 @@ class EngineError(RuntimeError):
 
 @dataclass
 class Progress:
-    """How far a campaign is."""
+    """Progress of a campaign."""
 
     total: int
     done: int = 0
@@ -68,21 +69,21 @@ class Progress:
 
     @property
     def left_s(self) -> float | None:
-        """Wall time to the end; None while it cannot be told."""
+        """Wall time to the end; None while it is unknown."""
         return (self.total - self.done) / self.rate if self.flown else None
 
 
 def fly(
     plan: Plan,
-    rows: Iterable[int | Row | None],
-    take: Callable[[dict[str, Any]], None],
+    rows: Iterable[int | PlannedRow | None],
+    keep: Callable[[dict[str, Any]], None],
     *,
     scheduler: str | None = None,
     workers: int | None = None,
     look: Callable[[int], bool] = lambda _: True,
     on_start: Callable[[str], None] = lambda _: None,
 ) -> bool:
-    """Fly rows, each handed to `take` as it comes, in any order; False where `look` stopped it.
+    """Fly rows, each handed to `.keep` as it comes, in any order; False where `look` stopped it.
 
     None among the rows means that those to follow depend on what is still in the air.
     `on_start` gets the address of Dask's dashboard. `look` gets the number of workers several times a second, and says
@@ -92,7 +93,7 @@ def fly(
         on_start(_dashboard(client))
         came: queue.Queue[Any] = queue.Queue()
         waiting = iter(rows)
-        flying: dict[str, tuple[Any, Row]] = {}
+        flying: dict[str, tuple[Any, PlannedRow]] = {}
         exhausted, threads, counted_s = False, 0, -COUNT_EVERY_S
         while True:
             if time.monotonic() - counted_s >= COUNT_EVERY_S:
@@ -102,7 +103,7 @@ def fly(
                 exhausted = following is END
                 if following is END or following is None:
                     break
-                assert isinstance(following, int | Row)
+                assert isinstance(following, int | PlannedRow)
                 row = plan.row(following) if isinstance(following, int) else following
                 future = client.submit(
                     worker.fly_row, plan, row, pure=False, key=f"row-{row.number}-{os.urandom(4).hex()}"
@@ -114,20 +115,20 @@ def fly(
             with contextlib.suppress(queue.Empty):
                 future = came.get(timeout=LOOK_EVERY_S)
                 if future.key in flying:
-                    take(_result(plan, future, flying.pop(future.key)[1]))
+                    keep(_result(plan, future, flying.pop(future.key)[1]))
             if not look(threads):
                 return False
 
 
 def _threads(client: Any) -> int:
-    """How many rows can be flown at once. Raises EngineError where the scheduler does not answer."""
+    """Number of rows that can be flown at once. Raises EngineError where the scheduler does not answer."""
     try:
         return sum(client.nthreads().values())
     except (OSError, TimeoutError, RuntimeError, ValueError):
         raise EngineError("the scheduler is lost") from None
 
 
-def _result(plan: Plan, future: Any, row: Row) -> dict[str, Any]:
+def _result(plan: Plan, future: Any, row: PlannedRow) -> dict[str, Any]:
     from distributed.scheduler import KilledWorker  # noqa: PLC0415 - an extra
 
     if future.status == "finished":
@@ -154,8 +155,9 @@ def _cluster(scheduler: str | None, workers: int | None) -> Iterator[Any]:
 
     with contextlib.ExitStack() as stack:
         stack.enter_context(dask.config.set(SETTINGS))
-        _quiet()
+        _quieten_dask()
         if scheduler is None:
+            stack.enter_context(_without_main())
             scratch = stack.enter_context(
                 tempfile.TemporaryDirectory(prefix="gcs-campaign-", ignore_cleanup_errors=True)
             )
@@ -179,6 +181,24 @@ def _cluster(scheduler: str | None, workers: int | None) -> Iterator[Any]:
                 raise EngineError(f"no scheduler can be reached at {scheduler}: {why}") from None
             _check_workers(client)
         yield client
+
+
+@contextlib.contextmanager
+def _without_main() -> Iterator[None]:
+    """Processes that are spawned meanwhile do not run this one's main module again.
+
+    Workers import what they need by name. Without this a script that calls `fly` outside of `if __name__ ==
+    "__main__":` would be run by each worker, and fly a campaign of its own.
+    """
+    main = sys.modules["__main__"]
+    kept = {name: getattr(main, name) for name in ("__file__", "__spec__") if hasattr(main, name)}
+    try:
+        for name in kept:
+            setattr(main, name, None)
+        yield
+    finally:
+        for name, value in kept.items():
+            setattr(main, name, value)
 
 
 def _check_workers(client: Any) -> None:
@@ -207,8 +227,8 @@ def _sigint_blocked() -> Iterator[None]:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
-def _quiet() -> None:
-    """Dask's own words about lost workers and schedulers are ours to tell."""
+def _quieten_dask() -> None:
+    """Dask's own words about lost workers and schedulers are reported by us."""
     import logging  # noqa: PLC0415
 
     for name in list(logging.root.manager.loggerDict):
@@ -217,12 +237,12 @@ def _quiet() -> None:
 
 
 def _dashboard(client: Any) -> str:
-    """Where Dask's own page is; empty where there is none."""
+    """Address of Dask's own page; empty where there is none."""
     served = client.scheduler_info().get("services", {})
     return str(client.dashboard_link) if "dashboard" in served else ""
 
 
-class Store:
+class CampaignStore:
     """A campaign's folder while it is written: rows in parts, kept sessions; one writer at a time."""
 
     def __init__(self, folder: Path, plan: Plan) -> None:
@@ -237,7 +257,7 @@ class Store:
         self._pending: list[dict[str, Any]] = []
         self._flushed_s = time.monotonic()
 
-    def take(self, row: dict[str, Any]) -> None:
+    def keep(self, row: dict[str, Any]) -> None:
         """Keep a row, soon on disk; raises EngineError."""
         content = row.pop("folder", None)
         try:

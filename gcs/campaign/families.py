@@ -333,7 +333,7 @@ def _delay(rng: np.random.Generator) -> Document:
 
 
 def _blackout(rng: np.random.Generator) -> Document:
-    """A ring among obstacles, one vehicle of which is not heard and does not hear for 30 s."""
+    """A ring among obstacles, one vehicle of which loses its link, both ways, for 30 s."""
     document = _tracking(rng)
     silent = int(rng.integers(len(document["vehicles"]["pursuers"]))) + 1
     document["goal"]["duration_s"] = LONGEST_S

@@ -8,7 +8,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from gcs.campaign.model import Campaign
+from gcs.campaign.model import CampaignRules
 from gcs.scenario.document import Document, Problem, ScenarioError, did_you_mean, emit, read
 from gcs.scenario.file import CAMPAIGNS, shipped_folder
 
@@ -30,24 +30,24 @@ def find(campaign: str) -> Path:
     raise ScenarioError([Problem(campaign, None, None, message)])
 
 
-def load(path: str | os.PathLike[str]) -> Campaign:
+def load(path: str | os.PathLike[str]) -> CampaignRules:
     """The campaign in the YAML file at `path`. Raises ScenarioError: what is wrong, and where."""
     return checked(read(path))
 
 
-def from_data(data: dict[str, Any], name: str = "campaign") -> Campaign:
+def from_data(data: dict[str, Any], name: str = "campaign") -> CampaignRules:
     """A campaign from plain data. Raises ScenarioError."""
     return checked(Document(name, data))
 
 
-def checked(document: Document) -> Campaign:
+def checked(document: Document) -> CampaignRules:
     """The campaign that a document says. Raises ScenarioError."""
     try:
-        return Campaign.model_validate(document.data)
+        return CampaignRules.model_validate(document.data)
     except ValidationError as error:
-        raise ScenarioError(document.explain(error, Campaign.model_json_schema())) from None
+        raise ScenarioError(document.explain(error, CampaignRules.model_json_schema())) from None
 
 
-def dump(campaign: Campaign) -> str:
+def dump(campaign: CampaignRules) -> str:
     """The campaign as YAML that `load` reads back equal."""
     return emit(campaign.model_dump(mode="json", by_alias=True, exclude_none=True))

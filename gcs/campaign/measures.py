@@ -12,11 +12,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from gcs.recording.summary import FILE, Summary
+from gcs.recording.summary import FILE, GoalPartSummary, Summary
+from gcs.scenario import goal
 from gcs.scenario.model import Scenario
 
 REACHED_M = 0.5
-"""How near its last way point a vehicle has to come to be there."""
+"""Distance from its last way point within which a vehicle has arrived."""
 _FIXED = 18
 
 Value = float | str | None
@@ -54,21 +55,20 @@ class Flown:
 
     @functools.cached_property
     def arrivals_s(self) -> list[float]:
-        """When each pursuer with way points first came to its last one, after which it stayed; inf where it did not."""
+        """When each pursuer with way points first came to its last one; inf where it never did."""
         found = []
         for pursuer in self.scenario.vehicles.pursuers:
             if not pursuer.waypoints_m:
                 continue
             rows = self.truth(pursuer.sysid)
             away_m = np.linalg.norm(rows[:, 1:] - np.array(pursuer.waypoints_m[-1]), axis=1)
-            outside = np.flatnonzero(away_m > REACHED_M)
-            last = int(outside[-1]) + 1 if len(outside) else 0
-            found.append(float(rows[last, 0]) if last < len(rows) else math.inf)
+            there = np.flatnonzero(away_m <= REACHED_M)
+            found.append(float(rows[there[0], 0]) if len(there) else math.inf)
         return found
 
 
 def _lost(flown: Flown) -> float:
-    """As the session's goal counts them: dead, run dry, landed by a failsafe that nobody ordered, never in the air."""
+    """Vehicles lost as the goal counts them: dead, run dry, landed by a failsafe without an order, never in the air."""
     judged = next(part for part in flown.summary["goal"] if part["part"] == "lost")
     return float(judged["value"] or 0.0)
 
@@ -120,8 +120,8 @@ SHIPPED: dict[str, tuple[Callable[[Flown], Value], str]] = {
     "delivered_j": (lambda f: float(sum(s["energy_j"] for s in f.summary["refuelling"])), "energy delivered, J"),
     "refuelled": (lambda f: float(len(_served(f))), "services that delivered energy"),
     "wait_s": (_waited, "mean time from a decision to its transfer, s"),
-    "time_to_goal_s": (_arrival, "when the last arriving pursuer came to its last way point and stayed, s"),
-    "stuck": (lambda f: float(sum(math.isinf(t) for t in f.arrivals_s)), "pursuers that did not come to theirs"),
+    "time_to_goal_s": (_arrival, "when the last arriving pursuer came to its last way point, s"),
+    "stuck": (lambda f: float(sum(math.isinf(t) for t in f.arrivals_s)), "pursuers that never came to theirs"),
     "path_length_m": (_of_vehicles("path_length_m", sum), "sum of all vehicles' ways, m"),
     "control_effort": (_of_vehicles("control_effort", sum), "sum of all vehicles' control efforts"),
     "max_tracking_error_m": (_of_vehicles("max_tracking_error_m", max), "greatest distance from a planned path, m"),
@@ -138,7 +138,10 @@ def exists(name: str) -> bool:
     """Whether there is a measure of this name, or a key path that a summary may have."""
     if name in SHIPPED:
         return True
-    first, dot, _ = name.partition(".")
+    first, dot, rest = name.partition(".")
+    if first == "goal":  # by part, as in goal.separation.met
+        part, _, key = rest.partition(".")
+        return (part.isdecimal() or part in goal.BY_NAME) and key in GoalPartSummary.model_fields
     return first in Summary.model_fields and (bool(dot) or first not in ("vehicles", "refuelling", "link", "bases"))
 
 
@@ -150,18 +153,23 @@ def is_word(name: str) -> bool:
     return field is not None and field.annotation in (str, str | None)
 
 
-def take(name: str, flown: Flown) -> Value:
-    """A measure's value; None where the session has none."""
+def measure(name: str, flown: Flown) -> Value:
+    """A measure's value; None where the session has none. Of a list in the summary: by position, or by `part`."""
     if name in SHIPPED:
         return SHIPPED[name][0](flown)
     node: Any = flown.summary
     for part in name.split("."):
         if isinstance(node, list):
-            node = node[int(part)] if part.isdecimal() and int(part) < len(node) else None
+            node = node[int(part)] if part.isdecimal() and int(part) < len(node) else _goal_part(node, part)
         else:
             node = node.get(part) if isinstance(node, dict) else None
     value = _plain(node)
     return value if is_word(name) == isinstance(value, str) or value is None else None
+
+
+def _goal_part(listed: list[Any], name: str) -> Any:
+    """The part of a goal that has this name; None where the session's goal has none."""
+    return next((one for one in listed if isinstance(one, dict) and one.get("part") == name), None)
 
 
 def _plain(value: Any) -> Value:

@@ -56,7 +56,7 @@ class RandomObstacles(Part):
 
 
 class Draw(Part):
-    """Where a value comes from: exactly one of the first six, and how it is drawn."""
+    """Source of a value: exactly one of the first six, and how it is drawn."""
 
     uniform: Range | None = None
     """evenly between two numbers"""
@@ -117,8 +117,8 @@ class Expectation(Part):
         return None
 
 
-class Limits(Part):
-    """What a session may take; one that takes more is a row with an error."""
+class CampaignLimits(Part):
+    """Limits of a session's cost; one that takes more is a row with an error."""
 
     wall_s: Positive = 600.0
     """wall time, s"""
@@ -126,7 +126,7 @@ class Limits(Part):
     """session time, s"""
 
 
-class Search(Part):
+class SearchRules(Part):
     """The worst case instead of the average: `draw` is searched for it."""
 
     model_config = ConfigDict(populate_by_name=True)
@@ -145,7 +145,7 @@ class Search(Part):
         return self
 
 
-class Campaign(Part):
+class CampaignRules(Part):
     """One campaign."""
 
     model_config = ConfigDict(populate_by_name=True)
@@ -178,9 +178,9 @@ class Campaign(Part):
     """what makes a session a success; without it that its goal was met"""
     keep: Literal["all", "failed", "none"] = "failed"
     """which sessions' folders are kept"""
-    limits: Limits = Limits()
+    limits: CampaignLimits = CampaignLimits()
     """wall and session time of one session"""
-    search: Search | None = None
+    search: SearchRules | None = None
     """for `gcs campaign search`"""
 
     @property
@@ -192,7 +192,7 @@ class Campaign(Part):
 
     @property
     def combinations(self) -> int:
-        """How many combinations `vary` makes."""
+        """Number of combinations that `vary` makes."""
         return math.prod(len(values) for values in self.vary.values())
 
     @model_validator(mode="after")
@@ -234,7 +234,7 @@ class Campaign(Part):
         return self
 
     def _fault(self, key: str) -> str | None:
-        """What is wrong with a key path, as a sentence; None if nothing is."""
+        """Fault of a key path, as a sentence; None without one."""
         if key.startswith(ARGUMENTS):
             name = key.removeprefix(ARGUMENTS)
             if self.generate is None:

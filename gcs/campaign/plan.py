@@ -15,7 +15,7 @@ from pydantic import ValidationError
 
 from gcs.campaign import draws
 from gcs.campaign.file import dump
-from gcs.campaign.model import ARGUMENTS, Campaign
+from gcs.campaign.model import ARGUMENTS, CampaignRules
 from gcs.scenario import keys, plugins
 from gcs.scenario.document import Document, Problem, ScenarioError, emit, parse
 from gcs.scenario.file import GROUPS, find, resolve
@@ -28,7 +28,7 @@ class RowError(Exception):
 
 
 @dataclass(frozen=True)
-class Row:
+class PlannedRow:
     """One session to be flown: `values` are what vary and draw gave it, by key path."""
 
     number: int
@@ -42,7 +42,7 @@ class Row:
 class Plan:
     """A campaign with the text of its scenario: all that a worker needs."""
 
-    campaign: Campaign
+    campaign: CampaignRules
     file: str
     """the scenario's name in messages"""
     text: str
@@ -52,23 +52,23 @@ class Plan:
 
     @property
     def rows(self) -> int:
-        """How many sessions there are."""
+        """Number of sessions."""
         return self.campaign.sessions * self.campaign.combinations
 
-    def row(self, number: int) -> Row:
+    def row(self, number: int) -> PlannedRow:
         """A row: sessions in turn, each with every combination, so that pairs are complete early."""
         campaign = self.campaign
         session, combination = divmod(number, campaign.combinations)
         chosen = next(itertools.islice(itertools.product(*campaign.vary.values()), combination, None))
         values: dict[str, Any] = dict(zip(campaign.vary, chosen, strict=True))
-        row = Row(number, session, combination, draws.seed_of(campaign.seed, session), values)
+        row = PlannedRow(number, session, combination, draws.seed_of(campaign.seed, session), values)
         for key, draw in campaign.draw.items():
             if draw.random is None and (key.startswith(ARGUMENTS) or keys.EACH not in key or draw.together):
                 values[key] = draws.value(draw, draws.stream(campaign.seed, session, key))
         return row
 
-    def resolved(self, row: Row) -> tuple[Scenario, dict[str, Any]]:
-        """What a row flies, on the lockstep clock, and all its values, those of each `*` included. Raises RowError."""
+    def resolved(self, row: PlannedRow) -> tuple[Scenario, dict[str, Any]]:
+        """Scenario of a row, on the lockstep clock, and all its values, those of each `*` included. Raises RowError."""
         try:
             return self._resolved(row)
         except ScenarioError as error:
@@ -76,7 +76,7 @@ class Plan:
         except ValueError as error:
             raise RowError(str(error)) from None
 
-    def _resolved(self, row: Row) -> tuple[Scenario, dict[str, Any]]:
+    def _resolved(self, row: PlannedRow) -> tuple[Scenario, dict[str, Any]]:
         campaign, values = self.campaign, dict(row.values)
         document = self._document(row)
         paper = document.data.get("axes") == "paper"
@@ -107,7 +107,7 @@ class Plan:
         plugins.check(scenario, None)
         return scenario.flown(lockstep=True), values
 
-    def _document(self, row: Row) -> Document:
+    def _document(self, row: PlannedRow) -> Document:
         """The scenario's data before anything is set, grids written out."""
         if self.campaign.generate is None:
             return copy.deepcopy(_parsed(self.text, self.file))
@@ -133,8 +133,10 @@ class Plan:
             try:
                 self.resolved(row)
             except RowError as error:
-                told = ", ".join(f"{key}={row.values[key]}" for key in self.campaign.vary)
-                problems.append(Problem(self.campaign.name, None, None, f"{f'with {told}: ' if told else ''}{error}"))
+                listed = ", ".join(f"{key}={row.values[key]}" for key in self.campaign.vary)
+                problems.append(
+                    Problem(self.campaign.name, None, None, f"{f'with {listed}: ' if listed else ''}{error}")
+                )
         if problems:
             raise ScenarioError(problems[:1])
 
@@ -147,7 +149,7 @@ class Plan:
         (folder / "plan.json").write_text(json.dumps(about, indent=2) + "\n", encoding="utf-8")
 
 
-def make(campaign: Campaign, beside: Sequence[Path]) -> Plan:
+def make(campaign: CampaignRules, beside: Sequence[Path]) -> Plan:
     """The plan of a campaign; files and modules are looked for in the folders `beside`. Raises ScenarioError."""
     folders = [*beside, Path.cwd()]
     if campaign.scenario is None:

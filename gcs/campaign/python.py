@@ -55,7 +55,7 @@ class Campaign:
 
     @property
     def folder(self) -> Path:
-        """Where its rows are. Raises EngineError before `fly`."""
+        """Folder of its rows. Raises EngineError before `fly`."""
         if self._folder is None:
             raise EngineError("the campaign has no folder before it is flown")
         return self._folder
@@ -71,8 +71,8 @@ class Campaign:
         rows = self.table.select(["row", "ok", "fault", "error"]).to_pylist()
         return [f"row {row['row']}: {row['error'] or row['fault']}" for row in rows if not row["ok"]]
 
-    def fly(self, tell: Callable[[Progress, dict[str, Any] | None], None] = lambda _progress, _row: None) -> pa.Table:
-        """Fly what is missing; the table. `tell` gets each row. Raises EngineError, KeyboardInterrupt."""
+    def fly(self, notify: Callable[[Progress, dict[str, Any] | None], None] = lambda _progress, _row: None) -> pa.Table:
+        """Fly what is missing; the table. `notify` is called with each row. Raises EngineError, KeyboardInterrupt."""
         if self._folder is None:
             if self._out is not None and (self._out / "plan.json").exists():
                 if read(self._out).campaign != self.plan.campaign:
@@ -80,7 +80,7 @@ class Campaign:
                 self._folder = self._out
             else:
                 self._folder = make_folder(self.plan, self._out)
-        runner = Runner(self._folder, self.plan, scheduler=self._scheduler, workers=self._workers, tell=tell)
+        runner = Runner(self._folder, self.plan, scheduler=self._scheduler, workers=self._workers, notify=notify)
         runner.run()
         if runner.interrupted:
             raise KeyboardInterrupt

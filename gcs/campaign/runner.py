@@ -11,8 +11,8 @@ from types import FrameType
 from typing import Any
 
 from gcs.campaign import table
-from gcs.campaign.engine import EngineError, Progress, Store, fly
-from gcs.campaign.plan import Plan, Row, rows
+from gcs.campaign.engine import CampaignStore, EngineError, Progress, fly
+from gcs.campaign.plan import Plan, PlannedRow, rows
 
 DEFAULT_FOLDER = "campaigns"
 
@@ -46,38 +46,38 @@ class Runner:
         *,
         scheduler: str | None = None,
         workers: int | None = None,
-        tell: Callable[[Progress, dict[str, Any] | None], None] = lambda _progress, _row: None,
-        rows: Iterator[Row | None] | None = None,
+        notify: Callable[[Progress, dict[str, Any] | None], None] = lambda _progress, _row: None,
+        rows: Iterator[PlannedRow | None] | None = None,
         total: int | None = None,
     ) -> None:
         self._rows, self._total = rows, total
         self._folder, self._plan = folder, plan
         self._scheduler, self._workers = scheduler, workers
-        self._tell = tell
+        self._notify = notify
         self._stopped = False
         self.interrupted = 0
         """the signal that stopped it; 0 where none did"""
 
     def run(self) -> Progress:
         """Fly until every row is there, or a signal comes. Raises EngineError."""
-        store = Store(self._folder, self._plan)
+        store = CampaignStore(self._folder, self._plan)
         handlers = _handled(self._interrupt)
         try:
             done = table.done(self._folder)
             progress = Progress(self._total or self._plan.rows, len(done))
 
-            def take(row: dict[str, Any]) -> None:
-                store.take(row)
+            def keep(row: dict[str, Any]) -> None:
+                store.keep(row)
                 progress.done += 1
                 progress.flown += 1
                 progress.failed += not row["ok"]
                 progress.errors += row["error"] is not None
-                self._tell(progress, row)
+                self._notify(progress, row)
 
             def look(workers: int) -> bool:
                 store.look()
                 progress.workers = workers
-                self._tell(progress, None)
+                self._notify(progress, None)
                 return not self._stopped
 
             def started(dashboard: str) -> None:
@@ -89,7 +89,7 @@ class Runner:
                     fly(
                         self._plan,
                         self._rows or rows(self._plan, done),
-                        take,
+                        keep,
                         scheduler=self._scheduler,
                         workers=self._workers,
                         look=look,

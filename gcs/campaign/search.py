@@ -1,7 +1,7 @@
 """The worst case of a campaign: Optuna searches what it draws for the least or greatest value of a measure.
 
-Trials are asked for in batches and told in order of their numbers, so that the same search flies the same trials with
-any number of workers, and goes on where it stopped. Its table has a row per trial.
+Trials are asked for in batches and reported in order of their numbers, so that the same search flies the same trials
+with any number of workers, and goes on where it stopped. Its table has a row per trial.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from typing import Any
 
 from gcs.campaign import draws, table
 from gcs.campaign.model import Draw
-from gcs.campaign.plan import Plan, Row
+from gcs.campaign.plan import Plan, PlannedRow
 from gcs.session.arrays import MissingExtra
 
 WORST = 1e9
@@ -31,18 +31,18 @@ class Search:
         self._optuna = _optuna()
         self._study = self._optuna.create_study(sampler=self._sampler())
         self._results: dict[int, float] = {}
-        self._trials: dict[int, Row] = {}
+        self._trials: dict[int, PlannedRow] = {}
         for row in table.read(folder, plan.campaign).to_pylist():
-            self.take(row)
+            self.add(row)
 
-    def take(self, row: dict[str, Any]) -> None:
+    def add(self, row: dict[str, Any]) -> None:
         """Take in a flown row."""
         value = row.get(self._measure)
         sign = 1.0 if self._rules.minimise is not None else -1.0
         known = isinstance(value, float | int) and not row["error"] and math.isfinite(value)
         self._results[row["row"]] = sign * float(value or 0.0) if known else WORST
 
-    def rows(self) -> Iterator[Row | None]:
+    def rows(self) -> Iterator[PlannedRow | None]:
         """The trials to be flown."""
         for first in range(0, self._rules.trials, self._rules.batch):
             trials = [self._study.ask() for _ in range(first, min(first + self._rules.batch, self._rules.trials))]
@@ -55,18 +55,18 @@ class Search:
             for trial in trials:
                 self._study.tell(trial, self._results[trial.number])
 
-    def row(self, flown: dict[str, Any]) -> Row:
+    def row(self, flown: dict[str, Any]) -> PlannedRow:
         """The trial that a row of the table came from."""
         number = int(flown["row"])
         return self._trials[number]
 
-    def _row(self, trial: Any) -> Row:
+    def _row(self, trial: Any) -> PlannedRow:
         campaign = self._plan.campaign
         values = dict(self._plan.row(0).values)
         for key, draw in campaign.draw.items():
             if draw.random is None:
                 values[key] = _suggested(trial, key, draw)
-        row = Row(trial.number, trial.number, 0, draws.seed_of(campaign.seed, trial.number), values)
+        row = PlannedRow(trial.number, trial.number, 0, draws.seed_of(campaign.seed, trial.number), values)
         self._trials[trial.number] = row
         return row
 

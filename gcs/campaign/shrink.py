@@ -31,9 +31,9 @@ Fails = Callable[[dict[str, Any]], bool]
 
 
 def failing(
-    sessions: WarmSessions, expect: Mapping[str, Expectation], tell: Callable[[str], object] = lambda _: None
+    sessions: WarmSessions, expect: Mapping[str, Expectation], notify: Callable[[str], object] = lambda _: None
 ) -> Fails:
-    """Whether a scenario, as plain data, can be flown and fails; flights are told and not repeated."""
+    """Whether a scenario, as plain data, can be flown and fails; flights are reported and not repeated."""
     known: dict[str, bool] = {}
 
     def fails(data: dict[str, Any]) -> bool:
@@ -48,8 +48,8 @@ def failing(
                 known[key] = bool(not flight.error and fault(measures.Flown(flight.folder, scenario), expect))
             finally:
                 flight.discard()
-            told = ", ".join(f"{len(_listed(data, path))} {path[-1]}" for path in LISTS if _listed(data, path))
-            tell(f"{'still fails' if known[key] else 'passes'}: {told}")
+            listed = ", ".join(f"{len(_listed(data, path))} {path[-1]}" for path in LISTS if _listed(data, path))
+            notify(f"{'still fails' if known[key] else 'passes'}: {listed}")
         return known[key]
 
     return fails
@@ -58,7 +58,7 @@ def failing(
 def fault(flown: measures.Flown, expect: Mapping[str, Expectation]) -> str | None:
     """Why a flown session is not as expected; without expectations, that its goal was not met."""
     wanted = expect or {"outcome": Expectation(equals="met")}
-    return next((why for name, one in wanted.items() if (why := one.fault(name, measures.take(name, flown)))), None)
+    return next((why for name, one in wanted.items() if (why := one.fault(name, measures.measure(name, flown)))), None)
 
 
 def shrink(scenario: Scenario, fails: Fails) -> Scenario:

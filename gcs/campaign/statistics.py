@@ -1,4 +1,4 @@
-"""What a campaign's table amounts to: rates with Wilson intervals, means and paired differences with bootstrap ones."""
+"""Statistics of a campaign's table: rates with Wilson intervals, means and paired differences with bootstrap ones."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def mean(values: Floats) -> Interval:
 
 
 @dataclass(frozen=True)
-class Difference:
+class PairedDifference:
     """A measure's paired difference between two combinations: the second less the first."""
 
     measure: str
@@ -74,10 +74,10 @@ class Difference:
     effect: float
     """mean difference over its standard deviation (Cohen's d of paired samples)"""
     sessions_needed: int | None
-    """pairs by which an effect of this size would be told from none, at 95 % confidence with 80 % power"""
+    """pairs by which an effect of this size would be distinguished from none, at 95 % confidence with 80 % power"""
 
 
-def paired(rows: pa.Table, measure: str, first: int, second: int) -> Difference:
+def paired(rows: pa.Table, measure: str, first: int, second: int) -> PairedDifference:
     """The difference in the sessions that both combinations have flown."""
     session, combination = (np.array(rows[name].to_pylist(), dtype=np.int64) for name in ("session", "combination"))
     values = numbers(rows, measure)
@@ -92,7 +92,7 @@ def paired(rows: pa.Table, measure: str, first: int, second: int) -> Difference:
     if math.isfinite(effect) and effect != 0.0:
         z = float(norm.ppf(0.5 + CONFIDENCE / 2.0) + norm.ppf(0.8))
         needed = math.ceil((z / effect) ** 2) + 1
-    return Difference(measure, first, second, len(changes), mean(changes), effect, needed)
+    return PairedDifference(measure, first, second, len(changes), mean(changes), effect, needed)
 
 
 def numbers(rows: pa.Table, measure: str) -> Floats:
@@ -120,10 +120,10 @@ def text(plan: Plan, rows: pa.Table) -> list[str]:
         of = np.flatnonzero(combination == number)
         rate = wilson(sum(bool(ok[i]) for i in of), len(of))
         means = [columns[name][of] for name in shown]
-        told = [f"{np.nanmean(v):.4g}" if np.isfinite(v).any() else "-" for v in means]
+        cells = [f"{np.nanmean(v):.4g}" if np.isfinite(v).any() else "-" for v in means]
         good = f"{sum(bool(ok[i]) for i in of)} of {len(of)}"
         lines.append(
-            (name_of(plan, number) or campaign.name, good, f"{100 * rate.low:.1f} to {100 * rate.high:.1f} %", *told)
+            (name_of(plan, number) or campaign.name, good, f"{100 * rate.low:.1f} to {100 * rate.high:.1f} %", *cells)
         )
     return aligned(lines)
 

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from gcs.campaign import measures
-from gcs.campaign.model import ARGUMENTS, Campaign
+from gcs.campaign.model import ARGUMENTS, CampaignRules
 from gcs.scenario import keys
 from gcs.session.arrays import MissingExtra
 
@@ -25,7 +25,7 @@ FIRST = ("row", "session", "combination", "seed")
 LAST = ("ok", "fault", "error", "digest", "wall_s", "cpu_s", "kept")
 
 
-def schema(campaign: Campaign) -> pa.Schema:
+def schema(campaign: CampaignRules) -> pa.Schema:
     """The columns: who, what was varied and drawn, what was measured, how it went."""
     pa = _arrow()
     types: dict[str, Any] = dict.fromkeys(FIRST, pa.int64())
@@ -53,7 +53,7 @@ def schema(campaign: Campaign) -> pa.Schema:
 class Writer:
     """Writes rows of a campaign as parts."""
 
-    def __init__(self, folder: Path, campaign: Campaign) -> None:
+    def __init__(self, folder: Path, campaign: CampaignRules) -> None:
         self._folder = folder / FOLDER
         self._folder.mkdir(parents=True, exist_ok=True)
         for unfinished in self._folder.glob(".*"):
@@ -83,7 +83,7 @@ class Writer:
             raise
 
 
-def read(folder: Path, campaign: Campaign) -> pa.Table:
+def read(folder: Path, campaign: CampaignRules) -> pa.Table:
     """All rows so far, in order of their numbers; raises OSError."""
     pa = _arrow()
     import pyarrow.parquet as pq  # noqa: PLC0415

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from gcs.campaign import measures
-from gcs.campaign.plan import Plan, Row, RowError
+from gcs.campaign.plan import Plan, PlannedRow, RowError
 from gcs.scenario.model import Scenario
 from gcs.session.warm import Flight, WarmError, WarmSessions
 
@@ -26,12 +26,12 @@ _lock = threading.Lock()
 
 
 def versions() -> dict[str, str]:
-    """What workers and client must have alike."""
+    """Versions in which workers and client must agree."""
     packages = ("skytender", "numpy", "numba", "pymavlink")
     return {"python": platform.python_version()} | {package: version(package) for package in packages}
 
 
-def fly_row(plan: Plan, row: Row | int) -> dict[str, Any]:
+def fly_row(plan: Plan, row: PlannedRow | int) -> dict[str, Any]:
     """Fly a row of a plan; the row as the table has it, and `folder`, the session's as a tar, if it is kept."""
     chosen = plan.row(row) if isinstance(row, int) else row
     head = {
@@ -65,7 +65,7 @@ def fly_row(plan: Plan, row: Row | int) -> dict[str, Any]:
     return row_done
 
 
-def failed(plan: Plan, row: Row, why: str) -> dict[str, Any]:
+def failed(plan: Plan, row: PlannedRow, why: str) -> dict[str, Any]:
     """The row of a session that could not be flown."""
     return {
         "row": row.number,
@@ -91,7 +91,7 @@ def close() -> None:
 
 
 def warm_processes() -> list[WarmSessions]:
-    """Those that run."""
+    """Sessions that run."""
     with _lock:
         return list(_all)
 
@@ -141,7 +141,7 @@ def _measured(plan: Plan, flight: Flight, scenario: Scenario) -> tuple[dict[str,
     """Every measure, and why the session is none to be judged."""
     flown = measures.Flown(flight.folder, scenario)
     try:
-        values = {name: measures.take(name, flown) for name in plan.campaign.measured}
+        values = {name: measures.measure(name, flown) for name in plan.campaign.measured}
     except (OSError, ValueError, KeyError):
         return dict.fromkeys(plan.campaign.measured), flight.error or "the session left no summary"
     return values, flight.error

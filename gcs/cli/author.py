@@ -36,7 +36,7 @@ class ScenarioName(click.ParamType[str]):
 
 
 class ScenarioRefused(click.exceptions.Exit):
-    """A scenario that cannot be flown: ends the program once its mistakes, `text`, have been told."""
+    """A scenario that cannot be flown: ends the program once its mistakes, `text`, are printed."""
 
     def __init__(self, text: str) -> None:
         super().__init__(BAD_INPUT)

@@ -5,9 +5,7 @@
 from __future__ import annotations
 
 import re
-import shutil
 import sys
-import time
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -15,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from gcs.cli.author import SET, load_scenario
+from gcs.cli.campaign_progress import ProgressLine
 from gcs.exit import BAD_INPUT, DONE, NOT_DONE
 
 if TYPE_CHECKING:
@@ -22,9 +21,11 @@ if TYPE_CHECKING:
     from gcs.campaign.model import Expectation
     from gcs.campaign.plan import Plan
 
-PLAIN_EVERY_S = 5.0
-TOLD_FAILURES = 20
 
+SEED = click.option("--seed", type=click.IntRange(0), metavar="N", help="Instead of the file's.")
+OUT = click.option(
+    "--out", type=click.Path(path_type=Path), metavar="DIR", help="A new folder.  [default: campaigns/NAME-TIME]"
+)
 FOLDER = click.argument("folder", metavar="DIR", type=click.Path(path_type=Path, file_okay=False))
 SCHEDULER = click.option(
     "--scheduler", metavar="ADDRESS", help="Fly on the workers of this Dask scheduler, such as tcp://HOST:8786."
@@ -36,13 +37,13 @@ PLAIN = click.option("--plain", is_flag=True, help="Lines of text instead of a p
 QUIET = click.option("--quiet", "-q", is_flag=True, help="Say only what goes wrong.")
 
 
-class Refused(click.ClickException):
-    """What keeps a campaign from being flown, line by line."""
+class CampaignRefused(click.ClickException):
+    """Mistakes that keep a campaign from being flown, line by line."""
 
     exit_code = BAD_INPUT
 
     def show(self, file: Any = None) -> None:
-        """Just the sentences, as `gcs run` tells of a scenario."""
+        """Just the sentences, as `gcs run` prints a scenario's."""
         click.echo(self.format_message(), file=file, err=True)
 
 
@@ -64,10 +65,8 @@ def campaign() -> None:
 @click.option(
     "--sessions", type=click.IntRange(1), metavar="N", help="Draws of each combination, instead of the file's."
 )
-@click.option("--seed", type=click.IntRange(0), metavar="N", help="Instead of the file's.")
-@click.option(
-    "--out", type=click.Path(path_type=Path), metavar="DIR", help="A new folder.  [default: campaigns/NAME-TIME]"
-)
+@SEED
+@OUT
 @SCHEDULER
 @WORKERS
 @PLAIN
@@ -101,7 +100,7 @@ def run(
     try:
         folder = make_folder(plan, out)
     except EngineError as error:
-        raise Refused(str(error)) from None
+        raise CampaignRefused(str(error)) from None
     return _fly(folder, plan, scheduler, workers, plain, quiet)
 
 
@@ -173,7 +172,7 @@ def fly(folder: Path, row: int, out: Path | None, only: bool, quiet: bool) -> in
     try:
         scenario, _ = plan.resolved(plan.row(row))
     except RowError as error:
-        raise Refused(str(error)) from None
+        raise CampaignRefused(str(error)) from None
     if only:
         click.echo(dump(scenario), nl=False)
         return DONE
@@ -220,10 +219,8 @@ def report(folder: Path) -> int:
 @campaign.command(short_help="Look for the worst case.")
 @click.argument("file", metavar="FILE")
 @click.option("--trials", type=click.IntRange(1), metavar="N", help="Instead of the file's.")
-@click.option("--seed", type=click.IntRange(0), metavar="N", help="Instead of the file's.")
-@click.option(
-    "--out", type=click.Path(path_type=Path), metavar="DIR", help="A new folder.  [default: campaigns/NAME-TIME]"
-)
+@SEED
+@OUT
 @SCHEDULER
 @WORKERS
 @PLAIN
@@ -251,7 +248,7 @@ def search(
     """
     from gcs.campaign import table
     from gcs.campaign.engine import EngineError
-    from gcs.campaign.model import Search as Rules
+    from gcs.campaign.model import SearchRules
     from gcs.campaign.runner import Runner, make_folder
     from gcs.campaign.search import Search
     from gcs.scenario.file import dump
@@ -259,9 +256,11 @@ def search(
     plan = _planned(file, None, seed)
     rules = plan.campaign.search
     if rules is None:
-        raise Refused(f"{file} says nothing of a search: add 'search: {{minimise: min_separation_m, trials: 200}}'")
+        raise CampaignRefused(
+            f"{file} says nothing of a search: add 'search: {{minimise: min_separation_m, trials: 200}}'"
+        )
     if trials is not None:
-        rules = Rules.model_validate({**rules.model_dump(), "trials": trials})
+        rules = SearchRules.model_validate({**rules.model_dump(), "trials": trials})
     each = {key: draw.model_copy(update={"together": True}) for key, draw in plan.campaign.draw.items()}
     changed = {"search": rules, "vary": {}, "keep": "none", "sessions": rules.trials, "draw": each}
     changed["set"] = {**plan.campaign.set, **{k: v for k, v in plan.row(0).values.items() if k in plan.campaign.vary}}
@@ -269,16 +268,16 @@ def search(
     try:
         folder = make_folder(plan, out)
         searched = Search(plan, folder)
-        shown = Shown(folder, quiet=quiet, plain=plain or not sys.stdout.isatty())
+        shown = ProgressLine(folder, quiet=quiet, plain=plain or not sys.stdout.isatty())
 
-        def tell(progress: Progress, row: dict[str, Any] | None) -> None:
+        def notify(progress: Progress, row: dict[str, Any] | None) -> None:
             if row is not None:
-                searched.take(row)
-            shown.tell(progress, None)
+                searched.add(row)
+            shown.update(progress, None)
 
         total = rules.trials
         runner = Runner(
-            folder, plan, scheduler=scheduler, workers=workers, tell=tell, rows=searched.rows(), total=total
+            folder, plan, scheduler=scheduler, workers=workers, notify=notify, rows=searched.rows(), total=total
         )
         progress = runner.run()
     except EngineError as error:
@@ -337,7 +336,7 @@ def shrink(scenario: str, settings: tuple[str, ...], expect: tuple[str, ...], ou
         click.echo(f"{scenario}: {error}", err=True)
         return NOT_DONE
     except WarmError as error:
-        raise Refused(str(error)) from None
+        raise CampaignRefused(str(error)) from None
     out.write_text(dump(small), encoding="utf-8")
     click.echo(f"{out}: written; gcs run {out} --lockstep flies it")
     return DONE
@@ -375,7 +374,7 @@ def _planned(file: str, sessions: int | None = None, seed: int | None = None) ->
         plan = make(loaded.model_copy(update=changes), [path.parent])
         plan.check()
     except ScenarioError as error:
-        raise Refused(str(error)) from None
+        raise CampaignRefused(str(error)) from None
     return plan
 
 
@@ -386,9 +385,9 @@ def _found(folder: Path) -> Plan:
     try:
         return read(folder)
     except (OSError, ValueError, KeyError):
-        raise Refused(f"{folder} holds no campaign: give the folder that gcs campaign run named") from None
+        raise CampaignRefused(f"{folder} holds no campaign: give the folder that gcs campaign run named") from None
     except ScenarioError as error:
-        raise Refused(str(error)) from None
+        raise CampaignRefused(str(error)) from None
 
 
 def _fly(folder: Path, plan: Plan, scheduler: str | None, workers: int | None, plain: bool, quiet: bool) -> int:
@@ -398,10 +397,10 @@ def _fly(folder: Path, plan: Plan, scheduler: str | None, workers: int | None, p
 
     if scheduler is not None and workers is not None:
         raise click.UsageError("--scheduler and --workers exclude each other: its workers are those that it has.")
-    shown = Shown(folder, quiet=quiet, plain=plain or not sys.stdout.isatty())
+    shown = ProgressLine(folder, quiet=quiet, plain=plain or not sys.stdout.isatty())
     if not quiet:
         click.echo(f"{plan.campaign.name}: {plan.rows} sessions; the campaign's folder is {folder}")
-    runner = Runner(folder, plan, scheduler=scheduler, workers=workers, tell=shown.tell)
+    runner = Runner(folder, plan, scheduler=scheduler, workers=workers, notify=shown.update)
     try:
         progress = runner.run()
     except EngineError as error:
@@ -432,65 +431,3 @@ def _page(folder: Path, plan: Plan, *, quiet: bool) -> None:
         return
     if not quiet:
         click.echo(f"report: {path}")
-
-
-class Shown:
-    """Progress as a line that is drawn again, or as lines; failures as they come."""
-
-    def __init__(self, folder: Path, *, quiet: bool, plain: bool) -> None:
-        self._folder, self._quiet, self._plain = folder, quiet, plain
-        self._next_s = 0.0
-        self._width = 0
-        self._failures = 0
-        self._linked = False
-
-    def tell(self, progress: Progress, row: dict[str, Any] | None) -> None:
-        """Take in a row, or just the time."""
-        if self._quiet:
-            return
-        if not self._linked and progress.dashboard:
-            self._linked = True
-            self._line(f"Dask's dashboard: {progress.dashboard}")
-        if row is not None and not row["ok"]:
-            self._failures += 1
-            if self._failures <= TOLD_FAILURES:
-                self._line(f"row {row['row']}: {row['error'] or row['fault']}")
-            elif self._failures == TOLD_FAILURES + 1:
-                self._line(f"more failures: gcs campaign status {self._folder}")
-        now_s = time.monotonic()
-        if now_s < self._next_s:
-            return
-        self._next_s = now_s + (PLAIN_EVERY_S if self._plain else 0.25)
-        text = words(progress)
-        if self._plain:
-            click.echo(text)
-            return
-        text = text[: shutil.get_terminal_size().columns - 1]
-        click.echo(f"\r{text:<{self._width}}", nl=False)
-        self._width = len(text)
-
-    def end(self) -> None:
-        """Leave the line."""
-        if self._width:
-            click.echo()
-
-    def _line(self, text: str) -> None:
-        if self._width:
-            click.echo(f"\r{'':<{self._width}}\r", nl=False)
-        click.echo(text)
-        self._next_s = 0.0 if not self._plain else self._next_s
-
-
-def words(progress: Progress) -> str:
-    """One line: how far, how fast, how long still."""
-    from gcs.session.plain_text import minutes
-
-    parts = [f"{progress.done} of {progress.total} sessions"]
-    if progress.flown:
-        parts.append(f"{60.0 * progress.rate:.1f} per minute, {minutes(progress.left_s)} left")
-    else:
-        parts.append("workers are getting warm ...")
-    parts += [f"{progress.workers} worker{'s' * (progress.workers != 1)}"] if progress.workers else []
-    parts += [f"{progress.failed} failed"] if progress.failed else []
-    parts += [f"{progress.errors} with errors"] if progress.errors else []
-    return ", ".join(parts)

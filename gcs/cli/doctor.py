@@ -240,7 +240,7 @@ def _terminal() -> Iterator[MachineFinding]:
 
 
 def _own_scenarios() -> Iterator[MachineFinding]:
-    from gcs.scenario.file import (  # noqa: PLC0415 - what is missing above must be told, not raised here
+    from gcs.scenario.file import (  # noqa: PLC0415 - what is missing above must be reported, not raised here
         load,
         shipped_folder,
         shipped_names,

@@ -39,7 +39,7 @@ def _limits(wanted: str, holds: Callable[[Any], bool]) -> Callable[[click.Contex
     return check
 
 
-def _someone(ctx: click.Context, param: click.Parameter, value: str | None) -> str | None:
+def _checked_address(ctx: click.Context, param: click.Parameter, value: str | None) -> str | None:
     """A --connect is an address whose host can be found."""
     if value is not None:
         from gcs.link.socket import AddressRefused, resolve
@@ -242,17 +242,17 @@ def run(
             click.echo(json.dumps({"type": "end", **verdict, "session": str(folder)}))
 
     with contextlib.ExitStack() as stack:
-        view, tell = stack.enter_context(logged(shown, said, folder))
+        view, echo = stack.enter_context(logged(shown, said, folder))
         if web:
             from gcs.web.process import PageServer
 
-            page.tell_links(stack.enter_context(PageServer(folder)).links, err=as_json)
+            page.print_links(stack.enter_context(PageServer(folder)).links, err=as_json)
         stderr = getattr(shown, "stderr", None)
-        status = fly(folder, view, tell, arguments=arguments, finish=finish, stderr=stderr, hurry=hurry.set)
+        status = fly(folder, view, echo, arguments=arguments, finish=finish, stderr=stderr, hurry=hurry.set)
         if junit is not None and not _write_junit(junit, flown(folder, resolved, error)):
             status = status or NOT_DONE
         if not no_report:
-            report.after_run(folder, tell, status, hurried=hurry.is_set())
+            report.after_run(folder, echo, status, hurried=hurry.is_set())
     return status
 
 
@@ -269,7 +269,7 @@ def _write_junit(path: Path, xml: str) -> bool:
 def _view(
     folder: Path, name: str, plain: bool, as_json: bool, *, verbose: bool, quiet: bool
 ) -> tuple[View, Callable[[str], object]]:
-    """What shows the session, and what writes its last lines."""
+    """View of the session, and the writer of its last lines."""
     from gcs.session.plain_text import JsonView, PlainView, QuietView
 
     if quiet or verbose:
@@ -289,7 +289,7 @@ def _view(
 @click.argument("scenario", type=ScenarioName())
 @click.option(
     "--connect",
-    callback=_someone,
+    callback=_checked_address,
     metavar="udpout:HOST:PORT",
     help="All vehicles speak to this address.  [default: each listens at a port of its own]",
 )

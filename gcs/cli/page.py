@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 WEB = click.option("--web", is_flag=True, help="A page in the browser instead of the console; the link is printed.")
 
 
-def tell_links(links: Mapping[str, str], *, commands: bool = True, err: bool = False) -> None:
+def print_links(links: Mapping[str, str], *, commands: bool = True, err: bool = False) -> None:
     """Print where the page is."""
     if not links:
         click.echo("gcs: the page's server could not be started; the session goes on without it", err=True)
@@ -30,8 +30,8 @@ def show(source: MessageSource, *, commands: bool) -> None:
     """Serve a source's page until it ends. Raises KeyboardInterrupt on Ctrl-C."""
     from gcs.web.serve import serve
 
-    def tell(links: Mapping[str, str]) -> None:
-        tell_links(links, commands=commands)
+    def ready(links: Mapping[str, str]) -> None:
+        print_links(links, commands=commands)
         click.echo("gcs: Ctrl-C ends it.", err=True)
 
-    serve(source, tell)
+    serve(source, ready)

@@ -24,12 +24,12 @@ if TYPE_CHECKING:
 
 AGREES, DIFFERS = 0, 1
 SHOWN = 20
-"""Kinds of decision and vehicles whose first difference is told."""
+"""Kinds of decision and vehicles whose first difference is printed."""
 
 
 @contextlib.contextmanager
 def _progress(what: str) -> Iterator[Callable[[float], None]]:
-    """A bar on a terminal's standard error, told the share that is done."""
+    """A bar on a terminal's standard error; it is given the share that is done."""
     from rich.console import Console
     from rich.progress import Progress
 
@@ -153,7 +153,7 @@ def _decide(session: Path, as_json: bool) -> int:
         raise click.UsageError(f"--decide: {session} is no session's folder: a .tlog alone holds no decisions.")
     plugins.look_in([Path.cwd(), session])
     try:
-        # What a planner or policy of somebody's own prints must not stand among the verdict's lines.
+        # What a user's planner or policy prints must not stand among the verdict's lines.
         with _progress("deciding") as progress, contextlib.redirect_stdout(sys.stderr):
             verdict = redecide(session, progress)
     except RedecideError as error:
@@ -166,11 +166,11 @@ def _decide(session: Path, as_json: bool) -> int:
         click.echo(f"gcs: {problem}", err=True)
     if not verdict.compared:
         raise click.UsageError(f"{session} holds no decision to compare: was it killed before the first was written?")
-    (_tell_json if as_json else _tell)(verdict)
+    (_print_json if as_json else _print_verdict)(verdict)
     return AGREES if verdict.agrees else DIFFERS
 
 
-def _tell(verdict: Comparison) -> None:
+def _print_verdict(verdict: Comparison) -> None:
     if verdict.agrees:
         click.echo(f"all {verdict.compared} decisions up to {verdict.until_s:.1f} s agree")
         return
@@ -186,7 +186,7 @@ def _tell(verdict: Comparison) -> None:
         click.echo(f"  and of {len(subjects) - SHOWN} more kinds or vehicles; --json tells each")
 
 
-def _tell_json(verdict: Comparison) -> None:
+def _print_json(verdict: Comparison) -> None:
     for difference in verdict.differences:
         click.echo(json.dumps(difference.record()))
     click.echo(

@@ -77,7 +77,7 @@ def report(session: Path, out: Path | None, quiet: bool) -> int:
     return 0
 
 
-def after_run(folder: Path, tell: Callable[[str], object], status: int = 0, *, hurried: bool = False) -> None:
+def after_run(folder: Path, echo: Callable[[str], object], status: int = 0, *, hurried: bool = False) -> None:
     """The report at the end of a session that ended with `status`, as the last that `gcs run` does.
 
     Where it lies is told; that it could not be made is a warning, whatever it was. Who has stopped the session waits at
@@ -90,7 +90,7 @@ def after_run(folder: Path, tell: Callable[[str], object], status: int = 0, *, h
     if hurried:
         click.echo(left_out, err=True)
         return
-    patience = threading.Timer(PATIENCE_S, tell, [MAKING])
+    patience = threading.Timer(PATIENCE_S, echo, [MAKING])
     patience.daemon = True
     made: Path | None = None
 
@@ -104,14 +104,14 @@ def after_run(folder: Path, tell: Callable[[str], object], status: int = 0, *, h
     handlers = {number: signal.signal(number, leave_out) for number in (signal.SIGINT, signal.SIGTERM)}
     try:
         if status > SIGNALLED:
-            tell(f"saved; {MAKING}")
+            echo(f"saved; {MAKING}")
         else:
             patience.start()
         from gcs.report.make import make
 
         made = make(folder)
         patience.cancel()
-        tell(f"report: {made}")
+        echo(f"report: {made}")
     except Exception as error:  # a session that was flown must not fail by its report
         why = f"{error.strerror}" if isinstance(error, OSError) else str(error) or type(error).__name__
         click.echo(f"gcs: warning: no report was made: {why}; gcs report {folder} tries again", err=True)

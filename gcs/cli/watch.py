@@ -63,7 +63,7 @@ def monitor(session: Path | None, connect: str | None, control: bool, plain: boo
         raise click.UsageError("SESSION and --connect exclude each other: a session is watched, or who is on the air.")
     if control and connect is None:
         raise click.UsageError("--control is for --connect: a session takes its watchers' commands as it is.")
-    source, title = _session(session) if connect is None else _air(connect, control)
+    source, title = _session(session) if connect is None else _monitor(connect, control)
     if web:
         with contextlib.suppress(KeyboardInterrupt):
             page.show(source, commands=connect is None or control)
@@ -95,8 +95,8 @@ def _session(session: Path | None) -> tuple[MessageSource, str]:
     return SessionSource(folder), folder.name
 
 
-def _air(connect: str, control: bool) -> tuple[MessageSource, str]:
-    """Whoever is heard at an address. Raises click.UsageError where nobody can be."""
+def _monitor(connect: str, control: bool) -> tuple[MessageSource, str]:
+    """Monitor of all vehicles received at an address. Raises click.UsageError where it cannot be opened."""
     from gcs.link.socket import AddressRefused
     from gcs.scenario.endpoint import address
     from gcs.session.monitor import MonitorSource

@@ -1,4 +1,4 @@
-"""The console: a Textual app that shows what a source tells, and hands over what its operator asks for."""
+"""The console: a Textual app that shows a source's messages and sends its operator's commands."""
 
 from __future__ import annotations
 
@@ -39,13 +39,13 @@ class ConsoleApp(Shell):
 
     def beat(self) -> None:
         """Take in what has come and show it."""
-        news = self.seen.take(self.source.receive())
-        if news:
-            self.heard_s = time.monotonic()
+        changed = self.seen.update(self.source.receive())
+        if changed:
+            self.last_received_s = time.monotonic()
         if self.seen.end is not None:
             self.exit(0)
             return
-        self.main.beat(news)
+        self.main.beat(changed)
 
     def action_suspend_process(self) -> None:
         """Give the terminal back to the shell, if there is one that can continue us."""
@@ -63,7 +63,7 @@ class ConsoleApp(Shell):
 
 def show(source: MessageSource, title: str = "", *, owner: bool = False) -> int:
     """Show `source` in this terminal until it ends or the person closes it; the exit status."""
-    for size in ("COLUMNS", "LINES"):  # where somebody exported them, they would outlive every resize
+    for size in ("COLUMNS", "LINES"):  # where they were exported, they would outlive every resize
         os.environ.pop(size, None)
     app = ConsoleApp(source, title, owner=owner)
 

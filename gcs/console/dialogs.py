@@ -14,7 +14,7 @@ from textual.widgets import Input
 
 from gcs.console.drawing.panel import Panel
 from gcs.console.styles import GROUND, RAISED
-from gcs.console.text import Glyphs, Line, Lines, fitted, width_of, wrapped
+from gcs.console.text import Glyphs, StyledLine, StyledLines, fitted, width_of, wrapped
 
 FRAME = f"""
     align: center middle;
@@ -57,8 +57,8 @@ class Dialog(ModalScreen[Answer]):
             yield Panel(self.paint, id="lines", ground="raised")
 
     @abstractmethod
-    def paint(self, width: int, height: int) -> Lines:
-        """What the box says."""
+    def paint(self, width: int, height: int) -> StyledLines:
+        """Text of the box."""
 
     def on_mount(self) -> None:
         """Give the box the height of what it says."""
@@ -89,9 +89,9 @@ class Confirm(Dialog[bool]):
         super().__init__(glyphs)
         self._question, self._detail, self._insist = question, detail, insist
 
-    def paint(self, width: int, height: int) -> Lines:
+    def paint(self, width: int, height: int) -> StyledLines:
         """The question, what it means, and the keys."""
-        lines: Lines = [[(text, "name")] for text in wrapped(self._question, width)]
+        lines: StyledLines = [[(text, "name")] for text in wrapped(self._question, width)]
         if self._detail:
             lines += [[(text, "dim")] for text in wrapped(self._detail, width)]
         yes = "y, Enter or Ctrl-C" if self._insist else "y or Enter"
@@ -122,14 +122,14 @@ class Choose(Dialog[int | None]):
         self._at = 0
         self._typed = ""
 
-    def paint(self, width: int, height: int) -> Lines:
+    def paint(self, width: int, height: int) -> StyledLines:
         """The question, the options around the present one, and the keys."""
         room = min(12, max(1, height - 4))
         top = min(max(0, self._at - room // 2), max(0, len(self._options) - room))
-        lines: Lines = [[(text, "name")] for text in wrapped(self._question, width)]
+        lines: StyledLines = [[(text, "name")] for text in wrapped(self._question, width)]
         for order, (_, text) in enumerate(self._options[top : top + room], top):
             chosen = order == self._at
-            line: Line = [(f" {self.glyphs.chosen if chosen else ' '} {text}", "")]
+            line: StyledLine = [(f" {self.glyphs.chosen if chosen else ' '} {text}", "")]
             lines.append([(t, "chosen" if chosen else "") for t, _ in fitted(line, width, self.glyphs)])
         keys = [("Enter", "key"), (" yes    ", ""), ("Esc", "key"), (" no    ", "")]
         return [*lines, [], [*keys, ("up down", "key"), (" or an id", "")]]
@@ -160,14 +160,14 @@ class Choose(Dialog[int | None]):
         self.dismiss(None)
 
 
-def _hanging(line: Line, width: int) -> Lines:
+def _hanging(line: StyledLine, width: int) -> StyledLines:
     """The line over as many as it needs; its last span goes on below itself."""
     if width_of(line) <= width:
         return [line]
     *head, (text, style) = line
     indent = width_of(head) or len(text) - len(text.lstrip())
     first, *rest = wrapped(text, max(width - indent, 1))
-    lead: Line = head or [(" " * indent, "")]
+    lead: StyledLine = head or [(" " * indent, "")]
     return [[*lead, (first, style)], *([(" " * indent, ""), (more, style)] for more in rest)]
 
 
@@ -181,12 +181,12 @@ class Help(Dialog[None]):
         Binding("down,j,space", "move(1)"),
     ]
 
-    def __init__(self, lines: Lines, glyphs: Glyphs) -> None:
+    def __init__(self, lines: StyledLines, glyphs: Glyphs) -> None:
         super().__init__(glyphs)
         self._shown, self._at = lines, 0
 
-    def paint(self, width: int, height: int) -> Lines:
-        """As much as there is room for."""
+    def paint(self, width: int, height: int) -> StyledLines:
+        """The lines that there is room for."""
         shown = [part for line in self._shown for part in _hanging(line, width)]
         room = height if height >= len(shown) else height - 1
         self._at = max(0, min(self._at, len(shown) - room))
@@ -223,9 +223,14 @@ class Look(Dialog[str | None]):
             yield Panel(self.paint, id="lines", ground="raised")
             yield Input(self._words)
 
-    def paint(self, width: int, height: int) -> Lines:
-        """What to do."""
-        keys: Line = [("Enter", "key"), (" yes, without a word all are shown    ", ""), ("Esc", "key"), (" no", "")]
+    def paint(self, width: int, height: int) -> StyledLines:
+        """Keys of the dialog."""
+        keys: StyledLine = [
+            ("Enter", "key"),
+            (" yes, without a word all are shown    ", ""),
+            ("Esc", "key"),
+            (" no", ""),
+        ]
         return [*([(text, "name")] for text in wrapped("Show only events with these words:", width)), keys]
 
     def on_mount(self) -> None:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from gcs.console.model import SessionModel
-from gcs.console.text import Glyphs, Line, Lines, Span, fitted, left, width_of, wrapped
+from gcs.console.text import Glyphs, Span, StyledLine, StyledLines, fitted, left, width_of, wrapped
 from gcs.session.plain_text import clean
 
 LEVELS = ("info", "warning", "critical")
@@ -46,7 +46,7 @@ class Filter:
         return self == Filter()
 
     def said(self) -> str:
-        """What is set, for a person."""
+        """The filter's settings, for a person."""
         parts = [f"{self.level} and worse" if self.level == "warning" else self.level if self.level != "info" else ""]
         parts += [self.kind, f"vehicle {self.sysid}" if self.sysid is not None else ""]
         parts += [f'"{self.words}"' if self.words else ""]
@@ -63,7 +63,7 @@ class Filter:
 
 
 def kind_of(event: Event) -> str:
-    """What sort of thing happened."""
+    """Category of the event."""
     return str(event.get("kind") or ("text" if event.get("sysid") else "session"))
 
 
@@ -74,13 +74,13 @@ def matching(watch: SessionModel, chosen: Filter) -> list[Event]:
     return [event for event in watch.events if chosen.lets(event, watch.name(event.get("sysid")))]
 
 
-def line(watch: SessionModel, event: Event, width: int, glyphs: Glyphs) -> Line:
+def line(watch: SessionModel, event: Event, width: int, glyphs: Glyphs) -> StyledLine:
     """One event on one line, cut where there is no room."""
     head, (text, style) = _parts(watch, event, width, glyphs)
     return fitted([*head, (text, style)], width, glyphs)
 
 
-def entry(watch: SessionModel, event: Event, width: int, glyphs: Glyphs) -> Lines:
+def entry(watch: SessionModel, event: Event, width: int, glyphs: Glyphs) -> StyledLines:
     """One event over as many lines as its words need."""
     head, (text, style) = _parts(watch, event, width, glyphs)
     indent = width_of(head)
@@ -90,7 +90,7 @@ def entry(watch: SessionModel, event: Event, width: int, glyphs: Glyphs) -> Line
     ]
 
 
-def _parts(watch: SessionModel, event: Event, width: int, glyphs: Glyphs) -> tuple[Line, Span]:
+def _parts(watch: SessionModel, event: Event, width: int, glyphs: Glyphs) -> tuple[StyledLine, Span]:
     """When, how bad, what sort and who; then what."""
     level = str(event.get("level") or "info")
     style = STYLES.get(level, "")
@@ -100,7 +100,7 @@ def _parts(watch: SessionModel, event: Event, width: int, glyphs: Glyphs) -> tup
         text = text.removeprefix("Operator: ")
     if text.casefold().startswith((f"{who} ", f"{who}: ")):
         text = text[len(who) :].lstrip(": ")
-    shown: Line = [(f"{float(event.get('t_s') or 0.0):7.1f} ", "dim"), (f"{mark} ", style)]
+    shown: StyledLine = [(f"{float(event.get('t_s') or 0.0):7.1f} ", "dim"), (f"{mark} ", style)]
     if width >= 60:
         shown.append((left(kind_of(event), 9), "dim"))
     return [*shown, (left(who, WHO) + " ", style or "who")], (text, style)
@@ -108,10 +108,10 @@ def _parts(watch: SessionModel, event: Event, width: int, glyphs: Glyphs) -> tup
 
 def window(
     watch: SessionModel, events: Sequence[Event], *, width: int, height: int, back: int, glyphs: Glyphs
-) -> tuple[Lines, int]:
+) -> tuple[StyledLines, int]:
     """(As many whole `events` as `height` lines hold, how many are newer than these): the newest, or those `back`."""
     end = begin = max(len(events) - back, 0)
-    shown: Lines = []
+    shown: StyledLines = []
     while begin > 0 and len(part := entry(watch, events[begin - 1], width, glyphs)) + len(shown) <= height:
         begin, shown = begin - 1, part + shown
     while begin == 0 and end < len(events):

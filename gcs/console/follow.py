@@ -1,4 +1,4 @@
-"""A source without a terminal: what it tells as lines of text, or as JSON for other programs."""
+"""A source without a terminal: its messages as lines of text, or as JSON for other programs."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def follow(
     wait: Callable[[], object] = lambda: time.sleep(LOOK_EVERY_S),
     over: Callable[[], bool] = lambda: False,
 ) -> None:
-    """Show a source until it ends, is `over`, or nobody reads any more; Ctrl-C raises KeyboardInterrupt.
+    """Show a source until it ends, is `over`, or its reader is gone; Ctrl-C raises KeyboardInterrupt.
 
     clock, wait: by which what is shown now and then is due, and how the next look is waited for.
     """

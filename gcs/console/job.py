@@ -1,4 +1,4 @@
-"""Whether this process belongs to a shell's job, so that someone can continue it once it is suspended."""
+"""Whether this process belongs to a shell's job, so that it can be continued once it is suspended."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where the panels of the main screen stand, and which key does what there."""
+"""Layout of the main screen's panels, and its keys."""
 
 from __future__ import annotations
 

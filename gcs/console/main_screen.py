@@ -21,14 +21,14 @@ from gcs.console.operator_controls import OperatorControls
 from gcs.console.pages import competition, fleet, heading, help_text, map_view, vehicle
 from gcs.console.pages.events import EventsPage
 from gcs.console.shell import Shell
-from gcs.console.text import Line, Lines, fitted, titled, wrapped
+from gcs.console.text import StyledLine, StyledLines, fitted, titled, wrapped
 
 LEAST = Size(80, 24)
 WIDE = Size(120, 30)
 NOTICE_S = 8.0
 SILENT_S = 3.0
 ORDERINGS = ("id", "battery", "competition")
-INTERRUPTED = 130  # the exit status when its person wants the end of a session that cannot be told yet
+INTERRUPTED = 130  # the exit status when the operator wants the end of a session that cannot be asked yet
 
 
 class MainScreen(Screen[None]):
@@ -58,7 +58,7 @@ class MainScreen(Screen[None]):
         """The same panels always; which of them show depends on page and size."""
         yield Panel(self._session, id="session")
         yield Panel(self._goal, id="goal")
-        yield Panel(self._trouble, id="trouble")
+        yield Panel(self._health, id="trouble")
         with Container(id="body"):
             with Horizontal(id="page-fleet", classes="page"):
                 with Vertical(id="left"):
@@ -83,10 +83,10 @@ class MainScreen(Screen[None]):
 
     @property
     def seen(self) -> SessionModel:
-        """What has been told."""
+        """State from the messages received."""
         return self.app.seen
 
-    def beat(self, news: bool) -> None:
+    def beat(self, changed: bool) -> None:
         """Show what has changed."""
         for reply in self.seen.replies:
             if self.controls.concerns(reply):
@@ -143,22 +143,22 @@ class MainScreen(Screen[None]):
         body = size.height - 4
         self.query_one("#fleet").styles.height = max(4, min(len(self._ordered()) + 2, body - max(6, body // 5)))
 
-    def _session(self, width: int, height: int) -> Lines:
+    def _session(self, width: int, height: int) -> StyledLines:
         app = self.app
         line = heading.session_line(self.seen, app.title, app.source.connected, width, app.glyphs)
-        silent_s = time.monotonic() - app.heard_s
+        silent_s = time.monotonic() - app.last_received_s
         if app.source.connected and self.seen.snapshot and silent_s >= SILENT_S and not self.seen.replay:
-            note: Line = [(f" no news for {silent_s:.0f} s ", "look")]
+            note: StyledLine = [(f" no news for {silent_s:.0f} s ", "look")]
             return [[*fitted(line, width - len(note[0][0]), app.glyphs), *note]]
         return [line]
 
-    def _goal(self, width: int, height: int) -> Lines:
+    def _goal(self, width: int, height: int) -> StyledLines:
         return [heading.goal_line(self.seen, self.page, width, self.app.glyphs)]
 
-    def _trouble(self, width: int, height: int) -> Lines:
-        return [heading.trouble_line(self.seen, width, self.app.glyphs)]
+    def _health(self, width: int, height: int) -> StyledLines:
+        return [heading.health_line(self.seen, width, self.app.glyphs)]
 
-    def _keys(self, width: int, height: int) -> Lines:
+    def _keys(self, width: int, height: int) -> StyledLines:
         glyphs = self.app.glyphs
         if self._notice is not None and time.monotonic() < self._notice[2]:
             text, style, _ = self._notice
@@ -166,7 +166,7 @@ class MainScreen(Screen[None]):
         keys = help_text.bottom(self.page, control=self.seen.control, replay=self.seen.replay is not None)
         return [heading.keys_line(keys, width)]
 
-    def _too_small(self, width: int, height: int) -> Lines:
+    def _too_small(self, width: int, height: int) -> StyledLines:
         goes_on = "" if self.seen.replay is not None else "; the session goes on"
         needs = f"needs {LEAST.width} x {LEAST.height}"
         texts = (
@@ -184,39 +184,39 @@ class MainScreen(Screen[None]):
             return [{**known, "mode": "starting"} for known in self.seen.known.values()]
         return ordered(self.seen.vehicles.values(), self.order_by)
 
-    def _fleet(self, width: int, height: int) -> Lines:
+    def _fleet(self, width: int, height: int) -> StyledLines:
         lines, self._on_row, self._top = fleet.table(
             self._ordered(), width=width, height=height, glyphs=self.app.glyphs, chosen=self.chosen, top=self._top
         )
         return lines
 
-    def _recent(self, width: int, height: int) -> Lines:
+    def _recent(self, width: int, height: int) -> StyledLines:
         return self.events_page.recent(self.seen, width=width, height=height, glyphs=self.app.glyphs)
 
-    def _small_map(self, width: int, height: int) -> Lines:
+    def _small_map(self, width: int, height: int) -> StyledLines:
         glyphs = self.app.glyphs
         drawn = map_view.draw(
             self.seen, self.small_plan, width=width, height=height - 1, glyphs=glyphs, chosen=self.chosen
         )
         return [titled("map", width, glyphs), *drawn]
 
-    def _course(self, width: int, height: int) -> Lines:
+    def _course(self, width: int, height: int) -> StyledLines:
         glyphs = self.app.glyphs
         rest = competition.compact(self.seen, width=width, height=height - 1, glyphs=glyphs)
         return [titled("competition", width, glyphs), *rest]
 
-    def _map(self, width: int, height: int) -> Lines:
+    def _map(self, width: int, height: int) -> StyledLines:
         return map_view.draw(
             self.seen, self.plan, width=width, height=height, glyphs=self.app.glyphs, chosen=self.chosen
         )
 
-    def _contest(self, width: int, height: int) -> Lines:
+    def _contest(self, width: int, height: int) -> StyledLines:
         return competition.page(self.seen, width=width, height=height, glyphs=self.app.glyphs)
 
-    def _events(self, width: int, height: int) -> Lines:
+    def _events(self, width: int, height: int) -> StyledLines:
         return self.events_page.page(self.seen, width=width, height=height, glyphs=self.app.glyphs)
 
-    def _vehicle(self, width: int, height: int) -> Lines:
+    def _vehicle(self, width: int, height: int) -> StyledLines:
         lines, self._most = vehicle.page(
             self.seen, self.chosen, width=width, height=height, back=self._scrolled, glyphs=self.app.glyphs
         )
@@ -327,12 +327,12 @@ class MainScreen(Screen[None]):
     def action_words(self) -> None:
         """Ask for words that the events shown have to contain."""
 
-        def take(words: str | None) -> None:
+        def accept(words: str | None) -> None:
             if words is not None:
                 self.events_page.look_for(words)
                 self.redraw()
 
-        self.app.push_screen(Look(self.events_page.filter.words, self.app.glyphs), take)
+        self.app.push_screen(Look(self.events_page.filter.words, self.app.glyphs), accept)
 
     def action_help(self) -> None:
         """The help page."""

@@ -12,7 +12,7 @@ from gcs.session.plain_text import clean
 EVENTS = 5000
 TRAIL_EVERY_S, TRAIL_LENGTH = 0.5, 120
 CONTEST_EVERY_S, CONTEST_LENGTH = 0.2, 600
-NOBODY: Message = {}
+NO_MESSAGE: Message = {}
 
 Vehicle = Mapping[str, Any]
 
@@ -21,8 +21,8 @@ class SessionModel:
     """A session as seen through its messages. Whatever is missing from them reads as unknown."""
 
     def __init__(self) -> None:
-        self.session: Message = NOBODY
-        self.snapshot: Message = NOBODY
+        self.session: Message = NO_MESSAGE
+        self.snapshot: Message = NO_MESSAGE
         self.vehicles: dict[int, Vehicle] = {}
         self.known: dict[int, Mapping[str, Any]] = {}
         """what the session message says of each vehicle: capacity, path"""
@@ -32,20 +32,20 @@ class SessionModel:
         """(session time, {sysid as text: v_i}), oldest first"""
         self.handovers: deque[tuple[float, str]] = deque(maxlen=50)
         self.events: deque[Mapping[str, Any]] = deque(maxlen=EVENTS)
-        self.told = 0
+        self.event_count = 0
         """events so far, those forgotten included"""
         self.replies: list[Message] = []
         self.end: Message | None = None
         self._trailed_s = self._contested_s = float("-inf")
 
-    def take(self, messages: Iterable[Message]) -> bool:
+    def update(self, messages: Iterable[Message]) -> bool:
         """Take in messages; whether anything is new."""
-        news = False
+        changed = False
         for message in messages:
             kind = message.get("type")
-            news = True
+            changed = True
             if kind == "snapshot":
-                self._take_snapshot(message)
+                self._update_snapshot(message)
             elif kind == "session":
                 self.session = message
                 self.known = {v["sysid"]: v for v in message.get("vehicles") or () if "sysid" in v}
@@ -53,9 +53,9 @@ class SessionModel:
                 self.replies.append(message)
             elif kind == "end":
                 self.end = message
-        return news
+        return changed
 
-    def _take_snapshot(self, snapshot: Message) -> None:
+    def _update_snapshot(self, snapshot: Message) -> None:
         t_s = float(snapshot.get("t_s") or 0.0)
         if t_s < self.t_s:
             self._go_back(t_s)
@@ -63,7 +63,7 @@ class SessionModel:
         self.vehicles = {v["sysid"]: v for v in snapshot.get("vehicles") or () if "sysid" in v}
         events = snapshot.get("events") or ()
         self.events.extend(events)
-        self.told += len(events)
+        self.event_count += len(events)
         for event in events:
             if event.get("kind") == "decision" and "decided" in str(event.get("text")):
                 self.handovers.append((float(event.get("t_s") or t_s), str(event.get("sysid"))))
@@ -87,7 +87,7 @@ class SessionModel:
             self.handovers.pop()
         while self.events and float(self.events[-1].get("t_s") or 0.0) > t_s:
             self.events.pop()
-        self.told = len(self.events)
+        self.event_count = len(self.events)
 
     @property
     def t_s(self) -> float:
@@ -106,12 +106,12 @@ class SessionModel:
 
     @property
     def replay(self) -> Mapping[str, Any] | None:
-        """How far a recording is played; None for what happens now."""
+        """Progress of a replay; None for a live session."""
         return self.snapshot.get("replay")
 
     @property
     def competition(self) -> Mapping[str, Any]:
-        """v_i, bids, leader and share; from the vehicles themselves where nobody sums them up."""
+        """v_i, bids, leader and share; from the vehicles themselves where the snapshot has no summary."""
         if given := self.snapshot.get("competition"):
             return dict(given)
         vehicles = self.vehicles.values()
@@ -119,7 +119,7 @@ class SessionModel:
         return found if found["v"] else {}
 
     def giver(self, service: Mapping[str, Any]) -> str:
-        """Who serves: `tanker 201`, or `base pad`."""
+        """Giver of a service: `tanker 201`, or `base pad`."""
         base = service.get("base")
         return self.name(service.get("tanker")) if base is None else f"base {clean(base)}"
 
@@ -141,8 +141,8 @@ def severity(vehicle: Vehicle) -> int:
     return (0 if vehicle.get("alive", True) else 2) if given is None else int(given)
 
 
-def troubles(vehicle: Vehicle) -> list[str]:
-    """What is wrong with a vehicle, worst first."""
+def issues(vehicle: Vehicle) -> list[str]:
+    """Health issues of a vehicle, worst first."""
     given = [clean(word) for word in vehicle.get("trouble") or ()]
     return given if given or vehicle.get("alive", True) else ["dead"]
 
@@ -154,7 +154,7 @@ def battery_share(vehicle: Vehicle) -> float | None:
 
 
 def ordered(vehicles: Iterable[Vehicle], by: str) -> list[Vehicle]:
-    """The worst trouble first; the well, and the equally troubled, by `id`, `battery` or `competition`."""
+    """The worst health first; equally healthy vehicles by `id`, `battery` or `competition`."""
 
     def key(vehicle: Vehicle) -> tuple[int, float, int]:
         second = 0.0

@@ -15,7 +15,7 @@ def ready(order: OperatorCommand, watch: SessionModel) -> OperatorCommand:
 
 
 def question(order: OperatorCommand, watch: SessionModel, sysid: int | None) -> str:
-    """What the operator is asked before the command is sent."""
+    """Question to the operator before the command is sent."""
     return order.question.format(watch.name(sysid))
 
 

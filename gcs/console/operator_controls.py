@@ -105,7 +105,7 @@ class OperatorControls:
 
 
 def _state(vehicle: Vehicle) -> str:
-    """What the operator should have in view while deciding."""
+    """Page that the operator should see while deciding."""
     mode, _ = fleet.mode(vehicle)
     share = vehicle.get("battery")
     battery = "" if share is None else f", battery {100.0 * float(share):.0f} %"

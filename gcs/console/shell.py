@@ -13,7 +13,7 @@ from gcs.session.client import MessageSource
 
 
 class Shell(App[int]):
-    """One source, what it has told, and what the terminal can show.
+    """One source, the state of its messages, and the abilities of the terminal.
 
     `owner`: this console belongs to `gcs run`, whose session Ctrl-C is meant to stop.
     """
@@ -25,10 +25,10 @@ class Shell(App[int]):
         self.owner = owner
         self.glyphs = glyphs or own_glyphs(sys.__stderr__.encoding if sys.__stderr__ else "ascii")
         self.seen = SessionModel()
-        self.heard_s = time.monotonic()
+        self.last_received_s = time.monotonic()
 
     def lost(self) -> list[str]:
-        """What this terminal cannot show, in sentences."""
+        """Limits of this terminal, in sentences."""
         lost = []
         if self.no_color:
             lost.append("No colour (NO_COLOR is set): signs, words, bold and reverse say the same.")

@@ -1,4 +1,4 @@
-"""How each style name of a panel looks: calm colours on a dark ground, yellow for look, red only for act.
+"""Looks of each style name of a panel: calm colours on a dark ground, yellow for look, red only for act.
 
 Without colour the same names differ by weight and reversal alone, and every mark has its own character or word.
 """

@@ -37,7 +37,7 @@ def usable() -> bool:
 class ConsoleView:
     """Shows the session of `folder` in a console of its own, and through `plain` while there is none.
 
-    What the supervisor says on its standard error is to go to `stderr`: it is passed on when nobody draws here.
+    The supervisor's standard error goes to `stderr`: it is passed on when the console does not draw.
     """
 
     def __init__(self, folder: Path, title: str, plain: View, say: Callable[[str], object]) -> None:
@@ -54,7 +54,7 @@ class ConsoleView:
         return self._process is not None and not self._suspended
 
     def show(self, snapshot: Any) -> None:
-        """Leave it to the console, or tell it in lines."""
+        """Leave it to the console, or print it in lines."""
         if not self._drawing:
             self._plain.show(snapshot)
 
@@ -153,7 +153,7 @@ class ConsoleView:
                 termios.tcsetattr(0, termios.TCSADRAIN, self._terminal)
 
     def _pass_on(self) -> None:
-        """What the supervisor has said meanwhile."""
+        """The supervisor's output meanwhile."""
         size = os.fstat(self.stderr.fileno()).st_size
         if size > self._passed_on:
             said = os.pread(self.stderr.fileno(), size - self._passed_on, self._passed_on)

@@ -1,4 +1,4 @@
-"""What every panel is written with: styled text of fixed width, numbers that keep their column, bars, characters.
+"""Text tools of every panel: styled text of fixed width, numbers that keep their column, bars, characters.
 
 A line is a list of (text, style name) pairs. A style name is words from `gcs/console/styles.py`, so that what a
 panel says can be computed, and tested, without a terminal.
@@ -15,8 +15,8 @@ from pathlib import Path
 from rich.cells import cell_len, set_cell_size
 
 Span = tuple[str, str]
-Line = list[Span]
-Lines = list[Line]
+StyledLine = list[Span]
+StyledLines = list[StyledLine]
 
 WITHOUT_BRAILLE = {"linux", "vt100", "vt102", "vt220", "ansi", "cons25"}
 """Terminals by name whose fonts have no braille, whatever the locale says."""
@@ -87,7 +87,7 @@ def number(value: float | None, width: int, decimals: int = 1) -> str:
     return shown
 
 
-def bar(share: float, width: int, glyphs: Glyphs, style: str) -> Line:
+def bar(share: float, width: int, glyphs: Glyphs, style: str) -> StyledLine:
     """A bar of `width` cells filled by `share` in 0..1; what is more than nothing shows."""
     share = min(max(share, 0.0), 1.0)
     full = min(width, math.ceil(share * width - 0.5) or (share > 0.0))
@@ -109,13 +109,13 @@ def right(text: str, width: int) -> str:
     return " " * max(0, width - cell_len(text)) + text if cell_len(text) <= width else set_cell_size(text, width)
 
 
-def fitted(line: Iterable[Span], width: int, glyphs: Glyphs) -> Line:
+def fitted(line: Iterable[Span], width: int, glyphs: Glyphs) -> StyledLine:
     """The line in exactly `width` cells: filled with blanks, or cut with a mark that says so."""
     line = list(line)
     room = width - width_of(line)
     if room >= 0:
         return [*line, (" " * room, "")] if room else line
-    shown: Line = []
+    shown: StyledLine = []
     room = width - cell_len(glyphs.more)
     for text, style in line:
         size = cell_len(text)
@@ -127,13 +127,13 @@ def fitted(line: Iterable[Span], width: int, glyphs: Glyphs) -> Line:
     return fitted(shown, width, glyphs) if width_of(shown) < width else shown
 
 
-def titled(title: str, width: int, glyphs: Glyphs, note: Line | None = None) -> Line:
+def titled(title: str, width: int, glyphs: Glyphs, note: StyledLine | None = None) -> StyledLine:
     """A panel's heading: its title, a rule, and a note at the right."""
     note = note or []
     room = width - cell_len(title) - 4 - (width_of(note) + 1 if note else 0)
     if room < 0:
         return fitted([(f"{title} ", "title")], width, glyphs)
-    line: Line = [(f"{glyphs.rule} ", "faint"), (title, "title"), (" ", ""), (glyphs.rule * room, "faint")]
+    line: StyledLine = [(f"{glyphs.rule} ", "faint"), (title, "title"), (" ", ""), (glyphs.rule * room, "faint")]
     return [*line, (" ", ""), *note, (glyphs.rule, "faint")] if note else [*line, (glyphs.rule, "faint")]
 
 

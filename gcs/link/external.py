@@ -1,4 +1,4 @@
-"""The link to vehicles that somebody else has started: plain MAVLink over UDP, one frame per datagram.
+"""The link to vehicles that another program has started: plain MAVLink over UDP, one frame per datagram.
 
 A vehicle is known by its system id and component 1, and by the address of its first HEARTBEAT; whoever says the same
 from elsewhere is refused and reported. Several vehicles may speak to one port, each from its own address or all
@@ -29,11 +29,11 @@ from gcs.scenario.external import External
 ANNOUNCE_EVERY_S = 1.0
 REPEAT_AFTER_S = 0.2
 """A session that stands still for longer goes on sending its last set points: autopilots leave offboard without."""
-MOST_STRANGERS = 32
+MOST_UNKNOWN_SENDERS = 32
 MAVLINK_1 = b"\xfe"
 _HEARTBEAT = codec.msgid("HEARTBEAT")
 _CLOCKS = frozenset({codec.msgid("LOCAL_POSITION_NED"), codec.msgid("ATTITUDE")})
-"""What tells a vehicle's time; the second comes also while it has not found its place, as after a boot."""
+"""Messages that carry a vehicle's time; the second comes also while it has not found its place, as after a boot."""
 _SET_POINT = codec.msgid("SET_POSITION_TARGET_LOCAL_NED")
 
 
@@ -47,19 +47,19 @@ class _Door:
     counters: dict[Where, SequenceCounter] = field(default_factory=dict)
     speakers: set[Where] = field(default_factory=set)
     """addresses of vehicles"""
-    strangers: set[Where] = field(default_factory=set)
-    """who speaks MAVLink 1: some autopilots go on to MAVLink 2 when they hear it"""
+    unknown_senders: set[Where] = field(default_factory=set)
+    """senders of MAVLink 1: some autopilots change to MAVLink 2 when they receive it"""
 
     def send(self, message: Message | bytes, address: Where) -> bytes:
         counter = self.counters.setdefault(address, SequenceCounter())
-        raw = message if isinstance(message, bytes) else codec.frame(message, counter.take(), *STATION)
-        with contextlib.suppress(OSError):  # nobody there yet, or no room: as on the air, it is lost
+        raw = message if isinstance(message, bytes) else codec.frame(message, counter.next(), *STATION)
+        with contextlib.suppress(OSError):  # no receiver yet, or no room: as on a radio link, it is lost
             self.socket.sendto(raw, address)
         return raw
 
 
 @dataclass
-class _Peer:
+class _ExternalPeer:
     """One vehicle."""
 
     key: Key
@@ -77,7 +77,7 @@ class ExternalLink:
         """Open a socket for each address; `now_s` reads the session's clock. Raises AddressRefused."""
         self._now_s = now_s
         self._doors: dict[str, _Door] = {}
-        self._peers: dict[int, _Peer] = {}
+        self._peers: dict[int, _ExternalPeer] = {}
         self._poll = select.poll()
         self._kept = False
         self._announced_s = self._sent_s = -ANNOUNCE_EVERY_S
@@ -92,18 +92,18 @@ class ExternalLink:
                 except AddressRefused:
                     self.close()
                     raise
-            self._peers[sysid] = _Peer((sysid, AUTOPILOT), self._doors[external.connect])
+            self._peers[sysid] = _ExternalPeer((sysid, AUTOPILOT), self._doors[external.connect])
         for door in self._doors.values():
             self._poll.register(door.socket, select.POLLIN)
 
     @property
     def joined(self) -> set[Key]:
-        """Vehicles that have been heard and are still held."""
+        """Vehicles that have been received and are still held."""
         return {peer.key for peer in self._peers.values() if peer.address is not None}
 
     @property
     def missing(self) -> set[Key]:
-        """Vehicles that have not been heard yet."""
+        """Vehicles that have not been received yet."""
         return {peer.key for peer in self._peers.values() if peer.address is None}
 
     @property
@@ -112,26 +112,26 @@ class ExternalLink:
         return min(door.socket.getsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF) // 2 for door in self._doors.values())
 
     def overflowed(self) -> int:
-        """Datagrams that the kernel dropped because nobody read them in time."""
+        """Datagrams that the kernel dropped because they were not read in time."""
         return sum(kernel_drops(door.socket) for door in self._doors.values())
 
     def offsets_s(self) -> dict[int, float]:
-        """What added to a vehicle's own time gives the session's, by system id."""
+        """Offset from a vehicle's own time to the session's, s, by system id."""
         known = {sysid: peer.clock.offset_s for sysid, peer in self._peers.items()}
         return {sysid: offset_s for sysid, offset_s in known.items() if offset_s is not None}
 
-    def take_rebooted(self) -> set[int]:
-        """Whose clock has begun anew since the last call."""
+    def pop_rebooted(self) -> set[int]:
+        """System ids of vehicles whose clock has restarted since the last call."""
         taken, self._rebooted = self._rebooted, set()
         return taken
 
     def listen(self, wait_s: float) -> None:
-        """Look for vehicles for at most `wait_s`, and let them know that someone is here."""
+        """Look for vehicles for at most `wait_s`, and let them know that a ground station is here."""
         now_s = time.monotonic()
         if now_s - self._announced_s >= ANNOUNCE_EVERY_S:
             self._announced_s = now_s
             for door in self._doors.values():
-                for address in (door.remote,) if door.remote else (door.speakers | door.strangers):
+                for address in (door.remote,) if door.remote else (door.speakers | door.unknown_senders):
                     door.send(OUR_HEARTBEAT, address)
         self.rest(wait_s)
 
@@ -160,7 +160,7 @@ class ExternalLink:
         return [peer.door.send(item, peer.address) for item in items]
 
     def collect(self) -> dict[Key, list[Frame]]:
-        """What has come from each vehicle since the last call, in order of system id."""
+        """Frames received from each vehicle since the last call, in order of system id."""
         self._drain()
         taken = {peer.key: peer.frames for _, peer in sorted(self._peers.items()) if peer.address is not None}
         for peer in self._peers.values():
@@ -168,7 +168,7 @@ class ExternalLink:
         return taken
 
     def stand_in(self) -> None:
-        """While the session stands still: hear, and send the last set points again."""
+        """While the session stands still: receive, and send the last set points again."""
         self._drain()
         if time.monotonic() - self._sent_s >= REPEAT_AFTER_S:
             self._sent_s = time.monotonic()
@@ -188,16 +188,16 @@ class ExternalLink:
                     datagram, address = door.socket.recvfrom(RECEIVE_BYTES)
                 except BlockingIOError:
                     break
-                except OSError:  # a udpout whose other end is not there: told once for each datagram sent
+                except OSError:  # a udpout whose other end is not there: raised once for each datagram sent
                     continue
-                self._take(door, datagram, address)
+                self._receive(door, datagram, address)
 
-    def _take(self, door: _Door, datagram: bytes, address: Where) -> None:
+    def _receive(self, door: _Door, datagram: bytes, address: Where) -> None:
         frames, malformed, _ = codec.split(datagram)
         if address in door.speakers:
             self.malformed += malformed
-        elif datagram[:1] == MAVLINK_1 and len(door.strangers) < MOST_STRANGERS:
-            door.strangers.add(address)
+        elif datagram[:1] == MAVLINK_1 and len(door.unknown_senders) < MOST_UNKNOWN_SENDERS:
+            door.unknown_senders.add(address)
         for frame in frames:
             peer = self._peers.get(frame.sysid)
             if peer is None:

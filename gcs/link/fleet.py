@@ -10,7 +10,7 @@ from gcs.link.lockstep import LockstepLink
 from gcs.mavlink.codec import Frame, Message
 
 
-class MixedLink:
+class FleetLink:
     """The supervised links, and the vehicles that live on the real clock: a tick waits for the first only.
 
     Docstrings are those of `Link`.
@@ -22,7 +22,7 @@ class MixedLink:
         self._given_up: set[Key] = set()
         self.begin = external.begin
         self.clock_offsets_s = external.offsets_s
-        self.take_rebooted = external.take_rebooted
+        self.pop_rebooted = external.pop_rebooted
         self.repeat = fleet.repeat
 
     @property

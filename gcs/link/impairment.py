@@ -36,13 +36,13 @@ class _Stream:
 
     random: random.Random
     sent: int = 0
-    air: list[tuple[float, int, object]] = field(default_factory=list)
+    pending: list[tuple[float, int, object]] = field(default_factory=list)
     """heap of (delivery time, order, frame)"""
     overtaken: list[tuple[float, object]] = field(default_factory=list)
     """(delivery time, frame) of frames that follow the next one sent"""
 
     def launch(self, due_s: float, frame: object) -> None:
-        heapq.heappush(self.air, (due_s, self.sent, frame))
+        heapq.heappush(self.pending, (due_s, self.sent, frame))
         self.sent += 1
 
 
@@ -94,8 +94,8 @@ class Impairment:
         for frame in frames:
             self._send(stream, t_s, frame, dark)
         delivered: list[Item] = []
-        while stream.air and stream.air[0][0] <= t_s + _ROUNDING_S:
-            delivered.append(heapq.heappop(stream.air)[2])  # type: ignore[arg-type]  # it came in as an Item
+        while stream.pending and stream.pending[0][0] <= t_s + _ROUNDING_S:
+            delivered.append(heapq.heappop(stream.pending)[2])  # type: ignore[arg-type]  # it came in as an Item
         return delivered
 
     def _send(self, stream: _Stream, t_s: float, frame: object, dark: bool) -> None:

@@ -12,7 +12,7 @@ Key = tuple[int, int]
 
 
 class TickLink(Protocol):
-    """What a supervisor asks of a link, tick by tick."""
+    """Link as a supervisor uses it, tick by tick."""
 
     @property
     def joined(self) -> set[Key]:
@@ -33,14 +33,14 @@ class TickLink(Protocol):
         """Frames that have come since the last call from vehicles for which no tick waits."""
 
     def clock_offsets_s(self) -> dict[int, float]:
-        """What added to the own time of a vehicle that has a clock of its own gives the session's, by system id."""
+        """Offset from the own time of a vehicle that has its own clock to the session's, s, by system id."""
 
-    def take_rebooted(self) -> set[int]:
-        """Whose clock has begun anew since the last call."""
+    def pop_rebooted(self) -> set[int]:
+        """System ids of vehicles whose clock has restarted since the last call."""
 
 
 class Link(TickLink, Protocol):
-    """What a session asks of a link besides."""
+    """Link as a session uses it besides."""
 
     @property
     def malformed(self) -> int:
@@ -56,10 +56,10 @@ class Link(TickLink, Protocol):
 
     @property
     def refused(self) -> dict[Key, tuple[str, int]]:
-        """Who spoke with an id that another address has already, and from where; the first of each."""
+        """Senders with an id that another address has already, and their addresses; the first of each."""
 
     def listen(self, wait_s: float) -> set[Key]:
-        """Take the first words of vehicles for at most `wait_s`; who is missing."""
+        """Receive the first frames of vehicles for at most `wait_s`; those that are missing."""
 
     def begin(self) -> None:
         """The session's clock runs from now."""
@@ -68,7 +68,7 @@ class Link(TickLink, Protocol):
         """Send launched vehicles their last bundle again."""
 
     def overflowed(self) -> int:
-        """Datagrams that the kernel dropped because nobody read them in time."""
+        """Datagrams that the kernel dropped because they were not read in time."""
 
     def close(self) -> None:
         """Close the sockets."""

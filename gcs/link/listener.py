@@ -14,8 +14,9 @@ from gcs.scenario.endpoint import Endpoint
 CONNECT_WITHIN_S = 5.0
 
 
-class Air:
-    """What is heard at an address, with who said it, of MAVLink 1 too. Raises AddressRefused where it cannot be had."""
+class Listener:
+    """Frames received at an address, with their senders, of MAVLink 1 too. Raises AddressRefused where it cannot be
+    had."""
 
     def __init__(self, at: Endpoint) -> None:
         self._stream = at.way == "tcp"
@@ -34,7 +35,7 @@ class Air:
         return self._socket.fileno()
 
     def receive(self) -> Iterator[tuple[list[Frame], Where]]:
-        """What has come, with who sent it; never waits."""
+        """Frames received, with their senders; never waits."""
         while self.open:
             try:
                 data, peer = self._socket.recvfrom(RECEIVE_BYTES)
@@ -50,7 +51,7 @@ class Air:
             yield codec.split(data).frames or v1.split(data), tuple(peer)
 
     def send(self, raw: bytes, peer: Where) -> None:
-        """Send a frame to somebody who was heard, or to the one that was gone to."""
+        """Send a frame to a known sender, or to the address of a udpout or tcp."""
         with contextlib.suppress(OSError):
             if self._stream:
                 self._socket.sendall(raw)
@@ -59,7 +60,7 @@ class Air:
 
     @property
     def to(self) -> Where | None:
-        """Whom it goes to; None where it listens."""
+        """Address that it sends to; None where it listens."""
         return self._to
 
     def close(self) -> None:
@@ -79,7 +80,7 @@ class Air:
 
 
 def _connected(at: Endpoint) -> tuple[socket.socket, Where]:
-    """A stream to somebody who listens. Raises AddressRefused."""
+    """A stream to a listener. Raises AddressRefused."""
     family, where = resolve(at, socket.SOCK_STREAM)
     made = socket.socket(family, socket.SOCK_STREAM)
     try:

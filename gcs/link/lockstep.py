@@ -29,7 +29,7 @@ GRANT_BYTES = codec.HEADER_BYTES + 12 + codec.CRC_BYTES
 
 
 @dataclass
-class _Peer:
+class _LockstepPeer:
     """One vehicle's link."""
 
     key: Key
@@ -55,7 +55,7 @@ class LockstepLink:
         self._poll.register(self._socket, select.POLLIN)
         self._drop = drop
         self._random = random.Random(seed)
-        self._peers: dict[Key, _Peer] = {}
+        self._peers: dict[Key, _LockstepPeer] = {}
         self._expected: set[Key] = set()
         self._awaited: set[Key] = set()
         self._whole: deque[Key] = deque()
@@ -81,11 +81,11 @@ class LockstepLink:
 
     @property
     def awaited(self) -> list[Key]:
-        """Who has not answered the last grant yet."""
+        """Vehicles that have not answered the last grant yet."""
         return sorted(self._awaited)
 
     def overflowed(self) -> int:
-        """Datagrams that the kernel dropped because nobody read them in time."""
+        """Datagrams that the kernel dropped because they were not read in time."""
         return kernel_drops(self._socket)
 
     def expect(self, keys: Iterable[Key]) -> None:
@@ -93,7 +93,7 @@ class LockstepLink:
         self._expected |= set(keys)
 
     def listen(self, wait_s: float) -> set[Key]:
-        """Take hellos for at most `wait_s`; who is still expected."""
+        """Receive hellos for at most `wait_s`; those still expected."""
         self._poll.poll(1e3 * wait_s)
         self._drain()
         return self._expected - self.joined
@@ -136,7 +136,7 @@ class LockstepLink:
 
         Waits without spinning; after 20 ms without progress, doubling to 200 ms, the same bytes go out again to those
         that are missing, and `idle` is called: it sees whether they still live and may call `leave`. Those that have
-        answered hear their last bundle every second, so that one that stalls does not make the others leave.
+        answered get their last bundle every second, so that one that stalls does not make the others leave.
         """
         wait_s = RESEND_FIRST_S
         repeat_s = time.monotonic() + REPEAT_S
@@ -146,7 +146,7 @@ class LockstepLink:
             while self._whole:
                 key = self._whole.popleft()
                 if key in self._peers:
-                    yield key, self._peers[key].collector.take()
+                    yield key, self._peers[key].collector.pop_frames()
             if not self._awaited:
                 continue
             left_s = deadline_s - time.monotonic()
@@ -177,8 +177,8 @@ class LockstepLink:
         """As `Link.clock_offsets_s`: none."""
         return {}
 
-    def take_rebooted(self) -> set[int]:
-        """As `Link.take_rebooted`: nobody."""
+    def pop_rebooted(self) -> set[int]:
+        """As `Link.pop_rebooted`: none."""
         return set()
 
     def repeat(self) -> None:
@@ -192,10 +192,10 @@ class LockstepLink:
         """Close the socket."""
         self._socket.close()
 
-    def _frame(self, peer: _Peer, message: Message) -> bytes:
-        return codec.frame(message, peer.counter.take(), *STATION)
+    def _frame(self, peer: _LockstepPeer, message: Message) -> bytes:
+        return codec.frame(message, peer.counter.next(), *STATION)
 
-    def _send(self, peer: _Peer) -> None:
+    def _send(self, peer: _LockstepPeer) -> None:
         if self._drop and self._random.random() < self._drop:
             return
         with contextlib.suppress(OSError):
@@ -210,9 +210,9 @@ class LockstepLink:
             except OSError:
                 return progress
             if not (self._drop and self._random.random() < self._drop):
-                progress |= self._take(datagram, address)
+                progress |= self._receive(datagram, address)
 
-    def _take(self, datagram: bytes, address: tuple[str, int]) -> bool:
+    def _receive(self, datagram: bytes, address: tuple[str, int]) -> bool:
         frames, malformed, _ = codec.split(datagram)
         self.malformed += malformed
         if not frames:
@@ -221,7 +221,7 @@ class LockstepLink:
         peer = self._peers.get(key)
         if peer is None:
             if key in self._expected and is_hello(frames):
-                self._peers[key] = _Peer(key, address, TickCollector(*key))
+                self._peers[key] = _LockstepPeer(key, address, TickCollector(*key))
             return False
         if peer.address != address:
             self.refused.setdefault(key, address)

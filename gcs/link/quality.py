@@ -13,7 +13,7 @@ _ROUNDING_S = 1e-6
 
 
 @dataclass
-class _Heard:
+class _Counts:
     """One vehicle's counts, and what they were at earlier times: (s, received, lost)."""
 
     received: int = 0
@@ -25,23 +25,23 @@ class LinkQuality:
 
     def __init__(self, gaps: GapCounter) -> None:
         self._gaps = gaps
-        self._heard: dict[int, _Heard] = {}
+        self._counts: dict[int, _Counts] = {}
 
-    def take(self, sysid: int, frames: int, now_s: float) -> None:
+    def count(self, sysid: int, frames: int, now_s: float) -> None:
         """Count frames of a vehicle that were delivered at `now_s`."""
-        heard = self._heard.get(sysid)
-        if heard is None:
-            heard = self._heard[sysid] = _Heard()
-        heard.received += frames
-        samples = heard.samples
+        counts = self._counts.get(sysid)
+        if counts is None:
+            counts = self._counts[sysid] = _Counts()
+        counts.received += frames
+        samples = counts.samples
         if now_s - samples[-1][0] >= SAMPLE_EVERY_S - _ROUNDING_S:
-            samples.append((now_s, heard.received, self.lost(sysid)))
+            samples.append((now_s, counts.received, self.lost(sysid)))
             while now_s - samples[1][0] >= WINDOW_S - _ROUNDING_S:
                 samples.popleft()
 
     def begin(self, now_s: float) -> None:
-        """What was lost lately is what is lost from `now_s` on."""
-        self._heard = {sysid: _Heard(samples=deque([(now_s, 0, lost)])) for sysid, lost in self._gaps.lost_of.items()}
+        """Count lost frames from `now_s` on."""
+        self._counts = {sysid: _Counts(samples=deque([(now_s, 0, lost)])) for sysid, lost in self._gaps.lost_of.items()}
 
     def lost(self, sysid: int) -> int:
         """Frames of this vehicle that never came: gaps in its numbers so far."""
@@ -49,9 +49,9 @@ class LinkQuality:
 
     def lost_share(self, sysid: int) -> float | None:
         """Lost of all frames sent in the last `WINDOW_S` or so, 0..1; None where there were none."""
-        heard = self._heard.get(sysid)
-        if heard is None:
+        counts = self._counts.get(sysid)
+        if counts is None:
             return None
-        _, received, lost = heard.samples[0]
-        got, missed = heard.received - received, max(self.lost(sysid) - lost, 0)
+        _, received, lost = counts.samples[0]
+        got, missed = counts.received - received, max(self.lost(sysid) - lost, 0)
         return missed / (got + missed) if got + missed else None

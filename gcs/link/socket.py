@@ -39,7 +39,8 @@ def resolve(at: Endpoint, kind: socket.SocketKind = socket.SOCK_DGRAM) -> tuple[
 def open_udp(at: Endpoint) -> tuple[socket.socket, Where]:
     """A socket that never waits, with as large a receive buffer as is granted, and the numbers of `at`.
 
-    It listens there for udpin; for udpout it has a free port and hears whoever sends to that. Raises AddressRefused.
+    It listens there for udpin; for udpout it has a free port and receives from any sender to that. Raises
+    AddressRefused.
     """
     family, where = resolve(at)
     made = socket.socket(family, socket.SOCK_DGRAM)
@@ -63,7 +64,7 @@ def widen(of: socket.socket) -> None:
 
 
 def kernel_drops(of: socket.socket) -> int:
-    """Datagrams that the kernel dropped because nobody read this socket in time."""
+    """Datagrams that the kernel dropped because this socket was not read in time."""
     rows: list[str] = []
     try:
         inode = str(Path(f"/proc/self/fd/{of.fileno()}").readlink()).strip("socket:[]")

@@ -13,7 +13,7 @@ from pymavlink.dialects.v20 import common as mav
 
 
 class FlightMode(StrEnum):
-    """What a vehicle is flying, whatever its autopilot calls it."""
+    """Flight mode of a vehicle, whatever its autopilot calls it."""
 
     TAKEOFF = "takeoff"
     OFFBOARD = "offboard"

@@ -9,7 +9,7 @@ from typing import Any
 HECTOJOULE = 100.0
 NO_CELL = 65535
 NO_CURRENT = frozenset({-1, -100})
-"""What a current is that nobody measures: -1 by the protocol; PX4 sends its own -1 A of the same meaning in cA."""
+"""Value of a current that is not measured: -1 by the protocol; PX4 sends its own -1 A of the same meaning in cA."""
 
 
 def voltage_v(cells_mv: Sequence[int], more_mv: Sequence[int] = ()) -> float | None:
@@ -25,7 +25,7 @@ def voltage_v(cells_mv: Sequence[int], more_mv: Sequence[int] = ()) -> float | N
 
 
 def battery_status(content: Any, time_s: float) -> BatteryReport:
-    """BATTERY_STATUS's fields, heard at a session time in s."""
+    """BATTERY_STATUS's fields, received at a session time in s."""
     return BatteryReport(
         time_s=time_s,
         consumed_j=None if content.energy_consumed < 0 else HECTOJOULE * content.energy_consumed,
@@ -35,7 +35,7 @@ def battery_status(content: Any, time_s: float) -> BatteryReport:
 
 
 def sys_status(content: Any, time_s: float) -> BatteryReport:
-    """What SYS_STATUS says of the battery, heard at a session time in s."""
+    """SYS_STATUS's fields on the battery, received at a session time in s."""
     return BatteryReport(
         time_s=time_s,
         consumed_j=None,
@@ -55,7 +55,7 @@ def _share(percent: int) -> float | None:
 
 @dataclass(frozen=True, slots=True)
 class BatteryReport:
-    """What one message says of a battery at a session time; None: not told."""
+    """One message's report of a battery at a session time; None: not reported."""
 
     time_s: float
     consumed_j: float | None

@@ -37,6 +37,6 @@ class BootClock:
 
     @property
     def offset_s(self) -> float | None:
-        """What added to a boot time gives the session's; None before the first message."""
+        """Offset from boot time to the session's, s; None before the first message."""
         offset_s = min(self._least_s, self._least_before_s)
         return offset_s if math.isfinite(offset_s) else None

@@ -57,12 +57,12 @@ class Frame(NamedTuple):
 
     @property
     def payload(self) -> bytes:
-        """As it stood on the wire: trailing zeros may be cut."""
+        """Bytes as received: trailing zeros may be cut."""
         return self.raw[HEADER_BYTES : HEADER_BYTES + self.raw[1]]
 
 
 class Split(NamedTuple):
-    """What a datagram held. `malformed` counts runs of bytes that belong to no frame; `unknown` the frames among
+    """Content of a datagram. `malformed` counts runs of bytes that belong to no frame; `unknown` the frames among
     `frames` whose message id is not in the dialect, which no table can check or decode."""
 
     frames: list[Frame]
@@ -78,7 +78,7 @@ class Message(NamedTuple):
 
 
 class WireLayout(NamedTuple):
-    """How one message lies on the wire: the one table from which codec, recordings and exports read it; `record` is its
+    """Wire layout of one message: the one table from which codec, recordings and exports read it; `record` is its
     named tuple, fields in wire order."""
 
     msgid: int
@@ -89,7 +89,7 @@ class WireLayout(NamedTuple):
 
 
 class _Reader(NamedTuple):
-    """What decoding needs of a layout."""
+    """Part of a layout that decoding needs."""
 
     payload_bytes: int  # uncut
     wire: struct.Struct  # of a frame with such a payload, its header skipped, without CRC

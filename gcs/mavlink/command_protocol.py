@@ -2,7 +2,7 @@
 
 Rules:
 1. A target has one command of an id in flight; the next one of that id waits its turn, since their acknowledgements
-   cannot be told apart. Different ids do not wait for each other.
+   cannot be distinguished. Different ids do not wait for each other.
 2. Without an acknowledgement within `timeout_s` the command is sent again, COMMAND_LONG with its confirmation counted
    up, at most `retries` times; after one more `timeout_s` its outcome is `timeout`.
 3. IN_PROGRESS gives it `PROGRESS_S` more. Should the final acknowledgement then be lost, re-sending goes on by rule 2:
@@ -22,8 +22,8 @@ from pymavlink.dialects.v20 import common
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Message
 
-PILOT, OPERATOR = "pilot", "operator"
-"""How the tokens of commands begin: whose wish it is."""
+ARMING, OPERATOR = "pilot", "operator"
+"""First words of commands' tokens: the part of the supervisor that sends them."""
 
 TIMEOUT_S = 0.5
 RETRIES = 3
@@ -50,7 +50,7 @@ Outcome = Literal["accepted", "rejected", "timeout"]
 
 
 class CommandTarget(NamedTuple):
-    """Who is commanded; component 0 is every component of the system."""
+    """Addressee of a command; component 0 is every component of the system."""
 
     sysid: int
     compid: int
@@ -115,7 +115,7 @@ Command = CommandLong | CommandInt
 
 
 class CommandResult(NamedTuple):
-    """How a command ended: `result` is the MAV_RESULT, None after a time-out; `token` the sender's own mark."""
+    """Result of a command: `result` is the MAV_RESULT, None after a time-out; `token` the sender's own mark."""
 
     command: int
     target: CommandTarget
@@ -126,7 +126,7 @@ class CommandResult(NamedTuple):
 
 
 class Step(NamedTuple):
-    """What follows from an acknowledgement or from time: messages to send now, in order, and commands that ended."""
+    """Consequences of an acknowledgement or of time: messages to send now, in order, and commands that ended."""
 
     messages: list[Message]
     results: list[CommandResult]
@@ -186,7 +186,7 @@ class CommandQueue:
         return never_sent
 
     def on_ack(self, sysid: int, compid: int, ack: Any, now_s: float) -> Step:
-        """Take in COMMAND_ACK's fields from this sender; one to someone else, or of nothing in flight, is ignored."""
+        """Take in COMMAND_ACK's fields from this sender; one to another sender, or of nothing in flight, is ignored."""
         step = Step([], [])
         if ack.target_system not in (0, self.sysid) or ack.target_component not in (0, self.compid):
             return step
@@ -234,7 +234,7 @@ class CommandQueue:
 
 @dataclass(frozen=True)
 class CommandRequest:
-    """A command that someone in the ground station wants a vehicle to carry out; `token` comes back with its result."""
+    """A command that a part of the ground station sends to a vehicle; `token` comes back with its result."""
 
     sysid: int
     command: int

@@ -147,8 +147,8 @@ UNKNOWN: Mapping[tuple[str, str], float] = {
     ("LOGGING_DATA", "first_message_offset"): _U8,
     ("LOGGING_DATA_ACKED", "first_message_offset"): _U8,
 }
-"""What MAVLink's definitions say a field holds when it is not known (their attribute `invalid`), where that is a number
-that would pass for a measurement and the field has a unit. 0 is left as it is: it may be one."""
+"""Value that MAVLink's definitions give a field when it is not known (their attribute `invalid`), where that is a
+number that would pass for a measurement and the field has a unit. 0 is left as it is: it may be one."""
 
 _NED = {
     "LOCAL_POSITION_NED": "x y z vx vy vz",

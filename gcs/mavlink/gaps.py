@@ -20,8 +20,8 @@ IntArray = NDArray[np.int64]
 def after(missing: Any, newest: int, number: int) -> tuple[int, int]:
     """(newest number, change of the frames lost) after a frame of this number; `newest` -1 before the first.
 
-    missing: 256 flags of one sender, by number, changed in place. A number half a turn old can no longer be told from
-    a new one, and is missing no more.
+    missing: 256 flags of one sender, by number, changed in place. A number half a turn old can no longer be
+    distinguished from a new one, and is missing no more.
     """
     ahead = (number - newest) % NUMBERS
     if newest < 0:
@@ -86,7 +86,7 @@ class RecordedGaps:
         return lost, new
 
     def packed(self) -> tuple[IntArray, IntArray, IntArray, NDArray[np.uint8]]:
-        """How far it is, in little room: for `resumed`."""
+        """State of the counter, in little room: for `resumed`."""
         senders = np.flatnonzero(self._newest >= 0)
         return self._lost.copy(), senders, self._newest[senders], np.packbits(self._missing[senders], axis=1)
 

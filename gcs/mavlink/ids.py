@@ -18,4 +18,4 @@ AUTOPILOT = 1
 STATION = (255, 190)
 """This ground station, as supervisor, monitor and check; the component is MAV_COMP_ID_MISSIONPLANNER."""
 TRAFFIC = (255, 156)
-"""Who reports the scenario's traffic; the component is MAV_COMP_ID_ADSB."""
+"""Sender of the scenario's traffic; the component is MAV_COMP_ID_ADSB."""

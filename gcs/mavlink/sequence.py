@@ -27,7 +27,7 @@ class SequenceCounter:
     def __init__(self, first: int = 0) -> None:
         self._next = first % NUMBERS
 
-    def take(self) -> int:
+    def next(self) -> int:
         number = self._next
         self._next = (number + 1) % NUMBERS
         return number
@@ -56,7 +56,7 @@ class TickCollector:
 
     @property
     def held(self) -> int:
-        """How many frames of the unfinished tick have come: it grows when there is progress."""
+        """Number of frames of the unfinished tick received: it grows when there is progress."""
         return len(self._held)
 
     def begin(self, t_ms: int) -> None:
@@ -85,7 +85,7 @@ class TickCollector:
         self.complete = end is not None and all(map(held.__contains__, range(end + 1)))
         return self.complete
 
-    def take(self) -> list[Frame]:
+    def pop_frames(self) -> list[Frame]:
         """The tick's frames in the order of their numbers, SYSTEM_TIME last, each once.
 
         Raises RuntimeError when the tick is not complete.

@@ -24,7 +24,7 @@ Vec3 = tuple[float, float, float]
 
 @dataclass(frozen=True, slots=True)
 class SetPoint:
-    """Where one vehicle is to be at the tick's time and how fast it is to move on; common NED frame, m and m/s."""
+    """Position and velocity of one vehicle wanted at the tick's time; common NED frame, m and m/s."""
 
     sysid: int
     p_ned: Vec3

@@ -30,8 +30,9 @@ class Texts:
     def __init__(self) -> None:
         self._open: _Open | None = None
 
-    def hear(self, content: Any, time_s: float) -> list[tuple[int, str]]:
-        """Take STATUSTEXT's fields, heard at a session time; (severity, text) of each that is whole now."""
+    def add(self, content: Any, time_s: float) -> list[tuple[int, str]]:
+        """Take in STATUSTEXT's fields, received at a session time; (severity, text) of each text that is complete
+        now."""
         goes_on = self._open is not None and content.chunk_seq > 0 and content.id == self._open.text_id
         whole = [] if goes_on else self.give_up()
         before = self._open.text if self._open is not None else ""
@@ -45,16 +46,17 @@ class Texts:
 
     def give_up(self) -> list[tuple[int, str]]:
         """The text that waits, as far as it came."""
-        told = [] if self._open is None else [(self._open.severity, self._open.text.rstrip())]
+        texts = [] if self._open is None else [(self._open.severity, self._open.text.rstrip())]
         self._open = None
-        return told
+        return texts
 
 
 def recorded(messages: Iterable[tuple[float, Any]]) -> Iterator[tuple[float, int, str]]:
-    """(session time in s, severity, text) of one vehicle's texts, from its STATUSTEXTs and when they were heard."""
-    texts, heard_s = Texts(), 0.0
+    """(session time in s, severity, text) of one vehicle's texts, from its STATUSTEXTs and the times of their
+    reception."""
+    texts, received_s = Texts(), 0.0
     for time_s, content in messages:
-        yield from ((heard_s + PATIENCE_S, *told) for told in texts.overdue(time_s))
-        heard_s = time_s
-        yield from ((time_s, *told) for told in texts.hear(content, time_s))
-    yield from ((heard_s + PATIENCE_S, *told) for told in texts.give_up())
+        yield from ((received_s + PATIENCE_S, *text) for text in texts.overdue(time_s))
+        received_s = time_s
+        yield from ((time_s, *text) for text in texts.add(content, time_s))
+    yield from ((received_s + PATIENCE_S, *text) for text in texts.give_up())

@@ -6,7 +6,8 @@
    acknowledgement.
 3. Every CHECK_S what has come is counted: a message that does not come, or at less than half of its rate, is named
    once, and again when it comes. One that begins to come in the midst of a count is counted from there.
-4. Who says none of it, though he is heard, has forgotten that he was asked, and is asked again: he may have booted.
+4. A vehicle that sends none of it, though its HEARTBEAT comes, has forgotten the request and is asked again: it may
+   have booted.
 5. Where the local frame lies is asked for by MAV_CMD_REQUEST_MESSAGE until it is known, and now and then after: it may
    move. Who does not know that command may know MAV_CMD_GET_HOME_POSITION.
 """
@@ -23,8 +24,8 @@ from gcs.mavlink.codec import Message
 from gcs.mavlink.command_protocol import CommandLong, CommandTarget
 from gcs.mavlink.ids import AUTOPILOT
 
-QUIET_S = 5.0
-"""So long it has before it counts as quiet, and between two askings."""
+STALE_S = 5.0
+"""Time after which it counts as silent, and between two requests."""
 RATE_HZ = 4
 _TELEMETRY = frozenset(map(codec.msgid, ("GLOBAL_POSITION_INT", "LOCAL_POSITION_NED", "ATTITUDE", "SYS_STATUS")))
 
@@ -54,7 +55,7 @@ class Ask(NamedTuple):
 
 
 def needs(period_s: float) -> tuple[Need, ...]:
-    """What the supervisor reads of a vehicle, with a tick every `period_s`."""
+    """Messages that the supervisor reads of a vehicle, with a tick every `period_s`."""
     return (
         Need("LOCAL_POSITION_NED", min(1.0 / period_s, 10.0), mav.MAV_DATA_STREAM_POSITION),
         Need("ATTITUDE", 4.0, mav.MAV_DATA_STREAM_EXTRA1),
@@ -70,7 +71,7 @@ class StreamRequests:
     def __init__(self, sysid: int, wanted: Sequence[Need]) -> None:
         self._sysid = sysid
         self._needs = {codec.msgid(need.name): need for need in wanted}
-        self._told: dict[str, str] = {}
+        self._reported: dict[str, str] = {}
         self.restart()
 
     def restart(self) -> None:
@@ -87,9 +88,9 @@ class StreamRequests:
     @property
     def missing(self) -> tuple[str, ...]:
         """Messages that do not come, or too seldom, as of the last check."""
-        return tuple(sorted(self._told))
+        return tuple(sorted(self._reported))
 
-    def heard(self, msgid: int, now_s: float) -> None:
+    def received(self, msgid: int, now_s: float) -> None:
         """Count a message that has come."""
         if msgid in self._count:
             self._began_s.setdefault(msgid, now_s)
@@ -101,7 +102,7 @@ class StreamRequests:
         return token.startswith((_TOKEN, _ORIGIN))
 
     def answered(self, token: str, accepted: bool) -> list[Ask]:
-        """What became of a command; what is to be tried instead."""
+        """Take in a command's result; requests to try instead."""
         if accepted:
             return []
         if token.startswith(_TOKEN):
@@ -146,12 +147,12 @@ class StreamRequests:
                 found[need.name] = f"{need.name} comes at less than half of the {need.rate_hz:g} Hz asked for"
         if not any(self._count.values()):
             self._asked = False
-        news = [sentence for name, sentence in found.items() if self._told.get(name) != sentence]
-        news += [f"{name} comes as it should now" for name in self._told if name not in found]
-        self._told = found
+        notices = [sentence for name, sentence in found.items() if self._reported.get(name) != sentence]
+        notices += [f"{name} comes as it should now" for name in self._reported if name not in found]
+        self._reported = found
         self._count = dict.fromkeys(self._needs, 0)
         self._counted_since_s = now_s
-        return news
+        return notices
 
     def count_anew(self, now_s: float) -> None:
         """The vehicle says nothing at all: no message of it is missing more than another."""
@@ -189,20 +190,20 @@ class StreamRequests:
 
 
 class SilentVehicles:
-    """Who is heard, and whether more than that."""
+    """Vehicles that send only HEARTBEAT."""
 
     def __init__(self) -> None:
         self._due_s: dict[int, float] = {}
 
-    def heard(self, sysid: int, msgid: int, now_s: float) -> None:
+    def received(self, sysid: int, msgid: int, now_s: float) -> None:
         """Take note of a message of a vehicle."""
         if msgid in _TELEMETRY or sysid not in self._due_s:
-            self._due_s[sysid] = now_s + QUIET_S
+            self._due_s[sysid] = now_s + STALE_S
 
     def due(self, now_s: float) -> list[int]:
-        """Whose quiet is to be dealt with now, by system id: at first, and again every QUIET_S."""
+        """Silent vehicles to be asked now, by system id: at first, and again every STALE_S."""
         found = sorted(sysid for sysid, due_s in self._due_s.items() if now_s >= due_s)
-        self._due_s.update(dict.fromkeys(found, now_s + QUIET_S))
+        self._due_s.update(dict.fromkeys(found, now_s + STALE_S))
         return found
 
 

@@ -1,4 +1,4 @@
-"""MAVLink 1, as old autopilots, radio modems and many a script still send it: read, and told as MAVLink 2."""
+"""MAVLink 1, as old autopilots, radio modems and many a script still send it: read, and turned into MAVLink 2."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A planner of somebody's own for the pursuers; targets and tankers stay with the shipped one.
+"""A user's planner for the pursuers; targets and tankers stay with the shipped one.
 
     class Straight:
         def __init__(self, scenario): ...
@@ -23,7 +23,7 @@ from gcs.planner.safe_planner import SafePlanner
 from gcs.scenario import plugins
 from gcs.scenario.guard import Guard, Nonsense
 from gcs.scenario.model import Obstacle, Scenario
-from gcs.telemetry.state import FleetState, Vec3, VehicleView
+from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 
 FARTHEST = 1e5
 """m, and m/s: beyond every scenario."""
@@ -31,19 +31,19 @@ FARTHEST = 1e5
 
 @dataclass(frozen=True, slots=True)
 class Situation:
-    """What a planner may know beside the vehicle itself."""
+    """Inputs of a planner beside the vehicle itself."""
 
     time_s: float
     period_s: float
     """until it is asked again"""
-    snapshot: FleetState
-    """everyone, as their messages tell; also traffic"""
+    snapshot: FleetSnapshot
+    """all vehicles, as their messages report them; also traffic"""
     pursuing: Mapping[int, int]
     """the target's system id by the pursuer's"""
     obstacles: tuple[Obstacle, ...]
 
     def target(self, vehicle: VehicleView) -> VehicleView | None:
-        """What a vehicle pursues, once its place is known."""
+        """Target of a vehicle, once its place is known."""
         sysid = self.pursuing.get(vehicle.sysid)
         view = None if sysid is None else self.snapshot.vehicle(sysid)
         return view if view is not None and view.p_ned is not None else None
@@ -53,7 +53,7 @@ class PursuerPlanner(Protocol):
     """One-method protocol; made once, as CLASS(scenario), before anything flies: what takes long belongs there."""
 
     def plan(self, vehicle: VehicleView, situation: Situation) -> tuple[ArrayLike, ArrayLike]:
-        """Where `vehicle` is to be at situation.time_s (NED, m) and how fast it is to move on (NED, m/s)."""
+        """Position (NED, m) and velocity (NED, m/s) wanted of `vehicle` at situation.time_s."""
 
 
 class OwnPlanner:
@@ -74,8 +74,8 @@ class OwnPlanner:
         """The scenario's obstacles as the shipped planner's table."""
         return self._shipped.obstacles
 
-    def take_records(self) -> list[dict[str, Any]]:
-        """None: set points tell all."""
+    def pop_records(self) -> list[dict[str, Any]]:
+        """None: set points say all."""
         return []
 
     def margin_m(self, sysid: int) -> float | None:
@@ -83,7 +83,7 @@ class OwnPlanner:
         return None
 
     def anchor(self, sysid: int, p_ned: Vec3) -> None:
-        """As `Planner.anchor`; a planner of a user's own keeps its points."""
+        """As `Planner.anchor`; a user's planner keeps its points."""
         self._shipped.anchor(sysid, p_ned)
 
     def plan(self, request: PlanRequest) -> list[SetPoint]:

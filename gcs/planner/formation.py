@@ -1,4 +1,4 @@
-"""Where each pursuer belongs around its moving target: slots on a ring, one each, and the way there [choice]."""
+"""Places of pursuers around their moving target: slots on a ring, one each, and the way there [choice]."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def assign(positions_ned: Mapping[int, Vec3], slots_ned: NDArray[np.float64]) ->
     return {sysids[row]: int(column) for row, column in zip(rows, columns, strict=True)}
 
 
-class Path:
+class ConstantSpeedPath:
     """A polyline flown at constant speed; an open one ends at its last point, a closed one goes round `laps` times."""
 
     def __init__(self, points_ned: Sequence[Vec3], *, closed: bool, laps: int) -> None:

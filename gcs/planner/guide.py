@@ -73,7 +73,7 @@ class Aims(NamedTuple):
 
 
 class _Routes(NamedTuple):
-    """What is kept of each vehicle, one row each."""
+    """State kept of each vehicle, one row each."""
 
     points: FloatArray  # (rows, MOST_POINTS, 3)
     legs: FloatArray  # (rows, MOST_POINTS): what the leg to each point keeps
@@ -103,7 +103,7 @@ class RouteFollower:
         self._kept.searched_from[:] = _NEVER
 
     def route(self, sysid: int) -> FloatArray:
-        """What lies before a vehicle on its route (k, 3), for display; empty where it flies straight."""
+        """Rest of a vehicle's route (k, 3), for display; empty where it flies straight."""
         if sysid not in self._rows:
             return np.zeros((0, 3))
         row = self._rows[sysid]

@@ -53,7 +53,7 @@ def advance(
     moving (m2, 3) m, radii_m (m2,) or one for all, ranges_m (m2,): points or spheres that stand for vehicles and
     traffic, and how far from their surfaces they repel; held where they are for the period
     (widen their ranges for the age of their report). owner (m2,): the leader that each one is, which it does not repel;
-    -1 for nobody's. exempt (n, m2): True where a leader is not repelled, as by its target or its partner in a transfer.
+    -1 for none. exempt (n, m2): True where a leader is not repelled, as by its target or its partner in a transfer.
     speed_m_s: (n,), or one for all, >= 0. escape: whether the fuzzy escape helps out of local minima.
     attractors (m3, 3) m, attraction_ranges_m (m3,): points beside the goal that draw a leader within their range
     (paper eq. 10), held where they are for the period. drawn (n, m3): whom they draw, everyone without it.
@@ -122,7 +122,7 @@ def _array(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
         array = array.reshape(0, *shape[1:])
     if array.ndim != len(shape) or any(want not in (-1, have) for want, have in zip(shape, array.shape, strict=True)):
         raise ValueError(f"{name} has shape {array.shape}; it must be {shape}, -1 standing for any number")
-    # A sum is finite where all are, unless it overflows: that and a fault are then told apart.
+    # A sum is finite where all are, unless it overflows: that and a fault are then distinguished.
     if not math.isfinite(array.sum()) and not np.isfinite(array).all():
         row = int(np.argwhere(~np.isfinite(array))[0][0])
         raise ValueError(f"{name} holds a value that is not finite in row {row}; leave that row out or mend its data")

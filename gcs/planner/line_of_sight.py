@@ -32,7 +32,7 @@ _LEAST_BIN_M = 1.0
 
 
 class Sight(NamedTuple):
-    """The obstacle table with its bins; `reach_m` is the greatest clearance that can be told."""
+    """The obstacle table with its bins; `reach_m` is the greatest clearance that can be measured."""
 
     table: FloatArray
     first: IntArray

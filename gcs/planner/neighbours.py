@@ -43,7 +43,7 @@ def within_range(
 
 
 def _extent_m(table: FloatArray) -> FloatArray:
-    """How far each shape reaches from its centre (m,), m."""
+    """Reach of each shape from its centre (m,), m."""
     kind = table[:, KIND]
     box = np.linalg.norm(table[:, SIZE_1 : SIZE_3 + 1], axis=1)
     cylinder = np.hypot(table[:, SIZE_1], table[:, SIZE_2])

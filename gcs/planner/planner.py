@@ -25,7 +25,7 @@ from gcs.planner.request import PlanRequest
 from gcs.planner.route import Router
 from gcs.scenario import geometry
 from gcs.scenario.model import Scenario, Tanker, Target
-from gcs.telemetry.state import FleetState, Vec3, VehicleView
+from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 
 LOOKAHEAD_S = 0.37
 CATCH_UP_SPEED = 1.3
@@ -36,13 +36,16 @@ LEAST_MARGIN_M = 0.1
 """No leader of a vehicle that has a ground goes lower than this above it: only landing does."""
 BRAKE_SHARE = 0.4
 """Of the acceleration of leaders, with which they are to stop at their goals; the rest is for giving way."""
+SAFE_RANGE_SHARE = 0.5
+"""[choice] Of the range in which vehicles repel each other, where the safety filter keeps them apart: at all of it
+those who hover in a tight row push each other to and fro."""
 ROLES = ("target", "pursuer", "tanker")
 NEAR_GOAL_M = 2.0
 """A route shorter than this is flown with the velocity of its goal."""
 OFF_PLAN_M = 1.0
 """A vehicle farther than this from its plan is met where it flies, not where it is planned."""
 GROUND_ROUNDING_M = 0.1
-"""So much a home may differ from height 0 by the wire's rounding alone."""
+"""Difference of a home from height 0 that the wire's rounding alone can cause."""
 STILL: Vec3 = (0.0, 0.0, 0.0)
 
 
@@ -76,7 +79,7 @@ class Planner:
         self._v: dict[int, Vec3] = {}
         self._memory: dict[int, NDArray[np.float64]] = {}
         self._paths = {
-            target.sysid: formation.Path(target.path_m, closed=target.closed, laps=target.laps)
+            target.sysid: formation.ConstantSpeedPath(target.path_m, closed=target.closed, laps=target.laps)
             for target in scenario.vehicles.targets
         }
         self._begin: dict[int, Vec3] = {}
@@ -116,8 +119,8 @@ class Planner:
                 self._move(snapshot, led, wanted, request.partners, period_s)
         return [SetPoint(view.sysid, self._begin[view.sysid], self._v[view.sysid]) for view in views]
 
-    def take_records(self) -> list[dict[str, Any]]:
-        """None: set points tell all."""
+    def pop_records(self) -> list[dict[str, Any]]:
+        """None: set points say all."""
         return []
 
     def _guided(self, views: list[VehicleView], wanted: list[_Wanted]) -> list[_Wanted]:
@@ -145,7 +148,7 @@ class Planner:
 
     def _move(
         self,
-        snapshot: FleetState,
+        snapshot: FleetSnapshot,
         views: list[VehicleView],
         wanted: list[_Wanted],
         partners: Iterable[tuple[int, int]],
@@ -204,7 +207,7 @@ class Planner:
         wants |= {sysid: _Wanted(place, STILL, cruise_m_s) for sysid, place in self._stations.items()}
         return [wants.get(view.sysid, _Wanted(_vec(self._q[view.sysid]), STILL, cruise_m_s)) for view in views]
 
-    def _station(self, tanker: Tanker, snapshot: FleetState, receiver: int | None) -> _Wanted:
+    def _station(self, tanker: Tanker, snapshot: FleetSnapshot, receiver: int | None) -> _Wanted:
         """Above its receiver, or where it waits."""
         if receiver is None:
             n, e, d = tanker.start_m
@@ -236,10 +239,10 @@ class Planner:
             return _Wanted(here, STILL, 0.0)
         return _Wanted(course[0], STILL, self._scenario.planner.cruise_m_s)
 
-    def _formation(self, snapshot: FleetState) -> dict[int, _Wanted]:
+    def _formation(self, snapshot: FleetSnapshot) -> dict[int, _Wanted]:
         """Each pursuer's slot around its target, assigned anew when the set of pursuers in the air changes.
 
-        A target that is dead, silent, or not steered (it may be landing) leads nobody: its pursuers hold.
+        A target that is dead, silent, or not steered (it may be landing) leads no one: its pursuers hold.
         """
         rules = self._scenario.formation
         wants = {}
@@ -273,7 +276,7 @@ class Planner:
         return flown, view.v_ned
 
     def _attractors(
-        self, snapshot: FleetState, views: list[VehicleView]
+        self, snapshot: FleetSnapshot, views: list[VehicleView]
     ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.bool_]]:
         """Places and ranges of what draws pursuers beside their goals, and whom each one draws."""
         default_m = self._scenario.planner.attraction_range_m
@@ -286,7 +289,7 @@ class Planner:
         return table[:, :3], table[:, 3], np.repeat(pursuers[:, np.newaxis], len(table), axis=1)
 
     def _movers(
-        self, snapshot: FleetState, views: list[VehicleView], others: list[VehicleView]
+        self, snapshot: FleetSnapshot, views: list[VehicleView], others: list[VehicleView]
     ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], NDArray[np.int64]]:
         """Places, radii, ranges and owners of everything that moves and repels: vehicles in the air, then traffic.
 
@@ -302,6 +305,8 @@ class Planner:
             speeds.append(math.hypot(*aircraft.v_ned))
             ages.append(aircraft.age_s + self._scenario.clock.period_s)
         ranges = widened_range(self._field.repulsion_range_m, np.array(speeds), np.array(ages))
+        if self._scenario.planner.safety:
+            ranges = SAFE_RANGE_SHARE * ranges
         owner = np.array([rows.get(view.sysid, -1) for view in others] + [-1] * len(snapshot.traffic), dtype=np.int64)
         aircraft_m = self._scenario.planner.separation_m if self._scenario.planner.safety else 0.0
         radii = np.array([self._radius_m(view) for view in others] + [aircraft_m] * len(snapshot.traffic))
@@ -315,12 +320,13 @@ class Planner:
 
     def _exempt(
         self,
-        snapshot: FleetState,
+        snapshot: FleetSnapshot,
         views: list[VehicleView],
         others: list[VehicleView],
         partners: Iterable[tuple[int, int]],
     ) -> NDArray[np.bool_]:
-        """Whom each leader need not keep away from: partners of a transfer; whom it pursues; what attracts it."""
+        """Vehicles that each leader need not keep away from: partners of a transfer; whom it pursues; what attracts
+        it."""
         exempt = np.zeros((len(views), len(others) + len(snapshot.traffic)), dtype=bool)
         of_view, of_other = np.array([view.role for view in views]), np.array([other.role for other in others])
         flying = exempt[:, : len(others)]

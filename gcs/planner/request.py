@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcs.mavlink.setpoints import SetPoint
-from gcs.telemetry.state import FleetState, Vec3
+from gcs.telemetry.state import FleetSnapshot, Vec3
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,7 +23,7 @@ class PlanRequest:
     each pursues its own. stations: vehicles that are to be at a place instead.
     """
 
-    snapshot: FleetState
+    snapshot: FleetSnapshot
     steered: frozenset[int]
     period_s: float
     targets_move: bool = True
@@ -43,8 +43,8 @@ class TickPlanner(Protocol):
     def plan(self, request: PlanRequest) -> list[SetPoint]:
         """Set points for the steered vehicles whose place is known, in order of system id, at the snapshot's time."""
 
-    def take_records(self) -> list[dict[str, Any]]:
-        """Decisions since the last call that the set points do not tell."""
+    def pop_records(self) -> list[dict[str, Any]]:
+        """Decisions since the last call that the set points do not show."""
 
     def margin_m(self, sysid: int) -> float | None:
         """Distance that is added for a vehicle's tracking error; None without the safety filter."""

@@ -188,7 +188,8 @@ class Router:
         return list(found.values())
 
     def _clipped(self, p_ned: FloatArray, other_ned: FloatArray) -> FloatArray:
-        """Where the line from a place to another enters the region; the place itself, or nearest to it, without."""
+        """Point where the line from a place to another enters the region; the place itself, or nearest to it,
+        without."""
         grid = self.grid
         low = np.array(grid.low_ned) + grid.cell_m
         high = low + (np.array([grid.count_n, grid.count_e, grid.count_d]) - 3) * grid.cell_m

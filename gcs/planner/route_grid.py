@@ -347,7 +347,7 @@ def _descend(grid: Cells, cost: Costs, start: int, goal: int) -> IntArray:
 
 @njit(cache=True)
 def nearest_in_part(grid: Cells, part: int, dearest: int, p_ned: FloatArray) -> int:
-    """Kernel: the cell of a part, no dearer than told, whose centre is nearest to a place; -1 where none is."""
+    """Kernel: the cell of a part, no dearer than given, whose centre is nearest to a place; -1 where none is."""
     counts = np.array([grid.count_n, grid.count_e, grid.count_d])
     at = np.empty(3)
     for axis in range(3):

@@ -3,7 +3,7 @@
 Each steered vehicle has a leader that obeys limits of speed and acceleration. The planner proposes where it goes, the
 safety filter (safety_filter.py) has the last word, and the vehicle is sent the leader's place and mean velocity. Then
 the planner goes on from where the leader is. Leaders of all roles are filtered together, so they give way to each
-other; traffic, vehicles that nobody steers and silent ones do not, and are looked at where they will be when the
+other; traffic, vehicles that are not steered and silent ones do not, and are looked at where they will be when the
 vehicles have followed their leaders.
 """
 
@@ -40,17 +40,19 @@ SLOWEST_M_S = 1.0
 ABLE_SHARE, USUAL_M_S2, USUAL_TILT_DEG, GRAVITY_M_S2 = 0.8, 5.0, 35.0, 9.8
 """Of what a launched vehicle can by MPC_ACC_HOR and MPC_TILTMAX_AIR: at all of it corners err by half a metre."""
 EXTERNAL_M_S2 = 2.0
-"""Autopilots that somebody else tuned follow leaders of no more acceleration."""
+"""Autopilots that others have tuned follow leaders of no more acceleration."""
 SILENT_S = 1.0
 DRIFT_M_S2 = 1.0
-"""What moves otherwise than it told: its place is unknown by half of this times its age squared."""
+"""Acceleration of whatever moves otherwise than it reported: its place is unknown by half of this times its age
+squared."""
 MOST_DRIFT_M = 1.5
 MOST_GROWTH_M_S = 1.0
 PARTNERS_SHARE = 0.5
 """Of the height in which a tanker stands: so near may partners of a transfer come."""
 ACTS_M_S2 = 1.0
-"""A change of a wish by so much is an intervention to be recorded, once in QUIET_S for each vehicle and cause."""
-QUIET_S = 2.0
+"""A change of a wanted velocity by so much is an intervention to be recorded, once in QUIET_S for each vehicle and
+cause."""
+REPEAT_AFTER_S = 2.0
 
 
 @dataclass(slots=True)
@@ -61,7 +63,7 @@ class _Leader:
 
 @dataclass(frozen=True, slots=True)
 class _Other:
-    """Somebody who gives no way; `owner`: a vehicle that is led but silent, and need not keep away from itself."""
+    """A vehicle that gives no way; `owner`: a vehicle that is led but silent, and need not keep away from itself."""
 
     name: str
     owner: int | None
@@ -101,7 +103,7 @@ class SafePlanner:
         self._failsafes = {
             v.sysid: (v.start_m, _failsafe(v.params)) for v in scenario.vehicles.all if v.external is None
         }
-        self._told_s: dict[tuple[int, str], float] = {}
+        self._reported_s: dict[tuple[int, str], float] = {}
         self._records: list[dict[str, Any]] = []
 
     @property
@@ -110,17 +112,17 @@ class SafePlanner:
         return self._planner.obstacles
 
     def margin_m(self, sysid: int) -> float:
-        """What is added to the separation for a vehicle's tracking error."""
+        """Margin added to the separation for a vehicle's tracking error."""
         error_m = float(self.tracking.error_m[self.tracking.row[sysid]])
         return min(max(error_m + SPARE_M, LEAST_MARGIN_M), MOST_MARGIN_M)
 
-    def take_records(self) -> list[dict[str, Any]]:
+    def pop_records(self) -> list[dict[str, Any]]:
         """Interventions of the filter since the last call, as decisions."""
         taken, self._records = self._records, []
         return taken
 
     def anchor(self, sysid: int, p_ned: Vec3) -> None:
-        """As the planner's."""
+        """Same as the planner's."""
         self._planner.anchor(sysid, p_ned)
 
     def plan(self, request: PlanRequest) -> list[SetPoint]:
@@ -192,9 +194,9 @@ class SafePlanner:
         p = np.array([self._leaders[sysid].p_ned for sysid in ids])
         v = np.array([self._leaders[sysid].v_ned for sysid in ids])
         planned = np.array([point.v_ned for point in points])
-        wish = planned + (np.array([point.p_ned for point in points]) - p) / SETTLE_S
+        wanted_ned = planned + (np.array([point.p_ned for point in points]) - p) / SETTLE_S
         silent = np.array([views[sysid].age_s > SILENT_S for sysid in ids])
-        wish[silent] = 0.0
+        wanted_ned[silent] = 0.0
         speeds = np.array([max(self._speed_m_s[sysid], SLOWEST_M_S) for sysid in ids])
         fence = np.full((len(ids), 3), np.inf)
         fence[:, 2] = [floor_d(views[sysid]) if sysid in self._grounded else math.inf for sysid in ids]
@@ -208,7 +210,7 @@ class SafePlanner:
                 margin_m=[self.margin_m(sysid) for sysid in ids],
                 high_ned=fence,
             ),
-            wish,
+            wanted_ned,
             rules=FilterSettings(request.period_s, rules.separation_m, rules.clearance_m),
             others=_table(others),
             obstacles=self._planner.obstacles,
@@ -218,12 +220,12 @@ class SafePlanner:
         )
 
     def _partners(self, request: PlanRequest) -> list[tuple[int, int, float]]:
-        """How near the partners of a transfer may come, by pair."""
+        """Least distance of partners of a transfer, by pair."""
         near_m, separation_m = PARTNERS_SHARE * self._scenario.refuelling.height_m, self._scenario.planner.separation_m
         return [(a, b, min(near_m, separation_m + self.margin_m(a) + self.margin_m(b))) for a, b in request.partners]
 
     def _others(self, request: PlanRequest, led: set[int]) -> list[_Other]:
-        """Who gives no way, where it will be when vehicles fly where their leaders are now."""
+        """Vehicles that give no way, where they will be when vehicles fly where their leaders are now."""
         rules, others = self._scenario.planner, []
         for view in request.snapshot.vehicles:
             silent = view.age_s > SILENT_S
@@ -246,9 +248,10 @@ class SafePlanner:
         return others
 
     def _place(self, view: VehicleView) -> Vec3 | None:
-        """Where anybody is who is not on the ground, whether or not his arming has been heard of; None on the ground.
+        """Place of a vehicle that is not on the ground, whether or not its arming has been reported; None on the
+        ground.
 
-        Launched vehicles have the scenario's origin and start, so that their place is known before they tell it.
+        Launched vehicles have the scenario's origin and start, so that their place is known before they report it.
         """
         if not view.alive:
             return None
@@ -262,9 +265,9 @@ class SafePlanner:
         for row in np.flatnonzero(filtered.changed_m_s2 > ACTS_M_S2):
             sysid = points[row].sysid
             by = self._named(int(filtered.binding_kind[row]), int(filtered.binding[row]), points, others)
-            if now_s < self._told_s.get((sysid, by), -math.inf) + QUIET_S:
+            if now_s < self._reported_s.get((sysid, by), -math.inf) + REPEAT_AFTER_S:
                 continue
-            self._told_s[sysid, by] = now_s
+            self._reported_s[sysid, by] = now_s
             change = round(float(filtered.changed_m_s2[row]), 3)
             braked = bool(filtered.checked[row] == 3)
             self._records.append(
@@ -272,7 +275,7 @@ class SafePlanner:
             )
 
     def _named(self, kind: int, index: int, points: list[SetPoint], others: list[_Other]) -> str:
-        """What bound the filter, for a person."""
+        """Constraint that bound the filter, for a person."""
         if KINDS[kind] == "vehicle":
             return f"vehicle {points[index].sysid}"
         if KINDS[kind] == "other":
@@ -284,7 +287,7 @@ class SafePlanner:
 
 
 def _acceleration_m_s2(scenario: Scenario, vehicle: VehicleBase) -> float:
-    """What a vehicle's leader may accelerate: less than the vehicle can, as far as that is known."""
+    """Acceleration limit of a vehicle's leader: less than the vehicle can, as far as that is known."""
     most_m_s2 = scenario.planner.acceleration_m_s2
     if vehicle.external is not None:
         return min(most_m_s2, EXTERNAL_M_S2)

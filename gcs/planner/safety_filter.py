@@ -1,4 +1,4 @@
-"""Safety filter: the accelerations nearest to the wanted ones with which nobody comes too near to anything.
+"""Safety filter: the accelerations nearest to the wanted ones that keep every clearance.
 
 The filter owns the double integrator of every virtual leader. A period T with acceleration u takes it to
 
@@ -9,17 +9,17 @@ the braking after it of all vehicles concerned. With u_b the braking of everybod
 
     m(p, v, u) >= min(D, m(p, v, u_b))   for every constraint, in every period                                    (2)
 
-is kept whatever is wished, for u_b itself satisfies it and is always left as the last resort. Since braking does not
+is kept whatever is wanted, for u_b itself satisfies it and is always left as the last resort. Since braking does not
 lower m, min(D, m) never falls from period to period: who starts apart stays apart for ever, and who is too near does
 not come nearer. What others do is assumed (straight on, within a radius that may grow) and looked at for `horizon_s`.
 
-Each period: (a) the wish, turned a little to the right and up or down by id where it cannot be had, so that nobody
-stands face to face [choice]; (b) the nearest accelerations of all vehicles together that satisfy m >= D, m made linear
-at the last result, by Hildreth's and Dykstra's projections in a fixed order and number; (c) every constraint checked
-as it is, not linear: who is concerned where (2) fails goes a step towards its braking, until (2) holds everywhere.
-[lineage] of (b): Wang, Ames, Egerstedt, Safety barrier certificates for collisions-free multirobot systems, IEEE T-RO
-33(3), 2017, with brakes along the velocity, not along the line of sight, so that all can brake at once [choice]. Who
-fell back in (c) is given the most that the others' accelerations leave it, one vehicle after the other.
+Each period: (a) the wanted velocity, turned a little to the right and up or down by id where it cannot be had, so that
+none stand face to face [choice]; (b) the nearest accelerations of all vehicles together that satisfy m >= D, m made
+linear at the last result, by Hildreth's and Dykstra's projections in a fixed order and number; (c) every constraint
+checked as it is, not linear: who is concerned where (2) fails goes a step towards its braking, until (2) holds
+everywhere. [lineage] of (b): Wang, Ames, Egerstedt, Safety barrier certificates for collisions-free multirobot systems,
+IEEE T-RO 33(3), 2017, with brakes along the velocity, not along the line of sight, so that all can brake at once
+[choice]. Who fell back in (c) is given the most that the others' accelerations leave it, one vehicle after the other.
 
 Frames NED, SI units, no state and no clock. Vehicles are taken in order of id, so that their order does not matter.
 """
@@ -53,7 +53,7 @@ class FilterSettings:
     period_s: from one call to the next. separation_m: wanted between two vehicles, centre to centre, without margins.
     clearance_m: wanted to obstacles' surfaces, without margin. brake_share: of a_max, that brakes may count on.
     horizon_s: how far others are looked at. buffer_m: kept above D where there is room, so that (c) seldom acts.
-    recover_m_s: how fast those that are too near part. turn_rad, climb_rad: of a wish that cannot be had.
+    recover_m_s: how fast those that are too near part. turn_rad, climb_rad: of a wanted velocity that cannot be had.
     rounds: of making linear, at most; sweeps: of projections in each.
     """
 
@@ -101,7 +101,8 @@ class Leaders:
 
 @dataclass(frozen=True)
 class Others:
-    """Who gives no way, m of them: traffic, and vehicles that are not steered by this filter, extrapolated to now.
+    """Vehicles that give no way, m of them: traffic, and vehicles that are not steered by this filter, extrapolated to
+    now.
 
     p_ned, v_ned (m, 3); radius_m (m,): distance to be kept now, separation and uncertainty by age included, margins of
     our vehicles not; growth_m_s (m,): how fast that grows on within the horizon.
@@ -115,7 +116,7 @@ class Others:
 
 @dataclass(frozen=True)
 class Filtered:
-    """u_ned, p_next_ned, v_next_ned (n, 3); changed_m_s2 (n,): how far u is from the wish within limits.
+    """u_ned, p_next_ned, v_next_ned (n, 3); changed_m_s2 (n,): how far u is from the wanted one within limits.
 
     binding_kind, binding (n,): index into KINDS and what in it most changed u (index of the vehicle, the other, the
     obstacle, the wall), 0 and -1 where nothing did. checked (n,): 0 as projected, 1 and 2 nearer to braking, 3 braking.
@@ -157,7 +158,7 @@ def filter_step(
     back = np.argsort(order, kind="stable")
     p = _array("p_ned", vehicles.p_ned, (n, 3))[order]
     v = _array("v_ned", vehicles.v_ned, (n, 3))[order]
-    wish = _array("v_wanted_ned", v_wanted_ned, (n, 3))[order]
+    wanted = _array("v_wanted_ned", v_wanted_ned, (n, 3))[order]
     v_max = _array("v_max_m_s", vehicles.v_max_m_s, (n,), least=1e-6)[order]
     a_max = _array("a_max_m_s2", vehicles.a_max_m_s2, (n,), least=1e-6)[order]
     margin = _array("margin_m", vehicles.margin_m, (n,), least=0.0)[order]
@@ -186,7 +187,7 @@ def filter_step(
     ]
     constraints = np.concatenate(rows)
     u, changed, kind, binding, checked = solve(
-        p, v, wish, v_max, a_max, brake, ids[order], np.ascontiguousarray(constraints[:, :3], dtype=np.int64),
+        p, v, wanted, v_max, a_max, brake, ids[order], np.ascontiguousarray(constraints[:, :3], dtype=np.int64),
         np.ascontiguousarray(constraints[:, 3]), moving, table, walls[order], rules.period_s, rules.horizon_s,
         rules.buffer_m, rules.recover_m_s, rules.turn_rad, rules.climb_rad, rules.rounds, rules.sweeps,
     )  # fmt: skip
@@ -216,7 +217,7 @@ def _array(name: str, value: ArrayLike, shape: tuple[int, ...], least: float | N
 def _special(
     rows: ArrayLike, ids: IntArray, seconds: IntArray, order: IntArray, back: IntArray | None
 ) -> dict[tuple[int, int], float]:
-    """Required distances of single pairs by their rows in order of id; pairs with somebody absent are passed over."""
+    """Required distances of single pairs by their rows in order of id; pairs with an absent vehicle are passed over."""
     given = np.asarray(rows, dtype=np.float64).reshape(-1, 3)
     if not np.isfinite(given).all() or (given[:, 2] < 0).any():
         raise ValueError("required distances must be rows of two numbers that name a pair and a length of at least 0 m")

@@ -1,4 +1,5 @@
-"""Kernels of the safety filter: projection of all wishes together, and the check that makes the guarantee.
+"""Kernels of the safety filter: projection of all wanted accelerations together, and the check that makes the
+guarantee.
 
 Everything runs in the order of the rows that are given and a fixed number of times, so equal inputs give equal bits.
 A constraint is a row (kind, vehicle, with what) and its required distance D; safety_filter.py has the equations.
@@ -36,24 +37,24 @@ _BLENDS = np.array([1.0, 0.5, 0.2, 0.0])  # shares of the projected acceleration
 _ACTIVE_M = 0.25
 _REPAIRS = 4
 _FEWEST_ROUNDS = 2
-_SOFT_M = 0.1  # above the distance aimed at: there the turn of a wish begins
+_SOFT_M = 0.1  # above the distance aimed at: there the turn of a wanted velocity begins
 
 
 @njit(error_model="numpy")
-def _turned(wish: FloatArray, ids: IntArray, share: FloatArray, turn: float, climb: float) -> FloatArray:
+def _turned(wanted: FloatArray, ids: IntArray, share: FloatArray, turn: float, climb: float) -> FloatArray:
     """Wanted velocities turned to the right by turn share and raised by up to climb share, differently for each id."""
-    out = wish.copy()
-    for i in range(len(wish)):
+    out = wanted.copy()
+    for i in range(len(wanted)):
         if share[i] > 0.0:
             cos, sin = math.cos(turn * share[i]), math.sin(turn * share[i])
             part = (ids[i] * GOLDEN) % 1.0
-            # A wish straight up or down has no right side, so one is chosen by id.
-            right_n = abs(wish[i, 2]) * math.cos(2.0 * math.pi * part) - wish[i, 1]
-            right_e = abs(wish[i, 2]) * math.sin(2.0 * math.pi * part) + wish[i, 0]
-            out[i, 0] = cos * wish[i, 0] + sin * right_n
-            out[i, 1] = cos * wish[i, 1] + sin * right_e
-            speed = math.sqrt(wish[i, 0] ** 2 + wish[i, 1] ** 2)
-            out[i, 2] = wish[i, 2] + (2.0 * part - 1.0) * math.tan(climb * share[i]) * speed
+            # A wanted velocity straight up or down has no right side, so one is chosen by id.
+            right_n = abs(wanted[i, 2]) * math.cos(2.0 * math.pi * part) - wanted[i, 1]
+            right_e = abs(wanted[i, 2]) * math.sin(2.0 * math.pi * part) + wanted[i, 0]
+            out[i, 0] = cos * wanted[i, 0] + sin * right_n
+            out[i, 1] = cos * wanted[i, 1] + sin * right_e
+            speed = math.sqrt(wanted[i, 0] ** 2 + wanted[i, 1] ** 2)
+            out[i, 2] = wanted[i, 2] + (2.0 * part - 1.0) * math.tan(climb * share[i]) * speed
     return out
 
 
@@ -126,7 +127,7 @@ def _check(
     """Take vehicles towards braking until every constraint keeps its least clearance; writes u (module docstring).
 
     All of a pass are judged by the same accelerations, so their order does not matter. Every pass but the last one
-    lowers somebody's share, and shares end at 0, full braking, which needs no proof: so it ends.
+    lowers a vehicle's share, and shares end at 0, full braking, which needs no proof: so it ends.
     """
     n = len(u)
     wanted = u.copy()
@@ -211,23 +212,24 @@ def _restore(
 
 @njit(error_model="numpy")
 def _solve(
-    p: FloatArray, v: FloatArray, wish: FloatArray, v_max: FloatArray, a_max: FloatArray, brake: FloatArray,
+    p: FloatArray, v: FloatArray, wanted: FloatArray, v_max: FloatArray, a_max: FloatArray, brake: FloatArray,
     ids: IntArray, rows: IntArray, required: FloatArray, others: FloatArray, table: FloatArray, walls: FloatArray,
     dt: float, horizon: float, buffer: float, recover: float, turn: float, climb: float, rounds: int, sweeps: int,
 ) -> tuple[FloatArray, FloatArray, IntArray, IntArray, IntArray]:  # fmt: skip
-    """Accelerations (n, 3), their change from the wish, what bound them, and how far the check had to go, (n,) each."""
+    """Accelerations (n, 3), their change from the wanted ones, what bound them, and how far the check had to go, (n,)
+    each."""
     n, m = len(p), len(rows)
     u_b, v_top = np.empty((n, 3)), np.empty(n)
     for i in range(n):
         u_b[i, 0], u_b[i, 1], u_b[i, 2] = braking(v[i, 0], v[i, 1], v[i, 2], brake[i], dt)
         speed = math.sqrt(v[i, 0] ** 2 + v[i, 1] ** 2 + v[i, 2] ** 2)
         v_top[i] = max(v_max[i], speed - brake[i] * dt)
-    plain, all_live = (wish - v) / dt, np.ones(n, dtype=np.bool_)
+    plain, all_live = (wanted - v) / dt, np.ones(n, dtype=np.bool_)
     within_limits(plain, all_live, v, u_b, a_max, v_top, dt)
     u = plain.copy()
     target, least = np.empty(m), np.empty(m)
     share, still, cause = np.zeros(n), np.zeros((n, 3)), np.full(n, -1)
-    full = wish.copy()  # the wish, no faster than allowed
+    full = wanted.copy()  # the wanted velocity, no faster than allowed
     for i in range(n):
         into_ball(full, i, 0.0, 0.0, 0.0, v_max[i])
     for c in range(m):
@@ -243,7 +245,8 @@ def _solve(
         enough = target[c] + _SOFT_M
         _, after, _, _, _, _ = clearance_of(rows, c, enough, p, v, u, brake, others, table, walls, dt, horizon)
         if after < enough:
-            # How far the wish cannot be had is seen where it is flown already: who stands has turned as much.
+            # How far the wanted velocity cannot be had is seen where it is flown already: who stands has turned as
+            # much.
             gate = min((enough - after) / _SOFT_M, 1.0)
             _, after, _, _, _, _ = clearance_of(
                 rows, c, target[c], p, full, still, brake, others, table, walls, dt, horizon
@@ -335,13 +338,13 @@ def _compiled(build: int) -> Callable[..., Any]:
 
     @njit(cache=True)
     def solve(
-        p: FloatArray, v: FloatArray, wish: FloatArray, v_max: FloatArray, a_max: FloatArray, brake: FloatArray,
+        p: FloatArray, v: FloatArray, wanted: FloatArray, v_max: FloatArray, a_max: FloatArray, brake: FloatArray,
         ids: IntArray, rows: IntArray, required: FloatArray, others: FloatArray, table: FloatArray, walls: FloatArray,
         dt: float, horizon: float, buffer: float, recover: float, turn: float, climb: float, rounds: int, sweeps: int,
     ) -> tuple[FloatArray, FloatArray, IntArray, IntArray, IntArray]:  # fmt: skip
         _ = build
         return _solve(
-            p, v, wish, v_max, a_max, brake, ids, rows, required, others, table, walls, dt, horizon, buffer, recover,
+            p, v, wanted, v_max, a_max, brake, ids, rows, required, others, table, walls, dt, horizon, buffer, recover,
             turn, climb, rounds, sweeps,
         )  # fmt: skip
 

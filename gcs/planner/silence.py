@@ -1,4 +1,4 @@
-"""Presumed places of a vehicle that is not heard any more [choice].
+"""Presumed places of a vehicle whose telemetry is lost [choice].
 
 Our vehicles and most autopilots do the same when nothing reaches them: they hold when set points stay away, and return
 home when the ground station does: up to a height, straight to above their home, and down. When that begins is uncertain
@@ -16,11 +16,11 @@ from gcs.telemetry.state import Vec3
 STEP_M = 0.7
 """Between two presumed places: their spheres overlap."""
 HEARTBEAT_S = 1.5
-"""So much earlier than the last report of a vehicle it may have heard the last heartbeat."""
+"""Time before a vehicle's last report at which it may have received the last heartbeat."""
 SLOW_S = 2.5
-"""So much later than by its speed alone it may be anywhere: it brakes at each corner."""
+"""Delay beyond its speed alone with which it may be anywhere: it brakes at each corner."""
 AHEAD_S = 1.5
-"""So much farther it is looked for, since whoever is in its way needs time."""
+"""Time ahead for which it is looked for: a vehicle in its way needs time."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +38,7 @@ class Failsafe:
 
 
 def presumed_places(p_ned: Vec3, home_ned: Vec3, silent_s: float, failsafe: Failsafe) -> list[Vec3]:
-    """Places (NED, m) where a vehicle may be that was last heard of at p_ned; none while it may only hold."""
+    """Places (NED, m) where a vehicle may be that last reported p_ned; none while it may only hold."""
     begun_s = silent_s - failsafe.loss_s + HEARTBEAT_S
     if begun_s <= 0.0:
         return []

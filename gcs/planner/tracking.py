@@ -19,7 +19,7 @@ KEPT = 32
 """Places of each leader's way, one a period."""
 MOVING_M_S = 0.5
 """Only a leader that moves faster shows a lag."""
-DECAY_S = 20.0
+DECAY_S = 5.0
 """An error that is not measured again counts by 1/e less after so long."""
 LAG_SHARE = 0.1
 """Of a newly measured lag in the one that is kept."""

@@ -32,7 +32,7 @@ class _SetPoint(msgspec.Struct, tag_field="kind", tag="set_point", gc=False):
 
 
 class _Head(msgspec.Struct, gc=False):
-    """What every decision has, and by which two competitions are told apart."""
+    """Keys that every decision has, and the one that distinguishes two competitions."""
 
     kind: str
     t_s: float
@@ -43,7 +43,7 @@ _POINTS, _HEADS = msgspec.json.Decoder(_SetPoint), msgspec.json.Decoder(_Head)
 _RECORDS = msgspec.json.Decoder(dict[str, Any])
 
 
-class Line(NamedTuple):
+class DecisionLine(NamedTuple):
     """A decision that is no set point; `record` reads the rest of it."""
 
     t_s: float
@@ -60,7 +60,7 @@ class DecisionLines:
     """One file of decisions; walking it again begins anew. Walking raises OSError where it cannot be read."""
 
     def __init__(self, path: Path, progress: Callable[[float], object] = lambda _: None) -> None:
-        """`progress` is told the share of the file that has been read."""
+        """`progress` is given the share of the file that has been read."""
         self._path = path
         self._progress = progress
         self.broken = 0
@@ -72,7 +72,7 @@ class DecisionLines:
 
     @property
     def passed_over(self) -> int:
-        """How many lines are no decision, the cut one among them."""
+        """Number of lines that are no decision, the cut one among them."""
         return self.broken + self.cut
 
     def __iter__(self) -> Iterator[dict[str, Any]]:
@@ -84,7 +84,7 @@ class DecisionLines:
                 else:
                     self._pass_over(line)
 
-    def blocks(self, *, set_points: bool = True) -> Iterator[tuple[NDArray[np.float64], list[Line]]]:
+    def blocks(self, *, set_points: bool = True) -> Iterator[tuple[NDArray[np.float64], list[DecisionLine]]]:
         """(n, COLUMNS) numbers of set points, none where they are not wanted; and the other decisions' lines."""
         for lines in self._blocks():
             own = [line for line in lines if line.startswith(_BEGIN)] if set_points else []
@@ -92,7 +92,7 @@ class DecisionLines:
             others = []
             for head, line in self._decoded(_HEADS, [line for line in lines if not line.startswith(_BEGIN)]):
                 if head.kind != "set_point":
-                    others.append(Line(head.t_s, head.kind, head.giver, line))
+                    others.append(DecisionLine(head.t_s, head.kind, head.giver, line))
                 elif set_points:  # by another writer
                     points += [point for point, _ in self._decoded(_POINTS, [line])]
             rows = [(*point.p_ned, point.sysid, point.t_s) for point in points]
@@ -110,7 +110,7 @@ class DecisionLines:
                 self._progress(min(done / size, 1.0))
 
     def _decoded(self, decoder: msgspec.json.Decoder[Any], lines: Sequence[bytes]) -> Iterator[tuple[Any, bytes]]:
-        """What each line holds; those that hold nothing of the kind are passed over."""
+        """Values of each line; those without such a value are passed over."""
         try:
             found = decoder.decode_lines(b"\n".join(lines))
         except msgspec.MsgspecError:  # one is broken: only one by one can the others be had

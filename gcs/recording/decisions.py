@@ -13,14 +13,14 @@ from gcs.telemetry.events import Event, Level
 if TYPE_CHECKING:  # who only reads records need not load those who make them
     from gcs.mavlink.setpoints import SetPoint
     from gcs.recording.writer import Digest, Recorder
-    from gcs.refuelling.bidding import Standing
+    from gcs.refuelling.bidding import CompetitionState
     from gcs.refuelling.service import Decision
     from gcs.telemetry.energy import Fact
 
 
 @dataclass
 class TickRecord:
-    """What one tick leaves behind, kept until the grants are out."""
+    """Records of one tick, kept until the grants are out."""
 
     t_ms: int
     arrived: list[bytes]
@@ -50,12 +50,12 @@ def records_of_tick(
     pursued: Iterable[Mapping[str, Any]],
     facts: Iterable[tuple[int, Fact]],
     problems: Iterable[PluginFault],
-    standings: tuple[Standing, Standing],
+    competition_states: tuple[CompetitionState, CompetitionState],
 ) -> tuple[list[dict[str, Any]], list[Event]]:
     """Records and events of all that the tick at `t_s` decided or noticed, in the session's order.
 
     `pursued` are the pursuit's records, `facts` (system id, what its battery showed), `problems` what people's own
-    planner or policy did wrong, `standings` the competitions for tankers and for bases.
+    planner or policy did wrong, `competition_states` the competitions for tankers and for bases.
     """
     batteries = [{"kind": "battery", "sysid": sysid, **fact.record()} for sysid, fact in facts]
     blamed = [problem.record() for problem in problems]
@@ -63,17 +63,17 @@ def records_of_tick(
         {"t_s": t_s, **record} for record in (*decision.records, *pursued, *batteries, *blamed)
     ]
     events = [event_of(record) for record in records]
-    for standing, giver in zip(standings, ({}, {"giver": "base"}), strict=True):
-        if standing.v:
+    for competition_state, giver in zip(competition_states, ({}, {"giver": "base"}), strict=True):
+        if competition_state.v:
             records.append(
                 {
                     "t_s": t_s,
                     "kind": "competition",
                     **giver,
-                    "v": {str(sysid): v for sysid, v in standing.v.items()},
-                    "tau": {str(sysid): tau for sysid, tau in standing.tau.items()},
-                    "leader": standing.leader,
-                    "share": standing.share,
+                    "v": {str(sysid): v for sysid, v in competition_state.v.items()},
+                    "tau": {str(sysid): tau for sysid, tau in competition_state.tau.items()},
+                    "leader": competition_state.leader,
+                    "share": competition_state.share,
                 }
             )
     records += [
@@ -84,7 +84,7 @@ def records_of_tick(
 
 
 def event_of(record: Mapping[str, Any]) -> Event:
-    """How a decision, as a line of decisions.jsonl holds it, is told to people."""
+    """Event for people of a decision, as a line of decisions.jsonl holds it."""
     t_s, kind = float(record["t_s"]), record["kind"]
     if kind == "death":
         return Event(t_s, int(record["sysid"]), "critical", str(record.get("text", "died")), "death")

@@ -50,7 +50,7 @@ class ExportError(Exception):
 def export(source: Path, tables: Tables, progress: Progress = lambda _: None) -> list[str]:
     """Write every table of a session's folder or of one .tlog; what could not be read, a sentence each.
 
-    `progress` is told the share that is done. Raises ExportError where there is nothing to export, OSError.
+    `progress` is given the share that is done. Raises ExportError where there is nothing to export, OSError.
     """
     if source.is_dir():
         return _export_session(source, tables, progress)
@@ -156,7 +156,7 @@ def _sender(sysid: int, compid: int) -> int:
 
 
 def _learn_stations(chunk: Chunk, stations: NDArray[np.bool_]) -> None:
-    """Who says of itself that it is a ground station: what it sends goes to vehicles."""
+    """Senders whose HEARTBEAT says ground station: what they send goes to vehicles."""
     beats = chunk.table("HEARTBEAT")
     for beat in beats[beats["type"] == mav.MAV_TYPE_GCS]:
         if beat["autopilot"] == mav.MAV_AUTOPILOT_INVALID:

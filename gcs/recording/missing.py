@@ -17,6 +17,6 @@ def unread(path: Path, error: Exception, lost: str) -> str:
 
 
 def passed_over(name: str, count: int) -> str:
-    """That lines of a file of decisions are none."""
+    """Sentence on lines of a file of decisions that are none."""
     are = "line is no decision and was" if count == 1 else "lines are no decision and were"
     return f"{name}: {count} {are} passed over."

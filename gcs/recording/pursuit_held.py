@@ -1,4 +1,5 @@
-"""Who pursued whom in a recorded session, and for how long the goal's pursuit had been held by each time of it."""
+"""Pairs of pursuer and target in a recorded session, and for how long the goal's pursuit had been held by each time of
+it."""
 
 from __future__ import annotations
 
@@ -21,20 +22,20 @@ ROUNDING_S = 1e-6
 BLOCK_TICKS = 2000
 
 
-class Course:
+class HeldTimes:
     """The goal's pursuit over a session: at each time, the longest for which even the worst had held it by then."""
 
     def __init__(self, held_s: Series, period_s: float) -> None:
         self._held_s, self._period_s = held_s, period_s
 
     def at(self, t_s: float) -> float:
-        """In s, as the session told it at a time: measured at the tick before, since a tick ends by granting the next
-        period, which moves the session's time on."""
+        """In s, as the session reported it at a time: measured at the tick before, since a tick ends by granting the
+        next period, which moves the session's time on."""
         return float(held(self._held_s, np.array([t_s - self._period_s + ROUNDING_S]))[0])
 
 
-class CourseReader:
-    """Reads the course out of a recording that somebody else walks: `take` each stretch of it, and ask at its end.
+class HeldTimesReader:
+    """Reads the times held out of a recording that another reader walks: `add` each stretch of it, ask at its end.
 
     `decisions`: those of kinds "pursuit" and "operator".
     """
@@ -46,18 +47,18 @@ class CourseReader:
         if scenario.goal.pursue is not None:
             self._gathering = Gathering(self._recorded, PLACES, counted=False)
 
-    def take(self, chunk: Chunk) -> None:
+    def add(self, chunk: Chunk) -> None:
         """Take in the next stretch."""
         if self._gathering is not None:
-            self._gathering.take(chunk)
+            self._gathering.add(chunk)
 
-    def course(self) -> Course | None:
-        """None where the goal asks for no pursuit, or nobody told a place."""
+    def held_times(self) -> HeldTimes | None:
+        """None where the goal asks for no pursuit, or no vehicle reported a position."""
         if self._gathering is None:
             return None
         self._gathering.finish()
         flown = tracks(self._recorded)
-        return Course(held_by(self._recorded, flown)[0], self._period_s) if flown else None
+        return HeldTimes(held_by(self._recorded, flown)[0], self._period_s) if flown else None
 
 
 def ticks_of(recorded: Recorded) -> Floats:
@@ -69,7 +70,7 @@ def ticks_of(recorded: Recorded) -> Floats:
 
 
 def pursued(recorded: Recorded, t_s: Floats) -> dict[int, NDArray[np.int64]]:
-    """(k,) whom each pursuer pursues at each tick, by scenario, competition and operators; 0 for nobody."""
+    """(k,) system id of each pursuer's target at each tick, by scenario, competition and operators; 0 for none."""
     scenario = recorded.scenario
     if scenario is None:
         return {}
@@ -117,5 +118,5 @@ def held_by(recorded: Recorded, flown: Mapping[int, Track]) -> tuple[Series, dic
                 if pursuer in at and target in at and key is not None:
                     apart_m = np.linalg.norm(at[pursuer] - at[target], axis=1)
                     near_m[:, key] = np.fmin(near_m[:, key], np.where(targets[some] == target, apart_m, np.nan))
-        worst_s[some] = pursuit.take(t_s[some], near_m)
+        worst_s[some] = pursuit.update(t_s[some], near_m)
     return Series(t_s, worst_s), pursuit.held_s

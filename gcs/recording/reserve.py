@@ -15,7 +15,7 @@ PER_VEHICLE_BYTES = 1 << 11
 
 
 class Reserve:
-    """So much of the disk of `folder`, in a file without a name: it is free again when this process ends, however.
+    """Reserved disk space of `folder`, in a file without a name: it is free again when this process ends, however.
 
     Raises OSError where the disk is too full for even that. A file system that cannot reserve is done without.
     """

@@ -32,7 +32,7 @@ LATE_S = 5.0
 """A vehicle's own time is believed where it is at most this much before the arrival: else its clock is another one."""
 ARMED, ON_GROUND, UNDEFINED_STATE = 0x80, 1, 0
 _ACCOUNT = ("HEARTBEAT", "PARAM_VALUE", "NAMED_VALUE_INT", "BATTERY_STATUS", "SYS_STATUS")
-_Told = tuple[float, float, str, Any]
+_TimedContent = tuple[float, float, str, Any]
 """(session time in s, place in the file, message, its content), which so stand in the order in which they came"""
 
 
@@ -45,7 +45,7 @@ class Series(NamedTuple):
 
 @dataclass(frozen=True)
 class VehicleInfo:
-    """Who flew."""
+    """Vehicles that flew."""
 
     sysid: int
     role: str
@@ -63,14 +63,14 @@ class Track:
     in_air: Series
 
     def flying(self, t_s: Floats) -> NDArray[np.bool_]:
-        """(k,) whether it was armed and in the air at each time, and had told its place lately."""
+        """(k,) whether it was armed and in the air at each time, and had reported its place lately."""
         last = np.searchsorted(self.t_s, t_s, side="right") - 1
         age_s = np.where(last >= 0, t_s - self.t_s[np.maximum(last, 0)], np.inf) if len(self.t_s) else t_s + np.inf
         return (age_s <= STALE_S) & (held(self.armed, t_s) > 0.0) & (held(self.in_air, t_s) > 0.0)
 
     def at(self, t_s: Floats) -> Floats:
-        """(k, 3) places as the ground station knew them: the last one told, carried forward by its age; NaN where the
-        vehicle did not fly or had not told its place lately."""
+        """(k, 3) places as the ground station knew them: the last one reported, carried forward by its age; NaN where
+        the vehicle did not fly or had not reported its place lately."""
         if not len(self.t_s):
             return np.full((len(t_s), 3), np.nan)
         last = np.maximum(np.searchsorted(self.t_s, t_s, side="right") - 1, 0)
@@ -92,11 +92,11 @@ def vehicles(recorded: Recorded) -> list[VehicleInfo]:
         return [VehicleInfo(v.sysid, v.role, v.label) for v in recorded.scenario.vehicles.all]
     if recorded.summary is not None:
         return [VehicleInfo(v.sysid, v.role, f"{v.role} {v.sysid}") for v in recorded.summary.vehicles]
-    return [VehicleInfo(sysid, "vehicle", f"vehicle {sysid}") for sysid in heard(recorded)]
+    return [VehicleInfo(sysid, "vehicle", f"vehicle {sysid}") for sysid in senders(recorded)]
 
 
-def heard(recorded: Recorded) -> list[int]:
-    """The system ids that told a position."""
+def senders(recorded: Recorded) -> list[int]:
+    """The system ids that reported a position."""
     if not recorded.tables:
         return []
     table = recorded.tables["LOCAL_POSITION_NED"]
@@ -105,7 +105,7 @@ def heard(recorded: Recorded) -> list[int]:
 
 
 def tracks(recorded: Recorded) -> dict[int, Track]:
-    """Each vehicle's track, as far as it told where its own frame's zero lies."""
+    """Each vehicle's track, as far as it reported where its own frame's zero lies."""
     if not recorded.tables:
         return {}
     origins = _by_vehicle(recorded.tables["GPS_GLOBAL_ORIGIN"])
@@ -117,7 +117,7 @@ def tracks(recorded: Recorded) -> dict[int, Track]:
         if sysid not in origins or zero is None:
             continue
         offset = np.array(pymap3d.geodetic2ned(*_place(origins[sysid][0]), *zero), dtype=np.float64)
-        t_s = _told_s(rows)
+        t_s = _times_s(rows)
         p_ned = np.column_stack([rows[axis] for axis in "xyz"]).astype(np.float64) + offset
         v_ned = np.column_stack([rows[f"v{axis}"] for axis in "xyz"]).astype(np.float64)
         # In the order in which they were true; what came late and out of order changes nothing that is known.
@@ -143,7 +143,7 @@ def traffic(recorded: Recorded) -> dict[str, Track]:
     found = {}
     for address in np.unique(table["ICAO_address"]):
         rows = table[table["ICAO_address"] == address]
-        _, first = np.unique(rows["t_s"], return_index=True)  # each vehicle's relay hears the same
+        _, first = np.unique(rows["t_s"], return_index=True)  # each vehicle's relay receives the same
         rows = rows[first]
         places = pymap3d.geodetic2ned(1e-7 * rows["lat"], 1e-7 * rows["lon"], 1e-3 * rows["altitude"], *zero)
         heading_rad, speed_m_s = np.radians(1e-2 * rows["heading"]), 1e-2 * rows["hor_velocity"]
@@ -162,7 +162,7 @@ def attitudes(recorded: Recorded) -> dict[int, tuple[Series, Series, Series]]:
         return {}
     found = {}
     for sysid, rows in _by_vehicle(recorded.tables["ATTITUDE"]).items():
-        t_s = _told_s(rows)
+        t_s = _times_s(rows)
         order = np.argsort(t_s, kind="stable")
         roll, pitch, yaw = (
             Series(t_s[order], rows[name][order].astype(np.float64)) for name in ("roll", "pitch", "yaw")
@@ -182,7 +182,7 @@ def with_gaps(series: Series, gap_s: float = GAP_S) -> Series:
 
 @dataclass(frozen=True)
 class BatterySeries:
-    """What a battery held, in J, at each report of it, and what it can hold."""
+    """Energy in a battery, in J, at each report of it, and its capacity."""
 
     capacity_j: float
     remaining: Series
@@ -192,15 +192,15 @@ def batteries(recorded: Recorded) -> dict[int, BatterySeries]:
     """Each vehicle's battery after each report of it, and at the end: the account that the session kept, kept again."""
     if not recorded.tables:
         return {}
-    told = {name: _by_vehicle(recorded.tables[name]) for name in _ACCOUNT if name in recorded.tables}
+    reported = {name: _by_vehicle(recorded.tables[name]) for name in _ACCOUNT if name in recorded.tables}
     vehicles = {v.sysid: v for v in recorded.scenario.vehicles.all} if recorded.scenario else {}
     found = {}
-    for sysid in sorted(told.get("BATTERY_STATUS", {}).keys() | told.get("SYS_STATUS", {}).keys()):
+    for sysid in sorted(reported.get("BATTERY_STATUS", {}).keys() | reported.get("SYS_STATUS", {}).keys()):
         vehicle = vehicles.get(sysid)
         capacity_j = vehicle.battery.capacity_j if vehicle else 0.0
         account = BatteryAccount(capacity_j, 0.01 * vehicle.battery.initial_percent * capacity_j if vehicle else 0.0)
         profile = PROFILES.get(vehicle.external.autopilot) if vehicle and vehicle.external else None
-        messages = [_messages(kind, rows[sysid]) for kind, rows in told.items() if sysid in rows]
+        messages = [_messages(kind, rows[sysid]) for kind, rows in reported.items() if sysid in rows]
         times_s, left_j = _kept(account, heapq.merge(*messages, _booked(recorded, sysid)), profile)
         if account.capacity_j and times_s:
             if left_j[-1] != account.remaining_j:
@@ -210,7 +210,7 @@ def batteries(recorded: Recorded) -> dict[int, BatterySeries]:
     return found
 
 
-def _messages(kind: str, rows: NDArray[Any]) -> Iterator[_Told]:
+def _messages(kind: str, rows: NDArray[Any]) -> Iterator[_TimedContent]:
     """One vehicle's messages of a kind, in the file's order."""
     return ((content.t_s, content.place, kind, content) for content in _contents(rows))
 
@@ -221,12 +221,14 @@ def _contents(rows: NDArray[Any]) -> Iterator[Any]:
     return map(content._make, rows.tolist())
 
 
-def _kept(account: BatteryAccount, told: Iterable[_Told], profile: Profile | None) -> tuple[list[float], list[float]]:
-    """What the battery held in J after each report, and when."""
+def _kept(
+    account: BatteryAccount, reported: Iterable[_TimedContent], profile: Profile | None
+) -> tuple[list[float], list[float]]:
+    """Energy in the battery in J after each report, and its times."""
     armed, speaks = False, profile or GENERIC
     times_s: list[float] = []
     left_j: list[float] = []
-    for t_s, _, kind, content in told:
+    for t_s, _, kind, content in reported:
         if kind == "HEARTBEAT":
             armed, speaks = bool(content.base_mode & ARMED), profile or profile_of(content.autopilot)
         elif kind == "NAMED_VALUE_INT":
@@ -235,7 +237,7 @@ def _kept(account: BatteryAccount, told: Iterable[_Told], profile: Profile | Non
             value = speaks.parameter(content.param_value, content.param_type)
             account.parameter(content.param_id.decode("ascii", "replace"), value)
         elif kind == "served":
-            if not account.told:
+            if not account.reported:
                 account.book(content)
         elif kind == "SYS_STATUS" or content.id == 0:
             report = (sys_status if kind == "SYS_STATUS" else battery_status)(content, t_s)
@@ -246,8 +248,8 @@ def _kept(account: BatteryAccount, told: Iterable[_Told], profile: Profile | Non
     return times_s, left_j
 
 
-def _booked(recorded: Recorded, sysid: int) -> list[_Told]:
-    """What bases gave to a vehicle, each service at its end."""
+def _booked(recorded: Recorded, sysid: int) -> list[_TimedContent]:
+    """Energy that bases gave to a vehicle, each service at its end."""
     served = [d for d in recorded.decisions if d["kind"] == "served" and d["receiver"] == sysid and d.get("base")]
     return [(d["t_s"], math.inf, "served", round(d["energy_j"])) for d in served]
 
@@ -259,20 +261,20 @@ class CompetitionSeries:
     v: dict[int, Series]
     share: Series
     leader: Series
-    """system id; NaN: nobody leads"""
+    """system id; NaN: no leader"""
 
 
 def contest(recorded: Recorded, *, for_bases: bool = False) -> CompetitionSeries:
-    """The competition for the tankers, or for the places at bases, as it was decided tick by tick; gaps where nobody
-    competed."""
+    """The competition for the tankers, or for the places at bases, as it was decided tick by tick; gaps where no
+    vehicle competed."""
     every = (decision for decision in recorded.decisions if decision["kind"] == "competition")
     lines = [decision for decision in every if (decision.get("giver") == "base") == for_bases]
     t_s = np.array([line["t_s"] for line in lines], dtype=np.float64)
-    told = [line["v"] for line in lines]
-    sysid_of = {name: int(name) for name in set().union(*told)}
-    sysids = np.fromiter((sysid_of[name] for v in told for name in v), dtype=np.int64)
-    values = np.fromiter(chain.from_iterable(v.values() for v in told), dtype=np.float64)
-    times_s = np.repeat(t_s, [len(v) for v in told])
+    reported = [line["v"] for line in lines]
+    sysid_of = {name: int(name) for name in set().union(*reported)}
+    sysids = np.fromiter((sysid_of[name] for v in reported for name in v), dtype=np.int64)
+    values = np.fromiter(chain.from_iterable(v.values() for v in reported), dtype=np.float64)
+    times_s = np.repeat(t_s, [len(v) for v in reported])
     gap_s = 2.5 * (recorded.scenario.clock.period_s if recorded.scenario else 0.1)
     v_of = {}
     for sysid, rows in rows_of(sysids).items():
@@ -284,7 +286,7 @@ def contest(recorded: Recorded, *, for_bases: bool = False) -> CompetitionSeries
 
 @dataclass(frozen=True)
 class LinkSeries:
-    """What was heard of a vehicle, second by second."""
+    """Frames received from a vehicle, second by second."""
 
     rate_hz: Series
     lost: Series
@@ -294,7 +296,7 @@ class LinkSeries:
 
 
 def links(recorded: Recorded, flown: dict[int, Track]) -> dict[int, LinkSeries]:
-    """The link of each vehicle that was heard."""
+    """The link of each vehicle that was received."""
     found = {}
     for sysid in np.flatnonzero(recorded.traffic_count.sum(axis=1)).tolist():
         # The last second is seldom whole; its rate would be a drop that never was.
@@ -316,8 +318,8 @@ def texts(recorded: Recorded, worst: int = 4) -> list[tuple[float, int, int, str
         return []
     found = []
     for sysid, rows in _by_vehicle(recorded.tables["STATUSTEXT"]).items():
-        heard = ((one.t_s, one._replace(text=one.text.decode("ascii", "replace"))) for one in _contents(rows))
-        found += [(t_s, sysid, severity, text) for t_s, severity, text in statustext.recorded(heard)]
+        senders = ((one.t_s, one._replace(text=one.text.decode("ascii", "replace"))) for one in _contents(rows))
+        found += [(t_s, sysid, severity, text) for t_s, severity, text in statustext.recorded(senders)]
     return sorted(one for one in found if one[2] <= worst)
 
 
@@ -341,7 +343,7 @@ def rows_of(keys: NDArray[Any]) -> dict[int, NDArray[np.int64]]:
     return {int(keys[rows[0]]): rows for rows in parts if len(rows)}
 
 
-def _told_s(rows: NDArray[Any]) -> Floats:
+def _times_s(rows: NDArray[Any]) -> Floats:
     """When each row was true: by the vehicle's own clock where that is the session's."""
     own_s = 1e-3 * rows["time_boot_ms"].astype(np.float64)
     late_s = rows["t_s"] - own_s

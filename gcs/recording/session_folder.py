@@ -1,5 +1,5 @@
-"""What a session left in its folder, read once: each file by itself, so that one that is missing or broken costs only
-what it alone could tell. `Recorded.problems` says what that is."""
+"""Files that a session left in its folder, read once: each file by itself, so that one that is missing or broken costs
+only what it alone holds. `Recorded.problems` says what that is."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ NEEDED: dict[str, tuple[str, ...]] = {
     "unable": ("receiver", "reason"),
     "operator": ("command", "taken", "text"),
 }
-"""What a report reads of each kind of decision; a line without it is none."""
+"""Keys that a report reads of each kind of decision; a line without them is none."""
 COMPETITION = ("kind", "giver", *NEEDED["competition"])
 
 Progress = Callable[[float], object]
@@ -67,7 +67,7 @@ class NoSession(Exception):
 
 @dataclass
 class Recorded:
-    """A session as its files tell it; None or empty for what they do not."""
+    """A session as its files hold it; None or empty for what they do not."""
 
     folder: Path
     summary: Summary | None = None
@@ -87,7 +87,7 @@ class Recorded:
 
 
 def read(folder: Path, progress: Progress = lambda _: None) -> Recorded:
-    """What the folder holds. Raises NoSession where that is no session at all."""
+    """Content of the folder. Raises NoSession where that is no session at all."""
     if not folder.is_dir():
         raise NoSession(f"{folder} is no folder; give the folder of a session, such as gcs run leaves it.")
     if not any((folder / name).is_file() for name in (TLOG, DECISIONS, summaries.FILE)):
@@ -158,7 +158,7 @@ def read_tlog(recorded: Recorded, progress: Progress) -> None:
     try:
         log = tlog.read(recorded.folder / TLOG)
         for chunk in log.chunks():
-            gathering.take(chunk)
+            gathering.add(chunk)
             progress(chunk.read_share)
         recorded.problems += log.problems
     except OSError as error:
@@ -179,7 +179,7 @@ class Gathering:
         self._counted = counted
         self._gaps = RecordedGaps()
 
-    def take(self, chunk: tlog.Chunk) -> None:
+    def add(self, chunk: tlog.Chunk) -> None:
         """Take in the next stretch."""
         heads = chunk.heads
         if not len(heads):

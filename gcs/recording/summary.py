@@ -19,7 +19,7 @@ class _Part(BaseModel):
 
 
 class EnergySummary(_Part):
-    """One vehicle's ledger, as its messages tell it."""
+    """One vehicle's ledger, as its messages report it."""
 
     initial_j: float
     drawn_j: float
@@ -90,7 +90,7 @@ class LinkSummary(_Part):
 
 
 class GoalPartSummary(_Part):
-    """What came of one part of the goal (docs/protocol.md#goal)."""
+    """Result of one part of the goal (docs/protocol.md#goal)."""
 
     part: str
     """`lost`, `duration`, `separation`, `clearance`, `traffic`, `ground`, `waypoints`, `pursue` or `refuelled`"""
@@ -110,7 +110,7 @@ class GoalPartSummary(_Part):
 
 
 class ClosestSummary(_Part):
-    """Who came nearest, to what and when."""
+    """The nearest approach: vehicles, object and time."""
 
     distance_m: float
     sysids: list[int]

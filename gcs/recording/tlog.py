@@ -242,12 +242,12 @@ def _frame_bytes(
     if at + total > size:
         return 0
     crc = _crc_of(data, at + 1, end, table)
-    told = np.int64(data[end]) | np.int64(data[end + 1]) << 8
+    sent_crc = np.int64(data[end]) | np.int64(data[end + 1]) << 8
     if seed >= 0:
         crc = crc >> 8 ^ np.int64(table[0, (crc ^ seed) & 0xFF])
-        return total if crc == told else 0
+        return total if crc == sent_crc else 0
     # Of MAVLink 1 an unknown message could not be handed out, since the form of MAVLink 2 needs its seed.
-    return -total if data[at] == 0xFD and some_seed[told ^ crc >> 8] else 0
+    return -total if data[at] == 0xFD and some_seed[sent_crc ^ crc >> 8] else 0
 
 
 @njit(cache=True)

@@ -1,4 +1,4 @@
-"""What vehicles themselves knew of their places, from a session's `vehicles/SYSID.truth` (docs/protocol.md#truth)."""
+"""Vehicles' own truth of their places, from a session's `vehicles/SYSID.truth` (docs/protocol.md#truth)."""
 
 from __future__ import annotations
 

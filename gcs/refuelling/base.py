@@ -3,8 +3,8 @@
     join (fly to above the base) → land → start receiver → transfer → catch up → stop receiver → take off → done
 
 A vehicle that knows transfers is charged by the same protocol as in the air, with the ground station as its partner:
-it hears where the base is and what it has given, and answers with its own counter. Its ledger and the base's so close
-to the joule. One that does not is charged by the book: what the base gave is what the vehicle received.
+it receives where the base is and what it has given, and answers with its own counter. Its ledger and the base's so
+close to the joule. One that does not is charged by the book: what the base gave is what the vehicle received.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from gcs.mavlink.ids import STATION
 from gcs.refuelling.service import GiverReport, Phase, Service, ServiceRequests, token
 from gcs.refuelling.transfer_command import TransferRole, transfer_request
 from gcs.scenario.model import Base, Origin, RefuellingRules
-from gcs.telemetry.state import FleetState, Vec3, VehicleView
+from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 
 POSITION_AND_VELOCITY = 0b11
 STANDS = (0.0, 0.0, 0.0)
@@ -48,7 +48,7 @@ class Stock:
 
     @property
     def remaining_j(self) -> float:
-        """What it holds; a part of a joule is never given."""
+        """Energy that it holds; a part of a joule is never given."""
         return self.base.stock_j - self.given_j
 
 
@@ -76,24 +76,24 @@ class BaseSteps:
         """who stays on the ground: too empty to fly on, and nothing left to charge it with"""
 
     def grounded(self, services: Iterable[Service]) -> frozenset[int]:
-        """Who is to be on the ground now."""
+        """Vehicles that are to be on the ground now."""
         self.stays -= self._out.keys()
         return frozenset(self.stays | {service.receiver for service in services if service.phase in _CHARGING})
 
     def stations(self, services: Iterable[Service]) -> dict[int, Vec3]:
-        """Where those are to be that still fly by set points."""
+        """Set points of those that still fly by them."""
         flies = (Phase.JOIN, Phase.LAND)
         return {service.receiver: self._base(service).above_m for service in services if service.phase in flies}
 
-    def giver_reports(self, services: Iterable[Service], snapshot: FleetState) -> tuple[GiverReport, ...]:
-        """What the bases tell vehicles that can hear it."""
+    def giver_reports(self, services: Iterable[Service], snapshot: FleetSnapshot) -> tuple[GiverReport, ...]:
+        """Messages of the bases to vehicles that can receive them."""
         return tuple(
             GiverReport(service.receiver, self._base(service).position_m, self._stock(service).given_j)
             for service in services
-            if service.phase in _CHARGING and snapshot.vehicle(service.receiver).battery_told
+            if service.phase in _CHARGING and snapshot.vehicle(service.receiver).battery_reported
         )
 
-    def serve(self, service: Service, snapshot: FleetState) -> None:
+    def serve(self, service: Service, snapshot: FleetSnapshot) -> None:
         """Move one service to the snapshot's time."""
         receiver = snapshot.vehicle(service.receiver)
         if not receiver.alive:
@@ -134,7 +134,7 @@ class BaseSteps:
                 self._leave(service, receiver, now_s, f"landed {off_m:.1f} m from the base")
                 return
             service.joined_at_s = now_s
-            service.in_at_start_j = service.in_at_begin_j = service.heard_in_j = receiver.received_j
+            service.in_at_start_j = service.in_at_begin_j = service.reported_in_j = receiver.received_j
             self._begin(service, receiver, now_s)
         elif now_s - service.phase_since_s > LAND_WITHIN_S:
             self._leave(service, receiver, now_s, "did not land")
@@ -147,7 +147,7 @@ class BaseSteps:
         service.out_at_start_j = stock.given_j
         if service.ordered_j < 1:
             self._leave(service, receiver, now_s, "full" if stock.remaining_j >= 1.0 else EMPTY)
-        elif receiver.battery_told:
+        elif receiver.battery_reported:
             self._order(service, TransferRole.RECEIVE)
             self._go(service, Phase.START_RECEIVER, now_s)
         else:
@@ -172,9 +172,9 @@ class BaseSteps:
         self._go(service, Phase.TRANSFER, now_s)
 
     def _transfer(self, service: Service, receiver: VehicleView, now_s: float) -> None:
-        counts = receiver.battery_told
-        if receiver.received_j > service.heard_in_j:
-            service.heard_in_j, service.progress_s = receiver.received_j, now_s
+        counts = receiver.battery_reported
+        if receiver.received_j > service.reported_in_j:
+            service.reported_in_j, service.progress_s = receiver.received_j, now_s
         if receiver.armed or not receiver.landed:
             self._stop(service, f"{receiver.label} left the base", now_s)
         elif counts and now_s - service.progress_s > SILENCE_S:
@@ -207,7 +207,7 @@ class BaseSteps:
         self._go(service, Phase.CATCH_UP, now_s)
 
     def _catch_up(self, service: Service, receiver: VehicleView, now_s: float) -> None:
-        if not receiver.battery_told:
+        if not receiver.battery_reported:
             self._leave(service, receiver, now_s, service.ended_by)
             return
         caught_up = receiver.received_j - service.in_at_begin_j >= self._given_j(service)

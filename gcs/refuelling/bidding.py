@@ -19,14 +19,14 @@ from gcs.refuelling.winner_take_all import advance, normalise, revive, share
 from gcs.scenario import plugins
 from gcs.scenario.guard import Guard, Nonsense
 from gcs.scenario.model import CompetitionRules, RefuellingRules, Scenario
-from gcs.telemetry.state import FleetState, Vec3, VehicleView
+from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 
 # Session times are sums of tick lengths; a dwell time must not slip a tick for their last bits.
 _ROUNDING_S = 1e-6
 
 
 @dataclass(frozen=True)
-class Standing:
+class CompetitionState:
     """The competition as it stands, by system id: state v, bid τ and need; who leads, and with which share."""
 
     v: dict[int, float] = field(default_factory=dict)
@@ -46,20 +46,20 @@ class Bidding:
         self._leading_since_s: float | None = None
         self._begun_s: float | None = None
         self._last_s: float | None = None
-        self.standing = Standing()
+        self.competition_state = CompetitionState()
 
-    def advance(self, snapshot: FleetState, served: Collection[int]) -> None:
+    def advance(self, snapshot: FleetSnapshot, served: Collection[int]) -> None:
         """Let those who compete do so up to the snapshot's time; `served` are those whose turn it is already."""
         now_s, rules = snapshot.time_s, self._rules
         dt_s = now_s - self._last_s if self._last_s is not None else 0.0
         self._last_s = now_s
         self._able = [
-            view.sysid for view in snapshot.of_role("pursuer") if view.sysid not in served and can_receive(view)
+            view.sysid for view in snapshot.of_role("pursuer") if view.sysid not in served and is_servable(view)
         ]
         competitors = [view for view in map(snapshot.vehicle, self._able) if view.need >= rules.need_from]
         if not competitors:
             self._v, self._begun_s = {}, None
-            self.standing = Standing()
+            self.competition_state = CompetitionState()
             return
         if self._begun_s is None:
             self._begun_s = now_s
@@ -69,64 +69,73 @@ class Bidding:
         v = np.array([self._v.get(sysid, rules.floor) for sysid in sysids])
         v = revive(advance(v, tau, dt_s, p=rules.p, rate=rules.rate), rules.floor)
         leader, held = sysids[int(v.argmax())], share(v, rules.p, rules.floor)
-        if leader != self.standing.leader or held < rules.share:
+        if leader != self.competition_state.leader or held < rules.share:
             self._leading_since_s = None
         if self._leading_since_s is None and held >= rules.share:
             self._leading_since_s = now_s
         self._v = dict(zip(sysids, map(float, v), strict=True))
         bids = dict(zip(sysids, map(float, tau), strict=True))
-        self.standing = Standing(dict(self._v), bids, dict(zip(sysids, needs, strict=True)), leader, held)
+        self.competition_state = CompetitionState(
+            dict(self._v), bids, dict(zip(sysids, needs, strict=True)), leader, held
+        )
 
     def winner(
         self,
-        snapshot: FleetState,
+        snapshot: FleetSnapshot,
         tanker: VehicleView,
         speed_m_s: float,
         reserve_s: float,
         free: Sequence[VehicleView] = (),
     ) -> tuple[int, str] | None:
-        """Who a free tanker serves next, and by what: `urgency`, `competition` or `timeout`; None while undecided.
+        """System id that a free tanker serves next, and by what: `urgency`, `competition` or `timeout`; None while
+        undecided.
 
         `free` are the tankers that have not been given anyone yet, for those who plan for several at once.
         """
         return self.winner_at([tanker.p_now_ned()], snapshot, speed_m_s, reserve_s)
 
     def winner_at(
-        self, places: Sequence[Vec3], snapshot: FleetState, speed_m_s: float, reserve_s: float
+        self, places: Sequence[Vec3], snapshot: FleetSnapshot, speed_m_s: float, reserve_s: float
     ) -> tuple[int, str] | None:
         """The same where givers are at some places; urgent is who would not last until the nearest."""
-        standing, rules, now_s = self.standing, self._rules, snapshot.time_s
+        competition_state, rules, now_s = self.competition_state, self._rules, snapshot.time_s
         urgent = urgent_of(snapshot, self._able, places, speed_m_s, reserve_s)
         if urgent is not None:
             return urgent, "urgency"
-        if not standing.v:
+        if not competition_state.v:
             return None
         since_s = self._leading_since_s
-        if standing.leader is not None and since_s is not None and now_s - since_s >= rules.dwell_s - _ROUNDING_S:
-            return standing.leader, "competition"
+        if (
+            competition_state.leader is not None
+            and since_s is not None
+            and now_s - since_s >= rules.dwell_s - _ROUNDING_S
+        ):
+            return competition_state.leader, "competition"
         if self._begun_s is not None and now_s - self._begun_s >= rules.decide_within_s:
-            return max(standing.v, key=lambda sysid: (standing.v[sysid], -sysid)), "timeout"
+            return max(competition_state.v, key=lambda sysid: (competition_state.v[sysid], -sysid)), "timeout"
         return None
 
     def award(self, sysid: int, now_s: float) -> None:
         """The winner leaves; the others go on, and the next decision takes its own time."""
         self._v.pop(sysid, None)
         self._able.remove(sysid)
-        left = {key: value for key, value in self.standing.v.items() if key != sysid}
-        self.standing = Standing(left, self.standing.tau, self.standing.need, None, 0.0)
+        left = {key: value for key, value in self.competition_state.v.items() if key != sysid}
+        self.competition_state = CompetitionState(
+            left, self.competition_state.tau, self.competition_state.need, None, 0.0
+        )
         self._leading_since_s = None
         self._begun_s = now_s if left else None
 
 
 def most_urgent(
-    snapshot: FleetState, able: Iterable[int], tanker: VehicleView, speed_m_s: float, reserve_s: float
+    snapshot: FleetSnapshot, able: Iterable[int], tanker: VehicleView, speed_m_s: float, reserve_s: float
 ) -> int | None:
     """The first to run empty of those who would not last until a rendezvous and `reserve_s` after it."""
     return urgent_of(snapshot, able, [tanker.p_now_ned()], speed_m_s, reserve_s)
 
 
 def urgent_of(
-    snapshot: FleetState, able: Iterable[int], places: Sequence[Vec3], speed_m_s: float, reserve_s: float
+    snapshot: FleetSnapshot, able: Iterable[int], places: Sequence[Vec3], speed_m_s: float, reserve_s: float
 ) -> int | None:
     """The same for the nearest of several places; common NED frame, m."""
     urgent = []
@@ -138,7 +147,7 @@ def urgent_of(
     return min(urgent)[1] if urgent else None
 
 
-def can_receive(view: VehicleView) -> bool:
+def is_servable(view: VehicleView) -> bool:
     """Only vehicles that can receive compete, or are served."""
     return view.flying and view.fresh and view.mode in STEERABLE
 
@@ -161,25 +170,27 @@ class PolicyBidding(Bidding):
         self._guard = guard
         self._wanting: tuple[VehicleView, ...] = ()
 
-    def advance(self, snapshot: FleetState, served: Collection[int]) -> None:
-        """Who may be served at the snapshot's time; nothing competes, so that bids are needs and v is empty."""
+    def advance(self, snapshot: FleetSnapshot, served: Collection[int]) -> None:
+        """Find vehicles that may be served at the snapshot's time; nothing competes, so that bids are needs and v is
+        empty."""
         self._guard.begin_tick()
-        able = [view for view in snapshot.of_role("pursuer") if view.sysid not in served and can_receive(view)]
+        able = [view for view in snapshot.of_role("pursuer") if view.sysid not in served and is_servable(view)]
         self._able = [view.sysid for view in able]
         self._wanting = tuple(view for view in able if view.need >= self._rules.need_from)
         need = {view.sysid: view.need for view in self._wanting}
         bids = normalise(list(need.values()), low=self._rules.floor, high=self._rules.high) if need else ()
-        self.standing = Standing({}, dict(zip(need, map(float, bids), strict=True)), need, None, 0.0)
+        self.competition_state = CompetitionState({}, dict(zip(need, map(float, bids), strict=True)), need, None, 0.0)
 
     def winner(
         self,
-        snapshot: FleetState,
+        snapshot: FleetSnapshot,
         tanker: VehicleView,
         speed_m_s: float,
         reserve_s: float,
         free: Sequence[VehicleView] = (),
     ) -> tuple[int, str] | None:
-        """Who a free tanker serves next, and by what: `urgency` or `policy`; None where the policy names nobody."""
+        """System id that a free tanker serves next, and by what: `urgency` or `policy`; None where the policy names
+        none."""
         urgent = most_urgent(snapshot, self._able, tanker, speed_m_s, reserve_s)
         if urgent is not None:
             return urgent, "urgency"
@@ -193,10 +204,12 @@ class PolicyBidding(Bidding):
         return None if answer is None or answer.value is None else (answer.value, "policy")
 
     def award(self, sysid: int, now_s: float) -> None:
-        """The one chosen is nobody else's any more."""
+        """The vehicle chosen is no candidate any more."""
         self._able.remove(sysid)
         self._wanting = tuple(view for view in self._wanting if view.sysid != sysid)
-        self.standing = Standing({}, self.standing.tau, self.standing.need, None, 0.0)
+        self.competition_state = CompetitionState(
+            {}, self.competition_state.tau, self.competition_state.need, None, 0.0
+        )
 
     def _checked(self, answer: Any) -> int | None:
         """The answer as a system id or None. Raises Nonsense."""
@@ -205,8 +218,8 @@ class PolicyBidding(Bidding):
         for view in self._wanting:
             if answer == view.sysid:
                 return view.sysid
-        told = "NaN" if answer != answer else " ".join(repr(answer).split())[:60]  # noqa: PLR0124 - NaN alone differs
-        raise Nonsense(f"returned {told}, which is no candidate's system id")
+        shown = "NaN" if answer != answer else " ".join(repr(answer).split())[:60]  # noqa: PLR0124 - NaN alone differs
+        raise Nonsense(f"returned {shown}, which is no candidate's system id")
 
 
 def make_bidding(scenario: Scenario) -> tuple[Bidding, Guard | None]:

@@ -1,6 +1,7 @@
-"""Who can take energy in the air (docs/protocol.md#transfer-capability): as the scenario says, or found out by asking.
+"""Ability to take energy in the air (docs/protocol.md#transfer-capability): as the scenario says, or found out by
+asking.
 
-MAV_CMD_USER_1 may mean anything to a stranger's autopilot. So only a vehicle that has the parameter SIM_BAT_CAP_J is
+MAV_CMD_USER_1 may mean anything to an unknown autopilot. So only a vehicle that has the parameter SIM_BAT_CAP_J is
 asked, and by a command that does nothing: to stop a transfer that it has not begun.
 """
 
@@ -11,53 +12,53 @@ from typing import Any
 
 from gcs.refuelling.service import ServiceRequests
 from gcs.refuelling.transfer_command import inquiry
-from gcs.telemetry.state import FleetState
+from gcs.telemetry.state import FleetSnapshot
 
 ASK_WITHIN_S = 10.0
-"""So long after its first word a vehicle may keep back its parameters."""
+"""Time after its first message within which a vehicle must send its parameters."""
 BY_SCENARIO = "the scenario says so"
 NO_BATTERY_MODEL = "it has no SIM_BAT_CAP_J"
 REFUSED = "it does not know MAV_CMD_USER_1"
 
 
 class ReceiverCapability:
-    """What is known by now of each vehicle that may be refuelled."""
+    """Ability of each vehicle that may be refuelled, as far as it is known."""
 
     def __init__(self, said: Mapping[int, bool | None]) -> None:
         """`said` by system id: whether it can, None where it is to be asked."""
         self.unable: dict[int, str] = {}
         """who cannot, and how that is known"""
         self.unknown = {sysid for sysid, can in said.items() if can is None}
-        self._news = [sysid for sysid, can in sorted(said.items()) if can is False]
-        for sysid in self._news:
+        self._unrecorded = [sysid for sysid, can in sorted(said.items()) if can is False]
+        for sysid in self._unrecorded:
             self.unable[sysid] = BY_SCENARIO
-        self._heard_s: dict[int, float] = {}
+        self._first_received_s: dict[int, float] = {}
         self._asked: set[int] = set()
 
-    def decide(self, snapshot: FleetState, requests: ServiceRequests) -> None:
+    def decide(self, snapshot: FleetSnapshot, requests: ServiceRequests) -> None:
         """Ask whom there is to ask, and record who turned out to be unable."""
         for sysid in sorted(self.unknown):
             view = snapshot.vehicle(sysid)
-            if view.heard_s < 0.0:
+            if view.last_received_s < 0.0:
                 continue
-            heard_s = self._heard_s.setdefault(sysid, snapshot.time_s)
+            first_s = self._first_received_s.setdefault(sysid, snapshot.time_s)
             mark = f"refuel? {sysid}"
             if sysid in self._asked:
                 if (accepted := requests.accepted(mark)) is not None:
                     self._learn(sysid, None if accepted else REFUSED)
-            elif view.battery_told:
+            elif view.battery_reported:
                 self._asked.add(sysid)
                 requests.request(inquiry(sysid, mark))
-            elif snapshot.time_s - heard_s > ASK_WITHIN_S:
+            elif snapshot.time_s - first_s > ASK_WITHIN_S:
                 self._learn(sysid, NO_BATTERY_MODEL)
-        requests.records += [self._record(sysid) for sysid in self._news]
-        self._news = []
+        requests.records += [self._record(sysid) for sysid in self._unrecorded]
+        self._unrecorded = []
 
     def _learn(self, sysid: int, why_not: str | None) -> None:
         self.unknown.discard(sysid)
         if why_not is not None:
             self.unable[sysid] = why_not
-            self._news.append(sysid)
+            self._unrecorded.append(sysid)
 
     def _record(self, sysid: int) -> dict[str, Any]:
         return {"kind": "unable", "receiver": sysid, "reason": self.unable[sysid]}

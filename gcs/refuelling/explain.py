@@ -8,31 +8,31 @@ from typing import Any
 import numpy as np
 
 from gcs.mavlink.command_protocol import OPERATOR, CommandResult, result_in_words
-from gcs.refuelling.bidding import Standing
+from gcs.refuelling.bidding import CompetitionState
 from gcs.refuelling.service import Phase, Service, by_text
 from gcs.refuelling.target_assignment import meeting_s
 from gcs.scenario.model import CompetitionRules, RefuellingRules
-from gcs.telemetry.state import FleetState, Vec3
+from gcs.telemetry.state import FleetSnapshot, Vec3
 
 HISTORY = 20
 
 
-def competition_of(standing: Standing, rules: CompetitionRules) -> dict[str, Any]:
+def competition_of(competition_state: CompetitionState, rules: CompetitionRules) -> dict[str, Any]:
     """The competition as it stands; `threshold` is the share that wins it once it is held long enough."""
-    behind = [sysid for sysid in standing.v if sysid != standing.leader]
+    behind = [sysid for sysid in competition_state.v if sysid != competition_state.leader]
     return {
-        "v": by_text(standing.v),
-        "tau": by_text(standing.tau),
-        "leader": standing.leader,
-        "share": standing.share if standing.leader is not None else None,
-        "runner_up": max(behind, key=lambda sysid: (standing.v[sysid], -sysid), default=None),
+        "v": by_text(competition_state.v),
+        "tau": by_text(competition_state.tau),
+        "leader": competition_state.leader,
+        "share": competition_state.share if competition_state.leader is not None else None,
+        "runner_up": max(behind, key=lambda sysid: (competition_state.v[sysid], -sysid), default=None),
         "threshold": rules.share,
     }
 
 
 def service_of(
     service: Service,
-    snapshot: FleetState,
+    snapshot: FleetSnapshot,
     rules: RefuellingRules,
     competition: CompetitionRules,
     speed_m_s: float,
@@ -63,8 +63,8 @@ def history_of(services: Iterable[Service]) -> list[dict[str, Any]]:
     ]
 
 
-def rendezvous_ned(service: Service, snapshot: FleetState, height_m: float, speed_m_s: float) -> Vec3 | None:
-    """Where the tanker meets its receiver if that flies straight on; above it where it is, once they have met."""
+def rendezvous_ned(service: Service, snapshot: FleetSnapshot, height_m: float, speed_m_s: float) -> Vec3 | None:
+    """Point where the tanker meets its receiver if that flies straight on; above it where it is, once they have met."""
     if service.tanker is None:
         return None
     receiver, tanker = snapshot.vehicle(service.receiver), snapshot.vehicle(service.tanker)
@@ -79,7 +79,7 @@ def rendezvous_ned(service: Service, snapshot: FleetState, height_m: float, spee
     return (place[0] + vn * left_s, place[1] + ve * left_s, place[2] + vd * left_s)
 
 
-def why(service: Service, snapshot: FleetState, rules: RefuellingRules, competition: CompetitionRules) -> str:
+def why(service: Service, snapshot: FleetSnapshot, rules: RefuellingRules, competition: CompetitionRules) -> str:
     """One sentence for a person: by what this receiver was chosen, and when its tanker meets it."""
     receiver = snapshot.vehicle(service.receiver).label
     need = f"its need {service.need:.2f}"
@@ -112,7 +112,7 @@ def why(service: Service, snapshot: FleetState, rules: RefuellingRules, competit
 
 
 def notes_of(services: Iterable[Service], asked: Iterable[int], out: Mapping[int, str]) -> Mapping[int, str]:
-    """What each vehicle has to do with refuelling, by system id: a side of a service, `asked` for next, or `out`."""
+    """Part of each vehicle in refuelling, by system id: a side of a service, `asked` for next, or `out`."""
     notes = {**dict.fromkeys(asked, "refuelled next, by the operator"), **out}
     for service in services:
         notes[service.receiver] = f"served by {service.giver}: {service.phase}"
@@ -144,7 +144,7 @@ def sentence(record: Mapping[str, Any]) -> str:
 
 
 def acknowledged(result: CommandResult) -> str:
-    """How a command ended, for a person."""
+    """Result of a command, for a person."""
     refused = result_in_words(result.result or 0)
     code = "" if refused == f"result {result.result}" else f"result {result.result}, "
     if str(result.token).startswith(OPERATOR):

@@ -2,7 +2,7 @@
 
     class MyPolicy:
         def __init__(self, scenario): ...
-        def choose(self, request): return a system id, or None for nobody now
+        def choose(self, request): return a system id, or None for none now
 
 A scenario names one: `competition: {policy: greedy_nearest | most_empty_first | optimal | MODULE:CLASS}`. Whatever the
 policy, a vehicle that would not last until a rendezvous goes first (docs/protocol.md#refuelling-schedule).
@@ -31,7 +31,7 @@ class RefuellingRequest:
     time_s: float
     tanker: VehicleView
     candidates: tuple[VehicleView, ...]
-    """who may be served, in order of system id: in the air, below `competition.need_from`, nobody's turn yet"""
+    """who may be served, in order of system id: in the air, below `competition.need_from`, not yet being served"""
     free_tankers: tuple[VehicleView, ...]
     """`tanker` first, and all that are free beside it"""
     speed_m_s: Mapping[int, float]
@@ -43,7 +43,7 @@ class RefuellingPolicy(Protocol):
     """One-method protocol; made once, as CLASS(scenario)."""
 
     def choose(self, request: RefuellingRequest) -> int | None:
-        """The candidate whom request.tanker is to serve, by system id; None: nobody, ask again in the next tick."""
+        """The candidate whom request.tanker is to serve, by system id; None: none, ask again in the next tick."""
 
 
 class GreedyNearest:

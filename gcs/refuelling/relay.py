@@ -1,4 +1,4 @@
-"""What partners of a transfer hear of each other: their own frames, header unchanged
+"""Frames relayed between partners of a transfer: their own frames, header unchanged
 (docs/protocol.md#transfer-command)."""
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ class Relay(NamedTuple):
 
 
 def relayed(pairs: Iterable[tuple[int, int]], delivered: Mapping[int, list[Frame]]) -> dict[int, list[Relay]]:
-    """By reader, what it is to hear of the frames delivered by sender; `pairs` are (giver, receiver).
+    """Frames relayed to each reader of those delivered by sender; `pairs` are (giver, receiver).
 
     The giver's FOLLOW_TARGET and counter go to the receiver, the receiver's counter to the giver.
     """

@@ -18,13 +18,13 @@ import numpy as np
 
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.refuelling.base import BaseSteps, Stock
-from gcs.refuelling.bidding import Bidding, Standing, can_receive
+from gcs.refuelling.bidding import Bidding, CompetitionState, is_servable
 from gcs.refuelling.capability import ReceiverCapability
 from gcs.refuelling.service import Decision, Phase, Service, ServiceRequests, by_text
 from gcs.refuelling.tanker import TankerSteps
 from gcs.refuelling.target_assignment import meeting_s
 from gcs.scenario.model import Base, CompetitionRules, RefuellingRules, Tanker
-from gcs.telemetry.state import FleetState, VehicleView
+from gcs.telemetry.state import FleetSnapshot, VehicleView
 
 RELAY_WITHIN_M = 15.0
 WORTH_J = 500.0
@@ -41,11 +41,12 @@ class Scheduler:
         own: Bidding | None = None,
         *,
         bases: Sequence[Base] = (),
-        can_receive: Mapping[int, bool | None] | None = None,
+        transfer_capable: Mapping[int, bool | None] | None = None,
         cruise_m_s: float = 1.5,
     ) -> None:
-        """`own` takes the competition's place for the tankers. `can_receive`: who can take energy in the air, by system
-        id, None where it is to be found out; those who are not named can. `cruise_m_s`: how fast they fly to a base."""
+        """`own` takes the competition's place for the tankers. `transfer_capable`: whether a vehicle can take energy in
+        the air, by system id, None where it is to be found out; those who are not named can. `cruise_m_s`: how fast
+        they fly to a base."""
         competes = competition.enabled and refuelling.enabled
         self._contest = (own or Bidding(competition)) if competes else None
         self._base_contest = Bidding(competition) if competes and bases else None
@@ -60,23 +61,27 @@ class Scheduler:
         self._requests = ServiceRequests()
         self._steps = TankerSteps(refuelling, self._tankers, self._requests, self.out)
         self._bases = BaseSteps(refuelling, bases, self._requests, self.out, need_from=competition.need_from)
-        self._ability = ReceiverCapability(can_receive or {})
+        self._ability = ReceiverCapability(transfer_capable or {})
 
     @property
-    def standing(self) -> Standing:
-        """The competition for the tankers as it stands, or where nobody competes for them the one for the bases."""
-        by_tanker, by_base = self.standings
+    def competition_state(self) -> CompetitionState:
+        """The competition for the tankers as it stands, or, where no vehicle competes for them, the one for the
+        bases."""
+        by_tanker, by_base = self.competition_states
         return by_tanker if by_tanker.tau or not by_base.tau else by_base
 
     @property
-    def standings(self) -> tuple[Standing, Standing]:
+    def competition_states(self) -> tuple[CompetitionState, CompetitionState]:
         """The competitions as they stand: for the tankers, and for the bases."""
         tanker, base = self._contest, self._base_contest
-        return Standing() if tanker is None else tanker.standing, Standing() if base is None else base.standing
+        return (
+            CompetitionState() if tanker is None else tanker.competition_state,
+            CompetitionState() if base is None else base.competition_state,
+        )
 
     @property
     def unable(self) -> Mapping[int, str]:
-        """Who cannot take energy in the air, and how that is known: only a base can serve them."""
+        """Vehicles that cannot take energy in the air, and how that is known: only a base can serve them."""
         return self._ability.unable
 
     @property
@@ -94,8 +99,8 @@ class Scheduler:
         """Services that ended with energy on board of the receiver."""
         return [service for service in self.services if service.phase is Phase.DONE and service.energy_j > 0]
 
-    def settle(self, snapshot: FleetState) -> None:
-        """Book on each service what its receiver's counter shows by now: the last joules may be told late."""
+    def settle(self, snapshot: FleetSnapshot) -> None:
+        """Book on each service what its receiver's counter shows by now: the last joules may be reported late."""
         newest = {service.receiver: service for service in self.services if service.joined_at_s is not None}
         for receiver, service in newest.items():
             service.energy_j = snapshot.vehicle(receiver).received_j - service.in_at_start_j
@@ -110,10 +115,10 @@ class Scheduler:
         return False
 
     def result(self, token: str, accepted: bool) -> None:
-        """The result of a command whose wish carried this token."""
-        self._requests.take_result(token, accepted)
+        """The result of a command whose request carried this token."""
+        self._requests.receive_result(token, accepted)
 
-    def decide(self, snapshot: FleetState) -> Decision:
+    def decide(self, snapshot: FleetSnapshot) -> Decision:
         """Move the competition and every service to the snapshot's time."""
         self._requests.clear()
         self._bases.booked = {}
@@ -141,7 +146,7 @@ class Scheduler:
             records=tuple(self._requests.records),
         )
 
-    def _compete(self, snapshot: FleetState) -> None:
+    def _compete(self, snapshot: FleetSnapshot) -> None:
         """Move both competitions on, and give every free tanker and base who is decided for it."""
         served = {service.receiver for service in self.open_services} | self.out.keys()
         unable = self._ability.unable.keys()
@@ -156,7 +161,7 @@ class Scheduler:
             while self._award_base(snapshot):
                 pass
 
-    def _free_tankers(self, snapshot: FleetState) -> list[VehicleView]:
+    def _free_tankers(self, snapshot: FleetSnapshot) -> list[VehicleView]:
         busy = {service.tanker for service in self.open_services}
         return [
             view
@@ -169,23 +174,23 @@ class Scheduler:
             and self._steps.available_j(view, math.inf) >= WORTH_J
         ]
 
-    def _prune(self, snapshot: FleetState) -> None:
-        """Who is dead, out or being served is asked for no more."""
+    def _prune(self, snapshot: FleetSnapshot) -> None:
+        """Withdraw requests of vehicles that are dead, out or being served."""
         served = {service.receiver for service in self.open_services}
         gone = served | self.out.keys()
         self.asked = [sysid for sysid in self.asked if sysid not in gone and snapshot.vehicle(sysid).alive]
 
-    def _asked_for(self, snapshot: FleetState, *, base: bool) -> int | None:
-        """Who is asked for next of those whom a base, or a tanker, can serve."""
+    def _asked_for(self, snapshot: FleetSnapshot, *, base: bool) -> int | None:
+        """Vehicle that is asked for next of those that a base, or a tanker, can serve."""
         for sysid in self.asked:
             known = sysid not in self._ability.unknown
-            if known and (sysid in self.unable) == base and can_receive(snapshot.vehicle(sysid)):
+            if known and (sysid in self.unable) == base and is_servable(snapshot.vehicle(sysid)):
                 self.asked.remove(sysid)
                 return sysid
         return None
 
-    def _next(self, free: Sequence[VehicleView], snapshot: FleetState) -> tuple[int, str] | None:
-        """Who the first of the free tankers serves next, and by what; None while undecided."""
+    def _next(self, free: Sequence[VehicleView], snapshot: FleetSnapshot) -> tuple[int, str] | None:
+        """System id that the first free tanker serves next, and by what; None while undecided."""
         asked = self._asked_for(snapshot, base=False)
         if asked is not None or self._contest is None:
             return None if asked is None else (asked, "operator")
@@ -193,9 +198,9 @@ class Scheduler:
         reserve_s = self._rules.hold_s + self._rules.reserve_s
         return self._contest.winner(snapshot, free[0], speed_m_s, reserve_s, free)
 
-    def _award(self, free: Sequence[VehicleView], snapshot: FleetState) -> None:
+    def _award(self, free: Sequence[VehicleView], snapshot: FleetSnapshot) -> None:
         """Give the first of the free tankers its next receiver, if one is decided."""
-        standing, tanker = self.standings[0], free[0]
+        competition_state, tanker = self.competition_states[0], free[0]
         won = self._next(free, snapshot)
         if won is None:
             return
@@ -203,17 +208,17 @@ class Scheduler:
         if self._contest is not None:
             self._contest.award(receiver, snapshot.time_s)
         view = snapshot.vehicle(receiver)
-        service = self._decide(standing, view, tanker.sysid, by, snapshot.time_s)
+        service = self._decide(competition_state, view, tanker.sysid, by, snapshot.time_s)
         way = np.subtract(view.p_now_ned(), tanker.p_now_ned())
         service.meets_in_s = meeting_s(way, np.asarray(view.v_ned), self._tankers[tanker.sysid].speed_m_s)
         self._steps.begin(service)
-        self._tell(service, standing)
+        self._record_decision(service, competition_state)
 
-    def _award_base(self, snapshot: FleetState) -> bool:
+    def _award_base(self, snapshot: FleetSnapshot) -> bool:
         """Give a free base its next receiver, the nearest base to who is decided; whether there was any."""
         busy = {service.base for service in self.open_services}
         free = [stock.base for stock in self.stocks if stock.base.name not in busy and stock.remaining_j >= WORTH_J]
-        standing, contest = self.standings[1], self._base_contest
+        competition_state, contest = self.competition_states[1], self._base_contest
         asked = self._asked_for(snapshot, base=True) if free else None
         won = None if asked is None else (asked, "operator")
         if free and won is None and contest is not None:
@@ -226,21 +231,25 @@ class Scheduler:
             contest.award(receiver, snapshot.time_s)
         view = snapshot.vehicle(receiver)
         base = min(free, key=lambda base: math.dist(base.above_m, view.p_now_ned()))
-        service = self._decide(standing, view, None, by, snapshot.time_s)
+        service = self._decide(competition_state, view, None, by, snapshot.time_s)
         service.base, service.why_base = base.name, self.unable[receiver]
         service.meets_in_s = math.dist(base.above_m, view.p_now_ned()) / self._cruise_m_s
-        self._tell(service, standing, {"reason": f"cannot take a transfer: {service.why_base}"})
+        self._record_decision(service, competition_state, {"reason": f"cannot take a transfer: {service.why_base}"})
         return True
 
-    def _decide(self, standing: Standing, view: VehicleView, tanker: int | None, by: str, now_s: float) -> Service:
-        bids = {sysid: standing.tau[sysid] for sysid in standing.v or standing.tau}
+    def _decide(
+        self, competition_state: CompetitionState, view: VehicleView, tanker: int | None, by: str, now_s: float
+    ) -> Service:
+        bids = {sysid: competition_state.tau[sysid] for sysid in competition_state.v or competition_state.tau}
         service = Service(len(self.services) + 1, view.sysid, tanker, by, bids, now_s, phase_since_s=now_s)
-        service.need, service.share = view.need, standing.share
-        service.need_is_largest = view.need >= max(standing.need.values(), default=0.0)
+        service.need, service.share = view.need, competition_state.share
+        service.need_is_largest = view.need >= max(competition_state.need.values(), default=0.0)
         self.services.append(service)
         return service
 
-    def _tell(self, service: Service, standing: Standing, more: Mapping[str, Any] | None = None) -> None:
+    def _record_decision(
+        self, service: Service, competition_state: CompetitionState, more: Mapping[str, Any] | None = None
+    ) -> None:
         self._requests.records.append(
             {
                 "kind": "decided",
@@ -248,11 +257,11 @@ class Scheduler:
                 **(more or {}),
                 "by": service.by,
                 "bids": by_text(service.bids),
-                "v": by_text(standing.v),
-                "need": by_text(standing.need),
-                "share": standing.share,
+                "v": by_text(competition_state.v),
+                "need": by_text(competition_state.need),
+                "share": competition_state.share,
             }
         )
 
-    def _distance_m(self, tanker: int, service: Service, snapshot: FleetState) -> float:
+    def _distance_m(self, tanker: int, service: Service, snapshot: FleetSnapshot) -> float:
         return math.dist(snapshot.vehicle(service.receiver).p_now_ned(), snapshot.vehicle(tanker).p_now_ned())

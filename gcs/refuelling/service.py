@@ -12,7 +12,7 @@ from gcs.telemetry.state import Vec3
 
 
 class Phase(StrEnum):
-    """How far one service is."""
+    """Phase of one service."""
 
     JOIN = "join"
     LAND = "land at the base"
@@ -64,7 +64,7 @@ class Service:
     """why no tanker could serve it"""
     charged_s: float = 0.0
     fraction_j: float = 0.0
-    heard_in_j: int = 0
+    reported_in_j: int = 0
     progress_s: float = 0.0
 
     @property
@@ -79,7 +79,7 @@ class Service:
         return {"receiver": self.receiver, "tanker": self.tanker, **base}
 
     def record(self) -> dict[str, Any]:
-        """The service as the summary tells it."""
+        """The service as the summary holds it."""
         return {
             **self.sides,
             "by": self.by,
@@ -139,7 +139,7 @@ class ServiceRequests:
         self._results.pop(command.token, None)
         self.requests.append(command)
 
-    def take_result(self, token: str, accepted: bool) -> None:
+    def receive_result(self, token: str, accepted: bool) -> None:
         """Store the result of the command with this token."""
         self._results[token] = accepted
 

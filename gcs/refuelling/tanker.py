@@ -20,17 +20,17 @@ from gcs.mavlink.command_protocol import CommandRequest
 from gcs.refuelling.service import Phase, Service, ServiceRequests, token
 from gcs.refuelling.transfer_command import TransferRole, transfer_request
 from gcs.scenario.model import RefuellingRules, Tanker
-from gcs.telemetry.state import FleetState, VehicleView
+from gcs.telemetry.state import FleetSnapshot, VehicleView
 
 CATCH_UP_S = 1.0
 COUNTER_SETTLES_S = 0.5
-"""A giver's counter is trusted as a transfer's start when it was heard this long after the last one ended."""
+"""A giver's counter is trusted as a transfer's start when it was received this long after the last one ended."""
 JOIN_WITHIN_S = 60.0
 START_WITHIN_S = 5.0
 BREAKS = 5
 """A service that was broken off so often ends; the receiver competes again, and so may the others."""
 REFUSALS = 5
-"""So often in a row a receiver may refuse before its service is given up: others wait for the tanker."""
+"""Refusals of a receiver in a row after which its service is given up: others wait for the tanker."""
 FOLLOW_EVERY_US = 100_000.0
 _FOLLOW = float(mav.MAVLINK_MSG_ID_FOLLOW_TARGET)
 
@@ -48,18 +48,18 @@ class TankerSteps:
         self._out_of_it = out
 
     def available_j(self, tanker: VehicleView, limit_j: float) -> float:
-        """What a tanker may give and still get home with its reserve."""
+        """Energy that a tanker may give and still get home with its reserve."""
         rules = self._tankers[tanker.sysid]
         way_home_j = math.dist(tanker.p_now_ned(), rules.home_m or rules.start_m) / rules.speed_m_s * tanker.power_w
         return min(tanker.remaining_j - rules.reserve_j - way_home_j, limit_j)
 
     def begin(self, service: Service) -> None:
-        """The tanker is to tell where it is often enough for its receiver."""
+        """The tanker is to report its position often enough for its receiver."""
         assert service.tanker is not None
         stream = token(service, "stream")
         self._requests.request(_follow_target_every(FOLLOW_EVERY_US, service.tanker, stream))
 
-    def serve(self, service: Service, snapshot: FleetState) -> None:
+    def serve(self, service: Service, snapshot: FleetSnapshot) -> None:
         """Move one service to the snapshot's time."""
         assert service.tanker is not None
         now_s = snapshot.time_s
@@ -84,7 +84,7 @@ class TankerSteps:
             service.near_since_s = None
         elif service.near_since_s is None:
             service.near_since_s = now_s
-        counter_known = tanker.given_told_s >= service.phase_since_s + COUNTER_SETTLES_S
+        counter_known = tanker.given_reported_s >= service.phase_since_s + COUNTER_SETTLES_S
         held = service.near_since_s is not None and now_s - service.near_since_s >= self._rules.hold_s
         if held and counter_known:
             if service.joined_at_s is None:
@@ -164,8 +164,10 @@ class TankerSteps:
             self._go(service, Phase.CATCH_UP, now_s)
 
     def _catch_up(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
-        told = tanker.given_told_s > service.phase_since_s
-        caught_up = told and receiver.received_j - service.in_at_begin_j >= tanker.given_j - service.out_at_start_j
+        counter_reported = tanker.given_reported_s > service.phase_since_s
+        caught_up = (
+            counter_reported and receiver.received_j - service.in_at_begin_j >= tanker.given_j - service.out_at_start_j
+        )
         if caught_up or now_s - service.phase_since_s >= CATCH_UP_S or receiver.mode is not FlightMode.REFUEL:
             self._stop(service, receiver, now_s)
 

@@ -17,8 +17,8 @@ import numpy as np
 
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.refuelling.winner_take_all import advance, normalise, revive, share
-from gcs.scenario.model import PursuitRules as Rules
-from gcs.telemetry.state import FleetState, Vec3, VehicleView
+from gcs.scenario.model import PursuitRules
+from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 
 GRAVITY_M_S2 = 9.8
 LOW, HIGH = 0.01, 1.0
@@ -63,7 +63,9 @@ def meeting_s(offset: np.ndarray[Any, Any], v_t: np.ndarray[Any, Any], speed_m_s
 class TargetAssignment:
     """The races' memory from tick to tick."""
 
-    def __init__(self, rules: Rules, pursuers: Collection[int], targets: Collection[int], speed_m_s: float) -> None:
+    def __init__(
+        self, rules: PursuitRules, pursuers: Collection[int], targets: Collection[int], speed_m_s: float
+    ) -> None:
         self._rules = rules
         self._pursuers = frozenset(pursuers)
         self._targets = sorted(targets)
@@ -74,7 +76,7 @@ class TargetAssignment:
         self.records: list[dict[str, Any]] = []
         """decisions of the last tick: a target has a new pursuer"""
 
-    def decide(self, snapshot: FleetState) -> dict[int, int]:
+    def decide(self, snapshot: FleetSnapshot) -> dict[int, int]:
         """Target of each pursuer that is to pursue, by system id, at the snapshot's time."""
         dt_s = 0.0 if self._last_s is None else snapshot.time_s - self._last_s
         self._last_s = snapshot.time_s
@@ -116,7 +118,7 @@ class TargetAssignment:
             chosen = sysids[int(v.argmax())] if leads else present
         if chosen != present:
             self._pursuer[target.sysid] = chosen
-            told = {str(sysid): effort for sysid, effort in efforts.items()}
+            by_sysid = {str(sysid): effort for sysid, effort in efforts.items()}
             self.records.append(
-                {"kind": "pursuit", "target": target.sysid, "pursuer": chosen, "before": present, "efforts": told}
+                {"kind": "pursuit", "target": target.sysid, "pursuer": chosen, "before": present, "efforts": by_sysid}
             )

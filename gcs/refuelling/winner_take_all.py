@@ -189,7 +189,7 @@ def share(v: ArrayLike, p: float, floor: float) -> float:
     """The winner's share, 0..1, of Σ v^p less the floor's own share (docs/protocol.md#refuelling-schedule) [choice].
 
     What each v^p holds above floor^p counts, the winner's and the others' alike: 1 when all others lie on the floor, 0
-    while nobody has left it. Without this, a thousand revived losers would outweigh any winner.
+    while no vehicle has left it. Without this, a thousand revived losers would outweigh any winner.
     ValueError unless v (n,) is finite and >= 0, p >= 1 and floor > 0.
     """
     _positive("floor", floor)

@@ -56,7 +56,7 @@ class Charts:
         self._colours = {v.sysid: k for k, v in enumerate(scenario.vehicles.all)} if scenario is not None else {}
 
     def model(self) -> dict[str, Any]:
-        """What the script draws: the vehicles, and each figure by its name; a figure without data is left out."""
+        """Data that the script draws: the vehicles, and each figure by its name; a figure without data is left out."""
         found = self._found
         figures = self._of_time()
         if found.services:
@@ -87,7 +87,8 @@ class Charts:
         ]
         attitudes = found.attitudes.items()
         roll, pitch, yaw = (
-            {sysid: Series(told[i].t_s, DEGREES * told[i].values) for sysid, told in attitudes} for i in range(3)
+            {sysid: Series(reported[i].t_s, DEGREES * reported[i].values) for sysid, reported in attitudes}
+            for i in range(3)
         )
         spans = [
             {"from": s.start_s, "to": s.end_s if s.end_s is not None else self.end_s, "id": s.receiver}
@@ -206,8 +207,8 @@ class Charts:
             steps = [s.decided_at_s, s.joined_at_s, s.start_s]
             row = labels.get(s.receiver, str(s.receiver))
             bids = sorted(s.bids.items(), key=lambda bid: -bid[1])[:5]
-            told = ", ".join(f"{sysid}: {bid:.2f}" for sysid, bid in bids)
-            text = f"by {s.giver}, decided by {s.by}, {s.energy_j:.0f} J ({s.reason}); bids {told or 'none'}"
+            reported = ", ".join(f"{sysid}: {bid:.2f}" for sysid, bid in bids)
+            text = f"by {s.giver}, decided by {s.by}, {s.energy_j:.0f} J ({s.reason}); bids {reported or 'none'}"
             for stage, (begin, *later) in enumerate((steps, steps[1:], steps[2:])):
                 if begin is not None:
                     until = next((t for t in later if t is not None), end_s)

@@ -1,4 +1,4 @@
-"""Fewer points that draw the same picture: per bucket of time the smallest and the largest value, where they were.
+"""Fewer points that draw the same curve: per bucket of time the smallest and the largest value, where they were.
 
 A line drawn through them covers the same pixels as one through all, if a bucket is no wider than a pixel, and no
 extreme is lost however few they are. Paths in space lose the points that lie next to the line through the others.

@@ -45,7 +45,7 @@ class Nearness:
 
 
 def measure(recorded: Recorded, flown: Mapping[int, Track], others: Mapping[str, Track]) -> Nearness:
-    """All of it; empty series where nobody's track is known."""
+    """All of it; empty series where no track is known."""
     scenario = recorded.scenario
     t_s = ticks_of(recorded) if flown else np.empty(0)
     ticks = len(t_s)

@@ -1,4 +1,4 @@
-"""What a session amounts to, for a reader: its series, its services, its ledgers; and in words what came of the goal
+"""Findings of a session, for a reader: its series, its services, its ledgers; and in words what came of the goal
 and what went wrong, the worst first."""
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ class SessionProblem:
 
 
 @dataclass(frozen=True)
-class GoalRow:
+class GoalFinding:
     """One part of the goal; `met` None: not known."""
 
     wanted: str
@@ -60,12 +60,12 @@ class ServiceFinding:
 
     @property
     def giver(self) -> str:
-        """Who gives, for a person."""
+        """Giver, for a person."""
         return f"base {self.base}" if self.tanker is None else f"tanker {self.tanker}"
 
 
 class Findings:
-    """Everything that the page tells, from what was recorded."""
+    """Everything that the page shows, from the recording."""
 
     def __init__(self, recorded: Recorded) -> None:
         self.recorded = recorded
@@ -83,7 +83,7 @@ class Findings:
         self.nearness = distances.measure(recorded, self.tracks, self.traffic)
         self.errors = distances.tracking_errors(recorded, self.tracks)
         self.texts = series.texts(recorded)
-        lost = sorted(set(series.heard(recorded)) - self.tracks.keys())
+        lost = sorted(set(series.senders(recorded)) - self.tracks.keys())
         if lost:
             where = f"The paths of {few(lost)} are not known: it was never told where their frame's zero lies."
             recorded.problems.append(where)
@@ -121,8 +121,8 @@ class Findings:
         found: list[ServiceFinding] = []
         for decision in self.recorded.decisions:
             if decision["kind"] == "served":
-                told: dict[str, Any] = {"base": None, **decision}
-                found.append(ServiceFinding(**{key: told[key] for key in ServiceFinding.__dataclass_fields__}))
+                reported: dict[str, Any] = {"base": None, **decision}
+                found.append(ServiceFinding(**{key: reported[key] for key in ServiceFinding.__dataclass_fields__}))
         ended = {(s.receiver, s.tanker, s.decided_at_s) for s in found}
         if self.summary is not None:
             found += [
@@ -147,22 +147,22 @@ class Findings:
     # the goal
 
     @cached_property
-    def parts(self) -> list[GoalRow]:
+    def parts(self) -> list[GoalFinding]:
         """The goal, part by part, and what was reached: as the session judged it, or, where it left no summary, as far
-        as its recording tells."""
+        as its recording shows."""
         if self.scenario is None:
             return []
-        told = {part.part: part for part in self.summary.goal} if self.summary is not None else {}
+        reported = {part.part: part for part in self.summary.goal} if self.summary is not None else {}
         judged = goal.judge(self.scenario, self._measured())
         return [
-            GoalRow(told[one.part].wanted, told[one.part].reached, told[one.part].met)
-            if one.part in told
-            else GoalRow(one.wanted, one.reached, one.met)
+            GoalFinding(reported[one.part].wanted, reported[one.part].reached, reported[one.part].met)
+            if one.part in reported
+            else GoalFinding(one.wanted, one.reached, one.met)
             for one in judged
         ]
 
     def _measured(self) -> Measured:
-        """What the recording alone tells."""
+        """Figures from the recording alone."""
         near, summary = self.nearness, self.summary
         held = near.held_s if self.scenario is not None and self.scenario.pursuit.by != "competition" else {}
         dead = [d for d in self.recorded.decisions if d["kind"] == "death"]
@@ -175,20 +175,24 @@ class Findings:
         )
 
     def _closest(self, line: Series, pair: Any, name: str) -> Nearest:
-        """Who came nearest by the recording."""
+        """Nearest approach by the recording."""
         if not np.isfinite(line.values).any():
             return Nearest()
         k = int(np.nanargmin(line.values))
         return Nearest(float(line.values[k]), tuple(sorted(np.atleast_1d(pair[k]).tolist())), float(line.t_s[k]))
 
     def closest(self, name: str) -> Nearest | None:
-        """Who came nearest: `separation`, `clearance` or `traffic`, as judged; None where that is not known."""
-        told = self.summary.closest.get(name) if self.summary is not None else None
-        return None if told is None else Nearest(told.distance_m, tuple(told.sysids), told.t_s, told.what)
+        """Nearest approach: `separation`, `clearance` or `traffic`, as judged; None where that is not known."""
+        reported = self.summary.closest.get(name) if self.summary is not None else None
+        return (
+            None
+            if reported is None
+            else Nearest(reported.distance_m, tuple(reported.sysids), reported.t_s, reported.what)
+        )
 
     @property
     def limits(self) -> dict[str, float]:
-        """What the goal demands, by part."""
+        """Demands of the goal, by part."""
         return goal.asked(self.scenario) if self.scenario is not None else {}
 
     def violations(self, part: str) -> list[tuple[float, int, str]]:
@@ -215,7 +219,7 @@ class Findings:
 
     @cached_property
     def problems(self) -> list[SessionProblem]:
-        """What went wrong in flight, the worst first."""
+        """Faults in flight, the worst first."""
         order: dict[Level, int] = {"bad": 0, "warn": 1, "note": 2}
         return sorted(self._problems(), key=lambda problem: order[problem.level])
 
@@ -241,7 +245,7 @@ class Findings:
         yield from self._of_the_link()
 
     def _said(self) -> Iterator[SessionProblem]:
-        """What vehicles said of themselves, alike said once."""
+        """Status texts of the vehicles, equal ones once."""
         alike: dict[tuple[str, int], list[tuple[float, int]]] = {}
         for t_s, sysid, severity, text in self.texts:
             alike.setdefault((text, severity), []).append((t_s, sysid))
@@ -252,10 +256,10 @@ class Findings:
             yield SessionProblem(level, f"“{text}” said by {plural} {few(who)} ({_times(len(said), said[0][0])}).")
 
     def _too_near(self) -> Iterator[SessionProblem]:
-        told: dict[str, list[tuple[float, int, str]]] = {}
+        reported: dict[str, list[tuple[float, int, str]]] = {}
         for part in ("separation", "clearance", "traffic", "ground"):
-            told[part] = self.violations(part)
-        for part, found in told.items():
+            reported[part] = self.violations(part)
+        for part, found in reported.items():
             for t_s, _, text in found[:FEW]:
                 when = "" if " at " in text else f" ({t_s:.1f} s)"
                 yield SessionProblem("bad", f"{text[:1].upper()}{text[1:]}{when}.")

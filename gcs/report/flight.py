@@ -34,7 +34,7 @@ QUIET = ("competition", "set_point")
 
 
 def flight(found: Findings, pack: Pack) -> dict[str, Any] | None:
-    """What the page plays; its numbers go to `pack`. None where no place is known."""
+    """The recording that the page plays; its numbers go to `pack`. None where no place is known."""
     if not found.tracks:
         return None
     many = len(found.tracks) > MANY
@@ -141,7 +141,7 @@ def _held(series: Series, t_s: float) -> bool:
 
 
 def _events(found: Findings) -> list[Event]:
-    """What was decided, ordered or died, and what vehicles said that is no mere information, in order of time."""
+    """Decisions, orders, deaths, and vehicles' own texts from warnings up, in order of time."""
     told = [Event(t_s, sysid, level_of(severity), text, "text") for t_s, sysid, severity, text in found.texts]
     return sorted([*_decided(found), *told], key=lambda event: event.t_s)
 

@@ -201,20 +201,20 @@ def _cards(found: Findings) -> str:
 def _sections(found: Findings, figures: set[str]) -> Iterable[tuple[str, str, str] | None]:
     """(id, title, HTML) of each section; None where there is nothing to show."""
 
-    def figure(name: str, told: str, kind: str = "") -> str:
+    def figure(name: str, caption: str, kind: str = "") -> str:
         if name not in figures:
             return ""
         holds = "group" if name in ("timeline", "ledger") else "img"
         plot = (
-            f'<div class="plot {kind}" data-figure="{name}" role="{holds}" aria-label="{escape(told)}">'
+            f'<div class="plot {kind}" data-figure="{name}" role="{holds}" aria-label="{escape(caption)}">'
             '<p class="waiting">drawing …</p></div>'
         )
-        return f'<figure class="{kind}">{plot}<figcaption>{escape(told)}</figcaption></figure>'
+        return f'<figure class="{kind}">{plot}<figcaption>{escape(caption)}</figcaption></figure>'
 
     def section(part: str, title: str, *bodies: str) -> tuple[str, str, str] | None:
         return (part, title, "".join(bodies)) if any(bodies) else None
 
-    told = (
+    from_above = (
         "From above, north up, at the end. Rings stand where vehicles began, numbers where they are, crosses and grey "
         "shapes are obstacles; dashed grey: the targets' path as planned; dotted grey: other aircraft."
     )
@@ -223,7 +223,7 @@ def _sections(found: Findings, figures: set[str]) -> Iterable[tuple[str, str, st
         "paths",
         "Flight",
         '<div id="app"></div>' if flown else "",
-        figure("flight", told, kind="only-print") if flown else "",
+        figure("flight", from_above, kind="only-print") if flown else "",
     )
     yield section(
         "pursuit",

@@ -42,9 +42,9 @@ def services(found: Findings) -> str:
     rows = []
     for s in found.services:
         bids = sorted(s.bids.items(), key=lambda bid: -bid[1])
-        told = " · ".join(f"{sysid}: {bid:.2f}" for sysid, bid in bids[:4]) + (" …" if len(bids) > 4 else "")
+        reported = " · ".join(f"{sysid}: {bid:.2f}" for sysid, bid in bids[:4]) + (" …" if len(bids) > 4 else "")
         times = (_time(s.decided_at_s), _time(s.joined_at_s), _time(s.start_s), _time(s.end_s))
-        rows.append((s.receiver, s.giver, s.by, *times, f"{s.energy_j:.0f}", s.reason, told))
+        rows.append((s.receiver, s.giver, s.by, *times, f"{s.energy_j:.0f}", s.reason, reported))
     heads = (
         "receiver",
         "served by",
@@ -79,7 +79,7 @@ def link(found: Findings) -> str:
         return ""
     counts = found.summary.link
     names = ("received", "sent", "lost", "malformed", "overflowed", "command_retries")
-    told = (
+    reported = (
         "frames received",
         "frames sent",
         "lost (gaps)",
@@ -87,7 +87,7 @@ def link(found: Findings) -> str:
         "dropped by the system",
         "commands sent again",
     )
-    return _table("The session's link, frames", told, [[getattr(counts, name) for name in names]])
+    return _table("The session's link, frames", reported, [[getattr(counts, name) for name in names]])
 
 
 def numbers(found: Findings) -> str:
@@ -97,8 +97,8 @@ def numbers(found: Findings) -> str:
     rows = []
     for vehicle in found.vehicles:
         sysid = vehicle.sysid
-        told = of.get(sysid)
-        energy = told.energy if told else None
+        reported = of.get(sysid)
+        energy = reported.energy if reported else None
         speed = found.greatest({sysid: found.speeds[sysid]}) if sysid in found.speeds else None
         error = found.greatest({sysid: found.errors[sysid]}) if sysid in found.errors else None
         battery = found.battery_percent.get(sysid)
@@ -108,11 +108,11 @@ def numbers(found: Findings) -> str:
             (
                 vehicle.label,
                 vehicle.role,
-                told.final_mode if told else None,
-                f"{told.path_length_m:.1f}" if told else None,
+                reported.final_mode if reported else None,
+                f"{reported.path_length_m:.1f}" if reported else None,
                 f"{error[0]:.3f}" if error else None,
                 speed[0] if speed else None,
-                f"{told.control_effort:.0f}" if told else None,
+                f"{reported.control_effort:.0f}" if reported else None,
                 *(f"{getattr(energy, name):.0f}" if energy else None for name in whole),
                 f"{battery.values.min():.1f}" if battery is not None and len(battery.values) else None,
                 int(link.lost.values[-1]) if link is not None else None,
@@ -128,7 +128,7 @@ def numbers(found: Findings) -> str:
 
 
 def again(found: Findings) -> str:
-    """How to fly the session again, and by what to tell that it is the same."""
+    """How to fly the session again, and the digest that shows it is the same."""
     folder, summary = found.recorded.folder.resolve(), found.summary
     parts = []
     if found.scenario is not None:

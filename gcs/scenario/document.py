@@ -18,14 +18,14 @@ import yaml
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails, PydanticCustomError
 
-from gcs.scenario.yaml_dialect import SCALARS, Dumper, Loader, Refused, syntax
+from gcs.scenario.yaml_dialect import SCALARS, Dumper, Loader, YamlRefused, syntax
 
 MAX_BYTES = 1 << 20
 MAX_NODES = 100_000
 MAX_SHOWN = 20
 MEANT = "; did you mean "
 
-Path = tuple[str | int, ...]
+KeyPath = tuple[str | int, ...]
 
 
 @dataclass(frozen=True)
@@ -58,9 +58,9 @@ class ScenarioError(Exception):
 class Conflict(NamedTuple):
     """Two values that do not go together: where the sentence belongs, and the other place that it concerns."""
 
-    path: Path
+    path: KeyPath
     message: str
-    also: Path | None = None
+    also: KeyPath | None = None
 
 
 def conflict_error(conflicts: Iterable[Conflict]) -> PydanticCustomError:
@@ -77,7 +77,7 @@ class _Marks(NamedTuple):
 
 @dataclass
 class Document:
-    """What a file says, and where it says it.
+    """Content of a file, and the place of each value in it.
 
     `data` is plain (dict, list, str, int, float, bool, None); `origins` maps inherited values to where they stand,
     `given` what was set from outside (gcs/scenario/keys.py) to the words for it.
@@ -85,11 +85,11 @@ class Document:
 
     file: str
     data: dict[str, Any] = field(default_factory=dict)
-    marks: dict[Path, _Marks] = field(default_factory=dict)
-    origins: dict[Path, Path] = field(default_factory=dict)
-    given: dict[Path, str] = field(default_factory=dict)
+    marks: dict[KeyPath, _Marks] = field(default_factory=dict)
+    origins: dict[KeyPath, KeyPath] = field(default_factory=dict)
+    given: dict[KeyPath, str] = field(default_factory=dict)
 
-    def value(self, path: Path) -> Any:
+    def value(self, path: KeyPath) -> Any:
         """The value at `path`, None where there is none."""
         node: Any = self.data
         for part in path:
@@ -99,7 +99,7 @@ class Document:
                 return None
         return node
 
-    def problem(self, path: Path, message: str, *, at_key: bool = False) -> Problem:
+    def problem(self, path: KeyPath, message: str, *, at_key: bool = False) -> Problem:
         """`message` at the value (or the key) of `path`, or of the nearest thing around it that the file does say."""
         if (label := self._label(path)) is not None:
             return Problem(label, None, None, message)
@@ -109,13 +109,13 @@ class Document:
         marks = self.marks.get(path, _Marks((1, 1), (1, 1)))
         return Problem(self.file, *(marks.key if at_key else marks.value), message)
 
-    def disagreement(self, conflict: Conflict, path: Path = ()) -> Problem:
+    def disagreement(self, conflict: Conflict, path: KeyPath = ()) -> Problem:
         """A conflict where the file has it; its paths count from `path`."""
         line = self.problem(path + conflict.also, "").line if conflict.also else None
         also = "" if line is None else f" (see line {line})"
         return self.problem(path + conflict.path, conflict.message + also)
 
-    def inherit(self, source: Path, heir: Path) -> None:
+    def inherit(self, source: KeyPath, heir: KeyPath) -> None:
         """Give the mapping at `heir` what the mapping at `source` has and it lacks, mapping by mapping."""
         given, own = self.value(source), self.value(heir)
         if not isinstance(given, dict) or not isinstance(own, dict):
@@ -139,7 +139,7 @@ class Document:
         found = {problem for details in errors for problem in self._explain(details, schema)}
         return sorted(found, key=lambda problem: (problem.line or 0, problem.column or 0, problem.message))
 
-    def _label(self, path: Path) -> str | None:
+    def _label(self, path: KeyPath) -> str | None:
         """The words for what was set from outside at `path` or around it; None where the file says it."""
         for start in (path, self._written(path)) if self.given else ():
             for length in range(len(start), 0, -1):
@@ -147,7 +147,7 @@ class Document:
                     return self.given[start[:length]]
         return None
 
-    def _written(self, path: Path) -> Path:
+    def _written(self, path: KeyPath) -> KeyPath:
         for length in range(len(path), 0, -1):
             if path[:length] in self.origins:
                 return self.origins[path[:length]] + path[length:]
@@ -211,7 +211,7 @@ def shown(value: Any) -> str:
     return str(value) if abs(value) < 1e15 else f"{value:g}"
 
 
-def dotted(path: Path) -> str:
+def dotted(path: KeyPath) -> str:
     """('vehicles', 'pursuers', 0, 'sysid') as vehicles.pursuers[0].sysid"""
     return "".join(f"[{p}]" if isinstance(p, int) else f".{_printable(p)}" for p in path).removeprefix(".")
 
@@ -231,7 +231,7 @@ def did_you_mean(word: str, known: Iterable[str]) -> str:
     return "" if near is None else f"{MEANT}{near!r}?"
 
 
-def properties(schema: dict[str, Any], path: Path) -> dict[str, Any]:
+def properties(schema: dict[str, Any], path: KeyPath) -> dict[str, Any]:
     """The keys that a JSON Schema knows at `path`, each with its own schema; alternatives are taken together."""
 
     def options(node: dict[str, Any]) -> Iterator[dict[str, Any]]:
@@ -316,34 +316,34 @@ def emit(data: dict[str, Any]) -> str:
 
 
 def _convert(document: Document, root: yaml.Node, problems: list[Problem]) -> Any:
-    """`root` as plain data; fills `document.marks` and `problems`. Raises Refused where going on makes no sense."""
+    """`root` as plain data; fills `document.marks` and `problems`. Raises YamlRefused where going on makes no sense."""
     total = 0
     open_nodes: list[yaml.Node] = []
 
     def place(node: yaml.Node) -> tuple[int, int]:
         return node.start_mark.line + 1, node.start_mark.column + 1
 
-    def convert(node: yaml.Node, path: Path, key_place: tuple[int, int]) -> Any:
+    def convert(node: yaml.Node, path: KeyPath, key_place: tuple[int, int]) -> Any:
         nonlocal total
         total += 1
         if total > MAX_NODES:
-            raise Refused(f"more than {MAX_NODES} values, aliases written out", node.start_mark)
+            raise YamlRefused(f"more than {MAX_NODES} values, aliases written out", node.start_mark)
         if any(node is other for other in open_nodes):
-            raise Refused("an alias stands inside what it stands for", node.start_mark)
+            raise YamlRefused("an alias stands inside what it stands for", node.start_mark)
         document.marks[path] = _Marks(place(node), key_place)
         if isinstance(node, yaml.ScalarNode):
             if any("\ud800" <= character <= "\udfff" for character in node.value):
-                raise Refused("half of a surrogate pair is no character", node.start_mark)
+                raise YamlRefused("half of a surrogate pair is no character", node.start_mark)
             return SCALARS[node.tag.rsplit(":", 1)[-1]](node.value)
         open_nodes.append(node)
         data: Any = block(node, path) if isinstance(node, yaml.MappingNode) else sequence(node, path)
         open_nodes.pop()
         return data
 
-    def sequence(node: yaml.Node, path: Path) -> list[Any]:
+    def sequence(node: yaml.Node, path: KeyPath) -> list[Any]:
         return [convert(item, (*path, i), place(item)) for i, item in enumerate(node.value)]
 
-    def block(node: yaml.Node, path: Path) -> dict[str, Any]:
+    def block(node: yaml.Node, path: KeyPath) -> dict[str, Any]:
         data: dict[str, Any] = {}
         for key_node, value_node in node.value:
             line, column = place(key_node)

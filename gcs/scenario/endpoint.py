@@ -1,4 +1,4 @@
-"""Where MAVLink is spoken, as people write it: udpin:HOST:PORT listens, udpout: and tcp:HOST:PORT go to a listener."""
+"""MAVLink endpoints, as people write them: udpin:HOST:PORT listens, udpout: and tcp:HOST:PORT go to a listener."""
 
 import re
 from typing import NamedTuple
@@ -10,11 +10,11 @@ ONLY_ONCE = (
     "; a PX4 answers nobody at the port where it listens but who spoke there first since its start: hear it by udpin "
     "where it speaks to, such as udpin:127.0.0.1:14540"
 )
-"""What to say beside it where nobody answers at a `udpout`."""
+"""Hint where no vehicle answers at a `udpout`."""
 
 
 class Endpoint(NamedTuple):
-    """Where to listen (`udpin`), or whom to go to. The host of IPv6 stands here without its brackets."""
+    """Address to listen at (`udpin`), or to send to. The host of IPv6 stands here without its brackets."""
 
     way: str
     host: str
@@ -22,12 +22,13 @@ class Endpoint(NamedTuple):
 
     @property
     def text(self) -> str:
-        """As it is written."""
+        """The endpoint as it is written."""
         return f"{self.way}:{f'[{self.host}]' if ':' in self.host else self.host}:{self.port}"
 
 
 def address(text: str, *ways: str) -> Endpoint | None:
-    """What `text` says, if it is an address of one of these ways; a listener's port may be 0, any that is free."""
+    """Endpoint that `text` names, if it is an address of one of these ways; a listener's port may be 0, any that is
+    free."""
     match = _FORM.fullmatch(text)
     if match is None or match[1] not in ways:
         return None

@@ -1,4 +1,4 @@
-"""Vehicles that are expected rather than launched: where they are heard, and what of a vehicle's keys is theirs.
+"""Vehicles that are expected rather than launched: where they are received, and what of a vehicle's keys is theirs.
 
     - external: {connect: "udpin:127.0.0.1:14550", sysid: 3, capacity_j: 250000}
 
@@ -11,7 +11,7 @@ from typing import Annotated, Any, Literal, Protocol
 
 from pydantic import AfterValidator, Field
 
-from gcs.scenario.document import Conflict, Path
+from gcs.scenario.document import Conflict, KeyPath
 from gcs.scenario.endpoint import address
 from gcs.scenario.types import Joules, Part, SysId
 
@@ -33,7 +33,7 @@ Wait = Annotated[float, Field(strict=True, gt=0, le=3600)]
 
 
 class External(Part):
-    """A vehicle that somebody else has started; `gcs run` waits for it, arms it and flies it."""
+    """A vehicle that another program has started; `gcs run` waits for it, arms it and flies it."""
 
     connect: Annotated[str, AfterValidator(_checked)]
     """`udpin:HOST:PORT`: the vehicle speaks to us there; `udpout:HOST:PORT`: it listens there. Several may share one"""
@@ -48,7 +48,7 @@ class External(Part):
     arm_within_s: Wait = 90.0
     """session time in which it must have found its place and let itself be armed, or it is left out"""
     at_end: Literal["hold", "return", "land"] = "hold"
-    """what it is told at the session's end, however that comes"""
+    """order to it at the session's end, however that comes"""
 
 
 class _Vehicle(Protocol):
@@ -93,8 +93,8 @@ def inherited(vehicle: dict[str, Any], own: Iterable[str]) -> None:
             vehicle.pop(key, None)
 
 
-def conflicts(path: Path, vehicle: Any) -> Iterator[Conflict]:
-    """What an external vehicle's keys say that cannot be, or not together."""
+def conflicts(path: KeyPath, vehicle: Any) -> Iterator[Conflict]:
+    """Conflicts among an external vehicle's keys."""
     block: External | None = vehicle.external
     if block is None:
         return

@@ -13,8 +13,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from gcs.scenario import external, keys
-from gcs.scenario.document import Conflict, Document, Problem, ScenarioError, did_you_mean, emit, read
-from gcs.scenario.document import Path as Place
+from gcs.scenario.document import Conflict, Document, KeyPath, Problem, ScenarioError, did_you_mean, emit, read
 from gcs.scenario.grid import expand
 from gcs.scenario.model import Scenario, repeats
 
@@ -28,7 +27,7 @@ GROUPS = (("vehicles", "pursuers"), ("vehicles", "targets"), ("vehicles", "tanke
 
 
 def shipped_folder() -> Path:
-    """Where the shipped scenarios stand."""
+    """Folder of the shipped scenarios."""
     package = Path(__file__).resolve().parents[1]
     inside = package / "configs"
     return inside if inside.is_dir() else package.parent / "configs"
@@ -118,7 +117,7 @@ def _repeated_ids(data: dict[str, Any]) -> Iterator[Conflict]:
     """System ids that a file gives twice, whatever else is wrong with it."""
     vehicles = data.get("vehicles")
     groups = vehicles if isinstance(vehicles, dict) else {}
-    given: list[tuple[Place, object]] = []
+    given: list[tuple[KeyPath, object]] = []
     for key in ("pursuers", "targets", "tankers"):
         for i, vehicle in enumerate(groups[key] if isinstance(groups.get(key), list) else ()):
             block = vehicle.get("external") if isinstance(vehicle, dict) else None

@@ -1,6 +1,6 @@
 """The parts of a session's goal: what each wants of a scenario, and how it is judged over what was measured.
 
-Everything that tells whether a goal is met uses these: the session while it flies and at its end, JUnit, replay,
+Everything that judges whether a goal is met uses these: the session while it flies and at its end, JUnit, replay,
 report. A part that the scenario does not ask for is not there.
 """
 
@@ -21,7 +21,7 @@ ROUNDING_S = 1e-6
 
 @dataclass(frozen=True)
 class Nearest:
-    """How near something came, to whom and when."""
+    """Nearest approach: distance, vehicles and time."""
 
     m: float = math.inf
     """inf: nothing was there to come near"""
@@ -54,7 +54,7 @@ class Loss:
 
 @dataclass(frozen=True)
 class Measured:
-    """What a session, or a recording of one, amounts to by now. None: not known."""
+    """Measures of a session, or of a recording of one, so far. None: not known."""
 
     time_s: float | None = None
     separation: Nearest | None = None
@@ -71,7 +71,7 @@ class Measured:
 
 @dataclass(frozen=True)
 class Judgement:
-    """What came of one part of the goal."""
+    """Result of one part of the goal."""
 
     part: str
     wanted: str
@@ -92,7 +92,7 @@ class Judgement:
 
 
 class Case(NamedTuple):
-    """What one part is judged by; `limit` is what the scenario demands of it."""
+    """Rule by which one part is judged; `limit` is what the scenario demands of it."""
 
     scenario: Scenario
     measured: Measured
@@ -199,10 +199,10 @@ def _judge_lost(case: Case) -> _Found:
         return _UNKNOWN
     if not lost:
         return _Found(True, "none", 0.0)
-    told = [f"{_name(loss.sysid)} at {loss.t_s:.1f} s: {loss.why}" for loss in lost[:NAMED]]
+    listed = [f"{_name(loss.sysid)} at {loss.t_s:.1f} s: {loss.why}" for loss in lost[:NAMED]]
     more = f"; {len(lost) - NAMED} more" if len(lost) > NAMED else ""
     who = tuple(loss.sysid for loss in lost)
-    text = f"{len(lost)} ({'; '.join(told)}{more})"
+    text = f"{len(lost)} ({'; '.join(listed)}{more})"
     return _Found(len(lost) <= case.limit, text, float(len(lost)), who, "", lost[0].t_s)
 
 
@@ -221,9 +221,9 @@ def _judge_waypoints(case: Case) -> _Found:
     missed = {sysid: number for sysid, number in case.measured.missed.items() if number}
     if not missed:
         return _Found(True, "all passed", 0.0)
-    told = [f"{sysid}: {number} of {count.get(sysid, number)}" for sysid, number in sorted(missed.items())]
-    more = f" and {len(told) - NAMED} more" if len(told) > NAMED else ""
-    text = f"missed (by {', '.join(told[:NAMED])}{more})"
+    listed = [f"{sysid}: {number} of {count.get(sysid, number)}" for sysid, number in sorted(missed.items())]
+    more = f" and {len(listed) - NAMED} more" if len(listed) > NAMED else ""
+    text = f"missed (by {', '.join(listed[:NAMED])}{more})"
     return _Found(False, text, float(sum(missed.values())), tuple(sorted(missed)))
 
 
@@ -265,7 +265,7 @@ def asked(scenario: Scenario) -> dict[str, float]:
 
 
 def judge(scenario: Scenario, measured: Measured) -> list[Judgement]:
-    """What came of each part that the scenario asks for."""
+    """Result of each part that the scenario asks for."""
     found = []
     within_m = scenario.goal.pursue.within_m if scenario.goal.pursue is not None else 0.0
     for name, limit in asked(scenario).items():
@@ -288,7 +288,7 @@ def outcome_text(unmet: Sequence[str]) -> str:
 
 
 def progress_text(have: float, need: float, unit: str, *, digits: int = 0) -> str:
-    """How far a part is that is gathered: `12 of 20 s`, and once there is enough `119 s (20 s wanted)`."""
+    """Progress of a part that is gathered: `12 of 20 s`, and once there is enough `119 s (20 s wanted)`."""
     if have >= need - ROUNDING_S:
         return f"{have:.{digits}f}{unit} ({need:g}{unit} wanted)"
     return f"{math.floor(have * 10**digits) / 10**digits:.{digits}f} of {need:g}{unit}"

@@ -9,14 +9,14 @@ further along the first. System ids count up. Everything else is the same for al
 import copy
 from typing import Any
 
-from gcs.scenario.document import Document, Path, ScenarioError
+from gcs.scenario.document import Document, KeyPath, ScenarioError
 
 PLACES = ("start_m", "home_m", "point_m", "sphere_m", "box_m", "cylinder_m", "path_m", "waypoints_m")
 MOST = 10_000
 _FORM = "grid must be {count: N, columns: N, spacing_m: [along the first axis, along the second]}"
 
 
-def expand(document: Document, group: Path) -> None:
+def expand(document: Document, group: KeyPath) -> None:
     """Write out every grid in the list at `group`; problems found later are still shown where the file has them.
 
     Raises ScenarioError for a grid that is none.

@@ -1,4 +1,4 @@
-"""Somebody else's code inside a tick: it may raise, never return, or answer nonsense, and the session goes on.
+"""Guard of a user's code inside a tick: it may raise, never return, or answer nonsense, and the session goes on.
 
 A call is cut off after LIMIT_S of wall time by an interval timer, which also ends endless loops and sleeps (not a call
 into compiled code that never comes back). Who has been cut off is not asked again: ten of them in a row would end
@@ -27,7 +27,7 @@ T = TypeVar("T")
 
 @dataclass(frozen=True)
 class PluginFault:
-    """What somebody's code did wrong, and the vehicle that is held for it."""
+    """Fault of a user's code, and the vehicle that is held for it."""
 
     sysid: int
     policy: str
@@ -49,7 +49,7 @@ class Nonsense(Exception):
 
 @dataclass(frozen=True)
 class GuardedResult(Generic[T]):
-    """What a call returned."""
+    """Result of a call."""
 
     value: T
 
@@ -60,7 +60,7 @@ class Guard:
     def __init__(self, policy: str, limit_s: float = LIMIT_S) -> None:
         self.policy = policy
         self._limit_s = limit_s
-        self._told: dict[int, str] = {}
+        self._reported: dict[int, str] = {}
         self._cut: set[int] = set()
         self._new: list[PluginFault] = []
         self._cut_now = False
@@ -70,7 +70,7 @@ class Guard:
         self._cut_now = False
 
     def call(self, sysid: int, function: Callable[[], T]) -> GuardedResult[T] | None:
-        """What `function` returns for this vehicle; None where it failed, now or for good, and the vehicle is held.
+        """Result of `function` for this vehicle; None where it failed, now or for good, and the vehicle is held.
 
         `function` raises Nonsense where what it was answered cannot be used.
         """
@@ -86,25 +86,25 @@ class Guard:
         except Nonsense as problem:
             self._blame(sysid, str(problem))
         except (Exception, SystemExit) as error:
-            self._blame(sysid, f"raised {_told(error)}")
+            self._blame(sysid, f"raised {_described(error)}")
         else:
-            self._told.pop(sysid, None)
+            self._reported.pop(sysid, None)
             return answer
         return None
 
     def _blame(self, sysid: int, problem: str) -> None:
         """A vehicle is held for this; said once until it gets a good answer or something else is wrong."""
-        if self._told.get(sysid) != problem:
-            self._told[sysid] = problem
+        if self._reported.get(sysid) != problem:
+            self._reported[sysid] = problem
             self._new.append(PluginFault(sysid, self.policy, problem))
 
-    def take(self) -> list[PluginFault]:
+    def pop_faults(self) -> list[PluginFault]:
         """The problems since the last call."""
         taken, self._new = self._new, []
         return taken
 
 
-def _told(error: BaseException) -> str:
+def _described(error: BaseException) -> str:
     """`ValueError at planner.py:12: text`, on one line."""
     frames = traceback.extract_tb(error.__traceback__)
     where = next((f for f in reversed(frames) if "site-packages" not in f.filename), frames[-1])

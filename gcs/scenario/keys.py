@@ -1,7 +1,7 @@
 """Key paths of a scenario: `vehicles.pursuers.*.battery.initial_percent` names one value or many, to be set.
 
 Parts are keys, positions in a list (from 0, as `.0` or `[0]`) and `*`, each of a list. A path is set in the file's data
-before that is checked, so that a value out of range is told like one in the file. A null takes the key out.
+before that is checked, so that a value out of range is reported like one in the file. A null takes the key out.
 """
 
 from __future__ import annotations
@@ -13,11 +13,11 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
-from gcs.scenario.document import Document, Path, Problem, ScenarioError, did_you_mean, dotted, parse
+from gcs.scenario.document import Document, KeyPath, Problem, ScenarioError, did_you_mean, dotted, parse
 from gcs.scenario.json_schema import editor_schema
 
 EACH = "*"
-SHORT: dict[Path, str] = {("planner",): "method", ("competition",): "policy"}
+SHORT: dict[KeyPath, str] = {("planner",): "method", ("competition",): "policy"}
 """Blocks that a file may give as one word, and the key which that word is."""
 _PART = re.compile(r"\[(\d+|\*)\]|([^.\[\]]+)")
 DEEPEST = 8
@@ -74,7 +74,7 @@ def _check(key: str) -> None:
 
 
 @functools.cache
-def parts_of(key: str) -> Path:
+def parts_of(key: str) -> KeyPath:
     """The parts of a key path. Raises ValueError where it is none."""
     parts: list[str | int] = []
     at = 0
@@ -149,7 +149,7 @@ def _inside(schema: dict[str, Any], nodes: list[dict[str, Any]], part: str | int
             yield {}
 
 
-def _near(parts: Path, i: int, nodes: list[dict[str, Any]]) -> str:
+def _near(parts: KeyPath, i: int, nodes: list[dict[str, Any]]) -> str:
     """ "; did you mean 'x'?": a key in the same place, or else a path that ends alike."""
     word = str(parts[i])
     here = did_you_mean(word, [key for node in nodes for key in node.get("properties", ())])
@@ -163,11 +163,11 @@ def _near(parts: Path, i: int, nodes: list[dict[str, Any]]) -> str:
     return did_you_mean(dotted(parts), known_paths())
 
 
-def _places(document: Document, parts: Path) -> list[Path]:
+def _places(document: Document, parts: KeyPath) -> list[KeyPath]:
     """The concrete paths that a key path means in a document. Raises ValueError where it means none."""
-    found: list[Path] = [()]
+    found: list[KeyPath] = [()]
     for i, part in enumerate(parts):
-        following: list[Path] = []
+        following: list[KeyPath] = []
         for path in found:
             inside = document.value(path)
             if part == EACH:
@@ -185,7 +185,7 @@ def _places(document: Document, parts: Path) -> list[Path]:
     return found
 
 
-def _put(document: Document, path: Path, value: Any) -> None:
+def _put(document: Document, path: KeyPath, value: Any) -> None:
     """Set one place; blocks on the way that the file leaves out are made."""
     node: Any = document.data
     for i, part in enumerate(path[:-1]):

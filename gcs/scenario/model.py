@@ -11,7 +11,7 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import AfterValidator, ConfigDict, Field, ValidationError, model_validator
 
 from gcs.scenario import external
-from gcs.scenario.document import Conflict, Document, Path, Problem, ScenarioError, conflict_error
+from gcs.scenario.document import Conflict, Document, KeyPath, Problem, ScenarioError, conflict_error
 from gcs.scenario.parts import (
     STEP_S,
     Attractor,
@@ -156,7 +156,7 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
     mean_delay_s = s.radio.delay_s + 0.5 * s.radio.jitter_s
     longest_delay_s = max(TRANSFER_SILENCE_S - 2.0 * s.clock.period_s, 0.0) / TRANSFER_HOPS
     clock_refused = external.clock_refusal(s.vehicles.all, s.clock.mode, s.clock.speed)
-    rules: list[tuple[Any, Path, str]] = [
+    rules: list[tuple[Any, KeyPath, str]] = [
         (clock_refused, ("clock", "mode" if s.clock.mode == "lockstep" else "speed"), clock_refused or ""),
         (not sysids, ("vehicles",), "there must be at least one vehicle"),
         (abs(steps - round(steps)) > 1e-6, ("clock", "period_s"), f"period_s must be a multiple of {STEP_S} s"),
@@ -193,7 +193,7 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
         ),
     ]
     for i, blackout in enumerate(s.radio.blackouts):
-        path: Path = ("radio", "blackouts", i)
+        path: KeyPath = ("radio", "blackouts", i)
         rules.append((blackout.sysid not in sysids, (*path, "sysid"), f"there is no vehicle {blackout.sysid}"))
         rules.append((blackout.from_s >= blackout.to_s, (*path, "to_s"), "to_s must be after from_s"))
     for i, obstacle in enumerate(s.obstacles):
@@ -207,7 +207,7 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
 def _vehicle_conflicts(s: Scenario) -> Iterator[Conflict]:
     """Ids, names, starts, paths and batteries that do not go with each other or with the rest."""
     targets = {target.sysid for target in s.vehicles.targets}
-    placed: list[tuple[Path, VehicleBase]] = []
+    placed: list[tuple[KeyPath, VehicleBase]] = []
     for group in (s.vehicles.pursuers, s.vehicles.targets, s.vehicles.tankers):
         placed.extend((("vehicles", f"{vehicle.role}s", i), vehicle) for i, vehicle in enumerate(group))
     yield from repeats("sysid", [((*path, "sysid"), vehicle.sysid) for path, vehicle in placed])
@@ -231,9 +231,9 @@ def _vehicle_conflicts(s: Scenario) -> Iterator[Conflict]:
 
 
 def _start_conflicts(
-    s: Scenario, path: Path, vehicle: VehicleBase, before: Iterable[tuple[Path, VehicleBase]]
+    s: Scenario, path: KeyPath, vehicle: VehicleBase, before: Iterable[tuple[KeyPath, VehicleBase]]
 ) -> Iterator[Conflict]:
-    """How a launched vehicle starts, and who or what stands there: obstacles, and those `before` it."""
+    """Start of a launched vehicle, and what stands there: obstacles, and those `before` it."""
     start = (*path, "start_m")
     if not vehicle.airborne:
         if any(vehicle.velocity_m_s):
@@ -257,15 +257,15 @@ def _start_conflicts(
             yield Conflict(start, sentence, (*other_path, "start_m"))
 
 
-def repeats(key: str, values: Iterable[tuple[Path, object]]) -> Iterator[Conflict]:
+def repeats(key: str, values: Iterable[tuple[KeyPath, object]]) -> Iterator[Conflict]:
     """Values of `key`, by where they stand, that are given twice."""
-    first: dict[object, Path] = {}
+    first: dict[object, KeyPath] = {}
     for path, value in values:
         if first.setdefault(value, path) != path:
             yield Conflict(path, f"the {key} {value} is given twice", first[value])
 
 
-def _route_conflicts(path: Path, flier: Target | Mover) -> Iterator[Conflict]:
+def _route_conflicts(path: KeyPath, flier: Target | Mover) -> Iterator[Conflict]:
     points = flier.path_m
     if flier.closed and len(points) < 2:
         yield Conflict(path, "a closed path needs at least 2 points")

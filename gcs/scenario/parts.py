@@ -51,7 +51,7 @@ EARLIEST, LATEST = datetime(1970, 1, 1, tzinfo=UTC), datetime(2200, 1, 1, tzinfo
 
 
 class Origin(Part):
-    """Where the local frame's zero lies; the height is above mean sea level."""
+    """Place of the local frame's zero; the height is above mean sea level."""
 
     lat_deg: Annotated[float, Field(strict=True, ge=-89, le=89)]
     """latitude, degrees north, WGS 84"""
@@ -75,7 +75,8 @@ class Clock(Part):
 
 
 class Pursue(Part):
-    """How near each pursuer, or in a competition somebody, is to be to its target, and for how long without a break."""
+    """Distance of each pursuer, or in a competition of one, to its target, and for how long without a
+    break."""
 
     within_m: Metres
     """greatest distance from pursuer to target, m"""
@@ -84,7 +85,7 @@ class Pursue(Part):
 
 
 class Goal(Part):
-    """What makes the session a success (docs/protocol.md#goal): every part must be met. Nobody collides, falls out or
+    """Goal of the session (docs/protocol.md#goal): every part must be met. No vehicle collides, falls out or
     misses a way point unless the scenario says that this does not matter."""
 
     pursue: Pursue | None = None
@@ -106,9 +107,9 @@ class Goal(Part):
     """whether touching the ground, other than to take off and land, fails the goal; not of vehicles that start
     `airborne`, which have no ground"""
     lost_at_most: Count = 0
-    """how many vehicles may be lost: dead, run dry, landed by a failsafe that nobody ordered, or never in the air"""
+    """how many vehicles may be lost: dead, run dry, landed by a failsafe without an order, or never in the air"""
     waypoints: Literal["all", "none"] = "all"
-    """`all`: every pursuer with waypoints_m passes all of them in order; `none`: nobody need"""
+    """`all`: every pursuer with waypoints_m passes all of them in order; `none`: none need"""
     waypoint_within_m: Metres = 1.0
     """how near a pursuer must pass a way point, m; at least planner.step_m"""
 
@@ -127,7 +128,7 @@ class Battery(Part):
 
 
 class VehicleBase(Part):
-    """What every vehicle has, whatever its role."""
+    """Keys of every vehicle, whatever its role."""
 
     role: ClassVar[str]
     _external = model_validator(mode="before")(filled)
@@ -174,7 +175,7 @@ class Pursuer(VehicleBase):
     """whether it can take energy in the air, or only a base can serve it; without it external vehicles are asked"""
 
     @property
-    def can_receive(self) -> bool | None:
+    def transfer_capable(self) -> bool | None:
         """Whether it can take energy in the air; None where it is to be asked."""
         asked = self.transfer is None and self.external is not None
         return None if asked else self.transfer is not False
@@ -235,12 +236,12 @@ class Vehicles(Part):
 
     @property
     def launched(self) -> tuple[Pursuer | Target | Tanker, ...]:
-        """Those that a session starts itself, in order of system id."""
+        """Vehicles that a session starts itself, in order of system id."""
         return tuple(vehicle for vehicle in self.all if vehicle.external is None)
 
     @property
     def external(self) -> dict[int, External]:
-        """Those that somebody else has started, by system id."""
+        """External vehicles, by system id."""
         return {vehicle.sysid: vehicle.external for vehicle in self.all if vehicle.external is not None}
 
 
@@ -260,7 +261,7 @@ class Obstacle(Part):
     """
 
     name: Label | None = None
-    """shown in messages and pictures; by default `sphere 2` and the like"""
+    """shown in messages and plots; by default `sphere 2` and the like"""
     point_m: Vec3 | None = None
     """a point obstacle: its position, m, in the file's axes"""
     sphere_m: Vec3 | None = None
@@ -307,7 +308,7 @@ class Obstacle(Part):
         return (outside or max(beyond)) - (self.radius_m if self.kind == "sphere" else 0.0)
 
     def fault(self) -> str:
-        """What keeps the keys from being one solid, as a sentence; empty if nothing does."""
+        """Fault that keeps the keys from being one solid, as a sentence; empty without one."""
         kinds = [kind for kind in _KEYS if getattr(self, f"{kind}_m") is not None]
         if len(kinds) != 1:
             return f"an obstacle needs exactly one of {', '.join(f'{kind}_m' for kind in _KEYS)}"
@@ -323,7 +324,7 @@ class Obstacle(Part):
 
 
 class Mover(Part):
-    """Traffic: flies its path from session time `start_s`, reported by ADSB_VEHICLE; nobody steers it."""
+    """Traffic: flies its path from session time `start_s`, reported by ADSB_VEHICLE; it is not steered."""
 
     callsign: Annotated[str, Field(pattern=r"^[A-Za-z0-9_-]{1,8}$")]
     """ADSB_VEHICLE's callsign, 1 to 8 letters, digits, - or _; unique"""
@@ -344,7 +345,7 @@ class Attractor(Part):
     5) [choice], range [seed]."""
 
     name: Label | None = None
-    """shown in pictures"""
+    """shown in plots"""
     point_m: Vec3
     """its position, m, in the file's axes"""
     range_m: Metres | None = None
@@ -363,7 +364,7 @@ class Blackout(Part):
 
 
 class Radio(Part):
-    """What happens to frames on the air, each way: shares of all frames, and seconds
+    """Faults of the radio link, each way: shares of all frames, and seconds
     (docs/protocol.md#radio-impairment)."""
 
     loss: Fraction = 0.0
@@ -411,7 +412,7 @@ class Base(Part):
 def base_conflicts(
     bases: Sequence[Base], pursuers: Sequence[Pursuer], obstacles: Sequence[Obstacle], *, capture_m: float
 ) -> Iterator[Conflict]:
-    """What keeps bases and the vehicles that need them from working together; `capture_m` is refuelling's."""
+    """Fault that keeps bases and the vehicles that need them from working together; `capture_m` is refuelling's."""
     launched = any(pursuer.external is None for pursuer in pursuers)
     for i, base in enumerate(bases):
         place = ("bases", i, "position_m")

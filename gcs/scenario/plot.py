@@ -28,12 +28,12 @@ def legs(points: Sequence[Point], closed: bool) -> list[tuple[Point, Point]]:
 
 
 def length_m(points: Sequence[Point], closed: bool) -> float:
-    """How long a route is."""
+    """Length of a route."""
     return sum(math.dist(a, b) for a, b in legs(points, closed))
 
 
 def facts(scenario: Scenario) -> list[str]:
-    """What the scenario amounts to, a line each: vehicles with endurance, routes with their time, ranges."""
+    """Summary of the scenario, a line each: vehicles with endurance, routes with their time, ranges."""
     lines = []
     for vehicle in scenario.vehicles.all:
         battery = vehicle.battery
@@ -71,7 +71,7 @@ def _place(p_ned: Point) -> str:
 
 
 def drawn_at(vehicle: VehicleBase) -> Point | None:
-    """Where a vehicle stands in the plan: an external one where it is sent first, for nobody knows where it starts."""
+    """Place of a vehicle in the plan: an external one stands where it is sent first, for its start is unknown."""
     if vehicle.external is None:
         return vehicle.start_m
     firsts: list[Point] = [*getattr(vehicle, "path_m", ())[:1], *getattr(vehicle, "waypoints_m", ())[:1]]
@@ -226,7 +226,7 @@ def _draw_obstacle(axes: Any, shape: Obstacle, beyond_m: float, **style: Any) ->
 
 
 def legend(marks: Iterable[str]) -> str:
-    """What the characters of the text plan stand for, of those that occur in `marks`."""
+    """Legend of the text plan's characters that occur in `marks`."""
     words = {
         "P": "pursuer",
         "T": "target",

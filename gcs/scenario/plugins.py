@@ -36,7 +36,7 @@ def look_in(folders: Iterable[str | Path]) -> None:
 
 @contextmanager
 def output_kept(scenario: Scenario, folder: Path) -> Iterator[None]:
-    """What somebody's own code prints goes to FOLDER/policies.log: the supervisor's own output is a protocol."""
+    """Print a user's code's output to FOLDER/policies.log: the supervisor's own output is a protocol."""
     if not any(named(scenario)):
         yield
         return

@@ -13,7 +13,7 @@ from gcs.scenario.types import Coordinate, Flag, Fraction, Joules, Metres, NotNe
 
 
 def _one_of(*known: str) -> Any:
-    """A shipped implementation's name, or MODULE:CLASS of somebody's own."""
+    """A shipped implementation's name, or MODULE:CLASS of a user's own."""
 
     def check(value: str) -> str:
         if value not in known and not OWN.fullmatch(value):
@@ -90,7 +90,7 @@ class FormationRules(Part):
 
 
 class PursuitRules(Part):
-    """Who pursues: all, or for each target the winner of a competition by least predicted control effort."""
+    """Choice of pursuers: all, or for each target the winner of a competition by least predicted control effort."""
 
     by: Literal["all", "competition"] = "all"
     """`all`: every pursuer follows its target; `competition`: per target the one with the least predicted control
@@ -112,7 +112,7 @@ class CompetitionRules(Part):
     _short = model_validator(mode="before")(lambda value: _named("policy", value))
 
     enabled: Flag = True
-    """false: nobody is refuelled unless an operator asks"""
+    """false: no vehicle is refuelled unless an operator asks"""
     policy: Policy = "winner_take_all"
     """the competition, one to compare it with, or MODULE:CLASS; others use need_from alone"""
     p: Annotated[float, Field(strict=True, ge=1, le=100)] = 2.0
@@ -134,7 +134,7 @@ class CompetitionRules(Part):
 
 
 class RefuellingRules(Part):
-    """Where the tanker stands (`height_m` above the receiver), when a transfer may run, and how much flows."""
+    """Place of the tanker (`height_m` above the receiver), when a transfer may run, and how much flows."""
 
     enabled: Flag = True
     """false: no service at all"""

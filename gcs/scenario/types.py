@@ -1,4 +1,4 @@
-"""What a scenario's values may be: numbers with limits, places that are turned into NED, and what every part shares.
+"""Types of a scenario's values: numbers with limits, places that are turned into NED, and what every part shares.
 
 With the validation context {"axes": "paper"} geometry is turned from paper axes as it is read.
 """

@@ -1,4 +1,5 @@
-"""What of a scenario can be flown and is likely to go wrong: where speed, latency, ranges and separations do not fit.
+"""Warnings of a scenario that can be flown and is likely to go wrong: where speed, latency, ranges and separations do
+not fit.
 
 Rules of thumb, said before anything flies; nothing here keeps a scenario from being flown.
 """
@@ -17,11 +18,11 @@ from gcs.scenario.model import Scenario
 from gcs.scenario.types import Vec3
 
 LAG_S = 0.37
-"""How far a vehicle flies behind its planned point (docs/model.md#guidance)."""
+"""Distance that a vehicle flies behind its planned point (docs/model.md#guidance)."""
 LAUNCHED_M_S2 = 5.0
 """The greatest horizontal acceleration of a launched vehicle."""
 EXTERNAL_ERROR_M = 1.0
-"""How far real autopilots were seen beside their set points in sharp turns (docs/how-to/external-autopilots.md)."""
+"""Distance of real autopilots from their set points in sharp turns (docs/how-to/external-autopilots.md)."""
 RING_LOOKS, PATH_STEP_M = 36, 0.25
 MOST_LOOKS = 200_000
 """Places of rings at which obstacles are looked for, in all; long paths are looked at more coarsely."""

@@ -17,7 +17,7 @@ MAX_DIGITS = 300
 """A longer whole number is beyond every float and counts as infinite."""
 
 
-class Refused(yaml.MarkedYAMLError):
+class YamlRefused(yaml.MarkedYAMLError):
     """Well-formed YAML that a scenario may not use."""
 
     def __init__(self, message: str, mark: yaml.Mark) -> None:
@@ -25,7 +25,7 @@ class Refused(yaml.MarkedYAMLError):
 
 
 class Loader(yaml.SafeLoader):
-    """Reads a text as nodes with marks; tags and deep nesting are Refused."""
+    """Reads a text as nodes with marks; tags and deep nesting raise YamlRefused."""
 
     yaml_implicit_resolvers: dict[str, Any] = {}  # noqa: RUF012 (PyYAML's own name; emptied, or 1.1's scalars are inherited)
     _depth = 0
@@ -33,9 +33,9 @@ class Loader(yaml.SafeLoader):
     def compose_node(self, parent: yaml.Node | None, index: Any) -> yaml.Node | None:
         event = self.peek_event()  # type: ignore[no-untyped-call]
         if getattr(event, "tag", None) not in {None, "!"}:
-            raise Refused(f"the tag {event.tag!r} is not allowed; write the plain value", event.start_mark)
+            raise YamlRefused(f"the tag {event.tag!r} is not allowed; write the plain value", event.start_mark)
         if self._depth > MAX_DEPTH:
-            raise Refused(f"nested more than {MAX_DEPTH} deep", event.start_mark)
+            raise YamlRefused(f"nested more than {MAX_DEPTH} deep", event.start_mark)
         self._depth += 1
         node = super().compose_node(parent, index)
         self._depth -= 1
@@ -77,11 +77,11 @@ SCALARS: dict[str, Callable[[str], Any]] = {
 
 
 def syntax(error: yaml.MarkedYAMLError, text: str = "") -> str:
-    """What is wrong with a text that is no YAML, or none that a scenario may use, in words for a person."""
+    """Fault of a text that is no YAML, or none that a scenario may use, in words for a person."""
     message = error.problem or "cannot be read"
     if message.startswith("mapping values") and (both := _value_and_keys(text, error.problem_mark)):
         return both
-    if isinstance(error, Refused):
+    if isinstance(error, YamlRefused):
         return message
     if "another document" in message:
         return "a second document begins here; a scenario is one document"

@@ -18,7 +18,7 @@ class MissingExtra(ImportError):
 
 @dataclass(frozen=True, slots=True)
 class Happening:
-    """Something that a person would want to hear of."""
+    """Something that a person should know."""
 
     t_s: float
     sysid: int
@@ -44,7 +44,8 @@ class Serving:
 
 @dataclass(frozen=True, slots=True)
 class Snapshot:
-    """The fleet at one instant of session time, as its messages tell. n vehicles; NaN: not known, or not competing.
+    """The fleet at one instant of session time, as its messages report it. n vehicles; NaN: not known, or not
+    competing.
 
     Positions (m) and velocities (m/s) are in the common NED frame, whose zero is the scenario's origin.
     """
@@ -110,9 +111,9 @@ class Snapshot:
         return pd.DataFrame(self.table())
 
 
-def from_picture(picture: Mapping[str, Any]) -> Snapshot:
+def from_message(message: Mapping[str, Any]) -> Snapshot:
     """The snapshot in a message of type "snapshot" (gcs/session/messages.py)."""
-    vehicles = picture["vehicles"]
+    vehicles = message["vehicles"]
 
     def column(key: str) -> NDArray[np.float64]:
         return np.array([np.nan if vehicle[key] is None else vehicle[key] for vehicle in vehicles], dtype=np.float64)
@@ -121,7 +122,7 @@ def from_picture(picture: Mapping[str, Any]) -> Snapshot:
         return np.array([vehicle[key] or (np.nan,) * 3 for vehicle in vehicles], dtype=np.float64).reshape(-1, 3)
 
     return Snapshot(
-        time_s=float(picture["t_s"]),
+        time_s=float(message["t_s"]),
         sysid=np.array([vehicle["sysid"] for vehicle in vehicles], dtype=np.int64),
         role=np.array([vehicle["role"] for vehicle in vehicles], dtype=np.str_),
         mode=np.array([vehicle["mode"] for vehicle in vehicles], dtype=np.str_),
@@ -135,12 +136,12 @@ def from_picture(picture: Mapping[str, Any]) -> Snapshot:
         endurance_s=column("endurance_s"),
         v=column("v"),
         tau=column("tau"),
-        services=tuple(Serving(**_known(Serving, service)) for service in picture["services"]),
-        refuelled=int(picture["refuelled"]),
-        events=tuple(Happening(**_known(Happening, event)) for event in picture["events"]),
+        services=tuple(Serving(**_known(Serving, service)) for service in message["services"]),
+        refuelled=int(message["refuelled"]),
+        events=tuple(Happening(**_known(Happening, event)) for event in message["events"]),
     )
 
 
 def _known(kind: type[Happening] | type[Serving], content: Mapping[str, Any]) -> dict[str, Any]:
-    """Those of a message's keys that the class has."""
+    """Keys of a message that the class has."""
     return {field.name: content[field.name] for field in fields(kind) if field.name in content}

@@ -16,14 +16,14 @@ Message = Mapping[str, Any]
 
 RETRY_S = 0.25
 GONE_S = 3.0
-"""A session whose socket nobody has answered for this long, after someone had, is over."""
+"""A session whose socket has not answered for this long, after it had, is over."""
 
 SOCKET = "session.sock"
 READ_BYTES = 1 << 16
 
 
 class Client:
-    """One connection to the session in `folder`; raises OSError where nobody listens there.
+    """One connection to the session in `folder`; raises OSError where no session listens there.
 
     `connected` turns False when the session has ended or has dropped this client for being slow.
     """
@@ -107,7 +107,7 @@ class SessionSource:
         self._clock = clock
         self._client: Client | None = None
         self._earlier = EarlierEvents()
-        self._retry_s = self._heard_s = float("-inf")
+        self._retry_s = self._last_received_s = float("-inf")
         self._inspect: Message | None = None
         self._over = False
 
@@ -117,7 +117,7 @@ class SessionSource:
         return self._client is not None and self._client.connected
 
     def receive(self) -> list[Message]:
-        """What has come; an `end` of our own where the session has gone without a word."""
+        """Messages received; an `end` of our own where the session has gone without a word."""
         now_s = self._clock()
         if self._over:
             return []
@@ -128,12 +128,12 @@ class SessionSource:
             return self._gone(now_s)
         messages = self._earlier.joined(self._client.receive())
         if messages or self._client.connected:
-            self._heard_s = now_s
+            self._last_received_s = now_s
         self._over = any(message.get("type") == "end" for message in messages)
         return messages
 
     def _gone(self, now_s: float) -> list[Message]:
-        if self._heard_s == float("-inf") or now_s - self._heard_s < GONE_S:
+        if self._last_received_s == float("-inf") or now_s - self._last_received_s < GONE_S:
             return []
         self._over = True
         return [{"type": "end", "outcome": None, "exit": None}]
@@ -164,10 +164,10 @@ class SessionSource:
 
 
 class EarlierEvents:
-    """Lasts as long as somebody looks on, over any number of connections."""
+    """Lasts as long as its viewer, over any number of connections."""
 
     def __init__(self) -> None:
-        self._heard = 0
+        self._event_count = 0
         self._missed: list[Any] = []
 
     def joined(self, messages: Iterable[Message]) -> list[Message]:
@@ -176,13 +176,15 @@ class EarlierEvents:
         for message in messages:
             kind, events = message.get("type"), list(message.get("events") or ())
             if kind == "session":
-                told = int(message.get("told") or 0)
-                heard = self._heard if self._heard <= told else 0  # else it is another session, in the same place
-                missed = min(told - heard, len(events))
+                sent = int(message.get("told") or 0)
+                known = (
+                    self._event_count if self._event_count <= sent else 0
+                )  # else it is another session, in the same place
+                missed = min(sent - known, len(events))
                 self._missed = events[len(events) - missed :]
-                self._heard = told
+                self._event_count = sent
             elif kind == "snapshot":
-                self._heard += len(events)
+                self._event_count += len(events)
                 if self._missed:
                     message = {**message, "events": [*self._missed, *events]}  # noqa: PLW2901
                     self._missed = []
@@ -191,11 +193,11 @@ class EarlierEvents:
 
 
 class MessageSource(Protocol):
-    """What the console asks of whoever feeds it; all of it is called from the console's one thread."""
+    """Source of the console's messages; all of it is called from the console's one thread."""
 
     @property
     def connected(self) -> bool:
-        """Whether there is someone at the other end; what was received before may still be shown."""
+        """Whether the other end is there; what was received before may still be shown."""
 
     def receive(self) -> list[Message]:
         """The messages that have come since the last call; never waits, never raises."""

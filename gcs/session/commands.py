@@ -1,4 +1,4 @@
-"""What clients of the session's socket ask for, and the answers that they get."""
+"""Commands of the session's clients, and their answers."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Clients:
         self._inspects: dict[int, int] = {}
 
     def serve(self) -> bool:
-        """Do what was asked for since the last call; True where somebody wants the session to stop."""
+        """Carry out commands since the last call; True where one stops the session."""
         stop = False
         for request in self._publisher.poll():
             answer = self._obey(request)
@@ -42,7 +42,7 @@ class Clients:
         if command in COMMANDS:
             return self._supervisor.obey(request.content)
         if command in CLOCK:
-            return self._tell_clock(command)
+            return self._command_clock(command)
         if command == "inspect":
             return self._inspect(request)
         if command in REPLAY:
@@ -50,7 +50,7 @@ class Clients:
         hint = did_you_mean(command[:32], KNOWN) or f"; there are {', '.join(KNOWN)}."
         return OperatorReply(False, f"There is no command '{command[:32]}'{hint}")
 
-    def _tell_clock(self, command: str) -> OperatorReply:
+    def _command_clock(self, command: str) -> OperatorReply:
         if command == "pause" and self._supervisor.externals.rules:
             answer = OperatorReply(False, "The session cannot pause: external vehicles live on the real clock.")
             self._supervisor.note(command, answer)
@@ -69,7 +69,7 @@ class Clients:
         if sysid is None:
             self._inspects.pop(request.client, None)
             return OperatorReply(True, "No vehicle is inspected for this client.")
-        if isinstance(sysid, bool) or not isinstance(sysid, int) or sysid not in self._supervisor.pilots:
+        if isinstance(sysid, bool) or not isinstance(sysid, int) or sysid not in self._supervisor.arming:
             return OperatorReply(False, f"There is no vehicle {str(sysid)[:32]} in this session.")
         self._inspects[request.client] = sysid
         return OperatorReply(True, f"Snapshots tell everything that vehicle {sysid} sends.")

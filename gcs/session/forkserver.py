@@ -145,7 +145,7 @@ def serve(forks: SessionForks, folder: Path) -> None:
         while True:
             for key, _ in selector.select():
                 if key.fileobj is signals:
-                    if signal.SIGTERM in signals.take():  # Ctrl-C is for those who asked
+                    if signal.SIGTERM in signals.pop():  # Ctrl-C is for those who asked
                         return
                 elif key.fd != 0:
                     selector.unregister(key.fileobj)

@@ -1,4 +1,4 @@
-"""What `gcs launch` does: a scenario's vehicles for somebody else's ground station, from start to end."""
+"""`gcs launch`: a scenario's vehicles for another ground station, from start to end."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def launch(
     *,
     until_eof: bool = False,
 ) -> int:
-    """Start the scenario's vehicles for somebody else's ground station and keep them until Ctrl-C; the exit status.
+    """Start the scenario's vehicles for another ground station and keep them until Ctrl-C; the exit status.
 
     `report` gets {sysid, role, label, address, log} of each vehicle that came up, once.
     """
@@ -67,7 +67,7 @@ def launch(
                 if not reported:
                     print(f"gcs: {ENDED_EARLY}", file=sys.stderr)
                 return DONE
-            if arrived := signals.take():
+            if arrived := signals.pop():
                 return 128 + arrived[0]
             for ended in hatch.events()[1]:
                 alive.discard(ended.sysid)
@@ -97,7 +97,7 @@ def launch(
 
 
 def _address(log: Path) -> str | None:
-    """Where a vehicle listens, or whom it speaks to, once its log says so."""
+    """Address where a vehicle listens, or to which it sends, once its log names it."""
     try:
         with log.open(encoding="utf-8", errors="replace") as lines:
             match = ADDRESS_LINE.match(lines.readline())

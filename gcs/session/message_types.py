@@ -1,5 +1,5 @@
 """Types of the lines on a session's socket (docs/protocol.md#session-socket): what a session, an observer and a replay
-tell. `gcs/schemas/messages.schema.json` is made of them.
+send. `gcs/schemas/messages.schema.json` is made of them.
 
 Seconds, metres, joules; positions and velocities in the common NED frame. None: not known.
 """
@@ -26,7 +26,7 @@ class EventRow(Struct):
 
 
 class GoalRow(Struct):
-    """What makes the session a success."""
+    """Goal of the session."""
 
     separation_m: float | None
     clearance_m: float | None
@@ -52,7 +52,7 @@ class GoalStateRow(GoalRow):
 
 
 class MemberRow(Struct):
-    """Who flies, and the way that it is to fly."""
+    """A vehicle, and its route."""
 
     sysid: int
     role: str
@@ -101,7 +101,7 @@ class SessionLine(Struct, tag_field="type", tag="session"):
     bases: list[BaseRow]
     goal: GoalRow
     events: list[EventRow] | UnsetType = UNSET
-    """the last ones that were told before, where somebody connects to a session"""
+    """the last ones that were sent before, where a client connects to a session"""
     told: int | UnsetType = UNSET
     """how many those were in all"""
 
@@ -204,7 +204,7 @@ class ServedRow(Struct):
 
 
 class StockRow(Struct):
-    """What a base holds."""
+    """Energy of a base."""
 
     name: str
     remaining_j: float
@@ -221,7 +221,7 @@ class InspectedRow(Struct):
 
 
 class ReplayRow(Struct):
-    """Where a recording begins and ends, and how it is played; speed None: without waiting."""
+    """Begin and end of a recording, and how it is played; speed None: without waiting."""
 
     from_s: float
     to_s: float
@@ -229,7 +229,7 @@ class ReplayRow(Struct):
     paused: bool
 
 
-class Snapshot(Struct, tag_field="type", tag="snapshot"):
+class SnapshotMessage(Struct, tag_field="type", tag="snapshot"):
     """The state at a session time, with the events since the last one."""
 
     t_s: float
@@ -266,10 +266,10 @@ class End(Struct, tag_field="type", tag="end"):
     exit: int
 
 
-Line = SessionLine | Snapshot | Reply | End
+SessionMessage = SessionLine | SnapshotMessage | Reply | End
 
 
-def plain(line: Line) -> dict[str, Any]:
+def plain(line: SessionMessage) -> dict[str, Any]:
     """A line as plain data, for JSON."""
     content: dict[str, Any] = msgspec.to_builtins(line)
     return content
@@ -278,4 +278,4 @@ def plain(line: Line) -> dict[str, Any]:
 def schema() -> dict[str, Any]:
     """The JSON Schema of a line."""
     about = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": "A line of a session's socket"}
-    return about | msgspec.json.schema(Line)
+    return about | msgspec.json.schema(SessionMessage)

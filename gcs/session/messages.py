@@ -24,7 +24,7 @@ from gcs.session.message_types import (
     ServedRow,
     ServiceRow,
     SessionLine,
-    Snapshot,
+    SnapshotMessage,
     StockRow,
     TrafficRow,
     VehicleRow,
@@ -66,8 +66,8 @@ def vehicle_row(
     state: State = State.IDLE,
     found: Sequence[HealthIssue] = (),
 ) -> VehicleRow:
-    """One vehicle at `now_s`; `found` is its trouble, worst first (gcs/telemetry/health.py)."""
-    heard = view.heard_s >= 0.0
+    """One vehicle at `now_s`; `found` is its health issues, worst first (gcs/telemetry/health.py)."""
+    received = view.last_received_s >= 0.0
     return VehicleRow(
         sysid=view.sysid,
         role=view.role,
@@ -77,7 +77,7 @@ def vehicle_row(
         mode=str(view.mode),
         armed=view.armed,
         landed=view.landed,
-        autopilot=view.profile.name if heard else None,
+        autopilot=view.profile.name if received else None,
         p_ned=view.p_ned,
         v_ned=view.v_ned,
         speed_m_s=math.hypot(*view.v_ned),
@@ -88,7 +88,7 @@ def vehicle_row(
         aim_ned=aim_ned,
         margin_m=margin_m,
         age_s=view.age_s if math.isfinite(view.age_s) else None,
-        heard_s=max(now_s - view.heard_s, 0.0) if heard else None,
+        heard_s=max(now_s - view.last_received_s, 0.0) if received else None,
         lost=lost,
         lost_share=lost_share,
         target_m=target_m,
@@ -100,7 +100,7 @@ def vehicle_row(
         v=v,
         tau=tau,
         state=str(state),
-        trouble=[trouble.text for trouble in found],
+        trouble=[issue.text for issue in found],
         severity=severity(found),
         note=note,
     )
@@ -134,20 +134,20 @@ def distance_m(a: Vec3 | None, b: Vec3 | None) -> float | None:
 def snapshot_message(
     supervisor: Supervisor, *, phase: str, speed: float, refuelled: int, events: Iterable[Event]
 ) -> dict[str, Any]:
-    """The present state; `speed` is session time over wall time so far, `events` are those that nobody was told yet."""
+    """The present state; `speed` is session time over wall time so far, `events` are those that were not sent yet."""
     scenario, snapshot, schedule = supervisor.scenario, supervisor.snapshot, supervisor.schedule
     services = schedule.open_services
     tanker_m_s: dict[int | None, float] = {tanker.sysid: tanker.speed_m_s for tanker in scenario.vehicles.tankers}
     base_ned: dict[str | None, Vec3] = {base.name: base.position_m for base in scenario.bases}
     return plain(
-        Snapshot(
+        SnapshotMessage(
             t_s=supervisor.time_s,
             duration_s=scenario.goal.duration_s,
             speed=speed,
             phase=phase,
             vehicles=_vehicles(supervisor),
             traffic=[traffic_row(aircraft) for aircraft in snapshot.traffic],
-            competition=CompetitionRow(**explain.competition_of(schedule.standing, scenario.competition)),
+            competition=CompetitionRow(**explain.competition_of(schedule.competition_state, scenario.competition)),
             services=[
                 ServiceRow(
                     **explain.service_of(
@@ -169,14 +169,18 @@ def snapshot_message(
                 pursue_held_s=supervisor.metrics.pursuit_held_s,
                 broken=[broken_of(judged) for judged in supervisor.goal_watch.broken()],
             ),
-            inspected=supervisor.inspection.told(snapshot.time_s),
+            inspected=supervisor.inspection.latest(snapshot.time_s),
             events=[event_row(event) for event in events],
         )
     )
 
 
 def _vehicles(supervisor: Supervisor) -> list[VehicleRow]:
-    snapshot, standing, quality = supervisor.snapshot, supervisor.schedule.standing, supervisor.quality
+    snapshot, competition_state, quality = (
+        supervisor.snapshot,
+        supervisor.schedule.competition_state,
+        supervisor.quality,
+    )
     now_s = snapshot.time_s
     services = supervisor.schedule.open_services
     notes = explain.notes_of(services, supervisor.schedule.asked, supervisor.schedule.out)
@@ -188,16 +192,16 @@ def _vehicles(supervisor: Supervisor) -> list[VehicleRow]:
     target_of = supervisor.metrics.target_of
     rows = []
     for view in snapshot.vehicles:
-        sysid, pilot = view.sysid, supervisor.pilots[view.sysid]
+        sysid, arming = view.sysid, supervisor.arming[view.sysid]
         lost_share = quality.lost_share(sysid)
         rows.append(
             vehicle_row(
                 view,
                 now_s,
-                stage=str(pilot.stage),
+                stage=str(arming.stage),
                 target_m=distance_m(view.p_ned, at.get(target_of.get(sysid, -1))),
-                v=standing.v.get(sysid),
-                tau=standing.tau.get(sysid),
+                v=competition_state.v.get(sysid),
+                tau=competition_state.tau.get(sysid),
                 note=notes.get(sysid, ""),
                 lost=quality.lost(sysid),
                 lost_share=lost_share,
@@ -205,8 +209,8 @@ def _vehicles(supervisor: Supervisor) -> list[VehicleRow]:
                 margin_m=supervisor.planner.margin_m(sysid),
                 state=state(
                     view,
-                    competing=standing.v or standing.tau,
-                    leader=standing.leader,
+                    competing=competition_state.v or competition_state.tau,
+                    leader=competition_state.leader,
                     waiting=waiting,
                     served=served - waiting,
                     serving=serving,
@@ -215,8 +219,8 @@ def _vehicles(supervisor: Supervisor) -> list[VehicleRow]:
                     view,
                     now_s,
                     lost_share=lost_share,
-                    down=pilot.down,
-                    ordered=pilot.ordered is not None or sysid in supervisor.grounded,
+                    down=arming.down,
+                    ordered=arming.ordered is not None or sysid in supervisor.grounded,
                 ),
             )
         )
@@ -258,7 +262,7 @@ def broken_of(judged: Judgement) -> BrokenRow:
 
 
 def goal_of(scenario: Scenario) -> dict[str, Any]:
-    """What makes the session a success; a limit is null where nothing is demanded."""
+    """Goal of the session; a limit is null where nothing is demanded."""
     goal, limits = scenario.goal, asked(scenario)
     return {
         "separation_m": limits.get("separation"),
@@ -271,7 +275,7 @@ def goal_of(scenario: Scenario) -> dict[str, Any]:
 
 
 def vehicle_of(vehicle: VehicleBase, colour: int) -> MemberRow:
-    """Who flies, and the way that it is to fly where there is one; a closed path ends where it begins."""
+    """The vehicles, and their routes where they have one; a closed path ends where it begins."""
     path = list(getattr(vehicle, "path_m", None) or getattr(vehicle, "waypoints_m", None) or ())
     if getattr(vehicle, "closed", False):
         path.append(path[0])

@@ -1,7 +1,7 @@
 """Any fleet on the air as a console's source: one socket, an observer, the wall clock; nothing to configure.
 
 A monitor is passive: not a byte leaves its socket. With `control` it is a ground station: a HEARTBEAT each second to
-whoever was heard, a request for streams to who sends none, and hold, return and land for one vehicle, in its own
+known senders, a request for streams to vehicles that send none, and hold, return and land for one vehicle, in its own
 autopilot's way.
 """
 
@@ -12,7 +12,7 @@ import time
 from collections.abc import Callable, Mapping
 from typing import Any, cast
 
-from gcs.link.listener import Air
+from gcs.link.listener import Listener
 from gcs.link.socket import Where
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import End
@@ -39,7 +39,7 @@ class MonitorSource:
     """A console's source that listens at an address. Raises AddressRefused where it cannot."""
 
     def __init__(self, at: Endpoint, *, control: bool = False, clock: Callable[[], float] = time.monotonic) -> None:
-        self._air = Air(at)
+        self._listener = Listener(at)
         self._clock = clock
         self._begun_s = clock()
         self._observer = Observer("monitor", at.text)
@@ -48,46 +48,46 @@ class MonitorSource:
         self._peers: dict[int, tuple[Where, float]] = {}
         self._refused: set[tuple[int, Where]] = set()
         self._queues: dict[int, CommandQueue] = {}
-        self._quiet = SilentVehicles()
-        self._told_quiet: set[int] = set()
+        self._silent_vehicles = SilentVehicles()
+        self._reported_silent: set[int] = set()
         self._counter = SequenceCounter()
         self._replies: list[Mapping[str, Any]] = []
         self._shown_s = self._beat_s = -math.inf
         self._ended = False
         if at.way == "udpout" and not control:
             text = f"Nothing is sent to {at.text}: somebody who only answers will not be heard; --control speaks"
-            self._observer.tell(Event(0.0, 0, "warning", text, "link"))
+            self._observer.add_event(Event(0.0, 0, "warning", text, "link"))
 
     @property
     def port(self) -> int:
         """The port that it is at."""
-        return self._air.port
+        return self._listener.port
 
     def fileno(self) -> int:
         """For select: readable when something has come."""
-        return self._air.fileno()
+        return self._listener.fileno()
 
     @property
     def connected(self) -> bool:
         """Whether it listens."""
-        return self._air.open
+        return self._listener.open
 
     def receive(self) -> list[Mapping[str, Any]]:
         """Listen; the messages since the last call."""
         t_s = self._clock() - self._begun_s
-        for frames, peer in self._air.receive():
+        for frames, peer in self._listener.receive():
             for frame in frames:
-                self._hear(frame, peer, t_s)
-        self._notice_quiet(t_s)
+                self._receive(frame, peer, t_s)
+        self._report_silent(t_s)
         if self._control:
             self._speak(t_s)
         messages, self._replies = self._replies, []
         if self._observer.changed:
             messages.append(self._observer.session())
-        if t_s - self._shown_s >= SNAPSHOT_EVERY_S or not self._air.open:
+        if t_s - self._shown_s >= SNAPSHOT_EVERY_S or not self._listener.open:
             self._shown_s = t_s
             messages.append(self._observer.snapshot(t_s, speed=1.0, phase="flying"))
-        if not self._air.open and not self._ended:
+        if not self._listener.open and not self._ended:
             self._ended = True
             messages.append(end_message("the other end has closed the connection", 0))
         return messages
@@ -99,39 +99,39 @@ class MonitorSource:
 
     def close(self) -> None:
         """Listen no longer."""
-        self._air.close()
+        self._listener.close()
 
     # in
 
-    def _hear(self, frame: Frame, peer: Where, t_s: float) -> None:
+    def _receive(self, frame: Frame, peer: Where, t_s: float) -> None:
         observer = self._observer
         known = self._peers.get(frame.sysid)
         if known is not None and known[0] != peer and t_s - known[1] < GONE_S:
             if (frame.sysid, peer) not in self._refused:
                 self._refused.add((frame.sysid, peer))
                 text = f"Another vehicle says that it is {frame.sysid}, from {_where(peer)}: ignored"
-                observer.tell(Event(t_s, frame.sysid, "warning", text, "link"))
+                observer.add_event(Event(t_s, frame.sysid, "warning", text, "link"))
             return
-        observer.hear(frame, t_s)
+        observer.receive(frame, t_s)
         if frame.sysid not in observer.sysids:
-            observer.overhear(frame)
+            observer.receive_sent(frame)
             return
         self._peers[frame.sysid] = (peer, t_s)
-        self._quiet.heard(frame.sysid, frame.msgid, t_s)
+        self._silent_vehicles.received(frame.sysid, frame.msgid, t_s)
         if frame.msgid == _COMMAND_ACK and (queue := self._queues.get(frame.sysid)) is not None:
             self._follow_up(frame.sysid, queue.on_ack(frame.sysid, frame.compid, codec.fields(frame), t_s), t_s)
 
-    def _notice_quiet(self, t_s: float) -> None:
-        for sysid in self._quiet.due(t_s):
+    def _report_silent(self, t_s: float) -> None:
+        for sysid in self._silent_vehicles.due(t_s):
             if t_s - self._peers[sysid][1] >= GONE_S:
                 continue
             if self._control:
                 self._transmit(sysid, [everything(sysid, self._observer.component(sysid))])
-            if sysid not in self._told_quiet:
-                self._told_quiet.add(sysid)
+            if sysid not in self._reported_silent:
+                self._reported_silent.add(sysid)
                 done = "it is asked for them now" if self._control else "nobody asks for them; --control does"
                 text = f"Does not tell its position, attitude and state: {done}"
-                self._observer.tell(Event(t_s, sysid, "warning", text, "link"))
+                self._observer.add_event(Event(t_s, sysid, "warning", text, "link"))
 
     # out, with control only
 
@@ -160,16 +160,16 @@ class MonitorSource:
         queue = self._queues.setdefault(sysid, CommandQueue(*STATION))
         order = CommandLong(CommandTarget(sysid, self._observer.component(sysid)), number, params)
         self._transmit(sysid, queue.send(order, t_s, COMMAND_TIMEOUT_S, token=end))
-        self._observer.tell(Event(t_s, sysid, "info", f"Operator: {end}", "operator"))
+        self._observer.add_event(Event(t_s, sysid, "info", f"Operator: {end}", "operator"))
         return True, f"{view.label} is told to {end}; what it answers is shown."
 
     def _speak(self, t_s: float) -> None:
         if t_s - self._beat_s >= HEARTBEAT_EVERY_S:
             self._beat_s = t_s
-            raw = codec.frame(OUR_HEARTBEAT, self._counter.take(), *STATION)
-            peers = {self._air.to} if self._air.to is not None else {peer for peer, _ in self._peers.values()}
+            raw = codec.frame(OUR_HEARTBEAT, self._counter.next(), *STATION)
+            peers = {self._listener.to} if self._listener.to is not None else {peer for peer, _ in self._peers.values()}
             for peer in sorted(peers, key=str):
-                self._air.send(raw, peer)
+                self._listener.send(raw, peer)
         for sysid, queue in self._queues.items():
             self._follow_up(sysid, queue.poll(t_s), t_s)
 
@@ -177,12 +177,12 @@ class MonitorSource:
         self._transmit(sysid, step.messages)
         for result in step.results:
             if result.outcome == "timeout":
-                self._observer.tell(Event(t_s, sysid, "warning", _unanswered(result), "ack"))
+                self._observer.add_event(Event(t_s, sysid, "warning", _unanswered(result), "ack"))
 
     def _transmit(self, sysid: int, messages: list[Message]) -> None:
         peer = self._peers[sysid][0]
         for message in messages:
-            self._air.send(codec.frame(message, self._counter.take(), *STATION), peer)
+            self._listener.send(codec.frame(message, self._counter.next(), *STATION), peer)
 
 
 def _unanswered(result: CommandResult) -> str:

@@ -33,7 +33,7 @@ from gcs.session.message_types import (
     ServedRow,
     ServiceRow,
     SessionLine,
-    Snapshot,
+    SnapshotMessage,
     VehicleRow,
     plain,
 )
@@ -44,16 +44,16 @@ from gcs.telemetry.events import Event, level_of
 from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
 from gcs.telemetry.health import State, health_issues
 from gcs.telemetry.message_inspector import MessageInspector
-from gcs.telemetry.state import FleetState, Vec3, VehicleView
+from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 
 Kind = Literal["monitor", "replay"]
 UNKNOWN_CAPACITY_J = math.nan
 ORIGIN_WITHIN_S = 3.0
-NOBODY: Mapping[str, Any] = {
+NO_COMPETITION: Mapping[str, Any] = {
     **{"v": {}, "tau": {}, "leader": None, "share": None, "runner_up": None},
     "threshold": 0.9,  # the default share
 }
-"""A competition that nobody holds."""
+"""A competition that no vehicle is in."""
 _ADSB = codec.msgid("ADSB_VEHICLE")
 _GLOBAL = codec.msgid("GLOBAL_POSITION_INT")
 _HEARTBEAT = codec.msgid("HEARTBEAT")
@@ -94,11 +94,11 @@ ROLES: Mapping[int, str] = {
     mav.MAV_TYPE_ROCKET: "rocket",
     mav.MAV_TYPE_GENERIC: "vehicle",
 }
-"""What a vehicle is, by HEARTBEAT's type. Types that are not here are no vehicles: ground stations, cameras, …"""
+"""Kind of a vehicle, by HEARTBEAT's type. Types that are not here are no vehicles: ground stations, cameras, …"""
 
 
 class Observer:
-    """Watches a fleet. Times are in s since whatever `hear` is told them since, and do not fall.
+    """Watches a fleet. Times are in s since the zero that `receive` is given them from, and do not fall.
 
     scenario: of a recorded session, whose vehicles need not be discovered and whose local clock is the session's.
     """
@@ -116,8 +116,8 @@ class Observer:
         members = [] if scenario is None else [_member(vehicle) for vehicle in scenario.vehicles.all]
         self._origin = None if scenario is None else GlobalOrigin(*scenario.origin.model_dump().values())
         self.fleet = Fleet(members, self._origin or GlobalOrigin(0.0, 0.0, 0.0))
-        self._ears: dict[int, TelemetryAdapter] = {}
-        # A session's own vehicles tell all that the fleet reads, on its clock; those of others are strangers here too.
+        self._adapters: dict[int, TelemetryAdapter] = {}
+        # A session's own vehicles send all that the fleet reads, on its clock; those of others are unknown here too.
         self._known = set() if scenario is None else {vehicle.sysid for vehicle in scenario.vehicles.launched}
         self._expected = {member.sysid for member in members} - self._known
         self._gaps = GapCounter()
@@ -134,63 +134,63 @@ class Observer:
     @property
     def sysids(self) -> list[int]:
         """The vehicles known so far."""
-        return sorted(self._known | self._expected | self._ears.keys())
+        return sorted(self._known | self._expected | self._adapters.keys())
 
     def component(self, sysid: int) -> int:
         """The component of a known vehicle that is its autopilot."""
-        ear = self._ears.get(sysid)
-        return AUTOPILOT if ear is None else ear.compid
+        adapter = self._adapters.get(sysid)
+        return AUTOPILOT if adapter is None else adapter.compid
 
-    def hear(self, frame: Frame, t_s: float, *, counted: bool = True) -> None:
+    def receive(self, frame: Frame, t_s: float, *, counted: bool = True) -> None:
         """Take a frame that came at `t_s`; who is no vehicle is passed over, but for ADS-B.
 
-        Not `counted`: it is one of many, the others of which are not told, and says nothing of the link.
+        Not `counted`: it is one of many, the others of which are not passed in, and says nothing of the link.
         """
         if frame.msgid == _ADSB:
             if self._origin is not None:
                 self.fleet.ingest(frame, t_s)
             return
-        ear = self._ears.get(frame.sysid)
-        if ear is None:
-            ear = self._discover(frame, t_s)
-        if counted and (ear is not None or frame.sysid in self._known or frame.sysid in self._expected):
+        adapter = self._adapters.get(frame.sysid)
+        if adapter is None:
+            adapter = self._discover(frame, t_s)
+        if counted and (adapter is not None or frame.sysid in self._known or frame.sysid in self._expected):
             self._gaps.feed(frame.sysid, frame.compid, frame.seq)
-            self.quality.take(frame.sysid, 1, t_s)
-        if ear is None or frame.compid != ear.compid:
+            self.quality.count(frame.sysid, 1, t_s)
+        if adapter is None or frame.compid != adapter.compid:
             return
         if frame.sysid in self.inspection.wanted:
-            self.inspection.take((frame,), t_s)
+            self.inspection.add((frame,), t_s)
         if self.scenario is not None and frame.sysid in self._known:
             self.fleet.ingest(frame, t_s)
         else:
-            if self._origin is None and (origin := self._origin_by(ear, frame, t_s)) is not None:
+            if self._origin is None and (origin := self._origin_by(adapter, frame, t_s)) is not None:
                 self._origin = self.fleet.origin = origin
                 self.changed = True
-            for told in ear.hears(frame, t_s, self._origin):
-                self.fleet.ingest(told, t_s)
+            for translated in adapter.translate(frame, t_s, self._origin):
+                self.fleet.ingest(translated, t_s)
         if frame.msgid == _TARGET:
             self._aim(frame.sysid, codec.fields(frame))
         elif frame.msgid in (_TEXT, _ACK):
             self._said(t_s)
 
-    def overhear(self, frame: Frame) -> None:
+    def receive_sent(self, frame: Frame) -> None:
         """Take a frame that was sent to a vehicle: where it is to be."""
         if frame.msgid == _SET_POINT:
             content = codec.fields(frame)
             self._aim(content.target_system, content)
 
-    def tell(self, event: Event) -> None:
-        """Let the next snapshot tell of something that no vehicle said."""
+    def add_event(self, event: Event) -> None:
+        """Add to the next snapshot an event that no vehicle reported."""
         self._events.append(event)
 
     def resume(self, gaps: GapCounter, t_s: float) -> None:
-        """Count lost frames from `t_s` on where somebody has counted those before."""
+        """Count lost frames from `t_s` on where those before are counted already."""
         self._gaps = gaps
         self.quality = LinkQuality(gaps)
         self.quality.begin(t_s)
 
     def forget_events(self, t_s: float) -> None:
-        """Drop what a snapshot at `t_s` would tell of what has happened before: nobody was there to see it."""
+        """Drop what a snapshot at `t_s` would report of earlier events: no client was there to see it."""
         self._gather(self.view(t_s))
         self._events.clear()
 
@@ -222,7 +222,7 @@ class Observer:
             )
         )
 
-    def view(self, t_s: float) -> FleetState:
+    def view(self, t_s: float) -> FleetSnapshot:
         """The fleet at `t_s`, for those who want to know more of it than a snapshot's line says."""
         return self.fleet.snapshot(t_s)
 
@@ -231,7 +231,7 @@ class Observer:
     ) -> dict[str, Any]:
         """The message of type "snapshot" at `t_s`, with the events since the last one.
 
-        `more`: keys that somebody who knows the session's decisions fills in, among them `parts`, of each vehicle.
+        `more`: keys that a caller who knows the session's decisions fills in, among them `parts`, of each vehicle.
         """
         view = self.view(t_s)
         self._gather(view)
@@ -239,19 +239,19 @@ class Observer:
         known = dict(more or {})
         parts: Mapping[int, Mapping[str, Any]] = known.pop("parts", {})
         return plain(
-            Snapshot(
+            SnapshotMessage(
                 t_s=t_s,
                 duration_s=known.get("duration_s", self.duration_s),
                 speed=speed,
                 phase=phase,
                 vehicles=self._rows(view, parts),
                 traffic=[traffic_row(aircraft) for aircraft in view.traffic],
-                competition=CompetitionRow(**known.get("competition", NOBODY)),
+                competition=CompetitionRow(**known.get("competition", NO_COMPETITION)),
                 services=[ServiceRow(**row) for row in known.get("services", ())],
                 history=[ServedRow(**row) for row in known.get("history", ())],
                 refuelled=known.get("refuelled", 0),
                 goal=_goal_state(known.get("goal", {**NO_GOAL, "pursue_held_s": None, "broken": []})),
-                inspected=self.inspection.told(t_s),
+                inspected=self.inspection.latest(t_s),
                 events=[event_row(event) for event in events],
                 replay=ReplayRow(**known["replay"]) if "replay" in known else UNSET,
             )
@@ -268,32 +268,32 @@ class Observer:
         if frame.sysid in self._known or frame.sysid in self._expected:
             if frame.compid != AUTOPILOT:
                 return None
-            ear = self._ears[frame.sysid] = TelemetryAdapter(frame.sysid, frame.compid)
-            return ear
+            adapter = self._adapters[frame.sysid] = TelemetryAdapter(frame.sysid, frame.compid)
+            return adapter
         if frame.msgid != _HEARTBEAT or frame.sysid == 0:
             return None
         content = codec.fields(frame)
         role = ROLES.get(content.type)
         if role is None or content.autopilot == mav.MAV_AUTOPILOT_INVALID:
             return None
-        ear = self._ears[frame.sysid] = TelemetryAdapter(frame.sysid, frame.compid)
+        adapter = self._adapters[frame.sysid] = TelemetryAdapter(frame.sysid, frame.compid)
         self.fleet.join(Member(frame.sysid, role, f"{role} {frame.sysid}", UNKNOWN_CAPACITY_J, UNKNOWN_CAPACITY_J))
         kind = profile_of(content.autopilot).name
         self._events.append(Event(t_s, frame.sysid, "info", f"First heard of: {kind} autopilot", "link"))
         self.changed = True
-        return ear
+        return adapter
 
-    def _origin_by(self, ear: TelemetryAdapter, frame: Frame, t_s: float) -> GlobalOrigin | None:
-        """Where the common frame is to begin; a vehicle's own origin is waited for a while before its mere place."""
-        early = t_s - self._since_s.setdefault(ear.sysid, t_s) < ORIGIN_WITHIN_S
-        return None if early and frame.msgid == _GLOBAL else ear.origin_of(frame)
+    def _origin_by(self, adapter: TelemetryAdapter, frame: Frame, t_s: float) -> GlobalOrigin | None:
+        """Origin of the common frame; a vehicle's own origin is waited for a while before its mere place."""
+        early = t_s - self._since_s.setdefault(adapter.sysid, t_s) < ORIGIN_WITHIN_S
+        return None if early and frame.msgid == _GLOBAL else adapter.origin_of(frame)
 
     def _found(self, sysid: int) -> MemberRow:
         view = self.fleet.snapshot(0.0).vehicle(sysid)
         capacity_j = view.capacity_j if math.isfinite(view.capacity_j) else None
         return MemberRow(sysid, view.role, view.label, capacity_j, [], sysid - 1)
 
-    # what is told of them
+    # rows of the snapshot
 
     def _aim(self, sysid: int, content: Any) -> None:
         place = (content.x, content.y, content.z)
@@ -304,12 +304,12 @@ class Observer:
             self._aims.pop(sysid, None)
 
     def _said(self, t_s: float) -> None:
-        for sysid, severity, text in self.fleet.take_statustexts(t_s):
+        for sysid, severity, text in self.fleet.pop_statustexts(t_s):
             self._events.append(Event(t_s, sysid, level_of(severity), text, "text"))
-        for sysid, ack in self.fleet.take_acks():
+        for sysid, ack in self.fleet.pop_acks():
             self._acknowledged(t_s, sysid, ack)
 
-    def _gather(self, view: FleetState) -> None:
+    def _gather(self, view: FleetSnapshot) -> None:
         self._said(view.time_s)
         if self.scenario is not None:
             self._events += self._watch.look(view, self.ordered)
@@ -318,7 +318,7 @@ class Observer:
         for one in view.vehicles:
             name = _mode(one)
             before = self._modes.get(one.sysid)
-            if one.heard_s >= 0.0 and name != before:
+            if one.last_received_s >= 0.0 and name != before:
                 self._modes[one.sysid] = name
                 if before is not None:
                     self._events.append(Event(view.time_s, one.sysid, "info", f"{before} -> {name}", "mode"))
@@ -333,13 +333,13 @@ class Observer:
             Event(t_s, sysid, "info" if accepted else "warning", f"{what}: {result_in_words(ack.result)}", "ack")
         )
 
-    def _rows(self, snapshot: FleetState, parts: Mapping[int, Mapping[str, Any]]) -> list[VehicleRow]:
+    def _rows(self, snapshot: FleetSnapshot, parts: Mapping[int, Mapping[str, Any]]) -> list[VehicleRow]:
         rows = []
         places = {view.sysid: view.p_ned for view in snapshot.vehicles}
-        for told in snapshot.vehicles:
-            ear = self._ears.get(told.sysid)
-            strange = ear is not None and not (self.scenario is not None and told.sysid in self._known)
-            view, share = ear.seen(told) if strange and ear is not None else (told, None)
+        for reported in snapshot.vehicles:
+            adapter = self._adapters.get(reported.sysid)
+            strange = adapter is not None and not (self.scenario is not None and reported.sysid in self._known)
+            view, share = adapter.seen(reported) if strange and adapter is not None else (reported, None)
             part = dict(parts.get(view.sysid, {}))
             target = part.pop("target", None)
             lost_share = self.quality.lost_share(view.sysid)
@@ -356,8 +356,8 @@ class Observer:
                 **part,
             )
             row.mode = _mode(view)
-            if strange and ear is not None and not math.isfinite(told.remaining_j):
-                row.battery, row.remaining_j, row.power_w, row.endurance_s = share, None, ear.power_w, None
+            if strange and adapter is not None and not math.isfinite(reported.remaining_j):
+                row.battery, row.remaining_j, row.power_w, row.endurance_s = share, None, adapter.power_w, None
             rows.append(row)
         return rows
 
@@ -365,11 +365,11 @@ class Observer:
 def _member(vehicle: Any) -> Member:
     battery = vehicle.battery
     initial_j = battery.capacity_j * battery.initial_percent / 100.0
-    return Member(vehicle.sysid, vehicle.role, vehicle.label, battery.capacity_j, initial_j)
+    return Member(vehicle.sysid, vehicle.role, vehicle.label, battery.capacity_j, initial_j, airborne=vehicle.airborne)
 
 
 def _mode(view: VehicleView) -> str:
-    return view.profile.mode_name(view.custom_mode) if view.heard_s >= 0.0 else str(view.mode)
+    return view.profile.mode_name(view.custom_mode) if view.last_received_s >= 0.0 else str(view.mode)
 
 
 def _sum(a: Sequence[float], b: Sequence[float]) -> Vec3:

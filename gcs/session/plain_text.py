@@ -20,7 +20,7 @@ PROGRESS_EVERY_S = 2.0
 JSON_EVERY_S = 1.0
 FAREWELL_WIDTH = 80
 REPORTED_OFF_M = 0.01
-"""Where what vehicles reported is off by so much, both figures are told."""
+"""Difference from what vehicles reported above which both figures are printed."""
 EXPLAINED_WITHIN_S = 2.0
 """A vehicle that announced something this recently (session time) has explained its own change of mode."""
 
@@ -46,7 +46,7 @@ def minutes(duration_s: float | None) -> str:
     return "99+" if whole >= 5940 else f"{whole // 60}:{whole % 60:02d}"
 
 
-def told(snapshot: Snapshot, event: Mapping[str, Any]) -> str:
+def event_text(snapshot: Snapshot, event: Mapping[str, Any]) -> str:
     """An event with the name of whom it concerns in front, unless its text begins with that."""
     who, text = name_of(snapshot, event.get("sysid")), clean(event["text"])
     return text if text.startswith(who) else f"{who}: {text}"
@@ -93,7 +93,7 @@ def progress(snapshot: Snapshot) -> str:
 
 
 class EventLines:
-    """One line for each event that a person wants to hear of. Events alone decide: how often snapshots come does not.
+    """One line for each event that a person should see. Events alone decide: how often snapshots come does not.
 
     What is granted goes unsaid, and so does a change of mode that its vehicle has just announced itself.
     """
@@ -102,7 +102,7 @@ class EventLines:
         self._said_s: dict[int | None, float] = {}
 
     def lines(self, snapshot: Snapshot) -> list[str]:
-        """Those of a snapshot's events."""
+        """Lines of a snapshot's events."""
         return [_line(snapshot, event) for event in snapshot["events"] if self._worth_a_line(event)]
 
     def _worth_a_line(self, event: Mapping[str, Any]) -> bool:
@@ -117,7 +117,7 @@ class EventLines:
 
 def _line(snapshot: Snapshot, event: Mapping[str, Any]) -> str:
     level = "" if event["level"] == "info" else f"{event['level'].upper()}: "
-    return f"{_stamp(event['t_s'])} {level}{told(snapshot, event)}"
+    return f"{_stamp(event['t_s'])} {level}{event_text(snapshot, event)}"
 
 
 def _stamp(t_s: float) -> str:
@@ -129,9 +129,9 @@ def _giver(service: Mapping[str, Any]) -> str:
 
 
 def farewell(summary: Mapping[str, Any] | None, outcome: str | None, folder: Path) -> list[str]:
-    """How the session ended, for a person; `summary` is None where none was written."""
-    told = summary or {}
-    lines = [outcome_line(outcome or told.get("outcome"), told.get("outcome_text"))]
+    """Result of the session, for a person; `summary` is None where none was written."""
+    known = summary or {}
+    lines = [outcome_line(outcome or known.get("outcome"), known.get("outcome_text"))]
     if summary is not None:
         if lost := [f"{v['role']} {v['sysid']}" for v in summary["vehicles"] if v["final_mode"] == "dead"]:
             lines.append(f"lost: {clean(', '.join(lost))}")
@@ -150,7 +150,7 @@ def farewell(summary: Mapping[str, Any] | None, outcome: str | None, folder: Pat
 
 
 def outcome_line(outcome: str | None, text: str | None) -> str:
-    """`outcome: met`, or `not met: ` and why; nobody is shown the bare name of a part."""
+    """`outcome: met`, or `not met: ` and why; the bare name of a part is never shown."""
     text = clean(text or "")
     if text.startswith("not met: "):
         return text
@@ -186,7 +186,7 @@ def _listed(title: str, parts: Sequence[str]) -> list[str]:
 
 
 def mute_stdout() -> None:
-    """Nobody can be told any more: what is still written to stdout goes nowhere, and is no error."""
+    """Discard further output: what is still written to stdout goes nowhere, and is no error."""
     null = os.open(os.devnull, os.O_WRONLY)
     os.dup2(null, 1)
     os.close(null)
@@ -206,26 +206,26 @@ class QuietView:
 
 
 class PlainView:
-    """What happened as it happens, and a line of progress every two seconds of wall time."""
+    """Events as they happen, and a line of progress every two seconds of wall time."""
 
     def __init__(self, write: Callable[[str], object]) -> None:
         self._write = write
-        self._news = EventLines()
+        self._event_lines = EventLines()
         self._last: Snapshot | None = None
-        self._told: Snapshot | None = None
-        self._told_s = -PROGRESS_EVERY_S
+        self._printed: Snapshot | None = None
+        self._printed_s = -PROGRESS_EVERY_S
         self._begun_s: float | None = None
 
     def show(self, snapshot: Snapshot) -> None:
         """Take in the newest state."""
-        for line in self._news.lines(snapshot):
+        for line in self._event_lines.lines(snapshot):
             self._write(line)
         self._last = snapshot
 
     def tick(self, now_s: float) -> None:
         """Write the line that is due at wall time `now_s`."""
-        if self._last is not None and now_s - self._told_s >= PROGRESS_EVERY_S:
-            self._tell(now_s)
+        if self._last is not None and now_s - self._printed_s >= PROGRESS_EVERY_S:
+            self._print_progress(now_s)
         elif self._last is None and self._begun_s is None:
             self._begun_s = now_s
         elif self._last is None and now_s - (self._begun_s or 0.0) >= PROGRESS_EVERY_S:
@@ -234,13 +234,13 @@ class PlainView:
 
     def close(self) -> None:
         """Write how far it got."""
-        if self._last is not self._told:
-            self._tell(self._told_s)
+        if self._last is not self._printed:
+            self._print_progress(self._printed_s)
 
-    def _tell(self, now_s: float) -> None:
+    def _print_progress(self, now_s: float) -> None:
         assert self._last is not None
         self._write(progress(self._last))
-        self._told, self._told_s = self._last, now_s
+        self._printed, self._printed_s = self._last, now_s
 
 
 class JsonView:
@@ -249,7 +249,7 @@ class JsonView:
     def __init__(self, write: Callable[[str], object]) -> None:
         self._write = write
         self._waiting: Snapshot | None = None
-        self._told_s = -JSON_EVERY_S
+        self._printed_s = -JSON_EVERY_S
 
     def show(self, snapshot: Snapshot) -> None:
         """Take in the newest state."""
@@ -258,9 +258,9 @@ class JsonView:
 
     def tick(self, now_s: float) -> None:
         """Write the snapshot that is due at wall time `now_s`."""
-        if self._waiting is not None and now_s - self._told_s >= JSON_EVERY_S:
+        if self._waiting is not None and now_s - self._printed_s >= JSON_EVERY_S:
             self.close()
-            self._told_s = now_s
+            self._printed_s = now_s
 
     def close(self) -> None:
         """Write the last snapshot."""

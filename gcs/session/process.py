@@ -24,7 +24,7 @@ import click
 
 from gcs.exit import BAD_INPUT, DONE, INTERNAL_ERROR, INTERRUPTED, NOT_DONE, leave
 from gcs.link.external import ExternalLink
-from gcs.link.fleet import MixedLink
+from gcs.link.fleet import FleetLink
 from gcs.link.link import Link
 from gcs.link.lockstep import REPEAT_S, LockstepLink
 from gcs.link.socket import BUFFER_BYTES, AddressRefused
@@ -49,15 +49,15 @@ PUBLISH_EVERY_S = 0.1
 WATCH_EVERY_S = 0.05
 SAY_WAITING_EVERY_S = 5.0
 GIVE_UP_S, GIVE_UP_SOON_S = 60.0, 5.0
-"""How long the session stands still for a process that lives but does not answer, in wall time; the second is with
+"""Time that the session stands still for a process that lives but does not answer, in wall time; the second is with
 external vehicles, which fly on meanwhile."""
 ELSEWHERE = "Free space there, or give --out another place."
 HAND_BACK_S = 2.5
-"""How long external vehicles have at the end to obey; their HEARTBEAT, once a second, shows that they do."""
+"""Time that external vehicles have at the end to obey; their HEARTBEAT, once a second, shows that they do."""
 
 
 class _Stopped(Exception):
-    """Someone asked for the session's end."""
+    """The session's end was asked for."""
 
 
 class SessionFailed(Exception):
@@ -79,12 +79,12 @@ class SessionProcess:
         clock = scenario.clock
         speed = None if clock.mode == "lockstep" else clock.speed
         self._pace = Pace(speed, time.monotonic, keeps_up=bool(external))
-        self._fleet_link = LockstepLink(drop=drop, seed=scenario.seed)
-        self._link: Link = self._fleet_link
+        self._lockstep_link = LockstepLink(drop=drop, seed=scenario.seed)
+        self._link: Link = self._lockstep_link
         if external:
-            strangers = ExternalLink(external, lambda: self._pace.running_wall_s)
-            self._link = MixedLink(self._fleet_link, strangers)
-        self._sleep = strangers.rest if external else time.sleep
+            external_link = ExternalLink(external, lambda: self._pace.running_wall_s)
+            self._link = FleetLink(self._lockstep_link, external_link)
+        self._sleep = external_link.rest if external else time.sleep
         self._recorder = Recorder(folder)
         self._reserve = Reserve(folder, len(scenario.vehicles.all))
         self._publisher = Publisher(folder, session_message(scenario, str(folder.resolve())))
@@ -96,7 +96,7 @@ class SessionProcess:
         self._clients = Clients(self._publisher, self._supervisor, self._pace)
         self._labels = {v.sysid: v.label for v in scenario.vehicles.all} | {255: "traffic"}
         self._blocks: dict[int, tuple[int, ...]] = {}
-        self._told_refused: set[tuple[int, int]] = set()
+        self._reported_refused: set[tuple[int, int]] = set()
         self._answered_s = self._said_waiting_s = math.inf
         self._published_s = self._watched_s = 0.0
         self._phase = "starting"
@@ -119,7 +119,7 @@ class SessionProcess:
             self._summarise(outcome, text)
             self._phase = "ended"
             status = INTERRUPTED if interrupted else DONE if outcome == goal.MET else NOT_DONE
-            self._publisher.publish(self._next_picture())
+            self._publisher.publish(self._next_snapshot())
             self._publisher.publish(end_message(outcome, status, text))
             return status, outcome
         except (SessionFailed, RecorderError):
@@ -171,7 +171,7 @@ class SessionProcess:
         with contextlib.suppress(RecorderError):  # it has been reported, or will be; what matters now is sent before
             while supervisor.exchange(self._pace.running_wall_s):
                 if time.monotonic() > deadline_s:
-                    supervisor.tell_disobedience()
+                    supervisor.report_disobedience()
                     break
                 self._sleep(WATCH_EVERY_S)
 
@@ -181,7 +181,7 @@ class SessionProcess:
         if self._link.buffer_bytes < BUFFER_BYTES:
             granted = f"{self._link.buffer_bytes >> 10} KiB"
             self._event(0, "warning", f"The kernel grants a receive buffer of {granted}, not 4 MiB: raise rmem_max")
-        connection = ("--supervised", f"udpout:{self._fleet_link.host}:{self._fleet_link.port}")
+        connection = ("--supervised", f"udpout:{self._lockstep_link.host}:{self._lockstep_link.port}")
         vehicles = self._scenario.vehicles.launched
         per_process = self._scenario.vehicles_per_process
         orders = vehicle_orders(self._scenario, self._folder, connection, per_process=per_process)
@@ -190,7 +190,7 @@ class SessionProcess:
             orders.append(traffic_order(self._scenario, self._folder, connection))
             keys.append(TRAFFIC)
         self._blocks = {order.sysid: order.sysids for order in orders}
-        self._fleet_link.expect(keys)
+        self._lockstep_link.expect(keys)
         if self._hatch is not None:
             self._hatch.start(orders)
         rehearse(self._scenario)  # while the vehicles come up
@@ -252,7 +252,7 @@ class SessionProcess:
             raise _Stopped
         if reader.asked:
             self._gather_events()
-            reader.give({**self._picture(()), "t_s": supervisor.snapshot.time_s})
+            reader.give({**self._snapshot(()), "t_s": supervisor.snapshot.time_s})
 
     def _look_around(self) -> None:
         """At most every 50 ms of wall time: the rest of the world."""
@@ -260,7 +260,7 @@ class SessionProcess:
             self._watch()
 
     def _watch(self) -> None:
-        """Deaths, operators, the parent's pipe; and a fresh picture for those who look."""
+        """Deaths, operators, the parent's pipe; and a fresh snapshot for clients."""
         self._watched_s = now_s = time.monotonic()
         for end in self._hatch.events()[1] if self._hatch is not None else ():
             self._lose(end)
@@ -273,15 +273,15 @@ class SessionProcess:
             self._event(0, "warning", "The supervisor was told to end (SIGTERM): the session stops")
         if self._clients.serve() or _stdin_closed() or self._terminated:
             raise _Stopped
-        for key in self._link.refused.keys() - self._told_refused:
-            self._told_refused.add(key)
+        for key in self._link.refused.keys() - self._reported_refused:
+            self._reported_refused.add(key)
             host, port = self._link.refused[key]
             self._event(
                 key[0], "warning", f"Another vehicle says that it is {key[0]}, from {host}:{port}: ignored", "link"
             )
         if now_s - self._published_s >= PUBLISH_EVERY_S:
             self._published_s = now_s
-            self._publisher.publish(self._next_picture())
+            self._publisher.publish(self._next_snapshot())
 
     def _wait_for(self, waited_s: float) -> None:
         """Say whose answer the session waits for; after a minute, go on without them."""
@@ -305,7 +305,7 @@ class SessionProcess:
     def _event(self, sysid: int, level: Level, text: str, kind: Kind = "session") -> None:
         self._supervisor.events.append(Event(self._supervisor.time_s, sysid, level, text, kind))
 
-    # tell
+    # publish
 
     def _outcome(self, interrupted: bool) -> tuple[str, str]:
         """`met`, the first part of the goal that was not, or `interrupted`; and the same as a sentence."""
@@ -317,19 +317,19 @@ class SessionProcess:
         return goal.INTERRUPTED, f"{text}; {goal.outcome_text(broken)}" if broken else text
 
     def _gather_events(self) -> None:
-        """What is new, for the next picture and for the reader's."""
+        """New events, for the next snapshot and for the reader's."""
         events, self._supervisor.events = self._supervisor.events, []
         self._unpublished += events
         if self.reader is not None:
             self.reader.remember(events)
 
-    def _next_picture(self) -> dict[str, Any]:
+    def _next_snapshot(self) -> dict[str, Any]:
         """The snapshot that clients see, with the events since the last one."""
         self._gather_events()
         events, self._unpublished = self._unpublished, []
-        return self._picture(events)
+        return self._snapshot(events)
 
-    def _picture(self, events: Sequence[Event]) -> dict[str, Any]:
+    def _snapshot(self, events: Sequence[Event]) -> dict[str, Any]:
         supervisor = self._supervisor
         wall_s = self._pace.running_wall_s if self._begun else 0.0
         return snapshot_message(

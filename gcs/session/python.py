@@ -26,7 +26,7 @@ from gcs.recording.summary import FILE, Summary
 from gcs.scenario import plugins
 from gcs.scenario.file import find, load
 from gcs.scenario.model import Scenario
-from gcs.session.arrays import Snapshot, from_picture
+from gcs.session.arrays import Snapshot, from_message
 from gcs.session.supervised import PATIENCE_S, SUPERVISOR, RunError, Supervised, make_folder
 
 NEXT, STOP = b"n", b"s"
@@ -44,7 +44,7 @@ class Session:
     `gcs run`'s options. out: the session's folder, which must not exist yet; `sessions/NAME-TIME` without it.
     every_s: session time between snapshots, a multiple of the scenario's clock.period_s; each period without it.
 
-    On the real clock the fleet does not wait: a slow body misses snapshots. Leaving the context before the session's
+    On the real clock the fleet does not wait: a slow body misses snapshots. Ending the context before the session's
     end stops it and saves what was flown. Raises ScenarioError, ValueError for options, SessionError.
     """
 
@@ -85,14 +85,14 @@ class Session:
 
     @property
     def folder(self) -> Path:
-        """What the session leaves behind (docs/protocol.md#session-folder)."""
+        """Folder that the session leaves behind (docs/protocol.md#session-folder)."""
         if self._folder is None:
             raise SessionError("the session has no folder before it begins; use it as `with Session(...) as session:`")
         return self._folder
 
     @property
     def summary(self) -> Summary:
-        """How it ended: outcome, distances, energy, refuellings, digest. Raises SessionError before the end."""
+        """Result: outcome, distances, energy, refuellings, digest. Raises SessionError before the end."""
         if self._summary is None:
             raise SessionError("the session has not ended: read `summary` after the loop, or after the with block")
         return self._summary
@@ -128,7 +128,7 @@ class Session:
                     return
                 pending += chunk
             line, _, pending = pending.partition(b"\n")
-            yield from_picture(json.loads(line))
+            yield from_message(json.loads(line))
 
     def finish(self) -> Summary:
         """Fly on to the end without looking, and return the summary."""

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from gcs.recording.missing import SCENARIO, passed_over, unread
-from gcs.recording.pursuit_held import Course, CourseReader
+from gcs.recording.pursuit_held import HeldTimes, HeldTimesReader
 from gcs.recording.summary import FILE as SUMMARY
 from gcs.recording.summary import Summary
 from gcs.recording.writer import DECISIONS, TLOG
@@ -23,12 +23,12 @@ from gcs.scenario.model import Scenario, ScenarioError
 from gcs.session.messages import reply_message
 from gcs.session.observer import Observer
 from gcs.session.timeline import Timeline
-from gcs.session.tlog_index import TlogIndex, Told
+from gcs.session.tlog_index import RecordedFrame, TlogIndex
 from gcs.telemetry.events import Event
 
 FASTEST = 1000.0
 DECIDED, INDEXED = 0.25, 0.9
-"""How much of the time that opening a session takes is gone when its decisions, and its frames, have been read."""
+"""Share of the time that opening a session takes which is gone when its decisions, and its frames, have been read."""
 SNAPSHOT_EVERY_S = 0.1
 """of wall time, as from a session"""
 PATIENCE_S = 0.05
@@ -53,7 +53,7 @@ class Replay:
     ) -> None:
         self.problems: list[str] = []
         self._scenario: Scenario | None = None
-        self._story: Timeline | None = None
+        self._timeline: Timeline | None = None
         self._folder = str(source.resolve()) if source.is_dir() else None
         self.name = source.resolve().name if source.is_dir() else source.name
         path, epoch_us = source, None
@@ -63,9 +63,9 @@ class Replay:
         if not path.exists():
             missing = f"{source} has no {TLOG}" if source.is_dir() else f"{source} does not exist"
             raise ReplayError(f"{missing}; give a session's folder or a .tlog file.")
-        course: CourseReader | None = None
-        if self._scenario is not None and self._story is not None:
-            course = CourseReader(self._scenario, self._story.chases)
+        reader: HeldTimesReader | None = None
+        if self._scenario is not None and self._timeline is not None:
+            reader = HeldTimesReader(self._scenario, self._timeline.chases)
         begin, end = (DECIDED, INDEXED) if source.is_dir() else (0.0, 1.0)
         self._recording = TlogIndex(
             path,
@@ -74,50 +74,50 @@ class Replay:
             block_bytes=block_bytes,
             metered=self._scenario.vehicles.external if self._scenario else (),
             progress=lambda share: progress(begin + (end - begin) * share),
-            watch=course.take if course is not None else lambda _: None,
+            watch=reader.add if reader is not None else lambda _: None,
         )
         self.problems += self._recording.problems
         if not self._recording.frames:
             raise ReplayError(" ".join(self._recording.problems) or f"{path} holds no MAVLink frame.")
-        self._pursuit: Course | None = course.course() if course is not None else None
+        self._pursuit: HeldTimes | None = reader.held_times() if reader is not None else None
         progress(1.0)
         self.from_s, self.to_s = self._recording.from_s, self._recording.to_s
         self._wanted: frozenset[int] = frozenset()
         self.seek(self.from_s)
 
-    def seek(self, t_s: float, *, told_s: float = math.inf) -> None:
-        """Go to a time of the recording; what is known then is known, and what was decided after `told_s` is told."""
+    def seek(self, t_s: float, *, reported_s: float = math.inf) -> None:
+        """Go to a time of the recording: what is known then is known; decisions after `reported_s` are reported."""
         t_s = min(max(t_s, self.from_s), self.to_s)
         observer = Observer("replay", self.name, scenario=self._scenario, folder=self._folder)
         observer.duration_s = self.to_s if self._scenario is None else self._scenario.goal.duration_s
         observer.inspection.want(self._wanted)
         self.observer, self.t_s = observer, self.from_s
         self._happened = 0
-        for told in self._recording.before(t_s):
-            self._see_what_happened(told.t_s)
-            if told.sent:
-                observer.overhear(told.frame)
+        for recorded in self._recording.before(t_s):
+            self._see_what_happened(recorded.t_s)
+            if recorded.sent:
+                observer.receive_sent(recorded.frame)
             else:
-                observer.hear(told.frame, told.t_s, counted=False)
+                observer.receive(recorded.frame, recorded.t_s, counted=False)
         observer.resume(self._recording.gaps_before(t_s), t_s)
-        self._frames: Iterator[Told] = self._recording.play(t_s)
-        self._next: Told | None = next(self._frames, None)
+        self._frames: Iterator[RecordedFrame] = self._recording.play(t_s)
+        self._next: RecordedFrame | None = next(self._frames, None)
         self.advance(t_s, math.inf)
         observer.forget_events(t_s)
-        self._told_s = min(t_s, told_s) if t_s > self.from_s else -math.inf
+        self._reported_until_s = min(t_s, reported_s) if t_s > self.from_s else -math.inf
 
     def advance(self, t_s: float, until_wall_s: float) -> bool:
         """Play on up to a time of the recording, or of the wall clock; whether the former was reached."""
         observer = self.observer
         count = 0
         while self._next is not None and self._next.t_s <= t_s:
-            told = self._next
-            self._see_what_happened(told.t_s)
-            if told.sent:
-                observer.overhear(told.frame)
+            recorded = self._next
+            self._see_what_happened(recorded.t_s)
+            if recorded.sent:
+                observer.receive_sent(recorded.frame)
             else:
-                observer.hear(told.frame, told.t_s)
-            self.t_s = told.t_s
+                observer.receive(recorded.frame, recorded.t_s)
+            self.t_s = recorded.t_s
             self._next = next(self._frames, None)
             count += 1
             if count % 64 == 0 and time.monotonic() > until_wall_s:
@@ -132,7 +132,7 @@ class Replay:
         return self._next is None and self.t_s >= self.to_s
 
     def inspect(self, sysids: Collection[int]) -> None:
-        """Let snapshots tell everything that these vehicles send."""
+        """Let snapshots hold everything that these vehicles send."""
         self._wanted = frozenset(sysids)
         self.observer.inspection.want(self._wanted)
 
@@ -143,26 +143,26 @@ class Replay:
     def snapshot(self, *, speed: float | None, paused: bool = False) -> dict[str, Any]:
         """The message of type "snapshot" at `t_s`, with the events since the last one; no speed: without waiting."""
         more: dict[str, Any] = {}
-        if self._story is not None:
-            for event in self._story.events(self._told_s, self.t_s):
-                self.observer.tell(event)
-            self.observer.ordered = self._story.ordered(self.t_s)
+        if self._timeline is not None:
+            for event in self._timeline.events(self._reported_until_s, self.t_s):
+                self.observer.add_event(event)
+            self.observer.ordered = self._timeline.ordered(self.t_s)
             held_s = self._pursuit.at(self.t_s) if self._pursuit is not None else None
-            more = self._story.at(self.observer.view(self.t_s), held_s)
-        self._told_s = self.t_s
+            more = self._timeline.at(self.observer.view(self.t_s), held_s)
+        self._reported_until_s = self.t_s
         more["replay"] = {"from_s": self.from_s, "to_s": self.to_s, "speed": speed, "paused": paused}
         phase = "ended" if self.ended else "paused" if paused else "flying"
         return self.observer.snapshot(self.t_s, speed=speed, phase=phase, more=more)
 
     def _see_what_happened(self, t_s: float) -> None:
         """Let vehicles die, and energy be booked, that did so by a time of the recording."""
-        happened = self._story.happened if self._story is not None else []
+        happened = self._timeline.happened if self._timeline is not None else []
         while self._happened < len(happened) and happened[self._happened].t_s <= t_s:
             sysid, joules = happened[self._happened].sysid, happened[self._happened].booked_j
             if sysid in self.observer.sysids:
                 if joules is None:
                     self.observer.fleet.lost(sysid)
-                elif not self.observer.view(t_s).vehicle(sysid).battery_told:
+                elif not self.observer.view(t_s).vehicle(sysid).battery_reported:
                     self.observer.fleet.book(sysid, joules)
             self._happened += 1
 
@@ -176,15 +176,15 @@ class Replay:
             return None
         self.name = self._scenario.name
         try:
-            self._story = Timeline(folder / DECISIONS, self._scenario, progress)
+            self._timeline = Timeline(folder / DECISIONS, self._scenario, progress)
         except OSError as error:
             self.problems.append(unread(folder / DECISIONS, error, "decisions are not shown."))
         else:
             with contextlib.suppress(OSError, ValueError):  # as after a session that was killed
                 summary = Summary.model_validate_json((folder / SUMMARY).read_bytes())
-                self._story.unmet = summary.unmet if summary.goal else None
-            if self._story.broken:
-                self.problems.append(passed_over(DECISIONS, self._story.broken))
+                self._timeline.unmet = summary.unmet if summary.goal else None
+            if self._timeline.broken:
+                self.problems.append(passed_over(DECISIONS, self._timeline.broken))
         return round(1e6 * self._scenario.clock.epoch.timestamp())
 
 
@@ -212,7 +212,7 @@ class ReplaySource:
         self._shown_s = -math.inf
         self._replies: list[Message] = [replay.session()]
         for problem in replay.problems:
-            replay.observer.tell(Event(replay.t_s, 0, "warning", problem, "session"))
+            replay.observer.add_event(Event(replay.t_s, 0, "warning", problem, "session"))
 
     @property
     def connected(self) -> bool:
@@ -273,7 +273,7 @@ class ReplaySource:
         return False, f"This is a recording: its vehicles take no command, such as {word}."
 
     def _go(self, t_s: float) -> None:
-        self._replay.seek(t_s, told_s=self._replay.t_s)
+        self._replay.seek(t_s, reported_s=self._replay.t_s)
         self._shown_s = -math.inf
 
 

@@ -1,7 +1,7 @@
 """The session's socket: snapshots out, operators' commands in, newline-delimited JSON
 (docs/protocol.md#session-socket).
 
-A client first reads the greeting, a line of type "session": it ends with the last events that were told before, and how
+A client first reads the greeting, a line of type "session": it ends with the last events that were sent before, and how
 many those were in all. One that reads slowly is dropped, never waited for.
 """
 
@@ -28,14 +28,14 @@ NAME = "session.sock"
 READ_BYTES = 65536
 BACKLOG_BYTES = 1 << 20
 REMEMBERED = 200
-"""Events that a client is told which came after them."""
+"""Earlier events that a new client is sent."""
 
 
 NO_COMMAND = 'A command is a JSON object with a text under "command", such as {"command": "pause"}.'
 
 
 class ClientRequest(NamedTuple):
-    """What one client asks for: an object with a text under "command"."""
+    """Request of one client: an object with a text under "command"."""
 
     client: int
     """whose it is, while it is connected"""
@@ -59,15 +59,15 @@ class Publisher:
         self._numbers: dict[socket.socket, int] = {}
         self._known = 0
         self._events: deque[Any] = deque(maxlen=REMEMBERED)
-        self._told = 0
+        self._event_count = 0
 
     @property
     def clients(self) -> frozenset[int]:
-        """Who is connected, by the number that requests carry."""
+        """Clients connected, by the number that requests carry."""
         return frozenset(self._numbers.values())
 
     def poll(self) -> list[ClientRequest]:
-        """Take new clients and what the present ones ask for; never waits. Who sends a line that is none is told so."""
+        """Take new clients and what the present ones ask for; never waits. A line that is no request is answered so."""
         with contextlib.suppress(BlockingIOError):
             while True:
                 client, _ = self._server.accept()
@@ -77,7 +77,7 @@ class Publisher:
                 self._known += 1
                 self._numbers[client] = self._known
                 if self._greeting is not None:
-                    earlier = {"events": list(self._events), "told": self._told}
+                    earlier = {"events": list(self._events), "told": self._event_count}
                     self._send(client, _line({**self._greeting, **earlier}))
         commands = []
         for client in list(self._clients):
@@ -107,7 +107,7 @@ class Publisher:
         """Send one line to every client; who cannot take it whole is dropped. Its events are kept for later clients."""
         events = content.get("events") or ()
         self._events.extend(events)
-        self._told += len(events)
+        self._event_count += len(events)
         line = _line(content)
         for client in list(self._clients):
             self._send(client, line)
@@ -177,10 +177,10 @@ class Reader:
         """Keep these for the next snapshot."""
         self._events += events
 
-    def give(self, picture: Mapping[str, Any]) -> None:
-        """Answer with this picture and the events since the last one."""
+    def give(self, snapshot: Mapping[str, Any]) -> None:
+        """Answer with this snapshot and the events since the last one."""
         events, self._events = self._events, []
         self.asked = False
-        line = json.dumps({**picture, "events": [asdict(event) for event in events]}, allow_nan=False)
+        line = json.dumps({**snapshot, "events": [asdict(event) for event in events]}, allow_nan=False)
         with contextlib.suppress(OSError):
             self._socket.sendall(line.encode() + b"\n")

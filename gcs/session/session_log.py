@@ -1,4 +1,4 @@
-"""What `gcs run` says: quietly, at length, and in any case into the session's folder."""
+"""Output of `gcs run`: on the terminal, and in any case into the session's folder."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ FILE = "session.log"
 class VerboseView(PlainView):
     """The plain view, with a line for each vehicle under each line of progress."""
 
-    def _tell(self, now_s: float) -> None:
-        super()._tell(now_s)
+    def _print_progress(self, now_s: float) -> None:
+        super()._print_progress(now_s)
         assert self._last is not None
         for vehicle in self._last["vehicles"]:
             self._write(_line(vehicle))
@@ -50,12 +50,12 @@ class _Both:
 
 
 @contextmanager
-def logged(view: View, tell: Callable[[str], object], folder: Path) -> Iterator[tuple[View, Callable[[str], object]]]:
+def logged(view: View, echo: Callable[[str], object], folder: Path) -> Iterator[tuple[View, Callable[[str], object]]]:
     """The view and the teller, all of it also written to FOLDER/session.log as lines; a full disk ends only that."""
     try:
         log = (folder / FILE).open("w", encoding="utf-8", buffering=1, errors="replace")
     except OSError:
-        yield view, tell
+        yield view, echo
         return
 
     def keep(line: str) -> None:
@@ -64,7 +64,7 @@ def logged(view: View, tell: Callable[[str], object], folder: Path) -> Iterator[
 
     def both(line: str) -> None:
         keep(line)
-        tell(line)
+        echo(line)
 
     try:
         yield _Both(view, PlainView(keep)), both

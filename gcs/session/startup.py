@@ -16,7 +16,7 @@ SAY_AGAIN_S = 5.0
 
 
 def starting_line() -> str:
-    """What is said when a session takes its time to start; of compiling only where that is what takes it."""
+    """Sentence where a session takes long to start; of compiling only where that is what takes it."""
     compiles = "" if compiled() else ": compiling what flies and plans, once, for up to a minute"
     return f"still starting{compiles} ..."
 
@@ -31,7 +31,7 @@ def compiled() -> bool:
 
 
 class Arrivals:
-    """Waits for launched vehicles and for those that somebody else has started; times are s since it began."""
+    """Waits for launched vehicles and for external ones; times are s since it began."""
 
     def __init__(self, labels: Mapping[int, str], external: Mapping[int, External]) -> None:
         self._labels = labels
@@ -41,24 +41,24 @@ class Arrivals:
 
     def look(self, missing: Collection[int], waited_s: float) -> list[tuple[int, str]]:
         """(system id, words) of what is new about external vehicles, now that these system ids are missing."""
-        strangers = self._external.keys() & set(missing)
-        news = [(sysid, f"{self._labels[sysid]} is there") for sysid in sorted(self._awaited - strangers)]
+        awaited = self._external.keys() & set(missing)
+        notices = [(sysid, f"{self._labels[sysid]} is there") for sysid in sorted(self._awaited - awaited)]
         if waited_s - self._said_s >= SAY_AGAIN_S:
             self._said_s = waited_s
-            where = {sysid: self._external[sysid].connect for sysid in sorted(strangers)}
-            news += [(sysid, f"Waiting for {self._labels[sysid]} at {at}") for sysid, at in where.items()]
-        self._awaited = strangers
-        return news
+            where = {sysid: self._external[sysid].connect for sysid in sorted(awaited)}
+            notices += [(sysid, f"Waiting for {self._labels[sysid]} at {at}") for sysid, at in where.items()]
+        self._awaited = awaited
+        return notices
 
     def too_late(self, missing: Collection[int], waited_s: float) -> str | None:
         """Why the session cannot begin, as a sentence; None while there is hope."""
         late = [sysid for sysid in sorted(missing) if waited_s > self._patience_s(sysid)]
-        strangers = [sysid for sysid in late if sysid in self._external]
-        if strangers:
-            names = ", ".join(f"{self._labels[sysid]} at {self._external[sysid].connect}" for sysid in strangers)
-            spoken_to = any(self._external[sysid].connect.startswith("udpout") for sysid in strangers)
+        awaited = [sysid for sysid in late if sysid in self._external]
+        if awaited:
+            names = ", ".join(f"{self._labels[sysid]} at {self._external[sysid].connect}" for sysid in awaited)
+            spoken_to = any(self._external[sysid].connect.startswith("udpout") for sysid in awaited)
             return (
-                f"no HEARTBEAT of {names} within {self._patience_s(strangers[0]):g} s: is it switched on, has it that "
+                f"no HEARTBEAT of {names} within {self._patience_s(awaited[0]):g} s: is it switched on, has it that "
                 "system id, and does it speak MAVLink 2 to that address? (found_within_s gives it longer)"
                 + (ONLY_ONCE if spoken_to else "")
             )

@@ -1,4 +1,4 @@
-"""What `gcs run` does: a session's folder, and its supervisor from start to end."""
+"""`gcs run`: a session's folder, and its supervisor from start to end."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ class Signals:
         """Readable when a signal has come."""
         return self._read.fileno()
 
-    def take(self) -> list[int]:
+    def pop(self) -> list[int]:
         """The signals that have come, in order."""
         try:
             return [number for number in self._read.recv(256) if number in self._handlers]
@@ -86,7 +86,7 @@ class Signals:
 
 
 def _ignore(*_: object) -> None:
-    """The wake-up descriptor tells; Python needs a handler for it to do so."""
+    """The wake-up descriptor reports signals; Python needs a handler for it to do so."""
 
 
 def make_folder(out: Path | None, scenario: Scenario) -> Path:
@@ -179,7 +179,7 @@ class Supervised:
 
     @property
     def status(self) -> int | None:
-        """How the process ended; negative for a signal."""
+        """Exit status of the process; negative for a signal."""
         return self._process.poll()
 
     def read(self) -> bool:
@@ -236,14 +236,14 @@ class Supervised:
             self.interrupt(now_s)
 
     def keeps_waiting(self, now_s: float) -> bool:
-        """Whether it takes so long to stop that a person wants to hear of it."""
+        """Whether it takes so long to stop that a person should know."""
         return now_s >= self._asked_s + SAVES_WITHIN_S
 
 
 def run(
     folder: Path,
     view: View,
-    tell: Callable[[str], object],
+    echo: Callable[[str], object],
     *,
     arguments: Sequence[str] = (),
     supervisor: Sequence[str] = SUPERVISOR,
@@ -253,9 +253,9 @@ def run(
 ) -> int:
     """Fly the session prepared in `folder`; the exit status (docs/protocol.md#exit-status).
 
-    `view` shows it while it flies, `finish` gets the supervisor's last word, and `tell` the lines that sum it up.
-    `stderr` takes what the supervisor says there; our own standard error without it. `hurry` is called where a person
-    has asked more than once for the end.
+    `view` shows it while it flies, `finish` gets the supervisor's last word, and `echo` prints the lines that sum it
+    up. `stderr` takes what the supervisor says there; our own standard error without it. `hurry` is called where a
+    person has asked more than once for the end.
     """
     with Signals() as signals, Supervised(folder, arguments, supervisor, stderr=stderr) as process:
         try:
@@ -278,16 +278,16 @@ def run(
     finish(verdict)
     if verdict.get("error"):
         print(f"gcs: {clean(verdict['error'])}", file=sys.stderr)
-    with contextlib.suppress(OSError):  # nobody may be there to be told
+    with contextlib.suppress(OSError):  # the reader may be gone
         for line in farewell(_summary(folder), verdict.get("outcome"), folder):
-            tell(line)
+            echo(line)
     failed = verdict["exit"] == INTERNAL_ERROR or verdict.get("error")
     return int(verdict["exit"]) if failed or not interrupted else 128 + interrupted
 
 
 def _watch(process: Supervised, signals: Signals, view: View, hurry: Callable[[], object]) -> int:
     """Show the session until its supervisor has ended; the first signal that asked it to stop, or 0."""
-    interrupted, told = 0, False
+    interrupted, notified = 0, False
     with selectors.DefaultSelector() as selector:
         for source in (process, process.death, signals):
             selector.register(source, selectors.EVENT_READ)
@@ -299,22 +299,22 @@ def _watch(process: Supervised, signals: Signals, view: View, hurry: Callable[[]
             ended = process.ended
             if not process.read() and process in selector.get_map():
                 selector.unregister(process)
-            for number in signals.take():
+            for number in signals.pop():
                 if interrupted:
                     hurry()
                 if process.verdict is None:
                     interrupted = interrupted or number
                 process.interrupt(now_s)
             process.insist(now_s)
-            if not told and not ended and process.keeps_waiting(now_s):
-                told = True
+            if not notified and not ended and process.keeps_waiting(now_s):
+                notified = True
                 print("gcs: waiting until the session is saved; Ctrl-C twice more ends it unsaved", file=sys.stderr)
             try:
                 for content in earlier.joined(watched.receive()) if watched is not None else ():
                     if content.get("type") == "snapshot":
                         view.show(content)
                 view.tick(now_s)
-            except BrokenPipeError:  # nobody reads our lines any more, as with `| head`
+            except BrokenPipeError:  # the reader of our lines is gone, as with `| head`
                 interrupted = interrupted or signal.SIGPIPE
                 process.interrupt(now_s)
                 view = QuietView()

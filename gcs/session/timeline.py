@@ -1,7 +1,7 @@
 """A recorded session's decisions, at any time of it: who competes, which services are under way, and why.
 
 From decisions.jsonl and the scenario alone. The set points, nearly all of the file, are passed over: the recorded
-frames tell them too.
+frames show them too.
 """
 
 from __future__ import annotations
@@ -13,21 +13,21 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from gcs.mavlink.autopilots import End
-from gcs.recording.decision_lines import DecisionLines, Line
+from gcs.recording.decision_lines import DecisionLine, DecisionLines
 from gcs.recording.decisions import event_of
 from gcs.recording.summary import GoalPartSummary
 from gcs.refuelling import explain
-from gcs.refuelling.bidding import Standing
+from gcs.refuelling.bidding import CompetitionState
 from gcs.refuelling.service import Phase, Service
 from gcs.scenario.model import Scenario
 from gcs.session.messages import goal_of
 from gcs.supervisor.operator import TAKEN
 from gcs.telemetry.events import Event
 from gcs.telemetry.health import state
-from gcs.telemetry.state import FleetState, Vec3
+from gcs.telemetry.state import FleetSnapshot, Vec3
 
 STANDS_S = 0.35
-"""A competition that has not been heard of for so long is over."""
+"""A competition that has not been recorded for so long is over."""
 
 
 @dataclass
@@ -41,7 +41,7 @@ class _Life:
     energy_j: float = 0.0
 
     def at(self, t_s: float) -> Service:
-        """As it was at a time."""
+        """State at a time."""
         if self.end_s is not None and self.end_s <= t_s:
             return replace(
                 self.service, phase=Phase.DONE, end_s=self.end_s, ended_by=self.reason, energy_j=round(self.energy_j)
@@ -60,7 +60,7 @@ class _Life:
 
 
 class ServiceMoment(NamedTuple):
-    """What befell a vehicle that its frames do not tell: its death, or energy in J that a base gave it."""
+    """Events of a vehicle that its frames do not show: its death, or energy in J that a base gave it."""
 
     t_s: float
     sysid: int
@@ -69,15 +69,15 @@ class ServiceMoment(NamedTuple):
 
 
 class Timeline:
-    """What was decided. Raises OSError where the file cannot be read."""
+    """Decisions of a session. Raises OSError where the file cannot be read."""
 
     def __init__(self, path: Path, scenario: Scenario, progress: Callable[[float], object] = lambda _: None) -> None:
         self._scenario = scenario
         self._speed: dict[int | None, float] = {t.sysid: t.speed_m_s for t in scenario.vehicles.tankers}
         self._base_ned: dict[str | None, Vec3] = {base.name: base.position_m for base in scenario.bases}
         self._lives: list[_Life] = []
-        self._standing: list[Line] = []
-        self._told: list[tuple[float, dict[str, Any]]] = []
+        self._competition_lines: list[DecisionLine] = []
+        self._shown: list[tuple[float, dict[str, Any]]] = []
         self._pursuing: list[tuple[float, int, int]] = []
         self.happened: list[ServiceMoment] = []
         self.orders: list[tuple[float, int, End | None]] = []
@@ -92,20 +92,22 @@ class Timeline:
         lines = DecisionLines(path, progress)
         for _, others in lines.blocks(set_points=False):
             for line in others:
-                self._take(line)
+                self._add(line)
         self.broken += lines.passed_over
-        self._told.sort(key=lambda told: told[0])  # what only the vehicles' truth showed was recorded at the end
+        self._shown.sort(
+            key=lambda first_broken: first_broken[0]
+        )  # what only the vehicles' truth showed was recorded at the end
         self.violations.sort(key=lambda record: float(record["at_s"]))
-        self._standing_s = [line.t_s for line in self._standing]
-        self._told_s = [t_s for t_s, _ in self._told]
+        self._competition_s = [line.t_s for line in self._competition_lines]
+        self._shown_s = [t_s for t_s, _ in self._shown]
 
     def events(self, after_s: float, until_s: float) -> Iterator[Event]:
-        """What was decided, ordered or died in after_s < t ≤ until_s."""
-        first, last = bisect.bisect_right(self._told_s, after_s), bisect.bisect_right(self._told_s, until_s)
-        return (event_of(record) for _, record in self._told[first:last])
+        """Decisions, orders and deaths in after_s < t ≤ until_s."""
+        first, last = bisect.bisect_right(self._shown_s, after_s), bisect.bisect_right(self._shown_s, until_s)
+        return (event_of(record) for _, record in self._shown[first:last])
 
     def ordered(self, t_s: float) -> dict[int, End]:
-        """What vehicles that an operator has in hand are to fly."""
+        """Modes of vehicles that an operator has taken over."""
         held: dict[int, End] = {}
         for since_s, sysid, mode in self.orders:
             if since_s <= t_s:
@@ -114,22 +116,23 @@ class Timeline:
                     held[sysid] = mode
         return held
 
-    def at(self, snapshot: FleetState, pursue_held_s: float | None) -> dict[str, Any]:
-        """What a snapshot's line tells of decisions at its time; `parts` by system id as `Observer.snapshot` reads.
+    def at(self, snapshot: FleetSnapshot, pursue_held_s: float | None) -> dict[str, Any]:
+        """Part of a snapshot that holds decisions at its time; `parts` by system id as `Observer.snapshot` reads.
 
-        pursue_held_s: for how long the goal's pursuit had been held; None where nobody knows, and the goal goes unsaid.
+        pursue_held_s: for how long the goal's pursuit had been held; None where it is unknown, and the goal is left
+        out.
         """
         t_s, scenario = snapshot.time_s, self._scenario
         services = [life.at(t_s) for life in self._lives if life.service.decided_at_s <= t_s]
         self._book(services, snapshot)
-        standing = self._standing_at(t_s)
+        competition_state = self._competition_at(t_s)
         is_open = [service for service in services if service.phase is not Phase.DONE]
         goal = {**goal_of(scenario), "pursue_held_s": pursue_held_s, "broken": self._broken_at(t_s)}
         if pursue_held_s is None:
             goal |= {"pursue_within_m": None, "pursue_for_s": None}
         return {
             "duration_s": scenario.goal.duration_s,
-            "competition": explain.competition_of(standing, scenario.competition),
+            "competition": explain.competition_of(competition_state, scenario.competition),
             "services": [
                 explain.service_of(
                     s,
@@ -144,7 +147,7 @@ class Timeline:
             "history": explain.history_of(services),
             "refuelled": sum(service.phase is Phase.DONE and service.energy_j > 0 for service in services),
             "goal": goal,
-            "parts": self._parts(snapshot, standing, is_open),
+            "parts": self._parts(snapshot, competition_state, is_open),
         }
 
     def _broken_at(self, t_s: float) -> list[dict[str, Any]]:
@@ -160,11 +163,17 @@ class Timeline:
         first: dict[str, dict[str, Any]] = {}
         for record in self.violations:
             if record["at_s"] <= t_s:
-                told = {"part": record["part"], "text": f"{record['part']}: {record['text']}", "t_s": record["at_s"]}
-                first.setdefault(record["part"], told)
+                first_broken = {
+                    "part": record["part"],
+                    "text": f"{record['part']}: {record['text']}",
+                    "t_s": record["at_s"],
+                }
+                first.setdefault(record["part"], first_broken)
         return list(first.values())
 
-    def _parts(self, snapshot: FleetState, standing: Standing, services: list[Service]) -> dict[int, dict[str, Any]]:
+    def _parts(
+        self, snapshot: FleetSnapshot, competition_state: CompetitionState, services: list[Service]
+    ) -> dict[int, dict[str, Any]]:
         waiting = {service.receiver for service in services if service.phase is Phase.JOIN}
         served = {service.receiver for service in services} - waiting
         serving = {service.tanker for service in services if service.tanker is not None}
@@ -172,14 +181,14 @@ class Timeline:
         targets = self._targets(snapshot.time_s)
         return {
             view.sysid: {
-                "v": standing.v.get(view.sysid),
-                "tau": standing.tau.get(view.sysid),
+                "v": competition_state.v.get(view.sysid),
+                "tau": competition_state.tau.get(view.sysid),
                 "note": notes.get(view.sysid, ""),
                 "target": targets.get(view.sysid),
                 "state": state(
                     view,
-                    competing=standing.v or standing.tau,
-                    leader=standing.leader,
+                    competing=competition_state.v or competition_state.tau,
+                    leader=competition_state.leader,
                     waiting=waiting,
                     served=served,
                     serving=serving,
@@ -201,8 +210,8 @@ class Timeline:
                 found[pursuer] = target
         return found
 
-    def _book(self, services: list[Service], snapshot: FleetState) -> None:
-        """What an open service has transferred: what its receiver has got beyond what earlier ones gave it."""
+    def _book(self, services: list[Service], snapshot: FleetSnapshot) -> None:
+        """Energy that an open service has transferred: what its receiver has got beyond what earlier ones gave it."""
         before: dict[int, float] = {}
         for service in services:
             if service.phase is Phase.DONE:
@@ -212,20 +221,20 @@ class Timeline:
                 received_j = snapshot.vehicle(service.receiver).received_j
                 service.energy_j = max(round(received_j - before.get(service.receiver, 0.0)), 0)
 
-    def _standing_at(self, t_s: float) -> Standing:
-        at = bisect.bisect_right(self._standing_s, t_s) - 1
-        if at < 0 or t_s - self._standing_s[at] > STANDS_S:
-            return Standing()
-        record = self._standing[at].record()
+    def _competition_at(self, t_s: float) -> CompetitionState:
+        at = bisect.bisect_right(self._competition_s, t_s) - 1
+        if at < 0 or t_s - self._competition_s[at] > STANDS_S:
+            return CompetitionState()
+        record = self._competition_lines[at].record()
         v, tau = _by_sysid(record["v"]), _by_sysid(record["tau"])
-        return Standing(v, tau, {}, record["leader"], record["share"])
+        return CompetitionState(v, tau, {}, record["leader"], record["share"])
 
     # reading
 
-    def _take(self, line: Line) -> None:
+    def _add(self, line: DecisionLine) -> None:
         if line.kind == "competition":
             if line.giver != "base":
-                self._standing.append(line)
+                self._competition_lines.append(line)
             return
         try:
             record, t_s = line.record(), line.t_s
@@ -233,7 +242,7 @@ class Timeline:
             if record["kind"] == "violation" and record["by"] == "truth":
                 t_s = float(record["at_s"])
                 record["t_s"] = t_s
-            self._told.append((t_s, record))
+            self._shown.append((t_s, record))
         except (ValueError, KeyError, TypeError, AttributeError, StopIteration):
             self.broken += 1
 

@@ -39,7 +39,7 @@ _BATTERY = codec.msgid("BATTERY_STATUS")
 _OF_BATTERIES = [_BATTERY, *map(codec.msgid, ("SYS_STATUS", "NAMED_VALUE_INT", "PARAM_VALUE", "HEARTBEAT"))]
 
 
-class Told(NamedTuple):
+class RecordedFrame(NamedTuple):
     """One frame of a recording: when it came, and whether it went to a vehicle."""
 
     t_s: float
@@ -48,7 +48,7 @@ class Told(NamedTuple):
 
 
 class Directions:
-    """Who sent what to whom, frame by frame.
+    """Sender and receiver of each frame.
 
     Ground stations are known by their HEARTBEAT. In a session of ours a vehicle's own FOLLOW_TARGET or counter behind
     the SYSTEM_TIME that ended its answer has been relayed to another.
@@ -160,7 +160,7 @@ class TlogIndex:
         self.from_s = 0.0 if first_us is None else (first_us - self._epoch_us) / 1e6
         self.to_s = (latest_us - self._epoch_us) / 1e6 if self.frames else 0.0
 
-    def play(self, from_s: float) -> Iterator[Told]:
+    def play(self, from_s: float) -> Iterator[RecordedFrame]:
         """Everything from the block of a time on, in the file's order: what came before that time is among it.
 
         Times do not fall, also where the clock of who wrote the file was set back.
@@ -171,12 +171,12 @@ class TlogIndex:
         for chunk in log.chunks(block.begin):
             for t_us, frame in chunk.frames():
                 latest_s = max(latest_s, (t_us - self._epoch_us) / 1e6)
-                yield Told(latest_s, frame, directions.sent(t_us, frame))
+                yield RecordedFrame(latest_s, frame, directions.sent(t_us, frame))
 
-    def before(self, from_s: float) -> list[Told]:
-        """What was known before the block of a time: the last of each kind of message, and of batteries a while more.
+    def before(self, from_s: float) -> list[RecordedFrame]:
+        """Frames known before the block of a time: the last of each kind of message, and of batteries a while more.
 
-        What went to vehicles is among it, told as the vehicles' own frames are.
+        Frames sent to vehicles are among them, as the vehicles' own are.
         """
         at = self._block_of(from_s)
         earlier = self._blocks[:at]
@@ -197,17 +197,17 @@ class TlogIndex:
                 wanted &= chunk.begin + heads[:, AT] < self._blocks[at].begin
                 found |= set((chunk.begin + heads[wanted, AT]).tolist())
         directions = Directions(session=False)
-        told = []
+        frames = []
         with self.path.open("rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
             for place in sorted(found):
                 record = data[place - 8 : place + tlog.LARGEST]
                 raw = tlog.raw_at(record, 8)
                 frame = Frame(raw[5], raw[6], raw[4], int.from_bytes(raw[7:10], "little"), raw)
                 t_us = int.from_bytes(record[:8], "big")
-                told.append(Told((t_us - self._epoch_us) / 1e6, frame, directions.sent(t_us, frame)))
+                frames.append(RecordedFrame((t_us - self._epoch_us) / 1e6, frame, directions.sent(t_us, frame)))
         # Batteries last: what they say is read by what was armed, given and received. Of those of which everything is
-        # told it stands among it.
-        return sorted(told, key=lambda each: each.frame.msgid == _BATTERY and each.frame.sysid not in self._metered)
+        # recorded it stands among it.
+        return sorted(frames, key=lambda each: each.frame.msgid == _BATTERY and each.frame.sysid not in self._metered)
 
     def gaps_before(self, from_s: float) -> GapCounter:
         """The sequence numbers as they had been counted before the block of a time."""
@@ -228,7 +228,7 @@ def _count(gaps: RecordedGaps, heads: IntArray) -> None:
 
 def _subjects() -> IntArray:
     """(message id, where in its payload begins what sets one of them apart from another, and how long that is)."""
-    told_apart = {
+    distinguished_by = {
         "NAMED_VALUE_INT": "name",
         "NAMED_VALUE_FLOAT": "name",
         "PARAM_VALUE": "param_id",
@@ -237,7 +237,7 @@ def _subjects() -> IntArray:
         "SET_POSITION_TARGET_LOCAL_NED": "target_system",
     }
     rows = []
-    for message, field in told_apart.items():
+    for message, field in distinguished_by.items():
         shape = codec.layout(message)
         kind, at = dict(records.dtype(shape).fields or {})[field][:2]
         rows.append((shape.msgid, at, kind.itemsize))

@@ -26,7 +26,7 @@ from gcs.scenario.model import Scenario, VehicleBase
 READY_WITHIN_S = 120.0
 ENDED_WITHIN_S = 10.0
 CANNOT_WRITE = 74
-"""How a vehicle ends whose files cannot be written."""
+"""Exit status of a vehicle whose files cannot be written."""
 
 
 class LaunchError(RuntimeError):
@@ -68,7 +68,7 @@ class Ended:
 def vehicle_orders(
     scenario: Scenario, folder: Path, connection: Sequence[str], *, per_process: int = 1
 ) -> list[ProcessSpec]:
-    """How to start what is to be launched, up to `per_process` vehicles in one process; writes their parameters.
+    """Commands that start what is to be launched, up to `per_process` vehicles in one process; writes their parameters.
 
     A block's system ids follow on each other, and all of it starts in the air or none. `connection` goes into argv.
     """
@@ -85,7 +85,7 @@ def vehicle_orders(
 def vehicle_order(
     block: Sequence[VehicleBase], scenario: Scenario, folder: Path, connection: Sequence[str]
 ) -> ProcessSpec:
-    """How to start vehicles whose system ids follow on each other in one process; writes their parameters."""
+    """Command that starts vehicles whose system ids follow on each other in one process; writes their parameters."""
     first, origin = block[0], scenario.origin
     argv = ["--sysid", str(first.sysid), *connection]
     if len(block) > 1:
@@ -124,7 +124,7 @@ def vehicle_parameters(vehicle: VehicleBase, scenario: Scenario) -> dict[str, fl
 
 
 def traffic_order(scenario: Scenario, folder: Path, connection: Sequence[str]) -> ProcessSpec:
-    """How to start the scenario's traffic; writes its file to the session's folder."""
+    """Command that starts the scenario's traffic; writes its file to the session's folder."""
     origin = scenario.origin
     content = {
         "origin": {"lat_deg": origin.lat_deg, "lon_deg": origin.lon_deg, "alt_m": origin.alt_m},
@@ -149,7 +149,7 @@ def _triple(numbers: Sequence[float]) -> str:
 
 
 class Hatch:
-    """The running hatch; leaving the context ends every process it made, and itself unless it is to be `kept`."""
+    """The running hatch; its context's end ends every process it made, and itself unless it is to be `kept`."""
 
     def __init__(self, *, kept: bool = False) -> None:
         self._kept = kept

@@ -58,7 +58,7 @@ class Flight:
 
 
 class WarmSessions:
-    """The warm process; leaving the context ends it and whatever flies."""
+    """The warm process; its context's end ends it and whatever flies."""
 
     def __init__(self) -> None:
         self._process = subprocess.Popen(
@@ -96,7 +96,7 @@ class WarmSessions:
         """Wait until everything is loaded and compiled. Raises WarmError."""
         deadline_s = time.monotonic() + WARM_WITHIN_S
         while self._folder is None:
-            for content in self._heard(deadline_s):
+            for content in self._messages(deadline_s):
                 if content.get("ready"):
                     self._folder = Path(content["folder"])
                     break
@@ -129,7 +129,7 @@ class WarmSessions:
         verdict: dict[str, Any] = {}
         limited = False
         while True:
-            for content in self._heard(deadlines_s[0] if deadlines_s else None):
+            for content in self._messages(deadlines_s[0] if deadlines_s else None):
                 if "exit" in content:
                     verdict = content
                 if "ended" in content:
@@ -165,8 +165,8 @@ class WarmSessions:
         except OSError:
             raise WarmError("the process that forks supervisors has died") from None
 
-    def _heard(self, deadline_s: float | None) -> Iterator[dict[str, Any]]:
-        """What it says next, waiting for it; nothing where it says no more, or not until the deadline."""
+    def _messages(self, deadline_s: float | None) -> Iterator[dict[str, Any]]:
+        """Its next messages, waiting for them; none where it says no more, or not until the deadline."""
         while b"\n" not in self._pending:
             left_s = None if deadline_s is None else max(deadline_s - time.monotonic(), 0.0)
             if not select.select([self._out], [], [], left_s)[0]:
@@ -181,7 +181,7 @@ class WarmSessions:
 
 
 def _fate(verdict: dict[str, Any], status: int) -> str | None:
-    """What is to be said of a supervisor that ended without a last word."""
+    """Sentence on a supervisor that ended without a last word."""
     if verdict:
         return None
     how = f"was killed by signal {-status}" if status < 0 else f"ended with status {status}"

@@ -1,4 +1,4 @@
-"""From the ground into offboard control, and back into it: what one vehicle must be told next.
+"""Arming, take-off and offboard sequence of one vehicle: the next command to it.
 
     identify → arm → take off → start offboard → fly
                                       ▲           │ any other mode, unless it is landing
@@ -8,7 +8,8 @@ A vehicle that starts in the air and already follows set points goes from `ident
 whatever its reason, is `down` and stays there, unless it was to land: then it is `at a base`, and comes back by `arm`.
 One that refuses to be armed is asked ever more seldom, and at once when its battery has been charged. One that an
 operator takes is his from any stage (`operator`). From that and from `down` it comes back by `rejoin`: from
-where it is, through as many of these stages as that needs.
+where it is, through as many of these stages as that needs. One whose failsafe flies or has landed it because its link
+was out rejoins by itself once it is received again, if `rejoins_itself` and its battery allows.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink.autopilots import STEERABLE, End, FlightMode
 from gcs.mavlink.codec import Message, message
-from gcs.mavlink.command_protocol import OPERATOR, PILOT, CommandRequest
+from gcs.mavlink.command_protocol import ARMING, OPERATOR, CommandRequest
 from gcs.telemetry.battery_account import BATTERY_PARAMETERS
 from gcs.telemetry.state import VehicleView
 
@@ -33,12 +34,18 @@ _ROUNDING_S = 1e-6
 REACHED_M = 0.3
 DISARMS_ITSELF_S = 3.0
 """Most autopilots disarm by themselves so long after touchdown."""
+CUT_OFF_S = 2.0
+"""Not received for so long, a vehicle may have lost the ground station, too, and be flown by its failsafe."""
+BLAMED_S = 3.0
+"""How long after that a landing is put down to it: it may need a HEARTBEAT or two to be reported."""
+REJOIN_SHARE = 0.2
+"""[choice] Of its battery that a vehicle needs to rejoin by itself: to take off, come back and land again."""
 SET_POINTS_FIRST_S = 0.2
 """Set points flow for this long before offboard is asked for: PX4 wants them first."""
 
 
 class Stage(StrEnum):
-    """How far a vehicle is."""
+    """Stage of a vehicle."""
 
     IDENTIFY = "identify"
     ARM = "arm"
@@ -54,8 +61,12 @@ class Stage(StrEnum):
 class ArmingSequence:
     """One vehicle's way into the air."""
 
-    def __init__(self, sysid: int, takeoff_m: float, *, seldom_s: float = RETRY_S) -> None:
+    def __init__(
+        self, sysid: int, takeoff_m: float, *, seldom_s: float = RETRY_S, rejoins_itself: bool = False
+    ) -> None:
         self.sysid = sysid
+        self._rejoins_itself = rejoins_itself
+        self._cut_off_s = -math.inf
         self._seldom_s = seldom_s
         self._arming_tries = 0
         self._refused_j = math.inf
@@ -69,7 +80,7 @@ class ArmingSequence:
         self._asked_s = self._read_s = -RETRY_S
         self.ordered: End | None = None
         """what an operator wants it to fly; None while it is the planner's"""
-        self._told = False
+        self._order_sent = False
         self._rejoins = False
         self.left_out = ""
         """why it takes no part, as a sentence; empty while it does"""
@@ -84,9 +95,14 @@ class ArmingSequence:
         """Whether it flies no more, for good."""
         return self.stage is Stage.DOWN
 
-    def take(self, mode: End) -> None:
+    @property
+    def rejoining(self) -> bool:
+        """Whether it is on its way back to the planner."""
+        return self._rejoins
+
+    def order(self, mode: End) -> None:
         """An operator wants it to hold, return or land, and to be left alone then."""
-        self.ordered, self._told = mode, False
+        self.ordered, self._order_sent = mode, False
 
     def rejoin(self) -> None:
         """Bring a vehicle back that was taken or is down, from where it is."""
@@ -102,21 +118,21 @@ class ArmingSequence:
         """
         self._move_on(view, now_s, bound)
         if self.stage is Stage.TAKEN:
-            return self._tell(view), []
+            return self._carry_out_order(view), []
         requests: list[Message] = []
-        if now_s - self._read_s >= RETRY_S - _ROUNDING_S and not view.battery_told and view.heard_s >= 0.0:
+        if now_s - self._read_s >= RETRY_S - _ROUNDING_S and not view.battery_reported and view.last_received_s >= 0.0:
             requests, self._read_s = self._requests(view), now_s
         if now_s - self._asked_s < self._wait_s(view) - _ROUNDING_S:
             return [], requests
-        wishes = self._wanted(view, now_s)
-        if wishes:
+        commands = self._wanted(view, now_s)
+        if commands:
             self._asked_s = now_s
             self._arming_tries += self.stage is Stage.ARM
             self._refused_j = view.remaining_j
-        return wishes, requests
+        return commands, requests
 
     def _wait_s(self, view: VehicleView) -> float:
-        """From one wish to the next."""
+        """Move from one stage to the next."""
         charged = view.remaining_j - self._refused_j >= CHARGED_SHARE * view.capacity_j
         if self._arming_tries == 0 or charged:
             return RETRY_S
@@ -124,7 +140,7 @@ class ArmingSequence:
 
     @property
     def asks_again(self) -> str:
-        """What is to be said behind a refusal that does not end the matter."""
+        """Words behind a refusal that does not end the matter."""
         seldom = self.stage is Stage.ARM and self._seldom_s > RETRY_S
         return f"; it is asked again, after a second and then up to {self._seldom_s:.0f} s" if seldom else ""
 
@@ -140,21 +156,21 @@ class ArmingSequence:
         """Land; and disarm where the autopilot does not so by itself."""
         if view.landed:
             waited = now_s - self._stage_since_s >= DISARMS_ITSELF_S and now_s - self._asked_s >= DISARMS_ITSELF_S
-            return [self._wish(mav.MAV_CMD_COMPONENT_ARM_DISARM, 0.0, 0.0)] if view.armed and waited else []
+            return [self._command(mav.MAV_CMD_COMPONENT_ARM_DISARM, 0.0, 0.0)] if view.armed and waited else []
         if view.mode is FlightMode.LAND:
             return []
         command, params = view.profile.ending("land")
-        return [self._wish(command, *params)]
+        return [self._command(command, *params)]
 
-    def _tell(self, view: VehicleView) -> list[CommandRequest]:
-        """The operator's order, once; one whose motors are off stays where it is without being told."""
-        if self._told or self.ordered is None:
+    def _carry_out_order(self, view: VehicleView) -> list[CommandRequest]:
+        """The operator's order, once; one whose motors are off stays where it is without a command."""
+        if self._order_sent or self.ordered is None:
             return []
-        self._told = True
+        self._order_sent = True
         if not view.armed:
             return []
         command, params = view.profile.ending(self.ordered)
-        return [self._wish(command, *params, token=f"{OPERATOR} {self.ordered}")]
+        return [self._command(command, *params, token=f"{OPERATOR} {self.ordered}")]
 
     def _requests(self, view: VehicleView) -> list[Message]:
         return [self._read(name) for name in BATTERY_PARAMETERS]
@@ -162,15 +178,17 @@ class ArmingSequence:
     def _wanted(self, view: VehicleView, now_s: float) -> list[CommandRequest]:
         """The command that the stage needs."""
         if self.stage is Stage.ARM:
-            return [self._wish(mav.MAV_CMD_COMPONENT_ARM_DISARM, 1.0, 0.0)]
+            return [self._command(mav.MAV_CMD_COMPONENT_ARM_DISARM, 1.0, 0.0)]
         if self.stage is Stage.TAKEOFF and view.mode is not FlightMode.TAKEOFF:
             height = view.profile.takeoff_param7(self._takeoff_m, view.ground_amsl_m)
-            return [self._wish(mav.MAV_CMD_NAV_TAKEOFF, 0.0, 0.0, 0.0, *[view.profile.not_given] * 3, height)]
+            return [self._command(mav.MAV_CMD_NAV_TAKEOFF, 0.0, 0.0, 0.0, *[view.profile.not_given] * 3, height)]
         if self.stage is Stage.OFFBOARD and now_s - self._stage_since_s >= SET_POINTS_FIRST_S - _ROUNDING_S:
-            return [self._wish(mav.MAV_CMD_DO_SET_MODE, *view.profile.offboard)]
+            return [self._command(mav.MAV_CMD_DO_SET_MODE, *view.profile.offboard)]
         return self._come_down(view, now_s) if self.stage is Stage.BASE else []
 
     def _move_on(self, view: VehicleView, now_s: float, bound: bool) -> None:
+        if self.stage in (Stage.OFFBOARD, Stage.FLY):
+            self._blame_link(view, now_s)
         stage = Stage.TAKEN if self.ordered is not None and view.alive and not bound else self._next(view)
         if stage is not self.stage:
             self.stage = stage
@@ -180,13 +198,25 @@ class ArmingSequence:
             self._refusals.clear()
         self._comes_down = view.landed or view.mode not in STEERABLE
 
+    def _blame_link(self, view: VehicleView, now_s: float) -> None:
+        """Let a vehicle rejoin that its failsafe took out of offboard control because its link was out."""
+        if view.age_s > CUT_OFF_S:
+            self._cut_off_s = now_s
+        elif (
+            self._rejoins_itself
+            and now_s - self._cut_off_s <= BLAMED_S
+            and not (view.mode in STEERABLE and view.armed)
+            and view.remaining_j >= REJOIN_SHARE * view.capacity_j
+        ):
+            self._rejoins = True
+
     def _next(self, view: VehicleView) -> Stage:
         if not view.alive:
             return Stage.DOWN
         if self.stage is Stage.TAKEN:
             return Stage.TAKEN
         if self.stage is Stage.IDENTIFY:
-            if view.p_ned is None or view.heard_s < 0.0:
+            if view.p_ned is None or view.last_received_s < 0.0:
                 return Stage.IDENTIFY
             if view.flying and view.mode in STEERABLE:
                 return Stage.FLY
@@ -217,8 +247,8 @@ class ArmingSequence:
         height_m = view.origin_offset_ned[2] - view.p_ned[2]
         return Stage.OFFBOARD if height_m >= self._takeoff_m - REACHED_M else Stage.TAKEOFF
 
-    def _wish(self, command: int, *params: float, token: str = "") -> CommandRequest:
-        return CommandRequest(self.sysid, command, params, token or f"{PILOT} {self.stage}")
+    def _command(self, command: int, *params: float, token: str = "") -> CommandRequest:
+        return CommandRequest(self.sysid, command, params, token or f"{ARMING} {self.stage}")
 
     def _read(self, name: str) -> Message:
         return message(

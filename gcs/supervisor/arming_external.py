@@ -3,14 +3,14 @@
     identify → arm → take off → start offboard → fly ⇄ yielded
         └────────┴─ not within arm_within_s: left out
 
-1. Nothing is asked of it before it has told where it is. It is armed in the mode that its autopilot wants for that.
+1. Nothing is asked of it before it has reported where it is. It is armed in the mode that its autopilot wants for that.
 2. A refusal is the autopilot's right: it is asked again, until `arm_within_s` have passed. Then it is left out.
-3. Put into another mode by someone else than us, it is theirs (`yielded`): nothing is asked of it, but set points flow
+3. Put into another mode by another than us, it is theirs (`yielded`): nothing is asked of it, but set points flow
    on, so that it can be handed back by putting it into offboard; on the ground it is taken off again then, for set
    points alone do not lift an ArduCopter. Hold is no exception, unless our own set points may just have failed to reach
    it: then it is the autopilot's answer to that, and offboard is asked for again. Before it has been in offboard, a
-   mode that nobody steers by hand is but on its way there: a HEARTBEAT may be a second old.
-4. What an operator orders goes before all that, and so does his wish to have it back.
+   mode that is not steered by hand is but on its way there: a HEARTBEAT may be a second old.
+4. What an operator orders goes before all that, and so does the order to have it back.
 5. While it is silent nothing changes; it may come back.
 """
 
@@ -32,22 +32,22 @@ FAR_M = 5000.0
 SET_POINTS_FIRST_S = 1.0
 """PX4 wants a second of set points before offboard."""
 PARAMETER_TRIES = 3
-"""A stranger may not know our battery's parameters, and need not say so."""
+"""An external vehicle may not know our battery's parameters, and need not say so."""
 TAKEOFF_AGAIN_S = 4.0
 """ArduCopter leaves the ground three seconds after it was armed, says so only then, and refuses to take off again."""
 NEAR_SHARE = 0.2
 """Of the height of a take-off that may be missing at its end: autopilots are content with less than we are. One that
-says by its mode that its take-off is over need not have come so far: a PX4 is content with 0.8 m less than it was told,
-and moves its home's altitude, from which the height is told, while it flies."""
+says by its mode that its take-off is over need not have come so far: a PX4 is content with 0.8 m less than it was
+commanded, and moves its home's altitude, from which the height is reported, while it flies."""
 ON_THE_WAY = frozenset({FlightMode.TAKEOFF, FlightMode.HOLD})
 """Modes from which offboard is asked for, of one that flies already when it is met."""
-LATE_S, QUIET_S = 0.5, 1.0
+LATE_S, STALE_S = 0.5, 1.0
 """Autopilots leave offboard so soon after the last set point (PX4's COM_OF_LOSS_T: 1 s, 0.5 s in older ones): a session
-that stood still for longer, or a link that was quiet for longer, may have been why."""
+that stood still for longer, or a link that was silent for longer, may have been why."""
 BLAMED_S = 3.0
-"""How long after that a hold is our own doing: it may need a HEARTBEAT or two to be told. A return or a landing is left
-alone even then, for whoever looks on may have wanted it; a PX4 that did so by itself, as it does by its defaults, goes
-back to offboard by itself when set points flow again."""
+"""How long after that a hold is our own doing: it may need a HEARTBEAT or two to be reported. A return or a landing is
+left alone even then, for whoever looks on may have wanted it; a PX4 that did so by itself, as it does by its defaults,
+goes back to offboard by itself when set points flow again."""
 THEIRS = frozenset({FlightMode.MANUAL, FlightMode.RETURN, FlightMode.LAND})
 """Modes that are not on the way into offboard."""
 _FLOWN = frozenset({Stage.OFFBOARD, Stage.FLY, Stage.YIELDED})
@@ -82,7 +82,7 @@ class ExternalArmingSequence(ArmingSequence):
             self._begun_s = min(self._begun_s, now_s)
         elif self._begun_s == math.inf or self._took_off:  # at first, and when it is brought back
             self._begun_s, self._took_off = now_s, False
-        if max(now_s - self._decided_s, late_s) > LATE_S or view.age_s > QUIET_S or not view.alive:
+        if max(now_s - self._decided_s, late_s) > LATE_S or view.age_s > STALE_S or not view.alive:
             self._starved_s = now_s
         self._now_s = self._decided_s = now_s
         self._silent = not view.alive
@@ -99,7 +99,7 @@ class ExternalArmingSequence(ArmingSequence):
     def _wanted(self, view: VehicleView, now_s: float) -> list[CommandRequest]:
         profile = view.profile
         if self.stage is Stage.ARM and view.mode not in profile.arms_in:
-            return [self._wish(mav.MAV_CMD_DO_SET_MODE, *profile.arming)]
+            return [self._command(mav.MAV_CMD_DO_SET_MODE, *profile.arming)]
         if self.stage is Stage.TAKEOFF:
             if not view.landed or now_s - self._takeoff_s < TAKEOFF_AGAIN_S:
                 return []
@@ -107,7 +107,7 @@ class ExternalArmingSequence(ArmingSequence):
         if self.stage is Stage.OFFBOARD and now_s - self._stage_since_s < SET_POINTS_FIRST_S:
             return []
         if self.stage is Stage.DOWN and self.left_out and view.armed and view.landed:
-            return [self._wish(mav.MAV_CMD_COMPONENT_ARM_DISARM, 0.0, 0.0)]
+            return [self._command(mav.MAV_CMD_COMPONENT_ARM_DISARM, 0.0, 0.0)]
         return super()._wanted(view, now_s)
 
     def _next(self, view: VehicleView) -> Stage:
@@ -134,7 +134,7 @@ class ExternalArmingSequence(ArmingSequence):
         return Stage.OFFBOARD if starved and stage is Stage.FLY and view.mode is FlightMode.HOLD else Stage.YIELDED
 
     def _before_flight(self, view: VehicleView) -> Stage:
-        if view.p_ned is None or view.heard_s < 0.0:
+        if view.p_ned is None or view.last_received_s < 0.0:
             return Stage.IDENTIFY
         if self.stage is Stage.IDENTIFY:
             return self._when_flying(view) if view.flying else Stage.ARM

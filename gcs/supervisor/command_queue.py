@@ -7,8 +7,8 @@ from typing import Any
 
 from gcs.mavlink.codec import Message
 from gcs.mavlink.command_protocol import (
+    ARMING,
     OPERATOR,
-    PILOT,
     CommandLong,
     CommandQueue,
     CommandRequest,
@@ -36,8 +36,8 @@ class FleetCommandQueue:
         """Send these to the vehicle with its next grant."""
         self._waiting[sysid] += messages
 
-    def take(self, sysid: int) -> list[Message]:
-        """What waits for the vehicle; it waits no longer."""
+    def pop(self, sysid: int) -> list[Message]:
+        """Remove and return the messages that wait for the vehicle."""
         taken, self._waiting[sysid] = self._waiting[sysid], []
         return taken
 
@@ -45,24 +45,24 @@ class FleetCommandQueue:
         """Forget what waits; commands that are under way are still sent again."""
         self._waiting = {sysid: [] for sysid in self._waiting}
 
-    def ask(self, wishes: Iterable[CommandRequest], now_s: float) -> None:
-        """Command what is wished, each in a COMMAND_LONG to the vehicle's autopilot."""
-        for wish in wishes:
-            self._under_way.add((wish.sysid, wish.token))
-            command = CommandLong(CommandTarget(wish.sysid, AUTOPILOT), wish.command, wish.params)
-            self._waiting[wish.sysid] += self._queues[wish.sysid].send(command, now_s, token=wish.token)
+    def ask(self, requests: Iterable[CommandRequest], now_s: float) -> None:
+        """Send each request in a COMMAND_LONG to the vehicle's autopilot."""
+        for request in requests:
+            self._under_way.add((request.sysid, request.token))
+            command = CommandLong(CommandTarget(request.sysid, AUTOPILOT), request.command, request.params)
+            self._waiting[request.sysid] += self._queues[request.sysid].send(command, now_s, token=request.token)
 
-    def ask_once(self, wishes: Iterable[CommandRequest], now_s: float) -> None:
+    def ask_once(self, requests: Iterable[CommandRequest], now_s: float) -> None:
         """Command those that are not on their way already: lined up again they would be carried out long after."""
-        self.ask([wish for wish in wishes if (wish.sysid, wish.token) not in self._under_way], now_s)
+        self.ask([request for request in requests if (request.sysid, request.token) not in self._under_way], now_s)
 
     def awaits(self, token: str) -> bool:
         """Whether a command of this token has not ended yet, to whichever vehicle."""
         return any(other == token for _, other in self._under_way)
 
     def withdraw(self, sysid: int) -> None:
-        """What pilot or operator wanted before counts no more, and must not be repeated after what they want now."""
-        for token in self._queues[sysid].withdraw(lambda token: str(token).startswith((OPERATOR, PILOT))):
+        """Drop what arming sequence or operator wanted before: it must not be repeated after what they want now."""
+        for token in self._queues[sysid].withdraw(lambda token: str(token).startswith((OPERATOR, ARMING))):
             self._under_way.discard((sysid, token))
 
     def on_ack(self, sysid: int, ack: Any, now_s: float) -> list[CommandResult]:

@@ -1,4 +1,4 @@
-"""What a session does for vehicles that it has not launched, tick by tick, beside what it does for all.
+"""External vehicles of a session, tick by tick: what they need beside what all vehicles do.
 
 Streams are asked for and checked, clocks compared, silence judged, and repetitions kept from the person who looks on.
 """
@@ -17,16 +17,16 @@ from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import Stage
 from gcs.telemetry.events import Event, Kind, Level
 from gcs.telemetry.fleet import Fleet
-from gcs.telemetry.state import FleetState, VehicleView
+from gcs.telemetry.state import FleetSnapshot, VehicleView
 
 LOST_S = 10.0
-"""A vehicle that has been silent for so long is counted as lost, until it is heard again."""
+"""A vehicle that has been silent for so long is counted as lost, until it reports again."""
 SILENT_S = CHECK_S * SLOW_SHARE
 """A silence so long would make every stream look slow."""
 SAY_AGAIN_S = 10.0
 NO_ORIGIN_S = 5.0
 GROUND_OFF_M = 2.0
-"""A home that lies so much higher or lower than the scenario's height 0 is told."""
+"""A home that lies so much higher or lower than the scenario's height 0 is reported."""
 STEERED = frozenset({Stage.ARM, Stage.TAKEOFF, Stage.OFFBOARD, Stage.FLY})
 ENDING = "end"
 _ENDS: Mapping[End, str] = {"hold": "hold", "return": "return to where it took off", "land": "land"}
@@ -43,7 +43,7 @@ class ExternalFleet:
         """how much longer than others their fleets wait until they are in the air"""
         self.streams = {sysid: StreamRequests(sysid, wanted) for sysid in self.rules}
         self.lost: set[int] = set()
-        self._heard_s = dict.fromkeys(self.rules, 0.0)
+        self._last_received_s = dict.fromkeys(self.rules, 0.0)
         self._said_s: dict[tuple[int, str], float] = {}
         self._asks: dict[int, list[Ask]] = {sysid: [] for sysid in self.rules}
         self._origin_noted: set[int] = set()
@@ -53,7 +53,7 @@ class ExternalFleet:
         self._events: list[Event] = []
         self._now_s = 0.0
 
-    def hear(
+    def receive(
         self,
         delivered: Mapping[int, list[Frame]],
         offsets_s: Mapping[int, float],
@@ -71,23 +71,23 @@ class ExternalFleet:
         for sysid, streams in self.streams.items():
             own = [frame for frame in delivered.get(sysid, ()) if frame.compid == mav.MAV_COMP_ID_AUTOPILOT1]
             for frame in own:
-                streams.heard(frame.msgid, now_s)
+                streams.received(frame.msgid, now_s)
             if own:
-                self._heard_s[sysid] = now_s
+                self._last_received_s[sysid] = now_s
                 if sysid in self.lost:
                     self.lost.discard(sysid)
                     streams.restart()
                     fleet.found(sysid)
                     self._note(sysid, "warning", "Heard again: it is not lost")
-            elif now_s - self._heard_s[sysid] >= LOST_S and sysid not in self.lost:
+            elif now_s - self._last_received_s[sysid] >= LOST_S and sysid not in self.lost:
                 self.lost.add(sysid)
                 fleet.lost(sysid)
                 self._note(sysid, "critical", f"No word for {LOST_S:.0f} s: it is counted as lost until it is heard")
 
-    def decide(self, snapshot: FleetState) -> tuple[list[CommandRequest], dict[int, list[Message]]]:
+    def decide(self, snapshot: FleetSnapshot) -> tuple[list[CommandRequest], dict[int, list[Message]]]:
         """Commands, and messages by system id, that keep the streams flowing."""
         now_s = snapshot.time_s
-        wishes: list[CommandRequest] = []
+        commands: list[CommandRequest] = []
         messages: dict[int, list[Message]] = {}
         for sysid, streams in self.streams.items():
             view = snapshot.vehicle(sysid)
@@ -96,7 +96,7 @@ class ExternalFleet:
             known = view.origin_offset_ned is not None
             asks, messages[sysid] = streams.poll(now_s, origin_known=known)
             self._asks[sysid] += asks
-            if now_s - self._heard_s[sysid] > SILENT_S:
+            if now_s - self._last_received_s[sysid] > SILENT_S:
                 streams.count_anew(now_s)
             for sentence in streams.check(now_s):
                 self._note(sysid, "warning", sentence)
@@ -117,12 +117,12 @@ class ExternalFleet:
                     )
                     self._note(sysid, "warning", said)
             for ask in self._asks[sysid]:
-                wishes.append(CommandRequest(sysid, ask.command.command, ask.command.params, ask.token))
+                commands.append(CommandRequest(sysid, ask.command.command, ask.command.params, ask.token))
             self._asks[sysid] = []
-        return wishes, messages
+        return commands, messages
 
     def settles(self, sysid: int, result: CommandResult, now_s: float) -> bool:
-        """Take a command's result; whether nobody needs to hear of it."""
+        """Take in a command's result; whether it needs no report."""
         token = str(result.token)
         if sysid not in self.rules:
             return False
@@ -143,38 +143,38 @@ class ExternalFleet:
         self._said_s[sysid, text] = now_s
         return False
 
-    def hand_back(self, snapshot: FleetState, stages: Mapping[int, Stage]) -> list[CommandRequest]:
-        """What is said to those whom we steer, at the end: nobody does any more.
+    def hand_back(self, snapshot: FleetSnapshot, stages: Mapping[int, Stage]) -> list[CommandRequest]:
+        """Commands at the end to vehicles that we steer: they are not steered any more.
 
-        One that somebody else has taken over, or that is on the ground unarmed, is left alone; one that stands armed on
+        One that another has taken over, or that is on the ground unarmed, is left alone; one that stands armed on
         the ground is disarmed.
         """
-        wishes = []
+        commands = []
         for sysid, rules in self.rules.items():
             view = snapshot.vehicle(sysid)
             if not view.armed or stages[sysid] not in STEERED:
                 continue
-            (command, params), told = view.profile.ending(rules.at_end), _ENDS[rules.at_end]
+            (command, params), order = view.profile.ending(rules.at_end), _ENDS[rules.at_end]
             if view.landed:
-                (command, params), told = _DISARM, "disarm"
-            self._note(sysid, "info", f"Told to {told}: the session ends, and nobody steers it any more", "session")
+                (command, params), order = _DISARM, "disarm"
+            self._note(sysid, "info", f"Told to {order}: the session ends, and nobody steers it any more", "session")
             self._handed_back.add(sysid)
-            wishes.append(CommandRequest(sysid, command, params, ENDING))
-        return wishes
+            commands.append(CommandRequest(sysid, command, params, ENDING))
+        return commands
 
-    def awaits(self, snapshot: FleetState) -> bool:
+    def awaits(self, snapshot: FleetSnapshot) -> bool:
         """Whether one that was handed back still says that it follows set points."""
         return bool(self._steered_still(snapshot))
 
-    def tell_disobedience(self, snapshot: FleetState) -> None:
-        """Name who has not done in time what it was told at the end, and what it answered to that."""
+    def report_disobedience(self, snapshot: FleetSnapshot) -> None:
+        """Name vehicles that have not obeyed in time at the end, and what they answered."""
         for view in self._steered_still(snapshot):
             answer = self._answers.get(view.sysid, "it has not answered yet")
             state = "on the ground and armed" if view.landed else f"in {view.mode}"
             text = f"Still {state} though nobody steers it any more ({answer}): look after it"
             self._note(view.sysid, "critical", text, "session")
 
-    def _steered_still(self, snapshot: FleetState) -> list[VehicleView]:
+    def _steered_still(self, snapshot: FleetSnapshot) -> list[VehicleView]:
         views = map(snapshot.vehicle, sorted(self._handed_back))
         return [view for view in views if view.alive and view.armed and (view.landed or view.mode in STEERABLE)]
 
@@ -183,8 +183,8 @@ class ExternalFleet:
         streams = self.streams.get(sysid)
         return [] if streams is None else list(streams.missing)
 
-    def take_events(self) -> list[Event]:
-        """What is to be told since the last call."""
+    def pop_events(self) -> list[Event]:
+        """Events since the last call."""
         taken, self._events = self._events, []
         return taken
 
@@ -193,7 +193,7 @@ class ExternalFleet:
 
 
 def _answer(result: CommandResult) -> str:
-    """What came back to a command, for a person."""
+    """Answer to a command, for a person."""
     if result.outcome == "timeout":
         return f"it has not answered, though it was told {result.attempts} times"
     if result.outcome == "accepted":

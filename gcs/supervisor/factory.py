@@ -1,4 +1,4 @@
-"""What a scenario says of its vehicles, made into those who look after them: fleet, pilots, radio."""
+"""Fleet, arming sequences and radio of a scenario."""
 
 from __future__ import annotations
 
@@ -22,18 +22,19 @@ def make_fleet(scenario: Scenario) -> Fleet:
             v.battery.capacity_j * v.battery.initial_percent / 100.0,
             external=v.external is not None,
             profile=PROFILES.get(v.external.autopilot) if v.external else None,
+            airborne=v.airborne and v.external is None,
         )
         for v in scenario.vehicles.all
     ]
     return Fleet(members, GlobalOrigin(origin.lat_deg, origin.lon_deg, origin.alt_m))
 
 
-def make_pilots(scenario: Scenario) -> dict[int, ArmingSequence]:
-    """A pilot for each vehicle, by system id."""
+def make_arming_sequences(scenario: Scenario) -> dict[int, ArmingSequence]:
+    """An arming sequence for each vehicle, by system id."""
     return {
         v.sysid: ExternalArmingSequence(v.sysid, v.takeoff_m, v.external)
         if v.external
-        else ArmingSequence(v.sysid, v.takeoff_m, seldom_s=SELDOM_S)
+        else ArmingSequence(v.sysid, v.takeoff_m, seldom_s=SELDOM_S, rejoins_itself=True)
         for v in scenario.vehicles.all
     }
 

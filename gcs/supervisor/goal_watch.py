@@ -1,7 +1,7 @@
 """Goal monitor: measures the goal each tick from telemetry, and at the end from the vehicles' truth files.
 
 Who counts (docs/protocol.md#goal):
-- separation: two vehicles in flight of which we fly at least one. One that somebody else flies (taken over, in an
+- separation: two vehicles in flight of which we fly at least one. One that another flies (taken over, in an
   operator's hands, on its failsafe) gives no way; near it counts only where ours closes in.
 - obstacles, traffic: vehicles in flight that we fly.
 - ground: vehicles that we fly and that were up, which follow set points; not who takes off, lands or stands at a base.
@@ -20,32 +20,32 @@ from gcs.recording import truth
 from gcs.scenario import goal
 from gcs.scenario.goal import Judgement, Loss, Measured
 from gcs.scenario.model import Scenario
-from gcs.supervisor.arming import ArmingSequence, Stage
+from gcs.supervisor.arming import CUT_OFF_S, ArmingSequence, Stage
 from gcs.telemetry.approach import Floats
 from gcs.telemetry.changes import GOING_DOWN
 from gcs.telemetry.events import Event
 from gcs.telemetry.proximity import Airspace, Breach, Places, Proximity, WayPoints
-from gcs.telemetry.state import FleetState, TrafficView, Vec3, VehicleView
+from gcs.telemetry.state import FleetSnapshot, TrafficView, Vec3, VehicleView
 
-Told = tuple[list[dict[str, Any]], list[Event]]
+Notices = tuple[list[dict[str, Any]], list[Event]]
 """Records and events."""
 UP_M = 0.3
 """A vehicle that has been so high must not touch the ground until it lands."""
 NEVER_FLEW_S = 10.0
-"""Who is not in the air so long after it joined has never taken part."""
+"""A vehicle that is not in the air so long after it joined has never taken part."""
 PARTING_S = 3.0
-"""Where a tanker stands nearer to its receiver than the separation, both have so long to part."""
+"""Time that a tanker and its receiver, nearer than the separation, have to part."""
 _OTHERS = frozenset({Stage.YIELDED, Stage.TAKEN, Stage.DOWN})
 _STEERED = frozenset({Stage.OFFBOARD, Stage.FLY})
 
 
 class GoalWatch:
-    """All that is measured for the goal, and what of it has been told."""
+    """All that is measured for the goal, and what of it has been reported."""
 
-    def __init__(self, scenario: Scenario, shapes: Floats, pilots: Mapping[int, ArmingSequence]) -> None:
+    def __init__(self, scenario: Scenario, shapes: Floats, arming: Mapping[int, ArmingSequence]) -> None:
         self._scenario = scenario
         self._shapes = shapes
-        self._pilots = pilots
+        self._arming = arming
         self._asked = goal.asked(scenario)
         self._vehicles = scenario.vehicles.all
         self._rows = {vehicle.sysid: row for row, vehicle in enumerate(self._vehicles)}
@@ -57,54 +57,55 @@ class GoalWatch:
         near_m = self._asked.get("separation", 0.0)
         self._parting_s = PARTING_S if scenario.refuelling.height_m < near_m else 0.0
         self._partners: dict[tuple[int, int], float] = {}
-        self._air: Airspace | None = None
+        self._airspace: Airspace | None = None
         self._log: list[tuple[float, Airspace, Mapping[str, tuple[float, float, float]]]] = []
-        self._strangers: list[Floats] = []
+        self._external_p_ned: list[Floats] = []
         self._keeps_log = scenario.truth and bool(scenario.vehicles.launched)
         self._ours = np.array([vehicle.external is None for vehicle in self._vehicles], dtype=np.bool_)
         self._lost: dict[int, Loss] = {}
-        self._told: set[tuple[Any, ...]] = set()
+        self._reported: set[tuple[Any, ...]] = set()
 
     # in flight
 
-    def take(self, snapshot: FleetState, partners: Iterable[tuple[int, int]]) -> Told:
+    def update(self, snapshot: FleetSnapshot, partners: Iterable[tuple[int, int]]) -> Notices:
         """Count one tick; records and events of what has just been broken."""
         now_s, count = snapshot.time_s, len(self._vehicles)
         p_ned, height_m = np.full((count, 3), np.nan), np.full(count, np.nan)
         flying, fresh, ours = (np.zeros(count, dtype=np.bool_) for _ in range(3))
         for row, view in enumerate(snapshot.vehicles):
-            pilot = self._pilots[view.sysid]
+            arming = self._arming[view.sysid]
             flying[row] = view.flying
             if not view.flying and not self._up[row]:
-                self._see_loss(view, pilot, now_s)
+                self._see_loss(view, arming, now_s)
                 continue
             self._flew[row] = True
-            by_failsafe = view.mode in GOING_DOWN and pilot.stage is not Stage.BASE and not pilot.grounded
-            ours[row] = pilot.stage not in _OTHERS and not by_failsafe
+            by_failsafe = view.mode in GOING_DOWN and arming.stage is not Stage.BASE and not arming.grounded
+            ours[row] = arming.stage not in _OTHERS and not by_failsafe
             if view.p_ned is not None and view.fresh:
                 fresh[row] = True
                 p_ned[row] = view.p_now_ned()
                 if view.ground_down_m is not None:
                     height_m[row] = view.ground_down_m - p_ned[row, 2]
-            self._see_height(row, view, pilot, height_m)
-            self._see_loss(view, pilot, now_s)
-        air = Airspace(flying, ours, self._up.copy(), self._exempt(partners, now_s))
-        if self._air is not None and air.same(self._air):
-            air = self._air
-        self._air = air
+            self._see_height(row, view, arming, height_m)
+            self._see_loss(view, arming, now_s)
+        airspace = Airspace(flying, ours, self._up.copy(), self._exempt(partners, now_s))
+        if self._airspace is not None and airspace.same(self._airspace):
+            airspace = self._airspace
+        self._airspace = airspace
         traffic = {aircraft.callsign: _now(aircraft) for aircraft in snapshot.traffic}
         places = Places(np.where(flying[:, None], p_ned, np.nan), height_m, traffic=traffic)
         if self._keeps_log:
-            self._log.append((now_s, air, traffic))
+            self._log.append((now_s, airspace, traffic))
             if not self._ours.all():
-                self._strangers.append(places.p_ned[~self._ours].astype(np.float32))
-        self._waypoints.take(flying & fresh, p_ned)
-        return self._told_of(now_s, self.believed.take(now_s, air, places), "reports")
+                self._external_p_ned.append(places.p_ned[~self._ours].astype(np.float32))
+        self._waypoints.update(flying & fresh, p_ned)
+        return self._notices_of(now_s, self.believed.update(now_s, airspace, places), "reports")
 
-    def _see_height(self, row: int, view: VehicleView, pilot: ArmingSequence, height_m: Floats) -> None:
+    def _see_height(self, row: int, view: VehicleView, arming: ArmingSequence, height_m: Floats) -> None:
         """Whether it is up, and must not touch the ground; one that says it has landed touches it."""
-        follows = pilot.stage in _STEERED and view.mode in STEERABLE and view.alive and view.armed
-        if not follows or self._vehicles[row].airborne or pilot.grounded:
+        follows = arming.stage in _STEERED and view.mode in STEERABLE and view.alive and view.armed
+        follows = follows and view.age_s <= CUT_OFF_S  # else its failsafe may be landing it
+        if not follows or self._vehicles[row].airborne or arming.grounded:
             self._up[row] = False
         elif self._up[row] and view.landed:
             height_m[row] = min(0.0, height_m[row]) if not np.isnan(height_m[row]) else 0.0
@@ -121,15 +122,15 @@ class GoalWatch:
         pairs = [(self._rows[a], self._rows[b]) for a, b in sorted(kept) if a in self._rows and b in self._rows]
         return np.array(pairs, dtype=np.int64).reshape(-1, 2)
 
-    def _see_loss(self, view: VehicleView, pilot: ArmingSequence, now_s: float) -> None:
+    def _see_loss(self, view: VehicleView, arming: ArmingSequence, now_s: float) -> None:
         loss = self._lost.get(view.sysid)
-        if loss is None and view.alive and pilot.stage is Stage.DOWN:
-            if self._vehicles[self._rows[view.sysid]].external is None or view.failsafe or pilot.left_out:
-                self.lose(view.sysid, now_s, "left out" if pilot.left_out else "landed by itself")
-        elif loss is None and view.battery_told and view.energy_source != "none" and view.remaining_j <= 0.0:
-            if pilot.ordered is None:
+        if loss is None and view.alive and arming.stage is Stage.DOWN:
+            if self._vehicles[self._rows[view.sysid]].external is None or view.failsafe or arming.left_out:
+                self.lose(view.sysid, now_s, "left out" if arming.left_out else "landed by itself")
+        elif loss is None and view.battery_reported and view.energy_source != "none" and view.remaining_j <= 0.0:
+            if arming.ordered is None:
                 self.lose(view.sysid, now_s, "its battery is empty")
-        elif loss is not None and view.alive and pilot.stage is Stage.FLY and view.remaining_j > 0.0:
+        elif loss is not None and view.alive and arming.stage is Stage.FLY and view.remaining_j > 0.0:
             del self._lost[view.sysid]
 
     def lose(self, sysid: int, t_s: float, why: str) -> None:
@@ -140,35 +141,38 @@ class GoalWatch:
         """A vehicle that was lost is there again."""
         self._lost.pop(sysid, None)
 
-    def losses(self, snapshot: FleetState, end_s: float) -> list[Loss]:
-        """Who is lost by now, in order of time; with those who never flew, and those on their failsafe's way down."""
+    def losses(self, snapshot: FleetSnapshot, end_s: float) -> list[Loss]:
+        """Vehicles lost by now, in order of time; with those that never flew, and those on their failsafe's way
+        down."""
         lost = dict(self._lost)
         for row, view in enumerate(snapshot.vehicles):
-            vehicle, pilot = self._vehicles[row], self._pilots[view.sysid]
-            if view.sysid in lost or pilot.ordered is not None or not view.alive:
+            vehicle, arming = self._vehicles[row], self._arming[view.sysid]
+            if view.sysid in lost or arming.ordered is not None or not view.alive:
                 continue
             failsafe = vehicle.external is None or view.failsafe
-            if not self._flew[row] and pilot.stage is not Stage.BASE and end_s - vehicle.join_s >= NEVER_FLEW_S:
+            if not self._flew[row] and arming.stage is not Stage.BASE and end_s - vehicle.join_s >= NEVER_FLEW_S:
                 lost[view.sysid] = Loss(view.sysid, end_s, "never in the air")
-            elif failsafe and view.flying and view.mode in GOING_DOWN and pilot.stage in (*_STEERED, Stage.YIELDED):
+            elif arming.rejoining and not view.flying:
+                lost[view.sysid] = Loss(view.sysid, end_s, "landed by itself")
+            elif failsafe and view.flying and view.mode in GOING_DOWN and arming.stage in (*_STEERED, Stage.YIELDED):
                 lost[view.sysid] = Loss(view.sysid, end_s, f"its failsafe flies it ({view.mode})")
         return sorted(lost.values(), key=lambda loss: (loss.t_s, loss.sysid))
 
-    def take_losses(self, now_s: float) -> Told:
+    def new_losses(self, now_s: float) -> Notices:
         """Records and events of those losses that are more than the goal allows, once each."""
         if len(self._lost) <= self._asked["lost"]:
             return [], []
         records = []
         for loss in sorted(self._lost.values(), key=lambda one: (one.t_s, one.sysid)):
-            if (key := ("lost", loss.sysid, loss.t_s)) not in self._told:
-                self._told.add(key)
+            if (key := ("lost", loss.sysid, loss.t_s)) not in self._reported:
+                self._reported.add(key)
                 text = f"{self._label(loss.sysid)} is lost: {loss.why}"
                 records.append(self._record(now_s, "lost", "reports", loss.t_s, (loss.sysid,), "", 1.0, text))
         return records, [_event(record) for record in records]
 
     # at the end
 
-    def judge_truth(self, folder: Path, now_s: float) -> Told:
+    def judge_truth(self, folder: Path, now_s: float) -> Notices:
         """Judge again by the vehicles' own truth, where they left it; what only that shows."""
         if not self._log:
             return [], []
@@ -189,21 +193,21 @@ class GoalWatch:
             at[row] = np.where(same, k, -1)
         judged, waypoints = Proximity(self._scenario, self._shapes), WayPoints(self._scenario)
         breaches: list[Breach] = []
-        for tick, (t_s, air, traffic) in enumerate(self._log):
+        for tick, (t_s, airspace, traffic) in enumerate(self._log):
             p_ned, v_ned = np.full((len(at), 3), np.nan), np.zeros((len(at), 3))
             for row, table in tables.items():
                 if at[row, tick] >= 0 and table is not None:
                     p_ned[row], v_ned[row] = table[at[row, tick], 1:4], table[at[row, tick], 4:7]
-            curved = not self._strangers
-            if self._strangers:
-                p_ned[~self._ours] = self._strangers[tick]
-            waypoints.take(air.flying, p_ned)
+            curved = not self._external_p_ned
+            if self._external_p_ned:
+                p_ned[~self._ours] = self._external_p_ned[tick]
+            waypoints.update(airspace.flying, p_ned)
             places = Places(p_ned, 0.0 - p_ned[:, 2], v_ned if curved else np.empty((0, 3)), traffic)
-            breaches += judged.take(t_s, air, places)
+            breaches += judged.update(t_s, airspace, places)
         self.judged, self._waypoints, self.from_truth = judged, waypoints, True
-        return self._told_of(now_s, breaches, "truth")
+        return self._notices_of(now_s, breaches, "truth")
 
-    def measured(self, snapshot: FleetState, *, time_s: float, pursuit_held_s: float, refuelled: int) -> Measured:
+    def measured(self, snapshot: FleetSnapshot, *, time_s: float, pursuit_held_s: float, refuelled: int) -> Measured:
         """All figures, by truth once that has been judged."""
         near = self.judged
         return Measured(
@@ -219,7 +223,7 @@ class GoalWatch:
         )
 
     def broken(self) -> list[Judgement]:
-        """What of the goal can no longer be met, by what is known now."""
+        """Parts of the goal that can no longer be met, by what is known now."""
         near = self.judged
         so_far = Measured(
             separation=near.separation,
@@ -230,15 +234,15 @@ class GoalWatch:
         )
         return [judged for judged in goal.judge(self._scenario, so_far) if judged.met is False]
 
-    # telling
+    # reports
 
-    def _told_of(self, now_s: float, breaches: Sequence[Breach], by: str) -> Told:
+    def _notices_of(self, now_s: float, breaches: Sequence[Breach], by: str) -> Notices:
         records = []
         for breach in breaches:
             near = breach.nearest
             key = (breach.part, near.sysids, near.what)
-            if key not in self._told:
-                self._told.add(key)
+            if key not in self._reported:
+                self._reported.add(key)
                 text = self._sentence(breach, self._asked[breach.part])
                 if by == "truth":
                     text += f" at {near.t_s:.1f} s, by their own truth"

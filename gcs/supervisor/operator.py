@@ -1,4 +1,4 @@
-"""What operators order: who is taken out of the planner's hands and given back, who is served next, who follows whom.
+"""Operators' commands: vehicles taken over and given back, services asked for and skipped, targets changed.
 
     hold, return, land   the vehicle is the operator's; it flies that, and takes no part in anything, until `rejoin`
     rejoin               back to the planner, from wherever it is; also one that a failsafe has landed
@@ -20,7 +20,7 @@ from gcs.refuelling.scheduler import Scheduler
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import ArmingSequence, Stage
 from gcs.telemetry.events import Event
-from gcs.telemetry.state import FleetState, VehicleView
+from gcs.telemetry.state import FleetSnapshot, VehicleView
 
 TAKEN: dict[str, tuple[End, str]] = {
     "hold": ("hold", "holds where it is"),
@@ -40,9 +40,9 @@ class OperatorReply(NamedTuple):
 class Operator:
     """The orders so far, and what follows from them."""
 
-    def __init__(self, scenario: Scenario, pilots: Mapping[int, ArmingSequence], schedule: Scheduler) -> None:
+    def __init__(self, scenario: Scenario, arming: Mapping[int, ArmingSequence], schedule: Scheduler) -> None:
         vehicles = scenario.vehicles
-        self._pilots = pilots
+        self._arming = arming
         self._schedule = schedule
         self._refuels = bool(scenario.refuelling.enabled and (vehicles.tankers or scenario.bases))
         self._until = scenario.refuelling.until
@@ -56,10 +56,10 @@ class Operator:
 
     @property
     def ordered(self) -> dict[int, End]:
-        """What each vehicle that is in an operator's hands is to fly."""
-        return {sysid: pilot.ordered for sysid, pilot in self._pilots.items() if pilot.ordered is not None}
+        """Mode of each vehicle that an operator has taken over."""
+        return {sysid: arming.ordered for sysid, arming in self._arming.items() if arming.ordered is not None}
 
-    def obey(self, content: Mapping[str, Any], snapshot: FleetState) -> tuple[OperatorReply, Event]:
+    def obey(self, content: Mapping[str, Any], snapshot: FleetSnapshot) -> tuple[OperatorReply, Event]:
         """Take an order, an object of the session's socket, or refuse it; never raises.
 
         `snapshot` is what is known at present; its time is the order's.
@@ -71,7 +71,7 @@ class Operator:
     def note(
         self, t_s: float, command: str, answer: OperatorReply, sysid: int | None = None, target: int | None = None
     ) -> Event:
-        """Record an operator's command, also one that somebody else carries out; what to tell of it."""
+        """Record an operator's command, also one that another part carries out; the event of it."""
         named = {"sysid": sysid, "target": target}
         self._records.append(
             {
@@ -83,31 +83,31 @@ class Operator:
                 "text": answer.text,
             }
         )
-        known = sysid if sysid in self._pilots else 0
+        known = sysid if sysid in self._arming else 0
         return Event(t_s, known or 0, "info" if answer.taken else "warning", f"Operator: {answer.text}", "operator")
 
-    def take_records(self) -> list[dict[str, Any]]:
+    def pop_records(self) -> list[dict[str, Any]]:
         """The commands since the last call, as decisions."""
         taken, self._records = self._records, []
         return taken
 
-    def _judge(self, command: str, sysid: int | None, target: int | None, snapshot: FleetState) -> OperatorReply:
+    def _judge(self, command: str, sysid: int | None, target: int | None, snapshot: FleetSnapshot) -> OperatorReply:
         if sysid is None:
             return OperatorReply(False, f"The command {command} needs a sysid, the system id of a vehicle.")
-        if sysid not in self._pilots:
+        if sysid not in self._arming:
             return OperatorReply(False, f"There is no vehicle {sysid} in this session.")
         view = snapshot.vehicle(sysid)
         if not view.alive:
             return OperatorReply(False, f"{_name(view)} is dead.")
-        if view.heard_s < 0.0:
+        if view.last_received_s < 0.0:
             return OperatorReply(False, f"{_name(view)} has not said anything yet.")
         if command == "retarget":
             return self._retarget(view, target, snapshot)
         return _COMMANDS[command](self, view, command)
 
-    def _take(self, view: VehicleView, command: str) -> OperatorReply:
+    def _take_over(self, view: VehicleView, command: str) -> OperatorReply:
         mode, does = TAKEN[command]
-        self._pilots[view.sysid].take(mode)
+        self._arming[view.sysid].order(mode)
         self._schedule.out[view.sysid] = OUT_TAKEN
         if not view.armed:
             does = "stays on the ground"
@@ -116,12 +116,12 @@ class Operator:
         return OperatorReply(True, f"{_name(view)} {does} until it rejoins.")
 
     def _rejoin(self, view: VehicleView, command: str) -> OperatorReply:
-        pilot = self._pilots[view.sysid]
-        if pilot.ordered is None and not pilot.down and pilot.stage is not Stage.YIELDED:
+        arming = self._arming[view.sysid]
+        if arming.ordered is None and not arming.down and arming.stage is not Stage.YIELDED:
             return OperatorReply(False, f"{_name(view)} flies by the plan already: nobody has taken it.")
         if view.energy_source != "none" and view.remaining_j <= 0.0:
             return OperatorReply(False, f"{_name(view)} has no energy left to fly with.")
-        pilot.rejoin()
+        arming.rejoin()
         self._schedule.out.pop(view.sysid, None)
         if view.sysid in self._skipped:
             self._schedule.out[view.sysid] = OUT_SKIPPED
@@ -136,7 +136,7 @@ class Operator:
         if refusal is None and view.sysid in schedule.asked:
             refusal = f"{name} is refuelled next already."
         if refusal is None and view.sysid in schedule.out:
-            back = "rejoin it" if self._pilots[view.sysid].ordered is not None else "skip it again"
+            back = "rejoin it" if self._arming[view.sysid].ordered is not None else "skip it again"
             refusal = f"{name} is {schedule.out[view.sysid]}: {back} first."
         if refusal is None and not view.flying:
             refusal = f"{name} is not flying."
@@ -151,7 +151,7 @@ class Operator:
     def _skip(self, view: VehicleView, command: str) -> OperatorReply:
         if (refusal := self._no_receiver(view)) is not None:
             return OperatorReply(False, refusal)
-        taken = self._pilots[view.sysid].ordered is not None
+        taken = self._arming[view.sysid].ordered is not None
         if view.sysid in self._skipped:
             self._skipped.discard(view.sysid)
             if not taken:
@@ -172,7 +172,7 @@ class Operator:
             return "Nobody is refuelled in this session."
         return None if view.role == "pursuer" else f"{_name(view)} is no pursuer: only these are refuelled."
 
-    def _retarget(self, view: VehicleView, target: int | None, snapshot: FleetState) -> OperatorReply:
+    def _retarget(self, view: VehicleView, target: int | None, snapshot: FleetSnapshot) -> OperatorReply:
         if self._races:
             return OperatorReply(False, "Who pursues which target is decided by a competition in this session.")
         if view.sysid not in self._follows:
@@ -191,7 +191,7 @@ class Operator:
 
 
 _COMMANDS: dict[str, Callable[[Operator, VehicleView, str], OperatorReply]] = {
-    **dict.fromkeys(TAKEN, Operator._take),
+    **dict.fromkeys(TAKEN, Operator._take_over),
     "rejoin": Operator._rejoin,
     "refuel": Operator._refuel,
     "skip": Operator._skip,

@@ -61,11 +61,11 @@ class Difference:
         if self.today is None:
             return f"{head}: recorded only"
         changed = [key for key in {**self.recorded, **self.today} if self.recorded.get(key) != self.today.get(key)]
-        told = [f"{key} was {_short(self.recorded.get(key))}, is {_short(self.today.get(key))}" for key in changed]
-        return f"{head}: {'; '.join(told)}"
+        changes = [f"{key} was {_short(self.recorded.get(key))}, is {_short(self.today.get(key))}" for key in changed]
+        return f"{head}: {'; '.join(changes)}"
 
     def record(self) -> dict[str, Any]:
-        """As one JSON object."""
+        """The comparison as one JSON object."""
         return {
             "type": "difference",
             "t_s": self.t_s,
@@ -87,7 +87,7 @@ def _short(value: Any) -> str:
 
 @dataclass
 class Subject:
-    """What one kind of decision about somebody comes to: its first difference, how many, and until when."""
+    """Differences of one kind of decision about one vehicle: its first difference, how many, and until when."""
 
     first: Difference
     count: int = 0
@@ -96,7 +96,7 @@ class Subject:
 
 @dataclass
 class Comparison:
-    """What came of it: `compared` recorded decisions up to `until_s`; the first `KEPT` differences, all by kind."""
+    """Result: `compared` recorded decisions up to `until_s`; the first `KEPT` differences, all by kind."""
 
     compared: int = 0
     until_s: float = 0.0
@@ -145,13 +145,13 @@ class RecordedLink:
         """As `Link.clock_offsets_s`: none."""
         return {}
 
-    def take_rebooted(self) -> set[int]:
-        """As `Link.take_rebooted`: nobody."""
+    def pop_rebooted(self) -> set[int]:
+        """As `Link.pop_rebooted`: none."""
         return set()
 
 
 class Comparer:
-    """What a `Recorder` is to a supervisor: it keeps the decisions of the present tick, and no frame."""
+    """Stand-in for a supervisor's `Recorder`: it keeps the decisions of the present tick, and no frame."""
 
     def __init__(self) -> None:
         self.made: list[dict[str, Any]] = []
@@ -208,7 +208,7 @@ class _Recorded:
         self._next = next(self._records, None)
 
     def until(self, t_s: float) -> list[dict[str, Any]]:
-        """Those up to a time that have not been handed out yet."""
+        """Frames up to a time that have not been handed out yet."""
         taken = []
         while self._next is not None and self._next["t_s"] <= t_s:
             taken.append(self._next)
@@ -260,7 +260,7 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Comparison:
             _relive(supervisor, line)
         link.recorded = tick.answers
         comparer.made = []
-        supervisor.tick(_nobody_to_see)
+        supervisor.tick(_ignore)
         supervisor.events.clear()
         if recorded.ended and (recorded.lines.cut or not whole):
             break  # of a session that was killed, the last tick's decisions may not all have been written
@@ -277,7 +277,7 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Comparison:
     return verdict
 
 
-def _nobody_to_see() -> None:
+def _ignore() -> None:
     """In a recording no process needs watching."""
 
 
@@ -309,7 +309,7 @@ def _compare(
 
 
 def _by_subject(decisions: Sequence[dict[str, Any]]) -> dict[tuple[Any, ...], dict[str, Any]]:
-    """Decisions of one tick by their kind and whom they are about; the same twice is told apart by its number."""
+    """Decisions of one tick by their kind and whom they are about; equal ones are distinguished by their number."""
     found: dict[tuple[Any, ...], dict[str, Any]] = {}
     for decision in decisions:
         subject = (decision["kind"], *(decision.get(key) for key in _ABOUT))

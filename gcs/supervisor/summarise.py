@@ -37,7 +37,7 @@ def summarise(
     wall_time_s: float,
     lag_s: float,
 ) -> Summary:
-    """What a session that has ended amounts to; the link must still be open."""
+    """Summary of a session that has ended; the link must still be open."""
     scenario, metrics, schedule = supervisor.scenario, supervisor.metrics, supervisor.schedule
     snapshot = supervisor.fleet.snapshot(supervisor.time_s)
     goal = [_part(judged) for judged in supervisor.judged()]

@@ -36,14 +36,14 @@ from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import Stage
 from gcs.supervisor.command_queue import FleetCommandQueue
 from gcs.supervisor.external_fleet import ENDING, ExternalFleet
-from gcs.supervisor.factory import make_fleet, make_pilots, make_radio
+from gcs.supervisor.factory import make_arming_sequences, make_fleet, make_radio
 from gcs.supervisor.goal_watch import GoalWatch
 from gcs.supervisor.operator import Operator, OperatorReply
 from gcs.telemetry.changes import ChangeDetector
 from gcs.telemetry.events import Event, Kind, level_of
 from gcs.telemetry.message_inspector import MessageInspector
 from gcs.telemetry.metrics import Metrics
-from gcs.telemetry.state import FleetState
+from gcs.telemetry.state import FleetSnapshot
 
 HEARTBEAT_EVERY_S = 1.0
 WAIT_FOR_FLEET_S = 30.0
@@ -72,7 +72,7 @@ class Supervisor:
             scenario.vehicles.tankers,
             contest,
             bases=scenario.bases,
-            can_receive={v.sysid: v.can_receive for v in scenario.vehicles.pursuers if served},
+            transfer_capable={v.sysid: v.transfer_capable for v in scenario.vehicles.pursuers if served},
             cruise_m_s=scenario.planner.cruise_m_s,
         )
         self.pursuit: TargetAssignment | None = None
@@ -81,17 +81,17 @@ class Supervisor:
             pursuers = [p.sysid for p in scenario.vehicles.pursuers if not p.waypoints_m]
             self.pursuit = TargetAssignment(scenario.pursuit, pursuers, targets, scenario.planner.cruise_m_s)
         self.metrics = Metrics(scenario)
-        self.pilots = make_pilots(scenario)
-        self.goal_watch = GoalWatch(scenario, self.planner.obstacles, self.pilots)
-        self.operator = Operator(scenario, self.pilots, self.schedule)
+        self.arming = make_arming_sequences(scenario)
+        self.goal_watch = GoalWatch(scenario, self.planner.obstacles, self.arming)
+        self.operator = Operator(scenario, self.arming, self.schedule)
         self.externals = ExternalFleet(scenario)
         self._wait_for_fleet_s = WAIT_FOR_FLEET_S + self.externals.patience_s
         self._join_ms = {v.sysid: round(1e3 * v.join_s) for v in scenario.vehicles.all}
         self._radio = make_radio(scenario)
-        self.command_queue = FleetCommandQueue(self.pilots)
+        self.command_queue = FleetCommandQueue(self.arming)
         self._gaps = GapCounter()
         self.quality = LinkQuality(self._gaps)
-        self._heartbeat_due_ms = dict.fromkeys(self.pilots, 0)
+        self._heartbeat_due_ms = dict.fromkeys(self.arming, 0)
         self.time_ms = 0
         self.received = 0
         self.sent = 0
@@ -102,9 +102,9 @@ class Supervisor:
         self._watch = ChangeDetector()
         self.inspection = MessageInspector()
         self._deaths: list[dict[str, Any]] = []
-        self._told_lost: set[int] = set()
+        self._reported_lost: set[int] = set()
         self.set_points: list[SetPoint] = []
-        self.snapshot: FleetState = self.fleet.snapshot(0.0)
+        self.snapshot: FleetSnapshot = self.fleet.snapshot(0.0)
 
     @property
     def time_s(self) -> float:
@@ -122,7 +122,7 @@ class Supervisor:
         return self.command_queue.resent
 
     def begin(self) -> None:
-        """Send the first grant, which sets the vehicles' clocks and lets nobody move."""
+        """Send the first grant, which sets the vehicles' clocks and lets none move."""
         recording = TickRecord(0, [], [], [])
         self._grant_all({}, recording)
         self._record(recording)
@@ -131,8 +131,8 @@ class Supervisor:
         """Collect the answers to the last grant, decide, and send the next one, of so many periods."""
         self._periods = periods
         now_s = self.time_s
-        arrived, delivered = self._hear(self._link.answers(idle), now_s)
-        self._take_acknowledgements(now_s)
+        arrived, delivered = self._receive(self._link.answers(idle), now_s)
+        self._receive_acknowledgements(now_s)
         self.snapshot = snapshot = self.fleet.snapshot(now_s)
         ordered: dict[int, End] = dict.fromkeys(self.grounded, "land")
         self.events += self._watch.look(snapshot, ordered | self.operator.ordered)
@@ -143,7 +143,7 @@ class Supervisor:
         pursuing = self.pursuit.decide(snapshot) if self.pursuit else self.operator.pursuing
         self.set_points = set_points = self._plan(snapshot, decision, pursuing)
         self.command_queue.ask(decision.requests, now_s)
-        for sysid in self.pilots:
+        for sysid in self.arming:
             for result in self.command_queue.poll(sysid, now_s):
                 self._report(sysid, result, now_s)
         relays = relayed(decision.relays, delivered)
@@ -151,16 +151,16 @@ class Supervisor:
         self._queue_set_points(set_points, snapshot)
         self._grant_all(relays, recording)
         recording.decisions += self._records(now_s, decision, set_points)
-        self.metrics.take(snapshot, set_points, pursuing)
+        self.metrics.update(snapshot, set_points, pursuing)
         recording.decisions += self._watch_goal(snapshot, decision.partners)
         self._record(recording)
 
     def finish(self, idle: Callable[[], None]) -> None:
         """Collect and record the answers to the last grant; nothing is decided any more."""
-        arrived, _ = self._hear(self._link.answers(idle), self.time_s)
+        arrived, _ = self._receive(self._link.answers(idle), self.time_s)
         self.snapshot = self.fleet.snapshot(self.time_s)
         broken = self._watch_goal(self.snapshot, self._partners)
-        self._record(TickRecord(self.time_ms, arrived, [], self._told() + broken))
+        self._record(TickRecord(self.time_ms, arrived, [], self._new_records() + broken))
 
     def judge(self, folder: Path) -> None:
         """At the end: judge the goal by the truth that our own vehicles have left in the session's folder, and record
@@ -171,30 +171,30 @@ class Supervisor:
             self._record(TickRecord(self.time_ms, [], [], records))
 
     def judged(self) -> list[Judgement]:
-        """What came of each part of the goal by now."""
+        """Result of each part of the goal so far."""
         refuelled, held_s = len(self.schedule.refuelled), self.metrics.pursuit_held_s
         measured = self.goal_watch.measured(
             self.snapshot, time_s=self.time_s, pursuit_held_s=held_s, refuelled=refuelled
         )
         return judge(self.scenario, measured)
 
-    def _watch_goal(self, snapshot: FleetState, partners: Iterable[tuple[int, int]]) -> list[dict[str, Any]]:
+    def _watch_goal(self, snapshot: FleetSnapshot, partners: Iterable[tuple[int, int]]) -> list[dict[str, Any]]:
         """Measure the tick for the goal; records of what has just been broken."""
         self._partners = frozenset(partners)
         watch, now_s = self.goal_watch, snapshot.time_s
-        for sysid in self.externals.lost - self._told_lost:
+        for sysid in self.externals.lost - self._reported_lost:
             watch.lose(sysid, now_s, "silent")
-        for sysid in self._told_lost - self.externals.lost:
+        for sysid in self._reported_lost - self.externals.lost:
             watch.find(sysid)
-        self._told_lost = set(self.externals.lost)
-        broken, events = watch.take(snapshot, self._partners)
-        lost, told = watch.take_losses(now_s)
-        self.events += events + told
+        self._reported_lost = set(self.externals.lost)
+        broken, events = watch.update(snapshot, self._partners)
+        lost, of_losses = watch.new_losses(now_s)
+        self.events += events + of_losses
         return broken + lost
 
     def stop(self) -> None:
         """Record what has been ordered and who has died since the last tick: there is none after it."""
-        self._record(TickRecord(self.time_ms, [], [], self._told()))
+        self._record(TickRecord(self.time_ms, [], [], self._new_records()))
 
     def obey(self, order: Mapping[str, Any]) -> OperatorReply:
         """Take an operator's order, or say why not."""
@@ -203,11 +203,11 @@ class Supervisor:
         return answer
 
     def note(self, command: str, answer: OperatorReply) -> None:
-        """Tell and record a command that the session's clock has carried out."""
+        """Report and record a command that the session's clock has carried out."""
         self.events.append(self.operator.note(self.time_s, command, answer))
 
     def lose(self, key: Key, why: str) -> None:
-        """A process has died: hold it no longer, tell everyone, let the others go on."""
+        """A process has died: hold it no longer, report it, let the others go on."""
         self._link.leave(key)
         self._deaths.append({"t_s": self.time_s, "kind": "death", "sysid": key[0], "text": why})
         self.goal_watch.lose(key[0], self.time_s, "its process died")
@@ -219,7 +219,7 @@ class Supervisor:
 
     # in
 
-    def _hear(
+    def _receive(
         self, answers: Iterable[tuple[Key, list[Frame]]], now_s: float
     ) -> tuple[list[bytes], dict[int, list[Frame]]]:
         """Let the radio deliver what came, and the fleet read it, each vehicle's as it comes.
@@ -227,36 +227,36 @@ class Supervisor:
         Nothing that is read of one depends on another, so whose answer came first shows nowhere: what is given back is
         in order of system id, as are the texts, acknowledgements and facts that the fleet keeps.
         """
-        heard_of: dict[Key, list[Frame]] = {}
+        received_from: dict[Key, list[Frame]] = {}
         for key, frames in answers:
-            heard = frames
+            received = frames
             if not self._radio.clear:
-                told = [frame for frame in frames if frame.msgid != _SYSTEM_TIME]
+                impaired = [frame for frame in frames if frame.msgid != _SYSTEM_TIME]
                 grants = [frame for frame in frames if frame.msgid == _SYSTEM_TIME]
-                heard = [*self._radio.apply(key[0], "in", now_s, told), *grants]
-            for frame in heard:
+                received = [*self._radio.apply(key[0], "in", now_s, impaired), *grants]
+            for frame in received:
                 self._gaps.feed(frame.sysid, frame.compid, frame.seq)
                 self.fleet.ingest(frame, now_s)
-            heard_of[key] = heard
-            self.quality.take(key[0], len(heard), now_s)
+            received_from[key] = received
+            self.quality.count(key[0], len(received), now_s)
             if key[0] in self.inspection.wanted:
-                self.inspection.take(heard, now_s)
-        in_order = sorted(heard_of.items())
-        arrived = [frame.raw for _, heard in in_order for frame in heard]
-        delivered = {key[0]: heard for key, heard in in_order}
+                self.inspection.add(received, now_s)
+        in_order = sorted(received_from.items())
+        arrived = [frame.raw for _, received in in_order for frame in received]
+        delivered = {key[0]: received for key, received in in_order}
         if self.externals.rules:
-            offsets_s, rebooted = self._link.clock_offsets_s(), self._link.take_rebooted()
-            self.externals.hear(delivered, offsets_s, rebooted, self.fleet, now_s)
+            offsets_s, rebooted = self._link.clock_offsets_s(), self._link.pop_rebooted()
+            self.externals.receive(delivered, offsets_s, rebooted, self.fleet, now_s)
         self.received += len(arrived)
-        for sysid, severity, text in self.fleet.take_statustexts(now_s):
-            pilot = self.pilots.get(sysid)
-            if self.externals.repeats(sysid, text, now_s) or (pilot and pilot.repeats(text)):
+        for sysid, severity, text in self.fleet.pop_statustexts(now_s):
+            arming = self.arming.get(sysid)
+            if self.externals.repeats(sysid, text, now_s) or (arming and arming.repeats(text)):
                 continue
             self.events.append(Event(now_s, sysid, level_of(severity), text, "text"))
         return arrived, delivered
 
-    def _take_acknowledgements(self, now_s: float) -> None:
-        for sysid, ack in self.fleet.take_acks():
+    def _receive_acknowledgements(self, now_s: float) -> None:
+        for sysid, ack in self.fleet.pop_acks():
             for result in self.command_queue.on_ack(sysid, ack, now_s):
                 self._report(sysid, result, now_s)
 
@@ -264,58 +264,60 @@ class Supervisor:
         self.schedule.result(str(result.token), result.outcome == "accepted")
         if self.externals.settles(sysid, result, now_s):
             return
-        text, pilot = acknowledged(result), self.pilots[sysid]
+        text, arming = acknowledged(result), self.arming[sysid]
         if result.outcome == "accepted":
             self.events.append(Event(now_s, sysid, "info", text, "ack"))
-        elif not pilot.repeats(text):
-            self.events.append(Event(now_s, sysid, "warning", text + pilot.asks_again, "ack"))
+        elif not arming.repeats(text):
+            self.events.append(Event(now_s, sysid, "warning", text + arming.asks_again, "ack"))
 
     # decide
 
     def _serve_at_bases(self, decision: Decision) -> None:
         """Let land who is to land, and let bases speak to those they charge, or their books for those who cannot."""
         self.grounded = decision.grounded
-        for sysid, pilot in self.pilots.items():
-            pilot.grounded = sysid in decision.grounded
+        for sysid, arming in self.arming.items():
+            arming.grounded = sysid in decision.grounded
         for report in decision.giver_reports:
             self.command_queue.put(report.sysid, giver_messages(report, self.scenario.origin, self.time_ms))
         for sysid, joules in decision.booked.items():
             self.fleet.book(sysid, joules)
 
-    def _fly(self, snapshot: FleetState, now_s: float) -> None:
+    def _fly(self, snapshot: FleetSnapshot, now_s: float) -> None:
         late_s = (self._periods - 1) * self.scenario.clock.period_s
         for view in snapshot.vehicles:
             if self.time_ms < self._join_ms[view.sysid]:
                 continue
-            pilot = self.pilots[view.sysid]
-            before = pilot.stage
-            wishes, requests = pilot.decide(view, now_s, bound=self.schedule.bound(view.sysid), late_s=late_s)
-            if (pilot.stage is Stage.TAKEN) != (before is Stage.TAKEN) or any(wish.is_order for wish in wishes):
+            arming = self.arming[view.sysid]
+            before = arming.stage
+            commands, requests = arming.decide(view, now_s, bound=self.schedule.bound(view.sysid), late_s=late_s)
+            if (arming.stage is Stage.TAKEN) != (before is Stage.TAKEN) or any(
+                command.is_order for command in commands
+            ):
                 self.command_queue.withdraw(view.sysid)
-            if pilot.stage is Stage.DOWN and before is not Stage.DOWN and view.alive:
-                why = pilot.left_out or "Lands, and takes no more part"
-                kind: Kind = "session" if pilot.left_out else "decision"
+            if arming.stage is Stage.DOWN and before is not Stage.DOWN and view.alive:
+                why = arming.left_out or "Lands, and takes no more part"
+                kind: Kind = "session" if arming.left_out else "decision"
                 self.events.append(Event(now_s, view.sysid, "warning", why, kind))
-            elif pilot.stage is Stage.YIELDED and before is not Stage.YIELDED:
+            elif arming.stage is Stage.YIELDED and before is not Stage.YIELDED:
                 who, back = "Its failsafe" if view.failsafe else "Somebody else", view.profile.offboard_name
                 why = f"{who} flies it ({view.mode}): it takes part again when it is put into {back}"
                 self.events.append(Event(now_s, view.sysid, "warning", why))
-            elif pilot.stage is Stage.FLY and before is Stage.YIELDED:
+            elif arming.stage is Stage.FLY and before is Stage.YIELDED:
                 self.events.append(Event(now_s, view.sysid, "info", "Takes part again"))
             self.command_queue.put(view.sysid, requests)
-            self.command_queue.ask_once(wishes, now_s)
+            self.command_queue.ask_once(commands, now_s)
 
-    def _keep_streams(self, snapshot: FleetState) -> None:
-        wishes, messages = self.externals.decide(snapshot)
+    def _keep_streams(self, snapshot: FleetSnapshot) -> None:
+        commands, messages = self.externals.decide(snapshot)
         for sysid, requests in messages.items():
             self.command_queue.put(sysid, requests)
-        self.command_queue.ask(wishes, snapshot.time_s)
-        self.events += self.externals.take_events()
+        self.command_queue.ask(commands, snapshot.time_s)
+        self.events += self.externals.pop_events()
 
-    def _plan(self, snapshot: FleetState, decision: Decision, pursuing: Mapping[int, int] | None) -> list[SetPoint]:
-        steered = frozenset(sysid for sysid, pilot in self.pilots.items() if pilot.sends_set_points)
+    def _plan(self, snapshot: FleetSnapshot, decision: Decision, pursuing: Mapping[int, int] | None) -> list[SetPoint]:
+        steered = frozenset(sysid for sysid, arming in self.arming.items() if arming.sends_set_points)
         if not self.targets_move:
-            ready = all(p.stage in _SETTLED for s, p in self.pilots.items() if self._join_ms[s] == 0)
+            ready = all(p.stage in _SETTLED for s, p in self.arming.items() if self._join_ms[s] == 0)
             self.targets_move = ready or self.time_s > self._wait_for_fleet_s
         return self.planner.plan(
             PlanRequest(
@@ -330,7 +332,7 @@ class Supervisor:
             )
         )
 
-    def _queue_set_points(self, set_points: Iterable[SetPoint], snapshot: FleetState) -> None:
+    def _queue_set_points(self, set_points: Iterable[SetPoint], snapshot: FleetSnapshot) -> None:
         for point in set_points:
             offset = snapshot.vehicle(point.sysid).origin_offset_ned
             assert offset is not None
@@ -339,7 +341,7 @@ class Supervisor:
     # out
 
     def _grant_all(self, relays: Mapping[int, list[Relay]], recording: TickRecord) -> None:
-        """Send everyone the next bundle; the first one carries T = 0 and lets nobody move."""
+        """Send all vehicles the next bundle; the first one carries T = 0 and lets none move."""
         now_s = self.time_s
         grant_ms = self.time_ms + self._periods * self.period_ms if recording.t_ms or self._begun else 0
         self._begun = True
@@ -352,7 +354,7 @@ class Supervisor:
                 if self.time_ms >= self._heartbeat_due_ms[sysid]:
                     self._heartbeat_due_ms[sysid] = self.time_ms + round(1e3 * HEARTBEAT_EVERY_S)
                     messages.append(OUR_HEARTBEAT)
-                messages += self.command_queue.take(sysid)
+                messages += self.command_queue.pop(sysid)
                 messages += relays.get(sysid, ())
                 messages = list(self._radio.apply(sysid, "out", now_s, messages))
             own = [m for m in messages if isinstance(m, Message)]
@@ -366,27 +368,27 @@ class Supervisor:
     _partners: frozenset[tuple[int, int]] = frozenset()
 
     def hand_back(self) -> None:
-        """Nobody steers the external vehicles any more: tell them what to do then. `exchange` sends it."""
+        """Command external vehicles for the end, when they are not steered any more. `exchange` sends it."""
         self.command_queue.clear()
-        stages = {sysid: pilot.stage for sysid, pilot in self.pilots.items()}
+        stages = {sysid: arming.stage for sysid, arming in self.arming.items()}
         self.command_queue.ask(self.externals.hand_back(self.snapshot, stages), self.time_s)
-        self.events += self.externals.take_events()
+        self.events += self.externals.pop_events()
 
-    def tell_disobedience(self) -> None:
-        """Name the external vehicles that have not obeyed, now that nobody waits for them any longer."""
-        self.externals.tell_disobedience(self.snapshot)
-        self.events += self.externals.take_events()
+    def report_disobedience(self) -> None:
+        """Name the external vehicles that have not obeyed, now that the session no longer waits."""
+        self.externals.report_disobedience(self.snapshot)
+        self.events += self.externals.pop_events()
 
     def exchange(self, now_s: float) -> bool:
-        """After the last tick: send external vehicles what is left, hear them; whether one has not obeyed yet."""
+        """After the last tick: send external vehicles what is left, receive; whether one has not obeyed yet."""
         now_s = round(now_s, 3)  # as it is recorded
-        arrived, _ = self._hear(self._link.unawaited().items(), now_s)
-        self._take_acknowledgements(now_s)
+        arrived, _ = self._receive(self._link.unawaited().items(), now_s)
+        self._receive_acknowledgements(now_s)
         sent: list[bytes] = []
         for sysid in self.externals.rules:
             for result in self.command_queue.poll(sysid, now_s):
                 self._report(sysid, result, now_s)
-            messages = self.command_queue.take(sysid)
+            messages = self.command_queue.pop(sysid)
             if (sysid, AUTOPILOT) in self._link.joined:
                 sent += self._link.grant((sysid, AUTOPILOT), self.time_ms, 0, messages, ())
         self.sent += len(sent)
@@ -400,19 +402,19 @@ class Supervisor:
             decision,
             set_points,
             pursued=self.pursuit.records if self.pursuit else (),
-            facts=self.fleet.take_facts(),
-            problems=[problem for guard in self._guards for problem in guard.take()],
-            standings=self.schedule.standings,
+            facts=self.fleet.pop_facts(),
+            problems=[problem for guard in self._guards for problem in guard.pop_faults()],
+            competition_states=self.schedule.competition_states,
         )
         self.events += events
-        interventions = self.planner.take_records()
+        interventions = self.planner.pop_records()
         self.events += [event_of(record) for record in interventions]
-        return self._told() + interventions + records
+        return self._new_records() + interventions + records
 
-    def _told(self) -> list[dict[str, Any]]:
-        """Who has died, and what operators have commanded, since the last call."""
+    def _new_records(self) -> list[dict[str, Any]]:
+        """Records of deaths and of operators' commands since the last call."""
         deaths, self._deaths = self._deaths, []
-        return deaths + self.operator.take_records()
+        return deaths + self.operator.pop_records()
 
     def _record(self, recording: TickRecord) -> None:
         """Recording and hashing wait until the grants are out: the vehicles fly meanwhile."""

@@ -19,7 +19,7 @@ from gcs.planner.route import Router
 from gcs.planner.tracking import Tracking
 from gcs.scenario import geometry
 from gcs.scenario.model import Scenario
-from gcs.supervisor.factory import make_pilots
+from gcs.supervisor.factory import make_arming_sequences
 from gcs.supervisor.goal_watch import GoalWatch
 from gcs.telemetry import approach
 from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
@@ -38,20 +38,20 @@ def rehearse(scenario: Scenario) -> None:
         GlobalOrigin(origin.lat_deg, origin.lon_deg, origin.alt_m),
     )
     for vehicle in vehicles:
-        for frame in codec.split(_telling(vehicle.sysid, vehicle.start_m, scenario)).frames:
+        for frame in codec.split(_first_telemetry(vehicle.sysid, vehicle.start_m, scenario)).frames:
             fleet.ingest(frame, 0.0)
     snapshot = fleet.snapshot(0.0)
     planner = behind_filter(scenario, Planner(scenario))
     metrics = Metrics(scenario)
-    watch = GoalWatch(scenario, planner.obstacles, make_pilots(scenario))
+    watch = GoalWatch(scenario, planner.obstacles, make_arming_sequences(scenario))
     everyone = frozenset(vehicle.sysid for vehicle in vehicles)
     set_points = planner.plan(PlanRequest(snapshot, everyone, scenario.clock.period_s))
     if scenario.planner.safety:
         _rehearse_tracking()
-    approach.nearest_to(*(np.zeros((1, 3)) for _ in range(4)))  # once traffic is told
+    approach.nearest_to(*(np.zeros((1, 3)) for _ in range(4)))  # once traffic is reported
     for _ in range(PLAN_MEMORY):  # only then is a vehicle's way held against its plan
-        metrics.take(snapshot, set_points)
-        watch.take(snapshot, ())
+        metrics.update(snapshot, set_points)
+        watch.update(snapshot, ())
 
 
 def _rehearse_tracking() -> None:
@@ -77,7 +77,7 @@ def find_way() -> None:
             start = start + 0.3 * (aims.aim_ned - start)
 
 
-def _telling(sysid: int, p_ned: tuple[float, float, float], scenario: Scenario) -> bytes:
+def _first_telemetry(sysid: int, p_ned: tuple[float, float, float], scenario: Scenario) -> bytes:
     """The datagram of a vehicle that says it is in the air at a place."""
     north, east, down = p_ned
     messages = [

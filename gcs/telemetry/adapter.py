@@ -1,14 +1,14 @@
 """Adapter from any autopilot's telemetry to the messages that `Fleet` reads: position, origin, landed state.
 
-The fleet reads a vehicle's own local frame and the global origin of that. Autopilots tell their places in several ways,
-count time since their own start, and some leave out what others say:
+The fleet reads a vehicle's own local frame and the global origin of that. Autopilots report their positions in several
+ways, count time since their own start, and some leave out what others say:
 
-- a local position is told as of the time at which it came;
-- the origin, where it is not told, follows from HOME_POSITION (of an autopilot whose home stands in the local frame),
-  or from a global position beside a local one;
-- of a vehicle that tells only global positions these are the local ones, in the common frame itself;
+- a local position is reported as of the time at which it came;
+- the origin, where it is not reported, follows from HOME_POSITION (of an autopilot whose home stands in the local
+  frame), or from a global position beside a local one;
+- of a vehicle that reports only global positions these are the local ones, in the common frame itself;
 - whether it has landed, where EXTENDED_SYS_STATE does not say, follows from HEARTBEAT's system status;
-- what its battery holds, where its capacity is unknown, is the share that it tells, of no number of joules.
+- what its battery holds, where its capacity is unknown, is the share that it reports, of no number of joules.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from gcs.telemetry.fleet import GlobalOrigin
 from gcs.telemetry.state import Vec3, VehicleView
 
 TOGETHER_S = 1.0
-"""A local and a global position that came within this time tell of the same place."""
+"""A local and a global position that came within this time are of the same place."""
 _HEARTBEAT = codec.msgid("HEARTBEAT")
 _LOCAL = codec.msgid("LOCAL_POSITION_NED")
 _GLOBAL = codec.msgid("GLOBAL_POSITION_INT")
@@ -41,56 +41,56 @@ _STATUS = codec.msgid("SYS_STATUS")
 
 
 class TelemetryAdapter:
-    """Listens to one vehicle. `hears` gives the frames that the fleet is to read in place of one."""
+    """Adapts one vehicle's telemetry. `translate` gives the frames that the fleet is to read in place of one."""
 
     def __init__(self, sysid: int, compid: int) -> None:
         self.sysid = sysid
         self.compid = compid
         self.share: float | None = None
-        """what the battery holds of its capacity, 0..1; None: not told"""
+        """what the battery holds of its capacity, 0..1; None: not reported"""
         self.power_w: float | None = None
         """what is drawn; None: not measured"""
         self._home_is_local = False
         self._system_status = mav.MAV_STATE_UNINIT
-        self._state_told = False
+        self._state_reported = False
         self._origin: GlobalOrigin | None = None
-        """of its local frame, told or derived"""
-        self._told = False
+        """of its local frame, reported or derived"""
+        self._origin_reported = False
         self._reads: Literal["", "local", "global"] = ""
         """by which positions the fleet knows its place"""
         self._local: tuple[float, Vec3] | None = None
 
-    def hears(self, frame: Frame, t_s: float, origin: GlobalOrigin | None) -> Iterator[Frame]:
-        """What the fleet, whose common frame begins at `origin`, is to read of a frame that came at `t_s`."""
+    def translate(self, frame: Frame, t_s: float, origin: GlobalOrigin | None) -> Iterator[Frame]:
+        """Frames that the fleet, whose common frame begins at `origin`, reads in place of one that came at `t_s`."""
         msgid = frame.msgid
         if msgid == _LOCAL:
-            yield from self._hear_local(codec.fields(frame), t_s)
+            yield from self._receive_local(codec.fields(frame), t_s)
         elif msgid == _GLOBAL:
-            yield from self._hear_global(codec.fields(frame), t_s, origin)
+            yield from self._receive_global(codec.fields(frame), t_s, origin)
         elif msgid == _HOME:
             content = codec.fields(frame)
-            if not self._told and self._home_is_local and _is_place(content.latitude, content.longitude):
+            if not self._origin_reported and self._home_is_local and _is_place(content.latitude, content.longitude):
                 yield from self._own(_origin_under(content))
         elif msgid == _ORIGIN:
             content = codec.fields(frame)
             if _is_place(content.latitude, content.longitude):
-                self._told = True
-                yield from self._own(_origin_told(content))
+                self._origin_reported = True
+                yield from self._own(_reported_origin(content))
         else:
             if msgid == _HEARTBEAT:
                 content = codec.fields(frame)
                 self._home_is_local = profile_of(content.autopilot).home_is_local
                 self._system_status = content.system_status
             elif msgid == _STATE:
-                self._state_told = codec.fields(frame).landed_state != mav.MAV_LANDED_STATE_UNDEFINED
+                self._state_reported = codec.fields(frame).landed_state != mav.MAV_LANDED_STATE_UNDEFINED
             elif msgid == _STATUS:
-                self._hear_battery(sys_status(codec.fields(frame), t_s))
+                self._receive_battery(sys_status(codec.fields(frame), t_s))
             elif msgid == _BATTERY and (content := codec.fields(frame)).id == 0:
-                self._hear_battery(battery_status(content, t_s))
+                self._receive_battery(battery_status(content, t_s))
             yield frame if frame.compid == AUTOPILOT else frame._replace(compid=AUTOPILOT)
 
     def origin_of(self, frame: Frame) -> GlobalOrigin | None:
-        """An origin for a common frame that nobody has given one yet, if this frame tells of a place on the globe."""
+        """An origin for a common frame that has none yet, if this frame holds a place on the globe."""
         if frame.msgid not in (_ORIGIN, _HOME, _GLOBAL):
             return None
         content = codec.fields(frame)
@@ -100,14 +100,14 @@ class TelemetryAdapter:
             return _origin(1e-7 * content.lat, 1e-7 * content.lon, 1e-3 * (content.alt - content.relative_alt))
         if not _is_place(content.latitude, content.longitude):
             return None
-        return _origin_under(content) if frame.msgid == _HOME and self._home_is_local else _origin_told(content)
+        return _origin_under(content) if frame.msgid == _HOME and self._home_is_local else _reported_origin(content)
 
     def seen(self, view: VehicleView) -> tuple[VehicleView, float | None]:
-        """The fleet's view with what it could not know, and the share that the battery holds; None: not told.
+        """The fleet's view with what it could not know, and the share that the battery holds; None: not reported.
 
         A battery of unknown capacity holds that share of 100, its draw 0.
         """
-        if not self._state_told:
+        if not self._state_reported:
             flying = (mav.MAV_STATE_ACTIVE, mav.MAV_STATE_CRITICAL, mav.MAV_STATE_EMERGENCY)
             view = view._replace(landed=not (view.armed and self._system_status in flying))
         if math.isfinite(view.remaining_j) and view.capacity_j > 0.0:
@@ -124,7 +124,7 @@ class TelemetryAdapter:
         )
         return view, share
 
-    def _hear_local(self, content: Any, t_s: float) -> Iterator[Frame]:
+    def _receive_local(self, content: Any, t_s: float) -> Iterator[Frame]:
         at = (content.x, content.y, content.z)
         if not all(map(math.isfinite, at)):
             return
@@ -136,7 +136,7 @@ class TelemetryAdapter:
             yield self._origin_frame(self._origin)
         yield self._position(t_s, at, (content.vx, content.vy, content.vz))
 
-    def _hear_global(self, content: Any, t_s: float, origin: GlobalOrigin | None) -> Iterator[Frame]:
+    def _receive_global(self, content: Any, t_s: float, origin: GlobalOrigin | None) -> Iterator[Frame]:
         if origin is None or not _is_place(content.lat, content.lon):
             return
         lat_deg, lon_deg, alt_m = 1e-7 * content.lat, 1e-7 * content.lon, 1e-3 * content.alt
@@ -158,7 +158,7 @@ class TelemetryAdapter:
         if self._reads == "local":
             yield self._origin_frame(origin)
 
-    def _hear_battery(self, report: BatteryReport) -> None:
+    def _receive_battery(self, report: BatteryReport) -> None:
         if report.remaining is not None:
             self.share = report.remaining
         if report.power_w is not None:
@@ -183,11 +183,11 @@ class TelemetryAdapter:
 
 
 def _is_place(lat: int, lon: int) -> bool:
-    """Autopilots without a fix tell 0, 0."""
+    """Autopilots without a fix report 0, 0."""
     return (lat, lon) != (0, 0) and abs(lat) <= 900_000_000 and abs(lon) <= 1_800_000_000
 
 
-def _origin_told(content: Any) -> GlobalOrigin:
+def _reported_origin(content: Any) -> GlobalOrigin:
     return _origin(1e-7 * content.latitude, 1e-7 * content.longitude, 1e-3 * content.altitude)
 
 

@@ -22,12 +22,12 @@ Flags = NDArray[np.bool_]
 FINE = 25
 """Looks per interval on a curve: 4 ms, the vehicles' own step, of a period of 0.1 s."""
 MOST_FOUND = 64
-"""So many pairs that are too near are told of one interval."""
+"""Number of pairs that are too near reported of one interval."""
 CLOSING_M_S = 0.1
-"""Who is flown by nobody of ours comes too near only where ours closes in by more than this."""
+"""A vehicle that is not ours comes too near only where ours closes in by more than this."""
 CURVED_M = 0.1
 """A curve is nearer than its chord by at most this much: at 5 m/s² each and 0.1 s it is 0.0125 m."""
-NOBODY = np.empty((0, 2), dtype=np.int64)
+NO_PAIRS = np.empty((0, 2), dtype=np.int64)
 STRAIGHT = np.empty((0, 3))
 
 
@@ -80,7 +80,7 @@ def nearest_pair(
 
     A pair in `exempt` (k, 2) is left out, as is one of which neither is `ours` (n,), and one of which one is, where
     that one does not close in. v_before, v_now: (n, 3), or (0, 3) for straight ways. Pairs that stay farther apart than
-    both limit_m and worth_m need not be told.
+    both limit_m and worth_m need not be reported.
     """
     n = now.shape[0]
     count = 0

@@ -15,49 +15,49 @@ RECEIVED, GIVEN = "XferIn", "XferOut"
 
 
 class BatteryAccount:
-    """Energies in J; capacity and initial charge as the scenario has them until the vehicle tells them."""
+    """Energies in J; capacity and initial charge as the scenario has them until the vehicle reports them."""
 
     def __init__(self, capacity_j: float, initial_j: float) -> None:
         self.capacity_j = capacity_j
         self.initial_j = initial_j
         self.meter = EnergyEstimator()
         self.given_j = 0
-        self._told_in_j = self._booked_j = 0
-        self._counts = self._initial_told = False
+        self._reported_in_j = self._booked_j = 0
+        self._counts = self._initial_reported = False
         self._parameters: set[str] = set()
 
     @property
-    def told(self) -> bool:
-        """Whether the vehicle has told capacity and initial charge, as one does that can take a transfer."""
+    def reported(self) -> bool:
+        """Whether the vehicle has reported capacity and initial charge, as one does that can take a transfer."""
         return len(self._parameters) == len(BATTERY_PARAMETERS)
 
     @property
     def received_j(self) -> int:
         """By the vehicle's own counter, and by the book of bases that charged it without one."""
-        return self._told_in_j + self._booked_j
+        return self._reported_in_j + self._booked_j
 
     @property
     def remaining_j(self) -> float:
-        """What the battery holds."""
+        """Energy in the battery, J."""
         return self.initial_j + self.received_j - self.meter.drawn_j - self.given_j
 
     def report(self, report: BatteryReport, *, armed: bool) -> list[Fact]:
         """Take what a message says of the battery."""
         if not self.meter.heeds(report):
             return []
-        facts = self.meter.take(
+        facts = self.meter.update(
             report,
             capacity_j=self.capacity_j,
-            moved_j=self._told_in_j - self.given_j,
+            moved_j=self._reported_in_j - self.given_j,
             booked_j=self._booked_j,
-            initial_j=self.initial_j if self._initial_told else None,
+            initial_j=self.initial_j if self._initial_reported else None,
             armed=armed,
             swappable=not self._counts,
         )
-        if not self._initial_told and report.remaining is not None:
+        if not self._initial_reported and report.remaining is not None:
             left_j = report.remaining * self.capacity_j
             self.initial_j = left_j + self.meter.drawn_j + self.given_j - self.received_j
-            self._initial_told = True
+            self._initial_reported = True
         self.initial_j += sum(fact.gained_j for fact in facts)
         return facts
 
@@ -66,7 +66,7 @@ class BatteryAccount:
         if name == GIVEN:
             self.given_j = max(self.given_j, value)
         elif name == RECEIVED:
-            self._told_in_j = max(self._told_in_j, value)
+            self._reported_in_j = max(self._reported_in_j, value)
         self._counts |= name in (RECEIVED, GIVEN)
 
     def parameter(self, name: str, value: float) -> None:
@@ -76,10 +76,10 @@ class BatteryAccount:
         self._parameters.add(name)
         if name == INITIAL:
             self.initial_j = value
-            self._initial_told = True
+            self._initial_reported = True
         elif value > 0.0:
             self.capacity_j = value
 
     def book(self, joules: int) -> None:
-        """Count energy that a base gave to a vehicle which cannot tell of it itself."""
+        """Count energy that a base gave to a vehicle which cannot report it itself."""
         self._booked_j += joules

@@ -7,23 +7,23 @@ from collections.abc import Mapping
 
 from gcs.mavlink.autopilots import STEERABLE, End, FlightMode
 from gcs.telemetry.events import Event
-from gcs.telemetry.state import STALE_S, FleetState, VehicleView
+from gcs.telemetry.state import STALE_S, FleetSnapshot, VehicleView
 
 GOING_DOWN = frozenset({FlightMode.RETURN, FlightMode.LAND})
 
 
 class ChangeDetector:
-    """Remembers what each vehicle did; `look` tells what is new."""
+    """Remembers what each vehicle did; `look` returns what is new."""
 
     def __init__(self) -> None:
         self._modes: dict[int, FlightMode] = {}
         self._silent: set[int] = set()
 
-    def look(self, snapshot: FleetState, ordered: Mapping[int, End] | None) -> list[Event]:
-        """What has changed since the last snapshot.
+    def look(self, snapshot: FleetSnapshot, ordered: Mapping[int, End] | None) -> list[Event]:
+        """Events since the last snapshot.
 
-        `ordered` says what somebody wants vehicles to fly instead of the plan: that is no failsafe. None: nobody here
-        commands them, so that no change of mode can be told from an order.
+        `ordered` says what an operator wants vehicles to fly instead of the plan: that is no failsafe. None: no one
+        here commands them, so that no change of mode can be distinguished from an order.
         """
         events: list[Event] = []
         for view in snapshot.vehicles:
@@ -34,7 +34,7 @@ class ChangeDetector:
         return events
 
     def _watch_mode(self, view: VehicleView, now_s: float, by_order: bool, events: list[Event]) -> None:
-        if view.heard_s < 0.0:
+        if view.last_received_s < 0.0:
             return
         before = self._modes.get(view.sysid)
         if before is view.mode:
@@ -42,16 +42,16 @@ class ChangeDetector:
         self._modes[view.sysid] = view.mode
         if before is None:
             return
-        told = f"{before} -> {view.mode}"
+        text = f"{before} -> {view.mode}"
         if view.armed and not by_order and view.mode in GOING_DOWN and before not in GOING_DOWN:
-            events.append(Event(now_s, view.sysid, "critical", told, "failsafe"))
+            events.append(Event(now_s, view.sysid, "critical", text, "failsafe"))
         elif view.armed and not by_order and view.mode is FlightMode.HOLD and before in STEERABLE:
-            events.append(Event(now_s, view.sysid, "warning", told, "failsafe"))
+            events.append(Event(now_s, view.sysid, "warning", text, "failsafe"))
         else:
-            events.append(Event(now_s, view.sysid, "info", told, "mode"))
+            events.append(Event(now_s, view.sysid, "info", text, "mode"))
 
     def _watch_silence(self, view: VehicleView, now_s: float, events: list[Event]) -> None:
-        silent = view.alive and view.heard_s >= 0.0 and STALE_S < view.age_s < math.inf
+        silent = view.alive and view.last_received_s >= 0.0 and STALE_S < view.age_s < math.inf
         if silent and view.sysid not in self._silent:
             self._silent.add(view.sysid)
             events.append(Event(now_s, view.sysid, "warning", f"No word for {view.age_s:.1f} s", "link"))

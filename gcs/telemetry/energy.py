@@ -28,7 +28,7 @@ from gcs.mavlink.battery import BatteryReport
 GAP_S = 5.0
 POWER_WINDOW_S = 5.0
 STEPS_WINDOW_S = 120.0
-"""Power by battery_remaining is told from the steps of so long a time: they are few."""
+"""Power by battery_remaining is estimated from the steps of so long a time: they are few."""
 SWAP_SHARE = 0.2
 RESTART_J = 1000.0
 """A total that falls by less has been overtaken on the air."""
@@ -48,18 +48,18 @@ BEST_FIRST = (EnergySource.ENERGY_CONSUMED, EnergySource.CURRENT_VOLTAGE, Energy
 
 @dataclass(frozen=True, slots=True)
 class Fact:
-    """Something about a battery that the session's record should tell; `gained_j` came with a swapped battery."""
+    """Something about a battery that the session's record should hold; `gained_j` came with a swapped battery."""
 
     text: str
     gained_j: float = 0.0
 
     def record(self) -> dict[str, Any]:
-        """As a decision's line tells it."""
+        """The fact as a decision's line holds it."""
         return {"text": self.text, "gained_j": self.gained_j}
 
 
 class EnergyEstimator:
-    """One vehicle's energy drawn; reports come in the order in which they are heard."""
+    """One vehicle's energy drawn; reports come in the order in which they are received."""
 
     def __init__(self) -> None:
         self.drawn_j = 0.0
@@ -82,7 +82,7 @@ class EnergyEstimator:
         first_hand_s = [said_s for (_, second_hand), said_s in self._spoke_s.items() if not second_hand]
         return not report.second_hand or report.time_s - max(first_hand_s, default=self._first_s) > GAP_S
 
-    def take(
+    def update(
         self,
         report: BatteryReport,
         *,
@@ -96,7 +96,7 @@ class EnergyEstimator:
         """Count one report.
 
         `moved_j`: received less given so far, by the vehicle's own words. `booked_j`: what was booked for it by others
-        so far. `initial_j`: what it started with, None where the first share tells. `swappable`: whether a great rise
+        so far. `initial_j`: what it started with, None where the first share says it. `swappable`: whether a great rise
         on the ground may be a swapped battery.
         """
         if not self.heeds(report):
@@ -142,7 +142,7 @@ class EnergyEstimator:
         for source in BEST_FIRST[BEST_FIRST.index(best) :]:
             if source in self._meters:
                 self._anchors[source] = (self._meters[source], self.drawn_j)
-        self._tell_power(now_s)
+        self._update_power(now_s)
 
     def _total(self, consumed_j: float, armed: bool) -> None:
         if not armed and consumed_j < min(self._consumed_j - RESTART_J, 0.5 * self._consumed_j):
@@ -189,7 +189,7 @@ class EnergyEstimator:
             self._expected_j, self._unseen_j = left_j, max(self._unseen_j - rise_j, 0.0)
         return []
 
-    def _tell_power(self, now_s: float) -> None:
+    def _update_power(self, now_s: float) -> None:
         """Mean power of the last while, over steps of the energy drawn where it moves in steps."""
         history = self._history
         in_steps = self.source is EnergySource.BATTERY_REMAINING

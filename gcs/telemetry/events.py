@@ -1,4 +1,4 @@
-"""What a person wants to hear of while a session flies."""
+"""Events that a person should see while a session flies."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from pymavlink.dialects.v20 import common as mav
 Level = Literal["info", "warning", "critical"]
 Kind = Literal["text", "mode", "failsafe", "ack", "decision", "operator", "link", "death", "session", "violation"]
 
-QUIETER: dict[int, Level] = {
+LESS_SEVERE: dict[int, Level] = {
     mav.MAV_SEVERITY_WARNING: "warning",
     mav.MAV_SEVERITY_NOTICE: "info",
     mav.MAV_SEVERITY_INFO: "info",
@@ -19,8 +19,8 @@ QUIETER: dict[int, Level] = {
 
 
 def level_of(severity: int) -> Level:
-    """How loudly a STATUSTEXT of this MAV_SEVERITY is told; from error on, and what is none, it is critical."""
-    return QUIETER.get(severity, "critical")
+    """Level of a STATUSTEXT of this MAV_SEVERITY; from error on, and what is none, it is critical."""
+    return LESS_SEVERE.get(severity, "critical")
 
 
 @dataclass(frozen=True)

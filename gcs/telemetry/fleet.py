@@ -1,4 +1,4 @@
-"""What the fleet tells, collected: MAVLink messages in, a snapshot in SI units and the common NED frame out.
+"""State of the fleet by its telemetry: MAVLink messages in, a snapshot in SI units and the common NED frame out.
 
 The common frame is the scenario's origin. A vehicle's own local frame is moved there by its GPS_GLOBAL_ORIGIN, or by
 HOME_POSITION where that says where home lies in it; until one has come its position is unknown, and nothing is planned
@@ -24,10 +24,10 @@ from gcs.mavlink.codec import Frame, fields
 from gcs.mavlink.statustext import Texts
 from gcs.telemetry.battery_account import GIVEN, BatteryAccount
 from gcs.telemetry.energy import Fact
-from gcs.telemetry.state import ZERO, FleetState, TrafficView, Vec3, VehicleView
+from gcs.telemetry.state import ZERO, FleetSnapshot, TrafficView, Vec3, VehicleView
 
 LANDED_M = 0.3
-"""A vehicle that does not tell whether it has landed is in the air above this height."""
+"""A vehicle that does not report whether it has landed is in the air above this height."""
 TRAFFIC_FORGOTTEN_S = 10.0
 """An aircraft that has been silent for so long could be anywhere: its range would fill the sky."""
 _FAILSAFE = frozenset({mav.MAV_STATE_CRITICAL, mav.MAV_STATE_EMERGENCY})
@@ -44,7 +44,7 @@ class GlobalOrigin:
 
 @dataclass(frozen=True)
 class Member:
-    """What the scenario says of a vehicle before it says anything itself."""
+    """A vehicle's data from the scenario, before it reports anything itself."""
 
     sysid: int
     role: str
@@ -55,34 +55,36 @@ class Member:
     """not launched by the session: its clock is its own, and it may lack any message"""
     profile: Profile | None = None
     """whose habits it has; None: as its HEARTBEAT says"""
+    airborne: bool = False
+    """launched in the air, where it is until it reports that it has landed"""
 
 
 class _Track:
-    """The latest of everything that one vehicle has told."""
+    """The latest of everything that one vehicle has reported."""
 
     def __init__(self, member: Member) -> None:
         self.member = member
         self.alive = True
         self.profile = member.profile or GENERIC
         self.clock_offset_s: float | None = None if member.external else 0.0
-        self.landed_told = not member.external
+        self.landed_reported = not member.external
         self.home_amsl_m: float | None = None
         self.home_down_m: float | None = None
         self.mode = FlightMode.OTHER
         self.custom_mode = 0
         self.system_status = 0
         self.armed = False
-        self.landed = True
-        self.heard_s = -math.inf
+        self.landed = not member.airborne
+        self.last_received_s = -math.inf
         self.p_local: Vec3 | None = None
         self.v_ned: Vec3 = ZERO
         self.position_s = -math.inf
         self.heading_rad = self.roll_rad = self.pitch_rad = 0.0
         self.offset: Vec3 | None = None
         self.origin_alt_m = 0.0
-        self.origin_told = False
+        self.origin_reported = False
         self.battery = BatteryAccount(member.capacity_j, member.initial_j)
-        self.given_told_s = -math.inf
+        self.given_reported_s = -math.inf
         self.control_effort = 0.0
         self.texts = Texts()
 
@@ -98,7 +100,7 @@ class _Track:
         if ground_down_m is None and self.offset is not None:
             ground_down_m = self.offset[2]
         landed = self.landed
-        if not self.landed_told and p_ned is not None and ground_down_m is not None:
+        if not self.landed_reported and p_ned is not None and ground_down_m is not None:
             landed = ground_down_m - p_ned[2] < LANDED_M
         return VehicleView(
             sysid=self.member.sysid,
@@ -109,7 +111,7 @@ class _Track:
             mode=self.mode,
             armed=self.armed,
             landed=landed,
-            heard_s=self.heard_s,
+            last_received_s=self.last_received_s,
             p_ned=p_ned,
             v_ned=self.v_ned,
             age_s=max(now_s - self.position_s, 0.0),
@@ -122,11 +124,11 @@ class _Track:
             p_local_ned=self.p_local,
             capacity_j=self.battery.capacity_j,
             initial_j=self.battery.initial_j,
-            battery_told=self.battery.told,
+            battery_reported=self.battery.reported,
             drawn_j=self.battery.meter.drawn_j,
             received_j=self.battery.received_j,
             given_j=self.battery.given_j,
-            given_told_s=self.given_told_s,
+            given_reported_s=self.given_reported_s,
             power_w=self.battery.meter.power_w,
             energy_source=str(self.battery.meter.source),
             control_effort=self.control_effort,
@@ -149,7 +151,7 @@ class Fleet:
     def ingest(self, frame: Frame, time_s: float) -> None:
         """Take one frame that was delivered at a session time."""
         if frame.msgid == mav.MAVLINK_MSG_ID_ADSB_VEHICLE:
-            self._take_traffic(fields(frame), time_s)
+            self._receive_traffic(fields(frame), time_s)
             return
         handler = _HANDLERS.get(frame.msgid)
         track = self._tracks.get(frame.sysid)
@@ -158,7 +160,7 @@ class Fleet:
         handler(self, track, fields(frame), time_s)
 
     def join(self, member: Member) -> None:
-        """Take in a vehicle that nobody knew of before; the snapshot keeps its order of system ids."""
+        """Add a vehicle that was unknown before; the snapshot keeps its order of system ids."""
         self._tracks[member.sysid] = _Track(member)
         self._tracks = dict(sorted(self._tracks.items()))
 
@@ -167,36 +169,36 @@ class Fleet:
         self._tracks[sysid].alive = False
 
     def found(self, sysid: int) -> None:
-        """A vehicle that was lost is heard again."""
+        """A vehicle that was lost reports again."""
         self._tracks[sysid].alive = True
 
     def set_clock(self, sysid: int, offset_s: float) -> None:
-        """What added to this vehicle's own time gives the session's."""
+        """Offset from this vehicle's own time to the session's, s."""
         self._tracks[sysid].clock_offset_s = offset_s
 
-    def take_statustexts(self, now_s: float) -> list[tuple[int, int, str]]:
+    def pop_statustexts(self, now_s: float) -> list[tuple[int, int, str]]:
         """(system id, severity, text) of each STATUSTEXT since the last call."""
-        late = [(sysid, *told) for sysid, track in self._tracks.items() for told in track.texts.overdue(now_s)]
+        late = [(sysid, *text) for sysid, track in self._tracks.items() for text in track.texts.overdue(now_s)]
         taken, self.statustexts = self.statustexts + late, []
         return sorted(taken, key=itemgetter(0))
 
-    def take_acks(self) -> list[tuple[int, Any]]:
+    def pop_acks(self) -> list[tuple[int, Any]]:
         """(system id, COMMAND_ACK) of each acknowledgement since the last call."""
         taken, self.acks = self.acks, []
         return sorted(taken, key=itemgetter(0))
 
-    def take_facts(self) -> list[tuple[int, Fact]]:
+    def pop_facts(self) -> list[tuple[int, Fact]]:
         """(system id, fact) of what batteries showed since the last call."""
         taken, self.facts = self.facts, []
         return sorted(taken, key=itemgetter(0))
 
     def book(self, sysid: int, joules: int) -> None:
-        """Energy that a vehicle was given by a base and cannot tell of itself."""
+        """Energy that a vehicle was given by a base and cannot report itself."""
         self._tracks[sysid].battery.book(joules)
 
-    def snapshot(self, time_s: float) -> FleetState:
+    def snapshot(self, time_s: float) -> FleetSnapshot:
         """Everything known at a session time."""
-        return FleetState(
+        return FleetSnapshot(
             time_s,
             tuple(track.view(time_s) for track in self._tracks.values()),
             tuple(
@@ -211,15 +213,15 @@ class Fleet:
         track.mode = track.profile.mode(content.custom_mode)
         track.custom_mode, track.system_status = content.custom_mode, content.system_status
         track.armed = bool(content.base_mode & mav.MAV_MODE_FLAG_SAFETY_ARMED)
-        track.heard_s = time_s
+        track.last_received_s = time_s
 
     def _position(self, track: _Track, content: Any, time_s: float) -> None:
         numbers = (content.x, content.y, content.z, content.vx, content.vy, content.vz)
-        told_s = _session_s(track, content.time_boot_ms, time_s)
-        if all(map(math.isfinite, numbers)) and told_s >= track.position_s:
+        reported_s = _session_s(track, content.time_boot_ms, time_s)
+        if all(map(math.isfinite, numbers)) and reported_s >= track.position_s:
             track.p_local = numbers[:3]
             track.v_ned = numbers[3:]
-            track.position_s = told_s
+            track.position_s = reported_s
 
     def _attitude(self, track: _Track, content: Any, time_s: float) -> None:
         if math.isfinite(content.yaw):
@@ -228,13 +230,13 @@ class Fleet:
             track.roll_rad, track.pitch_rad = content.roll, content.pitch
 
     def _extended_state(self, track: _Track, content: Any, time_s: float) -> None:
-        track.landed_told = True
+        track.landed_reported = True
         track.landed = content.landed_state in (mav.MAV_LANDED_STATE_ON_GROUND, mav.MAV_LANDED_STATE_UNDEFINED)
 
     def _global_origin(self, track: _Track, content: Any, time_s: float) -> None:
         track.offset = self._ned(content)
         track.origin_alt_m = 1e-3 * content.altitude
-        track.origin_told = True
+        track.origin_reported = True
 
     def _home(self, track: _Track, content: Any, time_s: float) -> None:
         """An external vehicle's ground; and where its frame lies, if it says so by no other message."""
@@ -243,7 +245,7 @@ class Fleet:
         home_ned = self._ned(content)
         track.home_amsl_m, track.home_down_m = 1e-3 * content.altitude, home_ned[2]
         local = (content.x, content.y, content.z)
-        if track.origin_told or not track.profile.home_is_local or not all(map(math.isfinite, local)):
+        if track.origin_reported or not track.profile.home_is_local or not all(map(math.isfinite, local)):
             return
         track.offset = (home_ned[0] - local[0], home_ned[1] - local[1], home_ned[2] - local[2])
         track.origin_alt_m = track.home_amsl_m + content.z
@@ -258,18 +260,18 @@ class Fleet:
 
     def _battery(self, track: _Track, content: Any, time_s: float) -> None:
         if content.id == 0:
-            self._take_battery(track, battery_status(content, time_s))
+            self._receive_battery(track, battery_status(content, time_s))
 
     def _system_status(self, track: _Track, content: Any, time_s: float) -> None:
-        self._take_battery(track, sys_status(content, time_s))
+        self._receive_battery(track, sys_status(content, time_s))
 
-    def _take_battery(self, track: _Track, report: BatteryReport) -> None:
+    def _receive_battery(self, track: _Track, report: BatteryReport) -> None:
         self.facts += [(track.member.sysid, fact) for fact in track.battery.report(report, armed=track.armed)]
 
     def _named_int(self, track: _Track, content: Any, time_s: float) -> None:
         track.battery.counter(content.name, content.value)
         if content.name == GIVEN:
-            track.given_told_s = max(track.given_told_s, _session_s(track, content.time_boot_ms, time_s))
+            track.given_reported_s = max(track.given_reported_s, _session_s(track, content.time_boot_ms, time_s))
 
     def _named_float(self, track: _Track, content: Any, time_s: float) -> None:
         if content.name == "CtlEffort" and math.isfinite(content.value):
@@ -279,12 +281,12 @@ class Fleet:
         track.battery.parameter(content.param_id, track.profile.parameter(content.param_value, content.param_type))
 
     def _statustext(self, track: _Track, content: Any, time_s: float) -> None:
-        self.statustexts += [(track.member.sysid, *told) for told in track.texts.hear(content, time_s)]
+        self.statustexts += [(track.member.sysid, *text) for text in track.texts.add(content, time_s)]
 
     def _ack(self, track: _Track, content: Any, time_s: float) -> None:
         self.acks.append((track.member.sysid, content))
 
-    def _take_traffic(self, content: Any, time_s: float) -> None:
+    def _receive_traffic(self, content: Any, time_s: float) -> None:
         o = self.origin
         north, east, down = pymap3d.geodetic2ned(
             1e-7 * content.lat, 1e-7 * content.lon, 1e-3 * content.altitude, o.lat_deg, o.lon_deg, o.alt_m

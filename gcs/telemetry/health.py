@@ -1,6 +1,6 @@
-"""What is wrong with a vehicle, and what part it has in the refuelling: a few words each, from its messages alone.
+"""Health issues of a vehicle, and its part in the refuelling: a few words each, from its messages alone.
 
-Pure functions of a `VehicleView`: a session, a passive monitor and a replay all tell the same.
+Pure functions of a `VehicleView`: a session, a passive monitor and a replay all say the same.
 """
 
 from __future__ import annotations
@@ -57,10 +57,10 @@ def health_issues(
     """
     if not view.alive:
         return [HealthIssue("dead", ACT)]
-    if view.heard_s < 0.0:
+    if view.last_received_s < 0.0:
         return [HealthIssue("no word yet", LOOK)] if now_s >= SILENT_S else []
     found = []
-    silent_s = now_s - view.heard_s
+    silent_s = now_s - view.last_received_s
     if silent_s >= SILENT_S:
         found.append(HealthIssue(f"no word {silent_s:.0f} s", ACT))
     if view.p_ned is None:
@@ -74,7 +74,7 @@ def health_issues(
         found.append(HealthIssue("not flying", ACT))
     if lost_share is not None and lost_share >= LOSS_LOOK:
         found.append(HealthIssue(f"loses {100.0 * lost_share:.0f} %", ACT if lost_share >= LOSS_ACT else LOOK))
-    return sorted(found, key=lambda trouble: -trouble.severity)
+    return sorted(found, key=lambda issue: -issue.severity)
 
 
 def _energy(view: VehicleView) -> list[HealthIssue]:
@@ -92,7 +92,7 @@ def _energy(view: VehicleView) -> list[HealthIssue]:
 
 def severity(found: Iterable[HealthIssue]) -> int:
     """The worst of them."""
-    return max((trouble.severity for trouble in found), default=WELL)
+    return max((issue.severity for issue in found), default=WELL)
 
 
 def state(

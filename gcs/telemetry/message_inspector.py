@@ -1,6 +1,6 @@
-"""Everything that chosen vehicles send: the latest of each message, counted and timed, decoded only when it is told.
+"""Everything that chosen vehicles send: the latest of each message, counted and timed, decoded only when it is sent on.
 
-Nothing is kept of vehicles that nobody asks for.
+Nothing is kept of vehicles that are not asked for.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ class _Latest:
     times_s: deque[float] = field(default_factory=lambda: deque(maxlen=RATE_OVER))
 
     def rate_hz(self) -> float | None:
-        """How often it comes, by the times of the last ones; None before it has come at two times."""
+        """Rate of the message, by the times of the last ones; None before it has come at two times."""
         span_s = self.times_s[-1] - self.times_s[0]
         return (len(self.times_s) - 1) / span_s if span_s > 0.0 else None
 
@@ -46,7 +46,7 @@ class MessageInspector:
         self.wanted = frozenset(sysids)
         self._latest = {sysid: self._latest.get(sysid, {}) for sysid in sorted(self.wanted)}
 
-    def take(self, frames: Iterable[Frame], now_s: float) -> None:
+    def add(self, frames: Iterable[Frame], now_s: float) -> None:
         """Keep what wanted vehicles sent, delivered at `now_s`."""
         for frame in frames:
             messages = self._latest.get(frame.sysid)
@@ -60,7 +60,7 @@ class MessageInspector:
             latest.count += 1
             latest.times_s.append(now_s)
 
-    def told(self, now_s: float) -> dict[str, dict[str, Any]]:
+    def latest(self, now_s: float) -> dict[str, dict[str, Any]]:
         """By system id and message name: count, rate, age, and the latest's fields in MAVLink's own units.
 
         What a named value is called follows the message's name: `NAMED_VALUE_INT XferIn`.
@@ -80,7 +80,7 @@ class MessageInspector:
 
 
 def _own_name(frame: Frame) -> str:
-    """What a message that carries one of several values by name calls it; nothing of any other message."""
+    """Name of the value in a message that carries one of several; nothing of any other message."""
     return str(_fields(frame).get("name", "")).strip() if frame.msgid in _NAMED else ""
 
 

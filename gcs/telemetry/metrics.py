@@ -1,4 +1,4 @@
-"""What a session amounts to, gathered tick by tick from snapshots: paths, tracking and pursuit."""
+"""Measures of a session, gathered tick by tick from snapshots: paths, tracking and pursuit."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from gcs.scenario.model import Scenario
 from gcs.telemetry.pursuit import PursuitHeld
-from gcs.telemetry.state import FleetState, Vec3
+from gcs.telemetry.state import FleetSnapshot, Vec3
 
 if TYPE_CHECKING:
     from gcs.mavlink.setpoints import SetPoint
@@ -36,9 +36,9 @@ class Metrics:
         self.path_length_m: dict[int, float] = {}
         self.max_tracking_error_m: dict[int, float] = {}
 
-    def take(
+    def update(
         self,
-        snapshot: FleetState,
+        snapshot: FleetSnapshot,
         set_points: Iterable[SetPoint],
         pursuing: Mapping[int, int] | None = None,
     ) -> None:
@@ -86,7 +86,7 @@ class Metrics:
                 key = target if self._of_targets else sysid
                 near_m[key] = min(math.dist(here[sysid], here[target]), near_m.get(key, math.inf))
         distances_m = [near_m.get(key, math.nan) for key in self._pursuit.keys]
-        self._pursuit.take(np.array([now_s]), np.array([distances_m]).reshape(1, -1))
+        self._pursuit.update(np.array([now_s]), np.array([distances_m]).reshape(1, -1))
 
 
 def _targets(scenario: Scenario) -> dict[int, int]:

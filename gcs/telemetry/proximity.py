@@ -19,8 +19,8 @@ from gcs.telemetry.approach import Flags, Floats, Ints
 
 GROUND_M = 0.05
 """A vehicle in flight that is no higher than this above its ground touches it."""
-MOST_TOLD = 20
-"""Breaches of one part that are told one by one; of further ones only the least distance is kept."""
+MOST_REPORTED = 20
+"""Breaches of one part that are reported one by one; of further ones only the least distance is kept."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,7 +51,7 @@ class Breach:
 
 @dataclass(frozen=True, eq=False)
 class Places:
-    """Where everything is at a tick, common NED frame, m: (n, 3) and NaN where nobody knows."""
+    """Positions of everything at a tick, common NED frame, m: (n, 3) and NaN where unknown."""
 
     p_ned: Floats
     height_m: Floats
@@ -62,7 +62,7 @@ class Places:
 
 
 class Proximity:
-    """The least distances so far; `take` tells what has just come too near."""
+    """The least distances so far; `update` returns what has just come too near."""
 
     def __init__(self, scenario: Scenario, shapes: Floats) -> None:
         self.separation, self.clearance = Nearest(), Nearest()
@@ -76,14 +76,14 @@ class Proximity:
         self._clearance_m, self._traffic_m = asked.get("clearance", -math.inf), asked.get("traffic", 0.0)
         self._ground = "ground" in asked
         self._near: dict[str, set[tuple[object, ...]]] = {}
-        self._told: set[tuple[object, ...]] = set()
+        self._reported: set[tuple[object, ...]] = set()
         self._count: dict[str, int] = {}
         self._found = np.empty((approach.MOST_FOUND, 4))
         self._last: tuple[float, Floats, Floats, Mapping[str, tuple[float, float, float]]] | None = None
 
-    def take(self, t_s: float, air: Airspace, places: Places) -> list[Breach]:
+    def update(self, t_s: float, airspace: Airspace, places: Places) -> list[Breach]:
         """Count the interval since the last tick; what has come too near in it, each pair once in a session."""
-        known = air.flying & ~np.isnan(places.p_ned[:, 0])
+        known = airspace.flying & ~np.isnan(places.p_ned[:, 0])
         rows = np.flatnonzero(known)
         now = places.p_ned[rows]
         period_s, before = 0.0, now
@@ -99,23 +99,23 @@ class Proximity:
         self._last = (t_s, kept, places.v_ned, places.traffic)
         breaches: list[Breach] = []
         if len(rows):
-            breaches += self._between(t_s, period_s, air, rows, (before, now, v_before, v_now))
-            ours = rows[air.ours[rows]]
+            breaches += self._between(t_s, period_s, airspace, rows, (before, now, v_before, v_now))
+            ours = rows[airspace.ours[rows]]
             if len(ours):
-                own = air.ours[rows]
+                own = airspace.ours[rows]
                 breaches += self._to_shapes(t_s, period_s, ours, before[own], now[own])
                 breaches += self._to_traffic(t_s, period_s, ours, before[own], now[own], traffic_before, places.traffic)
-        return breaches + self._to_ground(t_s, air.up, places.height_m)
+        return breaches + self._to_ground(t_s, airspace.up, places.height_m)
 
     def _between(
-        self, t_s: float, period_s: float, air: Airspace, rows: Ints, ways: tuple[Floats, Floats, Floats, Floats]
+        self, t_s: float, period_s: float, airspace: Airspace, rows: Ints, ways: tuple[Floats, Floats, Floats, Floats]
     ) -> list[Breach]:
-        place = np.full(len(air.flying), -1, dtype=np.int64)
+        place = np.full(len(airspace.flying), -1, dtype=np.int64)
         place[rows] = np.arange(len(rows))
-        exempt = place[air.exempt]
+        exempt = place[airspace.exempt]
         exempt = exempt[(exempt >= 0).all(axis=1)]
         least_m, one, other, share, count = approach.nearest_pair(
-            *ways, period_s, air.ours[rows], exempt, self._separation_m, self.separation.m, self._found
+            *ways, period_s, airspace.ours[rows], exempt, self._separation_m, self.separation.m, self._found
         )
         if least_m < self.separation.m:
             self.separation = self._nearest(least_m, (rows[one], rows[other]), t_s - (1.0 - share) * period_s)
@@ -185,12 +185,12 @@ class Proximity:
         return Nearest(float(m), tuple(sorted(self._sysids[int(row)] for row in rows)), float(t_s), what)
 
     def _new(self, part: str, near: list[Nearest]) -> list[Breach]:
-        """Those that have not been told yet, in an order that depends on nothing else."""
+        """Breaches that have not been reported yet, in an order that depends on nothing else."""
         breaches = []
         for found in sorted(near, key=lambda one: (one.sysids, one.what)):
             key = (part, found.sysids, found.what)
-            if key not in self._told and self._count.get(part, 0) < MOST_TOLD:
-                self._told.add(key)
+            if key not in self._reported and self._count.get(part, 0) < MOST_REPORTED:
+                self._reported.add(key)
                 self._count[part] = self._count.get(part, 0) + 1
                 breaches.append(Breach(part, found))
         return breaches
@@ -208,10 +208,10 @@ class WayPoints:
 
     @property
     def missed(self) -> dict[int, int]:
-        """How many each has not passed yet."""
+        """Number of way points that each has not passed yet."""
         return {sysid: len(left) for sysid, left in self._left.items()}
 
-    def take(self, flying: Flags, p_ned: Floats) -> None:
+    def update(self, flying: Flags, p_ned: Floats) -> None:
         """Count the way since the last tick, straight."""
         for sysid, left in self._left.items():
             row = self._rows[sysid]

@@ -31,16 +31,16 @@ class PursuitHeld:
         """The least of them; 0 without any."""
         return float(self._held_s.min()) if self.keys else 0.0
 
-    def take(self, t_s: Floats, distance_m: Floats) -> Floats:
+    def update(self, t_s: Floats, distance_m: Floats) -> Floats:
         """Go on with ticks at (k,), and distances (k, n) of the keys at them, NaN where not known; (k,) the least that
         any key had held by each."""
         worst_s = np.zeros(len(t_s))
-        _take(t_s, distance_m, self._within_m, self._since_s, self._held_s, worst_s)
+        _update(t_s, distance_m, self._within_m, self._since_s, self._held_s, worst_s)
         return worst_s
 
 
 @njit(cache=True)
-def _take(t_s: Floats, distance_m: Floats, within_m: float, since_s: Floats, held_s: Floats, worst_s: Floats) -> None:
+def _update(t_s: Floats, distance_m: Floats, within_m: float, since_s: Floats, held_s: Floats, worst_s: Floats) -> None:
     """Kernel: fills worst_s (k,); since_s (n,), NaN for not held, and held_s (n,) go on from call to call."""
     for k in range(t_s.size):
         for i in range(held_s.size):

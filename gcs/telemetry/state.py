@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from gcs.mavlink.autopilots import FlightMode, Profile
+from gcs.renamed import warn_of_field
 
 Vec3 = tuple[float, float, float]
 ZERO: Vec3 = (0.0, 0.0, 0.0)
@@ -15,7 +16,7 @@ STALE_S = 1.5
 
 
 class VehicleView(NamedTuple):
-    """One vehicle as its messages show it at the snapshot's time. None: not told yet.
+    """One vehicle as its messages show it at the snapshot's time. None: not reported yet.
 
     Positions and velocities are in the common NED frame; `age_s` is how old the position is. Energies are in J.
     """
@@ -28,7 +29,7 @@ class VehicleView(NamedTuple):
     mode: FlightMode
     armed: bool
     landed: bool
-    heard_s: float
+    last_received_s: float
     p_ned: Vec3 | None
     v_ned: Vec3
     age_s: float
@@ -37,11 +38,11 @@ class VehicleView(NamedTuple):
     ground_amsl_m: float
     capacity_j: float
     initial_j: float
-    battery_told: bool
+    battery_reported: bool
     drawn_j: float
     received_j: int
     given_j: int
-    given_told_s: float
+    given_reported_s: float
     power_w: float
     energy_source: str
     control_effort: float
@@ -52,7 +53,7 @@ class VehicleView(NamedTuple):
     failsafe: bool = False
     """whether its autopilot says that it flies by a failsafe of its own"""
     p_local_ned: Vec3 | None = None
-    """in its own frame; where that lies it may not have told yet"""
+    """in its own frame; where that lies it may not have reported yet"""
     roll_rad: float = 0.0
     pitch_rad: float = 0.0
 
@@ -65,7 +66,7 @@ class VehicleView(NamedTuple):
 
     @property
     def remaining_j(self) -> float:
-        """What the battery holds, by the vehicle's messages alone (docs/protocol.md#energy-accounting)."""
+        """Energy in the battery, J, by the vehicle's messages alone (docs/protocol.md#energy-accounting)."""
         return self.initial_j + self.received_j - self.drawn_j - self.given_j
 
     @property
@@ -75,7 +76,7 @@ class VehicleView(NamedTuple):
 
     @property
     def endurance_s(self) -> float:
-        """How long the battery lasts at the present draw."""
+        """Time that the battery lasts at the present draw."""
         return self.remaining_j / self.power_w if self.power_w > 0.0 else math.inf
 
     @property
@@ -85,8 +86,26 @@ class VehicleView(NamedTuple):
 
     @property
     def fresh(self) -> bool:
-        """Lives, and has told its place lately: only then is it led, followed, refuelled and measured."""
+        """Lives, and has reported its place lately: only then is it led, followed, refuelled and measured."""
         return self.alive and self.age_s <= STALE_S
+
+    @property
+    def heard_s(self) -> float:
+        """Old name of `last_received_s`."""
+        warn_of_field("VehicleView", "heard_s", "last_received_s")
+        return self.last_received_s
+
+    @property
+    def battery_told(self) -> bool:
+        """Old name of `battery_reported`."""
+        warn_of_field("VehicleView", "battery_told", "battery_reported")
+        return self.battery_reported
+
+    @property
+    def given_told_s(self) -> float:
+        """Old name of `given_reported_s`."""
+        warn_of_field("VehicleView", "given_told_s", "given_reported_s")
+        return self.given_reported_s
 
     def p_now_ned(self) -> Vec3:
         """Position carried forward by its age while that is fresh; call only where `p_ned` is known."""
@@ -107,7 +126,7 @@ class TrafficView:
 
 
 @dataclass(frozen=True, slots=True)
-class FleetState:
+class FleetSnapshot:
     """The fleet at one instant of the session; vehicles in order of system id."""
 
     time_s: float

@@ -22,7 +22,7 @@ from starlette.routing import Route, WebSocketRoute
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from gcs.web import document
-from gcs.web.hub import Hub, Listener
+from gcs.web.hub import Hub, PageListener
 
 HERE = frozenset({"127.0.0.1", "localhost", "::1"})
 PROTOCOL = "skytender"
@@ -48,7 +48,7 @@ Send = Callable[[Mapping[str, Any]], object]
 
 
 class Tokens(NamedTuple):
-    """What opens the stream: `command` also takes commands."""
+    """Tokens that open the stream: with `command` it takes commands too."""
 
     command: str
     view: str
@@ -59,7 +59,7 @@ class Tokens(NamedTuple):
         return cls(secrets.token_urlsafe(18), secrets.token_urlsafe(18))
 
     def commands(self, given: str) -> bool | None:
-        """Whether who has this one may command; None: it opens nothing."""
+        """Whether this one lets a page command; None: it opens nothing."""
         if hmac.compare_digest(given.encode(), self.command.encode()):
             return True
         return False if hmac.compare_digest(given.encode(), self.view.encode()) else None
@@ -147,9 +147,9 @@ def _own(origin: str | None, host: str | None) -> bool:
 
 async def _serve(socket: WebSocket, hub: Hub, commands: bool, send: Send) -> None:
     """One page, until it goes: lines out, commands in."""
-    news = asyncio.Event()
-    listener = hub.join(commands, news.set)
-    speaking = asyncio.create_task(_speak(socket, listener, news))
+    arrived = asyncio.Event()
+    listener = hub.join(commands, arrived.set)
+    speaking = asyncio.create_task(_speak(socket, listener, arrived))
     try:
         while True:
             text = await socket.receive_text()
@@ -165,10 +165,10 @@ async def _serve(socket: WebSocket, hub: Hub, commands: bool, send: Send) -> Non
             await speaking
 
 
-async def _speak(socket: WebSocket, listener: Listener, news: asyncio.Event) -> None:
+async def _speak(socket: WebSocket, listener: PageListener, arrived: asyncio.Event) -> None:
     while True:
-        await news.wait()
-        news.clear()
+        await arrived.wait()
+        arrived.clear()
         while (line := listener.take()) is not None:
             await socket.send_text(line.decode())
         if listener.slow:

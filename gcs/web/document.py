@@ -34,7 +34,7 @@ def built(name: str) -> str:
 
 
 def config(source: Literal["server", "report"]) -> dict[str, Any]:
-    """What the script is told: the palette, the operator's orders, and where its flight comes from."""
+    """Settings of the script: the palette, the operator's orders, and where its flight comes from."""
     palette = {"light": LIGHT, "dark": DARK, "sources": {"light": SOURCES_LIGHT, "dark": SOURCES_DARK}}
     return {"palette": palette, "orders": [asdict(order) for order in ORDERS], "source": source}
 

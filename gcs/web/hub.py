@@ -14,7 +14,7 @@ from typing import Any
 import msgspec
 
 PAST_BYTES = 16 << 20
-"""What is kept of the past for late pages."""
+"""Kept of the past for late pages."""
 PAST_EVERY_S = 0.5
 MOST_EVENTS = 4000
 MOST_WAITING = 400
@@ -23,7 +23,7 @@ READ_ONLY = "This link shows the session and takes no commands: open the link wi
 Message = Mapping[str, Any]
 
 
-class Listener:
+class PageListener:
     """One page: the lines that wait for it. `wake` is called when there is one, or when it is let go of."""
 
     def __init__(self, number: int, commands: bool, wake: Callable[[], object]) -> None:
@@ -52,7 +52,7 @@ class Listener:
 
 
 class Hub:
-    """What has been told, and who listens."""
+    """The lines received so far, and the pages that listen."""
 
     def __init__(self, past_bytes: int = PAST_BYTES) -> None:
         self._encoder = msgspec.json.Encoder()
@@ -60,11 +60,11 @@ class Hub:
         self._newest: bytes | None = None
         self._end: bytes | None = None
         self._events: deque[Any] = deque(maxlen=MOST_EVENTS)
-        self._told = 0
+        self._event_count = 0
         self._past: list[tuple[float, bytes]] = []
         self._past_bytes, self._past_room = 0, past_bytes
         self._past_every_s = PAST_EVERY_S
-        self._listeners: dict[int, Listener] = {}
+        self._listeners: dict[int, PageListener] = {}
         self._number = 0
 
     @property
@@ -91,12 +91,12 @@ class Hub:
                 self._reply(message)
             elif kind == "end":
                 self._end = self._encoder.encode(message)
-                self._tell(self._end)
+                self._broadcast(self._end)
 
-    def join(self, commands: bool, wake: Callable[[], object]) -> Listener:
+    def join(self, commands: bool, wake: Callable[[], object]) -> PageListener:
         """A page that has come; what it is told first waits for it already."""
         self._number += 1
-        listener = self._listeners[self._number] = Listener(self._number, commands, wake)
+        listener = self._listeners[self._number] = PageListener(self._number, commands, wake)
         if self._session is not None:
             listener.put(self._greeting(listener))
         past = b"[" + b",".join(line for _, line in self._past) + b"]"
@@ -108,12 +108,12 @@ class Hub:
             listener.put(self._end)
         return listener
 
-    def leave(self, listener: Listener) -> None:
+    def leave(self, listener: PageListener) -> None:
         """A page that has gone."""
         self._listeners.pop(listener.number, None)
 
-    def command(self, listener: Listener, text: str) -> Message | None:
-        """What a page asks for, as the source is to be told; None where it was answered already."""
+    def command(self, listener: PageListener, text: str) -> Message | None:
+        """The command of a page, as the source is to be told; None where it was answered already."""
         try:
             content = msgspec.json.decode(text)
         except (ValueError, RecursionError):
@@ -127,16 +127,16 @@ class Hub:
             return None
         return {**content, "id": f"{listener.number}/{given}"}
 
-    def _greeting(self, listener: Listener, *, events: bool = True) -> bytes:
+    def _greeting(self, listener: PageListener, *, events: bool = True) -> bytes:
         assert self._session is not None
-        told: dict[str, Any] = {"events": list(self._events), "told": self._told} if events else {}
+        told: dict[str, Any] = {"events": list(self._events), "told": self._event_count} if events else {}
         control = bool(self._session.get("control")) and listener.commands
         return self._encoder.encode({**self._session, "control": control, **told})
 
     def _take_snapshot(self, message: Message) -> None:
         events = message.get("events") or ()
         self._events.extend(events)
-        self._told += len(events)
+        self._event_count += len(events)
         line = self._encoder.encode(message)
         self._keep(float(message.get("t_s") or 0.0), message, line, plain=not events)
         self._newest = line if not events else self._encoder.encode({**message, "events": []})
@@ -163,7 +163,7 @@ class Hub:
         if listener is not None:
             listener.put(self._encoder.encode({**message, "id": given}))
 
-    def _tell(self, line: bytes) -> None:
+    def _broadcast(self, line: bytes) -> None:
         for listener in self._listeners.values():
             listener.put(line)
 

@@ -33,8 +33,8 @@ def links(at: socket.socket, tokens: Tokens) -> dict[str, str]:
     return {name: f"http://{host}:{port}/#token={token}" for name, token in tokens._asdict().items()}
 
 
-def serve(source: MessageSource, tell: Callable[[Mapping[str, str]], object]) -> None:
-    """Serve until the source's end, SIGINT or SIGTERM; `tell` gets the links when they work. Closes the source."""
+def serve(source: MessageSource, ready: Callable[[Mapping[str, str]], object]) -> None:
+    """Serve until the source's end, SIGINT or SIGTERM; `ready` gets the links when they work. Closes the source."""
     tokens, hub, at = Tokens.fresh(), Hub(), listening()
     orders: deque[Mapping[str, Any]] = deque()
     app = application(hub, tokens, orders.append)
@@ -51,7 +51,7 @@ def serve(source: MessageSource, tell: Callable[[Mapping[str, str]], object]) ->
     )
     server = uvicorn.Server(config)
     with at:
-        asyncio.run(_serve(server, at, lambda: tell(links(at, tokens)), source, hub, orders))
+        asyncio.run(_serve(server, at, lambda: ready(links(at, tokens)), source, hub, orders))
 
 
 async def _serve(

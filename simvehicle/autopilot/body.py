@@ -21,7 +21,7 @@ CHUNK_MS = 100
 
 @dataclass(frozen=True)
 class Start:
-    """Where and how a vehicle begins; `airborne`: armed, in offboard on its own state, and without a ground."""
+    """Start of a vehicle; `airborne`: armed, in offboard on its own state, and without a ground."""
 
     p_ned: Vec3 = AT_REST
     v_ned: Vec3 = AT_REST
@@ -108,7 +108,7 @@ class Body:
 
     @property
     def capacity_j(self) -> float:
-        """What the battery holds."""
+        """Energy in the battery, J."""
         return self.parameters["SIM_BAT_CAP_J"]
 
     @property
@@ -127,7 +127,7 @@ class Body:
         self._now = self.state[0].tolist()
 
     def fly(self, steps: int, wanted: ManeuverTarget, *, yaw_ned_rad: float, motors: bool) -> None:
-        """Fly some steps of 4 ms towards a wish; `time_ms` is the caller's to move."""
+        """Fly some steps of 4 ms towards a set point; `time_ms` is the caller's to move."""
         self._command[0] = (  # in the order of flight.CMD_…
             *nwu_from_ned(wanted.p_ned),
             *nwu_from_ned(wanted.v_ned),

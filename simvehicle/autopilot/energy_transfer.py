@@ -40,13 +40,13 @@ class TransferOrder:
 
     @property
     def key(self) -> OrderKey:
-        """What tells one transfer from all others."""
+        """Key that distinguishes one transfer from all others."""
         return self.partner, self.role, self.transfer_id, self.giver_start_j
 
 
 @dataclass(frozen=True)
 class Envelope:
-    """How near and how slow a giver must be for a receiver to take from it."""
+    """Distance and speed of a giver that allow a receiver to take from it."""
 
     capture_m: float
     relative_speed_m_s: float
@@ -54,7 +54,7 @@ class Envelope:
 
 @dataclass(frozen=True)
 class Neighbour:
-    """The partner as its FOLLOW_TARGET told it last, in the own local frame."""
+    """The partner as its FOLLOW_TARGET reported it last, in the own local frame."""
 
     p_ned: tuple[float, float, float]
     v_ned: tuple[float, float, float]
@@ -89,7 +89,7 @@ class Transfer:
         self.order = order
         self._moved_j = 0
         self._fraction_j = 0.0
-        self._heard_j = 0
+        self._reported_j = 0
         self._progress_s = now_s
         self._seen_in_j: int | None = None
 
@@ -100,8 +100,8 @@ class Transfer:
 
     @property
     def touched(self) -> bool:
-        """Whether joules have moved, or were heard to be on their way."""
-        return self._moved_j > 0 or self._heard_j > 0
+        """Whether joules have moved, or were reported to be on their way."""
+        return self._moved_j > 0 or self._reported_j > 0
 
     def stopped_by(self, stop: TransferOrder) -> bool:
         """Whether a STOP means this transfer: 0 stands for any partner or id."""
@@ -115,19 +115,19 @@ class Transfer:
         self._moved_j += whole_j
         return whole_j
 
-    def hear_in(self, xfer_in_j: int, now_s: float) -> None:
-        """The receiver's XferIn, as the giver hears it."""
+    def receive_in(self, xfer_in_j: int, now_s: float) -> None:
+        """Take in the receiver's XferIn, at the giver."""
         if self._seen_in_j is None or xfer_in_j > self._seen_in_j:
             self._progress_s = now_s
         self._seen_in_j = max(xfer_in_j, self._seen_in_j or 0)
 
-    def hear_out(self, xfer_out_j: int) -> None:
-        """The giver's XferOut, as the receiver hears it."""
-        self._heard_j = max(self._heard_j, xfer_out_j - self.order.giver_start_j)
+    def receive_out(self, xfer_out_j: int) -> None:
+        """Take in the giver's XferOut, at the receiver."""
+        self._reported_j = max(self._reported_j, xfer_out_j - self.order.giver_start_j)
 
     def credit(self, room_j: float) -> int:
-        """Whole joules that the receiver books now: all that it heard of and has room for."""
-        whole_j = min(self._heard_j - self._moved_j, floor(max(room_j, 0.0)))
+        """Whole joules that the receiver books now: all that were reported and that it has room for."""
+        whole_j = min(self._reported_j - self._moved_j, floor(max(room_j, 0.0)))
         self._moved_j += whole_j
         return whole_j
 
@@ -168,14 +168,14 @@ class Exchange:
             return refusal(self.neighbours.get(order.partner), p_ned, v_ned, now_s, envelope)
         return None
 
-    def hear_counter(self, partner: int, name: str, value_j: int, now_s: float) -> None:
+    def receive_counter(self, partner: int, name: str, value_j: int, now_s: float) -> None:
         """XferOut or XferIn of the partner, as relayed."""
         if self.current is None or self.current.order.partner != partner:
             return
         if name == "XferOut" and self.current.order.role is TransferSide.RECEIVE:
-            self.current.hear_out(value_j)
+            self.current.receive_out(value_j)
         elif name == "XferIn" and self.current.order.role is TransferSide.GIVE:
-            self.current.hear_in(value_j, now_s)
+            self.current.receive_in(value_j, now_s)
 
     def move(
         self,

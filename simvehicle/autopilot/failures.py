@@ -1,11 +1,11 @@
-"""What can be made to fail while a vehicle flies, and what each failure does to it.
+"""Failures that can be injected while a vehicle flies, and their effects.
 
 | failure | effect [choice] |
 |---|---|
-| GPS | no fix is told; the vehicle cannot arm, and in the air it lands on its velocity alone |
-| BATTERY | an empty battery is told, and the vehicle lands as on an empty one; the energy ledger goes on |
+| GPS | no fix is reported; the vehicle cannot arm, and in the air it lands on its velocity alone |
+| BATTERY | an empty battery is reported, and the vehicle lands as on an empty one; the energy ledger goes on |
 | MOTOR | all motors stop, as a quadrotor's controller does when one is gone; the vehicle falls, crashes and disarms |
-| LINK | the vehicle hears and says nothing but the order that mends it |
+| LINK | the vehicle receives and sends nothing but the order that mends it |
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Following somebody: where to be beside a target that tells where it is. Pure functions; NED, m, m/s, rad."""
+"""Following: the place beside a target that reports its position. Pure functions; NED, m, m/s, rad."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ SLOWEST_COURSE_M_S = 0.3
 
 
 class Followed(NamedTuple):
-    """A target as it was told last, its velocity smoothed, and the course that it keeps."""
+    """A target as it was reported last, its velocity smoothed, and the course that it keeps."""
 
     p_ned: Vec3
     v_ned: Vec3
@@ -20,7 +20,9 @@ class Followed(NamedTuple):
     time_s: float
 
 
-def hear(last: Followed | None, p_ned: Vec3, v_ned: Vec3, now_s: float, *, kept: float, towards_rad: float) -> Followed:
+def smoothed(
+    last: Followed | None, p_ned: Vec3, v_ned: Vec3, now_s: float, *, kept: float, towards_rad: float
+) -> Followed:
     """Take a report in; `kept`: the share of the old velocity in the new; `towards_rad`: the course to begin with."""
     if last is not None:
         north, east, down = (kept * old + (1.0 - kept) * new for old, new in zip(last.v_ned, v_ned, strict=True))
@@ -32,7 +34,7 @@ def hear(last: Followed | None, p_ned: Vec3, v_ned: Vec3, now_s: float, *, kept:
 
 
 def place_beside(target: Followed, *, distance_m: float, angle_rad: float, down_m: float) -> Vec3:
-    """Where to be when the report was made: at a distance, an angle from its course (0 ahead, pi behind), a height."""
+    """Place wanted when the report was made: at a distance, an angle from its course (0 ahead, pi behind), a height."""
     bearing_rad = target.course_rad + angle_rad
     north = target.p_ned[0] + distance_m * cos(bearing_rad)
     east = target.p_ned[1] + distance_m * sin(bearing_rad)

@@ -1,4 +1,4 @@
-"""Who the vehicle says it is: every number that changes with the autopilot it stands in for, in one table."""
+"""Identity of the vehicle: every number that changes with the autopilot it stands in for, in one table."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def _px4(main: int, sub: int = 0) -> int:
 
 @dataclass(frozen=True)
 class Identity:
-    """One autopilot's numbers; `spoken` is what HEARTBEAT says of a mode, `heard` what a mode request may say.
+    """One autopilot's numbers; `spoken` is what HEARTBEAT says of a mode, `requestable` what a mode request may say.
 
     `modes_packed`: MAV_CMD_DO_SET_MODE carries main and sub mode in two parameters. `guided`: one mode is both offboard
     and holding, so that it may be entered without set points. `item_0_is_home`: missions begin with home, which is not
@@ -25,7 +25,7 @@ class Identity:
 
     autopilot: int
     spoken: Mapping[Mode, int]
-    heard: Mapping[int, Mode]
+    requestable: Mapping[int, Mode]
     integers_bytewise: bool
     takeoff_altitude_is_relative: bool
     modes_packed: bool
@@ -71,11 +71,11 @@ _ARDUCOPTER_MODES = {
     Mode.REFUEL: 4,
     Mode.GUIDED: 4,
 }
-_PX4_HEARD = {
+_PX4_REQUESTABLE = {
     **{number: mode for mode, number in _PX4_MODES.items() if mode not in {Mode.REFUEL, Mode.GUIDED}},
     _px4(3): Mode.HOLD,
 }
-_ARDUCOPTER_HEARD = {
+_ARDUCOPTER_REQUESTABLE = {
     3: Mode.MISSION,
     4: Mode.OFFBOARD,
     5: Mode.HOLD,
@@ -89,7 +89,7 @@ IDENTITIES: dict[str, Identity] = {
     "px4": Identity(
         autopilot=mav.MAV_AUTOPILOT_PX4,
         spoken=_PX4_MODES,
-        heard=_PX4_HEARD,
+        requestable=_PX4_REQUESTABLE,
         integers_bytewise=True,
         takeoff_altitude_is_relative=False,
         modes_packed=True,
@@ -100,7 +100,7 @@ IDENTITIES: dict[str, Identity] = {
     "ardupilot": Identity(
         autopilot=mav.MAV_AUTOPILOT_ARDUPILOTMEGA,
         spoken=_ARDUCOPTER_MODES,
-        heard=_ARDUCOPTER_HEARD,
+        requestable=_ARDUCOPTER_REQUESTABLE,
         integers_bytewise=False,
         takeoff_altitude_is_relative=True,
         modes_packed=False,
@@ -111,7 +111,7 @@ IDENTITIES: dict[str, Identity] = {
     "generic": Identity(
         autopilot=mav.MAV_AUTOPILOT_GENERIC,
         spoken=_PX4_MODES,
-        heard=_PX4_HEARD,
+        requestable=_PX4_REQUESTABLE,
         integers_bytewise=True,
         takeoff_altitude_is_relative=True,
         modes_packed=True,

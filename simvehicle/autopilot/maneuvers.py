@@ -1,4 +1,4 @@
-"""What each mode wants flown: pure functions of what the mode keeps, the last set point and the vehicle's place.
+"""Set points of each mode: pure functions of what the mode keeps, the last set point and the vehicle's place.
 
 Places are NED in the local frame, m; times are s since boot.
 """
@@ -20,7 +20,7 @@ AT_REST: Vec3 = (0.0, 0.0, 0.0)
 BRAKING_M_S2 = 2.5
 REACTION_S = 0.3
 FOLLOW_SILENCE_S = 3.0
-"""A vehicle that follows somebody holds when it has not heard of them for this long."""
+"""A vehicle that follows holds when its target has been silent for this long."""
 FOLLOW_ITS_HEIGHT = 2
 """FLW_TGT_ALT_M for a height above the target; other values: above home."""
 _EVERYWHERE = (True, True, True)
@@ -28,7 +28,7 @@ _EVERYWHERE = (True, True, True)
 
 @dataclass(frozen=True)
 class OffboardSetPoint:
-    """What offboard control asked for last; `use_position`: the axes on which a position counts beside the velocity.
+    """Offboard control's last set point; `use_position`: the axes on which a position counts beside the velocity.
 
     Of yaw and yaw rate at most one counts; where both are None the yaw stays.
     """
@@ -49,7 +49,8 @@ class OffboardSetPoint:
 
 @dataclass(frozen=True)
 class Anchor:
-    """What a mode keeps while it lasts: a place, since when, and the down coordinate that it climbs or returns at.
+    """State that a mode keeps while it lasts: a place, since when, and the down coordinate that it climbs or returns
+    at.
 
     `speed_m_s` is the greatest speed on the way to the place, where one was asked for.
     """
@@ -71,13 +72,13 @@ class ManeuverTarget(NamedTuple):
 
 
 def resting_place(p_ned: Vec3, v_ned: Vec3, *, ground: bool, landed: bool) -> Vec3:
-    """Where a vehicle comes to rest that is told to stop now; never below the ground where there is one."""
+    """Place where a vehicle comes to rest that is to stop now; never below the ground where there is one."""
     coast_s = 0.0 if landed else REACTION_S + hypot(*v_ned) / (2.0 * BRAKING_M_S2)
     north, east, down = (p + coast_s * v for p, v in zip(p_ned, v_ned, strict=True))
     return north, east, min(down, 0.0) if ground else down
 
 
-def wish(
+def set_point_of(
     mode: Mode,
     setpoint: OffboardSetPoint | None,
     anchor: Anchor,
@@ -91,7 +92,7 @@ def wish(
     followed: Followed | None = None,
     blind: bool = False,
 ) -> ManeuverTarget:
-    """What the mode wants flown from `now_s` on by a vehicle at `p_ned`; `blind`: it does not know where that is."""
+    """Set point of the mode from `now_s` on for a vehicle at `p_ned`; `blind`: it does not know where that is."""
     fastest = parameters["MPC_XY_VEL_MAX"]
     north, east, _ = anchor.p_ned
     if mode in STEERED and setpoint is not None:
@@ -113,14 +114,14 @@ def wish(
 
 
 def landing(anchor: Anchor, parameters: Parameters, *, blind: bool = False) -> ManeuverTarget:
-    """Sink over a place, or, `blind`, without knowing where that is: straight down as far as the velocity tells."""
+    """Sink over a place, or, `blind`, without knowing where that is: straight down as far as the velocity shows."""
     sink = (0.0, 0.0, parameters["MPC_LAND_SPEED"])
     held = (not blind, not blind, False)
     return ManeuverTarget(anchor.p_ned, sink, held, anchor.time_s, parameters["MPC_XY_VEL_MAX"])
 
 
 def on_mission(mission: Mission, anchor: Anchor, *, now_s: float, parameters: Parameters) -> ManeuverTarget:
-    """What a mission wants flown; without a goal, to stay at the anchor."""
+    """Set point of a mission; without a goal, to stay at the anchor."""
     fastest = parameters["MPC_XY_VEL_MAX"]
     goal = mission.goal_ned
     if goal is None:
@@ -134,7 +135,7 @@ def on_mission(mission: Mission, anchor: Anchor, *, now_s: float, parameters: Pa
 def following(
     target: Followed | None, anchor: Anchor, *, home_ned: Vec3, now_s: float, parameters: Parameters
 ) -> ManeuverTarget:
-    """Where to be beside a target; without one, or when it has fallen silent, to stay at the anchor."""
+    """Set point beside a target; without one, or when it has fallen silent, to stay at the anchor."""
     fastest = parameters["MPC_XY_VEL_MAX"]
     if target is None or now_s - target.time_s > FOLLOW_SILENCE_S:
         return ManeuverTarget(anchor.p_ned, AT_REST, _EVERYWHERE, now_s, fastest)

@@ -25,7 +25,7 @@ OVER_M = 0.3
 
 
 class Kind(StrEnum):
-    """What a leg asks for."""
+    """Kind of a leg."""
 
     TAKEOFF = "take-off"
     WAYPOINT = "waypoint"
@@ -57,7 +57,7 @@ class Leg(NamedTuple):
 
 
 class Outcome(Enum):
-    """What a mission asks of the vehicle's mode."""
+    """Request of a mission to the vehicle's mode."""
 
     GOING = 0
     RETURN = 1
@@ -65,7 +65,8 @@ class Outcome(Enum):
 
 
 class Mission:
-    """The legs and how far they are flown; `reached` collects the numbers of legs reached, for whoever tells them."""
+    """The legs and how far they are flown; `reached` collects the numbers of legs reached, for the mission
+    microservice."""
 
     def __init__(self, legs: Sequence[Leg]) -> None:
         self.legs = tuple(legs)

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 
 class Mode(StrEnum):
-    """What the vehicle is flying."""
+    """Flight mode."""
 
     TAKEOFF = "takeoff"
     OFFBOARD = "offboard"
@@ -29,7 +29,7 @@ class Mode(StrEnum):
 
 
 class Trigger(StrEnum):
-    """What can change the mode or the arming."""
+    """Triggers that can change the mode or the arming."""
 
     ARM = "arm"
     DISARM = "disarm"
@@ -58,7 +58,7 @@ class Trigger(StrEnum):
 
 
 class Severity(StrEnum):
-    """How loudly a change is announced."""
+    """Severity with which a change is announced."""
 
     INFO = "info"
     WARNING = "warning"
@@ -121,7 +121,7 @@ RULES: tuple[Rule, ...] = (
 )
 
 STAND_DOWN = Rule(Trigger.DISARM, ANY, True, Mode.HOLD, False, _W, "Failsafe on the ground, disarmed")
-"""What every failsafe does to a vehicle that stands on the ground."""
+"""Mode to which every failsafe puts a vehicle that stands on the ground."""
 
 FAILSAFES: tuple[Trigger, ...] = (
     Trigger.BATTERY_EMPTY,

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from pymavlink.dialects.v20 import common as mav
 
-from simvehicle.law.params import NAMED, Battery, Gains, Limits, VehicleParams
+from simvehicle.law.params import NAMED, BatteryParams, Gains, Limits, VehicleParams
 
 UNKNOWN: int = mav.MAV_PARAM_ERROR_DOES_NOT_EXIST
 OUT_OF_RANGE: int = mav.MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE
@@ -32,7 +32,7 @@ class ParameterError(ValueError):
         self.code = code
 
 
-class Row(NamedTuple):
+class ParameterRow(NamedTuple):
     """One parameter: its least and greatest value, its default and what it is; `whole`: an INT32 on the wire."""
 
     name: str
@@ -46,49 +46,59 @@ class Row(NamedTuple):
 _FLIGHT = NAMED["default"]
 _DEG = 180.0 / math.pi
 
-TABLE: tuple[Row, ...] = (
-    Row("ARMING_CHECK", 0, 1, 1, "1: refuse to arm with a fault or an empty battery, 0: arm anyway", whole=True),
-    Row("BAT_EMERGEN_THR", 0.0, 1.0, 0.05, "battery share below which the vehicle lands"),
-    Row("CAL_ACC0_ID", 0, 2**24, 1310988, "accelerometer's id, for ground stations that ask", whole=True),
-    Row("CAL_GYRO0_ID", 0, 2**24, 1310988, "gyroscope's id, for ground stations that ask", whole=True),
-    Row("CAL_MAG0_ID", 0, 2**24, 197388, "magnetometer's id, for ground stations that ask", whole=True),
-    Row("COM_DL_LOSS_T", 1.0, 300.0, 5.0, "s without the ground station's HEARTBEAT before the vehicle returns"),
-    Row("COM_OF_LOSS_T", 0.1, 60.0, 1.0, "s without a set point before offboard falls back to hold"),
-    Row("COM_RC_IN_MODE", 0, 4, 1, "1: no radio control, for ground stations that ask", whole=True),
-    Row("FLW_TGT_ALT_M", 0, 2, 0, "following: 0 and 1 height above home, 2 above the target", whole=True),
-    Row("FLW_TGT_DST", 1.0, 100.0, 8.0, "m from the target on the ground when following"),
-    Row("FLW_TGT_FA", -180.0, 180.0, 180.0, "deg from the target's course: 0 ahead of it, 180 behind"),
-    Row("FLW_TGT_HT", 1.0, 100.0, 8.0, "m of height when following"),
-    Row("FLW_TGT_MAX_VEL", 0.5, 20.0, 5.0, "m/s, greatest speed of following"),
-    Row("FLW_TGT_RS", 0.0, 0.99, 0.1, "share of a followed target's old velocity in the new one"),
-    Row("GF_ACTION", 0, 3, 2, "when the geofence is breached: 0 nothing, 1 warn, 2 hold, 3 return", whole=True),
-    Row("MIS_TAKEOFF_ALT", 0.5, 80.0, 2.5, "m above home that a take-off without altitude climbs to"),
-    Row("MPC_ACC_HOR", 0.5, 15.0, _FLIGHT.limits.acceleration_m_s2, "m/s2 of the guidance"),
-    Row("MPC_LAND_SPEED", 0.1, 3.0, 0.7, "m/s of descent"),
-    Row("MPC_THR_MAX_G", 1.1, 10.0, 2.0, "greatest thrust, in weights"),
-    Row("MPC_TILTMAX_AIR", 5.0, 89.0, _FLIGHT.limits.tilt_rad * _DEG, "deg of greatest tilt"),
-    Row("MPC_TKO_SPEED", 0.2, 5.0, 1.5, "m/s of climb"),
-    Row("MPC_XY_CRUISE", 0.5, 20.0, 5.0, "m/s on the way home"),
-    Row("MPC_XY_VEL_MAX", 0.5, 20.0, _FLIGHT.limits.speed_m_s, "m/s, greatest speed of the guidance"),
-    Row("NAV_ACC_RAD", 0.05, 200.0, 0.5, "m, how near to a waypoint that names no radius is there"),
-    Row("RC_MAP_PITCH", 0, 18, 0, "no radio control, for ground stations that ask", whole=True),
-    Row("RC_MAP_ROLL", 0, 18, 0, "no radio control, for ground stations that ask", whole=True),
-    Row("RC_MAP_THROTTLE", 0, 18, 0, "no radio control, for ground stations that ask", whole=True),
-    Row("RC_MAP_YAW", 0, 18, 0, "no radio control, for ground stations that ask", whole=True),
-    Row("RTL_RETURN_ALT", 1.0, 150.0, 5.0, "m above home at which the vehicle returns"),
-    Row("SIM_ANGACC_MAX", 5.0, 1000.0, _FLIGHT.limits.angular_acceleration_rad_s2, "rad/s2, greatest"),
-    Row("SIM_BAT_AVION_W", 0.0, 1e4, _FLIGHT.battery.avionics_w, "W drawn by the avionics"),
-    Row("SIM_BAT_CAP_J", 1.0, 1e9, _FLIGHT.battery.capacity_j, "J that the battery holds"),
-    Row("SIM_BAT_HOVER_W", 0.0, 1e5, _FLIGHT.battery.hover_w, "W drawn by hovering"),
-    Row("SIM_BAT_INIT_J", 0.0, 1e9, _FLIGHT.battery.initial_j, "J in the battery at start; read once, then fixed"),
-    Row("SIM_GAIN_ANGLE", 1e-3, 1e4, _FLIGHT.gains.angle, "Aq, angle gain of the inner loop"),
-    Row("SIM_GAIN_RATE", 1e-3, 1e3, _FLIGHT.gains.rate, "Ap, rate gain of the inner loop"),
-    Row("SIM_GAIN_SET", 0, 1, 0, "0: gains and limits below; 1: the paper's gains without limits; fixed", whole=True),
-    Row("SIM_GAIN_SPEED", 1e-3, 1e2, _FLIGHT.gains.speed, "lambda, gain of the outer loop"),
-    Row("SIM_XFER_DIST", 0.1, 100.0, 1.5, "m, greatest distance of a giver"),
-    Row("SIM_XFER_SPEED", 0.05, 10.0, 0.5, "m/s, greatest relative speed of a giver"),
-    Row("SYS_AUTOSTART", 0, 99999, 4001, "airframe number, for ground stations that ask", whole=True),
-    Row("SYS_FAILURE_EN", 0, 1, 0, "1 lets MAV_CMD_INJECT_FAILURE make things fail", whole=True),
+TABLE: tuple[ParameterRow, ...] = (
+    ParameterRow(
+        "ARMING_CHECK", 0, 1, 1, "1: refuse to arm with a fault or an empty battery, 0: arm anyway", whole=True
+    ),
+    ParameterRow("BAT_EMERGEN_THR", 0.0, 1.0, 0.05, "battery share below which the vehicle lands"),
+    ParameterRow("CAL_ACC0_ID", 0, 2**24, 1310988, "accelerometer's id, for ground stations that ask", whole=True),
+    ParameterRow("CAL_GYRO0_ID", 0, 2**24, 1310988, "gyroscope's id, for ground stations that ask", whole=True),
+    ParameterRow("CAL_MAG0_ID", 0, 2**24, 197388, "magnetometer's id, for ground stations that ask", whole=True),
+    ParameterRow(
+        "COM_DL_LOSS_T", 1.0, 300.0, 5.0, "s without the ground station's HEARTBEAT before the vehicle returns"
+    ),
+    ParameterRow("COM_OF_LOSS_T", 0.1, 60.0, 1.0, "s without a set point before offboard falls back to hold"),
+    ParameterRow("COM_RC_IN_MODE", 0, 4, 1, "1: no radio control, for ground stations that ask", whole=True),
+    ParameterRow("FLW_TGT_ALT_M", 0, 2, 0, "following: 0 and 1 height above home, 2 above the target", whole=True),
+    ParameterRow("FLW_TGT_DST", 1.0, 100.0, 8.0, "m from the target on the ground when following"),
+    ParameterRow("FLW_TGT_FA", -180.0, 180.0, 180.0, "deg from the target's course: 0 ahead of it, 180 behind"),
+    ParameterRow("FLW_TGT_HT", 1.0, 100.0, 8.0, "m of height when following"),
+    ParameterRow("FLW_TGT_MAX_VEL", 0.5, 20.0, 5.0, "m/s, greatest speed of following"),
+    ParameterRow("FLW_TGT_RS", 0.0, 0.99, 0.1, "share of a followed target's old velocity in the new one"),
+    ParameterRow(
+        "GF_ACTION", 0, 3, 2, "when the geofence is breached: 0 nothing, 1 warn, 2 hold, 3 return", whole=True
+    ),
+    ParameterRow("MIS_TAKEOFF_ALT", 0.5, 80.0, 2.5, "m above home that a take-off without altitude climbs to"),
+    ParameterRow("MPC_ACC_HOR", 0.5, 15.0, _FLIGHT.limits.acceleration_m_s2, "m/s2 of the guidance"),
+    ParameterRow("MPC_LAND_SPEED", 0.1, 3.0, 0.7, "m/s of descent"),
+    ParameterRow("MPC_THR_MAX_G", 1.1, 10.0, 2.0, "greatest thrust, in weights"),
+    ParameterRow("MPC_TILTMAX_AIR", 5.0, 89.0, _FLIGHT.limits.tilt_rad * _DEG, "deg of greatest tilt"),
+    ParameterRow("MPC_TKO_SPEED", 0.2, 5.0, 1.5, "m/s of climb"),
+    ParameterRow("MPC_XY_CRUISE", 0.5, 20.0, 5.0, "m/s on the way home"),
+    ParameterRow("MPC_XY_VEL_MAX", 0.5, 20.0, _FLIGHT.limits.speed_m_s, "m/s, greatest speed of the guidance"),
+    ParameterRow("NAV_ACC_RAD", 0.05, 200.0, 0.5, "m, how near to a waypoint that names no radius is there"),
+    ParameterRow("RC_MAP_PITCH", 0, 18, 0, "no radio control, for ground stations that ask", whole=True),
+    ParameterRow("RC_MAP_ROLL", 0, 18, 0, "no radio control, for ground stations that ask", whole=True),
+    ParameterRow("RC_MAP_THROTTLE", 0, 18, 0, "no radio control, for ground stations that ask", whole=True),
+    ParameterRow("RC_MAP_YAW", 0, 18, 0, "no radio control, for ground stations that ask", whole=True),
+    ParameterRow("RTL_RETURN_ALT", 1.0, 150.0, 5.0, "m above home at which the vehicle returns"),
+    ParameterRow("SIM_ANGACC_MAX", 5.0, 1000.0, _FLIGHT.limits.angular_acceleration_rad_s2, "rad/s2, greatest"),
+    ParameterRow("SIM_BAT_AVION_W", 0.0, 1e4, _FLIGHT.battery.avionics_w, "W drawn by the avionics"),
+    ParameterRow("SIM_BAT_CAP_J", 1.0, 1e9, _FLIGHT.battery.capacity_j, "J that the battery holds"),
+    ParameterRow("SIM_BAT_HOVER_W", 0.0, 1e5, _FLIGHT.battery.hover_w, "W drawn by hovering"),
+    ParameterRow(
+        "SIM_BAT_INIT_J", 0.0, 1e9, _FLIGHT.battery.initial_j, "J in the battery at start; read once, then fixed"
+    ),
+    ParameterRow("SIM_GAIN_ANGLE", 1e-3, 1e4, _FLIGHT.gains.angle, "Aq, angle gain of the inner loop"),
+    ParameterRow("SIM_GAIN_RATE", 1e-3, 1e3, _FLIGHT.gains.rate, "Ap, rate gain of the inner loop"),
+    ParameterRow(
+        "SIM_GAIN_SET", 0, 1, 0, "0: gains and limits below; 1: the paper's gains without limits; fixed", whole=True
+    ),
+    ParameterRow("SIM_GAIN_SPEED", 1e-3, 1e2, _FLIGHT.gains.speed, "lambda, gain of the outer loop"),
+    ParameterRow("SIM_XFER_DIST", 0.1, 100.0, 1.5, "m, greatest distance of a giver"),
+    ParameterRow("SIM_XFER_SPEED", 0.05, 10.0, 0.5, "m/s, greatest relative speed of a giver"),
+    ParameterRow("SYS_AUTOSTART", 0, 99999, 4001, "airframe number, for ground stations that ask", whole=True),
+    ParameterRow("SYS_FAILURE_EN", 0, 1, 0, "1 lets MAV_CMD_INJECT_FAILURE make things fail", whole=True),
 )
 _ROWS = {row.name: row for row in TABLE}
 _ONLY_AT_START = {"SIM_BAT_INIT_J", "SIM_GAIN_SET"}
@@ -117,7 +127,7 @@ class Parameters:
     def __getitem__(self, name: str) -> float:
         return self._values[name]
 
-    def __iter__(self) -> Iterator[tuple[Row, float]]:
+    def __iter__(self) -> Iterator[tuple[ParameterRow, float]]:
         return ((row, self._values[row.name]) for row in TABLE)
 
     def __len__(self) -> int:
@@ -160,10 +170,10 @@ class Parameters:
         self._values.update(values)
 
     def flight(self) -> VehicleParams:
-        """What the flight law flies with these values; the `paper` set keeps its gains and has no limits."""
+        """Flight law's parameters by these values; the `paper` set keeps its gains and has no limits."""
         paper = self["SIM_GAIN_SET"] == 1
         base = NAMED["paper" if paper else "default"]
-        battery = Battery(
+        battery = BatteryParams(
             capacity_j=self["SIM_BAT_CAP_J"],
             initial_j=min(self["SIM_BAT_INIT_J"], self["SIM_BAT_CAP_J"]),
             hover_w=self["SIM_BAT_HOVER_W"],
@@ -187,7 +197,7 @@ class Parameters:
         return replace(base, gains=gains, limits=limits, battery=battery)
 
 
-def row_at(key: str | int) -> tuple[int, Row] | None:
+def row_at(key: str | int) -> tuple[int, ParameterRow] | None:
     """Index and row of a parameter by name or by its place in the table; None where there is none."""
     if isinstance(key, int):
         return (key, TABLE[key]) if 0 <= key < len(TABLE) else None

@@ -14,18 +14,18 @@ import numpy as np
 from simvehicle.autopilot.body import CHUNK_MS, STEP_MS, Body, Start
 from simvehicle.autopilot.energy_transfer import Envelope, Exchange, Transfer, TransferOrder, TransferSide
 from simvehicle.autopilot.failures import Failure
-from simvehicle.autopilot.follow import Followed, hear
+from simvehicle.autopilot.follow import Followed, smoothed
 from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.geofence import Fence
 from simvehicle.autopilot.identity import Identity
-from simvehicle.autopilot.maneuvers import REACHED_M, Anchor, OffboardSetPoint, resting_place, wish
+from simvehicle.autopilot.maneuvers import REACHED_M, Anchor, OffboardSetPoint, resting_place, set_point_of
 from simvehicle.autopilot.mission import Leg, Mission, Outcome
 from simvehicle.autopilot.modes import FAILSAFES, RESTING, STAND_DOWN, STEERED, Mode, Rule, Severity, Trigger, rule_for
 from simvehicle.autopilot.parameters import Parameters
 from simvehicle.autopilot.snapshot import Vec3, VehicleState
 
 FENCE_HOLD, FENCE_RETURN = 2, 3
-"""What GF_ACTION may ask for, beside nothing and a warning."""
+"""Values of GF_ACTION beside nothing and a warning."""
 
 NO_MISSION = Mission(())
 
@@ -78,7 +78,7 @@ class Vehicle(Body):
         return self.exchange.received_j
 
     def snapshot(self) -> VehicleState:
-        """Everything that telemetry tells, at the present time."""
+        """Everything that telemetry reports, at the present time."""
         target_p_ned, target_v_ned = self.reference_ned
         mission = self.mission or NO_MISSION
         return VehicleState(
@@ -164,10 +164,10 @@ class Vehicle(Body):
             else:
                 self.mission.enter()
 
-    def follow_hears(self, p_ned: Vec3, v_ned: Vec3) -> None:
-        """Somebody who may be followed has told where it is."""
+    def receive_target(self, p_ned: Vec3, v_ned: Vec3) -> None:
+        """Take in the position of a target that may be followed."""
         north, east, _ = self.p_ned
-        self._followed = hear(
+        self._followed = smoothed(
             self._followed,
             p_ned,
             v_ned,
@@ -199,7 +199,7 @@ class Vehicle(Body):
         age_s = math.inf if self._setpoint is None else self.time_s - self._setpoint.time_s
         return age_s <= self.parameters["COM_OF_LOSS_T"]
 
-    def gcs_heard(self) -> None:
+    def receive_gcs_heartbeat(self) -> None:
         """A ground station's HEARTBEAT has come."""
         self._gcs_seen_s = self.time_s
 
@@ -253,7 +253,7 @@ class Vehicle(Body):
             self._yaw_ned = self._setpoint.yaw_after(dt_s, self._yaw_ned, fastest_rad_s=fastest_rad_s)
         turning = self.armed and Failure.MOTOR not in self.failed
         at_rest = self.landed and self.mode in RESTING
-        wanted = wish(
+        wanted = set_point_of(
             self.mode,
             self._setpoint,
             self._anchor,

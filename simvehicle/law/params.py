@@ -1,4 +1,4 @@
-"""What a vehicle is made of: frozen airframe, gains, limits, battery and guidance, and the named sets of them.
+"""Parameters of a vehicle: frozen airframe, gains, limits, battery and guidance, and the named sets of them.
 
 Every object is checked when it is made; `pack` lays a set out as the flat vector that the compiled flight core reads.
 An infinite limit is an absent one.
@@ -98,7 +98,7 @@ class Gains:
 
 @dataclass(frozen=True, kw_only=True)
 class Limits:
-    """What the vehicle may do: tilt, mass-normalised thrust u1, |tau_k| for k = 2..4, |v*|, and |q''| of the guidance.
+    """Limits of the vehicle: tilt, mass-normalised thrust u1, |tau_k| for k = 2..4, |v*|, and |q''| of the guidance.
 
     Raises:
         ValueError: a limit that is not positive, a tilt of 90° or more (other than infinite).
@@ -127,7 +127,7 @@ class Limits:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Battery:
+class BatteryParams:
     """Battery and what is drawn from it (docs/model.md#battery) [choice]. An infinite `initial_j`, the default, means
     full.
 
@@ -195,7 +195,7 @@ class VehicleParams:
     airframe: Airframe = field(default_factory=Airframe)
     gains: Gains = field(default_factory=Gains)
     limits: Limits = field(default_factory=Limits)
-    battery: Battery = field(default_factory=Battery)
+    battery: BatteryParams = field(default_factory=BatteryParams)
     guidance: Guidance = field(default_factory=Guidance)
     bumpless: bool = True
 

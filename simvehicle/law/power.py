@@ -1,4 +1,4 @@
-"""What flying costs (docs/model.md#energy): control effort, as this project defines it, and the battery's power."""
+"""Cost of flying (docs/model.md#energy): control effort, as this project defines it, and the battery's power."""
 
 from __future__ import annotations
 

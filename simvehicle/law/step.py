@@ -73,7 +73,7 @@ STATE_SIZE = 56
 # Command to a vehicle: the last set point and what goes with it.
 CMD_POSITION = slice(0, 3)  # m
 CMD_VELOCITY = slice(3, 6)  # m/s
-CMD_TIME_S = 6  # when the position held: p̂ = p + v (t - CMD_TIME_S). A change of it tells a new set point.
+CMD_TIME_S = 6  # when the position held: p̂ = p + v (t - CMD_TIME_S). A change of it marks a new set point.
 CMD_USE_POSITION = slice(7, 10)  # per axis: 1 position and velocity, 0 velocity alone
 CMD_YAW = 10  # rad
 CMD_MOTORS = 11  # 1 armed and turning, 0 off

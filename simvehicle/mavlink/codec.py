@@ -36,7 +36,7 @@ class ReceivedFrame(NamedTuple):
 
 
 class Schema(NamedTuple):
-    """What the table knows of one message; `arrays` holds (first slot, length) of each array in wire order."""
+    """The table's entry of one message; `arrays` holds (first slot, length) of each array in wire order."""
 
     msgid: int
     seed: bytes

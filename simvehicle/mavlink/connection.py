@@ -12,28 +12,28 @@ DATAGRAM_BYTES = 1400
 
 
 class Connection:
-    """A connection's own sequence counter, stream schedule and outbox."""
+    """A connection's own sequence counter, stream schedule and send queue."""
 
     def __init__(self, sysid: int, compid: int = 1) -> None:
         self.sysid = sysid
         self.compid = compid
         self.streams = StreamSchedule()
         self._seq = 0
-        self._outbox: list[Any] = []
+        self._queue: list[Any] = []
 
     def put(self, content: Any) -> None:
         """Queue a message behind those that wait."""
-        self._outbox.append(content)
+        self._queue.append(content)
 
     def put_due(self, snapshot: VehicleState) -> None:
         """Queue the telemetry that is due at the snapshot's time."""
         for stream in self.streams.due(snapshot.time_ms):
-            self._outbox.append(stream.build(snapshot))
+            self._queue.append(stream.build(snapshot))
 
     def frames(self, most: int | None = None) -> list[bytes]:
         """Number, encode and hand out what waits, at most `most` messages; the others go on waiting."""
-        handed_out = self._outbox[:most]
-        del self._outbox[:most]
+        handed_out = self._queue[:most]
+        del self._queue[:most]
         return [self.number(content) for content in handed_out]
 
     def number(self, content: Any) -> bytes:

@@ -1,4 +1,4 @@
-"""What every microservice of a vehicle works with: the vehicle, its connections, its store, and the way to answer."""
+"""Context of every microservice of a vehicle: the vehicle, its connections, its store, and the way to answer."""
 
 from __future__ import annotations
 

@@ -58,9 +58,9 @@ class Services:
         self.vehicle = vehicle
         self.sysid = sysid
         self.connections = list(connections)
-        self._desk = ServiceContext(vehicle, sysid, self.connections, store)
-        self._planning = missions.Planning(self._desk)
-        self._reboot = maintenance.Reboot(self._desk, self._planning.restart)
+        self._context = ServiceContext(vehicle, sysid, self.connections, store)
+        self._planning = missions.Planning(self._context)
+        self._reboot = maintenance.Reboot(self._context, self._planning.restart)
         self._commands = {**COMMANDS, mav.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN: self._reboot.ask}
         self._fast_counters = False
         self._long_texts = 0
@@ -85,7 +85,7 @@ class Services:
         elif frame.msgid in missions.MESSAGES:
             self._planning.receive(call)
         else:
-            MESSAGES[frame.msgid](self._desk, call)
+            MESSAGES[frame.msgid](self._context, call)
 
     def _deaf(self) -> bool:
         return self.vehicle.booting or Failure.LINK in self.vehicle.failed
@@ -99,11 +99,11 @@ class Services:
         if self._reboot.busy_with(request):
             result = TEMPORARILY_REJECTED
         elif handler is not None:
-            result = handler(self._desk, request, call.connection)
+            result = handler(self._context, request, call.connection)
         call.connection.put(commands.acknowledgement(request, result))
-        for content in self._desk.after_ack:
+        for content in self._context.after_ack:
             call.connection.put(content)
-        self._desk.after_ack.clear()
+        self._context.after_ack.clear()
 
     def report(self) -> None:
         """Queue what became due at the vehicle's present time: announcements, then telemetry."""
@@ -136,7 +136,7 @@ class Services:
         if fast != self._fast_counters:
             self._fast_counters = fast
             for key in ("XferOut", "XferIn"):
-                self._desk.set_rate(key, TRANSFER_RATE_HZ if fast else 1.0)
+                self._context.set_rate(key, TRANSFER_RATE_HZ if fast else 1.0)
 
     def _hasten_heartbeats(self) -> None:
         for connection in self.connections:

@@ -131,7 +131,7 @@ def set_mode_message(context: ServiceContext, call: Call) -> None:
 def enter_custom(context: ServiceContext, custom_mode: int) -> int:
     """Enter the mode that the identity knows by this number."""
     vehicle = context.vehicle
-    mode = vehicle.identity.heard.get(custom_mode)
+    mode = vehicle.identity.requestable.get(custom_mode)
     if mode is None:
         return UNSUPPORTED
     if mode is Mode.TAKEOFF:

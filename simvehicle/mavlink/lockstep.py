@@ -63,7 +63,7 @@ class Grants:
         return Bundle(frames[:-1], grant.time_boot_ms, grant.time_unix_usec)
 
     def answer(self, bundle: Bundle) -> list[bytes]:
-        """What waits on the connection, closed by the own SYSTEM_TIME with the grant's time.
+        """Messages that wait on the connection, closed by the own SYSTEM_TIME with the grant's time.
 
         A tick has at most 127 frames, or a lost datagram could hide in the 8 bits of a number; the rest waits.
         """

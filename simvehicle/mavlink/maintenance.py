@@ -51,7 +51,7 @@ class Reboot:
     """
 
     def __init__(self, context: ServiceContext, restart_plans: Callable[[], None]) -> None:
-        self._desk = context
+        self._context = context
         self._restart_plans = restart_plans
         self._at_start = context.vehicle.parameters.values()
         self._asked: tuple[VehicleCommand, Connection, float] | None = None
@@ -79,12 +79,12 @@ class Reboot:
 
     def finish(self) -> tuple[VehicleCommand, Connection] | None:
         """The request to acknowledge now, its vehicle having come back."""
-        vehicle = self._desk.vehicle
+        vehicle = self._context.vehicle
         if self._asked is None or vehicle.time_s - self._asked[2] < REBOOT_S:
             return None
         request, connection, _ = self._asked
         self._asked = None
-        if self._desk.store is None:
+        if self._context.store is None:
             vehicle.parameters.restore(self._at_start)
         vehicle.restart()
         self._restart_plans()

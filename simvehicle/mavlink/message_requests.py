@@ -1,4 +1,4 @@
-"""What others ask to be told: messages once, streams at a rate, pings, time, files."""
+"""Requests for messages: messages once, streams at a rate, pings, time, files."""
 
 from __future__ import annotations
 

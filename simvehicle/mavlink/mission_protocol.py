@@ -6,7 +6,7 @@ The rules of an upload:
 2. The plan in force stays until the last item has come and the whole is accepted; what is refused changes nothing.
 3. A request without an answer is repeated every 0.5 s; after five of them the upload is given up, and said so.
 4. The last item, repeated because the acknowledgement was lost, is acknowledged again.
-5. One upload at a time: a count from the same sender begins it again, one from somebody else is refused.
+5. One upload at a time: a count from the same sender begins it again, one from another sender is refused.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ ACCEPTED: int = mav.MAV_MISSION_ACCEPTED
 KINDS = (mav.MAV_MISSION_TYPE_MISSION, mav.MAV_MISSION_TYPE_FENCE, mav.MAV_MISSION_TYPE_RALLY)
 
 Peer = tuple[int, int]
-Take = Callable[[int, tuple[Item, ...]], None]
+AcceptPlan = Callable[[int, tuple[Item, ...]], None]
 """Puts a plan of a kind (MAV_MISSION_TYPE) in force, or raises PlanError."""
 
 
@@ -57,9 +57,9 @@ class _Upload:
 class MissionProtocol:
     """The plans in force, as items, and the upload under way; `channel` is whatever its answers are to be put on."""
 
-    def __init__(self, take: Take) -> None:
+    def __init__(self, accept: AcceptPlan) -> None:
         self.plans: dict[int, tuple[Item, ...]] = dict.fromkeys(KINDS, ())
-        self._take = take
+        self._accept = accept
         self._upload: _Upload | None = None
         self._finished: tuple[Peer, int, int] | None = None
 
@@ -106,7 +106,7 @@ class MissionProtocol:
             self._finish(peer, channel, each, ())
         return [_ack(peer, channel, kind, ACCEPTED)]
 
-    def tell_count(self, content: Any, peer: Peer, channel: Any) -> list[Post]:
+    def send_count(self, content: Any, peer: Peer, channel: Any) -> list[Post]:
         """MISSION_REQUEST_LIST: how many items there are to download."""
         plan = self.plans.get(content.mission_type)
         if plan is None:
@@ -123,7 +123,7 @@ class MissionProtocol:
         if seq >= len(plan):
             return [_ack(peer, channel, kind, mav.MAV_MISSION_INVALID_SEQUENCE)]
         item = plan[seq]
-        told = message("MISSION_ITEM_INT")(
+        reply = message("MISSION_ITEM_INT")(
             target_system=peer[0],
             target_component=peer[1],
             seq=seq,
@@ -140,7 +140,7 @@ class MissionProtocol:
             z=item.z,
             mission_type=kind,
         )
-        return [Post(channel, told)]
+        return [Post(channel, reply)]
 
     def partial(self, content: Any, peer: Peer, channel: Any) -> list[Post]:
         """MISSION_WRITE_PARTIAL_LIST: plans are taken whole only."""
@@ -152,7 +152,7 @@ class MissionProtocol:
             self._upload = None
 
     def due(self, now_s: float) -> list[Post]:
-        """What has to be asked for again, or given up."""
+        """Repeat what has to be asked for again, or give up."""
         upload = self._upload
         if upload is None or now_s - upload.asked_s < RETRY_S:
             return []
@@ -170,7 +170,7 @@ class MissionProtocol:
     def _finish(self, peer: Peer, channel: Any, kind: int, items: tuple[Item, ...]) -> list[Post]:
         self._upload = None
         try:
-            self._take(kind, items)
+            self._accept(kind, items)
         except PlanError as error:
             return [_ack(peer, channel, kind, error.result)]
         self.plans[kind] = items

@@ -1,4 +1,5 @@
-"""Missions, geofence and rally points: the protocol's plans put in force in the vehicle, and their progress told."""
+"""Missions, geofence and rally points: the protocol's plans put in force in the vehicle, and their progress
+reported."""
 
 from __future__ import annotations
 
@@ -22,28 +23,28 @@ class Planning:
     """One vehicle's plans."""
 
     def __init__(self, context: ServiceContext) -> None:
-        self._desk = context
-        self.protocol = MissionProtocol(self._take)
+        self._context = context
+        self.protocol = MissionProtocol(self._accept)
 
-    def _take(self, kind: int, items: tuple[Item, ...]) -> None:
-        _put_in_force(self._desk, kind, items)
-        if self._desk.store is not None:
-            self._desk.store.keep_plan(kind, map(row_of, items))
+    def _accept(self, kind: int, items: tuple[Item, ...]) -> None:
+        _put_in_force(self._context, kind, items)
+        if self._context.store is not None:
+            self._context.store.keep_plan(kind, map(row_of, items))
 
     def restart(self) -> None:
         """Have what the store has kept, and nothing else; a plan that is refused now is none."""
         self.protocol.forget()
-        store = self._desk.store
+        store = self._context.store
         for kind, rows in store.plans.items() if store is not None else ():
             items = tuple(map(item_of, rows))
             with contextlib.suppress(PlanError):
-                _put_in_force(self._desk, kind, items)
+                _put_in_force(self._context, kind, items)
                 self.protocol.plans[kind] = items
 
     def receive(self, call: Call) -> None:
         """Act on a message of the mission protocol."""
         content, peer, channel, protocol = call.content, call.sender, call.connection, self.protocol
-        now_s = self._desk.vehicle.time_s
+        now_s = self._context.vehicle.time_s
         match call.frame.msgid:
             case mav.MAVLINK_MSG_ID_MISSION_COUNT:
                 _send(protocol.count(content, peer, channel, now_s))
@@ -53,7 +54,7 @@ class Planning:
                 else:
                     _send(protocol.item(content, peer, channel, now_s))
             case mav.MAVLINK_MSG_ID_MISSION_REQUEST_LIST:
-                _send(protocol.tell_count(content, peer, channel))
+                _send(protocol.send_count(content, peer, channel))
             case mav.MAVLINK_MSG_ID_MISSION_REQUEST_INT | mav.MAVLINK_MSG_ID_MISSION_REQUEST:
                 _send(protocol.request(content, peer, channel, current=self._current()))
             case mav.MAVLINK_MSG_ID_MISSION_CLEAR_ALL:
@@ -63,34 +64,34 @@ class Planning:
             case mav.MAVLINK_MSG_ID_MISSION_ACK:
                 protocol.cancel(content, peer)
             case mav.MAVLINK_MSG_ID_MISSION_SET_CURRENT:
-                mission = self._desk.vehicle.mission
+                mission = self._context.vehicle.mission
                 if mission is None or not mission.go_to(content.seq):
-                    self._desk.vehicle.announce(Severity.WARNING, f"Mission has no item {content.seq}")
-                self._tell_current()
+                    self._context.vehicle.announce(Severity.WARNING, f"Mission has no item {content.seq}")
+                self._send_current()
 
     def report(self) -> None:
         """Queue what is due: requests repeated, and items reached since the last time."""
-        _send(self.protocol.due(self._desk.vehicle.time_s))
-        mission = self._desk.vehicle.mission
+        _send(self.protocol.due(self._context.vehicle.time_s))
+        mission = self._context.vehicle.mission
         if mission is None or not mission.reached:
             return
         for seq in mission.reached:
-            for connection in self._desk.connections:
+            for connection in self._context.connections:
                 connection.put(message("MISSION_ITEM_REACHED")(seq=seq))
         mission.reached.clear()
-        self._tell_current()
+        self._send_current()
 
     def _current(self) -> int:
-        mission = self._desk.vehicle.mission
+        mission = self._context.vehicle.mission
         return 0 if mission is None else mission.index
 
-    def _tell_current(self) -> None:
-        for connection in self._desk.connections:
-            connection.streams.hasten("MISSION_CURRENT", self._desk.vehicle.time_ms)
+    def _send_current(self) -> None:
+        for connection in self._context.connections:
+            connection.streams.hasten("MISSION_CURRENT", self._context.vehicle.time_ms)
 
     def _go_there(self, call: Call) -> object:
         """A waypoint to fly to at once, as ArduPilot's ground stations send it in GUIDED."""
-        vehicle = self._desk.vehicle
+        vehicle = self._context.vehicle
         result = mav.MAV_MISSION_ACCEPTED
         try:
             (leg,) = legs_from([item_from(call.content)], vehicle.frame, item_0_is_home=False)

@@ -31,7 +31,7 @@ _GLOBAL = _RELATIVE | {mav.MAV_FRAME_GLOBAL, mav.MAV_FRAME_GLOBAL_INT}
 
 def heartbeat(context: ServiceContext, call: Call) -> None:
     if call.content.type == mav.MAV_TYPE_GCS:
-        context.vehicle.gcs_heard()
+        context.vehicle.receive_gcs_heartbeat()
 
 
 def local_set_point(context: ServiceContext, call: Call) -> None:
@@ -85,19 +85,20 @@ def _turned(v: Vec3, yaw_rad: float) -> Vec3:
 
 
 def follow_target(context: ServiceContext, call: Call) -> None:
-    """Somebody's place: of a partner in a transfer, or of whom the vehicle may follow. No velocity is none."""
+    """Take in a position: of a partner in a transfer, or of a target that the vehicle may follow. No velocity is
+    none."""
     content, vehicle = call.content, context.vehicle
     vel = tuple(0.0 if math.isnan(v) else v for v in content.vel)
     if all(map(math.isfinite, (content.alt, *vel))):
         p_ned = vehicle.frame.to_local(1e-7 * content.lat, 1e-7 * content.lon, content.alt)
-        vehicle.follow_hears(p_ned, (vel[0], vel[1], vel[2]))
+        vehicle.receive_target(p_ned, (vel[0], vel[1], vel[2]))
         if all(map(math.isfinite, content.vel)):
             vehicle.exchange.neighbours[call.frame.sysid] = Neighbour(p_ned, tuple(content.vel), vehicle.time_s)
 
 
 def named_value_int(context: ServiceContext, call: Call) -> None:
     vehicle = context.vehicle
-    vehicle.exchange.hear_counter(call.frame.sysid, call.content.name, call.content.value, vehicle.time_s)
+    vehicle.exchange.receive_counter(call.frame.sysid, call.content.name, call.content.value, vehicle.time_s)
 
 
 def _where_used(numbers: Vec3, used: tuple[bool, bool, bool]) -> Vec3:

@@ -1,4 +1,5 @@
-"""The parameter protocol: list, read, set; what is refused is told by PARAM_ERROR, and the value in force after it."""
+"""The parameter protocol: list, read, set; what is refused is reported by PARAM_ERROR, and the value in force after
+it."""
 
 from __future__ import annotations
 
@@ -8,7 +9,7 @@ from typing import Any
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot import parameters
-from simvehicle.autopilot.parameters import TABLE, WRONG_TYPE, ParameterError, Row
+from simvehicle.autopilot.parameters import TABLE, WRONG_TYPE, ParameterError, ParameterRow
 from simvehicle.mavlink.codec import message
 from simvehicle.mavlink.context import Call, MessageHandler, ServiceContext
 
@@ -16,9 +17,9 @@ NO_INDEX = -1
 CAPACITY = "SIM_BAT_CAP_J"
 
 
-def tell_all(context: ServiceContext, call: Call) -> None:
+def send_all(context: ServiceContext, call: Call) -> None:
     for index, (row, value) in enumerate(context.vehicle.parameters):
-        call.connection.put(_told(context, row, value, index))
+        call.connection.put(_param_value(context, row, value, index))
 
 
 def read(context: ServiceContext, call: Call) -> None:
@@ -28,7 +29,7 @@ def read(context: ServiceContext, call: Call) -> None:
         error = error_message(content.param_id, content.param_index, parameters.UNKNOWN, call.sender)
         return call.connection.put(error)
     index, row = found
-    return call.connection.put(_told(context, row, context.vehicle.parameters[row.name], index))
+    return call.connection.put(_param_value(context, row, context.vehicle.parameters[row.name], index))
 
 
 def change(context: ServiceContext, call: Call) -> None:
@@ -52,21 +53,21 @@ def change(context: ServiceContext, call: Call) -> None:
     except ParameterError as refusal:
         context.complain(row.name, str(refusal))
         call.connection.put(error_message(row.name, index, refusal.code, call.sender))
-    return call.connection.put(_told(context, row, vehicle.parameters[row.name], index))
+    return call.connection.put(_param_value(context, row, vehicle.parameters[row.name], index))
 
 
-def _told(context: ServiceContext, row: parameters.Row, value: float, index: int) -> Any:
+def _param_value(context: ServiceContext, row: parameters.ParameterRow, value: float, index: int) -> Any:
     return value_message(row, value, index, bytewise=context.vehicle.identity.integers_bytewise)
 
 
 MESSAGES: dict[int, MessageHandler] = {
-    mav.MAVLINK_MSG_ID_PARAM_REQUEST_LIST: tell_all,
+    mav.MAVLINK_MSG_ID_PARAM_REQUEST_LIST: send_all,
     mav.MAVLINK_MSG_ID_PARAM_REQUEST_READ: read,
     mav.MAVLINK_MSG_ID_PARAM_SET: change,
 }
 
 
-def value_message(row: Row, value: float, index: int, *, bytewise: bool) -> Any:
+def value_message(row: ParameterRow, value: float, index: int, *, bytewise: bool) -> Any:
     """PARAM_VALUE of one parameter; `index` is its place in the table, or 65535 in the answer to a change by name."""
     wire, kind = value, mav.MAV_PARAM_TYPE_REAL32
     if row.whole:
@@ -85,8 +86,8 @@ def error_message(name: str, index: int, code: int, asker: tuple[int, int]) -> A
     )
 
 
-def value_from_wire(row: Row, wire: float, kind: int, *, bytewise: bool) -> float:
-    """What a PARAM_SET's param_value of MAV_PARAM_TYPE `kind` means for this parameter; raises ParameterError.
+def value_from_wire(row: ParameterRow, wire: float, kind: int, *, bytewise: bool) -> float:
+    """Value that a PARAM_SET's param_value of MAV_PARAM_TYPE `kind` means for this parameter; raises ParameterError.
 
     Sent by value, every type says the same. Bytewise, another type's bytes would be another number.
     """

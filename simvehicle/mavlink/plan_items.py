@@ -1,6 +1,7 @@
-"""What the items of a mission, a geofence and a list of rally points mean: MAVLink's items in, legs, areas, places out.
+"""Meaning of the items of a mission, a geofence and a list of rally points: MAVLink's items in, legs, areas, places
+out.
 
-An item that cannot be flown as it stands is refused by raising PlanError with the result that MISSION_ACK then tells;
+An item that cannot be flown as it stands is refused by raising PlanError with the result that MISSION_ACK then reports;
 nothing is left out in silence.
 """
 
@@ -74,7 +75,7 @@ def legs_from(items: Sequence[Item], frame: LocalFrame, *, item_0_is_home: bool)
 
 
 def fence_from(items: Sequence[Item], frame: LocalFrame) -> Fence:
-    """The areas of a geofence; the corners of a polygon follow each other and each tell their number (param1)."""
+    """The areas of a geofence; the corners of a polygon follow each other and each carry their number (param1)."""
     inside: list[Circle | Polygon] = []
     outside: list[Circle | Polygon] = []
     at = 0

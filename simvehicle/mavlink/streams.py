@@ -10,7 +10,7 @@ from simvehicle.mavlink.telemetry import TELEMETRY, Stream
 
 FASTEST_MS = 4
 SLOWEST_MS = 2_000_000
-"""MESSAGE_INTERVAL tells intervals in 32 bits of µs."""
+"""MESSAGE_INTERVAL holds intervals in 32 bits of µs."""
 
 
 class StreamSchedule:

@@ -1,4 +1,4 @@
-"""What the vehicle tells of itself: a snapshot in SI and NED in, MAVLink messages in MAVLink's units out.
+"""Telemetry of the vehicle: a snapshot in SI and NED in, MAVLink messages in MAVLink's units out.
 
 TELEMETRY is the table: message name, rate in Hz by default on every connection, and the function that builds it.
 """

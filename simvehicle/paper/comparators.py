@@ -1,4 +1,4 @@
-"""What the finite-time differentiator is compared with (docs/model.md#comparison-differentiators): two others, and
+"""Comparators of the finite-time differentiator (docs/model.md#comparison-differentiators): two others, and
 itself stepped explicitly.
 
 Every one is stepped by explicit Euler, as such laws usually are: state and signal of one time give the state a step

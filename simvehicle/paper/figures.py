@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 Curves = Mapping[str, NDArray[np.float64]]
 Numbers = Mapping[str, Any]
 
-BLUE, ORANGE, GREEN, GREY = "#0072b2", "#d55e00", "#009e73", "#777777"  # told apart by colour-blind eyes too
+BLUE, ORANGE, GREEN, GREY = "#0072b2", "#d55e00", "#009e73", "#777777"  # distinguished by colour-blind eyes too
 STYLE: dict[Any, Any] = {
     "font.size": 8.0,
     "axes.titlesize": 8.5,

@@ -45,14 +45,15 @@ ATTITUDE_RAD = (1.0, 1.0, 1.0)  # the paper's start
 
 @dataclass(frozen=True)
 class VehicleStudy:
-    """What a figure is made of: numbers for vehicle.json, curves by name for drawing."""
+    """Data of a figure: numbers for vehicle.json, curves by name for drawing."""
 
     numbers: dict[str, Any]
     curves: dict[str, Floats]
 
 
 def make(out: Path, names: Iterable[str], say: Callable[[str], None]) -> None:
-    """Write NAME.svg and NAME.png of each named study, and vehicle.json, to the folder `out`; `say` hears of each.
+    """Write NAME.svg and NAME.png of each named study, and vehicle.json, to the folder `out`; `say` is called with
+    each.
 
     Raises:
         OSError: a file cannot be written.
@@ -224,7 +225,7 @@ def closed_loop(
 
 
 def follow(law: Law, signal: Floats) -> Floats:
-    """What a differentiator that starts at zero makes of a signal (k,): its state (k, 3) after each sample."""
+    """Response of a differentiator that starts at zero to a signal (k,): its state (k, 3) after each sample."""
     x = (0.0, 0.0, 0.0)
     rows = np.empty((signal.size, 3))
     for k, value in enumerate(signal.tolist()):

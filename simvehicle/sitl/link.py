@@ -73,7 +73,7 @@ def open_socket(address: Address) -> socket.socket:
 
 
 class _Link:
-    """A socket with a conversation on it; leaving its context closes the socket."""
+    """A socket with a connection on it; its context's end closes the socket."""
 
     def __init__(self, address: Address, connection: Connection) -> None:
         self.connection = connection
@@ -102,7 +102,7 @@ class PlainLink(_Link):
     def receive(self) -> list[ReceivedFrame]:
         """Every intact frame that has come; whoever sent something like one is answered from now on.
 
-        Ground stations that know both begin with MAVLink 1 and change when they hear MAVLink 2.
+        Ground stations that know both begin with MAVLink 1 and change when they receive MAVLink 2.
         """
         frames: list[ReceivedFrame] = []
         while True:
@@ -120,7 +120,7 @@ class PlainLink(_Link):
                     del self._peers[next(iter(self._peers))]
 
     def flush(self) -> None:
-        """Send what waits on the connection; frames with nobody to hear them are dropped."""
+        """Send what waits on the connection; frames without a receiver are dropped."""
         for frame in self.connection.frames():
             try:
                 if self.address.kind == "udpout":

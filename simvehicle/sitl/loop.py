@@ -20,7 +20,7 @@ FREE_TICK_MS = 20
 
 
 class Unit(Protocol):
-    """What a loop drives: a vehicle with its services, or traffic."""
+    """Unit that a loop drives: a vehicle with its services, or traffic."""
 
     def hello(self) -> object:
         """The HEARTBEAT of the hello."""
@@ -50,7 +50,7 @@ class _Granted:
         self._unit, self._link, self._plain = unit, link, plain
         self._grants = Grants(link.connection)
         self._hello = self._grants.hello(unit.hello())
-        self._heard_s = 0.0
+        self._last_received_s = 0.0
         self._started = False
 
     def look(self, now_s: float) -> bool:
@@ -59,16 +59,16 @@ class _Granted:
         A vehicle that the machine has kept from running has not listened: what waits for it is no silence.
         """
         if self._grants.time_ms is not None:
-            return now_s - self._heard_s < SILENCE_S or self._link.waiting
+            return now_s - self._last_received_s < SILENCE_S or self._link.waiting
         self._link.send([self._hello])
         return True
 
-    def take(self) -> None:
+    def receive(self) -> None:
         """Act on the datagram that waits."""
         datagram = self._link.receive()
         if datagram is None:
             return
-        self._heard_s = time.monotonic()
+        self._last_received_s = time.monotonic()
         action = self._grants.feed(datagram)
         if isinstance(action, list):
             self._link.send(action)
@@ -117,7 +117,7 @@ def run_supervised(seats: Sequence[Seat]) -> None:
             print(f"The supervisor has been silent for {SILENCE_S:.0f} s: leaving", file=sys.stderr, flush=True)
             raise SystemExit(ABANDONED)
         for fd, _ in poll.poll(1e3 * HELLO_EVERY_S):
-            granted[fd].take()
+            granted[fd].receive()
 
 
 def run_free(seats: Sequence[Seat], *, stop: Callable[[], bool] = lambda: False) -> None:

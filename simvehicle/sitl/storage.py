@@ -1,4 +1,5 @@
-"""Where a vehicle's parameters and plans outlive its process: two JSON files per vehicle in a folder of the user's."""
+"""Storage of a vehicle's parameters and plans beyond its process: two JSON files per vehicle in a folder of the
+user's."""
 
 from __future__ import annotations
 
@@ -24,7 +25,7 @@ class StateError(ValueError):
 
 
 class StateFile:
-    """What one vehicle was ever given: SYSID.parameters.json and SYSID.plans.json in `folder`, made where missing.
+    """Parameters and plans of one vehicle: SYSID.parameters.json and SYSID.plans.json in `folder`, made where missing.
 
     `values` holds the parameters that were changed, `plans` the items in force by MAV_MISSION_TYPE.
     """

@@ -1,4 +1,4 @@
-"""Other aircraft: movers on fixed paths, told to the supervisor as ADSB_VEHICLE by one process (255/156).
+"""Other aircraft: movers on fixed paths, reported to the supervisor as ADSB_VEHICLE by one process (255/156).
 
 The file is YAML: `origin: {lat_deg, lon_deg, alt_m}` and `movers`, a list of `callsign`, `path_ned_m`, `speed_m_s`,
 `closed` and `start_s`. A mover waits at its first point until `start_s`, then flies at constant speed; an open path is
@@ -87,7 +87,7 @@ class Traffic:
         """Movers know the session's time as it comes; nothing to set."""
 
     def receive(self, frame: ReceivedFrame, connection: Connection) -> None:
-        """Traffic obeys nobody."""
+        """Traffic takes no commands."""
 
     def advance(self, to_ms: int) -> None:
         """Queue what is due at `to_ms`."""

@@ -1,4 +1,4 @@
-"""What a vehicle itself knows, step by step, beside what it reports: `vehicles/SYSID.truth`.
+"""Truth of a vehicle, step by step, beside its telemetry: `vehicles/SYSID.truth`.
 
 The file begins with one JSON line: {"schema": 1, "sysid": N, "step_s": 0.004, "state": [...], ...}. Then come records
 of little-endian float64, one per grant:
@@ -22,7 +22,7 @@ ENERGY = ["drawn_j", "received_j", "given_j", "remaining_j"]
 
 
 class TruthWriter:
-    """Writes one vehicle's truth; every record is whole on disk before the answer that tells of it goes out."""
+    """Writes one vehicle's truth; every record is whole on disk before the answer that reports it goes out."""
 
     def __init__(self, path: Path, sysid: int, vehicle: Vehicle) -> None:
         battery = vehicle.parameters.flight().battery

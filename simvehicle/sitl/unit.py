@@ -43,7 +43,7 @@ class VehicleUnit:
             self._truth.write(self._vehicle, (self._vehicle.time_ms - before_ms) // STEP_MS)
 
     def _speak(self) -> None:
-        """Say on stdout, which is the log of a session's vehicle, what STATUSTEXT tells the others."""
+        """Say on stdout, which is the log of a session's vehicle, what STATUSTEXT reports to the others."""
         for severity, text in self._vehicle.announcements:
-            with contextlib.suppress(OSError):  # nobody may read it, or the disk may be full: it flies on
+            with contextlib.suppress(OSError):  # its reader may be gone, or the disk may be full: it flies on
                 print(f"vehicle {self._services.sysid}: {self._vehicle.time_s:.1f} s: {severity}: {text}", flush=True)

@@ -41,7 +41,7 @@ def warm_up() -> None:
 
 
 def _bundle(number: int) -> bytes:
-    """What a supervisor sends: its HEARTBEAT, a set point, and the grant."""
+    """Messages of a supervisor: its HEARTBEAT, a set point, and the grant."""
     system, component = SUPERVISOR
     contents = (
         message("HEARTBEAT")(0, mav.MAV_TYPE_GCS, mav.MAV_AUTOPILOT_INVALID, 0, mav.MAV_STATE_ACTIVE, 3),

@@ -67,7 +67,7 @@ class Flown:
             hello = [codec.frame(codec.message("HEARTBEAT", type=2, autopilot=12, base_mode=0, custom_mode=0,
                      system_status=3), 0, *key), codec.encode("SYSTEM_TIME", 1, *key, time_unix_usec=0,
                      time_boot_ms=0)]  # fmt: skip
-            self._link._take(b"".join(hello), ("127.0.0.1", PORT + key[0]))
+            self._link._receive(b"".join(hello), ("127.0.0.1", PORT + key[0]))
         scenario = load(find("fleet"))
         assert {(v.sysid, 1) for v in scenario.vehicles.all} == set(self._keys)
         self.supervisor = Supervisor(scenario, self._link, Recorder(Path(tempfile.mkdtemp())))
@@ -83,15 +83,15 @@ class Flown:
             peer.collector.begin(PERIOD_MS * (at + 1))
             peer.held = 0
             link._awaited.add(key)
-            link._take(datagram, ("127.0.0.1", PORT + key[0]))
-        heard, _ = self.supervisor._hear(self._collected(), 0.1 * self._tick)
+            link._receive(datagram, ("127.0.0.1", PORT + key[0]))
+        heard, _ = self.supervisor._receive(self._collected(), 0.1 * self._tick)
         assert len(heard) == 7 * VEHICLES
         self.supervisor.fleet.snapshot(0.1 * self._tick)
 
     def _collected(self) -> Iterator[tuple[Key, list[Frame]]]:
         while self._link._whole:
             key = self._link._whole.popleft()
-            yield key, self._link._peers[key].collector.take()
+            yield key, self._link._peers[key].collector.pop_frames()
 
 
 def answers() -> list[list[bytes]]:
@@ -144,7 +144,7 @@ def reading() -> list[Figure]:
     def report() -> None:
         gathering = Gathering(Recorded(folder))
         for chunk in tlog.read(folder / TLOG).chunks():
-            gathering.take(chunk)
+            gathering.add(chunk)
         gathering.finish()
 
     tick_s, decode_s, replay_s, report_s, peer_s = cpu_times(

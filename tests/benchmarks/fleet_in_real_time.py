@@ -40,7 +40,7 @@ class Watched(SessionProcess):
 
     def _fly(self) -> None:
         self._pace = pace = WatchedPace(1.0, time.monotonic)
-        for sysid in self._supervisor.pilots:
+        for sysid in self._supervisor.arming:
             for name in HOT:
                 request = codec.message(
                     "COMMAND_LONG", target_system=sysid, target_component=1,

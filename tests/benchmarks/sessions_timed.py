@@ -35,6 +35,7 @@ def example_1(vehicles: int, duration_s: float, per_process: int) -> dict[str, A
     content: dict[str, Any] = yaml.safe_load((ROOT / "configs/paper/example1.yaml").read_text(encoding="utf-8"))
     content["goal"]["duration_s"] = duration_s
     content["vehicles_per_process"] = per_process
+    content["vehicles"]["defaults"]["battery"]["capacity_j"] *= 10.0  # so that everyone flies to the end
     own = content["vehicles"]["pursuers"]
     content["vehicles"]["pursuers"] = [own[i % len(own)] | {"sysid": i + 1} for i in range(vehicles)]
     return content
@@ -44,6 +45,7 @@ def fleet(duration_s: float) -> dict[str, Any]:
     """`gcs run fleet` for this long, whatever comes of it."""
     content: dict[str, Any] = yaml.safe_load((ROOT / "configs/fleet.yaml").read_text(encoding="utf-8"))
     content["goal"] = {"duration_s": duration_s}
+    content["vehicles"]["defaults"]["battery"]["capacity_j"] *= 4.0  # so that everyone flies to the end
     return content
 
 
@@ -62,7 +64,8 @@ def run_gcs(*arguments: str) -> None:
     command = [sys.executable, "-m", "gcs", *arguments]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode != 0:
-        raise RuntimeError(f"gcs {arguments[0]} ended with {done.returncode}: {done.stderr or done.stdout}")
+        said = "\n".join((done.stderr or done.stdout).splitlines()[-12:])
+        raise RuntimeError(f"gcs {arguments[0]} ended with {done.returncode}: {said}")
 
 
 def children_cpu_s() -> float:

@@ -93,3 +93,15 @@ def test_old_names_are_no_errors_where_warnings_are(tmp_path: Path) -> None:
     done = subprocess.run(strict, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert "gcs.views is now gcs.telemetry.state" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [("heard_s", "last_received_s"), ("battery_told", "battery_reported"), ("given_told_s", "given_reported_s")],
+)
+def test_an_old_field_of_a_vehicle_is_the_new_one_with_a_warning(old: str, new: str) -> None:
+    fields = gcs.VehicleView._fields
+    view = gcs.VehicleView(*range(len(fields)))  # type: ignore[arg-type]
+    with pytest.warns(DeprecationWarning, match=f"VehicleView.{old} is now VehicleView.{new}$") as caught:
+        assert getattr(view, old) == fields.index(new)
+    assert [Path(warning.filename) for warning in caught] == [Path(__file__)]

@@ -10,7 +10,7 @@ from gcs.refuelling.scheduler import Scheduler
 from gcs.refuelling.service import Decision, Phase, Service
 from gcs.refuelling.transfer_command import TransferRole
 from gcs.scenario.model import Battery, CompetitionRules, RefuellingRules, Tanker
-from gcs.telemetry.state import FleetState, VehicleView
+from gcs.telemetry.state import FleetSnapshot, VehicleView
 
 RATE_W = 2000.0
 ORDER, INTERVAL, FOLLOW_TARGET = 31010, 511, 144
@@ -19,9 +19,9 @@ ORDER, INTERVAL, FOLLOW_TARGET = 31010, 511, 144
 def view(sysid: int, role: str, at: tuple[float, float, float], remaining_j: float, capacity_j: float) -> VehicleView:
     return VehicleView(
         sysid=sysid, role=role, label=f"{role} {sysid}", alive=True, profile=PX4, mode=FlightMode.OFFBOARD, armed=True,
-        landed=False, heard_s=0.0, p_ned=at, v_ned=(0.0, 0.0, 0.0), age_s=0.0, heading_rad=0.0,
+        landed=False, last_received_s=0.0, p_ned=at, v_ned=(0.0, 0.0, 0.0), age_s=0.0, heading_rad=0.0,
         origin_offset_ned=(0.0, 0.0, 0.0), ground_amsl_m=0.0, capacity_j=capacity_j, initial_j=remaining_j,
-        battery_told=True, drawn_j=0.0, received_j=0, given_j=0, given_told_s=0.0, power_w=0.0,
+        battery_reported=True, drawn_j=0.0, received_j=0, given_j=0, given_reported_s=0.0, power_w=0.0,
         energy_source="energy_consumed", control_effort=0.0,
     )  # fmt: skip
 
@@ -86,8 +86,8 @@ class Play:
 
     def tick(self) -> Decision:
         for sysid, seen in self.fleet.views.items():
-            self.fleet.set(sysid, given_told_s=self.now_s if seen.alive else seen.given_told_s)
-        snapshot = FleetState(self.now_s, tuple(self.fleet.views[key] for key in sorted(self.fleet.views)), ())
+            self.fleet.set(sysid, given_reported_s=self.now_s if seen.alive else seen.given_reported_s)
+        snapshot = FleetSnapshot(self.now_s, tuple(self.fleet.views[key] for key in sorted(self.fleet.views)), ())
         decision = self.schedule.decide(snapshot)
         self.decisions.append(decision)
         self.fleet.obey(self.schedule, decision.requests)

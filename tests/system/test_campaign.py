@@ -49,8 +49,8 @@ def rows(folder: Path, flown: Plan) -> list[dict[str, Any]]:
     return table.read(folder, flown.campaign).select(RESULT).to_pylist()
 
 
-def fly(folder: Path, flown: Plan, tell: Callable[[Progress, Any], None] = lambda *_: None, **options: Any) -> Runner:
-    runner = Runner(folder, flown, tell=tell, **options)
+def fly(folder: Path, flown: Plan, notify: Callable[[Progress, Any], None] = lambda *_: None, **options: Any) -> Runner:
+    runner = Runner(folder, flown, notify=notify, **options)
     runner.run()
     return runner
 

@@ -57,7 +57,7 @@ def test_every_line_of_a_session_an_observer_and_a_replay_keeps_to_the_schema(tm
     assert any(line["services"] for line in live if line["type"] == "snapshot")
     observer, source = Observer("monitor", "udpin:0.0.0.0:14550"), ReplaySource(Replay(outcome.folder), speed=None)
     for t_us, frame in tlog.read(outcome.folder / "session.tlog"):
-        observer.hear(frame, (t_us - 1767225600_000_000) / 1e6)
+        observer.receive(frame, (t_us - 1767225600_000_000) / 1e6)
     told = [observer.session(), observer.snapshot(40.0, speed=1.0, phase="flying")]
     for t_s in (0.0, 10.0, 25.0, 40.0):
         source.send({"command": "seek", "t_s": t_s})

@@ -162,7 +162,7 @@ def test_half_the_fleet_landing_empty_is_a_loss(tmp_path: Path) -> None:
     outcome = flown(content, tmp_path)
     assert unmet(outcome)["lost"]["sysids"] == [1, 2]
     assert {d["sysids"][0] for d in violations(outcome, "lost")} == {1, 2}
-    assert measures.take("lost", measures.Flown(outcome.folder, load(outcome.folder / "scenario.yaml"))) == 2.0
+    assert measures.measure("lost", measures.Flown(outcome.folder, load(outcome.folder / "scenario.yaml"))) == 2.0
 
 
 def test_a_pursuer_that_sinks_into_its_target_breaks_the_separation(tmp_path: Path) -> None:

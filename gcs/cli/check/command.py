@@ -70,7 +70,7 @@ def check(connect: Endpoint, sysid: int | None, peers: tuple[str, ...], arm: boo
     Exit status:
       0    nothing is missing and nothing is wrong
       1    something is
-      2    bad input, or no vehicle was heard
+      2    bad input, or no vehicle was received
       130  stopped by Ctrl-C
     """
     from gcs.cli.check import report
@@ -84,7 +84,7 @@ def check(connect: Endpoint, sysid: int | None, peers: tuple[str, ...], arm: boo
     dialogue = Dialogue(asked, sysid)
     known = False
 
-    def told(finding: CheckFinding) -> None:
+    def show(finding: CheckFinding) -> None:
         nonlocal known
         if not known and dialogue.vehicle is not None:
             known = True
@@ -99,7 +99,7 @@ def check(connect: Endpoint, sysid: int | None, peers: tuple[str, ...], arm: boo
         raise click.UsageError(f"--connect: {error}.") from None
     try:
         click.echo(f"waiting for a HEARTBEAT at {connect.text} ...", err=True)
-        run(dialogue, wire, told, find_within_s=within)
+        run(dialogue, wire, show, find_within_s=within)
     except CheckError as error:
         hint = ONLY_ONCE if connect.way == "udpout" else ""
         click.echo(f"gcs: {error} at {connect.text}; is the vehicle running, and is that its address?{hint}", err=True)

@@ -36,7 +36,7 @@ VEHICLE_TYPES = frozenset(range(mav.MAV_TYPE_ENUM_END)) - {
 }
 
 
-class Heard(NamedTuple):
+class ReceivedMessage(NamedTuple):
     """A message that the vehicle sent: its name, its fields in MAVLink's own units (None for one that no dialect of
     ours holds), and when it came."""
 
@@ -47,11 +47,11 @@ class Heard(NamedTuple):
 
 @dataclass
 class CheckedVehicle:
-    """What is known so far of the vehicle that is asked."""
+    """State known so far of the vehicle that is asked."""
 
     sysid: int
     compid: int
-    latest: dict[str, Heard] = field(default_factory=dict)
+    latest: dict[str, ReceivedMessage] = field(default_factory=dict)
     arrivals_s: dict[str, list[float]] = field(default_factory=dict)
     parameters: dict[str, Any] = field(default_factory=dict)
     """PARAM_VALUE's fields by name"""
@@ -59,22 +59,22 @@ class CheckedVehicle:
     """the first message whose time_boot_ms was lower than the one before"""
     _boot_ms: dict[str, int] = field(default_factory=dict)
 
-    def take(self, heard: Heard) -> None:
+    def receive(self, received: ReceivedMessage) -> None:
         """Remember one message."""
-        self.latest[heard.name] = heard
-        self.arrivals_s.setdefault(heard.name, []).append(heard.at_s)
-        boot_ms = getattr(heard.fields, "time_boot_ms", None)
+        self.latest[received.name] = received
+        self.arrivals_s.setdefault(received.name, []).append(received.at_s)
+        boot_ms = getattr(received.fields, "time_boot_ms", None)
         if boot_ms is not None:
-            if boot_ms < self._boot_ms.get(heard.name, 0) and not self.backwards:
-                self.backwards = heard.name
-            self._boot_ms[heard.name] = boot_ms
-        if heard.name == "PARAM_VALUE":
-            self.parameters[heard.fields.param_id] = heard.fields
+            if boot_ms < self._boot_ms.get(received.name, 0) and not self.backwards:
+                self.backwards = received.name
+            self._boot_ms[received.name] = boot_ms
+        if received.name == "PARAM_VALUE":
+            self.parameters[received.fields.param_id] = received.fields
 
     def of(self, name: str) -> Any:
         """The newest message of this name, or None."""
-        heard = self.latest.get(name)
-        return None if heard is None else heard.fields
+        received = self.latest.get(name)
+        return None if received is None else received.fields
 
     @property
     def profile(self) -> Profile:
@@ -83,7 +83,7 @@ class CheckedVehicle:
 
     @property
     def capabilities(self) -> int:
-        """AUTOPILOT_VERSION's capability bits; 0 where it was never told."""
+        """AUTOPILOT_VERSION's capability bits; 0 where it was never received."""
         version = self.of("AUTOPILOT_VERSION")
         return 0 if version is None else int(version.capabilities)
 
@@ -94,14 +94,14 @@ class CheckedVehicle:
 
 
 class Verdict(NamedTuple):
-    """What came of a question; `text` says what was found, for a person."""
+    """Result of a question; `text` says for a person what was found."""
 
     outcome: Outcome
     text: str = ""
 
 
-Judge = Callable[[CheckedVehicle, Sequence[Heard]], "Verdict | None"]
-"""What was heard since the question was first asked → the verdict, None while it may still come."""
+Judge = Callable[[CheckedVehicle, Sequence[ReceivedMessage]], "Verdict | None"]
+"""Messages received since the question was first asked → the verdict, None while it may still come."""
 
 
 @dataclass(frozen=True)
@@ -117,7 +117,7 @@ class Question:
     misses: Mapping[str, str]
     judge: Judge
     ask: Callable[[CheckedVehicle], Sequence[Message]] = lambda _: ()
-    at_end: Callable[[CheckedVehicle, Sequence[Heard]], Verdict] = lambda *_: Verdict("missing", "no answer")
+    at_end: Callable[[CheckedVehicle, Sequence[ReceivedMessage]], Verdict] = lambda *_: Verdict("missing", "no answer")
     when: Callable[[CheckedVehicle], str] = lambda _: ""
     """why it does not apply to this vehicle; empty where it does"""
     repeat_s: float = REPEAT_S
@@ -142,11 +142,11 @@ class Dialogue:
     def __init__(self, questions: Iterable[Question], sysid: int | None = None) -> None:
         self.vehicle: CheckedVehicle | None = None
         self.others: set[int] = set()
-        """system ids of further vehicles that were heard"""
+        """system ids of further vehicles that were received"""
         self.findings: list[CheckFinding] = []
         self._wanted = sysid
         self._left = deque(questions)
-        self._heard: list[Heard] = []
+        self._received: list[ReceivedMessage] = []
         self._asked = 0
         self._lead_until_s: float | None = None
         self._first_s = self._due_s = 0.0
@@ -155,7 +155,7 @@ class Dialogue:
 
     @property
     def current(self) -> Question | None:
-        """The question that is being asked; None before the vehicle was heard and at the end."""
+        """The question that is being asked; None before the vehicle is found and at the end."""
         return self._left[0] if self.vehicle is not None and self._left else None
 
     @property
@@ -163,7 +163,7 @@ class Dialogue:
         """Whether every question has its finding."""
         return not self._left
 
-    def take(self, frame: Frame, now_s: float) -> None:
+    def receive(self, frame: Frame, now_s: float) -> None:
         """Take in one frame that came."""
         name = codec.name(frame.msgid)
         try:
@@ -177,9 +177,9 @@ class Dialogue:
                 self.others.add(frame.sysid)
         if self.vehicle is None or (frame.sysid, frame.compid) != (self.vehicle.sysid, self.vehicle.compid):
             return
-        heard = Heard(name, content, now_s)
-        self.vehicle.take(heard)
-        self._heard.append(heard)
+        received = ReceivedMessage(name, content, now_s)
+        self.vehicle.receive(received)
+        self._received.append(received)
 
     def poll(self, now_s: float) -> list[Message]:
         """Judge what has come, move on, and say what to send now."""
@@ -201,19 +201,19 @@ class Dialogue:
             if now_s < self._lead_until_s:
                 return out
             if not self._asked:
-                self._heard = []
+                self._received = []
                 self._first_s = now_s
                 out += self._ask(question, now_s)
                 return out
-            if (verdict := question.judge(self.vehicle, self._heard)) is not None:
-                self._close(verdict, self._heard[-1].at_s - self._first_s if self._heard else None)
+            if (verdict := question.judge(self.vehicle, self._received)) is not None:
+                self._close(verdict, self._received[-1].at_s - self._first_s if self._received else None)
                 continue
             if now_s < self._due_s:
                 return out
             if self._asked < question.tries:
                 out += self._ask(question, now_s)
                 return out
-            self._close(question.at_end(self.vehicle, self._heard), None)
+            self._close(question.at_end(self.vehicle, self._received), None)
         return out
 
     def _ask(self, question: Question, now_s: float) -> Sequence[Message]:
@@ -227,4 +227,4 @@ class Dialogue:
         if outcome == "ok" and self._asked > 1:
             outcome, text = "late", f"came only after it was asked {self._asked} times"
         self.findings.append(CheckFinding(self._left.popleft(), outcome, text, after_s))
-        self._heard, self._asked, self._lead_until_s = [], 0, None
+        self._received, self._asked, self._lead_until_s = [], 0, None

@@ -8,12 +8,12 @@ from typing import Any
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.cli.check.dialogue import CheckedVehicle, Heard, Judge, Verdict
+from gcs.cli.check.dialogue import CheckedVehicle, Judge, ReceivedMessage, Verdict
 from gcs.mavlink.command_protocol import result_name
 from gcs.mavlink.ids import STATION
 
 Fault = Callable[[CheckedVehicle, Any], str]
-"""What is wrong with a message's fields; empty where nothing is."""
+"""Fault of a message's fields; empty without one."""
 
 OK = Verdict("ok")
 REASONS_WITHIN_S = 0.3
@@ -25,20 +25,20 @@ def no_fault(_: CheckedVehicle, __: Any) -> str:
     return ""
 
 
-def _named(heard: Sequence[Heard], name: str) -> Iterator[Any]:
-    return (h.fields for h in heard if h.name == name)
+def _named(received: Sequence[ReceivedMessage], name: str) -> Iterator[Any]:
+    return (h.fields for h in received if h.name == name)
 
 
-def _names(heard: Sequence[Heard]) -> set[str]:
-    """What has come, also of messages that no dialect of ours holds: those have no fields to read."""
-    return {h.name for h in heard}
+def _names(received: Sequence[ReceivedMessage]) -> set[str]:
+    """Names of received messages, also of those that no dialect of ours holds: those have no fields to read."""
+    return {h.name for h in received}
 
 
-def _final_acks(heard: Sequence[Heard], command: int) -> list[Any]:
+def _final_acks(received: Sequence[ReceivedMessage], command: int) -> list[Any]:
     """The acknowledgements of `command` that end it and are addressed to us or to everyone."""
     return [
         ack
-        for ack in _named(heard, "COMMAND_ACK")
+        for ack in _named(received, "COMMAND_ACK")
         if ack.command == command
         and ack.result != mav.MAV_RESULT_IN_PROGRESS
         and ack.target_system in (0, STATION[0])
@@ -51,8 +51,8 @@ def answered(
 ) -> Judge:
     """A message of this name that is meant (`ours`) has come."""
 
-    def judge(vehicle: CheckedVehicle, heard: Sequence[Heard]) -> Verdict | None:
-        for content in _named(heard, name):
+    def judge(vehicle: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verdict | None:
+        for content in _named(received, name):
             if ours(vehicle, content):
                 wrong = fault(vehicle, content)
                 return Verdict("wrong", wrong) if wrong else OK
@@ -63,35 +63,35 @@ def answered(
 
 def acknowledged(
     command: int, *, then: str | None = None, may_refuse: bool = False, fault: Fault = no_fault
-) -> tuple[Judge, Callable[[CheckedVehicle, Sequence[Heard]], Verdict]]:
+) -> tuple[Judge, Callable[[CheckedVehicle, Sequence[ReceivedMessage]], Verdict]]:
     """A final acknowledgement has come and, where it accepts, the message `then` too; as (judge, at_end)."""
 
-    def refused(heard: Sequence[Heard], ack: Any) -> Verdict:
-        texts = "; ".join(dict.fromkeys(content.text for content in _named(heard, "STATUSTEXT")))
+    def refused(received: Sequence[ReceivedMessage], ack: Any) -> Verdict:
+        texts = "; ".join(dict.fromkeys(content.text for content in _named(received, "STATUSTEXT")))
         said = f"refused: {result_name(ack.result)}" + (f", {texts}" if texts else "")
         return Verdict("ok" if may_refuse else "wrong", said)
 
-    def judge(vehicle: CheckedVehicle, heard: Sequence[Heard]) -> Verdict | None:
-        acks = _final_acks(heard, command)
+    def judge(vehicle: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verdict | None:
+        acks = _final_acks(received, command)
         if not acks:
             return None
         if acks[0].result != mav.MAV_RESULT_ACCEPTED:
-            told_s = next(h.at_s for h in heard if h.fields is acks[0])
-            waits = not may_refuse and heard[-1].at_s - told_s < REASONS_WITHIN_S
-            return None if waits else refused(heard, acks[0])
+            acked_s = next(h.at_s for h in received if h.fields is acks[0])
+            waits = not may_refuse and received[-1].at_s - acked_s < REASONS_WITHIN_S
+            return None if waits else refused(received, acks[0])
         if then is None:
             return OK
-        if then not in _names(heard):
+        if then not in _names(received):
             return None
-        wrong = fault(vehicle, next(_named(heard, then)))
+        wrong = fault(vehicle, next(_named(received, then)))
         return Verdict("wrong", wrong) if wrong else OK
 
-    def at_end(_: CheckedVehicle, heard: Sequence[Heard]) -> Verdict:
-        if acks := _final_acks(heard, command):
+    def at_end(_: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verdict:
+        if acks := _final_acks(received, command):
             if acks[0].result != mav.MAV_RESULT_ACCEPTED:
-                return refused(heard, acks[0])
+                return refused(received, acks[0])
             return Verdict("wrong", f"accepted, but {then} never came")
-        if then in _names(heard):
+        if then in _names(received):
             return Verdict("missing", f"{then} came, but no COMMAND_ACK")
         return Verdict("missing", "no COMMAND_ACK")
 
@@ -101,8 +101,8 @@ def acknowledged(
 def refuses(command: int) -> Judge:
     """An unknown command is refused, once."""
 
-    def judge(_: CheckedVehicle, heard: Sequence[Heard]) -> Verdict | None:
-        acks = _final_acks(heard, command)
+    def judge(_: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verdict | None:
+        acks = _final_acks(received, command)
         if not acks:
             return None
         if acks[0].result == mav.MAV_RESULT_ACCEPTED:
@@ -112,17 +112,17 @@ def refuses(command: int) -> Judge:
     return judge
 
 
-def silent(_: CheckedVehicle, heard: Sequence[Heard]) -> Verdict | None:
-    """A command to somebody else: any acknowledgement shows that it was obeyed."""
-    if any(_named(heard, "COMMAND_ACK")):
+def silent(_: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verdict | None:
+    """A command to another system: any acknowledgement shows that it was obeyed."""
+    if any(_named(received, "COMMAND_ACK")):
         return Verdict("wrong", "obeyed a command whose target_system is another vehicle's")
     return None
 
 
-def streamed(name: str, at_least_hz: float) -> Callable[[CheckedVehicle, Sequence[Heard]], Verdict]:
-    """The message has come unasked, since the vehicle was first heard, about as often as is wanted."""
+def streamed(name: str, at_least_hz: float) -> Callable[[CheckedVehicle, Sequence[ReceivedMessage]], Verdict]:
+    """The message has come unasked, since the vehicle was first received, about as often as is wanted."""
 
-    def at_end(vehicle: CheckedVehicle, _: Sequence[Heard]) -> Verdict:
+    def at_end(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> Verdict:
         arrivals_s = vehicle.arrivals_s.get(name, [])
         times_s = [at_s for times in vehicle.arrivals_s.values() for at_s in (times[0], times[-1])]
         window_s = max(times_s) - min(times_s)
@@ -135,10 +135,10 @@ def streamed(name: str, at_least_hz: float) -> Callable[[CheckedVehicle, Sequenc
     return at_end
 
 
-def steady(name: str, within_s: float) -> Callable[[CheckedVehicle, Sequence[Heard]], Verdict]:
+def steady(name: str, within_s: float) -> Callable[[CheckedVehicle, Sequence[ReceivedMessage]], Verdict]:
     """The message never paused for longer than its listeners' patience."""
 
-    def at_end(vehicle: CheckedVehicle, _: Sequence[Heard]) -> Verdict:
+    def at_end(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> Verdict:
         arrivals_s = vehicle.arrivals_s[name]
         gap_s = max((b - a for a, b in pairwise(arrivals_s)), default=0.0)
         return Verdict("wrong", f"paused for {gap_s:.1f} s") if gap_s > within_s else OK

@@ -9,7 +9,7 @@ from typing import Any
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.cli.check.asking import MAVPROXY, MAVSDK, QGC, judged, to_vehicle
-from gcs.cli.check.dialogue import CheckedVehicle, Heard, Question, Verdict
+from gcs.cli.check.dialogue import CheckedVehicle, Question, ReceivedMessage, Verdict
 from gcs.cli.check.judges import OK, answered
 from gcs.mavlink.autopilots import ARDUCOPTER, PX4
 from gcs.mavlink.codec import Message
@@ -26,25 +26,25 @@ def _count(vehicle: CheckedVehicle) -> int:
 
 def _ask_parameters(vehicle: CheckedVehicle) -> Sequence[Message]:
     """The whole list, also where a few have come unasked; what is missing of it once most has come."""
-    told = {p.param_index for p in vehicle.parameters.values()}
-    missing = [index for index in range(_count(vehicle)) if index not in told]
+    reported = {p.param_index for p in vehicle.parameters.values()}
+    missing = [index for index in range(_count(vehicle)) if index not in reported]
     if not _count(vehicle) or 2 * len(missing) > _count(vehicle):
         return to_vehicle("PARAM_REQUEST_LIST")(vehicle)
     return [m for i in missing[:50] for m in to_vehicle("PARAM_REQUEST_READ", param_id="", param_index=i)(vehicle)]
 
 
-def _parameters_told(vehicle: CheckedVehicle, heard: Sequence[Heard]) -> Verdict | None:
-    indices = {h.fields.param_index for h in heard if h.name == "PARAM_VALUE"}
+def _parameters_reported(vehicle: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verdict | None:
+    indices = {h.fields.param_index for h in received if h.name == "PARAM_VALUE"}
     count = _count(vehicle)
     return OK if count and len(indices & set(range(count))) == count else None
 
 
-def _parameters_missing(vehicle: CheckedVehicle, _: Sequence[Heard]) -> Verdict:
+def _parameters_missing(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> Verdict:
     count = _count(vehicle)
     return Verdict("missing", f"{len(vehicle.parameters)} of {count} came" if count else "none came")
 
 
-def _encoding_fault(vehicle: CheckedVehicle, _: Sequence[Heard]) -> Verdict:
+def _encoding_fault(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> Verdict:
     bytewise = bool(vehicle.capabilities & mav.MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_BYTEWISE)
     cast = bool(vehicle.capabilities & mav.MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_C_CAST)
     if not bytewise and vehicle.profile is ARDUCOPTER:
@@ -67,7 +67,7 @@ def _no_parameters(vehicle: CheckedVehicle) -> str:
     return "" if vehicle.parameters else "no parameter came"
 
 
-def _silent_on_unknown(vehicle: CheckedVehicle, _: Sequence[Heard]) -> Verdict:
+def _silent_on_unknown(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> Verdict:
     if vehicle.profile in (PX4, ARDUCOPTER):
         return Verdict("late", "silence, as from PX4 up to 1.17 and ArduPilot up to 4.6")
     return Verdict("missing", "no answer")
@@ -77,11 +77,11 @@ def _px4_only(vehicle: CheckedVehicle) -> str:
     return _no_parameters(vehicle) if vehicle.profile is PX4 else "only PX4 is asked for it"
 
 
-def _has(*names: str, set_up: bool = False) -> Callable[[CheckedVehicle, Sequence[Heard]], Verdict]:
-    def at_end(vehicle: CheckedVehicle, _: Sequence[Heard]) -> Verdict:
-        lacking = [name for name in names if name not in vehicle.parameters]
-        if lacking:
-            return Verdict("missing", f"lacks {', '.join(lacking)}")
+def _has(*names: str, set_up: bool = False) -> Callable[[CheckedVehicle, Sequence[ReceivedMessage]], Verdict]:
+    def at_end(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> Verdict:
+        absent = [name for name in names if name not in vehicle.parameters]
+        if absent:
+            return Verdict("missing", f"lacks {', '.join(absent)}")
         unset = [name for name in names if vehicle.parameters[name].param_value == 0.0]
         return Verdict("wrong", f"{', '.join(unset)} is zero") if set_up and unset else OK
 
@@ -117,7 +117,7 @@ PARAMETERS = [
             MAVPROXY: "never says how many parameters it received",
             MAVSDK: "param.get_all_params() times out",
         },
-        _parameters_told,
+        _parameters_reported,
         _ask_parameters,
         _parameters_missing,
         repeat_s=LIST_S,

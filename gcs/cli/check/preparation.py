@@ -8,7 +8,7 @@ from typing import Any
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.cli.check.asking import MAVPROXY, MAVSDK, QGC, command_long, to_vehicle
-from gcs.cli.check.dialogue import CheckedVehicle, Heard, Question, Verdict
+from gcs.cli.check.dialogue import CheckedVehicle, Question, ReceivedMessage, Verdict
 from gcs.cli.check.judges import OK, acknowledged, answered
 from gcs.mavlink.autopilots import FlightMode
 from gcs.mavlink.codec import Message, message
@@ -27,7 +27,7 @@ def _flies(mode: FlightMode) -> Callable[[CheckedVehicle, Any], bool]:
     return lambda vehicle, content: vehicle.profile.mode(content.custom_mode) is mode
 
 
-def _says(wanted: bool) -> Callable[[CheckedVehicle, Sequence[Heard]], Verdict | None]:
+def _says(wanted: bool) -> Callable[[CheckedVehicle, Sequence[ReceivedMessage]], Verdict | None]:
     """The newest HEARTBEAT, which may have come together with the acknowledgement."""
     return lambda vehicle, _: OK if vehicle.armed is wanted else None
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.cli.check.asking import MAVPROXY, MAVSDK, QGC, judged, to_vehicle
-from gcs.cli.check.dialogue import CheckedVehicle, Heard, Question, Verdict
+from gcs.cli.check.dialogue import CheckedVehicle, Question, ReceivedMessage, Verdict
 from gcs.cli.check.judges import OK, steady, streamed
 from gcs.mavlink.autopilots import ARDUCOPTER, GENERIC, PX4
 from gcs.mavlink.codec import Message
@@ -17,13 +17,13 @@ MAVSDK_LOSES_S = 3.0
 
 
 def _stream_request(vehicle: CheckedVehicle) -> Sequence[Message]:
-    """ArduPilot's peers ask for its streams; nobody asks PX4 for them."""
+    """ArduPilot's peers ask for its streams; PX4 sends them unasked."""
     if vehicle.profile is not ARDUCOPTER:
         return []
     return to_vehicle("REQUEST_DATA_STREAM", req_stream_id=0, req_message_rate=4, start_stop=1)(vehicle)
 
 
-def _heartbeat_fault(vehicle: CheckedVehicle, _: Sequence[Heard]) -> Verdict:
+def _heartbeat_fault(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> Verdict:
     content = vehicle.of("HEARTBEAT")
     if vehicle.compid != mav.MAV_COMP_ID_AUTOPILOT1:
         return Verdict("wrong", f"comes from component {vehicle.compid}, not from 1")
@@ -32,7 +32,7 @@ def _heartbeat_fault(vehicle: CheckedVehicle, _: Sequence[Heard]) -> Verdict:
     return OK
 
 
-def _mode_fault(vehicle: CheckedVehicle, _: Sequence[Heard]) -> Verdict:
+def _mode_fault(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> Verdict:
     number = vehicle.of("HEARTBEAT").custom_mode
     known = {mode for modes in mav_mode_names(vehicle).values() for mode in modes}
     return OK if number in known else Verdict("wrong", f"custom_mode {number} is none of {vehicle.profile.name}'s")
@@ -50,7 +50,7 @@ def mav_mode_names(vehicle: CheckedVehicle) -> dict[str, set[int]]:
     return found | {"OFFBOARD": {6 << 16}}
 
 
-def _autopilot_fault(vehicle: CheckedVehicle, _: Sequence[Heard]) -> Verdict:
+def _autopilot_fault(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> Verdict:
     if vehicle.profile is GENERIC:
         return Verdict("wrong", f"MAV_AUTOPILOT {vehicle.of('HEARTBEAT').autopilot} is neither PX4 nor ArduPilot")
     return OK
@@ -62,20 +62,20 @@ def _stream(name: str, hz: float, misses: dict[str, str]) -> Question:
     return Question(key, what, misses, lambda *_: None, at_end=streamed(name, hz), repeat_s=0.0, tries=1)
 
 
-def _fence(vehicle: CheckedVehicle, heard: Sequence[Heard]) -> Verdict:
+def _fence(vehicle: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verdict:
     """A PX4 has a fence, and no word of it in SYS_STATUS: MAVProxy says 'fence breach' of each, once."""
     status = vehicle.of("SYS_STATUS")
-    told = status.onboard_control_sensors_present | status.onboard_control_sensors_enabled
-    if vehicle.profile is PX4 and not told & mav.MAV_SYS_STATUS_GEOFENCE:
+    reported = status.onboard_control_sensors_present | status.onboard_control_sensors_enabled
+    if vehicle.profile is PX4 and not reported & mav.MAV_SYS_STATUS_GEOFENCE:
         return Verdict("late", "nothing is told of it, as by PX4 up to 1.17")
-    return _health(mav.MAV_SYS_STATUS_GEOFENCE, "GEOFENCE")(vehicle, heard)
+    return _health(mav.MAV_SYS_STATUS_GEOFENCE, "GEOFENCE")(vehicle, received)
 
 
-def _health(bits: int, names: str) -> Callable[[CheckedVehicle, Sequence[Heard]], Verdict]:
-    def at_end(vehicle: CheckedVehicle, _: Sequence[Heard]) -> Verdict:
+def _health(bits: int, names: str) -> Callable[[CheckedVehicle, Sequence[ReceivedMessage]], Verdict]:
+    def at_end(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> Verdict:
         status = vehicle.of("SYS_STATUS")
-        lacking = bits & ~status.onboard_control_sensors_health
-        return Verdict("wrong", f"onboard_control_sensors_health lacks {lacking:#x} ({names})") if lacking else OK
+        unhealthy = bits & ~status.onboard_control_sensors_health
+        return Verdict("wrong", f"onboard_control_sensors_health lacks {unhealthy:#x} ({names})") if unhealthy else OK
 
     return at_end
 
@@ -156,7 +156,7 @@ PRESENCE = [
 ]
 
 
-def _clock_fault(vehicle: CheckedVehicle, _: Sequence[Heard]) -> Verdict:
+def _clock_fault(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> Verdict:
     if vehicle.backwards:
         return Verdict("wrong", f"{vehicle.backwards}'s time_boot_ms went back")
     return OK

@@ -1,4 +1,4 @@
-"""What MAVSDK, QGroundControl and MAVProxy ask of a vehicle, all of it in order (MAVSDK 4.1.0 and MAVProxy 1.8.75 as
+"""Questions of MAVSDK, QGroundControl and MAVProxy to a vehicle, all in order (MAVSDK 4.1.0 and MAVProxy 1.8.75 as
 measured, QGroundControl as its source says)."""
 
 from __future__ import annotations
@@ -14,6 +14,6 @@ from gcs.cli.check.presence import AT_LAST, PRESENCE
 
 
 def questions(peers: Sequence[str] = PEERS, *, arm: bool = False) -> list[Question]:
-    """What these peers ask and wait for, in order; with `arm` also what changes the mode, arms and disarms."""
+    """Questions of these peers, in order; with `arm` also what changes the mode, arms and disarms."""
     everything = [*PRESENCE, *CONNECT, *PARAMETERS, *MISSIONS, *(PREPARATION if arm else ()), *AT_LAST]
     return [q for q in everything if set(q.misses) & set(peers) or q.key == "heartbeat"]

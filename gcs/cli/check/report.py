@@ -8,7 +8,7 @@ from typing import Any
 from gcs.cli.check.dialogue import CheckedVehicle, CheckFinding
 
 FAULTS = ("missing", "wrong")
-"""Outcomes after which a vehicle does not pass; a late answer is told, but peers that ask again get it."""
+"""Outcomes after which a vehicle does not pass; a late answer is reported, but peers that ask again get it."""
 
 
 def line(finding: CheckFinding) -> str:
@@ -22,7 +22,7 @@ def line(finding: CheckFinding) -> str:
 
 
 def counted(findings: Iterable[CheckFinding]) -> dict[str, int]:
-    """How many of each outcome."""
+    """Number of each outcome."""
     counts = dict.fromkeys(("ok", "late", "missing", "wrong", "skipped"), 0)
     for finding in findings:
         counts[finding.outcome] += 1

@@ -54,7 +54,7 @@ class Wire:
             return
         for message in messages:
             with contextlib.suppress(OSError):
-                self._socket.sendto(codec.frame(message, self._counter.take(), *STATION), to)
+                self._socket.sendto(codec.frame(message, self._counter.next(), *STATION), to)
 
     def close(self) -> None:
         """Close the socket."""
@@ -64,21 +64,22 @@ class Wire:
 def check(
     dialogue: Dialogue,
     wire: Wire,
-    told: Callable[[CheckFinding], object],
+    on_finding: Callable[[CheckFinding], object],
     *,
     find_within_s: float = FIND_WITHIN_S,
 ) -> None:
-    """Have the whole dialogue; `told` hears of each finding as it is made. Raises CheckError where nobody is there."""
+    """Have the whole dialogue; `on_finding` is called with each finding. Raises CheckError where no vehicle is
+    there."""
     begun_s = time.monotonic()
     count = 0
     while not dialogue.done:
         now_s = time.monotonic() - begun_s
         for frame in wire.receive(POLL_S):
-            dialogue.take(frame, time.monotonic() - begun_s)
+            dialogue.receive(frame, time.monotonic() - begun_s)
         vehicle = dialogue.vehicle
         if vehicle is None and now_s > find_within_s:
             raise CheckError(f"no vehicle's HEARTBEAT came within {find_within_s:g} s")
         wire.send(dialogue.poll(time.monotonic() - begun_s), None if vehicle is None else vehicle.sysid)
         for finding in dialogue.findings[count:]:
-            told(finding)
+            on_finding(finding)
         count = len(dialogue.findings)

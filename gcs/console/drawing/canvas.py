@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 
-from gcs.console.text import Glyphs, Line, Lines
+from gcs.console.text import Glyphs, StyledLine, StyledLines
 
 _BRAILLE = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
 _BRAILLE_START = 0x2800
@@ -86,12 +86,12 @@ class Canvas:
             return False
         return not any(self._text[row][column : column + length])
 
-    def lines(self) -> Lines:
+    def lines(self) -> StyledLines:
         """The drawing, as many lines as rows."""
         return [self._line(row) for row in range(self.rows)]
 
-    def _line(self, row: int) -> Line:
-        line: Line = []
+    def _line(self, row: int) -> StyledLine:
+        line: StyledLine = []
         run, run_style = "", ""
         for dots, text, style in zip(self._dots[row], self._text[row], self._styles[row], strict=True):
             if text:

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 from gcs.console.drawing.canvas import Canvas, Point
-from gcs.console.text import Glyphs, Lines, left, number, right
+from gcs.console.text import Glyphs, StyledLines, left, number, right
 
 AXIS = 5
 LABEL = 9
 GAP_S = 2.0
-"""Samples farther apart are not joined: nobody competed between them."""
+"""Samples farther apart are not joined: there was no competition between them."""
 CURVES = ("curve1", "curve2", "curve3", "curve4", "curve5", "curve6")
 
 
@@ -30,7 +30,7 @@ def chart(
     glyphs: Glyphs,
     span_s: float,
     now_s: float,
-) -> Lines:
+) -> StyledLines:
     """The curves `names` of `samples`, each (time in s, {name: value from 0}), over the last `span_s` up to `now_s`.
 
     Every curve of the newest sample has its name at the right, as far as there is room, and its value unless it is
@@ -78,7 +78,7 @@ def chart(
                 if 0 <= row + shift < rows and row + shift not in labels:
                     labels[row + shift] = (shown, style)
                     break
-    lines: Lines = []
+    lines: StyledLines = []
     axis = {0: top, (rows - 1) // 2: None, rows - 1: 0.0}
     for row, line in enumerate(canvas.lines()):
         value = axis.get(row)

@@ -12,16 +12,16 @@ from textual.strip import Strip
 from textual.widget import Widget
 
 from gcs.console.styles import style
-from gcs.console.text import Lines, width_of
+from gcs.console.text import StyledLines, width_of
 
-Paint = Callable[[int, int], Lines]
+Paint = Callable[[int, int], StyledLines]
 Pointed = Callable[[int, int, int], object]
 
 
 class Panel(Widget):
     """Shows what `paint(width, height)` returns, on the style `ground`.
 
-    `pointed(column, row, turn)` hears clicks (0) and the wheel (±1).
+    `pointed(column, row, turn)` is called for clicks (0) and the wheel (±1).
     """
 
     def __init__(
@@ -31,7 +31,7 @@ class Panel(Widget):
         self._paint = paint
         self._ground = ground
         self._pointed = pointed
-        self._lines: Lines = []
+        self._lines: StyledLines = []
         self._strips: list[Strip] = []
 
     def redraw(self) -> None:
@@ -69,15 +69,15 @@ class Panel(Widget):
         self.redraw()
 
     def on_click(self, event: events.Click) -> None:
-        """Tell who listens."""
+        """Notify the listener."""
         self._point(event, 0)
 
     def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
-        """Tell who listens."""
+        """Notify the listener."""
         self._point(event, -1)
 
     def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
-        """Tell who listens."""
+        """Notify the listener."""
         self._point(event, 1)
 
     def _point(self, event: Any, turn: int) -> None:

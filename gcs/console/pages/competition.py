@@ -6,17 +6,17 @@ from typing import Any
 
 from gcs.console.drawing.chart import CURVES, chart, curve_styles
 from gcs.console.model import SessionModel, margin
-from gcs.console.text import Glyphs, Line, Lines, bar, fitted, left, number, titled, wrapped
+from gcs.console.text import Glyphs, StyledLine, StyledLines, bar, fitted, left, number, titled, wrapped
 from gcs.session.plain_text import clean
 
 MOST_CURVES = len(CURVES)
 SPAN_S = 60.0
 BRIEF = 60
-"""Cells below which a service that has ended is told by numbers alone."""
+"""Cells below which a service that has ended is shown by numbers alone."""
 
 
-def verdict(watch: SessionModel) -> Line:
-    """Who leads by how much, in one line."""
+def verdict(watch: SessionModel) -> StyledLine:
+    """The leader and its share, in one line."""
     competition = watch.competition
     if not competition.get("v"):
         return [("nobody competes at present", "dim")]
@@ -24,7 +24,7 @@ def verdict(watch: SessionModel) -> Line:
     if leader is None or ahead is None:
         return [("undecided", "info"), (f", {len(competition['v'])} compete", "")]
     share, needed = 100.0 * float(competition["share"]), 100.0 * float(competition.get("threshold") or 0.9)
-    line: Line = [(watch.name(leader), "lead"), (f" leads with {share:.0f} %", "")]
+    line: StyledLine = [(watch.name(leader), "lead"), (f" leads with {share:.0f} %", "")]
     line.append((f", margin {100.0 * ahead:+.0f}", "well" if ahead >= 0.0 else "info"))
     line.append((f" (needs {needed:.0f} %)", "dim"))
     if (runner_up := competition.get("runner_up")) is not None:
@@ -44,9 +44,9 @@ def names(watch: SessionModel) -> list[str]:
     return every[:MOST_CURVES]
 
 
-def why(watch: SessionModel, width: int, most: int) -> Lines:
+def why(watch: SessionModel, width: int, most: int) -> StyledLines:
     """Why each tanker flies where it flies."""
-    lines: Lines = []
+    lines: StyledLines = []
     for service in watch.snapshot.get("services") or ():
         sentence = clean(service.get("why") or "") or (
             f"{watch.giver(service)} serves {watch.name(service.get('receiver'))}, "
@@ -58,14 +58,14 @@ def why(watch: SessionModel, width: int, most: int) -> Lines:
     return lines[:most] or [[("  no tanker is under way", "dim")]]
 
 
-def compact(watch: SessionModel, *, width: int, height: int, glyphs: Glyphs) -> Lines:
+def compact(watch: SessionModel, *, width: int, height: int, glyphs: Glyphs) -> StyledLines:
     """Verdict, reason and curves in little room."""
     reasons = why(watch, width, 3)
-    lines: Lines = [fitted(verdict(watch), width, glyphs), *reasons]
+    lines: StyledLines = [fitted(verdict(watch), width, glyphs), *reasons]
     return [*lines, *_curves(watch, width, height - len(lines), glyphs)]
 
 
-def _curves(watch: SessionModel, width: int, height: int, glyphs: Glyphs) -> Lines:
+def _curves(watch: SessionModel, width: int, height: int, glyphs: Glyphs) -> StyledLines:
     return chart(
         watch.contest,
         names(watch),
@@ -78,9 +78,9 @@ def _curves(watch: SessionModel, width: int, height: int, glyphs: Glyphs) -> Lin
     )
 
 
-def page(watch: SessionModel, *, width: int, height: int, glyphs: Glyphs) -> Lines:
+def page(watch: SessionModel, *, width: int, height: int, glyphs: Glyphs) -> StyledLines:
     """All of it: reasons, curves, bids, and the services that have ended."""
-    lines: Lines = [fitted([(" ", ""), *verdict(watch)], width, glyphs), *why(watch, width, 4)]
+    lines: StyledLines = [fitted([(" ", ""), *verdict(watch)], width, glyphs), *why(watch, width, 4)]
     half = min(46, width // 2)
     bids, past = _bids(watch, glyphs), _past(watch, brief=width - half < BRIEF)
     below = min(max(len(bids), len(past), 3) + 1, max(4, height // 3))
@@ -98,13 +98,13 @@ def page(watch: SessionModel, *, width: int, height: int, glyphs: Glyphs) -> Lin
     return lines
 
 
-def _bids(watch: SessionModel, glyphs: Glyphs) -> Lines:
+def _bids(watch: SessionModel, glyphs: Glyphs) -> StyledLines:
     """v and need of everyone in it, the greatest v first."""
     competition = watch.competition
     values = {str(k): float(x) for k, x in (competition.get("v") or {}).items()}
     needs: dict[str, Any] = {str(k): x for k, x in (competition.get("tau") or {}).items()}
     top = max([1.0, *values.values()])
-    lines: Lines = [[(f"  {'vehicle':<12} {'v':>5} {'':<12} {'bid':>5}", "heading")]] if values else []
+    lines: StyledLines = [[(f"  {'vehicle':<12} {'v':>5} {'':<12} {'bid':>5}", "heading")]] if values else []
     drawn = names(watch)
     styles = curve_styles(drawn)
     for name in sorted(values, key=lambda name: (-values[name], name)):
@@ -116,9 +116,10 @@ def _bids(watch: SessionModel, glyphs: Glyphs) -> Lines:
     return lines
 
 
-def _past(watch: SessionModel, *, brief: bool) -> Lines:
-    """What was served, the last one first: when it ended, how much, who by whom, and why; `brief`: in 40 cells."""
-    lines: Lines = []
+def _past(watch: SessionModel, *, brief: bool) -> StyledLines:
+    """Services that have ended, the last one first: when it ended, how much, who by whom, and why; `brief`: in 40
+    cells."""
+    lines: StyledLines = []
     for service in reversed(watch.snapshot.get("history") or ()):
         when = service.get("end_s")
         stamp = "-" if when is None else f"{float(when):.1f}"

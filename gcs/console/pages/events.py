@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from gcs.console import events_log
 from gcs.console.model import SessionModel
-from gcs.console.text import Glyphs, Line, Lines, titled
+from gcs.console.text import Glyphs, StyledLine, StyledLines, titled
 
-NONE: Line = [("  none", "dim")]
+NONE: StyledLine = [("  none", "dim")]
 
 
 class EventsPage:
@@ -16,8 +16,8 @@ class EventsPage:
         self.filter = events_log.Filter()
         self._back = self._matched = 0
 
-    def page(self, watch: SessionModel, *, width: int, height: int, glyphs: Glyphs) -> Lines:
-        """As many as there is room for, from where it was scrolled to."""
+    def page(self, watch: SessionModel, *, width: int, height: int, glyphs: Glyphs) -> StyledLines:
+        """The events that there is room for, from where it was scrolled to."""
         found = events_log.matching(watch, self.filter)
         if self._back:  # who reads what is past is not to lose his place
             self._back += max(0, len(found) - self._matched)
@@ -25,20 +25,20 @@ class EventsPage:
         shown, self._back = events_log.window(
             watch, found, width=width, height=height - 1, back=self._back, glyphs=glyphs
         )
-        note: Line = [(f"{self.filter.said()}: {len(found)} of {len(watch.events)}", "info")]
+        note: StyledLine = [(f"{self.filter.said()}: {len(found)} of {len(watch.events)}", "info")]
         if self._back:
             note.append((f", {self._back} newer below", "look"))
         return [titled("events", width, glyphs, note), *(shown or [NONE])]
 
-    def recent(self, watch: SessionModel, *, width: int, height: int, glyphs: Glyphs) -> Lines:
+    def recent(self, watch: SessionModel, *, width: int, height: int, glyphs: Glyphs) -> StyledLines:
         """The newest ones."""
         found = events_log.matching(watch, self.filter)
-        note: Line = [] if self.filter.open else [(self.filter.said(), "info")]
+        note: StyledLine = [] if self.filter.open else [(self.filter.said(), "info")]
         shown, _ = events_log.window(watch, found, width=width, height=height - 1, back=0, glyphs=glyphs)
         return [titled("events", width, glyphs, note), *(shown or [NONE])]
 
     def scroll(self, down: int) -> None:
-        """So many events on, or back for a negative number."""
+        """Scroll some events on, or back for a negative number."""
         self._back = max(0, self._back - down)
 
     def change(self, what: str, chosen: int | None) -> None:

@@ -1,4 +1,4 @@
-"""The fleet as a table: as many columns as fit, vehicles in trouble first and always in sight."""
+"""The fleet as a table: as many columns as fit, vehicles with health issues first and always in sight."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from gcs.console.model import Vehicle, battery_share, severity, troubles
-from gcs.console.text import Glyphs, Line, Lines, Span, bar, fitted, left, number, right, width_of
+from gcs.console.model import Vehicle, battery_share, issues, severity
+from gcs.console.text import Glyphs, Span, StyledLine, StyledLines, bar, fitted, left, number, right, width_of
 from gcs.session.plain_text import clean, minutes
 
 LEAST_WORDS = 12
@@ -15,7 +15,7 @@ LOW, HALF = 0.2, 0.5
 SEVERITY_STYLES = ("", "look", "act")
 STATES = {"competing": "compet", "leads": "leads", "waits": "waits", "served": "served", "serves": "serves"}
 
-Cell = Callable[[Vehicle, Glyphs, int], Line]
+Cell = Callable[[Vehicle, Glyphs, int], StyledLine]
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,7 @@ class TableColumn:
 
 
 def _figure(key: str, decimals: int, scale: float = 1.0) -> Cell:
-    def cell(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
+    def cell(vehicle: Vehicle, glyphs: Glyphs, width: int) -> StyledLine:
         value = vehicle.get(key)
         return [(right(number(None if value is None else scale * value, width, decimals), width), "")]
 
@@ -41,21 +41,21 @@ def _figure(key: str, decimals: int, scale: float = 1.0) -> Cell:
 
 
 def _axis(axis: int) -> Cell:
-    def cell(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
+    def cell(vehicle: Vehicle, glyphs: Glyphs, width: int) -> StyledLine:
         p_ned = vehicle.get("p_ned")
         return [(right(number(None if p_ned is None else p_ned[axis], width, 1), width), "")]
 
     return cell
 
 
-def identity(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
-    """The vehicle's id with the mark of its trouble in front."""
+def identity(vehicle: Vehicle, glyphs: Glyphs, width: int) -> StyledLine:
+    """The vehicle's id with the mark of its health in front."""
     level = severity(vehicle)
     mark = (" ", glyphs.look, glyphs.act)[level]
     return [(mark + right(str(vehicle["sysid"]), width - 1), SEVERITY_STYLES[level])]
 
 
-def _role(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
+def _role(vehicle: Vehicle, glyphs: Glyphs, width: int) -> StyledLine:
     role = clean(vehicle.get("role") or "vehicle")
     return [(left(role, width), f"craft {role}")]
 
@@ -68,23 +68,23 @@ def mode(vehicle: Vehicle) -> Span:
     return word, {"return": "look", "land": "look", "hold": "held", "refuel": "meet"}.get(word, "")
 
 
-def _mode(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
+def _mode(vehicle: Vehicle, glyphs: Glyphs, width: int) -> StyledLine:
     text, style = mode(vehicle)
     return [(left(text, width), style)]
 
 
-def _armed(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
+def _armed(vehicle: Vehicle, glyphs: Glyphs, width: int) -> StyledLine:
     armed = vehicle.get("armed")
     text = "-" if armed is None else glyphs.yes if armed else glyphs.no
     return [(text.center(width), "" if armed else "dim")]
 
 
 def battery_style(share: float) -> str:
-    """How a charge is drawn: calm down to a fifth; whether someone has to act is for the trouble to say."""
+    """Style of a charge: calm down to a fifth; whether to act is said by the health issues."""
     return "look" if share < LOW else "half" if share < HALF else "charge"
 
 
-def _battery(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
+def _battery(vehicle: Vehicle, glyphs: Glyphs, width: int) -> StyledLine:
     share = battery_share(vehicle)
     if share is None:
         return [(left("-", width), "dim")]
@@ -92,22 +92,22 @@ def _battery(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
     return [*bar(share, width - 4, glyphs, style), (f"{100.0 * share:3.0f}%", style)]
 
 
-def _joules(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
+def _joules(vehicle: Vehicle, glyphs: Glyphs, width: int) -> StyledLine:
     return [(right(number(vehicle.get("remaining_j"), width, 0), width), "")]
 
 
-def _minutes(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
+def _minutes(vehicle: Vehicle, glyphs: Glyphs, width: int) -> StyledLine:
     return [(right(minutes(vehicle.get("endurance_s")), width), "")]
 
 
-def _loss(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
+def _loss(vehicle: Vehicle, glyphs: Glyphs, width: int) -> StyledLine:
     share = vehicle.get("lost_share")
     if share is None:
         return [(right("-", width), "dim")]
     return [(right(number(100.0 * share, width, 0), width), "look" if share >= 0.05 else "")]
 
 
-def _competition(vehicle: Vehicle, glyphs: Glyphs, width: int) -> Line:
+def _competition(vehicle: Vehicle, glyphs: Glyphs, width: int) -> StyledLine:
     state, v = str(vehicle.get("state") or ""), vehicle.get("v")
     word = STATES.get(state, clean(state))
     if state in ("idle", "") and v is None:
@@ -141,7 +141,7 @@ COLUMNS = (
 
 @dataclass(frozen=True)
 class TableLayout:
-    """Which columns stand in a table of some width, how wide, and what room is left for words of trouble."""
+    """Which columns stand in a table of some width, how wide, and what room is left for health issues."""
 
     columns: tuple[tuple[TableColumn, int], ...]
     gap: int
@@ -165,22 +165,22 @@ def layout(width: int) -> TableLayout:
     return TableLayout(widths, gap, words if words >= LEAST_WORDS else 0)
 
 
-def heading(plan: TableLayout) -> Line:
+def heading(plan: TableLayout) -> StyledLine:
     """The titles over their columns."""
-    line: Line = []
+    line: StyledLine = []
     for column, width in plan.columns:
         title = column.wide_title if width == column.wide and column.wide_title else column.title
         line += [(column.justify(title, width), "heading"), (" " * plan.gap, "heading")]
     return [*line, (left("trouble", plan.words), "heading")] if plan.words else line[:-1]
 
 
-def row(vehicle: Vehicle, plan: TableLayout, glyphs: Glyphs, *, chosen: bool) -> Line:
+def row(vehicle: Vehicle, plan: TableLayout, glyphs: Glyphs, *, chosen: bool) -> StyledLine:
     """One vehicle."""
-    line: Line = []
+    line: StyledLine = []
     for column, width in plan.columns:
         line += [*column.cell(vehicle, glyphs, width), (" " * plan.gap, "")]
     if plan.words:
-        note = ", ".join(troubles(vehicle)) or clean(vehicle.get("note") or "")
+        note = ", ".join(issues(vehicle)) or clean(vehicle.get("note") or "")
         style = SEVERITY_STYLES[severity(vehicle)] or "dim"
         line += fitted([(note, style)], plan.words, glyphs)
     else:
@@ -193,8 +193,8 @@ def row(vehicle: Vehicle, plan: TableLayout, glyphs: Glyphs, *, chosen: bool) ->
 def window(vehicles: Sequence[Vehicle], room: int, chosen: int | None, top: int) -> tuple[list[Vehicle], int, int]:
     """(the vehicles shown, how many of them are pinned at the top, the new `top`) of an ordered fleet.
 
-    Those in trouble stay in sight, in up to a half of the room, however far the rest is scrolled; `top` is the first
-    of the others that is shown, and moves as little as keeps the chosen one in sight.
+    Those with health issues stay in sight, in up to a half of the room, however far the rest is scrolled; `top` is the
+    first of the others that is shown, and moves as little as keeps the chosen one in sight.
     """
     if len(vehicles) <= room or room <= 0:
         return list(vehicles[: max(room, 0)]), 0, 0
@@ -209,13 +209,13 @@ def window(vehicles: Sequence[Vehicle], room: int, chosen: int | None, top: int)
 
 def table(
     vehicles: Sequence[Vehicle], *, width: int, height: int, glyphs: Glyphs, chosen: int | None, top: int
-) -> tuple[Lines, list[int], int]:
+) -> tuple[StyledLines, list[int], int]:
     """(lines, the system id on each line from the second on, the new `top`); the last line counts those not shown."""
     plan = layout(width)
     room = height - 1
     hidden_line = len(vehicles) > room
     shown, _, top = window(vehicles, room - hidden_line, chosen, top)
-    lines: Lines = [_filled(heading(plan), width, "heading")]
+    lines: StyledLines = [_filled(heading(plan), width, "heading")]
     for vehicle in shown:
         mine = vehicle["sysid"] == chosen
         lines.append(_filled(row(vehicle, plan, glyphs, chosen=mine), width, "chosen" if mine else ""))
@@ -224,14 +224,14 @@ def table(
     return lines, [vehicle["sysid"] for vehicle in shown], top
 
 
-def _filled(line: Line, width: int, style: str) -> Line:
+def _filled(line: StyledLine, width: int, style: str) -> StyledLine:
     return [*line, (" " * max(0, width - width_of(line)), style)]
 
 
-def _hidden(count: int, vehicles: Sequence[Vehicle], shown: set[Any], glyphs: Glyphs) -> Line:
+def _hidden(count: int, vehicles: Sequence[Vehicle], shown: set[Any], glyphs: Glyphs) -> StyledLine:
     levels = [severity(v) for v in vehicles if v["sysid"] not in shown]
     acts, looks = levels.count(2), levels.count(1)
-    line: Line = [(f"{glyphs.more} {count} more", "dim")]
+    line: StyledLine = [(f"{glyphs.more} {count} more", "dim")]
     if acts or looks:
         line.append((f", {acts} to act on, {looks} to look at: scroll", "act" if acts else "look"))
     return line

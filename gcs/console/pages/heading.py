@@ -1,12 +1,12 @@
-"""The lines that every page has: session and progress, pages and goal, trouble; and the keys at the bottom."""
+"""The lines that every page has: session and progress, pages and goal, health; and the keys at the bottom."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from gcs.console.model import SessionModel, severity, troubles
-from gcs.console.text import Glyphs, Line, bar, fitted, width_of
+from gcs.console.model import SessionModel, issues, severity
+from gcs.console.text import Glyphs, StyledLine, bar, fitted, width_of
 from gcs.session.plain_text import broken_text, clean, goal_parts
 
 PAGES = ("fleet", "map", "competition", "events", "vehicle")
@@ -14,7 +14,7 @@ PHASES = {"starting": "info", "flying": "well", "paused": "look", "ended": "titl
 LONGEST_BAR = 40
 
 
-def session_line(watch: SessionModel, title: str, connected: bool, width: int, glyphs: Glyphs) -> Line:
+def session_line(watch: SessionModel, title: str, connected: bool, width: int, glyphs: Glyphs) -> StyledLine:
     """Name, time, progress, speed, phase, connection."""
     replay, snapshot = watch.replay, watch.snapshot
     name = clean(watch.session.get("name") or title or "session")
@@ -32,8 +32,14 @@ def session_line(watch: SessionModel, title: str, connected: bool, width: int, g
         link = (f"{glyphs.act} not connected", "act")
     else:
         link = (f"{glyphs.no} connecting", "info")
-    tail: Line = [(f"  {glyphs.times}{pace}", ""), ("  ", ""), (phase, PHASES.get(phase, "info")), ("  ", ""), link]
-    head: Line = [(f" {name} ", "name"), (" ", ""), (time, ""), (" ", "")]
+    tail: StyledLine = [
+        (f"  {glyphs.times}{pace}", ""),
+        ("  ", ""),
+        (phase, PHASES.get(phase, "info")),
+        ("  ", ""),
+        link,
+    ]
+    head: StyledLine = [(f" {name} ", "name"), (" ", ""), (time, ""), (" ", "")]
     room = width - width_of(head) - width_of(tail) - 1
     if end_s and room >= 4:
         share = (watch.t_s - begin_s) / max(float(end_s) - begin_s, 1e-9)
@@ -47,9 +53,9 @@ def _pace(replay: Mapping[str, Any] | None, snapshot: Mapping[str, Any]) -> str:
     return "-" if speed is None else f"{float(speed):.2f}"
 
 
-def goal_line(watch: SessionModel, page: str, width: int, glyphs: Glyphs) -> Line:
+def goal_line(watch: SessionModel, page: str, width: int, glyphs: Glyphs) -> StyledLine:
     """The pages, the present one marked, and how far the goal is."""
-    goal: Line = []
+    goal: StyledLine = []
     if broken := broken_text(watch.snapshot.get("goal") or {}):
         goal.append((broken, "act"))
     for what, have, need, text in _goal(watch):
@@ -65,9 +71,9 @@ def goal_line(watch: SessionModel, page: str, width: int, glyphs: Glyphs) -> Lin
     return fitted([*line, (" " * max(gap, 1), ""), *goal, (" ", "")], width, glyphs)
 
 
-def _tabs(page: str, *, short: bool) -> Line:
+def _tabs(page: str, *, short: bool) -> StyledLine:
     """The pages with their keys; `short` names the present one alone."""
-    line: Line = []
+    line: StyledLine = []
     for order, name in enumerate(PAGES, 1):
         text = f"{order} {name}" if name == page or not short else str(order)
         line.append((f"[{text}]", "tab chosen") if name == page else (f" {text} ", "tab"))
@@ -84,7 +90,7 @@ def _goal(watch: SessionModel) -> Iterable[tuple[str, float, float, str]]:
         yield "refuel", 1, 1, str(refuelled)
 
 
-def trouble_line(watch: SessionModel, width: int, glyphs: Glyphs) -> Line:
+def health_line(watch: SessionModel, width: int, glyphs: Glyphs) -> StyledLine:
     """The worst vehicles and what is wrong with them; on every page, always in the same place."""
     if not watch.vehicles:
         waiting = watch.session.get("vehicles")
@@ -96,25 +102,25 @@ def trouble_line(watch: SessionModel, width: int, glyphs: Glyphs) -> Line:
         flying = sum(1 for v in watch.vehicles.values() if v.get("armed"))
         text = f" all well {glyphs.dot} {len(watch.vehicles)} vehicles, {flying} armed"
         return fitted([(text, "well-line")], width, glyphs)
-    line: Line = []
+    line: StyledLine = []
     if acts:
         line.append((f" {glyphs.act} ACT {acts} ", "act badge"))
     if len(bad) > acts:
         line.append((f" {glyphs.look} LOOK {len(bad) - acts} ", "look badge"))
     for vehicle in bad:
         style = "act" if severity(vehicle) == 2 else "look"
-        words = ", ".join(troubles(vehicle)[:2]) or "trouble"
+        words = ", ".join(issues(vehicle)[:2]) or "trouble"
         line += [("  ", ""), (f"{watch.name(vehicle['sysid'])}: ", style), (words, style)]
         if width_of(line) > width:
             break
     return fitted(line, width, glyphs)
 
 
-def keys_line(keys: Sequence[tuple[str, str]], width: int) -> Line:
-    """As many (key, what it does) as fit whole, the first ones first."""
-    line: Line = []
+def keys_line(keys: Sequence[tuple[str, str]], width: int) -> StyledLine:
+    """The (key, what it does) that fit whole, the first ones first."""
+    line: StyledLine = []
     for key, meaning in keys:
-        piece: Line = [(f" {key}", "key"), (f" {meaning} ", "keys")]
+        piece: StyledLine = [(f" {key}", "key"), (f" {meaning} ", "keys")]
         if width_of(line) + width_of(piece) > width:
             break
         line += piece

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from gcs.console.text import Glyphs, Line, Lines
+from gcs.console.text import Glyphs, StyledLine, StyledLines
 from gcs.session.order_table import ORDERS
 
 Keys = tuple[tuple[str, str], ...]
@@ -13,12 +13,12 @@ EVERYWHERE: Keys = (
     ("enter", "all about the chosen vehicle"),
     ("esc", "back to the fleet"),
 )
-LEAVING: Keys = (
+EXIT_KEYS: Keys = (
     ("q", "close the console; the session goes on"),
     ("ctrl-z", "suspend the console; the session flies on, fg comes back"),
 )
 STOPPING = ("ctrl-c", "stop the session and save it: asks first, a second one is a yes")
-LEAVING_REPLAY: Keys = (("q", "close the replay"), ("ctrl-z", "suspend the console; fg comes back"))
+REPLAY_EXIT_KEYS: Keys = (("q", "close the replay"), ("ctrl-z", "suspend the console; fg comes back"))
 PAGE_KEYS: dict[str, Keys] = {
     "fleet": (
         ("up down", "choose a vehicle; page up/down, home, end"),
@@ -70,14 +70,14 @@ def bottom(page: str, *, control: bool, replay: bool) -> Keys:
     return tuple(keys)
 
 
-def page(*, control: bool, replay: bool, owner: bool, lost: list[str], glyphs: Glyphs) -> Lines:
+def page(*, control: bool, replay: bool, owner: bool, lost: list[str], glyphs: Glyphs) -> StyledLines:
     """Everything; `owner`: Ctrl-C here stops the session; `lost` says what this terminal cannot show."""
-    lines: Lines = []
+    lines: StyledLines = []
     if lost:
         lines += [[("This terminal", "name")], *([(f"  {text}", "look")] for text in lost), []]
     lines.append([("Keys", "name")])
-    leaving = LEAVING_REPLAY if replay else (*LEAVING, STOPPING) if owner else LEAVING
-    lines += [_entry(*entry) for entry in (*EVERYWHERE, *leaving)]
+    exit_keys = REPLAY_EXIT_KEYS if replay else (*EXIT_KEYS, STOPPING) if owner else EXIT_KEYS
+    lines += [_entry(*entry) for entry in (*EVERYWHERE, *exit_keys)]
     if replay:
         lines += [[], [("Replay", "name")], *(_entry(*entry) for entry in REPLAY)]
     if control:
@@ -109,5 +109,5 @@ def page(*, control: bool, replay: bool, owner: bool, lost: list[str], glyphs: G
     return lines
 
 
-def _entry(key: str, meaning: str) -> Line:
+def _entry(key: str, meaning: str) -> StyledLine:
     return [(f"  {key:<11} ", "info"), (meaning, "")]

@@ -9,7 +9,7 @@ from typing import Any
 
 from gcs.console.drawing.canvas import Canvas, Point
 from gcs.console.model import SessionModel, Vehicle, severity
-from gcs.console.text import Glyphs, Lines
+from gcs.console.text import Glyphs, StyledLines
 from gcs.session.plain_text import clean
 
 ZOOM = 1.25
@@ -44,7 +44,7 @@ class PlanView:
         self.centre_ne = (n + north * PAN * height * self.m_per_dot, e + east * PAN * width * self.m_per_dot)
 
     def settle(self, watch: SessionModel, canvas: Canvas) -> None:
-        """Take the window that `fit` or `follow` asks for. It moves in steps, so that the picture does not tremble."""
+        """Take the window that `fit` or `follow` asks for. It moves in steps, so that the map does not jitter."""
         if self.fit or self.m_per_dot <= 0.0:
             self._fit(list(_extent(watch)), canvas)
         if self.follow is not None and (vehicle := watch.vehicles.get(self.follow)) and vehicle.get("p_ned"):
@@ -78,7 +78,9 @@ def _extent(watch: SessionModel) -> Iterable[tuple[float, float]]:
             yield base["p_ned"][0], base["p_ned"][1]
 
 
-def draw(watch: SessionModel, view: PlanView, *, width: int, height: int, glyphs: Glyphs, chosen: int | None) -> Lines:
+def draw(
+    watch: SessionModel, view: PlanView, *, width: int, height: int, glyphs: Glyphs, chosen: int | None
+) -> StyledLines:
     """The plan in `width` x `height` cells; `view` is settled on the way."""
     canvas = Canvas(width, height, glyphs)
     view.settle(watch, canvas)

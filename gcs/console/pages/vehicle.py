@@ -8,9 +8,9 @@ from typing import Any
 
 from gcs.console.events_log import Filter, matching
 from gcs.console.events_log import line as event_line
-from gcs.console.model import SessionModel, Vehicle, battery_share, severity, troubles
+from gcs.console.model import SessionModel, Vehicle, battery_share, issues, severity
 from gcs.console.pages.fleet import battery_style, mode
-from gcs.console.text import Glyphs, Line, Lines, bar, fitted, left, number, titled, wrapped
+from gcs.console.text import Glyphs, StyledLine, StyledLines, bar, fitted, left, number, titled, wrapped
 from gcs.session.plain_text import clean, minutes
 
 EVENTS = 3
@@ -19,7 +19,7 @@ NAME = 12
 
 def page(
     watch: SessionModel, sysid: int | None, *, width: int, height: int, back: int, glyphs: Glyphs
-) -> tuple[Lines, int]:
+) -> tuple[StyledLines, int]:
     """(lines, how far its messages can be scrolled); `back` is how far they are."""
     vehicle = watch.vehicles.get(-1 if sysid is None else sysid)
     if vehicle is None or sysid is None:
@@ -28,33 +28,35 @@ def page(
     events = matching(watch, Filter(sysid=sysid))[-EVENTS:]
     lines.append(titled("its last events", width, glyphs))
     lines += [event_line(watch, event, width, glyphs) for event in events] or [[("  none", "dim")]]
-    told = _told(watch, sysid, width, glyphs)
+    inspected = _inspected(watch, sysid, width, glyphs)
     room = max(height - len(lines) - 1, 1)
-    most = max(0, len(told) - room)
+    most = max(0, len(inspected) - room)
     back = min(back, most)
-    note: Line = [(f"{back + 1}-{min(back + room, len(told))} of {len(told)} lines", "dim")] if most else []
+    note: StyledLine = (
+        [(f"{back + 1}-{min(back + room, len(inspected))} of {len(inspected)} lines", "dim")] if most else []
+    )
     lines.append(titled("what it sends, in MAVLink's units", width, glyphs, note))
-    return [*lines, *told[back : back + room]], most
+    return [*lines, *inspected[back : back + room]], most
 
 
-def _state(watch: SessionModel, vehicle: Vehicle, width: int, glyphs: Glyphs) -> Lines:
+def _state(watch: SessionModel, vehicle: Vehicle, width: int, glyphs: Glyphs) -> StyledLines:
     known = watch.known.get(vehicle["sysid"], {})
     text, style = mode(vehicle)
     level = severity(vehicle)
-    words = ", ".join(troubles(vehicle)) or "well"
-    title: Line = [
+    words = ", ".join(issues(vehicle)) or "well"
+    title: StyledLine = [
         (f" {watch.name(vehicle['sysid'])} ", "name"),
         (f"  id {vehicle['sysid']}  {clean(vehicle.get('role') or '')}  {clean(vehicle.get('autopilot') or '')}  ", ""),
         (f"{glyphs.act if level == 2 else glyphs.look} {words}" if level else words, ("well", "look", "act")[level]),
     ]
     share, capacity = battery_share(vehicle), known.get("capacity_j")
-    battery: Line = [("-", "dim")]
+    battery: StyledLine = [("-", "dim")]
     if share is not None:
         style_now = battery_style(share)
         battery = [*bar(share, 8, glyphs, style_now), (f" {100.0 * share:.0f} %", style_now)]
         battery.append((f", {minutes(vehicle.get('endurance_s'))} min", ""))
     landed = ", landed" if vehicle.get("landed") else ""
-    facts: list[tuple[str, Line]] = [
+    facts: list[tuple[str, StyledLine]] = [
         ("mode", [(text, style), (", armed" if vehicle.get("armed") else ", disarmed", "")]),
         ("battery", battery),
         ("stage", [(clean(vehicle.get("stage") or "-") + landed, "")]),
@@ -69,7 +71,7 @@ def _state(watch: SessionModel, vehicle: Vehicle, width: int, glyphs: Glyphs) ->
         ("link", [(_link(vehicle), "")]),
     ]
     half = width // 2
-    lines: Lines = [fitted(title, width, glyphs)]
+    lines: StyledLines = [fitted(title, width, glyphs)]
     for one, other in zip(facts[::2], facts[1::2], strict=True):
         lines.append([*fitted(_fact(*one), half, glyphs), *fitted(_fact(*other), width - half, glyphs)])
     if note := clean(vehicle.get("note") or ""):
@@ -82,7 +84,7 @@ def _margin(vehicle: Vehicle) -> str:
     return "" if margin_m is None else f", margin {number(margin_m, 4, 2).strip()}"
 
 
-def _fact(name: str, value: Line) -> Line:
+def _fact(name: str, value: StyledLine) -> StyledLine:
     return [(" " + left(name, NAME), "dim"), *value]
 
 
@@ -106,13 +108,13 @@ def _link(vehicle: Vehicle) -> str:
     return f"{lost} ({vehicle.get('lost', '-')}), {number(vehicle.get('heard_s'), 5)} s ago"
 
 
-def _told(watch: SessionModel, sysid: int, width: int, glyphs: Glyphs) -> Lines:
+def _inspected(watch: SessionModel, sysid: int, width: int, glyphs: Glyphs) -> StyledLines:
     """Each message: name, rate, age, count, and its fields."""
     inspected = watch.snapshot.get("inspected") or {}
     messages: Mapping[str, Any] = inspected.get(str(sysid)) or {}
     if not messages:
         return [[("  nothing yet", "dim")]]
-    lines: Lines = []
+    lines: StyledLines = []
     for name in sorted(messages):
         message = messages[name]
         age = message.get("age_s")

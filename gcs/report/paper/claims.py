@@ -39,7 +39,7 @@ class Claim:
 
 @dataclass(frozen=True)
 class Measurement:
-    """What was measured for a claim; `note` is said with the verdict. A value of None: nothing could be measured."""
+    """Measurement for a claim; `note` is said with the verdict. A value of None: nothing could be measured."""
 
     value: Value
     note: str = ""

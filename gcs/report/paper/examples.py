@@ -15,7 +15,7 @@ from gcs.refuelling.winner_take_all import simulate
 from gcs.report.paper import figures, races, session, tracking
 from gcs.report.paper.claims import Measurement
 from gcs.report.paper.figures import Drawing
-from gcs.report.paper.session import Flight
+from gcs.report.paper.session import RecordedFlight
 from gcs.report.paper.study import Study, Table
 from gcs.scenario.model import Scenario
 
@@ -28,7 +28,7 @@ DYNAMIC_FROM_S = 20.0
 DYNAMIC_STEP_S = 1.0
 
 
-def flights_of(scenario: Scenario, folder: Path) -> list[Flight]:
+def flights_of(scenario: Scenario, folder: Path) -> list[RecordedFlight]:
     """The pursuers' flights, in order of system id."""
     return session.read(folder, [p.sysid for p in scenario.vehicles.pursuers], scenario.clock.period_s)
 
@@ -170,7 +170,7 @@ def _first_served(record: Mapping[str, Any]) -> list[int]:
 
 
 def _paths(
-    prefix: str, name: str, figure: str, scenario: Scenario, flights: Sequence[Flight]
+    prefix: str, name: str, figure: str, scenario: Scenario, flights: Sequence[RecordedFlight]
 ) -> tuple[dict[str, Measurement], list[Drawing], list[Table]]:
     obstacles, way, end = _world(scenario)
     arrival = tracking.arrival_errors(flights, way, end)
@@ -188,7 +188,7 @@ def _paths(
 
 
 def _race(
-    prefix: str, flights: Sequence[Flight], v0: Floats, tau: Floats, *, paper: int | None
+    prefix: str, flights: Sequence[RecordedFlight], v0: Floats, tau: Floats, *, paper: int | None
 ) -> dict[str, Measurement]:
     second, gap = _runner_up(flights, tau)
     winner = flights[int(tau.argmax())].sysid
@@ -200,7 +200,7 @@ def _race(
     }
 
 
-def _runner_up(flights: Sequence[Flight], tau: Floats) -> tuple[int, float]:
+def _runner_up(flights: Sequence[RecordedFlight], tau: Floats) -> tuple[int, float]:
     order = np.argsort(-tau, kind="stable")
     return flights[order[1]].sysid, float(tau[order[0]] - tau[order[1]])
 
@@ -212,11 +212,11 @@ def _world(scenario: Scenario) -> tuple[Floats, Floats, Floats]:
     return obstacles, course[0], course[-1]
 
 
-def _tracked(flights: Sequence[Flight]) -> Figure:
+def _tracked(flights: Sequence[RecordedFlight]) -> Figure:
     return tracking.tracking_figure(flights)
 
 
-def _bids(flights: Sequence[Flight], effort: Floats, v0: Floats, tau: Floats) -> Table:
+def _bids(flights: Sequence[RecordedFlight], effort: Floats, v0: Floats, tau: Floats) -> Table:
     rows = [
         [str(f.sysid), f"{effort[i]:.3f}", f"{effort[i] / effort.min():.4f}", f"{tau[i]:.4f}", f"{v0[i]:.4f}"]
         for i, f in enumerate(flights)
@@ -251,7 +251,9 @@ def _draw_states(axis: Axes, v0: Floats, tau: Floats, p: float, rate: float) -> 
     axis.plot(times, states[:, winner], color="black", linewidth=1.4, label=f"{winner + 1}, the winner")
 
 
-def _dynamic_figure(flights: Sequence[Flight], times: Floats, states: Floats, effort: Floats, folder: Path) -> Figure:
+def _dynamic_figure(
+    flights: Sequence[RecordedFlight], times: Floats, states: Floats, effort: Floats, folder: Path
+) -> Figure:
     figure, axes = figures.sheet(5.0, 3, 1, sharex=True)
     needs: dict[int, list[tuple[float, float]]] = {}
     for decision in session.decisions(folder):

@@ -1,4 +1,4 @@
-"""How every figure of the page looks, and how it is kept: SVG and PNG, without a display."""
+"""Looks of every figure of the page, and its files: SVG and PNG, without a display."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#777777")
-"""Told apart by colour-blind eyes too."""
+"""Distinguished by colour-blind eyes too."""
 STYLE: Any = {
     "font.size": 8.0,
     "axes.titlesize": 8.5,

@@ -53,7 +53,7 @@ UNFINISHED = ("lost", "interrupted", "duration")
 
 
 class PaperError(RuntimeError):
-    """What kept the page from being made, as a sentence."""
+    """Reason why the page was not made, as a sentence."""
 
 
 def chosen(only: str | None) -> list[str]:
@@ -161,12 +161,12 @@ def _study(part: str, out: Path, scenarios: dict[str, Scenario], numbers: dict[s
 def _section(part: str, study: Study, out: Path, table: Sequence[Claim]) -> page.Section:
     for drawing in study.drawings:
         figures.save(drawing, out)
-    pictures = [page.Picture(out / f"{drawing.name}.svg", drawing.caption) for drawing in study.drawings]
+    images = [page.Image(out / f"{drawing.name}.svg", drawing.caption) for drawing in study.drawings]
     if part in vehicle.CAPTIONS:
-        pictures.append(page.Picture(out / f"{part}.svg", vehicle.CAPTIONS[part]))
+        images.append(page.Image(out / f"{part}.svg", vehicle.CAPTIONS[part]))
     unmeasured = Measurement(None)
     judged = [claims.judge(claim, study.measured.get(claim.id, unmeasured)) for claim in table if claim.part == part]
-    return page.Section(part, TITLES[part], judged, pictures, study.tables)
+    return page.Section(part, TITLES[part], judged, images, study.tables)
 
 
 def _progress(console: Console) -> Progress:

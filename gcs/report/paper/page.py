@@ -50,7 +50,7 @@ this page, the claims in claims.json.</p>
 
 
 @dataclass(frozen=True)
-class Picture:
+class Image:
     """A figure on the page: its SVG file and the sentence under it."""
 
     svg: Path
@@ -64,7 +64,7 @@ class Section:
     part: str
     title: str
     claims: Sequence[Judged]
-    pictures: Sequence[Picture]
+    images: Sequence[Image]
     tables: Sequence[Table]
 
 
@@ -89,7 +89,7 @@ def _count(verdict: str, number: int) -> str:
 
 def _section(section: Section) -> str:
     parts = [f'<h2 id="{section.part}">{escape(section.title)}</h2>', _claims(section.claims)]
-    parts += map(_picture, section.pictures)
+    parts += map(_image, section.images)
     parts += map(_table, section.tables)
     return "\n".join(parts)
 
@@ -117,11 +117,11 @@ def _claim(one: Judged) -> str:
     return f"<tr>{''.join(f'<td>{cell}</td>' for cell in cells)}</tr>"
 
 
-def _picture(picture: Picture) -> str:
-    data = base64.b64encode(picture.svg.read_bytes()).decode("ascii")
-    caption = escape(picture.caption)
-    image = f'<img alt="{caption}" src="data:image/svg+xml;base64,{data}">'
-    return f"<figure>{image}<figcaption>{caption}</figcaption></figure>"
+def _image(image: Image) -> str:
+    data = base64.b64encode(image.svg.read_bytes()).decode("ascii")
+    caption = escape(image.caption)
+    embedded = f'<img alt="{caption}" src="data:image/svg+xml;base64,{data}">'
+    return f"<figure>{embedded}<figcaption>{caption}</figcaption></figure>"
 
 
 def _table(table: Table) -> str:
@@ -132,5 +132,5 @@ def _table(table: Table) -> str:
 
 
 def counted(judged: Sequence[Judged]) -> Mapping[str, int]:
-    """How many claims came to each verdict."""
+    """Number of claims with each verdict."""
     return {verdict: sum(one.verdict == verdict for one in judged) for verdict in MARKS}

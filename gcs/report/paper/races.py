@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
 from gcs.refuelling.winner_take_all import advance, normalise, simulate
-from gcs.report.paper.session import Flight
+from gcs.report.paper.session import RecordedFlight
 
 Floats = NDArray[np.float64]
 Criterion = Literal["ratio", "share"]
@@ -24,12 +24,12 @@ EVENTUALLY_S = 1000.0
 FASTEST_S, LATEST_S = 1e-6, 1e7
 
 
-def efforts(flights: Sequence[Flight]) -> Floats:
+def efforts(flights: Sequence[RecordedFlight]) -> Floats:
     """Control effort (n,) that each vehicle reported up to its own arrival at the end."""
     return np.array([float(f.effort_at(f.arrived_s)) for f in flights])
 
 
-def initial_states(flights: Sequence[Flight]) -> Floats:
+def initial_states(flights: Sequence[RecordedFlight]) -> Floats:
     """v(0) (n,): initial speeds, normalised (paper eq. 22)."""
     return normalise([float(np.linalg.norm(f.v[0])) for f in flights], low=LOW, high=HIGH)
 
@@ -90,7 +90,9 @@ def solver_error(v0: Floats, tau: Floats, *, p: float, duration_s: float, rtol: 
     return float(np.abs(solved.y.T - simulate(v0, tau, solved.t, p=p, rate=1.0)).max())
 
 
-def dynamic(flights: Sequence[Flight], times_s: Floats, v0: Floats, *, since_s: float = 0.0) -> tuple[Floats, Floats]:
+def dynamic(
+    flights: Sequence[RecordedFlight], times_s: Floats, v0: Floats, *, since_s: float = 0.0
+) -> tuple[Floats, Floats]:
     """States (k, n) and efforts (k, n) at `times_s` (k,) of a race that the greatest effort since `since_s` wins.
 
     τ of each interval is that of the reports at its end; p = 2, c = 1.
@@ -100,7 +102,7 @@ def dynamic(flights: Sequence[Flight], times_s: Floats, v0: Floats, *, since_s: 
     return simulate(v0, np.concatenate((tau[1:], tau[-1:])), times_s, p=2.0, rate=1.0), effort
 
 
-def served_in_fifths(flights: Sequence[Flight], end_s: float) -> list[int]:
+def served_in_fifths(flights: Sequence[RecordedFlight], end_s: float) -> list[int]:
     """System ids in the order in which the race of the efforts of each fifth of the time serves them."""
     left, order = list(flights), []
     v = initial_states(flights)

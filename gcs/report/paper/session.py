@@ -1,4 +1,4 @@
-"""A recorded session as arrays: what each vehicle was told, what it flew, what it reported. Paper axes (x, y, z up)."""
+"""A recorded session as arrays: each vehicle's set points, its truth, its telemetry. Paper axes (x, y, z up)."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _FIXED = 2 + _STATES + 4  # time, number of steps, states, four energies; then o
 
 
 @dataclass(frozen=True)
-class Flight:
+class RecordedFlight:
     """One vehicle's session; k records of its own knowledge, j set points, r reports of control effort.
 
     time_s (k,), p (k, 3) m, v (k, 3) m/s and attitude (k, 3) rad (φ, θ, ψ) are what the vehicle itself knows.
@@ -74,7 +74,7 @@ class Flight:
         return np.asarray(np.interp(time_s, at, np.concatenate(([0.0], self.effort))))
 
 
-def read(folder: Path, sysids: list[int], period_s: float) -> list[Flight]:
+def read(folder: Path, sysids: list[int], period_s: float) -> list[RecordedFlight]:
     """The flights of these vehicles in a session's folder. Raises OSError, ValueError where the recording lacks one."""
     plans: dict[int, list[list[float]]] = {sysid: [] for sysid in sysids}
     for decision in decisions(folder):
@@ -93,7 +93,7 @@ def read(folder: Path, sysids: list[int], period_s: float) -> list[Flight]:
         plan, effort = np.array(plans[sysid]), np.array(efforts[sysid])
         flown = _truth(folder / "vehicles" / f"{sysid}.truth")
         flights.append(
-            Flight(
+            RecordedFlight(
                 sysid=sysid,
                 period_s=period_s,
                 time_s=flown[:, 0],

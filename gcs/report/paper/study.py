@@ -1,4 +1,4 @@
-"""What one part of the page is made of."""
+"""Results of which one part of the page is made."""
 
 from __future__ import annotations
 

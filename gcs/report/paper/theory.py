@@ -1,4 +1,5 @@
-"""What needs no flight: fuzzy surface and local minima (Fig. 3), level sets (Fig. 6), the order of the two loops."""
+"""Studies that need no flight: fuzzy surface and local minima (Fig. 3), level sets (Fig. 6), the order of the two
+loops."""
 
 from __future__ import annotations
 
@@ -29,7 +30,7 @@ RULES = (  # of docs/model.md#fuzzy-escape, since Table I's entries are lost; ro
 PEAKS_PHI, PEAKS_F = np.linspace(-np.pi, np.pi, 5), np.linspace(-1.0, 1.0, 5)
 
 WALL = [(5.0, -0.5, 0.0), (5.0, 0.0, 0.0), (5.0, 0.5, 0.0)]
-SCENES = {
+LAYOUTS = {
     "one obstacle on the line": [(5.0, 0.0, 0.0)],
     "wall of three, 0.5 m apart": WALL,
     "wall of three, 0.8 m apart": [(5.0, -0.8, 0.0), (5.0, 0.0, 0.0), (5.0, 0.8, 0.0)],
@@ -47,7 +48,7 @@ SPEED_GAIN, ROTATIONAL_DRAG_1_S = 3.0, 0.2 * 0.015 / 1.25  # λ and L Kγ/Iγ
 
 
 def fig3() -> Study:
-    """The fuzzy surface against its rule table; five scenes with and without the fuzzy force."""
+    """The fuzzy surface against its rule table; five layouts with and without the fuzzy force."""
     off = max(
         abs(fuzzy_escape.escape_strength(phi, force) - PEAKS_F[TERMS.index(RULES[i][j])])
         for i, phi in enumerate(PEAKS_PHI)
@@ -55,7 +56,7 @@ def fig3() -> Study:
     )
     rows, stuck, reached = [], 0, 0
     trails: dict[str, tuple[Floats, Floats]] = {}
-    for name, points in SCENES.items():
+    for name, points in LAYOUTS.items():
         plain, fled = walk(points, escape=False), walk(points, escape=True)
         trails[name] = plain, fled
         stuck += not _arrived(plain)
@@ -73,7 +74,7 @@ def fig3() -> Study:
         Drawing(
             "fig3b",
             "Fig. 3(b): the scenes from above and from the side; grey without, blue with the fuzzy force.",
-            _scenes(trails),
+            _layouts(trails),
         ),
     ]
     columns = ["scene", "without the fuzzy force", "steps with it", "clearance, m"]
@@ -125,7 +126,7 @@ def fig6() -> Study:
 
 
 def loops() -> Study:
-    """How fast the attitude's error falls, against the speed's (docs/model.md#control-law)."""
+    """Rate at which the attitude's error falls, against the speed's (docs/model.md#control-law)."""
     roots = np.roots([1.0, RATE_GAIN + ROTATIONAL_DRAG_1_S, ANGLE_GAIN])
     inner = float(-roots.real.max())
     note = f"the attitude's error falls with {inner:.3f} 1/s, the speed's with {SPEED_GAIN:g} 1/s"
@@ -151,10 +152,10 @@ def _surface() -> Figure:
     return figure
 
 
-def _scenes(trails: dict[str, tuple[Floats, Floats]]) -> Figure:
+def _layouts(trails: dict[str, tuple[Floats, Floats]]) -> Figure:
     figure, axes = figures.sheet(4.6, len(trails), 2, sharex=True)
     for row, (name, both) in enumerate(trails.items()):
-        points, plain, fled = (NED_TO_PAPER * trail for trail in (np.array(SCENES[name]), *both))
+        points, plain, fled = (NED_TO_PAPER * trail for trail in (np.array(LAYOUTS[name]), *both))
         for column, (axis, y) in enumerate(((1, "y, m"), (2, "z, m"))):
             ax = axes[row, column]
             ax.plot(points[:, 0], points[:, axis], "x", color="#d55e00", markersize=4)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from gcs.report.paper import figures
 from gcs.report.paper.claims import Measurement
-from gcs.report.paper.session import Flight
+from gcs.report.paper.session import RecordedFlight
 from gcs.report.paper.study import Table
 
 Floats = NDArray[np.float64]
@@ -36,19 +36,19 @@ def desired_attitude(v: Floats, v_d: Floats, a_d: Floats, yaw: Floats) -> tuple[
     return roll, pitch
 
 
-def attitude_reference(flight: Flight) -> Floats:
+def attitude_reference(flight: RecordedFlight) -> Floats:
     """φ_d, θ_d, ψ_d (k, 3) rad at the flight's times; ψ_d is the initial yaw, which the reference keeps."""
     v_d, a_d = flight.reference()
     roll, pitch = desired_attitude(flight.v, v_d, a_d, flight.attitude[:, 2])
     return np.column_stack((roll, pitch, np.full(len(roll), flight.attitude[0, 2])))
 
 
-def speed_errors(flights: Sequence[Flight]) -> list[float]:
+def speed_errors(flights: Sequence[RecordedFlight]) -> list[float]:
     """Greatest |v - v_d| of each, m/s, from SETTLED_AFTER_S after its reference became constant."""
     return [float(_speed_error(f)[_settled(f)].max()) for f in flights]
 
 
-def path_errors(flights: Sequence[Flight]) -> list[float]:
+def path_errors(flights: Sequence[RecordedFlight]) -> list[float]:
     """Root mean square of |v - v_d| of each, m/s, from ALONG_FROM_S until its reference is constant."""
     errors = []
     for f in flights:
@@ -57,7 +57,7 @@ def path_errors(flights: Sequence[Flight]) -> list[float]:
     return errors
 
 
-def attitude_errors(flights: Sequence[Flight]) -> list[float]:
+def attitude_errors(flights: Sequence[RecordedFlight]) -> list[float]:
     """Greatest difference of any angle of each to its reference, rad, over the same time as the speeds."""
     errors = []
     for f in flights:
@@ -67,19 +67,19 @@ def attitude_errors(flights: Sequence[Flight]) -> list[float]:
     return errors
 
 
-def arrival_errors(flights: Sequence[Flight], way: Floats, end: Floats) -> list[float]:
+def arrival_errors(flights: Sequence[RecordedFlight], way: Floats, end: Floats) -> list[float]:
     """For each plan the larger of its least distance to the way point and its last one to the end, m."""
     return [
         float(max(np.linalg.norm(f.plan_p - way, axis=1).min(), np.linalg.norm(f.plan_p[-1] - end))) for f in flights
     ]
 
 
-def clearances(flights: Sequence[Flight], obstacles: Floats) -> list[float]:
+def clearances(flights: Sequence[RecordedFlight], obstacles: Floats) -> list[float]:
     """Least distance of each plan, its legs included, to any of the obstacle points (m, 3), in m."""
     return [_clearance(f.plan_p, obstacles) for f in flights]
 
 
-def measure(prefix: str, flights: Sequence[Flight]) -> dict[str, Measurement]:
+def measure(prefix: str, flights: Sequence[RecordedFlight]) -> dict[str, Measurement]:
     """The claims on speed and attitude that each example makes."""
     speed, along, angle = speed_errors(flights), path_errors(flights), attitude_errors(flights)
     least = min(float(f.time_s[-1] - f.constant_from_s) for f in flights)
@@ -93,8 +93,8 @@ def measure(prefix: str, flights: Sequence[Flight]) -> dict[str, Measurement]:
     }
 
 
-def table(flights: Sequence[Flight], obstacles: Floats) -> Table:
-    """What each vehicle's tracking came to."""
+def table(flights: Sequence[RecordedFlight], obstacles: Floats) -> Table:
+    """Tracking errors of each vehicle."""
     columns = ["vehicle", "start, m", "initial speed, m/s", "planned path, m", "clearance, m", "at the end after, s"]
     columns += ["|v - v_d| along the path, rms, m/s", "after 8 s constant, m/s", "control effort at the end"]
     values = zip(flights, clearances(flights, obstacles), path_errors(flights), speed_errors(flights), strict=True)
@@ -107,7 +107,7 @@ def table(flights: Sequence[Flight], obstacles: Floats) -> Table:
     return Table("Each vehicle, from the recorded session", columns, rows)
 
 
-def path_figure(flights: Sequence[Flight], obstacles: Floats, way: Floats, end: Floats) -> Figure:
+def path_figure(flights: Sequence[RecordedFlight], obstacles: Floats, way: Floats, end: Floats) -> Figure:
     """Planned and flown paths from above and from the side."""
     figure, axes = figures.sheet(3.6, 1, 2)
     for axis, (i, j, x, y) in zip(axes[0], ((0, 1, "x, m", "y, m"), (0, 2, "x, m", "z, m")), strict=True):
@@ -125,7 +125,7 @@ def path_figure(flights: Sequence[Flight], obstacles: Floats, way: Floats, end: 
     return figure
 
 
-def tracking_figure(flights: Sequence[Flight]) -> Figure:
+def tracking_figure(flights: Sequence[RecordedFlight]) -> Figure:
     """Speeds in three directions and three angles of each vehicle, and its reference."""
     figure, axes = figures.sheet(5.2, 3, 2, sharex=True)
     for k, f in enumerate(flights):
@@ -148,11 +148,11 @@ def tracking_figure(flights: Sequence[Flight]) -> Figure:
     return figure
 
 
-def _speed_error(flight: Flight) -> Floats:
+def _speed_error(flight: RecordedFlight) -> Floats:
     return np.asarray(np.linalg.norm(flight.v - flight.reference()[0], axis=1))
 
 
-def _settled(flight: Flight) -> NDArray[np.bool_]:
+def _settled(flight: RecordedFlight) -> NDArray[np.bool_]:
     """Records from SETTLED_AFTER_S after the reference became constant; ValueError where the session ends before."""
     late = flight.time_s >= flight.constant_from_s + SETTLED_AFTER_S - _ROUNDING_S
     if not late.any():

@@ -62,7 +62,7 @@ def examine(vehicle: Scripted, *keys: str, arm: bool = False) -> dict[str, Check
                 due_s[i] = now_s + period_s
                 pending.append(made(round(1e3 * now_s)))
         for message in pending:
-            dialogue.take(vehicle.frame(message), now_s)
+            dialogue.receive(vehicle.frame(message), now_s)
         pending = [answer for message in dialogue.poll(now_s) for answer in vehicle.hear(message)]
         assert now_s < 120.0
     return {finding.question.key: finding for finding in dialogue.findings}
@@ -277,7 +277,7 @@ def test_nothing_arms_or_changes_the_mode_unless_it_is_allowed() -> None:
     now_s = 0.0
     while not dialogue.done:
         now_s += 0.05
-        dialogue.take(vehicle.frame(vehicle.heartbeat()), now_s)
+        dialogue.receive(vehicle.frame(vehicle.heartbeat()), now_s)
         for message in dialogue.poll(now_s):
             vehicle.hear(message)
     commands = {m.command for m in vehicle.asked if type(m).__name__ in ("COMMAND_LONG", "COMMAND_INT")}
@@ -292,8 +292,8 @@ def test_another_vehicle_is_named_and_its_answers_are_not_taken() -> None:
     while not dialogue.done:
         now_s += 0.05
         for scripted in (vehicle, other):
-            dialogue.take(scripted.frame(scripted.heartbeat()), now_s)
-        dialogue.take(other.frame(mav.MAVLink_ping_message(1, 4711, 255, 190)), now_s)
+            dialogue.receive(scripted.frame(scripted.heartbeat()), now_s)
+        dialogue.receive(other.frame(mav.MAVLink_ping_message(1, 4711, 255, 190)), now_s)
         dialogue.poll(now_s)
     assert dialogue.vehicle is not None
     told = as_json(dialogue.vehicle, dialogue.others, dialogue.findings)
@@ -305,8 +305,8 @@ def test_a_ground_station_or_a_camera_is_no_vehicle() -> None:
     stranger = Scripted(9)
     dialogue = Dialogue(questions())
     for kind in (mav.MAV_TYPE_GCS, mav.MAV_TYPE_CAMERA):
-        dialogue.take(stranger.frame(stranger.heartbeat(type=kind)), 0.0)
-    dialogue.take(stranger.frame(stranger.heartbeat(autopilot=mav.MAV_AUTOPILOT_INVALID)), 0.0)
+        dialogue.receive(stranger.frame(stranger.heartbeat(type=kind)), 0.0)
+    dialogue.receive(stranger.frame(stranger.heartbeat(autopilot=mav.MAV_AUTOPILOT_INVALID)), 0.0)
     assert dialogue.vehicle is None
 
 

@@ -189,9 +189,9 @@ def test_axes_stand_before_anybody_has_competed() -> None:
 def test_trails_are_bounded_and_forgotten_when_time_goes_back() -> None:
     watch = SessionModel()
     for tick in range(2000):
-        watch.take([snapshot(tick / 10.0, since_s=(tick - 1) / 10.0)])
+        watch.update([snapshot(tick / 10.0, since_s=(tick - 1) / 10.0)])
     assert {len(trail) for trail in watch.trails.values()} == {TRAIL_LENGTH}
-    watch.take([snapshot(3.0, since_s=3.0)])
+    watch.update([snapshot(3.0, since_s=3.0)])
     assert {len(trail) for trail in watch.trails.values()} == {1}
     assert all(event["t_s"] <= 3.0 for event in watch.events)
 
@@ -203,7 +203,7 @@ def test_the_margin_is_the_share_less_what_is_needed() -> None:
 
 def test_a_lost_connection_is_told_in_words() -> None:
     watch = SessionModel()
-    watch.take([snapshot(10.0)])
+    watch.update([snapshot(10.0)])
     assert "not connected" in text([session_line(watch, "demo", False, 80, UNICODE)])[0]
 
 

@@ -11,7 +11,7 @@ import pytest
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.link.external import ExternalLink
-from gcs.link.fleet import MixedLink
+from gcs.link.fleet import FleetLink
 from gcs.link.lockstep import LockstepLink
 from gcs.link.socket import AddressRefused
 from gcs.mavlink import codec
@@ -73,7 +73,7 @@ def stand() -> Iterator[Callable[..., Any]]:
 
     yield make
     for one in made:
-        (one if isinstance(one, ExternalLink | MixedLink) else one.socket).close()
+        (one if isinstance(one, ExternalLink | FleetLink) else one.socket).close()
 
 
 def block(connect: str, sysid: int = 1) -> External:
@@ -139,7 +139,7 @@ def test_the_vehicles_clock_is_compared_with_the_sessions(stand: Any) -> None:
     until(link, lambda: bool(link.offsets_s()))
     assert link.offsets_s() == {1: pytest.approx(30.0)}
     one.say(port, one.position(100))
-    until(link, lambda: link.take_rebooted() == {1})
+    until(link, lambda: link.pop_rebooted() == {1})
 
 
 def test_a_boot_is_noticed_before_the_vehicle_has_found_its_place_again(stand: Any) -> None:
@@ -151,9 +151,9 @@ def test_a_boot_is_noticed_before_the_vehicle_has_found_its_place_again(stand: A
     link.begin()
     one.say(port, one.position(20_000), one.packed(mav.MAVLink_attitude_message(20_050, 0, 0, 0, 0, 0, 0)))
     until(link, lambda: bool(link.offsets_s()))
-    assert link.take_rebooted() == set()
+    assert link.pop_rebooted() == set()
     one.say(port, one.packed(mav.MAVLink_attitude_message(900, 0, 0, 0, 0, 0, 0)))
-    until(link, lambda: link.take_rebooted() == {1})
+    until(link, lambda: link.pop_rebooted() == {1})
 
 
 @pytest.mark.parametrize(
@@ -267,9 +267,9 @@ def test_an_address_that_cannot_be_had_is_named_with_the_reason(stand: Any) -> N
 
 
 @contextmanager
-def mixed() -> Iterator[tuple[MixedLink, Vehicle]]:
+def mixed() -> Iterator[tuple[FleetLink, Vehicle]]:
     external, port = udpin(1)
-    link, one = MixedLink(LockstepLink(), external), Vehicle(1)
+    link, one = FleetLink(LockstepLink(), external), Vehicle(1)
     try:
         one.say(port, one.heartbeat())
         until(external, lambda: not external.missing)

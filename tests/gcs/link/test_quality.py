@@ -20,8 +20,8 @@ class Radio:
             self.gaps.feed(1, 1, k % 256)
             if k % 10 >= lost:
                 self.gaps.feed(2, 1, k % 256)
-        self.quality.take(1, 10, now_s)
-        self.quality.take(2, 10 - lost, now_s)
+        self.quality.count(1, 10, now_s)
+        self.quality.count(2, 10 - lost, now_s)
         self.sent += 10
 
 
@@ -53,5 +53,5 @@ def test_one_that_says_nothing_any_more_has_no_share() -> None:
     radio = Radio()
     radio.second()
     for k in range(2, 30):
-        radio.quality.take(2, 0, float(k))
+        radio.quality.count(2, 0, float(k))
     assert radio.quality.lost_share(2) is None

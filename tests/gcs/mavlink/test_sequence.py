@@ -36,8 +36,8 @@ HELLO = [heartbeat(0), system_time(1, 0)]
 
 def test_counter_gives_every_number_once_and_wraps() -> None:
     counter = SequenceCounter()
-    assert [counter.take() for _ in range(257)] == [*range(256), 0]
-    assert SequenceCounter(FIRST_ANSWER).take() == 2
+    assert [counter.next() for _ in range(257)] == [*range(256), 0]
+    assert SequenceCounter(FIRST_ANSWER).next() == 2
 
 
 @pytest.mark.parametrize(
@@ -93,7 +93,7 @@ def test_tick_is_in_with_its_answer_and_every_number_before_it() -> None:
     raws = answer(2, 100, 5)
     collector.begin(100)
     assert collector.feed(received(raws))
-    assert [frame.raw for frame in collector.take()] == raws
+    assert [frame.raw for frame in collector.pop_frames()] == raws
 
 
 @pytest.mark.parametrize("missing", range(5))
@@ -105,9 +105,9 @@ def test_tick_waits_for_any_missing_number(missing: int) -> None:
     assert not collector.complete
     assert collector.held == 4
     with pytest.raises(RuntimeError, match="tick 100 of vehicle 4 is not complete"):
-        collector.take()
+        collector.pop_frames()
     assert collector.feed(received(raws))
-    assert [frame.raw for frame in collector.take()] == raws
+    assert [frame.raw for frame in collector.pop_frames()] == raws
 
 
 def test_ticks_survive_splitting_loss_reordering_repetition_and_every_turn_of_the_numbers() -> None:
@@ -127,7 +127,7 @@ def test_ticks_survive_splitting_loss_reordering_repetition_and_every_turn_of_th
                 collector.feed(received(datagram))
             if collector.complete:
                 break
-        assert [frame.raw for frame in collector.take()] == raws
+        assert [frame.raw for frame in collector.pop_frames()] == raws
         at += len(raws)
         earlier = datagrams
     assert at > 256 * 10
@@ -143,7 +143,7 @@ def test_hellos_are_never_part_of_a_tick() -> None:
     raws = answer(2, 0, 3)
     assert not is_hello(received(raws))
     assert collector.feed(received(raws))
-    assert [frame.seq for frame in collector.take()] == [2, 3, 4]
+    assert [frame.seq for frame in collector.pop_frames()] == [2, 3, 4]
 
 
 def test_repeated_answer_adds_nothing_to_the_next_tick() -> None:
@@ -152,12 +152,12 @@ def test_repeated_answer_adds_nothing_to_the_next_tick() -> None:
     collector.begin(100)
     assert collector.feed(received(first))
     assert collector.feed(received(first))
-    collector.take()
+    collector.pop_frames()
     collector.begin(200)
     assert not collector.feed(received(first))
     assert collector.held == 0
     assert collector.feed(received(second))
-    assert [frame.raw for frame in collector.take()] == second
+    assert [frame.raw for frame in collector.pop_frames()] == second
 
 
 def test_answer_of_half_a_turn_ago_is_told_from_new_numbers_by_its_time() -> None:
@@ -170,7 +170,7 @@ def test_answer_of_half_a_turn_ago_is_told_from_new_numbers_by_its_time() -> Non
         history.append(raws)
         collector.begin(t_ms)
         collector.feed(received(raws))
-        collector.take()
+        collector.pop_frames()
         at += count
     collector.begin(300)
     collector.feed(received(history[0]))  # numbers 2 … 101; the next one is 302 - 256 = 46

@@ -16,15 +16,15 @@ def chunk(text: str, text_id: int = 0, seq: int = 0, severity: int = 2) -> Simpl
 @pytest.mark.parametrize("text_id", [0, 7])
 def test_a_px4s_text_is_one_also_where_it_is_its_first_and_has_the_id_0(text_id: int) -> None:
     texts = Texts()
-    assert texts.hear(chunk(FIRST, text_id), 1.0) == []
-    assert texts.hear(chunk("t\t", text_id, 1), 1.0) == [(2, "Arming denied: Resolve system health failures first")]
+    assert texts.add(chunk(FIRST, text_id), 1.0) == []
+    assert texts.add(chunk("t\t", text_id, 1), 1.0) == [(2, "Arming denied: Resolve system health failures first")]
     assert texts.overdue(9.0) == []
 
 
 @pytest.mark.parametrize("text_id", [0, 7])
 def test_a_text_that_fills_its_last_chunk_is_told_a_moment_later(text_id: int) -> None:
     texts = Texts()
-    assert texts.hear(chunk(FIRST, text_id), 1.0) == []
+    assert texts.add(chunk(FIRST, text_id), 1.0) == []
     assert texts.overdue(1.0 + 0.9 * PATIENCE_S) == []
     assert texts.overdue(1.0 + PATIENCE_S) == [(2, FIRST)]
     assert texts.overdue(9.0) == []
@@ -32,12 +32,12 @@ def test_a_text_that_fills_its_last_chunk_is_told_a_moment_later(text_id: int) -
 
 def test_two_full_texts_without_an_id_are_two() -> None:
     texts = Texts()
-    assert texts.hear(chunk(FIRST), 1.0) == []
-    assert texts.hear(chunk(FIRST[::-1], severity=6), 1.0) == [(2, FIRST)]
-    assert texts.hear(chunk("Short", severity=6), 1.1) == [(6, FIRST[::-1]), (6, "Short")]
+    assert texts.add(chunk(FIRST), 1.0) == []
+    assert texts.add(chunk(FIRST[::-1], severity=6), 1.0) == [(2, FIRST)]
+    assert texts.add(chunk("Short", severity=6), 1.1) == [(6, FIRST[::-1]), (6, "Short")]
 
 
 def test_a_text_whose_end_is_lost_is_told_as_far_as_it_came_before_the_next() -> None:
     texts = Texts()
-    texts.hear(chunk(FIRST, 3), 1.0)
-    assert texts.hear(chunk("Armed", 4, severity=6), 1.1) == [(2, FIRST), (6, "Armed")]
+    texts.add(chunk(FIRST, 3), 1.0)
+    assert texts.add(chunk("Armed", 4, severity=6), 1.1) == [(2, FIRST), (6, "Armed")]

@@ -24,7 +24,7 @@ def old_way(streams: StreamRequests, now_s: float) -> list[tuple[int, int]]:
 def hear(streams: StreamRequests, seconds: float, **left_out: float) -> None:
     for name, rate_hz in (RATES_HZ | left_out).items():
         for _ in range(round(seconds * rate_hz)):
-            streams.heard(codec.msgid(name), 0.0)
+            streams.received(codec.msgid(name), 0.0)
 
 
 def test_each_message_is_asked_for_once_at_the_rate_that_is_needed() -> None:
@@ -48,7 +48,7 @@ def test_what_is_refused_is_asked_for_by_its_group_and_then_by_all() -> None:
     position, extra3 = mav.MAV_DATA_STREAM_POSITION, mav.MAV_DATA_STREAM_EXTRA3
     assert old_way(streams, 0.2) == [(position, 10), (extra3, 1)]
     assert old_way(streams, 0.3) == []  # it has a second
-    streams.heard(codec.msgid("BATTERY_STATUS"), 0.5)
+    streams.received(codec.msgid("BATTERY_STATUS"), 0.5)
     assert old_way(streams, 1.3) == [(position, 10)]
     status, extra1 = mav.MAV_DATA_STREAM_EXTENDED_STATUS, mav.MAV_DATA_STREAM_EXTRA1
     everything = [(mav.MAV_DATA_STREAM_ALL, 10), (status, 2), (position, 10), (extra1, 4), (extra3, 1)]
@@ -82,7 +82,7 @@ def test_what_begins_to_come_in_the_midst_of_a_count_is_counted_from_there() -> 
     assert streams.check(CHECK_S) == ["LOCAL_POSITION_NED does not come"]
     hear(streams, CHECK_S, LOCAL_POSITION_NED=0.0)
     for k in range(10):
-        streams.heard(codec.msgid("LOCAL_POSITION_NED"), 2 * CHECK_S - 1.0 + 0.1 * k)
+        streams.received(codec.msgid("LOCAL_POSITION_NED"), 2 * CHECK_S - 1.0 + 0.1 * k)
     assert streams.check(2 * CHECK_S) == ["LOCAL_POSITION_NED comes as it should now"]
     hear(streams, CHECK_S, LOCAL_POSITION_NED=2.0)
     assert streams.check(3 * CHECK_S) == ["LOCAL_POSITION_NED comes at less than half of the 10 Hz asked for"]

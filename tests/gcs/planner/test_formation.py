@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pytest
 
-from gcs.planner.formation import Path, assign, ring_offsets
+from gcs.planner.formation import ConstantSpeedPath, assign, ring_offsets
 
 SQUARE = [(0.0, 0.0, -2.0), (4.0, 0.0, -2.0), (4.0, 4.0, -2.0), (0.0, 4.0, -2.0)]
 
@@ -49,7 +49,7 @@ def test_ways_into_the_slots_do_not_cross(seed: int) -> None:
 
 
 def test_a_closed_path_goes_round_the_square() -> None:
-    path = Path(SQUARE, closed=True, laps=3)
+    path = ConstantSpeedPath(SQUARE, closed=True, laps=3)
     assert path.length_m == 48.0
     for lap in range(3):
         assert path.at(16 * lap + 1.0) == ((1.0, 0.0, -2.0), (1.0, 0.0, 0.0))
@@ -60,12 +60,12 @@ def test_a_closed_path_goes_round_the_square() -> None:
 
 
 def test_a_closed_path_ends_where_it_began_and_stands() -> None:
-    path = Path(SQUARE, closed=True, laps=2)
+    path = ConstantSpeedPath(SQUARE, closed=True, laps=2)
     assert path.at(32.0) == path.at(1e9) == (SQUARE[0], (0.0, 0.0, 0.0))
 
 
 def test_an_open_path_ends_at_its_last_point_whatever_the_laps() -> None:
-    path = Path(SQUARE, closed=False, laps=1)
+    path = ConstantSpeedPath(SQUARE, closed=False, laps=1)
     assert path.length_m == 12.0
     assert path.at(11.0)[0] == (1.0, 4.0, -2.0)
     assert path.at(12.0) == path.at(50.0) == (SQUARE[-1], (0.0, 0.0, 0.0))
@@ -73,4 +73,4 @@ def test_an_open_path_ends_at_its_last_point_whatever_the_laps() -> None:
 
 
 def test_a_path_of_one_point_stands_there() -> None:
-    assert Path([(1.0, 2.0, 3.0)], closed=False, laps=1).at(0.0) == ((1.0, 2.0, 3.0), (0.0, 0.0, 0.0))
+    assert ConstantSpeedPath([(1.0, 2.0, 3.0)], closed=False, laps=1).at(0.0) == ((1.0, 2.0, 3.0), (0.0, 0.0, 0.0))

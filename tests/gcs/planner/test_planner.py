@@ -19,7 +19,7 @@ from gcs.planner.planner import Planner
 from gcs.planner.request import PlanRequest
 from gcs.scenario import geometry
 from gcs.scenario.model import Obstacle, Scenario
-from gcs.telemetry.state import FleetState, TrafficView, Vec3, VehicleView
+from gcs.telemetry.state import FleetSnapshot, TrafficView, Vec3, VehicleView
 
 PERIOD_S = 0.1
 LAG_S = 0.37
@@ -63,9 +63,9 @@ class World:
         self.v = dict.fromkeys(self.at, (0.0, 0.0, 0.0))
         self._past: dict[int, deque[tuple[float, Vec3, Vec3]]] = {sysid: deque(maxlen=8) for sysid in self.at}
 
-    def snapshot(self) -> FleetState:
+    def snapshot(self) -> FleetSnapshot:
         views = [view(v.sysid, v.role, self.at[v.sysid], self.v[v.sysid]) for v in self.scenario.vehicles.all]
-        return FleetState(self.time_s, tuple(views), tuple(self.traffic(self.time_s)))
+        return FleetSnapshot(self.time_s, tuple(views), tuple(self.traffic(self.time_s)))
 
     def tick(
         self, rendezvous: Mapping[int, int] | None = None, partners: Iterable[tuple[int, int]] = (), move: bool = True
@@ -100,9 +100,9 @@ class World:
 def view(sysid: int, role: str, p_ned: Vec3 | None, v_ned: Vec3 = (0.0, 0.0, 0.0)) -> VehicleView:
     return VehicleView(
         sysid=sysid, role=role, label=f"{role} {sysid}", alive=True, profile=PX4, mode=FlightMode.OFFBOARD, armed=True,
-        landed=False, heard_s=0.0, p_ned=p_ned, v_ned=v_ned, age_s=0.0, heading_rad=0.0,
-        origin_offset_ned=(0.0, 0.0, 0.0), ground_amsl_m=0.0, capacity_j=1e4, initial_j=1e4, battery_told=True,
-        drawn_j=0.0, received_j=0, given_j=0, given_told_s=0.0, power_w=10.0, energy_source="energy_consumed",
+        landed=False, last_received_s=0.0, p_ned=p_ned, v_ned=v_ned, age_s=0.0, heading_rad=0.0,
+        origin_offset_ned=(0.0, 0.0, 0.0), ground_amsl_m=0.0, capacity_j=1e4, initial_j=1e4, battery_reported=True,
+        drawn_j=0.0, received_j=0, given_j=0, given_reported_s=0.0, power_w=10.0, energy_source="energy_consumed",
         control_effort=0.0,
     )  # fmt: skip
 

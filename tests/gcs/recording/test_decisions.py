@@ -9,7 +9,7 @@ import pytest
 
 from gcs.recording.decisions import event_of, records_of_tick
 from gcs.recording.writer import decision_line
-from gcs.refuelling.bidding import Standing
+from gcs.refuelling.bidding import CompetitionState
 from gcs.refuelling.service import Decision
 from gcs.scenario.guard import PluginFault
 from gcs.telemetry.energy import Fact
@@ -21,7 +21,7 @@ SERVED = {
 
 
 def test_what_is_told_of_a_tick_is_what_its_lines_tell_afterwards() -> None:
-    nobody = Standing({}, {}, {}, None, 0.0)
+    nobody = CompetitionState({}, {}, {}, None, 0.0)
     records, events = records_of_tick(
         12.5,
         Decision(records=(SERVED,)),
@@ -29,7 +29,7 @@ def test_what_is_told_of_a_tick_is_what_its_lines_tell_afterwards() -> None:
         pursued=[{"kind": "pursuit", "pursuer": 1, "target": 101}],
         facts=[(3, Fact("A battery was swapped", 1000.0))],
         problems=[PluginFault(4, "planner a:B", "returned NaN")],
-        standings=(nobody, nobody),
+        competition_states=(nobody, nobody),
     )
     assert [event.text for event in events] == [
         "Refuelling of 2 by 201 ended: limit, 5 J",

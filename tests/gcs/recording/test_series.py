@@ -207,8 +207,8 @@ def test_rates_are_those_that_pandas_counts(recorded: Recorded, tracks: dict[int
 def test_pursuit_is_held_from_the_first_to_the_last_tick_in_a_row_by_the_worst(holds: list[Any], block: int) -> None:
     t_s, near_m = 0.5 * np.arange(len(holds)), np.where(np.array(holds).reshape(-1, 2), 1.0, 3.0)
     at_once, by_tick = PursuitHeld((1, 2), 2.0), PursuitHeld((1, 2), 2.0)
-    worst_s = at_once.take(t_s, near_m)
-    some = [by_tick.take(t_s[k : k + block], near_m[k : k + block]) for k in range(0, len(t_s), block)]
+    worst_s = at_once.update(t_s, near_m)
+    some = [by_tick.update(t_s[k : k + block], near_m[k : k + block]) for k in range(0, len(t_s), block)]
     assert np.array_equal(np.concatenate([np.empty(0), *some]), worst_s)
 
     def longest_s(key: int, until: int) -> float:
@@ -219,11 +219,11 @@ def test_pursuit_is_held_from_the_first_to_the_last_tick_in_a_row_by_the_worst(h
     assert at_once.held_s == {1: longest_s(0, len(holds)), 2: longest_s(1, len(holds))}
 
 
-def course_of(folder: Path, flown: Scenario) -> pursuit_held.Course | None:
-    reader = pursuit_held.CourseReader(flown, [])
+def course_of(folder: Path, flown: Scenario) -> pursuit_held.HeldTimes | None:
+    reader = pursuit_held.HeldTimesReader(flown, [])
     for chunk in tlog.read(folder / "session.tlog").chunks():
-        reader.take(chunk)
-    return reader.course()
+        reader.add(chunk)
+    return reader.held_times()
 
 
 def test_pursuit_is_held_from_the_first_tick_on_by_who_circles_within_the_goals_distance(recorded: Recorded) -> None:

@@ -16,7 +16,7 @@ from gcs.refuelling.scheduler import Scheduler
 from gcs.refuelling.service import Decision, Phase, Service
 from gcs.refuelling.transfer_command import TransferRole
 from gcs.scenario.model import Base, Battery, CompetitionRules, RefuellingRules, Tanker
-from gcs.telemetry.state import FleetState, VehicleView
+from gcs.telemetry.state import FleetSnapshot, VehicleView
 
 ORDER = 31010
 PAD = Base(name="pad", position_m=(10.0, 0.0, 0.0), rate_w=2000.0, stock_j=50_000.0)
@@ -26,9 +26,9 @@ CAPACITY_J = 10_000.0
 def view(sysid: int, role: str = "pursuer", **changed: Any) -> VehicleView:
     seen = VehicleView(
         sysid=sysid, role=role, label=f"{role} {sysid}", alive=True, profile=PX4, mode=FlightMode.OFFBOARD, armed=True,
-        landed=False, heard_s=0.0, p_ned=(0.0, 0.0, -4.8), v_ned=(0.0, 0.0, 0.0), age_s=0.0, heading_rad=0.0,
+        landed=False, last_received_s=0.0, p_ned=(0.0, 0.0, -4.8), v_ned=(0.0, 0.0, 0.0), age_s=0.0, heading_rad=0.0,
         origin_offset_ned=(0.0, 0.0, 0.0), ground_amsl_m=0.0, capacity_j=CAPACITY_J, initial_j=4_000.0,
-        battery_told=True, drawn_j=0.0, received_j=0, given_j=0, given_told_s=0.0, power_w=0.0,
+        battery_reported=True, drawn_j=0.0, received_j=0, given_j=0, given_reported_s=0.0, power_w=0.0,
         energy_source="energy_consumed", control_effort=0.0,
     )  # fmt: skip
     return seen._replace(**changed)
@@ -57,7 +57,7 @@ class World:
 
     def tick(self) -> Decision:
         decision = self.schedule.decide(
-            FleetState(self.now_s, tuple(self.views[key] for key in sorted(self.views)), ())
+            FleetSnapshot(self.now_s, tuple(self.views[key] for key in sorted(self.views)), ())
         )
         self.decisions.append(decision)
         for wish in decision.requests:
@@ -111,7 +111,12 @@ def world(
     seen = views or (view(1),)
     unable = {one.sysid: False for one in seen if one.role == "pursuer"}
     schedule = Scheduler(
-        CompetitionRules(), rules or RefuellingRules(hold_s=1.0), (), bases=bases, can_receive=unable, cruise_m_s=1.5
+        CompetitionRules(),
+        rules or RefuellingRules(hold_s=1.0),
+        (),
+        bases=bases,
+        transfer_capable=unable,
+        cruise_m_s=1.5,
     )
     return World(schedule, {one.sysid: one for one in seen}, **changed)
 
@@ -202,20 +207,20 @@ def test_tankers_serve_those_who_can_and_bases_those_who_cannot() -> None:
     tanker = Tanker(sysid=201, start_m=(0.0, 0.0, -6.0), airborne=True, battery=Battery(capacity_j=150_000.0))
     views = (view(1), view(2), view(201, "tanker", p_ned=(0.0, 0.0, -6.0), capacity_j=15e4, initial_j=15e4))
     schedule = Scheduler(
-        CompetitionRules(), RefuellingRules(), (tanker,), bases=(PAD,), can_receive={1: True, 2: False}
+        CompetitionRules(), RefuellingRules(), (tanker,), bases=(PAD,), transfer_capable={1: True, 2: False}
     )
     for k in range(40):
-        schedule.decide(FleetState(0.1 * k, views, ()))
+        schedule.decide(FleetSnapshot(0.1 * k, views, ()))
     assert {service.receiver: service.giver for service in schedule.services} == {1: "201", 2: "base pad"}
-    tanked, based = schedule.standings
+    tanked, based = schedule.competition_states
     assert (2 in tanked.tau, 1 in based.tau) == (False, False)
 
 
 def test_without_a_base_who_cannot_take_a_transfer_is_served_by_nobody() -> None:
     tanker = Tanker(sysid=201, start_m=(0.0, 0.0, -6.0), airborne=True, battery=Battery(capacity_j=150_000.0))
     views = (view(2), view(201, "tanker", capacity_j=15e4, initial_j=15e4))
-    schedule = Scheduler(CompetitionRules(), RefuellingRules(), (tanker,), can_receive={2: False})
-    records = [record for k in range(600) for record in schedule.decide(FleetState(0.1 * k, views, ())).records]
+    schedule = Scheduler(CompetitionRules(), RefuellingRules(), (tanker,), transfer_capable={2: False})
+    records = [record for k in range(600) for record in schedule.decide(FleetSnapshot(0.1 * k, views, ())).records]
     assert [record["kind"] for record in records] == ["unable"]
 
 
@@ -226,7 +231,7 @@ def test_one_that_would_not_last_goes_first() -> None:
 
 
 def test_a_vehicle_that_knows_no_transfers_is_charged_by_the_book() -> None:
-    game = world(view(1, battery_told=False))
+    game = world(view(1, battery_reported=False))
     service = game.until(Phase.DONE)
     assert game.orders == []
     assert not any(decision.giver_reports for decision in game.decisions)
@@ -236,7 +241,7 @@ def test_a_vehicle_that_knows_no_transfers_is_charged_by_the_book() -> None:
 
 
 def test_the_book_stands_still_while_a_vehicle_is_not_heard() -> None:
-    game = world(view(1, battery_told=False))
+    game = world(view(1, battery_reported=False))
     game.until(Phase.TRANSFER)
     for _ in range(5):
         game.tick()

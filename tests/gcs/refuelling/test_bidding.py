@@ -11,7 +11,7 @@ from scipy.integrate import solve_ivp
 from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.refuelling.bidding import Bidding
 from gcs.scenario.model import CompetitionRules
-from gcs.telemetry.state import FleetState, VehicleView
+from gcs.telemetry.state import FleetSnapshot, VehicleView
 
 RULES = CompetitionRules(p=2.0, rate=5.0, need_from=0.5, dwell_s=2.0, decide_within_s=30.0)
 
@@ -19,9 +19,10 @@ RULES = CompetitionRules(p=2.0, rate=5.0, need_from=0.5, dwell_s=2.0, decide_wit
 def view(sysid: int, need: float, role: str = "pursuer", **changed: Any) -> VehicleView:
     made = VehicleView(
         sysid=sysid, role=role, label=f"{role} {sysid}", alive=True, profile=PX4, mode=FlightMode.OFFBOARD, armed=True,
-        landed=False, heard_s=0.0, p_ned=(0.0, 0.0, -5.0), v_ned=(0.0, 0.0, 0.0), age_s=0.0, heading_rad=0.0,
-        origin_offset_ned=(0.0, 0.0, 0.0), ground_amsl_m=0.0, capacity_j=1e4, initial_j=1e4, battery_told=True,
-        drawn_j=1e4 * need, received_j=0, given_j=0, given_told_s=0.0, power_w=10.0, energy_source="energy_consumed",
+        landed=False, last_received_s=0.0, p_ned=(0.0, 0.0, -5.0), v_ned=(0.0, 0.0, 0.0), age_s=0.0, heading_rad=0.0,
+        origin_offset_ned=(0.0, 0.0, 0.0), ground_amsl_m=0.0, capacity_j=1e4, initial_j=1e4, battery_reported=True,
+        drawn_j=1e4 * need, received_j=0, given_j=0, given_reported_s=0.0, power_w=10.0,
+        energy_source="energy_consumed",
         control_effort=0.0,
     )  # fmt: skip
     return made._replace(**changed)
@@ -36,7 +37,7 @@ def run(contest: Bidding, views: list[VehicleView], until_s: float, from_s: floa
         now_s = from_s + k / 10
         if now_s > until_s + 1e-9:
             return until_s, None
-        snapshot = FleetState(now_s, tuple(views), ())
+        snapshot = FleetSnapshot(now_s, tuple(views), ())
         contest.advance(snapshot, served)
         won = contest.winner(snapshot, TANKER, 5.0, 20.0)
         if won is not None:
@@ -53,9 +54,9 @@ def test_the_state_is_the_solution_of_the_law() -> None:
     solved = solve_ivp(
         lambda _, v: 5.0 * (tau - (v**2).sum()) * v, (0, 0.4), [0.01] * 3, method="DOP853", rtol=1e-10, atol=1e-13
     ).y[:, -1]
-    assert list(contest.standing.tau.values()) == pytest.approx(tau)
-    assert list(contest.standing.v.values()) == pytest.approx(solved, rel=1e-6)
-    assert contest.standing.need == pytest.approx(needs)
+    assert list(contest.competition_state.tau.values()) == pytest.approx(tau)
+    assert list(contest.competition_state.v.values()) == pytest.approx(solved, rel=1e-6)
+    assert contest.competition_state.need == pytest.approx(needs)
 
 
 def test_the_neediest_wins_after_leading_for_the_dwell_time() -> None:
@@ -63,9 +64,9 @@ def test_the_neediest_wins_after_leading_for_the_dwell_time() -> None:
     views = [view(1, 0.6), view(2, 0.9), view(3, 0.75)]
     leads_s = None
     for k in range(200):
-        snapshot = FleetState(k / 10, tuple(views), ())
+        snapshot = FleetSnapshot(k / 10, tuple(views), ())
         contest.advance(snapshot, ())
-        if leads_s is None and contest.standing.share >= RULES.share:
+        if leads_s is None and contest.competition_state.share >= RULES.share:
             leads_s = k / 10
         won = contest.winner(snapshot, TANKER, 5.0, 20.0)
         if won is not None:
@@ -78,7 +79,7 @@ def test_the_neediest_wins_after_leading_for_the_dwell_time() -> None:
 def test_a_lead_that_is_interrupted_begins_anew() -> None:
     contest = Bidding(RULES.model_copy(update={"dwell_s": 6.0}))
     assert run(contest, [view(1, 0.6), view(2, 0.9)], 5.0)[1] is None
-    assert contest.standing.leader == 2
+    assert contest.competition_state.leader == 2
     time_s, won = run(contest, [view(1, 0.95), view(2, 0.9)], 30.0, from_s=5.1)
     assert won == (1, "competition")
     assert time_s >= 5.1 + 6.0
@@ -92,7 +93,7 @@ def test_equal_needs_are_won_by_the_lowest_id() -> None:
 def test_one_alone_wins_with_the_highest_bid() -> None:
     contest = Bidding(RULES)
     assert run(contest, [view(5, 0.55)], 30.0)[1] == (5, "competition")
-    assert contest.standing.tau == {5: 1.0}
+    assert contest.competition_state.tau == {5: 1.0}
 
 
 def test_a_near_tie_is_cut_short_for_the_largest_v() -> None:
@@ -122,16 +123,16 @@ def test_urgency_counts_the_tankers_way(away_m: float, urgent: bool) -> None:
 )  # fmt: skip
 def test_only_who_can_receive_and_needs_it_competes(changed: dict[str, Any]) -> None:
     contest = Bidding(RULES)
-    contest.advance(FleetState(0.0, (view(1, 0.6), view(2, 0.9)._replace(**changed)), ()), ())
-    assert set(contest.standing.v) == {1}
+    contest.advance(FleetSnapshot(0.0, (view(1, 0.6), view(2, 0.9)._replace(**changed)), ()), ())
+    assert set(contest.competition_state.v) == {1}
 
 
 def test_who_is_served_does_not_compete() -> None:
     contest = Bidding(RULES)
     assert run(contest, [view(1, 0.6), view(2, 0.9)], 30.0, served={2})[1] == (1, "competition")
-    contest.advance(FleetState(99.0, (view(1, 0.6),), ()), {1})
-    assert contest.standing.v == {}
-    assert contest.winner(FleetState(99.0, (view(1, 0.6),), ()), TANKER, 5.0, 20.0) is None
+    contest.advance(FleetSnapshot(99.0, (view(1, 0.6),), ()), {1})
+    assert contest.competition_state.v == {}
+    assert contest.winner(FleetSnapshot(99.0, (view(1, 0.6),), ()), TANKER, 5.0, 20.0) is None
 
 
 def test_after_an_award_the_loser_comes_back_and_takes_its_own_dwell_time() -> None:
@@ -139,10 +140,10 @@ def test_after_an_award_the_loser_comes_back_and_takes_its_own_dwell_time() -> N
     views = [view(1, 0.6), view(2, 0.9)]
     first_s, won = run(contest, views, 30.0)
     assert won == (2, "competition")
-    assert contest.standing.v[1] == RULES.floor
+    assert contest.competition_state.v[1] == RULES.floor
     contest.award(2, first_s)
-    snapshot = FleetState(first_s, tuple(views), ())
-    assert set(contest.standing.v) == {1}
+    snapshot = FleetSnapshot(first_s, tuple(views), ())
+    assert set(contest.competition_state.v) == {1}
     assert contest.winner(snapshot, TANKER, 5.0, 20.0) is None
     second_s, won = run(contest, views, 60.0, from_s=first_s + 0.1, served={2})
     assert won == (1, "competition")
@@ -152,11 +153,11 @@ def test_after_an_award_the_loser_comes_back_and_takes_its_own_dwell_time() -> N
 def test_a_former_loser_wins_when_its_need_becomes_the_greatest() -> None:
     contest = Bidding(RULES)
     for k in range(100):
-        contest.advance(FleetState(k / 10, (view(1, 0.6), view(2, 0.9)), ()), ())
-    assert contest.standing.leader == 2
+        contest.advance(FleetSnapshot(k / 10, (view(1, 0.6), view(2, 0.9)), ()), ())
+    assert contest.competition_state.leader == 2
     for k in range(100, 200):
-        contest.advance(FleetState(k / 10, (view(1, 0.9), view(2, 0.6)), ()), ())
-    assert contest.standing.leader == 1
+        contest.advance(FleetSnapshot(k / 10, (view(1, 0.9), view(2, 0.6)), ()), ())
+    assert contest.competition_state.leader == 1
 
 
 def test_urgency_also_serves_one_that_is_not_needy_enough_to_compete() -> None:

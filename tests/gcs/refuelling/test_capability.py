@@ -9,13 +9,14 @@ import pytest
 from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.refuelling.capability import ReceiverCapability
 from gcs.refuelling.service import ServiceRequests
-from gcs.telemetry.state import FleetState, VehicleView
+from gcs.telemetry.state import FleetSnapshot, VehicleView
 
 VIEW = VehicleView(
     sysid=1, role="pursuer", label="pursuer 1", alive=True, profile=PX4, mode=FlightMode.HOLD, armed=False,
-    landed=True, heard_s=0.0, p_ned=None, v_ned=(0.0, 0.0, 0.0), age_s=0.0, heading_rad=0.0, origin_offset_ned=None,
-    ground_amsl_m=0.0, capacity_j=1e4, initial_j=1e4, battery_told=True, drawn_j=0.0, received_j=0, given_j=0,
-    given_told_s=0.0, power_w=0.0, energy_source="none", control_effort=0.0,
+    landed=True, last_received_s=0.0, p_ned=None, v_ned=(0.0, 0.0, 0.0), age_s=0.0, heading_rad=0.0,
+    origin_offset_ned=None,
+    ground_amsl_m=0.0, capacity_j=1e4, initial_j=1e4, battery_reported=True, drawn_j=0.0, received_j=0, given_j=0,
+    given_reported_s=0.0, power_w=0.0, energy_source="none", control_effort=0.0,
 )  # fmt: skip
 
 
@@ -29,8 +30,8 @@ def run(
     at_s: float = 0.0,
 ) -> None:
     for k in range(round(seconds / 0.5) + 1):
-        seen = VIEW._replace(battery_told=told, heard_s=0.0 if heard else -math.inf)
-        ability.decide(FleetState(at_s + 0.5 * k, (seen,), ()), requests)
+        seen = VIEW._replace(battery_reported=told, last_received_s=0.0 if heard else -math.inf)
+        ability.decide(FleetSnapshot(at_s + 0.5 * k, (seen,), ()), requests)
 
 
 def test_who_is_not_asked_is_as_the_scenario_says() -> None:
@@ -53,7 +54,7 @@ def test_a_vehicle_with_a_battery_model_is_asked_once_by_a_command_that_does_not
 def test_its_answer_decides(accepted: bool) -> None:
     requests, ability = ServiceRequests(), ReceiverCapability({1: None})
     run(ability, requests, 1.0)
-    requests.take_result(requests.requests[0].token, accepted)
+    requests.receive_result(requests.requests[0].token, accepted)
     run(ability, requests, 1.0, at_s=2.0)
     assert ability.unknown == set()
     assert ability.unable == ({} if accepted else {1: "it does not know MAV_CMD_USER_1"})

@@ -6,7 +6,7 @@ import pytest
 from views import snapshot, view
 
 from gcs.mavlink.command_protocol import CommandResult, CommandTarget
-from gcs.refuelling.bidding import Standing
+from gcs.refuelling.bidding import CompetitionState
 from gcs.refuelling.explain import acknowledged, competition_of, history_of, rendezvous_ned, why
 from gcs.refuelling.service import Phase, Service
 from gcs.scenario.model import CompetitionRules, RefuellingRules
@@ -56,11 +56,11 @@ def test_why_is_one_sentence_with_the_reason_and_the_time_left(by: str, words: s
 
 
 def test_the_runner_up_is_the_next_behind_the_leader() -> None:
-    standing = Standing({1: 0.2, 2: 0.9, 3: 0.5}, {1: 0.1, 2: 1.0, 3: 0.8}, {}, 2, 0.8)
-    told = competition_of(standing, COMPETITION)
+    competition_state = CompetitionState({1: 0.2, 2: 0.9, 3: 0.5}, {1: 0.1, 2: 1.0, 3: 0.8}, {}, 2, 0.8)
+    told = competition_of(competition_state, COMPETITION)
     assert (told["leader"], told["runner_up"], told["share"], told["threshold"]) == (2, 3, 0.8, 0.9)
     assert told["v"] == {"1": 0.2, "2": 0.9, "3": 0.5}
-    nobody = competition_of(Standing(), COMPETITION)
+    nobody = competition_of(CompetitionState(), COMPETITION)
     assert (nobody["leader"], nobody["runner_up"], nobody["share"]) == (None, None, None)
 
 

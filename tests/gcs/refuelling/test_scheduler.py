@@ -9,7 +9,7 @@ from gcs.refuelling.scheduler import Scheduler
 from gcs.refuelling.service import Decision, Phase
 from gcs.refuelling.transfer_command import TransferRole
 from gcs.scenario.model import CompetitionRules, RefuellingRules
-from gcs.telemetry.state import FleetState
+from gcs.telemetry.state import FleetSnapshot
 from tests.support.services import FOLLOW_TARGET, INTERVAL, RATE_W, Fleet, Play, play, tanker, view
 
 
@@ -86,8 +86,8 @@ def test_no_start_before_the_givers_counter_is_known() -> None:
     original = game.fleet.set
 
     def deaf(sysid: int, **changed: Any) -> None:
-        if changed.keys() == {"given_told_s"}:
-            changed = {"given_told_s": 0.0}
+        if changed.keys() == {"given_reported_s"}:
+            changed = {"given_reported_s": 0.0}
         original(sysid, **changed)
 
     game.fleet.set = deaf  # type: ignore[method-assign]
@@ -288,7 +288,7 @@ def test_joules_that_are_told_late_are_booked_on_their_service() -> None:
     assert first.energy_j == before_j + 150
     assert first.energy_j + second.energy_j == game.fleet.views[1].received_j
     game.fleet.set(1, received_j=game.fleet.views[1].received_j + 30)
-    game.schedule.settle(FleetState(game.now_s, tuple(game.fleet.views.values()), ()))
+    game.schedule.settle(FleetSnapshot(game.now_s, tuple(game.fleet.views.values()), ()))
     assert first.energy_j + second.energy_j == game.fleet.views[1].received_j
 
 
@@ -318,7 +318,7 @@ def test_several_tankers_never_share_a_receiver_and_serve_by_need() -> None:
 def test_switched_off_nothing_is_decided(off: str) -> None:
     game = play(RefuellingRules(enabled=off != "refuelling"), enabled=off != "competition")
     assert all(game.tick() == Decision() for _ in range(100))
-    assert game.schedule.standing.v == {}
+    assert game.schedule.competition_state.v == {}
 
 
 def test_the_record_of_a_service_is_the_summarys() -> None:

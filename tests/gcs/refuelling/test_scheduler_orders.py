@@ -109,5 +109,5 @@ def test_who_is_out_does_not_compete() -> None:
     game.fleet.views[2] = view(2, "pursuer", (5.0, 0.0, -4.8), 1_000.0, 10_000.0)
     game.schedule.out[2] = "skipped by the operator"
     game.tick()
-    assert set(game.schedule.standing.v) == {1}
+    assert set(game.schedule.competition_state.v) == {1}
     assert game.until(Phase.JOIN).receiver == 1

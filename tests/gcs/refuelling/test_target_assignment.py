@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.refuelling.target_assignment import GRAVITY_M_S2, TargetAssignment, predicted_effort
 from gcs.scenario.model import PursuitRules as Rules
-from gcs.telemetry.state import FleetState, Vec3, VehicleView
+from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 
 STILL: Vec3 = (0.0, 0.0, 0.0)
 SPEED = 2.0
@@ -19,9 +19,10 @@ SPEED = 2.0
 def view(sysid: int, *at: float, role: str = "pursuer", **changed: Any) -> VehicleView:
     made = VehicleView(
         sysid=sysid, role=role, label=f"{role} {sysid}", alive=True, profile=PX4, mode=FlightMode.OFFBOARD, armed=True,
-        landed=False, heard_s=0.0, p_ned=at, v_ned=STILL, age_s=0.0, heading_rad=0.0,
-        origin_offset_ned=STILL, ground_amsl_m=0.0, capacity_j=1e4, initial_j=1e4, battery_told=True, drawn_j=0.0,
-        received_j=0, given_j=0, given_told_s=0.0, power_w=10.0, energy_source="energy_consumed", control_effort=0.0,
+        landed=False, last_received_s=0.0, p_ned=at, v_ned=STILL, age_s=0.0, heading_rad=0.0,
+        origin_offset_ned=STILL, ground_amsl_m=0.0, capacity_j=1e4, initial_j=1e4, battery_reported=True, drawn_j=0.0,
+        received_j=0, given_j=0, given_reported_s=0.0, power_w=10.0, energy_source="energy_consumed",
+        control_effort=0.0,
     )  # fmt: skip
     return made._replace(**changed)
 
@@ -33,7 +34,7 @@ def pursuit(targets: tuple[int, ...] = (101,), pursuers: tuple[int, ...] = (1, 2
 def run(races: TargetAssignment, views: list[VehicleView], from_s: float, to_s: float) -> dict[int, int]:
     chosen: dict[int, int] = {}
     for k in range(round(from_s * 10), round(to_s * 10) + 1):
-        chosen = races.decide(FleetState(k / 10, tuple(views), ()))
+        chosen = races.decide(FleetSnapshot(k / 10, tuple(views), ()))
     return chosen
 
 

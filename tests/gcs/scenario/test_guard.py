@@ -32,14 +32,14 @@ def test_who_raises_is_named_once_with_its_place_until_it_is_good_again() -> Non
     guard = Guard("planner a:B")
     for _ in range(3):
         assert guard.call(1, fails) is None
-    (problem,) = guard.take()
+    (problem,) = guard.pop_faults()
     assert problem.sysid == 1
     assert problem.sentence.startswith("planner a:B raised KeyError at test_guard.py:")
     assert problem.sentence.endswith("; the vehicle is held")
     assert "\n" not in problem.sentence
     guard.call(1, lambda: 5)
     guard.call(1, fails)
-    assert len(guard.take()) == 1
+    assert len(guard.pop_faults()) == 1
 
 
 def test_an_answer_that_cannot_be_used_is_told_in_the_words_of_who_looked_at_it() -> None:
@@ -48,7 +48,7 @@ def test_an_answer_that_cannot_be_used_is_told_in_the_words_of_who_looked_at_it(
 
     guard = Guard("planner a:B")
     assert guard.call(1, looks) is None
-    assert guard.take()[0].sentence == "planner a:B returned a poem; the vehicle is held"
+    assert guard.pop_faults()[0].sentence == "planner a:B returned a poem; the vehicle is held"
 
 
 def test_an_exit_in_a_policy_does_not_end_the_session() -> None:
@@ -57,7 +57,7 @@ def test_an_exit_in_a_policy_does_not_end_the_session() -> None:
 
     guard = Guard("planner a:B")
     assert guard.call(1, leave) is None
-    assert guard.take()[0].problem.startswith("raised SystemExit")
+    assert guard.pop_faults()[0].problem.startswith("raised SystemExit")
 
 
 def test_who_hangs_is_cut_off_and_not_asked_again_and_one_is_cut_per_tick() -> None:
@@ -65,7 +65,7 @@ def test_who_hangs_is_cut_off_and_not_asked_again_and_one_is_cut_per_tick() -> N
     guard.begin_tick()
     assert guard.call(1, hangs) is None
     assert guard.call(2, hangs) is None
-    assert [problem.sysid for problem in guard.take()] == [1]
+    assert [problem.sysid for problem in guard.pop_faults()] == [1]
     guard.begin_tick()
     assert guard.call(1, lambda: 5) is None
     assert guard.call(3, lambda: 5) is not None

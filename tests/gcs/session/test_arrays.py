@@ -9,7 +9,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from gcs.session.arrays import MissingExtra, Snapshot, from_picture
+from gcs.session.arrays import MissingExtra, Snapshot, from_message
 
 
 def vehicle(sysid: int, **changed: Any) -> dict[str, Any]:
@@ -21,7 +21,7 @@ def vehicle(sysid: int, **changed: Any) -> dict[str, Any]:
 def snapshot(*vehicles: dict[str, Any]) -> Snapshot:
     event = {"t_s": 4.0, "sysid": 2, "level": "info", "text": "Armed"}
     service = {"receiver": 1, "tanker": 201, "phase": "join", "energy_j": 7, "by": "policy"}
-    return from_picture(
+    return from_message(
         {"t_s": 4.5, "vehicles": list(vehicles), "services": [service], "refuelled": 3, "events": [event]}
     )
 

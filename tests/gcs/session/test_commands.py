@@ -71,7 +71,7 @@ def test_the_clock_is_stopped_and_started_and_both_are_recorded(table: Table) ->
 def test_an_order_reaches_the_operator(table: Table) -> None:
     ok, text = table.ask("hold", sysid=1)
     assert (ok, text) == (True, "Pursuer 1 holds where it is until it rejoins.")
-    assert table.session.supervisor.pilots[1].ordered == "hold"
+    assert table.session.supervisor.arming[1].ordered == "hold"
 
 
 @pytest.mark.parametrize(
@@ -89,7 +89,7 @@ def test_each_client_inspects_one_vehicle_until_it_changes_its_mind_or_leaves(ta
     assert table.ask("inspect", client=2, sysid=201)[0]
     assert inspection.wanted == {1, 201}
     table.session.fly(2)
-    told = inspection.told(table.session.supervisor.time_s)
+    told = inspection.latest(table.session.supervisor.time_s)
     assert told["1"]["HEARTBEAT"]["count"] == 2
     assert table.ask("inspect", sysid=101)[0]
     assert inspection.wanted == {101, 201}

@@ -63,14 +63,14 @@ def rows(observer: Observer, t_s: float) -> dict[int, dict[str, Any]]:
 
 
 def test_a_vehicle_is_who_sends_a_vehicles_heartbeat(observer: Observer) -> None:
-    observer.hear(local(1.0, 2.0, 3.0, sysid=9), 0.0)
-    observer.hear(beat(255, kind=mav.MAV_TYPE_GCS, autopilot=mav.MAV_AUTOPILOT_INVALID, compid=190), 0.0)
-    observer.hear(beat(1, kind=mav.MAV_TYPE_CAMERA, autopilot=mav.MAV_AUTOPILOT_INVALID, compid=100), 0.0)
-    observer.hear(beat(40, kind=mav.MAV_TYPE_ADSB, autopilot=mav.MAV_AUTOPILOT_INVALID, compid=156), 0.0)
-    observer.hear(beat(1), 0.1)
-    observer.hear(beat(2, autopilot=ARDUPILOT, kind=mav.MAV_TYPE_FIXED_WING), 0.2)
-    observer.hear(beat(3, kind=mav.MAV_TYPE_GROUND_ROVER, autopilot=mav.MAV_AUTOPILOT_GENERIC), 0.2)
-    observer.hear(beat(1, kind=mav.MAV_TYPE_GIMBAL, autopilot=mav.MAV_AUTOPILOT_INVALID, compid=154), 0.3)
+    observer.receive(local(1.0, 2.0, 3.0, sysid=9), 0.0)
+    observer.receive(beat(255, kind=mav.MAV_TYPE_GCS, autopilot=mav.MAV_AUTOPILOT_INVALID, compid=190), 0.0)
+    observer.receive(beat(1, kind=mav.MAV_TYPE_CAMERA, autopilot=mav.MAV_AUTOPILOT_INVALID, compid=100), 0.0)
+    observer.receive(beat(40, kind=mav.MAV_TYPE_ADSB, autopilot=mav.MAV_AUTOPILOT_INVALID, compid=156), 0.0)
+    observer.receive(beat(1), 0.1)
+    observer.receive(beat(2, autopilot=ARDUPILOT, kind=mav.MAV_TYPE_FIXED_WING), 0.2)
+    observer.receive(beat(3, kind=mav.MAV_TYPE_GROUND_ROVER, autopilot=mav.MAV_AUTOPILOT_GENERIC), 0.2)
+    observer.receive(beat(1, kind=mav.MAV_TYPE_GIMBAL, autopilot=mav.MAV_AUTOPILOT_INVALID, compid=154), 0.3)
     found = rows(observer, 0.5)
     told = {sysid: (row["role"], row["label"], row["autopilot"]) for sysid, row in found.items()}
     assert told == {
@@ -85,7 +85,7 @@ def test_the_session_is_told_anew_when_somebody_joins(observer: Observer) -> Non
     assert observer.changed
     assert observer.session()["vehicles"] == []
     assert not observer.changed
-    observer.hear(beat(7), 0.0)
+    observer.receive(beat(7), 0.0)
     assert observer.changed
     assert observer.session()["vehicles"][0] == {
         "sysid": 7, "role": "copter", "label": "copter 7", "capacity_j": None, "path_ned": [],
@@ -94,9 +94,9 @@ def test_the_session_is_told_anew_when_somebody_joins(observer: Observer) -> Non
 
 def test_vehicles_with_origins_of_their_own_stand_in_the_first_ones_frame(observer: Observer) -> None:
     for sysid, (n, e, d) in ((1, (0.0, 0.0, 0.0)), (2, (30.0, -20.0, -5.0))):
-        observer.hear(beat(sysid), 0.0)
-        observer.hear(placed("GPS_GLOBAL_ORIGIN", n, e, d, sysid), 0.0)
-        observer.hear(local(1.0, 2.0, -3.0, sysid), 0.1)
+        observer.receive(beat(sysid), 0.0)
+        observer.receive(placed("GPS_GLOBAL_ORIGIN", n, e, d, sysid), 0.0)
+        observer.receive(local(1.0, 2.0, -3.0, sysid), 0.1)
     found = rows(observer, 0.1)
     assert found[1]["p_ned"] == pytest.approx((1.0, 2.0, -3.0), abs=0.02)
     assert found[2]["p_ned"] == pytest.approx((31.0, -18.0, -8.0), abs=0.02)
@@ -104,34 +104,34 @@ def test_vehicles_with_origins_of_their_own_stand_in_the_first_ones_frame(observ
 
 def test_px4s_home_stands_for_an_origin_that_is_not_told(observer: Observer) -> None:
     """Home lies at (4, 5, 0) of the local frame and at (10, 10, 0) of the test's: the origin at (6, 5, 0)."""
-    observer.hear(beat(1), 0.0)
-    observer.hear(placed("GPS_GLOBAL_ORIGIN", 0.0, 0.0, 0.0, 1), 0.0)
-    observer.hear(beat(2), 0.0)
-    observer.hear(placed("HOME_POSITION", 10.0, 10.0, 0.0, 2, x=4.0, y=5.0, z=0.0), 0.0)
-    observer.hear(local(1.0, 1.0, -2.0, 2), 0.1)
+    observer.receive(beat(1), 0.0)
+    observer.receive(placed("GPS_GLOBAL_ORIGIN", 0.0, 0.0, 0.0, 1), 0.0)
+    observer.receive(beat(2), 0.0)
+    observer.receive(placed("HOME_POSITION", 10.0, 10.0, 0.0, 2, x=4.0, y=5.0, z=0.0), 0.0)
+    observer.receive(local(1.0, 1.0, -2.0, 2), 0.1)
     assert rows(observer, 0.1)[2]["p_ned"] == pytest.approx((7.0, 6.0, -2.0), abs=0.02)
 
 
 def test_a_global_position_beside_a_local_one_gives_the_origin_of_an_autopilot_that_tells_none(
     observer: Observer,
 ) -> None:
-    observer.hear(beat(1), 0.0)
-    observer.hear(placed("GPS_GLOBAL_ORIGIN", 0.0, 0.0, 0.0, 1), 0.0)
-    observer.hear(beat(2, autopilot=ARDUPILOT, mode=4), 0.0)
-    observer.hear(placed("HOME_POSITION", 50.0, 50.0, 0.0, 2), 0.0)  # ArduPilot's x, y, z say nothing
-    observer.hear(local(1.0, 2.0, -3.0, 2), 0.1)
+    observer.receive(beat(1), 0.0)
+    observer.receive(placed("GPS_GLOBAL_ORIGIN", 0.0, 0.0, 0.0, 1), 0.0)
+    observer.receive(beat(2, autopilot=ARDUPILOT, mode=4), 0.0)
+    observer.receive(placed("HOME_POSITION", 50.0, 50.0, 0.0, 2), 0.0)  # ArduPilot's x, y, z say nothing
+    observer.receive(local(1.0, 2.0, -3.0, 2), 0.1)
     assert rows(observer, 0.1)[2]["p_ned"] is None
-    observer.hear(placed("GLOBAL_POSITION_INT", 11.0, 22.0, -33.0, 2), 0.2)
-    observer.hear(local(2.0, 2.0, -3.0, 2), 0.3)
+    observer.receive(placed("GLOBAL_POSITION_INT", 11.0, 22.0, -33.0, 2), 0.2)
+    observer.receive(local(2.0, 2.0, -3.0, 2), 0.3)
     assert rows(observer, 0.3)[2]["p_ned"] == pytest.approx((12.0, 22.0, -33.0), abs=0.02)
 
 
 def test_a_vehicle_that_tells_only_global_positions_has_a_place_and_a_speed(observer: Observer) -> None:
-    observer.hear(beat(5, autopilot=ARDUPILOT, mode=3, armed=True, status=4), 0.0)
-    observer.hear(placed("GLOBAL_POSITION_INT", 0.0, 0.0, -10.0, 5, relative_alt=10_000), 0.5)
+    observer.receive(beat(5, autopilot=ARDUPILOT, mode=3, armed=True, status=4), 0.0)
+    observer.receive(placed("GLOBAL_POSITION_INT", 0.0, 0.0, -10.0, 5, relative_alt=10_000), 0.5)
     assert rows(observer, 0.5)[5]["p_ned"] is None  # its own origin may still come
-    observer.hear(placed("GLOBAL_POSITION_INT", 0.0, 0.0, -10.0, 5, relative_alt=10_000), 4.0)
-    observer.hear(placed("GLOBAL_POSITION_INT", 6.0, 8.0, -12.0, 5, relative_alt=12_000, vx=300, vy=400, vz=0), 4.5)
+    observer.receive(placed("GLOBAL_POSITION_INT", 0.0, 0.0, -10.0, 5, relative_alt=10_000), 4.0)
+    observer.receive(placed("GLOBAL_POSITION_INT", 6.0, 8.0, -12.0, 5, relative_alt=12_000, vx=300, vy=400, vz=0), 4.5)
     row = rows(observer, 4.6)[5]
     assert row["p_ned"] == pytest.approx((6.0, 8.0, -12.0), abs=0.03)
     assert (row["speed_m_s"], row["height_m"]) == (5.0, pytest.approx(12.0, abs=0.03))
@@ -140,11 +140,11 @@ def test_a_vehicle_that_tells_only_global_positions_has_a_place_and_a_speed(obse
 
 def test_a_position_is_as_old_as_its_coming_whatever_the_vehicles_own_clock_says(observer: Observer) -> None:
     """It booted an hour ago, then again: its clock jumps back, and it is still heard."""
-    observer.hear(beat(1), 0.0)
-    observer.hear(placed("GPS_GLOBAL_ORIGIN", 0.0, 0.0, 0.0), 0.0)
-    observer.hear(local(1.0, 0.0, 0.0, t_ms=3_600_000), 10.0)
+    observer.receive(beat(1), 0.0)
+    observer.receive(placed("GPS_GLOBAL_ORIGIN", 0.0, 0.0, 0.0), 0.0)
+    observer.receive(local(1.0, 0.0, 0.0, t_ms=3_600_000), 10.0)
     assert rows(observer, 10.5)[1]["age_s"] == pytest.approx(0.5)
-    observer.hear(local(2.0, 0.0, 0.0, t_ms=1_000), 20.0)
+    observer.receive(local(2.0, 0.0, 0.0, t_ms=1_000), 20.0)
     row = rows(observer, 20.25)[1]
     assert (row["p_ned"][0], row["age_s"]) == (pytest.approx(2.0, abs=0.02), pytest.approx(0.25))
 
@@ -155,23 +155,24 @@ def test_a_position_is_as_old_as_its_coming_whatever_the_vehicles_own_clock_says
      (ARDUPILOT, 3, "auto"), (ARDUPILOT, 16, "position hold"), (ARDUPILOT, 6, "return"), (ARDUPILOT, 99, "mode 99")],
 )  # fmt: skip
 def test_modes_have_names_that_a_person_reads(observer: Observer, autopilot: int, mode: int, name: str) -> None:
-    observer.hear(beat(1, autopilot=autopilot, mode=mode), 0.0)
+    observer.receive(beat(1, autopilot=autopilot, mode=mode), 0.0)
     assert rows(observer, 0.0)[1]["mode"] == name
 
 
 def test_a_change_of_mode_is_an_event_and_no_failsafe_since_nobody_here_commands(observer: Observer) -> None:
-    observer.hear(beat(1, autopilot=ARDUPILOT, mode=3, armed=True), 0.0)
+    observer.receive(beat(1, autopilot=ARDUPILOT, mode=3, armed=True), 0.0)
     rows(observer, 0.0)
-    observer.hear(beat(1, autopilot=ARDUPILOT, mode=6, armed=True), 1.0)
+    observer.receive(beat(1, autopilot=ARDUPILOT, mode=6, armed=True), 1.0)
     events = observer.snapshot(1.0, speed=1.0, phase="flying")["events"]
     assert [(e["kind"], e["level"], e["text"]) for e in events] == [("mode", "info", "auto -> return")]
 
 
 def test_a_battery_of_unknown_capacity_is_a_share_and_no_joules(observer: Observer) -> None:
     """11.5 V and 10 A are 115 W; 8 % is trouble."""
-    observer.hear(beat(1, autopilot=ARDUPILOT, mode=4), 0.0)
-    observer.hear(frame("BATTERY_STATUS", voltages=[11_500, *[65535] * 9], voltages_ext=[0] * 4, current_battery=1000,
-                        energy_consumed=-1, current_consumed=-1, battery_remaining=8), 0.1)  # fmt: skip
+    observer.receive(beat(1, autopilot=ARDUPILOT, mode=4), 0.0)
+    observer.receive(frame("BATTERY_STATUS", voltages=[11_500, *[65535] * 9], voltages_ext=[0] * 4,
+                        current_battery=1000, energy_consumed=-1, current_consumed=-1,
+                        battery_remaining=8), 0.1)  # fmt: skip
     row = rows(observer, 0.2)[1]
     assert (row["battery"], row["remaining_j"], row["endurance_s"]) == (0.08, None, None)
     assert (row["power_w"], row["energy_source"]) == (pytest.approx(115.0), "battery_remaining")
@@ -180,10 +181,10 @@ def test_a_battery_of_unknown_capacity_is_a_share_and_no_joules(observer: Observ
 
 
 def test_a_capacity_that_the_vehicle_tells_makes_joules_of_it(observer: Observer) -> None:
-    observer.hear(beat(1), 0.0)
+    observer.receive(beat(1), 0.0)
     for name, value in (("SIM_BAT_CAP_J", 24_000.0), ("SIM_BAT_INIT_J", 18_000.0)):
-        observer.hear(frame("PARAM_VALUE", param_id=name.encode(), param_value=value, param_type=9), 0.1)
-    observer.hear(frame("BATTERY_STATUS", voltages=[65535] * 10, voltages_ext=[0] * 4, current_battery=-1,
+        observer.receive(frame("PARAM_VALUE", param_id=name.encode(), param_value=value, param_type=9), 0.1)
+    observer.receive(frame("BATTERY_STATUS", voltages=[65535] * 10, voltages_ext=[0] * 4, current_battery=-1,
                         current_consumed=-1, energy_consumed=60, battery_remaining=50), 0.2)  # fmt: skip
     row = rows(observer, 0.2)[1]
     assert (row["remaining_j"], row["battery"]) == (12_000.0, 0.5)
@@ -191,62 +192,62 @@ def test_a_capacity_that_the_vehicle_tells_makes_joules_of_it(observer: Observer
 
 def test_without_a_word_about_landing_the_system_status_tells(observer: Observer) -> None:
     for status, armed, landed in ((3, False, True), (3, True, True), (4, True, False)):
-        observer.hear(beat(1, autopilot=ARDUPILOT, mode=4, armed=armed, status=status), 0.0)
+        observer.receive(beat(1, autopilot=ARDUPILOT, mode=4, armed=armed, status=status), 0.0)
         assert rows(observer, 0.0)[1]["landed"] is landed
-    observer.hear(frame("EXTENDED_SYS_STATE", landed_state=mav.MAV_LANDED_STATE_ON_GROUND), 0.1)
+    observer.receive(frame("EXTENDED_SYS_STATE", landed_state=mav.MAV_LANDED_STATE_ON_GROUND), 0.1)
     assert rows(observer, 0.1)[1]["landed"] is True
 
 
 def test_lost_frames_are_counted_by_their_numbers(observer: Observer) -> None:
     _SEQ[1, 1] = 250
-    observer.hear(beat(1), 0.0)
+    observer.receive(beat(1), 0.0)
     _SEQ[1, 1] = (_SEQ[1, 1] + 3) % 256
-    observer.hear(beat(1), 1.0)
+    observer.receive(beat(1), 1.0)
     row = rows(observer, 1.0)[1]
     assert (row["lost"], row["lost_share"]) == (3, pytest.approx(3 / 5))
 
 
 def test_where_a_vehicle_flies_to_is_its_target_or_what_it_was_sent(observer: Observer) -> None:
-    observer.hear(beat(1), 0.0)
-    observer.hear(placed("GPS_GLOBAL_ORIGIN", 0.0, 0.0, 0.0), 0.0)
-    observer.hear(local(0.0, 0.0, 0.0), 0.0)
+    observer.receive(beat(1), 0.0)
+    observer.receive(placed("GPS_GLOBAL_ORIGIN", 0.0, 0.0, 0.0), 0.0)
+    observer.receive(local(0.0, 0.0, 0.0), 0.0)
     target = {"coordinate_frame": 1, "type_mask": 0, "x": 4.0, "y": 5.0, "z": -6.0}
-    observer.hear(frame("POSITION_TARGET_LOCAL_NED", **target), 0.1)
+    observer.receive(frame("POSITION_TARGET_LOCAL_NED", **target), 0.1)
     assert rows(observer, 0.1)[1]["aim_ned"] == pytest.approx((4.0, 5.0, -6.0))
-    observer.overhear(frame("SET_POSITION_TARGET_LOCAL_NED", 255, 190, target_system=1, **(target | {"x": 9.0})))
+    observer.receive_sent(frame("SET_POSITION_TARGET_LOCAL_NED", 255, 190, target_system=1, **(target | {"x": 9.0})))
     assert rows(observer, 0.2)[1]["aim_ned"][0] == pytest.approx(9.0)
 
 
 def test_what_is_inspected_is_told_in_mavlinks_own_units(observer: Observer) -> None:
-    observer.hear(beat(1), 0.0)
+    observer.receive(beat(1), 0.0)
     observer.inspection.want({1})
     for i in range(5):
-        observer.hear(placed("GLOBAL_POSITION_INT", 0.0, 0.0, 0.0, 1, vx=125), 1.0 + 0.2 * i)
+        observer.receive(placed("GLOBAL_POSITION_INT", 0.0, 0.0, 0.0, 1, vx=125), 1.0 + 0.2 * i)
     told = observer.snapshot(2.0, speed=1.0, phase="flying")["inspected"]["1"]["GLOBAL_POSITION_INT"]
     assert (told["count"], told["fields"]["vx"]) == (5, 125)
     assert told["rate_hz"] == pytest.approx(5.0)
 
 
 def test_silence_is_told_and_its_end(observer: Observer) -> None:
-    observer.hear(beat(1), 0.0)
-    observer.hear(placed("GPS_GLOBAL_ORIGIN", 0.0, 0.0, 0.0), 0.0)
-    observer.hear(local(0.0, 0.0, 0.0), 0.0)
+    observer.receive(beat(1), 0.0)
+    observer.receive(placed("GPS_GLOBAL_ORIGIN", 0.0, 0.0, 0.0), 0.0)
+    observer.receive(local(0.0, 0.0, 0.0), 0.0)
     rows(observer, 0.1)
     row = rows(observer, 6.0)[1]
     assert row["trouble"][0] == "no word 6 s"
     assert row["severity"] == 2
-    observer.hear(beat(1), 7.0)
-    observer.hear(local(0.0, 0.0, 0.0), 7.0)
+    observer.receive(beat(1), 7.0)
+    observer.receive(local(0.0, 0.0, 0.0), 7.0)
     events = observer.snapshot(7.0, speed=1.0, phase="flying")["events"]
     assert [e["text"] for e in events if e["kind"] == "link"] == ["Heard again"]
 
 
 def test_numbers_that_are_none_do_no_harm(observer: Observer) -> None:
-    observer.hear(beat(1), 0.0)
-    observer.hear(frame("GPS_GLOBAL_ORIGIN"), 0.0)
-    observer.hear(frame("GLOBAL_POSITION_INT"), 4.0)
-    observer.hear(local(math.nan, 0.0, math.inf), 4.0)
-    observer.hear(frame("ATTITUDE", yaw=math.nan), 4.0)
-    observer.hear(placed("HOME_POSITION", 0.0, 0.0, 0.0, 1, x=math.nan), 4.0)
-    observer.hear(frame("AHRS2"), 4.1)
+    observer.receive(beat(1), 0.0)
+    observer.receive(frame("GPS_GLOBAL_ORIGIN"), 0.0)
+    observer.receive(frame("GLOBAL_POSITION_INT"), 4.0)
+    observer.receive(local(math.nan, 0.0, math.inf), 4.0)
+    observer.receive(frame("ATTITUDE", yaw=math.nan), 4.0)
+    observer.receive(placed("HOME_POSITION", 0.0, 0.0, 0.0, 1, x=math.nan), 4.0)
+    observer.receive(frame("AHRS2"), 4.1)
     assert rows(observer, 4.2)[1]["p_ned"] is None

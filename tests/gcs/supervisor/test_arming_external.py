@@ -9,7 +9,7 @@ from pymavlink.dialects.v20 import ardupilotmega as mav
 from gcs.mavlink.autopilots import ARDUCOPTER, PX4, FlightMode, Profile
 from gcs.scenario.external import External
 from gcs.supervisor.arming import Stage
-from gcs.supervisor.arming_external import BLAMED_S, FAR_M, LATE_S, PARAMETER_TRIES, QUIET_S, ExternalArmingSequence
+from gcs.supervisor.arming_external import BLAMED_S, FAR_M, LATE_S, PARAMETER_TRIES, STALE_S, ExternalArmingSequence
 from gcs.telemetry.state import VehicleView
 
 ARM, TAKEOFF, SET_MODE = mav.MAV_CMD_COMPONENT_ARM_DISARM, mav.MAV_CMD_NAV_TAKEOFF, mav.MAV_CMD_DO_SET_MODE
@@ -18,9 +18,10 @@ ARM, TAKEOFF, SET_MODE = mav.MAV_CMD_COMPONENT_ARM_DISARM, mav.MAV_CMD_NAV_TAKEO
 def view(**changed: Any) -> VehicleView:
     ground = VehicleView(
         sysid=3, role="pursuer", label="pursuer 3", alive=True, profile=PX4, mode=FlightMode.HOLD, armed=False,
-        landed=True, heard_s=0.0, p_ned=(10.0, 0.0, -2.0), v_ned=(0.0, 0.0, 0.0), age_s=0.0, heading_rad=0.0,
+        landed=True, last_received_s=0.0, p_ned=(10.0, 0.0, -2.0), v_ned=(0.0, 0.0, 0.0), age_s=0.0, heading_rad=0.0,
         origin_offset_ned=(10.0, 0.0, -2.0), ground_amsl_m=490.0, ground_down_m=-2.0, capacity_j=1e4, initial_j=1e4,
-        battery_told=True, drawn_j=0.0, received_j=0, given_j=0, given_told_s=0.0, power_w=0.0, energy_source="none",
+        battery_reported=True, drawn_j=0.0, received_j=0, given_j=0, given_reported_s=0.0, power_w=0.0,
+        energy_source="none",
         control_effort=0.0,
     )  # fmt: skip
     return ground._replace(**changed)
@@ -31,7 +32,7 @@ UP = view(armed=True, landed=False, p_ned=(10.0, 0.0, -4.2))
 FLYING = UP._replace(mode=FlightMode.OFFBOARD)
 
 
-def pilot(**rules: Any) -> ExternalArmingSequence:
+def arming(**rules: Any) -> ExternalArmingSequence:
     block = External(connect="udpin:127.0.0.1:14550", capacity_j=1e4, **{"arm_within_s": 20.0, **rules})
     return ExternalArmingSequence(3, 2.5, block)
 
@@ -41,7 +42,7 @@ def told(made: ExternalArmingSequence, seen: VehicleView, now_s: float) -> list[
 
 
 def flying() -> ExternalArmingSequence:
-    made = pilot()
+    made = arming()
     for k, seen in enumerate((view(), ARMED, UP, FLYING)):
         made.decide(seen, float(k))
     assert made.stage is Stage.FLY
@@ -49,7 +50,7 @@ def flying() -> ExternalArmingSequence:
 
 
 def test_px4_is_armed_in_hold_takes_off_to_a_height_above_the_sea_and_hears_set_points_first() -> None:
-    made = pilot()
+    made = arming()
     assert told(made, view(mode=FlightMode.MANUAL), 0.0) == [SET_MODE]
     assert told(made, view(), 1.0) == [ARM]
     (takeoff,) = made.decide(ARMED, 2.0)[0]
@@ -64,7 +65,7 @@ def test_px4_is_armed_in_hold_takes_off_to_a_height_above_the_sea_and_hears_set_
 
 
 def test_arducopter_goes_to_guided_first_and_takes_off_to_a_height_above_the_ground_once() -> None:
-    made = pilot()
+    made = arming()
     stabilize = view(profile=ARDUCOPTER, mode=FlightMode.MANUAL)
     guided = stabilize._replace(mode=FlightMode.OFFBOARD)
     (mode,) = made.decide(stabilize, 0.0)[0]
@@ -81,7 +82,7 @@ def test_arducopter_goes_to_guided_first_and_takes_off_to_a_height_above_the_gro
 
 def test_a_take_off_that_was_accepted_has_time_to_leave_the_ground() -> None:
     """ArduCopter 4.6 says 3 s after it was armed that it is in the air, and refuses to take off from there."""
-    made = pilot()
+    made = arming()
     guided = view(profile=ARDUCOPTER, mode=FlightMode.OFFBOARD)
     told(made, guided, 0.0)
     asked = [told(made, guided._replace(armed=True), 1.0 + 0.1 * k) for k in range(70)]
@@ -104,7 +105,7 @@ def test_one_that_is_handed_back_on_the_ground_is_taken_off_again() -> None:
 
 
 def test_arming_is_asked_for_again_until_the_time_is_up_and_then_left() -> None:
-    made = pilot()
+    made = arming()
     asked = [told(made, view(), 0.5 * k) for k in range(40)]
     assert asked[::2] == [[ARM]] * 20
     assert not made.left_out
@@ -121,7 +122,7 @@ def test_arming_is_asked_for_again_until_the_time_is_up_and_then_left() -> None:
     ],
 )
 def test_nothing_is_asked_of_a_vehicle_whose_place_is_unknown(missing: dict[str, None], why: str) -> None:
-    made = pilot()
+    made = arming()
     assert [told(made, view(**missing), float(k)) for k in range(21)] == [[]] * 21
     assert (made.stage, made.sends_set_points) == (Stage.IDENTIFY, False)
     made.decide(view(**missing), 21.0)
@@ -129,7 +130,7 @@ def test_nothing_is_asked_of_a_vehicle_whose_place_is_unknown(missing: dict[str,
 
 
 def test_an_origin_beyond_what_parallel_frames_allow_is_refused_at_once() -> None:
-    made = pilot()
+    made = arming()
     made.decide(view(origin_offset_ned=(0.0, FAR_M + 1.0, 0.0)), 0.0)
     assert (made.stage, made.left_out) == (
         Stage.DOWN, "Its origin is 5.0 km from the scenario's: is one of them wrong? Left out",
@@ -137,7 +138,7 @@ def test_an_origin_beyond_what_parallel_frames_allow_is_refused_at_once() -> Non
 
 
 def test_one_that_was_armed_and_never_left_the_ground_is_disarmed_when_it_is_left_out() -> None:
-    made = pilot()
+    made = arming()
     made.decide(ARMED, 0.0)
     (disarm,) = made.decide(ARMED, 21.0)[0]
     assert (disarm.command, disarm.params[0]) == (ARM, 0.0)
@@ -159,7 +160,7 @@ def test_one_that_somebody_else_takes_is_his_until_he_puts_it_back_into_offboard
 
 def test_a_heartbeat_that_is_older_than_the_take_off_is_no_takeover() -> None:
     """EXTENDED_SYS_STATE may tell of the air before HEARTBEAT, once a second, tells of the mode."""
-    made = pilot()
+    made = arming()
     told(made, view(mode=FlightMode.OTHER), 0.0)
     told(made, ARMED._replace(mode=FlightMode.OTHER), 1.0)
     assert told(made, ARMED._replace(mode=FlightMode.OTHER, landed=False), 1.5) == []
@@ -169,7 +170,7 @@ def test_a_heartbeat_that_is_older_than_the_take_off_is_no_takeover() -> None:
 
 
 def test_one_that_is_taken_while_it_climbs_is_let_go() -> None:
-    made = pilot()
+    made = arming()
     for k, seen in enumerate((view(), ARMED, UP._replace(mode=FlightMode.MANUAL))):
         made.decide(seen, float(k))
     assert made.stage is Stage.YIELDED
@@ -177,7 +178,7 @@ def test_one_that_is_taken_while_it_climbs_is_let_go() -> None:
 
 def test_a_take_off_is_over_when_the_autopilot_holds_after_it_however_high_it_says_it_is() -> None:
     """A PX4 1.17 moved its home up by a metre while it climbed from it, and ended its take-off at 1.4 m of 2.5 m."""
-    made = pilot()
+    made = arming()
     low = UP._replace(p_ned=(10.0, 0.0, -3.4))
     for k, seen in enumerate((view(), ARMED, low, low._replace(mode=FlightMode.TAKEOFF))):
         made.decide(seen, float(k))
@@ -227,7 +228,7 @@ def test_after_a_hold_because_the_session_stood_still_offboard_is_asked_for_agai
 def test_after_a_hold_because_the_link_was_quiet_offboard_is_asked_for_again() -> None:
     made = flying()
     steered(made, 3.1, 10.0)
-    steered(made, 10.0, 11.0, FLYING._replace(age_s=2 * QUIET_S))
+    steered(made, 10.0, 11.0, FLYING._replace(age_s=2 * STALE_S))
     assert steered(made, 11.0, 12.5, HELD) == [SET_MODE]
 
 
@@ -290,15 +291,15 @@ def test_one_that_lands_and_disarms_takes_no_more_part() -> None:
     ],
 )  # fmt: skip
 def test_one_that_flies_already_is_taken_as_it_is(mode: FlightMode, stage: Stage) -> None:
-    made = pilot()
+    made = arming()
     made.decide(UP._replace(mode=mode), 0.0)
     assert made.stage is stage
 
 
 @pytest.mark.parametrize("profile", [PX4, ARDUCOPTER])
 def test_a_stranger_that_knows_no_parameter_of_ours_is_not_asked_for_ever(profile: Profile) -> None:
-    made = pilot()
-    unknown = view(profile=profile, battery_told=False)
+    made = arming()
+    unknown = view(profile=profile, battery_reported=False)
     requests = [made.decide(unknown, float(k))[1] for k in range(10)]
     assert [len(asked) for asked in requests] == [2] * PARAMETER_TRIES + [0] * (10 - PARAMETER_TRIES)
     assert math.isfinite(unknown.capacity_j)

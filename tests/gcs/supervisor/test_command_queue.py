@@ -5,17 +5,17 @@ from typing import Any
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
-from gcs.mavlink.command_protocol import OPERATOR, PILOT, CommandRequest
+from gcs.mavlink.command_protocol import ARMING, OPERATOR, CommandRequest
 from gcs.supervisor.command_queue import FleetCommandQueue
 
-ARM = CommandRequest(3, mav.MAV_CMD_COMPONENT_ARM_DISARM, (), f"{PILOT} arm")
+ARM = CommandRequest(3, mav.MAV_CMD_COMPONENT_ARM_DISARM, (), f"{ARMING} arm")
 LAND = CommandRequest(3, mav.MAV_CMD_NAV_LAND, (), f"{OPERATOR} land")
 SERVE = CommandRequest(3, mav.MAV_CMD_USER_1, (), "5 receive")
 
 
 def commands(queue: FleetCommandQueue, sysid: int = 3) -> list[int]:
     """The ids of the commands that leave for a vehicle now."""
-    return [codec.fields(codec.split(codec.frame(m, 0, 255, 190)).frames[0]).command for m in queue.take(sysid)]
+    return [codec.fields(codec.split(codec.frame(m, 0, 255, 190)).frames[0]).command for m in queue.pop(sysid)]
 
 
 def ack(wish: CommandRequest) -> Any:
@@ -30,9 +30,9 @@ def test_what_is_put_leaves_once_in_order_and_for_its_vehicle_alone() -> None:
     ping, pong = (codec.message("PING", time_usec=t, seq=t, target_system=0, target_component=0) for t in (1, 2))
     queue.put(3, [ping])
     queue.put(3, [pong])
-    assert queue.take(4) == []
-    assert queue.take(3) == [ping, pong]
-    assert queue.take(3) == []
+    assert queue.pop(4) == []
+    assert queue.pop(3) == [ping, pong]
+    assert queue.pop(3) == []
 
 
 def test_a_command_is_sent_again_until_it_is_acknowledged_and_then_told() -> None:
@@ -70,7 +70,7 @@ def test_pilots_and_operators_commands_are_withdrawn_and_a_services_go_on() -> N
 
 def test_a_withdrawn_command_that_waited_its_turn_may_be_asked_again_at_once() -> None:
     queue = FleetCommandQueue([3])
-    waits = CommandRequest(3, SERVE.command, (), f"{PILOT} arm")
+    waits = CommandRequest(3, SERVE.command, (), f"{ARMING} arm")
     queue.ask([SERVE, waits], 0.0)
     assert commands(queue) == [SERVE.command]
     queue.withdraw(3)

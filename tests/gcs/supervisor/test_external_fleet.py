@@ -33,14 +33,14 @@ class Tower:
         frames = codec.split(b"".join(bytes(message.pack(self.sender)) for message in messages)).frames
         for frame in frames:
             self.fleet.ingest(frame, now_s)
-        self.externals.hear({3: frames}, {3: -100.0}, rebooted, self.fleet, now_s)
+        self.externals.receive({3: frames}, {3: -100.0}, rebooted, self.fleet, now_s)
 
     def decide(self, now_s: float) -> dict[str, int]:
         wishes, _ = self.externals.decide(self.fleet.snapshot(now_s))
         return {wish.token: wish.command for wish in wishes}
 
     def said(self) -> list[tuple[str, str]]:
-        return [(event.level, event.text) for event in self.externals.take_events()]
+        return [(event.level, event.text) for event in self.externals.pop_events()]
 
     def end(self, stage: Stage) -> list[tuple[int, tuple[float, ...]]]:
         wishes = self.externals.hand_back(self.fleet.snapshot(0.0), {3: stage})
@@ -162,11 +162,11 @@ def test_who_does_not_obey_at_the_end_is_named_with_its_answer(outcome: Any, cod
     if outcome is not None:
         tower.externals.settles(3, CommandResult(176, CommandTarget(3, 1), outcome, code, 4, ENDING), 1.0)
     tower.said()
-    tower.externals.tell_disobedience(tower.fleet.snapshot(1.0))
+    tower.externals.report_disobedience(tower.fleet.snapshot(1.0))
     text = f"Still in offboard though nobody steers it any more ({said}): look after it"
     assert tower.said() == [("critical", text)]
     tower.hear(1.0, heartbeat(custom_mode=4 << 16 | 3 << 24))
-    tower.externals.tell_disobedience(tower.fleet.snapshot(1.0))
+    tower.externals.report_disobedience(tower.fleet.snapshot(1.0))
     assert tower.said() == []
 
 

@@ -41,7 +41,7 @@ def test_who_is_taken_gets_the_command_and_no_set_points(session: Any, order: st
     session.fly(20)
     assert commands(session, 1) == [command]
     assert len(session.link.sent("SET_POSITION_TARGET_LOCAL_NED", (1, 1))) == points
-    assert session.supervisor.pilots[1].stage is Stage.TAKEN
+    assert session.supervisor.arming[1].stage is Stage.TAKEN
     assert (1, f"{order.capitalize()} accepted", "ack") in [
         (event.sysid, event.text, event.kind) for event in session.supervisor.events
     ]
@@ -62,10 +62,10 @@ def test_who_is_taken_is_neither_served_nor_competes_until_it_rejoins(scripted: 
     session = scripted(competition={"need_from": 0.1})
     session.link.vehicles[1, 1].energy_hj = 80
     session.fly(3)
-    assert session.supervisor.schedule.standing.v
+    assert session.supervisor.schedule.competition_state.v
     assert taken(session, "hold", sysid=1)
     session.fly(100)
-    assert not session.supervisor.schedule.standing.v
+    assert not session.supervisor.schedule.competition_state.v
     assert session.supervisor.schedule.services == []
     assert not taken(session, "refuel", sysid=1)
 

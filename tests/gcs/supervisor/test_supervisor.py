@@ -86,7 +86,7 @@ def test_grants_are_exempt_from_the_radio_and_nothing_else_is(scripted: Any) -> 
         assert [frame.msgid for frame in frames] == [codec.msgid("SYSTEM_TIME")], t_ms
     assert session.supervisor.snapshot.vehicle(1).p_ned is None
     assert session.supervisor.received == 30  # one SYSTEM_TIME each
-    assert session.supervisor.pilots[1].stage is Stage.IDENTIFY
+    assert session.supervisor.arming[1].stage is Stage.IDENTIFY
 
 
 def test_the_digest_is_the_same_again_and_another_for_one_set_point(scripted: Any) -> None:
@@ -159,7 +159,7 @@ def test_a_dead_vehicle_is_told_and_the_others_fly_on(scripted: Any) -> None:
     session.fly(10)
     assert session.supervisor.events[-1].level == "critical"
     assert not session.supervisor.snapshot.vehicle(1).alive
-    assert session.supervisor.pilots[1].stage is Stage.DOWN
+    assert session.supervisor.arming[1].stage is Stage.DOWN
     (death,) = [d for d in map(json.loads, _decisions(session)) if d["kind"] == "death"]
     assert death == {"t_s": 1.0, "kind": "death", "sysid": 1, "text": "pursuer 1 (process 9) was killed by signal 9"}
     assert max(t_ms for t_ms, key, _ in session.link.bundles if key == (1, 1)) == 1000
@@ -169,7 +169,7 @@ def test_a_dead_vehicle_is_told_and_the_others_fly_on(scripted: Any) -> None:
 def test_one_that_dies_after_it_has_landed_is_dead_too(scripted: Any) -> None:
     session = scripted()
     session.fly(5)
-    session.supervisor.pilots[1].stage = Stage.DOWN
+    session.supervisor.arming[1].stage = Stage.DOWN
     session.supervisor.lose((1, 1), "gone")
     session.fly(1)
     assert not session.supervisor.snapshot.vehicle(1).flying

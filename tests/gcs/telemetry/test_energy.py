@@ -44,7 +44,7 @@ def heard(*reports: BatteryReport, **known: Any) -> tuple[EnergyEstimator, list[
     estimator = EnergyEstimator()
     facts: list[Fact] = []
     for report in reports:
-        facts += estimator.take(report, capacity_j=CAPACITY_J, **known)
+        facts += estimator.update(report, capacity_j=CAPACITY_J, **known)
     return estimator, facts
 
 
@@ -165,7 +165,7 @@ def test_a_source_that_falls_silent_gives_its_place_and_not_a_joule_is_lost_or_c
     estimator = EnergyEstimator()
     sources = []
     for report in reports:
-        estimator.take(report, capacity_j=CAPACITY_J)
+        estimator.update(report, capacity_j=CAPACITY_J)
         sources.append((report.time_s, str(estimator.source)))
     assert estimator.drawn_j == pytest.approx(4000.0)
     assert dict(sources)[10.0 + GAP_S] == "energy_consumed"
@@ -176,7 +176,7 @@ def test_a_source_that_falls_silent_gives_its_place_and_not_a_joule_is_lost_or_c
 def test_a_total_that_comes_late_does_not_bring_what_was_drawn_before_the_first_word() -> None:
     estimator, _ = heard(*(power(float(t), 100.0) for t in range(11)), BatteryReport(11.0, 50_000.0, 100.0, None))
     drawn_j = estimator.drawn_j
-    estimator.take(BatteryReport(12.0, 50_100.0, 100.0, None), capacity_j=CAPACITY_J)
+    estimator.update(BatteryReport(12.0, 50_100.0, 100.0, None), capacity_j=CAPACITY_J)
     assert drawn_j == pytest.approx(1000.0)
     assert estimator.drawn_j == pytest.approx(1100.0)
 
@@ -200,7 +200,7 @@ def test_energy_drawn_never_falls_whatever_is_reported() -> None:
             rng.choice([None, value]) for value in (rng.uniform(0, 1e5), rng.uniform(-500, 500), rng.random())
         )
         report = BatteryReport(0.7 * k + rng.uniform(-3, 9), total_j, power_w, left, second_hand=rng.random() < 0.3)
-        estimator.take(
+        estimator.update(
             report, capacity_j=CAPACITY_J, armed=rng.random() < 0.5, moved_j=rng.randint(0, 900), booked_j=k * 3
         )  # fmt: skip
         assert estimator.drawn_j >= before_j
@@ -214,7 +214,7 @@ def test_an_autopilot_that_was_restarted_goes_on_from_its_old_total() -> None:
     known = {"capacity_j": CAPACITY_J, "armed": False}
     estimator = EnergyEstimator()
     for t, total_j in enumerate((0.0, 20_000.0, 0.0, 500.0)):
-        estimator.take(BatteryReport(float(t), total_j, None, None), **known)  # type: ignore[arg-type]
+        estimator.update(BatteryReport(float(t), total_j, None, None), **known)  # type: ignore[arg-type]
     assert estimator.drawn_j == 20_500.0
 
 
@@ -248,8 +248,8 @@ def test_a_share_that_flickers_is_not_drawn_over_and_over() -> None:
 
 def test_energy_received_in_the_air_is_expected_and_not_drawn() -> None:
     estimator = EnergyEstimator()
-    estimator.take(share(0.0, 0.40), capacity_j=CAPACITY_J)
-    estimator.take(share(1.0, 0.60), capacity_j=CAPACITY_J, moved_j=25_000)
+    estimator.update(share(0.0, 0.40), capacity_j=CAPACITY_J)
+    estimator.update(share(1.0, 0.60), capacity_j=CAPACITY_J, moved_j=25_000)
     assert estimator.drawn_j == pytest.approx(5_000.0)  # 40 kJ + 25 kJ - 60 kJ
 
 
@@ -257,21 +257,21 @@ def test_energy_received_in_the_air_is_expected_and_not_drawn() -> None:
 def test_what_a_base_booked_counts_once_whether_the_autopilots_share_rises_or_not(rises: bool) -> None:
     """40 %, 30 kJ booked on the ground, then 10 kJ flown: drawn is 10 kJ, and no battery was swapped."""
     estimator, facts = EnergyEstimator(), []
-    facts += estimator.take(share(0.0, 0.40), capacity_j=CAPACITY_J, armed=False)
+    facts += estimator.update(share(0.0, 0.40), capacity_j=CAPACITY_J, armed=False)
     for k in range(1, 31):
         left = 0.40 + 0.01 * k if rises else 0.40
-        facts += estimator.take(share(float(k), left), capacity_j=CAPACITY_J, booked_j=1000.0 * k, armed=False)
+        facts += estimator.update(share(float(k), left), capacity_j=CAPACITY_J, booked_j=1000.0 * k, armed=False)
     top = 0.70 if rises else 0.40
     for k in range(1, 11):
-        facts += estimator.take(share(60.0 + k, top - 0.01 * k), capacity_j=CAPACITY_J, booked_j=30_000.0)
+        facts += estimator.update(share(60.0 + k, top - 0.01 * k), capacity_j=CAPACITY_J, booked_j=30_000.0)
     assert not facts
     assert estimator.drawn_j == pytest.approx(10_000.0)
 
 
 def test_a_battery_that_is_swapped_at_the_base_gains_only_what_the_book_does_not_explain() -> None:
     estimator = EnergyEstimator()
-    estimator.take(share(0.0, 0.20), capacity_j=CAPACITY_J, armed=False)
-    facts = estimator.take(share(30.0, 1.00), capacity_j=CAPACITY_J, booked_j=50_000.0, armed=False)
+    estimator.update(share(0.0, 0.20), capacity_j=CAPACITY_J, armed=False)
+    facts = estimator.update(share(30.0, 1.00), capacity_j=CAPACITY_J, booked_j=50_000.0, armed=False)
     assert [fact.gained_j for fact in facts] == [pytest.approx(30_000.0)]
 
 
@@ -280,5 +280,5 @@ def test_a_px4_without_a_current_sensor_is_read_by_its_share() -> None:
     estimator = EnergyEstimator()
     for second, percent in enumerate((100, 75, 50)):
         content = status(voltages=[16200, *CELLS[1:]], current_battery=-100, battery_remaining=percent)
-        estimator.take(replace(content, time_s=float(second)), capacity_j=1000.0)
+        estimator.update(replace(content, time_s=float(second)), capacity_j=1000.0)
     assert (str(estimator.source), estimator.drawn_j) == ("battery_remaining", pytest.approx(500.0))

@@ -10,7 +10,7 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import PX4, FlightMode, Profile
 from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
-from gcs.telemetry.state import FleetState, VehicleView
+from gcs.telemetry.state import FleetSnapshot, VehicleView
 
 ORIGIN = GlobalOrigin(47.397742, 8.545594, 488.0)
 DEG_E7 = (473977420, 85455940, 488000)
@@ -72,7 +72,7 @@ def seen(fleet: Fleet, *frames: codec.Frame, at_s: float = 0.0) -> VehicleView:
 
 def test_a_heartbeat_tells_autopilot_mode_and_arming(fleet: Fleet) -> None:
     view = seen(fleet, heartbeat(), at_s=1.5)
-    assert (view.profile, view.mode, view.armed, view.heard_s) == (PX4, FlightMode.OFFBOARD, True, 1.5)
+    assert (view.profile, view.mode, view.armed, view.last_received_s) == (PX4, FlightMode.OFFBOARD, True, 1.5)
     view = seen(fleet, heartbeat(base_mode=0x01, custom_mode=9, autopilot=3))
     assert (view.profile.name, view.mode, view.armed) == ("ardupilot", FlightMode.LAND, False)
 
@@ -164,7 +164,7 @@ def test_need_and_remaining_are_the_ledger_by_hand(fleet: Fleet) -> None:
     # 16 000 + 2 500 - 73 hJ - 200
     assert view.remaining_j == 11_000.0
     assert view.need == pytest.approx(0.45)
-    assert view.battery_told
+    assert view.battery_reported
     assert view.energy_source == "energy_consumed"
 
 
@@ -175,8 +175,8 @@ def test_counters_and_consumption_never_fall(fleet: Fleet) -> None:
 
 def test_a_counter_is_as_new_as_it_was_sent(fleet: Fleet) -> None:
     """Whether a giver's counter may be a transfer's start depends on it; the radio may hold it back."""
-    assert seen(fleet, counter("XferOut", 0, t_ms=1200), at_s=3.0).given_told_s == 1.2
-    assert seen(fleet, counter("XferOut", 0, t_ms=1000), at_s=3.1).given_told_s == 1.2
+    assert seen(fleet, counter("XferOut", 0, t_ms=1200), at_s=3.0).given_reported_s == 1.2
+    assert seen(fleet, counter("XferOut", 0, t_ms=1000), at_s=3.1).given_reported_s == 1.2
 
 
 def test_power_is_what_a_window_of_5_s_shows(fleet: Fleet) -> None:
@@ -245,11 +245,11 @@ def test_traffic_that_is_silent_for_long_is_forgotten(fleet: Fleet) -> None:
 def test_texts_and_acknowledgements_are_taken_once(fleet: Fleet) -> None:
     fleet.ingest(frame("STATUSTEXT", severity=4, text=b"Battery low"), 0.0)
     fleet.ingest(frame("COMMAND_ACK", command=400, result=2, target_system=255, target_component=190), 0.0)
-    assert fleet.take_statustexts(0.0) == [(3, 4, "Battery low")]
-    ((sysid, ack),) = fleet.take_acks()
+    assert fleet.pop_statustexts(0.0) == [(3, 4, "Battery low")]
+    ((sysid, ack),) = fleet.pop_acks()
     assert (sysid, ack.command, ack.result) == (3, 400, 2)
-    assert fleet.take_statustexts(0.0) == []
-    assert fleet.take_acks() == []
+    assert fleet.pop_statustexts(0.0) == []
+    assert fleet.pop_acks() == []
 
 
 def test_a_dead_vehicle_does_not_fly(fleet: Fleet) -> None:
@@ -259,7 +259,7 @@ def test_a_dead_vehicle_does_not_fly(fleet: Fleet) -> None:
 
 
 def test_vehicles_stand_in_order_and_unknown_ones_are_an_error(fleet: Fleet) -> None:
-    snapshot: FleetState = fleet.snapshot(0.0)
+    snapshot: FleetSnapshot = fleet.snapshot(0.0)
     assert [view.sysid for view in snapshot.vehicles] == [3, 200]
     assert [view.sysid for view in snapshot.of_role("tanker")] == [200]
     with pytest.raises(KeyError):
@@ -271,7 +271,7 @@ def test_a_text_in_chunks_is_told_as_one(fleet: Fleet) -> None:
     for seq, part in enumerate((words[:50], words[50:100], words[100:])):
         seen(fleet, frame("STATUSTEXT", severity=4, text=part.encode(), id=7, chunk_seq=seq))
     seen(fleet, frame("STATUSTEXT", severity=6, text=b"Short\t"))
-    assert fleet.take_statustexts(0.0) == [(3, 4, words), (3, 6, "Short")]
+    assert fleet.pop_statustexts(0.0) == [(3, 4, words), (3, 6, "Short")]
 
 
 # vehicles that the session has not launched

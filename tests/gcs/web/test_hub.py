@@ -6,7 +6,7 @@ import itertools
 import json
 from typing import Any
 
-from gcs.web.hub import MOST_WAITING, READ_ONLY, Hub, Listener
+from gcs.web.hub import MOST_WAITING, READ_ONLY, Hub, PageListener
 
 SESSION = {"type": "session", "name": "one", "control": True}
 
@@ -16,7 +16,7 @@ def snapshot(t_s: float, *texts: str, size: int = 0) -> dict[str, Any]:
     return {"type": "snapshot", "t_s": t_s, "events": events, "inspected": {}, "vehicles": "x" * size}
 
 
-def told(listener: Listener) -> list[Any]:
+def told(listener: PageListener) -> list[Any]:
     """Everything that waits for a page; the past as one list."""
     lines = []
     while (line := listener.take()) is not None:
@@ -24,7 +24,7 @@ def told(listener: Listener) -> list[Any]:
     return lines
 
 
-def joined(hub: Hub, commands: bool = True) -> Listener:
+def joined(hub: Hub, commands: bool = True) -> PageListener:
     return hub.join(commands, lambda: None)
 
 

@@ -53,7 +53,7 @@ def test_receiver_credits_the_greatest_counter_heard_once_and_no_more_than_it_ha
     transfer = Transfer(order(TransferSide.RECEIVE, start_j=start_j), 0.0)
     credited = 0
     for value in heard:
-        transfer.hear_out(value)
+        transfer.receive_out(value)
         credited += transfer.credit(room_j - credited)
     assert credited == min(max([value - start_j for value in heard] + [0]), math.floor(room_j))
 
@@ -83,10 +83,10 @@ def test_giver_ends_a_second_after_the_receivers_counter_stood_still() -> None:
     assert transfer.finished(6.0) is None
     assert transfer.finished(6.01) is not None
     for k in range(20):
-        transfer.hear_in(k, 5.0 + 0.9 * k)
+        transfer.receive_in(k, 5.0 + 0.9 * k)
         assert transfer.finished(5.0 + 0.9 * k + 0.9) is None
-    transfer.hear_in(19, 24.0)
-    transfer.hear_in(3, 24.0)
+    transfer.receive_in(19, 24.0)
+    transfer.receive_in(3, 24.0)
     assert transfer.finished(5.0 + 0.9 * 19 + 1.01) == "the receiver takes no more"
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from simvehicle.law import power, step
-from simvehicle.law.params import NAMED, Battery, VehicleParams, pack
+from simvehicle.law.params import NAMED, BatteryParams, VehicleParams, pack
 
 
 def flown(params, seconds, *, motors=1.0, ground=0.0):
@@ -41,7 +41,7 @@ def test_control_effort_of_a_hover_is_the_weight_times_time():
 
 
 def test_an_empty_battery_stops_motors_and_draws_no_more_than_it_had():
-    params = VehicleParams(battery=Battery(initial_j=1050.0 + 0.1))
+    params = VehicleParams(battery=BatteryParams(initial_j=1050.0 + 0.1))
     state, thrust = flown(params, 10.0)
     assert state[0, step.REMAINING_J] == 0.0
     assert state[0, step.DRAWN_J] == pytest.approx(1050.1, rel=1e-12)
@@ -54,8 +54,8 @@ def test_an_empty_battery_stops_motors_and_draws_no_more_than_it_had():
 
 
 def test_a_battery_is_full_unless_told_otherwise():
-    assert Battery(capacity_j=5.0).initial_j == 5.0
-    assert Battery(capacity_j=5.0, initial_j=0.0).initial_j == 0.0
+    assert BatteryParams(capacity_j=5.0).initial_j == 5.0
+    assert BatteryParams(capacity_j=5.0, initial_j=0.0).initial_j == 0.0
 
 
 @pytest.mark.parametrize(
@@ -70,4 +70,4 @@ def test_a_battery_is_full_unless_told_otherwise():
 )
 def test_a_bad_battery_is_named(arguments, sentence):
     with pytest.raises(ValueError, match=f"^{sentence}$"):
-        Battery(**arguments)
+        BatteryParams(**arguments)

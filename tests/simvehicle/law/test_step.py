@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from simvehicle.law import step
-from simvehicle.law.params import NAMED, P_TOLERANCE, PARAMS_SIZE, Battery, Gains, pack
+from simvehicle.law.params import NAMED, P_TOLERANCE, PARAMS_SIZE, BatteryParams, Gains, pack
 
 H = 0.004
 DEFAULT, PAPER = NAMED["default"], NAMED["paper"]
@@ -231,7 +231,8 @@ def test_the_account_closes_and_power_is_that_of_the_thrust():
 def fleet(n=6):
     rng = np.random.default_rng(4)
     params = [
-        replace((DEFAULT, PAPER)[i % 2], battery=Battery(initial_j=(200.0, 24_000.0)[i % 3 > 0])) for i in range(n)
+        replace((DEFAULT, PAPER)[i % 2], battery=BatteryParams(initial_j=(200.0, 24_000.0)[i % 3 > 0]))
+        for i in range(n)
     ]
     starts = [start(p, rng.uniform(0, 5, 3), rng.uniform(-1, 1, 3), rng.uniform(-1, 1, 3)) for p in params]
     orders = [

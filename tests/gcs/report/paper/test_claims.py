@@ -95,7 +95,7 @@ def test_the_page_needs_no_network_and_shows_each_claim_with_its_verdict(tmp_pat
     (tmp_path / "a.svg").write_text("<svg xmlns='http://www.w3.org/2000/svg'/>", encoding="utf-8")
     judged = [judge(claim({"at_most": 0.02}), Measurement(0.3, "worst & last")), judge(claim(None), Measurement(None))]
     table = Table("numbers", ["a", "b"], [["1", "<2>"]])
-    section = page.Section("example1", "Example 1", judged, [page.Picture(tmp_path / "a.svg", "a < b")], [table])
+    section = page.Section("example1", "Example 1", judged, [page.Image(tmp_path / "a.svg", "a < b")], [table])
     page.write(tmp_path / "index.html", [section], when="today", wall_s=1.0)
     text = (tmp_path / "index.html").read_text(encoding="utf-8")
     assert "It &lt;holds&gt;." in text

@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 from gcs.mavlink import codec
 from gcs.recording.writer import Recorder
 from gcs.report.paper import races, tracking
-from gcs.report.paper.session import Flight, read
+from gcs.report.paper.session import RecordedFlight, read
 
 PERIOD_S = 0.1
 
@@ -43,7 +43,7 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def flight(folder: Path) -> Flight:
+def flight(folder: Path) -> RecordedFlight:
     (found,) = read(folder, [1], PERIOD_S)
     return found
 

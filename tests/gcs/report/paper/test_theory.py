@@ -7,14 +7,14 @@ from gcs.report.paper import theory
 
 
 def test_the_plain_field_stops_where_the_forces_cancel_on_the_line() -> None:
-    trail = theory.walk(theory.SCENES["one obstacle on the line"], escape=False)
+    trail = theory.walk(theory.LAYOUTS["one obstacle on the line"], escape=False)
     assert len(trail) == theory.STEPS + 1
     assert 4.0 < trail[-1][0] < 5.0
     assert np.abs(trail[:, 1:]).max() == 0.0
 
 
 def test_the_escape_reaches_the_target_in_about_the_steps_of_the_model() -> None:
-    trail = theory.walk(theory.SCENES["one obstacle on the line"], escape=True)
+    trail = theory.walk(theory.LAYOUTS["one obstacle on the line"], escape=True)
     assert np.linalg.norm(trail[-1] - theory.TARGET) <= theory.ARRIVED_M
     assert len(trail) - 1 == pytest.approx(111, abs=25)  # docs/model.md#fuzzy-escape walked with full steps to the end
 

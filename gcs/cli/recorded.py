@@ -204,12 +204,18 @@ def _print_json(verdict: Comparison) -> None:
 
 @click.command(short_help="Write a session or a .tlog as tables, for pandas, DuckDB, PlotJuggler.")
 @click.argument("session", type=click.Path(path_type=Path))
-@click.option("--format", "form", type=click.Choice(["parquet", "csv"]), required=True, help="Parquet needs pyarrow.")
+@click.option(
+    "--format",
+    "form",
+    type=click.Choice(["parquet", "csv", "mcap"]),
+    required=True,
+    help="Parquet needs pyarrow, MCAP foxglove-sdk.",
+)
 @click.option(
     "--out",
     type=click.Path(path_type=Path),
     metavar="DIR",
-    help="A new folder.  [default: SESSION/FORMAT, or FILE-FORMAT beside FILE.tlog]",
+    help="A new folder, for MCAP a new file.  [default: SESSION/FORMAT, or FILE-FORMAT beside FILE.tlog]",
 )
 def export(session: Path, form: str, out: Path | None) -> int:
     """Write SESSION, a session's folder or any .tlog file, as tables: one file per message type.
@@ -219,10 +225,13 @@ def export(session: Path, form: str, out: Path | None) -> int:
     and direction: `from` a vehicle or `to` one. A session's decisions come as decisions_KIND, and what the vehicles
     themselves knew as truth and truth_thrust.
 
+    MCAP is one file for Foxglove: the fleet in space and on a map, events, and the rows of each vehicle, ten a second.
+
     \b
     Examples:
       gcs export sessions/demo-20260101-120000 --format csv
       gcs export flight.tlog --format parquet --out tables
+      gcs export first-flight --format mcap --out first-flight.mcap
       duckdb -c "select sysid, max(-z_ned_m) from 'tables/LOCAL_POSITION_NED.parquet' group by sysid"
 
     \b
@@ -232,6 +241,8 @@ def export(session: Path, form: str, out: Path | None) -> int:
       2    bad input; nothing has been written
       130  stopped by Ctrl-C; nothing is left behind
     """
+    if form == "mcap":
+        return _export_mcap(session, out)
     from gcs.recording import export as exporter
     from gcs.recording.tables import NO_PARQUET, available, tables
 
@@ -265,4 +276,29 @@ def export(session: Path, form: str, out: Path | None) -> int:
     for name, rows in sorted(written.rows.items()):
         click.echo(f"{name:<{width}}  {rows:>9} rows")
     click.echo(f"tables: {folder}")
+    return 0
+
+
+def _export_mcap(session: Path, out: Path | None) -> int:
+    from gcs.report import foxglove
+    from gcs.session.replay import ReplayError
+
+    if not foxglove.available():
+        raise click.UsageError(foxglove.MISSING)
+    path = out or (session / "session.mcap" if session.is_dir() else session.with_suffix(".mcap"))
+    try:
+        with _progress("exporting") as progress:
+            count, problems = foxglove.export(session, path, progress)
+    except ReplayError as error:
+        raise click.UsageError(str(error)) from None
+    except FileExistsError:
+        raise click.UsageError(
+            f"{path} exists already and is left as it is; give --out a file that does not."
+        ) from None
+    except OSError as error:
+        click.echo(f"gcs: {error.filename or path}: {error.strerror}", err=True)
+        return NOT_DONE
+    for problem in problems:
+        click.echo(f"gcs: {problem}", err=True)
+    click.echo(f"{count} snapshots: {path}")
     return 0

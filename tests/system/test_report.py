@@ -11,9 +11,12 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import jsonschema
 import numpy as np
 import pytest
 from browser import CHROMIUM, MISSING, Browser
+from mcap.reader import make_reader
+from mcap_protobuf.decoder import DecoderFactory
 from sessions import Outcome, demo, fly, merged
 
 from gcs.cli.main import run_argv
@@ -234,3 +237,44 @@ def test_a_report_that_cannot_be_written_fails_alone(
     assert "warning: no report was made" in capsys.readouterr().err
     assert report(folder) == 1
     assert not list(folder.glob(".report*")), "nothing half written is left"
+
+
+# other programs
+
+
+def test_foxglove_finds_what_it_shows_without_set_up(
+    flown: Outcome, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Read by MCAP's own reader: schemas by the names that Foxglove knows, places as the vehicles knew them."""
+    path = tmp_path / "session.mcap"
+    assert run_argv(["export", str(flown.folder), "--format", "mcap", "--out", str(path)]) == 0
+    assert capsys.readouterr().out == f"301 snapshots: {path}\n"
+    truth = flown.truth(3)
+    begun_ns = 1767225600 * 10**9
+    with path.open("rb") as file:
+        reader = make_reader(file, decoder_factories=[DecoderFactory()])
+        summary = reader.get_summary()
+        assert summary is not None
+        kinds = {c.topic: summary.schemas[c.schema_id].name for c in summary.channels.values()}
+        assert {kinds[topic] for topic in ("/tf", "/scene", "/log", "/location/3")} == {
+            "foxglove.FrameTransforms", "foxglove.SceneUpdate", "foxglove.Log", "foxglove.LocationFix"}  # fmt: skip
+        assert kinds["/vehicle/3"] == "skytender.VehicleRow"
+        row_schema = next(s for s in summary.schemas.values() if s.name == "skytender.VehicleRow")
+        validator = jsonschema.Draft202012Validator(json.loads(row_schema.data))
+        placed = []
+        for _, _, message, frame in reader.iter_decoded_messages(topics=["/tf"]):
+            moved = next(one for one in frame.transforms if one.child_frame_id == "vehicle_3")
+            t = moved.translation
+            placed.append(((message.log_time - begun_ns) / 1e9, t.y, t.x, -t.z))
+        rows = [json.loads(m.data) for _, _, m in reader.iter_messages(topics=["/vehicle/3"])]
+        events = [d.message for _, _, _, d in reader.iter_decoded_messages(topics=["/log"])]
+        entities = [e.id for _, _, _, d in reader.iter_decoded_messages(topics=["/scene"]) for e in d.entities]
+    for row in rows:
+        validator.validate(row)
+    at = np.array(placed)
+    known = [np.interp(at[:, 0], truth.time_s, truth.p_ned[:, axis]) for axis in range(3)]
+    assert at[:, 1:] == pytest.approx(np.column_stack(known), abs=0.2)
+    assert any("Refuelling of" in text for text in events)
+    assert {"obstacle point 1", "vehicle 3", "ring 101", "traffic NORTH1"} <= set(entities)
+    assert run_argv(["export", str(flown.folder), "--format", "mcap", "--out", str(path)]) == 2
+    assert "left as it is" in capsys.readouterr().err

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import deque
 from dataclasses import dataclass, field
 
@@ -10,6 +11,18 @@ from gcs.mavlink.gaps import GapCounter
 WINDOW_S = 10.0
 SAMPLE_EVERY_S = 1.0
 _ROUNDING_S = 1e-6
+LOSSY_SHARE = 0.05
+"""A link that loses so many frames is sent copies of those that must arrive soon."""
+LEFT_SHARE = 0.03
+"""[choice] So many of them may be lost with all their copies."""
+MOST_COPIES = 3
+
+
+def copies(lost_share: float | None) -> int:
+    """Number of copies of a frame that must arrive soon, over a link that loses this share of its frames; None: 1."""
+    if lost_share is None or lost_share < LOSSY_SHARE:
+        return 1
+    return min(math.ceil(math.log(LEFT_SHARE) / math.log(min(lost_share, 0.5))), MOST_COPIES)
 
 
 @dataclass

@@ -9,9 +9,10 @@ that can be seen, so that a vehicle rounds a corner instead of stopping at it. A
   flip between two equal ones; a straight line once free is kept until it is blocked by more than `slack_share`;
 - a vehicle that was pushed out of sight of its next way point is given a new route from where it is.
 
-Searches in a tick are made, longest waiting first, until they have cost `cells` cells of the grid settled, so that they
-are the same searches on every machine; who waits keeps his last aim. State is per vehicle and is forgotten when a tick
-leaves the vehicle out. Same calls, same aims; frames NED, lengths in metres, no clock.
+Searches in a tick are made, longest waiting first, until they have settled so many cells of the grid that a tick has
+time for the rest of its work (`GuideSettings.budget`); the last one goes on in the next tick. Cells, not seconds, so
+that they are the same searches on every machine; who waits keeps his last aim. State is per vehicle and is forgotten
+when a tick leaves the vehicle out. Same calls, same aims; frames NED, lengths in metres, no clock.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ from numba import njit
 from numpy.typing import ArrayLike, NDArray
 
 from gcs.planner.line_of_sight import FloatArray, IntArray, Sight, clear_m, visible
-from gcs.planner.route import Route, Router
+from gcs.planner.route import Route, Router, SearchPaused
 
 STRAIGHT, ROUTED, PARTIAL, NO_ROUTE, WAITING = range(5)
 """States of `Aims`: flies straight; along a route; along one to the place nearest to a goal that lies within a surface;
@@ -35,6 +36,7 @@ MOST_POINTS = 32
 """[choice] Way points kept of a route; at the end of a longer one the rest is searched."""
 _HALVINGS = 5
 _SEARCH_CELLS = 3_000  # [choice] what a search costs beside the cells that it settles, about 1 ms
+_CELLS_OF_A_VEHICLE = 80  # [choice] what planning and filtering cost each, in the same measure
 _NEVER = math.inf
 _THERE_M = 0.05  # [choice] a way point is reached, whatever can be seen from here
 _LEAST_SLACK = 0.25  # [choice] share of the slack that is left in the narrowest gap
@@ -52,7 +54,10 @@ class GuideSettings:
     shorter_share: float = 0.1
     slack_share: float = 0.2
     reached_share: float = 0.25
-    cells: int = 12_000
+    cells: int = 20_000
+    """settled in a tick at least"""
+    few_cells: int = 60_000
+    """and by a few vehicles, whose other work is short"""
 
     def __post_init__(self) -> None:
         for name in ("moved_m", "refresh_m", "slack_share", "reached_share"):
@@ -60,8 +65,12 @@ class GuideSettings:
                 raise ValueError(f"{name} is {getattr(self, name)!r}; it must be finite and above 0")
         if not 0.0 <= self.shorter_share < 1.0 or self.slack_share >= 1.0:
             raise ValueError(f"shorter_share is {self.shorter_share!r} and slack_share {self.slack_share!r}; below 1")
-        if self.cells < 1:
-            raise ValueError(f"cells is {self.cells!r}; it must be at least 1")
+        if not 1 <= self.cells <= self.few_cells:
+            raise ValueError(f"cells is {self.cells!r}; it must be from 1 to few_cells, {self.few_cells!r}")
+
+    def budget(self, vehicles: int) -> int:
+        """Cells that may be settled in a tick of so many vehicles."""
+        return max(self.cells, self.few_cells - _CELLS_OF_A_VEHICLE * vehicles)
 
 
 class Aims(NamedTuple):
@@ -93,12 +102,14 @@ class RouteFollower:
         self._router, self._rules = router, rules or GuideSettings()
         self._rows: dict[int, int] = {}
         self._kept = _new_routes(0)
+        self._paused: dict[int, tuple[FloatArray, FloatArray]] = {}
         self.searches = 0
         """made so far"""
 
     def use(self, router: Router) -> None:
-        """Another world: every route is looked for anew, `Rules.cells` in each tick."""
+        """Another world: every route is looked for anew, `GuideSettings.budget` in each tick."""
         self._router = router
+        self._paused.clear()
         self._kept.size[:] = 0
         self._kept.searched_from[:] = _NEVER
 
@@ -126,11 +137,16 @@ class RouteFollower:
         asking = np.flatnonzero(wanted)
         if len(asking):
             turn = asking[np.argsort(-self._kept.waits[rows[asking]], kind="stable")]
-            end = router.settled + self._rules.cells
+            left = self._rules.budget(len(sysids))
             count = 0
-            while count < len(turn) and (count == 0 or router.settled + count * _SEARCH_CELLS < end):
-                self._search(int(rows[turn[count]]), p[turn[count]], goals[turn[count]])
+            while count < len(turn) and left > 0:
+                before = router.settled
+                try:
+                    self._search(int(rows[turn[count]]), p[turn[count]], goals[turn[count]], left)
+                except SearchPaused:
+                    break
                 count += 1
+                left -= router.settled - before + _SEARCH_CELLS
             served, unserved = turn[:count], turn[count:]
             aims[served], remaining[served], _ = self._step(rows[served], p[served], goals[served])
             self._kept.waits[rows[served]] = 0
@@ -160,21 +176,27 @@ class RouteFollower:
         )
         return aims, remaining, wanted
 
-    def _search(self, row: int, p: FloatArray, goal: FloatArray) -> None:
-        """A route from p to the goal, unless the present one, led on to the goal, is as good."""
+    def _search(self, row: int, p: FloatArray, goal: FloatArray, most_cells: int) -> None:
+        """A route from p to the goal, unless the present one, led on to the goal, is as good. Raises SearchPaused.
+
+        A paused search goes on with its own start and goal, wherever both have moved since.
+        """
         kept = self._kept
-        self.searches += 1
-        kept.searched_from[row], kept.searched_to[row] = p, goal
-        found = self._router.plan(p, goal)
+        p, goal = self._paused.get(row, (p, goal))
+        self._paused = {row: (p.copy(), goal.copy())}
+        found = self._router.plan(p, goal, most_cells)
         at, count = int(kept.at[row]), int(kept.size[row])
         if found is not None and found.reaches_goal and at < count - 1 and self._sees_next(row, p):
             before = np.vstack([p, kept.points[row, at : count - 1]])
-            onward = self._router.plan(before[-1], goal)
+            onward = self._router.plan(before[-1], goal, most_cells)
             if onward is not None and onward.reaches_goal:
                 length_m = float(np.linalg.norm(np.diff(before, axis=0), axis=1).sum()) + onward.length_m
                 if found.length_m >= (1.0 - self._rules.shorter_share) * length_m:
                     legs = np.concatenate((kept.legs[row, at : count - 1], onward.legs_m))
                     found = Route(np.vstack([before[1:], onward.points_ned]), legs, length_m)
+        self._paused.clear()
+        self.searches += 1
+        kept.searched_from[row], kept.searched_to[row] = p, goal
         kept.at[row] = 0
         kept.size[row] = 0 if found is None else min(len(found.points_ned), MOST_POINTS)
         kept.state[row] = NO_ROUTE if found is None else ROUTED if found.reaches_goal else PARTIAL
@@ -197,6 +219,7 @@ class RouteFollower:
             known, old = self._rows, self._kept
             self._rows = {sysid: row for row, sysid in enumerate(sysids)}
             self._kept = _new_routes(len(sysids))
+            self._paused.clear()
             self._kept.aim[:] = p
             for sysid, row in self._rows.items():
                 if sysid in known:

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from gcs.planner.line_of_sight import BoolArray, FloatArray, IntArray, clear_m, leg_clearances, sees_all, sight, visible
-from gcs.planner.route_grid import Cells, CostField, cell_at, cells, centre, nearest_in_part
+from gcs.planner.route_grid import ALL_CELLS, Cells, CostField, cell_at, cells, centre, nearest_in_part
 from gcs.planner.route_shortening import pulled
 from gcs.scenario.geometry import COLUMNS
 
@@ -49,6 +49,10 @@ class Route:
     def clearance_m(self) -> float:
         """The least of all legs."""
         return float(self.legs_m.min())
+
+
+class SearchPaused(Exception):
+    """A search has settled as many cells as it was allowed; the same one goes on from there."""
 
 
 class Router:
@@ -113,16 +117,19 @@ class Router:
         found = self.plan(start_ned, goal_ned)
         return None if found is None else found.points_ned
 
-    def plan(self, start_ned: ArrayLike, goal_ned: ArrayLike) -> Route | None:
-        """The same with its length and clearances. ValueError unless both are three finite numbers."""
+    def plan(self, start_ned: ArrayLike, goal_ned: ArrayLike, most_cells: int = ALL_CELLS) -> Route | None:
+        """The same with its length and clearances. ValueError unless both are three finite numbers.
+
+        Raises SearchPaused once it has settled `most_cells`; the same call goes on from there.
+        """
         start, goal = self._places("start_ned", start_ned)[0], self._places("goal_ned", goal_ned)[0]
         goal[2] = min(goal[2], self.floor_d)
         reachable = self._clearance_m(goal) >= self.least_clearance_m - _ROUNDING_M
         if reachable and visible(self.sight, start, goal, self.clearance_m, self.floor_d):
             return self._route(start, goal[np.newaxis], reaches_goal=True)
-        return self._around(start, goal, reachable=reachable)
+        return self._around(start, goal, most_cells, reachable=reachable)
 
-    def _around(self, start: FloatArray, goal: FloatArray, *, reachable: bool) -> Route | None:
+    def _around(self, start: FloatArray, goal: FloatArray, most_cells: int, *, reachable: bool) -> Route | None:
         """The route through the grid; `reachable` says whether the goal itself is clear of obstacles."""
         grid = self.grid
         begin = self._entries(start, goal)
@@ -140,13 +147,13 @@ class Router:
             if to_cell < 0:
                 to_cell = nearest_in_part(grid, part, 255, goal)
             goal = self._towards(centre(grid, to_cell), goal)
-        path = np.vstack([start, self._cell_path(from_cell, to_cell), goal])
+        path = np.vstack([start, self._cell_path(from_cell, to_cell, most_cells), goal])
         path = path[np.concatenate(([True], np.linalg.norm(np.diff(path, axis=0), axis=1) > _ROUNDING_M))]
         path = pulled(self.sight, path, self.clearance_m, 0.8 * self.least_clearance_m, grid.cell_m, self.floor_d)
         return self._route(start, path[1:] if len(path) > 1 else goal[np.newaxis], reaches_goal=reachable)
 
-    def _cell_path(self, start: int, goal: int) -> FloatArray:
-        """Centres (k, 3) of the cells from one to another."""
+    def _cell_path(self, start: int, goal: int, most_cells: int) -> FloatArray:
+        """Centres (k, 3) of the cells from one to another. Raises SearchPaused."""
         field = self._fields.pop(goal, None)
         if field is None:
             cost = None
@@ -156,8 +163,11 @@ class Router:
         self._fields[goal] = field
         before = field.settled
         grid = self.grid
-        rest, d = np.divmod(field.path(grid, start), grid.count_d)
+        path = field.path(grid, start, most_cells)
         self.settled += field.settled - before
+        if path is None:
+            raise SearchPaused
+        rest, d = np.divmod(path, grid.count_d)
         n, e = np.divmod(rest, grid.count_e)
         return np.array(grid.low_ned) + np.column_stack([n, e, d]) * grid.cell_m
 

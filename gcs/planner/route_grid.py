@@ -8,7 +8,8 @@ so that no corner is cut and what is connected is connected through faces.
 Search: A* from the goal [lineage: Hart, Nilsson, Raphael, IEEE Trans. SSC 4(2), 1968], whose settled costs are kept. A
 later start for the same goal goes on from where the last stopped, with its own heuristic: costs once settled are exact,
 whatever heuristic settled them. A search ends when every cell that can lie on a cheapest path is settled, ties too, so
-that the path found depends on the goal and the start alone and not on who asked before.
+that the path found depends on the goal and the start alone and not on who asked before. It can be paused after any
+number of cells: what is open stays open.
 """
 
 from __future__ import annotations
@@ -31,6 +32,8 @@ Labels = NDArray[np.int32]
 
 MOST_CELLS = 8_000_000
 """[choice] A larger region is given larger cells, so that memory stays below 100 MB; gaps may then be missed."""
+ALL_CELLS = 1 << 40
+"""More than there are: a search without a pause."""
 DEAREST = 9
 """[choice] How many metres of free path a metre at the least clearance is worth."""
 _STRAIGHT, _SLANT, _CORNER = 35, 50, 61
@@ -135,6 +138,8 @@ class CostField:
     seen: list[IntArray]
     """every cell whose cost is not 0"""
     settled: int = 0
+    paused: int = -1
+    """start whose search is not at its end; -1: none"""
 
     @classmethod
     def towards(cls, grid: Cells, goal: int, cost: Costs | None = None) -> CostField:
@@ -151,12 +156,14 @@ class CostField:
             self.cost[cells_seen] = 0
         return self.cost
 
-    def path(self, grid: Cells, start: int) -> IntArray:
-        """Cells from `start` to the goal; it must be in the same part."""
-        self.open_cells, seen, settled = _settle(grid, self.cost, self.open_cells, start)
+    def path(self, grid: Cells, start: int, most: int = ALL_CELLS) -> IntArray | None:
+        """Cells from `start` to the goal; it must be in the same part. None: the search was paused after `most`."""
+        paused = self.paused == start
+        self.open_cells, seen, settled, found = _settle(grid, self.cost, self.open_cells, start, most, paused)
         self.seen.append(seen)
         self.settled += settled
-        return _descend(grid, self.cost, start, self.goal)
+        self.paused = -1 if found else start
+        return _descend(grid, self.cost, start, self.goal) if found else None
 
 
 @njit(cache=True)
@@ -239,14 +246,20 @@ def _moves(stride_n: int, stride_e: int) -> tuple[IntArray, IntArray]:
 
 
 @njit(cache=True)
-def _settle(grid: Cells, cost: Costs, open_cells: IntArray, start: int) -> tuple[IntArray, IntArray, int]:
-    """Kernel: settle every cell that can lie on a cheapest path from `start`.
+def _settle(
+    grid: Cells, cost: Costs, open_cells: IntArray, start: int, most: int, paused: bool
+) -> tuple[IntArray, IntArray, int, bool]:
+    """Kernel: settle every cell that can lie on a cheapest path from `start`, or `most` of them.
 
-    Returns the cells that stay open, those that were not seen before, and how many were settled.
+    `paused`: the last call was for the same start and did not settle all.
+    Returns the cells that stay open, those that were not seen before, how many were settled, and whether that was all.
     """
     settled = 0
+    limit = np.int64(1) << 62
     if cost[start] > 0:
-        return open_cells, np.empty(0, dtype=np.int64), settled
+        if not paused:
+            return open_cells, np.empty(0, dtype=np.int64), settled, True
+        limit = np.int64(cost[start])
     seen = np.empty(4096, dtype=np.int64)
     new_cells = 0
     weight = grid.weight
@@ -262,8 +275,7 @@ def _settle(grid: Cells, cost: Costs, open_cells: IntArray, start: int) -> tuple
         f = -cost[cell] + _estimate(n - start_n, e - start_e, d - start_d)
         _push(heap, size, f << 32 | cell)
         size += 1
-    limit = np.int64(1) << 62
-    while size > 0 and heap[0] >> 32 <= limit:
+    while size > 0 and heap[0] >> 32 <= limit and settled < most:
         cell = heap[0] & 0xFFFFFFFF
         _pop(heap, size)
         size -= 1
@@ -304,6 +316,7 @@ def _settle(grid: Cells, cost: Costs, open_cells: IntArray, start: int) -> tuple
                         cost[other] = -new
                         _push(heap, size, (new + _estimate(n + dn, e + de, d + dd)) << 32 | other)
                         size += 1
+    found = size == 0 or heap[0] >> 32 > limit
     kept = np.empty(size, dtype=np.int64)
     count = 0
     for i in range(size):
@@ -311,7 +324,7 @@ def _settle(grid: Cells, cost: Costs, open_cells: IntArray, start: int) -> tuple
         if cost[cell] < 0:
             kept[count] = cell
             count += 1
-    return np.unique(kept[:count]), seen[:new_cells].copy(), settled
+    return np.unique(kept[:count]), seen[:new_cells].copy(), settled, found
 
 
 @njit(cache=True)

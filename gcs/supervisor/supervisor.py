@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
+from gcs.link import quality
 from gcs.link.link import Key, TickLink
 from gcs.link.quality import LinkQuality
 from gcs.mavlink import codec
@@ -336,7 +337,8 @@ class Supervisor:
         for point in set_points:
             offset = snapshot.vehicle(point.sysid).origin_offset_ned
             assert offset is not None
-            self.command_queue.put(point.sysid, (encoded(point, offset, self.time_ms),))
+            copies = quality.copies(self.quality.lost_share(point.sysid))
+            self.command_queue.put(point.sysid, (encoded(point, offset, self.time_ms),) * copies)
 
     # out
 
@@ -353,7 +355,7 @@ class Supervisor:
             if key != TRAFFIC:
                 if self.time_ms >= self._heartbeat_due_ms[sysid]:
                     self._heartbeat_due_ms[sysid] = self.time_ms + round(1e3 * HEARTBEAT_EVERY_S)
-                    messages.append(OUR_HEARTBEAT)
+                    messages += [OUR_HEARTBEAT] * quality.copies(self.quality.lost_share(sysid))
                 messages += self.command_queue.pop(sysid)
                 messages += relays.get(sysid, ())
                 messages = list(self._radio.apply(sysid, "out", now_s, messages))

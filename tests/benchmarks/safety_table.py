@@ -39,7 +39,7 @@ def main() -> None:
     sys.path.insert(0, str(HERE))
     options.out.mkdir(parents=True, exist_ok=True)
     ours = _flown("safety", options.sessions, options, "skytender")
-    others = _flown(str(HERE / "safety_beside.yaml"), options.beside, options, "beside")
+    others = _flown(str(HERE / "safety_beside.yaml"), options.beside, options, "beside") if options.beside else []
     for text in table(ours, others):
         print(text)
 

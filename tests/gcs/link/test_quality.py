@@ -2,7 +2,7 @@
 
 import pytest
 
-from gcs.link.quality import LinkQuality
+from gcs.link.quality import LinkQuality, copies
 from gcs.mavlink.gaps import GapCounter
 
 
@@ -55,3 +55,13 @@ def test_one_that_says_nothing_any_more_has_no_share() -> None:
     for k in range(2, 30):
         radio.quality.count(2, 0, float(k))
     assert radio.quality.lost_share(2) is None
+
+
+@pytest.mark.parametrize("share", [0.05, 0.1, 0.2, 0.3])
+def test_of_all_copies_at_most_three_in_a_hundred_are_lost_and_no_more_are_sent_than_that_needs(share: float) -> None:
+    assert share ** copies(share) <= 0.03 + 1e-12
+    assert share ** (copies(share) - 1) > 0.03
+
+
+def test_a_good_link_gets_one_and_a_dead_one_three() -> None:
+    assert [copies(share) for share in (None, 0.0, 0.049, 0.9, 1.0)] == [1, 1, 1, 3, 3]

@@ -204,6 +204,10 @@ def test_search_costs_are_those_of_scipy_on_the_same_graph(seed):
         assert field.cost[start] - 1 == expected[start]
         fresh = CostField.towards(grid, int(goal)).path(grid, int(start))
         np.testing.assert_array_equal(paths[-1], fresh)  # whoever asked before
+        slow = CostField.towards(grid, int(goal))
+        while (paused := slow.path(grid, int(start), 37)) is None:
+            pass
+        np.testing.assert_array_equal(paused, fresh)
     settled = field.cost > 0
     np.testing.assert_array_equal(field.cost[settled] - 1, expected[settled])
 

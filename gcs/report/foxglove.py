@@ -73,7 +73,7 @@ class Topics:
         self._origin = None if scenario is None else tuple(scenario.origin.model_dump().values())
         self._messages, self.context = messages, Context()
         self._transforms = channels.FrameTransformsChannel("/tf", context=self.context)
-        self._scene = channels.SceneUpdateChannel("/scene", context=self.context)
+        self._entities = channels.SceneUpdateChannel("/scene", context=self.context)
         self._log = channels.LogChannel("/log", context=self.context)
         self._channels: dict[str, Any] = {}
         self._session: Mapping[str, Any] = {}
@@ -109,7 +109,7 @@ class Topics:
                 path = self._line(vehicle["path_ned"], GREY)
                 bodies.append(m.SceneEntity(frame_id=FRAME, id=f"path {vehicle['sysid']}", lines=[path]))
             bodies.append(self._body(vehicle))
-        self._scene.log(m.SceneUpdate(entities=bodies), log_time=self._ns(t_s))
+        self._entities.log(m.SceneUpdate(entities=bodies), log_time=self._ns(t_s))
 
     def snapshot(self, line: Mapping[str, Any]) -> None:
         """One instant."""
@@ -127,7 +127,7 @@ class Topics:
             for row in placed
         ]
         self._transforms.log(m.FrameTransforms(transforms=transforms), log_time=t_ns)
-        self._scene.log(m.SceneUpdate(entities=list(self._moving(line, stamp))), log_time=t_ns)
+        self._entities.log(m.SceneUpdate(entities=list(self._moving(line, stamp))), log_time=t_ns)
         for row in line["vehicles"]:
             self._json(f"/vehicle/{row['sysid']}", "VehicleRow", row, t_ns)
             self._locate(row, stamp, t_ns)

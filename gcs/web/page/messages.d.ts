@@ -20,7 +20,7 @@ export interface SessionLine {
   told?: number;
 }
 
-/** Who flies, and the way that it is to fly. */
+/** A vehicle, and its route. */
 export interface MemberRow {
   sysid: number;
   role: string;
@@ -48,7 +48,7 @@ export interface BaseRow {
   p_ned: [number, number, number];
 }
 
-/** What makes the session a success. */
+/** Goal of the session. */
 export interface GoalRow {
   separation_m: number | null;
   clearance_m: number | null;
@@ -68,7 +68,7 @@ export interface EventRow {
 }
 
 /** The state at a session time, with the events since the last one. */
-export interface Snapshot {
+export interface SnapshotMessage {
   type: "snapshot";
   t_s: number;
   duration_s: number | null;
@@ -199,14 +199,14 @@ export interface InspectedRow {
   fields: Record<string, unknown>;
 }
 
-/** What a base holds. */
+/** Energy of a base. */
 export interface StockRow {
   name: string;
   remaining_j: number;
   stock_j: number;
 }
 
-/** Where a recording begins and ends, and how it is played; speed None: without waiting. */
+/** Begin and end of a recording, and how it is played; speed None: without waiting. */
 export interface ReplayRow {
   from_s: number;
   to_s: number;
@@ -230,4 +230,4 @@ export interface End {
   exit: number;
 }
 
-export type Line = SessionLine | Snapshot | Reply | End;
+export type Line = SessionLine | SnapshotMessage | Reply | End;

@@ -22,7 +22,10 @@ WIDTH, HEIGHT = 1240, 760
 SHOWN_WIDTH = 880
 FRAMES, FRAME_MS, LAST_MS = 60, 130, 1500
 BEGIN_S, END_S = 3.0, 119.5
-READY = "new Promise((done) => { const look = () => (document.documentElement.dataset.all ? done() : setTimeout(look, 20)); look(); })"
+READY = """new Promise((done) => {
+  const look = () => (document.documentElement.dataset.all ? done() : setTimeout(look, 20));
+  look();
+})"""
 STYLE = """(() => {
   const flight = document.querySelector('.flight');
   document.body.replaceChildren(flight);
@@ -33,7 +36,8 @@ SEEK = """(t_s) => new Promise(async (done) => {
   const app = await skytender;
   app.player.seek(t_s);
   app.shown_at = 0;
-  const look = () => (Math.abs(app.current.t_s - t_s) < 1e-6 && app.paneled === app.current ? done() : requestAnimationFrame(look));
+  const shown = () => Math.abs(app.current.t_s - t_s) < 1e-6 && app.paneled === app.current;
+  const look = () => (shown() ? done() : requestAnimationFrame(look));
   look();
 })"""
 

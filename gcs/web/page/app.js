@@ -10,7 +10,7 @@ import { SpaceView } from "./space.js";
 import { FleetTable } from "./table.js";
 import { Timeline } from "./timeline.js";
 
-/** @typedef {import("./messages").Snapshot} Snapshot */
+/** @typedef {import("./messages").SnapshotMessage} Snapshot */
 /** @typedef {import("./charts.js").Figure} Figure */
 /** @typedef {import("./flight.js").Channel} Channel */
 

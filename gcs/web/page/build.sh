@@ -15,7 +15,8 @@ node "$page/types.mjs" "$root/gcs/schemas/messages.schema.json" "$page/messages.
 ln -sfn "$tools/node_modules" "$page/node_modules"
 trap 'rm -f "$page/node_modules"' EXIT
 "$bin/tsc" -p "$page/tsconfig.json"
-"$bin/esbuild" "$page/main.js" --bundle --minify --format=iife --target=es2022 --charset=utf8 --legal-comments=none \
+sources=$(cat "$page"/*.js "$page/page.css" | sha256sum | cut -c1-16)
+"$bin/esbuild" "$page/main.js" --banner:js="/* of sources $sources */" --bundle --minify --format=iife --target=es2022 --charset=utf8 --legal-comments=none \
   --outfile="$built/page.js"
 cat "$tools/node_modules/uplot/dist/uPlot.min.css" "$page/page.css" | "$bin/esbuild" --loader=css --minify --charset=utf8 > "$built/page.css"
 {

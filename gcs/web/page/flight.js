@@ -1,7 +1,7 @@
 // What has been seen of a flight, as columns over time; a snapshot of any past time is put together from them.
 // @ts-check
 
-/** @typedef {import("./messages").Snapshot} Snapshot */
+/** @typedef {import("./messages").SnapshotMessage} Snapshot */
 /** @typedef {import("./messages").VehicleRow} VehicleRow */
 /** @typedef {import("./messages").SessionLine} SessionLine */
 /** @typedef {import("./messages").EventRow} EventRow */

@@ -6,7 +6,7 @@ import { plane } from "./graphics.js";
 import { colourOf, dashOf, look } from "./look.js";
 
 /** @typedef {import("./flight.js").Flight} Flight */
-/** @typedef {import("./messages").Snapshot} Snapshot */
+/** @typedef {import("./messages").SnapshotMessage} Snapshot */
 /** @typedef {[number, number]} Plane */
 
 const MARGIN = 0.08;

@@ -3,7 +3,7 @@
 import { h } from "./elements.js";
 
 /** @typedef {{key: string, command: string, name: string, what: string, question: string, of_vehicle: boolean}} Order */
-/** @typedef {import("./messages").Snapshot} Snapshot */
+/** @typedef {import("./messages").SnapshotMessage} Snapshot */
 
 export class Operator {
   /**

@@ -3,7 +3,7 @@
 import { clock, h, number, say } from "./elements.js";
 import { colourOf } from "./look.js";
 
-/** @typedef {import("./messages").Snapshot} Snapshot */
+/** @typedef {import("./messages").SnapshotMessage} Snapshot */
 /** @typedef {import("./messages").EventRow} EventRow */
 /** @typedef {import("./messages").VehicleRow} VehicleRow */
 

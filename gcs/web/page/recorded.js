@@ -307,7 +307,7 @@ function fillFlight(flight, model, told, column) {
     flight.words.set(one.sysid, words);
   }
   for (const one of told.traffic) flight.traffic.set(one.callsign, one.p.map(column));
-  flight.newest = /** @type {import("./messages").Snapshot} */ ({
+  flight.newest = /** @type {import("./messages").SnapshotMessage} */ ({
     type: "snapshot", t_s: told.end_s, duration_s: told.session.duration_s, speed: null, phase: "ended", vehicles: [], traffic: [],
     competition: { v: {}, tau: {}, leader: null, share: null, runner_up: null, threshold: told.threshold }, services: [], history: told.history,
     refuelled: told.history.length, goal: told.goal, inspected: {}, events: [],

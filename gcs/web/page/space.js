@@ -13,7 +13,7 @@ import { colourOf, look } from "./look.js";
 import { extent, nice } from "./map.js";
 
 /** @typedef {import("./flight.js").Flight} Flight */
-/** @typedef {import("./messages").Snapshot} Snapshot */
+/** @typedef {import("./messages").SnapshotMessage} Snapshot */
 /** @typedef {import("./messages").VehicleRow} VehicleRow */
 /** @typedef {"free" | "follow" | "first"} CameraMode */
 

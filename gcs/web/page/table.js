@@ -4,7 +4,7 @@ import { h, number, say } from "./elements.js";
 import { colourOf } from "./look.js";
 
 /** @typedef {import("./messages").VehicleRow} VehicleRow */
-/** @typedef {import("./messages").Snapshot} Snapshot */
+/** @typedef {import("./messages").SnapshotMessage} Snapshot */
 
 const BINS = 10;
 const MANY = 40;

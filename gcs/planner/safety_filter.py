@@ -29,17 +29,18 @@ from __future__ import annotations
 from dataclasses import dataclass, field, fields
 
 import numpy as np
+from numba import njit
 from numpy.typing import ArrayLike, NDArray
 from scipy.spatial import cKDTree
 
 from gcs.planner.braking_clearance import FloatArray, IntArray
+from gcs.planner.line_of_sight import bounds
 from gcs.planner.safety_constraints import OBSTACLE, OTHER, PAIR, PLANE
 from gcs.planner.safety_kernels import solve
-from gcs.scenario.geometry import COLUMNS, DOWN, NORTH, SIZE_1, SIZE_3
+from gcs.scenario.geometry import COLUMNS
 
 KINDS = ("", "vehicle", "other", "obstacle", "wall")
 """Names of `Filtered.binding_kind`; a wall is a side of the fence or the floor: low n, e, d, then high n, e, d."""
-_LARGE_M = 4.0  # a shape that reaches farther is looked at by everyone, or all lists would grow with it
 
 
 def _none() -> FloatArray:
@@ -277,17 +278,40 @@ def _shapes(
 ) -> FloatArray:
     if not len(table) or not len(p):
         return np.zeros((0, 4))
-    size = np.sqrt((table[:, SIZE_1 : SIZE_3 + 1] ** 2).sum(axis=1))
-    centre = table[:, NORTH : DOWN + 1]
-    small, large = np.flatnonzero(size <= _LARGE_M), np.flatnonzero(size > _LARGE_M)
-    i, j = (side.ravel().astype(np.int64) for side in np.meshgrid(np.arange(len(p)), large, indexing="ij"))
-    if len(small):
-        most = float(reach.max() + margin.max() + rules.clearance_m + size[small].max())
-        found = cKDTree(p).sparse_distance_matrix(cKDTree(centre[small]), most, output_type="ndarray")
-        i, j = np.concatenate([i, found["i"].astype(np.int64)]), np.concatenate([j, small[found["j"]]])
-    required = rules.clearance_m + margin[i]
-    near = np.linalg.norm(p[i] - centre[j], axis=1) <= reach[i] + required + size[j]
-    return _rows(OBSTACLE, i[near], j[near], required[near])
+    required = rules.clearance_m + margin
+    low, high = bounds(table)
+    i, j = _within_boxes(p, reach + required, low, high)
+    return _rows(OBSTACLE, i, j, required[i])
+
+
+@njit(cache=True)
+def _within_boxes(p: FloatArray, within_m: FloatArray, low: FloatArray, high: FloatArray) -> tuple[IntArray, IntArray]:
+    """Kernel: rows of places and of boxes that are at most `within_m` (n,) apart."""
+    size = 256
+    found = np.empty((2, size), dtype=np.int64)
+    count = 0
+    order = np.argsort(low[:, 0])
+    south = low[order, 0]
+    widest_m = (high[:, 0] - low[:, 0]).max()
+    for i in range(p.shape[0]):
+        square_m2 = within_m[i] ** 2
+        first = np.searchsorted(south, p[i, 0] - within_m[i] - widest_m)
+        last = np.searchsorted(south, p[i, 0] + within_m[i], side="right")
+        for at in range(first, last):
+            j = order[at]
+            apart_m2 = 0.0
+            for axis in range(3):
+                x = p[i, axis]
+                out_m = max(low[j, axis] - x, x - high[j, axis], 0.0)
+                apart_m2 += out_m * out_m
+            if apart_m2 <= square_m2:
+                if count == size:
+                    longer = np.empty((2, 2 * size), dtype=np.int64)
+                    longer[:, :size] = found
+                    found, size = longer, 2 * size
+                found[0, count], found[1, count] = i, j
+                count += 1
+    return found[0, :count].copy(), found[1, :count].copy()
 
 
 def _walls(p: FloatArray, reach: FloatArray, margin: FloatArray, walls: FloatArray) -> FloatArray:

@@ -18,6 +18,7 @@ import codecs_of_a_tick
 import console_drawn
 import laws
 import page_shown
+import planned_and_filtered
 import report_opened
 import sessions_timed
 from measure import REFERENCE_STEPS_S, Figure, calibrate
@@ -38,7 +39,7 @@ def main() -> None:
         3: sessions_timed.lockstep,
         4: lambda: sessions_timed.starting(scale),
         5: lambda: sessions_timed.full_fleet(scale),
-        6: lambda: laws.planning(scale),
+        6: lambda: laws.planning(scale) + planned_and_filtered.figures(scale),
         7: laws.competing,
         8: lambda: laws.recording(scale),
         9: console_drawn.figures,

@@ -7,7 +7,8 @@ import os
 import signal
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -192,13 +193,60 @@ def test_the_command_flies_keeps_tells_and_repeats(tmp_path: Path) -> None:
     assert first == second
 
 
-class Cluster:
-    """A scheduler and two workers of Dask, started by hand."""
+@contextmanager
+def network(machines: Sequence[str]) -> Iterator[str]:
+    """Network namespaces `machines`, each with an address 10.89.7.2, .3, … on a bridge; our own address there.
 
-    def __init__(self, folder: Path) -> None:
+    Skipped where namespaces cannot be had: they need root.
+    """
+    bridge = f"gcs{os.getpid()}"
+
+    def ip(command: str) -> None:
+        done = subprocess.run(["ip", *command.split()], capture_output=True, text=True, check=False)
+        if done.returncode:
+            raise OSError(f"ip {command}: {done.stderr.strip()}")
+
+    with ExitStack() as stack:
+        try:
+            ip(f"link add {bridge} type bridge")
+            stack.callback(ip, f"link del {bridge}")
+            ip(f"addr add 10.89.7.1/24 dev {bridge}")
+            ip(f"link set {bridge} up")
+            for i, machine in enumerate(machines):
+                ip(f"netns add {machine}")
+                stack.callback(ip, f"netns del {machine}")
+                ip(f"link add {bridge}v{i} type veth peer name eth0 netns {machine}")
+                ip(f"link set {bridge}v{i} master {bridge} up")
+                ip(f"-n {machine} addr add 10.89.7.{2 + i}/24 dev eth0")
+                ip(f"-n {machine} link set eth0 up")
+                ip(f"-n {machine} link set lo up")
+        except OSError as error:
+            pytest.skip(f"no network namespaces here: {error}")
+        yield "10.89.7.1"
+
+
+def test_machines_that_share_nothing_but_a_network_fly_the_same_rows(
+    reference: list[dict[str, Any]], tmp_path: Path
+) -> None:
+    """A scheduler and two workers, each in a network namespace and a folder of its own."""
+    machines = [f"gcs{os.getpid()}{letter}" for letter in "abc"]
+    flown = plan()
+    folder = make_folder(flown, tmp_path / "campaign")
+    with network(machines), Cluster(tmp_path / "cluster", machines) as cluster:
+        assert cluster.address == "tcp://10.89.7.2:8786"
+        fly(folder, flown, scheduler=cluster.address)
+    assert rows(folder, flown) == reference
+
+
+class Cluster:
+    """A scheduler and two workers of Dask, started by hand; here, or in three network namespaces."""
+
+    def __init__(self, folder: Path, machines: Sequence[str] = ()) -> None:
         folder.mkdir()
         self._processes: list[subprocess.Popen[str]] = []
-        self.scheduler = self._start(folder, "dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard")
+        self._machines = list(machines)
+        here = ("--host", "10.89.7.2", "--port", "8786") if machines else ("--host", "127.0.0.1", "--port", "0")
+        self.scheduler = self._start(folder, "dask_scheduler", *here, "--no-dashboard")
         assert self.scheduler.stderr is not None
         said = next(line for line in self.scheduler.stderr if "Scheduler at:" in line)
         self.address = said.split()[-1]
@@ -206,9 +254,11 @@ class Cluster:
             self._start(folder, "dask_worker", self.address, "--nthreads", "1", "--no-dashboard")
 
     def _start(self, folder: Path, module: str, *arguments: str) -> subprocess.Popen[str]:
-        local = ["--local-directory", str(folder)] if module == "dask_worker" else []
+        count = len(self._processes)
+        inside = ["ip", "netns", "exec", self._machines[count]] if self._machines else []
+        local = ["--local-directory", str(folder / f"worker{count}")] if module == "dask_worker" else []
         process = subprocess.Popen(
-            [sys.executable, "-m", f"distributed.cli.{module}", *arguments, *local],
+            [*inside, sys.executable, "-m", f"distributed.cli.{module}", *arguments, *local],
             stderr=subprocess.PIPE if module == "dask_scheduler" else subprocess.DEVNULL,
             text=True,
         )
@@ -248,3 +298,27 @@ def test_a_search_is_the_same_with_one_worker_and_with_two_and_its_worst_shrinks
     assert "still fails: 1 pursuers, 1 obstacles" in done.stdout
     tiny = yaml.safe_load((tmp_path / "tiny.yaml").read_text(encoding="utf-8"))
     assert (len(tiny["vehicles"]["pursuers"]), len(tiny["obstacles"])) == (1, 1)
+
+
+def test_ten_vehicles_and_twenty_obstacles_shrink_to_the_two_that_meet(tmp_path: Path) -> None:
+    """1 and 2 fly head on without the filter; everybody and everything else is far away."""
+    others = [(i, 8.0 + 4.0 * i) for i in range(3, 11)]
+    ways = [(1, [-6.0, 0.0, -5.0], [6.0, 0.0, -5.0]), (2, [6.0, 0.05, -5.0], [-6.0, 0.05, -5.0])]
+    ways += [(i, [-6.0, east, -5.0], [6.0, east, -5.0]) for i, east in others]
+    scenario = {
+        "schema": 1, "name": "ten", "axes": "ned", "clock": {"mode": "lockstep"},
+        "origin": {"lat_deg": 47.0, "lon_deg": 8.0, "alt_m": 400.0}, "goal": {"duration_s": 5.0, "waypoints": "none"},
+        "vehicles": {
+            "defaults": {"battery": {"capacity_j": 60000}, "airborne": True},
+            "pursuers": [{"sysid": i, "start_m": start, "waypoints_m": [end]} for i, start, end in ways],
+        },
+        "obstacles": [{"sphere_m": [float(k), -10.0 - k, -5.0], "radius_m": 0.5} for k in range(20)],
+        "planner": {"cruise_m_s": 3.0, "safety": False},
+    }  # fmt: skip
+    (tmp_path / "ten.yaml").write_text(yaml.safe_dump(scenario), encoding="utf-8")
+    command = ["campaign", "shrink", "ten.yaml", "--expect", "min_separation_m>=0.6", "--out", "small.yaml"]
+    done = subprocess.run([*GCS, *command], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    small = yaml.safe_load((tmp_path / "small.yaml").read_text(encoding="utf-8"))
+    assert {pursuer["sysid"] for pursuer in small["vehicles"]["pursuers"]} == {1, 2}
+    assert small["obstacles"] == []

@@ -22,6 +22,10 @@ from gcs.scenario.goal import metres
 from gcs.web import document
 
 MOST_NAMED = 40
+BAND = (
+    "In figures over time the coloured ground goes from the least to the greatest value of all vehicles, dotted is "
+    "their median; lines are of those drawn singly."
+)
 _MARKS = {"bad": "✗", "warn": "!", "note": "·"}
 _PAGE = Template("""<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
@@ -40,6 +44,7 @@ $cards
 <nav aria-label="sections">$links</nav>
 </header>
 <fieldset class="picker"><legend>$picker</legend></fieldset>
+$band
 <main>
 $sections
 </main>
@@ -97,6 +102,7 @@ def text(findings: Findings) -> str:
         cards=_cards(findings),
         links="".join(f'<a href="#{part}">{escape(title)}</a>' for part, title, _ in sections),
         picker=picker,
+        band=f'<p class="soft small">{BAND}</p>' if charts.many else "",
         sections="\n".join(
             f'<section id="{part}"><h2>{escape(title)}</h2>{body}</section>' for part, title, body in sections
         ),

@@ -16,13 +16,14 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from gcs.cli import author, campaign, page, paper, recorded, report, watch
+from gcs.cli import author, campaign, key, page, paper, recorded, report, watch
 from gcs.cli.author import ScenarioName, ScenarioRefused, load_scenario, module_arguments
 from gcs.cli.check import command
 from gcs.exit import INTERNAL_ERROR, INTERRUPTED, NOT_DONE, leave
 from gcs.scenario.endpoint import address
 
 if TYPE_CHECKING:
+    from gcs.scenario.model import Scenario
     from gcs.session.supervised import View
 
 SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
@@ -90,6 +91,7 @@ for _command in (
     recorded.export,
     paper.paper,
     campaign.campaign,
+    key.key,
 ):
     cli.add_command(_command)
 
@@ -117,6 +119,12 @@ for _command in (
     type=click.Path(path_type=Path),
     metavar="DIR",
     help="The session's folder, which must not exist yet.  [default: sessions/NAME-TIME]",
+)
+@click.option(
+    "--key-file",
+    type=click.Path(path_type=Path, dir_okay=False),
+    metavar="FILE",
+    help="MAVLink 2 signing: the key of all external vehicles, instead of what the scenario says (gcs key new).",
 )
 @click.option("--plain", is_flag=True, help="Lines of text instead of the console; also used without a terminal.")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object per second on stdout, for other programs.")
@@ -154,6 +162,7 @@ def run(
     seed: int | None,
     settings: tuple[str, ...],
     out: Path | None,
+    key_file: Path | None,
     plain: bool,
     as_json: bool,
     web: bool,
@@ -205,14 +214,15 @@ def run(
     if junit is not None and not junit.parent.is_dir():
         raise click.UsageError(f"--junit: there is no folder {junit.parent}.")
     from gcs.report.junit import flown, refused
-    from gcs.scenario.plugins import named
+    from gcs.scenario.plugins import listed, named
     from gcs.session.plain_text import mute_stdout
     from gcs.session.session_log import logged
     from gcs.session.supervised import make_folder
     from gcs.session.supervised import run as fly
 
     try:
-        resolved = load_scenario(scenario, settings).flown(lockstep=lockstep, speed=speed, seed=seed)
+        key_path = None if key_file is None else str(key_file.resolve())
+        resolved = load_scenario(scenario, settings).flown(lockstep=lockstep, speed=speed, seed=seed, key_file=key_path)
     except ScenarioRefused as refusal:
         if junit is not None:
             _write_junit(junit, refused(scenario, refusal.text))
@@ -221,9 +231,13 @@ def run(
         raise click.UsageError(f"{refusal}.") from None
     if vehicles_per_process is not None:
         resolved = resolved.model_copy(update={"vehicles_per_process": vehicles_per_process})
+    _try_keys(resolved)
     folder = make_folder(out, resolved)
     if seed is not None and not quiet and not (resolved.radio.random or any(named(resolved))):
         click.echo("gcs: --seed changes nothing: without loss and the like in radio: nothing here is random", err=True)
+    code = ", ".join(listed(resolved))
+    if code and not quiet:
+        click.echo(f"gcs: the scenario names code, which the session runs as you: {code}", err=True)
     if not quiet:
         try:
             click.echo(f"{resolved.name}: starting; the session's folder is {folder}", err=as_json)
@@ -254,6 +268,18 @@ def run(
         if not no_report:
             report.after_run(folder, echo, status, hurried=hurry.is_set())
     return status
+
+
+def _try_keys(scenario: Scenario) -> None:
+    """Raise click.UsageError for a signing key that cannot be used, before anything is started."""
+    from gcs.link.keys import KeyRefused, read_key
+
+    try:
+        for block in scenario.vehicles.external.values():
+            if block.signing is not None:
+                read_key(Path(block.signing.key_file))
+    except KeyRefused as error:
+        raise click.UsageError(f"{error}.") from None
 
 
 def _write_junit(path: Path, xml: str) -> bool:
@@ -323,7 +349,7 @@ def launch(scenario: str, connect: str | None, out: Path | None, as_json: bool, 
     """
     from gcs.session.launch import launch as start
 
-    resolved = load_scenario(scenario)
+    resolved = load_scenario(scenario, runs_code=False)  # vehicles plan nothing
     for sysid, external in resolved.vehicles.external.items():
         click.echo(f"vehicle {sysid} is not launched: it is expected at {external.connect}", err=True)
     if not resolved.vehicles.launched:

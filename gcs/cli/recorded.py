@@ -65,8 +65,16 @@ def _time(ctx: click.Context, param: click.Parameter, value: float | None) -> fl
 @click.option("--json", "as_json", is_flag=True, help="One JSON object per recorded second on stdout.")
 @page.WEB
 @click.option("--decide", is_flag=True, help="Decide everything again, and list where the decisions differ.")
+@click.option("--trust", is_flag=True, help="With --decide: run the code that the session's scenario names.")
 def replay(
-    session: Path, speed: float | None, from_s: float | None, plain: bool, as_json: bool, web: bool, decide: bool
+    session: Path,
+    speed: float | None,
+    from_s: float | None,
+    plain: bool,
+    as_json: bool,
+    web: bool,
+    decide: bool,
+    trust: bool,
 ) -> int:
     """Play SESSION, a session's folder or any .tlog file, also another ground station's, in the console.
 
@@ -75,7 +83,8 @@ def replay(
 
     --decide plays nothing: planner and scheduler run again over the recorded telemetry, and each decision that they
     would make today is held against the recorded one, to the last digit. Use it to see what a change of the code, or
-    of the scenario.yaml in the folder, does to a session that has been flown.
+    of the scenario.yaml in the folder, does to a session that has been flown. A planner or policy that the scenario
+    names is somebody's code, found in the current folder or in the session's: it runs only with --trust.
 
     \b
     Examples:
@@ -100,7 +109,7 @@ def replay(
     if decide:
         if speed is not None or from_s is not None or web:
             raise click.UsageError("--decide plays nothing: leave out --speed, --from and --web.")
-        return _decide(session, as_json)
+        return _decide(session, as_json, trust=trust)
     from gcs.session.replay import Replay, ReplayError
 
     try:
@@ -144,15 +153,21 @@ def _play(recording: Replay, speed: float | None, *, plain: bool, as_json: bool)
     return 0
 
 
-def _decide(session: Path, as_json: bool) -> int:
+def _decide(session: Path, as_json: bool, *, trust: bool) -> int:
+    from gcs.recording.missing import SCENARIO
     from gcs.scenario import plugins
+    from gcs.scenario.file import load
     from gcs.scenario.model import ScenarioError
     from gcs.supervisor.redecide import RedecideError, redecide
 
     if not session.is_dir():
         raise click.UsageError(f"--decide: {session} is no session's folder: a .tlog alone holds no decisions.")
-    plugins.look_in([Path.cwd(), session])
     try:
+        code = ", ".join(plugins.listed(load(session / SCENARIO))) if (session / SCENARIO).exists() else ""
+        if code and not trust:
+            raise click.UsageError(f"--decide: the scenario of {session} names code: {code}; --trust runs it.")
+        if code:
+            plugins.look_in([Path.cwd(), session])
         # What a user's planner or policy prints must not stand among the verdict's lines.
         with _progress("deciding") as progress, contextlib.redirect_stdout(sys.stderr):
             verdict = redecide(session, progress)
@@ -272,7 +287,7 @@ def export(session: Path, form: str, out: Path | None) -> int:
         shutil.rmtree(unfinished, ignore_errors=True)
     for problem in problems:
         click.echo(f"gcs: {problem}", err=True)
-    width = max(len(name) for name in written.rows)
+    width = max(map(len, written.rows), default=0)
     for name, rows in sorted(written.rows.items()):
         click.echo(f"{name:<{width}}  {rows:>9} rows")
     click.echo(f"tables: {folder}")

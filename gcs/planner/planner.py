@@ -31,9 +31,9 @@ LOOKAHEAD_S = 0.37
 CATCH_UP_SPEED = 1.3
 """A target's leader may be this much faster than its carrot, so that it comes back after an obstacle."""
 FLOOR_M = 0.3
+"""No leader of a vehicle that has a ground goes lower than this above it: only landing does."""
 LEAST_MARGIN_M = 0.1
 """Of every vehicle: so much farther than its clearance the safety filter keeps it from obstacles."""
-"""No leader of a vehicle that has a ground goes lower than this above it: only landing does."""
 BRAKE_SHARE = 0.4
 """Of the acceleration of leaders, with which they are to stop at their goals; the rest is for giving way."""
 SAFE_RANGE_SHARE = 0.5

@@ -21,6 +21,8 @@ P_NED, SYSID, T_S = slice(0, 3), 3, 4
 """Columns of set points; their velocities are left out."""
 COLUMNS = 5
 BLOCK_BYTES = 1 << 22
+MOST_OPENED = 500
+"""Lists and objects in a line: one with more is no decision of ours, and could be nested deeper than is read."""
 _BEGIN = b'{"kind":"set_point",'
 """as the recorder writes them, with sorted keys"""
 
@@ -54,6 +56,11 @@ class DecisionLine(NamedTuple):
     def record(self) -> dict[str, Any]:
         """All of it."""
         return _RECORDS.decode(self.raw)
+
+
+def _is_deep(line: bytes) -> bool:
+    """Whether a line may be nested more deeply than it can be read."""
+    return len(line) > MOST_OPENED and line.count(b"[") + line.count(b"{") > MOST_OPENED
 
 
 class DecisionLines:
@@ -106,7 +113,9 @@ class DecisionLines:
                 done += len(block)
                 lines = [line for line in block.split(b"\n") if line]
                 self._last = lines[-1] if lines and not block.endswith(b"\n") else None
-                yield lines
+                for line in filter(_is_deep, lines):
+                    self._pass_over(line)
+                yield [line for line in lines if not _is_deep(line)]
                 self._progress(min(done / size, 1.0))
 
     def _decoded(self, decoder: msgspec.json.Decoder[Any], lines: Sequence[bytes]) -> Iterator[tuple[Any, bytes]]:

@@ -40,6 +40,8 @@ WANTED = {
 }
 """The messages that a report is made from, and the fields that it needs of them; `place`: where in the file."""
 MOST_SECONDS = 7 * 86_400
+FEWEST_SECONDS, SECONDS_A_FRAME = 3600, 2
+"""A recording's rates and losses are counted for so long, and so much longer by each frame in it."""
 NEEDED: dict[str, tuple[str, ...]] = {
     "competition": ("v", "leader", "share"),
     "decided": ("receiver", "tanker", "by", "bids"),
@@ -78,10 +80,10 @@ class Recorded:
     """every decision but the set points"""
     set_points: NDArray[np.float64] = field(default_factory=lambda: np.empty((0, COLUMNS)))
     """(n, COLUMNS) in the order of decision"""
-    traffic_count: NDArray[np.int64] = field(default_factory=lambda: np.zeros((256, 0), dtype=np.int64))
-    """(256, seconds) frames received of each vehicle in each second"""
-    traffic_lost: NDArray[np.int64] = field(default_factory=lambda: np.zeros((256, 0), dtype=np.int64))
-    """(256, seconds) gaps in their sequence numbers"""
+    traffic_count: dict[int, NDArray[np.int32]] = field(default_factory=dict)
+    """by system id: (seconds,) frames received in each second, as far as there were any"""
+    traffic_lost: dict[int, NDArray[np.int32]] = field(default_factory=dict)
+    """the same of gaps in their sequence numbers"""
     end_s: float = 0.0
     problems: list[str] = field(default_factory=list)
 
@@ -178,6 +180,7 @@ class Gathering:
         self._pieces: dict[str, list[NDArray[Any]]] = {name: [] for name in wanted}
         self._counted = counted
         self._gaps = RecordedGaps()
+        self._frames = 0
 
     def add(self, chunk: tlog.Chunk) -> None:
         """Take in the next stretch."""
@@ -204,17 +207,25 @@ class Gathering:
         comes late makes good its gap in the second in which it comes."""
         recorded = self._recorded
         second = (heads[:, tlog.T_US] - epoch_us) // 1_000_000
-        # A foreign time, years away, must not make a table of years.
-        mine = (heads[:, tlog.SYSID] < STATION[0]) & (second >= 0) & (second < MOST_SECONDS)
+        # Foreign times, years away, must not make a table of years: so few frames do not fill so many seconds.
+        self._frames += len(heads)
+        most = min(MOST_SECONDS, FEWEST_SECONDS + SECONDS_A_FRAME * self._frames)
+        mine = (heads[:, tlog.SYSID] < STATION[0]) & (second >= 0) & (second < most)
         second, heads = second[mine], heads[mine]
-        grown = second.max(initial=-1) + 1 - recorded.traffic_count.shape[1]
-        if grown > 0:
-            recorded.traffic_count = np.pad(recorded.traffic_count, ((0, 0), (0, grown)))
-            recorded.traffic_lost = np.pad(recorded.traffic_lost, ((0, 0), (0, grown)))
         sysids = heads[:, tlog.SYSID]
         lost, new = self._gaps.count(sysids, heads[:, tlog.COMPID], heads[:, tlog.SEQ])
-        np.add.at(recorded.traffic_count, (sysids, second), new)
-        np.add.at(recorded.traffic_lost, (sysids, second), lost)
+        for sysid in np.unique(sysids).tolist():
+            own = sysids == sysid
+            for table, values in ((recorded.traffic_count, new), (recorded.traffic_lost, lost)):
+                table[sysid] = _added(table.get(sysid), second[own], values[own])
+
+
+def _added(table: NDArray[np.int32] | None, second: NDArray[np.int64], values: NDArray[Any]) -> NDArray[np.int32]:
+    """The table (n,), made longer where need be, with these values added at these seconds."""
+    length = int(second.max()) + 1
+    table = np.zeros(length, dtype=np.int32) if table is None else np.pad(table, (0, max(length - len(table), 0)))
+    np.add.at(table, second, values.astype(np.int32))
+    return table
 
 
 def _columns(chunk: tlog.Chunk, message: str, epoch_us: int) -> NDArray[Any]:

@@ -48,6 +48,8 @@ class VehicleSummary(_Part):
     energy: EnergySummary
     missing_streams: list[str] = []
     """messages that an external vehicle was asked for and did not send at the end, or at less than half the rate"""
+    refused_messages: int = 0
+    """messages with its id that were refused: not signed, signed with another key, repeated, or without a key here"""
 
 
 class RefuellingSummary(_Part):

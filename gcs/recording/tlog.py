@@ -8,7 +8,8 @@ first), then the frame. Compiled code walks them, so that a gigabyte takes secon
 
 Nothing in a file makes reading raise. A cut end, and bytes that are no frame, are passed over and counted; MAVLink 1 is
 handed out as MAVLink 2; a frame without a time of its own has the time of the one before. A frame counts when its
-checksum is right; one that the dialect lacks, where it also stands exactly between two others.
+checksum is right; one that the dialect lacks, where it also stands exactly between two others. A time that is more than
+an hour away from those before and behind it, as one with a flipped bit, is replaced by the one before.
 """
 
 from __future__ import annotations
@@ -34,7 +35,9 @@ CHUNK_BYTES = 1 << 24
 TIME_BYTES = 8
 HEADER_1 = 6
 """Bytes of a MAVLink 1 header."""
-LARGEST = codec.HEADER_BYTES + 255 + codec.CRC_BYTES + codec.SIGNATURE_BYTES
+LARGEST = codec.LARGEST_FRAME
+APART_US = 3_600_000_000
+"""A time so far from both its neighbours is not believed."""
 COLUMNS = 6
 T_US, AT, SYSID, COMPID, SEQ, MSGID = range(COLUMNS)
 """Columns of `Chunk.heads`; AT is the place of the frame's marker in `Chunk.octets`."""
@@ -113,8 +116,8 @@ class Tlog:
         carried = np.empty(0, dtype=np.uint8)
         room = np.empty((0, COLUMNS), dtype=np.int64)
         done = begin
-        frames = gaps = skipped = 0
-        last_end, look_at, last_us = 0, TIME_BYTES, -1
+        frames = gaps = skipped = wrong = 0
+        last_end, look_at, last_us, believed_us = 0, TIME_BYTES, -1, -1
         with self.path.open("rb") as file:
             size = max(self.path.stat().st_size, 1)
             file.seek(begin)
@@ -131,6 +134,8 @@ class Tlog:
                     octets, room, last_end, look_at, last_us, final, _SEEDS, _CRC, _SOME_SEED
                 )
                 heads = room[:found].copy()
+                believed_us, more_wrong = _believe(heads, believed_us)
+                wrong += more_wrong
                 frames += found
                 gaps += more_gaps
                 skipped += more_skipped
@@ -141,7 +146,7 @@ class Tlog:
                 carried = octets[keep:].copy()
                 last_end, look_at = last_end - keep, look_at - keep
         left = len(octets) - last_end
-        self.problems = list(_problems(self.path.name, frames, gaps, skipped, left))
+        self.problems = list(_problems(self.path.name, frames, gaps, skipped, wrong, left))
 
 
 def read(path: Path) -> Tlog:
@@ -150,13 +155,20 @@ def read(path: Path) -> Tlog:
         return Tlog(path)
 
 
-def _problems(name: str, frames: int, gaps: int, skipped: int, left: int) -> Iterator[str]:
+def _problems(name: str, frames: int, gaps: int, skipped: int, wrong: int, left: int) -> Iterator[str]:
     if not frames:
         yield f"{name} is empty." if not left else f"{name} holds no MAVLink frame: it is no tlog."
         return
     if gaps:
         times = "one place" if gaps == 1 else f"{gaps} places"
         yield f"{name} holds {skipped} bytes in {times} that belong to no MAVLink frame; they were passed over."
+    if wrong:
+        are = (
+            "one frame has a time that cannot be: it has"
+            if wrong == 1
+            else f"{wrong} frames have times that cannot be:"
+        )
+        yield f"{name}: {are} {'the' if wrong == 1 else 'each has the'} time of the frame before."
     if 0 < left < TIME_BYTES + LARGEST:
         yield f"{name} ends inside a frame: its last {left} bytes could not be read."
     elif left:
@@ -248,6 +260,35 @@ def _frame_bytes(
         return total if crc == sent_crc else 0
     # Of MAVLink 1 an unknown message could not be handed out, since the form of MAVLink 2 needs its seed.
     return -total if data[at] == 0xFD and some_seed[sent_crc ^ crc >> 8] else 0
+
+
+@njit(cache=True)
+def _believe(heads: IntArray, last_us: Any) -> tuple[int, int]:
+    """Kernel: replaces the times in heads (n, 6) that are far from the last one believed and from the next one;
+    `last_us` is the last one of the stretch before, -1 before the first. Returns (last one believed, how many)."""
+    n = heads.shape[0]
+    wrong = 0
+    for i in range(n):
+        t_us = heads[i, 0]
+        if t_us >= 0 and last_us >= 0 and abs(t_us - last_us) <= APART_US:
+            last_us = t_us
+            continue
+        next_us = heads[i + 1, 0] if i + 1 < n else np.int64(-1)
+        confirmed = t_us >= 0 and next_us >= 0 and abs(next_us - t_us) <= APART_US
+        if last_us < 0 and not confirmed:
+            later_us = heads[i + 2, 0] if i + 2 < n else np.int64(-1)
+            if next_us >= 0 and later_us >= 0 and abs(later_us - next_us) <= APART_US:
+                last_us = next_us
+            else:
+                last_us = max(t_us, np.int64(0))
+            wrong += t_us != last_us
+            heads[i, 0] = last_us
+        elif confirmed:
+            last_us = t_us
+        else:
+            heads[i, 0] = last_us
+            wrong += 1
+    return last_us, wrong
 
 
 @njit(cache=True)

@@ -49,6 +49,8 @@ from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 Kind = Literal["monitor", "replay"]
 UNKNOWN_CAPACITY_J = math.nan
 ORIGIN_WITHIN_S = 3.0
+MOST_EVENTS = 200
+"""Events of one snapshot."""
 NO_COMPETITION: Mapping[str, Any] = {
     **{"v": {}, "tau": {}, "leader": None, "share": None, "runner_up": None},
     "threshold": 0.9,  # the default share
@@ -235,7 +237,11 @@ class Observer:
         """
         view = self.view(t_s)
         self._gather(view)
-        events, self._events = self._events, []
+        events, self._events = self._events[:MOST_EVENTS], self._events[MOST_EVENTS:]
+        if self._events:
+            further = f"{len(self._events)} further events are left out"
+            events.append(Event(t_s, 0, "warning", further, "session"))
+            self._events = []
         known = dict(more or {})
         parts: Mapping[int, Mapping[str, Any]] = known.pop("parts", {})
         return plain(

@@ -7,7 +7,7 @@
     retarget             follows another target from now on
 
 An order that makes no sense is not taken, and a sentence says why. Taken or not, it is an event and a decision. This
-module only says who is to do what: the pilots and the schedule it is given carry it out, tick by tick.
+module only says who is to do what: the arming sequences and the scheduler it is given carry it out, tick by tick.
 """
 
 from __future__ import annotations

@@ -65,8 +65,8 @@ class Flown:
         self._link.expect(self._keys)
         for key in self._keys:
             hello = [codec.frame(codec.message("HEARTBEAT", type=2, autopilot=12, base_mode=0, custom_mode=0,
-                     system_status=3), 0, *key), codec.encode("SYSTEM_TIME", 1, *key, time_unix_usec=0,
-                     time_boot_ms=0)]  # fmt: skip
+                     system_status=3), 0, *key), codec.encode("SYSTEM_TIME", 1, *key,
+                     time_unix_usec=self._link.secret, time_boot_ms=0)]  # fmt: skip
             self._link._receive(b"".join(hello), ("127.0.0.1", PORT + key[0]))
         scenario = load(find("fleet"))
         assert {(v.sysid, 1) for v in scenario.vehicles.all} == set(self._keys)

@@ -10,7 +10,7 @@ vehicles have followed their leaders.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
 from statistics import median
 from typing import Any
@@ -23,7 +23,7 @@ from gcs.mavlink.setpoints import SetPoint
 from gcs.planner.planner import CATCH_UP_SPEED, FLOOR_M, LEAST_MARGIN_M, LOOKAHEAD_S, STILL, floor_d
 from gcs.planner.request import PlanRequest, TickPlanner
 from gcs.planner.safety_filter import KINDS, Filtered, FilterSettings, Leaders, Others, filter_step
-from gcs.planner.silence import STEP_M, Failsafe, presumed_places
+from gcs.planner.silence import STEP_M, failsafe_of, presumed_places
 from gcs.planner.tracking import Tracking
 from gcs.scenario.model import Scenario, VehicleBase
 from gcs.telemetry.state import Vec3, VehicleView
@@ -101,7 +101,9 @@ class SafePlanner:
         self.lag_s = LOOKAHEAD_S
         """how far vehicles fly behind their leaders, usually"""
         self._failsafes = {
-            v.sysid: (v.start_m, _failsafe(v.params)) for v in scenario.vehicles.all if v.external is None
+            v.sysid: (v.start_m, failsafe_of(v, scenario.obstacles))
+            for v in scenario.vehicles.all
+            if v.external is None
         }
         self._reported_s: dict[tuple[int, str], float] = {}
         self._records: list[dict[str, Any]] = []
@@ -294,17 +296,6 @@ def _acceleration_m_s2(scenario: Scenario, vehicle: VehicleBase) -> float:
     acceleration_m_s2 = vehicle.params.get("MPC_ACC_HOR", USUAL_M_S2)
     tilt_m_s2 = GRAVITY_M_S2 * math.tan(math.radians(vehicle.params.get("MPC_TILTMAX_AIR", USUAL_TILT_DEG)))
     return min(most_m_s2, ABLE_SHARE * acceleration_m_s2, ABLE_SHARE * tilt_m_s2)
-
-
-def _failsafe(params: Mapping[str, float]) -> Failsafe:
-    """Failsafe of a launched vehicle with these parameters."""
-    usual = Failsafe()
-    return Failsafe(
-        params.get("COM_DL_LOSS_T", usual.loss_s),
-        params.get("RTL_RETURN_ALT", usual.altitude_m),
-        params.get("MPC_XY_CRUISE", usual.speed_m_s),
-        params.get("MPC_LAND_SPEED", usual.sink_m_s),
-    )
 
 
 def _table(others: list[_Other]) -> Others:

@@ -8,9 +8,15 @@ way, as places with a distance of STEP_M.
 
 from __future__ import annotations
 
+import functools
 import math
 from dataclasses import dataclass
 
+import numpy as np
+
+from gcs.planner.line_of_sight import bounds
+from gcs.scenario.geometry import of_scenario
+from gcs.scenario.model import Obstacle, VehicleBase
 from gcs.telemetry.state import Vec3
 
 STEP_M = 0.7
@@ -19,6 +25,10 @@ HEARTBEAT_S = 1.5
 """Time before a vehicle's last report at which it may have received the last heartbeat."""
 SLOW_S = 2.5
 """Delay beyond its speed alone with which it may be anywhere: it brakes at each corner."""
+OVER_M = 1.5
+"""[choice] Above the highest obstacle a launched vehicle returns, where its parameters do not say how high."""
+MOST_ALTITUDE_M = 150.0
+"""Greatest RTL_RETURN_ALT of our vehicles."""
 AHEAD_S = 1.5
 """Time ahead for which it is looked for: a vehicle in its way needs time."""
 
@@ -35,6 +45,28 @@ class Failsafe:
     """MPC_XY_CRUISE"""
     sink_m_s: float = 0.7
     """MPC_LAND_SPEED"""
+
+
+def failsafe_of(vehicle: VehicleBase, obstacles: tuple[Obstacle, ...]) -> Failsafe:
+    """Failsafe of a launched vehicle: by its parameters, and else returning above all obstacles."""
+    params, usual = vehicle.params, Failsafe()
+    altitude_m = params.get("RTL_RETURN_ALT")
+    if altitude_m is None:
+        over_m = _highest_m(obstacles) + OVER_M + vehicle.start_m[2]
+        altitude_m = min(max(usual.altitude_m, math.ceil(over_m)), MOST_ALTITUDE_M)
+    return Failsafe(
+        params.get("COM_DL_LOSS_T", usual.loss_s),
+        altitude_m,
+        params.get("MPC_XY_CRUISE", usual.speed_m_s),
+        params.get("MPC_LAND_SPEED", usual.sink_m_s),
+    )
+
+
+@functools.lru_cache(4)
+def _highest_m(obstacles: tuple[Obstacle, ...]) -> float:
+    """Height of the highest obstacle's top above the scenario's height 0; 0 without any."""
+    low, _ = bounds(of_scenario(obstacles)) if obstacles else (np.zeros((1, 3)), None)
+    return -float(low[:, 2].min())
 
 
 def presumed_places(p_ned: Vec3, home_ned: Vec3, silent_s: float, failsafe: Failsafe) -> list[Vec3]:

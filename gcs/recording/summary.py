@@ -59,7 +59,7 @@ class RefuellingSummary(_Part):
     tanker: int | None
     """null: a base served it"""
     base: str | None = None
-    by: Literal["competition", "timeout", "urgency", "policy", "operator"]
+    by: Literal["competition", "unopposed", "timeout", "urgency", "policy", "operator"]
     decided_at_s: float
     joined_at_s: float | None
     start_s: float | None
@@ -164,6 +164,8 @@ class Summary(_Part):
     vehicles: list[VehicleSummary]
     refuelling: list[RefuellingSummary]
     refuel_order: list[int]
+    tanker_idle_s: float = 0.0
+    """tankers' time, summed, in which they stood free although somebody waited for energy"""
     link: LinkSummary
     bases: list[BaseSummary] = []
 

@@ -27,6 +27,8 @@ COUNTER_SETTLES_S = 0.5
 """A giver's counter is trusted as a transfer's start when it was received this long after the last one ended."""
 JOIN_WITHIN_S = 60.0
 START_WITHIN_S = 5.0
+BEGINS_WITHIN_S = 2.0
+"""[choice] What a receiver draws in so long before its first joule is ordered too."""
 BREAKS = 5
 """A service that was broken off so often ends; the receiver competes again, and so may the others."""
 REFUSALS = 5
@@ -220,6 +222,9 @@ class TankerSteps:
 
     def _limit_j(self, service: Service, receiver: VehicleView, tanker: VehicleView) -> float:
         room_j = receiver.capacity_j - receiver.remaining_j
+        if self._rules.tops_up:
+            net_w = max(self._rules.rate_w - receiver.power_w, 0.1 * self._rules.rate_w)
+            room_j += receiver.power_w * (BEGINS_WITHIN_S + room_j / net_w)
         left_j = math.inf if self._rules.limit_j is None else self._rules.limit_j - service.energy_j
         return max(self.available_j(tanker, min(room_j, left_j)), 1.0)
 

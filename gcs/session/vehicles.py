@@ -21,6 +21,7 @@ from typing import IO, Any, Self
 
 import yaml
 
+from gcs.planner.silence import failsafe_of
 from gcs.scenario.model import Scenario, VehicleBase
 
 READY_WITHIN_S = 120.0
@@ -119,6 +120,7 @@ def vehicle_parameters(vehicle: VehicleBase, scenario: Scenario) -> dict[str, fl
         "SIM_BAT_AVION_W": battery.avionics_w,
         "SIM_XFER_DIST": scenario.refuelling.capture_m,
         "SIM_XFER_SPEED": scenario.refuelling.relative_speed_m_s,
+        "RTL_RETURN_ALT": failsafe_of(vehicle, scenario.obstacles).altitude_m,
         **vehicle.params,
     }
 

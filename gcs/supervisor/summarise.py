@@ -94,6 +94,7 @@ def summarise(
             for view in snapshot.vehicles
         ],
         refuelling=[RefuellingSummary(**service.record()) for service in schedule.services],
+        tanker_idle_s=schedule.tanker_idle_s,
         refuel_order=[service.receiver for service in schedule.refuelled],
         bases=[
             BaseSummary(

@@ -27,8 +27,8 @@ from gcs.planner.request import PlanRequest
 from gcs.recording.decisions import TickRecord, event_of, records_of_tick
 from gcs.recording.writer import Digest, Recorder
 from gcs.refuelling.base import giver_messages
-from gcs.refuelling.bidding import make_bidding
 from gcs.refuelling.explain import acknowledged
+from gcs.refuelling.policy_bidding import make_bidding
 from gcs.refuelling.relay import Relay, relayed
 from gcs.refuelling.scheduler import Scheduler
 from gcs.refuelling.service import Decision

@@ -74,7 +74,7 @@ def main() -> int:
         print(attack(*jobs[0], options.seed))
         return 0
     found = 0
-    for name, kind, count in jobs:
+    for name, _, count in jobs:
         begun_s = time.monotonic()
         counts = ["--frames", str(count), "--files", str(count), "--seed", str(options.seed)]
         command = [sys.executable, str(Path(__file__).parent), "--within", "--only", name, *counts]

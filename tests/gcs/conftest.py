@@ -77,6 +77,7 @@ class ScriptedLink:
         self.bundles: list[tuple[int, Key, list[Frame]]] = []
         self.answered: list[list[Frame]] = []
         self.malformed = 0
+        self.signature_refusals: dict[int, int] = {}
         self._granted: dict[Key, int] = {}
         self._seq = 0
 

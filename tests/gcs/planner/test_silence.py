@@ -6,8 +6,10 @@ import itertools
 import math
 
 import pytest
+from sessions import merged, small
 
-from gcs.planner.silence import Failsafe, presumed_places
+from gcs.planner.silence import Failsafe, failsafe_of, presumed_places
+from gcs.scenario.model import Scenario
 
 HOME = (0.0, 0.0, -5.0)
 LAST = (20.0, 0.0, -5.0)  # 5 m up to -10, 20 m home, then down: 1 s, 4 s
@@ -35,3 +37,21 @@ def test_it_comes_down_at_home() -> None:
 
 def test_parameters_of_its_own_count() -> None:
     assert presumed_places(LAST, HOME, 20.0, Failsafe(loss_s=60.0)) == []
+
+
+@pytest.mark.parametrize(
+    ("start_m", "params", "altitude_m"),
+    [
+        ([0.0, 0.0, 0.0], {}, 9.0),  # the column is 7 m high, and 1.5 m over it, in whole metres
+        ([0.0, 0.0, -6.0], {}, 5.0),  # home lies 6 m up: 5 m over it is high enough
+        ([0.0, 0.0, 0.0], {"RTL_RETURN_ALT": 3.0}, 3.0),
+    ],
+)
+def test_a_launched_vehicle_returns_above_all_obstacles(
+    start_m: list[float], params: dict[str, float], altitude_m: float
+) -> None:
+    column = {"cylinder_m": [9.0, 0.0], "radius_m": 0.5, "bottom_m": 0.0, "top_m": -7.0}
+    scenario = Scenario.model_validate(merged(small(), {"obstacles": [column]}))
+    vehicle = scenario.vehicles.pursuers[0].model_copy(update={"start_m": tuple(start_m), "params": params})
+    assert failsafe_of(vehicle, scenario.obstacles).altitude_m == altitude_m
+    assert failsafe_of(vehicle.model_copy(update={"params": {}}), ()).altitude_m == 5.0

@@ -143,7 +143,7 @@ def test_the_schedule_says_that_a_base_serves_it_and_why() -> None:
     game.until(Phase.DONE)
     unable, decided, begun, served = game.records
     assert unable == {"kind": "unable", "receiver": 1, "reason": "the scenario says so"}
-    assert (decided["base"], decided["tanker"], decided["by"]) == ("pad", None, "competition")
+    assert (decided["base"], decided["tanker"], decided["by"]) == ("pad", None, "unopposed")
     assert decided["reason"] == "cannot take a transfer: the scenario says so"
     assert "at base pad" in sentence(decided)
     assert "cannot take a transfer" in sentence(decided)
@@ -225,9 +225,9 @@ def test_without_a_base_who_cannot_take_a_transfer_is_served_by_nobody() -> None
 
 
 def test_one_that_would_not_last_goes_first() -> None:
-    game = world(view(1, initial_j=2_000.0), view(2, initial_j=4_000.0, power_w=200.0))
+    game = world(view(1, initial_j=2_000.0), view(2, initial_j=5_000.0, power_w=200.0))
     service = game.until(Phase.DONE)
-    assert (service.receiver, service.by) == (2, "urgency")  # 20 s left; 10 m at 1.5 m/s, and 21 s of reserve
+    assert (service.receiver, service.by) == (2, "competition")  # 1 is emptier, but lasts longer
 
 
 def test_a_vehicle_that_knows_no_transfers_is_charged_by_the_book() -> None:

@@ -10,7 +10,7 @@ PEERS_READY := $(PEERS)/.ready
 DOCS := .venv-docs
 DOCS_READY := $(DOCS)/.ready
 
-.PHONY: run test bench fuzz docs clean
+.PHONY: run test bench fuzz docs picture clean
 
 run: $(READY)
 	@$(VENV)/bin/gcs run demo
@@ -30,6 +30,10 @@ fuzz: $(READY)
 
 docs: $(READY) $(DOCS_READY)
 	@$(VENV)/bin/python docs/.site/build.py --builder $(DOCS)/bin/python
+
+# The moving picture at the README's top; needs Chromium.
+picture: $(READY)
+	@$(VENV)/bin/python docs/.site/picture.py
 
 clean:
 	rm -rf $(VENV) $(PEERS) $(DOCS) .docs-site .mypy_cache .ruff_cache

@@ -22,6 +22,7 @@ PACKAGES = {
         "recording",
         "supervisor",
         "session",
+        "web",
         "console report",
         "campaign",
         "cli",

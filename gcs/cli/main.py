@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import json
 import sys
@@ -15,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from gcs.cli import author, campaign, key, paper, recorded, report, watch
+from gcs.cli import author, campaign, key, page, paper, recorded, report, watch
 from gcs.cli.author import ScenarioName, ScenarioRefused, load_scenario, module_arguments
 from gcs.cli.check import command
 from gcs.exit import INTERNAL_ERROR, INTERRUPTED, NOT_DONE, leave
@@ -127,6 +128,7 @@ for _command in (
 )
 @click.option("--plain", is_flag=True, help="Lines of text instead of the console; also used without a terminal.")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object per second on stdout, for other programs.")
+@page.WEB
 @click.option(
     "--vehicles-per-process",
     type=int,
@@ -163,6 +165,7 @@ def run(
     key_file: Path | None,
     plain: bool,
     as_json: bool,
+    web: bool,
     vehicles_per_process: int | None,
     drop_datagrams: float,
     junit: Path | None,
@@ -177,9 +180,13 @@ def run(
     Ctrl-C stops the session and saves it (the console asks first), then makes the report; a second Ctrl-C waits for
     neither.
 
+    With --web the session is a page in the browser instead, in space and on a map, with the same commands; the terminal
+    tells it in lines.
+
     \b
     Examples:
       gcs run demo
+      gcs run demo --web
       gcs run demo --speed 2 --out first-flight
       gcs run my-scenario.yaml --lockstep --seed 7 --plain
       gcs run demo --set planner.cruise_m_s=2 --set 'vehicles.pursuers.*.battery.initial_percent=60'
@@ -200,8 +207,8 @@ def run(
         raise click.UsageError("--lockstep and --speed exclude each other: lockstep is as fast as the machine can.")
     if plain and as_json:
         raise click.UsageError("--plain and --json exclude each other: choose what goes to stdout.")
-    if quiet and (verbose or as_json or plain):
-        raise click.UsageError("--quiet excludes --verbose, --plain and --json.")
+    if quiet and (verbose or as_json or plain or web):
+        raise click.UsageError("--quiet excludes --verbose, --plain, --json and --web.")
     if verbose and as_json:
         raise click.UsageError("--verbose and --json exclude each other: choose what goes to stdout.")
     if junit is not None and not junit.parent.is_dir():
@@ -236,7 +243,7 @@ def run(
             click.echo(f"{resolved.name}: starting; the session's folder is {folder}", err=as_json)
         except OSError:
             mute_stdout()
-    shown, said = _view(folder, resolved.name, plain, as_json, verbose=verbose, quiet=quiet)
+    shown, said = _view(folder, resolved.name, plain or web, as_json, verbose=verbose, quiet=quiet)
     arguments = ["--drop-datagrams", str(drop_datagrams), *module_arguments(scenario)]
 
     error: str | None = None
@@ -248,7 +255,12 @@ def run(
         if as_json:
             click.echo(json.dumps({"type": "end", **verdict, "session": str(folder)}))
 
-    with logged(shown, said, folder) as (view, echo):
+    with contextlib.ExitStack() as stack:
+        view, echo = stack.enter_context(logged(shown, said, folder))
+        if web:
+            from gcs.web.process import PageServer
+
+            page.print_links(stack.enter_context(PageServer(folder)).links, err=as_json)
         stderr = getattr(shown, "stderr", None)
         status = fly(folder, view, echo, arguments=arguments, finish=finish, stderr=stderr, hurry=hurry.set)
         if junit is not None and not _write_junit(junit, flown(folder, resolved, error)):

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from gcs.cli import page
 from gcs.session.client import SOCKET
 
 if TYPE_CHECKING:
@@ -36,8 +37,15 @@ if TYPE_CHECKING:
 )
 @click.option("--plain", is_flag=True, help="Lines of text instead of the console; also used without a terminal.")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object per second on stdout, for other programs.")
+@page.WEB
 def monitor(
-    session: Path | None, connect: str | None, control: bool, key_file: Path | None, plain: bool, as_json: bool
+    session: Path | None,
+    connect: str | None,
+    control: bool,
+    key_file: Path | None,
+    plain: bool,
+    as_json: bool,
+    web: bool,
 ) -> int:
     """Open a further console on SESSION, the folder of a session that runs; without it, on the newest in sessions/.
 
@@ -53,6 +61,7 @@ def monitor(
       gcs monitor sessions/demo-20260101-120000
       gcs monitor --connect udpin:127.0.0.1:14550
       gcs monitor --connect udpin:0.0.0.0:14550 --control
+      gcs monitor --web
 
     \b
     Exit status:
@@ -62,6 +71,8 @@ def monitor(
     """
     if plain and as_json:
         raise click.UsageError("--plain and --json exclude each other: choose what goes to stdout.")
+    if web and (plain or as_json):
+        raise click.UsageError("--web excludes --plain and --json: the page shows what they would tell.")
     if connect is not None and session is not None:
         raise click.UsageError("SESSION and --connect exclude each other: a session is watched, or who is on the air.")
     if control and connect is None:
@@ -69,6 +80,10 @@ def monitor(
     if key_file is not None and connect is None:
         raise click.UsageError("--key-file is for --connect: a session has the keys of its vehicles itself.")
     source, title = _session(session) if connect is None else _monitor(connect, control, key_file)
+    if web:
+        with contextlib.suppress(KeyboardInterrupt):
+            page.show(source, commands=connect is None or control)
+        return 0
     from gcs.console.terminal import usable
 
     if not plain and not as_json and usable():

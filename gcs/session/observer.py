@@ -216,6 +216,7 @@ class Observer:
                 speed=None,
                 control=self.control,
                 separation_m=None,
+                ring_m=None,
                 vehicles=[self._found(sysid) for sysid in self.sysids],
                 obstacles=[],
                 bases=[],
@@ -296,7 +297,7 @@ class Observer:
     def _found(self, sysid: int) -> MemberRow:
         view = self.fleet.snapshot(0.0).vehicle(sysid)
         capacity_j = view.capacity_j if math.isfinite(view.capacity_j) else None
-        return MemberRow(sysid, view.role, view.label, capacity_j, [])
+        return MemberRow(sysid, view.role, view.label, capacity_j, [], sysid - 1)
 
     # rows of the snapshot
 

@@ -86,7 +86,7 @@ class _Track:
         self.p_local: Vec3 | None = None
         self.v_ned: Vec3 = ZERO
         self.position_s = -math.inf
-        self.heading_rad = 0.0
+        self.heading_rad = self.roll_rad = self.pitch_rad = 0.0
         self.offset: Vec3 | None = None
         self.origin_alt_m = 0.0
         self.origin_reported = False
@@ -144,6 +144,8 @@ class _Track:
             v_ned=self.v_ned,
             age_s=max(now_s - self.position_s, 0.0),
             heading_rad=self.heading_rad,
+            roll_rad=self.roll_rad,
+            pitch_rad=self.pitch_rad,
             origin_offset_ned=self.offset,
             ground_amsl_m=self.origin_alt_m if self.home_amsl_m is None else self.home_amsl_m,
             ground_down_m=ground_down_m,
@@ -255,6 +257,8 @@ class Fleet:
     def _attitude(self, track: _Track, content: Any, time_s: float) -> None:
         if abs(content.yaw) <= math.tau:
             track.heading_rad = content.yaw
+        if math.isfinite(content.roll) and math.isfinite(content.pitch):
+            track.roll_rad, track.pitch_rad = content.roll, content.pitch
 
     def _extended_state(self, track: _Track, content: Any, time_s: float) -> None:
         track.landed_reported = True

@@ -56,6 +56,8 @@ class VehicleView(NamedTuple):
     """in its own frame; where that lies it may not have reported yet"""
     doubt: str = ""
     """why it is not believed; nothing while it is"""
+    roll_rad: float = 0.0
+    pitch_rad: float = 0.0
 
     @property
     def height_m(self) -> float | None:

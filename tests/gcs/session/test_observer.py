@@ -89,7 +89,8 @@ def test_the_session_is_told_anew_when_somebody_joins(observer: Observer) -> Non
     observer.receive(beat(7), 0.0)
     assert observer.changed
     assert observer.session()["vehicles"][0] == {
-        "sysid": 7, "role": "copter", "label": "copter 7", "capacity_j": None, "path_ned": []}  # fmt: skip
+        "sysid": 7, "role": "copter", "label": "copter 7", "capacity_j": None, "path_ned": [],
+        "colour": 6}  # fmt: skip
 
 
 def test_vehicles_with_origins_of_their_own_stand_in_the_first_ones_frame(observer: Observer) -> None:

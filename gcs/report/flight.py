@@ -16,8 +16,8 @@ import numpy as np
 
 from gcs.mavlink.autopilots import profile_of
 from gcs.mavlink.ids import AUTOPILOT
-from gcs.recording.decisions import event_of
 from gcs.recording.series import GAP_S, Floats, Series, Track, rows_of
+from gcs.recording.tick_record import event_of
 from gcs.report.findings import Findings
 from gcs.report.pack import Pack
 from gcs.session.message_types import GoalRow, MemberRow, SessionLine

@@ -26,6 +26,8 @@ from gcs.scenario.model import Scenario, VehicleBase
 
 READY_WITHIN_S = 120.0
 ENDED_WITHIN_S = 10.0
+LOST_AFTER_PERIODS, MOST_LOST_S = 5, 1.0
+"""[choice] Periods without a set point after which a launched vehicle holds, and the longest wait: PX4's own."""
 CANNOT_WRITE = 74
 """Exit status of a vehicle whose files cannot be written."""
 
@@ -120,8 +122,21 @@ def vehicle_parameters(vehicle: VehicleBase, scenario: Scenario) -> dict[str, fl
         "SIM_BAT_AVION_W": battery.avionics_w,
         "SIM_XFER_DIST": scenario.refuelling.capture_m,
         "SIM_XFER_SPEED": scenario.refuelling.relative_speed_m_s,
-        "RTL_RETURN_ALT": failsafe_of(vehicle, scenario.obstacles).altitude_m,
+        **(_cautious(vehicle, scenario) if scenario.planner.safety else {}),
         **vehicle.params,
+    }
+
+
+def _cautious(vehicle: VehicleBase, scenario: Scenario) -> dict[str, float]:
+    """Failsafe parameters of a vehicle that knows of no obstacle: it returns above all of them, and holds soon.
+
+    Without set points it flies on as it did, where the next one might have led it around something. So it waits no
+    longer than for a few that were lost, or for the radio's jitter.
+    """
+    waits_s = LOST_AFTER_PERIODS * scenario.clock.period_s + scenario.radio.jitter_s
+    return {
+        "RTL_RETURN_ALT": failsafe_of(vehicle, scenario.obstacles).altitude_m,
+        "COM_OF_LOSS_T": min(waits_s, MOST_LOST_S),
     }
 
 

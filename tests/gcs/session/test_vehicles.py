@@ -75,8 +75,16 @@ def test_parameters_are_the_scenarios_and_the_vehicles_own_win(folder: Path) -> 
     assert written == vehicle_parameters(first, world) == {
         "SIM_BAT_CAP_J": 24_000.0, "SIM_BAT_INIT_J": 14_400.0, "SIM_BAT_HOVER_W": 180.0, "SIM_BAT_AVION_W": 12.0,
         "SIM_XFER_DIST": 2.5, "SIM_XFER_SPEED": 0.25, "MPC_TILT": 30.0,
+        "RTL_RETURN_ALT": 5.0, "COM_OF_LOSS_T": 0.5,
     }  # fmt: skip
     assert vehicle_parameters(second, world)["SIM_XFER_DIST"] == 1.75
+
+
+def test_failsafes_are_cautious_only_where_the_filter_flies() -> None:
+    slow = scenario(clock={"mode": "lockstep", "period_s": 0.04}, radio={"jitter_s": 0.1})
+    assert vehicle_parameters(slow.vehicles.pursuers[1], slow)["COM_OF_LOSS_T"] == pytest.approx(0.3)
+    bare = scenario(planner={"safety": False})
+    assert {"RTL_RETURN_ALT", "COM_OF_LOSS_T"}.isdisjoint(vehicle_parameters(bare.vehicles.pursuers[1], bare))
 
 
 def test_traffic_is_one_process_with_a_file_of_plain_yaml(folder: Path) -> None:

@@ -40,13 +40,17 @@ def test_after_a_short_blackout_the_vehicle_holds_and_then_goes_on(tmp_path: Pat
     assert abs(float(np.linalg.norm(truth.p_ned[-1] - outcome.truth(101).p_ned[-1])) - 2.0) < 0.2
 
 
-def test_without_the_ground_station_it_returns_lands_and_disarms(tmp_path: Path) -> None:
+def test_without_the_ground_station_it_returns_lands_disarms_and_rejoins_when_it_is_received_again(
+    tmp_path: Path,
+) -> None:
     outcome = fly(dark(20.0, 55.0), tmp_path, "--plain")
     truth = outcome.truth(1)
-    returning = truth.time_s > 45.0
-    assert np.allclose(truth.p_ned[returning], HOME, atol=0.3)
-    assert float(truth.thrust[-1].max()) == 0.0
-    assert outcome.vehicle(1)["final_mode"] == "land"
+    landed = (truth.time_s > 45.0) & (truth.time_s <= 55.0)
+    assert np.allclose(truth.p_ned[landed], HOME, atol=0.3)
+    assert all(float(truth.thrust[k].max()) == 0.0 for k in np.flatnonzero(landed))
+    assert float(truth.thrust[-1].max()) > 0.0
+    assert truth.p_ned[-1, 2] < -1.0
+    assert outcome.vehicle(1)["final_mode"] in ("takeoff", "hold", "offboard")
 
 
 def test_an_empty_battery_lands_and_says_so(tmp_path: Path) -> None:

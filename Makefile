@@ -10,7 +10,7 @@ PEERS_READY := $(PEERS)/.ready
 DOCS := .venv-docs
 DOCS_READY := $(DOCS)/.ready
 
-.PHONY: run test bench docs clean
+.PHONY: run test bench fuzz docs picture clean
 
 run: $(READY)
 	@$(VENV)/bin/gcs run demo
@@ -24,8 +24,16 @@ test: $(READY) $(PEERS_READY)
 bench: $(READY)
 	@$(VENV)/bin/python tests/benchmarks
 
+# FUZZ="--frames 10000 --files 100 --seed 7" attacks for shorter, and elsewhere.
+fuzz: $(READY)
+	@$(VENV)/bin/python tests/fuzz $(FUZZ)
+
 docs: $(READY) $(DOCS_READY)
 	@$(VENV)/bin/python docs/.site/build.py --builder $(DOCS)/bin/python
+
+# The moving picture at the README's top; needs Chromium.
+picture: $(READY)
+	@$(VENV)/bin/python docs/.site/picture.py
 
 clean:
 	rm -rf $(VENV) $(PEERS) $(DOCS) .docs-site .mypy_cache .ruff_cache

@@ -128,7 +128,7 @@ def _started(what: int | str | os.PathLike[str]) -> Iterator[FlyingFleet]:
         scenario = os.fspath(what) if not isinstance(what, int) else _row(what, Path(folder))
         with (Path(folder) / "launch.log").open("w+", encoding="utf-8") as errors:
             process = subprocess.Popen(
-                [sys.executable, "-m", "gcs", "launch", scenario, "--json", "--until-eof"],
+                [sys.executable, "-P", "-m", "gcs", "launch", scenario, "--json", "--until-eof"],
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=errors,

@@ -99,6 +99,12 @@ class _Triple(click.ParamType[tuple[float, float, float]]):
     help="Folder in which changed parameters (they count more than --params) and plans outlive reboot and process.",
 )
 @click.option(
+    "--key-file",
+    type=click.Path(path_type=Path, dir_okay=False),
+    metavar="FILE",
+    help="MAVLink 2 signing on every --connect: sign everything, and act only on what is signed with this key.",
+)
+@click.option(
     "--count",
     type=click.IntRange(1, 254),
     default=1,
@@ -146,12 +152,14 @@ def _fly(
     autopilot: str,
     truth: tuple[Path, ...],
     state: Path | None,
+    key_file: Path | None,
     count: int,
 ) -> int:
     from simvehicle.autopilot.body import Start
     from simvehicle.autopilot.geodesy import LocalFrame
     from simvehicle.autopilot.identity import IDENTITIES
     from simvehicle.sitl.block import Wanted, fly
+    from simvehicle.sitl.keys import KeyFileError
     from simvehicle.sitl.link import AddressError
 
     if sysid is None:
@@ -182,7 +190,7 @@ def _fly(
     for i, (values, own_truth) in enumerate(files):
         store = _state(state, sysid + i)
         parameters = _parameters(values, store.values if store is not None else {})
-        wanted.append(Wanted(sysid + i, starts[i], parameters, own_truth, store))
+        wanted.append(Wanted(sysid + i, starts[i], parameters, own_truth, store, key_file, state))
     for path in truth:
         if path.exists():
             raise click.UsageError(f"--truth {path} exists already; name a new file.")
@@ -190,7 +198,7 @@ def _fly(
             raise click.UsageError(f"--truth {path}: No such file or directory")
     try:
         fly(wanted, IDENTITIES[autopilot], frame, connect, supervised)
-    except AddressError as error:
+    except (AddressError, KeyFileError) as error:
         raise click.UsageError(str(error)) from error
     except OSError as error:
         unwritten = error.filename or ", ".join(map(str, truth))
@@ -302,6 +310,7 @@ def traffic(file: Path, supervised: str) -> None:
     from simvehicle.mavlink.connection import Connection
     from simvehicle.sitl.link import AddressError, SupervisedLink, parse_supervisor
     from simvehicle.sitl.loop import Seat, run_supervised
+    from simvehicle.sitl.secret import from_hatch
     from simvehicle.sitl.traffic import COMPID, SYSID, Traffic, TrafficError, load
 
     try:
@@ -312,7 +321,7 @@ def traffic(file: Path, supervised: str) -> None:
     except (AddressError, TrafficError) as error:
         raise click.UsageError(str(error)) from error
     with link:
-        run_supervised([Seat(Traffic(frame, movers, [connection]), link, [])])
+        run_supervised([Seat(Traffic(frame, movers, [connection]), link, [])], from_hatch())
 
 
 @cli.command(short_help="Draw the paper's vehicle-only figures.")

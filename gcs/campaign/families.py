@@ -33,6 +33,7 @@ from gcs.campaign.family_parts import (
     speed_of,
     table_of,
 )
+from gcs.campaign.tight import tight
 from gcs.scenario import geometry as shapes
 
 
@@ -365,6 +366,7 @@ _MAKERS: dict[str, Callable[[np.random.Generator], Document]] = {
     "delay": _delay,
     "blackout": _blackout,
     "poor_tracking": _poor_tracking,
+    "tight": tight,
 }
 FAMILIES = tuple(_MAKERS)
 """Names that `family` knows."""

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcs.recording.summary import FILE, GoalPartSummary, Summary
+from gcs.refuelling.loss_bound import least_lost
 from gcs.scenario import goal
 from gcs.scenario.model import Scenario
 
@@ -94,6 +95,24 @@ def _waited(flown: Flown) -> Value:
     return float(np.mean(waits)) if waits else None
 
 
+def _tankers_way_m(flown: Flown) -> Value:
+    ways = [v["path_length_m"] for v in flown.summary["vehicles"] if v["role"] == "tanker"]
+    return float(sum(ways)) if ways else None
+
+
+def _least_lost(flown: Flown) -> Value:
+    """By the scenario alone."""
+    scenario = flown.scenario
+    pursuers, tankers, rules = scenario.vehicles.pursuers, scenario.vehicles.tankers, scenario.refuelling
+    if not pursuers or not tankers:
+        return None
+    charge_j = [v.battery.capacity_j * (0.01 * v.battery.initial_percent - rules.lands_at) for v in pursuers]
+    spare_j = [v.battery.capacity_j * 0.01 * v.battery.initial_percent - v.reserve_j for v in tankers]
+    draw_w = [v.battery.hover_w + v.battery.avionics_w for v in pursuers]
+    end_s = scenario.goal.duration_s
+    return float(least_lost(charge_j, draw_w, end_s=end_s, rate_w=rules.rate_w, spare_j=spare_j, first_s=rules.hold_s))
+
+
 def _arrival(flown: Flown) -> Value:
     """When the last one that arrives at all has arrived."""
     there = [t for t in flown.arrivals_s if math.isfinite(t)]
@@ -120,6 +139,10 @@ SHIPPED: dict[str, tuple[Callable[[Flown], Value], str]] = {
     "lowest_battery": (_lowest_battery, "least charge of a pursuer at the end, % of its capacity"),
     "delivered_j": (lambda f: float(sum(s["energy_j"] for s in f.summary["refuelling"])), "energy delivered, J"),
     "refuelled": (lambda f: float(len(_served(f))), "services that delivered energy"),
+    "lost_somebody": (lambda f: float(bool(_lost(f))), "1 where anybody was lost, 0 where nobody was"),
+    "least_lost": (_least_lost, "vehicles that no schedule could have kept, at least"),
+    "tankers_way_m": (_tankers_way_m, "sum of the tankers' ways, m"),
+    "tanker_idle_s": (_from_summary("tanker_idle_s"), "tankers' time free while somebody waited, s"),
     "wait_s": (_waited, "mean time from a decision to its transfer, s"),
     "time_to_goal_s": (_arrival, "when the last arriving pursuer came to its last way point and stayed, s"),
     "stuck": (

@@ -5,20 +5,25 @@ One self-contained file. The same table gives the same page.
 
 from __future__ import annotations
 
+import base64
 import html
+import io
 import itertools
-import json
 import math
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
+from matplotlib.figure import Figure
 
 from gcs.campaign import measures, table
 from gcs.campaign.plan import Plan
 from gcs.campaign.statistics import Interval, mean, name_of, numbers, paired, wilson
-from gcs.report.page import plotly_js
+from gcs.report.paper.figures import sheet, style
+from gcs.web.document import source_hash
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -33,7 +38,7 @@ STYLE = """
 body{font:15px/1.5 system-ui,sans-serif;max-width:72rem;margin:2rem auto;padding:0 1rem;color:#1b1f24}
 table{border-collapse:collapse;margin:.5rem 0 1.5rem}td,th{padding:.25rem .7rem;border-bottom:1px solid #d8dde3}
 th{text-align:left}td{font-variant-numeric:tabular-nums}code{background:#eef1f4;padding:.1rem .3rem;border-radius:3px}
-.plot{height:22rem}@media print{body{max-width:none}}
+.plot{max-width:100%;height:auto;background:#fff}@media print{body{max-width:none}}
 """
 
 
@@ -56,7 +61,7 @@ def page(folder: Path, plan: Plan, rows: pa.Table) -> str:
         _success(plan, rows),
         "<h2>Measures</h2><p>Means with 95 % bootstrap intervals.</p>",
         _means(plan, rows, measured),
-        *(_box(plan, rows, name, i) for i, name in enumerate(measured)),
+        *(_box(plan, rows, name) for name in measured),
     ]
     if campaign.combinations > 1:
         parts += [
@@ -66,8 +71,9 @@ def page(folder: Path, plan: Plan, rows: pa.Table) -> str:
             _differences(plan, rows, measured),
         ]
     parts += ["<h2>Worst sessions</h2>", _worst(folder, plan, rows, measured), _parallel(plan, rows, measured)]
-    script = f"<script>{plotly_js().decode()}</script>"
-    head = f'<meta charset="utf-8"><title>{_safe(campaign.name)}</title><style>{STYLE}</style>{script}'
+    policy = f"default-src 'none'; img-src data:; style-src {source_hash(STYLE)}; base-uri 'none'; form-action 'none'"
+    guard = f'<meta http-equiv="Content-Security-Policy" content="{policy}">'
+    head = f'<meta charset="utf-8">{guard}<title>{_safe(campaign.name)}</title><style>{STYLE}</style>'
     return f'<!doctype html><html lang="en"><head>{head}</head><body>{"".join(parts)}</body></html>\n'
 
 
@@ -127,49 +133,66 @@ def _worst(folder: Path, plan: Plan, rows: pa.Table, measured: Sequence[str]) ->
     return _table(["row", "", "why", *measured, "flies it again"], lines, raw_last=True)
 
 
-def _box(plan: Plan, rows: pa.Table, name: str, number: int) -> str:
-    """A measure's distribution by combination."""
-    traces = [
-        {
-            "type": "box",
-            "name": name_of(plan, c) or "all",
-            "boxpoints": "outliers",
-            "y": _finite(numbers(rows.take(of), name)),
-        }
-        for c, of in _by_combination(plan, rows)
-    ]
-    return _plot(f"box-{number}", traces, {"title": {"text": name}, "showlegend": False})
+def _box(plan: Plan, rows: pa.Table, name: str) -> str:
+    """A measure's distribution by combination: quartiles, whiskers to 1.5 times their distance, outliers."""
+    values = {name_of(plan, c) or "all": _finite(numbers(rows.take(of), name)) for c, of in _by_combination(plan, rows)}
+    with style():
+        figure, axes = sheet(0.8 + 0.34 * len(values))
+        at = axes[0, 0]
+        at.boxplot(list(values.values()), orientation="horizontal", tick_labels=list(values), widths=0.6)
+        at.invert_yaxis()
+        at.set_xlabel(name)
+        return _image(figure, f"{name} by combination")
 
 
 def _parallel(plan: Plan, rows: pa.Table, measured: Sequence[str]) -> str:
-    """Drawn values and results, a line per session."""
+    """The draws and what came of them, a line per session: red did not end as expected."""
     shown = rows.slice(0, MOST_LINES)
     drawn = [key for key in (*plan.campaign.vary, *plan.campaign.draw) if key in rows.column_names]
-    dimensions = []
+    columns: list[tuple[str, list[float], list[str]]] = []
     for key in [*drawn, *measured]:
         listed = shown[key].to_pylist()
         if any(isinstance(value, list) for value in listed):
             continue
         if all(isinstance(value, int | float) or value is None for value in listed):
-            dimensions.append({"label": key, "values": [0.0 if value is None else float(value) for value in listed]})
+            columns.append((key, [math.nan if value is None else float(value) for value in listed], []))
         elif len(words := sorted({str(value) for value in listed})) <= 20:
-            at = [words.index(str(value)) for value in listed]
-            dimensions.append({"label": key, "values": at, "tickvals": list(range(len(words))), "ticktext": words})
-    if len(dimensions) < 2:
+            columns.append((key, [float(words.index(str(value))) for value in listed], words))
+    if len(columns) < 2:
         return ""
-    colour = [float(bool(ok)) for ok in shown["ok"].to_pylist()]
-    line = {"color": colour, "colorscale": [[0, "#c0392b"], [1, "#2874a6"]], "cmin": 0, "cmax": 1}
-    return "<h2>What was drawn</h2>" + _plot(
-        "drawn", [{"type": "parcoords", "line": line, "dimensions": dimensions}], {}
-    )
+    with style():
+        figure, axes = sheet(4.0)
+        _lines(axes[0, 0], columns, [bool(ok) for ok in shown["ok"].to_pylist()])
+        return "<h2>What was drawn</h2>" + _image(figure, "each session's draws and measures, red: not as expected")
 
 
-def _plot(name: str, traces: Sequence[Any], layout: dict[str, Any]) -> str:
-    content = json.dumps([traces, {**layout, "margin": {"t": 60, "r": 40}}]).replace("</", "<\\/")
-    return (
-        f'<div class="plot" id="{name}"></div><script>{{const [data, layout] = {content};'
-        f'Plotly.newPlot("{name}", data, layout, {{responsive: true, displaylogo: false}});}}</script>'
-    )
+def _lines(axes: Axes, columns: Sequence[tuple[str, list[float], list[str]]], ok: Sequence[bool]) -> None:
+    """Parallel coordinates: each column from its least, below, to its greatest value."""
+    shares = []
+    for at, (_, values, words) in enumerate(columns):
+        known = [value for value in values if math.isfinite(value)] or [0.0]
+        low, span = min(known), max(max(known) - min(known), 1e-12)
+        shares.append([(value - low) / span for value in values])
+        marks = enumerate(words) if words else ((low, f"{low:.3g}"), (low + span, f"{low + span:.3g}"))
+        for value, text in marks:
+            axes.annotate(text, (at, (value - low) / span), fontsize=7, ha="center", va="bottom", color="#333333")
+    paths = [list(enumerate(line)) for line in zip(*shares, strict=True)]
+    for good, colour, alpha in ((True, "#0072b2", 0.35), (False, "#d55e00", 0.8)):
+        chosen = [path for path, fine in zip(paths, ok, strict=True) if fine is good]
+        axes.add_collection(LineCollection(chosen, colors=colour, alpha=alpha, linewidths=0.7, rasterized=True))
+    axes.set_xlim(-0.4, len(columns) - 0.6)
+    axes.set_ylim(-0.08, 1.15)
+    axes.set_xticks(range(len(columns)), [name for name, _, _ in columns], rotation=20, ha="right")
+    axes.set_yticks([])
+
+
+def _image(figure: Figure, caption: str) -> str:
+    """A figure inside the page, as SVG."""
+    drawn = io.StringIO()
+    figure.savefig(drawn, format="svg", metadata={"Date": None})
+    svg = drawn.getvalue()
+    content = base64.b64encode(svg[svg.index("<svg") :].encode()).decode()
+    return f'<img class="plot" alt="{_safe(caption)}" src="data:image/svg+xml;base64,{content}">'
 
 
 def _by_combination(plan: Plan, rows: pa.Table) -> Iterable[tuple[int, list[int]]]:

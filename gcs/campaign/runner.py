@@ -22,7 +22,7 @@ def make_folder(plan: Plan, out: Path | None) -> Path:
     stamp = datetime.now().astimezone().strftime("%Y%m%d-%H%M%S")
     folder = out or Path(DEFAULT_FOLDER) / f"{plan.campaign.name}-{stamp}"
     try:
-        folder.mkdir(parents=True)
+        folder.mkdir(mode=0o700, parents=True)
         plan.write(folder)
     except FileExistsError:
         raise EngineError(

@@ -53,9 +53,10 @@ SET = click.option(
 )
 
 
-def load_scenario(scenario: str, settings: Sequence[str] = ()) -> Scenario:
+def load_scenario(scenario: str, settings: Sequence[str] = (), *, runs_code: bool = True) -> Scenario:
     """The scenario of that name or file, with `KEY=VALUE` settings.
 
+    runs_code: whether code that it names, which anybody may have written, is imported to see that it is there.
     Raises ScenarioRefused, once what is wrong has gone to stderr line by line.
     """
     from gcs.scenario import plugins
@@ -66,8 +67,9 @@ def load_scenario(scenario: str, settings: Sequence[str] = ()) -> Scenario:
     try:
         file = find(scenario)
         loaded = load(file, set=read_settings(settings))
-        plugins.look_in([file.parent, Path.cwd()])
-        plugins.check(loaded, file)
+        if runs_code and any(plugins.named(loaded)):
+            plugins.look_in([file.parent, Path.cwd()])
+            plugins.check(loaded, file)
         return loaded
     except ScenarioError as error:
         nowhere = all(problem.line is None for problem in error.problems)
@@ -91,13 +93,15 @@ def module_arguments(scenario: str) -> list[str]:
     help="Draw the plan to this file instead of the terminal: .png, .svg or .pdf.",
 )
 @SET
+@click.option("--trust", is_flag=True, help="Import the code that the scenario names, to see that it can be used.")
 @click.option("--quiet", "-q", is_flag=True, help="Only say what is wrong.")
-def validate(scenario: str, image: Path | None, settings: tuple[str, ...], quiet: bool) -> int:
+def validate(scenario: str, image: Path | None, settings: tuple[str, ...], trust: bool, quiet: bool) -> int:
     """Check SCENARIO and draw what it says: vehicles, targets' paths, obstacles and ranges, seen from above.
 
     Every mistake is a line with file, line and column. What can be flown and is likely to break the goal is a warning
     on stderr: speed, latency and braking against ranges and separation, places of pursuers, obstacles on the ring. A
-    planner or policy of your own is imported and looked at, but not run.
+    planner or policy that the scenario names is somebody's code: it is told, and only with --trust imported and looked
+    at.
 
     \b
     Examples:
@@ -110,9 +114,12 @@ def validate(scenario: str, image: Path | None, settings: tuple[str, ...], quiet
       1    the image could not be written
       2    it cannot be flown; each reason is a line on stderr
     """
-    from gcs.scenario import plot, warnings
+    from gcs.scenario import plot, plugins, warnings
 
-    checked = load_scenario(scenario, settings)
+    checked = load_scenario(scenario, settings, runs_code=trust)
+    code = ", ".join(plugins.listed(checked))
+    if code and not trust:
+        click.echo(f"{scenario}: names code, which is not looked at without --trust: {code}", err=True)
     if image is not None:
         try:
             plot.image(checked, image)

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import json
 import sys
@@ -15,13 +16,14 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from gcs.cli import author, campaign, paper, recorded, report, watch
+from gcs.cli import author, campaign, key, page, paper, recorded, report, watch
 from gcs.cli.author import ScenarioName, ScenarioRefused, load_scenario, module_arguments
 from gcs.cli.check import command
 from gcs.exit import INTERNAL_ERROR, INTERRUPTED, NOT_DONE, leave
 from gcs.scenario.endpoint import address
 
 if TYPE_CHECKING:
+    from gcs.scenario.model import Scenario
     from gcs.session.supervised import View
 
 SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
@@ -89,6 +91,7 @@ for _command in (
     recorded.export,
     paper.paper,
     campaign.campaign,
+    key.key,
 ):
     cli.add_command(_command)
 
@@ -117,8 +120,15 @@ for _command in (
     metavar="DIR",
     help="The session's folder, which must not exist yet.  [default: sessions/NAME-TIME]",
 )
+@click.option(
+    "--key-file",
+    type=click.Path(path_type=Path, dir_okay=False),
+    metavar="FILE",
+    help="MAVLink 2 signing: the key of all external vehicles, instead of what the scenario says (gcs key new).",
+)
 @click.option("--plain", is_flag=True, help="Lines of text instead of the console; also used without a terminal.")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object per second on stdout, for other programs.")
+@page.WEB
 @click.option(
     "--vehicles-per-process",
     type=int,
@@ -152,8 +162,10 @@ def run(
     seed: int | None,
     settings: tuple[str, ...],
     out: Path | None,
+    key_file: Path | None,
     plain: bool,
     as_json: bool,
+    web: bool,
     vehicles_per_process: int | None,
     drop_datagrams: float,
     junit: Path | None,
@@ -168,9 +180,13 @@ def run(
     Ctrl-C stops the session and saves it (the console asks first), then makes the report; a second Ctrl-C waits for
     neither.
 
+    With --web the session is a page in the browser instead, in space and on a map, with the same commands; the terminal
+    tells it in lines.
+
     \b
     Examples:
       gcs run demo
+      gcs run demo --web
       gcs run demo --speed 2 --out first-flight
       gcs run my-scenario.yaml --lockstep --seed 7 --plain
       gcs run demo --set planner.cruise_m_s=2 --set 'vehicles.pursuers.*.battery.initial_percent=60'
@@ -191,21 +207,22 @@ def run(
         raise click.UsageError("--lockstep and --speed exclude each other: lockstep is as fast as the machine can.")
     if plain and as_json:
         raise click.UsageError("--plain and --json exclude each other: choose what goes to stdout.")
-    if quiet and (verbose or as_json or plain):
-        raise click.UsageError("--quiet excludes --verbose, --plain and --json.")
+    if quiet and (verbose or as_json or plain or web):
+        raise click.UsageError("--quiet excludes --verbose, --plain, --json and --web.")
     if verbose and as_json:
         raise click.UsageError("--verbose and --json exclude each other: choose what goes to stdout.")
     if junit is not None and not junit.parent.is_dir():
         raise click.UsageError(f"--junit: there is no folder {junit.parent}.")
     from gcs.report.junit import flown, refused
-    from gcs.scenario.plugins import named
+    from gcs.scenario.plugins import listed, named
     from gcs.session.plain_text import mute_stdout
     from gcs.session.session_log import logged
     from gcs.session.supervised import make_folder
     from gcs.session.supervised import run as fly
 
     try:
-        resolved = load_scenario(scenario, settings).flown(lockstep=lockstep, speed=speed, seed=seed)
+        key_path = None if key_file is None else str(key_file.resolve())
+        resolved = load_scenario(scenario, settings).flown(lockstep=lockstep, speed=speed, seed=seed, key_file=key_path)
     except ScenarioRefused as refusal:
         if junit is not None:
             _write_junit(junit, refused(scenario, refusal.text))
@@ -214,15 +231,19 @@ def run(
         raise click.UsageError(f"{refusal}.") from None
     if vehicles_per_process is not None:
         resolved = resolved.model_copy(update={"vehicles_per_process": vehicles_per_process})
+    _try_keys(resolved)
     folder = make_folder(out, resolved)
     if seed is not None and not quiet and not (resolved.radio.random or any(named(resolved))):
         click.echo("gcs: --seed changes nothing: without loss and the like in radio: nothing here is random", err=True)
+    code = ", ".join(listed(resolved))
+    if code and not quiet:
+        click.echo(f"gcs: the scenario names code, which the session runs as you: {code}", err=True)
     if not quiet:
         try:
             click.echo(f"{resolved.name}: starting; the session's folder is {folder}", err=as_json)
         except OSError:
             mute_stdout()
-    shown, said = _view(folder, resolved.name, plain, as_json, verbose=verbose, quiet=quiet)
+    shown, said = _view(folder, resolved.name, plain or web, as_json, verbose=verbose, quiet=quiet)
     arguments = ["--drop-datagrams", str(drop_datagrams), *module_arguments(scenario)]
 
     error: str | None = None
@@ -234,7 +255,12 @@ def run(
         if as_json:
             click.echo(json.dumps({"type": "end", **verdict, "session": str(folder)}))
 
-    with logged(shown, said, folder) as (view, echo):
+    with contextlib.ExitStack() as stack:
+        view, echo = stack.enter_context(logged(shown, said, folder))
+        if web:
+            from gcs.web.process import PageServer
+
+            page.print_links(stack.enter_context(PageServer(folder)).links, err=as_json)
         stderr = getattr(shown, "stderr", None)
         status = fly(folder, view, echo, arguments=arguments, finish=finish, stderr=stderr, hurry=hurry.set)
         if junit is not None and not _write_junit(junit, flown(folder, resolved, error)):
@@ -242,6 +268,18 @@ def run(
         if not no_report:
             report.after_run(folder, echo, status, hurried=hurry.is_set())
     return status
+
+
+def _try_keys(scenario: Scenario) -> None:
+    """Raise click.UsageError for a signing key that cannot be used, before anything is started."""
+    from gcs.link.keys import KeyRefused, read_key
+
+    try:
+        for block in scenario.vehicles.external.values():
+            if block.signing is not None:
+                read_key(Path(block.signing.key_file))
+    except KeyRefused as error:
+        raise click.UsageError(f"{error}.") from None
 
 
 def _write_junit(path: Path, xml: str) -> bool:
@@ -311,7 +349,7 @@ def launch(scenario: str, connect: str | None, out: Path | None, as_json: bool, 
     """
     from gcs.session.launch import launch as start
 
-    resolved = load_scenario(scenario)
+    resolved = load_scenario(scenario, runs_code=False)  # vehicles plan nothing
     for sysid, external in resolved.vehicles.external.items():
         click.echo(f"vehicle {sysid} is not launched: it is expected at {external.connect}", err=True)
     if not resolved.vehicles.launched:

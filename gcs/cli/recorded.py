@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from gcs.cli import page
 from gcs.exit import NOT_DONE
 
 if TYPE_CHECKING:
@@ -62,8 +63,19 @@ def _time(ctx: click.Context, param: click.Parameter, value: float | None) -> fl
 @click.option("--from", "from_s", type=float, callback=_time, metavar="T", help="Begin T seconds into the recording.")
 @click.option("--plain", is_flag=True, help="Lines of text instead of the console; also used without a terminal.")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object per recorded second on stdout.")
+@page.WEB
 @click.option("--decide", is_flag=True, help="Decide everything again, and list where the decisions differ.")
-def replay(session: Path, speed: float | None, from_s: float | None, plain: bool, as_json: bool, decide: bool) -> int:
+@click.option("--trust", is_flag=True, help="With --decide: run the code that the session's scenario names.")
+def replay(
+    session: Path,
+    speed: float | None,
+    from_s: float | None,
+    plain: bool,
+    as_json: bool,
+    web: bool,
+    decide: bool,
+    trust: bool,
+) -> int:
     """Play SESSION, a session's folder or any .tlog file, also another ground station's, in the console.
 
     In the console you pause, change the speed and go to any time. A session's folder shows its obstacles, competition
@@ -71,12 +83,14 @@ def replay(session: Path, speed: float | None, from_s: float | None, plain: bool
 
     --decide plays nothing: planner and scheduler run again over the recorded telemetry, and each decision that they
     would make today is held against the recorded one, to the last digit. Use it to see what a change of the code, or
-    of the scenario.yaml in the folder, does to a session that has been flown.
+    of the scenario.yaml in the folder, does to a session that has been flown. A planner or policy that the scenario
+    names is somebody's code, found in the current folder or in the session's: it runs only with --trust.
 
     \b
     Examples:
       gcs replay sessions/demo-20260101-120000
       gcs replay flight.tlog --speed 4 --from 120
+      gcs replay first-flight --web
       gcs replay flight.tlog --json > flight.jsonl
       gcs replay first-flight --decide
 
@@ -90,10 +104,12 @@ def replay(session: Path, speed: float | None, from_s: float | None, plain: bool
     """
     if plain and as_json:
         raise click.UsageError("--plain and --json exclude each other: choose what goes to stdout.")
+    if web and (plain or as_json):
+        raise click.UsageError("--web excludes --plain and --json: the page shows what they would tell.")
     if decide:
-        if speed is not None or from_s is not None:
-            raise click.UsageError("--decide plays nothing: leave out --speed and --from.")
-        return _decide(session, as_json)
+        if speed is not None or from_s is not None or web:
+            raise click.UsageError("--decide plays nothing: leave out --speed, --from and --web.")
+        return _decide(session, as_json, trust=trust)
     from gcs.session.replay import Replay, ReplayError
 
     try:
@@ -109,6 +125,11 @@ def replay(session: Path, speed: float | None, from_s: float | None, plain: bool
         if not recording.from_s <= from_s <= recording.to_s:
             raise click.UsageError(f"--from: the recording goes from {recording.from_s:g} to {recording.to_s:g} s.")
         recording.seek(from_s)
+    if web:
+        from gcs.session.replay import ReplaySource
+
+        page.show(ReplaySource(recording, speed=speed or 1.0), commands=False)
+        return 0
     return _play(recording, speed, plain=plain, as_json=as_json)
 
 
@@ -132,15 +153,21 @@ def _play(recording: Replay, speed: float | None, *, plain: bool, as_json: bool)
     return 0
 
 
-def _decide(session: Path, as_json: bool) -> int:
+def _decide(session: Path, as_json: bool, *, trust: bool) -> int:
+    from gcs.recording.missing import SCENARIO
     from gcs.scenario import plugins
+    from gcs.scenario.file import load
     from gcs.scenario.model import ScenarioError
     from gcs.supervisor.redecide import RedecideError, redecide
 
     if not session.is_dir():
         raise click.UsageError(f"--decide: {session} is no session's folder: a .tlog alone holds no decisions.")
-    plugins.look_in([Path.cwd(), session])
     try:
+        code = ", ".join(plugins.listed(load(session / SCENARIO))) if (session / SCENARIO).exists() else ""
+        if code and not trust:
+            raise click.UsageError(f"--decide: the scenario of {session} names code: {code}; --trust runs it.")
+        if code:
+            plugins.look_in([Path.cwd(), session])
         # What a user's planner or policy prints must not stand among the verdict's lines.
         with _progress("deciding") as progress, contextlib.redirect_stdout(sys.stderr):
             verdict = redecide(session, progress)
@@ -192,12 +219,18 @@ def _print_json(verdict: Comparison) -> None:
 
 @click.command(short_help="Write a session or a .tlog as tables, for pandas, DuckDB, PlotJuggler.")
 @click.argument("session", type=click.Path(path_type=Path))
-@click.option("--format", "form", type=click.Choice(["parquet", "csv"]), required=True, help="Parquet needs pyarrow.")
+@click.option(
+    "--format",
+    "form",
+    type=click.Choice(["parquet", "csv", "mcap"]),
+    required=True,
+    help="Parquet needs pyarrow, MCAP foxglove-sdk.",
+)
 @click.option(
     "--out",
     type=click.Path(path_type=Path),
     metavar="DIR",
-    help="A new folder.  [default: SESSION/FORMAT, or FILE-FORMAT beside FILE.tlog]",
+    help="A new folder, for MCAP a new file.  [default: SESSION/FORMAT, or FILE-FORMAT beside FILE.tlog]",
 )
 def export(session: Path, form: str, out: Path | None) -> int:
     """Write SESSION, a session's folder or any .tlog file, as tables: one file per message type.
@@ -207,10 +240,13 @@ def export(session: Path, form: str, out: Path | None) -> int:
     and direction: `from` a vehicle or `to` one. A session's decisions come as decisions_KIND, and what the vehicles
     themselves knew as truth and truth_thrust.
 
+    MCAP is one file for Foxglove: the fleet in space and on a map, events, and the rows of each vehicle, ten a second.
+
     \b
     Examples:
       gcs export sessions/demo-20260101-120000 --format csv
       gcs export flight.tlog --format parquet --out tables
+      gcs export first-flight --format mcap --out first-flight.mcap
       duckdb -c "select sysid, max(-z_ned_m) from 'tables/LOCAL_POSITION_NED.parquet' group by sysid"
 
     \b
@@ -220,6 +256,8 @@ def export(session: Path, form: str, out: Path | None) -> int:
       2    bad input; nothing has been written
       130  stopped by Ctrl-C; nothing is left behind
     """
+    if form == "mcap":
+        return _export_mcap(session, out)
     from gcs.recording import export as exporter
     from gcs.recording.tables import NO_PARQUET, available, tables
 
@@ -249,8 +287,33 @@ def export(session: Path, form: str, out: Path | None) -> int:
         shutil.rmtree(unfinished, ignore_errors=True)
     for problem in problems:
         click.echo(f"gcs: {problem}", err=True)
-    width = max(len(name) for name in written.rows)
+    width = max(map(len, written.rows), default=0)
     for name, rows in sorted(written.rows.items()):
         click.echo(f"{name:<{width}}  {rows:>9} rows")
     click.echo(f"tables: {folder}")
+    return 0
+
+
+def _export_mcap(session: Path, out: Path | None) -> int:
+    from gcs.report import foxglove
+    from gcs.session.replay import ReplayError
+
+    if not foxglove.available():
+        raise click.UsageError(foxglove.MISSING)
+    path = out or (session / "session.mcap" if session.is_dir() else session.with_suffix(".mcap"))
+    try:
+        with _progress("exporting") as progress:
+            count, problems = foxglove.export(session, path, progress)
+    except ReplayError as error:
+        raise click.UsageError(str(error)) from None
+    except FileExistsError:
+        raise click.UsageError(
+            f"{path} exists already and is left as it is; give --out a file that does not."
+        ) from None
+    except OSError as error:
+        click.echo(f"gcs: {error.filename or path}: {error.strerror}", err=True)
+        return NOT_DONE
+    for problem in problems:
+        click.echo(f"gcs: {problem}", err=True)
+    click.echo(f"{count} snapshots: {path}")
     return 0

@@ -57,7 +57,6 @@ def report(session: Path, out: Path | None, quiet: bool) -> int:
 
     from gcs.recording.session_folder import NoSession
     from gcs.report.make import make
-    from gcs.report.page import MissingPlotly
 
     if out is not None and not out.parent.is_dir():
         raise click.UsageError(f"--out: there is no folder {out.parent}.")
@@ -70,9 +69,6 @@ def report(session: Path, out: Path | None, quiet: bool) -> int:
     except NoSession as error:
         click.echo(str(error), err=True)
         return BAD_INPUT
-    except MissingPlotly as error:
-        click.echo(str(error), err=True)
-        return NOT_DONE
     except OSError as error:
         click.echo(f"{error.filename or session}: {error.strerror}", err=True)
         return NOT_DONE

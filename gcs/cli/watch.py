@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from gcs.cli import page
 from gcs.session.client import SOCKET
 
 if TYPE_CHECKING:
@@ -28,9 +29,24 @@ if TYPE_CHECKING:
     is_flag=True,
     help="With --connect: also speak: ask for streams, order hold, return and land.",
 )
+@click.option(
+    "--key-file",
+    type=click.Path(path_type=Path, dir_okay=False),
+    metavar="FILE",
+    help="With --connect: MAVLink 2 signing; take only what is signed with this key, and sign what --control sends.",
+)
 @click.option("--plain", is_flag=True, help="Lines of text instead of the console; also used without a terminal.")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object per second on stdout, for other programs.")
-def monitor(session: Path | None, connect: str | None, control: bool, plain: bool, as_json: bool) -> int:
+@page.WEB
+def monitor(
+    session: Path | None,
+    connect: str | None,
+    control: bool,
+    key_file: Path | None,
+    plain: bool,
+    as_json: bool,
+    web: bool,
+) -> int:
     """Open a further console on SESSION, the folder of a session that runs; without it, on the newest in sessions/.
 
     Any number may watch one session, and command it. Closing one changes nothing for the session or the others. The
@@ -45,6 +61,7 @@ def monitor(session: Path | None, connect: str | None, control: bool, plain: boo
       gcs monitor sessions/demo-20260101-120000
       gcs monitor --connect udpin:127.0.0.1:14550
       gcs monitor --connect udpin:0.0.0.0:14550 --control
+      gcs monitor --web
 
     \b
     Exit status:
@@ -54,11 +71,19 @@ def monitor(session: Path | None, connect: str | None, control: bool, plain: boo
     """
     if plain and as_json:
         raise click.UsageError("--plain and --json exclude each other: choose what goes to stdout.")
+    if web and (plain or as_json):
+        raise click.UsageError("--web excludes --plain and --json: the page shows what they would tell.")
     if connect is not None and session is not None:
         raise click.UsageError("SESSION and --connect exclude each other: a session is watched, or who is on the air.")
     if control and connect is None:
         raise click.UsageError("--control is for --connect: a session takes its watchers' commands as it is.")
-    source, title = _session(session) if connect is None else _monitor(connect, control)
+    if key_file is not None and connect is None:
+        raise click.UsageError("--key-file is for --connect: a session has the keys of its vehicles itself.")
+    source, title = _session(session) if connect is None else _monitor(connect, control, key_file)
+    if web:
+        with contextlib.suppress(KeyboardInterrupt):
+            page.show(source, commands=connect is None or control)
+        return 0
     from gcs.console.terminal import usable
 
     if not plain and not as_json and usable():
@@ -86,8 +111,9 @@ def _session(session: Path | None) -> tuple[MessageSource, str]:
     return SessionSource(folder), folder.name
 
 
-def _monitor(connect: str, control: bool) -> tuple[MessageSource, str]:
+def _monitor(connect: str, control: bool, key_file: Path | None) -> tuple[MessageSource, str]:
     """Monitor of all vehicles received at an address. Raises click.UsageError where it cannot be opened."""
+    from gcs.link.keys import KeyRefused
     from gcs.link.socket import AddressRefused
     from gcs.scenario.endpoint import address
     from gcs.session.monitor import MonitorSource
@@ -97,9 +123,11 @@ def _monitor(connect: str, control: bool) -> tuple[MessageSource, str]:
         form = "write udpin:HOST:PORT to listen, udpout:HOST:PORT or tcp:HOST:PORT to go to somebody who does"
         raise click.UsageError(f"--connect: {connect!r} is no address: {form}, such as udpin:127.0.0.1:14550.")
     try:
-        source = MonitorSource(at, control=control)
+        source = MonitorSource(at, control=control, key_file=key_file)
     except AddressRefused as error:
         raise click.UsageError(f"--connect: {error}.") from None
+    except KeyRefused as error:
+        raise click.UsageError(f"--key-file: {error}.") from None
     if at.way == "udpin":
         at = at._replace(port=source.port)
         click.echo(f"gcs: listening at {at.text}; Ctrl-C ends it.", err=True)

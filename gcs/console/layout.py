@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from textual.binding import Binding, BindingType
 
-from gcs.console.operator_commands import ORDERS
 from gcs.console.pages import heading
 from gcs.console.styles import GROUND, RAISED
+from gcs.session.order_table import ORDERS
 
 CSS = f"""
 MainScreen {{ background: {GROUND}; overflow: hidden; }}

@@ -6,6 +6,7 @@ from collections import deque
 from collections.abc import Iterable, Mapping
 from typing import Any
 
+from gcs.scenario.colours import DARK
 from gcs.session.client import Message
 from gcs.session.plain_text import clean
 
@@ -88,6 +89,13 @@ class SessionModel:
         while self.events and float(self.events[-1].get("t_s") or 0.0) > t_s:
             self.events.pop()
         self.event_count = len(self.events)
+
+    def style(self, sysid: int) -> str:
+        """The style of a vehicle's colour, the same in map, curves and table, and on the page: targets have the ink."""
+        known = self.known.get(sysid, {})
+        if known.get("role") == "target":
+            return "target"
+        return f"vehicle{int(known.get('colour', sysid - 1)) % len(DARK)}"
 
     @property
     def t_s(self) -> float:

@@ -1,40 +1,10 @@
-"""Table of operator commands: key, confirmation question, and the command that is then sent."""
+"""Operator commands in the console: as they stand now, and as they are sent."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from gcs.console.model import SessionModel
 from gcs.session.client import Message
-
-
-@dataclass(frozen=True)
-class OperatorCommand:
-    """`what` is for the help page, `question` for the confirmation; `{}` in it is the vehicle's name."""
-
-    key: str
-    command: str
-    name: str
-    what: str
-    question: str
-    of_vehicle: bool = True
-
-
-ORDERS = (
-    OperatorCommand("p", "pause", "pause", "pause everything, or go on", "Pause the whole session?", of_vehicle=False),
-    OperatorCommand("h", "hold", "hold", "hold its position, out of the planner's hands", "Let {} hold its position?"),
-    OperatorCommand("r", "return", "return", "return to its home", "Send {} home?"),
-    OperatorCommand("l", "land", "land", "land where it is", "Land {} where it is?"),
-    OperatorCommand("j", "rejoin", "rejoin", "back into the planner's hands", "Give {} back to the planner?"),
-    OperatorCommand("f", "refuel", "refuel", "serve it next, whatever the competition says", "Refuel {} next?"),
-    OperatorCommand(
-        "s", "skip", "skip", "out of the competition, or back in", "Take {} out of the competition, or back in?"
-    ),
-    OperatorCommand("t", "retarget", "retarget", "pursue another target", "Which target shall {} pursue?"),
-    OperatorCommand(
-        "x", "stop", "stop", "end the session and save it", "Stop the session? It ends for all, and is saved.", False
-    ),
-)
+from gcs.session.order_table import OperatorCommand
 
 
 def ready(order: OperatorCommand, watch: SessionModel) -> OperatorCommand:

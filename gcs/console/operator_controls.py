@@ -6,11 +6,12 @@ from collections.abc import Callable
 
 from gcs.console.dialogs import Choose, Confirm
 from gcs.console.model import Vehicle
-from gcs.console.operator_commands import ORDERS, OperatorCommand, command, question, ready, targets
+from gcs.console.operator_commands import command, question, ready, targets
 from gcs.console.pages import fleet
 from gcs.console.shell import Shell
 from gcs.console.text import number
 from gcs.session.client import Message
+from gcs.session.order_table import ORDERS, OperatorCommand
 from gcs.session.plain_text import clean
 
 SEEK_S = 10.0

@@ -9,6 +9,8 @@ from functools import lru_cache
 
 from rich.style import Style
 
+from gcs.scenario.colours import DARK
+
 GROUND = "#10151b"
 RAISED = "#1a222b"
 CHOSEN = "#27384a"
@@ -40,9 +42,7 @@ COLOURS: dict[str, str] = {
     "keys": f"#8795a3 on {RAISED}",
     "notice": f"#c8d1da on {RAISED}",
     "craft": TEXT,
-    "pursuer": "#8cbcf0",
-    "target": "#d49ad6",
-    "tanker": "#7fd1b0",
+    "target": "#e8eef4",
     "trail": "dim",
     "path": "dim",
     "aim": "#46566a",
@@ -51,12 +51,7 @@ COLOURS: dict[str, str] = {
     "traffic": "#d8a37c",
     "scale": "#8795a3",
     "mark": "#5f8f86",
-    "curve1": "#8cbcf0",
-    "curve2": "#d9b27c",
-    "curve3": "#d49ad6",
-    "curve4": "#7fd1b0",
-    "curve5": "#b9a8d8",
-    "curve6": "#a3a9b0",
+    **{f"vehicle{place}": colour for place, colour in enumerate(DARK)},
     "raised": f"on {RAISED}",
     "chosen": f"on {CHOSEN}",
 }

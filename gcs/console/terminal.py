@@ -21,7 +21,7 @@ from gcs.console.text import given_environment
 from gcs.exit import INTERRUPTED
 from gcs.session.supervised import View
 
-CONSOLE = (sys.executable, "-m", "gcs.console")
+CONSOLE = (sys.executable, "-P", "-m", "gcs.console")
 ENDS_WITHIN_S = 3.0
 RESET = "\x1b[?1000l\x1b[?1003l\x1b[?1015l\x1b[?1006l\x1b[?2004l\x1b[?1004l\x1b[?2048l\x1b[?2026l\x1b[<u\x1b[?7h"
 RESET += "\x1b[?1049l\x1b[?25h\x1b[0m"

@@ -1,8 +1,9 @@
 """The link to vehicles that another program has started: plain MAVLink over UDP, one frame per datagram.
 
 A vehicle is known by its system id and component 1, and by the address of its first HEARTBEAT; whoever says the same
-from elsewhere is refused and reported. Several vehicles may speak to one port, each from its own address or all
-through one router. What has come by the tick is delivered at the tick.
+from elsewhere is refused and reported. Two who say the same before the session begins are `rivals`: nobody can know
+which is the vehicle. One that was silent for a while may go on from another address. Several vehicles may speak to one
+port, each from its own address or all through one router. What has come by the tick is delivered at the tick.
 """
 
 from __future__ import annotations
@@ -11,18 +12,22 @@ import contextlib
 import select
 import socket
 import time
+from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 
 from pymavlink.dialects.v20 import common as mav
 
+from gcs.link.keys import KeyRefused, SignatureGate
 from gcs.link.link import Key
-from gcs.link.socket import RECEIVE_BYTES, AddressRefused, Where, kernel_drops, open_udp
+from gcs.link.socket import MOST_AT_ONCE, RECEIVE_BYTES, AddressRefused, Where, kernel_drops, open_udp
 from gcs.mavlink import codec
 from gcs.mavlink.boot_clock import BootClock
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION
 from gcs.mavlink.sequence import SequenceCounter
+from gcs.mavlink.signing import SignatureVerdict
 from gcs.scenario.endpoint import address
 from gcs.scenario.external import External
 
@@ -30,6 +35,13 @@ ANNOUNCE_EVERY_S = 1.0
 REPEAT_AFTER_S = 0.2
 """A session that stands still for longer goes on sending its last set points: autopilots leave offboard without."""
 MOST_UNKNOWN_SENDERS = 32
+UNKNOWN_READ = 256
+"""Datagrams of those who are no vehicle of the session that are looked into before anything else has its turn."""
+UNKNOWN_BYTES = 512
+CLAIM_S = 1.5
+"""So long after a vehicle's first HEARTBEAT somebody else may say that it is the one: it comes once a second."""
+MOVED_AFTER_S = 10.0
+"""A vehicle that has been silent for so long may be heard from another address."""
 MAVLINK_1 = b"\xfe"
 _HEARTBEAT = codec.msgid("HEARTBEAT")
 _CLOCKS = frozenset({codec.msgid("LOCAL_POSITION_NED"), codec.msgid("ATTITUDE")})
@@ -44,6 +56,7 @@ class _Door:
     connect: str
     socket: socket.socket
     remote: Where | None
+    gate: SignatureGate
     counters: dict[Where, SequenceCounter] = field(default_factory=dict)
     speakers: set[Where] = field(default_factory=set)
     """addresses of vehicles"""
@@ -53,6 +66,7 @@ class _Door:
     def send(self, message: Message | bytes, address: Where) -> bytes:
         counter = self.counters.setdefault(address, SequenceCounter())
         raw = message if isinstance(message, bytes) else codec.frame(message, counter.next(), *STATION)
+        raw = self.gate.signed(raw)
         with contextlib.suppress(OSError):  # no receiver yet, or no room: as on a radio link, it is lost
             self.socket.sendto(raw, address)
         return raw
@@ -65,6 +79,8 @@ class _ExternalPeer:
     key: Key
     door: _Door
     address: Where | None = None
+    found_s: float = 0.0
+    received_s: float = 0.0
     clock: BootClock = field(default_factory=BootClock)
     frames: list[Frame] = field(default_factory=list)
     set_point: Message | None = None
@@ -74,7 +90,7 @@ class ExternalLink:
     """All vehicles of a session that were not launched."""
 
     def __init__(self, expected: Mapping[int, External], now_s: Callable[[], float]) -> None:
-        """Open a socket for each address; `now_s` reads the session's clock. Raises AddressRefused."""
+        """Open a socket for each address; `now_s` reads the session's clock. Raises AddressRefused, KeyRefused."""
         self._now_s = now_s
         self._doors: dict[str, _Door] = {}
         self._peers: dict[int, _ExternalPeer] = {}
@@ -83,13 +99,16 @@ class ExternalLink:
         self._announced_s = self._sent_s = -ANNOUNCE_EVERY_S
         self.refused: dict[Key, tuple[str, int]] = {}
         """who spoke with an id that another address has already, and from where; the first of each"""
+        self.rivals: dict[Key, tuple[Where, Where]] = {}
+        """who was claimed from two addresses before the session began"""
+        self._moved: dict[Key, Where] = {}
         self.malformed = 0
         self._rebooted: set[int] = set()
         for sysid, external in expected.items():
             if external.connect not in self._doors:
                 try:
-                    self._doors[external.connect] = _open(external.connect)
-                except AddressRefused:
+                    self._doors[external.connect] = _open(external)
+                except (AddressRefused, KeyRefused):
                     self.close()
                     raise
             self._peers[sysid] = _ExternalPeer((sysid, AUTOPILOT), self._doors[external.connect])
@@ -105,6 +124,29 @@ class ExternalLink:
     def missing(self) -> set[Key]:
         """Vehicles that have not been received yet."""
         return {peer.key for peer in self._peers.values() if peer.address is None}
+
+    @property
+    def settled(self) -> bool:
+        """Whether everyone is there, and has been for so long that a rival would have spoken."""
+        now_s = time.monotonic()
+        return not self.missing and all(
+            peer.door.remote is not None or now_s - peer.found_s >= CLAIM_S for peer in self._peers.values()
+        )
+
+    @property
+    def signature_refusals(self) -> dict[int, int]:
+        """Frames refused for their signature, by system id."""
+        return dict(sum((door.gate.refused for door in self._doors.values()), Counter()))
+
+    @property
+    def signature_reasons(self) -> dict[int, SignatureVerdict]:
+        """Why the last of them was refused."""
+        return {sysid: why for door in self._doors.values() for sysid, why in door.gate.reasons.items()}
+
+    def pop_moved(self) -> dict[Key, Where]:
+        """Vehicles received from another address, after a silence, since the last call."""
+        taken, self._moved = self._moved, {}
+        return taken
 
     @property
     def buffer_bytes(self) -> int:
@@ -180,40 +222,66 @@ class ExternalLink:
         """Close the sockets."""
         for door in self._doors.values():
             door.socket.close()
+            door.gate.close()
 
     def _drain(self) -> None:
         for door in self._doors.values():
-            while True:
+            unknown = 0
+            for _ in range(MOST_AT_ONCE):
                 try:
                     datagram, address = door.socket.recvfrom(RECEIVE_BYTES)
                 except BlockingIOError:
                     break
                 except OSError:  # a udpout whose other end is not there: raised once for each datagram sent
                     continue
-                self._receive(door, datagram, address)
+                if address in door.speakers:
+                    frames, malformed, _ = codec.split(datagram)
+                    self.malformed += malformed
+                    self._receive(door, frames, address)
+                elif unknown < UNKNOWN_READ:
+                    unknown += 1
+                    self._look_into(door, datagram, address)
 
-    def _receive(self, door: _Door, datagram: bytes, address: Where) -> None:
-        frames, malformed, _ = codec.split(datagram)
-        if address in door.speakers:
-            self.malformed += malformed
-        elif datagram[:1] == MAVLINK_1 and len(door.unknown_senders) < MOST_UNKNOWN_SENDERS:
-            door.unknown_senders.add(address)
-        for frame in frames:
+    def _look_into(self, door: _Door, datagram: bytes, address: Where) -> None:
+        """A datagram of somebody who is no vehicle yet: no more of it is read than UNKNOWN_BYTES."""
+        if datagram[:1] == MAVLINK_1:
+            if len(door.unknown_senders) < MOST_UNKNOWN_SENDERS:
+                door.unknown_senders.add(address)
+        else:
+            self._receive(door, codec.split(datagram[:UNKNOWN_BYTES]).frames, address)
+
+    def _receive(self, door: _Door, frames: Sequence[Frame], address: Where) -> None:
+        now_s = time.monotonic()
+        for frame in door.gate.accepted(frames):
             peer = self._peers.get(frame.sysid)
             if peer is None:
                 continue
-            if peer.address is None and peer.door is door and _is_autopilot(frame):
-                peer.address = address
-                door.speakers.add(address)
+            if peer.address != address and peer.door is door and _is_autopilot(frame):
+                self._claim(peer, address, now_s)
             if peer.address != address or peer.door is not door:
                 if peer.address is not None and frame.compid == AUTOPILOT:
                     self.refused.setdefault(peer.key, (str(address[0]), int(address[1])))
                 continue
+            peer.received_s = now_s
             if self._kept:
                 peer.frames.append(frame)
                 if frame.msgid in _CLOCKS and frame.compid == AUTOPILOT:
                     rebooted = peer.clock.feed(codec.fields(frame).time_boot_ms / 1e3, self._now_s())
                     self._rebooted |= {frame.sysid} if rebooted else set()
+
+    def _claim(self, peer: _ExternalPeer, address: Where, now_s: float) -> None:
+        """Somebody says that it is this vehicle, from an address from which nobody did."""
+        if peer.address is None:
+            peer.found_s = now_s
+        elif not self._kept:
+            self.rivals.setdefault(peer.key, (peer.address, address))
+            return
+        elif now_s - peer.received_s < MOVED_AFTER_S:
+            return
+        else:
+            self._moved[peer.key] = address
+        peer.address, peer.received_s = address, now_s
+        peer.door.speakers.add(address)
 
 
 def _is_autopilot(frame: Frame) -> bool:
@@ -223,15 +291,17 @@ def _is_autopilot(frame: Frame) -> bool:
     return bool(codec.fields(frame).autopilot != mav.MAV_AUTOPILOT_INVALID)
 
 
-def _open(connect: str) -> _Door:
+def _open(external: External) -> _Door:
+    connect = external.connect
     at = address(connect, "udpin", "udpout")
     assert at is not None  # as the scenario has checked
+    gate = SignatureGate(Path(external.signing.key_file) if external.signing else None)
     made, where = open_udp(at)
     if at.way == "udpin":
-        return _Door(connect, made, None)
+        return _Door(connect, made, None, gate)
     try:
         made.connect(where)
     except OSError as error:
         made.close()
         raise AddressRefused(f"{connect} cannot be spoken to: {error.strerror}") from None
-    return _Door(connect, made, where)
+    return _Door(connect, made, where, gate)

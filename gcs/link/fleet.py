@@ -26,6 +26,10 @@ class FleetLink:
         self.repeat = fleet.repeat
 
     @property
+    def signature_refusals(self) -> dict[int, int]:
+        return self._external.signature_refusals
+
+    @property
     def buffer_bytes(self) -> int:
         return min(self._fleet.buffer_bytes, self._external.buffer_bytes)
 

@@ -47,6 +47,10 @@ class Link(TickLink, Protocol):
         """Runs of bytes that were no frames."""
 
     @property
+    def signature_refusals(self) -> dict[int, int]:
+        """Frames refused for their signature, by system id."""
+
+    @property
     def buffer_bytes(self) -> int:
         """The least receive buffer that the kernel granted."""
 

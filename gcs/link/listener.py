@@ -5,8 +5,10 @@ from __future__ import annotations
 import contextlib
 import socket
 from collections.abc import Iterator
+from pathlib import Path
 
-from gcs.link.socket import RECEIVE_BYTES, AddressRefused, Where, open_udp, resolve
+from gcs.link.keys import SignatureGate
+from gcs.link.socket import MOST_AT_ONCE, RECEIVE_BYTES, AddressRefused, Where, open_udp, resolve
 from gcs.mavlink import codec, v1
 from gcs.mavlink.codec import Frame
 from gcs.scenario.endpoint import Endpoint
@@ -18,7 +20,9 @@ class Listener:
     """Frames received at an address, with their senders, of MAVLink 1 too. Raises AddressRefused where it cannot be
     had."""
 
-    def __init__(self, at: Endpoint) -> None:
+    def __init__(self, at: Endpoint, key_file: Path | None = None) -> None:
+        """Raises AddressRefused, KeyRefused."""
+        self.gate = SignatureGate(key_file)
         self._stream = at.way == "tcp"
         self._pending = b""
         self.open = True
@@ -35,8 +39,10 @@ class Listener:
         return self._socket.fileno()
 
     def receive(self) -> Iterator[tuple[list[Frame], Where]]:
-        """Frames received, with their senders; never waits."""
-        while self.open:
+        """Frames received, with their senders, of a bounded number of datagrams; never waits."""
+        for _ in range(MOST_AT_ONCE):
+            if not self.open:
+                return
             try:
                 data, peer = self._socket.recvfrom(RECEIVE_BYTES)
             except OSError as error:
@@ -46,12 +52,13 @@ class Listener:
                 if not data:
                     self.open = False
                     return
-                yield self._cut(data), self._to or ()
+                yield self.gate.accepted(self._cut(data)), self._to or ()
                 continue
-            yield codec.split(data).frames or v1.split(data), tuple(peer)
+            yield self.gate.accepted(codec.split(data).frames or v1.split(data)), tuple(peer)
 
     def send(self, raw: bytes, peer: Where) -> None:
         """Send a frame to a known sender, or to the address of a udpout or tcp."""
+        raw = self.gate.signed(raw)
         with contextlib.suppress(OSError):
             if self._stream:
                 self._socket.sendall(raw)
@@ -67,6 +74,7 @@ class Listener:
         """Close the socket."""
         self.open = False
         self._socket.close()
+        self.gate.close()
 
     def _cut(self, data: bytes) -> list[Frame]:
         """The frames that a stream's next bytes complete."""
@@ -75,7 +83,7 @@ class Listener:
         if frames:
             last = frames[-1].raw
             self._pending = self._pending[self._pending.rindex(last) + len(last) :]
-        self._pending = self._pending[-RECEIVE_BYTES:]
+        self._pending = self._pending[-codec.LARGEST_FRAME :]  # what is earlier belongs to no frame that is to come
         return frames
 
 

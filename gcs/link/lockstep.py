@@ -1,13 +1,16 @@
 """The supervised link, and the ground station's only fleet socket: docs/protocol.md#clock-and-supervised-link.
 
-One UDP socket holds every vehicle's link; a vehicle is known by its (system, component) and by the address of its first
-hello. A bundle goes out to each, and the tick is in when all have answered; who is missing gets the same bytes again.
+One UDP socket holds every vehicle's link; a vehicle is known by its (system, component), by the secret in its first
+hello, which only the processes of the session have, and from then on by the address that this came from. A datagram
+from anywhere else is not read. A bundle goes out to each, and the tick is in when all have answered; who is missing
+gets the same bytes again.
 """
 
 from __future__ import annotations
 
 import contextlib
 import random
+import secrets
 import select
 import socket
 import time
@@ -16,13 +19,20 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
 from gcs.link.link import Key
-from gcs.link.socket import RECEIVE_BYTES, kernel_drops, widen
+from gcs.link.socket import kernel_drops, widen
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import STATION
-from gcs.mavlink.sequence import SequenceCounter, TickCollector, is_hello
+from gcs.mavlink.sequence import SequenceCounter, TickCollector, secret_of_hello
 
 DATAGRAM_BYTES = 1400
+RECEIVE_BYTES = 2048
+"""A longer datagram is no answer, and is cut."""
+HELLO_BYTES = 64
+"""No hello is longer."""
+MOST_AT_ONCE = 4096
+"""Datagrams that are taken in before anything else has its turn."""
+SECRET_BITS = 64
 RESEND_FIRST_S, RESEND_LAST_S = 0.02, 0.2
 REPEAT_S = 1.0
 GRANT_BYTES = codec.HEADER_BYTES + 12 + codec.CRC_BYTES
@@ -55,12 +65,17 @@ class LockstepLink:
         self._poll.register(self._socket, select.POLLIN)
         self._drop = drop
         self._random = random.Random(seed)
+        self.secret = secrets.randbits(SECRET_BITS - 1) + 1
+        """what a vehicle of this session says in its hello; never 0, which those say who have none"""
         self._peers: dict[Key, _LockstepPeer] = {}
+        self._by_address: dict[tuple[str, int], _LockstepPeer] = {}
         self._expected: set[Key] = set()
         self._awaited: set[Key] = set()
         self._whole: deque[Key] = deque()
         self.refused: dict[Key, tuple[str, int]] = {}
-        """who spoke with an id that another address has already, and from where; the first of each"""
+        """who spoke with an id that is not its own, and from where; the first of each"""
+        self.rivals: dict[Key, tuple[str, int]] = {}
+        """the same of those who know the session's secret: two of its own processes say that they are one vehicle"""
         self.malformed = 0
         self.resent = 0
 
@@ -68,6 +83,11 @@ class LockstepLink:
     def port(self) -> int:
         """The port that vehicles speak to."""
         return int(self._socket.getsockname()[1])
+
+    @property
+    def signature_refusals(self) -> dict[int, int]:
+        """As `Link.signature_refusals`: none; the link is private."""
+        return {}
 
     @property
     def buffer_bytes(self) -> int:
@@ -100,7 +120,9 @@ class LockstepLink:
 
     def leave(self, key: Key) -> None:
         """Hold a vehicle no longer: an unfinished answer is dropped, the others go on."""
-        self._peers.pop(key, None)
+        peer = self._peers.pop(key, None)
+        if peer is not None:
+            del self._by_address[peer.address]
         self._expected.discard(key)
         self._awaited.discard(key)
 
@@ -202,36 +224,47 @@ class LockstepLink:
             self._socket.sendto(peer.bundle, peer.address)
 
     def _drain(self) -> bool:
-        """Take in every datagram that has come; whether any tick made progress."""
+        """Take in the datagrams that have come, MOST_AT_ONCE at most; whether any tick made progress."""
         progress = False
-        while True:
+        for _ in range(MOST_AT_ONCE):
             try:
                 datagram, address = self._socket.recvfrom(RECEIVE_BYTES)
             except OSError:
-                return progress
+                break
             if not (self._drop and self._random.random() < self._drop):
                 progress |= self._receive(datagram, address)
+        return progress
 
     def _receive(self, datagram: bytes, address: tuple[str, int]) -> bool:
+        peer = self._by_address.get(address)
+        if peer is None:
+            self._admit(datagram, address)
+            return False
         frames, malformed, _ = codec.split(datagram)
         self.malformed += malformed
-        if not frames:
-            return False
-        key = (frames[0].sysid, frames[0].compid)
-        peer = self._peers.get(key)
-        if peer is None:
-            if key in self._expected and is_hello(frames):
-                self._peers[key] = _LockstepPeer(key, address, TickCollector(*key))
-            return False
-        if peer.address != address:
-            self.refused.setdefault(key, address)
-            return False
+        key = peer.key
         if peer.collector.feed(frames) and key in self._awaited:
             self._awaited.discard(key)
             self._whole.append(key)
         progress = peer.collector.held > peer.held
         peer.held = peer.collector.held
         return progress
+
+    def _admit(self, datagram: bytes, address: tuple[str, int]) -> None:
+        """Let somebody in who says hello with the session's secret; remember who says so without it."""
+        frames = codec.split(datagram).frames if len(datagram) <= HELLO_BYTES else []
+        secret = secret_of_hello(frames)
+        if secret is None:
+            return
+        key = (frames[0].sysid, frames[0].compid)
+        if key not in self._expected:
+            return
+        if secret != self.secret:
+            self.refused.setdefault(key, address)
+        elif key in self._peers:
+            self.rivals.setdefault(key, address)
+        else:
+            self._peers[key] = self._by_address[address] = _LockstepPeer(key, address, TickCollector(*key))
 
 
 _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")

@@ -10,8 +10,10 @@ from typing import Any
 
 from gcs.scenario.endpoint import Endpoint
 
-RECEIVE_BYTES = 65535
-"""No datagram is longer."""
+RECEIVE_BYTES = 4096
+"""Datagrams that are longer are cut: nobody sends MAVLink so."""
+MOST_AT_ONCE = 4096
+"""Datagrams of one socket that are taken in before anything else has its turn."""
 BUFFER_BYTES = 4 << 20
 _ADVICE = {
     errno.EADDRINUSE: "; another program listens there: end it, or let it forward to another port",

@@ -23,6 +23,9 @@ HEADER_BYTES = 10
 CRC_BYTES = 2
 SIGNED = 0x01
 SIGNATURE_BYTES = 13
+LARGEST_FRAME = HEADER_BYTES + 255 + CRC_BYTES + SIGNATURE_BYTES
+MOST_TRIES = 64
+"""Places in a datagram that may look like a frame's beginning and be none, before the rest of it is passed over."""
 
 # Marker, payload length, incompatibility flags, compatibility flags, seq, sysid, compid, id (low 16 bits, high 8).
 _HEADER = "<BBBBBBBHB"
@@ -43,7 +46,7 @@ _SEED_TERMS = frozenset(mcrf4xx(bytes([seed]), 0) for seed in range(256))
 
 # A checksum leaves the marker out. From this register the marker leads to the one that checksums begin with, so that a
 # frame need not be cut before it is summed.
-_BEFORE_MARKER = next(crc for crc in range(1 << 16) if mcrf4xx(_MARKER_BYTE, crc) == 0xFFFF)
+BEFORE_MARKER = next(crc for crc in range(1 << 16) if mcrf4xx(_MARKER_BYTE, crc) == 0xFFFF)
 
 
 class Frame(NamedTuple):
@@ -175,16 +178,22 @@ def msgid(message: str) -> int:
     return layout(message).msgid
 
 
+def seed_of(raw: bytes) -> bytes:
+    """The byte with which the checksum of a frame of the dialect ends."""
+    return _SEEDS[raw[7:10]][1]
+
+
 def split(datagram: bytes) -> Split:
     """Take a datagram apart into its MAVLink 2 frames; never raises.
 
     A frame counts when its checksum is right. An unknown id's checksum has an unknown seed, so such a frame must fit
     twice over: some seed must explain its checksum, and it must lie without a gap between other frames or the
     datagram's ends. Signed frames are taken, their signature unchecked; any other incompatibility flag, and MAVLink 1,
-    is malformed.
+    is malformed. Size, marker and flags are looked at before a checksum is taken, and no more than MOST_TRIES places
+    that are no frame are tried: what a stranger can make this cost is bounded.
     """
     frames: list[Frame] = []
-    malformed = unknown = 0
+    malformed = unknown = tries = 0
     size = len(datagram)
     at = frame_end = 0  # where to look next; where the last frame ended
     while at + _SMALLEST_FRAME <= size:
@@ -192,11 +201,12 @@ def split(datagram: bytes) -> Split:
         end = at + _SMALLEST_FRAME + length
         if end <= size:
             marker, flags, seq, sysid, compid, id_bytes, crc = _READ_FRAME[length](datagram, at)
-            msgid, seed = _SEEDS.get(id_bytes, _UNKNOWN)
-            body_crc = mcrf4xx(datagram[at + 1 : end - CRC_BYTES] + seed)
+            body_end = end - CRC_BYTES
             if flags & 0xFF:
                 end = end + SIGNATURE_BYTES if flags & 0xFF == SIGNED else size + 1
             if marker == MARKER and end <= size:
+                msgid, seed = _SEEDS.get(id_bytes, _UNKNOWN)
+                body_crc = mcrf4xx(datagram[at + 1 : body_end] + seed)
                 if msgid is not None:
                     valid = body_crc == crc
                 else:
@@ -209,7 +219,8 @@ def split(datagram: bytes) -> Split:
                     frames.append(_new(Frame, (sysid, compid, seq, msgid, datagram[at:end])))
                     at = frame_end = end
                     continue
-        at = datagram.find(_MARKER_BYTE, at + 1)
+        tries += 1
+        at = datagram.find(_MARKER_BYTE, at + 1) if tries < MOST_TRIES else -1
         if at < 0:
             break
     return _new(Split, (frames, malformed + (frame_end != size), unknown))
@@ -264,7 +275,7 @@ def _packer(msgid: int) -> Callable[..., bytes]:
         if not body[-1]:
             payload = body[HEADER_BYTES:].rstrip(b"\0") or b"\0"
             body = body[:1] + bytes([len(payload)]) + body[2:HEADER_BYTES] + payload
-        return body + pack_crc(mcrf4xx(body + seed, _BEFORE_MARKER))
+        return body + pack_crc(mcrf4xx(body + seed, BEFORE_MARKER))
 
     return pack_frame
 

@@ -15,6 +15,8 @@ from numpy.typing import NDArray
 from gcs.mavlink.sequence import HALF, NUMBERS
 
 IntArray = NDArray[np.int64]
+MOST_SENDERS = 2048
+"""Components of all systems whose numbers are watched; more than eight of each of 254 vehicles are none."""
 
 
 def after(missing: Any, newest: int, number: int) -> tuple[int, int]:
@@ -63,6 +65,8 @@ class GapCounter:
         sender = sysid << 8 | compid
         flags = self._missing.get(sender)
         if flags is None:
+            if len(self._missing) >= MOST_SENDERS:
+                return
             self._newest[sender], self._missing[sender] = seq, bytearray(NUMBERS)
             return
         self._newest[sender], lost = after(flags, self._newest[sender], seq)

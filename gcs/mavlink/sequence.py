@@ -33,9 +33,11 @@ class SequenceCounter:
         return number
 
 
-def is_hello(frames: Sequence[Frame]) -> bool:
-    """Whether these are the two frames that a vehicle repeats until its first bundle."""
-    return [(frame.seq, frame.msgid) for frame in frames] == [(0, _HEARTBEAT), (1, _SYSTEM_TIME)]
+def secret_of_hello(frames: Sequence[Frame]) -> int | None:
+    """The secret in the two frames that a vehicle repeats until its first bundle; None where these are not those."""
+    if [(frame.seq, frame.msgid) for frame in frames] != [(0, _HEARTBEAT), (1, _SYSTEM_TIME)]:
+        return None
+    return int(codec.fields(frames[1]).time_unix_usec)
 
 
 class TickCollector:

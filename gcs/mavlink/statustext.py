@@ -11,6 +11,8 @@ from collections.abc import Iterable, Iterator
 from typing import Any, NamedTuple
 
 CHUNK_CHARACTERS = 50
+MOST_CHARACTERS = 500
+"""A text is told as soon as it is so long; what goes on with it is passed over."""
 PATIENCE_S = 0.5
 """The chunks of a text are sent without a pause between them."""
 
@@ -29,14 +31,22 @@ class Texts:
 
     def __init__(self) -> None:
         self._open: _Open | None = None
+        self._cut_id: int | None = None
 
     def add(self, content: Any, time_s: float) -> list[tuple[int, str]]:
         """Take in STATUSTEXT's fields, received at a session time; (severity, text) of each text that is complete
         now."""
+        if content.chunk_seq == 0 or content.id != self._cut_id:
+            self._cut_id = None
+        else:
+            return []
         goes_on = self._open is not None and content.chunk_seq > 0 and content.id == self._open.text_id
         whole = [] if goes_on else self.give_up()
         before = self._open.text if self._open is not None else ""
         self._open = _Open(content.severity, before + content.text, content.id, time_s)
+        if len(self._open.text) >= MOST_CHARACTERS:
+            self._cut_id = content.id
+            return whole + self.give_up()
         return whole + (self.give_up() if len(content.text) < CHUNK_CHARACTERS else [])
 
     def overdue(self, now_s: float) -> list[tuple[int, str]]:

@@ -13,9 +13,9 @@ MARKER, HEADER_BYTES = 0xFE, 6
 
 def split(datagram: bytes) -> list[Frame]:
     """The intact MAVLink 1 frames of the dialect in a datagram, each in the form of MAVLink 2; never raises."""
-    frames = []
-    at = datagram.find(MARKER)
-    while at >= 0 and at + HEADER_BYTES + codec.CRC_BYTES <= len(datagram):
+    frames: list[Frame] = []
+    at, tries = datagram.find(MARKER), 0
+    while at >= 0 and tries < codec.MOST_TRIES and at + HEADER_BYTES + codec.CRC_BYTES <= len(datagram):
         length, seq, sysid, compid, msgid = datagram[at + 1 : at + HEADER_BYTES]
         end = at + HEADER_BYTES + length
         cls = common.mavlink_map.get(msgid)
@@ -29,5 +29,6 @@ def split(datagram: bytes) -> list[Frame]:
                 frames.append(Frame(sysid, compid, seq, msgid, raw))
                 at = datagram.find(MARKER, end + codec.CRC_BYTES)
                 continue
+        tries += 1
         at = datagram.find(MARKER, at + 1)
     return frames

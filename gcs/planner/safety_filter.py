@@ -36,7 +36,7 @@ from scipy.spatial import cKDTree
 from gcs.planner.braking_clearance import FloatArray, IntArray
 from gcs.planner.line_of_sight import bounds
 from gcs.planner.safety_constraints import OBSTACLE, OTHER, PAIR, PLANE
-from gcs.planner.safety_kernels import solve
+from gcs.planner.safety_solver import solve
 from gcs.scenario.geometry import COLUMNS
 
 KINDS = ("", "vehicle", "other", "obstacle", "wall")

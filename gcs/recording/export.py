@@ -19,12 +19,13 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import field_units
 from gcs.mavlink.ids import STATION
-from gcs.recording import tlog
-from gcs.recording.decision_lines import DecisionLines
+from gcs.recording import tlog_reader
+from gcs.recording.decisions_reader import DecisionLines
 from gcs.recording.missing import SCENARIO, passed_over, unread
+from gcs.recording.recorder import DECISIONS, TLOG
 from gcs.recording.tables import Column, Tables
-from gcs.recording.tlog import AT, COMPID, MSGID, SYSID, T_US, Chunk
-from gcs.recording.writer import DECISIONS, TLOG
+from gcs.recording.tlog_reader import AT, COMPID, MSGID, SYSID, T_US, Chunk
+from gcs.recording.truth import record_end
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
 
@@ -33,6 +34,8 @@ Progress = Callable[[float], None]
 LINES_AT_ONCE = 1 << 16
 NAMED = 5
 TRUTH_BYTES = 1 << 22
+MOST_PENDING = 1 << 25
+"""No record of a vehicle's truth is longer than so many bytes."""
 _RELAYED = np.array([mav.MAVLINK_MSG_ID_FOLLOW_TARGET, mav.MAVLINK_MSG_ID_NAMED_VALUE_INT])
 _AXES = ("n", "e", "d")
 _TRUTH_NAMES = {
@@ -56,7 +59,7 @@ def export(source: Path, tables: Tables, progress: Progress = lambda _: None) ->
         return _export_session(source, tables, progress)
     if not source.exists():
         raise ExportError(f"{source} does not exist; give a session's folder or a .tlog file.")
-    log = tlog.read(source)
+    log = tlog_reader.read(source)
     _export_frames(log, tables, None, progress)
     if not tables.rows:
         raise ExportError(" ".join(log.problems) or f"{source} holds no MAVLink frame.")
@@ -87,7 +90,7 @@ def _export_session(folder: Path, tables: Tables, progress: Progress) -> list[st
             problems += _without_truth(folder, scenario, {path.stem for path in truths})
         except (OSError, ScenarioError) as error:
             problems.append(unread(folder / SCENARIO, error, "time_s counts from the first frame."))
-        log = tlog.read(frames)
+        log = tlog_reader.read(frames)
         _export_frames(log, tables, epoch_us, part(frames), session=True)
         problems += log.problems
         done += frames.stat().st_size
@@ -114,7 +117,7 @@ def _without_truth(folder: Path, scenario: Scenario, found: Collection[str]) -> 
 
 
 def _export_frames(
-    log: tlog.Tlog, tables: Tables, epoch_us: int | None, progress: Progress, *, session: bool = False
+    log: tlog_reader.Tlog, tables: Tables, epoch_us: int | None, progress: Progress, *, session: bool = False
 ) -> None:
     stations = np.zeros(1 << 16, dtype=np.bool_)
     if session:
@@ -321,7 +324,9 @@ def _export_truth(path: Path, tables: Tables, progress: Progress) -> list[str]:
             head = json.loads(line)
             names = [_TRUTH_NAMES.get(name, name) for name in head["state"]] + list(head["energy"])
             sysid, step_s = int(head["sysid"]), float(head["step_s"])
-        except (ValueError, KeyError, TypeError):
+            if not 0 < sysid < 256 or not all(isinstance(name, str) for name in names):
+                raise ValueError(sysid)
+        except (ValueError, KeyError, TypeError, OverflowError, RecursionError):
             return [f"{path.name} does not begin as a truth file; it is left out."]
         size = max(path.stat().st_size, 1)
         width = 2 + len(names)
@@ -334,6 +339,8 @@ def _export_truth(path: Path, tables: Tables, progress: Progress) -> list[str]:
             _truth_tables(tables, numbers, starts[:-1], names, sysid, step_s)
             pending = pending[8 * end :]
             progress(file.tell() / size)
+            if len(pending) > MOST_PENDING:
+                return [f"{path.name} holds a record that cannot be; what follows it is left out."]
     return [f"{path.name} ends inside a record; its last {len(pending)} bytes are left out."] if pending else []
 
 
@@ -342,10 +349,12 @@ def _truth_rows(numbers: NDArray[np.float64], width: int) -> IntArray:
     """Kernel: where each whole record begins, and where the last one ends."""
     starts = np.empty(numbers.size // width + 1, dtype=np.int64)
     n = at = 0
-    while at + width <= numbers.size and at + width + int(numbers[at + 1]) <= numbers.size:
+    end = record_end(numbers, at, width)
+    while end >= 0:
         starts[n] = at
         n += 1
-        at += width + int(numbers[at + 1])
+        at = end
+        end = record_end(numbers, at, width)
     starts[n] = at
     return starts[: n + 1]
 

@@ -23,6 +23,7 @@ from gcs.mavlink.battery import battery_status, sys_status
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.recording.session_folder import Recorded
 from gcs.telemetry.battery_account import BatteryAccount
+from gcs.telemetry.plausibility import FARTHEST_M, FASTEST_M_S
 from gcs.telemetry.state import STALE_S
 
 Floats = NDArray[np.float64]
@@ -121,7 +122,8 @@ def tracks(recorded: Recorded) -> dict[int, Track]:
         p_ned = np.column_stack([rows[axis] for axis in "xyz"]).astype(np.float64) + offset
         v_ned = np.column_stack([rows[f"v{axis}"] for axis in "xyz"]).astype(np.float64)
         # In the order in which they were true; what came late and out of order changes nothing that is known.
-        good = np.isfinite(p_ned).all(axis=1) & np.isfinite(v_ned).all(axis=1)
+        with np.errstate(invalid="ignore", over="ignore"):  # a vehicle may tell anything; so much of it is believed
+            good = (np.abs(p_ned) <= FARTHEST_M).all(axis=1) & (np.abs(v_ned) <= FASTEST_M_S).all(axis=1)
         good &= t_s >= np.maximum.accumulate(np.where(good, t_s, -np.inf))
         beats, states = armed.get(sysid), landed.get(sysid)
         found[sysid] = Track(
@@ -298,10 +300,14 @@ class LinkSeries:
 def links(recorded: Recorded, flown: dict[int, Track]) -> dict[int, LinkSeries]:
     """The link of each vehicle that was received."""
     found = {}
-    for sysid in np.flatnonzero(recorded.traffic_count.sum(axis=1)).tolist():
-        # The last second is seldom whole; its rate would be a drop that never was.
-        counts, lost = recorded.traffic_count[sysid], recorded.traffic_lost[sysid]
-        whole = max(min(len(counts), int(recorded.end_s + 1e-6)), 1)
+    longest = max(map(len, recorded.traffic_count.values()), default=0)
+    # The last second is seldom whole; its rate would be a drop that never was.
+    whole = max(min(longest, int(recorded.end_s + 1e-6)), 1)
+    for sysid in sorted(sysid for sysid, counts in recorded.traffic_count.items() if counts.any()):
+        counts, lost = (
+            np.pad(table[sysid], (0, longest - len(table[sysid])))
+            for table in (recorded.traffic_count, recorded.traffic_lost)
+        )
         t_s: Floats = np.arange(whole).astype(np.float64) + 0.5
         silence_s = np.diff(flown[sysid].t_s).max(initial=0.0) if sysid in flown else math.nan
         found[sysid] = LinkSeries(

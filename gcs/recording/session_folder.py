@@ -15,10 +15,10 @@ from pydantic import ValidationError
 from gcs.mavlink.gaps import RecordedGaps
 from gcs.mavlink.ids import STATION
 from gcs.recording import summary as summaries
-from gcs.recording import tlog
-from gcs.recording.decision_lines import COLUMNS, DecisionLines
+from gcs.recording import tlog_reader
+from gcs.recording.decisions_reader import COLUMNS, DecisionLines
+from gcs.recording.recorder import DECISIONS, TLOG
 from gcs.recording.summary import Summary
-from gcs.recording.writer import DECISIONS, TLOG
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
 
@@ -26,7 +26,7 @@ SCENARIO = "scenario.yaml"
 WANTED = {
     "LOCAL_POSITION_NED": ("time_boot_ms", "x", "y", "z", "vx", "vy", "vz"),
     "ATTITUDE": ("time_boot_ms", "roll", "pitch", "yaw"),
-    "HEARTBEAT": ("place", "autopilot", "base_mode"),
+    "HEARTBEAT": ("place", "autopilot", "custom_mode", "base_mode"),
     "EXTENDED_SYS_STATE": ("landed_state",),
     "GPS_GLOBAL_ORIGIN": ("latitude", "longitude", "altitude"),
     "BATTERY_STATUS": (
@@ -40,6 +40,8 @@ WANTED = {
 }
 """The messages that a report is made from, and the fields that it needs of them; `place`: where in the file."""
 MOST_SECONDS = 7 * 86_400
+FEWEST_SECONDS, SECONDS_A_FRAME = 3600, 2
+"""A recording's rates and losses are counted for so long, and so much longer by each frame in it."""
 NEEDED: dict[str, tuple[str, ...]] = {
     "competition": ("v", "leader", "share"),
     "decided": ("receiver", "tanker", "by", "bids"),
@@ -78,10 +80,10 @@ class Recorded:
     """every decision but the set points"""
     set_points: NDArray[np.float64] = field(default_factory=lambda: np.empty((0, COLUMNS)))
     """(n, COLUMNS) in the order of decision"""
-    traffic_count: NDArray[np.int64] = field(default_factory=lambda: np.zeros((256, 0), dtype=np.int64))
-    """(256, seconds) frames received of each vehicle in each second"""
-    traffic_lost: NDArray[np.int64] = field(default_factory=lambda: np.zeros((256, 0), dtype=np.int64))
-    """(256, seconds) gaps in their sequence numbers"""
+    traffic_count: dict[int, NDArray[np.int32]] = field(default_factory=dict)
+    """by system id: (seconds,) frames received in each second, as far as there were any"""
+    traffic_lost: dict[int, NDArray[np.int32]] = field(default_factory=dict)
+    """the same of gaps in their sequence numbers"""
     end_s: float = 0.0
     problems: list[str] = field(default_factory=list)
 
@@ -156,7 +158,7 @@ def read_tlog(recorded: Recorded, progress: Progress) -> None:
     """Take in the folder's recording; problems are noted."""
     gathering = Gathering(recorded)
     try:
-        log = tlog.read(recorded.folder / TLOG)
+        log = tlog_reader.read(recorded.folder / TLOG)
         for chunk in log.chunks():
             gathering.add(chunk)
             progress(chunk.read_share)
@@ -178,16 +180,17 @@ class Gathering:
         self._pieces: dict[str, list[NDArray[Any]]] = {name: [] for name in wanted}
         self._counted = counted
         self._gaps = RecordedGaps()
+        self._frames = 0
 
-    def add(self, chunk: tlog.Chunk) -> None:
+    def add(self, chunk: tlog_reader.Chunk) -> None:
         """Take in the next stretch."""
         heads = chunk.heads
         if not len(heads):
             return
-        epoch_us = self._epoch_us = int(heads[0, tlog.T_US]) if self._epoch_us is None else self._epoch_us
+        epoch_us = self._epoch_us = int(heads[0, tlog_reader.T_US]) if self._epoch_us is None else self._epoch_us
         for name, pieces in self._pieces.items():
             pieces.append(_columns(chunk, name, epoch_us))
-        self._recorded.end_s = max(self._recorded.end_s, 1e-6 * (int(heads[-1, tlog.T_US]) - epoch_us))
+        self._recorded.end_s = max(self._recorded.end_s, 1e-6 * (int(heads[-1, tlog_reader.T_US]) - epoch_us))
         if self._counted:
             self._count(heads, epoch_us)
 
@@ -203,21 +206,29 @@ class Gathering:
         """Count frames and gaps second by second; a frame that comes again, as relayed ones do, is neither. One that
         comes late makes good its gap in the second in which it comes."""
         recorded = self._recorded
-        second = (heads[:, tlog.T_US] - epoch_us) // 1_000_000
-        # A foreign time, years away, must not make a table of years.
-        mine = (heads[:, tlog.SYSID] < STATION[0]) & (second >= 0) & (second < MOST_SECONDS)
+        second = (heads[:, tlog_reader.T_US] - epoch_us) // 1_000_000
+        # Foreign times, years away, must not make a table of years: so few frames do not fill so many seconds.
+        self._frames += len(heads)
+        most = min(MOST_SECONDS, FEWEST_SECONDS + SECONDS_A_FRAME * self._frames)
+        mine = (heads[:, tlog_reader.SYSID] < STATION[0]) & (second >= 0) & (second < most)
         second, heads = second[mine], heads[mine]
-        grown = second.max(initial=-1) + 1 - recorded.traffic_count.shape[1]
-        if grown > 0:
-            recorded.traffic_count = np.pad(recorded.traffic_count, ((0, 0), (0, grown)))
-            recorded.traffic_lost = np.pad(recorded.traffic_lost, ((0, 0), (0, grown)))
-        sysids = heads[:, tlog.SYSID]
-        lost, new = self._gaps.count(sysids, heads[:, tlog.COMPID], heads[:, tlog.SEQ])
-        np.add.at(recorded.traffic_count, (sysids, second), new)
-        np.add.at(recorded.traffic_lost, (sysids, second), lost)
+        sysids = heads[:, tlog_reader.SYSID]
+        lost, new = self._gaps.count(sysids, heads[:, tlog_reader.COMPID], heads[:, tlog_reader.SEQ])
+        for sysid in np.unique(sysids).tolist():
+            own = sysids == sysid
+            for table, values in ((recorded.traffic_count, new), (recorded.traffic_lost, lost)):
+                table[sysid] = _added(table.get(sysid), second[own], values[own])
 
 
-def _columns(chunk: tlog.Chunk, message: str, epoch_us: int) -> NDArray[Any]:
+def _added(table: NDArray[np.int32] | None, second: NDArray[np.int64], values: NDArray[Any]) -> NDArray[np.int32]:
+    """The table (n,), made longer where need be, with these values added at these seconds."""
+    length = int(second.max()) + 1
+    table = np.zeros(length, dtype=np.int32) if table is None else np.pad(table, (0, max(length - len(table), 0)))
+    np.add.at(table, second, values.astype(np.int32))
+    return table
+
+
+def _columns(chunk: tlog_reader.Chunk, message: str, epoch_us: int) -> NDArray[Any]:
     """One message's times in session seconds, senders and wanted fields alone."""
     table = chunk.table(message)
     names = ("sysid", "compid", *(name for name in WANTED[message] if name != "place"))

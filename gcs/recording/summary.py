@@ -48,6 +48,8 @@ class VehicleSummary(_Part):
     energy: EnergySummary
     missing_streams: list[str] = []
     """messages that an external vehicle was asked for and did not send at the end, or at less than half the rate"""
+    refused_messages: int = 0
+    """messages with its id that were refused: not signed, signed with another key, repeated, or without a key here"""
 
 
 class RefuellingSummary(_Part):
@@ -57,7 +59,7 @@ class RefuellingSummary(_Part):
     tanker: int | None
     """null: a base served it"""
     base: str | None = None
-    by: Literal["competition", "timeout", "urgency", "policy", "operator"]
+    by: Literal["competition", "unopposed", "timeout", "urgency", "policy", "operator"]
     decided_at_s: float
     joined_at_s: float | None
     start_s: float | None
@@ -162,6 +164,8 @@ class Summary(_Part):
     vehicles: list[VehicleSummary]
     refuelling: list[RefuellingSummary]
     refuel_order: list[int]
+    tanker_idle_s: float = 0.0
+    """tankers' time, summed, in which they stood free although somebody waited for energy"""
     link: LinkSummary
     bases: list[BaseSummary] = []
 

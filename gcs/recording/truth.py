@@ -28,21 +28,35 @@ def read(folder: Path, sysid: int) -> NDArray[np.float64] | None:
             return np.empty((0, COLUMNS))
         numbers = np.memmap(path, dtype="<f8", mode="r", offset=begin, shape=(size,))
         return _records(numbers, len(names), columns)
-    except (OSError, ValueError, KeyError, TypeError):
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
         return None
+
+
+@njit(cache=True)
+def record_end(numbers: NDArray[np.float64], at: int, width: int) -> int:
+    """Kernel: where the record at a place ends, which says itself how long it is; -1 where it is no whole record."""
+    if at + width > numbers.size:
+        return -1
+    steps = numbers[at + 1]
+    if not 0.0 <= steps <= numbers.size:  # also what is no number
+        return -1
+    end = at + width + int(steps)
+    return end if end <= numbers.size else -1
 
 
 @njit(cache=True)
 def _records(numbers: NDArray[np.float64], width: int, columns: NDArray[np.int64]) -> NDArray[np.float64]:
     """Kernel: the wanted columns of each whole record; one is `width` numbers and as many more as it has steps."""
     count = at = 0
-    while at + width <= numbers.size and at + width + int(numbers[at + 1]) <= numbers.size:
-        at += width + int(numbers[at + 1])
+    end = record_end(numbers, at, width)
+    while end >= 0:
+        at = end
         count += 1
+        end = record_end(numbers, at, width)
     rows = np.empty((count, columns.size))
     at = 0
     for k in range(count):
         for c in range(columns.size):
             rows[k, c] = numbers[at + columns[c]]
-        at += width + int(numbers[at + 1])
+        at = record_end(numbers, at, width)
     return rows

@@ -1,4 +1,5 @@
-"""Selection of the next receiver: bids, dwell time, time limit, urgency (docs/protocol.md#refuelling-schedule).
+"""The paper's competition, by need and for one winner after another: bids, dwell time, time limit, urgency
+(docs/protocol.md#bids-by-need).
 
 Needs are the bids. A winner must lead for the dwell time; near ties are cut short by `decide_within_s`; and a vehicle
 that would not last until a rendezvous is served before anyone else.
@@ -7,18 +8,16 @@ that would not last until a rendezvous is served before anyone else.
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
 from gcs.mavlink.autopilots import STEERABLE
-from gcs.refuelling.policies import SHIPPED, WINNER_TAKE_ALL, RefuellingPolicy, RefuellingRequest
+from gcs.refuelling.giver import Giver, ServiceTimes
 from gcs.refuelling.winner_take_all import advance, normalise, revive, share
-from gcs.scenario import plugins
-from gcs.scenario.guard import Guard, Nonsense
-from gcs.scenario.model import CompetitionRules, RefuellingRules, Scenario
+from gcs.scenario.model import CompetitionRules
 from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 
 # Session times are sums of tick lengths; a dwell time must not slip a tick for their last bits.
@@ -36,11 +35,48 @@ class CompetitionState:
     share: float = 0.0
 
 
+class Award(NamedTuple):
+    """A giver has its next receiver."""
+
+    giver: Giver
+    receiver: int
+    """system id"""
+    by: str
+    """`competition`, `unopposed`, `urgency`, `timeout`, `policy` or `operator`"""
+
+
+class Contest(Protocol):
+    """What decides who is served next."""
+
+    competition_state: CompetitionState
+    waits_for_all: bool
+    """whether nothing is to be decided before everyone who is heard can be served, at a session's start"""
+
+    def advance(
+        self, snapshot: FleetSnapshot, served: Collection[int], givers: Sequence[Giver], times: ServiceTimes
+    ) -> None:
+        """Move on to the snapshot's time; `served` are those who take no part, `givers` all that there are, busy ones
+        too."""
+
+    def awards(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> Iterable[Award]:
+        """Whom the free givers serve next; `award` is called with each before the next is asked for."""
+
+    def approaches(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> dict[int, int]:
+        """Receiver by tanker, of free tankers that fly towards somebody while nothing is decided."""
+
+    def award(self, sysid: int, now_s: float) -> None:
+        """This one has been given a giver."""
+
+
 class Bidding:
     """The competition's memory from tick to tick."""
 
-    def __init__(self, rules: CompetitionRules) -> None:
+    waits_for_all = False
+
+    def __init__(self, rules: CompetitionRules, reserve_s: float = 0.0) -> None:
+        """`reserve_s`: who would not last so long after a rendezvous is urgent."""
         self._rules = rules
+        self._reserve_s = reserve_s
         self._able: list[int] = []
         self._v: dict[int, float] = {}
         self._leading_since_s: float | None = None
@@ -48,7 +84,9 @@ class Bidding:
         self._last_s: float | None = None
         self.competition_state = CompetitionState()
 
-    def advance(self, snapshot: FleetSnapshot, served: Collection[int]) -> None:
+    def advance(
+        self, snapshot: FleetSnapshot, served: Collection[int], givers: Sequence[Giver] = (), times: object = None
+    ) -> None:
         """Let those who compete do so up to the snapshot's time; `served` are those whose turn it is already."""
         now_s, rules = snapshot.time_s, self._rules
         dt_s = now_s - self._last_s if self._last_s is not None else 0.0
@@ -79,19 +117,30 @@ class Bidding:
             dict(self._v), bids, dict(zip(sysids, needs, strict=True)), leader, held
         )
 
-    def winner(
-        self,
-        snapshot: FleetSnapshot,
-        tanker: VehicleView,
-        speed_m_s: float,
-        reserve_s: float,
-        free: Sequence[VehicleView] = (),
-    ) -> tuple[int, str] | None:
-        """System id that a free tanker serves next, and by what: `urgency`, `competition` or `timeout`; None while
-        undecided.
+    def awards(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> Iterator[Award]:
+        """One for each free tanker in turn; of several bases the one that is nearest to who is decided."""
+        for giver in (one for one in free if one.is_tanker):
+            won = self.winner_at([giver.p_ned], snapshot, giver.speed_m_s, self._reserve_s)
+            if won is not None:
+                yield Award(giver, *won)
+        bases = [giver for giver in free if not giver.is_tanker]
+        while bases:
+            won = self.winner_at([base.p_ned for base in bases], snapshot, bases[0].speed_m_s, self._reserve_s)
+            if won is None:
+                return
+            place = snapshot.vehicle(won[0]).p_now_ned()
+            base = min(bases, key=lambda one: math.dist(one.p_ned, place))
+            bases.remove(base)
+            yield Award(base, *won)
 
-        `free` are the tankers that have not been given anyone yet, for those who plan for several at once.
-        """
+    def approaches(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> dict[int, int]:
+        """Nobody moves before it is decided."""
+        return {}
+
+    def winner(
+        self, snapshot: FleetSnapshot, tanker: VehicleView, speed_m_s: float, reserve_s: float
+    ) -> tuple[int, str] | None:
+        """Who a free tanker serves next, and by what: `urgency`, `competition` or `timeout`; None while undecided."""
         return self.winner_at([tanker.p_now_ned()], snapshot, speed_m_s, reserve_s)
 
     def winner_at(
@@ -127,17 +176,11 @@ class Bidding:
         self._begun_s = now_s if left else None
 
 
-def most_urgent(
-    snapshot: FleetSnapshot, able: Iterable[int], tanker: VehicleView, speed_m_s: float, reserve_s: float
-) -> int | None:
-    """The first to run empty of those who would not last until a rendezvous and `reserve_s` after it."""
-    return urgent_of(snapshot, able, [tanker.p_now_ned()], speed_m_s, reserve_s)
-
-
 def urgent_of(
     snapshot: FleetSnapshot, able: Iterable[int], places: Sequence[Vec3], speed_m_s: float, reserve_s: float
 ) -> int | None:
-    """The same for the nearest of several places; common NED frame, m."""
+    """The first to run empty of those who would not last until the nearest of some places and `reserve_s` after it;
+    common NED frame, m."""
     urgent = []
     for sysid in able:
         view = snapshot.vehicle(sysid)
@@ -150,88 +193,3 @@ def urgent_of(
 def is_servable(view: VehicleView) -> bool:
     """Only vehicles that can receive compete, or are served."""
     return view.flying and view.fresh and view.mode in STEERABLE
-
-
-class PolicyBidding(Bidding):
-    """Asks a policy for each free tanker; a tanker without a good answer waits where it is."""
-
-    def __init__(
-        self,
-        rules: CompetitionRules,
-        refuelling: RefuellingRules,
-        speed_m_s: Mapping[int, float],
-        policy: RefuellingPolicy,
-        guard: Guard,
-    ) -> None:
-        super().__init__(rules)
-        self._refuelling = refuelling
-        self._speed_m_s = speed_m_s
-        self._policy = policy
-        self._guard = guard
-        self._wanting: tuple[VehicleView, ...] = ()
-
-    def advance(self, snapshot: FleetSnapshot, served: Collection[int]) -> None:
-        """Find vehicles that may be served at the snapshot's time; nothing competes, so that bids are needs and v is
-        empty."""
-        self._guard.begin_tick()
-        able = [view for view in snapshot.of_role("pursuer") if view.sysid not in served and is_servable(view)]
-        self._able = [view.sysid for view in able]
-        self._wanting = tuple(view for view in able if view.need >= self._rules.need_from)
-        need = {view.sysid: view.need for view in self._wanting}
-        bids = normalise(list(need.values()), low=self._rules.floor, high=self._rules.high) if need else ()
-        self.competition_state = CompetitionState({}, dict(zip(need, map(float, bids), strict=True)), need, None, 0.0)
-
-    def winner(
-        self,
-        snapshot: FleetSnapshot,
-        tanker: VehicleView,
-        speed_m_s: float,
-        reserve_s: float,
-        free: Sequence[VehicleView] = (),
-    ) -> tuple[int, str] | None:
-        """System id that a free tanker serves next, and by what: `urgency` or `policy`; None where the policy names
-        none."""
-        urgent = most_urgent(snapshot, self._able, tanker, speed_m_s, reserve_s)
-        if urgent is not None:
-            return urgent, "urgency"
-        if not self._wanting:
-            return None
-        others = tuple(view for view in free if view.sysid != tanker.sysid)
-        request = RefuellingRequest(
-            snapshot.time_s, tanker, self._wanting, (tanker, *others), self._speed_m_s, self._refuelling
-        )
-        answer = self._guard.call(tanker.sysid, lambda: self._checked(self._policy.choose(request)))
-        return None if answer is None or answer.value is None else (answer.value, "policy")
-
-    def award(self, sysid: int, now_s: float) -> None:
-        """The vehicle chosen is no candidate any more."""
-        self._able.remove(sysid)
-        self._wanting = tuple(view for view in self._wanting if view.sysid != sysid)
-        self.competition_state = CompetitionState(
-            {}, self.competition_state.tau, self.competition_state.need, None, 0.0
-        )
-
-    def _checked(self, answer: Any) -> int | None:
-        """The answer as a system id or None. Raises Nonsense."""
-        if answer is None:
-            return None
-        for view in self._wanting:
-            if answer == view.sysid:
-                return view.sysid
-        shown = "NaN" if answer != answer else " ".join(repr(answer).split())[:60]  # noqa: PLR0124 - NaN alone differs
-        raise Nonsense(f"returned {shown}, which is no candidate's system id")
-
-
-def make_bidding(scenario: Scenario) -> tuple[Bidding, Guard | None]:
-    """The contest that a scenario names, and what guards it where it is not the competition. Raises ScenarioError."""
-    name, rules = scenario.competition.policy, scenario.competition
-    if name == WINNER_TAKE_ALL:
-        return Bidding(rules), None
-    policy: RefuellingPolicy
-    if name in SHIPPED:
-        policy = SHIPPED[name](scenario)
-    else:
-        policy = plugins.make("competition.policy", name, "choose", scenario)
-    speed_m_s = {tanker.sysid: tanker.speed_m_s for tanker in scenario.vehicles.tankers}
-    guard = Guard(f"policy {name}")
-    return PolicyBidding(rules, scenario.refuelling, speed_m_s, policy, guard), guard

@@ -83,15 +83,22 @@ def why(service: Service, snapshot: FleetSnapshot, rules: RefuellingRules, compe
     """One sentence for a person: by what this receiver was chosen, and when its tanker meets it."""
     receiver = snapshot.vehicle(service.receiver).label
     need = f"its need {service.need:.2f}"
-    if service.by == "competition":
+    if service.by == "competition" and competition.bids == "time":
+        reason = (
+            f"it has least time left of those who compete, clear of the next for {competition.dwell_s:g} s ({need})"
+        )
+    elif service.by == "competition":
         largest = "is the largest" if service.need_is_largest else "had been the largest"
         reason = f"{need} {largest} and it held {100.0 * service.share:.0f} % of the competition"
         reason += f" for {competition.dwell_s:g} s"
+    elif service.by == "unopposed":
+        reason = f"nobody else waits for a tanker or base that it would take ({need})"
     elif service.by == "timeout":
         reason = f"nobody held {100.0 * competition.share:.0f} % of the competition within"
         reason += f" {competition.decide_within_s:g} s, and it was ahead with {need}"
     elif service.by == "urgency":
-        reason = f"it would be empty within {rules.hold_s + rules.reserve_s:g} s of the rendezvous"
+        urgent_s = 2.0 * competition.dwell_s if competition.bids == "time" else rules.hold_s + rules.reserve_s
+        reason = f"it would be empty within {urgent_s:g} s of the rendezvous"
     elif service.by == "operator":
         reason = f"the operator asked for it ({need})"
     else:

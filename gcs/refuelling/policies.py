@@ -1,27 +1,40 @@
-"""Receiver policies other than the competition: nearest, most empty, optimal, or a user's own class.
+"""Receiver policies other than the competition: shipped ones, or a user's own class.
 
     class MyPolicy:
         def __init__(self, scenario): ...
         def choose(self, request): return a system id, or None for none now
 
-A scenario names one: `competition: {policy: greedy_nearest | most_empty_first | optimal | MODULE:CLASS}`. Whatever the
-policy, a vehicle that would not last until a rendezvous goes first (docs/protocol.md#refuelling-schedule).
+A scenario names one: `competition: {policy: optimal | … | MODULE:CLASS}`. With a policy that chooses for one tanker at
+a time, a vehicle that would not last until a rendezvous goes first (docs/protocol.md#refuelling-schedule).
 """
 
 from __future__ import annotations
 
-import itertools
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
+import numpy as np
+from scipy.optimize import linear_sum_assignment
+
+from gcs.refuelling.auction import auction
+from gcs.refuelling.giver import Giver, ServiceTimes, lasts_s
+from gcs.refuelling.matching import match
+from gcs.refuelling.rolling_horizon import Durations, Fleet, Planned, Tankers, plan
 from gcs.scenario.model import RefuellingRules, Scenario
 from gcs.telemetry.state import VehicleView
 
 WINNER_TAKE_ALL = "winner_take_all"
-MOST_PLANNED = 6
-"""Vehicles whose every order is tried: 6! = 720 orders, times the ways to share them among the free tankers."""
+MOST_PLANNED = 24
+"""Vehicles that are planned for: those who land first."""
+PLANNED_S = 90.0
+"""How far ahead."""
+MARGIN_S = 3.0
+"""Beyond the session's end: estimates of who lasts until then are as wrong as that."""
+LONGEST_S = 1e6
+AUCTION_S = 0.01
+"""How far a tanker raises its bid at least."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,10 +50,22 @@ class RefuellingRequest:
     speed_m_s: Mapping[int, float]
     """by tanker"""
     rules: RefuellingRules
+    givers: tuple[Giver, ...] = ()
+    """every tanker that serves, the busy ones with where and when they are free"""
+    later: tuple[VehicleView, ...] = ()
+    """who can be served but does not want it yet, in order of system id"""
+    times: ServiceTimes | None = None
+    """how long services take, as learnt so far"""
+    left_s: float = math.inf
+    """until the session ends"""
 
 
 class RefuellingPolicy(Protocol):
-    """One-method protocol; made once, as CLASS(scenario)."""
+    """One-method protocol; made once, as CLASS(scenario).
+
+    One that can say for all free tankers at once whom each is to serve has `assign(request)` too, which returns system
+    ids by tanker's and is then asked instead, and before any rule of urgency.
+    """
 
     def choose(self, request: RefuellingRequest) -> int | None:
         """The candidate whom request.tanker is to serve, by system id; None: none, ask again in the next tick."""
@@ -70,55 +95,126 @@ class MostEmptyFirst:
 
 
 class Optimal:
-    """The first step of the best of all orders, for small fleets [choice].
+    """Plans all services of all tankers ahead, of those who want energy and those who soon will, and flies the first
+    (gcs/refuelling/rolling_horizon.py) [choice]."""
 
-    Best is the order in which the vehicle that comes nearest to empty before its turn still has most endurance left;
-    of equals the one that is done first, then the one that comes first by system ids. A service takes the way from the
-    last receiver, `hold_s`, and what is missing up to `until` at `rate_w`; vehicles are taken to stay where they are.
-    Of more than MOST_PLANNED candidates those with the least endurance are ordered.
-    """
+    def __init__(self, scenario: Scenario) -> None:
+        self._need_from = scenario.competition.need_from
+
+    def choose(self, request: RefuellingRequest) -> int | None:
+        """This tanker's first receiver in the best plan; None where that leaves them to another free one."""
+        return self.assign(request).get(request.tanker.sysid)
+
+    def assign(self, request: RefuellingRequest) -> dict[int, int]:
+        """Receiver by free tanker: the first ones of the best plan, matched by the least time."""
+        views = soonest((*request.candidates, *request.later), request.rules)
+        free = _free(request)
+        waiting = {view.sysid for view in request.candidates}
+        winners = list(request.candidates)
+        if len(winners) > len(free):
+            planned = self._planned(request, views)
+            named = [views[i] for i, s in zip(planned.first, planned.starts_s, strict=True) if i >= 0 and s == 0.0]
+            winners = [view for view in named if view.sysid in waiting]
+            others = [view for view in views if view.sysid in waiting and view not in winners]
+            winners += others[: len(free) - len(winners)]  # whom the plan holds to be lost, rather than nobody
+        return _pairs(match(free, winners))
+
+    def _planned(self, request: RefuellingRequest, views: Sequence[VehicleView]) -> Planned:
+        assert request.times is not None
+        rules, times = request.rules, request.times
+        fleet = Fleet(
+            np.array([view.p_now_ned() for view in views]),
+            np.array([min(lasts_s(view, rules.lands_at), LONGEST_S) for view in views]),
+            np.array([max(view.power_w, 1e-3) for view in views]),
+            np.array([(rules.until - rules.lands_at) * view.capacity_j for view in views]),
+            np.array([(1.0 - self._need_from - rules.lands_at) * view.capacity_j for view in views]),
+        )
+        tankers = Tankers(
+            np.array([giver.p_ned for giver in request.givers]),
+            np.array([giver.free_in_s for giver in request.givers]),
+            np.array([giver.speed_m_s for giver in request.givers]),
+            np.array([giver.available_j for giver in request.givers]),
+        )
+        takes = Durations(times.start_s, times.per_way, times.end_s, rules.rate_w)
+        return plan(fleet, tankers, takes, horizon_s=min(request.left_s + MARGIN_S, PLANNED_S))
+
+
+def soonest(views: Iterable[VehicleView], rules: RefuellingRules) -> list[VehicleView]:
+    """Those who land first, at most MOST_PLANNED."""
+    return sorted(views, key=lambda view: (lasts_s(view, rules.lands_at), view.sysid))[:MOST_PLANNED]
+
+
+class EarliestDeadline:
+    """Those who land first, matched to the free tankers by the least time (earliest deadline first)."""
 
     def __init__(self, scenario: Scenario) -> None:
         pass
 
     def choose(self, request: RefuellingRequest) -> int | None:
-        """This tanker's first receiver in the best plan; None where the best plan leaves them to another free one."""
-        planned = sorted(request.candidates, key=lambda view: (view.endurance_s, view.sysid))[:MOST_PLANNED]
-        best: tuple[tuple[float, float, list[list[int]]], int | None] | None = None
-        for order in itertools.permutations(sorted(planned, key=lambda view: view.sysid)):
-            for queues in _shares(order, len(request.free_tankers)):
-                margin_s, done_s = self._worth(request, queues)
-                rank = (-margin_s, done_s, [[view.sysid for view in queue] for queue in queues])
-                if best is None or rank < best[0]:
-                    best = rank, queues[0][0].sysid if queues[0] else None
-        return None if best is None else best[1]
+        """This tanker's of them."""
+        return self.assign(request).get(request.tanker.sysid)
 
-    @staticmethod
-    def _worth(request: RefuellingRequest, queues: Sequence[Sequence[VehicleView]]) -> tuple[float, float]:
-        """(least endurance left at the begin of a service, time until the last is done), s."""
-        margin_s, done_s = math.inf, 0.0
-        for tanker, queue in zip(request.free_tankers, queues, strict=True):
-            here, time_s = tanker.p_now_ned(), 0.0
-            for view in queue:
-                there = view.p_now_ned()
-                time_s += math.dist(here, there) / request.speed_m_s[tanker.sysid] + request.rules.hold_s
-                margin_s = min(margin_s, view.endurance_s - time_s)
-                missing_j = request.rules.until * view.capacity_j - view.remaining_j + view.power_w * time_s
-                time_s += max(missing_j, 0.0) / request.rules.rate_w
-                here = there
-            done_s = max(done_s, time_s)
-        return margin_s, done_s
+    def assign(self, request: RefuellingRequest) -> dict[int, int]:
+        """Receiver by free tanker."""
+        free = _free(request)
+        return _pairs(match(free, soonest(request.candidates, request.rules)[: len(free)]))
 
 
-def _shares(order: Sequence[VehicleView], queues: int) -> Iterator[list[Sequence[VehicleView]]]:
-    """Every way to cut an order into so many queues, empty ones too."""
-    for cuts in itertools.combinations_with_replacement(range(len(order) + 1), queues - 1):
-        edges = [0, *cuts, len(order)]
-        yield [order[a:b] for a, b in itertools.pairwise(edges)]
+class Hungarian:
+    """Tankers and candidates paired so that the sum of the ways' times is least; who would not last `reserve_s` beyond
+    the way comes before all who would."""
+
+    def __init__(self, scenario: Scenario) -> None:
+        pass
+
+    def choose(self, request: RefuellingRequest) -> int | None:
+        """This tanker's of them."""
+        return self.assign(request).get(request.tanker.sysid)
+
+    def assign(self, request: RefuellingRequest) -> dict[int, int]:
+        """Receiver by free tanker."""
+        free, lands_at = _free(request), request.rules.lands_at
+        cost_s = np.array([[giver.way_s(view) for view in request.candidates] for giver in free])
+        left_s = np.array([min(lasts_s(view, lands_at), LONGEST_S) for view in request.candidates])
+        cost_s[:, left_s - cost_s.min(axis=0) < request.rules.reserve_s] -= LONGEST_S
+        rows, columns = linear_sum_assignment(cost_s)
+        return {int(free[i].name): request.candidates[j].sysid for i, j in zip(rows, columns, strict=True)}
+
+
+class Auction:
+    """Tankers bid for candidates: worth most is who lands soonest and is near, a second of the one for a second of the
+    other."""
+
+    def __init__(self, scenario: Scenario) -> None:
+        pass
+
+    def choose(self, request: RefuellingRequest) -> int | None:
+        """This tanker's of them."""
+        return self.assign(request).get(request.tanker.sysid)
+
+    def assign(self, request: RefuellingRequest) -> dict[int, int]:
+        """Receiver by free tanker."""
+        free, views, lands_at = _free(request), request.candidates, request.rules.lands_at
+        if len(free) >= len(views):
+            return _pairs(match(free, views))
+        left_s = np.array([min(lasts_s(view, lands_at), LONGEST_S) for view in views])
+        won = auction([[-giver.way_s(view) for view in views] - left_s for giver in free], AUCTION_S)
+        return {int(giver.name): views[j].sysid for giver, j in zip(free, won, strict=True)}
+
+
+def _free(request: RefuellingRequest) -> list[Giver]:
+    return [giver for giver in request.givers if giver.free_in_s == 0.0]
+
+
+def _pairs(matched: Iterable[tuple[Giver, VehicleView]]) -> dict[int, int]:
+    return {int(giver.name): view.sysid for giver, view in matched}
 
 
 SHIPPED: dict[str, Callable[[Scenario], RefuellingPolicy]] = {
     "greedy_nearest": GreedyNearest,
     "most_empty_first": MostEmptyFirst,
     "optimal": Optimal,
+    "earliest_deadline": EarliestDeadline,
+    "hungarian": Hungarian,
+    "auction": Auction,
 }

@@ -1,8 +1,8 @@
 """Refuelling scheduler: gives receivers to tankers and bases (docs/protocol.md#refuelling-schedule).
 
 The schedule is pure but for its own memory: a snapshot and the results of earlier commands go in, requests and records
-come out. It never knows a socket or a clock. How one service goes on from its decision: gcs/refuelling/tanker.py and
-gcs/refuelling/base.py.
+come out. It never knows a socket or a clock. How one service goes on from its decision:
+gcs/refuelling/tanker_service.py and gcs/refuelling/base_service.py.
 
 Vehicles that cannot take energy in the air compete by themselves, for the places at bases: by the same rules, since a
 tanker is of no use to them, nor a place at a base to the others.
@@ -17,17 +17,23 @@ from typing import Any
 import numpy as np
 
 from gcs.mavlink.autopilots import STEERABLE
-from gcs.refuelling.base import BaseSteps, Stock
-from gcs.refuelling.bidding import Bidding, CompetitionState, is_servable
+from gcs.refuelling.base_service import BaseSteps, Stock
+from gcs.refuelling.bidding import Award, CompetitionState, Contest, is_servable
 from gcs.refuelling.capability import ReceiverCapability
+from gcs.refuelling.giver import WORTH_J, Giver, ServiceTimes
+from gcs.refuelling.policy_bidding import make_competition
 from gcs.refuelling.service import Decision, Phase, Service, ServiceRequests, by_text
-from gcs.refuelling.tanker import TankerSteps
+from gcs.refuelling.tanker_service import TankerSteps
 from gcs.refuelling.target_assignment import meeting_s
 from gcs.scenario.model import Base, CompetitionRules, RefuellingRules, Tanker
 from gcs.telemetry.state import FleetSnapshot, VehicleView
 
 RELAY_WITHIN_M = 15.0
-WORTH_J = 500.0
+UP_WITHIN_S = 1.0
+"""So long after the first one the others may take before anything is decided."""
+TANKER_TIMES = (3.0, 1.14, 0.5)
+BASE_TIMES = (10.0, 1.2, 6.0)
+"""First guesses of a, b and what passes after the last joule, s; measured in random sessions [choice]."""
 
 
 class Scheduler:
@@ -38,7 +44,7 @@ class Scheduler:
         competition: CompetitionRules,
         refuelling: RefuellingRules,
         tankers: Sequence[Tanker],
-        own: Bidding | None = None,
+        own: Contest | None = None,
         *,
         bases: Sequence[Base] = (),
         transfer_capable: Mapping[int, bool | None] | None = None,
@@ -48,10 +54,11 @@ class Scheduler:
         the air, by system id, None where it is to be found out; those who are not named can. `cruise_m_s`: how fast
         they fly to a base."""
         competes = competition.enabled and refuelling.enabled
-        self._contest = (own or Bidding(competition)) if competes else None
-        self._base_contest = Bidding(competition) if competes and bases else None
+        self._contest = (own or make_competition(competition, refuelling)) if competes else None
+        self._base_contest = make_competition(competition, refuelling) if competes and bases else None
         self._rules = refuelling
         self._cruise_m_s = cruise_m_s
+        self._need_from = competition.need_from
         self._tankers = {tanker.sysid: tanker for tanker in tankers}
         self.services: list[Service] = []
         self.out: dict[int, str] = {}
@@ -62,6 +69,16 @@ class Scheduler:
         self._steps = TankerSteps(refuelling, self._tankers, self._requests, self.out)
         self._bases = BaseSteps(refuelling, bases, self._requests, self.out, need_from=competition.need_from)
         self._ability = ReceiverCapability(transfer_capable or {})
+        self.tanker_times = ServiceTimes(*TANKER_TIMES)
+        self.base_times = ServiceTimes(*BASE_TIMES)
+        self._approaches: dict[int, int] = {}
+        self._first_up_s: float | None = None
+        self._last_s: float | None = None
+        self._free: list[int | str] = []
+        self.tanker_idle_s = 0.0
+        """tankers' time, summed, in which they stood free although somebody waited"""
+        self._up: set[int] = set()
+        self._settled = False
 
     @property
     def competition_state(self) -> CompetitionState:
@@ -120,6 +137,8 @@ class Scheduler:
 
     def decide(self, snapshot: FleetSnapshot) -> Decision:
         """Move the competition and every service to the snapshot's time."""
+        dt_s = 0.0 if self._last_s is None else snapshot.time_s - self._last_s
+        self._last_s = snapshot.time_s
         self._requests.clear()
         self._bases.booked = {}
         self.settle(snapshot)
@@ -128,17 +147,21 @@ class Scheduler:
         self._compete(snapshot)
         for service in self.open_services:
             (self._steps if service.base is None else self._bases).serve(service, snapshot)
+        self.tanker_idle_s += dt_s * self._idle_tankers(snapshot)
         in_air = {s.tanker: s for s in self.open_services if s.tanker is not None}
         at_base = [service for service in self.open_services if service.base is not None]
         return Decision(
-            rendezvous={tanker: service.receiver for tanker, service in in_air.items()},
+            rendezvous={**self._approaches, **{tanker: service.receiver for tanker, service in in_air.items()}},
             requests=tuple(self._requests.requests),
             relays=tuple(
                 (tanker, service.receiver)
                 for tanker, service in in_air.items()
                 if service.phase is not Phase.JOIN or self._distance_m(tanker, service, snapshot) < RELAY_WITHIN_M
             ),
-            partners=tuple((tanker, service.receiver) for tanker, service in in_air.items()),
+            partners=(
+                *((tanker, service.receiver) for tanker, service in in_air.items()),
+                *self._approaches.items(),
+            ),
             stations=self._bases.stations(at_base),
             grounded=self._bases.grounded(at_base),
             giver_reports=self._bases.giver_reports(at_base, snapshot),
@@ -150,29 +173,95 @@ class Scheduler:
         """Move both competitions on, and give every free tanker and base who is decided for it."""
         served = {service.receiver for service in self.open_services} | self.out.keys()
         unable = self._ability.unable.keys()
+        tankers, bases = self._tanker_givers(snapshot), self._base_givers(snapshot)
+        self._free = [giver.name for giver in tankers if giver.free_in_s == 0.0]
+        self.tanker_times.learn((s for s in self.services if s.base is None), lambda _: self._rules.rate_w)
+        self.base_times.learn((s for s in self.services if s.base is not None), self._base_rate_w)
         if self._contest is not None:
-            self._contest.advance(snapshot, served | unable | self._ability.unknown)
+            self._contest.advance(snapshot, served | unable | self._ability.unknown, tankers, self.tanker_times)
         if self._base_contest is not None:
-            self._base_contest.advance(snapshot, served | {v.sysid for v in snapshot.vehicles} - unable)
-        if self._rules.enabled:
-            free = self._free_tankers(snapshot)
-            for i in range(len(free)):
-                self._award(free[i:], snapshot)
-            while self._award_base(snapshot):
-                pass
+            able = {view.sysid for view in snapshot.vehicles} - unable
+            self._base_contest.advance(snapshot, served | able, bases, self.base_times)
+        self._approaches = {}
+        if not self._rules.enabled:
+            return
+        for contest, givers in ((self._contest, tankers), (self._base_contest, bases)):
+            free = self._award_asked([giver for giver in givers if giver.free_in_s == 0.0], contest, snapshot)
+            if contest is None or not free:
+                continue
+            if contest.waits_for_all and not self._settled:
+                self._settled = self._all_are_up(snapshot)
+                if not self._settled:
+                    continue
+            for award in contest.awards(snapshot, free):
+                self._award(award, contest, snapshot)
+                free = [giver for giver in free if giver.name != award.giver.name]
+            if contest is self._contest:
+                self._approaches = contest.approaches(snapshot, free)
 
-    def _free_tankers(self, snapshot: FleetSnapshot) -> list[VehicleView]:
-        busy = {service.tanker for service in self.open_services}
-        return [
-            view
-            for view in snapshot.of_role("tanker")
-            if view.sysid not in busy
-            and view.sysid not in self.out
-            and view.flying
-            and view.fresh
-            and view.mode in STEERABLE
-            and self._steps.available_j(view, math.inf) >= WORTH_J
-        ]
+    def _all_are_up(self, snapshot: FleetSnapshot) -> bool:
+        """Whether everyone could be served by now and its draw is known, or has had its time after the first one."""
+        pursuers = [view for view in snapshot.of_role("pursuer") if view.alive and view.sysid not in self.out]
+        able = [view for view in pursuers if is_servable(view)]
+        if self._first_up_s is None and able:
+            self._first_up_s = snapshot.time_s
+        self._up |= {view.sysid for view in able if view.power_w > 0.0}
+        waited = self._first_up_s is not None and snapshot.time_s - self._first_up_s >= UP_WITHIN_S
+        return waited or all(view.sysid in self._up for view in pursuers)
+
+    def _idle_tankers(self, snapshot: FleetSnapshot) -> int:
+        """How many tankers stand free after this tick's decisions although somebody waits for each, once all are up."""
+        if self._contest is None or not self._rules.enabled or (self._contest.waits_for_all and not self._settled):
+            return 0
+        busy = {service.tanker for service in self.open_services} | self._approaches.keys()
+        served = {service.receiver for service in self.open_services} | set(self._approaches.values())
+        waiting = sum(
+            view.need >= self._need_from and is_servable(view)
+            for view in snapshot.of_role("pursuer")
+            if view.sysid not in served and view.sysid not in self.out and view.sysid not in self._ability.unable
+        )
+        free = sum(giver not in busy for giver in self._free)
+        return min(free, waiting)
+
+    def _tanker_givers(self, snapshot: FleetSnapshot) -> list[Giver]:
+        """Every tanker that flies and has something to spare, busy ones from where and when their service ends."""
+        serves = {service.tanker: service for service in self.open_services}
+        found = []
+        for view in snapshot.of_role("tanker"):
+            if view.sysid in self.out or not (view.flying and view.fresh):
+                continue
+            service, available_j = serves.get(view.sysid), self._steps.available_j(view, math.inf)
+            speed_m_s, place, free_in_s = self._tankers[view.sysid].speed_m_s, view.p_now_ned(), 0.0
+            if service is not None:
+                receiver = snapshot.vehicle(service.receiver)
+                place = receiver.p_now_ned() if receiver.p_ned is not None else place
+                available_j -= max(self._rules.until * receiver.capacity_j - receiver.remaining_j, 0.0)
+                until, rate_w = self._rules.until, self._rules.rate_w
+                free_in_s = max(self.tanker_times.left_s(service, receiver, until, rate_w, snapshot.time_s), 0.1)
+            elif view.mode not in STEERABLE:
+                continue
+            if available_j >= WORTH_J:
+                found.append(Giver(view.sysid, place, free_in_s, speed_m_s, available_j, self._rules.rate_w))
+        return found
+
+    def _base_givers(self, snapshot: FleetSnapshot) -> list[Giver]:
+        """Every base with something left, busy ones from when their service ends."""
+        serves = {service.base: service for service in self.open_services}
+        found = []
+        for stock in self.stocks:
+            base, service, free_in_s = stock.base, serves.get(stock.base.name), 0.0
+            if service is not None:
+                receiver, until = snapshot.vehicle(service.receiver), self._rules.until
+                free_in_s = max(self.base_times.left_s(service, receiver, until, base.rate_w, snapshot.time_s), 0.1)
+            if stock.remaining_j >= WORTH_J:
+                found.append(
+                    Giver(base.name, base.above_m, free_in_s, self._cruise_m_s, stock.remaining_j, base.rate_w)
+                )
+        return found
+
+    def _base_rate_w(self, service: Service) -> float:
+        assert service.base is not None
+        return self._bases.stocks[service.base].base.rate_w
 
     def _prune(self, snapshot: FleetSnapshot) -> None:
         """Withdraw requests of vehicles that are dead, out or being served."""
@@ -189,53 +278,37 @@ class Scheduler:
                 return sysid
         return None
 
-    def _next(self, free: Sequence[VehicleView], snapshot: FleetSnapshot) -> tuple[int, str] | None:
-        """System id that the first free tanker serves next, and by what; None while undecided."""
-        asked = self._asked_for(snapshot, base=False)
-        if asked is not None or self._contest is None:
-            return None if asked is None else (asked, "operator")
-        speed_m_s = self._tankers[free[0].sysid].speed_m_s
-        reserve_s = self._rules.hold_s + self._rules.reserve_s
-        return self._contest.winner(snapshot, free[0], speed_m_s, reserve_s, free)
+    def _award_asked(self, free: Sequence[Giver], contest: Contest | None, snapshot: FleetSnapshot) -> list[Giver]:
+        """Give those whom the operator asked for the nearest of the free givers; who is still free."""
+        left = list(free)
+        while left:
+            asked = self._asked_for(snapshot, base=not left[0].is_tanker)
+            if asked is None:
+                break
+            view = snapshot.vehicle(asked)
+            giver = min(left, key=lambda one: one.way_s(view))
+            left.remove(giver)
+            self._award(Award(giver, asked, "operator"), contest, snapshot)
+        return left
 
-    def _award(self, free: Sequence[VehicleView], snapshot: FleetSnapshot) -> None:
-        """Give the first of the free tankers its next receiver, if one is decided."""
-        competition_state, tanker = self.competition_states[0], free[0]
-        won = self._next(free, snapshot)
-        if won is None:
-            return
-        receiver, by = won
-        if self._contest is not None:
-            self._contest.award(receiver, snapshot.time_s)
-        view = snapshot.vehicle(receiver)
-        service = self._decide(competition_state, view, tanker.sysid, by, snapshot.time_s)
-        way = np.subtract(view.p_now_ned(), tanker.p_now_ned())
-        service.meets_in_s = meeting_s(way, np.asarray(view.v_ned), self._tankers[tanker.sysid].speed_m_s)
-        self._steps.begin(service)
-        self._record_decision(service, competition_state)
-
-    def _award_base(self, snapshot: FleetSnapshot) -> bool:
-        """Give a free base its next receiver, the nearest base to who is decided; whether there was any."""
-        busy = {service.base for service in self.open_services}
-        free = [stock.base for stock in self.stocks if stock.base.name not in busy and stock.remaining_j >= WORTH_J]
-        competition_state, contest = self.competition_states[1], self._base_contest
-        asked = self._asked_for(snapshot, base=True) if free else None
-        won = None if asked is None else (asked, "operator")
-        if free and won is None and contest is not None:
-            reserve_s = self._rules.hold_s + self._rules.reserve_s
-            won = contest.winner_at([base.above_m for base in free], snapshot, self._cruise_m_s, reserve_s)
-        if won is None:
-            return False
-        receiver, by = won
+    def _award(self, award: Award, contest: Contest | None, snapshot: FleetSnapshot) -> None:
+        """Begin the service of a receiver by its giver."""
+        competition_state, now_s = CompetitionState() if contest is None else contest.competition_state, snapshot.time_s
         if contest is not None:
-            contest.award(receiver, snapshot.time_s)
-        view = snapshot.vehicle(receiver)
-        base = min(free, key=lambda base: math.dist(base.above_m, view.p_now_ned()))
-        service = self._decide(competition_state, view, None, by, snapshot.time_s)
-        service.base, service.why_base = base.name, self.unable[receiver]
-        service.meets_in_s = math.dist(base.above_m, view.p_now_ned()) / self._cruise_m_s
-        self._record_decision(service, competition_state, {"reason": f"cannot take a transfer: {service.why_base}"})
-        return True
+            contest.award(award.receiver, now_s)
+        view, giver = snapshot.vehicle(award.receiver), award.giver
+        more: dict[str, Any] = {}
+        tanker = int(giver.name) if giver.is_tanker else None
+        service = self._decide(competition_state, view, tanker, award.by, now_s)
+        if tanker is None:
+            service.base, service.why_base = str(giver.name), self.unable[award.receiver]
+            service.meets_in_s = math.dist(giver.p_ned, view.p_now_ned()) / self._cruise_m_s
+            more = {"reason": f"cannot take a transfer: {service.why_base}"}
+        else:
+            way = np.subtract(view.p_now_ned(), giver.p_ned)
+            service.meets_in_s = meeting_s(way, np.asarray(view.v_ned), giver.speed_m_s)
+            self._steps.begin(service)
+        self._record_decision(service, competition_state, more)
 
     def _decide(
         self, competition_state: CompetitionState, view: VehicleView, tanker: int | None, by: str, now_s: float

@@ -38,22 +38,37 @@ def advance(v: ArrayLike, tau: ArrayLike, dt_s: float, *, p: float, rate: float)
     v_now, drive = _states(v), _drive(tau, np.shape(v)[:1])
     _exponent(p)
     _positive("rate", rate)
-    if not (math.isfinite(dt_s) and dt_s >= 0):
-        raise ValueError(f"competition: dt_s is {dt_s!r}; it must be finite and at least 0")
+    _span(dt_s)
     if dt_s == 0 or not v_now.any():
         return v_now.copy()
-
-    at = p * rate * dt_s
     with np.errstate(divide="ignore", under="ignore"):
-        ln_w = p * np.log(v_now)
-        x = at * drive
-        k = int((ln_w + x).argmax())
-        z = (ln_w - ln_w[k]) + at * (drive - drive[k])
-        shares = z + np.log(-np.expm1(-x)) - np.log(drive)
-        start = -(ln_w[k] + x[k])
-        top = max(start, shares.max())
-        ln_sum = top + math.log(math.exp(start - top) + np.exp(shares - top).sum())
-        return np.asarray(np.exp((z - ln_sum) / p))
+        return np.asarray(np.exp(_advanced(np.log(v_now), drive, dt_s, p, rate)))
+
+
+def advance_ln(ln_v: ArrayLike, tau: ArrayLike, dt_s: float, *, p: float, rate: float) -> FloatArray:
+    """The same of the states' logarithms (n,), finite, so that no ratio is lost to the range of floats
+    (docs/model.md#k-winners)."""
+    ln_now, drive = _finite("ln_v", ln_v), _drive(tau, np.shape(ln_v)[:1])
+    _exponent(p)
+    _positive("rate", rate)
+    _span(dt_s)
+    if dt_s == 0 or not ln_now.size:
+        return ln_now.copy()
+    with np.errstate(under="ignore"):
+        return _advanced(ln_now, drive, dt_s, p, rate)
+
+
+def _advanced(ln_v: FloatArray, drive: FloatArray, dt_s: float, p: float, rate: float) -> FloatArray:
+    at = p * rate * dt_s
+    ln_w = p * ln_v
+    x = at * drive
+    k = int((ln_w + x).argmax())
+    z = (ln_w - ln_w[k]) + at * (drive - drive[k])
+    shares = z + np.log(-np.expm1(-x)) - np.log(drive)
+    start = -(ln_w[k] + x[k])
+    top = max(start, shares.max())
+    ln_sum = top + math.log(math.exp(start - top) + np.exp(shares - top).sum())
+    return np.asarray((z - ln_sum) / p)
 
 
 def simulate(
@@ -287,6 +302,11 @@ def _drive(tau: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
     if (drive <= 0).any():
         raise ValueError(f"competition: tau is {drive.min()!r} at {int(drive.argmin())}; it must be above 0")
     return drive
+
+
+def _span(dt_s: float) -> None:
+    if not (math.isfinite(dt_s) and dt_s >= 0):
+        raise ValueError(f"competition: dt_s is {dt_s!r}; it must be finite and at least 0")
 
 
 def _exponent(p: float) -> None:

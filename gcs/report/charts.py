@@ -13,20 +13,16 @@ from typing import Any
 
 import numpy as np
 
-from gcs.recording.series import CompetitionSeries, Floats, Series, Track
+from gcs.recording.series import CompetitionSeries, Series
 from gcs.report import decimate
 from gcs.report.findings import Findings, ServiceFinding
+from gcs.report.flight import flight
 from gcs.report.pack import Pack
-from gcs.scenario.model import Obstacle
-from gcs.scenario.plot import legs
 
 MANY = 16
 """With more vehicles than this, lines of all would hide each other."""
 BUCKETS, BUCKETS_OF_MANY = 1000, 400
 """Pixels of a figure's width; of many vehicles each line has fewer, so that the page stays small."""
-PATH_PIXELS = 3000
-"""A path as drawn is off by at most this part of the whole's extent: one has to zoom to see it."""
-CORNERS = 24
 DEGREES = 180.0 / math.pi
 CHOSEN = 6
 
@@ -56,11 +52,13 @@ class Charts:
         self.pack = Pack(0.0, self.end_s)
         self.many = len(findings.vehicles) > MANY
         self.buckets = BUCKETS_OF_MANY if self.many else BUCKETS
+        scenario = findings.scenario
+        self._colours = {v.sysid: k for k, v in enumerate(scenario.vehicles.all)} if scenario is not None else {}
 
     def model(self) -> dict[str, Any]:
         """Data that the script draws: the vehicles, and each figure by its name; a figure without data is left out."""
         found = self._found
-        figures: dict[str, Any] = {"plan": self._plan(), **self._of_time()}
+        figures = self._of_time()
         if found.services:
             figures["timeline"] = self._timeline()
         if found.ledgers:
@@ -68,7 +66,11 @@ class Charts:
         return {
             "end_s": self.end_s,
             "many": self.many,
-            "vehicles": [{"id": v.sysid, "role": v.role, "label": v.label} for v in found.vehicles],
+            "flight": flight(found, self.pack),
+            "vehicles": [
+                {"id": v.sysid, "role": v.role, "label": v.label, "colour": self._colours.get(v.sysid, v.sysid - 1)}
+                for v in found.vehicles
+            ],
             "chosen": notable(found) if self.many else [v.sysid for v in found.vehicles],
             "figures": {name: figure for name, figure in figures.items() if figure},
         }
@@ -196,42 +198,6 @@ class Charts:
     def _fewer(self, line: Series) -> Series:
         return decimate.min_max(line, self.buckets, 0.0, self.end_s)
 
-    def _plan(self) -> dict[str, Any] | None:
-        found = self._found
-        if not found.tracks:
-            return None
-        places = [track.p_ned for track in (*found.tracks.values(), *found.traffic.values()) if len(track.t_s)]
-        span_m = np.ptp(np.concatenate(places), axis=0).max() if places else 1.0
-        off_m = max(float(span_m), 1.0) / PATH_PIXELS
-        shapes = found.scenario.obstacles if found.scenario else ()
-        return {
-            "kind": "plan",
-            "paths": [{"id": s, "p": self.pack.path(path_of(t, off_m))} for s, t in sorted(found.tracks.items())],
-            "traffic": [
-                {"label": name, "p": self.pack.path(path_of(track, off_m))} for name, track in found.traffic.items()
-            ],
-            "planned": [
-                [[round(x, 3) for x in point] for leg in legs(t.path_m, t.closed) for point in leg]
-                for t in (found.scenario.vehicles.targets if found.scenario else ())
-            ],
-            "solids": [solid(shape) for shape in shapes if shape.kind != "point"],
-            "points": [[round(x, 3) for x in shape.low_m] for shape in shapes if shape.kind == "point"],
-            "meets": self._meets(),
-        }
-
-    def _meets(self) -> list[dict[str, Any]]:
-        """Points where each transfer began."""
-        meets = []
-        for service in self._found.services:
-            track = self._found.tracks.get(service.receiver)
-            if service.start_s is None or track is None:
-                continue
-            place = track.at(np.array([service.start_s]))[0]
-            if np.isfinite(place).all():
-                text = f"{service.giver} → {service.receiver}, {service.start_s:.1f} s, {service.energy_j:.0f} J"
-                meets.append({"p": [round(float(x), 3) for x in place], "text": text})
-        return meets
-
     def _timeline(self) -> dict[str, Any]:
         found = self._found
         labels = {v.sysid: v.label for v in found.vehicles}
@@ -242,19 +208,13 @@ class Charts:
             row = labels.get(s.receiver, str(s.receiver))
             bids = sorted(s.bids.items(), key=lambda bid: -bid[1])[:5]
             reported = ", ".join(f"{sysid}: {bid:.2f}" for sysid, bid in bids)
-            text = f"by {s.giver}, decided by {s.by}, {s.energy_j:.0f} J ({s.reason})<br>bids {reported or 'none'}"
+            text = f"by {s.giver}, decided by {s.by}, {s.energy_j:.0f} J ({s.reason}); bids {reported or 'none'}"
             for stage, (begin, *later) in enumerate((steps, steps[1:], steps[2:])):
                 if begin is not None:
                     until = next((t for t in later if t is not None), end_s)
                     bars.append({"row": row, "stage": stage, "from": begin, "to": until, "text": text})
         rows = list(dict.fromkeys(labels.get(s.receiver, str(s.receiver)) for s in found.services))
         return {"kind": "timeline", "rows": rows, "bars": bars}
-
-
-def path_of(track: Track, off_m: float) -> Floats:
-    """A track's path, simplified, with gaps where it was silent for long."""
-    after = np.flatnonzero(np.diff(track.t_s) > 2.0) + 1
-    return decimate.simplified(np.insert(track.p_ned, after, np.nan, axis=0), off_m)
 
 
 def notable(found: Findings) -> list[int]:
@@ -274,38 +234,3 @@ def notable(found: Findings) -> list[int]:
         }
         picks += sorted(extremes, key=lambda s: (-extremes[s], s))[:count]
     return sorted(picks[:CHOSEN])
-
-
-def solid(shape: Obstacle) -> dict[str, Any]:
-    """An obstacle with extent: its outline from above [[n, e], …], and a mesh: vertices [[n, e, d], …], triangles."""
-    (n0, e0, d0), (n1, e1, d1) = shape.low_m, shape.high_m
-    turn = 2.0 * math.pi * np.arange(CORNERS) / CORNERS
-    ring = np.column_stack((np.cos(turn), np.sin(turn)))
-    if shape.kind == "box":
-        outline = np.array([(n0, e0), (n1, e0), (n1, e1), (n0, e1)])
-    else:
-        outline = np.array([n0, e0]) + shape.radius_m * ring
-    if shape.kind == "sphere":
-        heights = np.linspace(-1.0, 1.0, 9)
-        radii = np.sqrt(1.0 - heights**2)
-        levels = [
-            np.column_stack((np.array([n0, e0]) + shape.radius_m * r * ring, np.full(CORNERS, d0 + shape.radius_m * h)))
-            for h, r in zip(heights, radii, strict=True)
-        ]
-    else:
-        levels = [np.column_stack((outline, np.full(len(outline), d))) for d in (d1, d0)]
-    count = len(outline)
-    triangles = []
-    for level in range(len(levels) - 1):
-        for k in range(count):
-            a, b = level * count + k, level * count + (k + 1) % count
-            triangles += [(a, b, a + count), (b, b + count, a + count)]
-    last = (len(levels) - 1) * count
-    for lid in (0, last):
-        triangles += [(lid, lid + k, lid + k + 1) for k in range(1, count - 1)]
-    return {
-        "label": shape.name or shape.kind,
-        "outline": np.round(outline, 3).tolist(),
-        "vertices": np.round(np.concatenate(levels), 3).tolist(),
-        "triangles": triangles,
-    }

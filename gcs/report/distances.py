@@ -14,7 +14,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from gcs.recording.decision_lines import P_NED, SYSID, T_S
+from gcs.recording.decisions_reader import P_NED, SYSID, T_S
 from gcs.recording.pursuit_held import held_by, pursued, ticks_of
 from gcs.recording.series import Floats, Series, Track, rows_of
 from gcs.recording.session_folder import Recorded

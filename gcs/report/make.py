@@ -17,7 +17,7 @@ READ, MEASURED = 0.8, 0.9
 def make(folder: Path, out: Path | None = None, progress: Callable[[str, float], object] = lambda *_: None) -> Path:
     """Make the report of the session in `folder`, in it or at `out`; where it lies. An older one is replaced, whole.
 
-    `progress` is given what is done and how much of all, 0 to 1. Raises NoSession, MissingPlotly, OSError.
+    `progress` is given what is done and how much of all, 0 to 1. Raises NoSession, OSError.
     """
     target = out or folder / FILE
     progress("reading", 0.0)

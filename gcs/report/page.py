@@ -1,20 +1,17 @@
-"""report.html: one file that needs no network, with the outcome first; the figures are drawn by page.js.
+"""report.html: one file that needs no network, with the outcome first; it is the page of a live flight (`gcs.web`) with
+the recording inside, which it plays and draws.
 
-plotly.js comes whole from the package `plotly`, which pins and licenses it, and is compressed on the page to 2 MB: its
-partial bundles are smaller, but no package index of Python carries them, so they would be a copy of our own to look
-after. Browsers unpack it themselves (DecompressionStream, since 2023).
+Script and series are compressed; browsers unpack them themselves (DecompressionStream, since 2023). The page's policy
+names by hash what may run and fetches nothing.
 """
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Iterable, Sequence
 from datetime import UTC, datetime
+from functools import cache
 from html import escape
-from importlib.resources import files
-from importlib.util import find_spec
-from pathlib import Path
 from string import Template
 
 from gcs.report import tables
@@ -22,12 +19,19 @@ from gcs.report.charts import Charts
 from gcs.report.findings import Findings
 from gcs.report.pack import packed
 from gcs.scenario.goal import metres
+from gcs.web import document
 
 MOST_NAMED = 40
+BAND = (
+    "In figures over time the coloured ground goes from the least to the greatest value of all vehicles, dotted is "
+    "their median; lines are of those drawn singly."
+)
 _MARKS = {"bad": "✗", "warn": "!", "note": "·"}
 _PAGE = Template("""<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
-<title>$title</title><style>$style</style></head><body>
+<meta http-equiv="Content-Security-Policy" content="$policy">
+<meta name="color-scheme" content="light dark"><title>$title</title><link rel="icon" href="data:,"><style>$style</style>
+</head><body class="report">
 <header>
 <p class="soft small">Session report</p>
 <h1>$title</h1>
@@ -40,36 +44,55 @@ $cards
 <nav aria-label="sections">$links</nav>
 </header>
 <fieldset class="picker"><legend>$picker</legend></fieldset>
+$band
 <main>
 $sections
 </main>
 <footer class="soft small"><p>Made by gcs report on $when. Lines are drawn by the smallest and largest value of each
 $bucket_s; every value is in session.tlog.</p></footer>
 <noscript><p class="verdict bad">The figures need JavaScript; the text and the tables do not.</p></noscript>
+<script type="application/json" id="config">$config</script>
 <script type="application/json" id="model">$model</script>
 <script type="text/plain" id="series">$series</script>
-<script type="text/plain" id="plotly">$plotly</script>
-<script>$script</script>
+<script type="text/plain" id="page">$script</script>
+<script>$loader</script>
 </body></html>
 """)
-
-
-class MissingPlotly(Exception):
-    """The package that draws the figures is not installed; the message says what to do."""
+LOADER = """(async () => {
+  const text = atob(document.getElementById("page").textContent.trim());
+  const bytes = Uint8Array.from(text, (letter) => letter.charCodeAt(0));
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+  const script = document.createElement("script");
+  script.textContent = await new Response(stream).text();
+  document.head.append(script);
+})().catch((problem) => {
+  for (const one of document.querySelectorAll(".waiting")) {
+    one.textContent = `This browser cannot draw the figures (${problem.message}).`;
+  }
+});"""
 
 
 def text(findings: Findings) -> str:
-    """The page. Raises MissingPlotly."""
+    """The page."""
     charts = Charts(findings)
     model = charts.model()
-    sections = [made for made in _sections(findings, set(model["figures"])) if made]
+    sections = [
+        made for made in _sections(findings, {*model["figures"], *(["flight"] if model["flight"] else [])}) if made
+    ]
     recorded = findings.recorded
     name = findings.scenario.name if findings.scenario else recorded.folder.resolve().name
     picker = "Drawn singly:" if charts.many else "Vehicles:"
+    style, script = document.built(document.STYLE), document.built(document.SCRIPT)
+    allowed = " ".join(document.source_hash(one) for one in (LOADER, script))
+    policy = (
+        f"default-src 'none'; script-src {allowed}; style-src {document.source_hash(style)}; img-src data: blob:; "
+        "base-uri 'none'; form-action 'none'"
+    )
     level = "warn" if findings.summary is None else "good" if findings.summary.outcome == "met" else "bad"
     return _PAGE.substitute(
         title=escape(name),
-        style=_asset("page.css"),
+        style=style,
+        policy=policy,
         about=escape(_about(findings)),
         verdict=escape(findings.outcome),
         verdict_level=level,
@@ -79,29 +102,23 @@ def text(findings: Findings) -> str:
         cards=_cards(findings),
         links="".join(f'<a href="#{part}">{escape(title)}</a>' for part, title, _ in sections),
         picker=picker,
+        band=f'<p class="soft small">{BAND}</p>' if charts.many else "",
         sections="\n".join(
             f'<section id="{part}"><h2>{escape(title)}</h2>{body}</section>' for part, title, body in sections
         ),
         when=datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC"),
         bucket_s=f"{charts.end_s / charts.buckets:.2g} s",
-        model=json.dumps(model, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c"),
+        config=document.as_json(document.config("report")),
+        model=document.as_json(model),
         series=charts.pack.text(),
-        plotly=packed(plotly_js()),
-        script=_asset("page.js"),
+        script=_packed_script(),
+        loader=LOADER,
     )
 
 
-def _asset(name: str) -> str:
-    return files("gcs.report").joinpath(name).read_text(encoding="utf-8")
-
-
-def plotly_js() -> bytes:
-    """plotly.js, found without importing its package, which takes a while."""
-    spec = find_spec("plotly")
-    place = Path(spec.origin).parent / "package_data" / "plotly.min.js" if spec and spec.origin else None
-    if place is None or not place.is_file():
-        raise MissingPlotly("plotly, which draws the figures, is not installed: pip install 'plotly>=7,<8'")
-    return place.read_bytes()
+@cache
+def _packed_script() -> str:
+    return packed(document.built(document.SCRIPT).encode())
 
 
 # the head
@@ -190,36 +207,29 @@ def _cards(found: Findings) -> str:
 def _sections(found: Findings, figures: set[str]) -> Iterable[tuple[str, str, str] | None]:
     """(id, title, HTML) of each section; None where there is nothing to show."""
 
-    def figure(name: str, caption: str, *, view: str = "", kind: str = "") -> str:
+    def figure(name: str, caption: str, kind: str = "") -> str:
         if name not in figures:
             return ""
-        shown = f' data-view="{view}"' if view else ""
+        holds = "group" if name in ("timeline", "ledger") else "img"
         plot = (
-            f'<div class="plot {kind}" data-figure="{name}"{shown} role="img" aria-label="{escape(caption)}">'
+            f'<div class="plot {kind}" data-figure="{name}" role="{holds}" aria-label="{escape(caption)}">'
             '<p class="waiting">drawing …</p></div>'
         )
-        if view == "space":
-            plot = plot.replace('class="plot ', 'class="plot only-screen ')
-            plot += plot.replace("only-screen", "only-print").replace('data-view="space"', 'data-view="drawn"')
-        return f"<figure>{plot}<figcaption>{escape(caption)}</figcaption></figure>"
+        return f'<figure class="{kind}">{plot}<figcaption>{escape(caption)}</figcaption></figure>'
 
     def section(part: str, title: str, *bodies: str) -> tuple[str, str, str] | None:
         return (part, title, "".join(bodies)) if any(bodies) else None
 
+    from_above = (
+        "From above, north up, at the end. Rings stand where vehicles began, numbers where they are, crosses and grey "
+        "shapes are obstacles; dashed grey: the targets' path as planned; dotted grey: other aircraft."
+    )
+    flown = "flight" in figures
     yield section(
         "paths",
-        "Paths",
-        _pair(
-            figure(
-                "plan",
-                "From above, north up. Numbers stand where vehicles ended, crosses and grey shapes are obstacles, "
-                "diamonds the places where transfers began; dashed grey: the targets' path as planned; dotted grey: "
-                "other aircraft.",
-                view="plan",
-                kind="square",
-            ),
-            figure("plan", "The same in space.", view="space", kind="square"),
-        ),
+        "Flight",
+        '<div id="app"></div>' if flown else "",
+        figure("flight", from_above, kind="only-print") if flown else "",
     )
     yield section(
         "pursuit",

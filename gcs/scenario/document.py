@@ -18,11 +18,14 @@ import yaml
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails, PydanticCustomError
 
-from gcs.scenario.yaml_dialect import SCALARS, Dumper, Loader, YamlRefused, syntax
+from gcs.scenario.yaml_dialect import MAX_NODES, SCALARS, Dumper, Loader, YamlRefused, syntax
 
 MAX_BYTES = 1 << 20
-MAX_NODES = 100_000
+MAX_CHARACTERS = 1 << 22
+"""of all values, aliases written out"""
 MAX_SHOWN = 20
+MAX_EXPLAINED = 10 * MAX_SHOWN
+"""Mistakes that are looked into: what a hint at the nearest known key costs is not for thousands."""
 MEANT = "; did you mean "
 
 KeyPath = tuple[str | int, ...]
@@ -129,6 +132,8 @@ class Document:
     def explain(self, error: ValidationError, schema: dict[str, Any]) -> list[Problem]:
         """pydantic's errors in the order of the file, each said once; the JSON Schema supplies the known keys."""
         errors = error.errors()
+        further = len(errors) - MAX_EXPLAINED
+        errors = errors[:MAX_EXPLAINED]
         misspelt = {
             (*details["loc"][:-1], near)
             for details in errors
@@ -137,7 +142,11 @@ class Document:
         }
         errors = [details for details in errors if details["type"] != "missing" or details["loc"] not in misspelt]
         found = {problem for details in errors for problem in self._explain(details, schema)}
-        return sorted(found, key=lambda problem: (problem.line or 0, problem.column or 0, problem.message))
+        told = sorted(found, key=lambda problem: (problem.line or 0, problem.column or 0, problem.message))
+        if further > 0:
+            last = told[-1]
+            told.append(Problem(self.file, last.line, last.column, f"{further} further mistakes are not looked into"))
+        return told
 
     def _label(self, path: KeyPath) -> str | None:
         """The words for what was set from outside at `path` or around it; None where the file says it."""
@@ -315,16 +324,20 @@ def emit(data: dict[str, Any]) -> str:
     return str(yaml.dump(data, Dumper=Dumper, sort_keys=False, default_flow_style=None, width=1e9))
 
 
+_HALF_PAIR = re.compile("[\ud800-\udfff]")
+
+
 def _convert(document: Document, root: yaml.Node, problems: list[Problem]) -> Any:
     """`root` as plain data; fills `document.marks` and `problems`. Raises YamlRefused where going on makes no sense."""
-    total = 0
+    total = characters = 0
     open_nodes: list[yaml.Node] = []
+    scalars: dict[int, Any] = {}
 
     def place(node: yaml.Node) -> tuple[int, int]:
         return node.start_mark.line + 1, node.start_mark.column + 1
 
     def convert(node: yaml.Node, path: KeyPath, key_place: tuple[int, int]) -> Any:
-        nonlocal total
+        nonlocal total, characters
         total += 1
         if total > MAX_NODES:
             raise YamlRefused(f"more than {MAX_NODES} values, aliases written out", node.start_mark)
@@ -332,13 +345,23 @@ def _convert(document: Document, root: yaml.Node, problems: list[Problem]) -> An
             raise YamlRefused("an alias stands inside what it stands for", node.start_mark)
         document.marks[path] = _Marks(place(node), key_place)
         if isinstance(node, yaml.ScalarNode):
-            if any("\ud800" <= character <= "\udfff" for character in node.value):
-                raise YamlRefused("half of a surrogate pair is no character", node.start_mark)
-            return SCALARS[node.tag.rsplit(":", 1)[-1]](node.value)
+            characters += len(node.value)
+            if characters > MAX_CHARACTERS:
+                raise YamlRefused(
+                    f"more than {MAX_CHARACTERS >> 20} Mi characters, aliases written out", node.start_mark
+                )
+            if id(node) not in scalars:
+                scalars[id(node)] = scalar(node)
+            return scalars[id(node)]
         open_nodes.append(node)
         data: Any = block(node, path) if isinstance(node, yaml.MappingNode) else sequence(node, path)
         open_nodes.pop()
         return data
+
+    def scalar(node: yaml.ScalarNode) -> Any:
+        if _HALF_PAIR.search(node.value):
+            raise YamlRefused("half of a surrogate pair is no character", node.start_mark)
+        return SCALARS[node.tag.rsplit(":", 1)[-1]](node.value)
 
     def sequence(node: yaml.Node, path: KeyPath) -> list[Any]:
         return [convert(item, (*path, i), place(item)) for i, item in enumerate(node.value)]

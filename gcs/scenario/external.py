@@ -6,7 +6,8 @@
 the parameters that it has and on the real clock: what only a launch could give it is refused.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from pathlib import Path
 from typing import Annotated, Any, Literal, Protocol
 
 from pydantic import AfterValidator, Field
@@ -32,6 +33,13 @@ def _checked(connect: str) -> str:
 Wait = Annotated[float, Field(strict=True, gt=0, le=3600)]
 
 
+class SigningKey(Part):
+    """Signs what goes to a vehicle, and takes from it only what is signed with the same key."""
+
+    key_file: Annotated[str, Field(min_length=1, max_length=4096)]
+    """file with the key, as `gcs key new` writes it; a relative path counts from the scenario's folder"""
+
+
 class External(Part):
     """A vehicle that another program has started; `gcs run` waits for it, arms it and flies it."""
 
@@ -49,6 +57,8 @@ class External(Part):
     """session time in which it must have found its place and let itself be armed, or it is left out"""
     at_end: Literal["hold", "return", "land"] = "hold"
     """order to it at the session's end, however that comes"""
+    signing: SigningKey | None = None
+    """MAVLink 2 signing; every vehicle at one address has the same key"""
 
 
 class _Vehicle(Protocol):
@@ -91,6 +101,37 @@ def inherited(vehicle: dict[str, Any], own: Iterable[str]) -> None:
         unused = {*NOT_INHERITED, *(("battery",) if "capacity_j" in block else ())}
         for key in unused - set(own):
             vehicle.pop(key, None)
+
+
+def absolute_keys(vehicles: Any, folder: Path) -> None:
+    """Let the key files that a scenario's vehicles name count from its folder, in its data as read."""
+    groups = vehicles.values() if isinstance(vehicles, dict) else ()
+    for vehicle in (one for group in groups if isinstance(group, list) for one in group):
+        block = vehicle.get("external") if isinstance(vehicle, dict) else None
+        signing = block.get("signing") if isinstance(block, dict) else None
+        if isinstance(signing, dict) and isinstance(signing.get("key_file"), str):
+            signing["key_file"] = str(folder.resolve() / signing["key_file"])
+
+
+def give_key(vehicles: Mapping[str, Any], key_file: str) -> None:
+    """Let all external vehicles of a scenario's data sign with the key of a file."""
+    for group in vehicles.values():
+        for vehicle in group:
+            if vehicle.get("external"):
+                vehicle["external"]["signing"] = {"key_file": key_file}
+
+
+def key_conflicts(vehicles: Iterable[tuple[KeyPath, Any]]) -> Iterator[Conflict]:
+    """Conflicts among the keys of vehicles that share an address."""
+    keys: dict[str, str | None] = {}
+    for path, vehicle in vehicles:
+        block: External | None = vehicle.external
+        if block is None:
+            continue
+        key = block.signing.key_file if block.signing else None
+        if keys.setdefault(block.connect, key) != key:
+            text = f"{vehicle.label} has another key than the vehicle before it at {block.connect}: they share one"
+            yield Conflict((*path, "external"), text)
 
 
 def conflicts(path: KeyPath, vehicle: Any) -> Iterator[Conflict]:

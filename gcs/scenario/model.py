@@ -121,8 +121,16 @@ class Scenario(Part):
     truth: Flag = True
     """launched vehicles record what they themselves know (docs/protocol.md#truth)"""
 
-    def flown(self, *, lockstep: bool = False, speed: float | None = None, seed: int | None = None) -> Self:
-        """The same with another clock or seed; what is left out stays. ValueError where a value cannot be had."""
+    def flown(
+        self,
+        *,
+        lockstep: bool = False,
+        speed: float | None = None,
+        seed: int | None = None,
+        key_file: str | None = None,
+    ) -> Self:
+        """The same with another clock or seed, or a signing key for all external vehicles; what is left out stays.
+        ValueError where a value cannot be had."""
         clock: dict[str, Any] = {}
         if lockstep:
             clock = {"mode": "lockstep"}
@@ -133,6 +141,8 @@ class Scenario(Part):
             raise ValueError(refusal)
         changed = self.model_dump(by_alias=True) | {"clock": {**self.clock.model_dump(), **clock}}
         changed |= {} if seed is None else {"seed": seed}
+        if key_file is not None:
+            external.give_key(changed["vehicles"], key_file)
         try:
             return type(self).model_validate(changed)
         except ValidationError as error:
@@ -212,6 +222,7 @@ def _vehicle_conflicts(s: Scenario) -> Iterator[Conflict]:
         placed.extend((("vehicles", f"{vehicle.role}s", i), vehicle) for i, vehicle in enumerate(group))
     yield from repeats("sysid", [((*path, "sysid"), vehicle.sysid) for path, vehicle in placed])
     yield from repeats("name", [((*path, "name"), vehicle.name) for path, vehicle in placed if vehicle.name])
+    yield from external.key_conflicts(placed)
     for i, (path, vehicle) in enumerate(placed):
         yield from external.conflicts(path, vehicle)
         if vehicle.join_s >= s.goal.duration_s:

@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
+from gcs.scenario.colours import LIGHT
 from gcs.scenario.model import Obstacle, Scenario, Target, VehicleBase
 
 Point = tuple[float, ...]
@@ -19,6 +20,7 @@ ROUTE, OBSTACLE, TRAFFIC, COURSE, ATTRACTOR, BASE = ".", "#", "~", ":", "+", "B"
 CELL_ASPECT = 2.0
 """A terminal's cell is about twice as high as wide."""
 MARGIN_M = 1.0
+INK, MOST_NAMED = "#1b1f24", 40
 
 
 def legs(points: Sequence[Point], closed: bool) -> list[tuple[Point, Point]]:
@@ -176,21 +178,31 @@ def image(scenario: Scenario, path: Path) -> None:
     for shape in scenario.obstacles:
         _draw_obstacle(axes, shape, 0.0, fill=True, color="0.35")
         _draw_obstacle(axes, shape, range_m, fill=False, color="0.7", linestyle=":")
-    styles = {ROUTE: ("C3", "-"), COURSE: ("C0", "-"), TRAFFIC: ("C4", "--")}
+    styles = {
+        ROUTE: (INK, "--", "target's path"),
+        COURSE: ("0.5", "-", "way points"),
+        TRAFFIC: ("#b07300", ":", "traffic"),
+    }
+    labelled = set()
     for mark, route, closed in _routes(scenario):
         points = [*route, *(route[:1] if closed else ())]
-        color, style = styles[mark]
-        axes.plot([p[1] for p in points], [p[0] for p in points], style, color=color, linewidth=1.0)
-    looks = {"pursuer": ("o", "C0"), "target": ("*", "C3"), "tanker": ("s", "C2")}
-    for role, (marker, color) in looks.items():
+        color, style, label = styles[mark]
+        name = "" if label in labelled else label
+        labelled.add(label)
+        axes.plot([p[1] for p in points], [p[0] for p in points], style, color=color, linewidth=1.0, label=name or None)
+    place = {vehicle.sysid: at for at, vehicle in enumerate(scenario.vehicles.all)}
+    drawn = _drawn(scenario)
+    for role, marker in {"pursuer": "o", "target": "*", "tanker": "s"}.items():
         for external, filled, when in ((False, "full", "start"), (True, "none", "external, sent here first")):
-            fleet = [(v, p) for v, p in _drawn(scenario) if v.role == role and (v.external is not None) == external]
-            if fleet:
-                north, east = [p[0] for _, p in fleet], [p[1] for _, p in fleet]
-                axes.plot(east, north, marker, color=color, fillstyle=filled, label=f"{role} ({when})")
+            fleet = [(v, p) for v, p in drawn if v.role == role and (v.external is not None) == external]
             for vehicle, p in fleet:
-                name = vehicle.name or str(vehicle.sysid)
-                axes.annotate(name, (p[1], p[0]), (4, 4), textcoords="offset points", fontsize=8)
+                color = INK if role == "target" else LIGHT[place[vehicle.sysid] % len(LIGHT)]
+                axes.plot(p[1], p[0], marker, color=color, fillstyle=filled, zorder=3)
+                if len(drawn) <= MOST_NAMED or role != "pursuer":
+                    name = vehicle.name or str(vehicle.sysid)
+                    axes.annotate(name, (p[1], p[0]), (4, 4), textcoords="offset points", fontsize=8)
+            if fleet:
+                axes.plot([], [], marker, color="0.4", fillstyle=filled, linestyle="", label=f"{role} ({when})")
     for base in scenario.bases:
         north_m, east_m, _ = base.position_m
         _circle(axes, base.position_m, base.radius_m, fill=False, color="C5")
@@ -199,12 +211,17 @@ def image(scenario: Scenario, path: Path) -> None:
     if scenario.formation.ring_m:
         for target in scenario.vehicles.targets:
             centre = target.path_m[0] if target.external else target.start_m
-            _circle(axes, centre, scenario.formation.ring_m, fill=False, color="C0", linestyle="--")
+            _circle(axes, centre, scenario.formation.ring_m, fill=False, color="0.4", linestyle="--")
     for attractor in scenario.attractors:
         axes.plot(attractor.point_m[1], attractor.point_m[0], "P", color="C1")
         reach_m = attractor.range_m or scenario.planner.attraction_range_m
         _circle(axes, attractor.point_m, reach_m, fill=False, color="C1", linestyle=":")
-    axes.legend(loc="best", fontsize=8)
+    if scenario.obstacles:
+        axes.plot([], [], "s", color="0.35", linestyle="", label="obstacle")
+        axes.plot([], [], ":", color="0.7", label="repulsion's range")
+    if scenario.formation.ring_m:
+        axes.plot([], [], "--", color="0.4", label="ring")
+    figure.legend(loc="outside lower center", ncols=4, fontsize=8)
     figure.savefig(path, dpi=150)
 
 

@@ -1,6 +1,7 @@
 """Planners and policies that a scenario names as MODULE:CLASS: found, imported, made; what is wrong is a sentence.
 
-Modules are looked for where Python looks, in the scenario's folder and in the current one.
+Modules are looked for where Python looks, and then in the scenario's folder and in the current one: a file there can
+stand for no module that is installed, and nothing there is found where a scenario names no code.
 """
 
 from __future__ import annotations
@@ -27,11 +28,16 @@ def named(scenario: Scenario) -> Iterator[tuple[str, str, str]]:
         yield "competition.policy", scenario.competition.policy, "choose"
 
 
+def listed(scenario: Scenario) -> list[str]:
+    """Code that a scenario names, a few words each: one from elsewhere may name code that it brings along."""
+    return [f"{name} ({key})" for key, name, _ in named(scenario)]
+
+
 def look_in(folders: Iterable[str | Path]) -> None:
-    """Let modules in these folders be found, before all others."""
-    for folder in reversed([str(Path(folder).resolve()) for folder in folders]):
+    """Let modules in these folders be found, after all others."""
+    for folder in [str(Path(folder).resolve()) for folder in folders]:
         if folder not in sys.path:
-            sys.path.insert(0, folder)
+            sys.path.append(folder)
 
 
 @contextmanager

@@ -30,7 +30,15 @@ if TYPE_CHECKING:
     Policy = str
 else:
     Method = _one_of("potential_field")
-    Policy = _one_of("winner_take_all", "greedy_nearest", "most_empty_first", "optimal")
+    Policy = _one_of(
+        "winner_take_all",
+        "optimal",
+        "earliest_deadline",
+        "hungarian",
+        "auction",
+        "greedy_nearest",
+        "most_empty_first",
+    )
 
 
 def _named(key: str, value: Any) -> Any:
@@ -117,17 +125,25 @@ class CompetitionRules(Part):
     """the competition, one to compare it with, or MODULE:CLASS; others use need_from alone"""
     p: Annotated[float, Field(strict=True, ge=1, le=100)] = 2.0
     """exponent of the law, at least 1"""
-    rate: Positive = 5.0
+    bids: Literal["time", "need"] = "time"
+    """`time`: as many winners at once as tankers are free, by the time that each has left; `need`: the paper's, one
+    winner after another by the share of the battery that is gone, stretched between the least and the greatest"""
+    horizon_s: Positive = 60.0
+    """with bids by time: who has so long left beyond the time until it can be served bids `floor`, s"""
+    tie_s: Seconds = 2.0
+    """with bids by time: who differ by less tie, s"""
+    rate: Positive = 20.0
     """rate c of the law, 1/s; larger decides faster"""
     floor: Positive = 0.01
-    """least bid and least state, without unit, below `high`"""
+    """least bid, without unit, below `high`; and how far a state may fall behind the one before it"""
     high: Positive = 1.0
     """greatest bid, without unit"""
     need_from: Fraction = 0.5
     """share of the battery that must be gone before a vehicle competes, 0 to 1"""
     share: Annotated[float, Field(strict=True, gt=0, lt=1)] = 0.9
-    """share of the sum of v^p, less the floor's own, that the winner must hold, 0 to 1"""
-    dwell_s: Seconds = 2.0
+    """share of v^p that the last winner must hold against the next one, 0 to 1; with bids by need, of the sum less the
+    floor's own"""
+    dwell_s: Seconds = 1.0
     """how long it must hold that share, s"""
     decide_within_s: Seconds = 30.0
     """after so long without a winner the greatest state is served, s"""
@@ -151,6 +167,11 @@ class RefuellingRules(Part):
     until: Annotated[float, Field(strict=True, gt=0, le=1)] = 0.9
     """of the receiver's capacity"""
     reserve_s: Seconds = 20.0
-    """served first: who cannot last until the rendezvous and this long after it"""
+    """who cannot last until the rendezvous and this long after it takes part before `need_from`; served first with
+    bids by need and with policies that do not look at the time left"""
+    lands_at: Fraction = 0.05
+    """share of its battery at which a vehicle lands by itself, 0 to 1"""
+    tops_up: Flag = True
+    """a tanker is ordered to give what its receiver draws meanwhile, too, so that `until` can be reached"""
     limit_j: Joules | None = None
     """most energy of one service, J; by default only `until` limits it"""

@@ -13,6 +13,8 @@ from typing import Any
 import yaml
 
 MAX_DEPTH = 32
+MAX_NODES = 100_000
+"""Values and keys of a text: PyYAML takes up to 0.1 ms for each."""
 MAX_DIGITS = 300
 """A longer whole number is beyond every float and counts as infinite."""
 
@@ -28,7 +30,7 @@ class Loader(yaml.SafeLoader):
     """Reads a text as nodes with marks; tags and deep nesting raise YamlRefused."""
 
     yaml_implicit_resolvers: dict[str, Any] = {}  # noqa: RUF012 (PyYAML's own name; emptied, or 1.1's scalars are inherited)
-    _depth = 0
+    _depth = _nodes = 0
 
     def compose_node(self, parent: yaml.Node | None, index: Any) -> yaml.Node | None:
         event = self.peek_event()  # type: ignore[no-untyped-call]
@@ -36,6 +38,9 @@ class Loader(yaml.SafeLoader):
             raise YamlRefused(f"the tag {event.tag!r} is not allowed; write the plain value", event.start_mark)
         if self._depth > MAX_DEPTH:
             raise YamlRefused(f"nested more than {MAX_DEPTH} deep", event.start_mark)
+        self._nodes += 1
+        if self._nodes > MAX_NODES:
+            raise YamlRefused(f"more than {MAX_NODES} values", event.start_mark)
         self._depth += 1
         node = super().compose_node(parent, index)
         self._depth -= 1

@@ -92,7 +92,7 @@ class Lines:
         for line in lines:
             try:
                 content = json.loads(line)
-            except ValueError:
+            except (ValueError, RecursionError):
                 continue
             if isinstance(content, dict):
                 messages.append(content)

@@ -59,6 +59,8 @@ class MemberRow(Struct):
     label: str
     capacity_j: float | None
     path_ned: list[Vec3]
+    colour: int
+    """which of the palette's colours it has wherever it is drawn: its place in the scenario, from 0"""
 
 
 class ObstacleRow(Struct):
@@ -92,6 +94,8 @@ class SessionLine(Struct, tag_field="type", tag="session"):
     speed: float | None
     control: bool
     separation_m: float | None
+    ring_m: float | None
+    """the radius of the ring around a target"""
     vehicles: list[MemberRow]
     obstacles: list[ObstacleRow]
     bases: list[BaseRow]
@@ -119,6 +123,8 @@ class VehicleRow(Struct):
     speed_m_s: float
     height_m: float | None
     heading_rad: float
+    roll_rad: float
+    pitch_rad: float
     aim_ned: Vec3 | None
     """its set point"""
     margin_m: float | None

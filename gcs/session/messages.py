@@ -83,6 +83,8 @@ def vehicle_row(
         speed_m_s=math.hypot(*view.v_ned),
         height_m=-view.p_ned[2] if view.p_ned is not None else None,
         heading_rad=view.heading_rad,
+        roll_rad=view.roll_rad,
+        pitch_rad=view.pitch_rad,
         aim_ned=aim_ned,
         margin_m=margin_m,
         age_s=view.age_s if math.isfinite(view.age_s) else None,
@@ -245,7 +247,8 @@ def session_message(
             speed=scenario.clock.speed if mode == "real" else None,
             control=control,
             separation_m=scenario.planner.separation_m,
-            vehicles=[vehicle_of(vehicle) for vehicle in scenario.vehicles.all],
+            ring_m=scenario.formation.ring_m or None,
+            vehicles=[vehicle_of(vehicle, colour) for colour, vehicle in enumerate(scenario.vehicles.all)],
             obstacles=[obstacle_of(shape, f"{shape.kind} {i + 1}") for i, shape in enumerate(scenario.obstacles)],
             bases=[BaseRow(base.name, base.position_m) for base in scenario.bases],
             goal=GoalRow(**goal_of(scenario)),
@@ -271,12 +274,12 @@ def goal_of(scenario: Scenario) -> dict[str, Any]:
     }
 
 
-def vehicle_of(vehicle: VehicleBase) -> MemberRow:
+def vehicle_of(vehicle: VehicleBase, colour: int) -> MemberRow:
     """The vehicles, and their routes where they have one; a closed path ends where it begins."""
     path = list(getattr(vehicle, "path_m", None) or getattr(vehicle, "waypoints_m", None) or ())
     if getattr(vehicle, "closed", False):
         path.append(path[0])
-    return MemberRow(vehicle.sysid, vehicle.role, vehicle.label, vehicle.battery.capacity_j, path)
+    return MemberRow(vehicle.sysid, vehicle.role, vehicle.label, vehicle.battery.capacity_j, path, colour)
 
 
 def obstacle_of(shape: Obstacle, default_label: str) -> ObstacleRow:

@@ -10,8 +10,10 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import Any, cast
 
+from gcs.link.keys import RefusalNotices
 from gcs.link.listener import Listener
 from gcs.link.socket import Where
 from gcs.mavlink import codec
@@ -29,6 +31,8 @@ from gcs.telemetry.events import Event
 SNAPSHOT_EVERY_S = 0.1
 HEARTBEAT_EVERY_S = 1.0
 COMMAND_TIMEOUT_S = 1.0
+MOST_REFUSED = 64
+"""Of so many who say that they are a vehicle which is elsewhere it is told."""
 GONE_S = 5.0
 """A vehicle may come from another address once the one that it had has been silent for so long."""
 ORDERS: Mapping[str, End] = {"hold": "hold", "return": "return", "land": "land"}
@@ -36,10 +40,18 @@ _COMMAND_ACK = codec.msgid("COMMAND_ACK")
 
 
 class MonitorSource:
-    """A console's source that listens at an address. Raises AddressRefused where it cannot."""
+    """A console's source that listens at an address. Raises AddressRefused, KeyRefused where it cannot."""
 
-    def __init__(self, at: Endpoint, *, control: bool = False, clock: Callable[[], float] = time.monotonic) -> None:
-        self._listener = Listener(at)
+    def __init__(
+        self,
+        at: Endpoint,
+        *,
+        control: bool = False,
+        key_file: Path | None = None,
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
+        self._listener = Listener(at, key_file)
+        self._refusals = RefusalNotices()
         self._clock = clock
         self._begun_s = clock()
         self._observer = Observer("monitor", at.text)
@@ -79,6 +91,9 @@ class MonitorSource:
             for frame in frames:
                 self._receive(frame, peer, t_s)
         self._report_silent(t_s)
+        gate = self._listener.gate
+        for sysid, text in self._refusals.poll(gate.refused, gate.reasons, t_s):
+            self._observer.add_event(Event(t_s, sysid, "warning", text, "link"))
         if self._control:
             self._speak(t_s)
         messages, self._replies = self._replies, []
@@ -107,7 +122,7 @@ class MonitorSource:
         observer = self._observer
         known = self._peers.get(frame.sysid)
         if known is not None and known[0] != peer and t_s - known[1] < GONE_S:
-            if (frame.sysid, peer) not in self._refused:
+            if (frame.sysid, peer) not in self._refused and len(self._refused) < MOST_REFUSED:
                 self._refused.add((frame.sysid, peer))
                 text = f"Another vehicle says that it is {frame.sysid}, from {_where(peer)}: ignored"
                 observer.add_event(Event(t_s, frame.sysid, "warning", text, "link"))

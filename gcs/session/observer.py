@@ -49,6 +49,8 @@ from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 Kind = Literal["monitor", "replay"]
 UNKNOWN_CAPACITY_J = math.nan
 ORIGIN_WITHIN_S = 3.0
+MOST_EVENTS = 200
+"""Events of one snapshot."""
 NO_COMPETITION: Mapping[str, Any] = {
     **{"v": {}, "tau": {}, "leader": None, "share": None, "runner_up": None},
     "threshold": 0.9,  # the default share
@@ -214,6 +216,7 @@ class Observer:
                 speed=None,
                 control=self.control,
                 separation_m=None,
+                ring_m=None,
                 vehicles=[self._found(sysid) for sysid in self.sysids],
                 obstacles=[],
                 bases=[],
@@ -234,7 +237,11 @@ class Observer:
         """
         view = self.view(t_s)
         self._gather(view)
-        events, self._events = self._events, []
+        events, self._events = self._events[:MOST_EVENTS], self._events[MOST_EVENTS:]
+        if self._events:
+            further = f"{len(self._events)} further events are left out"
+            events.append(Event(t_s, 0, "warning", further, "session"))
+            self._events = []
         known = dict(more or {})
         parts: Mapping[int, Mapping[str, Any]] = known.pop("parts", {})
         return plain(
@@ -290,7 +297,7 @@ class Observer:
     def _found(self, sysid: int) -> MemberRow:
         view = self.fleet.snapshot(0.0).vehicle(sysid)
         capacity_j = view.capacity_j if math.isfinite(view.capacity_j) else None
-        return MemberRow(sysid, view.role, view.label, capacity_j, [])
+        return MemberRow(sysid, view.role, view.label, capacity_j, [], sysid - 1)
 
     # rows of the snapshot
 

@@ -5,13 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
+MOST_PERIODS = 10
+"""Periods of one grant: vehicles on the session's clock take one that is much longer for a silence."""
+
 
 class Pace:
     """When the next grant is due on the wall, and how far the session has fallen behind.
 
     A tick that comes late moves all later ones: the session slows down for everyone, and never hurries to catch up.
     Not so where some vehicles live on the real clock (`keeps_up`): then a late tick grants the periods that have gone
-    by at once, and the session's time stays the wall's.
+    by at once, up to MOST_PERIODS, the next ones follow without waiting, and the session's time stays the wall's.
     """
 
     def __init__(self, speed: float | None, wall_s: Callable[[], float], *, keeps_up: bool = False) -> None:
@@ -35,7 +38,7 @@ class Pace:
             return 1
         late_s = self._wall_s() - self._due_wall_s
         if self._keeps_up:
-            missed = max(math.floor(late_s * self._speed / period_s), 0)
+            missed = min(max(math.floor(late_s * self._speed / period_s), 0), MOST_PERIODS - 1)
             self.lag_s += missed * period_s / self._speed
             self._due_wall_s += (1 + missed) * period_s / self._speed
             return 1 + missed

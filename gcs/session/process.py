@@ -25,12 +25,13 @@ import click
 from gcs.exit import BAD_INPUT, DONE, INTERNAL_ERROR, INTERRUPTED, NOT_DONE, leave
 from gcs.link.external import ExternalLink
 from gcs.link.fleet import FleetLink
+from gcs.link.keys import KeyRefused, RefusalNotices
 from gcs.link.link import Link
 from gcs.link.lockstep import REPEAT_S, LockstepLink
 from gcs.link.socket import BUFFER_BYTES, AddressRefused
 from gcs.mavlink.ids import AUTOPILOT, TRAFFIC
+from gcs.recording.recorder import Recorder, RecorderError
 from gcs.recording.reserve import Reserve
-from gcs.recording.writer import Recorder, RecorderError
 from gcs.scenario import goal, plugins
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
@@ -39,6 +40,7 @@ from gcs.session.messages import end_message, session_message, snapshot_message
 from gcs.session.pace import Pace
 from gcs.session.server import Publisher, Reader
 from gcs.session.startup import Arrivals
+from gcs.session.suspension import SuspensionWatch
 from gcs.session.vehicles import Ended, Hatch, LaunchError, traffic_order, vehicle_orders
 from gcs.supervisor.summarise import summarise
 from gcs.supervisor.supervisor import Supervisor
@@ -76,15 +78,16 @@ class SessionProcess:
         self._folder = folder
         self._scenario = scenario
         external = scenario.vehicles.external
+        self._external_link: ExternalLink | None = None
         clock = scenario.clock
         speed = None if clock.mode == "lockstep" else clock.speed
         self._pace = Pace(speed, time.monotonic, keeps_up=bool(external))
         self._lockstep_link = LockstepLink(drop=drop, seed=scenario.seed)
         self._link: Link = self._lockstep_link
         if external:
-            external_link = ExternalLink(external, lambda: self._pace.running_wall_s)
-            self._link = FleetLink(self._lockstep_link, external_link)
-        self._sleep = external_link.rest if external else time.sleep
+            self._external_link = ExternalLink(external, lambda: self._pace.running_wall_s)
+            self._link = FleetLink(self._lockstep_link, self._external_link)
+        self._sleep = time.sleep if self._external_link is None else self._external_link.rest
         self._recorder = Recorder(folder)
         self._reserve = Reserve(folder, len(scenario.vehicles.all))
         self._publisher = Publisher(folder, session_message(scenario, str(folder.resolve())))
@@ -98,6 +101,8 @@ class SessionProcess:
         self._blocks: dict[int, tuple[int, ...]] = {}
         self._reported_refused: set[tuple[int, int]] = set()
         self._answered_s = self._said_waiting_s = math.inf
+        self._suspension = SuspensionWatch()
+        self._refusals = RefusalNotices()
         self._published_s = self._watched_s = 0.0
         self._phase = "starting"
         self._begun = False
@@ -192,18 +197,35 @@ class SessionProcess:
         self._blocks = {order.sysid: order.sysids for order in orders}
         self._lockstep_link.expect(keys)
         if self._hatch is not None:
-            self._hatch.start(orders)
+            self._hatch.start(orders, self._lockstep_link.secret)
         rehearse(self._scenario)  # while the vehicles come up
         arrivals, began_s = Arrivals(self._labels, self._scenario.vehicles.external), time.monotonic()
         missing: set[int] | None = None
-        while missing is None or missing:
+        while missing is None or missing or not (self._external_link is None or self._external_link.settled):
             missing = {sysid for sysid, _ in self._link.listen(WATCH_EVERY_S)}
             waited_s = time.monotonic() - began_s
             for sysid, text in arrivals.look(missing, waited_s):
                 self._event(sysid, "info", text)
             self._watch()
-            if (why := arrivals.too_late(missing, waited_s)) is not None:
+            reasons = self._external_link.signature_reasons if self._external_link is not None else {}
+            if (why := arrivals.too_late(missing, waited_s, reasons)) is not None:
                 raise SessionFailed(why)
+            for (sysid, _), (host, port) in self._lockstep_link.rivals.items():
+                name = self._labels.get(sysid, f"vehicle {sysid}")
+                raise SessionFailed(
+                    f"two of the session's own processes say that they are {name}, one from {host}:{port}"
+                )
+            if self._external_link is not None:
+                self._refuse_rivals(self._external_link)
+
+    def _refuse_rivals(self, external: ExternalLink) -> None:
+        """Nothing flies while two say that they are one vehicle: the wrong one would be believed."""
+        for (sysid, _), (one, other) in external.rivals.items():
+            at = self._scenario.vehicles.external[sysid].connect
+            raise SessionFailed(
+                f"two say that they are {self._labels[sysid]} at {at}, {one[0]}:{one[1]} and {other[0]}:{other[1]}: "
+                "end the one that is not, or let the vehicle sign (signing.key_file)"
+            )
 
     # fly
 
@@ -211,6 +233,7 @@ class SessionProcess:
         supervisor, pace = self._supervisor, self._pace
         self._phase = "flying"
         self._begun = True
+        self._answered_s = self._said_waiting_s = time.monotonic()
         gc.freeze()  # what lives now lives to the end: no collection need look at it again
         pace.start()
         self._link.begin()
@@ -262,6 +285,8 @@ class SessionProcess:
     def _watch(self) -> None:
         """Deaths, operators, the parent's pipe; and a fresh snapshot for clients."""
         self._watched_s = now_s = time.monotonic()
+        if away_s := self._suspension.look():
+            self._go_on_after(away_s)
         for end in self._hatch.events()[1] if self._hatch is not None else ():
             self._lose(end)
         if self._hatch is not None and not self._hatch.alive:
@@ -279,9 +304,27 @@ class SessionProcess:
             self._event(
                 key[0], "warning", f"Another vehicle says that it is {key[0]}, from {host}:{port}: ignored", "link"
             )
+        moved = self._external_link.pop_moved() if self._external_link is not None else {}
+        for (sysid, _), address in moved.items():
+            self._event(sysid, "warning", f"Heard from {address[0]}:{address[1]} now, after a silence", "link")
+        if self._external_link is not None:
+            refused, reasons = self._external_link.signature_refusals, self._external_link.signature_reasons
+            for sysid, text in self._refusals.poll(refused, reasons, now_s):
+                self._event(sysid, "critical", text, "link")
         if now_s - self._published_s >= PUBLISH_EVERY_S:
             self._published_s = now_s
             self._publisher.publish(self._next_snapshot())
+
+    def _go_on_after(self, away_s: float) -> None:
+        """The supervisor did not run for so long: nobody is to blame for the silence meanwhile."""
+        now_s = time.monotonic()
+        if self._begun:
+            self._answered_s = self._said_waiting_s = now_s
+        external = bool(self._scenario.vehicles.external)
+        if external:
+            self._supervisor.recovery.returned(self._supervisor.time_s)
+        how = "the external vehicles flew on without it" if external else "the session stood still, and goes on"
+        self._event(0, "warning", f"The supervisor was suspended for {away_s:.0f} s: {how}")
 
     def _wait_for(self, waited_s: float) -> None:
         """Say whose answer the session waits for; after a minute, go on without them."""
@@ -391,14 +434,15 @@ def fly(
     status, outcome, error = INTERNAL_ERROR, "", None
     try:
         scenario = scenario or load(folder / "scenario.yaml")
-        plugins.look_in(modules)
+        if any(plugins.named(scenario)):
+            plugins.look_in(modules)
         with plugins.output_kept(scenario, folder):
             session = SessionProcess(folder, scenario, drop=drop, hatch=hatch)
             signal.signal(signal.SIGTERM, session.terminate)
             if reader is not None:
                 session.reader = Reader(reader, every_ms or round(1e3 * scenario.clock.period_s))
             status, outcome = session.run()
-    except (ScenarioError, BadVehicleError, AddressRefused) as problem:
+    except (ScenarioError, BadVehicleError, AddressRefused, KeyRefused) as problem:
         status, error = BAD_INPUT, str(problem)
     except RecorderError as problem:
         status, error = NOT_DONE, f"{problem} What was flown until then is kept. {ELSEWHERE}"

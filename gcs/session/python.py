@@ -67,8 +67,9 @@ class Session:
             file = find(os.fspath(scenario))
             loaded = load(file)
             folders.insert(0, file.parent)
-        plugins.look_in(folders)
-        plugins.check(loaded, file)
+        if any(plugins.named(loaded)):
+            plugins.look_in(folders)
+            plugins.check(loaded, file)
         self.scenario = loaded.flown(lockstep=lockstep, speed=speed, seed=seed)
         period_ms = round(1e3 * self.scenario.clock.period_s)
         self._every_ms = period_ms if every_s is None else round(1e3 * every_s)

@@ -15,9 +15,9 @@ from typing import Any
 
 from gcs.recording.missing import SCENARIO, passed_over, unread
 from gcs.recording.pursuit_held import HeldTimes, HeldTimesReader
+from gcs.recording.recorder import DECISIONS, TLOG
 from gcs.recording.summary import FILE as SUMMARY
 from gcs.recording.summary import Summary
-from gcs.recording.writer import DECISIONS, TLOG
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
 from gcs.session.messages import reply_message
@@ -31,6 +31,8 @@ DECIDED, INDEXED = 0.25, 0.9
 """Share of the time that opening a session takes which is gone when its decisions, and its frames, have been read."""
 SNAPSHOT_EVERY_S = 0.1
 """of wall time, as from a session"""
+SILENCE_S = 60.0
+"""Where nobody waits, a longer time in which nothing was recorded is passed over."""
 PATIENCE_S = 0.05
 """Wall time that one call may take to keep up; what is faster than the machine goes as fast as that."""
 
@@ -125,6 +127,11 @@ class Replay:
         self.t_s = max(self.t_s, min(t_s, self.to_s))
         self._see_what_happened(self.t_s)
         return True
+
+    @property
+    def silence_s(self) -> float:
+        """How long nothing more comes, from where it is."""
+        return (self.to_s if self._next is None else self._next.t_s) - self.t_s
 
     @property
     def ended(self) -> bool:
@@ -225,6 +232,8 @@ class ReplaySource:
         replay = self._replay
         if not self._paused and not replay.ended:
             ahead_s = (now_s - self._played_s) * (self._speed or 1.0)
+            if self._speed is None and replay.silence_s > SILENCE_S:
+                ahead_s = replay.silence_s
             replay.advance(replay.t_s + ahead_s, time.monotonic() + self._patience_s)
         self._played_s = now_s
         messages, self._replies = self._replies, []

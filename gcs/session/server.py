@@ -29,6 +29,11 @@ READ_BYTES = 65536
 BACKLOG_BYTES = 1 << 20
 REMEMBERED = 200
 """Earlier events that a new client is sent."""
+MOST_CLIENTS = 32
+MOST_COMMANDS = 4
+"""Lines of one client that are taken in one poll; the rest wait, and it waits with them."""
+MOST_IN_ALL = 32
+TOO_MANY = f"The session has {MOST_CLIENTS} clients, and takes no more: close one of them."
 
 
 NO_COMMAND = 'A command is a JSON object with a text under "command", such as {"command": "pause"}.'
@@ -52,6 +57,7 @@ class Publisher:
         try:
             self._server = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM | socket.SOCK_NONBLOCK)
             self._server.bind(f"/proc/self/fd/{directory}/{NAME}")
+            os.chmod(f"/proc/self/fd/{directory}/{NAME}", 0o600)  # before anybody can connect
             self._server.listen(16)
         finally:
             os.close(directory)
@@ -67,31 +73,31 @@ class Publisher:
         return frozenset(self._numbers.values())
 
     def poll(self) -> list[ClientRequest]:
-        """Take new clients and what the present ones ask for; never waits. A line that is no request is answered so."""
-        with contextlib.suppress(BlockingIOError):
-            while True:
-                client, _ = self._server.accept()
-                client.setblocking(False)
-                client.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, BACKLOG_BYTES)
-                self._clients[client] = b""
-                self._known += 1
-                self._numbers[client] = self._known
-                if self._greeting is not None:
-                    earlier = {"events": list(self._events), "told": self._event_count}
-                    self._send(client, _line({**self._greeting, **earlier}))
-        commands = []
+        """Take new clients and what the present ones ask for; never waits. Who sends a line that is none is told so.
+
+        Clients and what each may ask for in one poll are bounded: who asks for more than that is slow, nobody else.
+        """
+        self._accept()
+        commands: list[ClientRequest] = []
         for client in list(self._clients):
-            try:
-                chunk = client.recv(READ_BYTES)
-            except BlockingIOError:
-                continue
-            except OSError:
-                chunk = b""
-            if not chunk or len(self._clients[client]) > READ_BYTES:
-                self._drop(client)
-                continue
+            if len(commands) >= MOST_IN_ALL:
+                break
+            waiting = self._clients.pop(client)
+            self._clients[client] = waiting  # whose turn it was is the last one next time
+            if waiting.count(b"\n") < MOST_COMMANDS:
+                try:
+                    chunk = client.recv(READ_BYTES)
+                except BlockingIOError:
+                    chunk = None
+                except OSError:
+                    chunk = b""
+                ended = chunk == b"" or (chunk is not None and len(waiting) > READ_BYTES)
+                if ended and b"\n" not in waiting + (chunk or b""):
+                    self._drop(client)
+                    continue
+                waiting += chunk or b""
             number = self._numbers[client]
-            *lines, self._clients[client] = (self._clients[client] + chunk).split(b"\n")
+            *lines, self._clients[client] = waiting.split(b"\n", MOST_COMMANDS)
             for line in lines:
                 content: Any = None
                 with contextlib.suppress(ValueError, RecursionError):
@@ -102,6 +108,27 @@ class Publisher:
                 elif line.strip():
                     self.reply(request, False, NO_COMMAND)
         return commands
+
+    def _accept(self) -> None:
+        """Let those in who have come, each with its greeting, while there is room."""
+        for _ in range(MOST_CLIENTS):
+            try:
+                client, _address = self._server.accept()
+            except OSError:  # nobody is there, or no descriptor is left: who is there waits
+                return
+            client.setblocking(False)
+            if len(self._clients) >= MOST_CLIENTS:
+                with contextlib.suppress(OSError):
+                    client.send(_line(reply_message(None, False, TOO_MANY)))
+                client.close()
+                continue
+            client.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, BACKLOG_BYTES)
+            self._clients[client] = b""
+            self._known += 1
+            self._numbers[client] = self._known
+            if self._greeting is not None:
+                earlier = {"events": list(self._events), "told": self._event_count}
+                self._send(client, _line({**self._greeting, **earlier}))
 
     def publish(self, content: Mapping[str, Any]) -> None:
         """Send one line to every client; who cannot take it whole is dropped. Its events are kept for later clients."""

@@ -50,7 +50,9 @@ class Arrivals:
         self._awaited = awaited
         return notices
 
-    def too_late(self, missing: Collection[int], waited_s: float) -> str | None:
+    def too_late(
+        self, missing: Collection[int], waited_s: float, refused: Mapping[int, str] | None = None
+    ) -> str | None:
         """Why the session cannot begin, as a sentence; None while there is hope."""
         late = [sysid for sysid in sorted(missing) if waited_s > self._patience_s(sysid)]
         awaited = [sysid for sysid in late if sysid in self._external]
@@ -61,6 +63,11 @@ class Arrivals:
                 f"no HEARTBEAT of {names} within {self._patience_s(awaited[0]):g} s: is it switched on, has it that "
                 "system id, and does it speak MAVLink 2 to that address? (found_within_s gives it longer)"
                 + (ONLY_ONCE if spoken_to else "")
+                + "".join(
+                    f"; messages of {self._labels[sysid]} came and were refused: {refused[sysid]}"
+                    for sysid in awaited
+                    if refused and sysid in refused
+                )
             )
         if late:
             names = ", ".join(self._labels[sysid] for sysid in late)

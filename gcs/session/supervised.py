@@ -25,7 +25,8 @@ from gcs.scenario.model import Scenario
 from gcs.session.client import SOCKET, Client, EarlierEvents, Lines
 from gcs.session.plain_text import QuietView, clean, farewell, mute_stdout
 
-SUPERVISOR = (sys.executable, "-m", "gcs.session.process")
+SUPERVISOR = (sys.executable, "-P", "-m", "gcs.session.process")
+"""-P: what lies in the current folder is no module of ours."""
 POLL_S = 0.125
 RECONNECT_S = 0.5
 PATIENCE_S = (30.0, 10.0)
@@ -96,7 +97,7 @@ def make_folder(out: Path | None, scenario: Scenario) -> Path:
     suffix = 1
     while True:
         try:
-            folder.mkdir(parents=True)
+            folder.mkdir(mode=0o700, parents=True)  # nobody else has anything to read, or to connect to, in it
             break
         except FileExistsError:
             if out is not None or not folder.is_dir():

@@ -13,9 +13,9 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from gcs.mavlink.autopilots import End
-from gcs.recording.decision_lines import DecisionLine, DecisionLines
-from gcs.recording.decisions import event_of
+from gcs.recording.decisions_reader import DecisionLine, DecisionLines
 from gcs.recording.summary import GoalPartSummary
+from gcs.recording.tick_record import event_of
 from gcs.refuelling import explain
 from gcs.refuelling.bidding import CompetitionState
 from gcs.refuelling.service import Phase, Service

@@ -21,8 +21,8 @@ from gcs.mavlink import codec, records
 from gcs.mavlink.codec import Frame
 from gcs.mavlink.gaps import GapCounter, RecordedGaps, resumed
 from gcs.mavlink.ids import STATION
-from gcs.recording import tlog
-from gcs.recording.tlog import AT, COMPID, MSGID, SEQ, SYSID, T_US
+from gcs.recording import tlog_reader
+from gcs.recording.tlog_reader import AT, COMPID, MSGID, SEQ, SYSID, T_US
 
 IntArray = NDArray[np.int64]
 ByteArray = NDArray[np.uint8]
@@ -116,14 +116,14 @@ class TlogIndex:
         block_bytes: int | None = None,
         metered: Collection[int] = (),
         progress: Callable[[float], None] = lambda _: None,
-        watch: Callable[[tlog.Chunk], object] = lambda _: None,
+        watch: Callable[[tlog_reader.Chunk], object] = lambda _: None,
     ) -> None:
         self.path = path
         self._session = session
         self._blocks: list[_Block] = []
         self.frames = 0
         block_bytes = block_bytes or max(BLOCK_BYTES, path.stat().st_size // MOST_BLOCKS)
-        log = tlog.Tlog(path, chunk_bytes=block_bytes)
+        log = tlog_reader.Tlog(path, chunk_bytes=block_bytes)
         gaps = RecordedGaps()
         self._metered = frozenset(metered)
         of_batteries = [np.empty(0, dtype=np.int64)]
@@ -142,7 +142,7 @@ class TlogIndex:
                     _count(gaps, heads[:new])
                 if new < len(heads):
                     latest_us = max(latest_us, int(heads[new, T_US]))
-                    begin, from_s = int(places[new]) - tlog.TIME_BYTES, (latest_us - epoch_us) / 1e6
+                    begin, from_s = int(places[new]) - tlog_reader.TIME_BYTES, (latest_us - epoch_us) / 1e6
                     block = _Block(begin, from_s, gaps.packed())
                     self._blocks.append(block.with_more(keys[new:], places[new:]))
                     _count(gaps, heads[new:])
@@ -167,7 +167,7 @@ class TlogIndex:
         """
         block = self._blocks[self._block_of(from_s)]
         directions = Directions(session=self._session)
-        log, latest_s = tlog.Tlog(self.path, chunk_bytes=READ_BYTES), block.from_s
+        log, latest_s = tlog_reader.Tlog(self.path, chunk_bytes=READ_BYTES), block.from_s
         for chunk in log.chunks(block.begin):
             for t_us, frame in chunk.frames():
                 latest_s = max(latest_s, (t_us - self._epoch_us) / 1e6)
@@ -189,7 +189,7 @@ class TlogIndex:
         warm_us = (from_s - WARM_S) * 1e6 + self._epoch_us
         first = self._block_of(from_s - WARM_S)
         if first < at:
-            for chunk in tlog.Tlog(self.path, chunk_bytes=READ_BYTES).chunks(earlier[first].begin):
+            for chunk in tlog_reader.Tlog(self.path, chunk_bytes=READ_BYTES).chunks(earlier[first].begin):
                 if chunk.begin >= self._blocks[at].begin:
                     break
                 heads = chunk.heads
@@ -200,8 +200,8 @@ class TlogIndex:
         frames = []
         with self.path.open("rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
             for place in sorted(found):
-                record = data[place - 8 : place + tlog.LARGEST]
-                raw = tlog.raw_at(record, 8)
+                record = data[place - 8 : place + tlog_reader.LARGEST]
+                raw = tlog_reader.raw_at(record, 8)
                 frame = Frame(raw[5], raw[6], raw[4], int.from_bytes(raw[7:10], "little"), raw)
                 t_us = int.from_bytes(record[:8], "big")
                 frames.append(RecordedFrame((t_us - self._epoch_us) / 1e6, frame, directions.sent(t_us, frame)))

@@ -208,9 +208,13 @@ class Hatch:
         """The hatch's own process."""
         return self._process.pid
 
-    def start(self, orders: Sequence[ProcessSpec]) -> None:
-        """Fork a process per order; each `pid` is reported by `events`."""
-        lines = [json.dumps({"argv": order.argv, "log": str(order.log)}) + "\n" for order in orders]
+    def start(self, orders: Sequence[ProcessSpec], secret: int | None = None) -> None:
+        """Fork a process per order; each `pid` is reported by `events`.
+
+        secret: by which a supervised link knows them. It goes through the pipe: all can read a command line.
+        """
+        more = {} if secret is None else {"secret": secret}
+        lines = [json.dumps({"argv": order.argv, "log": str(order.log), **more}) + "\n" for order in orders]
         try:
             self._in.write("".join(lines).encode())
             self._in.flush()

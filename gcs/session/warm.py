@@ -62,7 +62,7 @@ class WarmSessions:
 
     def __init__(self) -> None:
         self._process = subprocess.Popen(
-            [sys.executable, "-m", "gcs.session.forkserver"],
+            [sys.executable, "-P", "-m", "gcs.session.forkserver"],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             start_new_session=True,

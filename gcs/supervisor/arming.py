@@ -28,6 +28,8 @@ from gcs.telemetry.state import VehicleView
 RETRY_S = 1.0
 SELDOM_S = 32.0
 """A vehicle of ours that refuses to be armed is asked again after 1, 2, 4 s and so on, in the end so seldom."""
+MOST_REFUSALS = 64
+"""Different refusals that are remembered, so that none is told twice."""
 CHARGED_SHARE = 0.01
 """Of its battery: so much more in it, and it is asked at once."""
 _ROUNDING_S = 1e-6
@@ -149,7 +151,8 @@ class ArmingSequence:
         if not self.asks_again:
             return False
         again = text in self._refusals
-        self._refusals.add(text)
+        if len(self._refusals) < MOST_REFUSALS:
+            self._refusals.add(text)
         return again
 
     def _come_down(self, view: VehicleView, now_s: float) -> list[CommandRequest]:

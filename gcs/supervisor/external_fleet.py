@@ -24,6 +24,8 @@ LOST_S = 10.0
 SILENT_S = CHECK_S * SLOW_SHARE
 """A silence so long would make every stream look slow."""
 SAY_AGAIN_S = 10.0
+MOST_SAID = 1000
+"""Different texts of all external vehicles that are told within SAY_AGAIN_S."""
 NO_ORIGIN_S = 5.0
 GROUND_OFF_M = 2.0
 """A home that lies so much higher or lower than the scenario's height 0 is reported."""
@@ -137,6 +139,10 @@ class ExternalFleet:
         """Whether an external vehicle says what it has said a moment ago."""
         if sysid not in self.rules:
             return False
+        if len(self._said_s) >= MOST_SAID:
+            self._said_s = {key: said_s for key, said_s in self._said_s.items() if now_s - said_s < SAY_AGAIN_S}
+            if len(self._said_s) >= MOST_SAID:
+                return True
         said_s = self._said_s.get((sysid, text))
         if said_s is not None and now_s - said_s < SAY_AGAIN_S:
             return True

@@ -152,6 +152,8 @@ class GoalWatch:
             failsafe = vehicle.external is None or view.failsafe
             if not self._flew[row] and arming.stage is not Stage.BASE and end_s - vehicle.join_s >= NEVER_FLEW_S:
                 lost[view.sysid] = Loss(view.sysid, end_s, "never in the air")
+            elif view.doubt:
+                lost[view.sysid] = Loss(view.sysid, end_s, f"it is not believed: {view.doubt}")
             elif arming.rejoining and not view.flying:
                 lost[view.sysid] = Loss(view.sysid, end_s, "landed by itself")
             elif failsafe and view.flying and view.mode in GOING_DOWN and arming.stage in (*_STEERED, Stage.YIELDED):

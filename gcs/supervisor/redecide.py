@@ -18,11 +18,11 @@ from gcs.link.link import Key
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import AUTOPILOT, STATION, TRAFFIC
-from gcs.recording import tlog
-from gcs.recording.decision_lines import DecisionLines
+from gcs.recording import tlog_reader
+from gcs.recording.decisions_reader import DecisionLines
 from gcs.recording.missing import passed_over
+from gcs.recording.recorder import DECISIONS, TLOG, Recorder, decision_line
 from gcs.recording.summary import FILE as SUMMARY
-from gcs.recording.writer import DECISIONS, TLOG, Recorder, decision_line
 from gcs.scenario.file import load
 from gcs.scenario.model import Radio
 from gcs.supervisor.operator import COMMANDS
@@ -179,7 +179,7 @@ class Tick:
     granted: bool = False
 
 
-def ticks(log: tlog.Tlog) -> Iterator[Tick]:
+def ticks(log: tlog_reader.Tlog) -> Iterator[Tick]:
     """A session's log tick by tick. A vehicle's answer ends with its SYSTEM_TIME; what it says later was relayed."""
     tick: Tick | None = None
     answered: set[Key] = set()
@@ -235,7 +235,7 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Comparison:
             f"{folder} was flown with external vehicles, on their own clocks: only sessions whose vehicles were all "
             "launched can be decided again."
         )
-    log = tlog.read(folder / TLOG)
+    log = tlog_reader.read(folder / TLOG)
     recorded = _Recorded(folder / DECISIONS)
     keys = [(vehicle.sysid, AUTOPILOT) for vehicle in scenario.vehicles.all]
     link = RecordedLink([*keys, TRAFFIC] if scenario.traffic else keys)

@@ -89,10 +89,12 @@ def summarise(
                 control_effort=view.control_effort,
                 energy=_ledger(view, view.given_j - credited_j[view.sysid]),
                 missing_streams=supervisor.externals.missing_streams(view.sysid),
+                refused_messages=link.signature_refusals.get(view.sysid, 0),
             )
             for view in snapshot.vehicles
         ],
         refuelling=[RefuellingSummary(**service.record()) for service in schedule.services],
+        tanker_idle_s=schedule.tanker_idle_s,
         refuel_order=[service.receiver for service in schedule.refuelled],
         bases=[
             BaseSummary(

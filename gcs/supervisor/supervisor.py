@@ -7,6 +7,7 @@ What the tick at T decides leaves with the grant up to T + period, and is flown 
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
@@ -23,11 +24,11 @@ from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, TRAFFIC
 from gcs.mavlink.setpoints import SetPoint, encoded
 from gcs.planner.custom import make_planner
 from gcs.planner.request import PlanRequest
-from gcs.recording.decisions import TickRecord, event_of, records_of_tick
-from gcs.recording.writer import Digest, Recorder
-from gcs.refuelling.base import giver_messages
-from gcs.refuelling.bidding import make_bidding
+from gcs.recording.recorder import Digest, Recorder
+from gcs.recording.tick_record import TickRecord, event_of, records_of_tick
+from gcs.refuelling.base_service import giver_messages
 from gcs.refuelling.explain import acknowledged
+from gcs.refuelling.policy_bidding import make_bidding
 from gcs.refuelling.relay import Relay, relayed
 from gcs.refuelling.scheduler import Scheduler
 from gcs.refuelling.service import Decision
@@ -35,11 +36,12 @@ from gcs.refuelling.target_assignment import TargetAssignment
 from gcs.scenario.goal import Judgement, judge
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import Stage
-from gcs.supervisor.command_queue import FleetCommandQueue
 from gcs.supervisor.external_fleet import ENDING, ExternalFleet
 from gcs.supervisor.factory import make_arming_sequences, make_fleet, make_radio
+from gcs.supervisor.fleet_command_queue import FleetCommandQueue
 from gcs.supervisor.goal_watch import GoalWatch
 from gcs.supervisor.operator import Operator, OperatorReply
+from gcs.supervisor.recovery import Recovery
 from gcs.telemetry.changes import ChangeDetector
 from gcs.telemetry.events import Event, Kind, level_of
 from gcs.telemetry.message_inspector import MessageInspector
@@ -48,6 +50,8 @@ from gcs.telemetry.state import FleetSnapshot
 
 HEARTBEAT_EVERY_S = 1.0
 WAIT_FOR_FLEET_S = 30.0
+MOST_TEXTS = 20
+"""Texts of one vehicle that are told in one tick."""
 _SETTLED = frozenset({Stage.FLY, Stage.YIELDED, Stage.DOWN, Stage.TAKEN})
 _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
 
@@ -85,6 +89,7 @@ class Supervisor:
         self.arming = make_arming_sequences(scenario)
         self.goal_watch = GoalWatch(scenario, self.planner.obstacles, self.arming)
         self.operator = Operator(scenario, self.arming, self.schedule)
+        self.recovery = Recovery(self.arming)
         self.externals = ExternalFleet(scenario)
         self._wait_for_fleet_s = WAIT_FOR_FLEET_S + self.externals.patience_s
         self._join_ms = {v.sysid: round(1e3 * v.join_s) for v in scenario.vehicles.all}
@@ -140,6 +145,7 @@ class Supervisor:
         decision = self.schedule.decide(snapshot)
         self._serve_at_bases(decision)
         self._fly(snapshot, now_s)
+        self.events += self.recovery.look(snapshot)
         self._keep_streams(snapshot)
         pursuing = self.pursuit.decide(snapshot) if self.pursuit else self.operator.pursuing
         self.set_points = set_points = self._plan(snapshot, decision, pursuing)
@@ -249,7 +255,11 @@ class Supervisor:
             offsets_s, rebooted = self._link.clock_offsets_s(), self._link.pop_rebooted()
             self.externals.receive(delivered, offsets_s, rebooted, self.fleet, now_s)
         self.received += len(arrived)
+        count: Counter[int] = Counter()
         for sysid, severity, text in self.fleet.pop_statustexts(now_s):
+            count[sysid] += 1
+            if count[sysid] > MOST_TEXTS:
+                continue
             arming = self.arming.get(sysid)
             if self.externals.repeats(sysid, text, now_s) or (arming and arming.repeats(text)):
                 continue

@@ -1,4 +1,4 @@
-"""Detector of vehicle events from snapshots: mode changes, failsafes, loss and return of telemetry."""
+"""Detector of vehicle events from snapshots: mode changes, failsafes, loss and return of telemetry, and of belief."""
 
 from __future__ import annotations
 
@@ -18,6 +18,7 @@ class ChangeDetector:
     def __init__(self) -> None:
         self._modes: dict[int, FlightMode] = {}
         self._silent: set[int] = set()
+        self._doubted: set[int] = set()
 
     def look(self, snapshot: FleetSnapshot, ordered: Mapping[int, End] | None) -> list[Event]:
         """Events since the last snapshot.
@@ -31,6 +32,7 @@ class ChangeDetector:
             by_order = view.mode == wanted or (wanted == "return" and view.mode is FlightMode.LAND)
             self._watch_mode(view, snapshot.time_s, by_order, events)
             self._watch_silence(view, snapshot.time_s, events)
+            self._watch_belief(view, snapshot.time_s, events)
         return events
 
     def _watch_mode(self, view: VehicleView, now_s: float, by_order: bool, events: list[Event]) -> None:
@@ -49,6 +51,14 @@ class ChangeDetector:
             events.append(Event(now_s, view.sysid, "warning", text, "failsafe"))
         else:
             events.append(Event(now_s, view.sysid, "info", text, "mode"))
+
+    def _watch_belief(self, view: VehicleView, now_s: float, events: list[Event]) -> None:
+        if view.doubt and view.sysid not in self._doubted:
+            self._doubted.add(view.sysid)
+            events.append(Event(now_s, view.sysid, "critical", f"Is not believed: {view.doubt}", "link"))
+        elif not view.doubt and view.sysid in self._doubted:
+            self._doubted.discard(view.sysid)
+            events.append(Event(now_s, view.sysid, "info", "Is believed again", "link"))
 
     def _watch_silence(self, view: VehicleView, now_s: float, events: list[Event]) -> None:
         silent = view.alive and view.last_received_s >= 0.0 and STALE_S < view.age_s < math.inf

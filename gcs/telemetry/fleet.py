@@ -22,7 +22,8 @@ from gcs.mavlink.autopilots import GENERIC, FlightMode, Profile, profile_of
 from gcs.mavlink.battery import BatteryReport, battery_status, sys_status
 from gcs.mavlink.codec import Frame, fields
 from gcs.mavlink.statustext import Texts
-from gcs.telemetry.battery_account import GIVEN, BatteryAccount
+from gcs.telemetry import plausibility
+from gcs.telemetry.battery_account import BATTERY_PARAMETERS, CAPACITY, GIVEN, RECEIVED, BatteryAccount
 from gcs.telemetry.energy import Fact
 from gcs.telemetry.state import ZERO, FleetSnapshot, TrafficView, Vec3, VehicleView
 
@@ -30,6 +31,12 @@ LANDED_M = 0.3
 """A vehicle that does not report whether it has landed is in the air above this height."""
 TRAFFIC_FORGOTTEN_S = 10.0
 """An aircraft that has been silent for so long could be anywhere: its range would fill the sky."""
+MOST_TRAFFIC = 256
+"""Aircraft that are kept at once; of further ones nothing is."""
+MOST_EFFORT = 1e12
+_COUNTS = {RECEIVED: "received", GIVEN: "given"}
+ORIGIN_JUMP_M = 50.0
+"""By more than that the origin of an armed vehicle's frame does not move."""
 _FAILSAFE = frozenset({mav.MAV_STATE_CRITICAL, mav.MAV_STATE_EMERGENCY})
 
 
@@ -79,7 +86,7 @@ class _Track:
         self.p_local: Vec3 | None = None
         self.v_ned: Vec3 = ZERO
         self.position_s = -math.inf
-        self.heading_rad = 0.0
+        self.heading_rad = self.roll_rad = self.pitch_rad = 0.0
         self.offset: Vec3 | None = None
         self.origin_alt_m = 0.0
         self.origin_reported = False
@@ -87,6 +94,24 @@ class _Track:
         self.given_reported_s = -math.inf
         self.control_effort = 0.0
         self.texts = Texts()
+        self.counted: dict[str, tuple[float, float]] = {}
+        """(J, when) of what was last believed of each count of energy"""
+        self.doubt = ""
+        self.doubted_s = -math.inf
+
+    def doubts(self, why: str, time_s: float) -> bool:
+        """Whether there is a reason not to believe what is told at a time; it is remembered."""
+        if why:
+            self.doubt, self.doubted_s = why, time_s
+        return bool(why)
+
+    def counts(self, what: str, joules: float, time_s: float) -> bool:
+        """Whether a count of energy can be, after the last one of this kind."""
+        before_j, before_s = self.counted.get(what, (math.inf, time_s))
+        if self.doubts(plausibility.counted(joules, before_j, time_s - before_s, what), time_s):
+            return False
+        self.counted[what] = (joules, time_s)
+        return True
 
     def view(self, now_s: float) -> VehicleView:
         p_ned = None
@@ -102,6 +127,9 @@ class _Track:
         landed = self.landed
         if not self.landed_reported and p_ned is not None and ground_down_m is not None:
             landed = ground_down_m - p_ned[2] < LANDED_M
+        battery = self.battery
+        doubt = self.doubt if now_s - self.doubted_s < plausibility.DOUBTED_S else ""
+        doubt = doubt or plausibility.charge(battery.remaining_j, battery.capacity_j)
         return VehicleView(
             sysid=self.member.sysid,
             role=self.member.role,
@@ -116,6 +144,8 @@ class _Track:
             v_ned=self.v_ned,
             age_s=max(now_s - self.position_s, 0.0),
             heading_rad=self.heading_rad,
+            roll_rad=self.roll_rad,
+            pitch_rad=self.pitch_rad,
             origin_offset_ned=self.offset,
             ground_amsl_m=self.origin_alt_m if self.home_amsl_m is None else self.home_amsl_m,
             ground_down_m=ground_down_m,
@@ -132,6 +162,7 @@ class _Track:
             control_effort=self.control_effort,
             custom_mode=self.custom_mode,
             failsafe=self.armed and self.system_status in _FAILSAFE,
+            doubt=doubt,
         )
 
 
@@ -214,23 +245,34 @@ class Fleet:
         track.last_received_s = time_s
 
     def _position(self, track: _Track, content: Any, time_s: float) -> None:
-        numbers = (content.x, content.y, content.z, content.vx, content.vy, content.vz)
+        at, v_ned = (content.x, content.y, content.z), (content.vx, content.vy, content.vz)
         reported_s = _session_s(track, content.time_boot_ms, time_s)
-        if all(map(math.isfinite, numbers)) and reported_s >= track.position_s:
-            track.p_local = numbers[:3]
-            track.v_ned = numbers[3:]
+        if reported_s < track.position_s:
+            return
+        if not track.doubts(plausibility.place(at, v_ned, reported_s, track.p_local, track.position_s), time_s):
+            track.p_local = at
+            track.v_ned = v_ned
             track.position_s = reported_s
 
     def _attitude(self, track: _Track, content: Any, time_s: float) -> None:
-        if math.isfinite(content.yaw):
+        if abs(content.yaw) <= math.tau:
             track.heading_rad = content.yaw
+        if math.isfinite(content.roll) and math.isfinite(content.pitch):
+            track.roll_rad, track.pitch_rad = content.roll, content.pitch
 
     def _extended_state(self, track: _Track, content: Any, time_s: float) -> None:
         track.landed_reported = True
         track.landed = content.landed_state in (mav.MAV_LANDED_STATE_ON_GROUND, mav.MAV_LANDED_STATE_UNDEFINED)
 
     def _global_origin(self, track: _Track, content: Any, time_s: float) -> None:
-        track.offset = self._ned(content)
+        if track.doubts(plausibility.globe(content.latitude, content.longitude), time_s):
+            return
+        offset = self._ned(content)
+        known = track.offset if track.origin_reported and track.armed else None
+        if known is not None and math.dist(offset, known) > ORIGIN_JUMP_M:
+            track.doubts("its origin moves while it is armed", time_s)
+            return
+        track.offset = offset
         track.origin_alt_m = 1e-3 * content.altitude
         track.origin_reported = True
 
@@ -238,10 +280,14 @@ class Fleet:
         """An external vehicle's ground; and where its frame lies, if it says so by no other message."""
         if not track.member.external:
             return
+        if track.doubts(plausibility.globe(content.latitude, content.longitude), time_s):
+            return
         home_ned = self._ned(content)
         track.home_amsl_m, track.home_down_m = 1e-3 * content.altitude, home_ned[2]
         local = (content.x, content.y, content.z)
-        if track.origin_reported or not track.profile.home_is_local or not all(map(math.isfinite, local)):
+        if track.origin_reported or not track.profile.home_is_local:
+            return
+        if not all(abs(axis) <= plausibility.FARTHEST_M for axis in local):
             return
         track.offset = (home_ned[0] - local[0], home_ned[1] - local[1], home_ned[2] - local[2])
         track.origin_alt_m = track.home_amsl_m + content.z
@@ -262,19 +308,30 @@ class Fleet:
         self._receive_battery(track, sys_status(content, time_s))
 
     def _receive_battery(self, track: _Track, report: BatteryReport) -> None:
+        if track.doubts(plausibility.power(report.power_w), report.time_s):
+            return
+        if report.consumed_j is not None and not track.counts("drawn", report.consumed_j, report.time_s):
+            return
         self.facts += [(track.member.sysid, fact) for fact in track.battery.report(report, armed=track.armed)]
 
     def _named_int(self, track: _Track, content: Any, time_s: float) -> None:
+        if content.name not in _COUNTS or not track.counts(_COUNTS[content.name], content.value, time_s):
+            return
         track.battery.counter(content.name, content.value)
         if content.name == GIVEN:
             track.given_reported_s = max(track.given_reported_s, _session_s(track, content.time_boot_ms, time_s))
 
     def _named_float(self, track: _Track, content: Any, time_s: float) -> None:
-        if content.name == "CtlEffort" and math.isfinite(content.value):
+        if content.name == "CtlEffort" and 0.0 <= content.value <= MOST_EFFORT:
             track.control_effort = content.value
 
     def _parameter(self, track: _Track, content: Any, time_s: float) -> None:
-        track.battery.parameter(content.param_id, track.profile.parameter(content.param_value, content.param_type))
+        name, value = content.param_id, track.profile.parameter(content.param_value, content.param_type)
+        if name not in BATTERY_PARAMETERS:
+            return
+        least_j = 1.0 if name == CAPACITY else 0.0
+        if not track.doubts(plausibility.capacity(value, least_j), time_s):
+            track.battery.parameter(name, value)
 
     def _statustext(self, track: _Track, content: Any, time_s: float) -> None:
         self.statustexts += [(track.member.sysid, *text) for text in track.texts.add(content, time_s)]
@@ -283,6 +340,13 @@ class Fleet:
         self.acks.append((track.member.sysid, content))
 
     def _receive_traffic(self, content: Any, time_s: float) -> None:
+        if plausibility.globe(content.lat, content.lon):
+            return
+        if content.ICAO_address not in self._traffic and len(self._traffic) >= MOST_TRAFFIC:
+            known = self._traffic.items()
+            self._traffic = {icao: one for icao, one in known if time_s - one[3] <= TRAFFIC_FORGOTTEN_S}
+            if len(self._traffic) >= MOST_TRAFFIC:
+                return
         o = self.origin
         north, east, down = pymap3d.geodetic2ned(
             1e-7 * content.lat, 1e-7 * content.lon, 1e-3 * content.altitude, o.lat_deg, o.lon_deg, o.alt_m

@@ -60,6 +60,8 @@ def health_issues(
     if view.last_received_s < 0.0:
         return [HealthIssue("no word yet", LOOK)] if now_s >= SILENT_S else []
     found = []
+    if view.doubt:
+        found.append(HealthIssue("not believed", ACT))
     silent_s = now_s - view.last_received_s
     if silent_s >= SILENT_S:
         found.append(HealthIssue(f"no word {silent_s:.0f} s", ACT))

@@ -16,6 +16,8 @@ from gcs.mavlink.codec import Frame
 
 Subject = tuple[int, str]
 _NAMED = frozenset(map(codec.msgid, ("NAMED_VALUE_FLOAT", "NAMED_VALUE_INT", "DEBUG_VECT")))
+MOST_SUBJECTS = 256
+"""Messages of one vehicle that are told apart, each named value for itself; further ones are passed over."""
 RATE_OVER = 20
 """A rate is that of so many last messages."""
 
@@ -55,6 +57,8 @@ class MessageInspector:
             subject = frame.msgid, _own_name(frame)
             latest = messages.get(subject)
             if latest is None:
+                if len(messages) >= MOST_SUBJECTS:
+                    continue
                 latest = messages[subject] = _Latest(frame)
             latest.frame = frame
             latest.count += 1

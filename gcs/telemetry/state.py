@@ -54,6 +54,10 @@ class VehicleView(NamedTuple):
     """whether its autopilot says that it flies by a failsafe of its own"""
     p_local_ned: Vec3 | None = None
     """in its own frame; where that lies it may not have reported yet"""
+    doubt: str = ""
+    """why it is not believed; nothing while it is"""
+    roll_rad: float = 0.0
+    pitch_rad: float = 0.0
 
     @property
     def height_m(self) -> float | None:
@@ -84,8 +88,8 @@ class VehicleView(NamedTuple):
 
     @property
     def fresh(self) -> bool:
-        """Lives, and has reported its place lately: only then is it led, followed, refuelled and measured."""
-        return self.alive and self.age_s <= STALE_S
+        """Lives, has reported its place lately, and is believed: only then is it led, followed, refuelled, measured."""
+        return self.alive and self.age_s <= STALE_S and not self.doubt
 
     @property
     def heard_s(self) -> float:

@@ -15,12 +15,16 @@ from typing import Any, NamedTuple
 from fastcrc.crc16 import mcrf4xx
 from pymavlink.dialects.v20 import common
 
-MAGIC = 0xFD
+MAGIC, MAGIC_1 = 0xFD, 0xFE
+HEADER_1_BYTES = 6
 HEADER = struct.Struct("<BBBBBBBHB")
 HEADER_BYTES = 10
 CHECKSUM_BYTES = 2
 SIGNATURE_BYTES = 13
 SIGNED = 0x01
+MOST_TRIES = 64
+"""Places in a datagram that may look like a frame's beginning and be none, before the rest of it is passed over."""
+_MAGIC_BYTE = bytes((MAGIC,))
 _CHECKSUM = struct.Struct("<H")
 
 
@@ -50,12 +54,14 @@ class Schema(NamedTuple):
 _tuple_class: Any = namedtuple  # the fields come from the table, where no type checker can follow
 
 
-@cache
 def schema(msgid: int) -> Schema | None:
-    """The table's row of a message id; None where the dialect has none."""
-    definition = common.mavlink_map.get(msgid)
-    if definition is None:
-        return None
+    """The table's row of a message id; None where the dialect has none, of which nothing is kept."""
+    return _row(msgid) if msgid in common.mavlink_map else None
+
+
+@cache
+def _row(msgid: int) -> Schema:
+    definition = common.mavlink_map[msgid]
     kinds = dict(zip(definition.fieldnames, definition.fieldtypes, strict=True))
     wire_order = zip(definition.ordered_fieldnames, definition.array_lengths, strict=True)
     arrays: list[tuple[int, int]] = []
@@ -116,28 +122,34 @@ def decode(frame: ReceivedFrame) -> Any | None:
     return row.make._make(values)
 
 
+def speaks_mavlink_1(datagram: bytes) -> bool:
+    """Whether a datagram begins with an intact MAVLink 1 frame of the dialect."""
+    if len(datagram) < HEADER_1_BYTES + CHECKSUM_BYTES or datagram[0] != MAGIC_1:
+        return False
+    check = HEADER_1_BYTES + datagram[1]
+    row = schema(datagram[5]) if check + CHECKSUM_BYTES <= len(datagram) else None
+    if row is None:
+        return False
+    return mcrf4xx(datagram[1:check] + row.seed) == int(_CHECKSUM.unpack_from(datagram, check)[0])
+
+
 def split(datagram: bytes) -> Iterator[ReceivedFrame]:
     """Every intact MAVLink 2 frame of a datagram, in order; whatever is none is passed over.
 
-    A frame of an id that the dialect does not know cannot be checked and is passed over too.
+    A frame of an id that the dialect does not know cannot be checked and is passed over too. Size, flags and id are
+    looked at before a checksum is taken, and no more than MOST_TRIES places that are no frame are tried: what a
+    stranger can make this cost is bounded.
     """
-    start, end = 0, len(datagram)
-    while end - start >= HEADER_BYTES + CHECKSUM_BYTES:
-        if datagram[start] != MAGIC:
-            start += 1
-            continue
+    start, end, tries = datagram.find(_MAGIC_BYTE), len(datagram), 0
+    while start >= 0 and end - start >= HEADER_BYTES + CHECKSUM_BYTES and tries < MOST_TRIES:
         _, length, incompat, _, seq, sysid, compid, low, high = HEADER.unpack_from(datagram, start)
         body = start + HEADER_BYTES
         check = body + length
         stop = check + CHECKSUM_BYTES + (SIGNATURE_BYTES if incompat & SIGNED else 0)
-        row = schema(low | high << 16)
-        if (
-            stop > end
-            or incompat & ~SIGNED
-            or row is None
-            or mcrf4xx(datagram[start + 1 : check] + row.seed) != _CHECKSUM.unpack_from(datagram, check)[0]
-        ):
-            start += 1
+        row = schema(low | high << 16) if stop <= end and not incompat & ~SIGNED else None
+        if row is None or mcrf4xx(datagram[start + 1 : check] + row.seed) != _CHECKSUM.unpack_from(datagram, check)[0]:
+            tries += 1
+            start = datagram.find(_MAGIC_BYTE, start + 1)
             continue
         yield ReceivedFrame(sysid, compid, seq, low | high << 16, datagram[body:check], datagram[start:stop])
-        start = stop
+        start = datagram.find(_MAGIC_BYTE, stop)

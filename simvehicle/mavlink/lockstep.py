@@ -37,10 +37,13 @@ class Grants:
         self._answer: list[bytes] = []
         self.time_ms: int | None = None
 
-    def hello(self, heartbeat: object) -> bytes:
-        """The datagram that is repeated until the first bundle: HEARTBEAT 0, SYSTEM_TIME 1."""
+    def hello(self, heartbeat: object, secret: int = 0) -> bytes:
+        """The datagram that is repeated until the first bundle: HEARTBEAT 0, SYSTEM_TIME 1.
+
+        secret: what the supervisor knows its own vehicles by, in the place of the time; 0 without one.
+        """
         self._connection.put(heartbeat)
-        self._connection.put(message("SYSTEM_TIME")(time_unix_usec=0, time_boot_ms=0))
+        self._connection.put(message("SYSTEM_TIME")(time_unix_usec=secret, time_boot_ms=0))
         return b"".join(self._connection.frames())
 
     def feed(self, datagram: bytes) -> Bundle | list[bytes] | None:

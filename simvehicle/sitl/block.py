@@ -16,8 +16,10 @@ from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.context import Store
 from simvehicle.mavlink.dispatcher import Services
 from simvehicle.mavlink.telemetry import UNPROMPTED
+from simvehicle.sitl.keys import Keyring
 from simvehicle.sitl.link import Address, PlainLink, SupervisedLink, parse_address, parse_supervisor
 from simvehicle.sitl.loop import Seat, run_free, run_supervised
+from simvehicle.sitl.secret import from_hatch
 from simvehicle.sitl.truth import TruthWriter
 from simvehicle.sitl.unit import VehicleUnit
 
@@ -31,6 +33,9 @@ class Wanted:
     parameters: Parameters
     truth: Path | None
     store: Store | None = None
+    key_file: Path | None = None
+    state: Path | None = None
+    """folder in which a key that is set outlives the process"""
 
 
 def fly(
@@ -38,7 +43,8 @@ def fly(
 ) -> None:
     """Fly them to the end of their session; every vehicle has every connection for itself.
 
-    Raises AddressError and OSError before anything flies, OSError with a file name when truth cannot be written.
+    Raises AddressError, KeyFileError and OSError before anything flies, OSError with a file name when truth cannot be
+    written.
     """
     addresses = [parse_address(text) for text in connect]
     supervisor = parse_supervisor(supervised) if supervised is not None else None
@@ -51,7 +57,7 @@ def fly(
             for link in plain:
                 print(f"vehicle {one.sysid}: {link.address} (local port {link.port})", flush=True)
         if supervisor is not None:
-            run_supervised(seats)
+            run_supervised(seats, from_hatch())
         else:
             run_free(seats)
 
@@ -76,7 +82,12 @@ def _seat(
     for connection in connections:
         for key, rate_hz in UNPROMPTED.items():
             connection.streams.set_default(key, rate_hz)
-    plain = [opened.enter_context(PlainLink(a, c)) for a, c in zip(addresses, connections, strict=True)]
+    keyring = Keyring(one.sysid, one.key_file, one.state)
+    opened.callback(keyring.close)
+    plain = [
+        opened.enter_context(PlainLink(address, connection, keyring=keyring, link_id=i))
+        for i, (address, connection) in enumerate(zip(addresses, connections, strict=True))
+    ]
     link = None
     if supervisor is not None:
         link = opened.enter_context(SupervisedLink(supervisor, Connection(one.sysid)))

@@ -1,6 +1,7 @@
 """Preload once, fork a vehicle per line: docs/protocol.md#processes.
 
-stdin: one JSON line per process, {"argv": ["--sysid", "1", …], "log": PATH}. stdout: {"ready": true} once preloaded,
+stdin: one JSON line per process, {"argv": ["--sysid", "1", …], "log": PATH, "secret": N}; the secret, by which a
+supervisor knows its own vehicles, may be left out. stdout: {"ready": true} once preloaded,
 then {"sysid", "pid"} at each fork and {"sysid", "pid", "exit", "last_lines"} at each end; `exit` is negative for a
 signal. The line {"end": true} ends all processes without ending the hatch: {"ended": true, "cpu_s"} follows, the CPU
 time of all that it ever forked. The end of stdin ends the hatch, and its children die with it, however it dies. `ps`
@@ -27,6 +28,7 @@ from typing import Any
 from setproctitle import setproctitle
 
 from simvehicle.exit import BAD_INPUT, CANNOT_WRITE, INTERNAL_ERROR, INTERRUPTED
+from simvehicle.sitl.secret import hand_over
 
 PR_SET_PDEATHSIG = 1
 LAST_LINES = 8
@@ -68,12 +70,13 @@ def run(
                             _end_session(selector, children)
                             continue
                         argv, log = list(map(str, order["argv"])), Path(order["log"])
+                        secret = order.get("secret")
                     except (ValueError, KeyError, TypeError):
                         print(f"hatch: no order: {line[:100]!r}", file=sys.stderr, flush=True)
                         _end_all(pid for pid, _, _ in children.values())
                         return BAD_INPUT
                     sysid = sysid_of(argv)
-                    pid = _fork(main, argv, title_of(argv), log, libc, list(children))
+                    pid = _fork(main, argv, title_of(argv), log, secret, libc, list(children))
                     pidfd = os.pidfd_open(pid)
                     children[pidfd] = (pid, sysid, log)
                     selector.register(pidfd, selectors.EVENT_READ)
@@ -96,6 +99,7 @@ def _fork(
     argv: list[str],
     title: str,
     log: Path,
+    secret: object,
     libc: ctypes.CDLL,
     inherited: list[int],
 ) -> int:
@@ -111,6 +115,7 @@ def _fork(
         for fd in inherited:
             os.close(fd)
         setproctitle(title)
+        hand_over(secret)
         try:
             out = os.open(log, os.O_WRONLY | os.O_CREAT | os.O_APPEND | os.O_CLOEXEC, 0o644)
         except OSError as error:

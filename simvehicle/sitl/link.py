@@ -5,15 +5,22 @@ from __future__ import annotations
 import errno
 import re
 import socket
+import time
+from collections.abc import Callable
 from typing import NamedTuple, Self
 
-from simvehicle.mavlink.codec import ReceivedFrame, split
+from simvehicle.mavlink.codec import ReceivedFrame, speaks_mavlink_1, split
 from simvehicle.mavlink.connection import Connection
+from simvehicle.sitl.keys import Keyring
 
-RECEIVE_BYTES = 65535
-MAGICS = (b"\xfd", b"\xfe")
+RECEIVE_BYTES = 2048
+"""Longer datagrams are cut: nobody sends MAVLink so."""
+MOST_AT_ONCE = 256
+"""Datagrams of one link that are taken in before anything else has its turn."""
 MOST_PEERS = 32
-"""A udpin link answers this many, those who spoke last."""
+"""A udpin link answers this many."""
+PEER_SILENT_S = 10.0
+"""A peer that has been silent for so long is answered no more: a ground station sends HEARTBEAT every second."""
 _ADDRESS = re.compile(r"(udpin|udpout):(\[[0-9A-Fa-f:.]+\]|[^:\s]+):(\d{1,5})")
 
 
@@ -87,12 +94,27 @@ class _Link:
 
 
 class PlainLink(_Link):
-    """Plain MAVLink for whoever is there, one frame per datagram; udpin answers everyone who spoke MAVLink to it."""
+    """Plain MAVLink for whoever is there, one frame per datagram; udpin answers those who spoke MAVLink to it lately.
 
-    def __init__(self, address: Address, connection: Connection) -> None:
+    Who has spoken for longest keeps its place: newcomers are not answered while there is none free.
+    """
+
+    def __init__(
+        self,
+        address: Address,
+        connection: Connection,
+        clock: Callable[[], float] = time.monotonic,
+        *,
+        keyring: Keyring | None = None,
+        link_id: int = 0,
+    ) -> None:
         super().__init__(address, connection)
         self.address = address
-        self._peers: dict[tuple[str, int], None] = {}
+        self._keyring = keyring or Keyring(connection.sysid)
+        self._link_id = link_id
+        self._clock = clock
+        self._peers: dict[tuple[str, int], float] = {}
+        """when each was heard last, in s of the wall"""
 
     @property
     def port(self) -> int:
@@ -100,28 +122,45 @@ class PlainLink(_Link):
         return int(self.socket.getsockname()[1])
 
     def receive(self) -> list[ReceivedFrame]:
-        """Every intact frame that has come; whoever sent something like one is answered from now on.
+        """The intact frames that have come, of MOST_AT_ONCE datagrams at most; who sent one is answered from now on.
 
         Ground stations that know both begin with MAVLink 1 and change when they receive MAVLink 2.
         """
         frames: list[ReceivedFrame] = []
-        while True:
+        now_s = self._clock()
+        for _ in range(MOST_AT_ONCE):
             try:
                 datagram, peer = self.socket.recvfrom(RECEIVE_BYTES)
             except ConnectionError:
                 continue
             except OSError:
-                return frames
-            frames += split(datagram)
-            if datagram[:1] in MAGICS:
-                self._peers.pop(peer, None)
-                self._peers[peer] = None
-                if len(self._peers) > MOST_PEERS:
-                    del self._peers[next(iter(self._peers))]
+                break
+            received = self._keyring.accepted(list(split(datagram)))
+            frames += received
+            if (received or self._is_old_speaker(datagram)) and (peer in self._peers or self._has_room(now_s)):
+                self._peers[peer] = now_s
+        return frames
+
+    def _is_old_speaker(self, datagram: bytes) -> bool:
+        """Whether this is MAVLink 1, from somebody who may change when spoken to; it cannot be signed."""
+        return not self._keyring.has_key and speaks_mavlink_1(datagram)
+
+    def _has_room(self, now_s: float) -> bool:
+        """Whether a newcomer can be answered, once those who have gone are forgotten."""
+        if len(self._peers) >= MOST_PEERS:
+            self._forget(now_s)
+        return len(self._peers) < MOST_PEERS
+
+    def _forget(self, now_s: float) -> None:
+        gone = [peer for peer, received_s in self._peers.items() if now_s - received_s >= PEER_SILENT_S]
+        for peer in gone:
+            del self._peers[peer]
 
     def flush(self) -> None:
-        """Send what waits on the connection; frames without a receiver are dropped."""
-        for frame in self.connection.frames():
+        """Send what waits on the connection; frames with nobody to hear them are dropped."""
+        self._forget(self._clock())
+        for unsigned in self.connection.frames():
+            frame = self._keyring.signed(unsigned, self._link_id)
             try:
                 if self.address.kind == "udpout":
                     self.socket.send(frame)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import select
 import sys
 import time
@@ -46,10 +47,11 @@ class Seat(NamedTuple):
 class _Granted:
     """One unit on its supervised link, from its first hello to the supervisor's silence."""
 
-    def __init__(self, unit: Unit, link: SupervisedLink, plain: Sequence[PlainLink]) -> None:
+    def __init__(self, unit: Unit, link: SupervisedLink, plain: Sequence[PlainLink], secret: int | None) -> None:
         self._unit, self._link, self._plain = unit, link, plain
         self._grants = Grants(link.connection)
-        self._hello = self._grants.hello(unit.hello())
+        self._hello = self._grants.hello(unit.hello(), secret or 0)
+        self._patience_s = SILENCE_S if secret is None else math.inf
         self._last_received_s = 0.0
         self._started = False
 
@@ -59,7 +61,7 @@ class _Granted:
         A vehicle that the machine has kept from running has not listened: what waits for it is no silence.
         """
         if self._grants.time_ms is not None:
-            return now_s - self._last_received_s < SILENCE_S or self._link.waiting
+            return now_s - self._last_received_s < self._patience_s or self._link.waiting
         self._link.send([self._hello])
         return True
 
@@ -92,10 +94,12 @@ class _Granted:
         unit.advance(bundle.time_ms)
 
 
-def run_supervised(seats: Sequence[Seat]) -> None:
+def run_supervised(seats: Sequence[Seat], secret: int | None = None) -> None:
     """Live on the supervisor's clock until it has been silent for 10 s of wall time, each unit by itself.
 
-    Raises SystemExit then: a supervisor that ends a session ends its vehicles.
+    Raises SystemExit then: a supervisor that ends a session ends its vehicles. With a `secret`, by which the supervisor
+    knows them, they were started by its hatch, which ends them with the session: they wait for as long as that lives,
+    since a supervisor may be suspended.
 
     Frames from plain connections wait for the next grant, so that they act at a definite time of the session.
     """
@@ -103,7 +107,7 @@ def run_supervised(seats: Sequence[Seat]) -> None:
     granted: dict[int, _Granted] = {}
     for unit, link, plain in seats:
         assert link is not None
-        granted[link.socket.fileno()] = _Granted(unit, link, plain)
+        granted[link.socket.fileno()] = _Granted(unit, link, plain, secret)
         poll.register(link.socket, select.POLLIN)
     look_s = 0.0
     while granted:

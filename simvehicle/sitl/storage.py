@@ -37,12 +37,12 @@ class StateFile:
         self.plans_path = folder / f"{sysid}.plans.json"
         try:
             self.values = {str(name): float(value) for name, value in _read(self.path).items()}
-        except (ValueError, AttributeError, TypeError) as error:
+        except (ValueError, AttributeError, TypeError, RecursionError) as error:
             raise _broken(self.path, "parameters") from error
         try:
             content = _read(self.plans_path)
             self.plans = {_KINDS.index(name): tuple(map(_row, rows)) for name, rows in content.items()}
-        except (ValueError, AttributeError, TypeError) as error:
+        except (ValueError, AttributeError, TypeError, RecursionError) as error:
             raise _broken(self.plans_path, "plans") from error
 
     def keep(self, name: str, value: float) -> None:

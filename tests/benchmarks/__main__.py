@@ -17,6 +17,7 @@ import campaign_sessions
 import codecs_of_a_tick
 import console_drawn
 import laws
+import page_shown
 import planned_and_filtered
 import report_opened
 import sessions_timed
@@ -44,6 +45,7 @@ def main() -> None:
         9: console_drawn.figures,
         10: report_opened.figures,
         12: campaign_sessions.figures,
+        13: page_shown.figures,
     }
     wanted = [int(number) for number in options.only.split(",")] if options.only else list(figures)
     console = Console(width=None if sys.stdout.isatty() else 170)

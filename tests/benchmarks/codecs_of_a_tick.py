@@ -18,9 +18,9 @@ from gcs.mavlink.codec import Frame
 from gcs.mavlink.ids import STATION
 from gcs.mavlink.sequence import TickCollector
 from gcs.mavlink.setpoints import SetPoint, encoded
-from gcs.recording import tlog
+from gcs.recording import tlog_reader
+from gcs.recording.recorder import TLOG, Recorder
 from gcs.recording.session_folder import Gathering, Recorded
-from gcs.recording.writer import TLOG, Recorder
 from gcs.scenario.file import find, load
 from gcs.supervisor.factory import make_fleet
 from gcs.supervisor.supervisor import Supervisor
@@ -65,8 +65,8 @@ class Flown:
         self._link.expect(self._keys)
         for key in self._keys:
             hello = [codec.frame(codec.message("HEARTBEAT", type=2, autopilot=12, base_mode=0, custom_mode=0,
-                     system_status=3), 0, *key), codec.encode("SYSTEM_TIME", 1, *key, time_unix_usec=0,
-                     time_boot_ms=0)]  # fmt: skip
+                     system_status=3), 0, *key), codec.encode("SYSTEM_TIME", 1, *key,
+                     time_unix_usec=self._link.secret, time_boot_ms=0)]  # fmt: skip
             self._link._receive(b"".join(hello), ("127.0.0.1", PORT + key[0]))
         scenario = load(find("fleet"))
         assert {(v.sysid, 1) for v in scenario.vehicles.all} == set(self._keys)
@@ -138,12 +138,12 @@ def reading() -> list[Figure]:
                 codec.fields(frame)
 
     def replay() -> None:
-        for t_us, frame in tlog.read(folder / TLOG):
+        for t_us, frame in tlog_reader.read(folder / TLOG):
             fleet.ingest(frame, 1e-6 * t_us)
 
     def report() -> None:
         gathering = Gathering(Recorded(folder))
-        for chunk in tlog.read(folder / TLOG).chunks():
+        for chunk in tlog_reader.read(folder / TLOG).chunks():
             gathering.add(chunk)
         gathering.finish()
 

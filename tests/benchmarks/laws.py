@@ -15,7 +15,7 @@ from scipy.integrate import solve_ivp
 
 from gcs.planner import fuzzy_escape, leader, neighbours
 from gcs.planner.potential_field import FieldConstants
-from gcs.recording.writer import TLOG, Recorder
+from gcs.recording.recorder import TLOG, Recorder
 from gcs.refuelling.winner_take_all import advance as compete
 from gcs.scenario import geometry
 from simvehicle.law import step

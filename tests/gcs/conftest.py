@@ -10,7 +10,7 @@ import pytest
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
-from gcs.recording.writer import Recorder
+from gcs.recording.recorder import Recorder
 from gcs.scenario.model import Scenario
 from gcs.supervisor.supervisor import Supervisor
 
@@ -77,6 +77,7 @@ class ScriptedLink:
         self.bundles: list[tuple[int, Key, list[Frame]]] = []
         self.answered: list[list[Frame]] = []
         self.malformed = 0
+        self.signature_refusals: dict[int, int] = {}
         self._granted: dict[Key, int] = {}
         self._seq = 0
 

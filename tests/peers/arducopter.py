@@ -363,6 +363,7 @@ def main() -> None:
         help="what BATTERY_STATUS holds: all; no energy; nothing but the share that remains",
     )
     says.add_argument("--lose", type=float, default=0.0, help="share of its positions and attitudes that never come")
+    says.add_argument("--lies", action="store_true", help="tell a place where nothing can be, once it flies")
     says.add_argument("--says", default="", help="a text, in as many chunks as it needs, once it flies")
     says.add_argument("--param", type=parameter, action="append", default=[], metavar="NAME=VALUE")
     ArduCopter(says.parse_args()).live()

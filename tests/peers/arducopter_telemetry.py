@@ -83,7 +83,10 @@ class Telemetry:
     def _local_position_ned(self) -> Any:
         if not self.has_origin:
             return None
-        return mav.MAVLink_local_position_ned_message(self._ms, *self.copter.body.p, *self.copter.body.v)
+        p = self.copter.body.p
+        if self.options.lies and self.copter.flying:
+            p = (3.0e38, -3.0e38 if self._ms % 2 else 3.0e38, p[2])
+        return mav.MAVLink_local_position_ned_message(self._ms, *p, *self.copter.body.v)
 
     def _global_position_int(self) -> Any:
         if not self.has_origin:

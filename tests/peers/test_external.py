@@ -146,8 +146,8 @@ def charged(tmp_path_factory: pytest.TempPathFactory) -> Outcome:
         "origin": dict(zip(("lat_deg", "lon_deg", "alt_m"), ORIGIN, strict=True)),
         "vehicles": {"pursuers": [pursuer]},
         "bases": [{"name": "pad", "position_m": list(PAD_M), "stock_j": STOCK_J, "rate_w": RATE_W}],
-        "competition": {"need_from": 0.15},
-        "goal": {"duration_s": 29.0, "refuelled_at_least": 1},
+        "competition": {"bids": "need", "need_from": 0.15},
+        "goal": {"duration_s": 31.0, "refuelled_at_least": 1},
     }
     copter = [*ARDUCOPTER, "--sysid", str(COPTER), "--connect", f"udpout:127.0.0.1:{port}", *own_origin(COPTER)]
     with strangers(folder, [*copter, "--refuse-arming-s", "0.5", "--param", "LAND_SPEED=100"]):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import re
 import subprocess
 from collections.abc import Iterator
@@ -107,3 +108,19 @@ def test_a_px4_is_armed_taken_off_and_landed_by_commands(peers: Path, port: int,
         talk.type("long MAV_CMD_NAV_LAND")
         talk.hear("Mode LAND", "DISARMED")
         assert alarms(talk) == []
+
+
+def test_it_gives_a_vehicle_a_key_and_flies_it_signed(peers: Path, port: int, fly: Any, tmp_path: Path) -> None:
+    """From then on the vehicle acts on nothing that is not signed, and MAVProxy takes nothing that is not."""
+    state = tmp_path / "state"
+    fly(port, 1, "--autopilot", "ardupilot", "--state", str(state))
+    with mavproxy(peers, port, tmp_path) as talk:
+        connected(talk)
+        talk.type("signing setup swordfish")
+        talk.hear("Sent secret_key", "Setup signing key")
+        talk.type("mode guided")
+        talk.hear("Mode GUIDED")
+        talk.type("arm throttle")
+        talk.hear("ARMED")
+        assert alarms(talk) == []
+    assert (state / "1.key").read_text().strip() == hashlib.sha256(b"swordfish").hexdigest()

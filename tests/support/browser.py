@@ -50,7 +50,7 @@ class Browser:
     """One browser with one page; `events` are all that it has told of the page.
 
     A watched page tells of its requests, errors and logs, and is the slower for it: for every error that a script only
-    makes, V8 then works out the places in its source, 0.3 s of plotly.js's start.
+    makes, V8 then works out the places in its source.
     """
 
     def __init__(self, *, watched: bool = True) -> None:

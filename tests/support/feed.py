@@ -65,13 +65,11 @@ def session(**other: Any) -> dict[str, Any]:
         "speed": 5.0,
         "control": True,
         "separation_m": 0.6,
+        "ring_m": 2.2,
         "vehicles": [
-            *(
-                {"sysid": s, "role": "pursuer", "label": f"pursuer {s}", "capacity_j": 24000, "path_ned": []}
-                for s in PURSUERS
-            ),
-            {"sysid": TARGET, "role": "target", "label": "target 101", "capacity_j": 60000, "path_ned": path},
-            {"sysid": TANKER, "role": "tanker", "label": "tanker 201", "capacity_j": 150000, "path_ned": []},
+            *(known(s, "pursuer", 24000, []) | {"colour": k} for k, s in enumerate(PURSUERS)),
+            known(TARGET, "target", 60000, path) | {"colour": 5},
+            known(TANKER, "tanker", 150000, []) | {"colour": 6},
         ],
         "obstacles": [
             {
@@ -134,6 +132,8 @@ def vehicle(sysid: int, t_s: float, **other: Any) -> dict[str, Any]:
         "v_ned": v_ned,
         "aim_ned": [p_ned[0] + 2.0 * v_ned[0], p_ned[1] + 2.0 * v_ned[1], p_ned[2]],
         "heading_rad": math.atan2(v_ned[1], v_ned[0]),
+        "roll_rad": 0.05,
+        "pitch_rad": -0.08,
         "speed_m_s": math.hypot(*v_ned),
         "height_m": -p_ned[2],
         "target_m": math.dist(p_ned, _place(TARGET, t_s)[0]) if role == "pursuer" else None,
@@ -213,6 +213,7 @@ def snapshot(t_s: float, *, since_s: float | None = None, **other: Any) -> dict[
             "pursue_for_s": 20.0,
             "pursue_held_s": min(t_s, 12.0),
             "refuelled_at_least": 3,
+            "broken": [],
         },
         "events": [
             {"t_s": t, "sysid": s, "level": level, "kind": kind, "text": text}

@@ -94,7 +94,7 @@ def test_nothing_that_strangers_send_changes_the_flight(disturbed: Any, tmp_path
     outcome, _, _ = disturbed
     quiet = fly(small(goal=GOAL), tmp_path)
     assert (outcome.status, quiet.status) == (0, 0)
-    assert outcome.summary["link"]["malformed"] > 0
+    assert outcome.summary["link"]["malformed"] == 0  # what comes from elsewhere is not looked into
     assert outcome.summary["digest"] == quiet.summary["digest"]
 
 

@@ -27,6 +27,7 @@ def scenario(**changes: Any) -> dict[str, Any]:
         name="base",
         goal={"duration_s": 45.0, "refuelled_at_least": 2},
         bases=[{"name": "pad", "position_m": list(PAD), "stock_j": STOCK_J}],
+        competition={"bids": "need"},
     )
     content["vehicles"]["pursuers"].append(
         {

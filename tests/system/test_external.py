@@ -21,6 +21,7 @@ from strangers import ARDUCOPTER, SIMVEHICLE, free_port, strangers
 
 LAT, LON, ALT = 47.397742, 8.545594, 488.0
 RING_M = 2.0
+FLOWN_S = 19.0
 AWAY_S = 0.7
 pytestmark = pytest.mark.timeout(90)
 
@@ -72,7 +73,7 @@ def flown(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Flown]:
     }  # fmt: skip
     said = scenario(
         vehicles,
-        goal={"duration_s": 16.0, "pursue": {"within_m": 3.0, "for_s": 3.0}},
+        goal={"duration_s": FLOWN_S, "pursue": {"within_m": 3.0, "for_s": 3.0}},
         formation={"ring_m": RING_M},
         obstacles=[{"sphere_m": [3.5, 0.2, -2.5], "radius_m": 0.4}],
     )
@@ -124,7 +125,7 @@ def test_frames_of_their_own_are_brought_together_by_their_origins(flown: Flown)
     """Judged by GLOBAL_POSITION_INT, which the supervisor does not read: at the end all stand on the target's ring."""
     last: dict[int, Any] = {}
     for t_s, message in flown.outcome.messages("GLOBAL_POSITION_INT"):
-        if t_s <= 16.0:  # then the target stands, and the others are told to hold
+        if t_s <= FLOWN_S:  # then the target stands, and the others are told to hold
             last[message.get_srcSystem()] = message
     assert set(last) == {1, 2, 3, 4, 101}
     place = {
@@ -167,7 +168,7 @@ def test_the_recording_holds_both_ways_with_the_sessions_time(flown: Flown) -> N
         elif message.get_type() == "SET_POSITION_TARGET_LOCAL_NED":
             led.add(message.target_system)
     assert times == sorted(times)
-    assert times[-1] >= 16.0
+    assert times[-1] >= FLOWN_S
     assert led == {1, 2, 3, 4, 101}
     assert all(told[sysid] >= 8 * 16 for sysid in (1, 2, 4, 101))
     assert flown.outcome.summary["link"]["lost"] == 0

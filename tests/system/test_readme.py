@@ -46,6 +46,7 @@ ELSEWHERE = {
 """What is not typed here, and why."""
 UNTIL = {
     "gcs run demo": "Take-off",
+    "gcs run demo --web": "page: http://127.0.0.1:",
     "gcs run demo --lockstep --json": '"type": "snapshot"',
     "gcs run fleet": "Take-off",
     "gcs run external.yaml --plain": "pursuer 3: ",

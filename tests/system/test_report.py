@@ -11,30 +11,32 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import jsonschema
 import numpy as np
 import pytest
 from browser import CHROMIUM, MISSING, Browser
+from mcap.reader import make_reader
+from mcap_protobuf.decoder import DecoderFactory
 from sessions import Outcome, demo, fly, merged
 
 from gcs.cli.main import run_argv
 from gcs.cli.report import after_run
 
 needs_chromium = pytest.mark.skipif(CHROMIUM is None, reason=MISSING)
-# Of every figure: whether it shows, where, and how many lines and bars it holds.
+# Of every figure: whether it shows, where, and how many lines or bars it holds, and what stands beside its axes.
 FIGURES = """[...document.querySelectorAll('.plot')].map((plot) => {
   const box = plot.getBoundingClientRect();
   return {
-    name: plot.dataset.figure, view: plot.dataset.view ?? '', shows: plot.getClientRects().length > 0,
+    name: plot.dataset.figure, shows: plot.getClientRects().length > 0, marks: Number(plot.dataset.lines ?? 0),
     box: {x: box.x + scrollX, y: box.y + scrollY, width: box.width, height: box.height},
-    marks: [...plot.querySelectorAll('path.js-line, .bars path, path.point')].filter((path) => {
-      const extent = path.getBBox();
-      return extent.width + extent.height > 0;
-    }).length,
-    axes: [...plot.querySelectorAll('.g-xtitle, .g-ytitle, .annotation-text')].map((title) => title.textContent),
+    axes: [...plot.querySelectorAll('.panel-title, .row-name')].map((title) => title.textContent),
   };
 })"""
+FLIGHT = """(() => {
+  const box = document.querySelector('.picture').getBoundingClientRect();
+  return {x: box.x + scrollX, y: box.y + scrollY, width: box.width, height: box.height};
+})()"""
 FIGURE_NAMES = {
-    "plan",
     "target",
     "error",
     "motion",
@@ -121,14 +123,13 @@ def test_every_figure_is_drawn_and_nothing_is_fetched(flown: Outcome, browser: B
     browser.drawn()
     shown = [figure for figure in browser.evaluate(FIGURES) if figure["shows"]]
     assert {figure["name"] for figure in shown} == FIGURE_NAMES
-    assert {figure["view"] for figure in shown} >= {"plan", "space"}
-    for figure in shown:
+    for figure in [*shown, {"name": "flight", "marks": 1, "axes": ["(m)"], "box": browser.evaluate(FLIGHT)}]:
         colours = browser.picture_of(figure["box"]).convert("RGB").getcolors(1 << 24)
-        assert len(colours) > 20, f"{figure['name']} {figure['view']}: lines and letters have soft edges"
+        assert len(colours) > 20, f"{figure['name']}: lines and letters have soft edges"
         assert figure["box"]["x"] + figure["box"]["width"] <= width
-        if figure["view"] != "space":
-            assert figure["marks"] >= 1, figure["name"]
-            assert any("(" in title for title in figure["axes"]), f"{figure['name']} has units"
+        assert figure["marks"] >= 1, figure["name"]
+        units = any("(" in title for title in figure["axes"]) or figure["name"] == "contest"
+        assert units, f"{figure['name']} has units, but for states and shares"
     assert browser.evaluate("document.documentElement.scrollWidth") <= width
     told = [
         event for event in browser.events if event["method"] in ("Runtime.exceptionThrown", "Runtime.consoleAPICalled")
@@ -147,7 +148,7 @@ def test_every_figure_is_drawn_and_nothing_is_fetched(flown: Outcome, browser: B
 def test_a_vehicle_can_be_left_out_of_every_figure(flown: Outcome, browser: Browser) -> None:
     browser.open(flown.folder / "report.html")
     browser.drawn()
-    lines = "document.querySelectorAll('[data-figure=battery] path.js-line').length"
+    lines = "Number(document.querySelector('[data-figure=battery]').dataset.lines)"
     before = browser.evaluate(lines)
     browser.evaluate("document.querySelector('.picker button').click()")
     assert browser.evaluate("document.querySelector('.picker button').getAttribute('aria-pressed')") == "false"
@@ -164,11 +165,10 @@ def test_no_figure_is_lost_on_paper(flown: Outcome, browser: Browser) -> None:
     browser.call("Emulation.setEmulatedMedia", media="print")
     browser.evaluate("dispatchEvent(new Event('beforeprint'))")
     printed = [figure for figure in browser.evaluate(FIGURES) if figure["shows"]]
-    assert {figure["name"] for figure in printed} == FIGURE_NAMES
-    assert {figure["view"] for figure in printed} == {"", "plan", "drawn"}, "a drawing in place of the view in space"
+    assert {figure["name"] for figure in printed} == FIGURE_NAMES | {"flight"}, "a map in place of the view in space"
     assert all(figure["marks"] for figure in printed)
     assert max(figure["box"]["width"] for figure in printed) >= 600
-    sky = browser.picture_of(next(f["box"] for f in printed if f["view"] == "plan")).convert("RGB").getpixel((2, 2))
+    sky = browser.picture_of(next(f["box"] for f in printed if f["name"] == "flight")).convert("RGB").getpixel((2, 2))
     assert sky == (255, 255, 255), "paper is white, whatever the screen is"
 
 
@@ -237,3 +237,44 @@ def test_a_report_that_cannot_be_written_fails_alone(
     assert "warning: no report was made" in capsys.readouterr().err
     assert report(folder) == 1
     assert not list(folder.glob(".report*")), "nothing half written is left"
+
+
+# other programs
+
+
+def test_foxglove_finds_what_it_shows_without_set_up(
+    flown: Outcome, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Read by MCAP's own reader: schemas by the names that Foxglove knows, places as the vehicles knew them."""
+    path = tmp_path / "session.mcap"
+    assert run_argv(["export", str(flown.folder), "--format", "mcap", "--out", str(path)]) == 0
+    assert capsys.readouterr().out == f"301 snapshots: {path}\n"
+    truth = flown.truth(3)
+    begun_ns = 1767225600 * 10**9
+    with path.open("rb") as file:
+        reader = make_reader(file, decoder_factories=[DecoderFactory()])
+        summary = reader.get_summary()
+        assert summary is not None
+        kinds = {c.topic: summary.schemas[c.schema_id].name for c in summary.channels.values()}
+        assert {kinds[topic] for topic in ("/tf", "/scene", "/log", "/location/3")} == {
+            "foxglove.FrameTransforms", "foxglove.SceneUpdate", "foxglove.Log", "foxglove.LocationFix"}  # fmt: skip
+        assert kinds["/vehicle/3"] == "skytender.VehicleRow"
+        row_schema = next(s for s in summary.schemas.values() if s.name == "skytender.VehicleRow")
+        validator = jsonschema.Draft202012Validator(json.loads(row_schema.data))
+        placed = []
+        for _, _, message, frame in reader.iter_decoded_messages(topics=["/tf"]):
+            moved = next(one for one in frame.transforms if one.child_frame_id == "vehicle_3")
+            t = moved.translation
+            placed.append(((message.log_time - begun_ns) / 1e9, t.y, t.x, -t.z))
+        rows = [json.loads(m.data) for _, _, m in reader.iter_messages(topics=["/vehicle/3"])]
+        events = [d.message for _, _, _, d in reader.iter_decoded_messages(topics=["/log"])]
+        entities = [e.id for _, _, _, d in reader.iter_decoded_messages(topics=["/scene"]) for e in d.entities]
+    for row in rows:
+        validator.validate(row)
+    at = np.array(placed)
+    known = [np.interp(at[:, 0], truth.time_s, truth.p_ned[:, axis]) for axis in range(3)]
+    assert at[:, 1:] == pytest.approx(np.column_stack(known), abs=0.2)
+    assert any("Refuelling of" in text for text in events)
+    assert {"obstacle point 1", "vehicle 3", "ring 101", "traffic NORTH1"} <= set(entities)
+    assert run_argv(["export", str(flown.folder), "--format", "mcap", "--out", str(path)]) == 2
+    assert "left as it is" in capsys.readouterr().err

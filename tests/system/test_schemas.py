@@ -11,7 +11,7 @@ import jsonschema
 from attached import Attached
 from sessions import Running, demo, fly, merged, small
 
-from gcs.recording import tlog
+from gcs.recording import tlog_reader
 from gcs.recording.summary import Summary
 from gcs.session import message_types
 from gcs.session.observer import Observer
@@ -56,7 +56,7 @@ def test_every_line_of_a_session_an_observer_and_a_replay_keeps_to_the_schema(tm
     assert {"id": None, "ok": False} in [{k: line[k] for k in ("id", "ok")} for line in live if line["type"] == "reply"]
     assert any(line["services"] for line in live if line["type"] == "snapshot")
     observer, source = Observer("monitor", "udpin:0.0.0.0:14550"), ReplaySource(Replay(outcome.folder), speed=None)
-    for t_us, frame in tlog.read(outcome.folder / "session.tlog"):
+    for t_us, frame in tlog_reader.read(outcome.folder / "session.tlog"):
         observer.receive(frame, (t_us - 1767225600_000_000) / 1e6)
     told = [observer.session(), observer.snapshot(40.0, speed=1.0, phase="flying")]
     for t_s in (0.0, 10.0, 25.0, 40.0):

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from oracle import CLASSES, peer_frame, same, with_crc
 from pymavlink.dialects.v20 import common
 
-from gcs.mavlink import codec
+from gcs.mavlink import codec, v1
 
 HOT = (
     "HEARTBEAT",
@@ -262,6 +262,21 @@ def test_garbage_rarely_passes_for_an_unknown_message() -> None:
     head = struct.pack("<BBBBBBBHB", 0xFD, 3, 0, 0, 5, 1, 1, 8, 0) + b"\x01\x02\x03"
     taken = sum(codec.split(head + struct.pack("<H", crc)).unknown for crc in range(65536))
     assert taken == 256
+
+
+@pytest.mark.parametrize(
+    "hostile",
+    [b"\xfd" * 65507, b"\xfd\xff\0\0" * 16376, b"\xfd\xff\x01\0" * 16376, b"\xfd\xff\0\0\0\1\1\0\0\0" * 6550],
+)
+def test_few_places_of_a_hostile_datagram_are_tried_and_fewer_summed(
+    hostile: bytes, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    summed: list[int] = []
+    crc = codec.mcrf4xx
+    monkeypatch.setattr(codec, "mcrf4xx", lambda octets, *start: summed.append(len(octets)) or crc(octets, *start))
+    assert codec.split(hostile).malformed == 1
+    assert len(summed) <= codec.MOST_TRIES
+    assert v1.split(hostile.replace(b"\xfd", b"\xfe")) == []
 
 
 @settings(max_examples=300)

@@ -174,6 +174,28 @@ def test_truncated_datagram_gives_its_whole_frames(cut: int, count: int) -> None
     assert [frame.seq for frame in codec.split(datagram)] == list(range(len(datagram) // len(heartbeat())))
 
 
+@pytest.mark.parametrize(
+    "hostile",
+    [b"\xfd" * 65507, b"\xfd\xff\0\0" * 16376, b"\xfd\xff\0\0\0\1\1\0\0\0" * 6550, bytes(65507)],
+)
+def test_few_places_of_a_hostile_datagram_are_tried_and_fewer_summed(
+    hostile: bytes, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    summed: list[int] = []
+    crc = codec.mcrf4xx
+    monkeypatch.setattr(codec, "mcrf4xx", lambda octets: summed.append(len(octets)) or crc(octets))
+    assert list(codec.split(hostile)) == []
+    assert len(summed) <= codec.MOST_TRIES
+
+
+def test_nothing_is_kept_of_ids_that_the_dialect_does_not_know() -> None:
+    before = codec._row.cache_info().currsize
+    for msgid in range(20_000, 24_000):
+        assert codec.schema(msgid) is None
+        assert list(codec.split(with_crc(struct.pack("<BBBBBBBHB", 0xFD, 1, 0, 0, 0, 1, 1, msgid, 0) + b"x", 0))) == []
+    assert codec._row.cache_info().currsize == before
+
+
 def test_text_ends_at_its_first_nul_and_strange_characters_are_replaced_when_written() -> None:
     raw = peer_frame("STATUSTEXT", b"\x06" + b"armed\0hidden".ljust(50, b"\0"))
     (frame,) = codec.split(raw)

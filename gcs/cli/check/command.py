@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import click
 
@@ -32,6 +33,12 @@ def _connection(_: click.Context, __: click.Parameter, value: str) -> Endpoint:
     metavar="udpin|udpout:HOST:PORT",
     help="Where the vehicle is heard (udpin), or listens (udpout).",
 )
+@click.option(
+    "--key-file",
+    type=click.Path(path_type=Path, dir_okay=False),
+    metavar="FILE",
+    help="MAVLink 2 signing: sign every question, and take only answers signed with this key.",
+)
 @click.option("--sysid", type=click.IntRange(1, 254), help="The vehicle to ask.  [default: the first that is heard]")
 @click.option(
     "--peer",
@@ -45,7 +52,15 @@ def _connection(_: click.Context, __: click.Parameter, value: str) -> Endpoint:
     "--within", type=click.FloatRange(0.1), default=10.0, show_default=True, help="Seconds to find the vehicle."
 )
 @click.option("--json", "as_json", is_flag=True, help="One JSON object on stdout, for CI.")
-def check(connect: Endpoint, sysid: int | None, peers: tuple[str, ...], arm: bool, within: float, as_json: bool) -> int:
+def check(
+    connect: Endpoint,
+    key_file: Path | None,
+    sysid: int | None,
+    peers: tuple[str, ...],
+    arm: bool,
+    within: float,
+    as_json: bool,
+) -> int:
     """Ask a vehicle what MAVSDK, QGroundControl and MAVProxy ask, and name each reply that does not come.
 
     Any vehicle and any autopilot. Below each finding stands which peer would miss it and what that peer would show. It
@@ -78,6 +93,7 @@ def check(connect: Endpoint, sysid: int | None, peers: tuple[str, ...], arm: boo
     from gcs.cli.check.questions import questions
     from gcs.cli.check.wire import CheckError, Wire
     from gcs.cli.check.wire import check as run
+    from gcs.link.keys import KeyRefused
     from gcs.link.socket import AddressRefused
 
     asked = questions([PEER_NAMES[peer] for peer in peers] or list(PEER_NAMES.values()), arm=arm)
@@ -94,9 +110,11 @@ def check(connect: Endpoint, sysid: int | None, peers: tuple[str, ...], arm: boo
             click.echo(report.line(finding))
 
     try:
-        wire = Wire(connect)
+        wire = Wire(connect, key_file)
     except AddressRefused as error:
         raise click.UsageError(f"--connect: {error}.") from None
+    except KeyRefused as error:
+        raise click.UsageError(f"--key-file: {error}.") from None
     try:
         click.echo(f"waiting for a HEARTBEAT at {connect.text} ...", err=True)
         run(dialogue, wire, show, find_within_s=within)

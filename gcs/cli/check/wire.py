@@ -6,9 +6,11 @@ import contextlib
 import select
 import time
 from collections.abc import Callable, Sequence
+from pathlib import Path
 
 from gcs.cli.check.dialogue import FIND_WITHIN_S, CheckFinding, Dialogue
-from gcs.link.socket import RECEIVE_BYTES, Where, open_udp
+from gcs.link.keys import SignatureGate
+from gcs.link.socket import MOST_AT_ONCE, RECEIVE_BYTES, Where, open_udp
 from gcs.mavlink import codec
 from gcs.mavlink.ids import STATION
 from gcs.mavlink.sequence import SequenceCounter
@@ -22,9 +24,10 @@ class CheckError(Exception):
 
 
 class Wire:
-    """One connection, udpin or udpout; a listener answers whoever spoke last. Raises AddressRefused."""
+    """One connection, udpin or udpout; a listener answers whoever spoke last. Raises AddressRefused, KeyRefused."""
 
-    def __init__(self, at: Endpoint) -> None:
+    def __init__(self, at: Endpoint, key_file: Path | None = None) -> None:
+        self.gate = SignatureGate(key_file)
         self._socket, where = open_udp(at)
         self._to = None if at.way == "udpin" else where
         self._counter = SequenceCounter()
@@ -40,9 +43,9 @@ class Wire:
         select.select([self._socket], [], [], wait_s)
         frames: list[codec.Frame] = []
         with contextlib.suppress(OSError):
-            while True:
+            for _ in range(MOST_AT_ONCE):
                 datagram, address = self._socket.recvfrom(RECEIVE_BYTES)
-                for frame in codec.split(datagram).frames:
+                for frame in self.gate.accepted(codec.split(datagram).frames):
                     self._peers[frame.sysid] = address
                     frames.append(frame)
         return frames
@@ -54,11 +57,12 @@ class Wire:
             return
         for message in messages:
             with contextlib.suppress(OSError):
-                self._socket.sendto(codec.frame(message, self._counter.next(), *STATION), to)
+                self._socket.sendto(self.gate.signed(codec.frame(message, self._counter.next(), *STATION)), to)
 
     def close(self) -> None:
         """Close the socket."""
         self._socket.close()
+        self.gate.close()
 
 
 def check(
@@ -78,7 +82,9 @@ def check(
             dialogue.receive(frame, time.monotonic() - begun_s)
         vehicle = dialogue.vehicle
         if vehicle is None and now_s > find_within_s:
-            raise CheckError(f"no vehicle's HEARTBEAT came within {find_within_s:g} s")
+            reasons = ", ".join(sorted(set(wire.gate.reasons.values())))
+            refused = f", only messages that are {reasons}" if reasons else ""
+            raise CheckError(f"no vehicle's HEARTBEAT came within {find_within_s:g} s{refused}")
         wire.send(dialogue.poll(time.monotonic() - begun_s), None if vehicle is None else vehicle.sysid)
         for finding in dialogue.findings[count:]:
             on_finding(finding)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from gcs.console.drawing.canvas import Canvas, Point
 from gcs.console.text import Glyphs, StyledLines, left, number, right
@@ -11,13 +11,6 @@ AXIS = 5
 LABEL = 9
 GAP_S = 2.0
 """Samples farther apart are not joined: there was no competition between them."""
-CURVES = ("curve1", "curve2", "curve3", "curve4", "curve5", "curve6")
-
-
-def curve_styles(names: Iterable[str]) -> dict[str, str]:
-    """A style for each name that does not depend on who is ahead."""
-    every = sorted(names, key=lambda name: (len(name), name))
-    return {name: CURVES[order % len(CURVES)] for order, name in enumerate(every)}
 
 
 def chart(
@@ -25,6 +18,7 @@ def chart(
     names: Sequence[str],
     marks: Sequence[tuple[float, str]],
     *,
+    style_of: Callable[[str], str],
     width: int,
     height: int,
     glyphs: Glyphs,
@@ -58,9 +52,8 @@ def chart(
             canvas.line((x(t_s), 0), (x(t_s), canvas.height - 1), "mark", 1, every=2)
             canvas.put(int(x(t_s) // canvas.per_column) + 1, 0, text, "mark", 1)
     labels: dict[int, tuple[str, str]] = {}
-    styles = curve_styles(names)
     for order, name in enumerate(names):
-        style = styles[name]
+        style = style_of(name)
         run: list[Point] = []
         last_s = begin_s
         for t_s, values in samples:

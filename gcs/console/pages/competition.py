@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
-from gcs.console.drawing.chart import CURVES, chart, curve_styles
+from gcs.console.drawing.chart import chart
 from gcs.console.model import SessionModel, margin
 from gcs.console.text import Glyphs, StyledLine, StyledLines, bar, fitted, left, number, titled, wrapped
 from gcs.session.plain_text import clean
 
-MOST_CURVES = len(CURVES)
+MOST_CURVES = 6
 SPAN_S = 60.0
 BRIEF = 60
 """Cells below which a service that has ended is shown by numbers alone."""
@@ -70,12 +70,17 @@ def _curves(watch: SessionModel, width: int, height: int, glyphs: Glyphs) -> Sty
         watch.contest,
         names(watch),
         [(t_s, name) for t_s, name in watch.handovers],
+        style_of=lambda name: _style_of(watch, name),
         width=width,
         height=height,
         glyphs=glyphs,
         span_s=SPAN_S,
         now_s=watch.t_s,
     )
+
+
+def _style_of(watch: SessionModel, name: str) -> str:
+    return watch.style(int(name)) if name.isdigit() else ""
 
 
 def page(watch: SessionModel, *, width: int, height: int, glyphs: Glyphs) -> StyledLines:
@@ -106,10 +111,9 @@ def _bids(watch: SessionModel, glyphs: Glyphs) -> StyledLines:
     top = max([1.0, *values.values()])
     lines: StyledLines = [[(f"  {'vehicle':<12} {'v':>5} {'':<12} {'bid':>5}", "heading")]] if values else []
     drawn = names(watch)
-    styles = curve_styles(drawn)
     for name in sorted(values, key=lambda name: (-values[name], name)):
         tau = needs.get(name)
-        style = styles.get(name, "")
+        style = _style_of(watch, name) if name in drawn else ""
         bid = "-" if tau is None else f"{float(tau):.2f}"
         text = f"  {left(watch.name(name), 12)} {values[name]:5.2f} "
         lines.append([(text, style), *bar(values[name] / top, 12, glyphs, style or "charge"), (f" {bid:>5}", "")])

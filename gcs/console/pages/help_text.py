@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from gcs.console.operator_commands import ORDERS
 from gcs.console.text import Glyphs, StyledLine, StyledLines
+from gcs.session.order_table import ORDERS
 
 Keys = tuple[tuple[str, str], ...]
 

@@ -99,7 +99,7 @@ def draw(
     scale_m = _round_length(view.m_per_dot * canvas.per_column * max(width // 6, 8))
     _grid(canvas, view, at, scale_m)
     for known in watch.known.values():
-        style = "path " + str(known.get("role", ""))
+        style = "path " + watch.style(int(known["sysid"]))
         canvas.path([at(p[0], p[1]) for p in known.get("path_ned") or ()], style, PATH, every=3)
     for obstacle in watch.session.get("obstacles") or ():
         _obstacle(canvas, obstacle, at, cell, glyphs)
@@ -108,8 +108,7 @@ def draw(
             column, row = cell(base["p_ned"][0], base["p_ned"][1])
             canvas.put(column, row, ("⌂" if glyphs.unicode else "B") + str(base.get("name") or ""), "base", MARK)
     for sysid, trail in watch.trails.items():
-        role = str((watch.vehicles.get(sysid) or {}).get("role", ""))
-        canvas.path([at(n, e) for n, e in trail], f"trail {role}", TRAIL)
+        canvas.path([at(n, e) for n, e in trail], f"trail {watch.style(sysid)}", TRAIL)
     for vehicle in watch.vehicles.values():
         aim, here = vehicle.get("aim_ned"), vehicle.get("p_ned")
         if aim is not None and here is not None and vehicle.get("alive", True):
@@ -123,11 +122,11 @@ def draw(
     ranked = sorted(watch.vehicles.values(), key=lambda v: (v["sysid"] != chosen, -severity(v), v["sysid"]))
     seen = [vehicle for vehicle in ranked if vehicle.get("p_ned") is not None]
     for vehicle in reversed(seen):
-        canvas.put(*cell(*vehicle["p_ned"][:2]), symbol(vehicle, glyphs), _style(vehicle, chosen), CRAFT)
+        canvas.put(*cell(*vehicle["p_ned"][:2]), symbol(vehicle, glyphs), _style(watch, vehicle, chosen), CRAFT)
     for vehicle in seen:
         text = f"{vehicle['sysid']}{'!' if severity(vehicle) else ''}"
         anyway = vehicle["sysid"] == chosen
-        _label(canvas, *cell(*vehicle["p_ned"][:2]), text, _style(vehicle, chosen), anyway=anyway)
+        _label(canvas, *cell(*vehicle["p_ned"][:2]), text, _style(watch, vehicle, chosen), anyway=anyway)
     for craft in watch.snapshot.get("traffic") or ():
         if craft.get("p_ned"):
             _label(canvas, *cell(*craft["p_ned"][:2]), clean(craft.get("callsign") or ""), "traffic")
@@ -175,8 +174,8 @@ def _rendezvous(
     canvas.put(column, row, "◎" if glyphs.unicode else "@", "meet", MARK)
 
 
-def _style(vehicle: Vehicle, chosen: int | None) -> str:
-    style = _TROUBLED.get(severity(vehicle)) or f"craft {vehicle.get('role', '')}"
+def _style(watch: SessionModel, vehicle: Vehicle, chosen: int | None) -> str:
+    style = _TROUBLED.get(severity(vehicle)) or f"craft {watch.style(vehicle['sysid'])}"
     return f"{style} chosen" if vehicle["sysid"] == chosen else style
 
 

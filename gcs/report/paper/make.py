@@ -123,7 +123,7 @@ def make(out: Path, parts: Sequence[str], console: Console) -> list[Judged]:
 def fly(name: str, folder: Path) -> Scenario:
     """Fly a shipped example by `gcs run`, the whole program, into `folder`. Raises PaperError with its last words."""
     scenario = f"paper/{name}"
-    command = [sys.executable, "-m", "gcs", "run", scenario, "--lockstep", "--plain", "--out", str(folder)]
+    command = [sys.executable, "-P", "-m", "gcs", "run", scenario, "--lockstep", "--plain", "--out", str(folder)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if not (folder / "summary.json").exists():
         last = (done.stderr.strip() or done.stdout.strip() or "no words").splitlines()[-1]

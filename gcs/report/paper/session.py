@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from gcs.recording import tlog
-from gcs.recording.decision_lines import DecisionLines
-from gcs.recording.writer import DECISIONS, TLOG
+from gcs.recording import tlog_reader
+from gcs.recording.decisions_reader import DecisionLines
+from gcs.recording.recorder import DECISIONS, TLOG
 
 Floats = NDArray[np.float64]
 
@@ -81,7 +81,7 @@ def read(folder: Path, sysids: list[int], period_s: float) -> list[RecordedFligh
         if decision["kind"] == "set_point" and decision["sysid"] in plans:
             plans[decision["sysid"]].append([decision["t_s"], *decision["p_ned"], *decision["v_ned"]])
     efforts: dict[int, list[tuple[float, float]]] = {sysid: [] for sysid in sysids}
-    for chunk in tlog.read(folder / TLOG).chunks():
+    for chunk in tlog_reader.read(folder / TLOG).chunks():
         reports = chunk.table("NAMED_VALUE_FLOAT")
         for report in reports[reports["name"] == EFFORT]:
             if report["sysid"] in efforts:

@@ -7,6 +7,7 @@ import pytest
 import yaml
 
 from gcs.campaign.families import FAMILIES, LONGEST_S, family, faults
+from gcs.campaign.tight import DURATION_S
 from gcs.scenario.file import load
 
 SEEDS = range(12)
@@ -21,7 +22,7 @@ def test_every_scenario_loads_and_its_starts_allow_what_is_wanted(name: str, tmp
         path.write_text(yaml.safe_dump(document, sort_keys=False))
         scenario = load(path)
         assert (scenario.name, scenario.seed) == (f"{name}-{seed}", seed)
-        assert 20 <= scenario.goal.duration_s <= LONGEST_S
+        assert 20 <= scenario.goal.duration_s <= (DURATION_S if name == "tight" else LONGEST_S)
         assert scenario.clock.mode == "lockstep"
         assert 1.5 <= scenario.planner.cruise_m_s <= 5.0
 

@@ -10,18 +10,20 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from feed import snapshot
+from feed import session, snapshot
 from hypothesis import given
 from hypothesis import strategies as st
 
 from gcs.console.drawing.canvas import Canvas
-from gcs.console.drawing.chart import chart, curve_styles
+from gcs.console.drawing.chart import chart
 from gcs.console.job import can_suspend
 from gcs.console.model import TRAIL_LENGTH, SessionModel, margin, ordered
 from gcs.console.pages.fleet import table, window
 from gcs.console.pages.heading import session_line
-from gcs.console.pages.map_view import symbol
+from gcs.console.pages.map_view import PlanView, draw, symbol
+from gcs.console.styles import COLOURS
 from gcs.console.text import ASCII, UNICODE, bar, can_unicode, fitted, number, width_of, wrapped
+from gcs.scenario.colours import DARK
 from gcs.session.client import GONE_S, SessionSource
 from gcs.session.server import Publisher
 
@@ -162,26 +164,45 @@ def test_a_vehicle_points_where_its_nose_does(heading_deg: float, arrow: str, as
 
 def test_a_rising_curve_rises_and_keeps_its_style_whoever_leads() -> None:
     samples = [(t / 10.0, {"1": t / 100.0, "12": 0.5}) for t in range(101)]
-    drawn = chart(samples, ["1", "12"], [], width=60, height=12, glyphs=ASCII, span_s=10.0, now_s=10.0)
-    style = curve_styles(["1", "12"])["1"]
-    rows = [row for row, line in enumerate(drawn) for part, name in line if name == style and part.strip()]
+    drawn = chart(
+        samples, ["1", "12"], [], style_of="style {}".format, width=60, height=12, glyphs=ASCII, span_s=10.0, now_s=10.0
+    )
+    rows = [row for row, line in enumerate(drawn) for part, name in line if name == "style 1" and part.strip()]
     assert min(rows) == 0
     assert max(rows) == 10
     assert text(drawn)[0].endswith("  1 1.00")
-    assert curve_styles(["12", "1", "3"]) == curve_styles(["3", "12", "1"])
+
+
+def test_a_vehicle_has_one_colour_on_map_and_in_curves_by_its_place_in_the_scenario() -> None:
+    watch = SessionModel()
+    watch.update([session(), snapshot(30.0)])
+    styles = {sysid: watch.style(sysid) for sysid in watch.vehicles}
+    assert styles == {
+        1: "vehicle0",
+        2: "vehicle1",
+        3: "vehicle2",
+        4: "vehicle3",
+        5: "vehicle4",
+        101: "target",
+        201: "vehicle6",
+    }
+    plan = draw(watch, PlanView(), width=120, height=40, glyphs=UNICODE, chosen=None)
+    numbers = {part.strip(): name for line in plan for part, name in line if part.strip() in ("2", "5")}
+    assert all(styles[int(part)] in name for part, name in numbers.items())
+    assert {COLOURS[f"vehicle{place}"] for place in range(len(DARK))} == set(DARK), "the page's own"
 
 
 def test_the_present_is_at_the_curves_right_edge_though_nobody_competes_any_more() -> None:
     samples = [(t / 10.0, {"7": 0.5}) for t in range(101)]
-    drawn = text(chart(samples, ["7"], [], width=60, height=12, glyphs=ASCII, span_s=10.0, now_s=15.0))
+    drawn = text(chart(samples, ["7"], [], style_of=str, width=60, height=12, glyphs=ASCII, span_s=10.0, now_s=15.0))
     assert drawn[-1].split() == ["5", "s", "15", "s"]
     assert not any("0.50" in line for line in drawn)
-    now = text(chart(samples, ["7"], [], width=60, height=12, glyphs=ASCII, span_s=10.0, now_s=10.0))
+    now = text(chart(samples, ["7"], [], style_of=str, width=60, height=12, glyphs=ASCII, span_s=10.0, now_s=10.0))
     assert any("7 0.50" in line for line in now)
 
 
 def test_axes_stand_before_anybody_has_competed() -> None:
-    drawn = text(chart([], [], [], width=60, height=12, glyphs=ASCII, span_s=60.0, now_s=1.0))
+    drawn = text(chart([], [], [], style_of=str, width=60, height=12, glyphs=ASCII, span_s=60.0, now_s=1.0))
     assert drawn[0].startswith(" 1.0")
     assert drawn[-1].split() == ["0", "s", "60", "s"]
 

@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
+from gcs.link import external
 from gcs.link.external import ExternalLink
 from gcs.link.fleet import FleetLink
 from gcs.link.lockstep import LockstepLink
@@ -289,3 +290,54 @@ def test_a_mixed_fleet_needs_no_grant_for_strangers_and_no_wait() -> None:
         assert link.joined == {KEYS[1]}
         link.leave(KEYS[1])
         assert link.joined == set()
+
+
+def test_two_who_say_the_same_before_the_session_are_rivals_and_one_alone_settles(stand: Any) -> None:
+    link, port = udpin(1)
+    stand(link)
+    one, twin = stand(Vehicle(1)), stand(Vehicle(1))
+    one.say(port, one.heartbeat())
+    until(link, lambda: not link.missing)
+    assert not link.settled  # the other has had no time to speak
+    twin.say(port, twin.heartbeat())
+    until(link, lambda: bool(link.rivals))
+    assert link.rivals == {KEYS[1]: (("127.0.0.1", one.port), ("127.0.0.1", twin.port))}
+    until(link, lambda: link.settled)
+
+
+def test_a_vehicle_that_was_silent_may_go_on_from_another_address(stand: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    link, port = udpin(1)
+    stand(link)
+    one, again = stand(Vehicle(1)), stand(Vehicle(1))
+    one.say(port, one.heartbeat())
+    until(link, lambda: not link.missing)
+    link.begin()
+    again.say(port, again.heartbeat())
+    until(link, lambda: bool(link.refused))
+    assert link.pop_moved() == {}
+    monkeypatch.setattr(external, "MOVED_AFTER_S", 0.0)
+    again.say(port, again.heartbeat(), again.position(5))
+    until(link, lambda: bool(link._moved))
+    assert link.pop_moved() == {KEYS[1]: ("127.0.0.1", again.port)}
+    link.grant(KEYS[1], [codec.message("PING", time_usec=1, seq=1, target_system=0, target_component=0)], [])
+    assert again.hear(1)[0].get_type() == "PING"
+
+
+def test_of_a_flood_of_strangers_little_is_read_and_the_vehicle_is_heard(
+    stand: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    link, port = udpin(1)
+    stand(link)
+    one, flood = stand(Vehicle(1)), stand(Vehicle(9))
+    one.say(port, one.heartbeat())
+    until(link, lambda: not link.missing)
+    link.begin()
+    read: list[int] = []
+    split = codec.split
+    monkeypatch.setattr(codec, "split", lambda datagram: read.append(len(datagram)) or split(datagram))
+    monkeypatch.setattr(external, "UNKNOWN_READ", 5)
+    flood.say(port, *[b"\xfd" * 60_000] * 20)
+    one.say(port, one.position(100))
+    assert len(link.collect()[KEYS[1]]) == 1
+    assert read == [external.UNKNOWN_BYTES] * 5 + [len(one.position(100))]
+    assert link.malformed == 0

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from gcs.link.link import Key
-from gcs.link.lockstep import DATAGRAM_BYTES, LockstepLink
+from gcs.link.lockstep import DATAGRAM_BYTES, MOST_AT_ONCE, LockstepLink
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import STATION
@@ -39,6 +39,7 @@ class Vehicle:
         self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self.socket.setblocking(False)
         self.socket.connect(("127.0.0.1", link.port))
+        self.secret = link.secret
         self.t_ms = -1
         self.seq, self.expected, self.extra = 2, 0, extra
         self.bundles: list[bytes] = []
@@ -51,7 +52,7 @@ class Vehicle:
         return codec.encode(name, seq, self.sysid, 1, **values)
 
     def hello(self) -> None:
-        stamp = {"time_unix_usec": 0, "time_boot_ms": 0}
+        stamp = {"time_unix_usec": self.secret, "time_boot_ms": 0}
         self.socket.send(self.frame("HEARTBEAT", 0, **BEAT) + self.frame("SYSTEM_TIME", 1, **stamp))
 
     def pump(self) -> None:
@@ -133,16 +134,44 @@ def test_what_is_no_hello_does_not_join(link: LockstepLink, made_vehicles: list[
     one.socket.send(b"\x00garbage that is no MAVLink")
     join(link, made_vehicles, 2)
     assert link.joined == {(2, 1)}
-    assert link.malformed == 1
+    assert link.malformed == 0  # strangers' bytes are not counted: they are not read
 
 
-def test_a_second_address_of_the_same_vehicle_is_refused(link: LockstepLink, made_vehicles: list[Vehicle]) -> None:
+def test_who_has_not_the_sessions_secret_never_owns_a_link_even_if_it_is_first(
+    link: LockstepLink, made_vehicles: list[Vehicle]
+) -> None:
+    thief = Vehicle(link, 1)
+    made_vehicles.append(thief)
+    for secret in (0, link.secret ^ 1, (1 << 64) - 1):
+        thief.secret = secret
+        thief.hello()
+    link.listen(0.0)
+    assert link.joined == set()
+    assert link.refused == {(1, 1): thief.socket.getsockname()}
+    one = join(link, made_vehicles, 1)[-1]
+    assert link.joined == {(1, 1)}
+    link.grant((1, 1), 0, 7, [heartbeat()], [])
+    one.pump()
+    assert [frame.seq for frame in collect(link, lambda: None)[1, 1]] == [2, 3, 4]
+
+
+def test_secrets_are_not_guessed_and_not_the_same_twice() -> None:
+    links = [LockstepLink() for _ in range(8)]
+    secrets = {link.secret for link in links}
+    for link in links:
+        link.close()
+    assert len(secrets) == 8
+    assert max(secret.bit_length() for secret in secrets) > 56
+
+
+def test_a_second_address_of_the_same_vehicle_is_a_rival(link: LockstepLink, made_vehicles: list[Vehicle]) -> None:
     (one,) = join(link, made_vehicles, 1)
     foreign = Vehicle(link, 1)
     for _ in range(2):
         foreign.hello()
     join(link, made_vehicles, 2)
-    assert link.refused == {(1, 1): foreign.socket.getsockname()}
+    assert link.rivals == {(1, 1): foreign.socket.getsockname()}
+    assert link.refused == {}
     link.grant((1, 1), 0, 7, [heartbeat()], [])
     one.pump()
     foreign.socket.send(one.last)
@@ -269,6 +298,42 @@ def test_garbage_between_the_answers_is_counted_and_harms_nothing(
     one.pump()
     assert len(collect(link, lambda: None)[1, 1]) == 3
     assert link.malformed == 2
+
+
+def test_a_flood_of_strangers_is_not_read_and_does_not_keep_a_tick_from_ending(
+    link: LockstepLink, made_vehicles: list[Vehicle], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (one,) = join(link, made_vehicles, 1)
+    read: list[int] = []
+    split = codec.split
+    monkeypatch.setattr(codec, "split", lambda datagram: read.append(len(datagram)) or split(datagram))
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as flood:
+        flood.connect(("127.0.0.1", link.port))
+        for tick in range(3):
+            link.grant((1, 1), 100 * tick, 0, [], [])
+            for _ in range(40):
+                flood.send(b"\xfd" * 65507)
+            one.pump()
+            read.clear()
+            assert len(collect(link, lambda: None)[1, 1]) == 3
+            assert max(read) < DATAGRAM_BYTES
+
+
+def test_no_more_than_a_bounded_number_of_datagrams_is_taken_before_others_have_their_turn(link: LockstepLink) -> None:
+    class Endless:
+        taken = 0
+
+        def recvfrom(self, size: int) -> tuple[bytes, tuple[str, int]]:
+            self.taken += 1
+            return b"\xfd" * size, ("127.0.0.1", 9)
+
+    endless = Endless()
+    real, link._socket = link._socket, endless  # type: ignore[assignment]
+    try:
+        link._drain()
+    finally:
+        link._socket = real
+    assert endless.taken == MOST_AT_ONCE
 
 
 def test_a_pause_repeats_the_last_bundle_and_the_answers_to_it_are_no_new_tick(

@@ -8,7 +8,7 @@ import pytest
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
 from gcs.mavlink.gaps import GapCounter
-from gcs.mavlink.sequence import FIRST_ANSWER, SequenceCounter, TickCollector, is_hello
+from gcs.mavlink.sequence import FIRST_ANSWER, SequenceCounter, TickCollector, secret_of_hello
 
 SYSID, COMPID = 4, 1
 
@@ -135,13 +135,13 @@ def test_ticks_survive_splitting_loss_reordering_repetition_and_every_turn_of_th
 
 def test_hellos_are_never_part_of_a_tick() -> None:
     collector = TickCollector(SYSID, COMPID)
-    assert is_hello(received(HELLO))
+    assert secret_of_hello(received(HELLO)) == 1_000_000_000_000_000
     assert not collector.feed(received(HELLO))
     collector.begin(0)
     assert not collector.feed(received(HELLO))
     assert collector.held == 0
     raws = answer(2, 0, 3)
-    assert not is_hello(received(raws))
+    assert secret_of_hello(received(raws)) is None
     assert collector.feed(received(raws))
     assert [frame.seq for frame in collector.pop_frames()] == [2, 3, 4]
 

@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from gcs.mavlink.statustext import PATIENCE_S, Texts
+from gcs.mavlink.statustext import CHUNK_CHARACTERS, MOST_CHARACTERS, PATIENCE_S, Texts
 
 FIRST = "Arming denied: Resolve system health failures firs"
 
@@ -41,3 +41,19 @@ def test_a_text_whose_end_is_lost_is_told_as_far_as_it_came_before_the_next() ->
     texts = Texts()
     texts.add(chunk(FIRST, 3), 1.0)
     assert texts.add(chunk("Armed", 4, severity=6), 1.1) == [(2, FIRST), (6, "Armed")]
+
+
+def test_endless_chunks_are_one_text_of_bounded_length() -> None:
+    texts, told = Texts(), []
+    for seq in range(5000):
+        told += texts.add(chunk("x" * CHUNK_CHARACTERS, 7, seq % 255 or 1), 0.001 * seq)
+    assert told == [(2, "x" * MOST_CHARACTERS)]
+    assert texts.overdue(99.0) == []
+    assert texts.add(chunk("Next", 7), 99.0) == [(2, "Next")]
+
+
+def test_chunks_of_other_ids_after_an_endless_text_are_heard() -> None:
+    texts = Texts()
+    for seq in range(20):
+        texts.add(chunk("x" * CHUNK_CHARACTERS, 7, seq), 0.0)
+    assert texts.add(chunk("Other", 8), 0.1) == [(2, "Other")]

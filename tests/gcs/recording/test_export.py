@@ -22,7 +22,7 @@ from pymavlink.dialects.v20 import ardupilotmega as mav
 from sessions import fly, small
 
 from gcs.mavlink import field_units
-from gcs.recording import tables, tlog
+from gcs.recording import tables, tlog_reader
 from gcs.recording.export import ExportError, export
 
 EPOCH_US = 1_767_225_600_000_000
@@ -299,7 +299,7 @@ def test_without_pyarrow_one_sentence_says_which_extra_to_install(tmp_path: Path
 def test_memory_does_not_grow_with_the_log(tmp_path: Path) -> None:
     """A log of four stretches needs at its height what one of a single stretch needs."""
     row = record(EPOCH_US, mav.MAVLink_attitude_message(1000, 0.1, 0.2, 0.3, 0.0, 0.0, 0.0))
-    stretch = row * (tlog.CHUNK_BYTES // len(row))
+    stretch = row * (tlog_reader.CHUNK_BYTES // len(row))
     few, many = tmp_path / "few.tlog", tmp_path / "many.tlog"
     few.write_bytes(stretch)
     with many.open("wb") as file:

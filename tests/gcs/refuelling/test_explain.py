@@ -11,7 +11,8 @@ from gcs.refuelling.explain import acknowledged, competition_of, history_of, ren
 from gcs.refuelling.service import Phase, Service
 from gcs.scenario.model import CompetitionRules, RefuellingRules
 
-RULES, COMPETITION = RefuellingRules(hold_s=1.0, reserve_s=20.0), CompetitionRules(dwell_s=2.0, decide_within_s=30.0)
+RULES = RefuellingRules(hold_s=1.0, reserve_s=20.0)
+COMPETITION = CompetitionRules(bids="need", dwell_s=2.0, decide_within_s=30.0)
 RECEIVER = view(3, p_ned=(10.0, 0.0, -4.0), v_ned=(0.0, 1.0, 0.0))
 TANKER = view(20, "tanker", p_ned=(0.0, 0.0, -5.2))
 

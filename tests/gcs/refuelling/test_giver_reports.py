@@ -6,14 +6,14 @@ import pytest
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
-from gcs.refuelling import base
+from gcs.refuelling import base_service
 from gcs.refuelling.service import GiverReport
 from gcs.scenario.model import Origin
 
 
 def test_a_base_tells_where_it_stands_and_what_it_has_given() -> None:
     """A degree of latitude is 111 132 m at 45°, one of longitude 78 847 m (WGS 84)."""
-    said = base.giver_messages(
+    said = base_service.giver_messages(
         GiverReport(2, (100.0, -50.0, 0.0), 13_600), Origin(lat_deg=45.0, lon_deg=8.0, alt_m=400.0), 4200
     )
     reader = mav.MAVLink(None)

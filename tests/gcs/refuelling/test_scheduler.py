@@ -308,7 +308,8 @@ def test_several_tankers_never_share_a_receiver_and_serve_by_need() -> None:
         for tanker_id, receiver in decision.rendezvous.items():
             fleet.set(tanker_id, p_ned=(6.0 * receiver, 0.0, -6.0))
     assert at_once == 2
-    assert [service.receiver for service in schedule.services] == [5, 4, 3, 2, 1]
+    receivers = [service.receiver for service in schedule.services]
+    assert [set(receivers[:2]), *receivers[2:]] == [{4, 5}, 3, 2, 1]  # two at once, each matched to its tanker
     assert {service.tanker for service in schedule.services} == {201, 202}
     ids = {order[5] for order in fleet.orders}
     assert ids == {1, 2, 3, 4, 5}
@@ -325,4 +326,66 @@ def test_the_record_of_a_service_is_the_summarys() -> None:
     record = play().until(Phase.DONE).record()
     assert list(record) == ["receiver", "tanker", "by", "decided_at_s", "joined_at_s", "start_s", "end_s", "energy_j",
                             "bids"]  # fmt: skip
-    assert (record["receiver"], record["tanker"], record["by"], record["bids"]) == (1, 201, "competition", {"1": 1.0})
+    assert (record["receiver"], record["tanker"], record["by"], record["bids"]) == (1, 201, "unopposed", {"1": 0.01})
+
+
+def test_when_a_tanker_fails_in_the_middle_another_goes_on_with_its_receiver() -> None:
+    """Two tankers of different speeds, stocks and reserves; the one that serves dies, and no joule is counted twice."""
+    fleet = Fleet({k: view(k, "pursuer", (0.0, 4.0 * k, -4.8), 2_000.0, 10_000.0) for k in (1, 2)})
+    fleet.views[201] = view(201, "tanker", (0.0, 4.0, -6.0), 150_000.0, 150_000.0)
+    fleet.views[202] = view(202, "tanker", (0.0, 8.0, -6.0), 40_000.0, 60_000.0)
+    rules = (tanker(201, speed_m_s=6.0), tanker(202, speed_m_s=3.0, reserve_j=5_000.0))
+    game = Play(Scheduler(CompetitionRules(), RefuellingRules(rate_w=RATE_W), rules), fleet)
+    game.until(Phase.TRANSFER)
+    for _ in range(8):
+        game.tick()
+    first = next(service for service in game.schedule.services if service.tanker == 201)
+    fleet.set(201, alive=False)
+    fleet.active.pop(201, None)
+    while len(game.schedule.services) < 3 or game.schedule.services[2].phase is not Phase.DONE:
+        assert game.now_s < 60.0
+        for tanker_id, receiver in game.tick().rendezvous.items():
+            fleet.set(tanker_id, p_ned=(0.0, 4.0 * receiver, -6.0))
+    assert (first.receiver, first.ended_by, 0 < first.energy_j < 5_000) == (1, "a side died", True)
+    again = game.schedule.services[2]
+    assert (again.receiver, again.tanker, again.ended_by) == (1, 202, "full")
+    assert first.energy_j + again.energy_j == fleet.views[1].received_j
+    assert fleet.views[202].remaining_j >= 5_000.0
+
+
+def test_a_tanker_with_too_little_to_spare_takes_no_part_in_the_matching() -> None:
+    fleet = Fleet({k: view(k, "pursuer", (0.0, 4.0 * k, -4.8), 4_000.0, 10_000.0) for k in (1, 2)})
+    fleet.views[201] = view(201, "tanker", (0.0, 4.0, -6.0), 10_400.0, 150_000.0)
+    fleet.views[202] = view(202, "tanker", (0.0, 8.0, -6.0), 40_000.0, 60_000.0)
+    schedule = Scheduler(CompetitionRules(), RefuellingRules(rate_w=RATE_W), (tanker(201), tanker(202)))
+    game = Play(schedule, fleet)
+    game.until(Phase.DONE)
+    assert {service.tanker for service in schedule.services} == {202}
+
+
+def test_the_time_that_tankers_stand_free_while_somebody_waits_is_counted() -> None:
+    """Nobody competes with the one that waits, and the tanker sets off at once after the settling second."""
+    game = play()
+    game.until(Phase.DONE)
+    assert game.schedule.tanker_idle_s <= 1.1
+    waits = play(enabled=False)
+    for _ in range(50):
+        waits.tick()
+    assert waits.schedule.tanker_idle_s == 0.0  # nothing is to be decided
+
+
+def test_what_a_receiver_draws_meanwhile_is_ordered_too_so_that_services_end_full() -> None:
+    """To 100 % at 2 kW: 6000 J are missing, and at 200 W 667 J more are drawn while they flow, 400 J before."""
+    game = play(RefuellingRules(rate_w=RATE_W, until=1.0))
+    game.fleet.set(1, power_w=200.0)
+    service = game.until(Phase.TRANSFER)
+    assert game.fleet.orders[1][3] == 7066
+    while service.phase is Phase.TRANSFER:
+        game.fleet.set(1, drawn_j=game.fleet.views[1].drawn_j + 20.0)
+        game.tick()
+    game.until(Phase.DONE)
+    assert service.ended_by == "full"
+    as_before = play(RefuellingRules(rate_w=RATE_W, until=1.0, tops_up=False))
+    as_before.fleet.set(1, power_w=200.0)
+    as_before.until(Phase.TRANSFER)
+    assert as_before.fleet.orders[1][3] == 6000

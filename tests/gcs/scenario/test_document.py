@@ -8,7 +8,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gcs.scenario.document import Problem, ScenarioError, emit, parse, read
+from gcs.scenario import document, yaml_dialect
+from gcs.scenario.document import MAX_EXPLAINED, Problem, ScenarioError, emit, parse, read
+from gcs.scenario.file import load
 
 
 def only_problem(text: str) -> Problem:
@@ -183,3 +185,26 @@ def test_what_is_emitted_is_read_back_equal(data: dict[str, object]) -> None:
 def test_no_text_ends_in_anything_but_a_scenario_error(text: str) -> None:
     with contextlib.suppress(ScenarioError):
         parse(text, "f.yaml")
+
+
+def test_a_long_text_that_is_repeated_by_aliases_is_refused_before_it_costs_anything() -> None:
+    text = "a: &a " + "y" * 100_000 + "\nb:\n" + "- *a\n" * 60
+    assert only_problem(text).message == "more than 4 Mi characters, aliases written out"
+
+
+def test_a_text_is_composed_up_to_a_number_of_values_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(yaml_dialect, "MAX_NODES", 100)
+    problem = only_problem("- 1\n" * 10_000)
+    assert (problem.line, problem.message) == (100, "more than 100 values")
+
+
+def test_of_many_unknown_keys_few_are_looked_into(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[str] = []
+    nearest = document.nearest
+    monkeypatch.setattr(document, "nearest", lambda word, known: asked.append(word) or nearest(word, known))
+    path = tmp_path / "many.yaml"
+    path.write_text("schema: 1\n" + "".join(f"key{i}: 1\n" for i in range(1500)))
+    with pytest.raises(ScenarioError) as refused:
+        load(path)
+    assert len(asked) <= 2 * MAX_EXPLAINED
+    assert "further mistakes are not looked into" in str(refused.value.problems[-1])

@@ -46,7 +46,7 @@ def test_in_flight_it_shows_place_distance_battery_and_goal(scripted: Any) -> No
 
 
 def test_a_service_is_noted_on_both_sides(scripted: Any) -> None:
-    session = scripted(competition={"need_from": 0.1})
+    session = scripted(competition={"need_from": 0.1, "bids": "need"})
     session.link.vehicles[1, 1].energy_hj = 80
     session.fly(1)
     competing = shown(session)["vehicles"][0]

@@ -11,7 +11,8 @@ import pytest
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink import codec
-from gcs.session.observer import Observer
+from gcs.mavlink.gaps import MOST_SENDERS
+from gcs.session.observer import MOST_EVENTS, Observer
 
 LAT, LON, ALT = 47.0, 8.0, 400.0
 PX4, ARDUPILOT = mav.MAV_AUTOPILOT_PX4, mav.MAV_AUTOPILOT_ARDUPILOTMEGA
@@ -88,7 +89,8 @@ def test_the_session_is_told_anew_when_somebody_joins(observer: Observer) -> Non
     observer.receive(beat(7), 0.0)
     assert observer.changed
     assert observer.session()["vehicles"][0] == {
-        "sysid": 7, "role": "copter", "label": "copter 7", "capacity_j": None, "path_ned": []}  # fmt: skip
+        "sysid": 7, "role": "copter", "label": "copter 7", "capacity_j": None, "path_ned": [],
+        "colour": 6}  # fmt: skip
 
 
 def test_vehicles_with_origins_of_their_own_stand_in_the_first_ones_frame(observer: Observer) -> None:
@@ -250,3 +252,21 @@ def test_numbers_that_are_none_do_no_harm(observer: Observer) -> None:
     observer.receive(placed("HOME_POSITION", 0.0, 0.0, 0.0, 1, x=math.nan), 4.0)
     observer.receive(frame("AHRS2"), 4.1)
     assert rows(observer, 4.2)[1]["p_ned"] is None
+
+
+def test_a_flood_of_texts_makes_a_bounded_snapshot_and_says_how_many_were_left_out(observer: Observer) -> None:
+    observer.receive(beat(), 0.0)
+    for n in range(3 * MOST_EVENTS):
+        observer.receive(frame("STATUSTEXT", severity=4, text=f"text {n}".encode()), 0.1)
+    events = observer.snapshot(0.2, speed=1.0, phase="flying")["events"]
+    assert len(events) == MOST_EVENTS + 1
+    assert events[-1]["text"] == f"{2 * MOST_EVENTS + 1} further events are left out"
+    assert observer.snapshot(0.3, speed=1.0, phase="flying")["events"] == []
+
+
+def test_invented_components_cost_a_bounded_room(observer: Observer) -> None:
+    for sysid in range(1, 21):
+        observer.receive(beat(sysid), 0.0)
+        for compid in range(256):
+            observer.receive(codec.Frame(sysid, compid, 0, 9_999, b""), 0.0)
+    assert len(observer._gaps._missing) == MOST_SENDERS

@@ -2,7 +2,7 @@
 
 import pytest
 
-from gcs.session.pace import Pace
+from gcs.session.pace import MOST_PERIODS, Pace
 
 
 class Wall:
@@ -90,3 +90,16 @@ def test_beside_the_real_clock_a_late_tick_grants_what_has_gone_by_and_says_so(w
     assert pace.lag_s == pytest.approx(0.3)
     assert pace.wait_s() == pytest.approx(0.1)
     assert sum(granted) * 0.1 == pytest.approx(wall.now_s + pace.wait_s() - begun_s)
+
+
+def test_after_a_long_absence_grants_stay_short_and_follow_without_waiting(wall: Wall) -> None:
+    pace = Pace(1.0, wall, keeps_up=True)
+    pace.start()
+    pace.next(0.1)
+    wall.now_s += 60.0
+    granted = []
+    while pace.wait_s() == 0.0:
+        granted.append(pace.next(0.1))
+    assert max(granted) == MOST_PERIODS
+    assert sum(granted) == pytest.approx(600, abs=1)
+    assert len(granted) <= 600 / MOST_PERIODS + 1

@@ -1,15 +1,26 @@
 """The session's socket, with real clients."""
 
+import errno
 import json
 import os
 import socket
+import stat
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from gcs.session.server import NAME, READ_BYTES, REMEMBERED, Publisher
+from gcs.session.server import (
+    MOST_CLIENTS,
+    MOST_COMMANDS,
+    MOST_IN_ALL,
+    NAME,
+    READ_BYTES,
+    REMEMBERED,
+    TOO_MANY,
+    Publisher,
+)
 
 
 @pytest.fixture
@@ -194,3 +205,79 @@ def test_a_reply_goes_to_who_asked_and_carries_the_id(publisher: Publisher, tmp_
     publisher.poll()
     assert hold.client not in publisher.clients
     publisher.reply(hold, True, "Nobody hears it.")
+
+
+def test_only_its_user_may_connect_whatever_the_umask(tmp_path: Path) -> None:
+    before = os.umask(0)
+    try:
+        publisher = Publisher(tmp_path)
+    finally:
+        os.umask(before)
+    assert stat.S_IMODE((tmp_path / NAME).stat().st_mode) == 0o600
+    publisher.close()
+
+
+def test_more_clients_than_there_is_room_for_are_told_so_and_the_others_stay(
+    publisher: Publisher, tmp_path: Path
+) -> None:
+    clients = []
+    for _ in range(MOST_CLIENTS + 3):
+        clients.append(connect(tmp_path))
+        publisher.poll()
+    assert len(publisher.clients) == MOST_CLIENTS
+    for late in clients[MOST_CLIENTS:]:
+        assert lines(late, 1) == [{"type": "reply", "id": None, "ok": False, "text": TOO_MANY}]
+        assert closed(late)
+    publisher.publish({"t_s": 1})
+    assert lines(clients[0], 1) == [{"t_s": 1}]
+    clients[0].close()
+    publisher.poll()
+    with connect(tmp_path) as another:
+        publisher.poll()
+        publisher.publish({"t_s": 2})
+        assert lines(another, 1) == [{"t_s": 2}]
+    for client in clients:
+        client.close()
+
+
+def test_a_session_without_free_descriptors_goes_on(publisher: Publisher) -> None:
+    class Exhausted:
+        def accept(self) -> None:
+            raise OSError(errno.EMFILE, "Too many open files")
+
+    real, publisher._server = publisher._server, Exhausted()  # type: ignore[assignment]
+    assert publisher.poll() == []
+    publisher._server = real
+
+
+def test_a_flood_of_commands_waits_with_its_sender_and_nobody_elses_does(publisher: Publisher, tmp_path: Path) -> None:
+    with connect(tmp_path) as flood, connect(tmp_path) as other:
+        publisher.poll()
+        flood.sendall(b'{"command": "skip"}\n' * 2000)
+        other.sendall(b'{"command": "pause"}\n')
+        first = publisher.poll()
+        assert len(first) == MOST_COMMANDS + 1
+        assert sum(request.content["command"] == "pause" for request in first) == 1
+        flood.close()
+        count = len(first)
+        while more := publisher.poll():
+            assert len(more) <= MOST_COMMANDS
+            count += len(more)
+        assert count == 2001  # none of a client that has gone is lost
+
+
+def test_many_flooding_clients_have_their_turns(publisher: Publisher, tmp_path: Path) -> None:
+    clients = []
+    for _ in range(MOST_CLIENTS):
+        clients.append(connect(tmp_path))
+        publisher.poll()
+    for client in clients:
+        client.sendall(b'{"command": "skip"}\n' * 50)
+    served: set[int] = set()
+    for _ in range(5):
+        commands = publisher.poll()
+        assert len(commands) <= MOST_IN_ALL + MOST_COMMANDS
+        served |= {request.client for request in commands}
+    assert served == publisher.clients
+    for client in clients:
+        client.close()

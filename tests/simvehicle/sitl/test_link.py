@@ -9,8 +9,10 @@ from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.mavlink.codec import message
 from simvehicle.mavlink.connection import DATAGRAM_BYTES, Connection, pack
+from simvehicle.sitl import link
 from simvehicle.sitl.link import (
     MOST_PEERS,
+    PEER_SILENT_S,
     Address,
     AddressError,
     PlainLink,
@@ -110,9 +112,12 @@ def test_waiting_link_answers_mavlink_1_so_that_the_other_side_changes(waiting: 
         assert peer.recv(2000)[0] == 0xFD
 
 
-def test_waiting_link_does_not_answer_garbage(waiting: PlainLink) -> None:
+@pytest.mark.parametrize(
+    "garbage", [b"garbage", b"\xfd", b"\xfe", b"\xfd" * 300, HEARTBEAT[:-1], b"\xfe" + HEARTBEAT[1:]]
+)
+def test_waiting_link_does_not_answer_garbage(waiting: PlainLink, garbage: bytes) -> None:
     with peer_of(waiting) as peer:
-        peer.send(b"garbage")
+        peer.send(garbage)
         assert received(waiting) == []
         put_and_flush(waiting)
         peer.setblocking(False)
@@ -120,20 +125,47 @@ def test_waiting_link_does_not_answer_garbage(waiting: PlainLink) -> None:
             peer.recv(1)
 
 
-def test_waiting_link_forgets_those_who_spoke_longest_ago(waiting: PlainLink) -> None:
-    peers = [peer_of(waiting) for _ in range(MOST_PEERS + 1)]
+def test_strangers_do_not_push_out_who_is_there_and_free_their_places_by_silence() -> None:
+    now_s = 0.0
+    made = PlainLink(Address("udpin", "127.0.0.1", 0), Connection(1), lambda: now_s)
+    peers = [peer_of(made) for _ in range(MOST_PEERS + 1)]
+    station, late = peers[0], peers[-1]
     try:
-        for peer in (*peers[:-1], peers[0], peers[-1]):
+        for peer in peers:
             peer.send(HEARTBEAT)
-            assert len(received(waiting)) == 1
-        put_and_flush(waiting)
+            assert len(received(made)) == 1
+        put_and_flush(made)
+        late.setblocking(False)
+        with pytest.raises(BlockingIOError):
+            late.recv(1)
+        assert all(peer.recv(2000) for peer in peers[:-1])
+        now_s = PEER_SILENT_S
+        for peer in (station, late):
+            peer.send(HEARTBEAT)
+            assert len(received(made)) == 1
+        put_and_flush(made)
+        late.setblocking(True)
+        assert station.recv(2000)
+        assert late.recv(2000)
         peers[1].setblocking(False)
         with pytest.raises(BlockingIOError):
             peers[1].recv(1)
-        assert all(peer.recv(2000) for peer in (peers[0], *peers[2:]))
     finally:
+        made.socket.close()
         for peer in peers:
             peer.close()
+
+
+def test_a_link_takes_in_a_bounded_number_of_datagrams_at_once(
+    waiting: PlainLink, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(link, "MOST_AT_ONCE", 16)  # the kernel's queue is too short for more
+    with peer_of(waiting) as flood:
+        for _ in range(20):
+            flood.send(b"x")
+        flood.send(HEARTBEAT)
+        assert received(waiting) == []
+        assert len(received(waiting)) == 1
 
 
 def test_nobody_there_is_no_error() -> None:

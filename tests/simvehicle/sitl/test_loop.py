@@ -72,3 +72,51 @@ def test_a_vehicle_that_was_kept_from_running_hears_what_waits_before_it_leaves(
     assert unit.advanced_ms == [0, 100, 200, 300]
     assert left.value.code == exit.ABANDONED
     assert "silent for 10 s" in capsys.readouterr().err
+
+
+def test_a_vehicle_of_a_hatch_waits_for_a_suspended_supervisor(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its supervisor goes on after a minute; without a hatch a vehicle would have left after ten seconds."""
+    clock = Clock()
+    monkeypatch.setattr(loop, "time", clock)
+
+    class Enough(Exception):
+        pass
+
+    class Waiting(Slow):
+        def advance(self, to_ms: int) -> None:
+            self.advanced_ms.append(to_ms)
+            if to_ms == 100:
+                raise Enough
+
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as supervisor:
+        supervisor.bind(("127.0.0.1", 0))
+        address = parse_address(f"udpout:127.0.0.1:{supervisor.getsockname()[1]}")
+        with SupervisedLink(address, Connection(1)) as link:
+            unit = Waiting(clock, supervisor)
+            unit.grant(0, link.socket.getsockname())
+            polls = iter(range(1000))
+
+            class Poll:
+                def register(self, *_: object) -> None:
+                    pass
+
+                def poll(self, _: float) -> list[tuple[int, int]]:
+                    if next(polls) == 300:  # 150 s by the clock
+                        unit.grant(100)
+                        link.socket.setblocking(True)
+                    return [(link.socket.fileno(), 1)]
+
+            monkeypatch.setattr(loop.select, "poll", Poll)
+            with pytest.raises(Enough):
+                loop.run_supervised([loop.Seat(unit, link, ())], secret=1)
+    assert unit.advanced_ms == [0, 100]
+
+
+def test_a_hello_carries_the_secret_of_the_hatch() -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as supervisor:
+        supervisor.bind(("127.0.0.1", 0))
+        with SupervisedLink(parse_address(f"udpout:127.0.0.1:{supervisor.getsockname()[1]}"), Connection(1)) as link:
+            granted = loop._Granted(Slow(Clock(), supervisor), link, (), 0xFEDC_BA98_7654_3210)
+            granted.look(0.0)
+            (_, time) = mav.MAVLink(None).parse_buffer(supervisor.recv(2048))
+    assert time.time_unix_usec == 0xFEDC_BA98_7654_3210

@@ -9,7 +9,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from gcs.mavlink import codec
-from gcs.recording.writer import Recorder
+from gcs.recording.recorder import Recorder
 from gcs.report.paper import races, tracking
 from gcs.report.paper.session import RecordedFlight, read
 

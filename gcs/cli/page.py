@@ -1,0 +1,37 @@
+"""`--web` of run, monitor and replay: the page's server, and what the terminal says of it."""
+
+# ruff: noqa: PLC0415 - so that `gcs --help` answers at once
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+import click
+
+if TYPE_CHECKING:
+    from gcs.session.client import MessageSource
+
+WEB = click.option("--web", is_flag=True, help="A page in the browser instead of the console; the link is printed.")
+
+
+def print_links(links: Mapping[str, str], *, commands: bool = True, err: bool = False) -> None:
+    """Print where the page is."""
+    if not links:
+        click.echo("gcs: the page's server could not be started; the session goes on without it", err=True)
+    elif commands:
+        click.echo(f"page: {links['command']}", err=err)
+        click.echo(f"page that only shows: {links['view']}", err=err)
+    else:
+        click.echo(f"page: {links['command']}", err=err)
+
+
+def show(source: MessageSource, *, commands: bool) -> None:
+    """Serve a source's page until it ends. Raises KeyboardInterrupt on Ctrl-C."""
+    from gcs.web.serve import serve
+
+    def ready(links: Mapping[str, str]) -> None:
+        print_links(links, commands=commands)
+        click.echo("gcs: Ctrl-C ends it.", err=True)
+
+    serve(source, ready)

@@ -1,0 +1,110 @@
+"""MAVLink 2 signing: frames out signed, frames in judged (https://mavlink.io/en/guide/message_signing.html).
+
+A signature is the first 48 bits of SHA-256 over key, frame (header, payload, checksum), link id and time stamp. Time
+stamps count 10 µs since 2015-01-01 and rise strictly in each stream (system, component, link id); the first of a new
+stream may be at most a minute behind the latest time known here. Time is an argument.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import hmac
+import struct
+from collections.abc import Mapping
+from enum import StrEnum
+
+from fastcrc.crc16 import mcrf4xx
+
+from gcs.mavlink import codec
+from gcs.mavlink.codec import Frame
+
+KEY_BYTES = 32
+TICKS_PER_S = 100_000
+EPOCH_S = 1_420_070_400
+"""2015-01-01 in Unix time."""
+STALE_TICKS = 60 * TICKS_PER_S
+MOST_STREAMS = 1024
+_STAMP_BYTES, _HASH_BYTES = 6, 6
+_MASK = (1 << 48) - 1
+_TAIL = struct.Struct("<HBIH").pack
+"""Checksum, link id, time stamp (low 32 bits, high 16)."""
+UNSIGNED = frozenset({codec.msgid("RADIO_STATUS"), codec.msgid("ADSB_VEHICLE")})
+"""Messages that are taken without a signature: radios and transponders have no key."""
+SETUP_SIGNING = codec.msgid("SETUP_SIGNING")
+"""It carries a key: it is never taken from a vehicle, recorded or forwarded."""
+Stream = tuple[int, int, int]
+"""System, component and link id."""
+
+
+class SignatureVerdict(StrEnum):
+    """Result of judging a frame; all but `GOOD` are refused."""
+
+    GOOD = "good"
+    UNSIGNED = "not signed"
+    WRONG = "signed with another key"
+    STALE = "repeated or out of date"
+    NO_KEY = "signed, and there is no key to check it with"
+
+
+def is_signed(frame: Frame) -> bool:
+    """Whether a frame carries a signature."""
+    return bool(frame.raw[2] & codec.SIGNED)
+
+
+def without_key(frame: Frame) -> SignatureVerdict:
+    """Judge a frame where no key is set: a signature that cannot be checked proves nothing."""
+    return SignatureVerdict.NO_KEY if is_signed(frame) else SignatureVerdict.GOOD
+
+
+def ticks(unix_s: float) -> int:
+    """The time stamp of a Unix time."""
+    return max(int((unix_s - EPOCH_S) * TICKS_PER_S), 0)
+
+
+class Signing:
+    """One key at one end of a link: its own time stamps, and those of every stream that it has accepted."""
+
+    def __init__(self, key: bytes, link_id: int = 0, *, latest: int = 0, streams: Mapping[Stream, int] | None = None):
+        """`latest`: the greatest time stamp of an earlier run, by which no later one may be less; `streams`: its
+        streams. Raises ValueError for a key of another length."""
+        if len(key) != KEY_BYTES:
+            raise ValueError(f"a signing key has {KEY_BYTES} bytes, not {len(key)}")
+        self._hash = hashlib.sha256(key)
+        self._link = link_id
+        self.latest = latest
+        self.streams: dict[Stream, int] = dict(streams or {})
+
+    def sign(self, raw: bytes, now_ticks: int) -> bytes:
+        """An unsigned frame of the dialect, signed."""
+        self.latest = max(self.latest + 1, now_ticks)
+        latest = self.latest
+        body = raw[:2] + b"\x01" + raw[3 : -codec.CRC_BYTES]
+        crc = mcrf4xx(body + codec.seed_of(raw), codec.BEFORE_MARKER)
+        stamped = body + _TAIL(crc, self._link, latest & 0xFFFF_FFFF, latest >> 32)
+        digest = self._hash.copy()
+        digest.update(stamped)
+        return stamped + digest.digest()[:_HASH_BYTES]
+
+    def judge(self, frame: Frame, now_ticks: int) -> SignatureVerdict:
+        """Whether a received frame counts; its time stamp is kept where it does."""
+        raw = frame.raw
+        if not raw[2] & codec.SIGNED:
+            return SignatureVerdict.GOOD if frame.msgid in UNSIGNED else SignatureVerdict.UNSIGNED
+        if not hmac.compare_digest(self._signature(raw[:-_HASH_BYTES]), raw[-_HASH_BYTES:]):
+            return SignatureVerdict.WRONG
+        stamp = int.from_bytes(raw[-_STAMP_BYTES - _HASH_BYTES : -_HASH_BYTES], "little")
+        stream = frame.sysid, frame.compid, raw[-codec.SIGNATURE_BYTES]
+        before = self.streams.get(stream)
+        if before is None:
+            if stamp + STALE_TICKS < max(self.latest, now_ticks) or len(self.streams) >= MOST_STREAMS:
+                return SignatureVerdict.STALE
+        elif stamp <= before:
+            return SignatureVerdict.STALE
+        self.streams[stream] = stamp
+        self.latest = max(self.latest, min(stamp, _MASK - 1))
+        return SignatureVerdict.GOOD
+
+    def _signature(self, stamped: bytes) -> bytes:
+        digest = self._hash.copy()
+        digest.update(stamped)
+        return digest.digest()[:_HASH_BYTES]

@@ -1,0 +1,140 @@
+"""Reads decisions.jsonl: typed and many lines at once, since nearly all of them are set points, and JSON line by line
+takes ten times as long.
+
+    lines = DecisionLines(path)
+    for record in lines: ...                # every decision in its order, or
+    for points, others in lines.blocks(): ...   # set points as numbers, and the other decisions' lines
+    lines.broken, lines.cut                 # how many lines were none, and whether the file ends inside one
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+P_NED, SYSID, T_S = slice(0, 3), 3, 4
+"""Columns of set points; their velocities are left out."""
+COLUMNS = 5
+BLOCK_BYTES = 1 << 22
+MOST_OPENED = 500
+"""Lists and objects in a line: one with more is no decision of ours, and could be nested deeper than is read."""
+_BEGIN = b'{"kind":"set_point",'
+"""as the recorder writes them, with sorted keys"""
+
+
+class _SetPoint(msgspec.Struct, tag_field="kind", tag="set_point", gc=False):
+    p_ned: tuple[float, float, float]
+    sysid: int
+    t_s: float
+
+
+class _Head(msgspec.Struct, gc=False):
+    """Keys that every decision has, and the one that distinguishes two competitions."""
+
+    kind: str
+    t_s: float
+    giver: str | None = None
+
+
+_POINTS, _HEADS = msgspec.json.Decoder(_SetPoint), msgspec.json.Decoder(_Head)
+_RECORDS = msgspec.json.Decoder(dict[str, Any])
+
+
+class DecisionLine(NamedTuple):
+    """A decision that is no set point; `record` reads the rest of it."""
+
+    t_s: float
+    kind: str
+    giver: str | None
+    raw: bytes
+
+    def record(self) -> dict[str, Any]:
+        """All of it."""
+        return _RECORDS.decode(self.raw)
+
+
+def _is_deep(line: bytes) -> bool:
+    """Whether a line may be nested more deeply than it can be read."""
+    return len(line) > MOST_OPENED and line.count(b"[") + line.count(b"{") > MOST_OPENED
+
+
+class DecisionLines:
+    """One file of decisions; walking it again begins anew. Walking raises OSError where it cannot be read."""
+
+    def __init__(self, path: Path, progress: Callable[[float], object] = lambda _: None) -> None:
+        """`progress` is given the share of the file that has been read."""
+        self._path = path
+        self._progress = progress
+        self.broken = 0
+        """whole lines that are no decision"""
+        self.cut = False
+        """whether the file ends inside a line, which is none"""
+
+        self._last: bytes | None = None
+
+    @property
+    def passed_over(self) -> int:
+        """Number of lines that are no decision, the cut one among them."""
+        return self.broken + self.cut
+
+    def __iter__(self) -> Iterator[dict[str, Any]]:
+        for lines in self._blocks():
+            for record, line in self._decoded(_RECORDS, lines):
+                t_s = record.get("t_s")
+                if isinstance(record.get("kind"), str) and isinstance(t_s, int | float) and not isinstance(t_s, bool):
+                    yield record
+                else:
+                    self._pass_over(line)
+
+    def blocks(self, *, set_points: bool = True) -> Iterator[tuple[NDArray[np.float64], list[DecisionLine]]]:
+        """(n, COLUMNS) numbers of set points, none where they are not wanted; and the other decisions' lines."""
+        for lines in self._blocks():
+            own = [line for line in lines if line.startswith(_BEGIN)] if set_points else []
+            points = [point for point, _ in self._decoded(_POINTS, own)]
+            others = []
+            for head, line in self._decoded(_HEADS, [line for line in lines if not line.startswith(_BEGIN)]):
+                if head.kind != "set_point":
+                    others.append(DecisionLine(head.t_s, head.kind, head.giver, line))
+                elif set_points:  # by another writer
+                    points += [point for point, _ in self._decoded(_POINTS, [line])]
+            rows = [(*point.p_ned, point.sysid, point.t_s) for point in points]
+            yield np.array(rows, dtype=np.float64).reshape(-1, COLUMNS), others
+
+    def _blocks(self) -> Iterator[list[bytes]]:
+        self.broken, self.cut, done = 0, False, 0
+        with self._path.open("rb") as file:
+            size = max(self._path.stat().st_size, 1)
+            while block := file.read(BLOCK_BYTES) + file.readline():
+                done += len(block)
+                lines = [line for line in block.split(b"\n") if line]
+                self._last = lines[-1] if lines and not block.endswith(b"\n") else None
+                for line in filter(_is_deep, lines):
+                    self._pass_over(line)
+                yield [line for line in lines if not _is_deep(line)]
+                self._progress(min(done / size, 1.0))
+
+    def _decoded(self, decoder: msgspec.json.Decoder[Any], lines: Sequence[bytes]) -> Iterator[tuple[Any, bytes]]:
+        """Values of each line; those without such a value are passed over."""
+        try:
+            found = decoder.decode_lines(b"\n".join(lines))
+        except msgspec.MsgspecError:  # one is broken: only one by one can the others be had
+            found = []
+        if len(found) == len(lines):
+            yield from zip(found, lines, strict=True)
+            return
+        for line in lines:
+            try:
+                content = decoder.decode(line)
+            except msgspec.MsgspecError:
+                self._pass_over(line)
+            else:
+                yield content, line
+
+    def _pass_over(self, line: bytes) -> None:
+        self.cut |= line is self._last
+        self.broken += line is not self._last

@@ -1,0 +1,112 @@
+"""Record of one tick: frames in and out, decisions for decisions.jsonl, and the events made of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from gcs.refuelling.explain import sentence
+from gcs.scenario.guard import PluginFault
+from gcs.telemetry.events import Event, Level
+
+if TYPE_CHECKING:  # who only reads records need not load those who make them
+    from gcs.mavlink.setpoints import SetPoint
+    from gcs.recording.recorder import Digest, Recorder
+    from gcs.refuelling.bidding import CompetitionState
+    from gcs.refuelling.service import Decision
+    from gcs.telemetry.energy import Fact
+
+
+@dataclass
+class TickRecord:
+    """Records of one tick, kept until the grants are out."""
+
+    t_ms: int
+    arrived: list[bytes]
+    sent: list[bytes]
+    decisions: list[dict[str, Any]]
+
+    def write(self, recorder: Recorder, digest: Digest, epoch_us: int) -> None:
+        """Record and hash it; `epoch_us` is session time 0 in µs since 1970, UTC.
+
+        The system has all of it then: a supervisor that is killed loses nothing but the tick that it was at.
+        """
+        t_us = epoch_us + 1000 * self.t_ms
+        recorder.frames(t_us, self.arrived)
+        recorder.frames(t_us, self.sent)
+        digest.frames_in(self.t_ms, self.arrived)
+        digest.frames_out(self.t_ms, self.sent)
+        for content in self.decisions:
+            digest.decision(self.t_ms, recorder.decision(content))
+        recorder.flush()
+
+
+def records_of_tick(
+    t_s: float,
+    decision: Decision,
+    set_points: Iterable[SetPoint],
+    *,
+    pursued: Iterable[Mapping[str, Any]],
+    facts: Iterable[tuple[int, Fact]],
+    problems: Iterable[PluginFault],
+    competition_states: tuple[CompetitionState, CompetitionState],
+) -> tuple[list[dict[str, Any]], list[Event]]:
+    """Records and events of all that the tick at `t_s` decided or noticed, in the session's order.
+
+    `pursued` are the pursuit's records, `facts` (system id, what its battery showed), `problems` what people's own
+    planner or policy did wrong, `competition_states` the competitions for tankers and for bases.
+    """
+    batteries = [{"kind": "battery", "sysid": sysid, **fact.record()} for sysid, fact in facts]
+    blamed = [problem.record() for problem in problems]
+    records: list[dict[str, Any]] = [
+        {"t_s": t_s, **record} for record in (*decision.records, *pursued, *batteries, *blamed)
+    ]
+    events = [event_of(record) for record in records]
+    for competition_state, giver in zip(competition_states, ({}, {"giver": "base"}), strict=True):
+        if competition_state.v:
+            records.append(
+                {
+                    "t_s": t_s,
+                    "kind": "competition",
+                    **giver,
+                    "v": {str(sysid): v for sysid, v in competition_state.v.items()},
+                    "tau": {str(sysid): tau for sysid, tau in competition_state.tau.items()},
+                    "leader": competition_state.leader,
+                    "share": competition_state.share,
+                }
+            )
+    records += [
+        {"t_s": t_s, "kind": "set_point", "sysid": point.sysid, "p_ned": point.p_ned, "v_ned": point.v_ned}
+        for point in set_points
+    ]
+    return records, events
+
+
+def event_of(record: Mapping[str, Any]) -> Event:
+    """Event for people of a decision, as a line of decisions.jsonl holds it."""
+    t_s, kind = float(record["t_s"]), record["kind"]
+    if kind == "death":
+        return Event(t_s, int(record["sysid"]), "critical", str(record.get("text", "died")), "death")
+    if kind == "violation":
+        whom = record.get("sysids") or [0]
+        return Event(t_s, int(whom[0]), "critical", str(record.get("text", "")), "violation")
+    if kind == "operator":
+        level: Level = "info" if record.get("taken") else "warning"
+        return Event(t_s, int(record.get("sysid", 0)), level, f"Operator: {record.get('text', '')}", "operator")
+    if kind == "pursuit":
+        return Event(t_s, int(record["pursuer"]), "info", f"Pursues {record['target']} from now on", "decision")
+    if kind == "safety":
+        by = str(record["by"])
+        gives = "Gives way to" if by.startswith(("vehicle", "traffic")) else "Keeps clear of"
+        return Event(
+            t_s, int(record["sysid"]), "info", f"{'Brakes for' if record.get('braked') else gives} {by}", "decision"
+        )
+    if kind == "battery":
+        return Event(t_s, int(record["sysid"]), "warning", str(record["text"]))
+    if kind == "policy failed":
+        problem = PluginFault(int(record["sysid"]), str(record.get("policy")), str(record.get("problem")))
+        return Event(t_s, problem.sysid, "warning", problem.sentence, "decision")
+    if kind in ("decided", "transfer", "broken off", "served", "unable"):
+        return Event(t_s, int(record["receiver"]), "info", sentence(record), "decision")
+    return Event(t_s, int(record.get("sysid", 0)), "info", str(kind), "decision")

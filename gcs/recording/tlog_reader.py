@@ -1,0 +1,347 @@
+"""Reads `.tlog` files, ours and other ground stations': per frame 8 bytes of time (µs since the Unix epoch, high byte
+first), then the frame. Compiled code walks them, so that a gigabyte takes seconds.
+
+    log = tlog.read(path)
+    for t_us, frame in log: ...         # one by one, or
+    for chunk in log.chunks(): ...      # many at once, `chunk.table("ATTITUDE")` as a structured array
+    log.problems                        # what could not be read, a sentence each, once all of it has been walked
+
+Nothing in a file makes reading raise. A cut end, and bytes that are no frame, are passed over and counted; MAVLink 1 is
+handed out as MAVLink 2; a frame without a time of its own has the time of the one before. A frame counts when its
+checksum is right; one that the dialect lacks, where it also stands exactly between two others. A time that is more than
+an hour away from those before and behind it, as one with a flipped bit, is replaced by the one before.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cached_property, lru_cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from fastcrc.crc16 import mcrf4xx
+from numba import njit
+from numpy.typing import NDArray
+from pymavlink.dialects.v20 import common
+
+from gcs.mavlink import codec, records
+from gcs.mavlink.codec import Frame
+
+IntArray = NDArray[np.int64]
+ByteArray = NDArray[np.uint8]
+
+CHUNK_BYTES = 1 << 24
+TIME_BYTES = 8
+HEADER_1 = 6
+"""Bytes of a MAVLink 1 header."""
+LARGEST = codec.LARGEST_FRAME
+APART_US = 3_600_000_000
+"""A time so far from both its neighbours is not believed."""
+COLUMNS = 6
+T_US, AT, SYSID, COMPID, SEQ, MSGID = range(COLUMNS)
+"""Columns of `Chunk.heads`; AT is the place of the frame's marker in `Chunk.octets`."""
+
+_NO_SEED = -1
+_SEEDS = np.full(1 << 16, _NO_SEED, dtype=np.int64)
+for _msgid, _cls in common.mavlink_map.items():
+    _SEEDS[_msgid] = _cls.crc_extra
+AT_ONCE = 8
+# (AT_ONCE, 256) CRC-16/MCRF4XX, from a register of 0, of one byte with so many zeros behind it as the row says: so many
+# bytes are summed in one step (Kounavis and Berry 2005). And which differences one unknown seed byte can make.
+_CRC = np.array([[mcrf4xx(bytes([b]) + bytes(row), 0) for b in range(256)] for row in range(AT_ONCE)], dtype=np.uint16)
+_SOME_SEED = np.isin(np.arange(1 << 16), _CRC[0])
+
+
+class Chunk:
+    """A stretch of a recording."""
+
+    def __init__(self, octets: ByteArray, heads: IntArray, read_share: float, begin: int) -> None:
+        self.octets = octets
+        self.begin = begin
+        """where in the file `octets` begin"""
+        self.heads = heads
+        """(n, 6) in the file's order: T_US, AT, SYSID, COMPID, SEQ, MSGID"""
+        self.read_share = read_share
+        """how much of the file has been read, 0 to 1"""
+
+    @cached_property
+    def _msgids(self) -> NDArray[np.int32]:
+        """(n,) by themselves, since `table` looks for each message among all."""
+        return self.heads[:, MSGID].astype(np.int32)
+
+    def frames(self) -> Iterator[tuple[int, Frame]]:
+        """(time in µs since the Unix epoch, frame) in the file's order."""
+        data = self.octets.tobytes()
+        for t_us, at, sysid, compid, seq, msgid in self.heads.tolist():
+            yield t_us, Frame(sysid, compid, seq, msgid, raw_at(data, at))
+
+    def places(self, message: int | str) -> IntArray:
+        """(n,) where in the file the rows of `table` begin."""
+        places: IntArray = self.begin + self.heads[self._msgids == codec.layout(message).msgid, AT]
+        return places
+
+    def table(self, message: int | str) -> NDArray[Any]:
+        """Every frame of one message as a structured array (n,): t_us, sysid, compid, seq, then the message's fields
+        in wire order and MAVLink's own units; a field named like one of the four comes with a `_` after it.
+
+        Raises ValueError for a message that the dialect lacks.
+        """
+        msgid = codec.layout(message).msgid
+        dtype, payload_bytes = _dtypes(msgid)
+        heads = self.heads[np.flatnonzero(self._msgids == msgid)]
+        rows = np.zeros(len(heads), dtype=dtype)
+        for name, column in (("t_us", T_US), ("sysid", SYSID), ("compid", COMPID), ("seq", SEQ)):
+            rows[name] = heads[:, column]
+        head_bytes = dtype.itemsize - payload_bytes
+        _gather(self.octets, heads[:, AT], rows.view(np.uint8).reshape(len(rows), dtype.itemsize), head_bytes)
+        return rows
+
+
+class Tlog:
+    """A recording; walking it again begins anew. Walking raises OSError where the file cannot be read."""
+
+    def __init__(self, path: Path, chunk_bytes: int = CHUNK_BYTES) -> None:
+        self.path = path
+        self._chunk_bytes = max(chunk_bytes, 2 * (LARGEST + TIME_BYTES))
+        self.problems: list[str] = []
+
+    def __iter__(self) -> Iterator[tuple[int, Frame]]:
+        for chunk in self.chunks():
+            yield from chunk.frames()
+
+    def chunks(self, begin: int = 0) -> Iterator[Chunk]:
+        """The recording, stretch by stretch, from a place in the file on: where a frame's time begins."""
+        self.problems = []
+        carried = np.empty(0, dtype=np.uint8)
+        room = np.empty((0, COLUMNS), dtype=np.int64)
+        done = begin
+        frames = gaps = skipped = wrong = 0
+        last_end, look_at, last_us, believed_us = 0, TIME_BYTES, -1, -1
+        with self.path.open("rb") as file:
+            size = max(self.path.stat().st_size, 1)
+            file.seek(begin)
+            while True:
+                octets = np.empty(len(carried) + self._chunk_bytes, dtype=np.uint8)
+                octets[: len(carried)] = carried
+                count = file.readinto(octets.data[len(carried) :])
+                final = count < self._chunk_bytes
+                done += count
+                octets = octets[: len(carried) + count]
+                if len(room) < len(octets) // TIME_BYTES + 1:
+                    room = np.empty((len(octets) // TIME_BYTES + 1, COLUMNS), dtype=np.int64)
+                found, last_end, look_at, last_us, more_gaps, more_skipped = _walk(
+                    octets, room, last_end, look_at, last_us, final, _SEEDS, _CRC, _SOME_SEED
+                )
+                heads = room[:found].copy()
+                believed_us, more_wrong = _believe(heads, believed_us)
+                wrong += more_wrong
+                frames += found
+                gaps += more_gaps
+                skipped += more_skipped
+                yield Chunk(octets, heads, min(done / size, 1.0), done - len(octets))
+                if final:
+                    break
+                keep = max(last_end, look_at - TIME_BYTES)
+                carried = octets[keep:].copy()
+                last_end, look_at = last_end - keep, look_at - keep
+        left = len(octets) - last_end
+        self.problems = list(_problems(self.path.name, frames, gaps, skipped, wrong, left))
+
+
+def read(path: Path) -> Tlog:
+    """The recording at `path`. Raises OSError where there is no file that can be read."""
+    with path.open("rb"):
+        return Tlog(path)
+
+
+def _problems(name: str, frames: int, gaps: int, skipped: int, wrong: int, left: int) -> Iterator[str]:
+    if not frames:
+        yield f"{name} is empty." if not left else f"{name} holds no MAVLink frame: it is no tlog."
+        return
+    if gaps:
+        times = "one place" if gaps == 1 else f"{gaps} places"
+        yield f"{name} holds {skipped} bytes in {times} that belong to no MAVLink frame; they were passed over."
+    if wrong:
+        are = (
+            "one frame has a time that cannot be: it has"
+            if wrong == 1
+            else f"{wrong} frames have times that cannot be:"
+        )
+        yield f"{name}: {are} {'the' if wrong == 1 else 'each has the'} time of the frame before."
+    if 0 < left < TIME_BYTES + LARGEST:
+        yield f"{name} ends inside a frame: its last {left} bytes could not be read."
+    elif left:
+        yield f"{name} ends with {left} bytes that belong to no MAVLink frame; they were passed over."
+
+
+def raw_at(data: bytes, at: int) -> bytes:
+    """The frame at a place, of MAVLink 1 in the form of MAVLink 2."""
+    length = data[at + 1]
+    if data[at] == codec.MARKER:
+        signature = codec.SIGNATURE_BYTES if data[at + 2] & codec.SIGNED else 0
+        return data[at : at + codec.HEADER_BYTES + length + codec.CRC_BYTES + signature]
+    seq, sysid, compid, msgid = data[at + 2 : at + HEADER_1]
+    payload = data[at + HEADER_1 : at + HEADER_1 + length]
+    body = bytes([length, 0, 0, seq, sysid, compid, msgid, 0, 0]) + payload
+    crc = mcrf4xx(body + bytes([_SEEDS[msgid]]))
+    return bytes([codec.MARKER]) + body + crc.to_bytes(2, "little")
+
+
+@lru_cache(maxsize=512)
+def _dtypes(msgid: int) -> tuple[np.dtype[Any], int]:
+    """The dtype of a message's table, and how many of its bytes are payload: they come last."""
+    own = [("t_us", "<i8"), ("sysid", "u1"), ("compid", "u1"), ("seq", "u1")]
+    payload = records.dtype(codec.layout(msgid), frozenset(name for name, _ in own))
+    return np.dtype([*own, *((name, payload[name]) for name in payload.names or ())]), payload.itemsize
+
+
+@njit(cache=True)
+def _gather(data: ByteArray, places: IntArray, rows: ByteArray, head_bytes: int) -> None:
+    """Kernel: copies payloads into rows (n, size) behind their first bytes, cut off or left zero as they fit."""
+    for i in range(places.size):
+        at = places[i]
+        begin = at + 10 if data[at] == 0xFD else at + 6
+        for k in range(min(np.int64(data[at + 1]), rows.shape[1] - head_bytes)):
+            rows[i, head_bytes + k] = data[begin + k]
+
+
+@njit(cache=True)
+def _crc_of(data: ByteArray, begin: int, end: Any, table: NDArray[np.uint16]) -> Any:
+    """Kernel: CRC-16/MCRF4XX of some bytes."""
+    crc = np.uint16(0xFFFF)
+    k = begin
+    while k + AT_ONCE <= end:
+        crc = (
+            table[7, data[k] ^ np.uint8(crc & 0xFF)]
+            ^ table[6, data[k + 1] ^ np.uint8(crc >> 8)]
+            ^ table[5, data[k + 2]]
+            ^ table[4, data[k + 3]]
+            ^ table[3, data[k + 4]]
+            ^ table[2, data[k + 5]]
+            ^ table[1, data[k + 6]]
+            ^ table[0, data[k + 7]]
+        )
+        k += AT_ONCE
+    while k < end:
+        crc = np.uint16(crc >> 8) ^ table[0, data[k] ^ np.uint8(crc & 0xFF)]
+        k += 1
+    return np.int64(crc)
+
+
+@njit(cache=True)
+def _frame_bytes(
+    data: ByteArray, at: int, seeds: IntArray, table: NDArray[np.uint16], some_seed: NDArray[np.bool_]
+) -> Any:
+    """Kernel: length (an integer) of the intact frame at a place; negative where only its seed is unknown; 0: none."""
+    size = data.size
+    if at < 0 or at + 8 > size or (data[at] != 0xFD and data[at] != 0xFE):
+        return 0
+    length = np.int64(data[at + 1])
+    if data[at] == 0xFD:
+        end = at + 10 + length
+        if end + 2 > size or data[at + 2] > 1:
+            return 0
+        low = np.int64(data[at + 7]) | np.int64(data[at + 8]) << 8
+        seed = seeds[low] if data[at + 9] == 0 else np.int64(-1)
+        total = end + 2 - at + (13 if data[at + 2] == 1 else 0)
+    else:
+        end = at + 6 + length
+        if end + 2 > size:
+            return 0
+        seed = seeds[np.int64(data[at + 5])]
+        total = end + 2 - at
+    if at + total > size:
+        return 0
+    crc = _crc_of(data, at + 1, end, table)
+    sent_crc = np.int64(data[end]) | np.int64(data[end + 1]) << 8
+    if seed >= 0:
+        crc = crc >> 8 ^ np.int64(table[0, (crc ^ seed) & 0xFF])
+        return total if crc == sent_crc else 0
+    # Of MAVLink 1 an unknown message could not be handed out, since the form of MAVLink 2 needs its seed.
+    return -total if data[at] == 0xFD and some_seed[sent_crc ^ crc >> 8] else 0
+
+
+@njit(cache=True)
+def _believe(heads: IntArray, last_us: Any) -> tuple[int, int]:
+    """Kernel: replaces the times in heads (n, 6) that are far from the last one believed and from the next one;
+    `last_us` is the last one of the stretch before, -1 before the first. Returns (last one believed, how many)."""
+    n = heads.shape[0]
+    wrong = 0
+    for i in range(n):
+        t_us = heads[i, 0]
+        if t_us >= 0 and last_us >= 0 and abs(t_us - last_us) <= APART_US:
+            last_us = t_us
+            continue
+        next_us = heads[i + 1, 0] if i + 1 < n else np.int64(-1)
+        confirmed = t_us >= 0 and next_us >= 0 and abs(next_us - t_us) <= APART_US
+        if last_us < 0 and not confirmed:
+            later_us = heads[i + 2, 0] if i + 2 < n else np.int64(-1)
+            if next_us >= 0 and later_us >= 0 and abs(later_us - next_us) <= APART_US:
+                last_us = next_us
+            else:
+                last_us = max(t_us, np.int64(0))
+            wrong += t_us != last_us
+            heads[i, 0] = last_us
+        elif confirmed:
+            last_us = t_us
+        else:
+            heads[i, 0] = last_us
+            wrong += 1
+    return last_us, wrong
+
+
+@njit(cache=True)
+def _walk(
+    data: ByteArray,
+    heads: IntArray,
+    last_end: int,
+    look_at: int,
+    last_us: Any,
+    final: bool,
+    seeds: IntArray,
+    table: NDArray[np.uint16],
+    some_seed: NDArray[np.bool_],
+) -> tuple[int, int, int, int, int, int]:
+    """Kernel: fills heads (m, 6), with room for a frame at every 8 bytes; returns (how many there are, end of the last
+    frame, where to look next, time of the last frame, gaps, bytes in them).
+
+    In step, the next frame stands 8 bytes after the last one's end. Out of step it is looked for byte by byte.
+    """
+    size = data.size
+    n = gaps = skipped = 0
+    while look_at < size:
+        if not final and look_at + 288 > size:
+            break
+        total = _frame_bytes(data, look_at, seeds, table, some_seed)
+        if total < 0:
+            end = look_at - total
+            follows = end == size or (end + 8 < size and (data[end + 8] == 0xFD or data[end + 8] == 0xFE))
+            total = -total if look_at == last_end + 8 and follows else 0
+        timed = look_at - last_end >= 8
+        if total == 0 or (not timed and last_us < 0):
+            look_at = last_end if look_at == last_end + 8 else look_at + 1
+            if look_at == last_end + 8:  # that place has been looked at, and means `in step`
+                look_at += 1
+            continue
+        begin = look_at
+        if timed:
+            begin = look_at - 8
+            last_us = np.int64(0)
+            for k in range(8):
+                last_us = last_us << 8 | np.int64(data[begin + k])
+        if begin > last_end:
+            gaps += 1
+            skipped += begin - last_end
+        heads[n, 0], heads[n, 1] = last_us, look_at
+        if data[look_at] == 0xFD:
+            heads[n, 2], heads[n, 3], heads[n, 4] = data[look_at + 5], data[look_at + 6], data[look_at + 4]
+            heads[n, 5] = np.int64(data[look_at + 7]) | np.int64(data[look_at + 8]) << 8
+            heads[n, 5] |= np.int64(data[look_at + 9]) << 16
+        else:
+            heads[n, 2], heads[n, 3], heads[n, 4] = data[look_at + 3], data[look_at + 4], data[look_at + 2]
+            heads[n, 5] = data[look_at + 5]
+        n += 1
+        last_end = look_at + total
+        look_at = last_end + 8
+    return n, last_end, look_at, last_us, gaps, skipped

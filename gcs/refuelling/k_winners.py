@@ -1,0 +1,85 @@
+"""The k greatest at once, read off the winner-take-all law as it is (docs/model.md#k-winners) [choice].
+
+    v_i(t)/v_j(t) = v_i(0)/v_j(0) · e^(c (τ_i - τ_j) t)
+
+The law's norm acts on all states alike, so that the ratio of any two is what their bids make it, whatever p is and
+whoever leads. The k greatest are decided once the last of them has left whoever comes next behind. States are kept as
+logarithms: a loser's v soon is smaller than any float, its ratio to another loser is not.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+FloatArray = NDArray[np.float64]
+
+
+class Competitor(NamedTuple):
+    """Who competes, with what: `time_s` is the bid on its absolute scale, the least is the greatest bid."""
+
+    sysid: int
+    ln_v: float
+    time_s: float
+    rank: tuple[float, ...]
+    """in which order those who tie are taken, the least first; no two are alike"""
+
+
+class Reading(NamedTuple):
+    """The k first as the states have it."""
+
+    winners: tuple[int, ...]
+    """by system id, in the order of their places"""
+    ties: frozenset[int]
+    """who ties with the last of them, that one included"""
+    share: float
+    """what the last of them holds of its own v^p and of the next one's that does not tie with it, 0.5 to 1"""
+
+
+def bounded(ln_v: ArrayLike, places: int, floor: float) -> FloatArray:
+    """Logarithms of states (n,) drawn together, so that who is behind can come back: among the first `places` + 1 none
+    lies further behind the one before it than `floor` < 1, and the others no further behind the last of these.
+
+    Who is drawn up takes all below with it: their ratios stay, unless they reach that end.
+    """
+    values = np.asarray(ln_v, dtype=np.float64)
+    if values.size < 2:
+        return values.copy()
+    order = np.argsort(-values, kind="stable")
+    gaps = -np.diff(values[order])
+    deepest = -math.log(floor)
+    gaps[:places] = np.minimum(gaps[:places], deepest)
+    below = np.concatenate([[0.0], np.cumsum(gaps)])
+    last = below[min(places, len(below) - 1)]
+    below = np.minimum(below, last + deepest)
+    drawn = np.empty_like(values)
+    drawn[order] = values[order[0]] - below
+    return drawn
+
+
+def read(competitors: Sequence[Competitor], k: int, *, p: float, tie_s: float) -> Reading:
+    """The k greatest, 1 <= k < n, by their states; those whose bids lie within `tie_s` of the k-th's take what places
+    they hold among them in the order of `rank`."""
+    ordered = sorted(competitors, key=lambda one: (-one.ln_v, one.rank))
+    last = ordered[k - 1]
+    ties = frozenset(one.sysid for one in ordered if abs(one.time_s - last.time_s) <= tie_s)
+    clear = [one.sysid for one in ordered[:k] if one.sysid not in ties]
+    tied = sorted((one for one in ordered if one.sysid in ties), key=lambda one: one.rank)
+    winners = (*clear, *(one.sysid for one in tied[: k - len(clear)]))
+    ahead = next((one for one in ordered[k:] if one.sysid not in ties), None)
+    return Reading(winners, ties, 1.0 if ahead is None else share_of(last.ln_v - ahead.ln_v, p))
+
+
+def share_of(ln_ratio: float, p: float) -> float:
+    """What the first of two holds of the sum of their v^p, for the logarithm of their ratio."""
+    return 1.0 / (1.0 + math.exp(-min(p * ln_ratio, 700.0))) if ln_ratio > -700.0 / p else 0.0
+
+
+def decided_after_s(gap: float, share: float, *, p: float, rate: float) -> float:
+    """How long two states that begin alike take until the first holds `share` of their v^p, for a gap of their τ:
+    t = ln(share/(1 - share))/(p c Δτ)."""
+    return math.log(share / (1.0 - share)) / (p * rate * gap)

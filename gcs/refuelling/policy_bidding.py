@@ -1,0 +1,170 @@
+"""Policies in the competition's place, and which contest a scenario names."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from typing import Any
+
+from gcs.refuelling.bidding import Award, Bidding, CompetitionState, Contest, is_servable, urgent_of
+from gcs.refuelling.giver import Giver, ServiceTimes
+from gcs.refuelling.policies import SHIPPED, WINNER_TAKE_ALL, RefuellingPolicy, RefuellingRequest
+from gcs.refuelling.time_bidding import TimeBidding
+from gcs.refuelling.winner_take_all import normalise
+from gcs.scenario import plugins
+from gcs.scenario.guard import Guard, Nonsense
+from gcs.scenario.model import CompetitionRules, RefuellingRules, Scenario
+from gcs.telemetry.state import FleetSnapshot, VehicleView
+
+
+class PolicyBidding:
+    """Asks a policy for each free tanker; a tanker without a good answer waits where it is."""
+
+    waits_for_all = True
+
+    def __init__(
+        self,
+        rules: CompetitionRules,
+        refuelling: RefuellingRules,
+        speed_m_s: Mapping[int, float],
+        policy: RefuellingPolicy,
+        guard: Guard,
+        end_s: float,
+    ) -> None:
+        """`end_s`: session time at which the session ends."""
+        self._rules = rules
+        self._refuelling = refuelling
+        self._speed_m_s = speed_m_s
+        self._policy = policy
+        self._assign: Callable[[RefuellingRequest], Any] | None = getattr(policy, "assign", None)
+        self._guard = guard
+        self._end_s = end_s
+        self._able: list[int] = []
+        self._wanting: tuple[VehicleView, ...] = ()
+        self._givers: tuple[Giver, ...] = ()
+        self._times: ServiceTimes | None = None
+        self.competition_state = CompetitionState()
+
+    def advance(
+        self, snapshot: FleetSnapshot, served: Collection[int], givers: Sequence[Giver], times: ServiceTimes
+    ) -> None:
+        """Who may be served at the snapshot's time; nothing competes, so that bids are needs and v is empty."""
+        self._guard.begin_tick()
+        self._givers, self._times = tuple(givers), times
+        able = [view for view in snapshot.of_role("pursuer") if view.sysid not in served and is_servable(view)]
+        self._able = [view.sysid for view in able]
+        self._wanting = tuple(view for view in able if view.need >= self._rules.need_from)
+        need = {view.sysid: view.need for view in self._wanting}
+        bids = normalise(list(need.values()), low=self._rules.floor, high=self._rules.high) if need else ()
+        self.competition_state = CompetitionState({}, dict(zip(need, map(float, bids), strict=True)), need, None, 0.0)
+
+    def awards(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> Iterator[Award]:
+        """By `urgency` or `policy`: for all free tankers at once where the policy can, else for one after another."""
+        waiting = [giver for giver in free if giver.is_tanker]
+        if not waiting:
+            return
+        if self._assign is not None:
+            if self._wanting:
+                yield from self._assigned(snapshot, waiting)
+            return
+        while waiting:
+            giver = waiting.pop(0)
+            won = self._won(snapshot, giver, waiting)
+            if won is not None:
+                yield Award(giver, *won)
+
+    def _assigned(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> Iterator[Award]:
+        assign, request = self._assign, self._request(snapshot, free)
+        assert assign is not None
+        answer = self._guard.call(request.tanker.sysid, lambda: self._all_checked(assign(request), request))
+        pairs = {} if answer is None else answer.value
+        for giver in free:
+            if giver.name in pairs:
+                yield Award(giver, pairs[giver.name], "policy")
+
+    def _won(self, snapshot: FleetSnapshot, giver: Giver, others: Sequence[Giver]) -> tuple[int, str] | None:
+        reserve_s = self._refuelling.hold_s + self._refuelling.reserve_s
+        urgent = urgent_of(snapshot, self._able, [giver.p_ned], giver.speed_m_s, reserve_s)
+        if urgent is not None:
+            return urgent, "urgency"
+        if not self._wanting:
+            return None
+        request = self._request(snapshot, [giver, *others])
+        answer = self._guard.call(request.tanker.sysid, lambda: self._checked(self._policy.choose(request)))
+        return None if answer is None or answer.value is None else (answer.value, "policy")
+
+    def _request(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> RefuellingRequest:
+        tankers = tuple(snapshot.vehicle(int(giver.name)) for giver in free)
+        wanting = {view.sysid for view in self._wanting}
+        return RefuellingRequest(
+            snapshot.time_s,
+            tankers[0],
+            self._wanting,
+            tankers,
+            self._speed_m_s,
+            self._refuelling,
+            givers=tuple(one for one in self._givers if one.is_tanker),
+            later=tuple(view for view in map(snapshot.vehicle, self._able) if view.sysid not in wanting),
+            times=self._times,
+            left_s=max(self._end_s - snapshot.time_s, 0.0),
+        )
+
+    def approaches(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> dict[int, int]:
+        """Nobody moves before it is decided."""
+        return {}
+
+    def award(self, sysid: int, now_s: float) -> None:
+        """The one chosen is nobody else's any more."""
+        self._able = [one for one in self._able if one != sysid]
+        self._wanting = tuple(view for view in self._wanting if view.sysid != sysid)
+        self.competition_state = CompetitionState(
+            {}, self.competition_state.tau, self.competition_state.need, None, 0.0
+        )
+
+    def _all_checked(self, answer: Any, request: RefuellingRequest) -> dict[int, int]:
+        """The answer as receivers by tanker. Raises Nonsense."""
+        if not isinstance(answer, Mapping):
+            raise Nonsense(f"returned {type(answer).__name__}, which is no mapping from tankers to receivers")
+        free = {view.sysid for view in request.free_tankers}
+        found = {}
+        for tanker, receiver in answer.items():
+            if tanker not in free:
+                raise Nonsense(f"returned {tanker!r}, which is no free tanker's system id")
+            checked = self._checked(receiver)
+            if checked is not None:
+                found[int(tanker)] = checked
+        if len(set(found.values())) < len(found):
+            raise Nonsense("gave one vehicle to two tankers")
+        return found
+
+    def _checked(self, answer: Any) -> int | None:
+        """The answer as a system id or None. Raises Nonsense."""
+        if answer is None:
+            return None
+        for view in self._wanting:
+            if answer == view.sysid:
+                return view.sysid
+        told = "NaN" if answer != answer else " ".join(repr(answer).split())[:60]  # noqa: PLR0124 - NaN alone differs
+        raise Nonsense(f"returned {told}, which is no candidate's system id")
+
+
+def make_competition(rules: CompetitionRules, refuelling: RefuellingRules) -> Contest:
+    """The competition by time, or the paper's by need."""
+    if rules.bids == "need":
+        return Bidding(rules, refuelling.hold_s + refuelling.reserve_s)
+    return TimeBidding(rules, refuelling)
+
+
+def make_bidding(scenario: Scenario) -> tuple[Contest, Guard | None]:
+    """The contest that a scenario names, and what guards it where it is not the competition. Raises ScenarioError."""
+    name, rules = scenario.competition.policy, scenario.competition
+    if name == WINNER_TAKE_ALL:
+        return make_competition(rules, scenario.refuelling), None
+    policy: RefuellingPolicy
+    if name in SHIPPED:
+        policy = SHIPPED[name](scenario)
+    else:
+        policy = plugins.make("competition.policy", name, "choose", scenario)
+    speed_m_s = {tanker.sysid: tanker.speed_m_s for tanker in scenario.vehicles.tankers}
+    guard = Guard(f"policy {name}")
+    end_s = scenario.goal.duration_s
+    return PolicyBidding(rules, scenario.refuelling, speed_m_s, policy, guard, end_s), guard

@@ -1,0 +1,266 @@
+"""A tanker's service, step by step: docs/protocol.md#service-by-a-tanker.
+
+    join → start receiver → start giver → transfer → stop giver → catch up → stop receiver → done
+      ▲                                      broken off by either side │
+      └────────────────────────────────────────────────────────────────┘
+
+Pure but for each service's own memory: a snapshot and the results of earlier commands go in, requests and records come
+out as `ServiceRequests`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.mavlink.autopilots import STEERABLE, FlightMode
+from gcs.mavlink.command_protocol import CommandRequest
+from gcs.refuelling.service import Phase, Service, ServiceRequests, token
+from gcs.refuelling.transfer_command import TransferRole, transfer_request
+from gcs.scenario.model import RefuellingRules, Tanker
+from gcs.telemetry.state import FleetSnapshot, VehicleView
+
+CATCH_UP_S = 1.0
+COUNTER_SETTLES_S = 0.5
+"""A giver's counter is trusted as a transfer's start when it was received this long after the last one ended."""
+JOIN_WITHIN_S = 60.0
+START_WITHIN_S = 5.0
+BEGINS_WITHIN_S = 2.0
+"""[choice] What a receiver draws in so long before its first joule is ordered too."""
+BREAKS = 5
+"""A service that was broken off so often ends; the receiver competes again, and so may the others."""
+REFUSALS = 5
+"""Refusals of a receiver in a row after which its service is given up: others wait for the tanker."""
+FOLLOW_EVERY_US = 100_000.0
+_FOLLOW = float(mav.MAVLINK_MSG_ID_FOLLOW_TARGET)
+
+
+class TankerSteps:
+    """Moves every tanker's service from the decision to its end."""
+
+    def __init__(
+        self, rules: RefuellingRules, tankers: Mapping[int, Tanker], requests: ServiceRequests, out: Mapping[int, str]
+    ) -> None:
+        """`out`: who neither is served nor serves, and why; a service of theirs is broken off."""
+        self._rules = rules
+        self._tankers = tankers
+        self._requests = requests
+        self._out_of_it = out
+
+    def available_j(self, tanker: VehicleView, limit_j: float) -> float:
+        """Energy that a tanker may give and still get home with its reserve."""
+        rules = self._tankers[tanker.sysid]
+        way_home_j = math.dist(tanker.p_now_ned(), rules.home_m or rules.start_m) / rules.speed_m_s * tanker.power_w
+        return min(tanker.remaining_j - rules.reserve_j - way_home_j, limit_j)
+
+    def begin(self, service: Service) -> None:
+        """The tanker is to report its position often enough for its receiver."""
+        assert service.tanker is not None
+        stream = token(service, "stream")
+        self._requests.request(_follow_target_every(FOLLOW_EVERY_US, service.tanker, stream))
+
+    def serve(self, service: Service, snapshot: FleetSnapshot) -> None:
+        """Move one service to the snapshot's time."""
+        assert service.tanker is not None
+        now_s = snapshot.time_s
+        receiver, tanker = snapshot.vehicle(service.receiver), snapshot.vehicle(service.tanker)
+        if not receiver.alive or not tanker.alive:
+            self._finish(service, receiver, tanker, now_s, "a side died")
+            return
+        if service.phase is not Phase.JOIN:
+            service.seen_refuel |= receiver.mode is FlightMode.REFUEL
+            service.seen_giving |= tanker.mode is FlightMode.REFUEL
+        _STEPS[service.phase](self, service, receiver, tanker, now_s)
+
+    def _join(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
+        reason = self._unfit(receiver, tanker)
+        if reason is not None:
+            self._finish(service, receiver, tanker, now_s, reason)
+            return
+        distance_m = math.dist(receiver.p_now_ned(), tanker.p_now_ned())
+        relative_m_s = math.dist(receiver.v_ned, tanker.v_ned)
+        inside = distance_m <= self._rules.capture_m and relative_m_s <= self._rules.relative_speed_m_s
+        if not inside:
+            service.near_since_s = None
+        elif service.near_since_s is None:
+            service.near_since_s = now_s
+        counter_known = tanker.given_reported_s >= service.phase_since_s + COUNTER_SETTLES_S
+        held = service.near_since_s is not None and now_s - service.near_since_s >= self._rules.hold_s
+        if held and counter_known:
+            if service.joined_at_s is None:
+                service.joined_at_s = now_s
+                service.in_at_start_j = receiver.received_j
+            service.near_since_s = None
+            service.seen_refuel = service.seen_giving = False
+            service.out_at_start_j, service.in_at_begin_j = tanker.given_j, receiver.received_j
+            self._order(service, receiver, TransferRole.RECEIVE, self._limit_j(service, receiver, tanker))
+            self._go(service, Phase.START_RECEIVER, now_s)
+        elif now_s - service.phase_since_s > JOIN_WITHIN_S:
+            self._finish(service, receiver, tanker, now_s, "no rendezvous in time")
+
+    def _start_receiver(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
+        if (out := self._out(receiver, tanker)) is not None:
+            service.ended_by = out
+            self._stop(service, receiver, now_s)
+            return
+        accepted = self._requests.accepted(token(service, "receive"))
+        if accepted:
+            service.refusals = 0
+            limit_j = self._limit_j(service, receiver, tanker)
+            service.ordered_j = math.floor(limit_j)
+            self._order(service, tanker, TransferRole.GIVE, limit_j)
+            self._go(service, Phase.START_GIVER, now_s)
+        elif accepted is False or now_s - service.phase_since_s > START_WITHIN_S:
+            service.refusals += 1
+            if service.refusals >= REFUSALS:
+                self._finish(service, receiver, tanker, now_s, "the receiver refused")
+                return
+            self._order(
+                service, receiver, TransferRole.STOP, 0.0
+            )  # it may have begun, and its acknowledgements been lost
+            self._go(service, Phase.JOIN, now_s)
+
+    def _start_giver(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
+        accepted = self._requests.accepted(token(service, "give"))
+        if accepted:
+            service.start_s = now_s if service.start_s is None else service.start_s
+            self._requests.records.append({"kind": "transfer", **service.sides})
+            self._go(service, Phase.TRANSFER, now_s)
+            return
+        out = self._out(receiver, tanker)
+        if out or accepted is False or now_s - service.phase_since_s > START_WITHIN_S:
+            service.ended_by = out or "the giver refused"
+            self._order(
+                service, tanker, TransferRole.STOP, 0.0
+            )  # it may have begun, and its acknowledgements been lost
+            self._go(service, Phase.STOP_GIVER, now_s)
+
+    def _transfer(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
+        late = now_s - service.phase_since_s > START_WITHIN_S
+        receives = receiver.mode is FlightMode.REFUEL or not (service.seen_refuel or late)
+        gives = tanker.mode is FlightMode.REFUEL or not (service.seen_giving or late)
+        reason = None
+        if receiver.remaining_j >= self._rules.until * receiver.capacity_j:
+            reason = "full"
+        elif self._rules.limit_j is not None and service.energy_j >= self._rules.limit_j:
+            reason = "limit"
+        elif self.available_j(tanker, math.inf) <= 0.0:
+            reason = "tanker at its reserve"
+        elif (unfit := self._unfit(receiver, tanker)) is not None:
+            reason = unfit
+        elif not gives and tanker.given_j - service.out_at_start_j >= service.ordered_j:
+            reason = "limit"
+        elif not (gives and receives):
+            reason = f"broken off by the {'receiver' if gives else 'giver'}"
+            service.broken_off = True
+        if reason is not None:
+            service.ended_by = reason
+            self._order(service, tanker, TransferRole.STOP, 0.0)
+            self._go(service, Phase.STOP_GIVER, now_s)
+
+    def _stop_giver(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
+        answered = self._requests.accepted(token(service, "stop giver")) is not None
+        if answered or now_s - service.phase_since_s > START_WITHIN_S:
+            self._go(service, Phase.CATCH_UP, now_s)
+
+    def _catch_up(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
+        counter_reported = tanker.given_reported_s > service.phase_since_s
+        caught_up = (
+            counter_reported and receiver.received_j - service.in_at_begin_j >= tanker.given_j - service.out_at_start_j
+        )
+        if caught_up or now_s - service.phase_since_s >= CATCH_UP_S or receiver.mode is not FlightMode.REFUEL:
+            self._stop(service, receiver, now_s)
+
+    def _stop_receiver(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
+        answered = self._requests.accepted(token(service, "stop receiver")) is not None
+        if not answered and now_s - service.phase_since_s <= START_WITHIN_S:
+            return
+        service.breaks += service.broken_off
+        if service.broken_off and service.breaks < BREAKS:
+            service.broken_off = False
+            self._requests.records.append({"kind": "broken off", **service.sides})
+            self._go(service, Phase.JOIN, now_s)
+        else:
+            self._finish(service, receiver, tanker, now_s, service.ended_by)
+
+    def _stop(self, service: Service, receiver: VehicleView, now_s: float) -> None:
+        self._order(service, receiver, TransferRole.STOP, 0.0)
+        self._go(service, Phase.STOP_RECEIVER, now_s)
+
+    def _finish(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float, reason: str) -> None:
+        if service.phase not in (Phase.JOIN, Phase.STOP_RECEIVER):
+            for view in (tanker, receiver):
+                if view.alive:
+                    self._order(service, view, TransferRole.STOP, 0.0)
+        service.phase, service.end_s, service.ended_by = Phase.DONE, now_s, reason
+        if tanker.alive:
+            self._requests.request(_follow_target_every(0.0, tanker.sysid, token(service, "unstream")))
+        self._requests.records.append({"kind": "served", "reason": reason, **service.record()})
+
+    def _go(self, service: Service, phase: Phase, now_s: float) -> None:
+        service.phase, service.phase_since_s = phase, now_s
+
+    def _out(self, receiver: VehicleView, tanker: VehicleView) -> str | None:
+        """Why one of the two is to take no part."""
+        for view in (receiver, tanker):
+            if view.sysid in self._out_of_it:
+                return f"{view.label} {self._out_of_it[view.sysid]}"
+        return None
+
+    def _unfit(self, receiver: VehicleView, tanker: VehicleView) -> str | None:
+        """Why the two cannot keep formation any more, or are not to."""
+        if (out := self._out(receiver, tanker)) is not None:
+            return out
+        for view in (receiver, tanker):
+            if not view.fresh:
+                return f"no word from {view.label}"
+            if not view.flying or view.mode not in STEERABLE:
+                return f"{view.label} left formation flight"
+        return None
+
+    def _limit_j(self, service: Service, receiver: VehicleView, tanker: VehicleView) -> float:
+        room_j = receiver.capacity_j - receiver.remaining_j
+        if self._rules.tops_up:
+            net_w = max(self._rules.rate_w - receiver.power_w, 0.1 * self._rules.rate_w)
+            room_j += receiver.power_w * (BEGINS_WITHIN_S + room_j / net_w)
+        left_j = math.inf if self._rules.limit_j is None else self._rules.limit_j - service.energy_j
+        return max(self.available_j(tanker, min(room_j, left_j)), 1.0)
+
+    def _order(self, service: Service, view: VehicleView, role: TransferRole, limit_j: float) -> None:
+        assert service.tanker is not None
+        giver = view.sysid == service.tanker
+        partner = service.receiver if giver else service.tanker
+        what = {
+            TransferRole.GIVE: "give",
+            TransferRole.RECEIVE: "receive",
+            TransferRole.STOP: "stop giver" if giver else "stop receiver",
+        }[role]
+        self._requests.request(
+            transfer_request(
+                view.sysid,
+                token(service, what),
+                role,
+                partner=partner,
+                limit_j=limit_j,
+                rate_w=self._rules.rate_w,
+                number=service.number,
+                given_at_start_j=service.out_at_start_j,
+            )
+        )
+
+
+def _follow_target_every(interval_us: float, sysid: int, token: str) -> CommandRequest:
+    return CommandRequest(sysid, mav.MAV_CMD_SET_MESSAGE_INTERVAL, (_FOLLOW, interval_us), token)
+
+
+_STEPS = {
+    Phase.JOIN: TankerSteps._join,
+    Phase.START_RECEIVER: TankerSteps._start_receiver,
+    Phase.START_GIVER: TankerSteps._start_giver,
+    Phase.TRANSFER: TankerSteps._transfer,
+    Phase.STOP_GIVER: TankerSteps._stop_giver,
+    Phase.CATCH_UP: TankerSteps._catch_up,
+    Phase.STOP_RECEIVER: TankerSteps._stop_receiver,
+}

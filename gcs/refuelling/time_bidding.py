@@ -1,0 +1,226 @@
+"""The competition of those who wait, as many winners at once as givers are free
+(docs/protocol.md#refuelling-schedule, docs/model.md#k-winners) [choice].
+
+A bid is the time until the vehicle must land, less the time until energy could reach it if another were served first,
+and the way to it, which all others wait for, added: the least bids most. The law is the paper's; the k greatest win at
+once when the last of them has left the next one behind for the dwell time. While nobody is free the competition goes on
+for every k, so that a giver that becomes free is seldom kept waiting.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Iterable, Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gcs.refuelling.bidding import Award, CompetitionState, is_servable
+from gcs.refuelling.giver import Giver, ServiceTimes, lasts_s, nearest_s, served_if_passed_over_s, ways_s
+from gcs.refuelling.k_winners import Competitor, Reading, bounded, read
+from gcs.refuelling.matching import match
+from gcs.refuelling.winner_take_all import advance_ln
+from gcs.scenario.model import CompetitionRules, RefuellingRules
+from gcs.telemetry.state import FleetSnapshot, VehicleView
+
+HOPELESS_S = -3.0
+"""[choice] Who would have landed so long before energy could reach it is served after all others: estimates are as
+wrong as that."""
+LATEST_S = 15.0
+"""[choice] Who would be so much too late, were another served first, bids `high`."""
+_ROUNDING_S = 1e-6
+
+
+class TimeBidding:
+    """The competition's memory from tick to tick."""
+
+    waits_for_all = True
+
+    def __init__(self, rules: CompetitionRules, refuelling: RefuellingRules) -> None:
+        self._rules = rules
+        self._refuelling = refuelling
+        self._ln_v: dict[int, float] = {}
+        self._competing: list[Competitor] = []
+        self._readings: dict[int, Reading] = {}
+        self._held_since_s: dict[int, float] = {}
+        self._begun_s: float | None = None
+        self._last_s: float | None = None
+        self._times: ServiceTimes | None = None
+        self._tau: NDArray[np.float64] = np.empty(0)
+        self._spare_s: dict[int, float] = {}
+        self.bids_s: dict[int, float] = {}
+        """each competitor's bid on its scale of time, 0 to the horizon: the least is the greatest bid"""
+        self.slack_s: dict[int, float] = {}
+        """time until each competitor must land, less the time until energy can reach it if it is served first"""
+        self.competition_state = CompetitionState()
+
+    def advance(
+        self, snapshot: FleetSnapshot, served: Collection[int], givers: Sequence[Giver], times: ServiceTimes
+    ) -> None:
+        """Let those who compete do so up to the snapshot's time; `givers` are all that there are, busy ones too."""
+        now_s, rules, self._times = snapshot.time_s, self._rules, times
+        dt_s = now_s - self._last_s if self._last_s is not None else 0.0
+        self._last_s = now_s
+        able = [v for v in snapshot.of_role("pursuer") if v.sysid not in served and is_servable(v)]
+        self.slack_s = {}
+        competitors = []
+        for view in able:
+            left_s = lasts_s(view, self._refuelling.lands_at)
+            if view.need < rules.need_from and left_s >= rules.horizon_s:
+                continue
+            slack_s = left_s - nearest_s(givers, view, times) if givers else left_s
+            if view.need >= rules.need_from or slack_s < self._refuelling.reserve_s:
+                competitors.append(view)
+                self.slack_s[view.sysid] = slack_s
+        if not competitors:
+            self._forget()
+            return
+        self._compete(competitors, dt_s, givers, max(len(givers), 1))
+        self._watch(now_s, max(len(givers), 1))
+        self._tell({view.sysid: view.need for view in competitors})
+
+    def _forget(self) -> None:
+        self._ln_v, self._competing, self._readings, self._held_since_s = {}, [], {}, {}
+        self._begun_s = None
+        self.competition_state = CompetitionState()
+
+    def _compete(self, competitors: Sequence[VehicleView], dt_s: float, givers: Sequence[Giver], places: int) -> None:
+        """Advance the law by one tick."""
+        rules = self._rules
+        assert self._times is not None
+        passed_s = served_if_passed_over_s(givers, competitors, self._times, self._refuelling)
+        left_s = [lasts_s(view, self._refuelling.lands_at) for view in competitors]
+        self._spare_s = {
+            view.sysid: left + way - passed
+            for view, left, way, passed in zip(competitors, left_s, ways_s(givers, competitors), passed_s, strict=True)
+        }
+        self.bids_s = {view.sysid: self._bid_s(view.sysid) for view in competitors}
+        bids_s = list(self.bids_s.values())
+        begins = self._beginnings(self.bids_s, places)
+        above = 1.0 - np.array(bids_s) / rules.horizon_s
+        self._tau = rules.floor * (1.0 - above) + rules.high * above
+        ln_v = np.array([begins[view.sysid] for view in competitors])
+        ln_v = bounded(advance_ln(ln_v, self._tau, dt_s, p=rules.p, rate=rules.rate), places, rules.floor)
+        self._ln_v = {view.sysid: float(x) for view, x in zip(competitors, ln_v, strict=True)}
+        self._competing = [
+            Competitor(view.sysid, self._ln_v[view.sysid], bid_s, self._rank(view))
+            for view, bid_s in zip(competitors, bids_s, strict=True)
+        ]
+
+    def _beginnings(self, bids_s: Mapping[int, float], places: int) -> dict[int, float]:
+        """States of the last tick; who is new begins beside the one whose bid is nearest to its own, as though it had
+        competed as long, and where all are new, at the bottom."""
+        known = [sysid for sysid in bids_s if sysid in self._ln_v]
+        if not known:
+            return dict.fromkeys(bids_s, places * math.log(self._rules.floor))
+        return {
+            sysid: self._ln_v[
+                sysid if sysid in self._ln_v else min(known, key=lambda one: (abs(bids_s[one] - bid_s), one))
+            ]
+            for sysid, bid_s in bids_s.items()
+        }
+
+    def _bid_s(self, sysid: int) -> float:
+        if self.slack_s[sysid] < HOPELESS_S:
+            return self._rules.horizon_s
+        return min(max(self._spare_s[sysid] + LATEST_S, 0.0), self._rules.horizon_s)
+
+    def _rank(self, view: VehicleView) -> tuple[float, ...]:
+        """Of those who tie: the hopeless last, then need to the percent, way to the second, system id."""
+        slack_s = self.slack_s[view.sysid]
+        way_s = lasts_s(view, self._refuelling.lands_at) - slack_s
+        way = round(way_s) if math.isfinite(way_s) else 0
+        return (float(slack_s < HOPELESS_S), -round(100.0 * view.need), way, view.sysid)
+
+    def _watch(self, now_s: float, places: int) -> None:
+        """Since when each number of winners has been clear without a break."""
+        rules = self._rules
+        if self._begun_s is None:
+            self._begun_s = now_s
+        before, self._readings = self._readings, {}
+        for k in range(1, min(places, len(self._competing) - 1) + 1):
+            now = self._readings[k] = read(self._competing, k, p=rules.p, tie_s=rules.tie_s)
+            was = before.get(k)
+            changed = was is None or not (set(was.winners) ^ set(now.winners)) <= now.ties
+            if changed or now.share < rules.share:
+                self._held_since_s.pop(k, None)
+            if now.share >= rules.share:
+                self._held_since_s.setdefault(k, now_s)
+
+    def _tell(self, need: dict[int, float]) -> None:
+        """What there is to see: the states over the leader's, the bids, and the first reading."""
+        v = {one.sysid: math.exp(max(one.ln_v, -700.0)) for one in self._competing}
+        tau = {one.sysid: float(t) for one, t in zip(self._competing, self._tau, strict=True)}
+        first = self._readings.get(1)
+        leader, held = (first.winners[0], first.share) if first else (self._competing[0].sysid, 1.0)
+        self.competition_state = CompetitionState(v, tau, need, leader, held)
+
+    def awards(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> Iterable[Award]:
+        """Whom the free givers serve next, each matched to its own; none while that is undecided."""
+        if not free or not self._competing:
+            return []
+        k, now_s, rules = len(free), snapshot.time_s, self._rules
+        if k >= len(self._competing):
+            return self._matched([one.sysid for one in self._competing], "unopposed", snapshot, free)
+        since_s = self._held_since_s.get(k)
+        if since_s is not None and now_s - since_s >= rules.dwell_s - _ROUNDING_S:
+            return self._matched(self._readings[k].winners, "competition", snapshot, free)
+        least_s = min((s for s in self.slack_s.values() if s >= HOPELESS_S), default=math.inf)
+        if least_s <= 2.0 * rules.dwell_s:
+            by_bid = [one._replace(ln_v=-one.time_s) for one in self._competing]
+            winners = read(by_bid, k, p=rules.p, tie_s=rules.tie_s).winners
+            return self._matched(winners, "urgency", snapshot, free)
+        if self._begun_s is not None and now_s - self._begun_s >= rules.decide_within_s:
+            return self._matched(self.likely(k), "timeout", snapshot, free)
+        return []
+
+    def likely(self, k: int) -> tuple[int, ...]:
+        """Who would win now, k at once."""
+        if k >= len(self._competing):
+            return tuple(one.sysid for one in self._competing)
+        return read(self._competing, k, p=self._rules.p, tie_s=self._rules.tie_s).winners
+
+    def approaches(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> dict[int, int]:
+        """Receiver by tanker, of free tankers that fly towards who would win now while that is undecided."""
+        tankers = [giver for giver in free if giver.is_tanker]
+        if not tankers or not self._competing:
+            return {}
+        likely = match(tankers, [snapshot.vehicle(sysid) for sysid in self.likely(len(tankers))])
+        return {int(giver.name): view.sysid for giver, view in likely}
+
+    def award(self, sysid: int, now_s: float) -> None:
+        """The winner leaves; the others go on, and what was clear of k places is clear of one less without it."""
+        if sysid not in self._ln_v:
+            return
+        del self._ln_v[sysid]
+        self._competing = [one for one in self._competing if one.sysid != sysid]
+        left = {key: value for key, value in self.competition_state.v.items() if key != sysid}
+        self.competition_state = CompetitionState(
+            left, self.competition_state.tau, self.competition_state.need, None, 0.0
+        )
+        others = {k - 1: now for k, now in self._readings.items() if k > 1 and sysid in now.winners}
+        self._held_since_s = {k: self._held_since_s[k + 1] for k in others if k + 1 in self._held_since_s}
+        self._readings = {
+            k: now._replace(winners=tuple(one for one in now.winners if one != sysid)) for k, now in others.items()
+        }
+        self._begun_s = now_s if left else None
+
+    def _matched(self, winners: Sequence[int], by: str, snapshot: FleetSnapshot, free: Sequence[Giver]) -> list[Award]:
+        """The winners' givers. Whom its giver would reach too late leaves the place to the next one whom it would not:
+        another giver that is free soon may be nearer."""
+        assert self._times is not None
+        begins_in_s = self._times.begins_in_s
+        pairs = match(free, [snapshot.vehicle(sysid) for sysid in winners])
+        others = [one.sysid for one in sorted(self._competing, key=lambda one: (-one.ln_v, one.rank))]
+        others = [sysid for sysid in others if sysid not in winners]
+        found = []
+        for giver, winner in pairs:
+            view = winner
+            for candidate in (winner, *map(snapshot.vehicle, others)):
+                if begins_in_s(giver.way_s(candidate)) <= lasts_s(candidate, self._refuelling.lands_at):
+                    view = candidate
+                    break
+            if view.sysid in others:
+                others.remove(view.sysid)
+            found.append(Award(giver, view.sysid, by))
+        return found

@@ -1,0 +1,170 @@
+"""The recorded flight for the page, which plays it: places and attitudes at even times, modes, events and refuellings.
+
+It speaks the types of the session's socket (`gcs.session.message_types`), so that the page shows it as it shows a live
+one. Numbers over time that the report draws anyway (battery, speed, distance to target) are not carried twice: the page
+takes them from the figures.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from gcs.mavlink.autopilots import profile_of
+from gcs.mavlink.ids import AUTOPILOT
+from gcs.recording.series import GAP_S, Floats, Series, Track, rows_of
+from gcs.recording.tick_record import event_of
+from gcs.report.findings import Findings
+from gcs.report.pack import Pack
+from gcs.session.message_types import GoalRow, MemberRow, SessionLine
+from gcs.session.messages import NO_GOAL, event_row, goal_of, session_message
+from gcs.telemetry.events import Event, level_of
+
+MANY = 16
+MOST_SAMPLES, MOST_SAMPLES_OF_MANY = 1500, 600
+"""Of a vehicle's places; between them the page goes straight on."""
+EVERY_S = 0.1
+MOST_EVENTS = 4000
+QUIET = ("competition", "set_point")
+"""Kinds of decision that are no event."""
+
+
+def flight(found: Findings, pack: Pack) -> dict[str, Any] | None:
+    """The recording that the page plays; its numbers go to `pack`. None where no place is known."""
+    if not found.tracks:
+        return None
+    many = len(found.tracks) > MANY
+    end_s = max(found.end_s, 1e-3)
+    count = min(MOST_SAMPLES_OF_MANY if many else MOST_SAMPLES, math.ceil(end_s / EVERY_S) + 1)
+    t_s: Floats = np.linspace(0.0, end_s, max(count, 2))
+    vehicles = []
+    for sysid, track in sorted(found.tracks.items()):
+        turns = found.attitudes.get(sysid)
+        # Of many vehicles nobody sees how each one leans, and the page would be twice as large.
+        shown = () if turns is None else ((2, "heading"),) if many else ((2, "heading"), (0, "roll"), (1, "pitch"))
+        angles = {} if turns is None else {name: pack.column(_angle(turns[i], t_s)) for i, name in shown}
+        places = [pack.column(column) for column in _places(track, t_s).T]
+        vehicles.append({"sysid": sysid, "p": places, **angles})
+    traffic = [
+        {"callsign": name, "p": [pack.column(column) for column in _places(track, t_s).T]}
+        for name, track in found.traffic.items()
+    ]
+    rules = found.scenario
+    return {
+        "count": len(t_s),
+        "end_s": end_s,
+        "session": _session(found),
+        "vehicles": vehicles,
+        "traffic": traffic,
+        "words": _words(found),
+        "events": [msgspec.to_builtins(event_row(event)) for event in _events(found)][-MOST_EVENTS:],
+        "history": [_served(service) for service in found.services],
+        "threshold": rules.competition.share if rules is not None else 0.9,
+        "goal": {**(goal_of(rules) if rules is not None else NO_GOAL), "pursue_held_s": None, "broken": _broken(found)},
+    }
+
+
+def _places(track: Track, t_s: Floats) -> Floats:
+    """(k, 3) where a vehicle was, straight on between what it told; NaN in silences."""
+    if not len(track.t_s):
+        return np.full((len(t_s), 3), np.nan)
+    places = np.column_stack([np.interp(t_s, track.t_s, axis) for axis in track.p_ned.T])
+    after = np.clip(np.searchsorted(track.t_s, t_s), 1, max(len(track.t_s) - 1, 1))
+    gap_s = track.t_s[np.minimum(after, len(track.t_s) - 1)] - track.t_s[after - 1]
+    outside = (t_s < track.t_s[0] - GAP_S) | (t_s > track.t_s[-1] + GAP_S)
+    inside = (t_s >= track.t_s[0]) & (t_s <= track.t_s[-1])
+    places[outside | (inside & (gap_s > GAP_S))] = np.nan
+    return places
+
+
+def _angle(series: Series, t_s: Floats) -> Floats:
+    """(k,) an angle in rad, between -π and π."""
+    known = np.isfinite(series.values)
+    if not known.any():
+        return np.full(len(t_s), np.nan)
+    turned = np.interp(t_s, series.t_s[known], np.unwrap(series.values[known]))
+    wrapped: Floats = np.arctan2(np.sin(turned), np.cos(turned))
+    return wrapped
+
+
+def _session(found: Findings) -> dict[str, Any]:
+    """The message of type "session"; without a scenario, who flew."""
+    if found.scenario is not None:
+        return session_message(found.scenario, None, source="replay", clock="replay", control=False)
+    members = [MemberRow(v.sysid, v.role, v.label, None, [], v.sysid - 1) for v in found.vehicles]
+    name = found.recorded.folder.resolve().name
+    goal = GoalRow(**NO_GOAL)
+    line = SessionLine(name, None, "replay", found.end_s, "replay", None, False, None, None, members, [], [], goal)
+    content: dict[str, Any] = msgspec.to_builtins(line)
+    return content
+
+
+def _words(found: Findings) -> dict[str, list[list[Any]]]:
+    """By system id: [time, mode, armed, in the air] where any of these changes."""
+    table = found.recorded.tables.get("HEARTBEAT")
+    if table is None:
+        return {}
+    own = np.flatnonzero(table["compid"] == AUTOPILOT)
+    words: dict[str, list[list[Any]]] = {}
+    for sysid, rows in rows_of(table["sysid"][own]).items():
+        if sysid not in found.tracks:
+            continue
+        beats = table[own[rows]]
+        told = np.column_stack([beats["custom_mode"].astype(np.int64), beats["autopilot"].astype(np.int64)])
+        changed = np.flatnonzero(np.r_[True, (np.diff(told, axis=0) != 0).any(axis=1)])
+        track = found.tracks[sysid]
+        times = {float(beats["t_s"][k]): str(profile_of(int(told[k, 1])).mode(int(told[k, 0]))) for k in changed}
+        moments = sorted({*times, *_changes(track.armed), *_changes(track.in_air)})
+        mode, listed = "", []
+        for t_s in moments:
+            mode = times.get(t_s, mode)
+            listed.append([round(t_s, 2), mode, _held(track.armed, t_s), _held(track.in_air, t_s)])
+        words[str(sysid)] = listed
+    return words
+
+
+def _changes(series: Series) -> list[float]:
+    """The times at which a state changes."""
+    if not len(series.t_s):
+        return []
+    times: list[float] = series.t_s[np.flatnonzero(np.r_[True, np.diff(series.values) != 0])].tolist()
+    return times
+
+
+def _held(series: Series, t_s: float) -> bool:
+    at = int(np.searchsorted(series.t_s, t_s, side="right")) - 1
+    return at >= 0 and bool(series.values[at] > 0.0)
+
+
+def _events(found: Findings) -> list[Event]:
+    """Decisions, orders, deaths, and vehicles' own texts from warnings up, in order of time."""
+    told = [Event(t_s, sysid, level_of(severity), text, "text") for t_s, sysid, severity, text in found.texts]
+    return sorted([*_decided(found), *told], key=lambda event: event.t_s)
+
+
+def _decided(found: Findings) -> Iterator[Event]:
+    for record in found.recorded.decisions:
+        if record["kind"] not in QUIET:
+            try:
+                yield event_of(record)
+            except (KeyError, TypeError, ValueError):
+                continue  # of another version: what the report cannot tell of it, its top has said already
+
+
+def _served(service: Any) -> dict[str, Any]:
+    keys = ("receiver", "tanker", "base", "by", "decided_at_s", "joined_at_s", "start_s", "end_s", "energy_j", "reason")
+    return {key: getattr(service, key) for key in keys}
+
+
+def _broken(found: Findings) -> list[Mapping[str, Any]]:
+    first: dict[str, Mapping[str, Any]] = {}
+    for record in sorted(found.recorded.decisions, key=lambda one: float(one.get("at_s", one["t_s"]))):
+        if record["kind"] == "violation":
+            part = str(record["part"])
+            told = {"part": part, "text": f"{part}: {record['text']}", "t_s": float(record["at_s"])}
+            first.setdefault(part, told)
+    return list(first.values())

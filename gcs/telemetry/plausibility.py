@@ -1,0 +1,72 @@
+"""Whether what a vehicle tells can be: finite, within physical range, and reached no faster than anything flies.
+
+What cannot be is not taken in, and the vehicle is doubted for a while: it is named, shown, and no decision is made by
+it. A place is held against the last one believed, so a jump is believed once time enough has passed for it. The ranges
+are choices, far beyond what a multirotor does; who lies within them is not found out.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+FARTHEST_M = 1e6
+FASTEST_M_S = 300.0
+JUMP_M = 10.0
+"""A place may be off by so much besides: what a position estimate moves by when it is corrected."""
+MOST_J = 1e9
+MOST_W = 1e5
+STEP_J = 1e5
+"""A count of energy may grow by so much besides: reports are rounded, and late."""
+LEAST_SHARE, MOST_SHARE = -1.0, 2.0
+"""Shares of its capacity that a battery may hold, by a ledger of several messages that may be lost or late."""
+DOUBTED_S = 5.0
+"""A vehicle is doubted for so long after the last that could not be."""
+
+
+def place(
+    p_ned: Sequence[float], v_ned: Sequence[float], reported_s: float, before: Sequence[float] | None, before_s: float
+) -> str:
+    """Why a place in m and a velocity in m/s cannot be, reported as of `reported_s`; nothing where they can.
+
+    `before`: the last place that was believed, as of `before_s`.
+    """
+    if not all(map(math.isfinite, (*p_ned, *v_ned))):
+        return "its position is no number"
+    if max(map(abs, p_ned)) > FARTHEST_M:
+        return f"its position is more than {FARTHEST_M / 1e3:.0f} km away"
+    if math.hypot(*v_ned) > FASTEST_M_S:
+        return f"its velocity is above {FASTEST_M_S:.0f} m/s"
+    if before is not None and math.dist(p_ned, before) > JUMP_M + FASTEST_M_S * max(reported_s - before_s, 0.0):
+        return f"its position jumps by {math.dist(p_ned, before):.0f} m"
+    return ""
+
+
+def globe(latitude_e7: int, longitude_e7: int) -> str:
+    """Why a latitude and longitude in degE7 cannot be."""
+    on_earth = abs(latitude_e7) <= 900_000_000 and abs(longitude_e7) <= 1_800_000_000
+    return "" if on_earth else "its origin lies on no globe"
+
+
+def counted(joules: float, before_j: float, elapsed_s: float, what: str) -> str:
+    """Why a count of energy cannot be, `elapsed_s` after it was `before_j`."""
+    if not 0.0 <= joules <= MOST_J or joules - before_j > STEP_J + MOST_W * max(elapsed_s, 0.0):
+        return f"it says that it has {what} {joules:.3g} J"
+    return ""
+
+
+def power(watts: float | None) -> str:
+    """Why a power cannot be."""
+    return "" if watts is None or abs(watts) <= MOST_W else f"it says that it draws {watts:.3g} W"
+
+
+def capacity(joules: float, least_j: float) -> str:
+    """Why a capacity, or a charge at the start, cannot be."""
+    return "" if least_j <= joules <= MOST_J else f"it says that its battery holds {joules:.3g} J"
+
+
+def charge(remaining_j: float, capacity_j: float) -> str:
+    """Why what a battery would hold by all its messages cannot be; nothing where its capacity is not known."""
+    if not capacity_j > 0.0 or LEAST_SHARE <= remaining_j / capacity_j <= MOST_SHARE or math.isnan(remaining_j):
+        return ""
+    return f"by its messages its battery would hold {100.0 * remaining_j / capacity_j:.0f} %"

@@ -1,0 +1,176 @@
+"""The server of the page: static files for anybody on this machine, and the session's lines for who has a token.
+
+Bound to 127.0.0.1. A page of another origin gets nothing: Host must name this machine (against DNS rebinding), and the
+stream's Origin must be the page's own. The token is in the link's fragment, which no browser sends or logs; the page
+gives it as a WebSocket subprotocol. There are two: one shows, one commands too.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import hmac
+import secrets
+from collections.abc import Awaitable, Callable, Mapping
+from typing import Any, NamedTuple
+from urllib.parse import urlsplit
+
+from starlette.applications import Starlette
+from starlette.requests import Request
+from starlette.responses import PlainTextResponse, Response
+from starlette.routing import Route, WebSocketRoute
+from starlette.websockets import WebSocket, WebSocketDisconnect
+
+from gcs.web import document
+from gcs.web.hub import Hub, PageListener
+
+HERE = frozenset({"127.0.0.1", "localhost", "::1"})
+PROTOCOL = "skytender"
+NO_TOKEN, FAR_BEHIND = 4401, 4408
+MOST_COMMAND = 4096
+"""Characters of a command."""
+POLICY = (
+    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; connect-src 'self'; "
+    "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+)
+HEADERS = {
+    "Content-Security-Policy": POLICY,
+    "X-Content-Type-Options": "nosniff",
+    "X-Frame-Options": "DENY",
+    "Referrer-Policy": "no-referrer",
+    "Cross-Origin-Opener-Policy": "same-origin",
+    "Cross-Origin-Resource-Policy": "same-origin",
+    "Cache-Control": "no-store",
+}
+ELSEWHERE = "This page is for the machine that it runs on: open it as http://127.0.0.1 or http://localhost.\n"
+
+Send = Callable[[Mapping[str, Any]], object]
+
+
+class Tokens(NamedTuple):
+    """Tokens that open the stream: with `command` it takes commands too."""
+
+    command: str
+    view: str
+
+    @classmethod
+    def fresh(cls) -> Tokens:
+        """Two that nobody can guess."""
+        return cls(secrets.token_urlsafe(18), secrets.token_urlsafe(18))
+
+    def commands(self, given: str) -> bool | None:
+        """Whether this one lets a page command; None: it opens nothing."""
+        if hmac.compare_digest(given.encode(), self.command.encode()):
+            return True
+        return False if hmac.compare_digest(given.encode(), self.view.encode()) else None
+
+
+def application(hub: Hub, tokens: Tokens, send: Send) -> Starlette:
+    """The ASGI application; `send` takes the commands of pages that may command."""
+
+    async def stream(socket: WebSocket) -> None:
+        if not _own(socket.headers.get("origin"), socket.headers.get("host")):
+            await socket.close()  # before it is accepted: an answer of 403
+            return
+        offered = [part.strip() for part in socket.headers.get("sec-websocket-protocol", "").split(",")]
+        given = next((part.removeprefix("token.") for part in offered if part.startswith("token.")), "")
+        commands = tokens.commands(given)
+        await socket.accept(subprotocol=PROTOCOL if PROTOCOL in offered else None)
+        if commands is None:
+            await socket.close(NO_TOKEN, "the token is missing, or of another session")
+            return
+        await _serve(socket, hub, commands, send)
+
+    routes = [
+        Route("/", _text(document.served(), "text/html")),
+        Route("/page.js", _text(document.built(document.SCRIPT), "text/javascript")),
+        Route("/page.css", _text(document.built(document.STYLE), "text/css")),
+        WebSocketRoute("/stream", stream),
+    ]
+    made = Starlette(routes=routes)
+    made.add_middleware(_Guard)
+    return made
+
+
+def _text(content: str, kind: str) -> Callable[[Request], Awaitable[Response]]:
+    body = content.encode()
+
+    async def give(_: Request) -> Response:
+        return Response(body, media_type=f"{kind}; charset=utf-8")
+
+    return give
+
+
+class _Guard:
+    """Refuses who calls this machine by another name, and gives every answer the headers."""
+
+    def __init__(self, app: Any) -> None:
+        self._app = app
+
+    async def __call__(self, scope: Any, receive: Any, send: Any) -> None:
+        if scope["type"] not in ("http", "websocket"):
+            await self._app(scope, receive, send)
+            return
+        host = next((value.decode("latin-1") for name, value in scope["headers"] if name == b"host"), "")
+        if _name(f"//{host}") not in HERE:
+            if scope["type"] == "http":
+                await PlainTextResponse(ELSEWHERE, 403, headers=HEADERS)(scope, receive, send)
+            else:
+                await send({"type": "websocket.close", "code": 1008})
+            return
+
+        async def guarded(message: Any) -> None:
+            if message["type"] == "http.response.start":
+                message["headers"] += [(name.encode(), value.encode()) for name, value in HEADERS.items()]
+            await send(message)
+
+        await self._app(scope, receive, guarded)
+
+
+def _name(address: str) -> str | None:
+    try:
+        return urlsplit(address).hostname
+    except ValueError:
+        return None
+
+
+def _own(origin: str | None, host: str | None) -> bool:
+    """Whether a request comes from a page of this very server."""
+    if not origin or not host:
+        return False
+    try:
+        parts = urlsplit(origin)
+    except ValueError:
+        return False
+    return parts.scheme == "http" and parts.netloc == host and parts.hostname in HERE
+
+
+async def _serve(socket: WebSocket, hub: Hub, commands: bool, send: Send) -> None:
+    """One page, until it goes: lines out, commands in."""
+    arrived = asyncio.Event()
+    listener = hub.join(commands, arrived.set)
+    speaking = asyncio.create_task(_speak(socket, listener, arrived))
+    try:
+        while True:
+            text = await socket.receive_text()
+            command = hub.command(listener, text) if len(text) <= MOST_COMMAND else None
+            if command is not None:
+                send(command)
+    except (WebSocketDisconnect, KeyError, RuntimeError):
+        pass  # it has gone, or has sent what is no text
+    finally:
+        hub.leave(listener)
+        speaking.cancel()
+        with contextlib.suppress(asyncio.CancelledError, Exception):
+            await speaking
+
+
+async def _speak(socket: WebSocket, listener: PageListener, arrived: asyncio.Event) -> None:
+    while True:
+        await arrived.wait()
+        arrived.clear()
+        while (line := listener.take()) is not None:
+            await socket.send_text(line.decode())
+        if listener.slow:
+            await socket.close(FAR_BEHIND, "too far behind")
+            return

@@ -1,0 +1,55 @@
+"""The page's HTML: for the server with links to its script and style, for report.html with both inside."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import json
+from dataclasses import asdict
+from functools import cache
+from html import escape
+from importlib.resources import files
+from typing import Any, Literal
+
+from gcs.scenario.colours import DARK, LIGHT, SOURCES_DARK, SOURCES_LIGHT
+from gcs.session.order_table import ORDERS
+
+SCRIPT, STYLE = "page.js", "page.css"
+_PAGE = """<!doctype html>
+<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark"><title>{title}</title><link rel="icon" href="data:,">
+<link rel="stylesheet" href="page.css"></head><body class="served">
+<main id="app"></main>
+<noscript><p class="verdict bad">The page needs JavaScript.</p></noscript>
+<script type="application/json" id="config">{config}</script>
+<script src="page.js"></script>
+</body></html>
+"""
+
+
+@cache
+def built(name: str) -> str:
+    """A file of the page as it was built (gcs/web/page/build.sh)."""
+    return files("gcs.web").joinpath("built", name).read_text(encoding="utf-8")
+
+
+def config(source: Literal["server", "report"]) -> dict[str, Any]:
+    """Settings of the script: the palette, the operator's orders, and where its flight comes from."""
+    palette = {"light": LIGHT, "dark": DARK, "sources": {"light": SOURCES_LIGHT, "dark": SOURCES_DARK}}
+    return {"palette": palette, "orders": [asdict(order) for order in ORDERS], "source": source}
+
+
+def as_json(content: Any) -> str:
+    """Data for a script element: what could end the element is escaped."""
+    return json.dumps(content, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c")
+
+
+def served() -> str:
+    """The page that a server gives."""
+    return _PAGE.format(title=escape("Skytender"), config=as_json(config("server")))
+
+
+def source_hash(text: str) -> str:
+    """A script or style as Content-Security-Policy names it."""
+    digest = hashlib.sha256(text.encode()).digest()
+    return f"'sha256-{base64.b64encode(digest).decode()}'"

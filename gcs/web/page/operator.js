@@ -1,0 +1,69 @@
+// An operator's commands: the same as in the console, each asked about, answered, and told to everyone as an event.
+// @ts-check
+import { h } from "./elements.js";
+
+/** @typedef {{key: string, command: string, name: string, what: string, question: string, of_vehicle: boolean}} Order */
+/** @typedef {import("./messages").SnapshotMessage} Snapshot */
+
+export class Operator {
+  /**
+   * @param {Order[]} orders
+   * @param {(command: Record<string, unknown>, answer: (ok: boolean, text: string) => void) => void} send
+   */
+  constructor(orders, send) {
+    this.orders = orders;
+    this.send = send;
+    this.notices = h("div", { class: "notices", role: "status", "aria-live": "polite" });
+    this.dialog = h("dialog", { class: "ask", "aria-labelledby": "ask-question" });
+    document.body.append(this.notices, this.dialog);
+  }
+
+  /** @param {string} text @param {"" | "good" | "bad"} [level] */
+  notice(text, level = "") {
+    const told = h("p", { class: level }, text);
+    this.notices.append(told);
+    while (this.notices.children.length > 4) this.notices.firstChild?.remove();
+    setTimeout(() => told.remove(), level === "bad" ? 12000 : 6000);
+  }
+
+  /**
+   * Ask, and send where the answer is yes.
+   * @param {Order} order @param {number | null} sysid @param {(sysid: number) => string} name @param {() => Snapshot | null} present
+   */
+  ask(order, sysid, name, present) {
+    if (this.dialog.open) return;
+    if (order.of_vehicle && sysid === null) return void this.notice("No vehicle is chosen: choose one in the table, on the map or by its id.", "bad");
+    const resume = order.command === "pause" && present()?.phase === "paused";
+    const question = resume ? "Go on with the session?" : order.question.replace("{}", sysid === null ? "" : name(sysid));
+    const row = present()?.vehicles.find((one) => one.sysid === sysid);
+    const detail = row && order.of_vehicle ? state(row) : "";
+    const targets = order.command === "retarget" ? (present()?.vehicles ?? []).filter((one) => one.role === "target") : [];
+    if (order.command === "retarget" && !targets.length) return void this.notice("There is no target.", "bad");
+    const select = h("select", { "aria-label": "target" }, ...targets.map((one) => h("option", { value: one.sysid }, one.label)));
+    const yes = h("button", { type: "submit", value: "yes", class: "primary" }, "Yes");
+    const form = h("form", { method: "dialog" },
+      h("h2", { id: "ask-question" }, question), detail ? h("p", { class: "soft" }, detail) : null, targets.length ? h("p", {}, select) : null,
+      h("p", { class: "buttons" }, yes, h("button", { type: "submit", value: "no" }, "No")));
+    this.dialog.replaceChildren(form);
+    this.dialog.returnValue = "no";
+    this.dialog.onclose = () => {
+      if (this.dialog.returnValue !== "yes") return;
+      /** @type {Record<string, unknown>} */
+      const command = { command: resume ? "resume" : order.command };
+      if (order.of_vehicle) command.sysid = sysid;
+      if (targets.length) command.target = Number(select.value);
+      const what = order.of_vehicle && sysid !== null ? `${order.name} ${name(sysid)}` : resume ? "resume" : order.name;
+      this.notice(`${what}: sent`);
+      this.send(command, (ok, text) => this.notice(`${what}: ${text || (ok ? "taken" : "not taken")}`, ok ? "good" : "bad"));
+    };
+    this.dialog.showModal();
+    yes.focus();
+  }
+}
+
+/** What an operator should have in view while deciding. @param {import("./messages").VehicleRow} row */
+function state(row) {
+  const battery = row.battery === null ? "" : `, battery ${(100 * row.battery).toFixed(0)} %`;
+  const height = row.height_m === null ? "" : `, ${row.height_m.toFixed(1)} m high`;
+  return `${row.mode || row.state || "mode not known"}${height}${battery}`;
+}

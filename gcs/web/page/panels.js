@@ -1,0 +1,187 @@
+// What is wrong, the competition and the services with their reasons, the events, and one vehicle's page.
+// @ts-check
+import { clock, h, number, say } from "./elements.js";
+import { colourOf } from "./look.js";
+
+/** @typedef {import("./messages").SnapshotMessage} Snapshot */
+/** @typedef {import("./messages").EventRow} EventRow */
+/** @typedef {import("./messages").VehicleRow} VehicleRow */
+
+const MOST_TOLD = 8;
+const MOST_EVENTS = 300;
+const FOLD_S = 0.35;
+
+/** Replace an element's children only where what they say has changed. @param {HTMLElement} at @param {string} key @param {() => (Node | string)[]} make */
+function renew(at, key, make) {
+  if (at.dataset.key === key) return;
+  at.dataset.key = key;
+  at.replaceChildren(...make());
+}
+
+/** What is wrong now, the worst first. @param {HTMLElement} at @param {Snapshot} snapshot @param {(sysid: number) => void} choose */
+export function showTrouble(at, snapshot, choose) {
+  /** @type {{level: "bad" | "warn", text: string, sysid: number | null, count: number}[]} */
+  const found = snapshot.goal.broken.map((one) => ({ level: "bad", text: one.text + (one.t_s === null ? "" : ` (${one.t_s.toFixed(1)} s)`), sysid: null, count: 1 }));
+  /** @type {Map<string, {rows: VehicleRow[], level: "bad" | "warn"}>} */
+  const alike = new Map();
+  for (const row of snapshot.vehicles) {
+    const told = row.trouble.length ? row.trouble : row.alive ? [] : ["lost"];
+    for (const text of told) {
+      const general = text.replace(/-?\d+(\.\d+)?/g, "…");
+      const kind = alike.get(general) ?? { rows: /** @type {VehicleRow[]} */ ([]), level: /** @type {"bad" | "warn"} */ ("warn") };
+      kind.rows.push(row);
+      if (row.severity > 1 || !row.alive) kind.level = "bad";
+      alike.set(general, kind);
+    }
+  }
+  for (const [general, { rows, level }] of alike) {
+    const one = rows.length === 1;
+    const text = one ? `${rows[0].label}: ${rows[0].trouble.find((t) => t.replace(/-?\d+(\.\d+)?/g, "…") === general) ?? general}` : `${rows.length} vehicles: ${general} (${few(rows.map((row) => row.sysid))})`;
+    found.push({ level, text, sysid: rows[0].sysid, count: rows.length });
+  }
+  found.sort((a, b) => Number(b.level === "bad") - Number(a.level === "bad") || b.count - a.count);
+  at.hidden = !found.length;
+  renew(at, JSON.stringify(found), () => {
+    const items = found.slice(0, MOST_TOLD).map(({ level, text, sysid }) => {
+      const who = sysid;
+      const said = who === null ? h("span", {}, text) : h("button", { type: "button", class: "link", onclick: () => choose(who) }, text);
+      return h("li", { class: level }, level === "bad" ? "✗ " : "! ", said);
+    });
+    if (found.length > MOST_TOLD) items.push(h("li", { class: "note" }, `and ${found.length - MOST_TOLD} more`));
+    return items;
+  });
+}
+
+/** @param {number[]} ids */
+function few(ids) {
+  return ids.length <= 6 ? ids.join(", ") : `${ids.slice(0, 5).join(", ")} and ${ids.length - 5} more`;
+}
+
+/** @param {HTMLElement} at @param {Snapshot} snapshot @param {(sysid: number) => string} label */
+export function showContest(at, snapshot, label) {
+  const { competition, services, history } = snapshot;
+  const ids = Object.keys(competition.v).map(Number).sort((a, b) => competition.v[b] - competition.v[a] || a - b).slice(0, 12);
+  const key = JSON.stringify([ids.map((id) => competition.v[id].toFixed(2)), competition.leader, competition.share?.toFixed(2), services, history.length]);
+  renew(at, key, () => {
+    /** @type {Node[]} */
+    const made = [];
+    if (ids.length) {
+      const share = competition.share === null ? "" : `, its share ${number(competition.share, 2)} of the ${number(competition.threshold, 2)} that win`;
+      made.push(h("p", {}, competition.leader === null ? "Nobody leads yet." : h("b", {}, `${label(competition.leader)} leads`), share));
+      for (const id of ids) {
+        const bar = h("span", { class: "bar" });
+        bar.style.width = `${Math.min(Math.max(100 * competition.v[id], 0), 100)}%`;
+        bar.style.background = colourOf(id);
+        made.push(h("div", { class: "row" }, h("span", { class: "row-name" }, label(id)), h("div", { class: "track stack" }, bar), h("span", { class: "value" }, number(competition.v[id], 2))));
+      }
+    } else {
+      made.push(h("p", { class: "soft" }, "Nobody competes at this time."));
+    }
+    for (const one of services) {
+      const giver = one.tanker === null ? `base ${one.base}` : label(one.tanker);
+      const phase = one.phase === "transfer" ? `${number(one.energy_j / 1e3, 1)} kJ so far` : one.joined_at_s === null ? "on the way" : "in formation";
+      made.push(h("div", { class: "service" }, h("b", {}, `${giver} → ${label(one.receiver)}: ${one.phase}`), ` ${phase}`,
+        h("p", { class: "small soft" }, one.why || `decided at ${one.decided_at_s.toFixed(1)} s by ${one.by}`)));
+    }
+    if (history.length) {
+      const rows = [...history].reverse().slice(0, 12).map((one) => h("tr", {}, ...[label(one.receiver), one.tanker === null ? `base ${one.base}` : label(one.tanker), one.by, number(one.decided_at_s, 1), number(one.end_s, 1), number(one.energy_j / 1e3, 1), one.reason].map((text, k) => h("td", { class: [0, 1, 2, 6].includes(k) ? "word" : "" }, text))));
+      const heads = ["receiver", "by", "decided by", "decided s", "done s", "kJ", "ended"];
+      made.push(h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": "refuellings" }, h("table", {}, h("caption", {}, `${history.length} refuellings have ended`), h("thead", {}, h("tr", {}, ...heads.map((name, k) => h("th", { scope: "col", class: [0, 1, 2, 6].includes(k) ? "word" : "" }, name)))), h("tbody", {}, ...rows))));
+    }
+    return made;
+  });
+}
+
+/** Events of one instant and vehicle, told as one. @param {EventRow[]} events */
+export function folded(events) {
+  /** @type {{head: EventRow, more: EventRow[]}[]} */
+  const groups = [];
+  const order = { critical: 0, warning: 1, info: 2 };
+  for (const event of events) {
+    const group = groups[groups.length - 1];
+    if (group && group.head.sysid === event.sysid && event.t_s - group.head.t_s <= FOLD_S && order[event.level] >= 2 && group.head.level === "info") group.more.push(event);
+    else groups.push({ head: event, more: [] });
+  }
+  return groups;
+}
+
+export class EventList {
+  /** @param {HTMLElement} parent @param {(event: EventRow) => void} go */
+  constructor(parent, go) {
+    this.go = go;
+    this.search = h("input", { type: "search", placeholder: "search events", "aria-label": "search events", oninput: () => this.again() });
+    this.level = h("select", { "aria-label": "level of events", onchange: () => this.again() }, h("option", { value: "info" }, "all"), h("option", { value: "warning" }, "warnings and errors"));
+    this.list = h("ol", { class: "events" });
+    parent.append(h("div", { class: "tools" }, this.search, this.level), h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": "events" }, this.list));
+    this.key = "";
+  }
+
+  again() {
+    this.key = "";
+    if (this.last) this.show(this.last.events, this.last.until_s, this.last.label);
+  }
+
+  /** @param {EventRow[]} events @param {number} until_s @param {(sysid: number) => string} label */
+  show(events, until_s, label) {
+    this.last = { events, until_s, label };
+    let count = events.length;
+    while (count > 0 && events[count - 1].t_s > until_s + 0.05) count -= 1;
+    const key = `${count} ${events.length ? events[Math.max(count - 1, 0)]?.text : ""}`;
+    if (key === this.key) return;
+    this.key = key;
+    const wanted = this.search.value.trim().toLowerCase();
+    const worst = this.level.value === "warning";
+    const shown = [];
+    for (let k = count - 1; k >= 0 && shown.length < MOST_EVENTS; k -= 1) {
+      const event = events[k];
+      if (worst && event.level === "info") continue;
+      if (wanted && !`${who(event, label)} ${event.text}`.toLowerCase().includes(wanted)) continue;
+      shown.push(event);
+    }
+    const items = folded(shown.reverse()).reverse().map(({ head, more }) => {
+      const line = (/** @type {EventRow} */ event) => [h("time", {}, clock(event.t_s)), h("span", { class: "who" }, who(event, label)), h("span", {}, event.text)];
+      const item = h("li", { class: head.level });
+      const button = h("button", { type: "button", class: "link", "aria-label": `go to ${clock(head.t_s)}`, onclick: () => this.go(head) }, ...line(head));
+      item.append(button);
+      if (more.length) item.append(h("details", {}, h("summary", {}, `and ${more.length} more`), ...more.map((event) => h("p", {}, ...line(event)))));
+      return item;
+    });
+    this.list.replaceChildren(...(items.length ? items : [h("li", { class: "soft" }, "No events.")]));
+  }
+}
+
+/** @param {EventRow} event @param {(sysid: number) => string} label */
+function who(event, label) {
+  return event.sysid === 0 ? "session" : event.sysid === 255 ? "traffic" : label(event.sysid);
+}
+
+/** One vehicle's page. @param {HTMLElement} at @param {Snapshot} snapshot @param {number | null} sysid */
+export function showVehicle(at, snapshot, sysid) {
+  const row = snapshot.vehicles.find((one) => one.sysid === sysid);
+  if (!row) {
+    renew(at, "none", () => [h("p", { class: "soft" }, "Choose a vehicle in the table or in the picture.")]);
+    return;
+  }
+  const degrees = (/** @type {number} */ rad) => number((rad * 180) / Math.PI, 0, "°");
+  /** @type {[string, string][]} */
+  const facts = [
+    ["state", [row.state, row.stage].filter(Boolean).join(", ") || "–"], ["mode", row.mode || "–"], ["autopilot", row.autopilot ?? "–"],
+    ["armed", row.armed ? (row.landed ? "armed, landed" : "armed, in the air") : "disarmed"],
+    ["battery", row.battery === null ? "–" : `${number(100 * row.battery, 1)} %${row.remaining_j === null ? "" : `, ${number(row.remaining_j / 1e3, 1)} kJ`}`],
+    ["power", number(row.power_w, 0, " W")], ["lasts", row.endurance_s === null ? "–" : clock(row.endurance_s)],
+    ["north, east", row.p_ned ? `${number(row.p_ned[0], 1)}, ${number(row.p_ned[1], 1)} m` : "–"], ["height", number(row.height_m, 1, " m")],
+    ["speed", number(row.speed_m_s, 2, " m/s")], ["heading", degrees((row.heading_rad + 2 * Math.PI) % (2 * Math.PI))],
+    ["roll, pitch", `${degrees(row.roll_rad)}, ${degrees(row.pitch_rad)}`], ["to its target", number(row.target_m, 2, " m")],
+    ["competition", row.v === null ? "does not compete" : `v ${number(row.v, 2)}${row.tau === null ? "" : `, τ ${number(row.tau, 2)}`}`],
+    ["link", `${row.lost} frames lost${row.lost_share === null ? "" : `, ${number(100 * row.lost_share, 1)} % lately`}`],
+    ["position's age", number(row.age_s, 1, " s")],
+  ];
+  const key = `${row.sysid} ${row.trouble.join("|")} ${row.note}`;
+  renew(at, key, () => [
+    h("h3", {}, row.label),
+    ...row.trouble.map((text) => h("p", { class: row.severity > 1 ? "bad" : "warn" }, text)),
+    row.note ? h("p", { class: "soft" }, row.note) : "",
+    h("dl", { class: "facts" }, ...facts.map(([name]) => h("div", {}, h("dt", {}, name), h("dd")))),
+  ]);
+  at.querySelectorAll("dd").forEach((dd, k) => say(dd, facts[k][1]));
+}

@@ -1,0 +1,480 @@
+// The fleet in space: bodies with their attitudes, paths, rings, obstacles, traffic and transfers. x east, y up, z south.
+// @ts-check
+import {
+  AmbientLight, BoxGeometry, BufferAttribute, BufferGeometry, Color, ConeGeometry, CylinderGeometry, DirectionalLight, DoubleSide,
+  ExtrudeGeometry, Group, GridHelper, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshLambertMaterial,
+  OctahedronGeometry, PerspectiveCamera, PlaneGeometry, Quaternion, Scene, Shape, SphereGeometry, Vector3, WebGLRenderer,
+} from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js";
+import { last } from "./flight.js";
+import { plane } from "./graphics.js";
+import { colourOf, look } from "./look.js";
+import { extent, nice } from "./map.js";
+
+/** @typedef {import("./flight.js").Flight} Flight */
+/** @typedef {import("./messages").SnapshotMessage} Snapshot */
+/** @typedef {import("./messages").VehicleRow} VehicleRow */
+/** @typedef {"free" | "follow" | "first"} CameraMode */
+
+const MOST_NAMED = 40;
+const PATH_POINTS = 24000; // of all paths together
+const TRAIL_POINTS = 100; // of each of many
+const CIRCLE = 48;
+const MOST = 254;
+
+/** NED → the scene's axes. @param {readonly number[]} p @param {Vector3} [to] */
+const place = (p, to = new Vector3()) => to.set(p[1], -p[2], -p[0]);
+
+/** Attitude of a body (nose along −z, up along y) by roll, pitch and yaw in rad. @param {VehicleRow} row @param {Quaternion} to */
+function turn(row, to) {
+  const [a, b, c] = [row.heading_rad / 2, row.pitch_rad / 2, row.roll_rad / 2];
+  const yaw = Q[0].set(0, -Math.sin(a), 0, Math.cos(a));
+  const pitch = Q[1].set(Math.sin(b), 0, 0, Math.cos(b));
+  const roll = Q[2].set(0, 0, -Math.sin(c), Math.cos(c));
+  return to.copy(yaw).multiply(pitch).multiply(roll);
+}
+const Q = [new Quaternion(), new Quaternion(), new Quaternion()];
+
+/** A quadrotor of 1 m across; a tanker carries a tank, a target a mast. @param {string} role @param {boolean} plain one of many, small */
+function body(role, plain) {
+  const parts = [];
+  const middle = role === "tanker" ? new BoxGeometry(0.34, 0.26, 0.6) : new BoxGeometry(0.2, 0.12, 0.28);
+  const mast = new OctahedronGeometry(0.22).translate(0, 0.28, 0);
+  if (plain) {
+    for (const angle of [Math.PI / 4, -Math.PI / 4]) parts.push(new PlaneGeometry(0.34, 1.3).rotateX(Math.PI / 2).rotateY(angle));
+    const nose = new ConeGeometry(0.14, 0.5, 3).rotateX(-Math.PI / 2).translate(0, 0.02, -0.35);
+    parts.push(nose, ...(role === "pursuer" ? [] : [middle]), ...(role === "target" ? [mast] : []));
+    return mergeGeometries(parts.map((part) => (part.index ? part.toNonIndexed() : part)));
+  }
+  for (const [x, z] of [[1, 1], [1, -1], [-1, 1], [-1, -1]]) {
+    const rotor = new CylinderGeometry(0.22, 0.22, 0.03, 10);
+    rotor.translate(0.32 * x, 0.05, 0.32 * z);
+    const arm = new BoxGeometry(0.06, 0.05, 0.45);
+    arm.translate(0, 0, 0.22);
+    arm.rotateY(Math.atan2(x, z));
+    parts.push(rotor, arm);
+  }
+  const nose = new ConeGeometry(0.09, 0.3, 6);
+  nose.rotateX(-Math.PI / 2);
+  nose.translate(0, 0.02, -0.28);
+  parts.push(nose, middle);
+  if (role === "target") parts.push(mast);
+  return mergeGeometries(parts.map((part) => (part.index ? part.toNonIndexed() : part)));
+}
+
+export class SpaceView {
+  /** @param {HTMLCanvasElement} canvas @param {HTMLCanvasElement} names what is written over it @param {(sysid: number | null) => void} choose */
+  constructor(canvas, names, choose) {
+    this.canvas = canvas;
+    this.names = names;
+    this.renderer = new WebGLRenderer({ canvas, antialias: false, powerPreference: "low-power" });
+    this.scene = new Scene();
+    this.camera = new PerspectiveCamera(50, 1, 0.05, 5000);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.maxPolarAngle = 0.97 * Math.PI;
+    this.controls.addEventListener("change", () => (this.dirty = true));
+    this.dirty = true;
+    /** @type {CameraMode} */
+    this.mode = "free";
+    const sun = new DirectionalLight(0xffffff, 2.2);
+    sun.position.set(30, 80, 20);
+    this.scene.add(new AmbientLight(0xffffff, 1.3), sun);
+    this.material = new MeshLambertMaterial({ side: DoubleSide });
+    /** @type {Map<string, InstancedMesh>} */
+    this.bodies = new Map();
+    this.lines = this.#segments(0);
+    this.paths = this.#segments(0);
+    this.scene.add(this.lines, this.paths);
+    this.fixed = new Group();
+    this.scene.add(this.fixed);
+    /** what the fixed part was made of */
+    this.madeOf = /** @type {unknown} */ (null);
+    this.pathsOf = { version: -1, until_s: NaN, chosen: /** @type {number | null} */ (null), dark: false, at: 0 };
+    this.size = 1;
+    /** @type {{sysid: number, x: number, y: number}[]} */
+    this.places = [];
+    this.target = new Vector3();
+    this.framed = false;
+    this.framedFar = 0;
+    /** whether a person has moved the camera */
+    this.touched = false;
+    this.controls.addEventListener("start", () => (this.touched = true));
+    this.width = 0;
+    this.height = 0;
+    let pressed = [0, 0];
+    canvas.addEventListener("pointerdown", (event) => (pressed = [event.clientX, event.clientY]));
+    canvas.addEventListener("pointerup", (event) => {
+      if (Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) > 4) return;
+      const near = this.places
+        .map((one) => ({ ...one, off: Math.hypot(one.x - event.offsetX, one.y - event.offsetY) }))
+        .sort((a, b) => a.off - b.off)[0];
+      choose(near && near.off < 24 ? near.sysid : null);
+    });
+    canvas.addEventListener("keydown", (event) => this.#key(event));
+  }
+
+  /** @param {KeyboardEvent} event */
+  #key(event) {
+    const turns = { ArrowLeft: [0.1, 0], ArrowRight: [-0.1, 0], ArrowUp: [0, 0.08], ArrowDown: [0, -0.08] }[event.key];
+    const away = this.camera.position.clone().sub(this.controls.target);
+    if (turns) {
+      const flat = Math.hypot(away.x, away.z);
+      const round = Math.atan2(away.x, away.z) - turns[0];
+      const up = Math.min(Math.max(Math.atan2(away.y, flat) + turns[1], -0.2), 1.5);
+      const far = away.length();
+      away.set(far * Math.cos(up) * Math.sin(round), far * Math.sin(up), far * Math.cos(up) * Math.cos(round));
+    } else if (event.key === "+" || event.key === "-") {
+      away.multiplyScalar(event.key === "+" ? 0.85 : 1.18);
+    } else if (event.key === "0") {
+      return void this.whole();
+    } else {
+      return;
+    }
+    this.camera.position.copy(this.controls.target).add(away);
+    this.touched = true;
+    this.controls.update();
+    this.dirty = true;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  whole() {
+    this.framed = this.touched = false;
+    this.mode = "free";
+    this.dirty = true;
+  }
+
+  /** @param {number} count */
+  #segments(count) {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(new Float32Array(3 * count), 3));
+    geometry.setAttribute("color", new BufferAttribute(new Float32Array(3 * count), 3));
+    const made = new LineSegments(geometry, new LineBasicMaterial({ vertexColors: true, transparent: true, opacity: 0.9 }));
+    made.frustumCulled = false;
+    return made;
+  }
+
+  /** @param {LineSegments} segments @param {number[]} positions @param {number[]} colours */
+  #fill(segments, positions, colours) {
+    const geometry = segments.geometry;
+    if (geometry.attributes.position.array.length < positions.length) {
+      geometry.dispose();
+      const fresh = new BufferGeometry();
+      const room = Math.ceil(positions.length * 1.5);
+      fresh.setAttribute("position", new BufferAttribute(new Float32Array(room - (room % 3)), 3));
+      fresh.setAttribute("color", new BufferAttribute(new Float32Array(room - (room % 3)), 3));
+      segments.geometry = fresh;
+    }
+    const { position, color } = segments.geometry.attributes;
+    position.array.set(positions);
+    color.array.set(colours);
+    position.needsUpdate = color.needsUpdate = true;
+    segments.geometry.setDrawRange(0, positions.length / 3);
+  }
+
+  /** Obstacles, bases, planned paths, the ground: made again only where they have changed. @param {Flight} flight */
+  #fix(flight) {
+    const key = `${JSON.stringify(flight.session?.obstacles.length ?? 0)} ${flight.session?.vehicles.length} ${look().dark}`;
+    if (this.madeOf === key && this.fixed.children.length) return;
+    this.madeOf = key;
+    for (const old of this.fixed.children) if (old instanceof Mesh || old instanceof LineSegments) old.geometry.dispose();
+    this.fixed.clear();
+    const colours = look();
+    const all = extent(flight) ?? [[-10, 10], [-10, 10]];
+    const span = Math.max(all[0][1] - all[0][0], all[1][1] - all[1][0], 10);
+    const step = nice(span / 6);
+    const cells = 2 * Math.ceil((0.75 * span) / step);
+    const ground = new GridHelper(cells * step, cells, colours.grid, colours.grid);
+    const middle = (/** @type {readonly number[]} */ pair) => Math.round((pair[0] + pair[1]) / 2 / step) * step;
+    ground.position.set(middle(all[1]), 0, -middle(all[0]));
+    this.fixed.add(ground);
+    const solid = new MeshLambertMaterial({ color: colours.solid, transparent: true, opacity: 0.6, side: DoubleSide });
+    for (const one of flight.session?.obstacles ?? []) {
+      const [n, e, d] = one.centre_ned;
+      const high = Math.max(one.bottom_d - one.top_d, 0.05);
+      let mesh;
+      if (one.kind === "sphere") {
+        mesh = new Mesh(new SphereGeometry(one.radius_m ?? 0.5, 20, 14), solid);
+        place([n, e, d], mesh.position);
+      } else if (!one.outline_ne.length) {
+        mesh = new Mesh(new OctahedronGeometry(0.3), solid);
+        place([n, e, d], mesh.position);
+      } else {
+        const shape = new Shape();
+        one.outline_ne.forEach(([north, east], k) => shape[k ? "lineTo" : "moveTo"](east, north));
+        mesh = new Mesh(new ExtrudeGeometry(shape, { depth: high, bevelEnabled: false }), solid);
+        mesh.rotation.x = -Math.PI / 2;
+        mesh.position.y = -one.bottom_d;
+      }
+      this.fixed.add(mesh);
+    }
+    /** @type {number[]} */
+    const positions = [];
+    /** @type {number[]} */
+    const tints = [];
+    const soft = new Color(colours.soft);
+    for (const member of flight.session?.vehicles ?? []) {
+      member.path_ned.slice(1).forEach((to, k) => {
+        const a = place(member.path_ned[k]);
+        const b = place(to);
+        const parts = Math.max(Math.round(a.distanceTo(b) / 0.8), 1);
+        for (let part = 0; part < parts; part += 2) {
+          positions.push(...a.clone().lerp(b, part / parts).toArray(), ...a.clone().lerp(b, Math.min(part + 1, parts) / parts).toArray());
+          tints.push(...soft.toArray(), ...soft.toArray());
+        }
+      });
+    }
+    const planned = this.#segments(0);
+    this.#fill(planned, positions, tints);
+    this.fixed.add(planned);
+    for (const base of flight.session?.bases ?? []) {
+      const pad = new Mesh(new CylinderGeometry(1, 1, 0.1, 24), solid);
+      place(base.p_ned, pad.position);
+      this.fixed.add(pad);
+    }
+    this.span = span;
+    this.size = Math.min(Math.max(span / 45, 0.6), 4);
+    this.scene.background = new Color(colours.paper);
+  }
+
+  /** How far the camera stands off to see everything. @param {Flight} flight */
+  #far(flight) {
+    const all = extent(flight);
+    if (!all) return 8;
+    const [[n0, n1], [e0, e1]] = all;
+    const narrow = Math.max(1, 1.3 / this.camera.aspect);
+    return 1.15 * narrow * Math.max(n1 - n0, 0.9 * (e1 - e0), 8);
+  }
+
+  /** @param {Flight} flight */
+  #frame(flight) {
+    const all = extent(flight);
+    if (!all || !flight.count) return;
+    const [[n0, n1], [e0, e1]] = all;
+    const far = this.#far(flight);
+    this.target.set((e0 + e1) / 2, 2, -(n0 + n1) / 2);
+    this.controls.target.copy(this.target);
+    this.camera.position.set(this.target.x - 0.35 * far, 2 + 0.5 * far, this.target.z + 0.72 * far);
+    this.controls.update();
+    this.framed = true;
+    this.framedFar = far;
+  }
+
+  /**
+   * @param {Flight} flight @param {Snapshot} snapshot
+   * @param {{chosen: number | null, paths: boolean, until_s: number, trail_s: number}} options
+   */
+  draw(flight, snapshot, { chosen, paths, until_s, trail_s }) {
+    const box = this.canvas.getBoundingClientRect();
+    if (!box.width || !box.height) return;
+    if (this.width !== box.width || this.height !== box.height) {
+      [this.width, this.height] = [box.width, box.height];
+      this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
+      this.renderer.setSize(box.width, box.height, false);
+      this.camera.aspect = box.width / box.height;
+      this.camera.updateProjectionMatrix();
+    }
+    this.#fix(flight);
+    const grown = this.#far(flight) > 1.15 * this.framedFar;
+    if (!this.framed || (grown && !this.touched)) this.#frame(flight);
+    this.#bodies(snapshot, chosen);
+    this.#drawLines(flight, snapshot);
+    this.paths.visible = paths;
+    if (paths) this.#drawPaths(flight, until_s, trail_s, chosen);
+    this.#look(snapshot, chosen);
+    this.renderer.render(this.scene, this.camera);
+    this.#write(snapshot, chosen);
+  }
+
+  /** @param {Snapshot} snapshot @param {number | null} chosen */
+  #bodies(snapshot, chosen) {
+    const roles = new Map([["pursuer", 0], ["target", 0], ["tanker", 0]]);
+    const matrix = new Matrix4();
+    const attitude = new Quaternion();
+    const at = new Vector3();
+    const scale = new Vector3();
+    const tint = new Color();
+    const many = snapshot.vehicles.length > MOST_NAMED;
+    for (const row of snapshot.vehicles) {
+      if (!row.p_ned || (this.mode === "first" && row.sysid === chosen)) continue;
+      const role = roles.has(row.role) ? row.role : "pursuer";
+      const kind = `${role} ${many}`;
+      let mesh = this.bodies.get(kind);
+      if (!mesh) {
+        mesh = new InstancedMesh(body(role, many), this.material, MOST + 1);
+        mesh.frustumCulled = false;
+        this.bodies.set(kind, mesh);
+        this.scene.add(mesh);
+      }
+      const k = roles.get(role) ?? 0;
+      if (k > MOST) continue;
+      const grown = this.size * (row.sysid === chosen ? 1.35 : 1);
+      mesh.setMatrixAt(k, matrix.compose(place(row.p_ned, at), turn(row, attitude), scale.setScalar(grown)));
+      mesh.setColorAt(k, tint.set(row.alive ? colourOf(row.sysid) : look().bad));
+      roles.set(role, k + 1);
+    }
+    for (const [kind, mesh] of this.bodies) {
+      mesh.count = kind.endsWith(String(many)) ? (roles.get(kind.split(" ")[0]) ?? 0) : 0;
+      mesh.instanceMatrix.needsUpdate = true;
+      if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
+    }
+  }
+
+  /** Rings, transfers, set points, heights, traffic. @param {Flight} flight @param {Snapshot} snapshot */
+  #drawLines(flight, snapshot) {
+    /** @type {number[]} */
+    const positions = [];
+    /** @type {number[]} */
+    const tints = [];
+    const colours = look();
+    const [soft, warn, grid] = [new Color(colours.soft), new Color(colours.warn), new Color(colours.crowd.replace(/,[^,]*\)$/, ")").replace("rgba", "rgb"))];
+    /** @param {Vector3} a @param {Vector3} b @param {Color} colour */
+    const line = (a, b, colour) => {
+      positions.push(a.x, a.y, a.z, b.x, b.y, b.z);
+      tints.push(colour.r, colour.g, colour.b, colour.r, colour.g, colour.b);
+    };
+    const at = new Map();
+    const few = snapshot.vehicles.length <= MOST_NAMED;
+    const ring_m = flight.session?.ring_m ?? null;
+    for (const row of snapshot.vehicles) {
+      if (!row.p_ned) continue;
+      const here = place(row.p_ned);
+      at.set(row.sysid, here);
+      if (few) line(here, here.clone().setY(0), grid);
+      if (few && row.aim_ned) line(here, place(row.aim_ned), soft);
+      if (row.role === "target" && ring_m !== null) {
+        for (let k = 0; k < CIRCLE; k += 1) {
+          const [a, b] = [k, k + 1].map((step) => (2 * Math.PI * step) / CIRCLE);
+          line(
+            new Vector3(here.x + ring_m * Math.cos(a), here.y, here.z + ring_m * Math.sin(a)),
+            new Vector3(here.x + ring_m * Math.cos(b), here.y, here.z + ring_m * Math.sin(b)), soft,
+          );
+        }
+      }
+    }
+    for (const base of flight.session?.bases ?? []) at.set(`base ${base.name}`, place(base.p_ned));
+    for (const service of snapshot.services) {
+      const giver = at.get(service.tanker ?? `base ${service.base}`);
+      const receiver = at.get(service.receiver);
+      if (!giver || !receiver) continue;
+      const parts = service.phase === "transfer" ? 1 : 9;
+      for (let k = 0; k < parts; k += 2) line(giver.clone().lerp(receiver, k / parts), giver.clone().lerp(receiver, (k + 1) / parts), warn);
+      if (service.phase !== "transfer") continue;
+      for (const y of [-0.06, 0.06]) line(giver.clone().add(new Vector3(0, y, 0)), receiver.clone().add(new Vector3(0, y, 0)), warn);
+    }
+    for (const craft of snapshot.traffic) {
+      const here = place(craft.p_ned);
+      const r = 0.6 * this.size;
+      const [top, foot] = [here.clone().setY(here.y + r), here.clone().setY(here.y - r)];
+      const around = [[r, 0], [0, r], [-r, 0], [0, -r]].map(([x, z]) => new Vector3(here.x + x, here.y, here.z + z));
+      around.forEach((corner, k) => {
+        line(top, corner, warn);
+        line(foot, corner, warn);
+        line(corner, around[(k + 1) % 4], warn);
+      });
+    }
+    this.#fill(this.lines, positions, tints);
+  }
+
+  /** @param {Flight} flight @param {number} until_s @param {number} trail_s @param {number | null} chosen */
+  #drawPaths(flight, until_s, trail_s, chosen) {
+    const dark = look().dark;
+    const of = this.pathsOf;
+    const now = performance.now();
+    if (of.version === flight.version && of.until_s === until_s && of.chosen === chosen && of.dark === dark) return;
+    // With many vehicles a path need not grow ten times a second.
+    if (flight.columns.size > MOST_NAMED && now - of.at < 900 && of.chosen === chosen && of.dark === dark && until_s >= of.until_s) return;
+    this.pathsOf = { version: flight.version, until_s, chosen, dark, at: now };
+    const count = last(flight.t_s, until_s + 1e-6, flight.count) + 1;
+    const recent = last(flight.t_s, until_s - trail_s, flight.count) + 1;
+    /** @type {number[]} */
+    const positions = [];
+    /** @type {number[]} */
+    const tints = [];
+    const paper = new Color(look().paper);
+    for (const [sysid, { n, e, d }] of flight.columns) {
+      const many = flight.columns.size > MOST_NAMED;
+      const colour = new Color(colourOf(sysid));
+      if (chosen === null ? many : sysid !== chosen) colour.lerp(paper, many ? 0.6 : 0.45);
+      const from = many && sysid !== chosen ? recent : 0;
+      const step = Math.max(Math.ceil((count - from) / (many ? TRAIL_POINTS : PATH_POINTS / flight.columns.size)), 1);
+      for (let k = from; k < count - 1; k += step) {
+        const m = Math.min(k + step, count - 1);
+        if (Number.isNaN(n[k]) || Number.isNaN(n[m])) continue;
+        positions.push(e[k], -d[k], -n[k], e[m], -d[m], -n[m]);
+        tints.push(colour.r, colour.g, colour.b, colour.r, colour.g, colour.b);
+      }
+    }
+    this.#fill(this.paths, positions, tints);
+  }
+
+  /** Where the camera is. @param {Snapshot} snapshot @param {number | null} chosen */
+  #look(snapshot, chosen) {
+    const row = snapshot.vehicles.find((one) => one.sysid === chosen);
+    this.controls.enabled = this.mode !== "first" || !row?.p_ned;
+    if (!row?.p_ned || this.mode === "free") {
+      this.controls.update();
+      return;
+    }
+    const here = place(row.p_ned);
+    if (this.mode === "follow") {
+      const away = this.camera.position.clone().sub(this.controls.target);
+      const far = Math.min(away.length(), 14 * this.size);
+      this.controls.target.copy(here);
+      this.camera.position.copy(here).add(away.setLength(Math.max(far, 2 * this.size)));
+      this.camera.lookAt(here);
+      return;
+    }
+    turn(row, this.camera.quaternion);
+    this.camera.position.copy(here).add(new Vector3(0, 0.12, 0).applyQuaternion(this.camera.quaternion));
+  }
+
+  /** Names over the picture, where there is room for them. @param {Snapshot} snapshot @param {number | null} chosen */
+  #write(snapshot, chosen) {
+    const scale = Math.min(window.devicePixelRatio || 1, 2);
+    const { width, height } = this;
+    if (this.names.width !== Math.round(width * scale)) this.names.width = Math.round(width * scale);
+    if (this.names.height !== Math.round(height * scale)) this.names.height = Math.round(height * scale);
+    const context = plane(this.names);
+    context.setTransform(scale, 0, 0, scale, 0, 0);
+    context.clearRect(0, 0, width, height);
+    context.font = "600 12px system-ui, sans-serif";
+    const { ink, paper, bad, warn } = look();
+    const at = new Vector3();
+    const many = snapshot.vehicles.length > MOST_NAMED;
+    this.places = [];
+    /** @type {[number, number][]} */
+    const taken = [];
+    /** @param {string} text @param {number} x @param {number} y @param {string} colour */
+    const write = (text, x, y, colour) => {
+      if (taken.some(([u, w]) => Math.abs(u - x) < 24 && Math.abs(w - y) < 13)) return;
+      taken.push([x, y]);
+      context.lineWidth = 3;
+      context.strokeStyle = paper;
+      context.strokeText(text, x + 9, y - 7);
+      context.fillStyle = colour;
+      context.fillText(text, x + 9, y - 7);
+    };
+    const rows = [...snapshot.vehicles].sort((a, b) => Number(b.sysid === chosen) - Number(a.sysid === chosen) || b.severity - a.severity);
+    for (const row of rows) {
+      if (!row.p_ned) continue;
+      place(row.p_ned, at).project(this.camera);
+      if (at.z > 1) continue;
+      const [x, y] = [((at.x + 1) / 2) * width, ((1 - at.y) / 2) * height];
+      this.places.push({ sysid: row.sysid, x, y });
+      if (row.sysid === chosen && this.mode !== "first") {
+        context.strokeStyle = ink;
+        context.lineWidth = 2;
+        context.beginPath();
+        context.arc(x, y, 15, 0, 2 * Math.PI);
+        context.stroke();
+      }
+      if (taken.length < MOST_NAMED && (!many || row.sysid === chosen || row.severity > 1 || row.role !== "pursuer")) write(String(row.sysid), x, y, row.severity > 1 ? bad : ink);
+    }
+    for (const craft of snapshot.traffic) {
+      place(craft.p_ned, at).project(this.camera);
+      if (at.z <= 1) write(craft.callsign, ((at.x + 1) / 2) * width, ((1 - at.y) / 2) * height, warn);
+    }
+  }
+}

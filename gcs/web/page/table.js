@@ -1,0 +1,144 @@
+// The fleet as a table: filter, totals by state, a histogram of the batteries, and go-to by id.
+// @ts-check
+import { h, number, say } from "./elements.js";
+import { colourOf } from "./look.js";
+
+/** @typedef {import("./messages").VehicleRow} VehicleRow */
+/** @typedef {import("./messages").SnapshotMessage} Snapshot */
+
+const BINS = 10;
+const MANY = 40;
+
+/** @type {{key: string, name: string, word?: boolean, text: (row: VehicleRow) => string, sort: (row: VehicleRow) => number | string}[]} */
+const COLUMNS = [
+  { key: "id", name: "id", text: (row) => String(row.sysid), sort: (row) => row.sysid },
+  { key: "role", name: "role", word: true, text: (row) => row.role, sort: (row) => row.role },
+  { key: "state", name: "state", word: true, text: (row) => row.state || (row.alive ? "–" : "lost"), sort: (row) => row.state },
+  { key: "mode", name: "mode", word: true, text: (row) => row.mode || "–", sort: (row) => row.mode },
+  { key: "battery", name: "battery %", text: (row) => number(row.battery === null ? null : 100 * row.battery, 0), sort: (row) => row.battery ?? -1 },
+  { key: "height", name: "height m", text: (row) => number(row.height_m, 1), sort: (row) => row.height_m ?? -1e9 },
+  { key: "speed", name: "speed m/s", text: (row) => number(row.speed_m_s, 1), sort: (row) => row.speed_m_s },
+  { key: "target", name: "target m", text: (row) => number(row.target_m, 1), sort: (row) => row.target_m ?? -1 },
+  { key: "note", name: "note", word: true, text: (row) => row.trouble[0] ?? row.note, sort: (row) => -row.severity },
+];
+
+export class FleetTable {
+  /** @param {HTMLElement} parent @param {(sysid: number | null, go: boolean) => void} choose */
+  constructor(parent, choose) {
+    this.choose = choose;
+    this.by = "id";
+    this.down = false;
+    /** @type {Map<number, {row: HTMLTableRowElement, cells: HTMLTableCellElement[], swatch: HTMLElement, colour: string}>} */
+    this.rows = new Map();
+    this.shown_at = 0;
+    this.filter = h("input", { type: "search", placeholder: "filter, e.g. tanker, served, 12", "aria-label": "filter vehicles", oninput: () => this.again() });
+    this.goto = h("input", { type: "text", inputmode: "numeric", size: 4, placeholder: "id", "aria-label": "go to vehicle" });
+    const form = h("form", { class: "goto", onsubmit: (/** @type {Event} */ event) => {
+      event.preventDefault();
+      const sysid = Number(this.goto.value);
+      if (this.rows.has(sysid)) choose(sysid, true);
+      this.goto.setCustomValidity(this.rows.has(sysid) ? "" : "There is no such vehicle.");
+      this.goto.reportValidity();
+    } }, this.goto, h("button", { type: "submit" }, "go to"));
+    this.goto.addEventListener("input", () => this.goto.setCustomValidity(""));
+    this.totals = h("p", { class: "totals small", "aria-live": "off" });
+    this.histogram = h("div", { class: "histogram", role: "img" });
+    this.heads = COLUMNS.map((column) => {
+      const button = h("button", { type: "button", onclick: () => this.sortBy(column.key) }, column.name);
+      return h("th", { scope: "col", class: column.word ? "word" : "" }, button);
+    });
+    this.body = h("tbody");
+    const table = h("table", { class: "fleet" }, h("thead", {}, h("tr", {}, ...this.heads)), this.body);
+    parent.append(
+      h("div", { class: "tools" }, this.filter, form), this.totals, this.histogram,
+      h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": "vehicles" }, table),
+    );
+    this.sortBy("id", false);
+  }
+
+  /** @param {string} key */
+  sortBy(key, turn = true) {
+    this.down = turn && this.by === key ? !this.down : key === "note";
+    this.by = key;
+    this.heads.forEach((head, k) => {
+      if (COLUMNS[k].key === key) head.setAttribute("aria-sort", this.down ? "descending" : "ascending");
+      else head.removeAttribute("aria-sort");
+    });
+    this.again();
+  }
+
+  again() {
+    if (this.last) this.show(this.last.snapshot, this.last.chosen, true);
+  }
+
+  /** @param {Snapshot} snapshot @param {number | null} chosen */
+  show(snapshot, chosen, now = false) {
+    const changed = this.last?.chosen !== chosen;
+    this.last = { snapshot, chosen };
+    const pause_ms = snapshot.vehicles.length > MANY ? 500 : 180;
+    if (!now && !changed && performance.now() - this.shown_at < pause_ms) return;
+    this.shown_at = performance.now();
+    const wanted = this.filter.value.trim().toLowerCase();
+    const column = COLUMNS.find((one) => one.key === this.by) ?? COLUMNS[0];
+    const rows = [...snapshot.vehicles].sort((a, b) => {
+      const [x, y] = [column.sort(a), column.sort(b)];
+      const order = x < y ? -1 : x > y ? 1 : a.sysid - b.sysid;
+      return this.down ? -order : order;
+    });
+    const place = [];
+    for (const row of rows) {
+      const one = this.rows.get(row.sysid) ?? this.#make(row);
+      COLUMNS.forEach((col, k) => (k ? say(one.cells[k], col.text(row)) : say(/** @type {Node} */ (one.cells[0].lastChild), col.text(row))));
+      const colour = colourOf(row.sysid);
+      if (one.colour !== colour) one.swatch.style.background = one.colour = colour;
+      const text = `${row.sysid} ${row.role} ${row.label} ${row.state} ${row.mode} ${row.note} ${row.trouble.join(" ")}`.toLowerCase();
+      const hidden = wanted !== "" && !wanted.split(/\s+/).every((word) => (/^\d+$/.test(word) ? String(row.sysid).startsWith(word) : text.includes(word)));
+      if (one.row.hidden !== hidden) one.row.hidden = hidden;
+      const selected = String(row.sysid === chosen);
+      if (one.row.getAttribute("aria-selected") !== selected) one.row.setAttribute("aria-selected", selected);
+      const level = row.severity > 1 || !row.alive ? "acute" : row.severity > 0 ? "doubtful" : "";
+      if (one.row.className !== level) one.row.className = level;
+      place.push(one.row);
+    }
+    if (place.some((row, k) => this.body.children[k] !== row) || this.body.children.length !== place.length) this.body.replaceChildren(...place);
+    this.#total(snapshot);
+    if (changed && chosen !== null) this.rows.get(chosen)?.row.scrollIntoView({ block: "nearest" });
+  }
+
+  /** @param {VehicleRow} row */
+  #make(row) {
+    const swatch = h("i", { class: "swatch" });
+    const cells = COLUMNS.map((column, k) => {
+      if (k) return h("td", { class: column.word ? "word" : "" });
+      const link = h("button", { type: "button", class: "link" }, String(row.sysid));
+      return h("td", {}, swatch, link);
+    });
+    const made = { row: h("tr", { onclick: () => this.choose(row.sysid, false) }, ...cells), cells, swatch, colour: "" };
+    this.rows.set(row.sysid, made);
+    return made;
+  }
+
+  /** @param {Snapshot} snapshot */
+  #total(snapshot) {
+    /** @type {Map<string, number>} */
+    const counts = new Map();
+    const bins = new Array(BINS).fill(0);
+    for (const row of snapshot.vehicles) {
+      const state = row.mode || row.state || "unknown";
+      counts.set(state, (counts.get(state) ?? 0) + 1);
+      if (row.battery !== null && Number.isFinite(row.battery)) bins[Math.min(Math.max(Math.floor(BINS * row.battery), 0), BINS - 1)] += 1;
+    }
+    const told = [...counts].sort((a, b) => b[1] - a[1]).map(([state, count]) => `${count} ${state}`);
+    say(this.totals, `${snapshot.vehicles.length} vehicles: ${told.join(", ")}`);
+    const most = Math.max(...bins, 1);
+    while (this.histogram.children.length < BINS) this.histogram.append(h("span"));
+    bins.forEach((count, k) => {
+      const bar = /** @type {HTMLElement} */ (this.histogram.children[k]);
+      bar.style.height = `${(100 * count) / most}%`;
+      bar.title = `${count} with ${10 * k} to ${10 * k + 10} %`;
+      bar.className = k < 2 ? "low" : "";
+    });
+    const low = bins[0] + bins[1];
+    this.histogram.setAttribute("aria-label", `batteries, by tenths from empty to full: ${bins.join(", ")}; ${low} below 20 %`);
+  }
+}

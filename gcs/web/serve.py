@@ -1,0 +1,93 @@
+"""Serves a source (`gcs.session.client.MessageSource`) to browsers until it is told to end."""
+
+from __future__ import annotations
+
+import asyncio
+import socket
+from collections import deque
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import uvicorn
+
+from gcs.session.client import MessageSource
+from gcs.web.application import Tokens, application
+from gcs.web.hub import Hub
+
+LOOK_EVERY_S = 0.05
+GRACE_S = 1
+"""in which the pages are told that the server ends"""
+
+
+def listening() -> socket.socket:
+    """A socket of this machine alone, at a port that the system chooses."""
+    made = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+    made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    made.bind(("127.0.0.1", 0))
+    return made
+
+
+def links(at: socket.socket, tokens: Tokens) -> dict[str, str]:
+    """The links to print: who has `command` may command, who has `view` may look."""
+    host, port = at.getsockname()
+    return {name: f"http://{host}:{port}/#token={token}" for name, token in tokens._asdict().items()}
+
+
+def serve(source: MessageSource, ready: Callable[[Mapping[str, str]], object]) -> None:
+    """Serve until the source's end, SIGINT or SIGTERM; `ready` gets the links when they work. Closes the source."""
+    tokens, hub, at = Tokens.fresh(), Hub(), listening()
+    orders: deque[Mapping[str, Any]] = deque()
+    app = application(hub, tokens, orders.append)
+    config = uvicorn.Config(
+        app,
+        log_level="critical",
+        access_log=False,
+        lifespan="off",
+        ws="websockets-sansio",
+        ws_max_size=1 << 16,
+        ws_per_message_deflate=False,  # the page is on this machine
+        server_header=False,
+        timeout_graceful_shutdown=GRACE_S,
+    )
+    server = uvicorn.Server(config)
+    with at:
+        asyncio.run(_serve(server, at, lambda: ready(links(at, tokens)), source, hub, orders))
+
+
+async def _serve(
+    server: uvicorn.Server,
+    at: socket.socket,
+    ready: Callable[[], object],
+    source: MessageSource,
+    hub: Hub,
+    orders: deque[Mapping[str, Any]],
+) -> None:
+
+    async def feed() -> None:
+        await _feed(source, hub, orders)
+        await asyncio.sleep(GRACE_S)
+        server.should_exit = True
+
+    feeding = asyncio.create_task(feed())
+    at.listen(64)
+    ready()
+    try:
+        await server.serve(sockets=[at])
+    finally:
+        feeding.cancel()
+        await asyncio.gather(feeding, return_exceptions=True)
+        source.close()
+
+
+async def _feed(source: MessageSource, hub: Hub, orders: deque[Mapping[str, Any]]) -> None:
+    """Ask the source every so often, until it has ended; a recording that is sought through, or a slow parse, holds up
+    no page."""
+
+    def exchange() -> list[Mapping[str, Any]]:
+        while orders:
+            source.send(orders.popleft())
+        return source.receive()
+
+    while not hub.ended:
+        hub.take(await asyncio.to_thread(exchange))
+        await asyncio.sleep(LOOK_EVERY_S)

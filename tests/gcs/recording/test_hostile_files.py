@@ -1,0 +1,153 @@
+"""Files from elsewhere: flipped, cut, nested and endless ones cost little, and what can be read of them is."""
+
+from __future__ import annotations
+
+import json
+import math
+import shutil
+import struct
+import tracemalloc
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from commands import gcs
+from sessions import Outcome, fly, small
+
+from gcs.mavlink import codec
+from gcs.recording import session_folder, tlog_reader, truth
+from gcs.recording.decisions_reader import DecisionLines
+from gcs.session.client import Lines
+
+EPOCH_US = 1_767_225_600_000_000
+FLIPS = (40, 50, 55, 62, 63)
+
+
+@pytest.fixture(scope="module")
+def session(tmp_path_factory: pytest.TempPathFactory) -> Outcome:
+    return fly(small(goal={"duration_s": 8.0, "refuelled_at_least": 0}), tmp_path_factory.mktemp("flown"))
+
+
+@pytest.fixture
+def copied(session: Outcome, tmp_path: Path) -> Path:
+    return Path(shutil.copytree(session.folder, tmp_path / "copy"))
+
+
+def record(t_us: int, seq: int = 0) -> bytes:
+    beat = codec.encode("HEARTBEAT", seq, 1, 1, type=2, autopilot=12, base_mode=0, custom_mode=0, system_status=3)
+    return t_us.to_bytes(8, "big") + beat
+
+
+def times_of(path: Path) -> list[int]:
+    return [t_us for t_us, _ in tlog_reader.read(path)]
+
+
+@pytest.mark.parametrize("at", [0, 1, 17, 39])
+@pytest.mark.parametrize("bit", FLIPS)
+def test_a_time_with_a_flipped_bit_is_the_one_before(tmp_path: Path, at: int, bit: int) -> None:
+    path = tmp_path / "flipped.tlog"
+    times = [EPOCH_US + 1_000_000 * k for k in range(40)]
+    flipped = [t_us ^ (1 << bit if k == at else 0) for k, t_us in enumerate(times)]
+    path.write_bytes(b"".join(record(t_us, k) for k, t_us in enumerate(flipped)))
+    read = times_of(path)
+    assert read[:at] + read[at + 1 :] == times[:at] + times[at + 1 :]
+    assert read[at] == times[max(at - 1, 0)] or (at == 0 and read[0] == times[1])
+    log = tlog_reader.read(path)
+    assert len(list(log)) == 40
+    assert log.problems == ["flipped.tlog: one frame has a time that cannot be: it has the time of the frame before."]
+
+
+def test_a_recording_of_two_days_keeps_its_times(tmp_path: Path) -> None:
+    path = tmp_path / "days.tlog"
+    times = [EPOCH_US + day * 86_400_000_000 + 1_000_000 * k for day in (1, 3, 0) for k in range(5)]
+    path.write_bytes(b"".join(record(t_us, k) for k, t_us in enumerate(times)))
+    assert times_of(path) == times
+
+
+def flip_times(path: Path, seed: int) -> None:
+    """One time in ten gets a random high bit flipped."""
+    rng = np.random.default_rng(seed)
+    data = bytearray(path.read_bytes())
+    for chunk in tlog_reader.read(path).chunks():
+        for at in chunk.heads[:, tlog_reader.AT].tolist():
+            if rng.random() < 0.1:
+                bit = int(rng.integers(36, 63))
+                data[chunk.begin + at - 1 - bit // 8] ^= 1 << bit % 8
+    path.write_bytes(bytes(data))
+
+
+def test_flipped_times_do_not_make_a_replay_endless_or_a_report_large(copied: Path) -> None:
+    flip_times(copied / "session.tlog", 7)
+    played = gcs("replay", str(copied), "--json")
+    assert played.returncode == 0
+    assert len(played.stdout.splitlines()) < 2000
+    tracemalloc.start()
+    recorded = session_folder.read(copied)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 120 << 20
+    assert max(map(len, recorded.traffic_count.values())) < 20_000
+
+
+@pytest.mark.parametrize(
+    "line",
+    ['{"kind":"competition","t_s":1,"x":' + "[" * 20_000 + "]" * 20_000 + "}",
+     '{"kind":"set_point","x":' + '{"a":' * 9000 + "1" + "}" * 9000 + "}", "[" * 100_000],
+)  # fmt: skip
+def test_a_deeply_nested_line_is_passed_over_by_every_reader(copied: Path, line: str) -> None:
+    decisions = copied / "decisions.jsonl"
+    whole = decisions.read_text()
+    count = sum(1 for _ in DecisionLines(decisions))
+    decisions.write_text(whole + line + "\n" + whole.splitlines()[0] + "\n")
+    lines = DecisionLines(decisions)
+    assert sum(1 for _ in lines) == count + 1
+    assert lines.broken == 1
+    for command in (("report", "--out", str(copied / "page.html")), ("replay", "--json"), ("replay", "--decide")):
+        told = gcs(command[0], str(copied), *command[1:])
+        assert told.returncode in (0, 1), (command, told.stderr)
+    assert gcs("export", str(copied), "--format", "csv").returncode == 0
+    assert Lines().feed(line.encode() + b'\n{"type": "end"}\n') == [{"type": "end"}]
+
+
+def test_a_session_without_frames_is_exported_and_told(copied: Path) -> None:
+    (copied / "session.tlog").write_bytes(b"")
+    (copied / "decisions.jsonl").write_bytes(b"")
+    for path in (copied / "vehicles").glob("*.truth"):
+        path.unlink()
+    told = gcs("export", str(copied), "--format", "csv")
+    assert told.returncode == 0, told.stderr
+    assert "session.tlog is empty" in told.stderr
+
+
+@pytest.fixture
+def broken_truth(copied: Path) -> Iterator[Path]:
+    path = copied / "vehicles" / "1.truth"
+    yield path
+    assert gcs("report", str(copied), "--out", str(copied / "page.html")).returncode == 0
+    told = gcs("export", str(copied), "--format", "csv")
+    assert (told.returncode, "1.truth" in told.stderr) == (0, True)
+
+
+@pytest.mark.parametrize("steps", [math.nan, math.inf, -1.0, -1e300, 1e300, 1e18])
+def test_a_truth_whose_records_say_impossible_lengths_is_read_up_to_there(broken_truth: Path, steps: float) -> None:
+    data = bytearray(broken_truth.read_bytes())
+    begin = data.index(b"\n") + 1
+    before = truth.read(broken_truth.parents[1], 1)
+    assert before is not None
+    first = begin + 8 * (18 + int(struct.unpack_from("<d", data, begin + 8)[0]))
+    struct.pack_into("<d", data, first + 8, steps)
+    broken_truth.write_bytes(bytes(data))
+    after = truth.read(broken_truth.parents[1], 1)
+    assert after is not None
+    assert after.tolist() == before[:1].tolist()
+
+
+IMPOSSIBLE = json.dumps({"sysid": 700, "step_s": 1, "state": [[1]], "energy": [2]}).encode()
+
+
+@pytest.mark.parametrize(
+    "head", [b"[" * 50_000, b'{"sysid": 1e999, "state": [], "energy": [], "step_s": 1}', IMPOSSIBLE]
+)
+def test_a_truth_with_an_impossible_beginning_is_left_out(broken_truth: Path, head: bytes) -> None:
+    broken_truth.write_bytes(head + b"\n" + broken_truth.read_bytes().partition(b"\n")[2])

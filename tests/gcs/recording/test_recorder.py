@@ -1,0 +1,209 @@
+"""What is recorded is read back by pymavlink; a full disk ends in one sentence; the digest sees what it should."""
+
+import json
+import math
+import resource
+import signal
+import struct
+import subprocess
+import sys
+import textwrap
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+
+from gcs.mavlink import codec
+from gcs.recording.recorder import BATCH_BYTES, DECISIONS, TLOG, Digest, Recorder, RecorderError
+
+with warnings.catch_warnings():
+    warnings.simplefilter("ignore")  # mavutil's own imports warn
+    from pymavlink import mavutil
+
+EPOCH_US = 1_700_000_000_000_000
+
+
+def attitude(seq: int, sysid: int = 1, compid: int = 1, roll: float = 0.5) -> bytes:
+    values = dict.fromkeys(("pitch", "yaw", "rollspeed", "pitchspeed", "yawspeed"), 0.25)
+    return codec.encode("ATTITUDE", seq % 256, sysid, compid, time_boot_ms=seq, roll=roll, **values)
+
+
+def test_pymavlink_reads_back_every_frame_and_its_time(tmp_path: Path) -> None:
+    raws = [attitude(i, sysid=1 + i % 3) for i in range(20_000)]
+    with Recorder(tmp_path) as recorder:
+        for i, raw in enumerate(raws):
+            recorder.frame(EPOCH_US + 1000 * i, raw)
+    assert sum(len(raw) + 8 for raw in raws) > 2 * BATCH_BYTES
+    log = mavutil.mavlink_connection(str(tmp_path / TLOG), dialect="common")
+    for i, raw in enumerate(raws):
+        message = log.recv_msg()
+        assert bytes(message.get_msgbuf()) == raw
+        assert message._timestamp == pytest.approx((EPOCH_US + 1000 * i) * 1e-6, abs=2e-6)
+    assert log.recv_msg() is None
+    log.close()
+
+
+def test_decisions_are_one_sorted_json_line_each(tmp_path: Path) -> None:
+    decisions = [{"t_s": 0.1, "kind": "win", "bids": {"3": 0.5}}, {"kind": "läuft\n"}]
+    with Recorder(tmp_path) as recorder:
+        for decision in decisions:
+            recorder.decision(decision)
+    lines = (tmp_path / DECISIONS).read_text().splitlines()
+    assert [json.loads(line) for line in lines] == decisions
+    assert list(json.loads(lines[0])) == ["bids", "kind", "t_s"]
+
+
+@pytest.mark.parametrize("bad", [math.nan, math.inf, {"deep": [math.nan]}])
+def test_decision_with_no_number_is_refused_and_leaves_no_trace(tmp_path: Path, bad: object) -> None:
+    with Recorder(tmp_path) as recorder:
+        with pytest.raises(ValueError, match="JSON compliant"):
+            recorder.decision({"value": bad})
+        recorder.decision({"value": 1})
+    assert (tmp_path / DECISIONS).read_text() == '{"value":1}\n'
+
+
+def test_flush_shows_what_was_recorded_so_far(tmp_path: Path) -> None:
+    with Recorder(tmp_path) as recorder:
+        recorder.frame(EPOCH_US, attitude(1))
+        recorder.decision({"a": 1})
+        recorder.flush()
+        assert (tmp_path / TLOG).stat().st_size == 8 + len(attitude(1))
+        assert (tmp_path / DECISIONS).read_text() == '{"a":1}\n'
+
+
+def test_existing_recording_is_never_overwritten(tmp_path: Path) -> None:
+    (tmp_path / DECISIONS).write_text("precious")
+    with pytest.raises(RecorderError, match=r"decisions\.jsonl cannot be created: file exists"):
+        Recorder(tmp_path)
+    assert (tmp_path / DECISIONS).read_text() == "precious"
+
+
+def test_missing_folder_is_named(tmp_path: Path) -> None:
+    with pytest.raises(RecorderError, match=r"nowhere/session\.tlog cannot be created: no such file or directory"):
+        Recorder(tmp_path / "nowhere")
+
+
+def test_recording_after_close_is_refused(tmp_path: Path) -> None:
+    recorder = Recorder(tmp_path)
+    recorder.close()
+    recorder.close()
+    with pytest.raises(RecorderError, match=r"session\.tlog is closed"):
+        recorder.frame(EPOCH_US, attitude(1))
+    assert (tmp_path / TLOG).stat().st_size == 0
+
+
+@contextmanager
+def largest_file(size: int) -> Iterator[None]:
+    """Let no file of this process grow beyond `size` bytes: the system's own refusal, as of a full disk."""
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    handler = signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (size, hard))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+        signal.signal(signal.SIGXFSZ, handler)
+
+
+def record_frames(recorder: Recorder, count: int) -> None:
+    for i in range(count):
+        recorder.frame(EPOCH_US + i, attitude(i))
+
+
+def test_refused_write_ends_the_recording_in_a_sentence_with_whole_records_and_closed_files(tmp_path: Path) -> None:
+    recorder = Recorder(tmp_path)
+    record = 8 + len(attitude(0))
+    limit = BATCH_BYTES + BATCH_BYTES // 2
+    recorder.decision({"kept": True})
+    sentence = r"session\.tlog cannot be written: file too large; recording has ended\.$"
+    with largest_file(limit), pytest.raises(RecorderError, match=sentence):
+        record_frames(recorder, 3 * BATCH_BYTES // record)
+    size = (tmp_path / TLOG).stat().st_size
+    assert size % record == 0
+    assert BATCH_BYTES <= size <= limit
+    assert (tmp_path / DECISIONS).read_text() == '{"kept":true}\n'
+    open_files = [link.readlink() for link in Path("/proc/self/fd").iterdir() if link.is_symlink() and link.exists()]
+    assert not [path for path in open_files if path.parent == tmp_path]
+    with pytest.raises(RecorderError, match="file too large"):
+        recorder.frame(0, attitude(0))
+    with pytest.raises(RecorderError, match="file too large"):
+        recorder.decision({})
+    recorder.close()
+
+
+def test_refused_last_write_is_told_by_close(tmp_path: Path) -> None:
+    recorder = Recorder(tmp_path)
+    recorder.decision({"long": "x" * 1000})
+    with largest_file(500), pytest.raises(RecorderError, match=r"decisions\.jsonl cannot be written"):
+        recorder.close()
+    assert (tmp_path / DECISIONS).read_text() == ""
+
+
+def test_full_device_is_told_as_such() -> None:
+    # In a process of its own, where both files can be the device that is always full.
+    code = textwrap.dedent("""
+        import os
+        from pathlib import Path
+        from gcs.recording import recorder
+        real = os.open
+        os.open = lambda path, flags, mode=0o777: real("/dev/full", os.O_WRONLY)
+        r = recorder.Recorder(Path("/session"))
+        r.frame(1, b"frame")
+        try:
+            r.close()
+        except recorder.RecorderError as error:
+            print(error)
+    """)
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert run.stdout == "/session/session.tlog cannot be written: no space left on device; recording has ended.\n"
+
+
+def digest_of(*ticks: tuple[int, list[bytes], list[bytes]], decisions: tuple[dict[str, float], ...] = ()) -> str:
+    digest = Digest()
+    for t_ms, came, went in ticks:
+        digest.frames_in(t_ms, came)
+        digest.frames_out(t_ms, went)
+    for decision in decisions:
+        digest.decision(100, decision)
+    return digest.hexdigest()
+
+
+def test_digest_of_nothing_is_sha256s() -> None:
+    # FIPS 180-4: the hash of the empty message.
+    assert Digest().hexdigest() == "sha256:e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855"
+
+
+def test_digest_sees_time_direction_sender_message_payload_order_and_decisions() -> None:
+    base = (100, [attitude(1)], [])
+    hidden = codec.encode("NAMED_VALUE_FLOAT", 1, 1, 1, time_boot_ms=1, name="x", value=0.5)
+    digests = [
+        digest_of(base),
+        digest_of((200, [attitude(1)], [])),
+        digest_of((100, [], [attitude(1)])),
+        digest_of((100, [attitude(1, sysid=2)], [])),
+        digest_of((100, [attitude(1, compid=2)], [])),
+        digest_of((100, [attitude(1, roll=0.75)], [])),
+        digest_of((100, [hidden], [])),
+        digest_of((100, [attitude(1), attitude(1)], [])),
+        digest_of((100, [attitude(1), hidden], [])),
+        digest_of((100, [hidden, attitude(1)], [])),
+        digest_of(base, decisions=({"a": 1.0},)),
+        digest_of(base, decisions=({"a": 2.0},)),
+    ]
+    assert len(set(digests)) == len(digests)
+
+
+def test_digest_sees_the_message_id_alone() -> None:
+    first = attitude(1)
+    other_id = first[:7] + struct.pack("<HB", 31, 0) + first[10:]
+    assert digest_of((100, [first], [])) != digest_of((100, [other_id], []))
+
+
+def test_digest_does_not_see_sequence_numbers_batches_or_key_order() -> None:
+    frames = [attitude(1), attitude(2)]
+    renumbered = [raw[:4] + b"\x63" + raw[5:] for raw in frames]
+    assert digest_of((100, frames, [])) == digest_of((100, renumbered, []))
+    assert digest_of((100, frames, [])) == digest_of((100, frames[:1], []), (100, frames[1:], []))
+    assert digest_of(decisions=({"a": 1.0, "b": 2.0},)) == digest_of(decisions=({"b": 2.0, "a": 1.0},))

@@ -1,0 +1,56 @@
+"""What a tick leaves behind: told to people the same live and from the recording."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import pytest
+
+from gcs.recording.recorder import decision_line
+from gcs.recording.tick_record import event_of, records_of_tick
+from gcs.refuelling.bidding import CompetitionState
+from gcs.refuelling.service import Decision
+from gcs.scenario.guard import PluginFault
+from gcs.telemetry.energy import Fact
+
+SERVED = {
+    "kind": "served", "receiver": 2, "tanker": 201, "reason": "limit", "energy_j": 5.0, "joined_at_s": 1.0,
+    "start_s": 2.0, "end_s": 3.0,
+}  # fmt: skip
+
+
+def test_what_is_told_of_a_tick_is_what_its_lines_tell_afterwards() -> None:
+    nobody = CompetitionState({}, {}, {}, None, 0.0)
+    records, events = records_of_tick(
+        12.5,
+        Decision(records=(SERVED,)),
+        (),
+        pursued=[{"kind": "pursuit", "pursuer": 1, "target": 101}],
+        facts=[(3, Fact("A battery was swapped", 1000.0))],
+        problems=[PluginFault(4, "planner a:B", "returned NaN")],
+        competition_states=(nobody, nobody),
+    )
+    assert [event.text for event in events] == [
+        "Refuelling of 2 by 201 ended: limit, 5 J",
+        "Pursues 101 from now on",
+        "A battery was swapped",
+        "planner a:B returned NaN; the vehicle is held",
+    ]
+    assert [(event.t_s, event.sysid) for event in events] == [(12.5, 2), (12.5, 1), (12.5, 3), (12.5, 4)]
+    lines = [decision_line(record) for record in records]
+    assert [event_of(json.loads(line)) for line in lines] == events
+
+
+@pytest.mark.parametrize(
+    ("record", "level", "text"),
+    [
+        ({"kind": "death", "sysid": 3, "text": "Killed"}, "critical", "Killed"),
+        ({"kind": "operator", "sysid": 3, "taken": True, "text": "Holds"}, "info", "Operator: Holds"),
+        ({"kind": "operator", "sysid": 3, "taken": False, "text": "No"}, "warning", "Operator: No"),
+        ({"kind": "of a later version", "sysid": 3}, "info", "of a later version"),
+    ],
+)
+def test_what_comes_from_outside_a_tick_is_told_too(record: dict[str, Any], level: str, text: str) -> None:
+    event = event_of({"t_s": 1.0, **record})
+    assert (event.t_s, event.sysid, event.level, event.text) == (1.0, 3, level, text)

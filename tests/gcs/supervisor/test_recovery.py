@@ -1,0 +1,65 @@
+"""Who is brought back after the supervisor was away, and who is not."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import pytest
+from views import snapshot, view
+
+from gcs.mavlink.autopilots import FlightMode
+from gcs.supervisor.arming import Stage
+from gcs.supervisor.recovery import WATCHED_S, Recovery
+
+
+@dataclass
+class Pilot:
+    stage: Stage = Stage.FLY
+    left_out: str = ""
+    ordered: str | None = None
+    back: int = 0
+
+    def rejoin(self) -> None:
+        self.back += 1
+
+
+@pytest.mark.parametrize(
+    ("stage", "changed", "back", "words"),
+    [
+        (Stage.YIELDED, {"mode": FlightMode.HOLD}, 1, "Brought back"),
+        (Stage.YIELDED, {"mode": FlightMode.RETURN, "failsafe": True}, 1, "Brought back"),
+        (Stage.DOWN, {"mode": FlightMode.LAND, "failsafe": True}, 1, "Brought back"),
+        (Stage.YIELDED, {"mode": FlightMode.RETURN}, 0, "Somebody else may fly it"),
+        (Stage.YIELDED, {"mode": FlightMode.OTHER}, 0, "Somebody else may fly it"),
+        (Stage.YIELDED, {"mode": FlightMode.HOLD, "drawn_j": 1e9}, 0, "no energy left"),
+        (Stage.FLY, {}, 0, ""),
+    ],
+)
+def test_failsafes_are_ended_and_pilots_left_alone(stage: Stage, changed: Any, back: int, words: str) -> None:
+    pilot = Pilot()
+    recovery = Recovery({1: pilot})  # type: ignore[dict-item]
+    recovery.returned(10.0)
+    pilot.stage = stage
+    events = recovery.look(snapshot(view(sysid=1, **changed), time_s=11.0))
+    assert pilot.back == back
+    assert [words in event.text for event in events] == ([True] if words else [])
+    assert recovery.look(snapshot(view(sysid=1, **changed), time_s=11.1)) == []
+
+
+@pytest.mark.parametrize(
+    "pilot", [Pilot(left_out="why"), Pilot(ordered="hold"), Pilot(stage=Stage.TAKEN), Pilot(stage=Stage.YIELDED)]
+)
+def test_whom_the_supervisor_did_not_fly_is_nobody_to_bring_back(pilot: Pilot) -> None:
+    recovery = Recovery({1: pilot})  # type: ignore[dict-item]
+    recovery.returned(10.0)
+    pilot.stage = Stage.YIELDED
+    assert recovery.look(snapshot(view(sysid=1, mode=FlightMode.HOLD), time_s=11.0)) == []
+    assert pilot.back == 0
+
+
+def test_a_failsafe_much_later_has_another_cause() -> None:
+    pilot = Pilot()
+    recovery = Recovery({1: pilot})  # type: ignore[dict-item]
+    recovery.returned(10.0)
+    recovery.look(snapshot(view(sysid=1), time_s=10.1 + WATCHED_S))
+    pilot.stage = Stage.YIELDED
+    assert recovery.look(snapshot(view(sysid=1, mode=FlightMode.HOLD), time_s=10.2 + WATCHED_S)) == []

@@ -1,0 +1,144 @@
+"""The page's server as strangers meet it: without a token, from other origins, under other names, too much at once."""
+
+from __future__ import annotations
+
+import http.client
+import json
+from collections.abc import Iterator
+from typing import Any
+from urllib.parse import urlsplit
+
+import pytest
+from web import Script, served
+from websockets.exceptions import ConnectionClosed, InvalidStatus
+from websockets.sync.client import ClientConnection, connect
+from websockets.typing import Origin, Subprotocol
+
+from gcs.web.application import MOST_COMMAND, NO_TOKEN, POLICY
+from gcs.web.document import as_json
+
+SESSION = {"type": "session", "name": "one", "control": True}
+
+
+@pytest.fixture(scope="module")
+def source() -> Script:
+    return Script(SESSION)
+
+
+@pytest.fixture(scope="module")
+def links(source: Script) -> Iterator[dict[str, str]]:
+    with served(source) as links:
+        yield links
+
+
+def stream(link: str, *, token: str | None = None, origin: str | None = "own") -> Any:
+    """A WebSocket to the stream of a link's server."""
+    parts = urlsplit(link)
+    given = parts.fragment.removeprefix("token=") if token is None else token
+    return connect(
+        f"ws://{parts.netloc}/stream",
+        origin=None if origin is None else Origin(f"http://{parts.netloc}" if origin == "own" else origin),
+        subprotocols=[Subprotocol("skytender"), Subprotocol(f"token.{given}")] if given else None,
+        proxy=None,
+    )
+
+
+def get(link: str, path: str = "/", host: str | None = None, **headers: str) -> tuple[int, dict[str, str], str]:
+    parts = urlsplit(link)
+    connection = http.client.HTTPConnection(parts.hostname or "", parts.port or 0, timeout=20)
+    connection.request("GET", path, headers=headers | ({} if host is None else {"Host": host}))
+    answer = connection.getresponse()
+    body = answer.read().decode()
+    connection.close()
+    return answer.status, {name.lower(): value for name, value in answer.getheaders()}, body
+
+
+def said(socket: ClientConnection) -> Any:
+    return json.loads(socket.recv(timeout=20))
+
+
+def test_the_server_is_this_machines_alone_and_the_tokens_differ(links: dict[str, str]) -> None:
+    command, view = urlsplit(links["command"]), urlsplit(links["view"])
+    assert command.hostname == view.hostname == "127.0.0.1"
+    assert command.fragment != view.fragment
+    assert len(command.fragment) > 24
+    assert not command.query, "what is in the fragment is sent to nobody"
+
+
+def test_every_answer_has_a_policy_and_carries_no_secret(links: dict[str, str]) -> None:
+    for path, status in (("/", 200), ("/page.js", 200), ("/page.css", 200), ("/nothing", 404), ("/../secrets", 404)):
+        found, headers, body = get(links["command"], path)
+        assert found == status, path
+        assert headers["content-security-policy"] == POLICY
+        assert headers["x-content-type-options"] == "nosniff"
+        assert headers["referrer-policy"] == "no-referrer"
+        assert "server" not in headers
+        assert urlsplit(links["command"]).fragment.removeprefix("token=") not in body
+    assert "unsafe" not in POLICY
+
+
+def test_another_name_for_this_machine_gets_nothing(links: dict[str, str]) -> None:
+    """DNS rebinding: a stranger's name that has come to mean 127.0.0.1."""
+    for host in ("evil.example", "evil.example:80", "127.0.0.1.evil.example", "[::"):
+        status, _, body = get(links["command"], host=host)
+        assert status in (400, 403), host
+        assert "skytender" not in body.lower()
+    port = urlsplit(links["command"]).port
+    assert get(links["command"], host=f"localhost:{port}")[0] == 200
+
+
+@pytest.mark.parametrize("origin", ["http://evil.example", "https://127.0.0.1", "null", "http://127.0.0.1:1", None])
+def test_a_page_of_another_origin_is_refused_even_with_the_token(links: dict[str, str], origin: str | None) -> None:
+    with pytest.raises(InvalidStatus) as refused:
+        stream(links["command"], origin=origin)
+    assert refused.value.response.status_code == 403
+
+
+def test_the_stream_is_refused_under_another_name(links: dict[str, str]) -> None:
+    upgrade = {"Upgrade": "websocket", "Connection": "Upgrade", "Sec-WebSocket-Version": "13"}
+    upgrade |= {"Sec-WebSocket-Key": "dGhlIHNhbXBsZSBub25jZQ==", "Origin": "http://evil.example"}
+    assert get(links["command"], "/stream", host="evil.example", **upgrade)[0] == 403
+
+
+@pytest.mark.parametrize("token", ["", "none", "é", "x" * 200])
+def test_without_the_token_nothing_is_told(links: dict[str, str], token: str) -> None:
+    with stream(links["command"], token=token.encode("ascii", "ignore").decode()) as socket:
+        with pytest.raises(ConnectionClosed):
+            socket.recv(timeout=20)
+        assert socket.close_code == NO_TOKEN
+
+
+def test_a_command_is_passed_on_and_answered_and_who_may_look_is_refused(links: dict[str, str], source: Script) -> None:
+    with stream(links["command"]) as socket, stream(links["view"]) as looking:
+        assert said(socket)["control"] is True
+        assert said(looking)["control"] is False
+        looking.send('{"command": "stop", "id": 1}')
+        refused = said(looking)
+        assert (refused["ok"], "takes no commands" in refused["text"]) == (False, True)
+        socket.send('{"command": "hold", "sysid": 3, "id": 7}')
+        assert said(socket) == {"type": "reply", "id": "7", "ok": True, "text": "hold is taken."}
+        assert [(one["command"], one["sysid"]) for one in source.sent] == [("hold", 3)], "only who may command"
+
+
+def test_what_a_client_sends_too_much_of_harms_nobody(links: dict[str, str], source: Script) -> None:
+    before = len(source.sent)
+    with stream(links["command"]) as socket:
+        said(socket)
+        socket.send(json.dumps({"command": "hold", "id": "x" * MOST_COMMAND}))
+        socket.send("[" * 4000)
+        socket.send(b"\xff\xfe")  # bytes are no command: this one goes
+        with pytest.raises(ConnectionClosed):
+            socket.recv(timeout=20)
+    with stream(links["command"]) as socket:
+        said(socket)
+        socket.send("x" * (1 << 20))
+        with pytest.raises(ConnectionClosed):
+            socket.recv(timeout=20)
+    assert len(source.sent) == before
+    assert get(links["command"])[0] == 200
+
+
+def test_data_in_a_page_cannot_end_its_element() -> None:
+    told = as_json({"name": "</script><script>alert(1)</script><!--"})
+    assert "<" not in told
+    assert json.loads(told)["name"] == "</script><script>alert(1)</script><!--"

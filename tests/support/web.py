@@ -1,0 +1,197 @@
+"""Pages for tests: a server of a source in this process, a cable that can be cut, Debian's Chromium by Playwright."""
+
+from __future__ import annotations
+
+import contextlib
+import queue
+import shutil
+import socket
+import threading
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from playwright.sync_api import Browser, Page, sync_playwright
+
+from gcs.session.client import MessageSource
+from gcs.web.serve import serve
+
+CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+MISSING = "Chromium is not installed (Debian: apt-get install chromium)"
+ARGUMENTS = [
+    "--no-sandbox",
+    "--enable-unsafe-swiftshader",
+    "--disable-dev-shm-usage",
+]  # tests run as root, without a card
+PATIENCE_MS = 45_000
+
+
+class Script:
+    """A source that tells what it is given, and keeps what it is sent."""
+
+    def __init__(self, *messages: Mapping[str, Any]) -> None:
+        self.connected = True
+        self.sent: list[Mapping[str, Any]] = []
+        self._messages: queue.SimpleQueue[Mapping[str, Any]] = queue.SimpleQueue()
+        self.tell(*messages)
+
+    def tell(self, *messages: Mapping[str, Any]) -> None:
+        for message in messages:
+            self._messages.put(message)
+
+    def receive(self) -> list[Mapping[str, Any]]:
+        messages = []
+        with contextlib.suppress(queue.Empty):
+            while True:
+                messages.append(self._messages.get_nowait())
+        return messages
+
+    def send(self, command: Mapping[str, Any]) -> None:
+        self.sent.append(command)
+        self.tell({"type": "reply", "id": command.get("id"), "ok": True, "text": f"{command['command']} is taken."})
+
+    def close(self) -> None:
+        self.connected = False
+
+
+class Stopping:
+    """A source that can be made to end."""
+
+    def __init__(self, source: MessageSource) -> None:
+        self._source = source
+        self.over = False
+        self.connected = True
+
+    def receive(self) -> list[Mapping[str, Any]]:
+        end = [{"type": "end", "outcome": "met", "text": "met", "exit": 0}] if self.over else []
+        return [*self._source.receive(), *end]
+
+    def send(self, command: Mapping[str, Any]) -> None:
+        self._source.send(command)
+
+    def close(self) -> None:
+        self._source.close()
+
+
+@contextlib.contextmanager
+def served(source: MessageSource) -> Iterator[dict[str, str]]:
+    """The links of a source's page, while in the context."""
+    links: queue.SimpleQueue[dict[str, str]] = queue.SimpleQueue()
+    stopping = Stopping(source)
+    thread = threading.Thread(target=serve, args=(stopping, lambda told: links.put(dict(told))))
+    thread.start()
+    try:
+        yield links.get(timeout=30)
+    finally:
+        stopping.over = True
+        thread.join(timeout=30)
+        assert not thread.is_alive()
+
+
+class Cable:
+    """Passes bytes on between a port of its own and a server's; it can be cut, and mended."""
+
+    def __init__(self, port: int) -> None:
+        self._to = ("127.0.0.1", port)
+        self._server = socket.create_server(("127.0.0.1", 0))
+        self.port: int = self._server.getsockname()[1]
+        self._ends: list[socket.socket] = []
+        self._whole = True
+        threading.Thread(target=self._accept, daemon=True).start()
+
+    def _accept(self) -> None:
+        while True:
+            try:
+                near, _ = self._server.accept()
+            except OSError:
+                return
+            if not self._whole:
+                near.close()
+                continue
+            far = socket.create_connection(self._to)
+            self._ends += [near, far]
+            for a, b in ((near, far), (far, near)):
+                threading.Thread(target=_pump, args=(a, b), daemon=True).start()
+
+    def cut(self) -> None:
+        self._whole = False
+        for end in self._ends:
+            with contextlib.suppress(OSError):
+                end.shutdown(socket.SHUT_RDWR)
+        self._ends.clear()
+
+    def mend(self) -> None:
+        self._whole = True
+
+    def close(self) -> None:
+        self.cut()
+        self._server.close()
+
+
+def _pump(a: socket.socket, b: socket.socket) -> None:
+    with contextlib.suppress(OSError):
+        while chunk := a.recv(1 << 16):
+            b.sendall(chunk)
+    for end in (a, b):
+        with contextlib.suppress(OSError):
+            end.close()
+
+
+@contextlib.contextmanager
+def chromium() -> Iterator[Browser]:
+    """Debian's Chromium, without a window."""
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
+        try:
+            yield browser
+        finally:
+            browser.close()
+
+
+class Watched:
+    """A page and what went wrong on it: exceptions, errors on its console, what it fetched."""
+
+    def __init__(self, browser: Browser, *, width: int = 1280, height: int = 800, dark: bool = False) -> None:
+        self.page: Page = browser.new_page(
+            viewport={"width": width, "height": height}, color_scheme="dark" if dark else "light"
+        )
+        self.page.set_default_timeout(PATIENCE_MS)
+        self.wrong: list[str] = []
+        self.asked: list[str] = []
+        self.page.on("pageerror", lambda error: self.wrong.append(str(error)))
+        self.page.on("console", lambda line: self.wrong.append(line.text) if line.type == "error" else None)
+        self.page.on("request", lambda request: self.asked.append(request.url))
+
+    def open(self, url: str) -> Page:
+        """Go to a page."""
+        self.page.goto(url)
+        return self.page
+
+    def flying(self, url: str) -> Page:
+        """Go to a page that is served, and wait until it shows vehicles."""
+        self.open(url)
+        until(self.page, "window.skytender?.current?.vehicles.length > 0")
+        return self.page
+
+
+UNTIL = """new Promise((done) => {{
+  const look = () => (({0}) ? done() : setTimeout(look, 20));
+  look();
+}})"""
+
+
+def until(page: Page, expression: str) -> None:
+    """Wait in the page until an expression of JavaScript holds; the page's policy lets nothing else evaluate text."""
+    page.evaluate(UNTIL.format(expression))
+
+
+def serious(page: Page) -> list[str]:
+    """What axe-core finds that is serious or worse, a sentence each."""
+    from axe_playwright_python.sync_playwright import Axe  # noqa: PLC0415 - it takes a while to load
+
+    found = Axe().run(page).response["violations"]
+    return [
+        f"{one['id']}: {one['help']} ({node['html'][:160]})"
+        for one in found
+        if one["impact"] in ("serious", "critical")
+        for node in one["nodes"]
+    ]

@@ -1,0 +1,275 @@
+"""The page in Debian's Chromium: a session that is flown and commanded, a replay, 254 vehicles, and what goes wrong."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+from urllib.parse import urlsplit
+
+import numpy as np
+import pytest
+import yaml
+from playwright.sync_api import Browser, Page, expect
+from sessions import Outcome, Running, merged, small
+from web import CHROMIUM, MISSING, Cable, Script, Watched, chromium, serious, served, until
+
+from gcs.report.make import make
+from gcs.scenario.model import Scenario
+from gcs.session.messages import session_message
+from gcs.session.replay import Replay, ReplaySource
+from gcs.web.hub import READ_ONLY
+
+pytestmark = pytest.mark.skipif(CHROMIUM is None, reason=MISSING)
+HOSTILE = '<img src=x onerror="window.hacked=1"></script><script>window.hacked=1</script>'
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    with chromium() as browser:
+        yield browser
+
+
+def row(sysid: int, t_s: float, **changed: Any) -> dict[str, Any]:
+    """A vehicle on a circle."""
+    return {
+        "sysid": sysid, "role": "pursuer", "label": f"pursuer {sysid}", "alive": True, "stage": "fly",
+        "mode": "offboard", "armed": True, "landed": False, "autopilot": "px4",
+        "p_ned": [sysid % 16 + 0.2 * t_s, sysid // 16, -5.0], "v_ned": [0.2, 0.0, 0.0],
+        "speed_m_s": 0.2, "height_m": 5.0, "heading_rad": 0.3, "roll_rad": 0.05,
+        "pitch_rad": -0.05, "aim_ned": None, "margin_m": None, "age_s": 0.0, "heard_s": 0.1, "lost": 0,
+        "lost_share": 0.0, "target_m": 2.0, "battery": 0.8, "remaining_j": 8e3, "power_w": 100.0, "endurance_s": 80.0,
+        "energy_source": "energy_consumed", "v": None, "tau": None, "state": "idle", "trouble": [], "severity": 0,
+        "note": "", **changed,
+    }  # fmt: skip
+
+
+def snapshot(t_s: float, rows: list[dict[str, Any]], *events: dict[str, Any]) -> dict[str, Any]:
+    goal = {
+        "separation_m": None, "clearance_m": None, "traffic_m": None, "pursue_within_m": None, "pursue_for_s": None,
+        "refuelled_at_least": 0, "pursue_held_s": None, "broken": [],
+    }  # fmt: skip
+    nobody = {"v": {}, "tau": {}, "leader": None, "share": None, "runner_up": None, "threshold": 0.9}
+    return {
+        "type": "snapshot", "t_s": t_s, "duration_s": 120.0, "speed": 1.0, "phase": "flying", "vehicles": rows,
+        "traffic": [], "competition": nobody, "services": [], "history": [], "refuelled": 0, "goal": goal,
+        "inspected": {}, "events": list(events),
+    }  # fmt: skip
+
+
+def session(rows: list[dict[str, Any]], **changed: Any) -> dict[str, Any]:
+    members = [
+        {"sysid": r["sysid"], "role": r["role"], "label": r["label"], "capacity_j": 1e4, "path_ned": [], "colour": k}
+        for k, r in enumerate(rows)
+    ]
+    told = session_message(Scenario.model_validate(small()), None)
+    return {**told, "vehicles": members, **changed}
+
+
+def chosen(page: Page) -> Any:
+    return page.evaluate("skytender.chosen")
+
+
+def test_a_flight_is_watched_commanded_and_ended_from_the_page(tmp_path: Path, browser: Browser) -> None:
+    content = small(clock={"mode": "real", "speed": 4.0}, goal={"duration_s": 600.0, "refuelled_at_least": 0})
+    running = Running(content, tmp_path, "--web")
+    try:
+        said = "".join(line for _, line in zip(range(3), running.lines(), strict=False))
+        command, view = re.findall(r"http://127\.0\.0\.1:\d+/#token=\S+", said)
+        first, second = Watched(browser), Watched(browser, width=420, height=900, dark=True)
+        page, other = first.flying(command), second.flying(view)
+        until(page, "skytender.current.vehicles.every((v) => v.mode === 'offboard')")
+        page.get_by_role("button", name="1", exact=True).first.click()
+        assert chosen(page) == 1
+        page.get_by_role("button", name="hold").click()
+        dialog = page.get_by_role("dialog")
+        expect(dialog).to_contain_text("Let pursuer 1 hold its position?")
+        dialog.get_by_role("button", name="Yes").click()
+        expect(page.get_by_role("status")).to_contain_text("hold pursuer 1: sent")
+        expect(page.locator(".notices .good")).to_contain_text("hold pursuer 1:")
+        for seen in (page, other):  # the other is told too
+            until(seen, "skytender.flight.events.some((e) => /operator/i.test(e.text + e.kind))")
+        expect(other.get_by_role("button", name="hold")).to_be_hidden()
+        refused = "new Promise((done) => skytender.operator.send({command: 'stop'}, (ok, text) => done([ok, text])))"
+        assert other.evaluate(refused) == [False, READ_ONLY]
+        # back in time, and to the newest again
+        past_s = page.evaluate("(skytender.player.seek(skytender.flight.first_s + 1), skytender.at_s)")
+        until(page, f"Math.abs(skytender.current.t_s - {past_s}) < 0.01")
+        page.get_by_role("button", name="live", exact=True).click()
+        until(page, f"skytender.current.t_s > {past_s} + 2")
+        assert serious(page) == []
+        assert serious(other) == []
+        page.get_by_role("button", name="stop").click()
+        page.get_by_role("dialog").get_by_role("button", name="Yes").click()
+        for seen in (page, other):
+            expect(seen.get_by_role("alert")).to_contain_text("The session has ended: interrupted")
+        outcome = running.finish()
+    finally:
+        running.stop()
+    assert outcome.status in (1, 130)
+    orders = [d["command"] for d in outcome.decisions if d["kind"] == "operator"]
+    assert orders == ["hold", "stop"]
+    assert first.wrong == second.wrong == []
+    port = urlsplit(command).port
+    assert {urlsplit(url).port for url in first.asked if url.startswith("http")} == {port}, "nothing from elsewhere"
+    first.page.close()
+    second.page.close()
+
+
+@pytest.fixture(scope="module")
+def recorded(tmp_path_factory: pytest.TempPathFactory) -> Outcome:
+    from sessions import fly  # noqa: PLC0415 - beside its only use
+
+    return fly(merged(small(), {"goal": {"duration_s": 25.0}}), tmp_path_factory.mktemp("page"), "--quiet")
+
+
+def test_the_slider_moves_a_replay(recorded: Outcome, browser: Browser) -> None:
+    with served(ReplaySource(Replay(recorded.folder), speed=0.5)) as links:
+        watched = Watched(browser)
+        page = watched.flying(links["command"])
+        until(page, "skytender.end_s > 20")
+        slider = page.get_by_role("slider", name="time")
+        slider.fill("20")
+        until(page, "skytender.current.t_s >= 20")
+        late = page.evaluate("skytender.current.vehicles[0].battery")
+        slider.fill("5")
+        until(page, "skytender.current.t_s >= 5 && skytender.current.t_s < 8")
+        assert page.evaluate("skytender.current.vehicles[0].battery") != late
+        page.keyboard.press("Escape")
+        page.locator("h1").click()
+        page.keyboard.press("Space")
+        until(page, "skytender.current.phase === 'paused'")
+        expect(page.get_by_role("button", name="hold")).to_be_hidden()
+        page.keyboard.press("m")
+        expect(page.locator("canvas.map")).to_be_visible()
+        page.keyboard.press("?")
+        expect(page.get_by_role("dialog", name="keys")).to_be_visible()
+        page.keyboard.press("Escape")
+        assert serious(page) == []
+        assert watched.wrong == []
+        page.close()
+
+
+def test_the_report_plays_from_a_file_and_fetches_nothing(recorded: Outcome, tmp_path: Path, browser: Browser) -> None:
+    """The scenario's name and description are a stranger's; the page's policy lets nothing but its own script run."""
+    folder = tmp_path / "hostile"
+    shutil.copytree(recorded.folder, folder, ignore=shutil.ignore_patterns("*.sock"))
+    scenario = yaml.safe_load((folder / "scenario.yaml").read_text(encoding="utf-8"))
+    (folder / "scenario.yaml").write_text(yaml.safe_dump(scenario | {"description": HOSTILE}), encoding="utf-8")
+    page_file = make(folder)
+    assert page_file.stat().st_size < 900_000
+    watched = Watched(browser)
+    page = watched.open(page_file.as_uri())
+    until(page, "document.documentElement.dataset.all")
+    page.evaluate("skytender.then((app) => { window.app = app; })")
+    assert page.evaluate("app.current.t_s") == 25.0
+    page.get_by_role("slider", name="time").fill("10")
+    until(page, "Math.abs(app.current.t_s - 10) < 1e-6")
+    at = page.evaluate("app.current.vehicles.find((one) => one.sysid === 1)")
+    truth = recorded.truth(1)
+    k = int(np.searchsorted(truth.time_s, 10.0))
+    assert at["p_ned"] == pytest.approx(truth.p_ned[k], abs=0.05)
+    service = recorded.summary["refuelling"][0]
+    assert service["start_s"] < 10.0 < service["end_s"]
+    assert (at["mode"], at["state"]) == ("refuel", "served")
+    page.get_by_role("button", name="play", exact=True).click()
+    until(page, "app.current.t_s > 11")
+    assert page.evaluate("app.time.now_s > 11"), "the figures' line of time goes with it"
+    assert page.evaluate("window.hacked") is None
+    assert page.locator("img").count() == 0
+    assert serious(page) == []
+    assert watched.wrong == []
+    assert watched.asked == [page_file.as_uri()]
+    page.evaluate("fetch('https://example.org/').then(() => { window.fetched = 1; }, () => { window.fetched = 0; })")
+    until(page, "window.fetched !== undefined")
+    assert page.evaluate("window.fetched") == 0, "the policy"
+    page.close()
+
+
+def test_254_vehicles_are_filtered_counted_and_gone_to(browser: Browser) -> None:
+    rows = [row(sysid, 0.0) for sysid in range(1, 255)]
+    rows[199] |= {"trouble": ["battery 4 %"], "severity": 3, "battery": 0.04}
+    source = Script(session(rows), snapshot(1.0, rows), snapshot(2.0, [row(r["sysid"], 1.0) | r for r in rows]))
+    with served(source) as links:
+        watched = Watched(browser)
+        page = watched.flying(links["command"])
+        expect(page.locator(".totals")).to_have_text("254 vehicles: 254 offboard")
+        expect(page.get_by_label("what is wrong")).to_contain_text("pursuer 200: battery 4 %")
+        assert "1 below 20 %" in (page.locator(".histogram").get_attribute("aria-label") or "")
+        page.get_by_label("filter vehicles").fill("25")
+        assert page.locator("table.fleet tbody tr:visible").count() == 6, "25, and 250 to 254"
+        page.get_by_label("filter vehicles").fill("")
+        page.get_by_label("go to vehicle").fill("200")
+        page.get_by_role("button", name="go to").click()
+        assert chosen(page) == 200
+        expect(page.locator(".vehicle-page")).to_contain_text("pursuer 200")
+        assert page.evaluate("skytender.map.follow"), "the picture goes there too"
+        assert serious(page) == []
+        assert watched.wrong == []
+        page.close()
+
+
+def test_a_lost_connection_is_told_and_comes_back_with_what_was_missed(browser: Browser) -> None:
+    rows = [row(1, 0.0)]
+    event = {"sysid": 1, "level": "info", "kind": "text"}
+    source = Script(session(rows), snapshot(1.0, rows, {**event, "t_s": 1.0, "text": "before"}))
+    with served(source) as links:
+        cable = Cable(urlsplit(links["command"]).port or 0)
+        watched = Watched(browser)
+        page = watched.flying(links["command"].replace(f":{urlsplit(links['command']).port}", f":{cable.port}"))
+        cable.cut()
+        expect(page.get_by_role("alert")).to_contain_text("The connection is lost")
+        refused = "new Promise((done) => skytender.operator.send({command: 'hold'}, (ok, text) => done([ok, text])))"
+        assert page.evaluate(refused) == [False, "There is no connection: it was not sent."]
+        source.tell(snapshot(2.0, rows, {**event, "t_s": 2.0, "text": "meanwhile"}))
+        cable.mend()
+        until(page, "skytender.current.t_s === 2")
+        expect(page.get_by_role("alert")).to_be_hidden()
+        assert page.evaluate("skytender.flight.events.map((e) => e.text)") == ["before", "meanwhile"]
+        page.close()
+        cable.close()
+
+
+def test_a_link_without_its_token_shows_nothing(browser: Browser) -> None:
+    rows = [row(1, 0.0)]
+    with served(Script(session(rows, name="secret"), snapshot(1.0, rows))) as links:
+        for link in (links["command"].partition("#")[0], links["command"][:-1]):
+            watched = Watched(browser)
+            page = watched.open(link)
+            expect(page.get_by_role("alert")).to_contain_text("lacks its token")
+            assert "secret" not in page.content()
+            assert page.evaluate("skytender.flight.count") == 0
+            page.close()
+
+
+def test_hostile_names_and_texts_are_shown_as_text(browser: Browser) -> None:
+    rows = [
+        row(
+            1,
+            0.0,
+            label=HOSTILE,
+            role="target",
+            mode=HOSTILE,
+            state=HOSTILE,
+            note=HOSTILE,
+            trouble=[HOSTILE],
+            severity=2,
+        )
+    ]
+    event = {"t_s": 1.0, "sysid": 1, "level": "warning", "kind": "text", "text": HOSTILE}
+    with served(Script(session(rows, name=HOSTILE), snapshot(1.0, rows, event))) as links:
+        watched = Watched(browser)
+        page = watched.flying(links["command"])
+        page.get_by_role("button", name="1", exact=True).first.click()
+        page.get_by_role("button", name="hold").click()
+        expect(page.get_by_role("dialog")).to_contain_text("onerror")
+        page.get_by_role("dialog").get_by_role("button", name="No").click()
+        expect(page.locator("h1")).to_have_text(HOSTILE)
+        assert page.evaluate("window.hacked") is None
+        assert page.locator("img").count() == 0
+        assert watched.wrong == []
+        assert json.dumps(HOSTILE)[1:-1] not in page.evaluate("document.getElementById('config').textContent")
+        page.close()

@@ -1,0 +1,169 @@
+"""Signatures of both programs against pymavlink's: each signs what the other accepts, and refuses what it refuses."""
+
+from __future__ import annotations
+
+import time
+from typing import Any
+
+import pytest
+from pymavlink.dialects.v20 import common
+
+from gcs.mavlink import codec, signing
+from gcs.mavlink.signing import SignatureVerdict, Signing
+from simvehicle.mavlink import codec as vehicle_codec
+from simvehicle.mavlink import signing as vehicle_signing
+from simvehicle.mavlink.signing import VehicleSigning
+
+KEY, OTHER = bytes(range(32)), bytes(range(1, 33))
+NOW = signing.ticks(time.time())
+FIELDS = {"type": 6, "autopilot": 8, "base_mode": 0, "custom_mode": 0, "system_status": 4}
+
+
+def peer(key: bytes = KEY, *, sysid: int = 255, stamp: int = NOW, link_id: int = 3) -> Any:
+    """pymavlink at the other end."""
+    mav = common.MAVLink(None, sysid, 190)
+    mav.signing.secret_key = key
+    mav.signing.sign_outgoing = True
+    mav.signing.link_id = link_id
+    mav.signing.timestamp = stamp
+    return mav
+
+
+def beat(mav: Any) -> bytes:
+    return bytes(common.MAVLink_heartbeat_message(6, 8, 0, 0, 4, 3).pack(mav))
+
+
+def plain(seq: int = 0) -> bytes:
+    return codec.encode("HEARTBEAT", seq, 7, 1, **FIELDS)
+
+
+class Ours:
+    """The ground station's signing, or the vehicle's, by one way of asking."""
+
+    def __init__(self, program: str, key: bytes | None = KEY, **how: Any) -> None:
+        self.program = program
+        self.gcs = Signing(key, 5, **how) if program == "gcs" and key is not None else None
+        self.vehicle = VehicleSigning(1, key, **how) if program == "simvehicle" else None
+
+    def sign(self, raw: bytes, now: int = NOW) -> bytes:
+        return self.gcs.sign(raw, now) if self.gcs else self.vehicle.sign(raw, 5, now)  # type: ignore[union-attr]
+
+    def judge(self, raw: bytes, now: int = NOW) -> str:
+        if self.vehicle is not None:
+            (frame,) = vehicle_codec.split(raw)
+            why = self.vehicle.judge(frame, now)
+            return {vehicle_signing.GOOD: "good", vehicle_signing.NO_KEY: SignatureVerdict.NO_KEY}.get(why, why)
+        (own,) = codec.split(raw).frames
+        return str(self.gcs.judge(own, now) if self.gcs else signing.without_key(own))
+
+
+@pytest.fixture(params=["gcs", "simvehicle"])
+def program(request: pytest.FixtureRequest) -> str:
+    return str(request.param)
+
+
+def test_pymavlink_accepts_what_is_signed_here_and_refuses_it_with_another_key(program: str) -> None:
+    ours = Ours(program)
+    frames = [ours.sign(plain(seq)) for seq in range(3)]
+    receiver = peer(stamp=NOW - 10)
+    for seq, raw in enumerate(frames):
+        (message,) = receiver.parse_buffer(raw)
+        assert (message.get_type(), message.get_seq(), message.get_signed(), message.get_link_id()) == (
+            "HEARTBEAT", seq, True, 5,
+        )  # fmt: skip
+    assert [int.from_bytes(raw[-12:-6], "little") for raw in frames] == [NOW, NOW + 1, NOW + 2]
+    stranger = peer(OTHER)
+    stranger.robust_parsing = True
+    assert [m.get_type() for m in stranger.parse_buffer(frames[0]) or ()] != ["HEARTBEAT"]
+
+
+def test_what_pymavlink_signs_counts_once(program: str) -> None:
+    ours, station = Ours(program), peer()
+    first, second = beat(station), beat(station)
+    assert ours.judge(first) == "good"
+    assert ours.judge(second) == "good"
+    assert ours.judge(second) == SignatureVerdict.STALE
+    assert ours.judge(first) == SignatureVerdict.STALE
+    assert ours.judge(beat(peer(sysid=254))) == "good"  # a stream of its own
+
+
+def test_another_key_a_flipped_bit_and_no_signature_are_refused(program: str) -> None:
+    ours = Ours(program)
+    assert ours.judge(beat(peer(OTHER))) == SignatureVerdict.WRONG
+    raw = beat(peer())
+    for at in range(len(raw) - 13, len(raw)):  # of link id, time stamp and hash: a bit before is the checksum's
+        assert ours.judge(raw[:at] + bytes([raw[at] ^ 1]) + raw[at + 1 :]) == SignatureVerdict.WRONG
+    assert ours.judge(plain()) == SignatureVerdict.UNSIGNED
+    assert ours.judge(raw) == "good"
+
+
+def test_without_a_key_what_is_signed_is_refused_and_the_rest_is_not(program: str) -> None:
+    ours = Ours(program, None)
+    assert ours.judge(beat(peer())) == SignatureVerdict.NO_KEY
+    assert ours.judge(plain()) == "good"
+
+
+@pytest.mark.parametrize(("name", "verdict"), [("RADIO_STATUS", "good"), ("COMMAND_LONG", SignatureVerdict.UNSIGNED)])
+def test_a_short_list_may_come_unsigned(program: str, name: str, verdict: str) -> None:
+    layout = codec.layout(name)
+    raw = codec.encode(name, 0, 51, 68, **dict.fromkeys(layout.record._fields, 0))
+    assert Ours(program).judge(raw) == verdict
+
+
+def test_a_new_stream_may_be_a_minute_behind_and_no_more(program: str) -> None:
+    minute = 60 * signing.TICKS_PER_S
+    assert Ours(program).judge(beat(peer(stamp=NOW - minute))) == "good"
+    assert Ours(program).judge(beat(peer(stamp=NOW - minute - 10))) == SignatureVerdict.STALE
+    # where the clock was set back, by what was used before
+    behind = Ours(program, latest=NOW)
+    assert behind.judge(beat(peer(stamp=NOW - minute - 10)), 0) == SignatureVerdict.STALE
+
+
+def test_an_earlier_runs_frames_are_stale_and_its_stamps_are_not_used_again(program: str) -> None:
+    first = Ours(program)
+    raw = beat(peer())
+    assert first.judge(raw) == "good"
+    inner = first.gcs or first.vehicle
+    assert inner is not None
+    again = Ours(program, latest=inner.latest, streams=inner.streams)
+    assert again.judge(raw) == SignatureVerdict.STALE
+    signed = again.sign(plain(), 0)
+    assert int.from_bytes(signed[-12:-6], "little") > NOW
+
+
+def test_streams_are_bounded(program: str) -> None:
+    most = signing.MOST_STREAMS if program == "gcs" else vehicle_signing.MOST_STREAMS
+    ours = Ours(program, streams={(s >> 8, s & 0xFF, 9): 1 for s in range(most)})
+    assert ours.judge(beat(peer())) == SignatureVerdict.STALE
+
+
+def setup(key: bytes, target: int = 1) -> Any:
+    return common.MAVLink_setup_signing_message(target, 1, list(key), NOW)
+
+
+def test_a_key_is_set_by_anybody_while_there_is_none_and_then_only_by_who_has_it() -> None:
+    keys: list[bytes | None] = []
+    vehicle = VehicleSigning(1, on_key=keys.append)
+
+    def give(raw: bytes) -> str:
+        (frame,) = vehicle_codec.split(raw)
+        why = vehicle.judge(frame, NOW)
+        return why or ("set up" if vehicle.take_setup(frame) else "passed")
+
+    unsigned = common.MAVLink(None, 255, 190)
+    assert give(bytes(setup(KEY, target=2).pack(unsigned))) == "set up"  # another vehicle's: not passed on either
+    assert not vehicle.has_key
+    assert give(bytes(setup(KEY).pack(unsigned))) == "set up"
+    assert give(beat(unsigned)) == vehicle_signing.NOT_SIGNED
+    assert give(bytes(setup(OTHER).pack(unsigned))) == vehicle_signing.NOT_SIGNED
+    assert give(bytes(setup(OTHER).pack(peer(OTHER)))) == vehicle_signing.OTHER_KEY
+    assert give(bytes(setup(OTHER).pack(peer()))) == "set up"
+    assert give(beat(peer())) == vehicle_signing.OTHER_KEY
+    assert give(bytes(setup(bytes(32)).pack(peer(OTHER, stamp=NOW + 9)))) == "set up"
+    assert give(beat(unsigned)) == "passed"
+    assert keys == [KEY, OTHER, None]
+
+
+def test_a_key_has_32_bytes(program: str) -> None:
+    with pytest.raises(ValueError, match="32 bytes, not 31"):
+        Ours(program, bytes(31))

@@ -24,9 +24,10 @@ class EnergySummary(_Part):
     initial_j: float
     drawn_j: float
     received_j: float
+    """of a tanker: what came back to it, having been on the way when a transfer ended"""
     given_j: float
     lost_j: float
-    """given, and never credited by a receiver"""
+    """given, never credited by a receiver, and not come back"""
     remaining_j: float
     source: str
     """the message field that `drawn_j` was read from"""

@@ -107,6 +107,6 @@ def event_of(record: Mapping[str, Any]) -> Event:
     if kind == "policy failed":
         problem = PluginFault(int(record["sysid"]), str(record.get("policy")), str(record.get("problem")))
         return Event(t_s, problem.sysid, "warning", problem.sentence, "decision")
-    if kind in ("decided", "transfer", "broken off", "served", "unable"):
+    if kind in ("decided", "transfer", "broken off", "served", "settled", "unable"):
         return Event(t_s, int(record["receiver"]), "info", sentence(record), "decision")
     return Event(t_s, int(record.get("sysid", 0)), "info", str(kind), "decision")

@@ -87,7 +87,7 @@ def summarise(
                 max_tracking_error_m=metrics.max_tracking_error_m.get(view.sysid),
                 path_length_m=metrics.path_length_m.get(view.sysid, 0.0),
                 control_effort=view.control_effort,
-                energy=_ledger(view, view.given_j - credited_j[view.sysid]),
+                energy=_ledger(view, view.given_j - credited_j[view.sysid] - _returned_j(view)),
                 missing_streams=supervisor.externals.missing_streams(view.sysid),
                 refused_messages=link.signature_refusals.get(view.sysid, 0),
             )
@@ -115,6 +115,11 @@ def summarise(
             command_retries=supervisor.command_retries,
         ),
     )
+
+
+def _returned_j(view: VehicleView) -> int:
+    """Energy that came back to a tanker, which receives none otherwise, J."""
+    return view.received_j if view.role == "tanker" else 0
 
 
 def _ledger(view: VehicleView, lost_j: int) -> EnergySummary:

@@ -30,6 +30,20 @@ class BlackoutWindow(NamedTuple):
     to_s: float
 
 
+class Burst(NamedTuple):
+    """The radio of this vehicle is worse for frames sent in from_s ≤ t < to_s."""
+
+    sysid: int
+    from_s: float
+    to_s: float
+    loss: float = 0.0
+    """share of frames lost, if that is more than otherwise"""
+    delay_s: float = 0.0
+    """how much later than otherwise frames come"""
+    only: Direction | None = None
+    """the direction that it is about; None: both"""
+
+
 @dataclass
 class _Stream:
     """One vehicle and direction: its randomness and the frames in the air."""
@@ -63,6 +77,7 @@ class Impairment:
         duplicate: float = 0.0,
         reorder: float = 0.0,
         blackouts: Iterable[BlackoutWindow] = (),
+        bursts: Iterable[Burst] = (),
         seed: int = 0,
     ) -> None:
         for name, share in (("loss", loss), ("duplicate", duplicate), ("reorder", reorder)):
@@ -74,9 +89,10 @@ class Impairment:
         self._loss, self._duplicate, self._reorder = loss, duplicate, reorder
         self._delay_s, self._jitter_s = delay_s, jitter_s
         self._blackouts = tuple(blackouts)
+        self._bursts = tuple(bursts)
         self._seed = seed
         self._streams: dict[tuple[int, str], _Stream] = {}
-        self.clear = not (loss or delay_s or jitter_s or duplicate or reorder or self._blackouts)
+        self.clear = not (loss or delay_s or jitter_s or duplicate or reorder or self._blackouts or self._bursts)
         """whether every frame passes as it is"""
 
     def apply(self, sysid: int, direction: Direction, t_s: float, frames: Sequence[Item]) -> Sequence[Item]:
@@ -91,19 +107,23 @@ class Impairment:
         if stream is None:
             stream = self._streams[sysid, direction] = _Stream(_random(self._seed, sysid, direction))
         dark = any(b.sysid == sysid and b.from_s <= t_s < b.to_s for b in self._blackouts)
+        loss, delay_s = (1.0 if dark else self._loss), self._delay_s
+        for burst in self._bursts:
+            if burst.sysid == sysid and burst.from_s <= t_s < burst.to_s and burst.only in (None, direction):
+                loss, delay_s = max(loss, burst.loss), delay_s + burst.delay_s
         for frame in frames:
-            self._send(stream, t_s, frame, dark)
+            self._send(stream, t_s, frame, loss, delay_s)
         delivered: list[Item] = []
         while stream.pending and stream.pending[0][0] <= t_s + _ROUNDING_S:
             delivered.append(heapq.heappop(stream.pending)[2])  # type: ignore[arg-type]  # it came in as an Item
         return delivered
 
-    def _send(self, stream: _Stream, t_s: float, frame: object, dark: bool) -> None:
+    def _send(self, stream: _Stream, t_s: float, frame: object, loss: float, delay_s: float) -> None:
         draw = stream.random.random
         lost, late, again, again_late, overtaken = draw(), draw(), draw(), draw(), draw()
-        if dark or lost < self._loss:
+        if lost < loss:
             return
-        due_s = t_s + self._delay_s + late * self._jitter_s
+        due_s = t_s + delay_s + late * self._jitter_s
         if overtaken < self._reorder:
             stream.overtaken.append((due_s, frame))
         else:
@@ -112,7 +132,7 @@ class Impairment:
                 stream.launch(max(due_s, overtaken_due_s), held)
             stream.overtaken.clear()
         if again < self._duplicate:
-            stream.launch(t_s + self._delay_s + again_late * self._jitter_s, frame)
+            stream.launch(t_s + delay_s + again_late * self._jitter_s, frame)
 
 
 def _random(seed: int, sysid: int, direction: str) -> random.Random:

@@ -122,6 +122,20 @@ class ClosestSummary(_Part):
     t_s: float
 
 
+class FaultSummary(_Part):
+    """A fault that was injected."""
+
+    fault: str
+    sysid: int | None
+    """null: it befell all"""
+    begin_s: float
+    end_s: float | None
+    """null: it stayed"""
+    survived: bool
+    """whether every vehicle that it befell is still there at the end"""
+    text: str
+
+
 class Summary(_Part):
     """The session."""
 
@@ -168,6 +182,8 @@ class Summary(_Part):
     tanker_idle_s: float = 0.0
     """tankers' time, summed, in which they stood free although somebody waited for energy"""
     link: LinkSummary
+    faults: list[FaultSummary] = []
+    """those of the scenario that happened"""
     bases: list[BaseSummary] = []
 
     def write(self, folder: Path) -> None:

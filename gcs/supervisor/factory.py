@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from gcs.link.impairment import BlackoutWindow, Impairment
 from gcs.mavlink.autopilots import PROFILES
+from gcs.scenario.faults import Injection
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import SELDOM_S, ArmingSequence
 from gcs.supervisor.arming_external import ExternalArmingSequence
+from gcs.supervisor.faults import radio_faults
 from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
 
 
@@ -39,10 +43,12 @@ def make_arming_sequences(scenario: Scenario) -> dict[int, ArmingSequence]:
     }
 
 
-def make_radio(scenario: Scenario) -> Impairment:
-    """The radio between vehicles and supervisor."""
+def make_radio(scenario: Scenario, injections: Iterable[Injection] = ()) -> Impairment:
+    """The radio between vehicles and supervisor, with the faults that befall it."""
+    blackouts, bursts = radio_faults(injections, [vehicle.sysid for vehicle in scenario.vehicles.all])
     return Impairment(
         **scenario.radio.model_dump(exclude={"blackouts"}),
-        blackouts=[BlackoutWindow(b.sysid, b.from_s, b.to_s) for b in scenario.radio.blackouts],
+        blackouts=[*(BlackoutWindow(b.sysid, b.from_s, b.to_s) for b in scenario.radio.blackouts), *blackouts],
+        bursts=bursts,
         seed=scenario.seed,
     )

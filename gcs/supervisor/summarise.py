@@ -12,6 +12,7 @@ from gcs.recording.summary import (
     BaseSummary,
     ClosestSummary,
     EnergySummary,
+    FaultSummary,
     GoalPartSummary,
     LinkSummary,
     RefuellingSummary,
@@ -106,6 +107,7 @@ def summarise(
             )
             for stock in schedule.stocks
         ],
+        faults=[FaultSummary(**fault) for fault in supervisor.fault_outcomes()],
         link=LinkSummary(
             received=supervisor.received,
             sent=supervisor.sent,

@@ -2,9 +2,9 @@
 
 Joules move whole and fractions carry over. Each side keeps one counter for life, `given_j` or `received_j`, which it
 sends as XferOut and XferIn. A receiver credits by the largest XferOut that it has seen, so a lost frame costs nothing.
-An order that has moved joules and ended is never begun again, or a late copy of it would credit them twice. What was on
-the way when a transfer broke off, given and not credited, comes back once both figures are final: the supervisor settles
-the order, and the joules count as received. Time is an argument; nothing here knows a message or a mode.
+An order that has moved joules and ended is never begun again, or a late copy of it would credit them twice. What was
+on the way when a transfer broke off, given and not credited, comes back once both figures are final: the supervisor
+settles the order, and the joules count as received. Time is an argument; nothing here knows a message or a mode.
 """
 
 from __future__ import annotations

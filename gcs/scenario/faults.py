@@ -78,7 +78,7 @@ class Injection(NamedTuple):
         return self.fault.sysid is None or self.fault.sysid == sysid
 
 
-class _Vehicle(Protocol):
+class _FaultSubject(Protocol):
     sysid: int
     airborne: bool
 
@@ -104,7 +104,7 @@ def drawn(faults: Sequence[Fault], seed: int) -> list[Injection]:
     return sorted(found, key=lambda one: (one.begin_s, one.number))
 
 
-def fault_conflicts(faults: Sequence[Fault], vehicles: Iterable[_Vehicle], duration_s: float) -> Iterator[Conflict]:
+def fault_conflicts(faults: Sequence[Fault], vehicles: Iterable[_FaultSubject], duration_s: float) -> Iterator[Conflict]:
     """Faults that cannot happen to these vehicles, or whose keys do not go together."""
     known = {vehicle.sysid: vehicle for vehicle in vehicles}
     for i, fault in enumerate(faults):
@@ -136,7 +136,7 @@ def _key_conflicts(path: KeyPath, fault: Fault) -> Iterator[Conflict]:
             yield Conflict((*path, key), f"{fault.fault} has no {key}")
 
 
-def _vehicle_conflicts(path: KeyPath, fault: Fault, vehicle: _Vehicle) -> Iterator[Conflict]:
+def _vehicle_conflicts(path: KeyPath, fault: Fault, vehicle: _FaultSubject) -> Iterator[Conflict]:
     if vehicle.external is not None and fault.fault in LAUNCHED_ONLY:
         sentence = (
             f"{vehicle.label} is external: {fault.fault} is for launched vehicles; motor and gps_off can be asked"

@@ -21,7 +21,7 @@ from scipy.optimize import linear_sum_assignment
 from gcs.refuelling.auction import auction
 from gcs.refuelling.giver import Giver, ServiceTimes, lasts_s
 from gcs.refuelling.matching import match
-from gcs.refuelling.rolling_horizon import Durations, Fleet, Planned, Tankers, plan
+from gcs.refuelling.rolling_horizon import Durations, Planned, Receivers, Tankers, plan
 from gcs.scenario.model import RefuellingRules, Scenario
 from gcs.telemetry.state import VehicleView
 
@@ -122,7 +122,7 @@ class Optimal:
     def _planned(self, request: RefuellingRequest, views: Sequence[VehicleView]) -> Planned:
         assert request.times is not None
         rules, times = request.rules, request.times
-        fleet = Fleet(
+        fleet = Receivers(
             np.array([view.p_now_ned() for view in views]),
             np.array([min(lasts_s(view, rules.lands_at), LONGEST_S) for view in views]),
             np.array([max(view.power_w, 1e-3) for view in views]),

@@ -313,7 +313,8 @@ def _traffic(rng: np.random.Generator) -> Document:
         path = [rounded_m(through - ahead * 8.0 * speed), rounded_m(through + ahead * 12.0 * speed)]
         movers.append({"callsign": f"PASS{i + 1}", "path_m": path, "speed_m_s": speed, "start_s": 12.0 * i})
     document["traffic"] = movers
-    document["goal"]["duration_s"] = 12.0 * len(movers) + 10.0
+    # They turn round at their ends and come back 24 s and 40 s later: the end is when nobody has to give way.
+    document["goal"]["duration_s"] = 22.0 if len(movers) == 1 else 39.0
     return document
 
 

@@ -209,7 +209,7 @@ class Vehicle(Body):
             if self.transfer is not None and self.transfer.stopped_by(order):
                 self._end_transfer("stopped")
             return None
-        reason = self.exchange.refuses(order, self.p_ned, self.v_ned, self.time_s, self._envelope())
+        reason = self.exchange.refuses(order, self.p_ned, self.time_s, self._envelope())
         if reason is not None or self.transfer is not None:
             return reason
         charged = order.role is TransferSide.RECEIVE and self.landed and not self.armed  # at a base, in whatever mode
@@ -382,7 +382,6 @@ class Vehicle(Body):
             dt_s,
             self.time_s,
             self.p_ned,
-            self.v_ned,
             remaining_j=self.remaining_j,
             capacity_j=self.capacity_j,
             envelope=self._envelope(),

@@ -19,10 +19,10 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 from scipy import ndimage
 
+from gcs.kernels import kernel
 from gcs.planner.line_of_sight import FloatArray, IntArray, bounds
 from gcs.scenario.geometry import shape_surface
 
@@ -88,7 +88,7 @@ def cells(
     return Cells(weight.ravel(), part.ravel(), place, cell_m, *counts)
 
 
-@njit(cache=True)
+@kernel()
 def _rasterise(
     table: FloatArray,
     low: FloatArray,
@@ -167,7 +167,7 @@ class CostField:
         return _descend(grid, self.cost, start, self.goal) if found else None
 
 
-@njit(cache=True)
+@kernel()
 def _estimate(dn: int, de: int, dd: int) -> int:
     """Kernel: the cost of the shortest free path between cells so far apart."""
     a, b, c = abs(dn), abs(de), abs(dd)
@@ -176,7 +176,7 @@ def _estimate(dn: int, de: int, dd: int) -> int:
     return 2 * (_CORNER * least + _SLANT * (middle - least) + _STRAIGHT * (most - middle))
 
 
-@njit(cache=True)
+@kernel()
 def _push(heap: IntArray, size: int, key: int) -> None:
     """Kernel: put one more key to heap[:size], which has room for it."""
     i = size
@@ -189,7 +189,7 @@ def _push(heap: IntArray, size: int, key: int) -> None:
     heap[i] = key
 
 
-@njit(cache=True)
+@kernel()
 def _pop(heap: IntArray, size: int) -> None:
     """Kernel: take the least key out of heap[:size]."""
     key = heap[size - 1]
@@ -208,7 +208,7 @@ def _pop(heap: IntArray, size: int) -> None:
     heap[i] = key
 
 
-@njit(cache=True)
+@kernel()
 def _allowed(weight: Weights, cell: int, around: IntArray, free: IntArray) -> None:
     """Kernel: free[k] = weight of the k-th cell around `cell`, 0 where no move leads there."""
     blocked = 0
@@ -230,7 +230,7 @@ def _allowed(weight: Weights, cell: int, around: IntArray, free: IntArray) -> No
                     free[13 + i + j + d] = 0
 
 
-@njit(cache=True)
+@kernel()
 def _moves(stride_n: int, stride_e: int) -> tuple[IntArray, IntArray]:
     """Kernel: where the 27 cells around a cell lie from it, and half the cost of the move there at weight 1."""
     around = np.zeros(27, dtype=np.int64)
@@ -246,7 +246,7 @@ def _moves(stride_n: int, stride_e: int) -> tuple[IntArray, IntArray]:
     return around, costs
 
 
-@njit(cache=True)
+@kernel()
 def _settle(
     grid: Cells, cost: Costs, open_cells: IntArray, start: int, most: int
 ) -> tuple[IntArray, IntArray, int, bool]:
@@ -325,7 +325,7 @@ def _settle(
     return np.unique(kept[:count]), seen[:new_cells].copy(), settled, found
 
 
-@njit(cache=True)
+@kernel()
 def _descend(grid: Cells, cost: Costs, start: int, goal: int) -> IntArray:
     """Kernel: cells from `start` to `goal` down the settled costs, of equal ones the first in order."""
     around, moves = _moves(grid.count_d * grid.count_e, grid.count_d)
@@ -356,7 +356,7 @@ def _descend(grid: Cells, cost: Costs, start: int, goal: int) -> IntArray:
     return path[:size]
 
 
-@njit(cache=True)
+@kernel()
 def nearest_in_part(grid: Cells, part: int, dearest: int, p_ned: FloatArray) -> int:
     """Kernel: the cell of a part, no dearer than given, whose centre is nearest to a place; -1 where none is."""
     counts = np.array([grid.count_n, grid.count_e, grid.count_d])

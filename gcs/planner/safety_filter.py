@@ -29,10 +29,10 @@ from __future__ import annotations
 from dataclasses import dataclass, field, fields
 
 import numpy as np
-from numba import njit
 from numpy.typing import ArrayLike, NDArray
 from scipy.spatial import cKDTree
 
+from gcs.kernels import kernel
 from gcs.planner.braking_clearance import FloatArray, IntArray
 from gcs.planner.line_of_sight import bounds
 from gcs.planner.safety_constraints import OBSTACLE, OTHER, PAIR, PLANE
@@ -284,7 +284,7 @@ def _shapes(
     return _rows(OBSTACLE, i, j, required[i])
 
 
-@njit(cache=True)
+@kernel()
 def _within_boxes(p: FloatArray, within_m: FloatArray, low: FloatArray, high: FloatArray) -> tuple[IntArray, IntArray]:
     """Kernel: rows of places and of boxes that are at most `within_m` (n,) apart."""
     size = 256

@@ -17,7 +17,7 @@ PACKAGES = {
     "simvehicle": ["exit kernels", "law", "autopilot", "mavlink", "sitl", "paper", "cli", "__main__"],
     "gcs": [
         "exit kernels",
-        "mavlink scenario",
+        "assignment mavlink scenario",
         "link telemetry",
         "planner refuelling",
         "recording",

@@ -20,7 +20,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from gcs.kernels import kernel
 from gcs.planner.line_of_sight import FloatArray, IntArray, bounds
@@ -82,10 +81,8 @@ def cells(
         for end in (0, -1):
             edge[axis] = end  # type: ignore[call-overload]
             weight[tuple(edge)] = 0
-    part = np.zeros(counts, dtype=np.int32)
-    ndimage.label(weight > 0, output=part)
     place = (float(first[0]), float(first[1]), float(first[2]))
-    return Cells(weight.ravel(), part.ravel(), place, cell_m, *counts)
+    return Cells(weight.ravel(), connected_parts(weight), place, cell_m, *counts)
 
 
 @kernel()
@@ -109,6 +106,57 @@ def _rasterise(
                 for d in range(a[2], b[2] + 1):
                     at = shape_surface(table, i, first[0] + n * cell_m, first[1] + e * cell_m, first[2] + d * cell_m)[0]
                     distance[n, e, d] = min(distance[n, e, d], at)
+
+
+def connected_parts(weight: Weights) -> Labels:
+    """Number of the part of the free space, from 1 as they are met, of each cell; free cells share a face with a part.
+
+    weight: (n, e, d), 0 where blocked, as all outer layers are. Returns (n * e * d,), 0 where blocked.
+    """
+    _, count_e, count_d = weight.shape
+    return _connected_parts(weight.ravel(), count_d, count_e * count_d)
+
+
+@kernel()
+def _connected_parts(weight: Weights, row: int, layer: int) -> Labels:
+    part = np.zeros(len(weight), dtype=np.int32)
+    # The number given to a part's cell → a lower one of the same part, or itself.
+    lower = np.zeros(1024, dtype=np.int32)
+    count = 0
+    for cell in range(len(weight)):
+        if weight[cell] == 0:
+            continue
+        number = 0
+        for back in (1, row, layer):
+            other = part[cell - back]
+            if other == 0:
+                continue
+            while lower[other] != other:
+                lower[other] = lower[lower[other]]
+                other = lower[other]
+            if number == 0:
+                number = other
+            elif number != other:
+                number, other = min(number, other), max(number, other)
+                lower[other] = number
+        if number == 0:
+            count += 1
+            if count == len(lower):
+                longer = np.zeros(2 * count, dtype=np.int32)
+                longer[:count] = lower
+                lower = longer
+            number = lower[count] = count
+        part[cell] = number
+    final = 0
+    for number in range(1, count + 1):
+        if lower[number] == number:
+            final += 1
+            lower[number] = final
+        else:
+            lower[number] = lower[lower[number]]
+    for cell in range(len(part)):
+        part[cell] = lower[part[cell]]
+    return part
 
 
 def cell_at(grid: Cells, p_ned: FloatArray) -> int:

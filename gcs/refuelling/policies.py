@@ -16,8 +16,8 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
-from scipy.optimize import linear_sum_assignment
 
+from gcs.assignment import least_cost
 from gcs.refuelling.auction import auction
 from gcs.refuelling.giver import Giver, ServiceTimes, lasts_s
 from gcs.refuelling.matching import match
@@ -177,7 +177,7 @@ class Hungarian:
         cost_s = np.array([[giver.way_s(view) for view in request.candidates] for giver in free])
         left_s = np.array([min(lasts_s(view, lands_at), LONGEST_S) for view in request.candidates])
         cost_s[:, left_s - cost_s.min(axis=0) < request.rules.reserve_s] -= LONGEST_S
-        rows, columns = linear_sum_assignment(cost_s)
+        rows, columns = least_cost(cost_s)
         return {int(free[i].name): request.candidates[j].sysid for i, j in zip(rows, columns, strict=True)}
 
 

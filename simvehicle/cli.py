@@ -102,7 +102,7 @@ class _Triple(click.ParamType[tuple[float, float, float]]):
     "--key-file",
     type=click.Path(path_type=Path, dir_okay=False),
     metavar="FILE",
-    help="MAVLink 2 signing on every --connect: sign everything, and act only on what is signed with this key.",
+    help="Sign frames; obey only what this key signed.",
 )
 @click.option(
     "--count",

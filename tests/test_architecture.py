@@ -14,9 +14,10 @@ import pytest
 ROOT = Path(__file__).resolve().parents[1]
 
 PACKAGES = {
-    "simvehicle": ["exit law", "autopilot", "mavlink", "sitl", "paper", "cli", "__main__"],
+    "simvehicle": ["exit kernels", "law", "autopilot", "mavlink", "sitl", "paper", "cli", "__main__"],
     "gcs": [
-        "exit mavlink scenario",
+        "exit kernels",
+        "assignment mavlink scenario",
         "link telemetry",
         "planner refuelling",
         "recording",

@@ -309,8 +309,8 @@ def _traffic(rng: np.random.Generator) -> Document:
         through, heading = starts[int(rng.integers(n))], rng.uniform(0.0, 2 * math.pi)
         speed = speed_of(rng)
         ahead = np.array([math.cos(heading), math.sin(heading), 0.0])
-        # So far away that it comes through 8 s after its start; each starts where the one before it is gone.
-        path = [rounded_m(through - ahead * 8.0 * speed), rounded_m(through + ahead * 12.0 * speed)]
+        # It comes through 8 s after its start, when the one before it is gone, and turns round after the end.
+        path = [rounded_m(through - ahead * 8.0 * speed), rounded_m(through + ahead * 40.0 * speed)]
         movers.append({"callsign": f"PASS{i + 1}", "path_m": path, "speed_m_s": speed, "start_s": 12.0 * i})
     document["traffic"] = movers
     document["goal"]["duration_s"] = 12.0 * len(movers) + 10.0

@@ -215,9 +215,10 @@ def run(
         raise click.UsageError(f"--junit: there is no folder {junit.parent}.")
     from gcs.report.junit import flown, refused
     from gcs.scenario.plugins import listed, named
+    from gcs.session.forked import can_fork
     from gcs.session.plain_text import mute_stdout
     from gcs.session.session_log import logged
-    from gcs.session.supervised import make_folder
+    from gcs.session.supervised import make_folder, supervisor_fork
     from gcs.session.supervised import run as fly
 
     try:
@@ -245,6 +246,7 @@ def run(
             mute_stdout()
     shown, said = _view(folder, resolved.name, plain or web, as_json, verbose=verbose, quiet=quiet)
     arguments = ["--drop-datagrams", str(drop_datagrams), *module_arguments(scenario)]
+    fork = supervisor_fork(folder, resolved, drop_datagrams) if can_fork() and not code else None
 
     error: str | None = None
     hurry = threading.Event()
@@ -262,7 +264,7 @@ def run(
 
             page.print_links(stack.enter_context(PageServer(folder)).links, err=as_json)
         stderr = getattr(shown, "stderr", None)
-        status = fly(folder, view, echo, arguments=arguments, finish=finish, stderr=stderr, hurry=hurry.set)
+        status = fly(folder, view, echo, arguments=arguments, fork=fork, finish=finish, stderr=stderr, hurry=hurry.set)
         if junit is not None and not _write_junit(junit, flown(folder, resolved, error)):
             status = status or NOT_DONE
         if not no_report:

@@ -10,9 +10,9 @@ import math
 from collections.abc import Iterable, Sequence
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from gcs.kernels import kernel
 from gcs.telemetry.state import Vec3
 
 KEPT = 32
@@ -67,7 +67,7 @@ class Tracking:
         self.now_m[self.row[sysid]] = 0.0
 
 
-@njit(cache=True)
+@kernel()
 def _measure(
     rows: NDArray[np.int64], p: Floats, time_s: float, decay: float, lag_s: float, times: Floats, way: Floats,
     count: NDArray[np.int64], now: Floats, error: Floats, lag: Floats,

@@ -144,7 +144,8 @@ def sentence(record: Mapping[str, Any]) -> str:
         return f"Refuelling of {receiver} {where} ended: {record['reason']}, {record['energy_j']:.0f} J"
     tanker = record["tanker"]
     if kind == "decided":
-        return f"Refuelling of {receiver} by {tanker} decided by {record['by']}"
+        how = ", unopposed" if record["by"] == "unopposed" else f" by {record['by']}"
+        return f"Refuelling of {receiver} by {tanker} decided{how}"
     if kind == "broken off":
         return f"Transfer from {tanker} to {receiver} broken off, join again"
     if kind == "transfer":

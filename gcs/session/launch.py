@@ -15,8 +15,9 @@ from typing import Any
 
 from gcs.exit import DONE, NOT_DONE
 from gcs.scenario.model import Scenario
+from gcs.session.hatch import Hatch, LaunchError
 from gcs.session.supervised import POLL_S, RunError, Signals, make_folder
-from gcs.session.vehicles import Hatch, LaunchError, vehicle_orders
+from gcs.session.vehicles import vehicle_orders
 
 STARTED_WITHIN_S = 120.0
 ENDED_EARLY = "standard input ended before the vehicles were there; --until-eof wants one that stays open"

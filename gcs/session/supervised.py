@@ -23,6 +23,8 @@ from gcs.exit import BAD_INPUT, INTERNAL_ERROR
 from gcs.scenario.file import dump
 from gcs.scenario.model import Scenario
 from gcs.session.client import SOCKET, Client, EarlierEvents, Lines
+from gcs.session.forked import ForkedProcess
+from gcs.session.hatch import Hatch, LaunchError
 from gcs.session.plain_text import QuietView, clean, farewell, mute_stdout
 
 SUPERVISOR = (sys.executable, "-P", "-m", "gcs.session.process")
@@ -128,15 +130,21 @@ class Supervised:
         supervisor: Sequence[str],
         pass_fds: Sequence[int] = (),
         stderr: IO[bytes] | None = None,
+        fork: Callable[[], int] | None = None,
     ) -> None:
+        """`fork` is the supervisor as a function, run in a fork of this process, instead of that command."""
         self._folder = folder
-        self._process = subprocess.Popen(
-            [*supervisor, str(folder), *arguments],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=stderr,
-            start_new_session=True,
-            pass_fds=pass_fds,
+        self._process: subprocess.Popen[bytes] | ForkedProcess = (
+            ForkedProcess(fork, f"{SUPERVISOR[-1]} {folder}", stderr)
+            if fork is not None
+            else subprocess.Popen(
+                [*supervisor, str(folder), *arguments],
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=stderr,
+                start_new_session=True,
+                pass_fds=pass_fds,
+            )
         )
         assert self._process.stdin is not None
         assert self._process.stdout is not None
@@ -241,6 +249,23 @@ class Supervised:
         return now_s >= self._asked_s + SAVES_WITHIN_S
 
 
+def supervisor_fork(folder: Path, scenario: Scenario, drop: float) -> Callable[[], int]:
+    """The supervisor of the session prepared in `folder`, to be run in a fork: the vehicles' host begins first."""
+
+    def fly() -> int:
+        if not sys.flags.safe_path and sys.path[:1] in ([""], [os.getcwd()]):
+            del sys.path[0]  # as -P does for the command
+        hatch = None
+        if scenario.vehicles.launched or scenario.traffic:
+            with contextlib.suppress(LaunchError, OSError):  # the session tries again, and says why
+                hatch = Hatch()
+        from gcs.session import process  # noqa: PLC0415 - half a second, in which the vehicles' host comes up
+
+        return process.fly(folder, drop=drop, scenario=scenario, hatch=hatch)
+
+    return fly
+
+
 def run(
     folder: Path,
     view: View,
@@ -248,6 +273,7 @@ def run(
     *,
     arguments: Sequence[str] = (),
     supervisor: Sequence[str] = SUPERVISOR,
+    fork: Callable[[], int] | None = None,
     finish: Callable[[dict[str, Any]], object] = lambda _: None,
     stderr: IO[bytes] | None = None,
     hurry: Callable[[], object] = lambda: None,
@@ -255,10 +281,10 @@ def run(
     """Fly the session prepared in `folder`; the exit status (docs/protocol.md#exit-status).
 
     `view` shows it while it flies, `finish` gets the supervisor's last word, and `echo` prints the lines that sum it
-    up. `stderr` takes what the supervisor says there; our own standard error without it. `hurry` is called where a
-    person has asked more than once for the end.
+    up. `fork` is the supervisor as a function, instead of a command. `stderr` takes what the supervisor says there; our
+    own standard error without it. `hurry` is called where a person has asked more than once for the end.
     """
-    with Signals() as signals, Supervised(folder, arguments, supervisor, stderr=stderr) as process:
+    with Signals() as signals, Supervised(folder, arguments, supervisor, stderr=stderr, fork=fork) as process:
         try:
             interrupted = _watch(process, signals, view, hurry)
         finally:

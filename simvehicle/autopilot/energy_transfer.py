@@ -63,17 +63,18 @@ class Neighbour:
 
     p_ned: tuple[float, float, float]
     v_ned: tuple[float, float, float]
+    own_v_ned: tuple[float, float, float]
+    """own velocity at that time: where reports are lost, both turn before the next one comes"""
     seen_s: float
 
 
 def refusal(
     neighbour: Neighbour | None,
     p_ned: tuple[float, float, float],
-    v_ned: tuple[float, float, float],
     now_s: float,
     envelope: Envelope,
 ) -> str | None:
-    """Why a receiver at `p_ned`, `v_ned` will not take from its partner; None when it will."""
+    """Why a receiver at `p_ned` will not take from its partner; None when it will."""
     if neighbour is None or now_s - neighbour.seen_s > SILENCE_S:
         return "the giver is silent"
     age_s = now_s - neighbour.seen_s
@@ -81,7 +82,7 @@ def refusal(
     distance_m = dist(there, p_ned)
     if distance_m > envelope.capture_m:
         return f"the giver is {distance_m:.1f} m away"
-    speed_m_s = dist(neighbour.v_ned, v_ned)
+    speed_m_s = dist(neighbour.v_ned, neighbour.own_v_ned)
     if speed_m_s > envelope.relative_speed_m_s:
         return f"the giver moves at {speed_m_s:.1f} m/s"
     return None
@@ -161,7 +162,6 @@ class Exchange:
         self,
         order: TransferOrder,
         p_ned: tuple[float, float, float],
-        v_ned: tuple[float, float, float],
         now_s: float,
         envelope: Envelope,
     ) -> str | None:
@@ -171,7 +171,7 @@ class Exchange:
         if order.key in self._ended_orders:
             return "that transfer has ended; a new one needs a new id"
         if order.role is TransferSide.RECEIVE:
-            return refusal(self.neighbours.get(order.partner), p_ned, v_ned, now_s, envelope)
+            return refusal(self.neighbours.get(order.partner), p_ned, now_s, envelope)
         return None
 
     def receive_counter(self, partner: int, name: str, value_j: int, now_s: float) -> None:
@@ -188,7 +188,6 @@ class Exchange:
         dt_s: float,
         now_s: float,
         p_ned: tuple[float, float, float],
-        v_ned: tuple[float, float, float],
         *,
         remaining_j: float,
         capacity_j: float,
@@ -202,7 +201,7 @@ class Exchange:
             joules = transfer.give(dt_s, remaining_j)
             self.given_j += joules
             return -joules, transfer.finished(now_s)
-        reason = refusal(self.neighbours.get(transfer.order.partner), p_ned, v_ned, now_s, envelope)
+        reason = refusal(self.neighbours.get(transfer.order.partner), p_ned, now_s, envelope)
         if reason is not None:
             return 0, reason
         joules = transfer.credit(capacity_j - remaining_j)

@@ -211,7 +211,7 @@ class Vehicle(Body):
             return None
         if order.role is TransferSide.SETTLE:
             return self._settle(order)
-        reason = self.exchange.refuses(order, self.p_ned, self.v_ned, self.time_s, self._envelope())
+        reason = self.exchange.refuses(order, self.p_ned, self.time_s, self._envelope())
         if reason is not None or self.transfer is not None:
             return reason
         charged = order.role is TransferSide.RECEIVE and self.landed and not self.armed  # at a base, in whatever mode
@@ -384,7 +384,6 @@ class Vehicle(Body):
             dt_s,
             self.time_s,
             self.p_ned,
-            self.v_ned,
             remaining_j=self.remaining_j,
             capacity_j=self.capacity_j,
             envelope=self._envelope(),

@@ -87,7 +87,8 @@ def test_it_closes_when_the_tanker_is_killed_in_mid_transfer(tmp_path: Path) -> 
 
 
 def test_it_closes_with_a_fifth_of_all_frames_lost(tmp_path: Path) -> None:
-    outcome = fly(merged(demo(), {"radio": {"loss": 0.2}}), tmp_path, "--plain")
+    # Not as long as the demo: a battery that ends empty no longer pays for what thrust draws.
+    outcome = fly(merged(demo(), {"radio": {"loss": 0.2}, "goal": {"duration_s": 90.0}}), tmp_path, "--plain")
     sysids = (1, 2, 3, 4, 5, 101, 201)
     assert outcome.summary["link"]["lost"] > 1000
     assert len(outcome.summary["refuel_order"]) >= 3

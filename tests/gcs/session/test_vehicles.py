@@ -7,7 +7,8 @@ import pytest
 import yaml
 
 from gcs.scenario.model import Scenario
-from gcs.session.vehicles import Ended, ProcessSpec, traffic_order, vehicle_order, vehicle_orders, vehicle_parameters
+from gcs.session.hatch import Ended, ProcessSpec
+from gcs.session.vehicles import traffic_order, vehicle_order, vehicle_orders, vehicle_parameters
 
 LINK = ("--supervised", "udpout:127.0.0.1:5000")
 

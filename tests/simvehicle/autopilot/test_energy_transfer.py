@@ -79,12 +79,12 @@ def test_receiver_credits_the_greatest_counter_heard_once_and_no_more_than_it_ha
     ],
 )
 def test_receiver_refuses_what_lies_outside_its_envelope(p: Any, v: Any, age_s: float, said: str | None) -> None:
-    giver = Neighbour(p, v, 10.0)
-    assert refusal(giver, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 10.0 + age_s, Envelope(1.5, 0.5)) == said
+    giver = Neighbour(p, v, (0.0, 0.0, 0.0), 10.0)
+    assert refusal(giver, (0.0, 0.0, 0.0), 10.0 + age_s, Envelope(1.5, 0.5)) == said
 
 
 def test_giver_never_heard_of_is_silent() -> None:
-    assert refusal(None, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0, Envelope(1.5, 0.5)) == "the giver is silent"
+    assert refusal(None, (0.0, 0.0, 0.0), 0.0, Envelope(1.5, 0.5)) == "the giver is silent"
 
 
 def test_giver_ends_a_second_after_the_receivers_counter_stood_still() -> None:

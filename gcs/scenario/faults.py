@@ -104,7 +104,9 @@ def drawn(faults: Sequence[Fault], seed: int) -> list[Injection]:
     return sorted(found, key=lambda one: (one.begin_s, one.number))
 
 
-def fault_conflicts(faults: Sequence[Fault], vehicles: Iterable[_FaultSubject], duration_s: float) -> Iterator[Conflict]:
+def fault_conflicts(
+    faults: Sequence[Fault], vehicles: Iterable[_FaultSubject], duration_s: float
+) -> Iterator[Conflict]:
     """Faults that cannot happen to these vehicles, or whose keys do not go together."""
     known = {vehicle.sysid: vehicle for vehicle in vehicles}
     for i, fault in enumerate(faults):

@@ -134,6 +134,7 @@ class WatchedSchedule(Scheduler):
                 self._watched, snapshot.vehicle(row.receiver), key[0], BY[row.by], snapshot.time_s
             )
             service.decided_at_s = _s(row.decided_s) or 0.0
+            self.services.sort(key=lambda one: (one.decided_at_s, one.number))  # it may be known late
             self._record_decision(service, self._watched)
         if service.phase is Phase.DONE:
             return

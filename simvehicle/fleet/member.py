@@ -42,7 +42,7 @@ class FleetMember:
         self._vehicle = vehicle
         self._sysid = sysid
         self._rules = rules
-        self._peers = Peers()
+        self.peers = Peers()
         self._competition = FleetCompetition(rules)
         self.receiver = Receiver(vehicle, sysid, rules) if sysid in rules.pursuers else None
         self.tanker = TankerDuty(vehicle, sysid, rules) if sysid in rules.tankers else None
@@ -67,7 +67,7 @@ class FleetMember:
 
     def receive(self, sysid: int, report: PeerReport) -> None:
         """A peer's report has come. Who hears a peer is not cut off: its failsafe for a lost link waits."""
-        self._peers.receive(sysid, report)
+        self.peers.receive(sysid, report)
         self._vehicle.receive_gcs_heartbeat()
 
     def receive_answer(self, sysid: int, accepted: bool) -> None:
@@ -87,7 +87,7 @@ class FleetMember:
         if self._tick_ms is None:
             self._report_s = vehicle.time_s + PERIOD_MS / 1e3 * (self._sysid % 2)
         self._tick_ms = vehicle.time_ms
-        now_s, peers = vehicle.time_s, self._peers.fresh(vehicle.time_s)
+        now_s, peers = vehicle.time_s, self.peers.fresh(vehicle.time_s)
         self._power_w += (1.0 - (POWER_KEPT if self._power_w else 0.0)) * (vehicle.power_w - self._power_w)
         up = vehicle.armed and not vehicle.landed and vehicle.mode in STEERED
         self._note_up(now_s, peers, up)

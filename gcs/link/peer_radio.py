@@ -80,7 +80,7 @@ class PeerRadio:
 
 
 def _reader(frame: Frame) -> int | None:
-    """Whom a frame is for: a system id, 0 for everyone; None for the ground station's alone."""
+    """Reader of a frame: a system id, 0 for everyone; None for the ground station's alone."""
     if frame.msgid in _BROADCAST:
         return 0
     if frame.msgid == _NAMED_VALUE_INT:

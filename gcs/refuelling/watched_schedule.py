@@ -85,7 +85,7 @@ class WatchedSchedule(Scheduler):
         return False
 
     def decide(self, snapshot: FleetSnapshot) -> Decision:
-        """What the vehicles have decided, as far as it is known at the snapshot's time."""
+        """Decisions of the vehicles, as far as it is known at the snapshot's time."""
         now_s = snapshot.time_s
         dt_s = 0.0 if self._last_s is None else now_s - self._last_s
         self._last_s = now_s

@@ -372,7 +372,7 @@ class GroundBlackout(Part):
     """end, s of session time; after `from_s`"""
 
 
-class Split(Part):
+class RadioSplit(Part):
     """From when to when some vehicles and all others do not receive each other; the ground station receives all."""
 
     sysids: Annotated[tuple[SysId, ...], Field(min_length=1)]
@@ -402,7 +402,7 @@ class Radio(Part):
     ground_blackouts: tuple[GroundBlackout, ...] = ()
     """times at which the ground station's own radio is dead; vehicles that compete on board go on receiving each
     other"""
-    splits: tuple[Split, ...] = ()
+    splits: tuple[RadioSplit, ...] = ()
     """times at which a part of the vehicles and the rest do not receive each other; with vehicles that compete on
     board"""
 

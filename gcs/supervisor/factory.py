@@ -71,7 +71,7 @@ def make_peer_radio(scenario: Scenario) -> PeerRadio | None:
 
 
 def make_schedule(scenario: Scenario, contest: Contest | None) -> Scheduler:
-    """Who decides on refuelling; `contest` as the scenario names it. Vehicles that do it themselves are watched."""
+    """Schedule of refuelling; `contest` as the scenario names it. Vehicles that do it themselves are watched."""
     vehicles = scenario.vehicles
     served = bool(vehicles.tankers or scenario.bases)
     kind = Scheduler if scenario.competition.where == "supervisor" else WatchedSchedule

@@ -21,7 +21,7 @@ from simvehicle.law.winner_take_all import Bidder, Standing, advance_ln, bounded
 _ROUNDING_S = 1e-6
 
 
-class Winner(NamedTuple):
+class FleetAward(NamedTuple):
     """A winner, its tanker, and the rule that decided."""
 
     receiver: int
@@ -69,8 +69,8 @@ class FleetCompetition:
         """Logarithm of a competitor's state over the greatest one."""
         return self._ln_v[sysid] - max(self._ln_v.values()) if sysid in self._ln_v else 0.0
 
-    def winners(self, now_s: float, free: Sequence[Offer]) -> list[Winner]:
-        """Whom the free tankers serve next, each matched to its own; none while that is undecided."""
+    def winners(self, now_s: float, free: Sequence[Offer]) -> list[FleetAward]:
+        """Receivers that the free tankers serve next, each matched to its own; none while that is undecided."""
         if not free or not self._bidders:
             return []
         k, rules = len(free), self._rules
@@ -115,7 +115,7 @@ class FleetCompetition:
             if now.share >= rules.share:
                 self._held_since_s.setdefault(k, now_s)
 
-    def _matched(self, now_s: float, winners: Sequence[int], by: DecidedBy, free: Sequence[Offer]) -> list[Winner]:
+    def _matched(self, now_s: float, winners: Sequence[int], by: DecidedBy, free: Sequence[Offer]) -> list[FleetAward]:
         """The winners' tankers, by the least sum of the ways' times. Whom its tanker would reach too late leaves the
         place to the next one whom it would not."""
         cost_s = np.array([[self._way_s(now_s, offer, sysid) for sysid in winners] for offer in free])
@@ -132,7 +132,7 @@ class FleetCompetition:
                     break
             if chosen in others:
                 others.remove(chosen)
-            found.append(Winner(chosen, free[i].sysid, by))
+            found.append(FleetAward(chosen, free[i].sysid, by))
         return found
 
     def _way_s(self, now_s: float, offer: Offer, sysid: int) -> float:

@@ -18,7 +18,7 @@ from typing import NamedTuple
 from simvehicle.autopilot.energy_transfer import TransferOrder, TransferSide, refusal
 from simvehicle.autopilot.modes import STEERED, Severity
 from simvehicle.autopilot.vehicle import Vehicle
-from simvehicle.fleet.competition import Winner
+from simvehicle.fleet.competition import FleetAward
 from simvehicle.fleet.peers import DecidedBy, PeerReport, PeerStage
 from simvehicle.fleet.rules import FleetRules
 
@@ -78,7 +78,7 @@ class Receiver:
         """calls that a tanker has answered with another receiver: double claims that were lost"""
         self._blocked_s: dict[int, float] = {}
         self._phase_since_s = 0.0
-        self._heard_s = 0.0
+        self._received_s = 0.0
         self._near_since_s: float | None = None
         self._refused = False
         self._asked_s = -math.inf
@@ -98,7 +98,7 @@ class Receiver:
         """Whether a tanker has lately not answered."""
         return now_s < self._blocked_s.get(tanker, -math.inf)
 
-    def call(self, won: Winner, now_s: float) -> None:
+    def call(self, won: FleetAward, now_s: float) -> None:
         """Call the tanker that was won."""
         self.tanker, self.by, self.since_s, self._breaks = won.tanker, won.by, now_s, 0
         self._in_at_call_j = self._vehicle.received_j
@@ -116,12 +116,12 @@ class Receiver:
             return
         tanker = peers.get(self.tanker)
         if tanker is not None:
-            self._heard_s = now_s
+            self._received_s = now_s
         if self._vehicle.mode not in STEERED or not self._vehicle.armed:
             self._end(now_s)
         elif self.phase is ReceiverPhase.CALL:
             self._call(now_s, tanker)
-        elif now_s - self._heard_s > SILENT_S:
+        elif now_s - self._received_s > SILENT_S:
             self._end(now_s)
         elif self.phase is ReceiverPhase.MEET:
             self._meet(now_s, tanker)
@@ -256,7 +256,7 @@ class Receiver:
         self._go(ReceiverPhase.NONE, now_s)
 
     def _go(self, phase: ReceiverPhase, now_s: float) -> None:
-        self.phase, self._phase_since_s, self._heard_s = phase, now_s, now_s
+        self.phase, self._phase_since_s, self._received_s = phase, now_s, now_s
         self._refused, self._asked_s, self._near_since_s = False, -math.inf, None
         if phase is ReceiverPhase.NONE:
             self.tanker = 0

@@ -36,7 +36,7 @@ class TankerDuty:
         self.services: list[ServiceReport] = []
         self.double_claims = 0
         """callers that were passed over because another had called at the same time"""
-        self._heard_s = 0.0
+        self._received_s = 0.0
         self._given_at_start_j = 0
         self._free = False
 
@@ -74,7 +74,7 @@ class TankerDuty:
         chosen = min(callers, key=lambda one: (callers[one].slack_s < HOPELESS_S, callers[one].bid_s, one))
         self.double_claims += len(callers) - 1
         call = callers[chosen]
-        self.receiver, self.since_s, self._heard_s = chosen, now_s, now_s
+        self.receiver, self.since_s, self._received_s = chosen, now_s, now_s
         self._given_at_start_j = self._vehicle.given_j
         self.services.append(ServiceReport(len(self.services) + 1, chosen, call.by, call.since_s))
         self._vehicle.announce(Severity.INFO, f"Serves {chosen}")
@@ -87,10 +87,10 @@ class TankerDuty:
         if self._vehicle.transfer is not None and self.available_j <= 0.0:
             self._stop()
         if receiver is not None:
-            self._heard_s = now_s
+            self._received_s = now_s
         gone = receiver is not None and receiver.time_s > self.since_s and receiver.partner != self._sysid
         late = service.start_s < 0.0 and now_s - self.since_s > MEET_WITHIN_S
-        if gone or late or not up or now_s - self._heard_s > SILENT_S:
+        if gone or late or not up or now_s - self._received_s > SILENT_S:
             self._stop()
             self.services[-1] = self.services[-1]._replace(end_s=now_s, ending=1 if given_j > 0 else 2)
             self._vehicle.announce(Severity.INFO, f"Has served {self.receiver}: {given_j} J")

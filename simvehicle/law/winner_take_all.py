@@ -91,5 +91,5 @@ def standing(bidders: Sequence[Bidder], k: int, *, p: float, tie_s: float) -> St
 
 
 def share_of(ln_ratio: float, p: float) -> float:
-    """What the first of two holds of the sum of their v^p, for the logarithm of their ratio."""
+    """Share that the first of two holds of the sum of their v^p, for the logarithm of their ratio."""
     return 1.0 / (1.0 + math.exp(-min(p * ln_ratio, 700.0))) if ln_ratio > -700.0 / p else 0.0

@@ -8,8 +8,9 @@ between, and a ground station that only listens, or decides in the shadow what a
 from __future__ import annotations
 
 import math
+import random
 from collections.abc import Callable, Iterator, Mapping
-from typing import Any
+from typing import Any, NamedTuple
 
 from gcs.mavlink import codec
 from gcs.scenario.model import Scenario
@@ -30,6 +31,7 @@ from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.dispatcher import Services
 
 PERIOD_MS = 100
+APART_M = 2.0
 
 
 def on_board(
@@ -77,8 +79,8 @@ def on_board(
 class FleetInProcess:
     """The vehicles of a scenario, tick by tick, as a session grants them their time."""
 
-    def __init__(self, content: Mapping[str, Any], *, tankers_from_s: float = 0.0) -> None:
-        """tankers_from_s: until then no tanker takes part."""
+    def __init__(self, content: Mapping[str, Any], *, tankers_from_s: float = 0.0, with_shadow: bool = False) -> None:
+        """tankers_from_s: until then no tanker takes part. with_shadow: let a schedule that decides look on, too."""
         self.scenario = Scenario.model_validate(content)
         central = {**content, "competition": {**content["competition"], "where": "supervisor"}}
         central["radio"] = {key: value for key, value in content.get("radio", {}).items() if key != "splits"}
@@ -88,7 +90,7 @@ class FleetInProcess:
         self._radio = make_radio(self.scenario)
         self.ground = make_fleet(self.scenario)
         self.watched = make_schedule(self.scenario, None)
-        self.shadow = make_schedule(Scenario.model_validate(central), None)
+        self.shadow = make_schedule(Scenario.model_validate(central), None) if with_shadow else None
         rules = read_rules(fleet_rules(self.scenario))
         origin = self.scenario.origin
         frame = LocalFrame(origin.lat_deg, origin.lon_deg, origin.alt_m)
@@ -173,7 +175,8 @@ class FleetInProcess:
         self.ground.pop_acks()
         snapshot = self.ground.snapshot(self.now_s)
         self.watched.decide(snapshot)
-        self.shadow.decide(snapshot)
+        if self.shadow is not None:
+            self.shadow.decide(snapshot)
 
     def distances_m(self) -> Iterator[tuple[int, int, float]]:
         """Distance of each pair that are not partners of a service."""
@@ -196,3 +199,70 @@ class FleetInProcess:
 
     def _tankers(self) -> tuple[Any, ...]:
         return self.scenario.vehicles.tankers
+
+
+def random_fleet(
+    seed: int, *, pursuers: int, tankers: int, half_m: float, percent: tuple[float, float], **changes: Any
+) -> dict[str, Any]:
+    """A fleet at random places at least 2 m apart, tankers above; charges within some percents."""
+    rng = random.Random(seed)
+    placed: dict[int, tuple[tuple[float, float, float], float]] = {}
+    above: dict[int, tuple[float, float, float]] = {}
+    taken: list[tuple[float, float, float]] = []
+
+    def place(low_m: float, high_m: float) -> tuple[float, float, float]:
+        while True:
+            spot = (rng.uniform(-half_m, half_m), rng.uniform(-half_m, half_m), -rng.uniform(low_m, high_m))
+            if all(math.dist(spot, other) > APART_M for other in taken):
+                taken.append(spot)
+                return spot
+
+    for i in range(pursuers):
+        placed[i + 1] = (place(1.5, 4.0), rng.uniform(*percent))
+    for i in range(tankers):
+        above[201 + i] = place(6.0, 10.0)
+    return on_board(placed, above, seed=seed, **changes)
+
+
+class Agreement(NamedTuple):
+    """First decision of a fleet, s of the session: of the schedule that decides in the shadow, of the tankers, and
+    when every vehicle knew it; who was chosen by each; and calls that a tanker refused for another one."""
+
+    central_s: float
+    accepted_s: float
+    agreed_s: float
+    central: Mapping[int, int]
+    on_board: Mapping[int, int]
+    refused_calls: int
+
+
+def agreement(content: Mapping[str, Any], *, tankers_from_s: float = 5.0, within_s: float = 40.0) -> Agreement:
+    """Fly a fleet until every one of its tankers has been given a receiver and everybody knows which. Tankers take
+    part late, so that the radio has told everyone of everyone before there is anything to decide."""
+    fleet = FleetInProcess(content, tankers_from_s=tankers_from_s, with_shadow=True)
+    assert fleet.shadow is not None
+    shadow = fleet.shadow
+    tankers = [tanker.sysid for tanker in fleet.scenario.vehicles.tankers]
+    central_s = accepted_s = agreed_s = math.inf
+
+    def each() -> bool:
+        nonlocal central_s, accepted_s, agreed_s
+        if len(shadow.services) >= len(tankers):
+            central_s = min(central_s, fleet.now_s)
+        if all(fleet.served().values()):
+            accepted_s = min(accepted_s, fleet.now_s)
+            known = [fleet.believed(sysid) for sysid in fleet.vehicles]
+            if all(one == known[0] and len(one) == len(tankers) and all(one.values()) for one in known):
+                agreed_s = min(agreed_s, fleet.now_s)
+        return math.isfinite(central_s) and math.isfinite(agreed_s)
+
+    fleet.fly(within_s, each)
+    receivers = (fleet.member(pursuer.sysid).receiver for pursuer in fleet.scenario.vehicles.pursuers)
+    return Agreement(
+        central_s,
+        accepted_s,
+        agreed_s,
+        {int(s.tanker or 0): s.receiver for s in shadow.services[: len(tankers)]},
+        {tanker: served[0] for tanker, served in fleet.served().items() if served},
+        sum(receiver.refused_calls for receiver in receivers if receiver is not None),
+    )

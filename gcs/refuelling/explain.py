@@ -131,6 +131,8 @@ def notes_of(services: Iterable[Service], asked: Iterable[int], out: Mapping[int
 def sentence(record: Mapping[str, Any]) -> str:
     """A decision for a person."""
     receiver, kind = record["receiver"], record["kind"]
+    if kind == "settled":
+        return f"Tanker {record['tanker']} took back {record['energy_j']:.0f} J that had not arrived at {receiver}"
     if kind == "unable":
         return f"Vehicle {receiver} cannot take a transfer: {record['reason']}; only a base can serve it"
     if "base" in record:

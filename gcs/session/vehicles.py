@@ -10,6 +10,7 @@ from typing import Any
 import yaml
 
 from gcs.planner.silence import failsafe_of
+from gcs.scenario.faults import COMMANDED
 from gcs.scenario.model import Scenario, VehicleBase
 from gcs.session.hatch import ProcessSpec
 
@@ -49,11 +50,15 @@ def vehicle_orders(
 ) -> list[ProcessSpec]:
     """Commands that start what is to be launched, up to `per_process` vehicles in one process; writes their parameters.
 
-    A block's system ids follow on each other, and all of it starts in the air or none. `connection` goes into argv.
+    A block's system ids follow on each other, and all of it starts in the air or none. Whose process a fault befalls
+    has one of its own. `connection` goes into argv.
     """
     blocks: list[list[VehicleBase]] = []
+    alone = {fault.sysid for fault in scenario.faults if fault.fault in ("kill", "hang")}
     for vehicle in scenario.vehicles.launched:
         last = blocks[-1][-1] if blocks and len(blocks[-1]) < per_process else None
+        if last is not None and alone & {last.sysid, vehicle.sysid}:
+            last = None
         if last is not None and vehicle.sysid == last.sysid + 1 and vehicle.airborne == last.airborne:
             blocks[-1].append(vehicle)
         else:
@@ -101,6 +106,7 @@ def vehicle_parameters(vehicle: VehicleBase, scenario: Scenario) -> dict[str, fl
         "SIM_XFER_DIST": scenario.refuelling.capture_m,
         "SIM_XFER_SPEED": scenario.refuelling.relative_speed_m_s,
         **(_cautious(vehicle, scenario) if scenario.planner.safety else {}),
+        **({"SYS_FAILURE_EN": 1.0} if _fails(vehicle, scenario) else {}),
         **vehicle.params,
     }
 
@@ -144,6 +150,11 @@ def fleet_rules(scenario: Scenario) -> dict[str, Any]:
             for obstacle in scenario.obstacles
         ],
     }
+
+
+def _fails(vehicle: VehicleBase, scenario: Scenario) -> bool:
+    """Whether it is to be told to have a fault."""
+    return any(fault.sysid == vehicle.sysid and fault.fault in COMMANDED for fault in scenario.faults)
 
 
 def _cautious(vehicle: VehicleBase, scenario: Scenario) -> dict[str, float]:

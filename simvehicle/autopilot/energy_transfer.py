@@ -2,13 +2,14 @@
 
 Joules move whole and fractions carry over. Each side keeps one counter for life, `given_j` or `received_j`, which it
 sends as XferOut and XferIn. A receiver credits by the largest XferOut that it has seen, so a lost frame costs nothing.
-An order that has moved joules and ended is never begun again, or a late copy of it would credit them twice. Time is an
-argument; nothing here knows a message or a mode.
+An order that has moved joules and ended is never begun again, or a late copy of it would credit them twice. What was
+on the way when a transfer broke off, given and not credited, comes back once both figures are final: the supervisor
+settles the order, and the joules count as received. Time is an argument; nothing here knows a message or a mode.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import IntEnum
 from math import dist, floor, inf
 
@@ -25,11 +26,15 @@ class TransferSide(IntEnum):
     STOP = 0
     GIVE = 1
     RECEIVE = 2
+    SETTLE = 3
 
 
 @dataclass(frozen=True)
 class TransferOrder:
-    """One transfer as the supervisor ordered it; `giver_start_j` is the giver's XferOut at the start."""
+    """One transfer as the supervisor ordered it; `giver_start_j` is the giver's XferOut at the start.
+
+    `limit_j` of SETTLE is what the receiver has credited in all.
+    """
 
     partner: int
     role: TransferSide
@@ -150,7 +155,8 @@ class Exchange:
         self.current: Transfer | None = None
         self.ended_s = -inf
         self.neighbours: dict[int, Neighbour] = {}
-        self._ended_orders: set[OrderKey] = set()
+        self._ended_orders: dict[OrderKey, int] = {}
+        """joules that each order moved in the end, by its key"""
 
     def refuses(
         self,
@@ -209,7 +215,21 @@ class Exchange:
         verb = "Gave" if self.current.order.role is TransferSide.GIVE else "Received"
         said = f"{verb} {self.current.moved_j} J"
         if self.current.touched:
-            self._ended_orders.add(self.current.order.key)
+            self._ended_orders[self.current.order.key] = self.current.moved_j
         self.current = None
         self.ended_s = now_s
         return said
+
+    def settle(self, order: TransferOrder, room_j: float) -> tuple[int, str | None]:
+        """Joules that come back to the giver of an order that has ended, beyond those that its receiver credited, and
+        why it cannot be settled; the same again brings nothing more."""
+        given = replace(order, role=TransferSide.GIVE)
+        if self.current is not None and self.current.order.key == given.key:
+            return 0, "that transfer has not ended"
+        moved_j = self._ended_orders.get(given.key)
+        if moved_j is None:
+            return 0, "that transfer was not given here"
+        back_j = min(max(moved_j - floor(order.limit_j), 0), floor(max(room_j, 0.0)))
+        self._ended_orders[given.key] = moved_j - back_j
+        self.received_j += back_j
+        return back_j, None

@@ -105,6 +105,13 @@ class _Triple(click.ParamType[tuple[float, float, float]]):
     help="Sign frames; obey only what this key signed.",
 )
 @click.option(
+    "--fleet",
+    "fleet",
+    type=click.Path(path_type=Path, dir_okay=False),
+    metavar="FILE",
+    help="Compete on board for the fleet's tankers, by the rules in this YAML file.",
+)
+@click.option(
     "--count",
     type=click.IntRange(1, 254),
     default=1,
@@ -153,6 +160,7 @@ def _fly(
     truth: tuple[Path, ...],
     state: Path | None,
     key_file: Path | None,
+    fleet: Path | None,
     count: int,
 ) -> int:
     from simvehicle.autopilot.body import Start
@@ -187,10 +195,11 @@ def _fly(
     ]
     files = zip(_each("--params", params or (None,), count), _each("--truth", truth or (None,), count), strict=True)
     wanted = []
+    rules = None if fleet is None else _fleet_rules(fleet)
     for i, (values, own_truth) in enumerate(files):
         store = _state(state, sysid + i)
         parameters = _parameters(values, store.values if store is not None else {})
-        wanted.append(Wanted(sysid + i, starts[i], parameters, own_truth, store, key_file, state))
+        wanted.append(Wanted(sysid + i, starts[i], parameters, own_truth, store, key_file, state, rules))
     for path in truth:
         if path.exists():
             raise click.UsageError(f"--truth {path} exists already; name a new file.")
@@ -213,6 +222,21 @@ def _each(option: str, values: tuple[Any, ...], count: int) -> tuple[Any, ...]:
         vehicles = f"each of the {count} vehicles" if count > 1 else "the one vehicle"
         raise click.UsageError(f"{option} is given {len(values)} times: give it once, or once for {vehicles}.")
     return values * count if len(values) == 1 else values
+
+
+def _fleet_rules(path: Path) -> Any:
+    import yaml
+
+    from simvehicle.fleet.rules import FleetRulesError, read_rules
+
+    try:
+        return read_rules(yaml.safe_load(path.read_text(encoding="utf-8")))
+    except OSError as error:
+        raise click.UsageError(f"--fleet {path}: {error.strerror}") from error
+    except (UnicodeDecodeError, yaml.YAMLError) as error:
+        raise click.UsageError(f"--fleet {path}: {' '.join(str(error).split())}") from error
+    except FleetRulesError as error:
+        raise click.UsageError(f"--fleet {path}: {error}") from error
 
 
 def _state(folder: Path | None, sysid: int) -> Any:

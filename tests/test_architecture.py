@@ -14,9 +14,9 @@ import pytest
 ROOT = Path(__file__).resolve().parents[1]
 
 PACKAGES = {
-    "simvehicle": ["exit kernels", "law", "autopilot", "mavlink", "sitl", "paper", "cli", "__main__"],
+    "simvehicle": ["exit kernels", "law", "autopilot", "fleet", "mavlink", "sitl", "paper", "cli", "__main__"],
     "gcs": [
-        "exit kernels",
+        "exit kernels loading",
         "assignment mavlink scenario",
         "link telemetry",
         "planner refuelling",

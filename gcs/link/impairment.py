@@ -17,6 +17,7 @@ from typing import Literal, NamedTuple, TypeVar
 
 Item = TypeVar("Item")
 Direction = Literal["in", "out"]
+"""To the ground station, and from it."""
 
 # Session times are sums of tick lengths; a delivery must not slip a tick for their last bits.
 _ROUNDING_S = 1e-6
@@ -77,9 +78,11 @@ class Impairment:
         duplicate: float = 0.0,
         reorder: float = 0.0,
         blackouts: Iterable[BlackoutWindow] = (),
+        ground_blackouts: Iterable[tuple[float, float]] = (),
         bursts: Iterable[Burst] = (),
         seed: int = 0,
     ) -> None:
+        """`ground_blackouts`: from when to when no frame of any vehicle gets through."""
         for name, share in (("loss", loss), ("duplicate", duplicate), ("reorder", reorder)):
             if not 0.0 <= share <= 1.0:
                 raise ValueError(f"radio {name} is a share of frames between 0 and 1, not {share}")
@@ -88,25 +91,32 @@ class Impairment:
                 raise ValueError(f"radio {name} is a time of 0 s or more, not {length_s}")
         self._loss, self._duplicate, self._reorder = loss, duplicate, reorder
         self._delay_s, self._jitter_s = delay_s, jitter_s
-        self._blackouts = tuple(blackouts)
+        self._blackouts, self._ground_blackouts = tuple(blackouts), tuple(ground_blackouts)
         self._bursts = tuple(bursts)
         self._seed = seed
-        self._streams: dict[tuple[int, str], _Stream] = {}
-        self.clear = not (loss or delay_s or jitter_s or duplicate or reorder or self._blackouts or self._bursts)
+        self._streams: dict[tuple[int, Direction | int], _Stream] = {}
+        outages = (self._blackouts, self._ground_blackouts, self._bursts)
+        self.clear = not any((loss, delay_s, jitter_s, duplicate, reorder, *outages))
         """whether every frame passes as it is"""
 
-    def apply(self, sysid: int, direction: Direction, t_s: float, frames: Sequence[Item]) -> Sequence[Item]:
+    def apply(
+        self, sysid: int, direction: Direction | int, t_s: float, frames: Sequence[Item], *, dark: bool = False
+    ) -> Sequence[Item]:
         """Send a vehicle's frames at session time `t_s`; what is delivered now, held frames that are due included.
+
+        direction: to or from the ground station, or the system id of the vehicle that they come from. dark: none gets
+        through now.
 
         Call it once per tick even without frames, with times that do not fall. Frames due at the same time come in the
         order in which they were sent.
         """
         if self.clear:
-            return frames
+            return () if dark else frames
         stream = self._streams.get((sysid, direction))
         if stream is None:
             stream = self._streams[sysid, direction] = _Stream(_random(self._seed, sysid, direction))
-        dark = any(b.sysid == sysid and b.from_s <= t_s < b.to_s for b in self._blackouts)
+        dark = dark or any(b.sysid == sysid and b.from_s <= t_s < b.to_s for b in self._blackouts)
+        dark = dark or any(from_s <= t_s < to_s for from_s, to_s in self._ground_blackouts)
         loss, delay_s = (1.0 if dark else self._loss), self._delay_s
         for burst in self._bursts:
             if burst.sysid == sysid and burst.from_s <= t_s < burst.to_s and burst.only in (None, direction):
@@ -135,7 +145,7 @@ class Impairment:
             stream.launch(t_s + delay_s + again_late * self._jitter_s, frame)
 
 
-def _random(seed: int, sysid: int, direction: str) -> random.Random:
+def _random(seed: int, sysid: int, direction: Direction | int) -> random.Random:
     """The stream of this name: the same in every process, unlike one seeded by `hash`."""
     digest = hashlib.sha256(f"{seed}/{sysid}/{direction}".encode()).digest()
     return random.Random(int.from_bytes(digest[:16], "big"))

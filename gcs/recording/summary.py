@@ -8,14 +8,16 @@ from typing import TYPE_CHECKING, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
+from gcs.scenario.described import Described
+
 if TYPE_CHECKING:  # who only reads a summary need not load the supervisor
     pass
 
 FILE = "summary.json"
 
 
-class _Part(BaseModel):
-    model_config = ConfigDict(extra="forbid", allow_inf_nan=False, use_attribute_docstrings=True)
+class _Part(Described, BaseModel):
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False, defer_build=True)
 
 
 class EnergySummary(_Part):

@@ -72,6 +72,8 @@ TRANSFER_HOPS = 4
 """Giver, supervisor, receiver and back: within the silence the giver's joules must be seen to have arrived."""
 MOST_MOVERS = 100
 """A tick holds at most 127 frames of one sender (docs/protocol.md#answer)."""
+MOST_PEERS = 40
+"""Vehicles whose reports fit a bundle together, twice a second (docs/protocol.md#peer-reports)."""
 NO_PURSUIT = "a competition for targets needs a pursuer and a target"
 
 
@@ -207,8 +209,16 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
             "height_m must be below capture_m, or no transfer would begin",
         ),
     ]
+    rules += _onboard_rules(s)
+    for i, silence in enumerate(s.radio.ground_blackouts):
+        path: KeyPath = ("radio", "ground_blackouts", i, "to_s")
+        rules.append((silence.from_s >= silence.to_s, path, "to_s must be after from_s"))
+    for i, split in enumerate(s.radio.splits):
+        rules.append((split.from_s >= split.to_s, ("radio", "splits", i, "to_s"), "to_s must be after from_s"))
+        missing = sorted(set(split.sysids) - sysids)
+        rules.append((missing, ("radio", "splits", i, "sysids"), f"there is no vehicle {missing[0] if missing else 0}"))
     for i, blackout in enumerate(s.radio.blackouts):
-        path: KeyPath = ("radio", "blackouts", i)
+        path = ("radio", "blackouts", i)
         rules.append((blackout.sysid not in sysids, (*path, "sysid"), f"there is no vehicle {blackout.sysid}"))
         rules.append((blackout.from_s >= blackout.to_s, (*path, "to_s"), "to_s must be after from_s"))
     for i, obstacle in enumerate(s.obstacles):
@@ -217,6 +227,31 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
         yield from _route_conflicts(("traffic", i, "path_m"), mover)
     yield from repeats("callsign", [(("traffic", i, "callsign"), mover.callsign) for i, mover in enumerate(s.traffic)])
     yield from (Conflict(path, sentence) for broken, path, sentence in rules if broken)
+
+
+def _onboard_rules(s: Scenario) -> list[tuple[Any, KeyPath, str]]:
+    """Conditions of a competition on board: (broken, where, sentence)."""
+    where: KeyPath = ("competition", "where")
+    if s.competition.where == "supervisor":
+        return [(s.radio.splits, ("radio", "splits"), "splits need 'competition: {where: vehicles}'")]
+    rules, vehicles = s.competition, s.vehicles
+    refuels = rules.enabled and s.refuelling.enabled and vehicles.pursuers and vehicles.tankers
+    return [
+        (
+            not refuels,
+            where,
+            "vehicles compete on board for tankers: it needs a pursuer, a tanker, and refuelling enabled",
+        ),
+        (vehicles.external, where, "external vehicles do not compete on board: leave them out, or where: supervisor"),
+        (s.bases, where, "bases are the supervisor's: leave them out, or where: supervisor"),
+        (rules.policy != "winner_take_all", where, "on board there is the policy winner_take_all alone"),
+        (rules.bids != "time", where, "on board there are bids by time alone"),
+        (
+            len(vehicles.all) > MOST_PEERS,
+            where,
+            f"at most {MOST_PEERS} vehicles compete on board: more reports do not fit the radio, 1,400 bytes a tick",
+        ),
+    ]
 
 
 def _vehicle_conflicts(s: Scenario) -> Iterator[Conflict]:

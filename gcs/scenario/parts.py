@@ -363,6 +363,26 @@ class Blackout(Part):
     """end, s of session time; after `from_s`"""
 
 
+class GroundBlackout(Part):
+    """From when to when the ground station's own radio is dead: it neither sends nor receives."""
+
+    from_s: Seconds
+    """begin, s of session time"""
+    to_s: Seconds
+    """end, s of session time; after `from_s`"""
+
+
+class RadioSplit(Part):
+    """From when to when some vehicles and all others do not receive each other; the ground station receives all."""
+
+    sysids: Annotated[tuple[SysId, ...], Field(min_length=1)]
+    """system ids of the vehicles on one side"""
+    from_s: Seconds
+    """begin, s of session time"""
+    to_s: Seconds
+    """end, s of session time; after `from_s`"""
+
+
 class Radio(Part):
     """Faults of the radio link, each way: shares of all frames, and seconds
     (docs/protocol.md#radio-impairment)."""
@@ -379,6 +399,12 @@ class Radio(Part):
     """share of frames that arrive after the one sent next, 0 to 1"""
     blackouts: tuple[Blackout, ...] = ()
     """times at which nothing from or to a vehicle arrives"""
+    ground_blackouts: tuple[GroundBlackout, ...] = ()
+    """times at which the ground station's own radio is dead; vehicles that compete on board go on receiving each
+    other"""
+    splits: tuple[RadioSplit, ...] = ()
+    """times at which a part of the vehicles and the rest do not receive each other; with vehicles that compete on
+    board"""
 
     @property
     def random(self) -> bool:

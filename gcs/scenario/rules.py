@@ -121,6 +121,9 @@ class CompetitionRules(Part):
 
     enabled: Flag = True
     """false: no vehicle is refuelled unless an operator asks"""
+    where: Literal["supervisor", "vehicles"] = "supervisor"
+    """`supervisor`: it decides and commands; `vehicles`: they compete on board, call the tankers and command the
+    transfers over the radio among themselves, and the supervisor watches"""
     policy: Policy = "winner_take_all"
     """the competition, one to compare it with, or MODULE:CLASS; others use need_from alone"""
     p: Annotated[float, Field(strict=True, ge=1, le=100)] = 2.0

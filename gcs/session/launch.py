@@ -16,7 +16,7 @@ from typing import Any
 from gcs.exit import DONE, NOT_DONE
 from gcs.scenario.model import Scenario
 from gcs.session.hatch import Hatch, LaunchError
-from gcs.session.supervised import POLL_S, RunError, Signals, make_folder
+from gcs.session.supervised import POLL_S, RunError, Signals, make_folder, write_scenario
 from gcs.session.vehicles import vehicle_orders
 
 STARTED_WITHIN_S = 120.0
@@ -43,7 +43,8 @@ def launch(
             folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="gcs-launch-")))
             (folder / "vehicles").mkdir()
         else:
-            folder = make_folder(out, scenario)
+            folder = make_folder(out, scenario.name)
+            write_scenario(folder, scenario)
         signals = stack.enter_context(Signals())
         orders = vehicle_orders(scenario, folder, connection)
         try:

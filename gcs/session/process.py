@@ -8,7 +8,6 @@ closes. stdout carries two JSON lines: {"listening": true}, and {"exit", "outcom
 from __future__ import annotations
 
 import contextlib
-import gc
 import json
 import math
 import os
@@ -29,6 +28,7 @@ from gcs.link.keys import KeyRefused, RefusalNotices
 from gcs.link.link import Link
 from gcs.link.lockstep import REPEAT_S, LockstepLink
 from gcs.link.socket import BUFFER_BYTES, AddressRefused
+from gcs.loading import loaded
 from gcs.mavlink.ids import AUTOPILOT, TRAFFIC
 from gcs.recording.recorder import Recorder, RecorderError
 from gcs.recording.reserve import Reserve
@@ -238,7 +238,7 @@ class SessionProcess:
         self._phase = "flying"
         self._begun = True
         self._answered_s = self._said_waiting_s = time.monotonic()
-        gc.freeze()  # what lives now lives to the end: no collection need look at it again
+        loaded()
         pace.start()
         self._link.begin()
         supervisor.begin()

@@ -20,6 +20,7 @@ from typing import IO, Any, Protocol, Self
 import click
 
 from gcs.exit import BAD_INPUT, INTERNAL_ERROR
+from gcs.loading import loaded, uncollected
 from gcs.scenario.file import dump
 from gcs.scenario.model import Scenario
 from gcs.session.client import SOCKET, Client, EarlierEvents, Lines
@@ -92,10 +93,10 @@ def _ignore(*_: object) -> None:
     """The wake-up descriptor reports signals; Python needs a handler for it to do so."""
 
 
-def make_folder(out: Path | None, scenario: Scenario) -> Path:
-    """A new session folder with `vehicles/` and the resolved scenario in it; raises RunError."""
+def make_folder(out: Path | None, name: str) -> Path:
+    """A new session folder with `vehicles/` in it, for a scenario of this name; raises RunError."""
     stamp = datetime.now().astimezone().strftime("%Y%m%d-%H%M%S")
-    folder = out or Path("sessions") / f"{scenario.name}-{stamp}"
+    folder = out or Path("sessions") / f"{name}-{stamp}"
     suffix = 1
     while True:
         try:
@@ -105,15 +106,22 @@ def make_folder(out: Path | None, scenario: Scenario) -> Path:
             if out is not None or not folder.is_dir():
                 raise RunError(f"{folder} exists already and is left as it is; give --out another folder") from None
             suffix += 1
-            folder = folder.with_name(f"{scenario.name}-{stamp}-{suffix}")
+            folder = folder.with_name(f"{name}-{stamp}-{suffix}")
         except OSError as error:
             raise RunError(f"cannot make the folder {folder}: {error.strerror}; give --out a place to write") from None
     try:
         (folder / "vehicles").mkdir()
-        (folder / "scenario.yaml").write_text(dump(scenario), encoding="utf-8")
     except OSError as error:
         raise RunError(f"cannot write in {folder}: {error.strerror}") from None
     return folder
+
+
+def write_scenario(folder: Path, scenario: Scenario) -> None:
+    """Write the resolved scenario into a session's folder; raises RunError."""
+    try:
+        (folder / "scenario.yaml").write_text(dump(scenario), encoding="utf-8")
+    except OSError as error:
+        raise RunError(f"cannot write in {folder}: {error.strerror}") from None
 
 
 class Supervised:
@@ -259,9 +267,10 @@ def supervisor_fork(folder: Path, scenario: Scenario, drop: float) -> Callable[[
         if scenario.vehicles.launched or scenario.traffic:
             with contextlib.suppress(LaunchError, OSError):  # the session tries again, and says why
                 hatch = Hatch()
-        from gcs.session import process  # noqa: PLC0415 - half a second, in which the vehicles' host comes up
+        with uncollected():
+            from gcs.session import process  # noqa: PLC0415 - half a second, in which the vehicles' host comes up
 
-        return process.fly(folder, drop=drop, scenario=scenario, hatch=hatch)
+            return process.fly(folder, drop=drop, scenario=scenario, hatch=hatch)
 
     return fly
 
@@ -274,17 +283,21 @@ def run(
     arguments: Sequence[str] = (),
     supervisor: Sequence[str] = SUPERVISOR,
     fork: Callable[[], int] | None = None,
+    begun: Callable[[], object] = lambda: None,
     finish: Callable[[dict[str, Any]], object] = lambda _: None,
     stderr: IO[bytes] | None = None,
     hurry: Callable[[], object] = lambda: None,
 ) -> int:
     """Fly the session prepared in `folder`; the exit status (docs/protocol.md#exit-status).
 
-    `view` shows it while it flies, `finish` gets the supervisor's last word, and `echo` prints the lines that sum it
-    up. `fork` is the supervisor as a function, instead of a command. `stderr` takes what the supervisor says there; our
-    own standard error without it. `hurry` is called where a person has asked more than once for the end.
+    `view` shows it while it flies, `begun` is called once it is started, `finish` gets the supervisor's last word, and
+    `echo` prints the lines that sum it up. `fork` is the supervisor as a function, instead of a command. `stderr` takes
+    what the supervisor says there; our own standard error without it. `hurry` is called where a person has asked more
+    than once for the end.
     """
     with Signals() as signals, Supervised(folder, arguments, supervisor, stderr=stderr, fork=fork) as process:
+        begun()
+        loaded()
         try:
             interrupted = _watch(process, signals, view, hurry)
         finally:

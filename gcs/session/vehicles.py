@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import yaml
 
@@ -14,6 +16,33 @@ from gcs.session.hatch import ProcessSpec
 
 LOST_AFTER_PERIODS, MOST_LOST_S = 5, 1.0
 """[choice] Periods without a set point after which a launched vehicle holds, and the longest wait: PX4's own."""
+PEERS_A_TICK = 8
+"""Reports of peers that a bundle holds beside everything else (docs/protocol.md#peer-reports)."""
+REPORT_TICK_S, LEAST_REPORT_S = 0.1, 0.2
+_COMPETITION_KEYS = {
+    "p",
+    "rate",
+    "floor",
+    "high",
+    "need_from",
+    "share",
+    "dwell_s",
+    "decide_within_s",
+    "horizon_s",
+    "tie_s",
+}
+_REFUELLING_KEYS = {
+    "height_m",
+    "capture_m",
+    "relative_speed_m_s",
+    "hold_s",
+    "rate_w",
+    "until",
+    "reserve_s",
+    "lands_at",
+    "tops_up",
+    "limit_j",
+}
 
 
 def vehicle_orders(
@@ -56,6 +85,8 @@ def vehicle_order(
         ]
         if scenario.truth:
             argv += ["--truth", str(folder / "vehicles" / f"{vehicle.sysid}.truth")]
+    if scenario.competition.where == "vehicles":
+        argv += ["--fleet", str(fleet_file(scenario, folder))]
     argv += ["--home", _triple((origin.lat_deg, origin.lon_deg, origin.alt_m))]
     if first.airborne:
         argv.append("--airborne")
@@ -77,6 +108,47 @@ def vehicle_parameters(vehicle: VehicleBase, scenario: Scenario) -> dict[str, fl
         **(_cautious(vehicle, scenario) if scenario.planner.safety else {}),
         **({"SYS_FAILURE_EN": 1.0} if _fails(vehicle, scenario) else {}),
         **vehicle.params,
+    }
+
+
+def fleet_file(scenario: Scenario, folder: Path) -> Path:
+    """File of the rules by which the vehicles of a scenario compete on board, for the programs that fly them."""
+    path = folder / "vehicles" / "fleet.yaml"
+    if not path.exists():
+        path.write_text(yaml.safe_dump(fleet_rules(scenario), sort_keys=True), encoding="utf-8")
+    return path
+
+
+def fleet_rules(scenario: Scenario) -> dict[str, Any]:
+    """Rules of a fleet that competes on board, NED."""
+    vehicles, shares = scenario.vehicles, math.ceil(len(scenario.vehicles.all) / PEERS_A_TICK)
+    transit_m = max((failsafe_of(vehicle, scenario.obstacles).altitude_m for vehicle in vehicles.all), default=0.0)
+    return {
+        **scenario.competition.model_dump(include=_COMPETITION_KEYS),
+        **scenario.refuelling.model_dump(include=_REFUELLING_KEYS),
+        "separation_m": scenario.planner.separation_m,
+        "clearance_m": scenario.planner.clearance_m,
+        "transit_height_m": transit_m,
+        "report_every_s": max(round(shares * REPORT_TICK_S, 3), LEAST_REPORT_S),
+        "pursuers": [pursuer.sysid for pursuer in vehicles.pursuers if pursuer.transfer_capable],
+        "tankers": [
+            {
+                "sysid": tanker.sysid,
+                "reserve_j": tanker.reserve_j,
+                "speed_m_s": tanker.speed_m_s,
+                "home_ned": list(tanker.home_m or tanker.start_m),
+            }
+            for tanker in vehicles.tankers
+        ],
+        "obstacles": [
+            {
+                "kind": obstacle.kind,
+                "low_ned": list(obstacle.low_m),
+                "high_ned": list(obstacle.high_m),
+                "radius_m": obstacle.radius_m,
+            }
+            for obstacle in scenario.obstacles
+        ],
     }
 
 

@@ -1,17 +1,23 @@
-"""Fleet, arming sequences and radio of a scenario."""
+"""Fleet, arming sequences, radios and schedule of a scenario."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
 from gcs.link.impairment import BlackoutWindow, Impairment
+from gcs.link.peer_radio import PeerRadio, SplitWindow
 from gcs.mavlink.autopilots import PROFILES
+from gcs.refuelling.bidding import Contest
+from gcs.refuelling.scheduler import Scheduler
+from gcs.refuelling.watched_schedule import WatchedSchedule
 from gcs.scenario.faults import Injection
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import SELDOM_S, ArmingSequence
 from gcs.supervisor.arming_external import ExternalArmingSequence
 from gcs.supervisor.faults import radio_faults
 from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
+
+_SHARES = {"loss", "delay_s", "jitter_s", "duplicate", "reorder"}
 
 
 def make_fleet(scenario: Scenario) -> Fleet:
@@ -45,10 +51,46 @@ def make_arming_sequences(scenario: Scenario) -> dict[int, ArmingSequence]:
 
 def make_radio(scenario: Scenario, injections: Iterable[Injection] = ()) -> Impairment:
     """The radio between vehicles and supervisor, with the faults that befall it."""
+    radio = scenario.radio
     blackouts, bursts = radio_faults(injections, [vehicle.sysid for vehicle in scenario.vehicles.all])
     return Impairment(
-        **scenario.radio.model_dump(exclude={"blackouts"}),
-        blackouts=[*(BlackoutWindow(b.sysid, b.from_s, b.to_s) for b in scenario.radio.blackouts), *blackouts],
+        **radio.model_dump(include=_SHARES),
+        blackouts=[*(BlackoutWindow(b.sysid, b.from_s, b.to_s) for b in radio.blackouts), *blackouts],
+        ground_blackouts=[(b.from_s, b.to_s) for b in radio.ground_blackouts],
         bursts=bursts,
         seed=scenario.seed,
     )
+
+
+def make_peer_radio(scenario: Scenario, injections: Iterable[Injection] = ()) -> PeerRadio | None:
+    """The radio among vehicles that compete on board, with the blackouts that befall it; None where they do not."""
+    if scenario.competition.where == "supervisor":
+        return None
+    radio = scenario.radio
+    blackouts, _ = radio_faults(injections, [vehicle.sysid for vehicle in scenario.vehicles.all])
+    return PeerRadio(
+        [vehicle.sysid for vehicle in scenario.vehicles.all],
+        **radio.model_dump(include=_SHARES),
+        blackouts=[*(BlackoutWindow(b.sysid, b.from_s, b.to_s) for b in radio.blackouts), *blackouts],
+        splits=[SplitWindow(frozenset(split.sysids), split.from_s, split.to_s) for split in radio.splits],
+        seed=scenario.seed,
+    )
+
+
+def make_schedule(scenario: Scenario, contest: Contest | None) -> Scheduler:
+    """Schedule of refuelling; `contest` as the scenario names it. Vehicles that do it themselves are watched."""
+    vehicles = scenario.vehicles
+    served = bool(vehicles.tankers or scenario.bases)
+    kind = Scheduler if scenario.competition.where == "supervisor" else WatchedSchedule
+    schedule = kind(
+        scenario.competition,
+        scenario.refuelling,
+        vehicles.tankers,
+        contest,
+        bases=scenario.bases,
+        transfer_capable={v.sysid: v.transfer_capable for v in vehicles.pursuers if served},
+        cruise_m_s=scenario.planner.cruise_m_s,
+    )
+    if isinstance(schedule, WatchedSchedule):
+        schedule.watch(scenario.competition, frozenset(pursuer.sysid for pursuer in vehicles.pursuers))
+    return schedule

@@ -45,6 +45,7 @@ class Operator:
         self._arming = arming
         self._schedule = schedule
         self._refuels = bool(scenario.refuelling.enabled and (vehicles.tankers or scenario.bases))
+        self._on_board = scenario.competition.where == "vehicles"
         self._until = scenario.refuelling.until
         self._targets = {target.sysid for target in vehicles.targets}
         self._races = scenario.pursuit.by == "competition"
@@ -170,6 +171,8 @@ class Operator:
     def _no_receiver(self, view: VehicleView) -> str | None:
         if not self._refuels:
             return "Nobody is refuelled in this session."
+        if self._on_board:
+            return "The vehicles decide among themselves who is refuelled in this session."
         return None if view.role == "pursuer" else f"{_name(view)} is no pursuer: only these are refuelled."
 
     def _retarget(self, view: VehicleView, target: int | None, snapshot: FleetSnapshot) -> OperatorReply:

@@ -20,7 +20,7 @@ from gcs.mavlink.autopilots import End
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.command_protocol import CommandResult
 from gcs.mavlink.gaps import GapCounter
-from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, TRAFFIC
+from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION, TRAFFIC
 from gcs.mavlink.setpoints import SetPoint, encoded
 from gcs.planner.custom import make_planner
 from gcs.planner.request import PlanRequest
@@ -30,15 +30,15 @@ from gcs.refuelling.base_service import giver_messages
 from gcs.refuelling.explain import acknowledged
 from gcs.refuelling.policy_bidding import make_bidding
 from gcs.refuelling.relay import Relay, relayed
-from gcs.refuelling.scheduler import Scheduler
 from gcs.refuelling.service import Decision
 from gcs.refuelling.target_assignment import TargetAssignment
+from gcs.refuelling.watched_schedule import WatchedSchedule
 from gcs.scenario.faults import Injection, drawn
 from gcs.scenario.goal import NAMED, Judgement, judge
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import Stage
 from gcs.supervisor.external_fleet import ENDING, ExternalFleet
-from gcs.supervisor.factory import make_arming_sequences, make_fleet, make_radio
+from gcs.supervisor.factory import make_arming_sequences, make_fleet, make_peer_radio, make_radio, make_schedule
 from gcs.supervisor.faults import INJECTED, OUT_OF_ORDER, FaultInjector
 from gcs.supervisor.fleet_command_queue import FleetCommandQueue
 from gcs.supervisor.goal_watch import GoalWatch
@@ -56,6 +56,8 @@ MOST_TEXTS = 20
 """Texts of one vehicle that are told in one tick."""
 _SETTLED = frozenset({Stage.FLY, Stage.YIELDED, Stage.DOWN, Stage.TAKEN})
 _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
+_SYSID_AT = 5  # in a frame
+_DEBUG_FLOAT_ARRAY = codec.msgid("DEBUG_FLOAT_ARRAY")
 
 
 class Supervisor:
@@ -73,16 +75,8 @@ class Supervisor:
         self.planner, planner_guard = make_planner(scenario)
         contest, policy_guard = make_bidding(scenario)
         self._guards = [guard for guard in (planner_guard, policy_guard) if guard is not None]
-        served = bool(scenario.vehicles.tankers or scenario.bases)
-        self.schedule = Scheduler(
-            scenario.competition,
-            scenario.refuelling,
-            scenario.vehicles.tankers,
-            contest,
-            bases=scenario.bases,
-            transfer_capable={v.sysid: v.transfer_capable for v in scenario.vehicles.pursuers if served},
-            cruise_m_s=scenario.planner.cruise_m_s,
-        )
+        self.schedule = make_schedule(scenario, contest)
+        self._watched = self.schedule if isinstance(self.schedule, WatchedSchedule) else None
         self.pursuit: TargetAssignment | None = None
         if scenario.pursuit.by == "competition":
             targets = [target.sysid for target in scenario.vehicles.targets]
@@ -101,6 +95,7 @@ class Supervisor:
         self.hung: set[int] = set()
         """whose process has been stopped by a fault"""
         self._radio = make_radio(scenario, injections if impaired else ())
+        self._peer_radio = make_peer_radio(scenario, injections)
         self.command_queue = FleetCommandQueue(self.arming)
         self._gaps = GapCounter()
         self.quality = LinkQuality(self._gaps)
@@ -295,6 +290,8 @@ class Supervisor:
         received_from: dict[Key, list[Frame]] = {}
         for key, frames in answers:
             received = frames
+            if self._peer_radio is not None:
+                self._peer_radio.send(key[0], frames)
             if not self._radio.clear:
                 impaired = [frame for frame in frames if frame.msgid != _SYSTEM_TIME]
                 grants = [frame for frame in frames if frame.msgid == _SYSTEM_TIME]
@@ -302,6 +299,8 @@ class Supervisor:
             for frame in received:
                 self._gaps.feed(frame.sysid, frame.compid, frame.seq)
                 self.fleet.ingest(frame, now_s)
+                if self._watched is not None and frame.msgid == _DEBUG_FLOAT_ARRAY:
+                    self._watched.receive(frame.sysid, codec.fields(frame), now_s)
             received_from[key] = received
             self.quality.count(key[0], len(received), now_s)
             if key[0] in self.inspection.wanted:
@@ -429,7 +428,12 @@ class Supervisor:
                 messages = [*self.faults.pop_orders(sysid), *self._radio.apply(sysid, "out", now_s, messages)]
             own = [m for m in messages if isinstance(m, Message)]
             foreign = [m.raw for m in messages if isinstance(m, Relay)]
-            recording.sent += self._link.grant(key, grant_ms, self.epoch_us + 1000 * grant_ms, own, foreign)
+            if self._peer_radio is not None and key != TRAFFIC:
+                foreign += self._peer_radio.receive(sysid, now_s)
+            sent = self._link.grant(key, grant_ms, self.epoch_us + 1000 * grant_ms, own, foreign)
+            recording.sent += (
+                sent if self._peer_radio is None else [raw for raw in sent if raw[_SYSID_AT] == STATION[0]]
+            )
         self.sent += len(recording.sent)
         self.time_ms = grant_ms
 

@@ -211,7 +211,7 @@ class Vehicle(Body):
             return None
         if order.role is TransferSide.SETTLE:
             return self._settle(order)
-        reason = self.exchange.refuses(order, self.p_ned, self.time_s, self._envelope())
+        reason = self.exchange.refuses(order, self.p_ned, self.time_s, self.envelope())
         if reason is not None or self.transfer is not None:
             return reason
         charged = order.role is TransferSide.RECEIVE and self.landed and not self.armed  # at a base, in whatever mode
@@ -374,7 +374,8 @@ class Vehicle(Body):
 
     # transfer
 
-    def _envelope(self) -> Envelope:
+    def envelope(self) -> Envelope:
+        """Distance and speed of a giver that allow this vehicle to take from it."""
         return Envelope(self.parameters["SIM_XFER_DIST"], self.parameters["SIM_XFER_SPEED"])
 
     def _move_joules(self, dt_s: float) -> None:
@@ -386,7 +387,7 @@ class Vehicle(Body):
             self.p_ned,
             remaining_j=self.remaining_j,
             capacity_j=self.capacity_j,
-            envelope=self._envelope(),
+            envelope=self.envelope(),
         )
         self.charge(joules)
         if reason is not None:

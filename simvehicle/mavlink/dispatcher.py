@@ -14,6 +14,7 @@ from pymavlink.dialects.v20 import common as mav
 from simvehicle.autopilot.failures import Failure
 from simvehicle.autopilot.modes import Severity
 from simvehicle.autopilot.vehicle import Vehicle
+from simvehicle.fleet.rules import FleetRules
 from simvehicle.mavlink import (
     commands,
     flight_commands,
@@ -27,6 +28,7 @@ from simvehicle.mavlink.codec import ReceivedFrame, decode, message
 from simvehicle.mavlink.commands import ACCEPTED, TEMPORARILY_REJECTED, UNSUPPORTED
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.context import Call, CommandHandler, MessageHandler, ServiceContext, Store
+from simvehicle.mavlink.fleet_messages import FleetService
 
 COMPID = 1
 TRANSFER_RATE_HZ = 10.0
@@ -53,8 +55,14 @@ class Services:
     """The MAVLink face of one vehicle, shared by all its connections."""
 
     def __init__(
-        self, vehicle: Vehicle, sysid: int, connections: Iterable[Connection] = (), store: Store | None = None
+        self,
+        vehicle: Vehicle,
+        sysid: int,
+        connections: Iterable[Connection] = (),
+        store: Store | None = None,
+        rules: FleetRules | None = None,
     ) -> None:
+        """`rules`: of the fleet that it belongs to, where vehicles compete on board."""
         self.vehicle = vehicle
         self.sysid = sysid
         self.connections = list(connections)
@@ -62,6 +70,8 @@ class Services:
         self._planning = missions.Planning(self._context)
         self._reboot = maintenance.Reboot(self._context, self._planning.restart)
         self._commands = {**COMMANDS, mav.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN: self._reboot.ask}
+        self.fleet = None if rules is None else FleetService(vehicle, sysid, rules)
+        self._follow_rate_hz = 0.0
         self._fast_counters = False
         self._long_texts = 0
         vehicle.on_change = self._hasten_heartbeats
@@ -69,6 +79,8 @@ class Services:
 
     def receive(self, frame: ReceivedFrame, connection: Connection) -> None:
         """Act on one frame; answers wait on the same connection."""
+        if self.fleet is not None and not self._deaf():
+            self.fleet.receive(frame)
         if frame.msgid not in UNDERSTOOD or (frame.sysid, frame.compid) == (self.sysid, COMPID):
             return
         content = decode(frame)
@@ -104,6 +116,20 @@ class Services:
         for content in self._context.after_ack:
             call.connection.put(content)
         self._context.after_ack.clear()
+
+    def decide(self) -> None:
+        """Let a fleet's member decide at the vehicle's present time, and queue what it tells the others."""
+        if self.fleet is None:
+            return
+        contents = self.fleet.tick()
+        if self._deaf():
+            return
+        for content in contents:
+            for connection in self.connections:
+                connection.put(content)
+        if self.fleet.follow_rate_hz != self._follow_rate_hz:
+            self._follow_rate_hz = self.fleet.follow_rate_hz
+            self._context.set_rate("FOLLOW_TARGET", self._follow_rate_hz)
 
     def report(self) -> None:
         """Queue what became due at the vehicle's present time: announcements, then telemetry."""

@@ -12,6 +12,7 @@ from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.identity import Identity
 from simvehicle.autopilot.parameters import Parameters
 from simvehicle.autopilot.vehicle import Vehicle
+from simvehicle.fleet.rules import FleetRules
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.context import Store
 from simvehicle.mavlink.dispatcher import Services
@@ -36,6 +37,8 @@ class Wanted:
     key_file: Path | None = None
     state: Path | None = None
     """folder in which a key that is set outlives the process"""
+    rules: FleetRules | None = None
+    """of the fleet that it belongs to, where vehicles compete on board"""
 
 
 def fly(
@@ -93,4 +96,5 @@ def _seat(
         link = opened.enter_context(SupervisedLink(supervisor, Connection(one.sysid)))
         connections.insert(0, link.connection)
     writer = opened.enter_context(TruthWriter(one.truth, one.sysid, vehicle)) if one.truth else None
-    return Seat(VehicleUnit(vehicle, Services(vehicle, one.sysid, connections, one.store), writer), link, plain)
+    services = Services(vehicle, one.sysid, connections, one.store, one.rules)
+    return Seat(VehicleUnit(vehicle, services, writer), link, plain)

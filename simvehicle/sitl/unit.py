@@ -37,6 +37,7 @@ class VehicleUnit:
         """Fly to a time, queue what became due, write down what is true."""
         before_ms = self._vehicle.time_ms
         self._vehicle.advance(to_ms)
+        self._services.decide()
         self._speak()
         self._services.report()
         if self._truth is not None:

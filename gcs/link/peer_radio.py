@@ -1,0 +1,90 @@
+"""The radio among vehicles that compete on board: every frame that one broadcasts, on its way to each other one
+(docs/protocol.md#radio-among-vehicles).
+
+It is a part of the simulated world and not of the ground station: nothing here is decided, and the ground station's own
+radio may be dead meanwhile. It loses and delays as that one does, with a random stream for each sender and receiver. A
+vehicle's blackout silences it towards its peers too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
+
+from gcs.link.impairment import BlackoutWindow, Impairment
+from gcs.mavlink import codec
+from gcs.mavlink.codec import Frame
+
+_COUNTERS = frozenset({"XferOut", "XferIn"})
+_NAMED_VALUE_INT = codec.msgid("NAMED_VALUE_INT")
+_BROADCAST = frozenset({codec.msgid("DEBUG_FLOAT_ARRAY"), codec.msgid("FOLLOW_TARGET")})
+_ADDRESSED = frozenset({codec.msgid("COMMAND_LONG"), codec.msgid("COMMAND_ACK")})
+
+
+class SplitWindow(NamedTuple):
+    """These vehicles and all others do not receive each other in from_s ≤ t < to_s."""
+
+    sysids: frozenset[int]
+    from_s: float
+    to_s: float
+
+
+class PeerRadio:
+    """The radio between any two of some vehicles."""
+
+    def __init__(
+        self,
+        sysids: Sequence[int],
+        *,
+        loss: float = 0.0,
+        delay_s: float = 0.0,
+        jitter_s: float = 0.0,
+        duplicate: float = 0.0,
+        reorder: float = 0.0,
+        blackouts: Iterable[BlackoutWindow] = (),
+        splits: Iterable[SplitWindow] = (),
+        seed: int = 0,
+    ) -> None:
+        self._sysids = sorted(sysids)
+        self._radio = Impairment(
+            loss=loss, delay_s=delay_s, jitter_s=jitter_s, duplicate=duplicate, reorder=reorder, seed=seed
+        )
+        self._blackouts = tuple(blackouts)
+        self._splits = tuple(splits)
+        self._sent: dict[int, list[tuple[int, bytes]]] = {}
+
+    def send(self, sysid: int, frames: Iterable[Frame]) -> None:
+        """Take what a vehicle has broadcast since the last tick, out of all its frames, for `receive`."""
+        addressed = ((_reader(frame), frame.raw) for frame in frames)
+        self._sent[sysid] = [(reader, raw) for reader, raw in addressed if reader is not None]
+
+    def receive(self, sysid: int, t_s: float) -> list[bytes]:
+        """Frames that reach a vehicle at a session time, in the order of their senders; once per tick and vehicle."""
+        received: list[bytes] = []
+        for sender in self._sysids:
+            if sender == sysid:
+                continue
+            frames = [raw for reader, raw in self._sent.get(sender, ()) if reader in (0, sysid)]
+            received += self._radio.apply(sysid, sender, t_s, frames, dark=self._apart(sender, sysid, t_s))
+        return received
+
+    def clear(self) -> None:
+        """Everyone has received; the next tick's frames replace these."""
+        self._sent = {}
+
+    def _apart(self, a: int, b: int, t_s: float) -> bool:
+        """Whether nothing passes between two vehicles."""
+        if any(blackout.sysid in (a, b) and blackout.from_s <= t_s < blackout.to_s for blackout in self._blackouts):
+            return True
+        return any(s.from_s <= t_s < s.to_s and (a in s.sysids) != (b in s.sysids) for s in self._splits)
+
+
+def _reader(frame: Frame) -> int | None:
+    """Reader of a frame: a system id, 0 for everyone; None for the ground station's alone."""
+    if frame.msgid in _BROADCAST:
+        return 0
+    if frame.msgid == _NAMED_VALUE_INT:
+        return 0 if codec.fields(frame).name in _COUNTERS else None
+    if frame.msgid in _ADDRESSED:
+        return int(codec.fields(frame).target_system)
+    return None

@@ -1,0 +1,146 @@
+"""The competition as each vehicle runs it for itself, over the bids that it hears (docs/model.md#k-winners) [lineage].
+
+The k greatest win at once, k the free tankers, when the last of them has left the next one behind for the dwell time.
+Each vehicle finds all winners and their tankers; it acts only where it is one of them.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from scipy.optimize import linear_sum_assignment
+
+from simvehicle.fleet.bids import HOPELESS_S, Offer, begins_s, lasts_s, meeting_s
+from simvehicle.fleet.peers import DecidedBy, PeerReport
+from simvehicle.fleet.rules import FleetRules
+from simvehicle.law.winner_take_all import Bidder, Standing, advance_ln, bounded, standing
+
+_ROUNDING_S = 1e-6
+
+
+class FleetAward(NamedTuple):
+    """A winner, its tanker, and the rule that decided."""
+
+    receiver: int
+    tanker: int
+    by: DecidedBy
+
+
+class FleetCompetition:
+    """One vehicle's copy of the competition, from tick to tick."""
+
+    def __init__(self, rules: FleetRules) -> None:
+        self._rules = rules
+        self._ln_v: dict[int, float] = {}
+        self._bidders: list[Bidder] = []
+        self._reports: Mapping[int, PeerReport] = {}
+        self._standings: dict[int, Standing] = {}
+        self._held_since_s: dict[int, float] = {}
+        self._begun_s: float | None = None
+        self._last_s: float | None = None
+
+    def advance(self, now_s: float, competing: Mapping[int, PeerReport], places: int) -> None:
+        """Let those who compete, by their reports, do so up to a time; `places`: tankers that there are, busy ones
+        too."""
+        rules, places = self._rules, max(places, 1)
+        dt_s = 0.0 if self._last_s is None else now_s - self._last_s
+        self._last_s = now_s
+        self._reports = dict(sorted(competing.items()))
+        if not competing:
+            self._ln_v, self._bidders, self._standings, self._held_since_s, self._begun_s = {}, [], {}, {}, None
+            return
+        begins = self._beginnings(places)
+        bids_s = {sysid: report.bid_s for sysid, report in self._reports.items()}
+        above = 1.0 - np.array(list(bids_s.values())) / rules.horizon_s
+        tau = rules.floor * (1.0 - above) + rules.high * above
+        ln_v = advance_ln([begins[sysid] for sysid in bids_s], tau, dt_s, p=rules.p, rate=rules.rate)
+        ln_v = bounded(ln_v, places, rules.floor)
+        self._ln_v = dict(zip(bids_s, map(float, ln_v), strict=True))
+        self._bidders = [
+            Bidder(sysid, self._ln_v[sysid], report.bid_s, _rank(sysid, report))
+            for sysid, report in self._reports.items()
+        ]
+        self._watch(now_s, places)
+
+    def ln_v_of(self, sysid: int) -> float:
+        """Logarithm of a competitor's state over the greatest one."""
+        return self._ln_v[sysid] - max(self._ln_v.values()) if sysid in self._ln_v else 0.0
+
+    def winners(self, now_s: float, free: Sequence[Offer]) -> list[FleetAward]:
+        """Receivers that the free tankers serve next, each matched to its own; none while that is undecided."""
+        if not free or not self._bidders:
+            return []
+        k, rules = len(free), self._rules
+        if k >= len(self._bidders):
+            return self._matched(now_s, [one.sysid for one in self._bidders], DecidedBy.UNOPPOSED, free)
+        since_s = self._held_since_s.get(k)
+        if since_s is not None and now_s - since_s >= rules.dwell_s - _ROUNDING_S:
+            return self._matched(now_s, self._standings[k].winners, DecidedBy.COMPETITION, free)
+        slacks_s = [report.slack_s for report in self._reports.values()]
+        if min((s for s in slacks_s if s >= HOPELESS_S), default=math.inf) <= 2.0 * rules.dwell_s:
+            by_bid = [one._replace(ln_v=-one.time_s) for one in self._bidders]
+            winners = standing(by_bid, k, p=rules.p, tie_s=rules.tie_s).winners
+            return self._matched(now_s, winners, DecidedBy.URGENCY, free)
+        if self._begun_s is not None and now_s - self._begun_s >= rules.decide_within_s:
+            winners = standing(self._bidders, k, p=rules.p, tie_s=rules.tie_s).winners
+            return self._matched(now_s, winners, DecidedBy.TIMEOUT, free)
+        return []
+
+    def _beginnings(self, places: int) -> dict[int, float]:
+        """States of the last tick; who is new begins beside the one whose bid is nearest to its own."""
+        known = [sysid for sysid in self._reports if sysid in self._ln_v]
+        if not known:
+            return dict.fromkeys(self._reports, places * math.log(self._rules.floor))
+        begins = {}
+        for sysid, report in self._reports.items():
+            nearest = min(known, key=lambda one: (abs(self._reports[one].bid_s - report.bid_s), one))
+            begins[sysid] = self._ln_v[sysid if sysid in self._ln_v else nearest]
+        return begins
+
+    def _watch(self, now_s: float, places: int) -> None:
+        """Since when each number of winners has been clear without a break."""
+        rules = self._rules
+        if self._begun_s is None:
+            self._begun_s = now_s
+        before, self._standings = self._standings, {}
+        for k in range(1, min(places, len(self._bidders) - 1) + 1):
+            now = self._standings[k] = standing(self._bidders, k, p=rules.p, tie_s=rules.tie_s)
+            was = before.get(k)
+            changed = was is None or not (set(was.winners) ^ set(now.winners)) <= now.ties
+            if changed or now.share < rules.share:
+                self._held_since_s.pop(k, None)
+            if now.share >= rules.share:
+                self._held_since_s.setdefault(k, now_s)
+
+    def _matched(self, now_s: float, winners: Sequence[int], by: DecidedBy, free: Sequence[Offer]) -> list[FleetAward]:
+        """The winners' tankers, by the least sum of the ways' times. Whom its tanker would reach too late leaves the
+        place to the next one whom it would not."""
+        cost_s = np.array([[self._way_s(now_s, offer, sysid) for sysid in winners] for offer in free])
+        rows, columns = linear_sum_assignment(cost_s)
+        others = [one.sysid for one in sorted(self._bidders, key=lambda one: (-one.ln_v, one.rank))]
+        others = [sysid for sysid in others if sysid not in winners]
+        found = []
+        for i, j in zip(rows, columns, strict=True):
+            chosen = winners[j]
+            for candidate in (winners[j], *others):
+                lasts = lasts_s(self._reports[candidate], now_s, self._rules.lands_at)
+                if begins_s(self._way_s(now_s, free[i], candidate)) <= lasts:
+                    chosen = candidate
+                    break
+            if chosen in others:
+                others.remove(chosen)
+            found.append(FleetAward(chosen, free[i].sysid, by))
+        return found
+
+    def _way_s(self, now_s: float, offer: Offer, sysid: int) -> float:
+        report = self._reports[sysid]
+        offset = [there - here for there, here in zip(report.p_at(now_s), offer.p_ned, strict=True)]
+        return meeting_s(offset, report.v_ned, offer.speed_m_s)
+
+
+def _rank(sysid: int, report: PeerReport) -> tuple[float, ...]:
+    """Of those who tie: the hopeless last, then need to the percent, way to the second, system id."""
+    return (float(report.slack_s < HOPELESS_S), -round(100.0 * report.need), round(report.way_s), sysid)

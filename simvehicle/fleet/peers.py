@@ -1,0 +1,184 @@
+"""Reports by which the vehicles of a fleet know each other, and what one of them has received so far.
+
+A report is a row of 32-bit floats (docs/protocol.md#peer-reports). What a vehicle knows of itself goes through the same
+rounding, so that all compete with the same numbers.
+"""
+
+from __future__ import annotations
+
+import math
+import struct
+from collections.abc import Sequence
+from enum import IntEnum
+from typing import NamedTuple
+
+from simvehicle.autopilot.snapshot import Vec3
+
+STALE_S = 1.5
+"""A peer that has been silent for so long takes no part any more."""
+FARTHEST_M = 1e6
+
+
+class PeerStage(IntEnum):
+    """Part that a vehicle takes in the fleet's refuelling."""
+
+    APART = 0
+    COMPETES = 1
+    CALLS = 2
+    MEETS = 3
+    TRANSFERS = 4
+    FREE = 5
+
+
+class DecidedBy(IntEnum):
+    """Rule by which a winner called its tanker."""
+
+    NONE = 0
+    COMPETITION = 1
+    UNOPPOSED = 2
+    URGENCY = 3
+    TIMEOUT = 4
+
+
+class PeerReport(NamedTuple):
+    """One vehicle at `time_s` of the session; NED in the fleet's frame, SI.
+
+    A tanker's `remaining_j` is what it can spare. `bid_s`, `slack_s`, `way_s` and `ln_v` mean something only for who
+    competes or calls: its bid, the time left beyond that until it can be served, the way to it, and the logarithm of
+    its state over the leader's. `since_s`: when it called, or was called. `meet_ned`: where a receiver waits.
+    """
+
+    time_s: float
+    stage: PeerStage = PeerStage.APART
+    partner: int = 0
+    up: bool = False
+    p_ned: Vec3 = (0.0, 0.0, 0.0)
+    v_ned: Vec3 = (0.0, 0.0, 0.0)
+    remaining_j: float = 0.0
+    capacity_j: float = 0.0
+    power_w: float = 0.0
+    bid_s: float = 0.0
+    slack_s: float = 0.0
+    way_s: float = 0.0
+    ln_v: float = 0.0
+    given_j: int = 0
+    since_s: float = 0.0
+    by: DecidedBy = DecidedBy.NONE
+    meet_ned: Vec3 = (0.0, 0.0, 0.0)
+
+    @property
+    def need(self) -> float:
+        """Share of the battery that is gone."""
+        return 1.0 - self.remaining_j / self.capacity_j if self.capacity_j > 0.0 else 0.0
+
+    def p_at(self, now_s: float) -> Vec3:
+        """Its place at a time, if it flies straight on."""
+        age_s = min(max(now_s - self.time_s, 0.0), STALE_S)
+        north, east, down = (p + v * age_s for p, v in zip(self.p_ned, self.v_ned, strict=True))
+        return north, east, down
+
+    def remaining_at_j(self, now_s: float) -> float:
+        """Its energy at a time, at the present draw."""
+        return self.remaining_j - self.power_w * max(now_s - self.time_s, 0.0)
+
+
+class ServiceReport(NamedTuple):
+    """One service of a tanker, so far; times in s of the session, negative while they are not known."""
+
+    number: int
+    receiver: int
+    by: DecidedBy
+    decided_s: float
+    start_s: float = -1.0
+    end_s: float = -1.0
+    energy_j: int = 0
+    ending: int = 0
+
+
+def rounded(value: float) -> float:
+    """The nearest number that 32 bits hold."""
+    return float(struct.unpack("<f", struct.pack("<f", value))[0])
+
+
+def row_of(report: PeerReport) -> tuple[float, ...]:
+    """A report as it travels, without its time."""
+    return (
+        float(report.stage),
+        float(report.partner),
+        float(report.up),
+        *report.p_ned,
+        *report.v_ned,
+        report.remaining_j,
+        report.capacity_j,
+        report.power_w,
+        report.bid_s,
+        report.slack_s,
+        report.way_s,
+        report.ln_v,
+        float(report.given_j),
+        report.since_s,
+        float(report.by),
+        *report.meet_ned,
+    )
+
+
+ROW = len(row_of(PeerReport(0.0)))
+
+
+def report_of(time_s: float, row: Sequence[float]) -> PeerReport | None:
+    """A report from the numbers that came; None where they are none."""
+    if len(row) < ROW or not all(map(math.isfinite, row[:ROW])) or max(map(abs, row[3:9])) > FARTHEST_M:
+        return None
+    stage, partner, up, n, e, d, vn, ve, vd, remaining, capacity, power, bid, slack, way, ln_v, given, since, by = row[
+        :19
+    ]
+    if stage not in tuple(PeerStage) or by not in tuple(DecidedBy) or not 0.0 <= partner <= 255.0:
+        return None
+    return PeerReport(
+        time_s,
+        PeerStage(int(stage)),
+        int(partner),
+        bool(up),
+        (n, e, d),
+        (vn, ve, vd),
+        remaining,
+        capacity,
+        power,
+        bid,
+        slack,
+        way,
+        ln_v,
+        int(given),
+        since,
+        DecidedBy(int(by)),
+        (row[19], row[20], row[21]),
+    )
+
+
+def as_sent(report: PeerReport) -> PeerReport:
+    """A report as the others receive it."""
+    same = report_of(report.time_s, tuple(map(rounded, row_of(report))))
+    assert same is not None, "a vehicle's own numbers are finite"
+    return same
+
+
+class Peers:
+    """Newest report of each other vehicle."""
+
+    def __init__(self) -> None:
+        self._reports: dict[int, PeerReport] = {}
+
+    def receive(self, sysid: int, report: PeerReport) -> None:
+        """Take one in; one that was overtaken counts no more."""
+        known = self._reports.get(sysid)
+        if known is None or report.time_s >= known.time_s:
+            self._reports[sysid] = report
+
+    def get(self, sysid: int, now_s: float) -> PeerReport | None:
+        """The newest report of one vehicle, while it is fresh."""
+        report = self._reports.get(sysid)
+        return report if report is not None and now_s - report.time_s <= STALE_S else None
+
+    def fresh(self, now_s: float) -> dict[int, PeerReport]:
+        """All fresh reports, in order of system id."""
+        return {sysid: report for sysid in sorted(self._reports) if (report := self.get(sysid, now_s)) is not None}

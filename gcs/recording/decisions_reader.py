@@ -43,6 +43,8 @@ class _Head(msgspec.Struct, gc=False):
 
 _POINTS, _HEADS = msgspec.json.Decoder(_SetPoint), msgspec.json.Decoder(_Head)
 _RECORDS = msgspec.json.Decoder(dict[str, Any])
+_BROKEN = (msgspec.MsgspecError, UnicodeDecodeError)
+"""Errors of a line that is no JSON, or no text at all."""
 
 
 class DecisionLine(NamedTuple):
@@ -55,7 +57,10 @@ class DecisionLine(NamedTuple):
 
     def record(self) -> dict[str, Any]:
         """All of it."""
-        return _RECORDS.decode(self.raw)
+        try:
+            return _RECORDS.decode(self.raw)
+        except UnicodeDecodeError:  # a head is read past texts that are none
+            return _RECORDS.decode(self.raw.decode(errors="replace"))
 
 
 def _is_deep(line: bytes) -> bool:
@@ -122,7 +127,7 @@ class DecisionLines:
         """Values of each line; those without such a value are passed over."""
         try:
             found = decoder.decode_lines(b"\n".join(lines))
-        except msgspec.MsgspecError:  # one is broken: only one by one can the others be had
+        except _BROKEN:  # one is broken: only one by one can the others be had
             found = []
         if len(found) == len(lines):
             yield from zip(found, lines, strict=True)
@@ -130,7 +135,7 @@ class DecisionLines:
         for line in lines:
             try:
                 content = decoder.decode(line)
-            except msgspec.MsgspecError:
+            except _BROKEN:
                 self._pass_over(line)
             else:
                 yield content, line

@@ -17,6 +17,8 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from gcs.recording import rotation
+
 P_NED, SYSID, T_S = slice(0, 3), 3, 4
 """Columns of set points; their velocities are left out."""
 COLUMNS = 5
@@ -112,8 +114,8 @@ class DecisionLines:
 
     def _blocks(self) -> Iterator[list[bytes]]:
         self.broken, self.cut, done = 0, False, 0
-        with self._path.open("rb") as file:
-            size = max(self._path.stat().st_size, 1)
+        with rotation.open_parts(self._path) as file:
+            size = max(rotation.size(self._path), 1)
             while block := file.read(BLOCK_BYTES) + file.readline():
                 done += len(block)
                 lines = [line for line in block.split(b"\n") if line]

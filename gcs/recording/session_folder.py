@@ -14,8 +14,8 @@ from pydantic import ValidationError
 
 from gcs.mavlink.gaps import RecordedGaps
 from gcs.mavlink.ids import STATION
-from gcs.recording import summary as summaries
 from gcs.recording import rotation, tlog_reader
+from gcs.recording import summary as summaries
 from gcs.recording.decisions_reader import COLUMNS, DecisionLines
 from gcs.recording.recorder import DECISIONS, TLOG
 from gcs.recording.summary import Summary

@@ -96,7 +96,8 @@ class _Triple(click.ParamType[tuple[float, float, float]]):
     "--truth-hz",
     type=click.FloatRange(0.0, 250.0, min_open=True),
     default=None,
-    help="Records of truth a second, without the thrust of each step; one per grant without it.",
+    hidden=True,  # for sessions: `record: {truth_hz}`
+    help="Records of truth a second; else one a step.",
 )
 @click.option(
     "--state",

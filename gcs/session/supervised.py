@@ -268,7 +268,10 @@ def supervisor_fork(folder: Path, scenario: Scenario, drop: float) -> Callable[[
             with contextlib.suppress(LaunchError, OSError):  # the session tries again, and says why
                 hatch = Hatch()
         with uncollected():
-            from gcs.session import process  # noqa: PLC0415 - half a second, in which the vehicles' host comes up
+            # numba before what needs it: beneath many nested imports it took 70 ms longer, since Python 3.11 allocates
+            # and frees a page of its stack at each call across the page's end.
+            from gcs import kernels  # noqa: F401, PLC0415
+            from gcs.session import process  # noqa: PLC0415 - the vehicles' host comes up meanwhile
 
             return process.fly(folder, drop=drop, scenario=scenario, hatch=hatch)
 

@@ -13,7 +13,6 @@ from __future__ import annotations
 import contextlib
 import ctypes
 import errno
-import gc
 import json
 import os
 import resource
@@ -44,7 +43,6 @@ def run(
     """Serve until stdin ends. `main` runs one vehicle from its argv in a child; `sysid_of` and `title_of` name it."""
     with contextlib.suppress(PermissionError):
         os.setsid()
-    gc.freeze()
     libc = ctypes.CDLL(None, use_errno=True)
     _say({"ready": True})
     # poll, not epoll: stdin may be a file or /dev/null, which epoll refuses.

@@ -36,7 +36,6 @@ from gcs.campaign.family_parts import (
 from gcs.campaign.tight import tight
 from gcs.scenario import geometry as shapes
 
-
 FIRST_SERVED_S, SERVICE_S = 20.0, 13.0
 """[choice] Until a tanker gives its first joule, and from one receiver to the next: charges last so long."""
 LANDS_AT, HOVERS_W = 0.05, 213.0

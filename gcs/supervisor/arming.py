@@ -116,7 +116,7 @@ class ArmingSequence:
         self._cut_off_s = now_s
 
     def mend(self, view: VehicleView) -> None:
-        """What kept a vehicle of ours from flying is over: bring it back if it is down, and its battery allows."""
+        """Nothing keeps the vehicle from flying any more: bring it back if it is down, and its battery allows."""
         if self.stage is Stage.DOWN and self.ordered is None and self._has_energy(view) and self._rejoins_itself:
             self.rejoin()
 

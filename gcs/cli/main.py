@@ -7,6 +7,7 @@ from __future__ import annotations
 import contextlib
 import errno
 import json
+import os
 import sys
 import threading
 import traceback
@@ -231,11 +232,15 @@ def run(
         raise click.UsageError("--verbose and --json exclude each other: choose what goes to stdout.")
     if junit is not None and not junit.parent.is_dir():
         raise click.UsageError(f"--junit: there is no folder {junit.parent}.")
+    from gcs.processes.forked import can_fork
+    from gcs.processes.hatch import early
+
+    lines = plain or as_json or quiet or verbose or web or not os.isatty(1)  # else its errors are the console's
+    hatch = click.get_current_context().with_resource(early(lines and can_fork()))
     from gcs.scenario.plugins import listed, named
-    from gcs.session.forked import can_fork
     from gcs.session.plain_text import mute_stdout
     from gcs.session.session_log import logged
-    from gcs.session.supervised import make_folder, supervisor_fork, write_scenario
+    from gcs.session.supervised import SupervisorFork, make_folder, write_scenario
     from gcs.session.supervised import run as fly
 
     try:
@@ -267,8 +272,12 @@ def run(
     shown, said = _view(folder, resolved.name, plain or web, as_json, verbose=verbose, quiet=quiet)
     arguments = ["--drop-datagrams", str(drop_datagrams), *module_arguments(scenario)]
     fork = None
-    if can_fork() and not code:
-        fork = supervisor_fork(folder, resolved, drop_datagrams)
+    own = bool(resolved.vehicles.launched or resolved.traffic)
+    forks = can_fork() and not code
+    if hatch is not None and not (own and forks):
+        hatch.discard()
+    if forks:
+        fork = SupervisorFork(folder, resolved, drop_datagrams, hatch if own else None)
     else:
         write_scenario(folder, resolved)
 

@@ -15,7 +15,7 @@ USUAL_SHARE, SPARE_S = 1.5, 0.2
 FIRST_S = 0.5
 """Taken for the oldest report before there was one."""
 DECAY_S = 10.0
-"""What was the oldest counts by 1/e less after so long."""
+"""The oldest report of late counts by 1/e less after so long."""
 
 
 class LinkAge:
@@ -25,7 +25,7 @@ class LinkAge:
         self._oldest_s: dict[int, float] = {}
         self._age_s: dict[int, float] = {}
 
-    def hear(self, sysid: int, age_s: float, period_s: float) -> None:
+    def receive(self, sysid: int, age_s: float, period_s: float) -> None:
         """Take in a vehicle's age, once a period."""
         before_s, oldest_s = self._age_s.get(sysid, age_s), self._oldest_s.get(sysid, FIRST_S)
         oldest_s *= math.exp(-period_s / DECAY_S)

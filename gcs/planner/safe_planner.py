@@ -133,7 +133,7 @@ class SafePlanner:
         snapshot, period_s = request.snapshot, request.period_s
         views = {view.sysid: view for view in snapshot.vehicles}
         for view in snapshot.vehicles:
-            self._link_age.hear(view.sysid, view.age_s, period_s)
+            self._link_age.receive(view.sysid, view.age_s, period_s)
         self._follow(request, views)
         points = self._planner.plan(request)
         self._keep(points, views)
@@ -167,10 +167,9 @@ class SafePlanner:
         )
         for view in known:
             if view.mode not in STEERABLE or tracking.now_m[tracking.row[view.sysid]] > OFF_LEADER_M:
-                v_ned = np.array(view.v_ned)
                 leader = self._leaders[view.sysid]
-                leader.p_ned = np.array(view.p_now_ned()) + self.lag_s * v_ned
-                leader.v_ned = self._within_speed(view.sysid, v_ned)
+                leader.v_ned = self._within_speed(view.sysid, np.array(view.v_ned))
+                leader.p_ned = np.array(view.p_now_ned()) + self.lag_s * leader.v_ned
                 tracking.restart(view.sysid)
                 self._planner.anchor(view.sysid, _vec(leader.p_ned))
         lags = [tracking.lag_s[tracking.row[sysid]] for sysid in self._leaders]

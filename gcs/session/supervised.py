@@ -12,6 +12,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 from types import TracebackType
@@ -21,11 +22,11 @@ import click
 
 from gcs.exit import BAD_INPUT, INTERNAL_ERROR
 from gcs.loading import loaded, uncollected
+from gcs.processes.forked import ForkedProcess
+from gcs.processes.hatch import Hatch, LaunchError
 from gcs.scenario.file import dump
 from gcs.scenario.model import Scenario
 from gcs.session.client import SOCKET, Client, EarlierEvents, Lines
-from gcs.session.forked import ForkedProcess
-from gcs.session.hatch import Hatch, LaunchError
 from gcs.session.plain_text import QuietView, clean, farewell, mute_stdout
 
 SUPERVISOR = (sys.executable, "-P", "-m", "gcs.session.process")
@@ -124,6 +125,40 @@ def write_scenario(folder: Path, scenario: Scenario) -> None:
         raise RunError(f"cannot write in {folder}: {error.strerror}") from None
 
 
+@dataclass(frozen=True)
+class SupervisorFork:
+    """The supervisor of the session prepared in `folder`, to be run in a fork of this process, with a hatch that
+    has begun already, if there is one."""
+
+    folder: Path
+    scenario: Scenario
+    drop: float
+    hatch: Hatch | None
+
+    def start(self, stderr: IO[bytes] | None) -> ForkedProcess:
+        """Fork; the hatch is the fork's from now on."""
+        keep = () if self.hatch is None else self.hatch.descriptors
+        process = ForkedProcess(self._fly, f"{SUPERVISOR[-1]} {self.folder}", stderr, keep)
+        if self.hatch is not None:
+            self.hatch.release()
+        return process
+
+    def _fly(self) -> int:
+        if not sys.flags.safe_path and sys.path[:1] in ([""], [os.getcwd()]):
+            del sys.path[0]  # as -P does for the command
+        hatch = self.hatch
+        if hatch is None and (self.scenario.vehicles.launched or self.scenario.traffic):
+            with contextlib.suppress(LaunchError, OSError):  # the session tries again, and says why
+                hatch = Hatch()
+        with uncollected():
+            # numba before what needs it: beneath many nested imports it took 70 ms longer, since Python 3.11 allocates
+            # and frees a page of its stack at each call across the page's end.
+            import gcs.kernels  # noqa: F401, PLC0415
+            from gcs.session import process  # noqa: PLC0415 - only a supervisor needs it
+
+            return process.fly(self.folder, drop=self.drop, scenario=self.scenario, hatch=hatch)
+
+
 class Supervised:
     """A session's supervisor from start to end: its pipes, its socket, and how it is asked to stop.
 
@@ -138,12 +173,12 @@ class Supervised:
         supervisor: Sequence[str],
         pass_fds: Sequence[int] = (),
         stderr: IO[bytes] | None = None,
-        fork: Callable[[], int] | None = None,
+        fork: SupervisorFork | None = None,
     ) -> None:
-        """`fork` is the supervisor as a function, run in a fork of this process, instead of that command."""
+        """`fork` is started instead of that command where it is given."""
         self._folder = folder
         self._process: subprocess.Popen[bytes] | ForkedProcess = (
-            ForkedProcess(fork, f"{SUPERVISOR[-1]} {folder}", stderr)
+            fork.start(stderr)
             if fork is not None
             else subprocess.Popen(
                 [*supervisor, str(folder), *arguments],
@@ -257,24 +292,6 @@ class Supervised:
         return now_s >= self._asked_s + SAVES_WITHIN_S
 
 
-def supervisor_fork(folder: Path, scenario: Scenario, drop: float) -> Callable[[], int]:
-    """The supervisor of the session prepared in `folder`, to be run in a fork: the vehicles' host begins first."""
-
-    def fly() -> int:
-        if not sys.flags.safe_path and sys.path[:1] in ([""], [os.getcwd()]):
-            del sys.path[0]  # as -P does for the command
-        hatch = None
-        if scenario.vehicles.launched or scenario.traffic:
-            with contextlib.suppress(LaunchError, OSError):  # the session tries again, and says why
-                hatch = Hatch()
-        with uncollected():
-            from gcs.session import process  # noqa: PLC0415 - half a second, in which the vehicles' host comes up
-
-            return process.fly(folder, drop=drop, scenario=scenario, hatch=hatch)
-
-    return fly
-
-
 def run(
     folder: Path,
     view: View,
@@ -282,7 +299,7 @@ def run(
     *,
     arguments: Sequence[str] = (),
     supervisor: Sequence[str] = SUPERVISOR,
-    fork: Callable[[], int] | None = None,
+    fork: SupervisorFork | None = None,
     begun: Callable[[], object] = lambda: None,
     finish: Callable[[dict[str, Any]], object] = lambda _: None,
     stderr: IO[bytes] | None = None,
@@ -291,7 +308,7 @@ def run(
     """Fly the session prepared in `folder`; the exit status (docs/protocol.md#exit-status).
 
     `view` shows it while it flies, `begun` is called once it is started, `finish` gets the supervisor's last word, and
-    `echo` prints the lines that sum it up. `fork` is the supervisor as a function, instead of a command. `stderr` takes
+    `echo` prints the lines that sum it up. `fork` is the supervisor instead of a command. `stderr` takes
     what the supervisor says there; our own standard error without it. `hurry` is called where a person has asked more
     than once for the end.
     """

@@ -16,7 +16,7 @@ def silent_at(ages_s: Iterable[float]) -> list[bool]:
     """Whether the vehicle is silent, period by period, where its reports are so old."""
     link, told = LinkAge(), []
     for age_s in ages_s:
-        link.hear(1, age_s, PERIOD_S)
+        link.receive(1, age_s, PERIOD_S)
         told.append(link.silent(1, age_s))
     return told
 

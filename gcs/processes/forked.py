@@ -10,7 +10,7 @@ import subprocess
 import sys
 import threading
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from typing import IO
 
 from setproctitle import setproctitle
@@ -26,13 +26,16 @@ def can_fork() -> bool:
 class ForkedProcess:
     """A child in a POSIX session of its own, without our descriptors; `run` in it returns its exit status."""
 
-    def __init__(self, run: Callable[[], int], title: str, stderr: IO[bytes] | None = None) -> None:
+    def __init__(
+        self, run: Callable[[], int], title: str, stderr: IO[bytes] | None = None, keep: Collection[int] = ()
+    ) -> None:
+        """`keep` are descriptors of ours that it has too."""
         ours, theirs = os.pipe(), os.pipe()
         for stream in (sys.stdout, sys.stderr):
             stream.flush()
         self.pid = os.fork()
         if not self.pid:
-            _be(run, title, theirs[0], ours[1], 2 if stderr is None else stderr.fileno())
+            _be(run, title, (theirs[0], ours[1], 2 if stderr is None else stderr.fileno()), keep)
         os.close(theirs[0])
         os.close(ours[1])
         self.stdin: IO[bytes] | None = os.fdopen(theirs[1], "wb")
@@ -63,7 +66,7 @@ class ForkedProcess:
             os.kill(self.pid, signal.SIGKILL)
 
 
-def _be(run: Callable[[], int], title: str, stdin: int, stdout: int, stderr: int) -> None:
+def _be(run: Callable[[], int], title: str, streams: tuple[int, int, int], keep: Collection[int]) -> None:
     """Be the child, to its end."""
     status = INTERNAL_ERROR
     try:
@@ -71,9 +74,9 @@ def _be(run: Callable[[], int], title: str, stdin: int, stdout: int, stderr: int
         for number in (signal.SIGINT, signal.SIGTERM):
             signal.signal(number, signal.SIG_DFL)
         signal.set_wakeup_fd(-1)
-        for given, standard in ((stdin, 0), (stdout, 1), (stderr, 2)):
+        for standard, given in enumerate(streams):
             os.dup2(given, standard)
-        _close_the_others()
+        _close_all_but({0, 1, 2, *keep})
         setproctitle(title)
         status = run()
     except BaseException:
@@ -84,9 +87,9 @@ def _be(run: Callable[[], int], title: str, stdin: int, stdout: int, stderr: int
         os._exit(status)
 
 
-def _close_the_others() -> None:
-    """Close our parent's descriptors but the standard three: a pipe that we hold open, nobody sees the end of."""
-    for name in os.listdir("/proc/self/fd"):
-        if int(name) > 2:
+def _close_all_but(kept: Collection[int]) -> None:
+    """Close our parent's descriptors: a pipe that we hold open, nobody sees the end of."""
+    for descriptor in map(int, os.listdir("/proc/self/fd")):
+        if descriptor not in kept:
             with contextlib.suppress(OSError):  # the listing's own
-                os.close(int(name))
+                os.close(descriptor)

@@ -10,10 +10,12 @@ import json
 import os
 import select
 import shutil
+import signal
 import subprocess
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
@@ -77,6 +79,7 @@ class Hatch:
         assert self._process.stdout is not None
         self._in: IO[bytes] = self._process.stdin
         self._out = self._process.stdout.fileno()
+        self._death = os.pidfd_open(self._process.pid)
         os.set_blocking(self._out, False)
         self._pending = b""
         self.pids: dict[int, int] = {}
@@ -160,14 +163,49 @@ class Hatch:
             self.events()
         return self.alive and self.ended_cpu_s is not None
 
-    def close(self) -> None:
-        """End the hatch; returns when all its processes are gone."""
+    @property
+    def descriptors(self) -> tuple[int, ...]:
+        """File descriptors that a fork of this process must keep open to have it."""
+        return self._in.fileno(), self._out, self._death
+
+    def release(self) -> None:
+        """Leave it to a fork of this process: with the fork's end of the pipe it ends."""
+        self._in.close()
+
+    def discard(self) -> None:
+        """End it at once, if that has not been done, also by a fork that has it."""
+        if self._process.returncode is not None:
+            return
         with contextlib.suppress(BrokenPipeError):
             self._in.close()
-        try:
-            self._process.wait(timeout=10.0)
-        except subprocess.TimeoutExpired:
-            self._process.kill()
-            self._process.wait()
+        self._process.kill()
+        self._end()
+
+    def close(self) -> None:
+        """End the hatch; returns when all its processes are gone. It need not be a child of this process."""
+        with contextlib.suppress(BrokenPipeError):
+            self._in.close()
+        if not select.select([self._death], [], [], ENDED_WITHIN_S)[0]:
+            signal.pidfd_send_signal(self._death, signal.SIGKILL)
+        self._end()
+
+    def _end(self) -> None:
+        select.select([self._death], [], [])
+        self._process.wait()
+        os.close(self._death)
         assert self._process.stdout is not None
         self._process.stdout.close()
+
+
+@contextmanager
+def early(wanted: bool) -> Iterator[Hatch | None]:
+    """A hatch that loads while it is found out what is to fly; it ends with this context."""
+    hatch = None
+    if wanted:
+        with contextlib.suppress(LaunchError, OSError):  # the session tries again, and says why
+            hatch = Hatch()
+    try:
+        yield hatch
+    finally:
+        if hatch is not None:
+            hatch.discard()

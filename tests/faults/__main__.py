@@ -26,7 +26,9 @@ sys.path.insert(0, str(ROOT / "tests" / "support"))
 from sessions import GCS, Outcome, Running, all_gone, fly, small  # noqa: E402
 
 DURATION_S = 30.0
-SPEED = 10.0
+SPEED = 4.0
+LATEST_S = DURATION_S - 2.0 * SPEED
+"""A session tells its time once a second of the wall: no later, or it may have ended."""
 AWAY_S = 4.0
 """A process that was stopped goes on after so long, except a vehicle's, which is given up."""
 ORPHANS_WITHIN_S = 3.0
@@ -127,7 +129,7 @@ def jobs(moments: int, seed: int) -> Iterator[tuple[str, list[Callable[[Row, Pat
     stream = random.Random(seed)
     for name, whose in PROCESSES.items():
         for what in (signal.SIGKILL, signal.SIGSTOP):
-            times = [stream.uniform(0.5, DURATION_S - 2.0) for _ in range(moments)]
+            times = [stream.uniform(0.5, LATEST_S) for _ in range(moments)]
             yield (
                 f"{what.name} of {name}",
                 [lambda row, at, t=t, w=whose, s=what: signalled(row, at, t, w, s) for t in times],

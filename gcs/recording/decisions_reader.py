@@ -58,11 +58,11 @@ class DecisionLine(NamedTuple):
     raw: bytes
 
     def record(self) -> dict[str, Any]:
-        """All of it."""
+        """All of it; nothing where only its head can be read: past that stands a number or a text that is none."""
         try:
             return _RECORDS.decode(self.raw)
-        except UnicodeDecodeError:  # a head is read past texts that are none
-            return _RECORDS.decode(self.raw.decode(errors="replace"))
+        except _BROKEN:
+            return {}
 
 
 def _is_deep(line: bytes) -> bool:

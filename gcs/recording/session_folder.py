@@ -139,7 +139,7 @@ def _read_decisions(recorded: Recorded, progress: Progress) -> None:
             points.append(some)
             for line in others:
                 record = line.record()
-                if any(key not in record for key in NEEDED.get(line.kind, ())):
+                if not record or any(key not in record for key in NEEDED.get(line.kind, ())):
                     foreign += 1
                     continue
                 if line.kind == "competition":  # one a tick, with numbers of every vehicle

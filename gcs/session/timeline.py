@@ -226,6 +226,8 @@ class Timeline:
         if at < 0 or t_s - self._competition_s[at] > STANDS_S:
             return CompetitionState()
         record = self._competition_lines[at].record()
+        if any(key not in record for key in ("v", "tau", "leader", "share")):
+            return CompetitionState()
         v, tau = _by_sysid(record["v"]), _by_sysid(record["tau"])
         return CompetitionState(v, tau, {}, record["leader"], record["share"])
 

@@ -25,6 +25,7 @@ from gcs.mavlink.autopilots import profile_of
 from gcs.mavlink.battery import BatteryReport, battery_status, sys_status
 from gcs.mavlink.codec import Frame
 from gcs.mavlink.ids import AUTOPILOT
+from gcs.telemetry import plausibility
 from gcs.telemetry.fleet import GlobalOrigin
 from gcs.telemetry.state import Vec3, VehicleView
 
@@ -126,7 +127,7 @@ class TelemetryAdapter:
 
     def _receive_local(self, content: Any, t_s: float) -> Iterator[Frame]:
         at = (content.x, content.y, content.z)
-        if not all(map(math.isfinite, at)):
+        if not all(abs(axis) <= plausibility.FARTHEST_M for axis in at):
             return
         self._local = (t_s, at)
         if self._origin is None:
@@ -143,7 +144,8 @@ class TelemetryAdapter:
         if self._local is not None and t_s - self._local[0] <= TOGETHER_S:
             if self._origin is None:
                 n, e, d = self._local[1]
-                self._origin = _origin(*pymap3d.ned2geodetic(-n, -e, -d, lat_deg, lon_deg, alt_m))
+                found = _origin(*pymap3d.ned2geodetic(-n, -e, -d, lat_deg, lon_deg, alt_m))
+                self._origin = found if _can_be(found) else None
             return
         if self._reads != "global":
             self._reads = "global"
@@ -153,7 +155,9 @@ class TelemetryAdapter:
         yield self._position(t_s, (float(n), float(e), float(d)), v_ned)
 
     def _own(self, origin: GlobalOrigin) -> Iterator[Frame]:
-        """Its local frame begins here."""
+        """Its local frame begins here, if it can."""
+        if not _can_be(origin):
+            return
         self._origin = origin
         if self._reads == "local":
             yield self._origin_frame(origin)
@@ -187,13 +191,19 @@ def _is_place(lat: int, lon: int) -> bool:
     return (lat, lon) != (0, 0) and abs(lat) <= 900_000_000 and abs(lon) <= 1_800_000_000
 
 
+def _can_be(origin: GlobalOrigin) -> bool:
+    """Whether an origin is no farther up or down than anything is believed to be."""
+    return abs(origin.alt_m) <= plausibility.FARTHEST_M
+
+
 def _reported_origin(content: Any) -> GlobalOrigin:
     return _origin(1e-7 * content.latitude, 1e-7 * content.longitude, 1e-3 * content.altitude)
 
 
 def _origin_under(home: Any) -> GlobalOrigin:
     """The origin of the local frame in which HOME_POSITION's x, y, z stand."""
-    at = (home.x, home.y, home.z) if all(map(math.isfinite, (home.x, home.y, home.z))) else (0.0, 0.0, 0.0)
+    at = (home.x, home.y, home.z)
+    at = at if all(abs(axis) <= plausibility.FARTHEST_M for axis in at) else (0.0, 0.0, 0.0)
     lat_deg, lon_deg, alt_m = 1e-7 * home.latitude, 1e-7 * home.longitude, 1e-3 * home.altitude
     return _origin(*pymap3d.ned2geodetic(-at[0], -at[1], -at[2], lat_deg, lon_deg, alt_m))
 

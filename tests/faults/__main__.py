@@ -167,7 +167,10 @@ def main() -> int:
         row = Row(name)
         for session in sessions:
             with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as place:
-                session(row, Path(place))
+                try:
+                    session(row, Path(place))
+                except subprocess.TimeoutExpired:
+                    row.outcomes["too slow"] += 1
         bad += row.unread + row.orphans
         print(row.text(), flush=True)
     return 1 if bad else 0

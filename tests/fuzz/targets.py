@@ -295,7 +295,7 @@ WANTED = (TLOG, DECISIONS, SUMMARY, "scenario.yaml", "vehicles/1.truth")
 def _report(folder: Path) -> None:
     recorded = session_folder.read(folder)
     flown = series.tracks(recorded)
-    for make in (series.vehicles, series.traffic, series.attitudes, series.batteries, series.contest, series.texts):
+    for make in (series.vehicles, series.traffic, series.attitudes, series.batteries, series.competition, series.texts):
         make(recorded)
     series.links(recorded, flown)
 

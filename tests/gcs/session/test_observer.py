@@ -270,3 +270,16 @@ def test_invented_components_cost_a_bounded_room(observer: Observer) -> None:
         for compid in range(256):
             observer.receive(codec.Frame(sysid, compid, 0, 9_999, b""), 0.0)
     assert len(observer._gaps._missing) == MOST_SENDERS
+
+
+@pytest.mark.parametrize("lie", [{"x": 1e38}, {"z": -3e38}, {"altitude": 2**31 - 1}, {"altitude": -(2**31)}])
+def test_a_home_that_cannot_be_is_no_origin(lie: dict[str, float]) -> None:
+    observer = Observer("monitor", "udpin:0.0.0.0:14550")
+    beat = {"type": 2, "autopilot": 12, "base_mode": 0, "custom_mode": 0, "system_status": 4}
+    home = {"latitude": 474_000_000, "longitude": 85_000_000, "altitude": 488_000, "x": 0.0, "y": 0.0, "z": 0.0,
+            "q": (1.0, 0.0, 0.0, 0.0), "approach_x": 0.0, "approach_y": 0.0, "approach_z": 0.0}  # fmt: skip
+    place = {"time_boot_ms": 1000, "x": 1.0, "y": 2.0, "z": -3.0, "vx": 0.0, "vy": 0.0, "vz": 0.0}
+    for name, fields in (("HEARTBEAT", beat), ("HOME_POSITION", home | lie), ("LOCAL_POSITION_NED", place)):
+        (frame,) = codec.split(codec.encode(name, 0, 7, 1, **fields)).frames
+        observer.receive(frame, 1.0)
+    json.dumps(observer.snapshot(1.0, speed=1.0, phase="flying"), allow_nan=False)

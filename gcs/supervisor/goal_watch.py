@@ -58,7 +58,8 @@ class GoalWatch:
         self._parting_s = PARTING_S if scenario.refuelling.height_m < near_m else 0.0
         self._partners: dict[tuple[int, int], float] = {}
         self._airspace: Airspace | None = None
-        self._log: list[tuple[float, Airspace, Mapping[str, tuple[float, float, float]]]] = []
+        self._log: list[tuple[float, Airspace, tuple[str, ...], Floats]] = []
+        """of each tick: time, who counts, and the traffic's callsigns and places (n, 3), which may be many"""
         self._external_p_ned: list[Floats] = []
         whole = scenario.truth and scenario.record.truth_hz is None  # a record at every tick
         self._keeps_log = whole and bool(scenario.vehicles.launched)
@@ -96,7 +97,10 @@ class GoalWatch:
         traffic = {aircraft.callsign: _now(aircraft) for aircraft in snapshot.traffic}
         places = Places(np.where(flying[:, None], p_ned, np.nan), height_m, traffic=traffic)
         if self._keeps_log:
-            self._log.append((now_s, airspace, traffic))
+            callsigns = tuple(traffic)
+            if self._log and self._log[-1][2] == callsigns:
+                callsigns = self._log[-1][2]
+            self._log.append((now_s, airspace, callsigns, np.array([*traffic.values()]).reshape(-1, 3)))
             if not self._ours.all():
                 self._external_p_ned.append(places.p_ned[~self._ours].astype(np.float32))
         self._waypoints.update(flying & fresh, p_ned)
@@ -184,7 +188,7 @@ class GoalWatch:
         }
         if not tables or any(table is None for table in tables.values()):
             return [], []
-        ticks = np.array([t_s for t_s, _, _ in self._log])
+        ticks = np.array([t_s for t_s, *_ in self._log])
         at = np.full((len(self._vehicles), len(ticks)), -1, dtype=np.int64)
         for row, table in tables.items():
             assert table is not None
@@ -196,7 +200,8 @@ class GoalWatch:
             at[row] = np.where(same, k, -1)
         judged, waypoints = Proximity(self._scenario, self._shapes), WayPoints(self._scenario)
         breaches: list[Breach] = []
-        for tick, (t_s, airspace, traffic) in enumerate(self._log):
+        for tick, (t_s, airspace, callsigns, traffic_ned) in enumerate(self._log):
+            traffic = {name: (n, e, d) for name, (n, e, d) in zip(callsigns, traffic_ned.tolist(), strict=True)}
             p_ned, v_ned = np.full((len(at), 3), np.nan), np.zeros((len(at), 3))
             for row, table in tables.items():
                 if at[row, tick] >= 0 and table is not None:

@@ -29,7 +29,7 @@ class KernelCache(FunctionCache):
         self._cache_file.__class__ = _KernelFile  # made by the base class
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
-        """What is kept for a signature, ready to be called; None where nothing is, with the compiler prepared."""
+        """Kept code of a signature, ready to be called; None where nothing is kept, with the compiler prepared."""
         rtsys.initialize(target_context)  # kept code counts references to arrays
         found = self._load_overload(sig, target_context)
         if found is None:

@@ -232,8 +232,8 @@ def run(
         raise click.UsageError("--verbose and --json exclude each other: choose what goes to stdout.")
     if junit is not None and not junit.parent.is_dir():
         raise click.UsageError(f"--junit: there is no folder {junit.parent}.")
-    from gcs.session.forked import can_fork
-    from gcs.session.hatch import early
+    from gcs.processes.forked import can_fork
+    from gcs.processes.hatch import early
 
     lines = plain or as_json or quiet or verbose or web or not os.isatty(1)  # else its errors are the console's
     hatch = click.get_current_context().with_resource(early(lines and can_fork()))

@@ -15,7 +15,7 @@ USUAL_SHARE, SPARE_S = 1.5, 0.2
 FIRST_S = 0.5
 """Taken for the oldest report before there was one."""
 DECAY_S = 10.0
-"""What was the oldest counts by 1/e less after so long."""
+"""The oldest report of late counts by 1/e less after so long."""
 
 
 class LinkAge:

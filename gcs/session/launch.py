@@ -14,10 +14,10 @@ from pathlib import Path
 from typing import Any
 
 from gcs.exit import DONE, NOT_DONE
+from gcs.processes.hatch import Hatch, LaunchError
+from gcs.processes.vehicles import vehicle_orders
 from gcs.scenario.model import Scenario
-from gcs.session.hatch import Hatch, LaunchError
 from gcs.session.supervised import POLL_S, RunError, Signals, make_folder, write_scenario
-from gcs.session.vehicles import vehicle_orders
 
 STARTED_WITHIN_S = 120.0
 ENDED_EARLY = "standard input ended before the vehicles were there; --until-eof wants one that stays open"

@@ -30,19 +30,19 @@ from gcs.link.lockstep import REPEAT_S, LockstepLink
 from gcs.link.socket import BUFFER_BYTES, AddressRefused
 from gcs.loading import loaded
 from gcs.mavlink.ids import AUTOPILOT, TRAFFIC
+from gcs.processes.hatch import Ended, Hatch, LaunchError
+from gcs.processes.pace import Pace
+from gcs.processes.startup import Arrivals
+from gcs.processes.suspension import SuspensionWatch
+from gcs.processes.vehicles import traffic_order, vehicle_orders
 from gcs.recording.recorder import Recorder, RecorderError
 from gcs.recording.reserve import Reserve
 from gcs.scenario import goal, plugins
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
 from gcs.session.commands import Clients
-from gcs.session.hatch import Ended, Hatch, LaunchError
 from gcs.session.messages import end_message, session_message, snapshot_message
-from gcs.session.pace import Pace
 from gcs.session.server import Publisher, Reader
-from gcs.session.startup import Arrivals
-from gcs.session.suspension import SuspensionWatch
-from gcs.session.vehicles import traffic_order, vehicle_orders
 from gcs.supervisor.summarise import summarise
 from gcs.supervisor.supervisor import Supervisor
 from gcs.supervisor.warmup import rehearse

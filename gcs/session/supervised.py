@@ -22,11 +22,11 @@ import click
 
 from gcs.exit import BAD_INPUT, INTERNAL_ERROR
 from gcs.loading import loaded, uncollected
+from gcs.processes.forked import ForkedProcess
+from gcs.processes.hatch import Hatch, LaunchError
 from gcs.scenario.file import dump
 from gcs.scenario.model import Scenario
 from gcs.session.client import SOCKET, Client, EarlierEvents, Lines
-from gcs.session.forked import ForkedProcess
-from gcs.session.hatch import Hatch, LaunchError
 from gcs.session.plain_text import QuietView, clean, farewell, mute_stdout
 
 SUPERVISOR = (sys.executable, "-P", "-m", "gcs.session.process")
@@ -153,7 +153,7 @@ class SupervisorFork:
         with uncollected():
             # numba before what needs it: beneath many nested imports it took 70 ms longer, since Python 3.11 allocates
             # and frees a page of its stack at each call across the page's end.
-            from gcs import kernels  # noqa: F401, PLC0415
+            import gcs.kernels  # noqa: F401, PLC0415
             from gcs.session import process  # noqa: PLC0415 - only a supervisor needs it
 
             return process.fly(self.folder, drop=self.drop, scenario=self.scenario, hatch=hatch)

@@ -21,7 +21,7 @@ from measure import Figure, Scale
 from pymavlink.dialects.v20 import common
 
 from gcs.mavlink import codec
-from gcs.session.hatch import Hatch, ProcessSpec
+from gcs.processes.hatch import Hatch, ProcessSpec
 
 ROOT = Path(__file__).resolve().parents[2]
 SESSIONS = 5
@@ -45,7 +45,7 @@ def fleet(duration_s: float) -> dict[str, Any]:
     """`gcs run fleet` for this long, whatever comes of it."""
     content: dict[str, Any] = yaml.safe_load((ROOT / "configs/fleet.yaml").read_text(encoding="utf-8"))
     content["goal"] = {"duration_s": duration_s}
-    content["vehicles"]["defaults"]["battery"]["capacity_j"] *= 4.0  # so that everyone flies to the end
+    content["vehicles"]["defaults"]["battery"]["capacity_j"] *= max(4.0, duration_s / 60.0)  # everyone flies to the end
     return content
 
 

@@ -17,6 +17,7 @@ from hostile import Hostile
 from gcs.link.external import ExternalLink
 from gcs.link.lockstep import LockstepLink
 from gcs.mavlink import codec
+from gcs.processes.pace import Pace
 from gcs.recording import export, series, session_folder
 from gcs.recording.recorder import DECISIONS, TLOG, Recorder
 from gcs.recording.summary import FILE as SUMMARY
@@ -28,7 +29,6 @@ from gcs.scenario.model import Scenario, ScenarioError
 from gcs.session.commands import Clients
 from gcs.session.messages import snapshot_message
 from gcs.session.monitor import MonitorSource
-from gcs.session.pace import Pace
 from gcs.session.replay import Replay, ReplayError
 from gcs.session.server import NAME, Publisher
 from gcs.supervisor.redecide import Comparer, RecordedLink, RedecideError, redecide

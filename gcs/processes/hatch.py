@@ -165,7 +165,7 @@ class Hatch:
 
     @property
     def descriptors(self) -> tuple[int, ...]:
-        """What a fork of this process that is to have it must not close."""
+        """File descriptors that a fork of this process must keep open to have it."""
         return self._in.fileno(), self._out, self._death
 
     def release(self) -> None:

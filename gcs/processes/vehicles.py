@@ -10,9 +10,9 @@ from typing import Any
 import yaml
 
 from gcs.planner.silence import failsafe_of
+from gcs.processes.hatch import ProcessSpec
 from gcs.scenario.faults import COMMANDED
 from gcs.scenario.model import Scenario, VehicleBase
-from gcs.session.hatch import ProcessSpec
 
 LOST_AFTER_PERIODS, MOST_LOST_S = 5, 1.0
 """[choice] Periods without a set point after which a launched vehicle holds, and the longest wait: PX4's own."""

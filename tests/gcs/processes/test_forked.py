@@ -7,7 +7,7 @@ import pytest
 
 BEGINNING = """
 import os, signal, subprocess, sys, threading, time
-from gcs.session.forked import ForkedProcess, can_fork
+from gcs.processes.forked import ForkedProcess, can_fork
 
 def echo():
     print(os.read(0, 99).decode(), os.getsid(0) == os.getpid(), sorted(os.listdir("/proc/self/fd")), flush=True)

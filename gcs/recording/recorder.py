@@ -186,7 +186,7 @@ def decision_line(decision: Mapping[str, Any]) -> bytes:
 
 
 def _set_point_line(decision: Mapping[str, Any]) -> bytes | None:
-    """What `json` makes of a set point, in a third of the time: nearly all decisions are set points.
+    """The line that `json` makes of a set point, in a third of the time: nearly all decisions are set points.
 
     None for one that is not the usual five keys with finite floats: `json` knows what is to become of it.
     """

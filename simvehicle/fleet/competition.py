@@ -11,8 +11,8 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
-from scipy.optimize import linear_sum_assignment
 
+from simvehicle.assignment import least_cost
 from simvehicle.fleet.bids import HOPELESS_S, Offer, begins_s, lasts_s, meeting_s
 from simvehicle.fleet.peers import DecidedBy, PeerReport
 from simvehicle.fleet.rules import FleetRules
@@ -119,7 +119,7 @@ class FleetCompetition:
         """The winners' tankers, by the least sum of the ways' times. Whom its tanker would reach too late leaves the
         place to the next one whom it would not."""
         cost_s = np.array([[self._way_s(now_s, offer, sysid) for sysid in winners] for offer in free])
-        rows, columns = linear_sum_assignment(cost_s)
+        rows, columns = least_cost(cost_s)
         others = [one.sysid for one in sorted(self._bidders, key=lambda one: (-one.ln_v, one.rank))]
         others = [sysid for sysid in others if sysid not in winners]
         found = []

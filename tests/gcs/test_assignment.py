@@ -7,6 +7,7 @@ import pytest
 from scipy.optimize import linear_sum_assignment
 
 from gcs.assignment import least_cost
+from simvehicle.assignment import least_cost as least_cost_of_vehicles
 
 
 @pytest.mark.parametrize("values", [2, 4, 1000])  # few values: many equal sums
@@ -16,9 +17,9 @@ def test_it_is_the_assignment_that_scipy_finds(values: int) -> None:
         cost = rng.integers(-values, values, rng.integers(1, 12, 2)).astype(float)
         if values == 1000:
             cost += rng.uniform(0.0, 1.0, cost.shape)
-        rows, columns = least_cost(cost)
-        expected = linear_sum_assignment(cost)
-        assert (rows.tolist(), columns.tolist()) == (expected[0].tolist(), expected[1].tolist())
+        expected = [side.tolist() for side in linear_sum_assignment(cost)]
+        assert [side.tolist() for side in least_cost(cost)] == expected
+        assert [side.tolist() for side in least_cost_of_vehicles(cost)] == expected
 
 
 def test_no_permutation_costs_less() -> None:

@@ -10,7 +10,7 @@ PEERS_READY := $(PEERS)/.ready
 DOCS := .venv-docs
 DOCS_READY := $(DOCS)/.ready
 
-.PHONY: run test bench fuzz docs picture clean
+.PHONY: run test bench fuzz faults docs picture clean
 
 run: $(READY)
 	@$(VENV)/bin/gcs run demo
@@ -27,6 +27,10 @@ bench: $(READY)
 # FUZZ="--frames 10000 --files 100 --seed 7" attacks for shorter, and elsewhere.
 fuzz: $(READY)
 	@$(VENV)/bin/python tests/fuzz $(FUZZ)
+
+# FAULTS="--moments 3 --only SIGKILL,blackout" flies less of it.
+faults: $(READY)
+	@$(VENV)/bin/python tests/faults $(FAULTS)
 
 docs: $(READY) $(DOCS_READY)
 	@$(VENV)/bin/python docs/.site/build.py --builder $(DOCS)/bin/python

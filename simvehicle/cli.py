@@ -95,6 +95,13 @@ class _Triple(click.ParamType[tuple[float, float, float]]):
     help="New file for what is true, per step.",
 )
 @click.option(
+    "--truth-hz",
+    type=click.FloatRange(0.0, 250.0, min_open=True),
+    default=None,
+    hidden=True,  # for sessions: `record: {truth_hz}`
+    help="Records of truth a second; else one a step.",
+)
+@click.option(
     "--state",
     type=click.Path(path_type=Path, file_okay=False),
     metavar="DIR",
@@ -160,6 +167,7 @@ def _fly(
     params: tuple[Path, ...],
     autopilot: str,
     truth: tuple[Path, ...],
+    truth_hz: float | None,
     state: Path | None,
     key_file: Path | None,
     fleet: Path | None,
@@ -201,7 +209,9 @@ def _fly(
     for i, (values, own_truth) in enumerate(files):
         store = _state(state, sysid + i)
         parameters = _parameters(values, store.values if store is not None else {})
-        wanted.append(Wanted(sysid + i, starts[i], parameters, own_truth, store, key_file, state, rules))
+        wanted.append(
+            Wanted(sysid + i, starts[i], parameters, own_truth, store, key_file, state, rules, truth_hz=truth_hz)
+        )
     for path in truth:
         if path.exists():
             raise click.UsageError(f"--truth {path} exists already; name a new file.")

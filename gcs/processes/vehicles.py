@@ -85,6 +85,8 @@ def vehicle_order(
             argv += ["--truth", str(folder / "vehicles" / f"{vehicle.sysid}.truth")]
     if scenario.competition.where == "vehicles":
         argv += ["--fleet", str(fleet_file(scenario, folder))]
+    if scenario.truth and scenario.record.truth_hz is not None:
+        argv += ["--truth-hz", repr(scenario.record.truth_hz)]
     argv += ["--home", _triple((origin.lat_deg, origin.lon_deg, origin.alt_m))]
     if first.airborne:
         argv.append("--airborne")

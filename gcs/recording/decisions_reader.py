@@ -17,6 +17,8 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from gcs.recording import rotation
+
 P_NED, SYSID, T_S = slice(0, 3), 3, 4
 """Columns of set points; their velocities are left out."""
 COLUMNS = 5
@@ -43,6 +45,8 @@ class _Head(msgspec.Struct, gc=False):
 
 _POINTS, _HEADS = msgspec.json.Decoder(_SetPoint), msgspec.json.Decoder(_Head)
 _RECORDS = msgspec.json.Decoder(dict[str, Any])
+_BROKEN = (msgspec.MsgspecError, UnicodeDecodeError)
+"""Errors of a line that is no JSON, or no text at all."""
 
 
 class DecisionLine(NamedTuple):
@@ -55,7 +59,10 @@ class DecisionLine(NamedTuple):
 
     def record(self) -> dict[str, Any]:
         """All of it."""
-        return _RECORDS.decode(self.raw)
+        try:
+            return _RECORDS.decode(self.raw)
+        except UnicodeDecodeError:  # a head is read past texts that are none
+            return _RECORDS.decode(self.raw.decode(errors="replace"))
 
 
 def _is_deep(line: bytes) -> bool:
@@ -107,8 +114,8 @@ class DecisionLines:
 
     def _blocks(self) -> Iterator[list[bytes]]:
         self.broken, self.cut, done = 0, False, 0
-        with self._path.open("rb") as file:
-            size = max(self._path.stat().st_size, 1)
+        with rotation.open_parts(self._path) as file:
+            size = max(rotation.size(self._path), 1)
             while block := file.read(BLOCK_BYTES) + file.readline():
                 done += len(block)
                 lines = [line for line in block.split(b"\n") if line]
@@ -122,7 +129,7 @@ class DecisionLines:
         """Values of each line; those without such a value are passed over."""
         try:
             found = decoder.decode_lines(b"\n".join(lines))
-        except msgspec.MsgspecError:  # one is broken: only one by one can the others be had
+        except _BROKEN:  # one is broken: only one by one can the others be had
             found = []
         if len(found) == len(lines):
             yield from zip(found, lines, strict=True)
@@ -130,7 +137,7 @@ class DecisionLines:
         for line in lines:
             try:
                 content = decoder.decode(line)
-            except msgspec.MsgspecError:
+            except _BROKEN:
                 self._pass_over(line)
             else:
                 yield content, line

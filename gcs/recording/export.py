@@ -19,7 +19,7 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.kernels import kernel
 from gcs.mavlink import field_units
 from gcs.mavlink.ids import STATION
-from gcs.recording import tlog_reader
+from gcs.recording import rotation, tlog_reader
 from gcs.recording.decisions_reader import DecisionLines
 from gcs.recording.missing import SCENARIO, passed_over, unread
 from gcs.recording.recorder import DECISIONS, TLOG
@@ -68,15 +68,15 @@ def export(source: Path, tables: Tables, progress: Progress = lambda _: None) ->
 
 def _export_session(folder: Path, tables: Tables, progress: Progress) -> list[str]:
     frames, decisions, truths = folder / TLOG, folder / DECISIONS, sorted(folder.glob("vehicles/*.truth"))
-    present = [path for path in (frames, decisions, *truths) if path.exists()]
+    present = [path for path in (frames, decisions, *truths) if rotation.exists(path)]
     if not present:
         raise ExportError(f"{folder} is no session's folder: it has neither {TLOG} nor {DECISIONS}.")
     problems: list[str] = []
-    whole = max(sum(path.stat().st_size for path in present), 1)
+    whole = max(sum(map(rotation.size, present)), 1)
     done = 0
 
     def part(path: Path) -> Progress:
-        begun, size = done, path.stat().st_size
+        begun, size = done, rotation.size(path)
         return lambda share: progress((begun + share * size) / whole)
 
     for path in (frames, decisions):
@@ -93,10 +93,10 @@ def _export_session(folder: Path, tables: Tables, progress: Progress) -> list[st
         log = tlog_reader.read(frames)
         _export_frames(log, tables, epoch_us, part(frames), session=True)
         problems += log.problems
-        done += frames.stat().st_size
+        done += rotation.size(frames)
     if decisions in present:
         problems += _export_decisions(decisions, tables, part(decisions))
-        done += decisions.stat().st_size
+        done += rotation.size(decisions)
     for truth in truths:
         problems += _export_truth(truth, tables, part(truth))
         done += truth.stat().st_size

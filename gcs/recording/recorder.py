@@ -18,8 +18,10 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
 
-TLOG = "session.tlog"
-DECISIONS = "decisions.jsonl"
+from gcs.recording.changes import ChangeFilter
+from gcs.recording.rotation import ROTATED, part
+
+TLOG, DECISIONS = ROTATED
 BATCH_BYTES = 1 << 16
 
 _TIME = struct.Struct(">Q").pack
@@ -40,7 +42,7 @@ class _File:
     def __init__(self, path: Path) -> None:
         self.path = path
         self.batch = bytearray()
-        self._size = 0
+        self.size = 0
         try:
             self._fd = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_CLOEXEC, 0o666)
         except OSError as error:
@@ -56,10 +58,10 @@ class _File:
                     at += os.write(self._fd, view[at:])
         except OSError:
             with contextlib.suppress(OSError):
-                os.ftruncate(self._fd, self._size)
+                os.ftruncate(self._fd, self.size)
             self.close()
             raise
-        self._size += len(batch)
+        self.size += len(batch)
 
     def close(self) -> None:
         if self._fd >= 0:
@@ -74,7 +76,15 @@ class Recorder:
     and they are closed: later calls raise the same, `close` does nothing.
     """
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(
+        self, folder: Path, *, rotate_bytes: int | None = None, keep: int | None = None, changes_only: bool = False
+    ) -> None:
+        """rotate_bytes: with so many, both files go on in new ones; keep: how many pairs of full ones stay.
+        changes_only: decisions as `ChangeFilter` has them."""
+        self._folder = folder
+        self._rotate_bytes, self._keep = rotate_bytes, keep
+        self._full = 0
+        self._changes = ChangeFilter() if changes_only else None
         self._end: RecorderError | None = None
         self._tlog = _File(folder / TLOG)
         try:
@@ -97,7 +107,7 @@ class Recorder:
         batch += _TIME(t_us)
         batch += raw
         if len(batch) >= BATCH_BYTES or self._end is not None:
-            self.flush()
+            self._write()
 
     def frames(self, t_us: int, raws: Sequence[bytes]) -> None:
         """Record frames of one time in order, as `frame` does one."""
@@ -107,21 +117,43 @@ class Recorder:
             batch += time
             batch += time.join(raws)
             if len(batch) >= BATCH_BYTES or self._end is not None:
-                self.flush()
+                self._write()
 
     def decision(self, decision: Mapping[str, Any]) -> bytes:
-        """Record a decision; its line, for `Digest.decision`.
+        """Record a decision, if it is to be written; its line, for `Digest.decision`.
 
         Raises ValueError for NaN or infinity in it, TypeError for what JSON has no form for.
         """
         line = decision_line(decision)
-        self._decisions.batch += line
+        if self._changes is None or self._changes.is_change(decision):
+            self._decisions.batch += line
         if len(self._decisions.batch) >= BATCH_BYTES or self._end is not None:
-            self.flush()
+            self._write()
         return line
 
     def flush(self) -> None:
-        """Hand everything recorded so far to the system. Raises RecorderError."""
+        """Hand everything recorded so far to the system, at a tick's end. Raises RecorderError."""
+        self._write()
+        if self._rotate_bytes is not None and self._tlog.size + self._decisions.size >= self._rotate_bytes:
+            try:
+                self._rotate()
+            except OSError as error:
+                failure = RecorderError(f"{self._tlog.path} cannot be rotated: {_reason(error)}; recording has ended.")
+                self._shut(failure)
+                raise failure from None
+
+    def _rotate(self) -> None:
+        """Put the full files aside under a number of their own, and go on in new ones."""
+        self._full += 1
+        paths = [file.path for file in (self._tlog, self._decisions)]
+        for file, path in zip((self._tlog, self._decisions), paths, strict=True):
+            file.close()
+            path.rename(part(path, self._full))
+            if self._keep is not None:
+                part(path, self._full - self._keep).unlink(missing_ok=True)
+        self._tlog, self._decisions = _File(paths[0]), _File(paths[1])
+
+    def _write(self) -> None:
         if self._end is not None:
             raise self._end
         failure: RecorderError | None = None

@@ -14,8 +14,8 @@ from pydantic import ValidationError
 
 from gcs.mavlink.gaps import RecordedGaps
 from gcs.mavlink.ids import STATION
+from gcs.recording import rotation, tlog_reader
 from gcs.recording import summary as summaries
-from gcs.recording import tlog_reader
 from gcs.recording.decisions_reader import COLUMNS, DecisionLines
 from gcs.recording.recorder import DECISIONS, TLOG
 from gcs.recording.summary import Summary
@@ -93,7 +93,7 @@ def read(folder: Path, progress: Progress = lambda _: None) -> Recorded:
     """Content of the folder. Raises NoSession where that is no session at all."""
     if not folder.is_dir():
         raise NoSession(f"{folder} is no folder; give the folder of a session, such as gcs run leaves it.")
-    if not any((folder / name).is_file() for name in (TLOG, DECISIONS, summaries.FILE)):
+    if not any(rotation.exists(folder / name) for name in (TLOG, DECISIONS, summaries.FILE)):
         raise NoSession(f"{folder} is no session's folder: it holds none of {TLOG}, {DECISIONS} and {summaries.FILE}.")
     recorded = Recorded(folder)
     _read_summary(recorded)

@@ -27,6 +27,7 @@ from pymavlink.dialects.v20 import common
 from gcs.kernels import kernel
 from gcs.mavlink import codec, records
 from gcs.mavlink.codec import Frame
+from gcs.recording import rotation
 
 IntArray = NDArray[np.int64]
 ByteArray = NDArray[np.uint8]
@@ -118,8 +119,8 @@ class Tlog:
         done = begin
         frames = gaps = skipped = wrong = 0
         last_end, look_at, last_us, believed_us = 0, TIME_BYTES, -1, -1
-        with self.path.open("rb") as file:
-            size = max(self.path.stat().st_size, 1)
+        with rotation.open_parts(self.path) as file:
+            size = max(rotation.size(self.path), 1)
             file.seek(begin)
             while True:
                 octets = np.empty(len(carried) + self._chunk_bytes, dtype=np.uint8)
@@ -151,7 +152,7 @@ class Tlog:
 
 def read(path: Path) -> Tlog:
     """The recording at `path`. Raises OSError where there is no file that can be read."""
-    with path.open("rb"):
+    with rotation.open_parts(path):
         return Tlog(path)
 
 

@@ -27,6 +27,7 @@ from gcs.scenario.parts import (
     Pursue,
     Pursuer,
     Radio,
+    Record,
     Tanker,
     Target,
     VehicleBase,
@@ -56,6 +57,7 @@ __all__ = [
     "Pursuer",
     "PursuitRules",
     "Radio",
+    "Record",
     "RefuellingRules",
     "Scenario",
     "ScenarioError",
@@ -124,6 +126,8 @@ class Scenario(Part):
     """what goes wrong, at a time or by chance; nothing by default"""
     vehicles_per_process: Annotated[int, Field(strict=True, ge=1, le=254)] = 1
     """how many fly in one process; nothing else depends on it"""
+    record: Record = Record()
+    """files that the session leaves, and how large they become; everything in one file each by default"""
     truth: Flag = True
     """launched vehicles record what they themselves know (docs/protocol.md#truth)"""
 
@@ -217,6 +221,10 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
         rules.append((split.from_s >= split.to_s, ("radio", "splits", i, "to_s"), "to_s must be after from_s"))
         missing = sorted(set(split.sysids) - sysids)
         rules.append((missing, ("radio", "splits", i, "sysids"), f"there is no vehicle {missing[0] if missing else 0}"))
+    rules += [
+        (s.record.keep and not s.record.rotate_mb, ("record", "keep"), "keep needs rotate_mb"),
+        (s.record.truth_hz and not s.truth, ("record", "truth_hz"), "truth_hz needs 'truth: true'"),
+    ]
     for i, blackout in enumerate(s.radio.blackouts):
         path = ("radio", "blackouts", i)
         rules.append((blackout.sysid not in sysids, (*path, "sysid"), f"there is no vehicle {blackout.sysid}"))

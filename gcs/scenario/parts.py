@@ -92,7 +92,7 @@ class Goal(Part):
     """pursuit that is demanded; none by default"""
     refuelled_at_least: Count = 0
     """number of services that must have delivered energy; 0 demands none"""
-    duration_s: Annotated[float, Field(strict=True, gt=0, le=86_400)]
+    duration_s: Annotated[float, Field(strict=True, gt=0, le=604_800)]
     """length of the session, s of session time"""
     separation_m: Limit = None
     """least distance of two vehicles in flight, m, partners of a transfer aside; by default planner.separation_m where
@@ -410,6 +410,19 @@ class Radio(Part):
     def random(self) -> bool:
         """Whether the seed decides what happens to frames."""
         return any((self.loss, self.jitter_s, self.duplicate, self.reorder))
+
+
+class Record(Part):
+    """What a session leaves on disk, and how much of it (docs/protocol.md#rotation)."""
+
+    rotate_mb: Annotated[int, Field(strict=True, ge=1, le=1_000_000)] | None = None
+    """once session.tlog and decisions.jsonl are larger together, they go on in new files; MB; never without it"""
+    keep: Annotated[int, Field(strict=True, ge=1, le=9999)] | None = None
+    """so many of the files that were full are kept, the oldest go; all without it"""
+    decisions: Literal["all", "changes"] = "all"
+    """`changes`: a set point that the one before it foretells to 5 cm and 5 cm/s is not written, for 1 s at most"""
+    truth_hz: Annotated[float, Field(strict=True, gt=0, le=250)] | None = None
+    """vehicles record their truth so often, without the thrust of each step; every grant without it"""
 
 
 class Base(Part):

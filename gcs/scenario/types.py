@@ -48,7 +48,7 @@ Percent = Annotated[float, Field(strict=True, ge=0, le=100)]
 Metres = Annotated[float, Field(strict=True, gt=0, le=1e5)]
 Speed = Annotated[float, Field(strict=True, gt=0, le=100)]
 Degrees = Annotated[float, Field(strict=True, ge=-180, le=180)]
-Seconds = Annotated[float, Field(strict=True, ge=0, le=86_400)]
+Seconds = Annotated[float, Field(strict=True, ge=0, le=604_800)]
 Joules = Annotated[float, Field(strict=True, gt=0, le=1 << 24)]  # whole joules travel as 32-bit integers
 Coordinate = Annotated[float, Field(strict=True, ge=-1e5, le=1e5)]
 Height = Annotated[Coordinate, AfterValidator(_into_ned)]

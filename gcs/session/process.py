@@ -89,7 +89,13 @@ class SessionProcess:
             self._external_link = ExternalLink(external, lambda: self._pace.running_wall_s)
             self._link = FleetLink(self._lockstep_link, self._external_link)
         self._sleep = time.sleep if self._external_link is None else self._external_link.rest
-        self._recorder = Recorder(folder)
+        record = scenario.record
+        self._recorder = Recorder(
+            folder,
+            rotate_bytes=None if record.rotate_mb is None else record.rotate_mb * 1_000_000,
+            keep=record.keep,
+            changes_only=record.decisions == "changes",
+        )
         self._reserve = Reserve(folder, len(scenario.vehicles.all))
         self._publisher = Publisher(folder, session_message(scenario, str(folder.resolve())))
         self._supervisor = Supervisor(scenario, self._link, self._recorder)

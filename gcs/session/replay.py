@@ -13,6 +13,7 @@ from collections.abc import Callable, Collection, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
+from gcs.recording import rotation
 from gcs.recording.missing import SCENARIO, passed_over, unread
 from gcs.recording.pursuit_held import HeldTimes, HeldTimesReader
 from gcs.recording.recorder import DECISIONS, TLOG
@@ -62,7 +63,7 @@ class Replay:
         if source.is_dir():
             path = source / TLOG
             epoch_us = self._read_session(source, lambda share: progress(DECIDED * share))
-        if not path.exists():
+        if not rotation.exists(path):
             missing = f"{source} has no {TLOG}" if source.is_dir() else f"{source} does not exist"
             raise ReplayError(f"{missing}; give a session's folder or a .tlog file.")
         reader: HeldTimesReader | None = None

@@ -7,7 +7,6 @@ the block itself says; however long the recording is, that is a part of it.
 
 from __future__ import annotations
 
-import mmap
 from collections.abc import Callable, Collection, Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -21,7 +20,7 @@ from gcs.mavlink import codec, records
 from gcs.mavlink.codec import Frame
 from gcs.mavlink.gaps import GapCounter, RecordedGaps, resumed
 from gcs.mavlink.ids import STATION
-from gcs.recording import tlog_reader
+from gcs.recording import rotation, tlog_reader
 from gcs.recording.tlog_reader import AT, COMPID, MSGID, SEQ, SYSID, T_US
 
 IntArray = NDArray[np.int64]
@@ -122,7 +121,7 @@ class TlogIndex:
         self._session = session
         self._blocks: list[_Block] = []
         self.frames = 0
-        block_bytes = block_bytes or max(BLOCK_BYTES, path.stat().st_size // MOST_BLOCKS)
+        block_bytes = block_bytes or max(BLOCK_BYTES, rotation.size(path) // MOST_BLOCKS)
         log = tlog_reader.Tlog(path, chunk_bytes=block_bytes)
         gaps = RecordedGaps()
         self._metered = frozenset(metered)
@@ -198,9 +197,10 @@ class TlogIndex:
                 found |= set((chunk.begin + heads[wanted, AT]).tolist())
         directions = Directions(session=False)
         frames = []
-        with self.path.open("rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
+        with rotation.open_parts(self.path) as file:
             for place in sorted(found):
-                record = data[place - 8 : place + tlog_reader.LARGEST]
+                file.seek(place - tlog_reader.TIME_BYTES)
+                record = file.read(tlog_reader.TIME_BYTES + tlog_reader.LARGEST)
                 raw = tlog_reader.raw_at(record, 8)
                 frame = Frame(raw[5], raw[6], raw[4], int.from_bytes(raw[7:10], "little"), raw)
                 t_us = int.from_bytes(record[:8], "big")

@@ -60,7 +60,8 @@ class GoalWatch:
         self._airspace: Airspace | None = None
         self._log: list[tuple[float, Airspace, Mapping[str, tuple[float, float, float]]]] = []
         self._external_p_ned: list[Floats] = []
-        self._keeps_log = scenario.truth and bool(scenario.vehicles.launched)
+        whole = scenario.truth and scenario.record.truth_hz is None  # a record at every tick
+        self._keeps_log = whole and bool(scenario.vehicles.launched)
         self._ours = np.array([vehicle.external is None for vehicle in self._vehicles], dtype=np.bool_)
         self._lost: dict[int, Loss] = {}
         self._reported: set[tuple[Any, ...]] = set()

@@ -18,7 +18,8 @@ from gcs.link.link import Key
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import AUTOPILOT, STATION, TRAFFIC
-from gcs.recording import tlog_reader
+from gcs.recording import rotation, tlog_reader
+from gcs.recording.changes import ChangeFilter
 from gcs.recording.decisions_reader import DecisionLines
 from gcs.recording.missing import passed_over
 from gcs.recording.recorder import DECISIONS, TLOG, Recorder, decision_line
@@ -154,8 +155,9 @@ class RecordedLink:
 class Comparer:
     """Stand-in for a supervisor's `Recorder`: it keeps the decisions of the present tick, and no frame."""
 
-    def __init__(self) -> None:
+    def __init__(self, *, changes_only: bool = False) -> None:
         self.made: list[dict[str, Any]] = []
+        self._changes = ChangeFilter() if changes_only else None
 
     def frames(self, t_us: int, raws: Sequence[bytes]) -> None:
         """As `Recorder.frames`."""
@@ -163,7 +165,8 @@ class Comparer:
     def decision(self, decision: Mapping[str, Any]) -> bytes:
         """As `Recorder.decision`."""
         line = decision_line(decision)
-        if decision["kind"] not in INPUTS:
+        written = self._changes is None or self._changes.is_change(decision)
+        if written and decision["kind"] not in INPUTS:
             self.made.append(json.loads(line))
         return line
 
@@ -228,7 +231,7 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Comparison:
     Modules that the scenario names must be importable (`gcs.scenario.plugins.look_in`).
     """
     for name in (TLOG, DECISIONS, "scenario.yaml"):
-        if not (folder / name).exists():
+        if not rotation.exists(folder / name):
             raise RedecideError(f"{folder} has no {name}: only a whole session's folder can be decided again.")
     scenario = load(folder / "scenario.yaml").model_copy(update={"radio": Radio()})
     if scenario.vehicles.external:
@@ -240,7 +243,7 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Comparison:
     recorded = _Recorded(folder / DECISIONS)
     keys = [(vehicle.sysid, AUTOPILOT) for vehicle in scenario.vehicles.all]
     link = RecordedLink([*keys, TRAFFIC] if scenario.traffic else keys)
-    comparer = Comparer()
+    comparer = Comparer(changes_only=scenario.record.decisions == "changes")
     # The supervisor asks of link and recorder only what these two have.
     supervisor = Supervisor(scenario, link, cast(Recorder, comparer), impaired=False)
     verdict = Comparison()

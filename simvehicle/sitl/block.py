@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from contextlib import ExitStack
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from simvehicle.autopilot.body import Start
@@ -33,6 +33,7 @@ class Wanted:
     start: Start
     parameters: Parameters
     truth: Path | None
+    truth_hz: float | None = field(default=None, kw_only=True)
     store: Store | None = None
     key_file: Path | None = None
     state: Path | None = None
@@ -95,6 +96,6 @@ def _seat(
     if supervisor is not None:
         link = opened.enter_context(SupervisedLink(supervisor, Connection(one.sysid)))
         connections.insert(0, link.connection)
-    writer = opened.enter_context(TruthWriter(one.truth, one.sysid, vehicle)) if one.truth else None
+    writer = opened.enter_context(TruthWriter(one.truth, one.sysid, vehicle, one.truth_hz)) if one.truth else None
     services = Services(vehicle, one.sysid, connections, one.store, one.rules)
     return ConnectedUnit(VehicleUnit(vehicle, services, writer), link, plain)

@@ -5,6 +5,8 @@ of little-endian float64, one per grant:
 
     T (s), number of steps n, 12 states (p, v in NED; roll, pitch, yaw and their rates in NED), drawn, received, given,
     remaining (J, each an accumulator of its own), then the thrust u1 (m/s2) of each of the n steps.
+
+At a rate of its own n is 0.
 """
 
 from __future__ import annotations
@@ -17,6 +19,7 @@ from typing import Self
 from simvehicle.autopilot.body import STEP_MS
 from simvehicle.autopilot.vehicle import Vehicle
 
+ROUNDING_S = 1e-6
 STATE = ["n", "e", "d", "vn", "ve", "vd", "roll", "pitch", "yaw", "roll_rate", "pitch_rate", "yaw_rate"]
 ENERGY = ["drawn_j", "received_j", "given_j", "remaining_j"]
 
@@ -24,7 +27,10 @@ ENERGY = ["drawn_j", "received_j", "given_j", "remaining_j"]
 class TruthWriter:
     """Writes one vehicle's truth; every record is whole on disk before the answer that reports it goes out."""
 
-    def __init__(self, path: Path, sysid: int, vehicle: Vehicle) -> None:
+    def __init__(self, path: Path, sysid: int, vehicle: Vehicle, hz: float | None = None) -> None:
+        """`hz`: records a second, which have no thrust; without it one per grant."""
+        self._period_s = None if hz is None else 1.0 / hz
+        self._due_s = 0.0
         battery = vehicle.parameters.flight().battery
         head = {
             "schema": 1,
@@ -42,7 +48,12 @@ class TruthWriter:
         self._put(json.dumps(head, sort_keys=True).encode() + b"\n")
 
     def write(self, vehicle: Vehicle, steps: int) -> None:
-        """One record at the vehicle's present time; `steps` were flown since the last one."""
+        """One record at the vehicle's present time, if it is due; `steps` were flown since the last one."""
+        if self._period_s is not None:
+            if vehicle.time_s < self._due_s - ROUNDING_S:
+                return
+            self._due_s = max(self._due_s + self._period_s, vehicle.time_s)
+            steps = 0
         thrust = vehicle.thrust_m_s2[0].tolist() if steps else ()
         numbers = (
             vehicle.time_s,

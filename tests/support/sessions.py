@@ -229,7 +229,7 @@ class Running:
 
     def named(self, word: str) -> psutil.Process:
         """The first process that has this word among its arguments and is no vehicle."""
-        return next(p for p in self.family() if word in " ".join(p.cmdline()).split())
+        return next(p for p in self.family() if word in " ".join(p.cmdline()).split())  # a title is one argument
 
     def finish(self) -> Outcome:
         """Wait for the end."""

@@ -7,6 +7,7 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -62,6 +63,17 @@ def test_what_is_no_decision_is_passed_over_and_the_others_are_read_all_the_same
     read = decision_lines(good + spaced + good.join(strange) + good)
     assert points(read).tolist() == [[1.0, 2.0, 3.0, 1.0, 0.1]] * (len(strange) + 2)
     assert (read.broken, read.cut) == (len(strange), False)
+
+
+@pytest.mark.parametrize("at", [b"served", b"full", b"receiver"])
+def test_bytes_that_are_no_text_cost_no_more_than_their_line(at: bytes) -> None:
+    good = line([1.0, 2.0, 3.0])
+    bad = b'{"kind":"served","reason":"full","receiver":2,"t_s":1.0}\n'.replace(at, b"\xad" + at[1:])
+    read = decision_lines(good + bad + good)
+    assert [record["kind"] for record in read] == ["set_point", "set_point"]
+    assert read.broken == 1
+    for _, others in read.blocks():
+        assert all(isinstance(other.record(), dict) for other in others)
 
 
 def test_the_line_in_which_the_file_ends_counts_where_it_is_whole() -> None:

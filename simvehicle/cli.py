@@ -7,6 +7,7 @@ What flies is imported where it is needed, so that help and a bad command line c
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Sequence
 from importlib.metadata import version
@@ -18,6 +19,7 @@ from typing import Any
 import click
 
 from simvehicle.exit import BAD_INPUT, CANNOT_WRITE, INTERRUPTED
+from simvehicle.loading import loaded, uncollected
 
 LAST_SYSID = 254
 
@@ -102,7 +104,7 @@ class _Triple(click.ParamType[tuple[float, float, float]]):
     "--key-file",
     type=click.Path(path_type=Path, dir_okay=False),
     metavar="FILE",
-    help="MAVLink 2 signing on every --connect: sign everything, and act only on what is signed with this key.",
+    help="Sign frames; obey only what this key signed.",
 )
 @click.option(
     "--fleet",
@@ -301,12 +303,16 @@ def hatch() -> None:
 
     Modules are loaded and the flight law is compiled once; every vehicle is then a fork of this process.
     """
-    from simvehicle.sitl import forkserver
-    from simvehicle.sitl.warmup import warm_up
+    with uncollected():
+        from simvehicle.sitl import forkserver
+        from simvehicle.sitl.warmup import warm_up
 
-    warm_up()
-    _rehearse_start()
-    sys.exit(forkserver.run(run_argv, sysid_of, title_of))
+        warm_up()
+        _rehearse_start()
+    loaded()
+    status = forkserver.run(run_argv, sysid_of, title_of)
+    sys.stderr.flush()
+    os._exit(status)  # nothing is left to be done, and who waits for it need not wait for an interpreter's end
 
 
 def _rehearse_start() -> None:

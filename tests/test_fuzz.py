@@ -4,13 +4,14 @@ import subprocess
 import sys
 from pathlib import Path
 
-import pytest
-
 FUZZ = Path(__file__).parent / "fuzz"
+TARGETS, READERS = 5, 5
 
 
-@pytest.mark.parametrize("target", ["simvehicle", "supervised link", "external link", "monitor", "session.sock"])
-def test_hostile_input_harms_nothing(target: str) -> None:
-    command = [sys.executable, str(FUZZ), "--within", "--only", target, "--frames", "2000", "--files", "20"]
+def test_hostile_input_harms_nothing() -> None:
+    command = [sys.executable, str(FUZZ), "--within", "--frames", "1000", "--files", "20"]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
-    assert done.stdout.rstrip().endswith("  ok"), done.stdout + done.stderr
+    assert done.returncode == 0, done.stdout + done.stderr
+    lines = done.stdout.splitlines()
+    assert len(lines) == TARGETS + READERS
+    assert all(line.endswith("  ok") for line in lines)

@@ -36,6 +36,11 @@ from gcs.campaign.family_parts import (
 from gcs.campaign.tight import tight
 from gcs.scenario import geometry as shapes
 
+FIRST_SERVED_S, SERVICE_S = 20.0, 13.0
+"""[choice] Until a tanker gives its first joule, and from one receiver to the next: charges last so long."""
+LANDS_AT, HOVERS_W = 0.05, 213.0
+"""Share of the battery at which vehicles land, and what they draw."""
+
 
 def family(name: str, seed: int) -> Document:
     """The scenario of a family for a seed. ValueError unless the name is in `FAMILIES` and the seed is at least 0."""
@@ -294,6 +299,11 @@ def _tankers(rng: np.random.Generator) -> Document:
         }
         tankers.append(tanker | {"speed_m_s": cruise, "battery": {**BATTERY, "capacity_j": 150000.0}})
     document["vehicles"]["tankers"] = tankers
+    batteries = [pursuer["battery"] for pursuer in document["vehicles"]["pursuers"]]
+    for k, battery in enumerate(sorted(batteries, key=lambda battery: battery["initial_percent"])):
+        served_s = FIRST_SERVED_S + SERVICE_S * (k // max(len(tankers), 1))
+        least = round(100.0 * (LANDS_AT + HOVERS_W * served_s / battery["capacity_j"]), 1)
+        battery["initial_percent"] = max(battery["initial_percent"], least)
     document["goal"] |= {"duration_s": LONGEST_S, "refuelled_at_least": 1}
     document["refuelling"] = {"enabled": True}
     return document
@@ -309,8 +319,8 @@ def _traffic(rng: np.random.Generator) -> Document:
         through, heading = starts[int(rng.integers(n))], rng.uniform(0.0, 2 * math.pi)
         speed = speed_of(rng)
         ahead = np.array([math.cos(heading), math.sin(heading), 0.0])
-        # So far away that it comes through 8 s after its start; each starts where the one before it is gone.
-        path = [rounded_m(through - ahead * 8.0 * speed), rounded_m(through + ahead * 12.0 * speed)]
+        # It comes through 8 s after its start, when the one before it is gone, and turns round after the end.
+        path = [rounded_m(through - ahead * 8.0 * speed), rounded_m(through + ahead * 40.0 * speed)]
         movers.append({"callsign": f"PASS{i + 1}", "path_m": path, "speed_m_s": speed, "start_s": 12.0 * i})
     document["traffic"] = movers
     document["goal"]["duration_s"] = 12.0 * len(movers) + 10.0

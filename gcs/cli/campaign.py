@@ -176,7 +176,8 @@ def fly(folder: Path, row: int, out: Path | None, only: bool, quiet: bool) -> in
     if only:
         click.echo(dump(scenario), nl=False)
         return DONE
-    session = supervised.make_folder(out, scenario)
+    session = supervised.make_folder(out, scenario.name)
+    supervised.write_scenario(session, scenario)
     if not quiet:
         click.echo(f"{scenario.name}, row {row}: the session's folder is {session}")
     arguments = [word for module in plan.modules for word in ("--modules", module)]

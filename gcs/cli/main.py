@@ -7,19 +7,21 @@ from __future__ import annotations
 import contextlib
 import errno
 import json
+import os
 import sys
 import threading
 import traceback
 from collections.abc import Callable
+from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import click
 
-from gcs.cli import author, campaign, key, page, paper, recorded, report, watch
+from gcs.cli import author, page, report
 from gcs.cli.author import ScenarioName, ScenarioRefused, load_scenario, module_arguments
-from gcs.cli.check import command
 from gcs.exit import INTERNAL_ERROR, INTERRUPTED, NOT_DONE, leave
+from gcs.loading import uncollected
 from gcs.scenario.endpoint import address
 
 if TYPE_CHECKING:
@@ -56,7 +58,30 @@ def _checked_address(ctx: click.Context, param: click.Parameter, value: str | No
     return value
 
 
-@click.group(context_settings=SETTINGS)
+class _Commands(click.Group):
+    """Commands of other modules, each loaded when it, or the list of all, is asked for."""
+
+    elsewhere: ClassVar = {
+        "campaign": "campaign",
+        "check": "check.command",
+        "export": "recorded",
+        "key": "key",
+        "monitor": "watch",
+        "paper": "paper",
+        "replay": "recorded",
+    }
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        return sorted({*super().list_commands(ctx), *self.elsewhere})
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        if cmd_name not in self.elsewhere:
+            return super().get_command(ctx, cmd_name)
+        command: click.Command = getattr(import_module(f"gcs.cli.{self.elsewhere[cmd_name]}"), cmd_name)
+        return command
+
+
+@click.group(cls=_Commands, context_settings=SETTINGS)
 @click.version_option(package_name="skytender", message="%(prog)s %(version)s")
 def cli() -> None:
     """Fly a fleet of simulated quadrotors over real MAVLink, and refuel it in the air.
@@ -84,14 +109,7 @@ for _command in (
     author.validate,
     author.schema,
     author.doctor,
-    watch.monitor,
-    command.check,
     report.report,
-    recorded.replay,
-    recorded.export,
-    paper.paper,
-    campaign.campaign,
-    key.key,
 ):
     cli.add_command(_command)
 
@@ -155,6 +173,7 @@ for _command in (
 @click.option("--no-report", is_flag=True, help="Leave out report.html; gcs report makes it later.")
 @click.option("--verbose", "-v", is_flag=True, help="Lines of text, with every vehicle's state.")
 @click.option("--quiet", "-q", is_flag=True, help="Say only what goes wrong; the exit status tells the rest.")
+@uncollected()
 def run(
     scenario: str,
     lockstep: bool,
@@ -213,11 +232,15 @@ def run(
         raise click.UsageError("--verbose and --json exclude each other: choose what goes to stdout.")
     if junit is not None and not junit.parent.is_dir():
         raise click.UsageError(f"--junit: there is no folder {junit.parent}.")
-    from gcs.report.junit import flown, refused
+    from gcs.processes.forked import can_fork
+    from gcs.processes.hatch import early
+
+    lines = plain or as_json or quiet or verbose or web or not os.isatty(1)  # else its errors are the console's
+    hatch = click.get_current_context().with_resource(early(lines and can_fork()))
     from gcs.scenario.plugins import listed, named
     from gcs.session.plain_text import mute_stdout
     from gcs.session.session_log import logged
-    from gcs.session.supervised import make_folder
+    from gcs.session.supervised import SupervisorFork, make_folder, write_scenario
     from gcs.session.supervised import run as fly
 
     try:
@@ -225,14 +248,17 @@ def run(
         resolved = load_scenario(scenario, settings).flown(lockstep=lockstep, speed=speed, seed=seed, key_file=key_path)
     except ScenarioRefused as refusal:
         if junit is not None:
+            from gcs.report.junit import refused
+
             _write_junit(junit, refused(scenario, refusal.text))
         raise
     except ValueError as refusal:
         raise click.UsageError(f"{refusal}.") from None
     if vehicles_per_process is not None:
         resolved = resolved.model_copy(update={"vehicles_per_process": vehicles_per_process})
-    _try_keys(resolved)
-    folder = make_folder(out, resolved)
+    if resolved.vehicles.external:
+        _try_keys(resolved)
+    folder = make_folder(out, resolved.name)
     if seed is not None and not quiet and not (resolved.radio.random or any(named(resolved))):
         click.echo("gcs: --seed changes nothing: without loss and the like in radio: nothing here is random", err=True)
     code = ", ".join(listed(resolved))
@@ -245,9 +271,22 @@ def run(
             mute_stdout()
     shown, said = _view(folder, resolved.name, plain or web, as_json, verbose=verbose, quiet=quiet)
     arguments = ["--drop-datagrams", str(drop_datagrams), *module_arguments(scenario)]
+    fork = None
+    own = bool(resolved.vehicles.launched or resolved.traffic)
+    forks = can_fork() and not code
+    if hatch is not None and not (own and forks):
+        hatch.discard()
+    if forks:
+        fork = SupervisorFork(folder, resolved, drop_datagrams, hatch if own else None)
+    else:
+        write_scenario(folder, resolved)
 
     error: str | None = None
     hurry = threading.Event()
+
+    def begun() -> None:
+        if fork is not None:
+            write_scenario(folder, resolved)
 
     def finish(verdict: dict[str, Any]) -> None:
         nonlocal error
@@ -262,9 +301,22 @@ def run(
 
             page.print_links(stack.enter_context(PageServer(folder)).links, err=as_json)
         stderr = getattr(shown, "stderr", None)
-        status = fly(folder, view, echo, arguments=arguments, finish=finish, stderr=stderr, hurry=hurry.set)
-        if junit is not None and not _write_junit(junit, flown(folder, resolved, error)):
-            status = status or NOT_DONE
+        status = fly(
+            folder,
+            view,
+            echo,
+            arguments=arguments,
+            fork=fork,
+            begun=begun,
+            finish=finish,
+            stderr=stderr,
+            hurry=hurry.set,
+        )
+        if junit is not None:
+            from gcs.report.junit import flown
+
+            if not _write_junit(junit, flown(folder, resolved, error)):
+                status = status or NOT_DONE
         if not no_report:
             report.after_run(folder, echo, status, hurried=hurry.is_set())
     return status

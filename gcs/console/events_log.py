@@ -11,7 +11,7 @@ from gcs.console.text import Glyphs, Span, StyledLine, StyledLines, fitted, left
 from gcs.session.plain_text import clean
 
 LEVELS = ("info", "warning", "critical")
-KINDS = ("text", "mode", "failsafe", "ack", "decision", "operator", "link", "death", "session")
+KINDS = ("text", "mode", "failsafe", "ack", "decision", "operator", "link", "death", "session", "violation", "fault")
 STYLES = {"info": "", "warning": "look", "critical": "act"}
 WHO = 12
 LEAST_TEXT = 20

@@ -31,6 +31,20 @@ class BlackoutWindow(NamedTuple):
     to_s: float
 
 
+class Burst(NamedTuple):
+    """The radio of this vehicle is worse for frames sent in from_s ≤ t < to_s."""
+
+    sysid: int
+    from_s: float
+    to_s: float
+    loss: float = 0.0
+    """share of frames lost, if that is more than otherwise"""
+    delay_s: float = 0.0
+    """how much later than otherwise frames come"""
+    only: Direction | None = None
+    """the direction that it is about; None: both"""
+
+
 @dataclass
 class _Stream:
     """One vehicle and direction: its randomness and the frames in the air."""
@@ -65,6 +79,7 @@ class Impairment:
         reorder: float = 0.0,
         blackouts: Iterable[BlackoutWindow] = (),
         ground_blackouts: Iterable[tuple[float, float]] = (),
+        bursts: Iterable[Burst] = (),
         seed: int = 0,
     ) -> None:
         """`ground_blackouts`: from when to when no frame of any vehicle gets through."""
@@ -77,10 +92,11 @@ class Impairment:
         self._loss, self._duplicate, self._reorder = loss, duplicate, reorder
         self._delay_s, self._jitter_s = delay_s, jitter_s
         self._blackouts, self._ground_blackouts = tuple(blackouts), tuple(ground_blackouts)
+        self._bursts = tuple(bursts)
         self._seed = seed
         self._streams: dict[tuple[int, Direction | int], _Stream] = {}
-        faults = (loss, delay_s, jitter_s, duplicate, reorder, self._blackouts, self._ground_blackouts)
-        self.clear = not any(faults)
+        outages = (self._blackouts, self._ground_blackouts, self._bursts)
+        self.clear = not any((loss, delay_s, jitter_s, duplicate, reorder, *outages))
         """whether every frame passes as it is"""
 
     def apply(
@@ -101,19 +117,23 @@ class Impairment:
             stream = self._streams[sysid, direction] = _Stream(_random(self._seed, sysid, direction))
         dark = dark or any(b.sysid == sysid and b.from_s <= t_s < b.to_s for b in self._blackouts)
         dark = dark or any(from_s <= t_s < to_s for from_s, to_s in self._ground_blackouts)
+        loss, delay_s = (1.0 if dark else self._loss), self._delay_s
+        for burst in self._bursts:
+            if burst.sysid == sysid and burst.from_s <= t_s < burst.to_s and burst.only in (None, direction):
+                loss, delay_s = max(loss, burst.loss), delay_s + burst.delay_s
         for frame in frames:
-            self._send(stream, t_s, frame, dark)
+            self._send(stream, t_s, frame, loss, delay_s)
         delivered: list[Item] = []
         while stream.pending and stream.pending[0][0] <= t_s + _ROUNDING_S:
             delivered.append(heapq.heappop(stream.pending)[2])  # type: ignore[arg-type]  # it came in as an Item
         return delivered
 
-    def _send(self, stream: _Stream, t_s: float, frame: object, dark: bool) -> None:
+    def _send(self, stream: _Stream, t_s: float, frame: object, loss: float, delay_s: float) -> None:
         draw = stream.random.random
         lost, late, again, again_late, overtaken = draw(), draw(), draw(), draw(), draw()
-        if dark or lost < self._loss:
+        if lost < loss:
             return
-        due_s = t_s + self._delay_s + late * self._jitter_s
+        due_s = t_s + delay_s + late * self._jitter_s
         if overtaken < self._reorder:
             stream.overtaken.append((due_s, frame))
         else:
@@ -122,7 +142,7 @@ class Impairment:
                 stream.launch(max(due_s, overtaken_due_s), held)
             stream.overtaken.clear()
         if again < self._duplicate:
-            stream.launch(t_s + self._delay_s + again_late * self._jitter_s, frame)
+            stream.launch(t_s + delay_s + again_late * self._jitter_s, frame)
 
 
 def _random(seed: int, sysid: int, direction: Direction | int) -> random.Random:

@@ -42,11 +42,13 @@ _IDS: dict[str, int] = {cls.msgname: msgid for msgid, cls in _CLASSES.items()}
 _SEEDS = {msgid.to_bytes(3, "little"): (msgid, bytes([cls.crc_extra])) for msgid, cls in _CLASSES.items()}
 _UNKNOWN = (None, b"")
 # What any one seed byte can add to a checksum: CRC(body, seed) = CRC(body) >> 8 ^ one of these.
-_SEED_TERMS = frozenset(mcrf4xx(bytes([seed]), 0) for seed in range(256))
+_TERMS = [mcrf4xx(bytes([seed]), 0) for seed in range(256)]
+_SEED_TERMS = frozenset(_TERMS)
 
 # A checksum leaves the marker out. From this register the marker leads to the one that checksums begin with, so that a
-# frame need not be cut before it is summed.
-BEFORE_MARKER = next(crc for crc in range(1 << 16) if mcrf4xx(_MARKER_BYTE, crc) == 0xFFFF)
+# frame need not be cut before it is summed: a byte makes crc >> 8 ^ term[crc & 0xFF ^ byte] of crc, here 0xFFFF.
+_INDEX = next(index for index, term in enumerate(_TERMS) if term >> 8 == 0xFF)
+BEFORE_MARKER = (0xFF ^ _TERMS[_INDEX] & 0xFF) << 8 | _INDEX ^ MARKER
 
 
 class Frame(NamedTuple):

@@ -9,9 +9,9 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from gcs.kernels import kernel
 from gcs.mavlink.sequence import HALF, NUMBERS
 
 IntArray = NDArray[np.int64]
@@ -43,7 +43,7 @@ def after(missing: Any, newest: int, number: int) -> tuple[int, int]:
     return newest, 0
 
 
-_after = njit(cache=True)(after)
+_after = kernel()(after)
 
 
 class GapCounter:
@@ -104,7 +104,7 @@ def resumed(lost: IntArray, senders: IntArray, newest: IntArray, missing: NDArra
     return counter
 
 
-@njit(cache=True)
+@kernel()
 def _count(
     senders: IntArray,
     numbers: IntArray,

@@ -25,7 +25,8 @@ EPOCH_S = 1_420_070_400
 STALE_TICKS = 60 * TICKS_PER_S
 MOST_STREAMS = 1024
 _STAMP_BYTES, _HASH_BYTES = 6, 6
-_MASK = (1 << 48) - 1
+LAST_STAMP = (1 << 48) - 1
+"""A time stamp has 48 bits; who has used them up repeats the last one, which nobody takes twice."""
 _TAIL = struct.Struct("<HBIH").pack
 """Checksum, link id, time stamp (low 32 bits, high 16)."""
 UNSIGNED = frozenset({codec.msgid("RADIO_STATUS"), codec.msgid("ADSB_VEHICLE")})
@@ -76,7 +77,7 @@ class Signing:
 
     def sign(self, raw: bytes, now_ticks: int) -> bytes:
         """An unsigned frame of the dialect, signed."""
-        self.latest = max(self.latest + 1, now_ticks)
+        self.latest = min(max(self.latest + 1, now_ticks), LAST_STAMP)
         latest = self.latest
         body = raw[:2] + b"\x01" + raw[3 : -codec.CRC_BYTES]
         crc = mcrf4xx(body + codec.seed_of(raw), codec.BEFORE_MARKER)
@@ -101,7 +102,7 @@ class Signing:
         elif stamp <= before:
             return SignatureVerdict.STALE
         self.streams[stream] = stamp
-        self.latest = max(self.latest, min(stamp, _MASK - 1))
+        self.latest = max(self.latest, min(stamp, LAST_STAMP - 1))
         return SignatureVerdict.GOOD
 
     def _signature(self, stamped: bytes) -> bytes:

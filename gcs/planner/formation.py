@@ -7,7 +7,8 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import linear_sum_assignment
+
+from gcs.assignment import least_cost
 
 Vec3 = tuple[float, float, float]
 
@@ -23,7 +24,7 @@ def assign(positions_ned: Mapping[int, Vec3], slots_ned: NDArray[np.float64]) ->
     sysids = sorted(positions_ned)
     here = np.array([positions_ned[sysid] for sysid in sysids]).reshape(-1, 1, 3)
     cost = ((here - slots_ned[np.newaxis]) ** 2).sum(axis=2)
-    rows, columns = linear_sum_assignment(cost)
+    rows, columns = least_cost(cost)
     return {sysids[row]: int(column) for row, column in zip(rows, columns, strict=True)}
 
 

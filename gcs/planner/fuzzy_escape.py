@@ -12,8 +12,8 @@ could have been, whether the escape is on, and how the present one goes.
 import math
 
 import numpy as np
-from numba import njit
 
+from gcs.kernels import kernel
 from gcs.scenario.geometry import FloatArray
 
 GAIN = 1.3  # size of the force, in |F_g|, at f = 1
@@ -51,12 +51,12 @@ def escape_strength(delta_phi: float, delta_f: float) -> float:
     return float(_strength(float(delta_phi), float(delta_f)))
 
 
-@njit(cache=True)
+@kernel()
 def _membership(x: float, term: int, half_width: float) -> float:
     return max(0.0, 1.0 - abs(x - (term - 2) * half_width) / half_width)
 
 
-@njit(cache=True)
+@kernel()
 def _strength(delta_phi: float, delta_f: float) -> float:
     """Kernel: clip each output term at the strongest of its rules; centroid of the union, exact."""
     phi = min(max(delta_phi, -math.pi), math.pi)
@@ -88,7 +88,7 @@ def _strength(delta_phi: float, delta_f: float) -> float:
     return min(max(moment / area, -1.0), 1.0)  # at a peak rounding would step over the end
 
 
-@njit(cache=True)
+@kernel()
 def escape_force(
     memory: FloatArray,
     qn: float,
@@ -169,7 +169,7 @@ def escape_force(
     return size * se * gd, -size * sn * gd, size * (sn * ge - se * gn)
 
 
-@njit(cache=True)
+@kernel()
 def _record(memory: FloatArray, qn: float, qe: float, qd: float, full_step: float) -> bool:
     """Kernel: enter this step into the history; True when the ten before it got nowhere."""
     at = int(memory[HEAD])

@@ -23,9 +23,9 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
-from numba import njit
 from numpy.typing import ArrayLike, NDArray
 
+from gcs.kernels import kernel
 from gcs.planner.line_of_sight import FloatArray, IntArray, Sight, clear_m, visible
 from gcs.planner.route import Route, Router, SearchPaused
 
@@ -248,19 +248,19 @@ def _copy(old: _Routes, row: int, new: _Routes, to: int) -> None:
         after[to] = before[row]
 
 
-@njit(cache=True)
+@kernel()
 def _apart(a: FloatArray, b: FloatArray) -> float:
     return math.sqrt((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2 + (a[2] - b[2]) ** 2)
 
 
-@njit(cache=True)
+@kernel()
 def _slack(leg: float, clearance: float, least: float, slack: float) -> float:
     """Kernel: how much less than its route's leg a vehicle may keep: all of it in the open, little in a narrow gap."""
     share = (leg - least) / (clearance - least) if clearance > least else 1.0
     return max(slack * min(max(share, 0.0), 1.0), _LEAST_SLACK * slack)
 
 
-@njit(cache=True)
+@kernel()
 def _advance(
     s: Sight,
     kept: _Routes,

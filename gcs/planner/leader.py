@@ -11,9 +11,9 @@ to none at |F_o| = k0/4, so that near obstacles the field alone decides. The sum
 import math
 
 import numpy as np
-from numba import njit
 from numpy.typing import ArrayLike, NDArray
 
+from gcs.kernels import kernel
 from gcs.planner.fuzzy_escape import MEMORY_SIZE, escape_force
 from gcs.planner.neighbours import IntArray, within_range
 from gcs.planner.potential_field import CAP, K0, STEP, FieldConstants, attraction_to, repulsion_of_shape
@@ -129,7 +129,7 @@ def _array(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
     return array
 
 
-@njit(cache=True)
+@kernel()
 def _advance_all(
     q: FloatArray,
     memory: FloatArray,
@@ -212,7 +212,7 @@ def _advance_all(
             q[i, 2] += shorten * sd
 
 
-@njit(cache=True)
+@kernel()
 def _field_step(fn: float, fe: float, fd: float, full_step: float, k0: float) -> tuple[float, float, float]:
     """Kernel: l min(1, |F|/k0) F/|F|."""
     size = math.sqrt(fn * fn + fe * fe + fd * fd)
@@ -220,7 +220,7 @@ def _field_step(fn: float, fe: float, fd: float, full_step: float, k0: float) ->
     return scale * fn, scale * fe, scale * fd
 
 
-@njit(cache=True)
+@kernel()
 def _fed_forward(on: float, oe: float, od: float, distance: float, constants: FloatArray) -> float:
     """Kernel: the share of the goal's velocity that is fed forward."""
     within_reach: float = 1.0

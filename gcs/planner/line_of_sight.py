@@ -15,9 +15,9 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from gcs.kernels import kernel
 from gcs.scenario.geometry import BOX, CYLINDER, DOWN, EAST, KIND, NORTH, SIZE_1, SIZE_2, SIZE_3, shape_surface
 
 FloatArray = NDArray[np.float64]
@@ -76,7 +76,7 @@ def bounds(table: FloatArray) -> tuple[FloatArray, FloatArray]:
     return table[:, NORTH : DOWN + 1] - half, table[:, NORTH : DOWN + 1] + half
 
 
-@njit(cache=True)
+@kernel()
 def _fill(
     from_n: IntArray, to_n: IntArray, from_e: IntArray, to_e: IntArray, rows: int, columns: int
 ) -> tuple[IntArray, IntArray]:
@@ -96,7 +96,7 @@ def _fill(
     return first, listed
 
 
-@njit(cache=True)
+@kernel()
 def leg_clearance(
     s: Sight, an: float, ae: float, ad: float, bn: float, be: float, bd: float, enough: float, stop: float
 ) -> float:
@@ -134,7 +134,7 @@ def leg_clearance(
     return least
 
 
-@njit(cache=True)
+@kernel()
 def _along(
     table: FloatArray,
     i: int,
@@ -190,7 +190,7 @@ def _along(
     return min(enough, best, f1, f2)
 
 
-@njit(cache=True)
+@kernel()
 def sees(
     s: Sight, an: float, ae: float, ad: float, bn: float, be: float, bd: float, level: float, floor_d: float
 ) -> bool:
@@ -223,19 +223,19 @@ def sees(
     return lead_b <= 0.0 or leg_clearance(s, gn, ge, gd, bn, be, bd, level, least_b) >= least_b
 
 
-@njit(cache=True)
+@kernel()
 def clear_m(s: Sight, a_ned: FloatArray, b_ned: FloatArray, enough: float, stop: float = -math.inf) -> float:
     """Kernel: `leg_clearance` of the leg between two places (3,)."""
     return leg_clearance(s, a_ned[0], a_ned[1], a_ned[2], b_ned[0], b_ned[1], b_ned[2], enough, stop)
 
 
-@njit(cache=True)
+@kernel()
 def visible(s: Sight, a_ned: FloatArray, b_ned: FloatArray, level: float, floor_d: float) -> bool:
     """Kernel: `sees` for two places (3,)."""
     return sees(s, a_ned[0], a_ned[1], a_ned[2], b_ned[0], b_ned[1], b_ned[2], level, floor_d)
 
 
-@njit(cache=True)
+@kernel()
 def sees_all(s: Sight, a_ned: FloatArray, b_ned: FloatArray, level: float, floor_d: float) -> BoolArray:
     """Kernel: `sees` for each of the legs a_ned (n, 3) to b_ned (n, 3)."""
     free = np.empty(a_ned.shape[0], dtype=np.bool_)
@@ -244,7 +244,7 @@ def sees_all(s: Sight, a_ned: FloatArray, b_ned: FloatArray, level: float, floor
     return free
 
 
-@njit(cache=True)
+@kernel()
 def leg_clearances(s: Sight, path_ned: FloatArray) -> FloatArray:
     """Kernel: least distance of each leg of path_ned (k, 3), (k - 1,), cut off at reach_m."""
     legs = np.empty(max(path_ned.shape[0] - 1, 0))

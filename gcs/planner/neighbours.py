@@ -1,19 +1,19 @@
-"""Neighbour lists from a k-d tree of what can repel whom within a period: N log N per tick, not N².
+"""Neighbour lists: what can repel whom within a period, and pairs that are near each other.
 
 Only what cannot come into range is left out, so a sum over a leader's neighbours, in their order, is bit for bit the
-sum over everything.
+sum over everything. All pairs are looked at, compiled: 254 vehicles are 32 000 pairs and 0.1 ms.
 """
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
+from gcs.kernels import kernel
 from gcs.scenario.geometry import BOX, CYLINDER, DOWN, KIND, NORTH, SIZE_1, SIZE_2, SIZE_3, FloatArray
 
 IntArray = NDArray[np.int64]
 
 FEW = 2_000
-"""Up to so many pairs, looking at each costs less than a tree."""
+"""Up to so many pairs, having all of them costs less than choosing."""
 _ROUNDING_M = 1e-6
 
 
@@ -33,13 +33,53 @@ def within_range(
     n, m = len(q_ned), len(table)
     if n * m <= FEW:
         return everyone(n, m)
-    around_m = _extent_m(table) + ranges_m
-    near = cKDTree(table[:, NORTH : DOWN + 1]).query_ball_point(
-        q_ned, reach_m + (around_m.max() + _ROUNDING_M), return_sorted=True
-    )
-    end = np.cumsum([len(rows) for rows in near])
-    rows = np.fromiter((row for rows in near for row in rows), dtype=np.int64, count=int(end[-1]))
+    around_m = _extent_m(table) + ranges_m + _ROUNDING_M
+    end = np.empty(n, dtype=np.int64)
+    rows = _within(q_ned, reach_m, np.ascontiguousarray(table[:, NORTH : DOWN + 1]), around_m, end)
     return rows, np.concatenate(([0], end[:-1])), end
+
+
+def near_pairs(p_ned: FloatArray, within_m: float) -> tuple[IntArray, IntArray]:
+    """Pairs i < j of places p_ned (n, 3) that are no farther apart, m; ascending."""
+    pairs = _near_pairs(np.ascontiguousarray(p_ned), within_m + _ROUNDING_M)
+    return pairs[:, 0], pairs[:, 1]
+
+
+@kernel()
+def _within(
+    q_ned: FloatArray, reach_m: FloatArray, centre_ned: FloatArray, around_m: FloatArray, end: IntArray
+) -> IntArray:
+    rows = np.empty(256, dtype=np.int64)
+    count = 0
+    for i in range(len(q_ned)):
+        if count + len(centre_ned) > len(rows):
+            longer = np.empty(2 * (count + len(centre_ned)), dtype=np.int64)
+            longer[:count] = rows[:count]
+            rows = longer
+        for j in range(len(centre_ned)):
+            n, e, d = q_ned[i, 0] - centre_ned[j, 0], q_ned[i, 1] - centre_ned[j, 1], q_ned[i, 2] - centre_ned[j, 2]
+            if n * n + e * e + d * d <= (reach_m[i] + around_m[j]) ** 2:
+                rows[count] = j
+                count += 1
+        end[i] = count
+    return rows[:count].copy()
+
+
+@kernel()
+def _near_pairs(p_ned: FloatArray, within_m: float) -> IntArray:
+    pairs = np.empty((256, 2), dtype=np.int64)
+    count = 0
+    for i in range(len(p_ned)):
+        if count + len(p_ned) > len(pairs):
+            longer = np.empty((2 * (count + len(p_ned)), 2), dtype=np.int64)
+            longer[:count] = pairs[:count]
+            pairs = longer
+        for j in range(i + 1, len(p_ned)):
+            n, e, d = p_ned[i, 0] - p_ned[j, 0], p_ned[i, 1] - p_ned[j, 1], p_ned[i, 2] - p_ned[j, 2]
+            if n * n + e * e + d * d <= within_m * within_m:
+                pairs[count, 0], pairs[count, 1] = i, j
+                count += 1
+    return pairs[:count].copy()
 
 
 def _extent_m(table: FloatArray) -> FloatArray:

@@ -14,9 +14,9 @@ import math
 from dataclasses import dataclass, fields
 
 import numpy as np
-from numba import njit
 from numpy.typing import ArrayLike
 
+from gcs.kernels import kernel
 from gcs.scenario.geometry import FloatArray, shape_surface
 
 # Nearer than this to a surface, and inside a volume, the repulsion keeps its size, so that it stays finite; it is then
@@ -79,7 +79,7 @@ def widened_range(range_m: ArrayLike, speed_m_s: ArrayLike, age_s: ArrayLike) ->
     return np.asarray(np.add(range_m, np.multiply(speed_m_s, np.maximum(age_s, 0.0))), dtype=np.float64)
 
 
-@njit(cache=True)
+@kernel()
 def repulsion_size(rho: float, rho_o: float, k1: float, a: float, b: float) -> float:
     """Kernel: |F_o| at distance `rho` of a repulsor of range `rho_o`."""
     if rho >= rho_o:
@@ -91,7 +91,7 @@ def repulsion_size(rho: float, rho_o: float, k1: float, a: float, b: float) -> f
     return max(k1 * size, 0.0)
 
 
-@njit(cache=True)
+@kernel()
 def repulsion_of_shape(
     table: FloatArray, i: int, rho_o: float, qn: float, qe: float, qd: float, constants: FloatArray
 ) -> tuple[float, float, float]:
@@ -101,7 +101,7 @@ def repulsion_of_shape(
     return size * n, size * e, size * d
 
 
-@njit(cache=True)
+@kernel()
 def attraction_to(
     gn: float, ge: float, gd: float, reach: float, qn: float, qe: float, qd: float, constants: FloatArray
 ) -> tuple[float, float, float]:

@@ -19,10 +19,9 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
-from scipy import ndimage
 
+from gcs.kernels import kernel
 from gcs.planner.line_of_sight import FloatArray, IntArray, bounds
 from gcs.scenario.geometry import shape_surface
 
@@ -82,13 +81,11 @@ def cells(
         for end in (0, -1):
             edge[axis] = end  # type: ignore[call-overload]
             weight[tuple(edge)] = 0
-    part = np.zeros(counts, dtype=np.int32)
-    ndimage.label(weight > 0, output=part)
     place = (float(first[0]), float(first[1]), float(first[2]))
-    return Cells(weight.ravel(), part.ravel(), place, cell_m, *counts)
+    return Cells(weight.ravel(), connected_parts(weight), place, cell_m, *counts)
 
 
-@njit(cache=True)
+@kernel()
 def _rasterise(
     table: FloatArray,
     low: FloatArray,
@@ -109,6 +106,57 @@ def _rasterise(
                 for d in range(a[2], b[2] + 1):
                     at = shape_surface(table, i, first[0] + n * cell_m, first[1] + e * cell_m, first[2] + d * cell_m)[0]
                     distance[n, e, d] = min(distance[n, e, d], at)
+
+
+def connected_parts(weight: Weights) -> Labels:
+    """Number of the part of the free space, from 1 as they are met, of each cell; free cells share a face with a part.
+
+    weight: (n, e, d), 0 where blocked, as all outer layers are. Returns (n * e * d,), 0 where blocked.
+    """
+    _, count_e, count_d = weight.shape
+    return _connected_parts(weight.ravel(), count_d, count_e * count_d)
+
+
+@kernel()
+def _connected_parts(weight: Weights, row: int, layer: int) -> Labels:
+    part = np.zeros(len(weight), dtype=np.int32)
+    # The number given to a part's cell → a lower one of the same part, or itself.
+    lower = np.zeros(1024, dtype=np.int32)
+    count = 0
+    for cell in range(len(weight)):
+        if weight[cell] == 0:
+            continue
+        number = 0
+        for back in (1, row, layer):
+            other = part[cell - back]
+            if other == 0:
+                continue
+            while lower[other] != other:
+                lower[other] = lower[lower[other]]
+                other = lower[other]
+            if number == 0:
+                number = other
+            elif number != other:
+                number, other = min(number, other), max(number, other)
+                lower[other] = number
+        if number == 0:
+            count += 1
+            if count == len(lower):
+                longer = np.zeros(2 * count, dtype=np.int32)
+                longer[:count] = lower
+                lower = longer
+            number = lower[count] = count
+        part[cell] = number
+    final = 0
+    for number in range(1, count + 1):
+        if lower[number] == number:
+            final += 1
+            lower[number] = final
+        else:
+            lower[number] = lower[lower[number]]
+    for cell in range(len(part)):
+        part[cell] = lower[part[cell]]
+    return part
 
 
 def cell_at(grid: Cells, p_ned: FloatArray) -> int:
@@ -167,7 +215,7 @@ class CostField:
         return _descend(grid, self.cost, start, self.goal) if found else None
 
 
-@njit(cache=True)
+@kernel()
 def _estimate(dn: int, de: int, dd: int) -> int:
     """Kernel: the cost of the shortest free path between cells so far apart."""
     a, b, c = abs(dn), abs(de), abs(dd)
@@ -176,7 +224,7 @@ def _estimate(dn: int, de: int, dd: int) -> int:
     return 2 * (_CORNER * least + _SLANT * (middle - least) + _STRAIGHT * (most - middle))
 
 
-@njit(cache=True)
+@kernel()
 def _push(heap: IntArray, size: int, key: int) -> None:
     """Kernel: put one more key to heap[:size], which has room for it."""
     i = size
@@ -189,7 +237,7 @@ def _push(heap: IntArray, size: int, key: int) -> None:
     heap[i] = key
 
 
-@njit(cache=True)
+@kernel()
 def _pop(heap: IntArray, size: int) -> None:
     """Kernel: take the least key out of heap[:size]."""
     key = heap[size - 1]
@@ -208,7 +256,7 @@ def _pop(heap: IntArray, size: int) -> None:
     heap[i] = key
 
 
-@njit(cache=True)
+@kernel()
 def _allowed(weight: Weights, cell: int, around: IntArray, free: IntArray) -> None:
     """Kernel: free[k] = weight of the k-th cell around `cell`, 0 where no move leads there."""
     blocked = 0
@@ -230,7 +278,7 @@ def _allowed(weight: Weights, cell: int, around: IntArray, free: IntArray) -> No
                     free[13 + i + j + d] = 0
 
 
-@njit(cache=True)
+@kernel()
 def _moves(stride_n: int, stride_e: int) -> tuple[IntArray, IntArray]:
     """Kernel: where the 27 cells around a cell lie from it, and half the cost of the move there at weight 1."""
     around = np.zeros(27, dtype=np.int64)
@@ -246,7 +294,7 @@ def _moves(stride_n: int, stride_e: int) -> tuple[IntArray, IntArray]:
     return around, costs
 
 
-@njit(cache=True)
+@kernel()
 def _settle(
     grid: Cells, cost: Costs, open_cells: IntArray, start: int, most: int
 ) -> tuple[IntArray, IntArray, int, bool]:
@@ -325,7 +373,7 @@ def _settle(
     return np.unique(kept[:count]), seen[:new_cells].copy(), settled, found
 
 
-@njit(cache=True)
+@kernel()
 def _descend(grid: Cells, cost: Costs, start: int, goal: int) -> IntArray:
     """Kernel: cells from `start` to `goal` down the settled costs, of equal ones the first in order."""
     around, moves = _moves(grid.count_d * grid.count_e, grid.count_d)
@@ -356,7 +404,7 @@ def _descend(grid: Cells, cost: Costs, start: int, goal: int) -> IntArray:
     return path[:size]
 
 
-@njit(cache=True)
+@kernel()
 def nearest_in_part(grid: Cells, part: int, dearest: int, p_ned: FloatArray) -> int:
     """Kernel: the cell of a part, no dearer than given, whose centre is nearest to a place; -1 where none is."""
     counts = np.array([grid.count_n, grid.count_e, grid.count_d])

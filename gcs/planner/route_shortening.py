@@ -8,22 +8,22 @@ towards the line between its neighbours, and what has become needless left out. 
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
 
+from gcs.kernels import kernel
 from gcs.planner.line_of_sight import FloatArray, Sight, clear_m, leg_clearances
 
 _TIGHTEN_ROUNDS, _HALVINGS = 4, 6  # [choice] routes are then within 3 % of the shortest
 _CENTRE_STEPS = 12  # [choice] each halves the step where nothing is gained: 1/16 of a cell in the end
 
 
-@njit(cache=True)
+@kernel()
 def _keeps(s: Sight, a: FloatArray, b: FloatArray, level: float) -> bool:
     """Kernel: whether the leg keeps `level` m."""
     least = level - 1e-7
     return clear_m(s, a, b, level, least) >= least
 
 
-@njit(cache=True)
+@kernel()
 def pulled(s: Sight, path: FloatArray, clearance: float, narrow: float, cell: float, floor_d: float) -> FloatArray:
     """Kernel: the path with fewer places and shorter.
 
@@ -64,14 +64,14 @@ def pulled(s: Sight, path: FloatArray, clearance: float, narrow: float, cell: fl
     return kept[:size].copy()
 
 
-@njit(cache=True)
+@kernel()
 def _kind(leg: float, clearance: float, narrow: float) -> int:
     if leg >= clearance - 1e-7:
         return 2
     return 1 if leg >= narrow else 0
 
 
-@njit(cache=True)
+@kernel()
 def _centre(
     s: Sight, kept: FloatArray, level: FloatArray, i: int, clearance: float, cell: float, floor_d: float
 ) -> None:
@@ -96,7 +96,7 @@ def _centre(
             step /= 2.0
 
 
-@njit(cache=True)
+@kernel()
 def _tighten(s: Sight, kept: FloatArray, level: FloatArray, i: int) -> None:
     """Kernel: move place i towards the line between its neighbours as far as both legs keep their level."""
     before, after, place = kept[i - 1], kept[i + 1], kept[i].copy()
@@ -117,7 +117,7 @@ def _tighten(s: Sight, kept: FloatArray, level: FloatArray, i: int) -> None:
     kept[i] = place + low * (foot - place)
 
 
-@njit(cache=True)
+@kernel()
 def _thinned(s: Sight, kept: FloatArray, level: FloatArray, size: int) -> int:
     """Kernel: leave out, in place, what the leg between its neighbours makes needless; how many are left."""
     count = 1

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.mavlink.setpoints import SetPoint
+from gcs.planner.link_age import LinkAge
 from gcs.planner.planner import CATCH_UP_SPEED, FLOOR_M, LEAST_MARGIN_M, LOOKAHEAD_S, STILL, floor_d
 from gcs.planner.request import PlanRequest, TickPlanner
 from gcs.planner.safety_filter import KINDS, Filtered, FilterSettings, Leaders, Others, filter_step
@@ -41,7 +42,6 @@ ABLE_SHARE, USUAL_M_S2, USUAL_TILT_DEG, GRAVITY_M_S2 = 0.8, 5.0, 35.0, 9.8
 """Of what a launched vehicle can by MPC_ACC_HOR and MPC_TILTMAX_AIR: at all of it corners err by half a metre."""
 EXTERNAL_M_S2 = 2.0
 """Autopilots that others have tuned follow leaders of no more acceleration."""
-SILENT_S = 1.0
 DRIFT_M_S2 = 1.0
 """Acceleration of whatever moves otherwise than it reported: its place is unknown by half of this times its age
 squared."""
@@ -105,6 +105,7 @@ class SafePlanner:
             for v in scenario.vehicles.all
             if v.external is None
         }
+        self._link_age = LinkAge()
         self._reported_s: dict[tuple[int, str], float] = {}
         self._records: list[dict[str, Any]] = []
 
@@ -131,6 +132,8 @@ class SafePlanner:
         """The planner's set points, filtered."""
         snapshot, period_s = request.snapshot, request.period_s
         views = {view.sysid: view for view in snapshot.vehicles}
+        for view in snapshot.vehicles:
+            self._link_age.receive(view.sysid, view.age_s, period_s)
         self._follow(request, views)
         points = self._planner.plan(request)
         self._keep(points, views)
@@ -152,7 +155,7 @@ class SafePlanner:
     def _follow(self, request: PlanRequest, views: dict[int, VehicleView]) -> None:
         """Measure each vehicle against its leader; one that is far off, or follows none, gets one where it is."""
         led = [views[sysid] for sysid in self._leaders]
-        known = [view for view in led if view.p_ned is not None and view.age_s <= SILENT_S]
+        known = [view for view in led if view.p_ned is not None and not self._silent(view)]
         following = [view for view in known if view.mode in STEERABLE]
         tracking = self.tracking
         tracking.measure(
@@ -164,10 +167,9 @@ class SafePlanner:
         )
         for view in known:
             if view.mode not in STEERABLE or tracking.now_m[tracking.row[view.sysid]] > OFF_LEADER_M:
-                v_ned = np.array(view.v_ned)
                 leader = self._leaders[view.sysid]
-                leader.p_ned = np.array(view.p_now_ned()) + self.lag_s * v_ned
-                leader.v_ned = self._within_speed(view.sysid, v_ned)
+                leader.v_ned = self._within_speed(view.sysid, np.array(view.v_ned))
+                leader.p_ned = np.array(view.p_now_ned()) + self.lag_s * leader.v_ned
                 tracking.restart(view.sysid)
                 self._planner.anchor(view.sysid, _vec(leader.p_ned))
         lags = [tracking.lag_s[tracking.row[sysid]] for sysid in self._leaders]
@@ -184,6 +186,9 @@ class SafePlanner:
                 v_ned = self._within_speed(point.sysid, np.array(views[point.sysid].v_ned))
                 self._leaders[point.sysid] = _Leader(np.array(point.p_ned), v_ned)
 
+    def _silent(self, view: VehicleView) -> bool:
+        return self._link_age.silent(view.sysid, view.age_s)
+
     def _within_speed(self, sysid: int, v_ned: NDArray[np.float64]) -> NDArray[np.float64]:
         most = max(self._speed_m_s[sysid], SLOWEST_M_S)
         return v_ned * min(1.0, most / max(float(np.linalg.norm(v_ned)), 1e-9))
@@ -197,7 +202,7 @@ class SafePlanner:
         v = np.array([self._leaders[sysid].v_ned for sysid in ids])
         planned = np.array([point.v_ned for point in points])
         wanted_ned = planned + (np.array([point.p_ned for point in points]) - p) / SETTLE_S
-        silent = np.array([views[sysid].age_s > SILENT_S for sysid in ids])
+        silent = np.array([self._silent(views[sysid]) for sysid in ids])
         wanted_ned[silent] = 0.0
         speeds = np.array([max(self._speed_m_s[sysid], SLOWEST_M_S) for sysid in ids])
         fence = np.full((len(ids), 3), np.inf)
@@ -230,7 +235,7 @@ class SafePlanner:
         """Vehicles that give no way, where they will be when vehicles fly where their leaders are now."""
         rules, others = self._scenario.planner, []
         for view in request.snapshot.vehicles:
-            silent = view.age_s > SILENT_S
+            silent = self._silent(view)
             place = self._place(view)
             follows = view.sysid in led and not silent and view.mode in STEERABLE
             if not rules.vehicles_repel or place is None or follows:

@@ -29,12 +29,12 @@ from __future__ import annotations
 from dataclasses import dataclass, field, fields
 
 import numpy as np
-from numba import njit
 from numpy.typing import ArrayLike, NDArray
-from scipy.spatial import cKDTree
 
+from gcs.kernels import kernel
 from gcs.planner.braking_clearance import FloatArray, IntArray
 from gcs.planner.line_of_sight import bounds
+from gcs.planner.neighbours import near_pairs
 from gcs.planner.safety_constraints import OBSTACLE, OTHER, PAIR, PLANE
 from gcs.planner.safety_solver import solve
 from gcs.scenario.geometry import COLUMNS
@@ -254,8 +254,7 @@ def _pairs(
         i, j = (side.astype(np.int64) for side in np.triu_indices(n, 1))
     else:
         most = rules.separation_m + 2 * margin.max() + max(special.values(), default=0.0)
-        found = cKDTree(p).query_pairs(2 * reach.max() + most, output_type="ndarray").astype(np.int64)
-        i, j = found.min(axis=1), found.max(axis=1)
+        i, j = near_pairs(p, 2 * reach.max() + most)
     required = _replace(rules.separation_m + margin[i] + margin[j], i, j, special)
     near = np.linalg.norm(p[i] - p[j], axis=1) <= reach[i] + reach[j] + required
     return _rows(PAIR, i[near], j[near], required[near])
@@ -284,7 +283,7 @@ def _shapes(
     return _rows(OBSTACLE, i, j, required[i])
 
 
-@njit(cache=True)
+@kernel()
 def _within_boxes(p: FloatArray, within_m: FloatArray, low: FloatArray, high: FloatArray) -> tuple[IntArray, IntArray]:
     """Kernel: rows of places and of boxes that are at most `within_m` (n,) apart."""
     size = 256

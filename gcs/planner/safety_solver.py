@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numba import njit
 
+from gcs.kernels import kernel
 from gcs.planner import braking_clearance, safety_constraints
 from gcs.planner.braking_clearance import TINY, FloatArray, IntArray, braking
 from gcs.planner.safety_constraints import (
@@ -336,7 +337,7 @@ def _compiled(build: int) -> Callable[..., Any]:
     over `build`, a checksum of those, makes them part of the key.
     """
 
-    @njit(cache=True)
+    @kernel()
     def solve(
         p: FloatArray, v: FloatArray, wanted: FloatArray, v_max: FloatArray, a_max: FloatArray, brake: FloatArray,
         ids: IntArray, rows: IntArray, required: FloatArray, others: FloatArray, table: FloatArray, walls: FloatArray,

@@ -1,7 +1,8 @@
 """Tracking error and lag of each vehicle, measured against the way of its virtual leader [choice].
 
-A vehicle flies a lag behind its leader. The lag is the age of the nearest place on the leader's way, while that moves.
-The error is the distance from where the leader was the fleet's usual lag ago: who is late is as wrong as who is aside.
+A vehicle flies a lag behind its leader. The lag is the age of the nearest place on the leader's way, while the leader
+moves. The error is the distance from where the leader was the fleet's usual lag ago: who is late is as wrong as who is
+aside.
 """
 
 from __future__ import annotations
@@ -10,9 +11,9 @@ import math
 from collections.abc import Iterable, Sequence
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from gcs.kernels import kernel
 from gcs.telemetry.state import Vec3
 
 KEPT = 32
@@ -67,7 +68,7 @@ class Tracking:
         self.now_m[self.row[sysid]] = 0.0
 
 
-@njit(cache=True)
+@kernel()
 def _measure(
     rows: NDArray[np.int64], p: Floats, time_s: float, decay: float, lag_s: float, times: Floats, way: Floats,
     count: NDArray[np.int64], now: Floats, error: Floats, lag: Floats,
@@ -81,6 +82,8 @@ def _measure(
         first = count[row] - kept
         best, at_s, apart = math.inf, time_s, math.inf
         then_s = time_s - lag_s
+        if then_s < times[row, first % KEPT]:
+            continue  # the leader is ahead of its vehicle from the first, as it will be
         for i in range(kept - 1):
             a, b = (first + i) % KEPT, (first + i + 1) % KEPT
             dn, de, dd = (
@@ -102,5 +105,8 @@ def _measure(
         error[row] = max(apart, error[row] * decay)
         a, b = first % KEPT, (first + kept - 1) % KEPT
         moved = math.sqrt(((way[row, b] - way[row, a]) ** 2).sum())
-        if moved > MOVING_M_S * (times[row, b] - times[row, a]):
+        moves = moved > MOVING_M_S * (times[row, b] - times[row, a])
+        a = (first + kept - 2) % KEPT
+        last = math.sqrt(((way[row, b] - way[row, a]) ** 2).sum())
+        if moves and last > MOVING_M_S * (times[row, b] - times[row, a]):  # one that stands leaves its vehicle no lag
             lag[row] += LAG_SHARE * (min(max(time_s - at_s, 0.0), MOST_LAG_S) - lag[row])

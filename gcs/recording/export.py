@@ -13,10 +13,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common as mav
 
+from gcs.kernels import kernel
 from gcs.mavlink import field_units
 from gcs.mavlink.ids import STATION
 from gcs.recording import tlog_reader
@@ -166,7 +166,7 @@ def _learn_stations(chunk: Chunk, stations: NDArray[np.bool_]) -> None:
             stations[_sender(int(beat["sysid"]), int(beat["compid"]))] = True
 
 
-@njit(cache=True)
+@kernel()
 def _sent(heads: IntArray, stations: NDArray[np.bool_], answered_us: IntArray, relayed: IntArray) -> NDArray[np.bool_]:
     """Kernel: which frames were sent by a ground station.
 
@@ -344,7 +344,7 @@ def _export_truth(path: Path, tables: Tables, progress: Progress) -> list[str]:
     return [f"{path.name} ends inside a record; its last {len(pending)} bytes are left out."] if pending else []
 
 
-@njit(cache=True)
+@kernel()
 def _truth_rows(numbers: NDArray[np.float64], width: int) -> IntArray:
     """Kernel: where each whole record begins, and where the last one ends."""
     starts = np.empty(numbers.size // width + 1, dtype=np.int64)

@@ -56,6 +56,7 @@ NEEDED: dict[str, tuple[str, ...]] = {
     "violation": ("part", "at_s", "sysids", "text"),
     "unable": ("receiver", "reason"),
     "operator": ("command", "taken", "text"),
+    "fault": ("sysid", "state", "text"),
 }
 """Keys that a report reads of each kind of decision; a line without them is none."""
 COMPETITION = ("kind", "giver", *NEEDED["competition"])

@@ -8,14 +8,16 @@ from typing import TYPE_CHECKING, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
+from gcs.scenario.described import Described
+
 if TYPE_CHECKING:  # who only reads a summary need not load the supervisor
     pass
 
 FILE = "summary.json"
 
 
-class _Part(BaseModel):
-    model_config = ConfigDict(extra="forbid", allow_inf_nan=False, use_attribute_docstrings=True)
+class _Part(Described, BaseModel):
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False, defer_build=True)
 
 
 class EnergySummary(_Part):
@@ -24,9 +26,10 @@ class EnergySummary(_Part):
     initial_j: float
     drawn_j: float
     received_j: float
+    """of a tanker: what came back to it, having been on the way when a transfer ended"""
     given_j: float
     lost_j: float
-    """given, and never credited by a receiver"""
+    """given, never credited by a receiver, and not come back"""
     remaining_j: float
     source: str
     """the message field that `drawn_j` was read from"""
@@ -121,6 +124,20 @@ class ClosestSummary(_Part):
     t_s: float
 
 
+class FaultSummary(_Part):
+    """A fault that was injected."""
+
+    fault: str
+    sysid: int | None
+    """null: it befell all"""
+    begin_s: float
+    end_s: float | None
+    """null: it stayed"""
+    survived: bool
+    """whether every vehicle that it befell is still there at the end"""
+    text: str
+
+
 class Summary(_Part):
     """The session."""
 
@@ -167,6 +184,8 @@ class Summary(_Part):
     tanker_idle_s: float = 0.0
     """tankers' time, summed, in which they stood free although somebody waited for energy"""
     link: LinkSummary
+    faults: list[FaultSummary] = []
+    """those of the scenario that happened"""
     bases: list[BaseSummary] = []
 
     def write(self, folder: Path) -> None:

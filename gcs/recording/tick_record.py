@@ -91,8 +91,11 @@ def event_of(record: Mapping[str, Any]) -> Event:
     if kind == "violation":
         whom = record.get("sysids") or [0]
         return Event(t_s, int(whom[0]), "critical", str(record.get("text", "")), "violation")
+    if kind == "fault":
+        level: Level = "warning" if record["state"] == "begins" else "info"
+        return Event(t_s, int(record["sysid"]), level, str(record["text"]), "fault")
     if kind == "operator":
-        level: Level = "info" if record.get("taken") else "warning"
+        level = "info" if record.get("taken") else "warning"
         return Event(t_s, int(record.get("sysid", 0)), level, f"Operator: {record.get('text', '')}", "operator")
     if kind == "pursuit":
         return Event(t_s, int(record["pursuer"]), "info", f"Pursues {record['target']} from now on", "decision")
@@ -107,6 +110,6 @@ def event_of(record: Mapping[str, Any]) -> Event:
     if kind == "policy failed":
         problem = PluginFault(int(record["sysid"]), str(record.get("policy")), str(record.get("problem")))
         return Event(t_s, problem.sysid, "warning", problem.sentence, "decision")
-    if kind in ("decided", "transfer", "broken off", "served", "unable"):
+    if kind in ("decided", "transfer", "broken off", "served", "settled", "unable"):
         return Event(t_s, int(record["receiver"]), "info", sentence(record), "decision")
     return Event(t_s, int(record.get("sysid", 0)), "info", str(kind), "decision")

@@ -21,10 +21,10 @@ from typing import Any
 
 import numpy as np
 from fastcrc.crc16 import mcrf4xx
-from numba import njit
 from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common
 
+from gcs.kernels import kernel
 from gcs.mavlink import codec, records
 from gcs.mavlink.codec import Frame
 
@@ -196,7 +196,7 @@ def _dtypes(msgid: int) -> tuple[np.dtype[Any], int]:
     return np.dtype([*own, *((name, payload[name]) for name in payload.names or ())]), payload.itemsize
 
 
-@njit(cache=True)
+@kernel()
 def _gather(data: ByteArray, places: IntArray, rows: ByteArray, head_bytes: int) -> None:
     """Kernel: copies payloads into rows (n, size) behind their first bytes, cut off or left zero as they fit."""
     for i in range(places.size):
@@ -206,7 +206,7 @@ def _gather(data: ByteArray, places: IntArray, rows: ByteArray, head_bytes: int)
             rows[i, head_bytes + k] = data[begin + k]
 
 
-@njit(cache=True)
+@kernel()
 def _crc_of(data: ByteArray, begin: int, end: Any, table: NDArray[np.uint16]) -> Any:
     """Kernel: CRC-16/MCRF4XX of some bytes."""
     crc = np.uint16(0xFFFF)
@@ -229,7 +229,7 @@ def _crc_of(data: ByteArray, begin: int, end: Any, table: NDArray[np.uint16]) ->
     return np.int64(crc)
 
 
-@njit(cache=True)
+@kernel()
 def _frame_bytes(
     data: ByteArray, at: int, seeds: IntArray, table: NDArray[np.uint16], some_seed: NDArray[np.bool_]
 ) -> Any:
@@ -262,7 +262,7 @@ def _frame_bytes(
     return -total if data[at] == 0xFD and some_seed[sent_crc ^ crc >> 8] else 0
 
 
-@njit(cache=True)
+@kernel()
 def _believe(heads: IntArray, last_us: Any) -> tuple[int, int]:
     """Kernel: replaces the times in heads (n, 6) that are far from the last one believed and from the next one;
     `last_us` is the last one of the stretch before, -1 before the first. Returns (last one believed, how many)."""
@@ -291,7 +291,7 @@ def _believe(heads: IntArray, last_us: Any) -> tuple[int, int]:
     return last_us, wrong
 
 
-@njit(cache=True)
+@kernel()
 def _walk(
     data: ByteArray,
     heads: IntArray,

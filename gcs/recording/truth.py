@@ -6,8 +6,9 @@ import json
 from pathlib import Path
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
+
+from gcs.kernels import kernel
 
 FOLDER = "vehicles"
 COLUMNS = 7
@@ -32,7 +33,7 @@ def read(folder: Path, sysid: int) -> NDArray[np.float64] | None:
         return None
 
 
-@njit(cache=True)
+@kernel()
 def record_end(numbers: NDArray[np.float64], at: int, width: int) -> int:
     """Kernel: where the record at a place ends, which says itself how long it is; -1 where it is no whole record."""
     if at + width > numbers.size:
@@ -44,7 +45,7 @@ def record_end(numbers: NDArray[np.float64], at: int, width: int) -> int:
     return end if end <= numbers.size else -1
 
 
-@njit(cache=True)
+@kernel()
 def _records(numbers: NDArray[np.float64], width: int, columns: NDArray[np.int64]) -> NDArray[np.float64]:
     """Kernel: the wanted columns of each whole record; one is `width` numbers and as many more as it has steps."""
     count = at = 0

@@ -46,7 +46,7 @@ class Award(NamedTuple):
 
 
 class Contest(Protocol):
-    """What decides who is served next."""
+    """Rule by which free givers choose whom they serve."""
 
     competition_state: CompetitionState
     waits_for_all: bool
@@ -59,7 +59,7 @@ class Contest(Protocol):
         too."""
 
     def awards(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> Iterable[Award]:
-        """Whom the free givers serve next; `award` is called with each before the next is asked for."""
+        """The next services of free givers; `award` is called with each before the next is asked for."""
 
     def approaches(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> dict[int, int]:
         """Receiver by tanker, of free tankers that fly towards somebody while nothing is decided."""
@@ -140,7 +140,7 @@ class Bidding:
     def winner(
         self, snapshot: FleetSnapshot, tanker: VehicleView, speed_m_s: float, reserve_s: float
     ) -> tuple[int, str] | None:
-        """Who a free tanker serves next, and by what: `urgency`, `competition` or `timeout`; None while undecided."""
+        """Next receiver of a free tanker, and by what: `urgency`, `competition` or `timeout`; None while undecided."""
         return self.winner_at([tanker.p_now_ned()], snapshot, speed_m_s, reserve_s)
 
     def winner_at(

@@ -131,6 +131,8 @@ def notes_of(services: Iterable[Service], asked: Iterable[int], out: Mapping[int
 def sentence(record: Mapping[str, Any]) -> str:
     """A decision for a person."""
     receiver, kind = record["receiver"], record["kind"]
+    if kind == "settled":
+        return f"Tanker {record['tanker']} took back {record['energy_j']:.0f} J that had not arrived at {receiver}"
     if kind == "unable":
         return f"Vehicle {receiver} cannot take a transfer: {record['reason']}; only a base can serve it"
     if "base" in record:
@@ -142,7 +144,8 @@ def sentence(record: Mapping[str, Any]) -> str:
         return f"Refuelling of {receiver} {where} ended: {record['reason']}, {record['energy_j']:.0f} J"
     tanker = record["tanker"]
     if kind == "decided":
-        return f"Refuelling of {receiver} by {tanker} decided by {record['by']}"
+        how = ", unopposed" if record["by"] == "unopposed" else f" by {record['by']}"
+        return f"Refuelling of {receiver} by {tanker} decided{how}"
     if kind == "broken off":
         return f"Transfer from {tanker} to {receiver} broken off, join again"
     if kind == "transfer":

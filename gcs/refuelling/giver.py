@@ -1,4 +1,4 @@
-"""Who can give energy, when it is free, and how long a vehicle's way to it takes: tankers and bases alike.
+"""Givers of energy, tankers and bases alike: when each is free, and how long a vehicle's way to it takes.
 
 How long services take beside the way is learnt in the session: the time from the decision to the first joule is fitted
 by least squares as a + b · way, and what passes between the last joule and the end is averaged

@@ -20,7 +20,7 @@ FloatArray = NDArray[np.float64]
 
 
 class Competitor(NamedTuple):
-    """Who competes, with what: `time_s` is the bid on its absolute scale, the least is the greatest bid."""
+    """A competitor and its bid: `time_s`, on an absolute scale; the least is the greatest bid."""
 
     sysid: int
     ln_v: float
@@ -75,7 +75,7 @@ def read(competitors: Sequence[Competitor], k: int, *, p: float, tie_s: float) -
 
 
 def share_of(ln_ratio: float, p: float) -> float:
-    """What the first of two holds of the sum of their v^p, for the logarithm of their ratio."""
+    """Share of the first of two in the sum of their v^p, from the logarithm of their ratio."""
     return 1.0 / (1.0 + math.exp(-min(p * ln_ratio, 700.0))) if ln_ratio > -700.0 / p else 0.0
 
 

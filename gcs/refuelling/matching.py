@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.optimize import linear_sum_assignment
 
+from gcs.assignment import least_cost
 from gcs.refuelling.giver import Giver
 from gcs.telemetry.state import VehicleView
 
@@ -14,10 +14,10 @@ from gcs.telemetry.state import VehicleView
 def match(givers: Sequence[Giver], receivers: Sequence[VehicleView]) -> list[tuple[Giver, VehicleView]]:
     """Pairs, as many as there can be, of which the sum of the ways' times is least; in the givers' order.
 
-    Of equal sums the one that scipy's `linear_sum_assignment` names, which depends on nothing but the numbers.
+    Of equal sums the one that `least_cost` names, which depends on nothing but the numbers.
     """
     if not givers or not receivers:
         return []
     cost_s = np.array([[giver.way_s(view) for view in receivers] for giver in givers])
-    rows, columns = linear_sum_assignment(cost_s)
+    rows, columns = least_cost(cost_s)
     return [(givers[i], receivers[j]) for i, j in zip(rows, columns, strict=True)]

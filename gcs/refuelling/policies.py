@@ -16,12 +16,12 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
-from scipy.optimize import linear_sum_assignment
 
+from gcs.assignment import least_cost
 from gcs.refuelling.auction import auction
 from gcs.refuelling.giver import Giver, ServiceTimes, lasts_s
 from gcs.refuelling.matching import match
-from gcs.refuelling.rolling_horizon import Durations, Fleet, Planned, Tankers, plan
+from gcs.refuelling.rolling_horizon import Durations, Planned, Receivers, Tankers, plan
 from gcs.scenario.model import RefuellingRules, Scenario
 from gcs.telemetry.state import VehicleView
 
@@ -122,7 +122,7 @@ class Optimal:
     def _planned(self, request: RefuellingRequest, views: Sequence[VehicleView]) -> Planned:
         assert request.times is not None
         rules, times = request.rules, request.times
-        fleet = Fleet(
+        fleet = Receivers(
             np.array([view.p_now_ned() for view in views]),
             np.array([min(lasts_s(view, rules.lands_at), LONGEST_S) for view in views]),
             np.array([max(view.power_w, 1e-3) for view in views]),
@@ -177,7 +177,7 @@ class Hungarian:
         cost_s = np.array([[giver.way_s(view) for view in request.candidates] for giver in free])
         left_s = np.array([min(lasts_s(view, lands_at), LONGEST_S) for view in request.candidates])
         cost_s[:, left_s - cost_s.min(axis=0) < request.rules.reserve_s] -= LONGEST_S
-        rows, columns = linear_sum_assignment(cost_s)
+        rows, columns = least_cost(cost_s)
         return {int(free[i].name): request.candidates[j].sysid for i, j in zip(rows, columns, strict=True)}
 
 

@@ -47,7 +47,7 @@ class PolicyBidding:
     def advance(
         self, snapshot: FleetSnapshot, served: Collection[int], givers: Sequence[Giver], times: ServiceTimes
     ) -> None:
-        """Who may be served at the snapshot's time; nothing competes, so that bids are needs and v is empty."""
+        """Vehicles that may be served at the snapshot's time; nothing competes: bids are needs and v is empty."""
         self._guard.begin_tick()
         self._givers, self._times = tuple(givers), times
         able = [view for view in snapshot.of_role("pursuer") if view.sysid not in served and is_servable(view)]

@@ -27,7 +27,7 @@ EARLY_S = 0.5
 COST = 8.0
 """[choice] Of one that is lost, where a service that begins at the very last moment costs ln 2."""
 TOO_LATE_S = 3.0
-"""Who would have landed so long before is not flown to."""
+"""A vehicle that would have landed so long before is not flown to."""
 SHORTEST_S = 1.0
 """No service takes less: plans are of bounded length."""
 WIDTH = 64
@@ -37,7 +37,7 @@ FORESEEN_S = 6.0
 
 
 @dataclass(frozen=True)
-class Fleet:
+class Receivers:
     """Vehicles that may be served."""
 
     p_ned: FloatArray
@@ -87,7 +87,7 @@ class Planned:
     cost: float
 
 
-def plan(fleet: Fleet, tankers: Tankers, takes: Durations, *, horizon_s: float, width: int = WIDTH) -> Planned:
+def plan(fleet: Receivers, tankers: Tankers, takes: Durations, *, horizon_s: float, width: int = WIDTH) -> Planned:
     """The plan of the least cost that was found, of at least one vehicle and one tanker."""
     n, m = len(fleet.lands_s), len(tankers.free_s)
     lands = fleet.lands_s[None, :].copy()

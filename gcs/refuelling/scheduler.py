@@ -147,6 +147,7 @@ class Scheduler:
         self._compete(snapshot)
         for service in self.open_services:
             (self._steps if service.base is None else self._bases).serve(service, snapshot)
+        self._steps.settlement.settle(snapshot)
         self.tanker_idle_s += dt_s * self._idle_tankers(snapshot)
         in_air = {s.tanker: s for s in self.open_services if s.tanker is not None}
         at_base = [service for service in self.open_services if service.base is not None]

@@ -18,6 +18,7 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.mavlink.autopilots import STEERABLE, FlightMode
 from gcs.mavlink.command_protocol import CommandRequest
 from gcs.refuelling.service import Phase, Service, ServiceRequests, token
+from gcs.refuelling.settlement import EndedTransfer, Settlement
 from gcs.refuelling.transfer_command import TransferRole, transfer_request
 from gcs.scenario.model import RefuellingRules, Tanker
 from gcs.telemetry.state import FleetSnapshot, VehicleView
@@ -48,6 +49,7 @@ class TankerSteps:
         self._tankers = tankers
         self._requests = requests
         self._out_of_it = out
+        self.settlement = Settlement(requests)
 
     def available_j(self, tanker: VehicleView, limit_j: float) -> float:
         """Energy that a tanker may give and still get home with its reserve."""
@@ -88,7 +90,10 @@ class TankerSteps:
             service.near_since_s = now_s
         counter_known = tanker.given_reported_s >= service.phase_since_s + COUNTER_SETTLES_S
         held = service.near_since_s is not None and now_s - service.near_since_s >= self._rules.hold_s
-        if held and counter_known:
+        settled = not any(self.settlement.awaits(view.sysid, now_s) for view in (receiver, tanker))
+        if held and counter_known and settled:
+            for view in (receiver, tanker):
+                self.settlement.begin(view.sysid)
             if service.joined_at_s is None:
                 service.joined_at_s = now_s
                 service.in_at_start_j = receiver.received_j
@@ -177,6 +182,7 @@ class TankerSteps:
         answered = self._requests.accepted(token(service, "stop receiver")) is not None
         if not answered and now_s - service.phase_since_s <= START_WITHIN_S:
             return
+        self._settle(service, now_s)
         service.breaks += service.broken_off
         if service.broken_off and service.breaks < BREAKS:
             service.broken_off = False
@@ -198,6 +204,12 @@ class TankerSteps:
         if tanker.alive:
             self._requests.request(_follow_target_every(0.0, tanker.sysid, token(service, "unstream")))
         self._requests.records.append({"kind": "served", "reason": reason, **service.record()})
+
+    def _settle(self, service: Service, now_s: float) -> None:
+        """Let the transfer that has just ended be settled."""
+        assert service.tanker is not None
+        out_j, in_j = service.out_at_start_j, service.in_at_begin_j
+        self.settlement.add(EndedTransfer(service.number, service.tanker, service.receiver, out_j, in_j, now_s))
 
     def _go(self, service: Service, phase: Phase, now_s: float) -> None:
         service.phase, service.phase_since_s = phase, now_s

@@ -77,7 +77,7 @@ class TimeBidding:
             return
         self._compete(competitors, dt_s, givers, max(len(givers), 1))
         self._watch(now_s, max(len(givers), 1))
-        self._tell({view.sysid: view.need for view in competitors})
+        self._show({view.sysid: view.need for view in competitors})
 
     def _forget(self) -> None:
         self._ln_v, self._competing, self._readings, self._held_since_s = {}, [], {}, {}
@@ -147,8 +147,8 @@ class TimeBidding:
             if now.share >= rules.share:
                 self._held_since_s.setdefault(k, now_s)
 
-    def _tell(self, need: dict[int, float]) -> None:
-        """What there is to see: the states over the leader's, the bids, and the first reading."""
+    def _show(self, need: dict[int, float]) -> None:
+        """Write the competition's state for others to show: states over the leader's, bids, first reading."""
         v = {one.sysid: math.exp(max(one.ln_v, -700.0)) for one in self._competing}
         tau = {one.sysid: float(t) for one, t in zip(self._competing, self._tau, strict=True)}
         first = self._readings.get(1)
@@ -156,7 +156,7 @@ class TimeBidding:
         self.competition_state = CompetitionState(v, tau, need, leader, held)
 
     def awards(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> Iterable[Award]:
-        """Whom the free givers serve next, each matched to its own; none while that is undecided."""
+        """The next services, each receiver matched to its giver; none while that is undecided."""
         if not free or not self._competing:
             return []
         k, now_s, rules = len(free), snapshot.time_s, self._rules
@@ -175,7 +175,7 @@ class TimeBidding:
         return []
 
     def likely(self, k: int) -> tuple[int, ...]:
-        """Who would win now, k at once."""
+        """The k that would win now."""
         if k >= len(self._competing):
             return tuple(one.sysid for one in self._competing)
         return read(self._competing, k, p=self._rules.p, tie_s=self._rules.tie_s).winners

@@ -16,6 +16,7 @@ class TransferRole(IntEnum):
     STOP = 0
     GIVE = 1
     RECEIVE = 2
+    SETTLE = 3
 
 
 def transfer_request(
@@ -31,7 +32,8 @@ def transfer_request(
 ) -> CommandRequest:
     """Order of a transfer for one side.
 
-    partner: system id of the other side. limit_j: whole joules at most. number: the transfer's id.
+    partner: system id of the other side. limit_j: whole joules at most; of SETTLE those that the receiver has credited.
+    number: the transfer's id.
     given_at_start_j: the giver's counter XferOut when the transfer began.
     """
     params = (partner, role, math.floor(limit_j), rate_w, number, given_at_start_j)

@@ -11,15 +11,16 @@ by a shorter step beside the path, so that the path does not depend on what is a
 import math
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
+
+from gcs.kernels import kernel
 
 FloatArray = NDArray[np.float64]
 
 STATE, DRIFT, NOISE = range(3)  # what the history (3, window, n) keeps of the start of a step, at step % window
 
 
-@njit(cache=True)
+@kernel()
 def _drift(
     v: FloatArray,
     drive: FloatArray,
@@ -58,7 +59,7 @@ def _drift(
         slope[i] = rate * (tau - total) * past
 
 
-@njit(cache=True)
+@kernel()
 def step_block(
     v: FloatArray,
     history: FloatArray,

@@ -85,6 +85,10 @@ class Charts:
             for name in ("separation", "clearance", "traffic")
             for t_s, sysid, text in found.violations(name)
         ]
+        faults = [
+            {"t_s": t_s, "label": "fault", "text": text, "bad": False, **({"id": sysid} if sysid else {})}
+            for t_s, sysid, text in found.faults
+        ]
         attitudes = found.attitudes.items()
         roll, pitch, yaw = (
             {sysid: Series(reported[i].t_s, DEGREES * reported[i].values) for sysid, reported in attitudes}
@@ -104,14 +108,17 @@ class Charts:
             frames.append(ChartPanel("Frames missing so far", "1", found.losses, digits=0, from_zero=True))
         return {
             "target": self._time(
-                [ChartPanel("Distance to target", "m", near.to_target, limits=within, from_zero=True)]
+                [ChartPanel("Distance to target", "m", near.to_target, limits=within, from_zero=True)], marks=faults
             ),
-            "error": self._time([ChartPanel("Tracking error", "m", found.errors, digits=3, from_zero=True)]),
+            "error": self._time(
+                [ChartPanel("Tracking error", "m", found.errors, digits=3, from_zero=True)], marks=faults
+            ),
             "motion": self._time(
                 [
                     ChartPanel("Speed", "m/s", found.speeds, from_zero=True),
                     ChartPanel("Height", "m", found.heights),
-                ]
+                ],
+                marks=faults,
             ),
             "attitude": self._time(
                 [
@@ -145,9 +152,9 @@ class Charts:
                     ),
                     *([to_traffic] if np.isfinite(near.traffic.values).any() else []),
                 ],
-                marks=broken,
+                marks=broken + faults,
             ),
-            "link": self._time(frames),
+            "link": self._time(frames, marks=faults),
         }
 
     def _contest(

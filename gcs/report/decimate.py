@@ -7,9 +7,9 @@ extreme is lost however few they are. Paths in space lose the points that lie ne
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from gcs.kernels import kernel
 from gcs.recording.series import Floats, Series
 
 
@@ -35,7 +35,7 @@ def _bucket(t_s: Floats, buckets: int, begin_s: float, end_s: float) -> NDArray[
     return np.minimum(np.maximum(part, 0), buckets - 1)
 
 
-@njit(cache=True)
+@kernel()
 def _extremes(bucket: NDArray[np.int64], values: Floats) -> NDArray[np.int64]:
     """Kernel: the places of the smallest value, the largest and the first NaN of each run of one bucket, ascending."""
     places = np.empty(values.size, dtype=np.int64)
@@ -80,7 +80,7 @@ def band(many: list[Series], buckets: int, begin_s: float, end_s: float) -> tupl
     return middles_s, least, median, greatest
 
 
-@njit(cache=True)
+@kernel()
 def _spread(bucket: NDArray[np.int64], values: Floats, least: Floats, greatest: Floats, means: Floats) -> None:
     """Kernel: widens least and greatest (buckets,) by a series' values, and sets its means (buckets,) where it has any.
     What is NaN counts for nothing."""
@@ -106,7 +106,7 @@ def simplified(path: Floats, off_m: float) -> Floats:
     return path[_kept(np.ascontiguousarray(path), off_m * off_m)]
 
 
-@njit(cache=True)
+@kernel()
 def _kept(path: Floats, off_m2: float) -> NDArray[np.bool_]:
     """Kernel: (k,) which points `simplified` keeps."""
     count = path.shape[0]
@@ -141,7 +141,7 @@ def _kept(path: Floats, off_m2: float) -> NDArray[np.bool_]:
     return kept
 
 
-@njit(cache=True, inline="always")
+@kernel(inline="always")
 def _off_m2(point: Floats, first: Floats, last: Floats) -> float:
     """Kernel: squared distance of a point from the segment between two others."""
     along, length_m2 = 0.0, 0.0

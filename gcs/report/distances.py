@@ -11,9 +11,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from gcs.kernels import kernel
 from gcs.recording.decisions_reader import P_NED, SYSID, T_S
 from gcs.recording.pursuit_held import held_by, pursued, ticks_of
 from gcs.recording.series import Floats, Series, Track, rows_of
@@ -131,7 +131,7 @@ def _partners(recorded: Recorded, rows: Mapping[int, int]) -> Floats:
     return np.array(spans, dtype=np.float64).reshape(-1, 4)
 
 
-@njit(cache=True)
+@kernel()
 def _separations(at: Floats, t_s: Floats, partners: Floats, separation: Floats, pair: NDArray[np.int64]) -> None:
     """Kernel: fills the least distance (k,) in the interval up to each tick, and the rows of its pair (k, 2), from
     places (k, n, 3), NaN for not flying.
@@ -165,7 +165,7 @@ def _separations(at: Floats, t_s: Floats, partners: Floats, separation: Floats, 
             pair[k, 0], pair[k, 1] = rows[one], rows[other]
 
 
-@njit(cache=True)
+@kernel()
 def _errors(t_s: Floats, plan: Floats, at: Floats, longest_s: float, memory: int) -> Floats:
     """Kernel: distance (k,) of places (k, 3) to the polyline of the `memory` latest points of a plan (k, 3); NaN where
     there are not yet so many without a pause longer than `longest_s`, or the place is not known."""

@@ -204,12 +204,21 @@ class Findings:
         ]
 
     @property
+    def faults(self) -> list[tuple[float, int, str]]:
+        """(when, whom or 0, what) of each fault that was injected, where it begins."""
+        return [
+            (d["t_s"], d["sysid"], d["text"])
+            for d in self.recorded.decisions
+            if d["kind"] == "fault" and d["state"] == "begins"
+        ]
+
+    @property
     def outcome(self) -> str:
         """The headline: what came of the goal."""
         if self.summary is None:
             return "No outcome is known"
         if self.summary.outcome == goal.MET:
-            return "The goal was met"
+            return "The goal was met" + self.summary.outcome_text.removeprefix(goal.MET)
         if self.summary.outcome == goal.INTERRUPTED:
             return f"The session was {self.summary.outcome_text or goal.INTERRUPTED}"
         text = self.summary.outcome_text.removeprefix("not met: ") or self.summary.outcome
@@ -240,6 +249,9 @@ class Findings:
                 )
             elif decision["kind"] == "death":
                 yield SessionProblem("bad", f"{decision['text']} ({decision['t_s']:.1f} s)")
+        for fault in self.summary.faults if self.summary is not None else ():
+            came = "survived" if fault.survived else "not survived"
+            yield SessionProblem("note", f"Fault, {came}: {fault.text}.")
         for what, times in failed.items():
             yield SessionProblem("warn", f"{what} ({_times(len(times), times[0]['t_s'])}).")
         yield from self._of_the_link()

@@ -20,8 +20,9 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numba import njit
 from numpy.typing import ArrayLike, NDArray
+
+from gcs.kernels import kernel
 
 if TYPE_CHECKING:
     from gcs.scenario.model import Obstacle
@@ -129,7 +130,7 @@ def _row(kind: float, position_ned: FloatArray, *sizes: float) -> FloatArray:
     return row
 
 
-@njit(cache=True)
+@kernel()
 def shape_surface(table: FloatArray, i: int, qn: float, qe: float, qd: float) -> tuple[float, float, float, float]:
     """Kernel: signed distance in m of row `i`'s surface, and unit vector (north, east, down) from it to (qn, qe, qd).
 
@@ -152,7 +153,7 @@ def shape_surface(table: FloatArray, i: int, qn: float, qe: float, qd: float) ->
     return r - radius, dn / r, de / r, dd / r
 
 
-@njit(cache=True)
+@kernel()
 def _box_surface(dn: float, de: float, dd: float, hn: float, he: float, hd: float) -> tuple[float, float, float, float]:
     on = dn - min(max(dn, -hn), hn)
     oe = de - min(max(de, -he), he)
@@ -170,7 +171,7 @@ def _box_surface(dn: float, de: float, dd: float, hn: float, he: float, hd: floa
     return out_d, 0.0, 0.0, 1.0 if dd > 0.0 else -1.0
 
 
-@njit(cache=True)
+@kernel()
 def _cylinder_surface(
     dn: float, de: float, dd: float, radius: float, half_height: float
 ) -> tuple[float, float, float, float]:
@@ -188,7 +189,7 @@ def _cylinder_surface(
     return out_d, 0.0, 0.0, down
 
 
-@njit(cache=True)
+@kernel()
 def _clearances(table: FloatArray, at: FloatArray, least: FloatArray) -> None:
     # No part of a shape is farther than this from its place, so most are passed over by one coordinate alone. Rounding
     # is monotonic, so that it never hides the nearest.

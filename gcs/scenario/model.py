@@ -12,6 +12,7 @@ from pydantic import AfterValidator, ConfigDict, Field, ValidationError, model_v
 
 from gcs.scenario import external
 from gcs.scenario.document import Conflict, Document, KeyPath, Problem, ScenarioError, conflict_error
+from gcs.scenario.faults import Fault, fault_conflicts
 from gcs.scenario.parts import (
     STEP_S,
     Attractor,
@@ -43,6 +44,7 @@ __all__ = [
     "Blackout",
     "Clock",
     "CompetitionRules",
+    "Fault",
     "FormationRules",
     "Goal",
     "Mover",
@@ -118,6 +120,8 @@ class Scenario(Part):
     """rendezvous and transfer of energy"""
     radio: Radio = Radio()
     """loss, delay and blackouts of frames; none by default"""
+    faults: tuple[Fault, ...] = ()
+    """what goes wrong, at a time or by chance; nothing by default"""
     vehicles_per_process: Annotated[int, Field(strict=True, ge=1, le=254)] = 1
     """how many fly in one process; nothing else depends on it"""
     truth: Flag = True
@@ -155,7 +159,8 @@ class Scenario(Part):
     def _agrees(self) -> Self:
         capture_m, pursuers = self.refuelling.capture_m, self.vehicles.pursuers
         grounded = base_conflicts(self.bases, pursuers, self.obstacles, capture_m=capture_m)
-        if conflicts := [*_conflicts(self), *_vehicle_conflicts(self), *grounded]:
+        faulty = fault_conflicts(self.faults, self.vehicles.all, self.goal.duration_s)
+        if conflicts := [*_conflicts(self), *_vehicle_conflicts(self), *grounded, *faulty]:
             raise conflict_error(conflicts)
         return self
 

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationInfo, WithJsonSchema
 
+from gcs.scenario.described import Described
+
 MOST_M = 1e5
 
 
@@ -56,7 +58,7 @@ Angles = Annotated[tuple[Degrees, Degrees, Degrees], AfterValidator(_into_ned)]
 Route = Annotated[tuple[Vec3, ...], Field(min_length=1)]
 
 
-class Part(BaseModel):
+class Part(Described, BaseModel):
     """A block of keys: one that it does not know is refused, and what it says is not changed any more."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, use_attribute_docstrings=True)
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, defer_build=True)

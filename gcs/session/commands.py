@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from gcs.processes.pace import Pace
 from gcs.scenario.document import did_you_mean
-from gcs.session.pace import Pace
 from gcs.session.server import ClientRequest, Publisher
 from gcs.supervisor.operator import COMMANDS, OperatorReply
 from gcs.supervisor.supervisor import Supervisor

@@ -30,11 +30,11 @@ from typing import Any
 from setproctitle import setproctitle
 
 from gcs.exit import INTERNAL_ERROR
+from gcs.processes.hatch import READY_WITHIN_S, Hatch
 from gcs.scenario.file import load, shipped_folder
 from gcs.scenario.model import Scenario
 from gcs.session import process
 from gcs.session.supervised import Signals
-from gcs.session.vehicles import READY_WITHIN_S, Hatch
 from gcs.supervisor import summarise  # noqa: F401 - loaded here, once, for all sessions
 from gcs.supervisor.warmup import find_way, rehearse
 

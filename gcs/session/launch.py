@@ -14,9 +14,10 @@ from pathlib import Path
 from typing import Any
 
 from gcs.exit import DONE, NOT_DONE
+from gcs.processes.hatch import Hatch, LaunchError
+from gcs.processes.vehicles import vehicle_orders
 from gcs.scenario.model import Scenario
-from gcs.session.supervised import POLL_S, RunError, Signals, make_folder
-from gcs.session.vehicles import Hatch, LaunchError, vehicle_orders
+from gcs.session.supervised import POLL_S, RunError, Signals, make_folder, write_scenario
 
 STARTED_WITHIN_S = 120.0
 ENDED_EARLY = "standard input ended before the vehicles were there; --until-eof wants one that stays open"
@@ -42,7 +43,8 @@ def launch(
             folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="gcs-launch-")))
             (folder / "vehicles").mkdir()
         else:
-            folder = make_folder(out, scenario)
+            folder = make_folder(out, scenario.name)
+            write_scenario(folder, scenario)
         signals = stack.enter_context(Signals())
         orders = vehicle_orders(scenario, folder, connection)
         try:

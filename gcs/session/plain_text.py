@@ -10,8 +10,8 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from gcs.processes.startup import starting_line
 from gcs.scenario.goal import Nearest, metres, outcome_text, progress_text
-from gcs.session.startup import starting_line
 
 Snapshot = Mapping[str, Any]
 """A message of type "snapshot"; its `events` are those since the snapshot before it."""

@@ -8,7 +8,6 @@ closes. stdout carries two JSON lines: {"listening": true}, and {"exit", "outcom
 from __future__ import annotations
 
 import contextlib
-import gc
 import json
 import math
 import os
@@ -29,7 +28,13 @@ from gcs.link.keys import KeyRefused, RefusalNotices
 from gcs.link.link import Link
 from gcs.link.lockstep import REPEAT_S, LockstepLink
 from gcs.link.socket import BUFFER_BYTES, AddressRefused
+from gcs.loading import loaded
 from gcs.mavlink.ids import AUTOPILOT, TRAFFIC
+from gcs.processes.hatch import Ended, Hatch, LaunchError
+from gcs.processes.pace import Pace
+from gcs.processes.startup import Arrivals
+from gcs.processes.suspension import SuspensionWatch
+from gcs.processes.vehicles import traffic_order, vehicle_orders
 from gcs.recording.recorder import Recorder, RecorderError
 from gcs.recording.reserve import Reserve
 from gcs.scenario import goal, plugins
@@ -37,11 +42,7 @@ from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
 from gcs.session.commands import Clients
 from gcs.session.messages import end_message, session_message, snapshot_message
-from gcs.session.pace import Pace
 from gcs.session.server import Publisher, Reader
-from gcs.session.startup import Arrivals
-from gcs.session.suspension import SuspensionWatch
-from gcs.session.vehicles import Ended, Hatch, LaunchError, traffic_order, vehicle_orders
 from gcs.supervisor.summarise import summarise
 from gcs.supervisor.supervisor import Supervisor
 from gcs.supervisor.warmup import rehearse
@@ -92,6 +93,7 @@ class SessionProcess:
         self._reserve = Reserve(folder, len(scenario.vehicles.all))
         self._publisher = Publisher(folder, session_message(scenario, str(folder.resolve())))
         self._supervisor = Supervisor(scenario, self._link, self._recorder)
+        self._supervisor.faults.signal_process = self._signal
         self._hatch: Hatch | None = None
         self._unpublished: list[Event] = []
         self.reader: Reader | None = None
@@ -99,6 +101,8 @@ class SessionProcess:
         self._clients = Clients(self._publisher, self._supervisor, self._pace)
         self._labels = {v.sysid: v.label for v in scenario.vehicles.all} | {255: "traffic"}
         self._blocks: dict[int, tuple[int, ...]] = {}
+        self._killed: set[int] = set()
+        """whose process a fault has ended"""
         self._reported_refused: set[tuple[int, int]] = set()
         self._answered_s = self._said_waiting_s = math.inf
         self._suspension = SuspensionWatch()
@@ -234,7 +238,7 @@ class SessionProcess:
         self._phase = "flying"
         self._begun = True
         self._answered_s = self._said_waiting_s = time.monotonic()
-        gc.freeze()  # what lives now lives to the end: no collection need look at it again
+        loaded()
         pace.start()
         self._link.begin()
         supervisor.begin()
@@ -330,6 +334,9 @@ class SessionProcess:
         """Say whose answer the session waits for; after a minute, go on without them."""
         for key in self._link.awaited:
             label = self._labels.get(key[0], f"vehicle {key[0]}")
+            if key[0] in self._supervisor.hung:  # nobody need wait to see whether it comes back
+                self._supervisor.lose(key, f"{label} hangs, and is given up")
+                continue
             if waited_s < (GIVE_UP_SOON_S if self._scenario.vehicles.external else GIVE_UP_S):
                 self._event(
                     key[0], "warning", f"{label} lives but has not answered for {waited_s:.0f} s of wall time", "link"
@@ -343,7 +350,20 @@ class SessionProcess:
         if self._phase == "starting":
             raise (BadVehicleError if end.status == BAD_INPUT else SessionFailed)(sentence)
         for sysid in sysids:
+            if sysid in self._killed:
+                continue
             self._supervisor.lose(TRAFFIC if sysid == TRAFFIC[0] else (sysid, AUTOPILOT), sentence)
+
+    def _signal(self, sysid: int, fault: str) -> None:
+        """Let a fault befall a vehicle's process: it is the only one in it."""
+        if self._hatch is None:
+            return
+        if fault == "kill":
+            self._killed.add(sysid)
+        for pid, first in self._hatch.pids.items():
+            if first == sysid:
+                with contextlib.suppress(ProcessLookupError):
+                    os.kill(pid, signal.SIGKILL if fault == "kill" else signal.SIGSTOP)
 
     def _event(self, sysid: int, level: Level, text: str, kind: Kind = "session") -> None:
         self._supervisor.events.append(Event(self._supervisor.time_s, sysid, level, text, kind))
@@ -354,7 +374,8 @@ class SessionProcess:
         """`met`, the first part of the goal that was not, or `interrupted`; and the same as a sentence."""
         supervisor = self._supervisor
         if not interrupted:
-            return goal.verdict(supervisor.judged())
+            outcome, text = goal.verdict(supervisor.judged())
+            return outcome, text + supervisor.faults_text()
         text = f"interrupted at {supervisor.time_s:.1f} s"
         broken = [one.text for one in supervisor.goal_watch.broken()]
         return goal.INTERRUPTED, f"{text}; {goal.outcome_text(broken)}" if broken else text

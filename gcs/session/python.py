@@ -27,7 +27,7 @@ from gcs.scenario import plugins
 from gcs.scenario.file import find, load
 from gcs.scenario.model import Scenario
 from gcs.session.arrays import Snapshot, from_message
-from gcs.session.supervised import PATIENCE_S, SUPERVISOR, RunError, Supervised, make_folder
+from gcs.session.supervised import PATIENCE_S, SUPERVISOR, RunError, Supervised, make_folder, write_scenario
 
 NEXT, STOP = b"n", b"s"
 READ_BYTES = 1 << 16
@@ -102,7 +102,8 @@ class Session:
         if self._folder is not None:
             raise SessionError("a session flies once; make another one")
         try:
-            self._folder = make_folder(self._out, self.scenario)
+            self._folder = make_folder(self._out, self.scenario.name)
+            write_scenario(self._folder, self.scenario)
         except RunError as error:
             raise SessionError(error.message) from None
         ours, theirs = socket.socketpair()

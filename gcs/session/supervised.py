@@ -12,6 +12,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 from types import TracebackType
@@ -20,6 +21,9 @@ from typing import IO, Any, Protocol, Self
 import click
 
 from gcs.exit import BAD_INPUT, INTERNAL_ERROR
+from gcs.loading import loaded, uncollected
+from gcs.processes.forked import ForkedProcess
+from gcs.processes.hatch import Hatch, LaunchError
 from gcs.scenario.file import dump
 from gcs.scenario.model import Scenario
 from gcs.session.client import SOCKET, Client, EarlierEvents, Lines
@@ -90,10 +94,10 @@ def _ignore(*_: object) -> None:
     """The wake-up descriptor reports signals; Python needs a handler for it to do so."""
 
 
-def make_folder(out: Path | None, scenario: Scenario) -> Path:
-    """A new session folder with `vehicles/` and the resolved scenario in it; raises RunError."""
+def make_folder(out: Path | None, name: str) -> Path:
+    """A new session folder with `vehicles/` in it, for a scenario of this name; raises RunError."""
     stamp = datetime.now().astimezone().strftime("%Y%m%d-%H%M%S")
-    folder = out or Path("sessions") / f"{scenario.name}-{stamp}"
+    folder = out or Path("sessions") / f"{name}-{stamp}"
     suffix = 1
     while True:
         try:
@@ -103,15 +107,56 @@ def make_folder(out: Path | None, scenario: Scenario) -> Path:
             if out is not None or not folder.is_dir():
                 raise RunError(f"{folder} exists already and is left as it is; give --out another folder") from None
             suffix += 1
-            folder = folder.with_name(f"{scenario.name}-{stamp}-{suffix}")
+            folder = folder.with_name(f"{name}-{stamp}-{suffix}")
         except OSError as error:
             raise RunError(f"cannot make the folder {folder}: {error.strerror}; give --out a place to write") from None
     try:
         (folder / "vehicles").mkdir()
-        (folder / "scenario.yaml").write_text(dump(scenario), encoding="utf-8")
     except OSError as error:
         raise RunError(f"cannot write in {folder}: {error.strerror}") from None
     return folder
+
+
+def write_scenario(folder: Path, scenario: Scenario) -> None:
+    """Write the resolved scenario into a session's folder; raises RunError."""
+    try:
+        (folder / "scenario.yaml").write_text(dump(scenario), encoding="utf-8")
+    except OSError as error:
+        raise RunError(f"cannot write in {folder}: {error.strerror}") from None
+
+
+@dataclass(frozen=True)
+class SupervisorFork:
+    """The supervisor of the session prepared in `folder`, to be run in a fork of this process, with a hatch that
+    has begun already, if there is one."""
+
+    folder: Path
+    scenario: Scenario
+    drop: float
+    hatch: Hatch | None
+
+    def start(self, stderr: IO[bytes] | None) -> ForkedProcess:
+        """Fork; the hatch is the fork's from now on."""
+        keep = () if self.hatch is None else self.hatch.descriptors
+        process = ForkedProcess(self._fly, f"{SUPERVISOR[-1]} {self.folder}", stderr, keep)
+        if self.hatch is not None:
+            self.hatch.release()
+        return process
+
+    def _fly(self) -> int:
+        if not sys.flags.safe_path and sys.path[:1] in ([""], [os.getcwd()]):
+            del sys.path[0]  # as -P does for the command
+        hatch = self.hatch
+        if hatch is None and (self.scenario.vehicles.launched or self.scenario.traffic):
+            with contextlib.suppress(LaunchError, OSError):  # the session tries again, and says why
+                hatch = Hatch()
+        with uncollected():
+            # numba before what needs it: beneath many nested imports it took 70 ms longer, since Python 3.11 allocates
+            # and frees a page of its stack at each call across the page's end.
+            import gcs.kernels  # noqa: F401, PLC0415
+            from gcs.session import process  # noqa: PLC0415 - only a supervisor needs it
+
+            return process.fly(self.folder, drop=self.drop, scenario=self.scenario, hatch=hatch)
 
 
 class Supervised:
@@ -128,15 +173,21 @@ class Supervised:
         supervisor: Sequence[str],
         pass_fds: Sequence[int] = (),
         stderr: IO[bytes] | None = None,
+        fork: SupervisorFork | None = None,
     ) -> None:
+        """`fork` is started instead of that command where it is given."""
         self._folder = folder
-        self._process = subprocess.Popen(
-            [*supervisor, str(folder), *arguments],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=stderr,
-            start_new_session=True,
-            pass_fds=pass_fds,
+        self._process: subprocess.Popen[bytes] | ForkedProcess = (
+            fork.start(stderr)
+            if fork is not None
+            else subprocess.Popen(
+                [*supervisor, str(folder), *arguments],
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=stderr,
+                start_new_session=True,
+                pass_fds=pass_fds,
+            )
         )
         assert self._process.stdin is not None
         assert self._process.stdout is not None
@@ -248,17 +299,22 @@ def run(
     *,
     arguments: Sequence[str] = (),
     supervisor: Sequence[str] = SUPERVISOR,
+    fork: SupervisorFork | None = None,
+    begun: Callable[[], object] = lambda: None,
     finish: Callable[[dict[str, Any]], object] = lambda _: None,
     stderr: IO[bytes] | None = None,
     hurry: Callable[[], object] = lambda: None,
 ) -> int:
     """Fly the session prepared in `folder`; the exit status (docs/protocol.md#exit-status).
 
-    `view` shows it while it flies, `finish` gets the supervisor's last word, and `echo` prints the lines that sum it
-    up. `stderr` takes what the supervisor says there; our own standard error without it. `hurry` is called where a
-    person has asked more than once for the end.
+    `view` shows it while it flies, `begun` is called once it is started, `finish` gets the supervisor's last word, and
+    `echo` prints the lines that sum it up. `fork` is the supervisor instead of a command. `stderr` takes
+    what the supervisor says there; our own standard error without it. `hurry` is called where a person has asked more
+    than once for the end.
     """
-    with Signals() as signals, Supervised(folder, arguments, supervisor, stderr=stderr) as process:
+    with Signals() as signals, Supervised(folder, arguments, supervisor, stderr=stderr, fork=fork) as process:
+        begun()
+        loaded()
         try:
             interrupted = _watch(process, signals, view, hurry)
         finally:

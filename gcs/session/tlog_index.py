@@ -13,10 +13,10 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common as mav
 
+from gcs.kernels import kernel
 from gcs.mavlink import codec, records
 from gcs.mavlink.codec import Frame
 from gcs.mavlink.gaps import GapCounter, RecordedGaps, resumed
@@ -247,7 +247,7 @@ def _subjects() -> IntArray:
 _SUBJECTS = _subjects()
 
 
-@njit(cache=True)
+@kernel()
 def _keys(data: ByteArray, heads: IntArray, subjects: IntArray) -> IntArray:
     """Kernel: for each frame a number that is the same for the same sender, message and subject (FNV-1a, 64 bits)."""
     keys = np.empty(heads.shape[0], dtype=np.int64)
@@ -267,7 +267,7 @@ def _keys(data: ByteArray, heads: IntArray, subjects: IntArray) -> IntArray:
     return keys
 
 
-@njit(cache=True)
+@kernel()
 def _last_of_each(keys: IntArray) -> IntArray:
     """Kernel: where each of some keys, which are hashes, stands last; the latest first."""
     mask = 1

@@ -111,6 +111,15 @@ class ArmingSequence:
         self.ordered, self._rejoins = None, True
         self.stage, self._asked_s = Stage.IDENTIFY, -RETRY_S
 
+    def excuse(self, now_s: float) -> None:
+        """The vehicle does not hear the ground station: what its failsafe does is put down to that, for a while."""
+        self._cut_off_s = now_s
+
+    def mend(self, view: VehicleView) -> None:
+        """Nothing keeps the vehicle from flying any more: bring it back if it is down, and its battery allows."""
+        if self.stage is Stage.DOWN and self.ordered is None and self._has_energy(view) and self._rejoins_itself:
+            self.rejoin()
+
     def decide(
         self, view: VehicleView, now_s: float, *, bound: bool = False, late_s: float = 0.0
     ) -> tuple[list[CommandRequest], list[Message]]:
@@ -209,9 +218,12 @@ class ArmingSequence:
             self._rejoins_itself
             and now_s - self._cut_off_s <= BLAMED_S
             and not (view.mode in STEERABLE and view.armed)
-            and view.remaining_j >= REJOIN_SHARE * view.capacity_j
+            and self._has_energy(view)
         ):
             self._rejoins = True
+
+    def _has_energy(self, view: VehicleView) -> bool:
+        return view.alive and view.remaining_j >= REJOIN_SHARE * view.capacity_j
 
     def _next(self, view: VehicleView) -> Stage:
         if not view.alive:

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from gcs.link.impairment import BlackoutWindow, Impairment
 from gcs.link.peer_radio import PeerRadio, SplitWindow
 from gcs.mavlink.autopilots import PROFILES
 from gcs.refuelling.bidding import Contest
 from gcs.refuelling.scheduler import Scheduler
 from gcs.refuelling.watched_schedule import WatchedSchedule
+from gcs.scenario.faults import Injection
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import SELDOM_S, ArmingSequence
 from gcs.supervisor.arming_external import ExternalArmingSequence
+from gcs.supervisor.faults import radio_faults
 from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
 
 _SHARES = {"loss", "delay_s", "jitter_s", "duplicate", "reorder"}
@@ -45,26 +49,29 @@ def make_arming_sequences(scenario: Scenario) -> dict[int, ArmingSequence]:
     }
 
 
-def make_radio(scenario: Scenario) -> Impairment:
-    """The radio between vehicles and supervisor."""
+def make_radio(scenario: Scenario, injections: Iterable[Injection] = ()) -> Impairment:
+    """The radio between vehicles and supervisor, with the faults that befall it."""
     radio = scenario.radio
+    blackouts, bursts = radio_faults(injections, [vehicle.sysid for vehicle in scenario.vehicles.all])
     return Impairment(
         **radio.model_dump(include=_SHARES),
-        blackouts=[BlackoutWindow(b.sysid, b.from_s, b.to_s) for b in radio.blackouts],
+        blackouts=[*(BlackoutWindow(b.sysid, b.from_s, b.to_s) for b in radio.blackouts), *blackouts],
         ground_blackouts=[(b.from_s, b.to_s) for b in radio.ground_blackouts],
+        bursts=bursts,
         seed=scenario.seed,
     )
 
 
-def make_peer_radio(scenario: Scenario) -> PeerRadio | None:
-    """The radio among vehicles that compete on board; None where they do not."""
+def make_peer_radio(scenario: Scenario, injections: Iterable[Injection] = ()) -> PeerRadio | None:
+    """The radio among vehicles that compete on board, with the blackouts that befall it; None where they do not."""
     if scenario.competition.where == "supervisor":
         return None
     radio = scenario.radio
+    blackouts, _ = radio_faults(injections, [vehicle.sysid for vehicle in scenario.vehicles.all])
     return PeerRadio(
         [vehicle.sysid for vehicle in scenario.vehicles.all],
         **radio.model_dump(include=_SHARES),
-        blackouts=[BlackoutWindow(b.sysid, b.from_s, b.to_s) for b in radio.blackouts],
+        blackouts=[*(BlackoutWindow(b.sysid, b.from_s, b.to_s) for b in radio.blackouts), *blackouts],
         splits=[SplitWindow(frozenset(split.sysids), split.from_s, split.to_s) for split in radio.splits],
         seed=scenario.seed,
     )

@@ -25,6 +25,7 @@ from gcs.recording.recorder import DECISIONS, TLOG, Recorder, decision_line
 from gcs.recording.summary import FILE as SUMMARY
 from gcs.scenario.file import load
 from gcs.scenario.model import Radio
+from gcs.supervisor.faults import INJECTED
 from gcs.supervisor.operator import COMMANDS
 from gcs.supervisor.supervisor import Supervisor
 
@@ -241,7 +242,7 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Comparison:
     link = RecordedLink([*keys, TRAFFIC] if scenario.traffic else keys)
     comparer = Comparer()
     # The supervisor asks of link and recorder only what these two have.
-    supervisor = Supervisor(scenario, link, cast(Recorder, comparer))
+    supervisor = Supervisor(scenario, link, cast(Recorder, comparer), impaired=False)
     verdict = Comparison()
     whole = (folder / SUMMARY).exists()
     supervisor.begin()
@@ -285,7 +286,7 @@ def _relive(supervisor: Supervisor, line: Mapping[str, Any]) -> None:
     """Let an operator's order, or a death, happen again."""
     if line["kind"] == "operator" and line.get("command") in COMMANDS:
         supervisor.obey({key: line[key] for key in ("command", "sysid", "target") if key in line})
-    elif line["kind"] == "death":
+    elif line["kind"] == "death" and not str(line.get("text", "")).endswith(INJECTED):  # that it does by itself
         sysid = int(line["sysid"])
         supervisor.lose(TRAFFIC if sysid == TRAFFIC[0] else (sysid, AUTOPILOT), str(line.get("text", "")))
 

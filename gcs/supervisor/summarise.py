@@ -12,6 +12,7 @@ from gcs.recording.summary import (
     BaseSummary,
     ClosestSummary,
     EnergySummary,
+    FaultSummary,
     GoalPartSummary,
     LinkSummary,
     RefuellingSummary,
@@ -87,7 +88,7 @@ def summarise(
                 max_tracking_error_m=metrics.max_tracking_error_m.get(view.sysid),
                 path_length_m=metrics.path_length_m.get(view.sysid, 0.0),
                 control_effort=view.control_effort,
-                energy=_ledger(view, view.given_j - credited_j[view.sysid]),
+                energy=_ledger(view, view.given_j - credited_j[view.sysid] - _returned_j(view)),
                 missing_streams=supervisor.externals.missing_streams(view.sysid),
                 refused_messages=link.signature_refusals.get(view.sysid, 0),
             )
@@ -106,6 +107,7 @@ def summarise(
             )
             for stock in schedule.stocks
         ],
+        faults=[FaultSummary(**fault) for fault in supervisor.fault_outcomes()],
         link=LinkSummary(
             received=supervisor.received,
             sent=supervisor.sent,
@@ -115,6 +117,11 @@ def summarise(
             command_retries=supervisor.command_retries,
         ),
     )
+
+
+def _returned_j(view: VehicleView) -> int:
+    """Energy that came back to a tanker, which receives none otherwise, J."""
+    return view.received_j if view.role == "tanker" else 0
 
 
 def _ledger(view: VehicleView, lost_j: int) -> EnergySummary:

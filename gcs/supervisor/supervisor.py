@@ -33,11 +33,13 @@ from gcs.refuelling.relay import Relay, relayed
 from gcs.refuelling.service import Decision
 from gcs.refuelling.target_assignment import TargetAssignment
 from gcs.refuelling.watched_schedule import WatchedSchedule
-from gcs.scenario.goal import Judgement, judge
+from gcs.scenario.faults import Injection, drawn
+from gcs.scenario.goal import NAMED, Judgement, judge
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import Stage
 from gcs.supervisor.external_fleet import ENDING, ExternalFleet
 from gcs.supervisor.factory import make_arming_sequences, make_fleet, make_peer_radio, make_radio, make_schedule
+from gcs.supervisor.faults import INJECTED, OUT_OF_ORDER, FaultInjector
 from gcs.supervisor.fleet_command_queue import FleetCommandQueue
 from gcs.supervisor.goal_watch import GoalWatch
 from gcs.supervisor.operator import Operator, OperatorReply
@@ -61,7 +63,8 @@ _DEBUG_FLOAT_ARRAY = codec.msgid("DEBUG_FLOAT_ARRAY")
 class Supervisor:
     """A session's brain: everything between the link and the recorder."""
 
-    def __init__(self, scenario: Scenario, link: TickLink, recorder: Recorder) -> None:
+    def __init__(self, scenario: Scenario, link: TickLink, recorder: Recorder, *, impaired: bool = True) -> None:
+        """`impaired`: the radio does what the scenario says; not where frames come from a recording of it."""
         self.scenario = scenario
         self.period_ms = round(1e3 * scenario.clock.period_s)
         self.epoch_us = round(1e6 * scenario.clock.epoch.timestamp())
@@ -87,8 +90,12 @@ class Supervisor:
         self.externals = ExternalFleet(scenario)
         self._wait_for_fleet_s = WAIT_FOR_FLEET_S + self.externals.patience_s
         self._join_ms = {v.sysid: round(1e3 * v.join_s) for v in scenario.vehicles.all}
-        self._radio = make_radio(scenario)
-        self._peer_radio = make_peer_radio(scenario)
+        injections = drawn(scenario.faults, scenario.seed)
+        self.faults = FaultInjector(scenario, injections)
+        self.hung: set[int] = set()
+        """whose process has been stopped by a fault"""
+        self._radio = make_radio(scenario, injections if impaired else ())
+        self._peer_radio = make_peer_radio(scenario, injections)
         self.command_queue = FleetCommandQueue(self.arming)
         self._gaps = GapCounter()
         self.quality = LinkQuality(self._gaps)
@@ -134,6 +141,8 @@ class Supervisor:
         now_s = self.time_s
         arrived, delivered = self._receive(self._link.answers(idle), now_s)
         self._receive_acknowledgements(now_s)
+        if self.scenario.faults:
+            self._inject_faults(now_s)
         self.snapshot = snapshot = self.fleet.snapshot(now_s)
         ordered: dict[int, End] = dict.fromkeys(self.grounded, "land")
         self.events += self._watch.look(snapshot, ordered | self.operator.ordered)
@@ -180,6 +189,19 @@ class Supervisor:
         )
         return judge(self.scenario, measured)
 
+    def fault_outcomes(self) -> list[dict[str, Any]]:
+        """Faults that were injected so far, and what came of each."""
+        return self.faults.outcomes(self.goal_watch.losses(self.fleet.snapshot(self.time_s), self.time_s))
+
+    def faults_text(self) -> str:
+        """For the end of the outcome's sentence: how many faults were survived, and which were not."""
+        outcomes = self.fault_outcomes()
+        if not outcomes:
+            return ""
+        cost = [one["text"] for one in outcomes if not one["survived"]]
+        survived = f"{len(outcomes) - len(cost)} of {len(outcomes)} faults survived"
+        return f"; {survived}" + (f", not: {'; '.join(cost[:NAMED])}" if cost else "")
+
     def _watch_goal(self, snapshot: FleetSnapshot, partners: Iterable[tuple[int, int]]) -> list[dict[str, Any]]:
         """Measure the tick for the goal; records of what has just been broken."""
         self._partners = frozenset(partners)
@@ -218,6 +240,42 @@ class Supervisor:
             return
         self.fleet.lost(key[0])
         self.events.append(Event(self.time_s, key[0], "critical", why, "death"))
+
+    # faults
+
+    def _inject_faults(self, now_s: float) -> None:
+        """Let those begin and end whose time has come; in lockstep it is the same tick in every session."""
+        begin, end = self.faults.step(now_s)
+        for one in begin:
+            self._begin_fault(one)
+        for one in (*begin, *end):
+            self.command_queue.ask(self.faults.requests(one, ends=one in end), now_s)
+        for one in end:
+            self._end_fault(one)
+        self.events += [event_of(record) for record in self.faults.peek_records()]
+        for sysid, arming in self.arming.items():
+            if self.faults.unheard(sysid):
+                arming.excuse(now_s)
+
+    def _begin_fault(self, one: Injection) -> None:
+        sysid, fault = one.fault.sysid, one.fault.fault
+        if sysid is None or (sysid, AUTOPILOT) not in self._link.joined:
+            return
+        if fault in ("kill", "hang"):
+            self.faults.signal_process(sysid, fault)
+        if fault == "kill":
+            self.lose((sysid, AUTOPILOT), f"{self.snapshot.vehicle(sysid).label} was killed {INJECTED}")
+        elif fault == "hang":
+            self.hung.add(sysid)
+        elif fault == "tanker_out":
+            self.schedule.out.setdefault(sysid, OUT_OF_ORDER)
+
+    def _end_fault(self, one: Injection) -> None:
+        sysid, fault = one.fault.sysid, one.fault.fault
+        if fault == "tanker_out" and self.schedule.out.get(sysid or 0) == OUT_OF_ORDER:
+            del self.schedule.out[sysid or 0]
+        elif fault == "gps_off" and sysid is not None:
+            self.arming[sysid].mend(self.fleet.snapshot(self.time_s).vehicle(sysid))
 
     # in
 
@@ -367,7 +425,7 @@ class Supervisor:
                     messages += [OUR_HEARTBEAT] * quality.copies(self.quality.lost_share(sysid))
                 messages += self.command_queue.pop(sysid)
                 messages += relays.get(sysid, ())
-                messages = list(self._radio.apply(sysid, "out", now_s, messages))
+                messages = [*self.faults.pop_orders(sysid), *self._radio.apply(sysid, "out", now_s, messages)]
             own = [m for m in messages if isinstance(m, Message)]
             foreign = [m.raw for m in messages if isinstance(m, Relay)]
             if self._peer_radio is not None and key != TRAFFIC:
@@ -428,9 +486,9 @@ class Supervisor:
         return self._new_records() + interventions + records
 
     def _new_records(self) -> list[dict[str, Any]]:
-        """Records of deaths and of operators' commands since the last call."""
+        """Records of faults, of deaths and of operators' commands since the last call."""
         deaths, self._deaths = self._deaths, []
-        return deaths + self.operator.pop_records()
+        return self.faults.pop_records() + deaths + self.operator.pop_records()
 
     def _record(self, recording: TickRecord) -> None:
         """Recording and hashing wait until the grants are out: the vehicles fly meanwhile."""

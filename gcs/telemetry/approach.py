@@ -10,9 +10,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from gcs.kernels import kernel
 from gcs.scenario import geometry
 
 Floats = NDArray[np.float64]
@@ -31,7 +31,7 @@ NO_PAIRS = np.empty((0, 2), dtype=np.int64)
 STRAIGHT = np.empty((0, 3))
 
 
-@njit(cache=True)
+@kernel()
 def segment_gap2(rn: float, re: float, rd: float, dn: float, de: float, dd: float) -> tuple[float, float]:
     """Least square distance to zero on the way from r to r + d, and the share at which it is reached."""
     length2 = dn * dn + de * de + dd * dd
@@ -42,7 +42,7 @@ def segment_gap2(rn: float, re: float, rd: float, dn: float, de: float, dd: floa
     return n * n + e * e + d * d, share
 
 
-@njit(cache=True)
+@kernel()
 def curve_gap2(r0: Floats, r1: Floats, v0: Floats, v1: Floats, period_s: float) -> tuple[float, float]:
     """The same on the cubic curve from r0 with velocity v0 to r1 with velocity v1, (3,) each."""
     best2, best_share = math.inf, 0.0
@@ -62,7 +62,7 @@ def curve_gap2(r0: Floats, r1: Floats, v0: Floats, v1: Floats, period_s: float) 
     return best2, best_share
 
 
-@njit(cache=True)
+@kernel()
 def nearest_pair(
     before: Floats,
     now: Floats,
@@ -134,7 +134,7 @@ def nearest_pair(
     return least, one, other, at, count
 
 
-@njit(cache=True)
+@kernel()
 def nearest_to(before: Floats, now: Floats, others_before: Floats, others_now: Floats) -> tuple[Floats, Ints, Floats]:
     """For each of n vehicles the least distance (n,) to any of m others in an interval, which that is, and the share;
     straight ways."""

@@ -8,7 +8,9 @@ from typing import Literal
 from pymavlink.dialects.v20 import common as mav
 
 Level = Literal["info", "warning", "critical"]
-Kind = Literal["text", "mode", "failsafe", "ack", "decision", "operator", "link", "death", "session", "violation"]
+Kind = Literal[
+    "text", "mode", "failsafe", "ack", "decision", "operator", "link", "death", "session", "violation", "fault"
+]
 
 LESS_SEVERE: dict[int, Level] = {
     mav.MAV_SEVERITY_WARNING: "warning",

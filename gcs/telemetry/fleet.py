@@ -91,7 +91,7 @@ class _Track:
         self.origin_alt_m = 0.0
         self.origin_reported = False
         self.battery = BatteryAccount(member.capacity_j, member.initial_j)
-        self.given_reported_s = -math.inf
+        self.given_reported_s = self.received_reported_s = -math.inf
         self.control_effort = 0.0
         self.texts = Texts()
         self.counted: dict[str, tuple[float, float]] = {}
@@ -157,6 +157,7 @@ class _Track:
             received_j=self.battery.received_j,
             given_j=self.battery.given_j,
             given_reported_s=self.given_reported_s,
+            received_reported_s=self.received_reported_s,
             power_w=self.battery.meter.power_w,
             energy_source=str(self.battery.meter.source),
             control_effort=self.control_effort,
@@ -318,8 +319,11 @@ class Fleet:
         if content.name not in _COUNTS or not track.counts(_COUNTS[content.name], content.value, time_s):
             return
         track.battery.counter(content.name, content.value)
+        reported_s = _session_s(track, content.time_boot_ms, time_s)
         if content.name == GIVEN:
-            track.given_reported_s = max(track.given_reported_s, _session_s(track, content.time_boot_ms, time_s))
+            track.given_reported_s = max(track.given_reported_s, reported_s)
+        else:
+            track.received_reported_s = max(track.received_reported_s, reported_s)
 
     def _named_float(self, track: _Track, content: Any, time_s: float) -> None:
         if content.name == "CtlEffort" and 0.0 <= content.value <= MOST_EFFORT:

@@ -7,9 +7,9 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from gcs.kernels import kernel
 from gcs.scenario.model import Scenario
 from gcs.telemetry.pursuit import PursuitHeld
 from gcs.telemetry.state import FleetSnapshot, Vec3
@@ -94,7 +94,7 @@ def _targets(scenario: Scenario) -> dict[int, int]:
     return {p.sysid: target for p in vehicles.pursuers if (target := vehicles.target_of(p)) is not None}
 
 
-@njit(cache=True)
+@kernel()
 def distance_to_path(plan: NDArray[np.float64], oldest: int, n: float, e: float, d: float) -> float:
     """Distance of a point to the polyline of a ring of points (k, 3) that begins at row `oldest`."""
     least2 = math.inf

@@ -6,8 +6,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
+
+from gcs.kernels import kernel
 
 Floats = NDArray[np.float64]
 
@@ -39,7 +40,7 @@ class PursuitHeld:
         return worst_s
 
 
-@njit(cache=True)
+@kernel()
 def _update(t_s: Floats, distance_m: Floats, within_m: float, since_s: Floats, held_s: Floats, worst_s: Floats) -> None:
     """Kernel: fills worst_s (k,); since_s (n,), NaN for not held, and held_s (n,) go on from call to call."""
     for k in range(t_s.size):

@@ -58,6 +58,8 @@ class VehicleView(NamedTuple):
     """why it is not believed; nothing while it is"""
     roll_rad: float = 0.0
     pitch_rad: float = 0.0
+    received_reported_s: float = -math.inf
+    """as of when it has told the energy received"""
 
     @property
     def height_m(self) -> float | None:

@@ -49,6 +49,8 @@ class Body:
         self._now: list[float] = self.state[0].tolist()  # the state as plain floats: read often, computed once a grant
         self.thrust_m_s2: NDArray[np.float64] = np.empty((1, 0))
         self.power_w = 0.0
+        self.position_error_ned: Vec3 = AT_REST
+        """what a wrong GPS adds to its place, as it knows and flies it"""
         self._command = np.zeros((1, step.COMMAND_SIZE))
 
     def retune(self) -> None:
@@ -61,9 +63,14 @@ class Body:
         return self.time_ms / 1e3
 
     @property
-    def p_ned(self) -> Vec3:
+    def true_p_ned(self) -> Vec3:
         """Position in the local frame, m."""
         return ned_from_nwu(self._now[step.POSITION])
+
+    @property
+    def p_ned(self) -> Vec3:
+        """Position in the local frame as the vehicle knows it, m."""
+        return _shifted(self.true_p_ned, self.position_error_ned)
 
     @property
     def v_ned(self) -> Vec3:
@@ -89,7 +96,8 @@ class Body:
     @property
     def reference_ned(self) -> tuple[Vec3, Vec3]:
         """Position and velocity that the guidance really flies."""
-        return ned_from_nwu(self._now[step.REFERENCE_POSITION]), ned_from_nwu(self._now[step.REFERENCE_VELOCITY])
+        p_ned, v_ned = self._now[step.REFERENCE_POSITION], self._now[step.REFERENCE_VELOCITY]
+        return _shifted(ned_from_nwu(p_ned), self.position_error_ned), ned_from_nwu(v_ned)
 
     @property
     def landed(self) -> bool:
@@ -126,10 +134,17 @@ class Body:
         self.state[0, step.REMAINING_J] += joules
         self._now = self.state[0].tolist()
 
+    def waste(self, joules: float) -> None:
+        """Lose energy at once, as far as there is any; it counts as drawn."""
+        gone_j = min(joules, self.remaining_j)
+        self.state[0, step.REMAINING_J] -= gone_j
+        self.state[0, step.DRAWN_J] += gone_j
+        self._now = self.state[0].tolist()
+
     def fly(self, steps: int, wanted: ManeuverTarget, *, yaw_ned_rad: float, motors: bool) -> None:
         """Fly some steps of 4 ms towards a set point; `time_ms` is the caller's to move."""
         self._command[0] = (  # in the order of flight.CMD_…
-            *nwu_from_ned(wanted.p_ned),
+            *nwu_from_ned(_shifted(wanted.p_ned, self.position_error_ned, -1.0)),
             *nwu_from_ned(wanted.v_ned),
             wanted.time_s,
             *wanted.use_position,
@@ -145,3 +160,10 @@ class Body:
         )
         self._now = self.state[0].tolist()
         self.power_w = (self.drawn_j - drawn_j) / (steps * STEP_MS / 1e3)
+
+
+def _shifted(p_ned: Vec3, error_ned: Vec3, sign: float = 1.0) -> Vec3:
+    """The place itself where there is no error, to the last bit."""
+    if error_ned is AT_REST:
+        return p_ned
+    return (p_ned[0] + sign * error_ned[0], p_ned[1] + sign * error_ned[1], p_ned[2] + sign * error_ned[2])

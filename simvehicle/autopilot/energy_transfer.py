@@ -2,13 +2,14 @@
 
 Joules move whole and fractions carry over. Each side keeps one counter for life, `given_j` or `received_j`, which it
 sends as XferOut and XferIn. A receiver credits by the largest XferOut that it has seen, so a lost frame costs nothing.
-An order that has moved joules and ended is never begun again, or a late copy of it would credit them twice. Time is an
-argument; nothing here knows a message or a mode.
+An order that has moved joules and ended is never begun again, or a late copy of it would credit them twice. What was
+on the way when a transfer broke off, given and not credited, comes back once both figures are final: the supervisor
+settles the order, and the joules count as received. Time is an argument; nothing here knows a message or a mode.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import IntEnum
 from math import dist, floor, inf
 
@@ -25,11 +26,15 @@ class TransferSide(IntEnum):
     STOP = 0
     GIVE = 1
     RECEIVE = 2
+    SETTLE = 3
 
 
 @dataclass(frozen=True)
 class TransferOrder:
-    """One transfer as the supervisor ordered it; `giver_start_j` is the giver's XferOut at the start."""
+    """One transfer as the supervisor ordered it; `giver_start_j` is the giver's XferOut at the start.
+
+    `limit_j` of SETTLE is what the receiver has credited in all.
+    """
 
     partner: int
     role: TransferSide
@@ -58,17 +63,18 @@ class Neighbour:
 
     p_ned: tuple[float, float, float]
     v_ned: tuple[float, float, float]
+    own_v_ned: tuple[float, float, float]
+    """own velocity at that time: where reports are lost, both turn before the next one comes"""
     seen_s: float
 
 
 def refusal(
     neighbour: Neighbour | None,
     p_ned: tuple[float, float, float],
-    v_ned: tuple[float, float, float],
     now_s: float,
     envelope: Envelope,
 ) -> str | None:
-    """Why a receiver at `p_ned`, `v_ned` will not take from its partner; None when it will."""
+    """Why a receiver at `p_ned` will not take from its partner; None when it will."""
     if neighbour is None or now_s - neighbour.seen_s > SILENCE_S:
         return "the giver is silent"
     age_s = now_s - neighbour.seen_s
@@ -76,7 +82,7 @@ def refusal(
     distance_m = dist(there, p_ned)
     if distance_m > envelope.capture_m:
         return f"the giver is {distance_m:.1f} m away"
-    speed_m_s = dist(neighbour.v_ned, v_ned)
+    speed_m_s = dist(neighbour.v_ned, neighbour.own_v_ned)
     if speed_m_s > envelope.relative_speed_m_s:
         return f"the giver moves at {speed_m_s:.1f} m/s"
     return None
@@ -149,13 +155,13 @@ class Exchange:
         self.current: Transfer | None = None
         self.ended_s = -inf
         self.neighbours: dict[int, Neighbour] = {}
-        self._ended_orders: set[OrderKey] = set()
+        self._ended_orders: dict[OrderKey, int] = {}
+        """joules that each order moved in the end, by its key"""
 
     def refuses(
         self,
         order: TransferOrder,
         p_ned: tuple[float, float, float],
-        v_ned: tuple[float, float, float],
         now_s: float,
         envelope: Envelope,
     ) -> str | None:
@@ -165,7 +171,7 @@ class Exchange:
         if order.key in self._ended_orders:
             return "that transfer has ended; a new one needs a new id"
         if order.role is TransferSide.RECEIVE:
-            return refusal(self.neighbours.get(order.partner), p_ned, v_ned, now_s, envelope)
+            return refusal(self.neighbours.get(order.partner), p_ned, now_s, envelope)
         return None
 
     def receive_counter(self, partner: int, name: str, value_j: int, now_s: float) -> None:
@@ -182,7 +188,6 @@ class Exchange:
         dt_s: float,
         now_s: float,
         p_ned: tuple[float, float, float],
-        v_ned: tuple[float, float, float],
         *,
         remaining_j: float,
         capacity_j: float,
@@ -196,7 +201,7 @@ class Exchange:
             joules = transfer.give(dt_s, remaining_j)
             self.given_j += joules
             return -joules, transfer.finished(now_s)
-        reason = refusal(self.neighbours.get(transfer.order.partner), p_ned, v_ned, now_s, envelope)
+        reason = refusal(self.neighbours.get(transfer.order.partner), p_ned, now_s, envelope)
         if reason is not None:
             return 0, reason
         joules = transfer.credit(capacity_j - remaining_j)
@@ -210,7 +215,21 @@ class Exchange:
         verb = "Gave" if self.current.order.role is TransferSide.GIVE else "Received"
         said = f"{verb} {self.current.moved_j} J"
         if self.current.touched:
-            self._ended_orders.add(self.current.order.key)
+            self._ended_orders[self.current.order.key] = self.current.moved_j
         self.current = None
         self.ended_s = now_s
         return said
+
+    def settle(self, order: TransferOrder, room_j: float) -> tuple[int, str | None]:
+        """Joules that come back to the giver of an order that has ended, beyond those that its receiver credited, and
+        why it cannot be settled; the same again brings nothing more."""
+        given = replace(order, role=TransferSide.GIVE)
+        if self.current is not None and self.current.order.key == given.key:
+            return 0, "that transfer has not ended"
+        moved_j = self._ended_orders.get(given.key)
+        if moved_j is None:
+            return 0, "that transfer was not given here"
+        back_j = min(max(moved_j - floor(order.limit_j), 0), floor(max(room_j, 0.0)))
+        self._ended_orders[given.key] = moved_j - back_j
+        self.received_j += back_j
+        return back_j, None

@@ -209,7 +209,9 @@ class Vehicle(Body):
             if self.transfer is not None and self.transfer.stopped_by(order):
                 self._end_transfer("stopped")
             return None
-        reason = self.exchange.refuses(order, self.p_ned, self.v_ned, self.time_s, self.envelope())
+        if order.role is TransferSide.SETTLE:
+            return self._settle(order)
+        reason = self.exchange.refuses(order, self.p_ned, self.time_s, self.envelope())
         if reason is not None or self.transfer is not None:
             return reason
         charged = order.role is TransferSide.RECEIVE and self.landed and not self.armed  # at a base, in whatever mode
@@ -383,7 +385,6 @@ class Vehicle(Body):
             dt_s,
             self.time_s,
             self.p_ned,
-            self.v_ned,
             remaining_j=self.remaining_j,
             capacity_j=self.capacity_j,
             envelope=self.envelope(),
@@ -391,6 +392,13 @@ class Vehicle(Body):
         self.charge(joules)
         if reason is not None:
             self._end_transfer(reason)
+
+    def _settle(self, order: TransferOrder) -> str | None:
+        back_j, reason = self.exchange.settle(order, self.capacity_j - self.remaining_j)
+        if back_j:
+            self.charge(back_j)
+            self.announce(Severity.INFO, f"Took back {back_j} J that did not arrive")
+        return reason
 
     def _end_transfer(self, reason: str) -> None:
         if self.transfer is not None:

@@ -138,7 +138,7 @@ class Receiver:
         """Whether the tanker is where, and as slow as, a transfer needs it."""
         vehicle = self._vehicle
         neighbour = vehicle.exchange.neighbours.get(self.tanker)
-        return refusal(neighbour, vehicle.p_ned, vehicle.v_ned, now_s, vehicle.envelope()) is None
+        return refusal(neighbour, vehicle.p_ned, now_s, vehicle.envelope()) is None
 
     def _call(self, now_s: float, tanker: PeerReport | None) -> None:
         if tanker is not None and tanker.time_s > self.since_s and tanker.partner:

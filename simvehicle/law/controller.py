@@ -5,19 +5,19 @@ from __future__ import annotations
 
 import math
 
-from numba import njit
+from simvehicle.kernels import kernel
 
 _LEAST_LIFT = 0.3  # of g: floor of W_z
 _FARTHEST = 1e6  # m/s² and rad/s²: keeps every number finite, far outside what flies
 
 
-@njit(cache=True, error_model="numpy")
+@kernel(error_model="numpy")
 def bounded(x: float, limit: float) -> float:
     """x within ±limit."""
     return min(max(x, -limit), limit)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel(error_model="numpy")
 def outer(
     vx: float,
     vy: float,
@@ -56,7 +56,7 @@ def outer(
     return roll, pitch, u1
 
 
-@njit(cache=True, error_model="numpy")
+@kernel(error_model="numpy")
 def inner(
     error: float,
     rate: float,

@@ -19,9 +19,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numba import njit
 from numpy.typing import ArrayLike, NDArray
 
+from simvehicle.kernels import kernel
 from simvehicle.law.params import SOLVE_TOLERANCE
 
 ORDER = 3
@@ -31,7 +31,7 @@ _TINY = 1e-200
 _MOST_EVALUATIONS = 200
 
 
-@njit(cache=True, error_model="numpy")
+@kernel(error_model="numpy")
 def solve(
     x1: float, x2: float, x3: float, signal: float, dt: float, epsilon: float, tolerance: float
 ) -> tuple[float, float, float, int]:

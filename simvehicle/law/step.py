@@ -18,6 +18,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from simvehicle.kernels import kernel
 from simvehicle.law import controller, differentiator, dynamics, guidance, params, power
 from simvehicle.law.params import (
     P_ACCELERATION_MAX,
@@ -237,7 +238,7 @@ def _compiled(build: int) -> Callable[..., Any]:
     calls is in its own file.
     """
 
-    @njit(cache=True, error_model="numpy")
+    @kernel(error_model="numpy")
     def fly(states: Row, commands: Row, parameters: Row, times: Row, dt: float, thrust: Row) -> None:
         _ = build
         for vehicle in range(states.shape[0]):

@@ -184,7 +184,9 @@ def transfer(context: ServiceContext, request: VehicleCommand, connection: Conne
     if not all(map(math.isfinite, request.params[:6])) or request.whole(2) not in tuple(TransferSide):
         return DENIED
     role = TransferSide(request.whole(2))
-    if role is not TransferSide.STOP and not (request.params[2] > 0.0 and request.params[3] > 0.0):
+    if role in (TransferSide.GIVE, TransferSide.RECEIVE) and not (request.params[2] > 0.0 and request.params[3] > 0.0):
+        return DENIED
+    if role is TransferSide.SETTLE and request.params[2] < 0.0:
         return DENIED
     order = TransferOrder(
         partner=request.whole(1),

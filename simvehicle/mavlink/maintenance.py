@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.failures import Failure
+from simvehicle.autopilot.maneuvers import AT_REST
 from simvehicle.autopilot.modes import Severity
+from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.mavlink.commands import ACCEPTED, DENIED, IN_PROGRESS, TEMPORARILY_REJECTED, UNSUPPORTED, VehicleCommand
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.context import CommandHandler, ServiceContext
 
 REBOOT_S = 1.0
 REBOOT = 1
+FARTHEST_M = 1e5
+_WRONG = (Failure.GPS, Failure.BATTERY)
 _UNITS = {
     mav.FAILURE_UNIT_SENSOR_GPS: Failure.GPS,
     mav.FAILURE_UNIT_SYSTEM_BATTERY: Failure.BATTERY,
@@ -23,15 +28,30 @@ _UNITS = {
 
 
 def inject_failure(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
-    """MAV_CMD_INJECT_FAILURE: param1 the unit, 2 OFF or OK; the instance (3) does not count: there is one each."""
+    """MAV_CMD_INJECT_FAILURE: param1 the unit, 2 OFF or OK; the instance (3) does not count: there is one each.
+
+    WRONG is known of the battery, param4 the joules that are gone, and of the GPS, params 5 and 6 how far off it is.
+    """
     vehicle = context.vehicle
     failure = _UNITS.get(request.whole(1, -1))
     kind = request.whole(2, -1)
-    if failure is None or kind not in (mav.FAILURE_TYPE_OK, mav.FAILURE_TYPE_OFF):
+    known = (mav.FAILURE_TYPE_OK, mav.FAILURE_TYPE_OFF, *((mav.FAILURE_TYPE_WRONG,) if failure in _WRONG else ()))
+    if failure is None or kind not in known:
         return UNSUPPORTED
+    numbers = request.params[3:6]
+    if kind == mav.FAILURE_TYPE_WRONG and not (all(map(math.isfinite, numbers)) and numbers[0] >= 0.0):
+        return DENIED
+    if kind == mav.FAILURE_TYPE_WRONG and max(map(abs, numbers[1:])) > FARTHEST_M:
+        return DENIED
     if vehicle.parameters["SYS_FAILURE_EN"] != 1.0:
         vehicle.announce(Severity.WARNING, "Failure refused: SYS_FAILURE_EN is 0")
         return DENIED
+    if kind == mav.FAILURE_TYPE_WRONG:
+        _go_wrong(vehicle, failure, *numbers)
+        return ACCEPTED
+    if failure is Failure.GPS and kind == mav.FAILURE_TYPE_OK and vehicle.position_error_ned != AT_REST:
+        vehicle.position_error_ned = AT_REST
+        vehicle.announce(Severity.INFO, f"Mended: {failure}")
     if (kind == mav.FAILURE_TYPE_OFF) == (failure in vehicle.failed):
         return ACCEPTED
     if kind == mav.FAILURE_TYPE_OFF:
@@ -41,6 +61,15 @@ def inject_failure(context: ServiceContext, request: VehicleCommand, connection:
         vehicle.announce(Severity.INFO, f"Mended: {failure}")
         vehicle.failed.discard(failure)
     return ACCEPTED
+
+
+def _go_wrong(vehicle: Vehicle, failure: Failure, joules: float, north_m: float, east_m: float) -> None:
+    if failure is Failure.BATTERY:
+        vehicle.waste(joules)
+        vehicle.announce(Severity.CRITICAL, f"Injected: {joules:.0f} J of the battery are gone")
+    else:
+        vehicle.position_error_ned = (north_m, east_m, 0.0)
+        vehicle.announce(Severity.CRITICAL, f"Injected: {failure} is off by {math.hypot(north_m, east_m):.1f} m")
 
 
 class Reboot:

@@ -93,7 +93,9 @@ def follow_target(context: ServiceContext, call: Call) -> None:
         p_ned = vehicle.frame.to_local(1e-7 * content.lat, 1e-7 * content.lon, content.alt)
         vehicle.receive_target(p_ned, (vel[0], vel[1], vel[2]))
         if all(map(math.isfinite, content.vel)):
-            vehicle.exchange.neighbours[call.frame.sysid] = Neighbour(p_ned, tuple(content.vel), vehicle.time_s)
+            vehicle.exchange.neighbours[call.frame.sysid] = Neighbour(
+                p_ned, tuple(content.vel), vehicle.v_ned, vehicle.time_s
+            )
 
 
 def named_value_int(context: ServiceContext, call: Call) -> None:

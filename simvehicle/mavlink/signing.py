@@ -27,6 +27,8 @@ EPOCH_S = 1_420_070_400
 """2015-01-01 in Unix time."""
 STALE_TICKS = 60 * TICKS_PER_S
 MOST_STREAMS = 256
+LAST_STAMP = (1 << 48) - 1
+"""A time stamp has 48 bits; who has used them up repeats the last one, which nobody takes twice."""
 _TAIL = struct.Struct("<HBIH").pack
 """Checksum, link id, time stamp (low 32 bits, high 16)."""
 _HASH_BYTES = _STAMP_BYTES = 6
@@ -68,7 +70,7 @@ class VehicleSigning:
         """A frame as it is sent."""
         if self._hash is None:
             return raw
-        self.latest = max(self.latest + 1, now_ticks)
+        self.latest = min(max(self.latest + 1, now_ticks), LAST_STAMP)
         row = schema(int.from_bytes(raw[7:10], "little"))
         assert row is not None
         latest = self.latest
@@ -95,7 +97,7 @@ class VehicleSigning:
         elif stamp <= before:
             return REPEATED
         self.streams[stream] = stamp
-        self.latest = max(self.latest, min(stamp, (1 << 48) - 2))
+        self.latest = max(self.latest, min(stamp, LAST_STAMP - 1))
         return GOOD
 
     def take_setup(self, frame: ReceivedFrame) -> bool:
@@ -108,7 +110,7 @@ class VehicleSigning:
             key = bytes(content.secret_key)
             self._use(key if any(key) else None)
             self.streams.clear()
-            self.latest = max(self.latest, min(content.initial_timestamp, (1 << 48) - 2))
+            self.latest = max(self.latest, min(content.initial_timestamp, LAST_STAMP - 1))
             self._on_key(key if any(key) else None)
         return True
 

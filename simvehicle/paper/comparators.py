@@ -10,8 +10,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
+
+from simvehicle.kernels import kernel
 
 Floats = NDArray[np.float64]
 
@@ -22,17 +23,17 @@ HIGH_GAIN_K2 = 2.0  # [lineage]
 HIGH_GAIN_ALPHA = 0.15  # s [lineage]
 
 
-@njit(cache=True, error_model="numpy")
+@kernel(error_model="numpy")
 def _sig(x: float, power: float) -> float:
     return math.copysign(abs(x) ** power, x)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel(error_model="numpy")
 def _sign(x: float) -> float:
     return 0.0 if x == 0.0 else math.copysign(1.0, x)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel(error_model="numpy")
 def explicit(x1: float, x2: float, x3: float, signal: float, dt: float, epsilon: float) -> tuple[float, float, float]:
     """One explicit Euler step of the finite-time differentiator (docs/model.md#differentiator) [lineage]: (X1+, X2+,
     X3+).
@@ -44,7 +45,7 @@ def explicit(x1: float, x2: float, x3: float, signal: float, dt: float, epsilon:
     return x1 + dt * x2, x2 + dt * x3, x3 + dt * slope
 
 
-@njit(cache=True, error_model="numpy")
+@kernel(error_model="numpy")
 def sliding_mode(
     x: float, u1: float, signal: float, dt: float, alpha: float, lambda_: float
 ) -> tuple[float, float, float]:
@@ -58,7 +59,7 @@ def sliding_mode(
     return x + dt * u, u1 - dt * alpha * _sign(error), u
 
 
-@njit(cache=True, error_model="numpy")
+@kernel(error_model="numpy")
 def high_gain(
     x1: float, x2: float, signal: float, dt: float, k1: float, k2: float, alpha: float
 ) -> tuple[float, float]:

@@ -13,7 +13,6 @@ from __future__ import annotations
 import contextlib
 import ctypes
 import errno
-import gc
 import json
 import os
 import resource
@@ -21,7 +20,7 @@ import selectors
 import signal
 import sys
 import traceback
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -44,7 +43,6 @@ def run(
     """Serve until stdin ends. `main` runs one vehicle from its argv in a child; `sysid_of` and `title_of` name it."""
     with contextlib.suppress(PermissionError):
         os.setsid()
-    gc.freeze()
     libc = ctypes.CDLL(None, use_errno=True)
     _say({"ready": True})
     # poll, not epoll: stdin may be a file or /dev/null, which epoll refuses.
@@ -154,10 +152,13 @@ def _report_end(selector: selectors.BaseSelector, pidfd: int, pid: int, sysid: i
     _say({"sysid": sysid, "pid": pid, "exit": status, "last_lines": last})
 
 
-def _end_all(pids: Any) -> None:
-    for pid in list(pids):
+def _end_all(pids: Iterable[int]) -> None:
+    """All at once, not one after the other: to give back its memory takes each a while."""
+    pids = list(pids)
+    for pid in pids:
         with contextlib.suppress(ProcessLookupError):
             os.kill(pid, signal.SIGKILL)
+    for pid in pids:
         with contextlib.suppress(ChildProcessError):
             os.waitpid(pid, 0)
 

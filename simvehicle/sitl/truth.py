@@ -47,7 +47,7 @@ class TruthWriter:
         numbers = (
             vehicle.time_s,
             float(steps),
-            *vehicle.p_ned,
+            *vehicle.true_p_ned,
             *vehicle.v_ned,
             *vehicle.attitude_ned,
             *vehicle.euler_rates_ned,

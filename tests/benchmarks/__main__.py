@@ -19,6 +19,7 @@ import console_drawn
 import laws
 import page_shown
 import planned_and_filtered
+import prompt_to_prompt
 import report_opened
 import sessions_timed
 from measure import REFERENCE_STEPS_S, Figure, calibrate
@@ -44,6 +45,7 @@ def main() -> None:
         8: lambda: laws.recording(scale),
         9: console_drawn.figures,
         10: report_opened.figures,
+        11: prompt_to_prompt.figures,
         12: campaign_sessions.figures,
         13: page_shown.figures,
     }

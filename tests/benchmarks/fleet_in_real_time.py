@@ -15,8 +15,8 @@ from pathlib import Path
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
+from gcs.processes.pace import Pace
 from gcs.scenario.file import load
-from gcs.session.pace import Pace
 from gcs.session.process import SessionProcess
 
 HOT = ("HEARTBEAT", "LOCAL_POSITION_NED", "ATTITUDE", "GLOBAL_POSITION_INT", "BATTERY_STATUS", "NAMED_VALUE_FLOAT")

@@ -21,7 +21,7 @@ from measure import Figure, Scale
 from pymavlink.dialects.v20 import common
 
 from gcs.mavlink import codec
-from gcs.session.vehicles import Hatch, ProcessSpec
+from gcs.processes.hatch import Hatch, ProcessSpec
 
 ROOT = Path(__file__).resolve().parents[2]
 SESSIONS = 5

@@ -17,6 +17,7 @@ from hostile import Hostile
 from gcs.link.external import ExternalLink
 from gcs.link.lockstep import LockstepLink
 from gcs.mavlink import codec
+from gcs.processes.pace import Pace
 from gcs.recording import export, series, session_folder
 from gcs.recording.recorder import DECISIONS, TLOG, Recorder
 from gcs.recording.summary import FILE as SUMMARY
@@ -28,7 +29,6 @@ from gcs.scenario.model import Scenario, ScenarioError
 from gcs.session.commands import Clients
 from gcs.session.messages import snapshot_message
 from gcs.session.monitor import MonitorSource
-from gcs.session.pace import Pace
 from gcs.session.replay import Replay, ReplayError
 from gcs.session.server import NAME, Publisher
 from gcs.supervisor.redecide import Comparer, RecordedLink, RedecideError, redecide
@@ -102,6 +102,8 @@ def simvehicle(hostile: Hostile) -> Iterator[Callable[[int], None]]:
                 unit.receive(frame, connection)
             unit.advance(20 * (n // 50 + 1))
             link.flush()
+            if hostile.random.random() < 0.5:  # a key that was set would keep all that follows out
+                link._keyring._signing._use(None)
 
         yield attack
 
@@ -145,7 +147,7 @@ def _scenario(**more: Any) -> Scenario:
     return Scenario.model_validate(
         {
             "schema": 1, "name": "fuzzed", "axes": "ned", "origin": {"lat_deg": 47.4, "lon_deg": 8.5, "alt_m": 488.0},
-            "goal": {"duration_s": 1e6}, "clock": {"mode": "real"}, "formation": {"ring_m": 2.0},
+            "goal": {"duration_s": 86_400.0}, "clock": {"mode": "real"}, "formation": {"ring_m": 2.0},
             "vehicles": {
                 "pursuers": [
                     {"start_m": (0, 0, 0), "external": {"sysid": 7, "connect": "udpin:127.0.0.1:9", "capacity_j": 24e3},

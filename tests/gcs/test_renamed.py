@@ -89,7 +89,7 @@ def test_planner_and_policy_written_for_the_old_names_fly_and_are_told_once(tmp_
 def test_old_names_are_no_errors_where_warnings_are(tmp_path: Path) -> None:
     (tmp_path / "old_planner.py").write_text(OLD_PLANNER)
     (tmp_path / "own.yaml").write_text(yaml.safe_dump(small(planner="old_planner:Ring")))
-    strict = [GCS[0], "-W", "error::DeprecationWarning", *GCS[1:], "validate", "own.yaml"]
+    strict = [GCS[0], "-W", "error::DeprecationWarning", *GCS[1:], "validate", "--trust", "own.yaml"]
     done = subprocess.run(strict, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert "gcs.views is now gcs.telemetry.state" in done.stderr

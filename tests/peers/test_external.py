@@ -24,7 +24,7 @@ CAPACITY_J = 250_000.0
 REFUSE_S = "8"
 AWAY_S = 2.4
 """The PX4 leaves offboard after a second of it, and tells so in the next."""
-pytestmark = pytest.mark.timeout(60)
+pytestmark = pytest.mark.timeout(90)
 
 
 OWN_ORIGIN_M = {PX4: (-3.0, -2.0, -1.0), COPTER: (1.0, 5.0, -0.5), TARGET: (2.0, 0.0, 0.0)}
@@ -58,7 +58,7 @@ def flown(peers: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Out
         "origin": dict(zip(("lat_deg", "lon_deg", "alt_m"), ORIGIN, strict=True)),
         "vehicles": vehicles,
         "formation": {"ring_m": RING_M},
-        "goal": {"duration_s": 26.0, "pursue": {"within_m": 3.0, "for_s": 3.0}},
+        "goal": {"duration_s": 34.0, "pursue": {"within_m": 3.0, "for_s": 3.0}},
     }
     to = ["--connect", f"udpout:127.0.0.1:{port}"]
     px4 = [str(peers / "python"), str(Path(__file__).with_name("mavsdk_vehicle.py")), "--sysid", str(PX4), *to]

@@ -13,8 +13,8 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import Any, NamedTuple
 
 from gcs.mavlink import codec
+from gcs.processes.vehicles import fleet_rules, vehicle_parameters
 from gcs.scenario.model import Scenario
-from gcs.session.vehicles import fleet_rules, vehicle_parameters
 from gcs.supervisor.factory import make_fleet, make_peer_radio, make_radio, make_schedule
 from simvehicle.autopilot.body import Start
 from simvehicle.autopilot.geodesy import LocalFrame

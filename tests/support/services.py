@@ -42,6 +42,8 @@ class Fleet:
     """orders that are carried out but never acknowledged"""
     orders: list[tuple[int, ...]] = field(default_factory=list)
     active: dict[int, tuple[float, ...]] = field(default_factory=dict)
+    on_the_way_j: int = 0
+    """given, and not credited"""
 
     def set(self, sysid: int, **changed: Any) -> None:
         self.views[sysid] = self.views[sysid]._replace(**changed)
@@ -59,6 +61,9 @@ class Fleet:
                 continue
             if role == TransferRole.STOP:
                 self.end(wish.sysid)
+            elif role == TransferRole.SETTLE:
+                self.set(wish.sysid, received_j=self.views[wish.sysid].received_j + self.on_the_way_j)
+                self.on_the_way_j = 0
             else:
                 self.active[wish.sysid] = wish.params
                 self.set(wish.sysid, mode=FlightMode.REFUEL)
@@ -85,8 +90,16 @@ class Play:
     decisions: list[Decision] = field(default_factory=list)
 
     def tick(self) -> Decision:
+        return self.tick_with({})
+
+    def tick_with(self, unreported: dict[int, dict[str, Any]]) -> Decision:
+        """A tick in which some vehicles keep these values, by system id."""
         for sysid, seen in self.fleet.views.items():
-            self.fleet.set(sysid, given_reported_s=self.now_s if seen.alive else seen.given_reported_s)
+            if seen.alive:
+                self.fleet.set(sysid, given_reported_s=self.now_s)
+                self.fleet.set(sysid, received_reported_s=self.now_s)
+        for sysid, kept in unreported.items():
+            self.fleet.set(sysid, **kept)
         snapshot = FleetSnapshot(self.now_s, tuple(self.fleet.views[key] for key in sorted(self.fleet.views)), ())
         decision = self.schedule.decide(snapshot)
         self.decisions.append(decision)

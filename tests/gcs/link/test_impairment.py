@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from gcs.link.impairment import BlackoutWindow, Impairment
+from gcs.link.impairment import BlackoutWindow, Burst, Impairment
 
 MANY = 20_000
 
@@ -138,3 +138,28 @@ def test_frames_need_no_order_of_their_own() -> None:
 def test_setting_out_of_range_is_named(setting: str, value: float) -> None:
     with pytest.raises(ValueError, match=f"radio {setting} "):
         Impairment(**{setting: value})
+
+
+def test_a_burst_makes_one_vehicle_worse_while_it_lasts_and_leaves_the_draws_as_they_were() -> None:
+    clear, burst = Impairment(loss=0.2, seed=4), Impairment(loss=0.2, seed=4, bursts=[Burst(1, 5.0, 10.0, loss=0.7)])
+    before, after = set(numbers(flown(clear, 200))), set(numbers(flown(burst, 200)))
+    inside = {number for number in range(1000) if 5.0 <= (number // 5) / 10 < 10.0}
+    assert after < before
+    assert before - after <= inside
+    kept = len(after & inside) / len(inside)
+    assert abs(kept - 0.3) < 5 * math.sqrt(0.3 * 0.7 / len(inside))
+    assert flown(clear, 200, sysid=2) == flown(burst, 200, sysid=2)
+
+
+def test_a_burst_of_delay_adds_to_the_delay_and_lets_later_frames_overtake() -> None:
+    flight = flown(Impairment(delay_s=0.1, bursts=[Burst(1, 1.0, 2.0, delay_s=0.5)]), 40, per_tick=1)
+    waits = {number: round(at - number / 10, 6) for at, number in flight}
+    assert {waits[number] for number in range(10, 20)} == {0.6}
+    assert {waits[number] for number in (*range(10), *range(20, 30))} == {0.1}
+
+
+def test_a_burst_in_one_direction_leaves_the_other_alone() -> None:
+    radio = Impairment(bursts=[Burst(1, 0.0, 9.0, loss=1.0, only="out")])
+    assert not radio.clear
+    assert list(radio.apply(1, "out", 1.0, [1, 2])) == []
+    assert list(radio.apply(1, "in", 1.0, [1, 2])) == [1, 2]

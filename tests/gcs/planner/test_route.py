@@ -7,10 +7,12 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy import ndimage
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import dijkstra
 from walls import CEILING, L_WALL, U_WALL, room, walls
 
+from gcs.planner import route_grid
 from gcs.planner.line_of_sight import leg_clearance, sight
 from gcs.planner.route import Router
 from gcs.planner.route_grid import CostField, _allowed, _moves, cell_at, cells, centre
@@ -290,3 +292,12 @@ def test_fields_that_are_used_again_change_no_route(monkeypatch):
         assert (fresh is None) == (found is None)
         if fresh is not None:
             np.testing.assert_array_equal(found, fresh)
+
+
+@pytest.mark.parametrize("free", [0.2, 0.35, 0.5])
+def test_parts_of_the_free_space_are_those_of_scipy(free):
+    weight = np.zeros((14, 15, 16), dtype=np.uint8)
+    weight[1:-1, 1:-1, 1:-1] = np.random.default_rng(5).uniform(size=(12, 13, 14)) < free
+    expected, count = ndimage.label(weight)
+    assert count > 1
+    assert (route_grid.connected_parts(weight) == expected.ravel()).all()

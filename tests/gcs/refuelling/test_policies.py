@@ -21,7 +21,7 @@ from gcs.refuelling.policies import (  # fmt: skip
     Optimal,
     RefuellingRequest,
 )
-from gcs.refuelling.rolling_horizon import Durations, Fleet, Tankers, plan
+from gcs.refuelling.rolling_horizon import Durations, Receivers, Tankers, plan
 from gcs.scenario.model import RefuellingRules
 
 RULES = RefuellingRules(hold_s=0.0, rate_w=1000.0, until=1.0, lands_at=0.0)
@@ -171,7 +171,7 @@ class World:
             if now >= self.end_s:
                 return bool(lands.min() >= self.end_s)
             free[j] = now
-            fleet = Fleet(self.p, lands - now, np.full(self.n, 210.0), self.full_j, 0.6 * self.full_j)
+            fleet = Receivers(self.p, lands - now, np.full(self.n, 210.0), self.full_j, 0.6 * self.full_j)
             tankers = Tankers(place, np.maximum(free - now, 0.0), self.speed, np.full(self.m, 1e6))
             found = plan(fleet, tankers, takes, horizon_s=self.end_s + 3.0 - now)
             i = int(found.first[j])
@@ -192,7 +192,7 @@ def test_where_any_order_keeps_everyone_the_plan_does_in_19_of_20_cases() -> Non
 @pytest.mark.parametrize("n", [1, 24])
 def test_a_plan_for_many_ends_and_leaves_no_tanker_without_work(n: int) -> None:
     rng = np.random.default_rng(n)
-    fleet = Fleet(
+    fleet = Receivers(
         rng.uniform(-50, 50, (n, 3)), rng.uniform(35, 50, n), np.full(n, 200.0), np.full(n, 1e4), np.full(n, 1e4)
     )
     tankers = Tankers(rng.uniform(-50, 50, (8, 3)), np.zeros(8), np.full(8, 5.0), np.full(8, 1e5))

@@ -389,3 +389,64 @@ def test_what_a_receiver_draws_meanwhile_is_ordered_too_so_that_services_end_ful
     as_before.fleet.set(1, power_w=200.0)
     as_before.until(Phase.TRANSFER)
     assert as_before.fleet.orders[1][3] == 6000
+
+
+def lose_on_the_way(game: Any, joules: int) -> None:
+    """So much that the tanker has given will never be credited."""
+    fleet = game.fleet
+    fleet.on_the_way_j += joules
+    fleet.set(1, received_j=fleet.views[1].received_j - joules)
+
+
+@pytest.mark.parametrize("unheard", [0, 3])
+def test_what_never_arrived_is_taken_back_once_both_sides_have_ended(unheard: int) -> None:
+    """Also where the tanker's answers to the order are lost: it is asked again, with the same figures."""
+    game = play()
+    service = game.until(Phase.TRANSFER)
+    game.tick()
+    lose_on_the_way(game, 150)
+    game.fleet.unheard = {(201, TransferRole.SETTLE)} if unheard else set()
+    game.fleet.end(1)
+    game.until(Phase.JOIN)
+    for _ in range(10 + 50 * unheard):
+        game.tick()
+    game.fleet.unheard.clear()
+    game.until(Phase.DONE)
+    for _ in range(60):
+        game.tick()
+    settled = [record for decision in game.decisions for record in decision.records if record["kind"] == "settled"]
+    assert settled == [{"kind": "settled", "receiver": 1, "tanker": 201, "energy_j": 150}]
+    orders = [order for order in game.fleet.orders if order[2] == TransferRole.SETTLE]
+    first = next(order for order in game.fleet.orders if order[2] == TransferRole.GIVE)
+    assert {(who, partner, number, start_j) for who, partner, _, _, _, number, start_j in orders} == {
+        (201, 1, service.number, first[6])
+    }
+    assert {order[3] for order in orders} == {orders[0][3]}  # what had been credited of this transfer
+    assert (len(orders) > 1) == bool(unheard)
+    assert game.fleet.views[201].given_j == game.fleet.views[1].received_j + game.fleet.views[201].received_j
+
+
+def test_neither_side_begins_again_before_what_was_on_the_way_is_known() -> None:
+    game = play()
+    game.until(Phase.TRANSFER)
+    game.tick()
+    lose_on_the_way(game, 150)
+    game.fleet.end(1)
+    game.until(Phase.STOP_RECEIVER)
+    told = {"received_reported_s": game.now_s}
+    while game.schedule.services[0].phase is Phase.STOP_RECEIVER:
+        game.tick()
+    begun = len(game.fleet.orders)
+    for _ in range(40):  # 4 s together, and nothing is heard of its counter
+        game.tick_with({1: told})
+    assert [order for order in game.fleet.orders[begun:] if order[2] == TransferRole.RECEIVE] == []
+    game.until(Phase.TRANSFER)
+    assert "settled" in game.kinds
+
+
+def test_a_clear_transfer_needs_no_settling() -> None:
+    game = play()
+    game.until(Phase.DONE)
+    for _ in range(30):
+        game.tick()
+    assert TransferRole.SETTLE not in {order[2] for order in game.fleet.orders}

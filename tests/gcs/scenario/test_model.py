@@ -30,7 +30,7 @@ def path(tmp_path: Path) -> Path:
 def test_the_demo_holds_what_it_promises() -> None:
     demo = load(file.find("demo"))
     assert [pursuer.sysid for pursuer in demo.vehicles.pursuers] == [1, 2, 3, 4, 5]
-    assert [pursuer.battery.initial_percent for pursuer in demo.vehicles.pursuers] == [90, 88, 60, 59, 58]
+    assert [pursuer.battery.initial_percent for pursuer in demo.vehicles.pursuers] == [66, 64, 60, 59, 58]
     assert {pursuer.battery.capacity_j for pursuer in demo.vehicles.pursuers} == {24_000}
     assert [vehicle.sysid for vehicle in demo.vehicles.all] == [1, 2, 3, 4, 5, 101, 201]
     assert [obstacle.point_m for obstacle in demo.obstacles] == [(x, -y, -z) for x, y, z in PAPER_OBSTACLES]
@@ -291,7 +291,7 @@ def test_a_small_scenario_has_the_documented_defaults_and_is_frozen(path: Path) 
     scenario = loaded(path, SMALL)
     assert scenario.clock.epoch == datetime(2026, 1, 1, tzinfo=UTC)
     assert (scenario.clock.mode, scenario.clock.speed, scenario.clock.period_s) == ("real", 1, 0.1)
-    assert (scenario.seed, scenario.truth, scenario.planner.escape, scenario.competition.rate) == (1, True, True, 5)
+    assert (scenario.seed, scenario.truth, scenario.planner.escape, scenario.competition.rate) == (1, True, True, 20)
     assert scenario.vehicles.pursuers[0].label == "pursuer 1"
     assert isinstance(scenario.vehicles.pursuers[0].start_m[0], float), "written as a whole number"
     with pytest.raises(ValidationError, match="frozen"):

@@ -5,8 +5,8 @@ from typing import Any
 
 import pytest
 
+from gcs.processes.pace import Pace
 from gcs.session.commands import Clients
-from gcs.session.pace import Pace
 from gcs.session.server import ClientRequest, Publisher
 
 

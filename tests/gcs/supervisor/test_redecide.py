@@ -58,11 +58,11 @@ def test_another_need_from_differs_first_where_somebody_competed_below_it(sessio
     text = (folder / "scenario.yaml").read_text()
     assert load(folder / "scenario.yaml").competition.need_from < 0.7
     (folder / "scenario.yaml").write_text(re.sub(r"need_from: [\d.]+", "need_from: 0.7", text))
-    first = next(record for record in session.decisions if record["kind"] == "competition")
+    first = next(record for record in session.decisions if record["kind"] == "decided")
     verdict = redecide(folder)
     assert not verdict.agrees
-    assert (verdict.differences[0].t_s, verdict.differences[0].kind) == (first["t_s"], "competition")
-    assert verdict.differences[0].sentence == f"{first['t_s']:.1f} s: competition: recorded only"
+    assert (verdict.differences[0].t_s, verdict.differences[0].kind) == (first["t_s"], "decided")
+    assert verdict.differences[0].sentence == f"{first['t_s']:.1f} s: decided (receiver 1, tanker 201): recorded only"
 
 
 def test_orders_and_deaths_happen_again_where_they_are_recorded(session: Outcome, tmp_path: Path) -> None:

@@ -119,7 +119,7 @@ def test_what_vehicles_say_and_what_is_decided_are_events(scripted: Any) -> None
     session.fly(40)
     events = [(event.sysid, event.level, event.text) for event in session.supervisor.events]
     assert (1, "warning", "Battery low") in events
-    assert (1, "info", "Refuelling of 1 by 201 decided by competition") in events
+    assert (1, "info", "Refuelling of 1 by 201 decided, unopposed") in events
     assert [e["receiver"] for e in map(json.loads, _decisions(session)) if e["kind"] == "decided"] == [1]
 
 

@@ -2,6 +2,7 @@
 
 import math
 import random
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -10,7 +11,15 @@ from hypothesis import strategies as st
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.body import Start
-from simvehicle.autopilot.energy_transfer import Envelope, Neighbour, Transfer, TransferOrder, TransferSide, refusal
+from simvehicle.autopilot.energy_transfer import (
+    Envelope,
+    Exchange,
+    Neighbour,
+    Transfer,
+    TransferOrder,
+    TransferSide,
+    refusal,
+)
 
 ACCEPTED, TEMPORARILY_REJECTED = 0, 1
 GIVER, RECEIVER = 9, 1
@@ -70,12 +79,12 @@ def test_receiver_credits_the_greatest_counter_heard_once_and_no_more_than_it_ha
     ],
 )
 def test_receiver_refuses_what_lies_outside_its_envelope(p: Any, v: Any, age_s: float, said: str | None) -> None:
-    giver = Neighbour(p, v, 10.0)
-    assert refusal(giver, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 10.0 + age_s, Envelope(1.5, 0.5)) == said
+    giver = Neighbour(p, v, (0.0, 0.0, 0.0), 10.0)
+    assert refusal(giver, (0.0, 0.0, 0.0), 10.0 + age_s, Envelope(1.5, 0.5)) == said
 
 
 def test_giver_never_heard_of_is_silent() -> None:
-    assert refusal(None, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0, Envelope(1.5, 0.5)) == "the giver is silent"
+    assert refusal(None, (0.0, 0.0, 0.0), 0.0, Envelope(1.5, 0.5)) == "the giver is silent"
 
 
 def test_giver_ends_a_second_after_the_receivers_counter_stood_still() -> None:
@@ -394,3 +403,41 @@ def test_counter_of_a_third_vehicle_is_not_credited(vehicle_bench: Any) -> None:
     assert pair.receiver.received_j <= before + 50
     pair.benches[GIVER].send(mav.MAVLink_named_value_int_message(0, b"XferOut", 9000), (RECEIVER, 1))
     assert pair.giver.received_j == 0
+
+
+def test_what_did_not_arrive_comes_back_once_and_only_when_the_transfer_has_ended(vehicle_bench: Any) -> None:
+    """The relay falls silent in mid transfer: the giver goes on for a second, and the supervisor settles it."""
+    pair = Pair(vehicle_bench, receiver=NEED).start(number=1)
+    pair.run(10)
+    pair.relaying = False
+    pair.run(3)
+    before_j = pair.giver.remaining_j
+    assert pair.order(GIVER, 3, number=1, limit_j=float(pair.receiver.received_j)) == TEMPORARILY_REJECTED
+    pair.run(12)
+    assert {pair.giver.mode, pair.receiver.mode} == {"offboard"}
+    missing_j = pair.giver.given_j - pair.receiver.received_j
+    assert missing_j > 400
+    credited_j = float(pair.receiver.received_j)
+    assert pair.order(GIVER, 3, number=2, limit_j=credited_j) == TEMPORARILY_REJECTED  # another transfer
+    assert pair.order(RECEIVER, 3, number=1, limit_j=0.0) == TEMPORARILY_REJECTED  # it has given nothing
+    for _ in range(3):  # a repeated order brings nothing more
+        assert pair.order(GIVER, 3, number=1, limit_j=credited_j) == ACCEPTED
+        assert pair.giver.received_j == missing_j
+    pair.run(5)
+    assert pair.giver.given_j == pair.receiver.received_j + pair.giver.received_j
+    assert pair.giver.remaining_j < before_j
+    assert f"Took back {missing_j} J that did not arrive" in pair.benches[GIVER].texts
+
+
+@settings(max_examples=40)
+@given(st.integers(0, 3000), st.integers(0, 3500))
+def test_settling_returns_what_is_missing_and_never_more_than_was_given(moved_j: int, credited_j: int) -> None:
+    exchange = Exchange()
+    given = order(limit_j=1e6, rate_w=float(max(moved_j, 1)))
+    exchange.current = Transfer(given, 0.0)
+    if moved_j:
+        exchange.given_j += exchange.current.give(1.0, 1e6)
+    exchange.end(1.0)
+    back_j, refused = exchange.settle(replace(given, role=TransferSide.SETTLE, limit_j=float(credited_j)), 1e6)
+    assert (refused is None) == (moved_j > 0)
+    assert back_j == exchange.received_j == max(moved_j - credited_j, 0) * (moved_j > 0)

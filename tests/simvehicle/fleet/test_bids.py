@@ -10,11 +10,11 @@ import pytest
 from fleets import on_board
 from views import view
 
+from gcs.processes.vehicles import fleet_rules
 from gcs.refuelling.giver import Giver, ServiceTimes, served_if_passed_over_s
 from gcs.refuelling.scheduler import TANKER_TIMES
 from gcs.refuelling.target_assignment import meeting_s as ground_meeting_s
 from gcs.scenario.model import Scenario
-from gcs.session.vehicles import fleet_rules
 from simvehicle.fleet.bids import LONG_S, Offer, begins_s, meeting_s, offers, own_bid
 from simvehicle.fleet.peers import PeerReport, PeerStage
 from simvehicle.fleet.rules import FleetRules, FleetRulesError, read_rules

@@ -349,3 +349,38 @@ def test_broken_state_is_named(tmp_path: Path, content: str) -> None:
     (tmp_path / "1.parameters.json").write_text(content)
     with pytest.raises(StateError, match=r"1\.parameters\.json holds no parameters"):
         StateFile(tmp_path, 1)
+
+
+def wrong(bench: Any, unit: int, *numbers: float) -> int:
+    return int(bench.result(mav.MAV_CMD_INJECT_FAILURE, float(unit), float(mav.FAILURE_TYPE_WRONG), 0.0, *numbers))
+
+
+def test_a_battery_loses_joules_at_once_which_count_as_drawn(vehicle_bench: Any) -> None:
+    bench = vehicle_bench(params={"SYS_FAILURE_EN": 1, "SIM_BAT_CAP_J": 24_000.0, "SIM_BAT_INIT_J": 20_000.0})
+    bench.tick()
+    before = (bench.vehicle.remaining_j, bench.vehicle.drawn_j)
+    assert wrong(bench, BATTERY, 5000.0) == ACCEPTED
+    assert (bench.vehicle.remaining_j, bench.vehicle.drawn_j) == pytest.approx((before[0] - 5000.0, before[1] + 5000.0))
+    assert abs(bench.ledger_gap_j()) < 1e-7
+    assert wrong(bench, BATTERY, 1e6) == ACCEPTED
+    assert bench.vehicle.remaining_j == 0.0
+    assert abs(bench.ledger_gap_j()) < 1e-7
+    assert [wrong(bench, BATTERY, joules) for joules in (-1.0, math.nan)] == [DENIED] * 2
+    assert wrong(bench, MOTOR, 0.0) == UNSUPPORTED
+
+
+def test_a_wrong_gps_moves_the_vehicle_the_other_way_and_it_does_not_know(vehicle_bench: Any) -> None:
+    """It flies on the place that it believes, so that it comes to rest as far off as the GPS is."""
+    bench = vehicle_bench(start=Start((1.0, 2.0, -5.0), airborne=True), params={"SYS_FAILURE_EN": 1})
+    bench.set_point((1.0, 2.0, -5.0))
+    bench.tick()
+    assert wrong(bench, GPS, 0.0, 2.0, -1.0) == ACCEPTED
+    assert bench.vehicle.p_ned == pytest.approx((3.0, 1.0, -5.0), abs=0.01)
+    for _ in range(100):
+        bench.set_point((1.0, 2.0, -5.0))
+        bench.tick()
+    assert bench.vehicle.p_ned == pytest.approx((1.0, 2.0, -5.0), abs=0.02)
+    assert bench.vehicle.true_p_ned == pytest.approx((-1.0, 3.0, -5.0), abs=0.02)
+    assert inject(bench, GPS, mav.FAILURE_TYPE_OK) == ACCEPTED
+    assert bench.vehicle.p_ned == bench.vehicle.true_p_ned
+    assert wrong(bench, GPS, 0.0, 1e9, 0.0) == DENIED

@@ -6,8 +6,9 @@ from typing import Any
 import pytest
 import yaml
 
+from gcs.processes.hatch import Ended, ProcessSpec
+from gcs.processes.vehicles import traffic_order, vehicle_order, vehicle_orders, vehicle_parameters
 from gcs.scenario.model import Scenario
-from gcs.session.vehicles import Ended, ProcessSpec, traffic_order, vehicle_order, vehicle_orders, vehicle_parameters
 
 LINK = ("--supervised", "udpout:127.0.0.1:5000")
 

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
+from gcs.processes.startup import HELLO_WITHIN_S, SAY_AGAIN_S, Arrivals, compiled, starting_line
 from gcs.scenario.external import External
-from gcs.session.startup import HELLO_WITHIN_S, SAY_AGAIN_S, Arrivals, compiled, starting_line
 
 AT = "udpin:127.0.0.1:14550"
 LABELS = {1: "pursuer 1", 2: "pursuer 2", 101: "target 101"}

@@ -2,7 +2,7 @@
 
 import pytest
 
-from gcs.session.pace import MOST_PERIODS, Pace
+from gcs.processes.pace import MOST_PERIODS, Pace
 
 
 class Wall:

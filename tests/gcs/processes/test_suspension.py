@@ -2,7 +2,7 @@
 
 import pytest
 
-from gcs.session.suspension import LEAST_S, SuspensionWatch
+from gcs.processes.suspension import LEAST_S, SuspensionWatch
 
 
 class Clocks:

@@ -1,32 +1,19 @@
-"""Vehicles as processes: their command lines, the hatch that forks them, their life and death.
-
-The hatch is the `simvehicle` program; the ground station knows vehicles only by argv (docs/protocol.md#processes).
-"""
+"""Vehicles as processes: their command lines, for the hatch (docs/protocol.md#processes)."""
 
 from __future__ import annotations
 
-import contextlib
-import json
 import math
-import os
-import select
-import shutil
-import subprocess
-import sys
-import time
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
-from types import TracebackType
-from typing import IO, Any, Self
+from typing import Any
 
 import yaml
 
 from gcs.planner.silence import failsafe_of
+from gcs.processes.hatch import ProcessSpec
+from gcs.scenario.faults import COMMANDED
 from gcs.scenario.model import Scenario, VehicleBase
 
-READY_WITHIN_S = 120.0
-ENDED_WITHIN_S = 10.0
 LOST_AFTER_PERIODS, MOST_LOST_S = 5, 1.0
 """[choice] Periods without a set point after which a launched vehicle holds, and the longest wait: PX4's own."""
 PEERS_A_TICK = 8
@@ -56,44 +43,6 @@ _REFUELLING_KEYS = {
     "tops_up",
     "limit_j",
 }
-CANNOT_WRITE = 74
-"""Exit status of a vehicle whose files cannot be written."""
-
-
-class LaunchError(RuntimeError):
-    """Vehicles that could not be started; the text says why and what to do."""
-
-
-@dataclass(frozen=True)
-class ProcessSpec:
-    """One process to start: the system ids that live in it, its arguments and its log."""
-
-    sysids: tuple[int, ...]
-    argv: tuple[str, ...]
-    log: Path
-
-    @property
-    def sysid(self) -> int:
-        """The first, by which the hatch reports it."""
-        return self.sysids[0]
-
-
-@dataclass(frozen=True)
-class Ended:
-    """A process that is no more; `status` is negative for a signal."""
-
-    sysid: int
-    pid: int
-    status: int
-    last_lines: tuple[str, ...]
-
-    def sentence(self, label: str) -> str:
-        """One sentence for a person."""
-        how = f"was killed by signal {-self.status}" if self.status < 0 else f"ended with status {self.status}"
-        if self.status == CANNOT_WRITE:
-            how = "could not write its log or its truth: is the disk of the session's folder full?"
-        last = f"; its last lines: {' | '.join(self.last_lines)}" if self.last_lines else ""
-        return f"{label} (process {self.pid}) {how}{last}"
 
 
 def vehicle_orders(
@@ -101,11 +50,15 @@ def vehicle_orders(
 ) -> list[ProcessSpec]:
     """Commands that start what is to be launched, up to `per_process` vehicles in one process; writes their parameters.
 
-    A block's system ids follow on each other, and all of it starts in the air or none. `connection` goes into argv.
+    A block's system ids follow on each other, and all of it starts in the air or none. Whose process a fault befalls
+    has one of its own. `connection` goes into argv.
     """
     blocks: list[list[VehicleBase]] = []
+    alone = {fault.sysid for fault in scenario.faults if fault.fault in ("kill", "hang")}
     for vehicle in scenario.vehicles.launched:
         last = blocks[-1][-1] if blocks and len(blocks[-1]) < per_process else None
+        if last is not None and alone & {last.sysid, vehicle.sysid}:
+            last = None
         if last is not None and vehicle.sysid == last.sysid + 1 and vehicle.airborne == last.airborne:
             blocks[-1].append(vehicle)
         else:
@@ -153,6 +106,7 @@ def vehicle_parameters(vehicle: VehicleBase, scenario: Scenario) -> dict[str, fl
         "SIM_XFER_DIST": scenario.refuelling.capture_m,
         "SIM_XFER_SPEED": scenario.refuelling.relative_speed_m_s,
         **(_cautious(vehicle, scenario) if scenario.planner.safety else {}),
+        **({"SYS_FAILURE_EN": 1.0} if _fails(vehicle, scenario) else {}),
         **vehicle.params,
     }
 
@@ -198,6 +152,11 @@ def fleet_rules(scenario: Scenario) -> dict[str, Any]:
     }
 
 
+def _fails(vehicle: VehicleBase, scenario: Scenario) -> bool:
+    """Whether it is to be told to have a fault."""
+    return any(fault.sysid == vehicle.sysid and fault.fault in COMMANDED for fault in scenario.faults)
+
+
 def _cautious(vehicle: VehicleBase, scenario: Scenario) -> dict[str, float]:
     """Failsafe parameters of a vehicle that knows of no obstacle: it returns above all of them, and holds soon.
 
@@ -234,115 +193,3 @@ def traffic_order(scenario: Scenario, folder: Path, connection: Sequence[str]) -
 
 def _triple(numbers: Sequence[float]) -> str:
     return ",".join(repr(float(number)) for number in numbers)
-
-
-class Hatch:
-    """The running hatch; its context's end ends every process it made, and itself unless it is to be `kept`."""
-
-    def __init__(self, *, kept: bool = False) -> None:
-        self._kept = kept
-        program = Path(sys.executable).with_name("simvehicle")
-        command = str(program) if program.exists() else shutil.which("simvehicle")
-        if command is None:
-            raise LaunchError("the program 'simvehicle' is not installed beside gcs; install Skytender again with pip")
-        self._process = subprocess.Popen(
-            [command, "hatch"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, start_new_session=True
-        )
-        assert self._process.stdin is not None
-        assert self._process.stdout is not None
-        self._in: IO[bytes] = self._process.stdin
-        self._out = self._process.stdout.fileno()
-        os.set_blocking(self._out, False)
-        self._pending = b""
-        self.pids: dict[int, int] = {}
-        self.alive = True
-        self.ended_cpu_s: float | None = None
-        """what all ended processes used in all, once `end_session` has been answered"""
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        if self._kept:
-            self.end_session()
-        else:
-            self.close()
-
-    def fileno(self) -> int:
-        """For select: readable when something has happened."""
-        return self._out
-
-    @property
-    def pid(self) -> int:
-        """The hatch's own process."""
-        return self._process.pid
-
-    def start(self, orders: Sequence[ProcessSpec], secret: int | None = None) -> None:
-        """Fork a process per order; each `pid` is reported by `events`.
-
-        secret: by which a supervised link knows them. It goes through the pipe: all can read a command line.
-        """
-        more = {} if secret is None else {"secret": secret}
-        lines = [json.dumps({"argv": order.argv, "log": str(order.log), **more}) + "\n" for order in orders]
-        try:
-            self._in.write("".join(lines).encode())
-            self._in.flush()
-        except BrokenPipeError:
-            self.alive = False
-
-    def events(self) -> tuple[bool, list[Ended]]:
-        """(whether the hatch became ready, processes that ended) since the last call; never waits."""
-        ready, ended = False, []
-        for content in self._messages():
-            if content.get("ready"):
-                ready = True
-            elif "ended" in content:
-                self.pids.clear()
-                self.ended_cpu_s = content["cpu_s"]
-            elif "exit" in content:
-                self.pids.pop(content["pid"], None)
-                ended.append(Ended(content["sysid"], content["pid"], content["exit"], tuple(content["last_lines"])))
-            else:
-                self.pids[content["pid"]] = content["sysid"]
-        return ready, ended
-
-    def _messages(self) -> list[dict[str, Any]]:
-        while self.alive:
-            try:
-                chunk = os.read(self._out, 65536)
-            except BlockingIOError:
-                break
-            if not chunk:
-                self.alive = False
-                break
-            self._pending += chunk
-        *lines, self._pending = self._pending.split(b"\n")
-        return [json.loads(line) for line in lines]
-
-    def end_session(self) -> bool:
-        """End every process it made, but not the hatch; returns when they are gone, False if the hatch has died."""
-        self.ended_cpu_s = None
-        try:
-            self._in.write(b'{"end": true}\n')
-            self._in.flush()
-        except BrokenPipeError:
-            self.alive = False
-        deadline_s = time.monotonic() + ENDED_WITHIN_S
-        while self.alive and self.ended_cpu_s is None and time.monotonic() < deadline_s:
-            select.select([self._out], [], [], max(deadline_s - time.monotonic(), 0.0))
-            self.events()
-        return self.alive and self.ended_cpu_s is not None
-
-    def close(self) -> None:
-        """End the hatch; returns when all its processes are gone."""
-        with contextlib.suppress(BrokenPipeError):
-            self._in.close()
-        try:
-            self._process.wait(timeout=10.0)
-        except subprocess.TimeoutExpired:
-            self._process.kill()
-            self._process.wait()
-        assert self._process.stdout is not None
-        self._process.stdout.close()

@@ -36,11 +36,12 @@ class FleetService:
         self.follow_rate_hz = 0.0
         """how often FOLLOW_TARGET is to be sent"""
 
-    def receive(self, frame: ReceivedFrame) -> None:
-        """Take in what concerns the fleet; other frames are passed over."""
+    def receive(self, frame: ReceivedFrame, *, from_fleet: bool = True) -> None:
+        """Take in what concerns the fleet; other frames are passed over. Peers are believed on the fleet's own radio
+        alone, the vehicle's first connection: anyone may speak on the others."""
         if frame.msgid in _SET_POINTS:
             self.member.led()
-        if frame.msgid not in MESSAGES or frame.sysid == self._sysid:
+        if not from_fleet or frame.msgid not in MESSAGES or frame.sysid == self._sysid:
             return
         content = decode(frame)
         assert content is not None

@@ -49,7 +49,7 @@ class FleetService:
             if content.target_system == self._sysid and content.command == mav.MAV_CMD_USER_1:
                 self.member.receive_answer(frame.sysid, content.result == ACCEPTED)
         elif content.name == PEER and content.array_id == FORMAT:
-            report = report_of(1e-6 * (content.time_usec - self._vehicle.unix_epoch_us), content.data)
+            report = report_of((content.time_usec - self._vehicle.unix_epoch_us) / 1e6, content.data)
             if report is not None and report.time_s <= self._vehicle.time_s:
                 self.member.receive(frame.sysid, report)
 

@@ -339,7 +339,7 @@ def traffic(file: Path, supervised: str) -> None:
     """Fly the movers of FILE and report them by ADSB_VEHICLE (system 255, component 156)."""
     from simvehicle.mavlink.connection import Connection
     from simvehicle.sitl.link import AddressError, SupervisedLink, parse_supervisor
-    from simvehicle.sitl.loop import Seat, run_supervised
+    from simvehicle.sitl.loop import ConnectedUnit, run_supervised
     from simvehicle.sitl.secret import from_hatch
     from simvehicle.sitl.traffic import COMPID, SYSID, Traffic, TrafficError, load
 
@@ -351,7 +351,7 @@ def traffic(file: Path, supervised: str) -> None:
     except (AddressError, TrafficError) as error:
         raise click.UsageError(str(error)) from error
     with link:
-        run_supervised([Seat(Traffic(frame, movers, [connection]), link, [])], from_hatch())
+        run_supervised([ConnectedUnit(Traffic(frame, movers, [connection]), link, [])], from_hatch())
 
 
 @cli.command(short_help="Draw the paper's vehicle-only figures.")

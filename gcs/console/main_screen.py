@@ -45,8 +45,8 @@ class MainScreen(Screen[None]):
         self.chosen: int | None = None
         self.order_by = "id"
         self.events_page = EventsPage()
-        self.plan = map_view.PlanView()
-        self.small_plan = map_view.PlanView()
+        self.plan = map_view.MapView()
+        self.small_plan = map_view.MapView()
         self._top = 0
         self._on_row: list[int] = []
         self._scrolled = self._most = 0

@@ -12,7 +12,7 @@ from gcs.session.plain_text import clean
 
 EVENTS = 5000
 TRAIL_EVERY_S, TRAIL_LENGTH = 0.5, 120
-CONTEST_EVERY_S, CONTEST_LENGTH = 0.2, 600
+CONTEST_EVERY_S, STATES_LENGTH = 0.2, 600
 NO_MESSAGE: Message = {}
 
 Vehicle = Mapping[str, Any]
@@ -29,7 +29,7 @@ class SessionModel:
         """what the session message says of each vehicle: capacity, path"""
         self.trails: dict[int, deque[tuple[float, float]]] = {}
         """(north, east) in m, oldest first"""
-        self.contest: deque[tuple[float, Mapping[str, float]]] = deque(maxlen=CONTEST_LENGTH)
+        self.competition_states: deque[tuple[float, Mapping[str, float]]] = deque(maxlen=STATES_LENGTH)
         """(session time, {sysid as text: v_i}), oldest first"""
         self.handovers: deque[tuple[float, str]] = deque(maxlen=50)
         self.events: deque[Mapping[str, Any]] = deque(maxlen=EVENTS)
@@ -76,14 +76,14 @@ class SessionModel:
                     trail.append((p_ned[0], p_ned[1]))
         if t_s - self._contested_s >= CONTEST_EVERY_S and (v := self.competition.get("v")):
             self._contested_s = t_s
-            self.contest.append((t_s, dict(v)))
+            self.competition_states.append((t_s, dict(v)))
 
     def _go_back(self, t_s: float) -> None:
         """A replay has gone back to `t_s`: what came later has not happened."""
         self.trails.clear()
         self._trailed_s = self._contested_s = float("-inf")
-        while self.contest and self.contest[-1][0] > t_s:
-            self.contest.pop()
+        while self.competition_states and self.competition_states[-1][0] > t_s:
+            self.competition_states.pop()
         while self.handovers and self.handovers[-1][0] > t_s:
             self.handovers.pop()
         while self.events and float(self.events[-1].get("t_s") or 0.0) > t_s:

@@ -50,7 +50,7 @@ _SET_POINT = codec.msgid("SET_POSITION_TARGET_LOCAL_NED")
 
 
 @dataclass
-class _Door:
+class _UdpEndpoint:
     """One `connect`: its socket, and for udpout where the vehicle listens."""
 
     connect: str
@@ -77,7 +77,7 @@ class _ExternalPeer:
     """One vehicle."""
 
     key: Key
-    door: _Door
+    door: _UdpEndpoint
     address: Where | None = None
     found_s: float = 0.0
     received_s: float = 0.0
@@ -92,7 +92,7 @@ class ExternalLink:
     def __init__(self, expected: Mapping[int, External], now_s: Callable[[], float]) -> None:
         """Open a socket for each address; `now_s` reads the session's clock. Raises AddressRefused, KeyRefused."""
         self._now_s = now_s
-        self._doors: dict[str, _Door] = {}
+        self._doors: dict[str, _UdpEndpoint] = {}
         self._peers: dict[int, _ExternalPeer] = {}
         self._poll = select.poll()
         self._kept = False
@@ -242,7 +242,7 @@ class ExternalLink:
                     unknown += 1
                     self._look_into(door, datagram, address)
 
-    def _look_into(self, door: _Door, datagram: bytes, address: Where) -> None:
+    def _look_into(self, door: _UdpEndpoint, datagram: bytes, address: Where) -> None:
         """A datagram of somebody who is no vehicle yet: no more of it is read than UNKNOWN_BYTES."""
         if datagram[:1] == MAVLINK_1:
             if len(door.unknown_senders) < MOST_UNKNOWN_SENDERS:
@@ -250,7 +250,7 @@ class ExternalLink:
         else:
             self._receive(door, codec.split(datagram[:UNKNOWN_BYTES]).frames, address)
 
-    def _receive(self, door: _Door, frames: Sequence[Frame], address: Where) -> None:
+    def _receive(self, door: _UdpEndpoint, frames: Sequence[Frame], address: Where) -> None:
         now_s = time.monotonic()
         for frame in door.gate.accepted(frames):
             peer = self._peers.get(frame.sysid)
@@ -291,17 +291,17 @@ def _is_autopilot(frame: Frame) -> bool:
     return bool(codec.fields(frame).autopilot != mav.MAV_AUTOPILOT_INVALID)
 
 
-def _open(external: External) -> _Door:
+def _open(external: External) -> _UdpEndpoint:
     connect = external.connect
     at = address(connect, "udpin", "udpout")
     assert at is not None  # as the scenario has checked
     gate = SignatureGate(Path(external.signing.key_file) if external.signing else None)
     made, where = open_udp(at)
     if at.way == "udpin":
-        return _Door(connect, made, None, gate)
+        return _UdpEndpoint(connect, made, None, gate)
     try:
         made.connect(where)
     except OSError as error:
         made.close()
         raise AddressRefused(f"{connect} cannot be spoken to: {error.strerror}") from None
-    return _Door(connect, made, where, gate)
+    return _UdpEndpoint(connect, made, where, gate)

@@ -133,7 +133,7 @@ class Step(NamedTuple):
 
 
 @dataclass
-class _Flight:
+class _Pending:
     command: Command
     timeout_s: float
     retries: int
@@ -150,7 +150,7 @@ class CommandQueue:
     compid: int
     resent: int = 0
     """re-sent commands so far: the summary's `command_retries`"""
-    _waiting: dict[tuple[CommandTarget, int], deque[_Flight]] = field(default_factory=dict)
+    _waiting: dict[tuple[CommandTarget, int], deque[_Pending]] = field(default_factory=dict)
     """by target and command id; the first of each is in flight"""
 
     @property
@@ -167,7 +167,7 @@ class CommandQueue:
         """
         command.message(0)
         line = self._waiting.setdefault((command.target, command.command), deque())
-        line.append(_Flight(command, timeout_s, retries, token))
+        line.append(_Pending(command, timeout_s, retries, token))
         return [self._attempt(line[0], now_s)] if len(line) == 1 else []
 
     def withdraw(self, unwanted: Callable[[Any], bool]) -> list[Any]:
@@ -215,13 +215,13 @@ class CommandQueue:
                 self._end(line, "timeout", None, now_s, step)
         return step
 
-    def _attempt(self, flight: _Flight, now_s: float) -> Message:
+    def _attempt(self, flight: _Pending, now_s: float) -> Message:
         message = flight.command.message(min(flight.attempts, 255))
         flight.attempts += 1
         flight.deadline_s = now_s + flight.timeout_s
         return message
 
-    def _end(self, line: deque[_Flight], outcome: Outcome, result: int | None, now_s: float, step: Step) -> None:
+    def _end(self, line: deque[_Pending], outcome: Outcome, result: int | None, now_s: float, step: Step) -> None:
         """Report the line's first command and start its next."""
         ended = line.popleft()
         command, target = ended.command.command, ended.command.target

@@ -266,7 +266,7 @@ class CompetitionSeries:
     """system id; NaN: no leader"""
 
 
-def contest(recorded: Recorded, *, for_bases: bool = False) -> CompetitionSeries:
+def competition(recorded: Recorded, *, for_bases: bool = False) -> CompetitionSeries:
     """The competition for the tankers, or for the places at bases, as it was decided tick by tick; gaps where no
     vehicle competed."""
     every = (decision for decision in recorded.decisions if decision["kind"] == "competition")

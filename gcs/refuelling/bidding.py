@@ -45,7 +45,7 @@ class Award(NamedTuple):
     """`competition`, `unopposed`, `urgency`, `timeout`, `policy` or `operator`"""
 
 
-class Contest(Protocol):
+class BiddingRule(Protocol):
     """Rule by which free givers choose whom they serve."""
 
     competition_state: CompetitionState
@@ -68,7 +68,7 @@ class Contest(Protocol):
         """This one has been given a giver."""
 
 
-class Bidding:
+class NeedBidding:
     """The competition's memory from tick to tick."""
 
     waits_for_all = False

@@ -1,11 +1,11 @@
-"""Policies in the competition's place, and which contest a scenario names."""
+"""Policies in the competition's place, and which bidding a scenario names."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from typing import Any
 
-from gcs.refuelling.bidding import Award, Bidding, CompetitionState, Contest, is_servable, urgent_of
+from gcs.refuelling.bidding import Award, BiddingRule, CompetitionState, NeedBidding, is_servable, urgent_of
 from gcs.refuelling.giver import Giver, ServiceTimes
 from gcs.refuelling.policies import SHIPPED, WINNER_TAKE_ALL, RefuellingPolicy, RefuellingRequest
 from gcs.refuelling.time_bidding import TimeBidding
@@ -147,15 +147,15 @@ class PolicyBidding:
         raise Nonsense(f"returned {told}, which is no candidate's system id")
 
 
-def make_competition(rules: CompetitionRules, refuelling: RefuellingRules) -> Contest:
+def make_competition(rules: CompetitionRules, refuelling: RefuellingRules) -> BiddingRule:
     """The competition by time, or the paper's by need."""
     if rules.bids == "need":
-        return Bidding(rules, refuelling.hold_s + refuelling.reserve_s)
+        return NeedBidding(rules, refuelling.hold_s + refuelling.reserve_s)
     return TimeBidding(rules, refuelling)
 
 
-def make_bidding(scenario: Scenario) -> tuple[Contest, Guard | None]:
-    """The contest that a scenario names, and what guards it where it is not the competition. Raises ScenarioError."""
+def make_bidding(scenario: Scenario) -> tuple[BiddingRule, Guard | None]:
+    """The bidding that a scenario names, and what guards it where it is not the competition. Raises ScenarioError."""
     name, rules = scenario.competition.policy, scenario.competition
     if name == WINNER_TAKE_ALL:
         return make_competition(rules, scenario.refuelling), None

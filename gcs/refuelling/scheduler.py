@@ -18,7 +18,7 @@ import numpy as np
 
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.refuelling.base_service import BaseSteps, Stock
-from gcs.refuelling.bidding import Award, CompetitionState, Contest, is_servable
+from gcs.refuelling.bidding import Award, BiddingRule, CompetitionState, is_servable
 from gcs.refuelling.capability import ReceiverCapability
 from gcs.refuelling.giver import WORTH_J, Giver, ServiceTimes
 from gcs.refuelling.policy_bidding import make_competition
@@ -44,7 +44,7 @@ class Scheduler:
         competition: CompetitionRules,
         refuelling: RefuellingRules,
         tankers: Sequence[Tanker],
-        own: Contest | None = None,
+        own: BiddingRule | None = None,
         *,
         bases: Sequence[Base] = (),
         transfer_capable: Mapping[int, bool | None] | None = None,
@@ -54,8 +54,8 @@ class Scheduler:
         the air, by system id, None where it is to be found out; those who are not named can. `cruise_m_s`: how fast
         they fly to a base."""
         competes = competition.enabled and refuelling.enabled
-        self._contest = (own or make_competition(competition, refuelling)) if competes else None
-        self._base_contest = make_competition(competition, refuelling) if competes and bases else None
+        self._bidding = (own or make_competition(competition, refuelling)) if competes else None
+        self._base_bidding = make_competition(competition, refuelling) if competes and bases else None
         self._rules = refuelling
         self._cruise_m_s = cruise_m_s
         self._need_from = competition.need_from
@@ -90,7 +90,7 @@ class Scheduler:
     @property
     def competition_states(self) -> tuple[CompetitionState, CompetitionState]:
         """The competitions as they stand: for the tankers, and for the bases."""
-        tanker, base = self._contest, self._base_contest
+        tanker, base = self._bidding, self._base_bidding
         return (
             CompetitionState() if tanker is None else tanker.competition_state,
             CompetitionState() if base is None else base.competition_state,
@@ -178,27 +178,27 @@ class Scheduler:
         self._free = [giver.name for giver in tankers if giver.free_in_s == 0.0]
         self.tanker_times.learn((s for s in self.services if s.base is None), lambda _: self._rules.rate_w)
         self.base_times.learn((s for s in self.services if s.base is not None), self._base_rate_w)
-        if self._contest is not None:
-            self._contest.advance(snapshot, served | unable | self._ability.unknown, tankers, self.tanker_times)
-        if self._base_contest is not None:
+        if self._bidding is not None:
+            self._bidding.advance(snapshot, served | unable | self._ability.unknown, tankers, self.tanker_times)
+        if self._base_bidding is not None:
             able = {view.sysid for view in snapshot.vehicles} - unable
-            self._base_contest.advance(snapshot, served | able, bases, self.base_times)
+            self._base_bidding.advance(snapshot, served | able, bases, self.base_times)
         self._approaches = {}
         if not self._rules.enabled:
             return
-        for contest, givers in ((self._contest, tankers), (self._base_contest, bases)):
-            free = self._award_asked([giver for giver in givers if giver.free_in_s == 0.0], contest, snapshot)
-            if contest is None or not free:
+        for bidding, givers in ((self._bidding, tankers), (self._base_bidding, bases)):
+            free = self._award_asked([giver for giver in givers if giver.free_in_s == 0.0], bidding, snapshot)
+            if bidding is None or not free:
                 continue
-            if contest.waits_for_all and not self._settled:
+            if bidding.waits_for_all and not self._settled:
                 self._settled = self._all_are_up(snapshot)
                 if not self._settled:
                     continue
-            for award in contest.awards(snapshot, free):
-                self._award(award, contest, snapshot)
+            for award in bidding.awards(snapshot, free):
+                self._award(award, bidding, snapshot)
                 free = [giver for giver in free if giver.name != award.giver.name]
-            if contest is self._contest:
-                self._approaches = contest.approaches(snapshot, free)
+            if bidding is self._bidding:
+                self._approaches = bidding.approaches(snapshot, free)
 
     def _all_are_up(self, snapshot: FleetSnapshot) -> bool:
         """Whether everyone could be served by now and its draw is known, or has had its time after the first one."""
@@ -212,7 +212,7 @@ class Scheduler:
 
     def _idle_tankers(self, snapshot: FleetSnapshot) -> int:
         """How many tankers stand free after this tick's decisions although somebody waits for each, once all are up."""
-        if self._contest is None or not self._rules.enabled or (self._contest.waits_for_all and not self._settled):
+        if self._bidding is None or not self._rules.enabled or (self._bidding.waits_for_all and not self._settled):
             return 0
         busy = {service.tanker for service in self.open_services} | self._approaches.keys()
         served = {service.receiver for service in self.open_services} | set(self._approaches.values())
@@ -279,7 +279,7 @@ class Scheduler:
                 return sysid
         return None
 
-    def _award_asked(self, free: Sequence[Giver], contest: Contest | None, snapshot: FleetSnapshot) -> list[Giver]:
+    def _award_asked(self, free: Sequence[Giver], bidding: BiddingRule | None, snapshot: FleetSnapshot) -> list[Giver]:
         """Give those whom the operator asked for the nearest of the free givers; who is still free."""
         left = list(free)
         while left:
@@ -289,14 +289,14 @@ class Scheduler:
             view = snapshot.vehicle(asked)
             giver = min(left, key=lambda one: one.way_s(view))
             left.remove(giver)
-            self._award(Award(giver, asked, "operator"), contest, snapshot)
+            self._award(Award(giver, asked, "operator"), bidding, snapshot)
         return left
 
-    def _award(self, award: Award, contest: Contest | None, snapshot: FleetSnapshot) -> None:
+    def _award(self, award: Award, bidding: BiddingRule | None, snapshot: FleetSnapshot) -> None:
         """Begin the service of a receiver by its giver."""
-        competition_state, now_s = CompetitionState() if contest is None else contest.competition_state, snapshot.time_s
-        if contest is not None:
-            contest.award(award.receiver, now_s)
+        competition_state, now_s = CompetitionState() if bidding is None else bidding.competition_state, snapshot.time_s
+        if bidding is not None:
+            bidding.award(award.receiver, now_s)
         view, giver = snapshot.vehicle(award.receiver), award.giver
         more: dict[str, Any] = {}
         tanker = int(giver.name) if giver.is_tanker else None

@@ -56,7 +56,7 @@ class WatchedSchedule(Scheduler):
     def watch(self, competition: CompetitionRules, pursuers: frozenset[int]) -> None:
         """Begin: the rules by which the vehicles compete, and who does."""
         self._competition, self._pursuers = competition, pursuers
-        self._contest = self._base_contest = None
+        self._bidding = self._base_bidding = None
         self._peers, self._rows, self._known = {}, {}, {}
 
     def receive(self, sysid: int, content: Any, now_s: float) -> None:

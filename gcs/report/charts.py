@@ -130,9 +130,9 @@ class Charts:
             "battery": self._time(
                 [ChartPanel("Battery", "%", found.battery_percent, digits=1, from_zero=True)], spans=spans
             ),
-            "contest": self._contest("tanker", found.contest, [s for s in found.services if s.base is None]),
-            "base-contest": self._contest(
-                "base", found.base_contest, [s for s in found.services if s.base is not None]
+            "contest": self._competition("tanker", found.competition, [s for s in found.services if s.base is None]),
+            "base-contest": self._competition(
+                "base", found.base_competition, [s for s in found.services if s.base is not None]
             ),
             "nearness": self._time(
                 [
@@ -157,16 +157,16 @@ class Charts:
             "link": self._time(frames, marks=faults),
         }
 
-    def _contest(
-        self, giver: str, contest: CompetitionSeries, services: Iterable[ServiceFinding]
+    def _competition(
+        self, giver: str, states: CompetitionSeries, services: Iterable[ServiceFinding]
     ) -> dict[str, Any] | None:
         """One competition's states and its leader's share; marks where it handed a giver over."""
         scenario = self._found.scenario
         share = [(scenario.competition.share, "share that wins")] if scenario else []
         return self._time(
             [
-                ChartPanel(f"State v of each competitor for a {giver}", "1", contest.v, digits=3, span=(-0.03, 1.06)),
-                ChartPanel("Leader's share of Σ vᵖ", "1", {}, {"share": contest.share}, share, 3, span=(-0.03, 1.06)),
+                ChartPanel(f"State v of each competitor for a {giver}", "1", states.v, digits=3, span=(-0.03, 1.06)),
+                ChartPanel("Leader's share of Σ vᵖ", "1", {}, {"share": states.share}, share, 3, span=(-0.03, 1.06)),
             ],
             marks=[{"t_s": s.decided_at_s, "id": s.receiver, "label": f"→ {s.receiver}"} for s in services],
         )

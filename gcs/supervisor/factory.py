@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from gcs.link.impairment import BlackoutWindow, Impairment
 from gcs.link.peer_radio import PeerRadio, SplitWindow
 from gcs.mavlink.autopilots import PROFILES
-from gcs.refuelling.bidding import Contest
+from gcs.refuelling.bidding import BiddingRule
 from gcs.refuelling.scheduler import Scheduler
 from gcs.refuelling.watched_schedule import WatchedSchedule
 from gcs.scenario.faults import Injection
@@ -77,8 +77,8 @@ def make_peer_radio(scenario: Scenario, injections: Iterable[Injection] = ()) ->
     )
 
 
-def make_schedule(scenario: Scenario, contest: Contest | None) -> Scheduler:
-    """Schedule of refuelling; `contest` as the scenario names it. Vehicles that do it themselves are watched."""
+def make_schedule(scenario: Scenario, bidding: BiddingRule | None) -> Scheduler:
+    """Schedule of refuelling; `bidding` as the scenario names it. Vehicles that do it themselves are watched."""
     vehicles = scenario.vehicles
     served = bool(vehicles.tankers or scenario.bases)
     kind = Scheduler if scenario.competition.where == "supervisor" else WatchedSchedule
@@ -86,7 +86,7 @@ def make_schedule(scenario: Scenario, contest: Contest | None) -> Scheduler:
         scenario.competition,
         scenario.refuelling,
         vehicles.tankers,
-        contest,
+        bidding,
         bases=scenario.bases,
         transfer_capable={v.sysid: v.transfer_capable for v in vehicles.pursuers if served},
         cruise_m_s=scenario.planner.cruise_m_s,

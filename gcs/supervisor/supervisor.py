@@ -73,9 +73,9 @@ class Supervisor:
         self.digest = Digest()
         self.fleet = make_fleet(scenario)
         self.planner, planner_guard = make_planner(scenario)
-        contest, policy_guard = make_bidding(scenario)
+        bidding, policy_guard = make_bidding(scenario)
         self._guards = [guard for guard in (planner_guard, policy_guard) if guard is not None]
-        self.schedule = make_schedule(scenario, contest)
+        self.schedule = make_schedule(scenario, bidding)
         self._watched = self.schedule if isinstance(self.schedule, WatchedSchedule) else None
         self.pursuit: TargetAssignment | None = None
         if scenario.pursuit.by == "competition":

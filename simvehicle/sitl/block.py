@@ -19,7 +19,7 @@ from simvehicle.mavlink.dispatcher import Services
 from simvehicle.mavlink.telemetry import UNPROMPTED
 from simvehicle.sitl.keys import Keyring
 from simvehicle.sitl.link import Address, PlainLink, SupervisedLink, parse_address, parse_supervisor
-from simvehicle.sitl.loop import Seat, run_free, run_supervised
+from simvehicle.sitl.loop import ConnectedUnit, run_free, run_supervised
 from simvehicle.sitl.secret import from_hatch
 from simvehicle.sitl.truth import TruthWriter
 from simvehicle.sitl.unit import VehicleUnit
@@ -79,7 +79,7 @@ def _seat(
     addresses: Sequence[Address],
     supervisor: Address | None,
     opened: ExitStack,
-) -> Seat:
+) -> ConnectedUnit:
     vehicle = Vehicle(identity, one.parameters, frame, one.start)
     connections = [Connection(one.sysid) for _ in addresses]
     for connection in connections:
@@ -97,4 +97,4 @@ def _seat(
         connections.insert(0, link.connection)
     writer = opened.enter_context(TruthWriter(one.truth, one.sysid, vehicle)) if one.truth else None
     services = Services(vehicle, one.sysid, connections, one.store, one.rules)
-    return Seat(VehicleUnit(vehicle, services, writer), link, plain)
+    return ConnectedUnit(VehicleUnit(vehicle, services, writer), link, plain)

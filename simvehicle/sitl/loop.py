@@ -36,7 +36,7 @@ class Unit(Protocol):
         """Go to a time and queue what became due."""
 
 
-class Seat(NamedTuple):
+class ConnectedUnit(NamedTuple):
     """A unit with its connections; `link` is None where it lives on the wall clock."""
 
     unit: Unit
@@ -94,7 +94,7 @@ class _Granted:
         unit.advance(bundle.time_ms)
 
 
-def run_supervised(seats: Sequence[Seat], secret: int | None = None) -> None:
+def run_supervised(seats: Sequence[ConnectedUnit], secret: int | None = None) -> None:
     """Live on the supervisor's clock until it has been silent for 10 s of wall time, each unit by itself.
 
     Raises SystemExit then: a supervisor that ends a session ends its vehicles. With a `secret`, by which the supervisor
@@ -124,7 +124,7 @@ def run_supervised(seats: Sequence[Seat], secret: int | None = None) -> None:
             granted[fd].receive()
 
 
-def run_free(seats: Sequence[Seat], *, stop: Callable[[], bool] = lambda: False) -> None:
+def run_free(seats: Sequence[ConnectedUnit], *, stop: Callable[[], bool] = lambda: False) -> None:
     """Live on the wall clock, 50 ticks a second; ticks that come late are caught up with, never dropped."""
     start_s = time.monotonic()
     for unit, _, _ in seats:

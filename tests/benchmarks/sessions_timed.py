@@ -45,7 +45,7 @@ def fleet(duration_s: float) -> dict[str, Any]:
     """`gcs run fleet` for this long, whatever comes of it."""
     content: dict[str, Any] = yaml.safe_load((ROOT / "configs/fleet.yaml").read_text(encoding="utf-8"))
     content["goal"] = {"duration_s": duration_s}
-    content["vehicles"]["defaults"]["battery"]["capacity_j"] *= 4.0  # so that everyone flies to the end
+    content["vehicles"]["defaults"]["battery"]["capacity_j"] *= max(4.0, duration_s / 60.0)  # everyone flies to the end
     return content
 
 

@@ -36,7 +36,7 @@ def names(watch: SessionModel) -> list[str]:
     """The vehicles whose curves are drawn: the greatest v now first, then who was greatest while the curves show."""
     now = {str(name): float(value) for name, value in (watch.competition.get("v") or {}).items()}
     best: dict[str, float] = {}
-    for t_s, values in watch.contest:
+    for t_s, values in watch.competition_states:
         if t_s >= watch.t_s - SPAN_S:
             for name, value in values.items():
                 best[name] = max(best.get(name, 0.0), value)
@@ -67,7 +67,7 @@ def compact(watch: SessionModel, *, width: int, height: int, glyphs: Glyphs) -> 
 
 def _curves(watch: SessionModel, width: int, height: int, glyphs: Glyphs) -> StyledLines:
     return chart(
-        watch.contest,
+        watch.competition_states,
         names(watch),
         [(t_s, name) for t_s, name in watch.handovers],
         style_of=lambda name: _style_of(watch, name),

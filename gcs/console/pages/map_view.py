@@ -23,7 +23,7 @@ GRID, PATH, TRAIL, AIM, WALL, LABEL, MARK, CRAFT, CHOSEN = range(9)
 
 
 @dataclass
-class PlanView:
+class MapView:
     """Which part of the plane is shown; `fit` shows everything, `follow` keeps one vehicle in the middle."""
 
     centre_ne: tuple[float, float] = (0.0, 0.0)
@@ -79,7 +79,7 @@ def _extent(watch: SessionModel) -> Iterable[tuple[float, float]]:
 
 
 def draw(
-    watch: SessionModel, view: PlanView, *, width: int, height: int, glyphs: Glyphs, chosen: int | None
+    watch: SessionModel, view: MapView, *, width: int, height: int, glyphs: Glyphs, chosen: int | None
 ) -> StyledLines:
     """The plan in `width` x `height` cells; `view` is settled on the way."""
     canvas = Canvas(width, height, glyphs)
@@ -143,7 +143,7 @@ def _round_length(length_m: float) -> float:
     return next(factor * power for factor in (5.0, 2.0, 1.0) if factor * power <= length_m * 1.0000001)
 
 
-def _grid(canvas: Canvas, view: PlanView, at: Any, step_m: float) -> None:
+def _grid(canvas: Canvas, view: MapView, at: Any, step_m: float) -> None:
     north, east = view.centre_ne
     high, wide = canvas.height / 2.0 * view.m_per_dot, canvas.width / 2.0 * view.m_per_dot
     for i in range(math.ceil((north - high) / step_m), math.floor((north + high) / step_m) + 1):

@@ -217,7 +217,7 @@ def test_a_replay_is_paused_sought_and_hurried_and_takes_no_orders() -> None:
         await shown.press("h")
         assert "takes no commands" in shown.lines()[-1]
         await shown.feed(snapshot(5.0, replay=replay))
-        assert all(t_s <= 5.0 for t_s, _ in shown.app.seen.contest)
+        assert all(t_s <= 5.0 for t_s, _ in shown.app.seen.competition_states)
         assert all(event["t_s"] <= 5.0 for event in shown.app.seen.events)
 
     drive(steps, [session(control=False), snapshot(20.0, replay=replay)])

@@ -20,7 +20,7 @@ from gcs.console.job import can_suspend
 from gcs.console.model import TRAIL_LENGTH, SessionModel, margin, ordered
 from gcs.console.pages.fleet import table, window
 from gcs.console.pages.heading import session_line
-from gcs.console.pages.map_view import PlanView, draw, symbol
+from gcs.console.pages.map_view import MapView, draw, symbol
 from gcs.console.styles import COLOURS
 from gcs.console.text import ASCII, UNICODE, bar, can_unicode, fitted, number, width_of, wrapped
 from gcs.scenario.colours import DARK
@@ -186,7 +186,7 @@ def test_a_vehicle_has_one_colour_on_map_and_in_curves_by_its_place_in_the_scena
         101: "target",
         201: "vehicle6",
     }
-    plan = draw(watch, PlanView(), width=120, height=40, glyphs=UNICODE, chosen=None)
+    plan = draw(watch, MapView(), width=120, height=40, glyphs=UNICODE, chosen=None)
     numbers = {part.strip(): name for line in plan for part, name in line if part.strip() in ("2", "5")}
     assert all(styles[int(part)] in name for part, name in numbers.items())
     assert {COLOURS[f"vehicle{place}"] for place in range(len(DARK))} == set(DARK), "the page's own"

@@ -32,15 +32,15 @@ def giver(
 
 
 def decide(
-    contest: TimeBidding, views: list[VehicleView], givers: list[Giver], within_s: float = 40.0, from_s: float = 0.0
+    bidding: TimeBidding, views: list[VehicleView], givers: list[Giver], within_s: float = 40.0, from_s: float = 0.0
 ) -> tuple[float, list[tuple[int | str, int, str]]]:
     """Ticks of 0.1 s, the batteries drawn meanwhile, until there are awards: when, and (giver, receiver, by)."""
     for k in range(round(within_s * 10) + 1):
         now_s = from_s + k / 10
         drawn = [v._replace(drawn_j=v.drawn_j + v.power_w * (now_s - from_s)) for v in views]
         snapshot = FleetSnapshot(now_s, tuple(drawn), ())
-        contest.advance(snapshot, (), givers, TIMES)
-        if found := list(contest.awards(snapshot, [g for g in givers if g.free_in_s == 0.0])):
+        bidding.advance(snapshot, (), givers, TIMES)
+        if found := list(bidding.awards(snapshot, [g for g in givers if g.free_in_s == 0.0])):
             return now_s, [(award.giver.name, award.receiver, award.by) for award in found]
     return math.inf, []
 
@@ -53,14 +53,14 @@ def test_as_many_win_at_once_as_tankers_are_free(n: int, k: int, within_s: float
         lasts = rng.uniform(22.0, 45.0, n)
         views = [pursuer(i + 1, float(s), (*rng.uniform(-50, 50, 2), -5.0)) for i, s in enumerate(lasts)]
         givers = [giver(200 + j, (*rng.uniform(-50, 50, 2), -6.0)) for j in range(k)]
-        contest = TimeBidding(RULES, RefuellingRules())
-        at_s, found = decide(contest, views, givers)
+        bidding = TimeBidding(RULES, RefuellingRules())
+        at_s, found = decide(bidding, views, givers)
         assert at_s <= within_s
         assert {by for _, _, by in found} <= {"competition", "urgency"}
         assert len({receiver for _, receiver, _ in found}) == len({name for name, *_ in found}) == k
         won = {receiver for _, receiver, _ in found}
-        served = [s for sysid, s in contest.bids_s.items() if sysid in won]
-        passed = [s for sysid, s in contest.bids_s.items() if sysid not in won]
+        served = [s for sysid, s in bidding.bids_s.items() if sysid in won]
+        passed = [s for sysid, s in bidding.bids_s.items() if sysid not in won]
         assert max(served) <= min(passed) + 2.0 * RULES.tie_s + 0.5
 
 
@@ -104,53 +104,53 @@ def test_who_waits_alone_or_finds_a_tanker_for_each_does_not_wait() -> None:
 
 
 def test_ties_go_by_need_then_way_then_id() -> None:
-    contest = TimeBidding(RULES.model_copy(update={"tie_s": 60.0}), RefuellingRules())
+    bidding = TimeBidding(RULES.model_copy(update={"tie_s": 60.0}), RefuellingRules())
     emptier = pursuer(7, 30.0)._replace(capacity_j=40_000.0, initial_j=2000.0 + 200.0 * 30.0)
-    assert decide(contest, [pursuer(3, 30.0), emptier], [giver(201)])[1] == [(201, 7, "competition")]
+    assert decide(bidding, [pursuer(3, 30.0), emptier], [giver(201)])[1] == [(201, 7, "competition")]
     aside = pursuer(3, 30.4, (0.0, 2.0, -6.0))
     nearer = pursuer(7, 30.0, (0.0, 0.1, -6.0))
-    contest = TimeBidding(RULES.model_copy(update={"tie_s": 5.0}), RefuellingRules())
-    assert decide(contest, [aside, nearer], [giver(201, speed=0.5)])[1] == [(201, 7, "competition")]
-    contest = TimeBidding(RULES, RefuellingRules())
-    assert decide(contest, [pursuer(7, 30.0), pursuer(4, 30.0)], [giver(201)])[1] == [(201, 4, "competition")]
+    bidding = TimeBidding(RULES.model_copy(update={"tie_s": 5.0}), RefuellingRules())
+    assert decide(bidding, [aside, nearer], [giver(201, speed=0.5)])[1] == [(201, 7, "competition")]
+    bidding = TimeBidding(RULES, RefuellingRules())
+    assert decide(bidding, [pursuer(7, 30.0), pursuer(4, 30.0)], [giver(201)])[1] == [(201, 4, "competition")]
 
 
 def test_a_competition_that_ran_while_the_tanker_was_busy_is_decided_when_it_is_free() -> None:
-    contest = TimeBidding(RULES, RefuellingRules())
+    bidding = TimeBidding(RULES, RefuellingRules())
     views = [pursuer(i, 35.0 + 4.0 * i) for i in range(1, 6)]
-    assert decide(contest, views, [giver(201, free_in_s=8.0)], within_s=8.0)[1] == []
+    assert decide(bidding, views, [giver(201, free_in_s=8.0)], within_s=8.0)[1] == []
     drawn = [v._replace(drawn_j=v.drawn_j + 200.0 * 8.1) for v in views]
-    assert decide(contest, drawn, [giver(201)], from_s=8.1) == (8.1, [(201, 1, "competition")])
+    assert decide(bidding, drawn, [giver(201)], from_s=8.1) == (8.1, [(201, 1, "competition")])
 
 
 def test_the_next_one_is_clear_at_once_where_it_was_clear_of_two_places() -> None:
-    contest = TimeBidding(RULES, RefuellingRules())
+    bidding = TimeBidding(RULES, RefuellingRules())
     views = [pursuer(i, 28.0 + 4.0 * i) for i in range(1, 6)]
     two = [giver(201), giver(202, free_in_s=9.0)]
-    at_s, found = decide(contest, views, two)
+    at_s, found = decide(bidding, views, two)
     assert found[0][1] == 1
-    contest.award(1, at_s)
+    bidding.award(1, at_s)
     drawn = [v._replace(drawn_j=v.drawn_j + 200.0 * (at_s + 0.5)) for v in views[1:]]
-    assert decide(contest, drawn, [giver(202)], from_s=at_s + 0.5) == (at_s + 0.5, [(202, 2, "competition")])
+    assert decide(bidding, drawn, [giver(202)], from_s=at_s + 0.5) == (at_s + 0.5, [(202, 2, "competition")])
 
 
 def test_who_cannot_be_reached_in_time_is_served_last() -> None:
     """1 lands in 1 s, and energy needs 3 s and the way: 2 can still be kept."""
-    contest = TimeBidding(RULES, RefuellingRules())
-    assert decide(contest, [pursuer(1, 1.0, (30.0, 0.0, -6.0)), pursuer(2, 9.0)], [giver(201)])[1][0][1] == 2
+    bidding = TimeBidding(RULES, RefuellingRules())
+    assert decide(bidding, [pursuer(1, 1.0, (30.0, 0.0, -6.0)), pursuer(2, 9.0)], [giver(201)])[1][0][1] == 2
 
 
 def test_a_tanker_flies_to_who_would_win_while_it_is_undecided() -> None:
-    contest = TimeBidding(RULES, RefuellingRules())
+    bidding = TimeBidding(RULES, RefuellingRules())
     views = [pursuer(1, 30.0), pursuer(2, 40.0)]
     snapshot, free = FleetSnapshot(0.0, tuple(views), ()), [giver(201)]
-    contest.advance(snapshot, (), free, TIMES)
-    assert list(contest.awards(snapshot, free)) == []
-    assert contest.approaches(snapshot, free) == {201: 1}
+    bidding.advance(snapshot, (), free, TIMES)
+    assert list(bidding.awards(snapshot, free)) == []
+    assert bidding.approaches(snapshot, free) == {201: 1}
 
 
 def test_who_is_not_empty_enough_but_would_not_last_takes_part() -> None:
-    contest = TimeBidding(RULES, RefuellingRules())
+    bidding = TimeBidding(RULES, RefuellingRules())
     hungry = pursuer(1, 0.0)._replace(initial_j=14_000.0, power_w=700.0)  # need 0.3, lands in 18.6 s
-    assert decide(contest, [hungry], [giver(201)])[1] == [(201, 1, "unopposed")]
+    assert decide(bidding, [hungry], [giver(201)])[1] == [(201, 1, "unopposed")]
     assert decide(TimeBidding(RULES, RefuellingRules()), [pursuer(1, 60.0)], [giver(201)], within_s=0.5)[1] == []

@@ -68,7 +68,7 @@ def test_a_vehicle_that_was_kept_from_running_hears_what_waits_before_it_leaves(
             unit = Slow(clock, supervisor)
             unit.grant(0, link.socket.getsockname())
             with pytest.raises(SystemExit) as left:
-                loop.run_supervised([loop.Seat(unit, link, ())])
+                loop.run_supervised([loop.ConnectedUnit(unit, link, ())])
     assert unit.advanced_ms == [0, 100, 200, 300]
     assert left.value.code == exit.ABANDONED
     assert "silent for 10 s" in capsys.readouterr().err
@@ -108,7 +108,7 @@ def test_a_vehicle_of_a_hatch_waits_for_a_suspended_supervisor(monkeypatch: pyte
 
             monkeypatch.setattr(loop.select, "poll", Poll)
             with pytest.raises(Enough):
-                loop.run_supervised([loop.Seat(unit, link, ())], secret=1)
+                loop.run_supervised([loop.ConnectedUnit(unit, link, ())], secret=1)
     assert unit.advanced_ms == [0, 100]
 
 

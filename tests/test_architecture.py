@@ -16,7 +16,7 @@ ROOT = Path(__file__).resolve().parents[1]
 PACKAGES = {
     "simvehicle": [
         "exit kernels loading",
-        "assignment law",
+        "law",
         "autopilot",
         "fleet",
         "mavlink",

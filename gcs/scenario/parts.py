@@ -413,7 +413,7 @@ class Radio(Part):
 
 
 class Record(Part):
-    """What a session leaves on disk, and how much of it (docs/protocol.md#rotation)."""
+    """Recording: what a session leaves on disk, and how much of it (docs/protocol.md#rotation)."""
 
     rotate_mb: Annotated[int, Field(strict=True, ge=1, le=1_000_000)] | None = None
     """once session.tlog and decisions.jsonl are larger together, they go on in new files; MB; never without it"""

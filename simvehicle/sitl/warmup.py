@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import numpy as np
 from pymavlink.dialects.v20 import common as mav
 
-from simvehicle.assignment import least_cost
 from simvehicle.autopilot.body import Start
 from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.identity import IDENTITIES
@@ -27,7 +25,6 @@ Both are then shared by all forks, where each would make them for itself, in mem
 
 def warm_up() -> None:
     """Load, compile and run everything that a flying vehicle needs."""
-    least_cost(np.zeros((1, 1)))  # for those who compete among themselves
     vehicle = Vehicle(IDENTITIES["px4"], Parameters(), LocalFrame(0.0, 0.0, 0.0), Start(airborne=True))
     connection = Connection(1)
     unit = VehicleUnit(vehicle, Services(vehicle, 1, [connection]), None)

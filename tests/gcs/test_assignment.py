@@ -7,7 +7,6 @@ import pytest
 from scipy.optimize import linear_sum_assignment
 
 from gcs.assignment import least_cost
-from simvehicle.assignment import least_cost as least_cost_of_vehicles
 
 
 @pytest.mark.parametrize("values", [2, 4, 1000])  # few values: many equal sums
@@ -19,7 +18,6 @@ def test_it_is_the_assignment_that_scipy_finds(values: int) -> None:
             cost += rng.uniform(0.0, 1.0, cost.shape)
         expected = [side.tolist() for side in linear_sum_assignment(cost)]
         assert [side.tolist() for side in least_cost(cost)] == expected
-        assert [side.tolist() for side in least_cost_of_vehicles(cost)] == expected
 
 
 def test_no_permutation_costs_less() -> None:

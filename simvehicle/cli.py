@@ -79,7 +79,7 @@ class _Triple(click.ParamType[tuple[float, float, float]]):
     "--params",
     type=click.Path(path_type=Path, dir_okay=False),
     multiple=True,
-    help="YAML file of MAVLink parameters, NAME: number.",
+    help="MAVLink parameters, YAML, NAME: number.",
 )
 @click.option(
     "--autopilot",
@@ -118,7 +118,7 @@ class _Triple(click.ParamType[tuple[float, float, float]]):
     "fleet",
     type=click.Path(path_type=Path, dir_okay=False),
     metavar="FILE",
-    help="Compete on board for the fleet's tankers, by the rules in this YAML file.",
+    help="Rules to compete on board by, YAML.",
 )
 @click.option(
     "--count",

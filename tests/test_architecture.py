@@ -14,7 +14,17 @@ import pytest
 ROOT = Path(__file__).resolve().parents[1]
 
 PACKAGES = {
-    "simvehicle": ["exit kernels loading", "law", "autopilot", "fleet", "mavlink", "sitl", "paper", "cli", "__main__"],
+    "simvehicle": [
+        "exit kernels loading",
+        "law",
+        "autopilot",
+        "fleet",
+        "mavlink",
+        "sitl",
+        "paper",
+        "cli",
+        "__main__",
+    ],
     "gcs": [
         "exit kernels loading",
         "assignment mavlink scenario",

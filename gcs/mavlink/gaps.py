@@ -6,12 +6,14 @@ One rule, `after`, counts frame by frame while a session flies (`GapCounter`) an
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gcs.kernels import kernel
+from gcs.mavlink.codec import Frame
 from gcs.mavlink.sequence import HALF, NUMBERS
 
 IntArray = NDArray[np.int64]
@@ -59,6 +61,17 @@ class GapCounter:
     def lost(self) -> int:
         """Of all systems."""
         return sum(self.lost_of.values())
+
+    def feed_all(self, frames: Iterable[Frame]) -> None:
+        """Count frames that were received, in their order."""
+        newest, missing = self._newest, self._missing
+        for sysid, compid, seq, _, _ in frames:
+            sender = sysid << 8 | compid
+            if (seq - newest.get(sender, seq)) % NUMBERS == 1:  # as nearly every frame; see `after`
+                missing[sender][seq ^ HALF] = 0
+                newest[sender] = seq
+            else:
+                self.feed(sysid, compid, seq)
 
     def feed(self, sysid: int, compid: int, seq: int) -> None:
         """Count a frame that was received."""

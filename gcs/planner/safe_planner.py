@@ -24,7 +24,7 @@ from gcs.planner.link_age import LinkAge
 from gcs.planner.planner import CATCH_UP_SPEED, FLOOR_M, LEAST_MARGIN_M, LOOKAHEAD_S, STILL, floor_d
 from gcs.planner.request import PlanRequest, TickPlanner
 from gcs.planner.safety_filter import KINDS, Filtered, FilterSettings, Leaders, Others, filter_step
-from gcs.planner.silence import STEP_M, failsafe_of, presumed_places
+from gcs.planner.silence import STEP_M, failsafe_of, flown_on, presumed_places
 from gcs.planner.tracking import Tracking
 from gcs.scenario.model import Scenario, VehicleBase
 from gcs.telemetry.state import Vec3, VehicleView
@@ -101,9 +101,7 @@ class SafePlanner:
         self.lag_s = LOOKAHEAD_S
         """how far vehicles fly behind their leaders, usually"""
         self._failsafes = {
-            v.sysid: (v.start_m, failsafe_of(v, scenario.obstacles))
-            for v in scenario.vehicles.all
-            if v.external is None
+            v.sysid: (v.start_m, failsafe_of(v, scenario)) for v in scenario.vehicles.all if v.external is None
         }
         self._link_age = LinkAge()
         self._reported_s: dict[tuple[int, str], float] = {}
@@ -243,9 +241,12 @@ class SafePlanner:
             radius_m = rules.separation_m + self.margin_m(view.sysid)
             name, owner = f"vehicle {view.sysid}", view.sysid if view.sysid in led else None
             age_s = min(view.age_s, request.snapshot.time_s)
-            others.append(_Other.of(name, owner, place, view.v_ned, self.lag_s, radius_m, age_s))
-            if silent and view.sysid in self._failsafes:
+            if not silent or view.sysid not in self._failsafes or view.p_ned is None:
+                others.append(_Other.of(name, owner, place, view.v_ned, self.lag_s, radius_m, age_s))
+            else:
                 home, failsafe = self._failsafes[view.sysid]
+                place, v_ned = flown_on(view.p_ned, view.v_ned, age_s, self.lag_s, failsafe)
+                others.append(_Other.of(name, owner, place, v_ned, 0.0, radius_m, age_s))
                 for presumed in presumed_places(place, home, age_s, failsafe):
                     others.append(_Other.of(name, owner, presumed, STILL, 0.0, radius_m + 0.5 * STEP_M, 0.0))
         for aircraft in request.snapshot.traffic:

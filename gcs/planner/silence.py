@@ -1,9 +1,9 @@
 """Presumed places of a vehicle whose telemetry is lost [choice].
 
-Our vehicles and most autopilots do the same when nothing reaches them: they hold when set points stay away, and return
-home when the ground station does: up to a height, straight to above their home, and down. When that begins is uncertain
-by the ground station's last heartbeats, and how far they are by their acceleration, so the answer is a stretch of that
-way, as places with a distance of STEP_M.
+Our vehicles and most autopilots do the same when nothing reaches them: they fly on for a moment and hold when set
+points stay away, and return home when the ground station does: up to a height, straight to above their home, and down.
+When that begins is uncertain by the ground station's last heartbeats, and how far they are by their acceleration, so
+the answer is a stretch of that way, as places with a distance of STEP_M.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import numpy as np
 
 from gcs.planner.line_of_sight import bounds
 from gcs.scenario.geometry import of_scenario
-from gcs.scenario.model import Obstacle, VehicleBase
+from gcs.scenario.model import Obstacle, Scenario, VehicleBase
 from gcs.telemetry.state import Vec3
 
 STEP_M = 0.7
@@ -25,6 +25,10 @@ HEARTBEAT_S = 1.5
 """Time before a vehicle's last report at which it may have received the last heartbeat."""
 SLOW_S = 2.5
 """Delay beyond its speed alone with which it may be anywhere: it brakes at each corner."""
+BRAKES_M_S2 = 4.0
+"""Deceleration of a vehicle that holds."""
+LOST_AFTER_PERIODS, MOST_LOST_S = 5, 1.0
+"""[choice] Periods without a set point after which a launched vehicle holds, and the longest wait: PX4's own."""
 OVER_M = 1.5
 """[choice] Above the highest obstacle a launched vehicle returns, where its parameters do not say how high."""
 MOST_ALTITUDE_M = 150.0
@@ -39,6 +43,8 @@ class Failsafe:
 
     loss_s: float = 5.0
     """COM_DL_LOSS_T"""
+    hold_s: float = MOST_LOST_S
+    """COM_OF_LOSS_T"""
     altitude_m: float = 5.0
     """RTL_RETURN_ALT, above home"""
     speed_m_s: float = 5.0
@@ -47,15 +53,21 @@ class Failsafe:
     """MPC_LAND_SPEED"""
 
 
-def failsafe_of(vehicle: VehicleBase, obstacles: tuple[Obstacle, ...]) -> Failsafe:
-    """Failsafe of a launched vehicle: by its parameters, and else returning above all obstacles."""
+def failsafe_of(vehicle: VehicleBase, scenario: Scenario) -> Failsafe:
+    """Failsafe of a launched vehicle: by its parameters, and else one for who knows of no obstacle.
+
+    It returns above all of them. Without set points it flies on as it did, where the next one might have led it around
+    something, so that it waits no longer than for a few that were lost, or for the radio's jitter.
+    """
     params, usual = vehicle.params, Failsafe()
     altitude_m = params.get("RTL_RETURN_ALT")
     if altitude_m is None:
-        over_m = _highest_m(obstacles) + OVER_M + vehicle.start_m[2]
+        over_m = _highest_m(scenario.obstacles) + OVER_M + vehicle.start_m[2]
         altitude_m = min(max(usual.altitude_m, math.ceil(over_m)), MOST_ALTITUDE_M)
+    waits_s = LOST_AFTER_PERIODS * scenario.clock.period_s + scenario.radio.jitter_s
     return Failsafe(
         params.get("COM_DL_LOSS_T", usual.loss_s),
+        params.get("COM_OF_LOSS_T", min(waits_s, MOST_LOST_S)),
         altitude_m,
         params.get("MPC_XY_CRUISE", usual.speed_m_s),
         params.get("MPC_LAND_SPEED", usual.sink_m_s),
@@ -67,6 +79,16 @@ def _highest_m(obstacles: tuple[Obstacle, ...]) -> float:
     """Height of the highest obstacle's top above the scenario's height 0; 0 without any."""
     low, _ = bounds(of_scenario(obstacles)) if obstacles else (np.zeros((1, 3)), None)
     return -float(low[:, 2].min())
+
+
+def flown_on(p_ned: Vec3, v_ned: Vec3, silent_s: float, lag_s: float, failsafe: Failsafe) -> tuple[Vec3, Vec3]:
+    """Place (NED, m) and velocity (m/s) of a vehicle whose last report, silent_s ago, was p and v.
+
+    Its last set point was lag_s ahead of it; it flies on from there until it holds, and brakes.
+    """
+    stands_s = lag_s + failsafe.hold_s + math.hypot(*v_ned) / (2.0 * BRAKES_M_S2)
+    n, e, d = (p + v * min(silent_s + lag_s, stands_s) for p, v in zip(p_ned, v_ned, strict=True))
+    return (n, e, d), v_ned if silent_s + lag_s < stands_s else (0.0, 0.0, 0.0)
 
 
 def presumed_places(p_ned: Vec3, home_ned: Vec3, silent_s: float, failsafe: Failsafe) -> list[Vec3]:

@@ -183,6 +183,8 @@ class Hatch:
 
     def close(self) -> None:
         """End the hatch; returns when all its processes are gone. It need not be a child of this process."""
+        if self._process.returncode is not None:
+            return
         with contextlib.suppress(BrokenPipeError):
             self._in.close()
         if not select.select([self._death], [], [], ENDED_WITHIN_S)[0]:

@@ -14,8 +14,6 @@ from gcs.processes.hatch import ProcessSpec
 from gcs.scenario.faults import COMMANDED
 from gcs.scenario.model import Scenario, VehicleBase
 
-LOST_AFTER_PERIODS, MOST_LOST_S = 5, 1.0
-"""[choice] Periods without a set point after which a launched vehicle holds, and the longest wait: PX4's own."""
 PEERS_A_TICK = 8
 """Reports of peers that a bundle holds beside everything else (docs/protocol.md#peer-reports)."""
 REPORT_TICK_S, LEAST_REPORT_S = 0.1, 0.2
@@ -124,7 +122,7 @@ def fleet_file(scenario: Scenario, folder: Path) -> Path:
 def fleet_rules(scenario: Scenario) -> dict[str, Any]:
     """Rules of a fleet that competes on board, NED."""
     vehicles, shares = scenario.vehicles, math.ceil(len(scenario.vehicles.all) / PEERS_A_TICK)
-    transit_m = max((failsafe_of(vehicle, scenario.obstacles).altitude_m for vehicle in vehicles.all), default=0.0)
+    transit_m = max((failsafe_of(vehicle, scenario).altitude_m for vehicle in vehicles.all), default=0.0)
     return {
         **scenario.competition.model_dump(include=_COMPETITION_KEYS),
         **scenario.refuelling.model_dump(include=_REFUELLING_KEYS),
@@ -160,16 +158,9 @@ def _fails(vehicle: VehicleBase, scenario: Scenario) -> bool:
 
 
 def _cautious(vehicle: VehicleBase, scenario: Scenario) -> dict[str, float]:
-    """Failsafe parameters of a vehicle that knows of no obstacle: it returns above all of them, and holds soon.
-
-    Without set points it flies on as it did, where the next one might have led it around something. So it waits no
-    longer than for a few that were lost, or for the radio's jitter.
-    """
-    waits_s = LOST_AFTER_PERIODS * scenario.clock.period_s + scenario.radio.jitter_s
-    return {
-        "RTL_RETURN_ALT": failsafe_of(vehicle, scenario.obstacles).altitude_m,
-        "COM_OF_LOSS_T": min(waits_s, MOST_LOST_S),
-    }
+    """Failsafe parameters of a vehicle that knows of no obstacle."""
+    failsafe = failsafe_of(vehicle, scenario)
+    return {"RTL_RETURN_ALT": failsafe.altitude_m, "COM_OF_LOSS_T": failsafe.hold_s}
 
 
 def traffic_order(scenario: Scenario, folder: Path, connection: Sequence[str]) -> ProcessSpec:

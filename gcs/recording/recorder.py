@@ -10,6 +10,7 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import json
+import math
 import os
 import struct
 from collections.abc import Iterable, Mapping, Sequence
@@ -26,6 +27,8 @@ BATCH_BYTES = 1 << 16
 _TIME = struct.Struct(">Q").pack
 _DIGEST_PREFIX = struct.Struct("<QB").pack
 _IN, _OUT, _DECISION = range(3)
+SET_POINT_KEYS = 5
+_float = float.__repr__  # as json writes one, also of numpy
 _encode = json.JSONEncoder(sort_keys=True, allow_nan=False, separators=(",", ":")).encode
 
 
@@ -210,7 +213,25 @@ class Digest:
 
 def decision_line(decision: Mapping[str, Any]) -> bytes:
     """A decision as its line of `decisions.jsonl`: keys sorted, no NaN. Raises ValueError, TypeError as `json` does."""
-    return _encode(decision).encode() + b"\n"
+    line = _set_point_line(decision) if decision.get("kind") == "set_point" else None
+    return line or _encode(decision).encode() + b"\n"
+
+
+def _set_point_line(decision: Mapping[str, Any]) -> bytes | None:
+    """The line that `json` makes of a set point, in a third of the time: nearly all decisions are set points.
+
+    None for one that is not the usual five keys with finite floats: `json` knows what is to become of it.
+    """
+    try:
+        (n, e, d), (v_n, v_e, v_d), t_s = decision["p_ned"], decision["v_ned"], decision["t_s"]
+        if len(decision) != SET_POINT_KEYS or not math.isfinite(n + e + d + v_n + v_e + v_d + t_s):
+            return None
+        return (
+            f'{{"kind":"set_point","p_ned":[{_float(n)},{_float(e)},{_float(d)}],"sysid":{decision["sysid"]:d},'
+            f'"t_s":{_float(t_s)},"v_ned":[{_float(v_n)},{_float(v_e)},{_float(v_d)}]}}\n'
+        ).encode()
+    except (KeyError, TypeError, ValueError):
+        return None
 
 
 def _reason(error: OSError) -> str:

@@ -296,8 +296,8 @@ class Supervisor:
                 impaired = [frame for frame in frames if frame.msgid != _SYSTEM_TIME]
                 grants = [frame for frame in frames if frame.msgid == _SYSTEM_TIME]
                 received = [*self._radio.apply(key[0], "in", now_s, impaired), *grants]
+            self._gaps.feed_all(received)
             for frame in received:
-                self._gaps.feed(frame.sysid, frame.compid, frame.seq)
                 self.fleet.ingest(frame, now_s)
                 if self._watched is not None and frame.msgid == _DEBUG_FLOAT_ARRAY:
                     self._watched.receive(frame.sysid, codec.fields(frame), now_s)

@@ -63,7 +63,7 @@ class Member:
     profile: Profile | None = None
     """whose habits it has; None: as its HEARTBEAT says"""
     airborne: bool = False
-    """launched in the air, where it is until it reports that it has landed"""
+    """launched in the air, where it is until it reports that it has landed; its frame is the common one"""
 
 
 class _Track:
@@ -173,6 +173,9 @@ class Fleet:
     def __init__(self, members: Iterable[Member], origin: GlobalOrigin) -> None:
         self._tracks = {member.sysid: _Track(member) for member in sorted(members, key=lambda m: m.sysid)}
         self.origin = origin
+        for track in self._tracks.values():
+            if track.member.airborne:  # it holds unless it soon gets set points, which need its place
+                track.offset, track.origin_alt_m = ZERO, origin.alt_m
         self._traffic: dict[int, tuple[str, Vec3, Vec3, float]] = {}
         self.statustexts: list[tuple[int, int, str]] = []
         self.acks: list[tuple[int, Any]] = []

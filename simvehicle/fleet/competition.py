@@ -11,11 +11,11 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
-from scipy.optimize import linear_sum_assignment
 
 from simvehicle.fleet.bids import HOPELESS_S, Offer, begins_s, lasts_s, meeting_s
 from simvehicle.fleet.peers import DecidedBy, PeerReport
 from simvehicle.fleet.rules import FleetRules
+from simvehicle.law.assignment import least_cost_columns
 from simvehicle.law.winner_take_all import Bidder, Standing, advance_ln, bounded, standing
 
 _ROUNDING_S = 1e-6
@@ -118,14 +118,14 @@ class FleetCompetition:
     def _matched(self, now_s: float, winners: Sequence[int], by: DecidedBy, free: Sequence[Offer]) -> list[FleetAward]:
         """The winners' tankers, by the least sum of the ways' times. Whom its tanker would reach too late leaves the
         place to the next one whom it would not."""
-        cost_s = np.array([[self._way_s(now_s, offer, sysid) for sysid in winners] for offer in free])
-        rows, columns = linear_sum_assignment(cost_s)
+        cost_s = [[self._way_s(now_s, offer, sysid) for offer in free] for sysid in winners]
+        tanker_of = least_cost_columns(cost_s)
         others = [one.sysid for one in sorted(self._bidders, key=lambda one: (-one.ln_v, one.rank))]
         others = [sysid for sysid in others if sysid not in winners]
         found = []
-        for i, j in zip(rows, columns, strict=True):
-            chosen = winners[j]
-            for candidate in (winners[j], *others):
+        for winner, i in zip(winners, tanker_of, strict=True):
+            chosen = winner
+            for candidate in (winner, *others):
                 lasts = lasts_s(self._reports[candidate], now_s, self._rules.lands_at)
                 if begins_s(self._way_s(now_s, free[i], candidate)) <= lasts:
                     chosen = candidate

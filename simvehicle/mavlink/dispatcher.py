@@ -80,7 +80,7 @@ class Services:
     def receive(self, frame: ReceivedFrame, connection: Connection) -> None:
         """Act on one frame; answers wait on the same connection."""
         if self.fleet is not None and not self._deaf():
-            self.fleet.receive(frame)
+            self.fleet.receive(frame, from_fleet=connection is self.connections[0])
         if frame.msgid not in UNDERSTOOD or (frame.sysid, frame.compid) == (self.sysid, COMPID):
             return
         content = decode(frame)

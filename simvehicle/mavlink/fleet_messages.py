@@ -36,11 +36,12 @@ class FleetService:
         self.follow_rate_hz = 0.0
         """how often FOLLOW_TARGET is to be sent"""
 
-    def receive(self, frame: ReceivedFrame) -> None:
-        """Take in what concerns the fleet; other frames are passed over."""
+    def receive(self, frame: ReceivedFrame, *, from_fleet: bool = True) -> None:
+        """Take in what concerns the fleet; other frames are passed over. Peers are believed on the fleet's own radio
+        alone, the vehicle's first connection: anyone may speak on the others."""
         if frame.msgid in _SET_POINTS:
             self.member.led()
-        if frame.msgid not in MESSAGES or frame.sysid == self._sysid:
+        if not from_fleet or frame.msgid not in MESSAGES or frame.sysid == self._sysid:
             return
         content = decode(frame)
         assert content is not None
@@ -48,7 +49,7 @@ class FleetService:
             if content.target_system == self._sysid and content.command == mav.MAV_CMD_USER_1:
                 self.member.receive_answer(frame.sysid, content.result == ACCEPTED)
         elif content.name == PEER and content.array_id == FORMAT:
-            report = report_of(1e-6 * (content.time_usec - self._vehicle.unix_epoch_us), content.data)
+            report = report_of((content.time_usec - self._vehicle.unix_epoch_us) / 1e6, content.data)
             if report is not None and report.time_s <= self._vehicle.time_s:
                 self.member.receive(frame.sysid, report)
 

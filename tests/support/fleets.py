@@ -29,6 +29,7 @@ from simvehicle.fleet.rules import read_rules
 from simvehicle.mavlink.codec import split
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.dispatcher import Services
+from simvehicle.mavlink.fleet_messages import FleetService
 
 PERIOD_MS = 100
 APART_M = 2.0
@@ -117,9 +118,13 @@ class FleetInProcess:
 
     def member(self, sysid: int) -> FleetMember:
         """A vehicle's part in the fleet."""
+        return self.service(sysid).member
+
+    def service(self, sysid: int) -> FleetService:
+        """MAVLink face of that part."""
         service = self._services[sysid].fleet
         assert service is not None
-        return service.member
+        return service
 
     def believed(self, sysid: int) -> dict[int, int]:
         """Receiver of each tanker as a vehicle knows it; a tanker knows its own."""

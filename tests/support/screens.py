@@ -83,7 +83,7 @@ class Screen:
 
     def named(self, word: str) -> psutil.Process:
         """The process of the family that has this word among its arguments."""
-        return next(p for p in self.family() if word in p.cmdline())
+        return next(p for p in self.family() if word in " ".join(p.cmdline()).split())
 
     def press(self, keys: str) -> None:
         """Type."""

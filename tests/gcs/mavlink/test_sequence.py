@@ -197,3 +197,19 @@ def test_grant_before_the_last_tick_was_taken_is_refused() -> None:
     collector.begin(100)
     with pytest.raises(RuntimeError, match="tick 100 of vehicle 4 has not been taken"):
         collector.begin(200)
+
+
+def test_frames_counted_together_are_counted_as_one_by_one() -> None:
+    rng = random.Random(1)
+    frames, numbers = [], dict.fromkeys([(1, 1), (1, 2), (9, 1)], 250)
+    for _ in range(3000):
+        sender = rng.choice(list(numbers))
+        numbers[sender] += rng.choice([1, 1, 1, 1, 1, 2, 5, 0, -3])
+        frames.append(Frame(*sender, numbers[sender] % 256, 0, b""))
+    together, single = GapCounter(), GapCounter()
+    for first in range(0, len(frames), 7):
+        together.feed_all(frames[first : first + 7])
+    for frame in frames:
+        single.feed(frame.sysid, frame.compid, frame.seq)
+    assert together.lost_of == single.lost_of
+    assert min(together.lost_of.values()) > 0

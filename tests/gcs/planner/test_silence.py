@@ -8,7 +8,7 @@ import math
 import pytest
 from sessions import merged, small
 
-from gcs.planner.silence import Failsafe, failsafe_of, presumed_places
+from gcs.planner.silence import Failsafe, failsafe_of, flown_on, presumed_places
 from gcs.scenario.model import Scenario
 
 HOME = (0.0, 0.0, -5.0)
@@ -53,5 +53,16 @@ def test_a_launched_vehicle_returns_above_all_obstacles(
     column = {"cylinder_m": [9.0, 0.0], "radius_m": 0.5, "bottom_m": 0.0, "top_m": -7.0}
     scenario = Scenario.model_validate(merged(small(), {"obstacles": [column]}))
     vehicle = scenario.vehicles.pursuers[0].model_copy(update={"start_m": tuple(start_m), "params": params})
-    assert failsafe_of(vehicle, scenario.obstacles).altitude_m == altitude_m
-    assert failsafe_of(vehicle.model_copy(update={"params": {}}), ()).altitude_m == 5.0
+    assert failsafe_of(vehicle, scenario).altitude_m == altitude_m
+    assert (
+        failsafe_of(vehicle.model_copy(update={"params": {}}), scenario.model_copy(update={"obstacles": ()})).altitude_m
+        == 5.0
+    )
+
+
+@pytest.mark.parametrize("silent_s", [0.0, 0.4, 0.8, 1.0, 30.0])
+def test_a_vehicle_without_set_points_flies_on_until_it_holds(silent_s: float) -> None:
+    """It is 0.37 s behind its last set point, flies on for 0.5 s, and brakes from 3.2 m/s in 1.28 m: for 0.4 s more."""
+    place, v_ned = flown_on((1.0, 2.0, -5.0), (3.2, 0.0, 0.0), silent_s, 0.37, Failsafe(hold_s=0.5))
+    assert place == pytest.approx((1.0 + 3.2 * min(silent_s + 0.37, 1.27), 2.0, -5.0))
+    assert v_ned == ((3.2, 0.0, 0.0) if silent_s < 0.9 else (0.0, 0.0, 0.0))

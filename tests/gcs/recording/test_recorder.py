@@ -13,10 +13,11 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from gcs.mavlink import codec
-from gcs.recording.recorder import BATCH_BYTES, DECISIONS, TLOG, Digest, Recorder, RecorderError
+from gcs.recording.recorder import BATCH_BYTES, DECISIONS, TLOG, Digest, Recorder, RecorderError, decision_line
 
 with warnings.catch_warnings():
     warnings.simplefilter("ignore")  # mavutil's own imports warn
@@ -62,6 +63,22 @@ def test_decision_with_no_number_is_refused_and_leaves_no_trace(tmp_path: Path, 
             recorder.decision({"value": bad})
         recorder.decision({"value": 1})
     assert (tmp_path / DECISIONS).read_text() == '{"value":1}\n'
+
+
+@pytest.mark.parametrize("t_s", [0.1, 0, 1e300, True])
+@pytest.mark.parametrize("number", [0.1, -0.0, 1e-7, 1e22, 3, np.float64(2.5), 5e-324, 1.7e308])
+@pytest.mark.parametrize("more", [{}, {"more": 1}])
+def test_a_set_point_is_the_line_that_json_makes_of_it(number: float, t_s: float, more: dict[str, int]) -> None:
+    point = {"t_s": t_s, "kind": "set_point", "sysid": 7, "p_ned": (number, 1.5, -2.0), "v_ned": (0.0, number, 1.0)}
+    point |= more
+    expected = json.dumps(point, sort_keys=True, separators=(",", ":")).encode() + b"\n"
+    assert decision_line(point) == expected
+
+
+@pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf])
+def test_a_set_point_without_a_number_is_refused(bad: float) -> None:
+    with pytest.raises(ValueError, match="JSON"):
+        decision_line({"t_s": 0.1, "kind": "set_point", "sysid": 7, "p_ned": (bad, 0.0, 0.0), "v_ned": (0.0, 0.0, 0.0)})
 
 
 def test_flush_shows_what_was_recorded_so_far(tmp_path: Path) -> None:

@@ -1,0 +1,78 @@
+"""The demo with its vehicles competing on board and the ground station's radio dead from 30 s to 90 s, by what the
+vehicles themselves recorded."""
+
+from __future__ import annotations
+
+import itertools
+from typing import Any
+
+import numpy as np
+import pytest
+from sessions import Outcome, demo, fly, merged, small
+
+PURSUERS, TARGET, TANKER = (1, 2, 3, 4, 5), 101, 201
+FROM_S, TO_S = 30.0, 90.0
+ON_BOARD: dict[str, Any] = {"competition": {"where": "vehicles"}}
+
+
+@pytest.fixture(scope="module")
+def flown(tmp_path_factory: pytest.TempPathFactory) -> Outcome:
+    silent = {"radio": {"ground_blackouts": [{"from_s": FROM_S, "to_s": TO_S}]}, "goal": {"duration_s": 115}}
+    return fly(merged(demo(), {**ON_BOARD, **silent}), tmp_path_factory.mktemp("silent"), "--quiet")
+
+
+def test_the_ground_stations_radio_was_dead(flown: Outcome) -> None:
+    frames = [t_s for t_s, message in flown.messages() if message.get_type() != "SYSTEM_TIME"]
+    dark = [t_s for t_s in frames if FROM_S <= t_s < TO_S]
+    assert dark == []
+    assert max(frames) > TO_S
+
+
+def test_those_in_need_are_decided_met_and_served_all_the_same(flown: Outcome) -> None:
+    """All whose charge would not have lasted, each by energy that it took in the dark."""
+    for sysid in PURSUERS:
+        truth = flown.truth(sysid)
+        dark = (truth.time_s >= FROM_S) & (truth.time_s <= TO_S)
+        drawn, received, _, remaining = truth.energy[dark].T
+        would_last = remaining[0] - (drawn[-1] - drawn[0]) > 0.05 * truth.head["capacity_j"]
+        assert would_last or received[-1] > received[0], sysid
+    served = [r for r in flown.summary["refuelling"] if r["start_s"] and FROM_S <= r["start_s"] < TO_S]
+    assert len(served) >= 4
+    assert all(r["energy_j"] > 0 and FROM_S <= r["decided_at_s"] < r["start_s"] for r in served)
+
+
+def test_nobody_is_served_twice_at_once_or_again_before_it_is_in_need(flown: Outcome) -> None:
+    for sysid in PURSUERS:
+        own = [r for r in flown.summary["refuelling"] if r["receiver"] == sysid]
+        for earlier, later in itertools.pairwise(own):
+            assert earlier["end_s"] <= later["decided_at_s"]
+            truth = flown.truth(sysid)
+            row = int(np.searchsorted(truth.time_s, later["decided_at_s"]))
+            assert truth.energy[row, 3] <= 0.55 * truth.head["capacity_j"]
+
+
+def test_nobody_is_lost_and_the_plan_goes_on(flown: Outcome) -> None:
+    assert (flown.status, flown.summary["outcome_text"]) == (0, "met")
+    for sysid in (*PURSUERS, TARGET, TANKER):
+        truth = flown.truth(sysid)
+        assert truth.energy[:, 3].min() > 0.05 * truth.head["capacity_j"]
+        assert flown.vehicle(sysid)["final_mode"] in {"offboard", "refuel"}
+    target = flown.truth(TARGET)
+    after = target.time_s > TO_S + 5.0
+    assert np.linalg.norm(np.diff(target.p_ned[after], axis=0), axis=1).sum() > 0.8 * 0.5 * (115.0 - TO_S - 5.0)
+    for sysid in PURSUERS:
+        distance = np.linalg.norm(flown.truth(sysid).p_ned - target.p_ned, axis=1)[after]
+        assert np.median(distance) == pytest.approx(2.0, abs=0.4)
+
+
+def test_everyone_keeps_apart_in_the_dark(flown: Outcome) -> None:
+    truths = {sysid: flown.truth(sysid) for sysid in (*PURSUERS, TARGET, TANKER)}
+    for a, b in itertools.combinations(truths, 2):
+        assert np.linalg.norm(truths[a].p_ned - truths[b].p_ned, axis=1)[20:].min() >= 0.6, (a, b)
+
+
+def test_a_session_on_board_is_reproducible_whatever_the_datagrams(tmp_path: Any) -> None:
+    content = small(**ON_BOARD, radio={"loss": 0.2, "delay_s": 0.2}, goal={"duration_s": 15.0, "refuelled_at_least": 0})
+    outcomes = [fly(content, tmp_path / "a"), fly(content, tmp_path / "b", "--drop-datagrams", "0.05")]
+    assert len({outcome.summary["digest"] for outcome in outcomes}) == 1
+    assert outcomes[0].summary["refuelling"][0]["receiver"] == 1

@@ -62,7 +62,8 @@ def test_it_closes_when_the_tanker_is_pushed_out_of_the_capture_radius(tmp_path:
     assert_ledgers_close(outcome, EVERYONE)
     receiver = outcome.vehicle(1)["energy"]
     tanker = outcome.vehicle(201)["energy"]
-    assert tanker["given_j"] == receiver["received_j"] + tanker["lost_j"]
+    taken_back_j = tanker["received_j"]
+    assert tanker["given_j"] == receiver["received_j"] + taken_back_j + tanker["lost_j"]
 
 
 def test_it_closes_when_the_tanker_is_killed_in_mid_transfer(tmp_path: Path) -> None:

@@ -12,7 +12,7 @@ FIELDS = [
     "schema", "scenario", "seed", "clock", "speed", "sim_time_s", "wall_time_s", "speed_achieved", "lag_s",
     "completed", "outcome", "outcome_text", "goal", "unmet", "judged_by", "digest", "versions", "min_separation_m",
     "min_clearance_m", "min_traffic_m", "closest", "believed_min_separation_m", "believed_min_clearance_m",
-    "believed_min_traffic_m", "vehicles", "refuelling", "refuel_order", "tanker_idle_s", "link", "bases",
+    "believed_min_traffic_m", "vehicles", "refuelling", "refuel_order", "tanker_idle_s", "link", "faults", "bases",
 ]  # fmt: skip
 
 

@@ -261,7 +261,7 @@ def test_transfer_by_command_int_reads_whole_numbers(vehicle_bench: Any) -> None
 @pytest.mark.parametrize(
     "params",
     [
-        (2.0, 3.0, 100.0, 50.0, 1.0, 0.0),
+        (2.0, 4.0, 100.0, 50.0, 1.0, 0.0),
         (2.0, -1.0, 100.0, 50.0, 1.0, 0.0),
         (2.0, 1.0, NAN, 50.0, 1.0, 0.0),
         (2.0, 1.0, 0.0, 50.0, 1.0, 0.0),

@@ -226,10 +226,13 @@ class Timeline:
         if at < 0 or t_s - self._competition_s[at] > STANDS_S:
             return CompetitionState()
         record = self._competition_lines[at].record()
-        if any(key not in record for key in ("v", "tau", "leader", "share")):
+        try:
+            leader = None if record["leader"] is None else int(record["leader"])
+            return CompetitionState(
+                _by_sysid(record["v"]), _by_sysid(record["tau"]), {}, leader, float(record["share"])
+            )
+        except (KeyError, ValueError, TypeError, AttributeError, OverflowError):  # a broken line shows nothing
             return CompetitionState()
-        v, tau = _by_sysid(record["v"]), _by_sysid(record["tau"])
-        return CompetitionState(v, tau, {}, record["leader"], record["share"])
 
     # reading
 

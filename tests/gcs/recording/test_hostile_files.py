@@ -18,7 +18,11 @@ from sessions import Outcome, fly, small
 from gcs.mavlink import codec
 from gcs.recording import session_folder, tlog_reader, truth
 from gcs.recording.decisions_reader import DecisionLines
+from gcs.scenario.file import load
 from gcs.session.client import Lines
+from gcs.session.timeline import Timeline
+
+CORPUS = Path(__file__).resolve().parents[2] / "fuzz" / "corpus" / "session"
 
 EPOCH_US = 1_767_225_600_000_000
 FLIPS = (40, 50, 55, 62, 63)
@@ -151,3 +155,14 @@ IMPOSSIBLE = json.dumps({"sysid": 700, "step_s": 1, "state": [[1]], "energy": [2
 )
 def test_a_truth_with_an_impossible_beginning_is_left_out(broken_truth: Path, head: bytes) -> None:
     broken_truth.write_bytes(head + b"\n" + broken_truth.read_bytes().partition(b"\n")[2])
+
+
+@pytest.mark.parametrize(
+    "broken", [b'"v":{"":1.0}', b'"v":{"1":"x"}', b'"v":[]', b'"v":{"1":1e999}', b'"v":{"1":1},"leader":{}']
+)
+def test_a_broken_line_of_the_competition_shows_none(tmp_path: Path, broken: bytes) -> None:
+    scenario = load(CORPUS / "scenario.yaml")
+    line = b'{"kind":"competition","leader":1,"share":0.5,"t_s":1.0,"tau":{"1":0.5},' + broken + b"}\n"
+    (tmp_path / "decisions.jsonl").write_bytes(line)
+    timeline = Timeline(tmp_path / "decisions.jsonl", scenario)
+    assert timeline._competition_at(1.0).leader is None

@@ -344,11 +344,24 @@ def _delay(rng: np.random.Generator) -> Document:
 
 
 def _blackout(rng: np.random.Generator) -> Document:
-    """A ring among obstacles, one vehicle of which loses its link, both ways, for 30 s."""
-    document = _tracking(rng)
-    silent = int(rng.integers(len(document["vehicles"]["pursuers"]))) + 1
+    """A ring among obstacles, one vehicle of which loses its link, both ways, for 30 s; its way down home is clear."""
+    clear: list[int] = []
+    for _ in range(TRIES):
+        document = _tracking(rng)
+        pursuers, table = document["vehicles"]["pursuers"], table_of(document)
+        clear = [p["sysid"] for p in pursuers if _over(table, p["start_m"]) >= OBSTACLE_M]
+        if clear:
+            break
+    silent = clear[int(rng.integers(len(clear)))]
     document["goal"]["duration_s"] = LONGEST_S
     return document | {"radio": {"blackouts": [{"sysid": silent, "from_s": 15.0, "to_s": 45.0}]}}
+
+
+def _over(table: FloatArray, place: list[float]) -> float:
+    """Clearance of the column over a place, from the ground to above all obstacles."""
+    heights = np.linspace(0.0, 15.0, 61)
+    column = np.column_stack([np.full(61, place[0]), np.full(61, place[1]), -heights])
+    return float(shapes.clearance(table, column).min())
 
 
 def _poor_tracking(rng: np.random.Generator) -> Document:

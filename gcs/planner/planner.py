@@ -94,6 +94,7 @@ class Planner:
         if rules.safety and rules.guide and len(self.obstacles):
             clearance_m = 2.0 * (rules.clearance_m + LEAST_MARGIN_M)
             router = Router(self.obstacles, clearance_m, floor_m=FLOOR_M if self._grounded else None)
+            router.prepare()
             self._guides = {role: RouteFollower(router) for role in ROLES}
         self._slots: dict[int, Vec3] = {}
         self._slots_of: dict[int, frozenset[int]] = {}

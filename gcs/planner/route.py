@@ -105,6 +105,10 @@ class Router:
             )
         return self._grid
 
+    def prepare(self) -> None:
+        """Make the cells now: in a wide world they take half a second, which no flight has to spare."""
+        _ = self.grid
+
     def free(self, starts_ned: ArrayLike, goals_ned: ArrayLike) -> BoolArray:
         """Whether each straight line from starts_ned (n, 3) to goals_ned (n, 3) is free, (n,)."""
         starts, goals = self._places("starts_ned", starts_ned), self._places("goals_ned", goals_ned)

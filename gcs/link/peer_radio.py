@@ -35,20 +35,13 @@ class PeerRadio:
     def __init__(
         self,
         sysids: Sequence[int],
+        radio: Impairment,
         *,
-        loss: float = 0.0,
-        delay_s: float = 0.0,
-        jitter_s: float = 0.0,
-        duplicate: float = 0.0,
-        reorder: float = 0.0,
         blackouts: Iterable[BlackoutWindow] = (),
         splits: Iterable[SplitWindow] = (),
-        seed: int = 0,
     ) -> None:
-        self._sysids = sorted(sysids)
-        self._radio = Impairment(
-            loss=loss, delay_s=delay_s, jitter_s=jitter_s, duplicate=duplicate, reorder=reorder, seed=seed
-        )
+        """`radio`: what befalls the frames of each pair; `blackouts` silence a vehicle whether it sends or receives."""
+        self._sysids, self._radio = sorted(sysids), radio
         self._blackouts = tuple(blackouts)
         self._splits = tuple(splits)
         self._sent: dict[int, list[tuple[int, bytes]]] = {}

@@ -70,10 +70,9 @@ def make_peer_radio(scenario: Scenario, injections: Iterable[Injection] = ()) ->
     blackouts, _ = radio_faults(injections, [vehicle.sysid for vehicle in scenario.vehicles.all])
     return PeerRadio(
         [vehicle.sysid for vehicle in scenario.vehicles.all],
-        **radio.model_dump(include=_SHARES),
+        Impairment(**radio.model_dump(include=_SHARES), seed=scenario.seed),
         blackouts=[*(BlackoutWindow(b.sysid, b.from_s, b.to_s) for b in radio.blackouts), *blackouts],
         splits=[SplitWindow(frozenset(split.sysids), split.from_s, split.to_s) for split in radio.splits],
-        seed=scenario.seed,
     )
 
 

@@ -39,7 +39,7 @@ def counter(sysid: int, name: bytes) -> Frame:
 
 
 def test_a_broadcast_reaches_all_others_as_it_is_and_an_order_only_its_reader() -> None:
-    radio = PeerRadio(VEHICLES)
+    radio = PeerRadio(VEHICLES, Impairment())
     sent = [report(1), order(1, 201), counter(1, b"XferIn")]
     radio.send(1, sent)
     assert radio.receive(1, 0.0) == []
@@ -48,14 +48,14 @@ def test_a_broadcast_reaches_all_others_as_it_is_and_an_order_only_its_reader() 
 
 
 def test_what_is_the_ground_stations_stays_there() -> None:
-    radio = PeerRadio(VEHICLES)
+    radio = PeerRadio(VEHICLES, Impairment())
     heartbeat = frame(1, "HEARTBEAT", type=2, autopilot=12, base_mode=0, custom_mode=0, system_status=4)
     radio.send(1, [heartbeat, counter(1, b"Other"), order(1, 255)])
     assert radio.receive(2, 0.0) == []
 
 
 def test_frames_come_in_the_order_of_their_senders() -> None:
-    radio = PeerRadio(VEHICLES)
+    radio = PeerRadio(VEHICLES, Impairment())
     frames = {sysid: report(sysid) for sysid in (201, 3, 2)}
     for sysid, one in frames.items():
         radio.send(sysid, [one])
@@ -72,29 +72,29 @@ def received(radio: PeerRadio, reader: int, ticks: int = 400, sender: int = 1) -
 
 
 def test_each_pair_loses_its_own_frames_and_all_as_many() -> None:
-    to_2, to_3 = (received(PeerRadio(VEHICLES, loss=0.2, seed=4), reader) for reader in (2, 3))
+    to_2, to_3 = (received(PeerRadio(VEHICLES, Impairment(loss=0.2, seed=4)), reader) for reader in (2, 3))
     assert to_2 != to_3
     assert len(to_2) == pytest.approx(320, abs=30)
     assert len(to_3) == pytest.approx(320, abs=30)
-    assert received(PeerRadio(VEHICLES, loss=0.2, seed=4), 2) == to_2
-    assert received(PeerRadio(VEHICLES, loss=0.2, seed=5), 2) != to_2
+    assert received(PeerRadio(VEHICLES, Impairment(loss=0.2, seed=4)), 2) == to_2
+    assert received(PeerRadio(VEHICLES, Impairment(loss=0.2, seed=5)), 2) != to_2
 
 
 def test_the_delay_is_that_of_the_scenario() -> None:
-    late = received(PeerRadio(VEHICLES, delay_s=0.2), 2, ticks=50)
+    late = received(PeerRadio(VEHICLES, Impairment(delay_s=0.2)), 2, ticks=50)
     assert late == [(tick + 2, tick) for tick in range(48)]
 
 
 @pytest.mark.parametrize("dark", [1, 2])
 def test_a_blackout_of_either_side_cuts_it(dark: int) -> None:
-    radio = PeerRadio(VEHICLES, blackouts=[BlackoutWindow(dark, 1.0, 2.0)])
+    radio = PeerRadio(VEHICLES, Impairment(), blackouts=[BlackoutWindow(dark, 1.0, 2.0)])
     assert [tick for tick, _ in received(radio, 2, ticks=30)] == [*range(10), *range(20, 30)]
 
 
 def test_a_split_cuts_the_two_sides_and_neither_within() -> None:
     split = [SplitWindow(frozenset({1, 2}), 1.0, 2.0)]
-    assert len(received(PeerRadio(VEHICLES, splits=split), 2, ticks=30)) == 30
-    assert [tick for tick, _ in received(PeerRadio(VEHICLES, splits=split), 3, ticks=30)] == [
+    assert len(received(PeerRadio(VEHICLES, Impairment(), splits=split), 2, ticks=30)) == 30
+    assert [tick for tick, _ in received(PeerRadio(VEHICLES, Impairment(), splits=split), 3, ticks=30)] == [
         *range(10),
         *range(20, 30),
     ]

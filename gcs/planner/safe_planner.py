@@ -241,12 +241,12 @@ class SafePlanner:
             radius_m = rules.separation_m + self.margin_m(view.sysid)
             name, owner = f"vehicle {view.sysid}", view.sysid if view.sysid in led else None
             age_s = min(view.age_s, request.snapshot.time_s)
-            if not silent or view.sysid not in self._failsafes or view.p_ned is None:
-                others.append(_Other.of(name, owner, place, view.v_ned, self.lag_s, radius_m, age_s))
-            else:
-                home, failsafe = self._failsafes[view.sysid]
-                place, v_ned = flown_on(view.p_ned, view.v_ned, age_s, self.lag_s, failsafe)
-                others.append(_Other.of(name, owner, place, v_ned, 0.0, radius_m, age_s))
+            home, failsafe = self._failsafes.get(view.sysid, (STILL, None))
+            v_ned, lead_s = view.v_ned, self.lag_s
+            if silent and failsafe and view.p_ned is not None and view.mode in STEERABLE:
+                (place, v_ned), lead_s = flown_on(view.p_ned, v_ned, age_s, self.lag_s, failsafe), 0.0
+            others.append(_Other.of(name, owner, place, v_ned, lead_s, radius_m, age_s))
+            if silent and failsafe:
                 for presumed in presumed_places(place, home, age_s, failsafe):
                     others.append(_Other.of(name, owner, presumed, STILL, 0.0, radius_m + 0.5 * STEP_M, 0.0))
         for aircraft in request.snapshot.traffic:

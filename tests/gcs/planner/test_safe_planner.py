@@ -1,0 +1,59 @@
+"""The filtered planner and vehicles that have fallen silent: who stands where they may be gives way."""
+
+import math
+from typing import Any
+
+from gcs.mavlink.autopilots import PX4, FlightMode
+from gcs.planner.planner import Planner
+from gcs.planner.request import PlanRequest
+from gcs.planner.safe_planner import SafePlanner
+from gcs.scenario.model import Scenario
+from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
+
+PERIOD_S, SPEED_M_S = 0.1, 3.0
+AHEAD_M = 10.0
+
+
+def scenario() -> Scenario:
+    battery = {"capacity_j": 24_000.0}
+    pursuers: list[dict[str, Any]] = [
+        {"sysid": 1, "start_m": (AHEAD_M, 0.0, -5.0), "waypoints_m": [(AHEAD_M, 0.0, -5.0)]},
+        {"sysid": 2, "start_m": (0.0, 0.0, -5.0), "waypoints_m": [(30.0, 0.0, -5.0)]},
+    ]
+    return Scenario.model_validate(
+        {
+            "schema": 1, "name": "silent", "axes": "ned", "origin": {"lat_deg": 47.0, "lon_deg": 8.0, "alt_m": 400.0},
+            "goal": {"duration_s": 60.0}, "planner": {"cruise_m_s": SPEED_M_S},
+            "vehicles": {"pursuers": [one | {"airborne": True, "battery": battery} for one in pursuers]},
+        }
+    )  # fmt: skip
+
+
+def view(sysid: int, p_ned: Vec3, v_ned: Vec3, mode: FlightMode, age_s: float) -> VehicleView:
+    return VehicleView(
+        sysid=sysid, role="pursuer", label=f"pursuer {sysid}", alive=True, profile=PX4, mode=mode, armed=True,
+        landed=False, last_received_s=0.0, p_ned=p_ned, v_ned=v_ned, age_s=age_s, heading_rad=0.0,
+        origin_offset_ned=(0.0, 0.0, 0.0), ground_amsl_m=0.0, capacity_j=1e4, initial_j=1e4, battery_reported=True,
+        drawn_j=0.0, received_j=0, given_j=0, given_reported_s=0.0, power_w=10.0, energy_source="energy_consumed",
+        control_effort=0.0,
+    )  # fmt: skip
+
+
+def gives_way_m(mode: FlightMode) -> float:
+    """How far the leader of vehicle 1 has gone when the last report of vehicle 2, which flew at it, is 1.5 s old."""
+    content = scenario()
+    planner = SafePlanner(content, Planner(content))
+    here = (AHEAD_M, 0.0, -5.0)
+    for tick in range(16):
+        age_s = tick * PERIOD_S
+        vehicles = (
+            view(1, here, (0.0, 0.0, 0.0), FlightMode.OFFBOARD, 0.0),
+            view(2, (0.0, 0.0, -5.0), (SPEED_M_S, 0.0, 0.0), mode, age_s),
+        )
+        (point,) = planner.plan(PlanRequest(FleetSnapshot(20.0 + age_s, vehicles, ()), frozenset({1}), PERIOD_S))
+    return math.dist(point.p_ned, here)
+
+
+def test_a_silent_vehicle_is_looked_for_where_its_mode_takes_it() -> None:
+    """Without set points it stops where it needs them, and flies on where it does not, as when it returns."""
+    assert gives_way_m(FlightMode.RETURN) > gives_way_m(FlightMode.OFFBOARD) + 0.2

@@ -266,7 +266,8 @@ class ExternalLink:
             if self._kept:
                 peer.frames.append(frame)
                 if frame.msgid in _CLOCKS and frame.compid == AUTOPILOT:
-                    rebooted = peer.clock.feed(codec.fields(frame).time_boot_ms / 1e3, self._now_s())
+                    boot_s = codec.fields(frame).time_boot_ms / 1e3
+                    rebooted = peer.clock.feed(frame.msgid, boot_s, self._now_s())
                     self._rebooted |= {frame.sysid} if rebooted else set()
 
     def _claim(self, peer: _ExternalPeer, address: Where, now_s: float) -> None:

@@ -20,18 +20,23 @@ class BootClock:
     def __init__(self) -> None:
         self._least_s = self._least_before_s = math.inf
         self._window_began_s = -math.inf
-        self._newest_boot_s = -math.inf
+        self._newest_boot_s: dict[int, float] = {}
 
-    def feed(self, boot_s: float, arrival_s: float) -> bool:
-        """A message said `boot_s` and arrived at `arrival_s`; whether the vehicle has booted anew."""
-        rebooted = boot_s < self._newest_boot_s - REBOOT_S
+    def feed(self, msgid: int, boot_s: float, arrival_s: float) -> bool:
+        """A message `msgid` said `boot_s` and arrived at `arrival_s`; whether the vehicle has booted anew.
+
+        Messages are compared with those of their kind: a vehicle may fill in the time of one and leave that of another 0.
+        """
+        newest_s = self._newest_boot_s.get(msgid, -math.inf)
+        rebooted = boot_s < newest_s - REBOOT_S
         if rebooted:
+            self._newest_boot_s.clear()
             self._least_s = self._least_before_s = math.inf
             self._window_began_s = arrival_s
         elif arrival_s - self._window_began_s >= WINDOW_S:
             self._least_before_s, self._least_s = self._least_s, math.inf
             self._window_began_s = arrival_s
-        self._newest_boot_s = boot_s if rebooted else max(self._newest_boot_s, boot_s)
+        self._newest_boot_s[msgid] = boot_s if rebooted else max(newest_s, boot_s)
         self._least_s = min(self._least_s, arrival_s - boot_s)
         return rebooted
 

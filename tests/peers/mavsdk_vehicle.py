@@ -105,6 +105,7 @@ class Vehicle:
         self.wire = Wire(mavsdk, options.connect, self.place.to_global(self.home)[2])
         self.now_s = self.used_j = 0.0
         self.mode, self.armed, self.flying, self.fresh = FlightMode.HOLD, False, False, False
+        self.coming_down = False
         self.target_p: Vec3 | None = None
         self.target_v, self.target_yaw, self.target_s = ZERO, 0.0, -math.inf
         self.events: queue.SimpleQueue[tuple[Callable[..., None], tuple[Any, ...]]] = queue.SimpleQueue()
@@ -171,7 +172,7 @@ class Vehicle:
             self.enter(FlightMode(mode))
 
     def enter(self, mode: FlightMode) -> None:
-        self.mode, self.wire.failsafe = mode, False
+        self.mode, self.wire.failsafe, self.coming_down = mode, False, mode is FlightMode.LAND
         self.action.set_flight_mode_internal(mode)
         if mode is FlightMode.HOLD:
             self.target_p, self.target_v = None, ZERO
@@ -297,19 +298,20 @@ class Vehicle:
             self.wire.failsafe = True
         elif self.wire.failsafe and self.fresh:
             self.enter(FlightMode.OFFBOARD)
-        returned = self.mode is FlightMode.RETURN_TO_LAUNCH and self._there()
-        if returned or (self.remaining <= 0.0 and self.mode is not FlightMode.LAND):
+        if self.mode is FlightMode.RETURN_TO_LAUNCH and self._there():
+            self.coming_down = True  # in the same mode, which set points can still end
+        if self.remaining <= 0.0 and self.mode is not FlightMode.LAND:
             self.enter(FlightMode.LAND)
         if self.mode is FlightMode.TAKEOFF and self._there():
             self.enter(FlightMode.HOLD)
         speed_m_s = self.param("MPC_TKO_SPEED" if self.mode is FlightMode.TAKEOFF else "MPC_XY_CRUISE")
         wanted = self.target_v
-        if self.mode is FlightMode.LAND:
+        if self.coming_down:
             wanted = (0.0, 0.0, self.param("MPC_LAND_SPEED"))
         elif self.target_p is not None:
             wanted = self.body.towards(self.target_p, self.target_v, speed_m_s, ACCELERATION_M_S2)
         self.body.turn(self.target_yaw)
-        if self.body.follow(wanted, ACCELERATION_M_S2) and self.mode is FlightMode.LAND:
+        if self.body.follow(wanted, ACCELERATION_M_S2) and self.coming_down:
             self.armed = self.flying = False
             self.action.set_armed_state(False)
             self.enter(FlightMode.HOLD)

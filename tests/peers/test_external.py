@@ -122,6 +122,7 @@ def test_a_px4_that_returns_for_want_of_set_points_takes_part_again_when_they_fl
     said = (flown.folder / "session.log").read_text(encoding="utf-8")
     assert "Its failsafe flies it (return): it takes part again when it is put into offboard" in said
     assert "Takes part again" in said
+    assert "it has booted" not in said
 
 
 PAD_M = (3.0, 2.0, -0.5)

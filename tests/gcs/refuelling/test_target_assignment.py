@@ -8,9 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gcs.mavlink.autopilots import PX4, FlightMode
-from gcs.refuelling.target_assignment import GRAVITY_M_S2, TargetAssignment, predicted_effort
+from gcs.refuelling.target_assignment import TargetAssignment, predicted_effort
 from gcs.scenario.model import PursuitRules as Rules
-from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
+from gcs.telemetry.state import GRAVITY_M_S2, FleetSnapshot, Vec3, VehicleView
 
 STILL: Vec3 = (0.0, 0.0, 0.0)
 SPEED = 2.0

@@ -1,8 +1,9 @@
 """The paper's competition, by need and for one winner after another: bids, dwell time, time limit, urgency
 (docs/protocol.md#bids-by-need).
 
-Needs are the bids, or what a kind of this competition puts in their place (gcs/refuelling/effort_bidding.py). A winner must lead for the dwell time; near ties are cut short by `decide_within_s`; and a vehicle
-that would not last until a rendezvous is served before anyone else.
+Needs are the bids, or what a kind of this competition puts in their place (gcs/refuelling/effort_bidding.py). A winner
+must lead for the dwell time; near ties are cut short by `decide_within_s`; and a vehicle that would not last until a
+rendezvous is served before anyone else.
 """
 
 from __future__ import annotations

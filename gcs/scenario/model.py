@@ -190,6 +190,11 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
             "refuelled_at_least needs a pursuer, a tanker or a base, and refuelling enabled",
         ),
         (s.pursuit.by == "competition" and not (pursuers and targets), ("pursuit", "by"), NO_PURSUIT),
+        (
+            s.planner.full_steps and s.planner.safety,
+            ("planner", "full_steps"),
+            "full_steps needs 'safety: false': the safety filter slows points down before their goals",
+        ),
         (s.formation.ring_m and not targets, ("formation", "ring_m"), "a formation needs a target"),
         (
             refuels and s.clock.period_s > LONGEST_RELAY_S,

@@ -72,6 +72,9 @@ class PlannerRules(Part):
     """how far from its surface an obstacle, vehicle or aircraft repels, m"""
     step_m: Metres = 0.1
     """longest step of the planned point, and the distance at which a way point is reached, m"""
+    full_steps: Flag = False
+    """no step of the planned point shrinks near a goal but the last one, onto it: the paper's eq. 4 to the letter; it
+    passes way points at full speed. Needs `safety: false`"""
     separation_m: Annotated[float, Field(strict=True, ge=0, le=1e5)] = 0.6
     """the least distance between any two vehicles that are not partners of a transfer"""
     vehicles_repel: Flag = True

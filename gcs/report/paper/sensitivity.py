@@ -59,7 +59,8 @@ def planned(start: Sequence[float], *, full_steps: bool) -> Floats:
     field = FieldConstants(full_steps=full_steps)
     obstacles = geometry.points(np.array(OBSTACLES) * NED_TO_PAPER)
     q, memory = np.array([start]) * NED_TO_PAPER, fuzzy_escape.new_memory(1)
-    left, velocities = [np.array(point) * NED_TO_PAPER for point in COURSE], []
+    left = [np.array(point) * NED_TO_PAPER for point in COURSE]
+    velocities: list[Floats] = []
     while left and len(velocities) < MOST_STEPS:
         q, memory, v_ned = advance(
             q,

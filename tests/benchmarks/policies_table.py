@@ -49,8 +49,9 @@ def main() -> None:
         print(text)
 
 
-def _told(progress: Progress, _row: Row | None) -> None:
-    print(f"\r{progress.done} of {progress.total}, {progress.failed} failed ", end="", file=sys.stderr, flush=True)
+def _told(progress: Progress, row: Row | None) -> None:
+    if row is not None:
+        print(f"\r{progress.done} of {progress.total}, {progress.failed} failed ", end="", file=sys.stderr, flush=True)
 
 
 def table(rows: Sequence[Row]) -> list[str]:

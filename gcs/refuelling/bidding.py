@@ -119,7 +119,7 @@ class NeedBidding:
         )
 
     def _wants(self, competitors: Sequence[VehicleView]) -> Sequence[float]:
-        """What competes, of each in turn; the greatest wins."""
+        """The numbers that compete, of each in turn; the greatest wins."""
         return [view.need for view in competitors]
 
     def awards(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> Iterator[Award]:

@@ -99,7 +99,7 @@ def fig5() -> VehicleStudy:
 
 
 def _noise_shares(amplitude: float, epsilon: float) -> list[float]:
-    """What noise of NOISE_RAD rms adds to X1, X2, X3, rms from SETTLED_S on, over the signal's amplitude."""
+    """Rms that noise of NOISE_RAD adds to X1, X2, X3 from SETTLED_S on, over the signal's amplitude."""
     t = _times(STEP_S, DURATION_S)
     clean = amplitude * np.sin(t)
     noise = NOISE_RAD * np.random.default_rng(SEED).standard_normal(t.size)

@@ -1,5 +1,4 @@
-"""What the vehicles themselves flew, beside what was planned for them, and Example 1 with eqs. 4 and 17 to the
-letter."""
+"""Flown paths, beside what was planned for them, and Example 1 with eqs. 4 and 17 to the letter."""
 
 from __future__ import annotations
 

@@ -21,7 +21,7 @@ STEP_S = 0.5
 
 
 def pursuit(scenario: Scenario, folder: Path) -> Study:
-    """Who has used least pursues a moving target among moving obstacles."""
+    """The least control energy pursues a moving target among moving obstacles."""
     flights = examples.flights_of(scenario, folder)
     record, changes = session.summary(folder), _of_kind(folder, "pursuit")
     parts = {part["part"]: part for part in record["goal"]}

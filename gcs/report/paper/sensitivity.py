@@ -1,5 +1,5 @@
-"""Who wins under what the paper does not print: the winners and orders of Examples 2, 3 and 4 over every combination of
-the time of a step, the readings of eqs. 4 and 17, the yaw that is kept, the energy, and how long it is counted.
+"""Winners and orders of Examples 2, 3 and 4 under what the paper does not print: every combination of the time of a
+step, the readings of eqs. 4 and 17, the yaw that is kept, the energy, and how long it is counted.
 
 The plans are the planner's, the flights the vehicle's own (`simvehicle paper --plans`); nothing is tuned.
 """
@@ -136,7 +136,7 @@ def combinations(energies: Mapping[str, NDArray[Any]], lengths: Mapping[str, Seq
 
 
 def _served(energy: Floats, end: int, within: bool) -> tuple[int, ...]:
-    """Who of five (5, k) has used most at the end of each fifth, within it or since the start, of those left."""
+    """Order of five (5, k) by who of those left has used most at the end of each fifth, within it or since the start."""
     bounds = [round(end * k / FIFTHS) for k in range(FIFTHS + 1)]
     left, order = list(range(len(energy))), []
     for before, now in itertools.pairwise(bounds):
@@ -190,7 +190,7 @@ def _orders(caption: str, orders: Counter[tuple[int, ...]], papers: tuple[int, .
 
 
 def _by_choice(found: Sequence[Combination]) -> Table:
-    """What each single choice does, over all combinations that have it."""
+    """Effect of each single choice does, over all combinations that have it."""
     rows = []
     for name in found[0].choice:
         for level in dict.fromkeys(one.choice[name] for one in found):

@@ -136,7 +136,7 @@ def combinations(energies: Mapping[str, NDArray[Any]], lengths: Mapping[str, Seq
 
 
 def _served(energy: Floats, end: int, within: bool) -> tuple[int, ...]:
-    """Order of five (5, k) by who of those left has used most at the end of each fifth, within it or since the start."""
+    """Order of five (5, k): at the end of each fifth who of those left has used most, within it or since the start."""
     bounds = [round(end * k / FIFTHS) for k in range(FIFTHS + 1)]
     left, order = list(range(len(energy))), []
     for before, now in itertools.pairwise(bounds):

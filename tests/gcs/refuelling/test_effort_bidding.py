@@ -39,8 +39,8 @@ def test_the_most_effort_wins_when_the_others_are_below_a_hundredth_of_it() -> N
     tau = np.array([0.01, 1.0, 0.703])  # min-max by hand of 500, 600, 570
 
     def over(_: float, v: np.ndarray) -> float:
-        above = np.maximum(v, 0.01) ** 2 - 1e-4  # the floor, to which losers are lifted
-        return float(above.max() / max(above.sum(), 1e-12) - 0.9999) if v.max() > 0.5 else -1.0
+        above = np.maximum(np.asarray(v), 0.01) ** 2 - 1e-4  # the floor, to which losers are lifted
+        return float(above.max() / max(above.sum(), 1e-12) - 0.9999) if above.max() > 0.25 else -1.0
 
     over.terminal = True  # type: ignore[attr-defined]
     law = solve_ivp(lambda _, v: (tau - (v**2).sum()) * v, (0, 99), [0.01] * 3, "DOP853", rtol=1e-10, events=over)

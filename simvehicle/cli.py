@@ -372,13 +372,28 @@ def traffic(file: Path, supervised: str) -> None:
     help="Folder for vehicle.json and figures.",
 )
 @click.option("--only", metavar="NAME,NAME", help="Some of fig5, fig12, implicit; all by default.")
-def paper(out: Path, only: str | None) -> None:
+@click.option(
+    "--plans",
+    type=click.Path(path_type=Path, dir_okay=False, exists=True),
+    help="Fly these plans, as gcs paper writes them, instead of drawing: energies.npz.",
+)
+def paper(out: Path, only: str | None, plans: Path | None) -> None:
     """Measure and draw the paper's figures that need one vehicle alone, as SVG and PNG, numbers in vehicle.json.
 
     fig5 is the differentiator on 5 sin t, fig12 its comparison with two others, implicit why it is stepped implicitly.
     """
+    from simvehicle.paper import energies
     from simvehicle.paper.studies import STUDIES, make
 
+    if plans is not None:
+        try:
+            click.echo(energies.write(energies.read(plans), out))
+        except ValueError as error:
+            raise click.UsageError(f"--plans: {error}.") from None
+        except OSError as error:
+            print(f"simvehicle: cannot write {error.filename or out}: {error.strerror}", file=sys.stderr)
+            click.get_current_context().exit(CANNOT_WRITE)
+        return
     names = list(STUDIES) if only is None else [name.strip() for name in only.split(",")]
     for name in names:
         if name not in STUDIES:

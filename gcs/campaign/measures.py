@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from gcs.campaign.service_orders import some_order_keeps_all
 from gcs.recording.summary import FILE, GoalPartSummary, Summary
 from gcs.refuelling.loss_bound import least_lost
 from gcs.scenario import goal
@@ -113,6 +114,12 @@ def _least_lost(flown: Flown) -> Value:
     return float(least_lost(charge_j, draw_w, end_s=end_s, rate_w=rules.rate_w, spare_j=spare_j, first_s=rules.hold_s))
 
 
+def _keepable(flown: Flown) -> Value:
+    """By the scenario alone."""
+    found = some_order_keeps_all(flown.scenario)
+    return None if found is None else float(found)
+
+
 def _arrival(flown: Flown) -> Value:
     """When the last one that arrives at all has arrived."""
     there = [t for t in flown.arrivals_s if math.isfinite(t)]
@@ -141,6 +148,7 @@ SHIPPED: dict[str, tuple[Callable[[Flown], Value], str]] = {
     "refuelled": (lambda f: float(len(_served(f))), "services that delivered energy"),
     "lost_somebody": (lambda f: float(bool(_lost(f))), "1 where anybody was lost, 0 where nobody was"),
     "least_lost": (_least_lost, "vehicles that no schedule could have kept, at least"),
+    "keepable": (_keepable, "1 where some order of services keeps everyone, 0 where none does, by a search"),
     "tankers_way_m": (_tankers_way_m, "sum of the tankers' ways, m"),
     "tanker_idle_s": (_from_summary("tanker_idle_s"), "tankers' time free while somebody waited, s"),
     "wait_s": (_waited, "mean time from a decision to its transfer, s"),

@@ -18,13 +18,15 @@ from gcs.extras import missing
 @click.option(
     "--only",
     metavar="NAME,NAME",
-    help="Some of example1 to example4, fig3, fig5 to fig14, loops, implicit; all by default.",
+    help="Some of example1 to example4, example1-literal, example4-energy, pursuit, fig3, fig5 to fig14, loops, "
+    "implicit, readings, sensitivity; all by default.",
 )
 def paper(out: Path | None, only: str | None) -> int:
     """Fly the examples of the paper that the algorithms come from, and judge each of its claims.
 
     DIR then holds index.html (one page, readable without a network), claims.json, each figure as SVG and PNG, and the
-    recorded sessions. What counts as agreement was written down before anything was measured; what differs is printed.
+    recorded sessions. What counts as agreement was written down before it was measured; what differs is printed, with
+    one of four reasons.
 
     \b
     Examples:
@@ -60,11 +62,13 @@ def paper(out: Path | None, only: str | None) -> int:
     except OSError as error:
         click.echo(f"{error.filename or folder}: {error.strerror}", err=True)
         return NOT_DONE
-    for verdict, number in page.counted(judged).items():
-        click.echo(f"{verdict}: {number}")
-        if verdict == "differs":
-            for one in judged:
-                if one.verdict == verdict:
-                    click.echo(f"  {one.line}")
+    for name, later in (("first table", False), ("second table", True)):
+        of_table = [one for one in judged if one.claim.later == later]
+        for verdict, number in page.counted(of_table).items():
+            click.echo(f"{name}, {verdict}: {number}")
+            if verdict == "differs":
+                for one in of_table:
+                    if one.verdict == verdict:
+                        click.echo(f"  {one.line}")
     click.echo(f"page: {folder / 'index.html'}")
     return 0

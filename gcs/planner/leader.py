@@ -2,6 +2,7 @@
 eq. 4, its step a [choice]).
 
     q += l min(1, |F|/k0) F/|F| + feed-forward,   l = speed · period / steps,   steps = ceil(speed · period / κ)
+    q += l F/|F| + feed-forward                   with full steps (the paper's prose); the last ends on the goal
 
 Feed-forward of the goal's velocity v_g [choice]: F alone follows a moving goal at a distance |v_g|/speed · cap. So
 v_g dt is added: whole within cap_m of the goal, fading to none at twice that; and whole where nothing repels, fading
@@ -16,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from gcs.kernels import kernel
 from gcs.planner.fuzzy_escape import MEMORY_SIZE, escape_force
 from gcs.planner.neighbours import IntArray, within_range
-from gcs.planner.potential_field import CAP, K0, STEP, FieldConstants, attraction_to, repulsion_of_shape
+from gcs.planner.potential_field import CAP, FULL_STEPS, K0, STEP, FieldConstants, attraction_to, repulsion_of_shape
 from gcs.scenario.geometry import COLUMNS, FloatArray, points
 
 _UNFREE_SHARE = 0.25  # of k0: the repulsion at which nothing is fed forward any more
@@ -200,7 +201,11 @@ def _advance_all(
                 en, ee, ed = escape_force(
                     memory[i], q[i, 0], q[i, 1], q[i, 2], an, ae, ad, on, oe, od, distance, full_step, constants[STEP]
                 )
-            sn, se, sd = _field_step(an + on + en, ae + oe + ee, ad + od + ed, full_step, constants[K0])
+            fn, fe, fd = an + on + en, ae + oe + ee, ad + od + ed
+            if constants[FULL_STEPS] != 0.0:
+                sn, se, sd = _field_step(fn, fe, fd, min(full_step, distance), 0.0)
+            else:
+                sn, se, sd = _field_step(fn, fe, fd, full_step, constants[K0])
             share = _fed_forward(on, oe, od, distance, constants)
             sn += share * goal_velocity[i, 0] * dt
             se += share * goal_velocity[i, 1] * dt
@@ -214,8 +219,10 @@ def _advance_all(
 
 @kernel()
 def _field_step(fn: float, fe: float, fd: float, full_step: float, k0: float) -> tuple[float, float, float]:
-    """Kernel: l min(1, |F|/k0) F/|F|."""
+    """Kernel: l min(1, |F|/k0) F/|F|; whole with k0 = 0."""
     size = math.sqrt(fn * fn + fe * fe + fd * fd)
+    if size == 0.0:
+        return 0.0, 0.0, 0.0
     scale = full_step / max(size, k0)
     return scale * fn, scale * fe, scale * fd
 

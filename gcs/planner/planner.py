@@ -73,6 +73,7 @@ class Planner:
             attraction_range_m=rules.attraction_range_m,
             repulsion_range_m=rules.repulsion_range_m,
             step_m=rules.step_m,
+            full_steps=rules.full_steps,
         )
         self.obstacles = geometry.of_scenario(scenario.obstacles)
         self._q: dict[int, NDArray[np.float64]] = {}

@@ -23,7 +23,7 @@ from gcs.scenario.geometry import FloatArray, shape_surface
 # 10⁵ times the strongest attraction and points out by the shortest way [choice].
 SURFACE_FLOOR_M = 0.01
 
-K0, K1, A, B, ATTRACTION_RANGE, STEP, CAP = range(7)
+K0, K1, A, B, ATTRACTION_RANGE, STEP, CAP, FULL_STEPS = range(8)
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,7 @@ class FieldConstants:
     k0, k1 scale attraction and repulsion; a is the gain and b the share of the repulsion range of the inner term;
     attraction_range_m is the range of way points (tracked targets attract at any distance); repulsion_range_m that of
     obstacles; step_m the longest step of the planned point, and its distance of arrival; cap_m where attraction stops
-    growing (inf for the pure gradient).
+    growing (inf for the pure gradient). full_steps: no step is shorter than the speed allows but the last, onto a goal.
     """
 
     k0: float = 15.0
@@ -45,10 +45,13 @@ class FieldConstants:
     repulsion_range_m: float = 1.0
     step_m: float = 0.1
     cap_m: float = 1.0
+    full_steps: bool = False
 
     def __post_init__(self) -> None:
         for name in (f.name for f in fields(self)):
             value = getattr(self, name)
+            if name == "full_steps":
+                continue
             if name == "a":
                 accepted, condition = math.isfinite(value) and value >= 0, "finite and at least 0"
             elif name == "b":
@@ -66,8 +69,9 @@ class FieldConstants:
             )
 
     def constants(self) -> FloatArray:
-        """The parameters that kernels need, (7,), indexed by K0, K1, A, B, ATTRACTION_RANGE, STEP, CAP."""
-        return np.array([self.k0, self.k1, self.a, self.b, self.attraction_range_m, self.step_m, self.cap_m])
+        """The parameters that kernels need, (8,), indexed by K0, K1, A, B, ATTRACTION_RANGE, STEP, CAP, FULL_STEPS."""
+        lengths = (self.attraction_range_m, self.step_m, self.cap_m)
+        return np.array([self.k0, self.k1, self.a, self.b, *lengths, float(self.full_steps)])
 
 
 def widened_range(range_m: ArrayLike, speed_m_s: ArrayLike, age_s: ArrayLike) -> FloatArray:

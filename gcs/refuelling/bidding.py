@@ -1,8 +1,9 @@
 """The paper's competition, by need and for one winner after another: bids, dwell time, time limit, urgency
 (docs/protocol.md#bids-by-need).
 
-Needs are the bids. A winner must lead for the dwell time; near ties are cut short by `decide_within_s`; and a vehicle
-that would not last until a rendezvous is served before anyone else.
+Needs are the bids, or what a kind of this competition puts in their place (gcs/refuelling/effort_bidding.py). A winner
+must lead for the dwell time; near ties are cut short by `decide_within_s`; and a vehicle that would not last until a
+rendezvous is served before anyone else.
 """
 
 from __future__ import annotations
@@ -103,7 +104,7 @@ class NeedBidding:
             self._begun_s = now_s
         sysids = [view.sysid for view in competitors]
         needs = [view.need for view in competitors]
-        tau = normalise(needs, low=rules.floor, high=rules.high)
+        tau = normalise(self._wants(competitors), low=rules.floor, high=rules.high)
         v = np.array([self._v.get(sysid, rules.floor) for sysid in sysids])
         v = revive(advance(v, tau, dt_s, p=rules.p, rate=rules.rate), rules.floor)
         leader, held = sysids[int(v.argmax())], share(v, rules.p, rules.floor)
@@ -116,6 +117,10 @@ class NeedBidding:
         self.competition_state = CompetitionState(
             dict(self._v), bids, dict(zip(sysids, needs, strict=True)), leader, held
         )
+
+    def _wants(self, competitors: Sequence[VehicleView]) -> Sequence[float]:
+        """The numbers that compete, of each in turn; the greatest wins."""
+        return [view.need for view in competitors]
 
     def awards(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> Iterator[Award]:
         """One for each free tanker in turn; of several bases the one that is nearest to who is decided."""

@@ -87,6 +87,11 @@ def why(service: Service, snapshot: FleetSnapshot, rules: RefuellingRules, compe
         reason = (
             f"it has least time left of those who compete, clear of the next for {competition.dwell_s:g} s ({need})"
         )
+    elif service.by == "competition" and competition.bids == "effort":
+        reason = (
+            "of those who compete it had used most control effort since it last received energy, and held "
+            f"{100.0 * service.share:.4g} % of the competition for {competition.dwell_s:g} s ({need})"
+        )
     elif service.by == "competition":
         largest = "is the largest" if service.need_is_largest else "had been the largest"
         reason = f"{need} {largest} and it held {100.0 * service.share:.0f} % of the competition"

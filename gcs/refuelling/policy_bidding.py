@@ -6,6 +6,7 @@ from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from typing import Any
 
 from gcs.refuelling.bidding import Award, BiddingRule, CompetitionState, NeedBidding, is_servable, urgent_of
+from gcs.refuelling.effort_bidding import EffortBidding
 from gcs.refuelling.giver import Giver, ServiceTimes
 from gcs.refuelling.policies import SHIPPED, WINNER_TAKE_ALL, RefuellingPolicy, RefuellingRequest
 from gcs.refuelling.time_bidding import TimeBidding
@@ -148,9 +149,10 @@ class PolicyBidding:
 
 
 def make_competition(rules: CompetitionRules, refuelling: RefuellingRules) -> BiddingRule:
-    """The competition by time, or the paper's by need."""
-    if rules.bids == "need":
-        return NeedBidding(rules, refuelling.hold_s + refuelling.reserve_s)
+    """The competition by time, or the paper's by need or by control effort."""
+    if rules.bids != "time":
+        kind = NeedBidding if rules.bids == "need" else EffortBidding
+        return kind(rules, refuelling.hold_s + refuelling.reserve_s)
     return TimeBidding(rules, refuelling)
 
 

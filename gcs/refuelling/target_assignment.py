@@ -1,10 +1,11 @@
-"""Assignment of one pursuer to each target, by the least predicted control effort (paper, abstract).
+"""Assignment of one pursuer to each target, by the least control effort (paper, abstract).
 
-Each target has a race of its own (docs/model.md#target-assignment): every pursuer bids the control effort that it is
-predicted to need to reach it, the least wins. The winner pursues, the others hold. All is decided anew at each tick: a
-challenger takes over when its state holds the share that the rules demand, while the present pursuer is forgiven some
-of its effort, so that near ties do not swap back and forth [choice]. Targets choose in order of system id; whoever
-pursues one races for no other.
+Each target has a race of its own (docs/model.md#target-assignment): every pursuer bids a control effort, the least
+wins. That is the effort that it is predicted to need to reach the target, or the one that it has reported so far. The
+winner pursues, the others hold. All is decided anew at each tick: a challenger takes over when its state holds the
+share that the rules demand, while the present pursuer is forgiven some of its effort, so that near ties do not swap
+back and forth [choice]. By prediction the least of a first tick pursues at once; measured efforts are alike then, so
+nobody does before one has won. Targets choose in order of system id; whoever pursues one races for no other.
 """
 
 from __future__ import annotations
@@ -18,9 +19,8 @@ import numpy as np
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.refuelling.winner_take_all import advance, normalise, revive, share
 from gcs.scenario.model import PursuitRules
-from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
+from gcs.telemetry.state import GRAVITY_M_S2, FleetSnapshot, Vec3, VehicleView
 
-GRAVITY_M_S2 = 9.8
 LOW, HIGH = 0.01, 1.0
 
 
@@ -97,26 +97,28 @@ class TargetAssignment:
                 self._race(view, racing, dt_s)
         return {pursuer: target for target, pursuer in self._pursuer.items()}
 
+    def _effort(self, view: VehicleView, target: VehicleView) -> float:
+        if self._rules.bids == "measured":
+            return view.effort_now
+        places = (view.p_now_ned(), view.v_ned, target.p_now_ned(), target.v_ned)
+        return predicted_effort(*places, self._speed_m_s)
+
     def _race(self, target: VehicleView, racing: Sequence[VehicleView], dt_s: float) -> None:
         rules, present = self._rules, self._pursuer.get(target.sysid)
-        efforts = {
-            view.sysid: predicted_effort(
-                view.p_now_ned(), view.v_ned, target.p_now_ned(), target.v_ned, self._speed_m_s
-            )
-            for view in racing
-        }
+        efforts = {view.sysid: self._effort(view, target) for view in racing}
         bids = [effort / (1.0 + rules.hysteresis) if sysid == present else effort for sysid, effort in efforts.items()]
         tau = normalise(bids, low=LOW, high=HIGH, largest_wins=False)
         v = np.array([self._v[target.sysid].get(sysid, LOW) for sysid in efforts])
         v = revive(advance(v, tau, dt_s, p=rules.p, rate=rules.rate), LOW)
         sysids = list(efforts)
         self._v[target.sysid] = dict(zip(sysids, map(float, v), strict=True))
-        if present is None:
+        chosen: int | None
+        if present is None and rules.bids == "predicted":
             chosen = sysids[int(tau.argmax())]
         else:
             leads = share(v, rules.p, LOW) >= rules.share
             chosen = sysids[int(v.argmax())] if leads else present
-        if chosen != present:
+        if chosen is not None and chosen != present:
             self._pursuer[target.sysid] = chosen
             by_sysid = {str(sysid): effort for sysid, effort in efforts.items()}
             self.records.append(

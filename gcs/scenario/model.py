@@ -77,6 +77,7 @@ MOST_MOVERS = 100
 MOST_PEERS = 40
 """Vehicles whose reports fit a bundle together, twice a second (docs/protocol.md#peer-reports)."""
 NO_PURSUIT = "a competition for targets needs a pursuer and a target"
+NO_EFFORT = "external vehicles report no control effort: leave them out of the pursuers, or"
 
 
 class Scenario(Part):
@@ -189,6 +190,11 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
             "refuelled_at_least needs a pursuer, a tanker or a base, and refuelling enabled",
         ),
         (s.pursuit.by == "competition" and not (pursuers and targets), ("pursuit", "by"), NO_PURSUIT),
+        (
+            s.planner.full_steps and s.planner.safety,
+            ("planner", "full_steps"),
+            "full_steps needs 'safety: false': the safety filter slows points down before their goals",
+        ),
         (s.formation.ring_m and not targets, ("formation", "ring_m"), "a formation needs a target"),
         (
             refuels and s.clock.period_s > LONGEST_RELAY_S,
@@ -214,6 +220,12 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
         ),
     ]
     rules += _onboard_rules(s)
+    silent = any(pursuer.external is not None for pursuer in pursuers)
+    measured, by_effort = s.pursuit.bids == "measured", s.competition.bids == "effort"
+    rules += [
+        (s.pursuit.by == "competition" and measured and silent, ("pursuit", "bids"), f"{NO_EFFORT} bids: predicted"),
+        (by_effort and silent, ("competition", "bids"), f"{NO_EFFORT} bids: need"),
+    ]
     for i, silence in enumerate(s.radio.ground_blackouts):
         path: KeyPath = ("radio", "ground_blackouts", i, "to_s")
         rules.append((silence.from_s >= silence.to_s, path, "to_s must be after from_s"))

@@ -72,6 +72,9 @@ class PlannerRules(Part):
     """how far from its surface an obstacle, vehicle or aircraft repels, m"""
     step_m: Metres = 0.1
     """longest step of the planned point, and the distance at which a way point is reached, m"""
+    full_steps: Flag = False
+    """no step of the planned point shrinks near a goal but the last one, onto it: the paper's eq. 4 to the letter; it
+    passes way points at full speed. Needs `safety: false`"""
     separation_m: Annotated[float, Field(strict=True, ge=0, le=1e5)] = 0.6
     """the least distance between any two vehicles that are not partners of a transfer"""
     vehicles_repel: Flag = True
@@ -98,11 +101,13 @@ class FormationRules(Part):
 
 
 class PursuitRules(Part):
-    """Choice of pursuers: all, or for each target the winner of a competition by least predicted control effort."""
+    """Choice of pursuers: all, or for each target the winner of a competition by least control effort."""
 
     by: Literal["all", "competition"] = "all"
-    """`all`: every pursuer follows its target; `competition`: per target the one with the least predicted control
-    effort"""
+    """`all`: every pursuer follows its target; `competition`: per target the one with the least control effort"""
+    bids: Literal["predicted", "measured"] = "predicted"
+    """`predicted`: the effort that it would take to meet the target, and the least pursues from the first tick on;
+    `measured`: the effort that each has reported so far, the paper's, and nobody pursues before one has won"""
     p: Annotated[float, Field(strict=True, ge=1, le=100)] = 2.0
     """exponent of the competition, at least 1"""
     rate: Positive = 5.0
@@ -110,7 +115,7 @@ class PursuitRules(Part):
     share: Annotated[float, Field(strict=True, gt=0, lt=1)] = 0.9
     """of all states to the power p, less the floor's own, that a challenger must hold to take over"""
     hysteresis: NotNegative = 0.1
-    """how much of its predicted effort the present pursuer is forgiven"""
+    """how much of its effort the present pursuer is forgiven"""
 
 
 class CompetitionRules(Part):
@@ -128,9 +133,10 @@ class CompetitionRules(Part):
     """the competition, one to compare it with, or MODULE:CLASS; others use need_from alone"""
     p: Annotated[float, Field(strict=True, ge=1, le=100)] = 2.0
     """exponent of the law, at least 1"""
-    bids: Literal["time", "need"] = "time"
-    """`time`: as many winners at once as tankers are free, by the time that each has left; `need`: the paper's, one
-    winner after another by the share of the battery that is gone, stretched between the least and the greatest"""
+    bids: Literal["time", "need", "effort"] = "time"
+    """`time`: as many winners at once as tankers are free, by the time that each has left; `need`: one winner after
+    another by the share of the battery that is gone, stretched between the least and the greatest as in the paper;
+    `effort`: the same by the control effort since energy last arrived, the paper's control energy"""
     horizon_s: Positive = 60.0
     """with bids by time: who has so long left beyond the time until it can be served bids `floor`, s"""
     tie_s: Seconds = 2.0
@@ -144,8 +150,8 @@ class CompetitionRules(Part):
     need_from: Fraction = 0.5
     """share of the battery that must be gone before a vehicle competes, 0 to 1"""
     share: Annotated[float, Field(strict=True, gt=0, lt=1)] = 0.9
-    """share of v^p that the last winner must hold against the next one, 0 to 1; with bids by need, of the sum less the
-    floor's own"""
+    """share of v^p that the last winner must hold against the next one, 0 to 1; with bids by need or effort, of the
+    sum less the floor's own"""
     dwell_s: Seconds = 1.0
     """how long it must hold that share, s"""
     decide_within_s: Seconds = 30.0
@@ -171,7 +177,7 @@ class RefuellingRules(Part):
     """of the receiver's capacity"""
     reserve_s: Seconds = 20.0
     """who cannot last until the rendezvous and this long after it takes part before `need_from`; served first with
-    bids by need and with policies that do not look at the time left"""
+    bids by need or effort and with policies that do not look at the time left"""
     lands_at: Fraction = 0.05
     """share of its battery at which a vehicle lands by itself, 0 to 1"""
     tops_up: Flag = True

@@ -93,6 +93,7 @@ class _Track:
         self.battery = BatteryAccount(member.capacity_j, member.initial_j)
         self.given_reported_s = self.received_reported_s = -math.inf
         self.control_effort = 0.0
+        self.effort_reported_s: float | None = None
         self.texts = Texts()
         self.counted: dict[str, tuple[float, float]] = {}
         """(J, when) of what was last believed of each count of energy"""
@@ -161,6 +162,7 @@ class _Track:
             power_w=self.battery.meter.power_w,
             energy_source=str(self.battery.meter.source),
             control_effort=self.control_effort,
+            effort_age_s=0.0 if self.effort_reported_s is None else max(now_s - self.effort_reported_s, 0.0),
             custom_mode=self.custom_mode,
             failsafe=self.armed and self.system_status in _FAILSAFE,
             doubt=doubt,
@@ -331,6 +333,7 @@ class Fleet:
     def _named_float(self, track: _Track, content: Any, time_s: float) -> None:
         if content.name == "CtlEffort" and 0.0 <= content.value <= MOST_EFFORT:
             track.control_effort = content.value
+            track.effort_reported_s = _session_s(track, content.time_boot_ms, time_s)
 
     def _parameter(self, track: _Track, content: Any, time_s: float) -> None:
         name, value = content.param_id, track.profile.parameter(content.param_value, content.param_type)

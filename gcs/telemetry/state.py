@@ -11,6 +11,7 @@ from gcs.renamed import warn_of_field
 
 Vec3 = tuple[float, float, float]
 ZERO: Vec3 = (0.0, 0.0, 0.0)
+GRAVITY_M_S2 = 9.8
 STALE_S = 1.5
 """A position older than this is not believed any more."""
 
@@ -60,6 +61,8 @@ class VehicleView(NamedTuple):
     pitch_rad: float = 0.0
     received_reported_s: float = -math.inf
     """as of when it has told the energy received"""
+    effort_age_s: float = 0.0
+    """how old `control_effort` is"""
 
     @property
     def height_m(self) -> float | None:
@@ -82,6 +85,12 @@ class VehicleView(NamedTuple):
     def endurance_s(self) -> float:
         """Time that the battery lasts at the present draw."""
         return self.remaining_j / self.power_w if self.power_w > 0.0 else math.inf
+
+    @property
+    def effort_now(self) -> float:
+        """Control effort, m/s, carried forward by its age in flight: the weight alone takes g each second, more than
+        vehicles differ by, and reports may be lost."""
+        return self.control_effort + (GRAVITY_M_S2 * self.effort_age_s if self.flying else 0.0)
 
     @property
     def flying(self) -> bool:

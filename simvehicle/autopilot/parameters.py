@@ -43,6 +43,8 @@ class ParameterRow(NamedTuple):
     whole: bool = False
 
 
+GAIN_SETS = ("default", "paper", "paper_literal")
+"""Names of the flight law's sets, by SIM_GAIN_SET."""
 _FLIGHT = NAMED["default"]
 _DEG = 180.0 / math.pi
 
@@ -92,7 +94,12 @@ TABLE: tuple[ParameterRow, ...] = (
     ParameterRow("SIM_GAIN_ANGLE", 1e-3, 1e4, _FLIGHT.gains.angle, "Aq, angle gain of the inner loop"),
     ParameterRow("SIM_GAIN_RATE", 1e-3, 1e3, _FLIGHT.gains.rate, "Ap, rate gain of the inner loop"),
     ParameterRow(
-        "SIM_GAIN_SET", 0, 1, 0, "0: gains and limits below; 1: the paper's gains without limits; fixed", whole=True
+        "SIM_GAIN_SET",
+        0,
+        2,
+        0,
+        "0: gains and limits below; 1: the paper's gains, no limits; 2: so, signed thrust, no floor; fixed",
+        whole=True,
     ),
     ParameterRow("SIM_GAIN_SPEED", 1e-3, 1e2, _FLIGHT.gains.speed, "lambda, gain of the outer loop"),
     ParameterRow("SIM_XFER_DIST", 0.1, 100.0, 1.5, "m, greatest distance of a giver"),
@@ -170,16 +177,15 @@ class Parameters:
         self._values.update(values)
 
     def flight(self) -> VehicleParams:
-        """Flight law's parameters by these values; the `paper` set keeps its gains and has no limits."""
-        paper = self["SIM_GAIN_SET"] == 1
-        base = NAMED["paper" if paper else "default"]
+        """Flight law's parameters by these values; the paper's sets keep their gains and have no limits."""
+        base = NAMED[GAIN_SETS[int(self["SIM_GAIN_SET"])]]
         battery = BatteryParams(
             capacity_j=self["SIM_BAT_CAP_J"],
             initial_j=min(self["SIM_BAT_INIT_J"], self["SIM_BAT_CAP_J"]),
             hover_w=self["SIM_BAT_HOVER_W"],
             avionics_w=self["SIM_BAT_AVION_W"],
         )
-        if paper:
+        if self["SIM_GAIN_SET"] != 0:
             return replace(base, battery=battery)
         gains = Gains(
             speed=self["SIM_GAIN_SPEED"],

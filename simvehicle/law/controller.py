@@ -1,5 +1,5 @@
-"""Double closed-loop speed tracking: outer loop (docs/model.md#speed-loop) [choice] and inner loop
-(docs/model.md#attitude-loop) [lineage]."""
+"""Double closed-loop speed tracking: outer loop (docs/model.md#speed-loop) [choice], also without its floor, and inner
+loop (docs/model.md#attitude-loop) [lineage]."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import math
 from simvehicle.kernels import kernel
 
 _LEAST_LIFT = 0.3  # of g: floor of W_z
+_LEAST_LIFT_LITERAL = 1e-6  # m/s²: keeps the literal form's quotients finite
 _FARTHEST = 1e6  # m/s² and rad/s²: keeps every number finite, far outside what flies
 
 
@@ -54,6 +55,41 @@ def outer(
     pitch = math.atan2(wx * cos_yaw + wy * sin_yaw, wz)
     roll = math.asin(bounded((wx * sin_yaw - wy * cos_yaw) / u1, 1.0))
     return roll, pitch, u1
+
+
+@kernel(error_model="numpy")
+def outer_literal(
+    vx: float,
+    vy: float,
+    vz: float,
+    yaw: float,
+    vdx: float,
+    vdy: float,
+    vdz: float,
+    adx: float,
+    ady: float,
+    adz: float,
+    gain: float,
+    drag: float,
+    gravity: float,
+) -> tuple[float, float, float]:
+    """Speed loop without floor and limits, θ_d within ±90° [seed] and thrust with its sign: (φ_d, θ_d, u1)
+    (docs/model.md#speed-loop) [choice: the form of paper eq. 17, which is lost].
+
+        θ_d = atan((W_x cosψ + W_y sinψ)/W_z)   φ_d = atan(cosθ_d (W_x sinψ - W_y cosψ)/W_z)   u1 = W_z/(cosφ_d cosθ_d)
+
+    For every W with W_z ≠ 0 thrust and angles give exactly W; where W_z changes its sign the angles jump by up to 180°.
+    """
+    wx = bounded(adx + drag * vx - gain * (vx - vdx), _FARTHEST)
+    wy = bounded(ady + drag * vy - gain * (vy - vdy), _FARTHEST)
+    wz = bounded(adz + drag * vz - gain * (vz - vdz), _FARTHEST) + gravity
+    sin_yaw, cos_yaw = math.sin(yaw), math.cos(yaw)
+    ahead, aside = wx * cos_yaw + wy * sin_yaw, wx * sin_yaw - wy * cos_yaw
+    if abs(wz) < _LEAST_LIFT_LITERAL:
+        wz = _LEAST_LIFT_LITERAL if wz >= 0.0 else -_LEAST_LIFT_LITERAL
+    pitch = math.atan(ahead / wz)
+    roll = math.atan(math.cos(pitch) * aside / wz)
+    return roll, pitch, wz / (math.cos(roll) * math.cos(pitch))
 
 
 @kernel(error_model="numpy")

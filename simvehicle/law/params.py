@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 
 import numpy as np
@@ -184,12 +184,13 @@ class VehicleParams:
     """Everything the flight core knows of one vehicle.
 
     `bumpless` starts X1 of the differentiators at the first angle; False is the paper's X(0) = 0
-    (docs/model.md#differentiator).
+    (docs/model.md#differentiator). `literal` flies the speed loop without its floor, with signed thrust
+    (docs/model.md#speed-loop); limits of tilt and thrust do not go with it.
 
     Raises:
         ValueError: an inner loop that is unstable, by Remark 1 of the paper (Ap + L Kγ/Iγ > 0; Aq > 0 is checked in
-            `Gains`) or because the law is sampled every `STEP_S` with its torque held, or a thrust limit that cannot
-            carry the weight.
+            `Gains`) or because the law is sampled every `STEP_S` with its torque held, a thrust limit that cannot
+            carry the weight, or limits beside `literal`.
     """
 
     airframe: Airframe = field(default_factory=Airframe)
@@ -198,6 +199,7 @@ class VehicleParams:
     battery: BatteryParams = field(default_factory=BatteryParams)
     guidance: Guidance = field(default_factory=Guidance)
     bumpless: bool = True
+    literal: bool = False
 
     def __post_init__(self) -> None:
         gains, airframe = self.gains, self.airframe
@@ -213,19 +215,24 @@ class VehicleParams:
         )
         thrust, gravity = self.limits.thrust_m_s2, airframe.gravity_m_s2
         _require(thrust > gravity, "limits.thrust_m_s2", thrust, f"greater than gravity, {gravity:g}")
+        if self.literal:
+            _require(thrust == math.inf, "limits.thrust_m_s2", thrust, "infinite with the literal speed loop")
+            _require(self.limits.tilt_rad == math.inf, "limits.tilt_rad", self.limits.tilt_rad, "infinite with it")
 
 
+_PAPER = VehicleParams(
+    gains=Gains(speed=3.0, rate=1.5, angle=1.5),
+    limits=Limits(speed_m_s=math.inf, acceleration_m_s2=math.inf),
+    guidance=Guidance(shaped=False),
+    bumpless=False,
+)
 NAMED: Mapping[str, VehicleParams] = MappingProxyType(
     {
         "default": VehicleParams(
             limits=Limits(tilt_rad=math.radians(35.0), thrust_m_s2=19.6, angular_acceleration_rad_s2=30.0),
         ),
-        "paper": VehicleParams(
-            gains=Gains(speed=3.0, rate=1.5, angle=1.5),
-            limits=Limits(speed_m_s=math.inf, acceleration_m_s2=math.inf),
-            guidance=Guidance(shaped=False),
-            bumpless=False,
-        ),
+        "paper": _PAPER,
+        "paper_literal": replace(_PAPER, literal=True),
     }
 )
 
@@ -253,8 +260,9 @@ NAMED: Mapping[str, VehicleParams] = MappingProxyType(
     P_REFERENCE_GAIN,
     P_YAW_RATE,
     P_BUMPLESS,
-) = range(23)
-PARAMS_SIZE = 23
+    P_LITERAL,
+) = range(24)
+PARAMS_SIZE = 24
 
 
 def pack(params: VehicleParams) -> NDArray[np.float64]:
@@ -285,4 +293,5 @@ def pack(params: VehicleParams) -> NDArray[np.float64]:
     packed[P_REFERENCE_GAIN] = guidance.reference_gain
     packed[P_YAW_RATE] = guidance.yaw_rate_rad_s
     packed[P_BUMPLESS] = params.bumpless
+    packed[P_LITERAL] = params.literal
     return packed

@@ -9,8 +9,8 @@ from simvehicle.kernels import kernel
 
 @kernel(error_model="numpy")
 def power(u1: float, gravity: float, hover_w: float, avionics_w: float) -> float:
-    """P = P_hover (T/mg)^(3/2) + P_avionics in W (docs/model.md#battery) [choice]; T/mg is u1/g."""
-    load = u1 / gravity
+    """P = P_hover (T/mg)^(3/2) + P_avionics in W (docs/model.md#battery) [choice]; T/mg is |u1|/g."""
+    load = abs(u1) / gravity
     return hover_w * load * math.sqrt(load) + avionics_w
 
 

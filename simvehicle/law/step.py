@@ -32,6 +32,7 @@ from simvehicle.law.params import (
     P_GUIDE_DECEL,
     P_GUIDE_GAIN,
     P_HOVER_W,
+    P_LITERAL,
     P_OMEGA,
     P_RATE_GAIN,
     P_REFERENCE_GAIN,
@@ -157,11 +158,18 @@ def _start_afresh(s: Row, p: Row, guide: Row, yaw: Row, linear: Row) -> None:
 def _control(s: Row, c: Row, p: Row, yaw: Row, dt: float) -> tuple[float, float, float, float]:
     """Outer loop → differentiators of the new angles → inner loop: (u1, tau2, tau3, tau4)
     (docs/model.md#control-law)."""
-    roll_d, pitch_d, u1 = controller.outer(
-        s[_V], s[_V + 1], s[_V + 2], s[_ANGLE + 2],
-        s[_REF_V], s[_REF_V + 1], s[_REF_V + 2], s[_REF_A], s[_REF_A + 1], s[_REF_A + 2],
-        p[P_SPEED_GAIN], p[P_DRAG], p[P_GRAVITY], p[P_TILT_SLOPE], p[P_THRUST_MAX],
-    )  # fmt: skip
+    if p[P_LITERAL] != 0.0:
+        roll_d, pitch_d, u1 = controller.outer_literal(
+            s[_V], s[_V + 1], s[_V + 2], s[_ANGLE + 2],
+            s[_REF_V], s[_REF_V + 1], s[_REF_V + 2], s[_REF_A], s[_REF_A + 1], s[_REF_A + 2],
+            p[P_SPEED_GAIN], p[P_DRAG], p[P_GRAVITY],
+        )  # fmt: skip
+    else:
+        roll_d, pitch_d, u1 = controller.outer(
+            s[_V], s[_V + 1], s[_V + 2], s[_ANGLE + 2],
+            s[_REF_V], s[_REF_V + 1], s[_REF_V + 2], s[_REF_A], s[_REF_A + 1], s[_REF_A + 2],
+            p[P_SPEED_GAIN], p[P_DRAG], p[P_GRAVITY], p[P_TILT_SLOPE], p[P_THRUST_MAX],
+        )  # fmt: skip
     if s[STARTED] == 0.0:
         s[STARTED] = 1.0
         if p[P_BUMPLESS] != 0.0:

@@ -91,7 +91,21 @@ def fig5() -> VehicleStudy:
         numbers[f"x{k + 1}_error_max_{unit}"] = float(np.abs(late).max())
         numbers[f"x{k + 1}_error_rms_{unit}"] = _rms(late)
         numbers[f"x{k + 1}_convergence_time_s"] = convergence_time(t, error, WITHIN * 5.0)
+    numbers["noise_std_rad"], numbers["noise_seed"] = NOISE_RAD, SEED
+    numbers["noise_rms_share_of_amplitude"] = {
+        f"{amplitude:g} sin t": _noise_shares(amplitude, epsilon) for amplitude in (5.0, 1.0)
+    }
     return VehicleStudy(numbers, {"t": t, "x": x, "truth": truth})
+
+
+def _noise_shares(amplitude: float, epsilon: float) -> list[float]:
+    """Rms that noise of NOISE_RAD adds to X1, X2, X3 from SETTLED_S on, over the signal's amplitude."""
+    t = _times(STEP_S, DURATION_S)
+    clean = amplitude * np.sin(t)
+    noise = NOISE_RAD * np.random.default_rng(SEED).standard_normal(t.size)
+    law = _implicit(STEP_S, epsilon)
+    added = (follow(law, clean + noise) - follow(law, clean))[t > SETTLED_S]
+    return [_rms(added[:, k]) / amplitude for k in range(3)]
 
 
 def fig12() -> VehicleStudy:

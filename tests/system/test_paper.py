@@ -19,6 +19,10 @@ def paper(*options: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run([*GCS, "paper", *options], capture_output=True, text=True, check=False, timeout=100)
 
 
+def page_of(out: Path) -> str:
+    return (out / "index.html").read_text(encoding="utf-8")
+
+
 def test_a_part_of_it_is_flown_measured_judged_and_drawn(tmp_path: Path) -> None:
     out = tmp_path / "page"
     done = paper("--out", str(out), "--only", PARTS)
@@ -29,20 +33,22 @@ def test_a_part_of_it_is_flown_measured_judged_and_drawn(tmp_path: Path) -> None
     schema = json.loads(resources.files("gcs").joinpath("schemas/claims.schema.json").read_text(encoding="utf-8"))
     jsonschema.Draft202012Validator(schema).validate(content)
     measured = {claim["claim"]: claim for claim in content["claims"]}
-    assert len(content["claims"]) == 14
+    assert (len(content["claims"]), len(content["later_claims"])) == (14, 5)
     assert measured["Every vehicle ends on the desired speed."]["verdict"] == "agrees"
-    assert all(claim["measured"] is not None for claim in content["claims"])
-    differ = [claim for claim in content["claims"] if claim["verdict"] == "differs"]
+    both = content["claims"] + content["later_claims"]
+    assert all(claim["measured"] is not None for claim in both)
+    differ = [claim for claim in both if claim["verdict"] == "differs"]
     assert differ
+    assert all(claim["reason"] in page_of(out) for claim in differ)
     assert [(claim["claim"] in line, claim["figure"] in line) for claim, line in zip(differ, told, strict=True)] == [
         (True, True)
     ] * len(differ)
     assert json.loads((out / "sessions" / "example2" / "summary.json").read_text())["outcome"] == "met"
     figures = {path.stem for path in out.glob("*.svg")}
     assert figures == {path.stem for path in out.glob("*.png")} == {"fig9a", "fig9b", "fig9c", "fig3a", "fig3b", "fig6"}
-    page = (out / "index.html").read_text(encoding="utf-8")
+    page = page_of(out)
     assert page.count("data:image/svg+xml") == len(figures)
-    assert all(claim["verdict"] in page for claim in content["claims"])
+    assert all(claim["verdict"] in page for claim in both)
 
 
 def test_an_existing_folder_and_an_unknown_part_are_refused_before_anything_flies(tmp_path: Path) -> None:

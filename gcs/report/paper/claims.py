@@ -1,6 +1,7 @@
-"""The paper's claims and how they are judged: claims.yaml, a measurement each, a verdict each.
+"""The paper's claims and how they are judged: claims.yaml and later_claims.yaml, a measurement each, a verdict each.
 
-The table says what is accepted before anything is measured; this module only applies it.
+The tables say what is accepted before anything is measured; this module only applies it. Why a claim differs is said by
+reasons.yaml.
 """
 
 from __future__ import annotations
@@ -12,13 +13,16 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from importlib import resources
 from pathlib import Path
-from typing import Any, Literal
+from types import MappingProxyType
+from typing import Any, Literal, get_args
 
 import yaml
 
 Verdict = Literal["agrees", "differs", "cannot be compared"]
 Value = float | int | Sequence[float] | Sequence[int] | None
+Why = Literal["the paper contradicts itself", "not determined by the text", "our criterion", "a real difference"]
 SCHEMA = 1
+FIRST, LATER, REASONS = "claims.yaml", "later_claims.yaml", "reasons.yaml"
 
 
 @dataclass(frozen=True)
@@ -35,6 +39,8 @@ class Claim:
     accept: Mapping[str, Any] | None
     ours: str = ""
     """what of it is this project's and not the paper's"""
+    later: bool = False
+    """whether it is of the second table"""
 
 
 @dataclass(frozen=True)
@@ -46,19 +52,32 @@ class Measurement:
 
 
 @dataclass(frozen=True)
+class Reason:
+    """Why a claim differs."""
+
+    reason: Why
+    because: str
+
+
+REAL = Reason("a real difference", "none of the other reasons explains it")
+
+
+@dataclass(frozen=True)
 class Judged:
-    """A claim with its measurement and verdict."""
+    """A claim with its measurement and verdict; a reason where it differs."""
 
     claim: Claim
     value: Value
     verdict: Verdict
     why: str
+    reason: Reason | None = None
 
     @property
     def line(self) -> str:
         """For a terminal: where the paper says what, and the first reason of the verdict."""
         where = f"Fig. {self.claim.figure}" if self.claim.figure[0].isdecimal() else self.claim.figure
-        return f"{where}: {self.claim.claim} Here {self.why.partition('; ')[0]}."
+        reason = f" ({self.reason.reason})" if self.reason else ""
+        return f"{where}: {self.claim.claim} Here {self.why.partition('; ')[0]}{reason}."
 
     def row(self) -> dict[str, Any]:
         """The claim as it stands in claims.json."""
@@ -73,25 +92,43 @@ class Judged:
             "measured": list(value) if isinstance(value, Sequence) else value,
             "verdict": self.verdict,
             "why": self.why,
+            **({"reason": self.reason.reason, "because": self.reason.because} if self.reason else {}),
         }
 
 
 def load() -> list[Claim]:
-    """The table that ships with the package. Raises ValueError where a row says nothing that can be judged."""
-    text = resources.files("gcs.report.paper").joinpath("claims.yaml").read_text(encoding="utf-8")
+    """Both tables that ship with the package, the first one first. Raises ValueError where a row says nothing that can
+    be judged."""
     claims = []
-    for row in yaml.safe_load(text)["claims"]:
-        accept = None if row["accept"] == "none" else row["accept"]
-        words = {key: str(row[key]) for key in ("id", "figure", "part", "claim", "paper", "tolerance", "criterion")}
-        claim = Claim(**words, accept=accept, ours=str(row.get("ours", "")))
-        if accept is not None and (len(accept) != 1 or not accept.keys() <= _TESTS.keys()):
-            raise ValueError(f"claims.yaml: {claim.id} has no test that is known; use one of {', '.join(_TESTS)}")
-        claims.append(claim)
+    for name in (FIRST, LATER):
+        for row in _rows(name)["claims"]:
+            accept = None if row["accept"] == "none" else row["accept"]
+            words = {key: str(row[key]) for key in ("id", "figure", "part", "claim", "paper", "tolerance", "criterion")}
+            claim = Claim(**words, accept=accept, ours=str(row.get("ours", "")), later=name == LATER)
+            if accept is not None and (len(accept) != 1 or not accept.keys() <= _TESTS.keys()):
+                raise ValueError(f"{name}: {claim.id} has no test that is known; use one of {', '.join(_TESTS)}")
+            claims.append(claim)
     return claims
 
 
-def judge(claim: Claim, measured: Measurement) -> Judged:
-    """The verdict on one claim.
+def reasons() -> dict[str, Reason]:
+    """Reason of each claim that may differ, by id. Raises ValueError where one is none of the four."""
+    found = {key: Reason(row["reason"], str(row["because"])) for key, row in _rows(REASONS)["reasons"].items()}
+    for key, one in found.items():
+        if one.reason not in get_args(Why):
+            raise ValueError(f"{REASONS}: {key} differs for {one.reason!r}; use one of {', '.join(get_args(Why))}")
+    return found
+
+
+def _rows(name: str) -> dict[str, Any]:
+    content: dict[str, Any] = yaml.safe_load(
+        resources.files("gcs.report.paper").joinpath(name).read_text(encoding="utf-8")
+    )
+    return content
+
+
+def judge(claim: Claim, measured: Measurement, known: Mapping[str, Reason] = MappingProxyType({})) -> Judged:
+    """The verdict on one claim, and where it differs the reason, by `known` or else `REAL`.
 
     Without a tolerance, or without a value that can be held against it, it cannot be compared. A value that is not
     finite differs, and is left out.
@@ -102,11 +139,14 @@ def judge(claim: Claim, measured: Measurement) -> Judged:
     if measured.value is None:
         return Judged(claim, None, "cannot be compared", measured.note or "nothing was measured")
     numbers = measured.value if isinstance(measured.value, Sequence) else [measured.value]
+    reason = known.get(claim.id, REAL)
     if not all(map(math.isfinite, numbers)):
-        return Judged(claim, None, "differs", f"what was measured grows beyond all bounds{note}")
+        return Judged(claim, None, "differs", f"what was measured grows beyond all bounds{note}", reason)
     (kind, limit), *_ = claim.accept.items()
     holds, why = _TESTS[kind](measured.value, limit)
-    return Judged(claim, measured.value, "agrees" if holds else "differs", f"{why}{note}")
+    if holds:
+        return Judged(claim, measured.value, "agrees", f"{why}{note}")
+    return Judged(claim, measured.value, "differs", f"{why}{note}", reason)
 
 
 def shown(value: Value) -> str:
@@ -122,7 +162,11 @@ def shown(value: Value) -> str:
 
 def write(judged: Sequence[Judged], folder: Path) -> None:
     """Write claims.json into `folder`. Raises OSError."""
-    content = {"schema": SCHEMA, "claims": [one.row() for one in judged]}
+    content = {
+        "schema": SCHEMA,
+        "claims": [one.row() for one in judged if not one.claim.later],
+        "later_claims": [one.row() for one in judged if one.claim.later],
+    }
     text = json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False)
     (folder / "claims.json").write_text(text + "\n", encoding="utf-8")
 

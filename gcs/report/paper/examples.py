@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from gcs.refuelling.winner_take_all import simulate
-from gcs.report.paper import figures, races, session, tracking
+from gcs.report.paper import figures, flown, races, session, tracking
 from gcs.report.paper.claims import Measurement
 from gcs.report.paper.figures import Drawing
 from gcs.report.paper.session import RecordedFlight
@@ -40,6 +40,14 @@ def example1(scenario: Scenario, folder: Path) -> Study:
     tau = races.least_wins(effort)
     paths, drawings, tables = _paths("ex1", "fig7a", "7(a)", scenario, flights)
     measured = paths | tracking.measure("ex1", flights) | _race("ex1", flights, v0, tau, paper=None)
+    obstacles, _, end = _world(scenario)
+    measured |= {
+        "ex1-arrival-flown": flown.arrival(flights, end),
+        "ex1-clearance-flown": flown.clearance(flights, obstacles),
+        "ex1-along": flown.along(flights),
+        "ex1-transient": flown.transient(flights),
+        "ex1-pitch": flown.pitch(flights),
+    }
     drawings += [
         Drawing("fig7bc", "Figs. 7(b) and 7(c): speeds and attitudes of the five vehicles.", _tracked(flights)),
         Drawing("fig8", "Fig. 8: static competition, p = 2, c = 1, least control effort wins.", _static(v0, tau)),
@@ -58,6 +66,12 @@ def example2(scenario: Scenario, folder: Path) -> Study:
     measured = paths | tracking.measure("ex2", flights) | _race("ex2", flights, v0, tau, paper=1)
     measured["ex2-energy-order"] = Measurement(order, f"control efforts {_listed(effort)}")
     measured["ex2-energy-ratio"] = Measurement(ratios)
+    obstacles, way, end = _world(scenario)
+    measured |= {
+        "ex2-arrival-flown": flown.arrival(flights, end),
+        "ex2-clearance-flown": flown.clearance(flights, obstacles),
+        "ex2-length": flown.length(flights, way, end),
+    }
     drawings += [
         Drawing("fig9a", "Fig. 9(a): speeds and attitudes of the three vehicles.", _tracked(flights)),
         Drawing("fig9c", "Fig. 9(c): competition from 0.8, p = 2, c = 1.", _static(v0, tau)),
@@ -127,23 +141,13 @@ def example4(scenario: Scenario, folder: Path) -> Study:
     late = times >= DYNAMIC_FROM_S
     followed = float(np.mean(states[late].argmax(axis=1) == effort[late].argmax(axis=1)))
     record = session.summary(folder)
-    flown = _first_served(record)
+    served = first_served(record)
     most = flights[int(effort[-1].argmax())].sysid
-    services = [
-        [
-            *(str(s["receiver"]), s["by"]),
-            *(_seconds(s[key]) for key in ("decided_at_s", "start_s", "end_s")),
-            f"{s['energy_j']:.0f}",
-        ]
-        for s in record["refuelling"]
-    ]
     measured = {
         "ex4-dynamic": Measurement(followed, f"vehicle {most} has the greatest control effort at the end"),
-        "ex4-order": Measurement(flown, _how_decided(record)),
+        "ex4-order": Measurement(served, _how_decided(record)),
         "ex4-order-effort": Measurement(races.served_in_fifths(flights, end_s)),
     }
-    columns = ["receiver", "decided by", "decided, s", "transfer from, s", "to, s", "energy, J"]
-    table = Table("Refuelling as it was flown", columns, services)
     drawings = [
         Drawing(
             "fig11",
@@ -152,7 +156,21 @@ def example4(scenario: Scenario, folder: Path) -> Study:
             _dynamic_figure(flights, times, states, effort, folder),
         )
     ]
-    return Study(measured, drawings, [table])
+    return Study(measured, drawings, [services_table(record)])
+
+
+def services_table(record: Mapping[str, Any]) -> Table:
+    """Refuellings of a session, by its summary."""
+    services = [
+        [
+            *(str(s["receiver"]), s["by"]),
+            *(_seconds(s[key]) for key in ("decided_at_s", "start_s", "end_s")),
+            f"{s['energy_j']:.0f}",
+        ]
+        for s in record["refuelling"]
+    ]
+    columns = ["receiver", "decided by", "decided, s", "transfer from, s", "to, s", "energy, J"]
+    return Table("Refuelling as it was flown", columns, services)
 
 
 def _how_decided(record: Mapping[str, Any]) -> str:
@@ -161,7 +179,8 @@ def _how_decided(record: Mapping[str, Any]) -> str:
     return f"{by}; the five fly with the paper's gains, needs are known to 100 J (BATTERY_STATUS)"
 
 
-def _first_served(record: Mapping[str, Any]) -> list[int]:
+def first_served(record: Mapping[str, Any]) -> list[int]:
+    """System ids in the order of their first refuelling, by a session's summary."""
     order: list[int] = []
     for sysid in record["refuel_order"]:
         if sysid not in order:

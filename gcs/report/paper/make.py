@@ -11,15 +11,33 @@ import shutil
 import subprocess
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from datetime import datetime
+from functools import partial
 from pathlib import Path
+from typing import Any
 
+from numpy.typing import NDArray
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
-from gcs.report.paper import claims, examples, figures, page, races, robustness, session, theory, vehicle
-from gcs.report.paper.claims import Claim, Judged, Measurement
+from gcs.report.paper import (
+    claims,
+    examples,
+    figures,
+    flown,
+    loop,
+    page,
+    races,
+    readings,
+    robustness,
+    sensitivity,
+    session,
+    theory,
+    vehicle,
+)
+from gcs.report.paper.claims import Claim, Judged, Measurement, Reason
 from gcs.report.paper.study import Study
 from gcs.scenario import file
 from gcs.scenario.file import load
@@ -30,8 +48,12 @@ EXAMPLES = {
     "example2": examples.example2,
     "example3": examples.example3,
     "example4": examples.example4,
+    "example1-literal": flown.literal,
+    "example4-energy": loop.example4_energy,
+    "pursuit": loop.pursuit,
 }
-RACES = {"fig13": robustness.fig13, "fig14": robustness.fig14}
+"""Parts that are flown, each as the scenario of its name."""
+RACES = {"fig13": robustness.fig13, "fig14": robustness.fig14, "readings": readings.readings}
 THEORY = {"fig3": theory.fig3, "fig6": theory.fig6, "loops": theory.loops}
 TITLES = {
     "example1": "Example 1: five speeds (Figs. 7, 8)",
@@ -46,9 +68,20 @@ TITLES = {
     "implicit": "Chattering, and why implicit",
     "fig13": "Noise (Fig. 13)",
     "fig14": "Delay (Fig. 14)",
+    "readings": "Other readings of the competition (Figs. 10, 13, 14)",
+    "example1-literal": "Example 1, eqs. 4 and 17 to the letter",
+    "pursuit": "The loop closed: a moving target",
+    "example4-energy": "The loop closed: Example 4 by control energy",
+    "sensitivity": "What the text does not determine (Examples 2, 3, 4)",
 }
+SENSITIVITY = "sensitivity"
+AT_ONCE = 2
+"""Sessions and programs that run beside each other: a lockstep session leaves a second core half idle."""
 ALIASES = {"fig7": "example1", "fig8": "example1", "fig9": "example2", "fig10": "example3", "fig11": "example4"}
 PARTS = tuple(TITLES)
+LOOSE = ("pursuit",)
+"""Scenarios that do not lie in `paper/`."""
+OWN, UNPRINTED = "the vehicle's own figures", "what is not printed: flown"
 UNFINISHED = ("lost", "interrupted", "duration")
 
 
@@ -83,34 +116,36 @@ def make(out: Path, parts: Sequence[str], console: Console) -> list[Judged]:
     """
     begun_s = time.monotonic()
     out.mkdir(parents=True)
-    flown = [name for name in EXAMPLES if name in parts]
-    if any(part in RACES for part in parts) and "example3" not in flown:
-        flown.append("example3")
+    to_fly = [name for name in EXAMPLES if name in parts]
+    if any(part in RACES for part in parts) and "example3" not in to_fly:
+        to_fly.append("example3")
     drawn = [name for name in vehicle.NAMES if name in parts]
-    table = claims.load()
+    table, reasons = claims.load(), claims.reasons()
     with _progress(console) as progress:
-        task = progress.add_task("", total=len(flown) + bool(drawn) + len(parts) + 1)
+        jobs = len(to_fly) + bool(drawn) + (SENSITIVITY in parts)
+        task = progress.add_task("", total=jobs + len(parts) + 1)
 
         def step(what: str) -> None:
             progress.update(task, description=what, advance=1)
 
-        progress.update(task, description="begins")
-        scenarios: dict[str, Scenario] = {}
-        for name in flown:
-            progress.update(task, description=f"{name}: flying")
-            scenarios[name] = fly(name, out / "sessions" / name)
-            step(f"{name}: flown")
-        numbers = {}
-        if drawn:
-            progress.update(task, description="the vehicle's own figures")
-            numbers = _vehicle_figures(out, drawn)
-            step("the vehicle's own figures")
+        progress.update(task, description="flying")
+        work: dict[str, Callable[[], Any]] = {
+            f"{name}: flown": partial(fly, name, out / "sessions" / name) for name in to_fly
+        }
+        work |= {OWN: partial(_vehicle_figures, out, drawn)} if drawn else {}
+        work |= {UNPRINTED: partial(_energies, out)} if SENSITIVITY in parts else {}
+        results = _all_done(work, step)
+        scenarios: dict[str, Scenario] = {name: results[f"{name}: flown"] for name in to_fly}
+        numbers = results.get(OWN, {})
         sections = []
         with figures.style():
             for part in parts:
                 progress.update(task, description=f"{part}: measuring")
-                study = _study(part, out, scenarios, numbers)
-                sections.append(_section(part, study, out, table))
+                if part == SENSITIVITY:
+                    study = sensitivity.study(*results[UNPRINTED])
+                else:
+                    study = _study(part, out, scenarios, numbers)
+                sections.append(_section(part, study, out, table, reasons))
                 step(f"{part}: measured")
         judged = [one for section in sections for one in section.claims]
         claims.write(judged, out)
@@ -122,8 +157,20 @@ def make(out: Path, parts: Sequence[str], console: Console) -> list[Judged]:
 
 def fly(name: str, folder: Path) -> Scenario:
     """Fly a shipped example by `gcs run`, the whole program, into `folder`. Raises PaperError with its last words."""
-    scenario = f"paper/{name}"
-    command = [sys.executable, "-P", "-m", "gcs", "run", scenario, "--lockstep", "--plain", "--out", str(folder)]
+    scenario = name if name in LOOSE else f"paper/{name}"
+    command = [
+        sys.executable,
+        "-P",
+        "-m",
+        "gcs",
+        "run",
+        scenario,
+        "--lockstep",
+        "--plain",
+        "--no-report",
+        "--out",
+        str(folder),
+    ]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if not (folder / "summary.json").exists():
         last = (done.stderr.strip() or done.stdout.strip() or "no words").splitlines()[-1]
@@ -132,6 +179,32 @@ def fly(name: str, folder: Path) -> Scenario:
     if outcome in UNFINISHED:
         raise PaperError(f"{scenario} was not flown to its end ({outcome}); {folder} has what there is")
     return load(file.find(scenario))
+
+
+def _all_done(work: Mapping[str, Callable[[], Any]], step: Callable[[str], None]) -> dict[str, Any]:
+    """Do all of it, AT_ONCE at a time; the results, by name. Raises what the first one that fails does."""
+    with ThreadPoolExecutor(AT_ONCE) as pool:
+        futures = {pool.submit(job): name for name, job in work.items()}
+        try:
+            for future in as_completed(futures):
+                future.result()
+                step(futures[future])
+        except BaseException:
+            pool.shutdown(wait=False, cancel_futures=True)
+            raise
+    return {name: future.result() for future, name in futures.items()}
+
+
+def _energies(out: Path) -> tuple[dict[str, NDArray[Any]], dict[str, list[int]]]:
+    """Energies under what is not printed, and the lengths of the plans that were flown for them."""
+    inside = out / "sensitivity"
+    inside.mkdir()
+    plans = inside / "plans.json"
+    lengths = sensitivity.write_plans(plans)
+    try:
+        return vehicle.energies(inside, plans), lengths
+    except vehicle.VehicleFiguresError as error:
+        raise PaperError(str(error)) from None
 
 
 def _vehicle_figures(out: Path, names: list[str]) -> dict[str, dict[str, object]]:
@@ -158,14 +231,15 @@ def _study(part: str, out: Path, scenarios: dict[str, Scenario], numbers: dict[s
     return vehicle.STUDIES[part](numbers[part])
 
 
-def _section(part: str, study: Study, out: Path, table: Sequence[Claim]) -> page.Section:
+def _section(part: str, study: Study, out: Path, table: Sequence[Claim], reasons: Mapping[str, Reason]) -> page.Section:
     for drawing in study.drawings:
         figures.save(drawing, out)
     images = [page.Image(out / f"{drawing.name}.svg", drawing.caption) for drawing in study.drawings]
     if part in vehicle.CAPTIONS:
         images.append(page.Image(out / f"{part}.svg", vehicle.CAPTIONS[part]))
     unmeasured = Measurement(None)
-    judged = [claims.judge(claim, study.measured.get(claim.id, unmeasured)) for claim in table if claim.part == part]
+    of_part = [claim for claim in table if claim.part == part]
+    judged = [claims.judge(claim, study.measured.get(claim.id, unmeasured), reasons) for claim in of_part]
     return page.Section(part, TITLES[part], judged, images, study.tables)
 
 

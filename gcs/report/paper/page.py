@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
@@ -39,8 +40,13 @@ _PAGE = Template("""<!doctype html>
 Competition</i>, IEEE/CAA Journal of Automatica Sinica 8(12), 2021. Its examples were flown by vehicle processes over
 MAVLink, in lockstep, and measured from the recorded sessions. What each claim is, and what would count as agreement,
 was written down before anything was measured. The paper's displayed equations, the entries of Table I and its curves
-are lost; what of a claim is therefore not the paper's stands beside it.</p>
-<p>$counts</p>
+are lost; what of a claim is therefore not the paper's stands beside it. A second table was added later: other
+readings, what can be proved wrong, what the text does not determine, and claims that the first one lacks. Where a claim
+differs the reason is given: the paper contradicts itself, the text does not determine it, the criterion is ours, or
+none of these, a real difference.</p>
+<p>First table: $counts</p>
+<p>Second table: $later_counts</p>
+<p>$reasons</p>
 <nav>$links</nav>
 $parts
 <p class="criterion">Made by gcs paper on $when in $wall s. Sessions lie in sessions/, figures as SVG and PNG beside
@@ -71,10 +77,14 @@ class Section:
 def write(path: Path, sections: Sequence[Section], *, when: str, wall_s: float) -> None:
     """Write the page. Raises OSError."""
     judged = [one for section in sections for one in section.claims]
-    counts = {verdict: sum(one.verdict == verdict for one in judged) for verdict in MARKS}
+    first, later = ([one for one in judged if one.claim.later == is_later] for is_later in (False, True))
+    why = Counter(one.reason.reason for one in judged if one.reason is not None)
+    told = "; ".join(f"{escape(reason)}: {number}" for reason, number in why.most_common())
     text = _PAGE.substitute(
         style=_STYLE,
-        counts="".join(_count(verdict, number) for verdict, number in counts.items()),
+        counts="".join(_count(verdict, number) for verdict, number in counted(first).items()),
+        later_counts="".join(_count(verdict, number) for verdict, number in counted(later).items()),
+        reasons=f"Differences: {told}" if why else "",
         links="".join(f'<a href="#{section.part}">{escape(section.title)}</a>' for section in sections),
         parts="\n".join(map(_section, sections)),
         when=escape(when),
@@ -88,31 +98,36 @@ def _count(verdict: str, number: int) -> str:
 
 
 def _section(section: Section) -> str:
-    parts = [f'<h2 id="{section.part}">{escape(section.title)}</h2>', _claims(section.claims)]
+    parts = [f'<h2 id="{section.part}">{escape(section.title)}</h2>']
+    for is_later, name in ((False, "First table"), (True, "Second table")):
+        if rows := [one for one in section.claims if one.claim.later == is_later]:
+            parts.append(_claims(name, rows))
     parts += map(_image, section.images)
     parts += map(_table, section.tables)
     return "\n".join(parts)
 
 
-def _claims(claims: Sequence[Judged]) -> str:
+def _claims(caption: str, claims: Sequence[Judged]) -> str:
     widths = (8, 31, 16, 12, 10, 23)
     columns = "".join(f'<col style="width:{width}%">' for width in widths)
     names = ("figure", "claim, and how it is measured", "the paper", "measured", "verdict", "why")
     head = "".join(f"<th>{name}</th>" for name in names)
     body = "".join(map(_claim, claims))
-    return f'<table class="claims"><colgroup>{columns}</colgroup><tr>{head}</tr>{body}</table>'
+    start = f'<table class="claims"><caption>{caption}</caption><colgroup>{columns}</colgroup>'
+    return f"{start}<tr>{head}</tr>{body}</table>"
 
 
 def _claim(one: Judged) -> str:
     claim = one.claim
     ours = f'<div class="criterion">not the paper\'s: {escape(claim.ours)}</div>' if claim.ours else ""
+    reason = one.reason and f'<div class="criterion"><b>{one.reason.reason}</b>: {escape(one.reason.because)}</div>'
     cells = (
         escape(claim.figure),
         f'{escape(claim.claim)}<div class="criterion">{escape(claim.criterion)}</div>',
         f'{escape(claim.paper)}{ours}<div class="criterion">tolerance: {escape(claim.tolerance)}</div>',
         escape(shown(one.value)),
         f'<span class="verdict {MARKS[one.verdict]}">{one.verdict}</span>',
-        escape(one.why),
+        f"{escape(one.why)}{reason or ''}",
     )
     return f"<tr>{''.join(f'<td>{cell}</td>' for cell in cells)}</tr>"
 

@@ -45,7 +45,7 @@ def attitude_reference(flight: RecordedFlight) -> Floats:
 
 def speed_errors(flights: Sequence[RecordedFlight]) -> list[float]:
     """Greatest |v - v_d| of each, m/s, from SETTLED_AFTER_S after its reference became constant."""
-    return [float(_speed_error(f)[_settled(f)].max()) for f in flights]
+    return [float(speed_error(f)[_settled(f)].max()) for f in flights]
 
 
 def path_errors(flights: Sequence[RecordedFlight]) -> list[float]:
@@ -53,7 +53,7 @@ def path_errors(flights: Sequence[RecordedFlight]) -> list[float]:
     errors = []
     for f in flights:
         along = (f.time_s >= ALONG_FROM_S - _ROUNDING_S) & (f.time_s <= f.constant_from_s + _ROUNDING_S)
-        errors.append(float(np.sqrt(np.mean(_speed_error(f)[along] ** 2))))
+        errors.append(float(np.sqrt(np.mean(speed_error(f)[along] ** 2))))
     return errors
 
 
@@ -76,7 +76,7 @@ def arrival_errors(flights: Sequence[RecordedFlight], way: Floats, end: Floats) 
 
 def clearances(flights: Sequence[RecordedFlight], obstacles: Floats) -> list[float]:
     """Least distance of each plan, its legs included, to any of the obstacle points (m, 3), in m."""
-    return [_clearance(f.plan_p, obstacles) for f in flights]
+    return [path_clearance(f.plan_p, obstacles) for f in flights]
 
 
 def measure(prefix: str, flights: Sequence[RecordedFlight]) -> dict[str, Measurement]:
@@ -125,8 +125,8 @@ def path_figure(flights: Sequence[RecordedFlight], obstacles: Floats, way: Float
     return figure
 
 
-def tracking_figure(flights: Sequence[RecordedFlight]) -> Figure:
-    """Speeds in three directions and three angles of each vehicle, and its reference."""
+def tracking_figure(flights: Sequence[RecordedFlight], *, literal: bool = False) -> Figure:
+    """Speeds in three directions and three angles of each vehicle, and its reference; `literal`: no floor was flown."""
     figure, axes = figures.sheet(5.2, 3, 2, sharex=True)
     for k, f in enumerate(flights):
         v_d, _ = f.reference()
@@ -144,11 +144,13 @@ def tracking_figure(flights: Sequence[RecordedFlight]) -> Figure:
         figures.label(axes[row, 0], "time, s" if row == 2 else "", f"v{v_name}, m/s")
         figures.label(axes[row, 1], "time, s" if row == 2 else "", f"{angle_name}, rad")
     axes[0, 0].legend(ncols=3, fontsize=6.5)
-    axes[0, 1].set_title("dashed: desired, with the floor of 0.3 g", loc="left")
+    flown = "; flown without it" if literal else ""
+    axes[0, 1].set_title(f"dashed: desired, with the floor of 0.3 g{flown}", loc="left")
     return figure
 
 
-def _speed_error(flight: RecordedFlight) -> Floats:
+def speed_error(flight: RecordedFlight) -> Floats:
+    """|v - v_d| (k,) at the flight's times, m/s."""
     return np.asarray(np.linalg.norm(flight.v - flight.reference()[0], axis=1))
 
 
@@ -160,7 +162,8 @@ def _settled(flight: RecordedFlight) -> NDArray[np.bool_]:
     return np.asarray(late)
 
 
-def _clearance(path: Floats, obstacles: Floats) -> float:
+def path_clearance(path: Floats, obstacles: Floats) -> float:
+    """Least distance of a path (k, 3), its legs included, to any of the points (m, 3), m."""
     a, along = path[:-1, np.newaxis], np.diff(path, axis=0)[:, np.newaxis]
     square = np.maximum((along**2).sum(axis=2), 1e-300)
     share = np.clip(((obstacles - a) * along).sum(axis=2) / square, 0.0, 1.0)

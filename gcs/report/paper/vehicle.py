@@ -9,6 +9,9 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from gcs.report.paper.claims import Measurement
 from gcs.report.paper.study import Study, Table
 
@@ -34,18 +37,29 @@ class VehicleFiguresError(RuntimeError):
 
 def make(folder: Path, names: list[str]) -> dict[str, Any]:
     """Let `simvehicle paper` write these figures into `folder`; its numbers, by figure. Raises VehicleFiguresError."""
+    _call(folder, "--only", ",".join(names))
+    content: dict[str, Any] = json.loads((folder / "vehicle.json").read_text(encoding="utf-8"))
+    figures: dict[str, Any] = content["figures"]
+    return figures
+
+
+def energies(folder: Path, plans: Path) -> dict[str, NDArray[Any]]:
+    """Let `simvehicle paper` fly plans; what it writes into `folder`, by name. Raises VehicleFiguresError."""
+    _call(folder, "--plans", str(plans))
+    with np.load(folder / "energies.npz") as file:
+        return dict(file)
+
+
+def _call(folder: Path, *options: str) -> None:
     beside = Path(sys.executable).with_name("simvehicle")
     program = str(beside) if beside.exists() else shutil.which("simvehicle")
     if program is None:
         raise VehicleFiguresError("the program 'simvehicle' is not installed beside gcs; install Skytender again")
-    command = [program, "paper", "--out", str(folder), "--only", ",".join(names)]
+    command = [program, "paper", "--out", str(folder), *options]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         last = (done.stderr.strip() or done.stdout.strip() or "no words").splitlines()[-1]
         raise VehicleFiguresError(f"simvehicle paper ended with status {done.returncode}: {last}")
-    content: dict[str, Any] = json.loads((folder / "vehicle.json").read_text(encoding="utf-8"))
-    figures: dict[str, Any] = content["figures"]
-    return figures
 
 
 def fig5(numbers: dict[str, Any]) -> Study:
@@ -55,6 +69,11 @@ def fig5(numbers: dict[str, Any]) -> Study:
         f"fig5-{x}": Measurement(numbers[f"{x}_error_{kind}_{unit}"], f"from {numbers['settled_after_s']:g} s on")
         for x, (unit, kind) in keys.items()
     }
+    noise = numbers["noise_rms_share_of_amplitude"]
+    words = f"noise of {numbers['noise_std_rad']:g} rad rms"
+    measured["noise-x2-5sin"] = Measurement(noise["5 sin t"][1], words)
+    measured["noise-x2-sin"] = Measurement(noise["1 sin t"][1], words)
+    measured["noise-x3"] = Measurement(noise["5 sin t"][2], f"{words}; of sin t {noise['1 sin t'][2]:.3g}")
     rows = [
         [x.upper(), f"{numbers[f'{x}_error_max_{unit}']:.4f}", f"{numbers[f'{x}_error_rms_{unit}']:.4f}"]
         for x, (unit, _) in keys.items()

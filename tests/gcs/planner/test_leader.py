@@ -3,6 +3,7 @@ feed-forward."""
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -255,3 +256,25 @@ def test_an_attractor_draws_within_its_range_and_only_whom_it_is_to_draw() -> No
 def test_attractors_for_nobody_are_refused() -> None:
     with pytest.raises(ValueError, match="drawn"):
         one((0, 0, 0), (1, 0, 0), attractors=[(0, 3, 0)], attraction_ranges_m=[1.0], drawn=[[True], [True]])
+
+
+def test_full_steps_neither_shrink_before_a_way_point_nor_pass_the_goal() -> None:
+    """Example 1 by eq. 4: 146 steps of 0.1 m, counted by hand of docs/model.md#potential-field's measure; the default
+    comes to the way point at a tenth of that."""
+    table = geometry.points(EXAMPLE_1)
+    course = [NWU_TO_NED * (5.0, 5.0, 1.5), NWU_TO_NED * (10.0, 10.0, 3.0)]
+    for field, steps, least_m in ((replace(FIELD, full_steps=True), 146, 0.1), (FIELD, None, 0.012)):
+        q, lengths, left = np.zeros(3), [], list(course)
+        while left and len(lengths) < 300:
+            (q_next, *_), *_ = one(q, left[0], field=field, speed_m_s=[1.0], repulsors=table, escape=False)
+            lengths.append(float(np.linalg.norm(q_next - q)))
+            q = q_next
+            if np.linalg.norm(q - left[0]) <= 0.1:
+                left.pop(0)
+        assert not left
+        assert steps in (None, len(lengths))
+        assert min(lengths[:-1]) == pytest.approx(least_m, rel=0.3 if steps is None else 1e-9)
+    resting, *_ = one(course[1], course[1], field=replace(FIELD, full_steps=True), speed_m_s=[1.0])
+    assert resting[0] == pytest.approx(course[1])
+    beside, *_ = one(course[1] + (0.03, 0.0, 0.0), course[1], field=replace(FIELD, full_steps=True), speed_m_s=[1.0])
+    assert beside[0] == pytest.approx(course[1])

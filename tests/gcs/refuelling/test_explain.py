@@ -56,6 +56,12 @@ def test_why_is_one_sentence_with_the_reason_and_the_time_left(by: str, words: s
     assert later.startswith("Pursuer 3 is refuelled now: ")
 
 
+def test_why_by_effort_names_what_competed() -> None:
+    rules = COMPETITION.model_copy(update={"bids": "effort"})
+    text = why(service(share=0.99991), snapshot(RECEIVER, TANKER), RULES, rules)
+    assert "had used most control effort since it last received energy, and held 99.99 % of the competition" in text
+
+
 def test_the_runner_up_is_the_next_behind_the_leader() -> None:
     competition_state = CompetitionState({1: 0.2, 2: 0.9, 3: 0.5}, {1: 0.1, 2: 1.0, 3: 0.8}, {}, 2, 0.8)
     told = competition_of(competition_state, COMPETITION)

@@ -8,9 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gcs.mavlink.autopilots import PX4, FlightMode
-from gcs.refuelling.target_assignment import GRAVITY_M_S2, TargetAssignment, predicted_effort
+from gcs.refuelling.target_assignment import TargetAssignment, predicted_effort
 from gcs.scenario.model import PursuitRules as Rules
-from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
+from gcs.telemetry.state import GRAVITY_M_S2, FleetSnapshot, Vec3, VehicleView
 
 STILL: Vec3 = (0.0, 0.0, 0.0)
 SPEED = 2.0
@@ -111,6 +111,32 @@ def test_a_pursuer_that_is_lost_is_replaced_in_the_same_tick() -> None:
     run(races, [view(1, 3.0, 0.0, -5.0), view(2, 9.0, 0.0, -5.0), target], 0.0, 5.0)
     lost = view(1, 3.0, 0.0, -5.0, alive=False)
     assert run(races, [lost, view(2, 9.0, 0.0, -5.0), target], 5.1, 5.1) == {2: 101}
+
+
+def measured(*efforts: float, age_s: float = 0.0) -> list[VehicleView]:
+    """Pursuers that have reported these, and a target beside the last one."""
+    views = [view(i + 1, 4.0 * i, 0.0, -5.0, control_effort=e, effort_age_s=age_s) for i, e in enumerate(efforts)]
+    return [*views, view(101, 4.0 * len(efforts), 0.0, -5.0, role="target")]
+
+
+def test_by_measured_effort_nobody_pursues_before_the_least_has_left_the_others_behind() -> None:
+    """Bids 1, 0.505, 0.01 by min-max: from equal states the second is at 1.41 % of the winner, where with the floor's
+    own its square is a ten-thousandth of the sum, after ln(1/0.0141)/0.495 = 8.6 s."""
+    rules = {"bids": "measured", "p": 2.0, "rate": 1.0, "share": 0.9999, "hysteresis": 0.0}
+    races = pursuit(**rules)
+    assert run(races, measured(120.0, 100.0, 110.0), 0.0, 8.4) == {}
+    assert run(races, measured(120.0, 100.0, 110.0), 8.5, 8.8) == {2: 101}
+    assert run(races, measured(120.0, 100.0, 110.0), 8.9, 20.0) == {2: 101}
+    assert run(races, measured(120.0, 130.0, 110.0), 20.1, 24.0) == {2: 101}
+    assert run(races, measured(120.0, 130.0, 110.0), 24.1, 60.0) == {3: 101}
+
+
+def test_measured_efforts_are_compared_as_of_now() -> None:
+    """A report of 100 that is 2 s old stands for 119.6, and loses against 115 of now."""
+    (old, *_), (_, new, *others) = measured(100.0, 115.0, age_s=2.0), measured(100.0, 115.0)
+    races = pursuit(bids="measured", hysteresis=0.0)
+    assert run(races, [old, new, *others], 0.0, 30.0) == {2: 101}
+    assert old._replace(landed=True).effort_now == 100.0
 
 
 def test_nobody_pursues_a_target_that_does_not_fly_and_those_with_a_course_of_their_own_do_not_race() -> None:

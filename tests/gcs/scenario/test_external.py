@@ -118,3 +118,11 @@ def test_strangers_live_on_the_real_clock(tmp_path: Path, clock: dict[str, Any],
     with pytest.raises(ValueError, match=what):
         scenario.flown(lockstep=clock.get("mode") == "lockstep", speed=clock.get("speed"))
     assert scenario.flown(speed=1.0, seed=4).seed == 4
+
+
+def test_control_effort_that_nobody_reports_cannot_compete(tmp_path: Path) -> None:
+    target = {"sysid": 9, "battery": {"capacity_j": 1000}, "start_m": [5, 5, 0], "path_m": [[5, 5, -3]], "speed_m_s": 1}
+    by_effort = fleet({"external": BLOCK}, targets=[target]) | {"pursuit": {"by": "competition", "bids": "measured"}}
+    assert "external vehicles report no control effort" in refusals(tmp_path, by_effort)[0]
+    assert loaded(tmp_path, by_effort | {"pursuit": {"by": "competition"}}).pursuit.bids == "predicted"
+    assert refusals(tmp_path, content(competition={"bids": "effort"}))[0].endswith("or bids: need")

@@ -130,3 +130,30 @@ def test_gains_too_fast_for_the_sampled_law_are_refused():
 def test_a_bad_parameter_is_named(make, name):
     with pytest.raises(ValueError, match=f"^{name} is .*, but it must be "):
         make()
+
+
+@given(
+    st.tuples(*(st.floats(-20.0, 20.0),) * 3), st.floats(-4.0, 4.0), st.sampled_from([-1.0, 1.0]), st.floats(0.01, 30.0)
+)
+def test_the_literal_form_gives_every_acceleration_that_is_asked_up_and_down(a_d, yaw, sign, lift):
+    """Angles within 90°, signed thrust; what the plant then feels is W, whichever way it points."""
+    asked = (a_d[0], a_d[1], sign * lift - 9.8)
+    roll, pitch, u1 = controller.outer_literal(*(0.0,) * 3, yaw, *(0.0,) * 3, *asked, 3.0, 0.05, 9.8)
+    assert max(abs(roll), abs(pitch)) < math.pi / 2
+    assert u1 * lift * sign > 0.0
+    state = np.array([[*(0.0,) * 6, roll, pitch, yaw, *(0.0,) * 3]])
+    felt = dynamics.derivative(state, [[u1, 0.0, 0.0, 0.0]], airframe=AIRFRAME)[0, 3:6]
+    assert felt == pytest.approx(asked, rel=1e-9, abs=1e-7)
+
+
+def test_the_literal_form_is_the_floored_one_where_there_is_lift_to_spare():
+    for v_d in ((1.0, -2.0, 0.5), (0.0, 0.0, 0.0), (-3.0, 1.0, -1.0)):
+        arguments = (0.3, -0.2, 0.1, 0.7, *v_d, 0.1, 0.2, 0.3, 3.0, 0.05, 9.8)
+        floored = controller.outer(*arguments, math.inf, math.inf)
+        assert controller.outer_literal(*arguments) == pytest.approx(floored, rel=1e-12)
+
+
+@pytest.mark.parametrize("limits", [Limits(tilt_rad=0.6), Limits(thrust_m_s2=20.0)])
+def test_the_literal_form_has_no_limits_of_tilt_and_thrust(limits):
+    with pytest.raises(ValueError, match="infinite"):
+        replace(PAPER, literal=True, limits=limits)

@@ -93,6 +93,19 @@ def test_the_paper_s_vehicle_from_one_radian_of_each_angle_reaches_its_speed():
     assert np.abs(rows[-1, step.ATTITUDE][2]) < 1e-6
 
 
+@pytest.mark.parametrize("speed", [(0, 0, 0), (1, 3, 2), (2, 2, 2), (1, 3, 6), (1, 2, 4)])
+def test_with_signed_thrust_and_no_floor_the_paper_s_five_starts_reach_their_speed_too(speed):
+    literal = NAMED["paper_literal"]
+    state = start(literal, (0.0, 0.0, 5.0), speed, (1.0, 1.0, 1.0))
+    flown, thrust = step.advance(
+        state, order(velocity=(1.0, 1.0, 0.2)), pack(literal)[np.newaxis], time_s=0.0, steps=10_000
+    )
+    assert np.abs(flown[0, step.VELOCITY] - (1.0, 1.0, 0.2)).max() < 1e-7
+    assert ((thrust < 0.0).any()) == (speed != (0, 0, 0))  # the others do pull downward
+    drawn_w = 200.0 * np.abs(thrust / 9.8) ** 1.5 + 10.0
+    assert flown[0, step.DRAWN_J] == pytest.approx(drawn_w.sum() * H)
+
+
 def test_torque_rests_in_steady_flight():
     for params in (PAPER, DEFAULT):
         rows = fly(params, start(params, REST, (1.0, 1.0, 0.2)), order(velocity=(1.0, 1.0, 0.2)), 40.0)

@@ -45,6 +45,28 @@ def test_the_papers_examples_are_what_the_paper_says(name: str) -> None:
     assert loaded_again(made) == made
 
 
+@pytest.mark.parametrize(("name", "like", "gain_set"), [("energy", "example4", 1), ("literal", "example1", 2)])
+def test_the_kin_of_an_example_fly_its_cases(name: str, like: str, gain_set: int) -> None:
+    kin, example = (load(file.find(f"paper/{each}")) for each in (f"{like}-{name}", like))
+    assert kin.obstacles == example.obstacles
+    for a, b in zip(kin.vehicles.pursuers, example.vehicles.pursuers, strict=True):
+        assert (a.start_m, a.velocity_m_s, a.attitude_deg, a.waypoints_m) == (
+            b.start_m,
+            b.velocity_m_s,
+            b.attitude_deg,
+            b.waypoints_m,
+        )
+        assert a.params == {"SIM_GAIN_SET": gain_set}
+    assert (kin.competition.bids, kin.competition.p, kin.competition.rate) == ("effort", 2.0, 1.0) or name == "literal"
+    assert kin.planner.full_steps == (name == "literal")
+
+
+def test_whole_steps_need_planned_points_as_they_are(path: Path) -> None:
+    text = SMALL + "planner: {full_steps: true}\n"
+    assert "full_steps needs 'safety: false'" in refusal(path, text)
+    assert loaded(path, changed(text, "full_steps: true", "full_steps: true, safety: false")).planner.full_steps
+
+
 def loaded_again(made: Scenario) -> Scenario:
     return Scenario.model_validate(yaml.safe_load(dump(made)))
 

@@ -214,11 +214,12 @@ class SessionProcess:
         while missing is None or missing or not (self._external_link is None or self._external_link.settled):
             missing = {sysid for sysid, _ in self._link.listen(WATCH_EVERY_S)}
             waited_s = time.monotonic() - began_s
-            for sysid, text in arrivals.look(missing, waited_s):
+            seen = self._external_link.waits() if self._external_link is not None else {}
+            for sysid, text in arrivals.look(missing, waited_s, seen):
                 self._event(sysid, "info", text)
             self._watch()
             reasons = self._external_link.signature_reasons if self._external_link is not None else {}
-            if (why := arrivals.too_late(missing, waited_s, reasons)) is not None:
+            if (why := arrivals.too_late(missing, waited_s, reasons, seen)) is not None:
                 raise SessionFailed(why)
             for (sysid, _), (host, port) in self._lockstep_link.rivals.items():
                 name = self._labels.get(sysid, f"vehicle {sysid}")
@@ -314,10 +315,12 @@ class SessionProcess:
             self._event(
                 key[0], "warning", f"Another vehicle says that it is {key[0]}, from {host}:{port}: ignored", "link"
             )
-        moved = self._external_link.pop_moved() if self._external_link is not None else {}
-        for (sysid, _), address in moved.items():
-            self._event(sysid, "warning", f"Heard from {address[0]}:{address[1]} now, after a silence", "link")
         if self._external_link is not None:
+            for (sysid, _), address in self._external_link.pop_moved().items():
+                self._event(sysid, "warning", f"Heard from {address[0]}:{address[1]} now, after a silence", "link")
+            for connect, problem in self._external_link.pop_problems() if self._begun else ():
+                text = f"{connect} is lost: {problem}" if problem else f"{connect} is there again"
+                self._event(0, "critical" if problem else "info", text, "link")
             refused, reasons = self._external_link.signature_refusals, self._external_link.signature_reasons
             for sysid, text in self._refusals.poll(refused, reasons, now_s):
                 self._event(sysid, "critical", text, "link")

@@ -102,6 +102,10 @@ class ArmingSequence:
         """Whether it is on its way back to the planner."""
         return self._rejoins
 
+    def unheard_lately(self, now_s: float) -> bool:
+        """Whether what it does now may be its failsafe's doing, because its link was out."""
+        return now_s - self._cut_off_s <= BLAMED_S
+
     def order(self, mode: End) -> None:
         """An operator wants it to hold, return or land, and to be left alone then."""
         self.ordered, self._order_sent = mode, False
@@ -216,7 +220,7 @@ class ArmingSequence:
             self._cut_off_s = now_s
         elif (
             self._rejoins_itself
-            and now_s - self._cut_off_s <= BLAMED_S
+            and self.unheard_lately(now_s)
             and not (view.mode in STEERABLE and view.armed)
             and self._has_energy(view)
         ):

@@ -368,7 +368,9 @@ class Supervisor:
                 self.events.append(Event(now_s, view.sysid, "warning", why, kind))
             elif arming.stage is Stage.YIELDED and before is not Stage.YIELDED:
                 who, back = "Its failsafe" if view.failsafe else "Somebody else", view.profile.offboard_name
-                why = f"{who} flies it ({view.mode}): it takes part again when it is put into {back}"
+                if arming.unheard_lately(now_s) and not view.failsafe:
+                    who = "Its link was out, and its failsafe or somebody else"
+                why = f"{who} flies it ({view.mode}): it takes part again by rejoin, or when it is put into {back}"
                 self.events.append(Event(now_s, view.sysid, "warning", why))
             elif arming.stage is Stage.FLY and before is Stage.YIELDED:
                 self.events.append(Event(now_s, view.sysid, "info", "Takes part again"))

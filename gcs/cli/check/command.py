@@ -10,17 +10,15 @@ from pathlib import Path
 import click
 
 from gcs.exit import BAD_INPUT, NOT_DONE
-from gcs.scenario.endpoint import ONLY_ONCE, Endpoint, address
+from gcs.scenario.endpoint import EXAMPLE, FORM, ONLY_ONCE, Endpoint, address
 
 PEER_NAMES = {"mavsdk": "MAVSDK", "qgroundcontrol": "QGroundControl", "mavproxy": "MAVProxy"}
 
 
 def _connection(_: click.Context, __: click.Parameter, value: str) -> Endpoint:
-    at = address(value, "udpin", "udpout")
+    at = address(value)
     if at is None:
-        raise click.BadParameter(
-            f"{value!r} is no connection; write udpin:HOST:PORT to listen, udpout:HOST:PORT to speak to a listener."
-        )
+        raise click.BadParameter(f"{value!r} is no connection; write {FORM}, {EXAMPLE}.")
     return at
 
 
@@ -30,8 +28,9 @@ def _connection(_: click.Context, __: click.Parameter, value: str) -> Endpoint:
     default="udpin:127.0.0.1:14550",
     show_default=True,
     callback=_connection,
-    metavar="udpin|udpout:HOST:PORT",
-    help="Where the vehicle is heard (udpin), or listens (udpout).",
+    metavar="ADDRESS",
+    help="Where the vehicle is heard (udpin, tcpin), listens (udpout, tcp) or is plugged in "
+    "(serial:/dev/ttyUSB0:57600).",
 )
 @click.option(
     "--key-file",
@@ -120,7 +119,8 @@ def check(
         run(dialogue, wire, show, find_within_s=within)
     except CheckError as error:
         hint = ONLY_ONCE if connect.way == "udpout" else ""
-        click.echo(f"gcs: {error} at {connect.text}; is the vehicle running, and is that its address?{hint}", err=True)
+        why = error.why or f"; is the vehicle running, and is that its address?{hint}"
+        click.echo(f"gcs: {error} at {connect.text}{why}", err=True)
         return BAD_INPUT
     finally:
         wire.close()

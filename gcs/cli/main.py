@@ -144,6 +144,18 @@ for _command in (
     metavar="FILE",
     help="MAVLink 2 signing: the key of all external vehicles, instead of what the scenario says (gcs key new).",
 )
+@click.option(
+    "--forward",
+    "forwards",
+    multiple=True,
+    metavar="ADDRESS",
+    help="Everything that vehicles say also goes there, such as udpout:127.0.0.1:14550 for QGroundControl; repeatable.",
+)
+@click.option(
+    "--forward-control",
+    is_flag=True,
+    help="What is said there reaches the vehicles: whoever flies one there has it until it rejoins.",
+)
 @click.option("--plain", is_flag=True, help="Lines of text instead of the console; also used without a terminal.")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object per second on stdout, for other programs.")
 @page.WEB
@@ -182,6 +194,8 @@ def run(
     settings: tuple[str, ...],
     out: Path | None,
     key_file: Path | None,
+    forwards: tuple[str, ...],
+    forward_control: bool,
     plain: bool,
     as_json: bool,
     web: bool,
@@ -208,6 +222,7 @@ def run(
       gcs run demo --web
       gcs run demo --speed 2 --out first-flight
       gcs run my-scenario.yaml --lockstep --seed 7 --plain
+      gcs run demo --forward udpout:127.0.0.1:14550
       gcs run demo --set planner.cruise_m_s=2 --set 'vehicles.pursuers.*.battery.initial_percent=60'
 
     The session's folder holds the resolved scenario (scenario.yaml), every MAVLink frame (session.tlog), every decision
@@ -245,7 +260,14 @@ def run(
 
     try:
         key_path = None if key_file is None else str(key_file.resolve())
-        resolved = load_scenario(scenario, settings).flown(lockstep=lockstep, speed=speed, seed=seed, key_file=key_path)
+        resolved = load_scenario(scenario, settings).flown(
+            lockstep=lockstep,
+            speed=speed,
+            seed=seed,
+            key_file=key_path,
+            forward=forwards,
+            forward_control=forward_control,
+        )
     except ScenarioRefused as refusal:
         if junit is not None:
             from gcs.report.junit import refused
@@ -254,6 +276,8 @@ def run(
         raise
     except ValueError as refusal:
         raise click.UsageError(f"{refusal}.") from None
+    if forward_control and not resolved.forward.to:
+        raise click.UsageError("--forward-control is for --forward: nobody is forwarded to.")
     if vehicles_per_process is not None:
         resolved = resolved.model_copy(update={"vehicles_per_process": vehicles_per_process})
     if resolved.vehicles.external:

@@ -24,6 +24,7 @@ import click
 from gcs.exit import BAD_INPUT, DONE, INTERNAL_ERROR, INTERRUPTED, NOT_DONE, leave
 from gcs.link.external import ExternalLink
 from gcs.link.fleet import FleetLink
+from gcs.link.forwarder import Forwarder
 from gcs.link.keys import KeyRefused, RefusalNotices
 from gcs.link.link import Link
 from gcs.link.lockstep import REPEAT_S, LockstepLink
@@ -98,7 +99,8 @@ class SessionProcess:
         )
         self._reserve = Reserve(folder, len(scenario.vehicles.all))
         self._publisher = Publisher(folder, session_message(scenario, str(folder.resolve())))
-        self._supervisor = Supervisor(scenario, self._link, self._recorder)
+        self._forwarder = Forwarder(scenario.forward.to) if scenario.forward.to else None
+        self._supervisor = Supervisor(scenario, self._link, self._recorder, forwarder=self._forwarder)
         self._supervisor.faults.signal_process = self._signal
         self._hatch: Hatch | None = None
         self._unpublished: list[Event] = []
@@ -148,6 +150,8 @@ class SessionProcess:
             raise
         finally:
             self._link.close()
+            if self._forwarder is not None:
+                self._forwarder.close()
             self._publisher.close()
 
     def _summarise(self, outcome: str, text: str) -> None:
@@ -324,6 +328,9 @@ class SessionProcess:
             refused, reasons = self._external_link.signature_refusals, self._external_link.signature_reasons
             for sysid, text in self._refusals.poll(refused, reasons, now_s):
                 self._event(sysid, "critical", text, "link")
+        for to, problem in self._forwarder.pop_problems() if self._forwarder is not None else ():
+            text = f"Nothing is forwarded to {to}: {problem}" if problem else f"All is forwarded to {to} again"
+            self._event(0, "warning" if problem else "info", text, "link")
         if now_s - self._published_s >= PUBLISH_EVERY_S:
             self._published_s = now_s
             self._publisher.publish(self._next_snapshot())

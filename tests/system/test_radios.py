@@ -62,6 +62,7 @@ def free_tcp_port(host: str = "127.0.0.1") -> int:
 class Flown:
     outcome: Outcome
     cable: Cable
+    onlooker: list[bytes]
     snapshots: list[dict[str, Any]]
     pulled_s: float
     plugged_s: float
@@ -102,7 +103,12 @@ def flown(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Flown]:
         px4 = [*SIMVEHICLE, "--sysid", str(TCP), "--connect", f"udpout:127.0.0.1:{tcp.port}", "--home", start(TCP)]
         commands.append(px4)  # which has a failsafe
         stack.enter_context(strangers(folder, *commands))
-        running = Running(scenario(connects), folder, "--json")
+        onlooker = stack.enter_context(socket.socket(socket.AF_INET, socket.SOCK_DGRAM))
+        onlooker.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4 << 20)
+        onlooker.bind(("127.0.0.1", 0))
+        onlooker.setblocking(False)
+        forward = f"udpout:127.0.0.1:{onlooker.getsockname()[1]}"
+        running = Running(scenario(connects), folder, "--json", "--forward", forward)
         stack.callback(running.stop)
 
         def seen(snapshot: dict[str, Any]) -> None:
@@ -125,7 +131,11 @@ def flown(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Flown]:
         tcp.plug()
         with contextlib.suppress(AssertionError):
             running.wait_for(lambda snapshot: bool(seen(snapshot)))  # to the end
-        yield Flown(running.finish(), cable, snapshots, pulled_s, plugged_s)
+        outcome, forwarded = running.finish(), []
+        with contextlib.suppress(BlockingIOError):
+            while True:
+                forwarded.append(onlooker.recv(1000))
+        yield Flown(outcome, cable, forwarded, snapshots, pulled_s, plugged_s)
 
 
 def test_a_mission_on_every_kind_of_link(flown: Flown) -> None:
@@ -137,6 +147,12 @@ def test_a_mission_on_every_kind_of_link(flown: Flown) -> None:
     assert all(away_m < 0.6 for away_m in reached.values()), reached
     assert flown.outcome.status in (0, 1)
     assert flown.outcome.summary["completed"] is True
+
+
+def test_who_looks_on_hears_them_all(flown: Flown) -> None:
+    """As many as the kernel kept, of those that the session received."""
+    assert {raw[5] for raw in flown.onlooker} == {CABLE, TCP, TCPIN, *ROUTED}
+    assert len(flown.onlooker) > 1000
 
 
 def test_nothing_more_goes_over_the_cable_than_its_rate_carries(flown: Flown) -> None:

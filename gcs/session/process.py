@@ -16,6 +16,7 @@ import sys
 import time
 import traceback
 from collections.abc import Mapping, Sequence
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
@@ -39,7 +40,7 @@ from gcs.processes.vehicles import traffic_order, vehicle_orders
 from gcs.recording.recorder import Recorder, RecorderError
 from gcs.recording.reserve import Reserve
 from gcs.scenario import goal, plugins
-from gcs.scenario.file import load
+from gcs.scenario.file import dump, load
 from gcs.scenario.model import Scenario, ScenarioError
 from gcs.session.commands import Clients
 from gcs.session.messages import end_message, session_message, snapshot_message
@@ -250,6 +251,8 @@ class SessionProcess:
         self._begun = True
         self._answered_s = self._said_waiting_s = time.monotonic()
         loaded()
+        if self._scenario.vehicles.external:
+            self._begin_on_true_time()
         pace.start()
         self._link.begin()
         supervisor.begin()
@@ -262,6 +265,16 @@ class SessionProcess:
             self._wait()
         supervisor.finish(self._watch)
         self._serve_reader()
+
+    def _begin_on_true_time(self) -> None:
+        """Let session time 0 be now: autopilots' own logs, beside which the recording is laid, are on the true time."""
+        now = datetime.fromtimestamp(time.time_ns() // 1_000_000 / 1e3, UTC)
+        clock = self._scenario.clock.model_copy(update={"epoch": now})
+        self._supervisor.epoch_us = round(1e6 * now.timestamp())
+        path = self._folder / "scenario.yaml"
+        new = path.with_name("scenario.yaml.new")
+        new.write_text(dump(self._scenario.model_copy(update={"clock": clock})), encoding="utf-8")
+        new.replace(path)
 
     def _wait(self) -> None:
         """Until the next tick is due, or while the session is paused, see who wants something."""

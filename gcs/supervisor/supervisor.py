@@ -177,7 +177,8 @@ class Supervisor:
         self._queue_set_points(set_points, snapshot)
         self._grant_all(relays, recording)
         recording.decisions += self._records(now_s, decision, set_points)
-        self.metrics.update(snapshot, set_points, pursuing)
+        flown = [point for point in set_points if self.arming[point.sysid].stage is not Stage.YIELDED]
+        self.metrics.update(snapshot, flown, pursuing)
         recording.decisions += self._watch_goal(snapshot, decision.partners)
         self._record(recording)
 

@@ -17,6 +17,7 @@ from typing import Any
 import pymap3d
 import pytest
 from commands import gcs
+from pymavlink import mavutil
 from radios import BUFFER_BYTES, Cable, Router, Tcp
 from sessions import Outcome, Running, fly
 from strangers import ARDUCOPTER, SIMVEHICLE, free_port, strangers
@@ -147,6 +148,19 @@ def test_a_mission_on_every_kind_of_link(flown: Flown) -> None:
     assert all(away_m < 0.6 for away_m in reached.values()), reached
     assert flown.outcome.status in (0, 1)
     assert flown.outcome.summary["completed"] is True
+
+
+def test_the_recording_is_on_true_time_and_energy_counts_from_its_start(flown: Flown) -> None:
+    """Beside an autopilot's own log: the last frame was recorded when the session's file was written last."""
+    log = flown.outcome.folder / "session.tlog"
+    reader = mavutil.mavlogfile(str(log), robust_parsing=False)
+    try:
+        first = reader.recv_match()._timestamp
+    finally:
+        reader.close()
+    assert log.stat().st_mtime - first == pytest.approx(flown.outcome.summary["sim_time_s"], abs=5.0)
+    for vehicle in flown.outcome.summary["vehicles"]:
+        assert 0.0 < vehicle["energy"]["drawn_j"] < 30_000.0
 
 
 def test_who_looks_on_hears_them_all(flown: Flown) -> None:

@@ -68,6 +68,7 @@ class _Commands(click.Group):
         "key": "key",
         "monitor": "watch",
         "paper": "paper",
+        "params": "params",
         "replay": "recorded",
     }
 
@@ -92,6 +93,7 @@ def cli() -> None:
       gcs run demo --lockstep  the same as fast as the machine can
       gcs launch demo          only its vehicles, for QGroundControl, MAVSDK or MAVProxy
       gcs monitor              a further console on a session that runs, or on any fleet with --connect
+      gcs params get 'RTL_*'   parameters of every vehicle of a fleet: get, set, diff, save, load
       gcs replay               a recorded session, or any .tlog, in the console
       gcs campaign run FILE    a scenario many times, varied: rates, intervals, the worst sessions
       gcs report SESSION       a page of what it recorded: paths, energy, competition, distances

@@ -22,7 +22,7 @@ from gcs.mavlink.codec import Message
 REPEAT_S = 0.7
 TRIES = 5
 IN_FLIGHT = 8
-QUIET_S = 1.0
+SETTLED_S = 1.0
 """A list during which nothing more has come for so long has come as far as it does by itself."""
 LONGEST_NAME = 16
 
@@ -171,7 +171,7 @@ class ParameterClient:
             listing.complete = len(listing.named) >= listing.count
 
     def _poll_list(self, listing: _Listing, now_s: float) -> list[Message]:
-        if listing.begun and now_s - listing.last_s < QUIET_S:
+        if listing.begun and now_s - listing.last_s < SETTLED_S:
             return []
         if listing.asked >= TRIES:
             listing.complete = True

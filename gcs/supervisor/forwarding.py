@@ -34,7 +34,7 @@ _FLIES = frozenset({
     mav.MAVLINK_MSG_ID_SET_ACTUATOR_CONTROL_TARGET, mav.MAVLINK_MSG_ID_MANUAL_CONTROL,
     mav.MAVLINK_MSG_ID_RC_CHANNELS_OVERRIDE, mav.MAVLINK_MSG_ID_MISSION_SET_CURRENT,
 })  # fmt: skip
-_TELLS = frozenset({
+_ASKS = frozenset({
     mav.MAV_CMD_REQUEST_MESSAGE, mav.MAV_CMD_GET_MESSAGE_INTERVAL, mav.MAV_CMD_GET_HOME_POSITION,
     mav.MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES, mav.MAV_CMD_REQUEST_PROTOCOL_VERSION,
     mav.MAV_CMD_REQUEST_CAMERA_INFORMATION, mav.MAV_CMD_REQUEST_FLIGHT_INFORMATION, mav.MAV_CMD_PREFLIGHT_STORAGE,
@@ -62,7 +62,7 @@ class Passed(NamedTuple):
 
 
 def passed(frame: Frame, vehicles: Collection[int]) -> Passed | None:
-    """What becomes of another station's frame; None where it does not pass."""
+    """Result for another station's frame; None where it does not pass."""
     if frame.sysid in vehicles or frame.msgid in _STOPPED:
         return None
     try:
@@ -78,7 +78,7 @@ def passed(frame: Frame, vehicles: Collection[int]) -> Passed | None:
             return None
         known = mav.enums["MAV_CMD"].get(content.command)
         name = known.name.removeprefix("MAV_CMD_") if known is not None else f"command {content.command}"
-        takes = content.command not in _TELLS
+        takes = content.command not in _ASKS
     # One with our own id goes out as ours: a vehicle counts our sequence numbers.
     own = (frame.sysid, frame.compid) == STATION
     message = Message(frame.msgid, tuple(content)) if own else Relay(frame.raw)
@@ -86,7 +86,7 @@ def passed(frame: Frame, vehicles: Collection[int]) -> Passed | None:
 
 
 class ForwardedControl:
-    """What other ground stations have said to a session's vehicles and is not sent yet."""
+    """Messages that other ground stations have sent to a session's vehicles and that are not passed on yet."""
 
     def __init__(self, arming: Mapping[int, ArmingSequence], operator: Operator) -> None:
         self._arming = arming
@@ -111,7 +111,7 @@ class ForwardedControl:
                 if not reply.taken:
                     continue
             waiting.append(one.message)
-            if self._is_news(one, by, now_s):
+            if self._is_new(one, by, now_s):
                 text = f"{one.name} to {snapshot.vehicle(one.sysid).label} by {by}"
                 events.append(self._operator.note(now_s, "forward", OperatorReply(True, text), one.sysid))
         return events
@@ -120,7 +120,7 @@ class ForwardedControl:
         """Remove and return what goes to the vehicle with its next grant."""
         return self._waiting.pop(sysid, [])
 
-    def _is_news(self, one: Passed, by: str, now_s: float) -> bool:
+    def _is_new(self, one: Passed, by: str, now_s: float) -> bool:
         said = (one.sysid, one.name, by)
         if now_s - self._said_s.get(said, -SAY_AGAIN_S) < SAY_AGAIN_S:
             self._said_s[said] = now_s

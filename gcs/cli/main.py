@@ -22,7 +22,7 @@ from gcs.cli import author, page, report
 from gcs.cli.author import ScenarioName, ScenarioRefused, load_scenario, module_arguments
 from gcs.exit import INTERNAL_ERROR, INTERRUPTED, NOT_DONE, leave
 from gcs.loading import uncollected
-from gcs.scenario.endpoint import address
+from gcs.scenario.endpoint import EXAMPLE, FORM, Endpoint, address
 
 if TYPE_CHECKING:
     from gcs.scenario.model import Scenario
@@ -42,20 +42,21 @@ def _limits(wanted: str, holds: Callable[[Any], bool]) -> Callable[[click.Contex
     return check
 
 
-def _checked_address(ctx: click.Context, param: click.Parameter, value: str | None) -> str | None:
+def _checked_address(ctx: click.Context, param: click.Parameter, value: str | None) -> Endpoint | None:
     """A --connect is an address whose host can be found."""
-    if value is not None:
+    if value is None:
+        return None
+    at = address(value)
+    if at is None:
+        raise click.BadParameter(f"{value} is not an address; write {FORM}, {EXAMPLE}.", ctx, param)
+    if at.way != "serial":
         from gcs.link.socket import AddressRefused, resolve
 
-        at = address(value, "udpout")
-        if at is None:
-            form = "write udpout:HOST:PORT, such as udpout:127.0.0.1:14550"
-            raise click.BadParameter(f"{value} is not an address; {form}.", ctx, param)
         try:
             resolve(at)
         except AddressRefused as error:
             raise click.BadParameter(f"{error}.", ctx, param) from None
-    return value
+    return at
 
 
 class _Commands(click.Group):
@@ -394,15 +395,16 @@ def _view(
 @click.option(
     "--connect",
     callback=_checked_address,
-    metavar="udpout:HOST:PORT",
-    help="All vehicles speak to this address.  [default: each listens at a port of its own]",
+    metavar="ADDRESS",
+    help="All vehicles are there: they speak to a udpout; at any other address gcs stands between as a router.  "
+    "[default: each listens at a port of its own]",
 )
 @click.option(
     "--out", type=click.Path(path_type=Path), metavar="DIR", help="Keep parameters and logs in this new folder."
 )
 @click.option("--json", "as_json", is_flag=True, help="The vehicles' addresses as one line of JSON.")
 @click.option("--until-eof", is_flag=True, help="End them when standard input closes, as when the caller dies.")
-def launch(scenario: str, connect: str | None, out: Path | None, as_json: bool, until_eof: bool) -> int:
+def launch(scenario: str, connect: Endpoint | None, out: Path | None, as_json: bool, until_eof: bool) -> int:
     """Start SCENARIO's pursuers, targets and tankers, and nothing else: no supervisor, no traffic, no goal.
 
     They stand at their starts, on the wall clock, until another ground station commands them, targets included: nobody
@@ -413,6 +415,7 @@ def launch(scenario: str, connect: str | None, out: Path | None, as_json: bool, 
     Examples:
       gcs launch demo
       gcs launch demo --connect udpout:127.0.0.1:14550    QGroundControl finds them by itself
+      gcs launch demo --connect tcpin:127.0.0.1:5760      all of them at one TCP port, as of a router
 
     Without --connect each vehicle listens on 127.0.0.1 at a port that the system chooses. The table printed says where
     to send to: give it to the ground station as it is, e.g. `mavproxy.py --master=udpout:127.0.0.1:41234`.

@@ -14,6 +14,7 @@ from gcs.link.addresses import open_connection
 from gcs.link.connection import Channel
 from gcs.link.keys import SignatureGate
 from gcs.link.socket import AddressRefused, Where
+from gcs.mavlink import v1
 from gcs.mavlink.codec import Frame
 from gcs.scenario.endpoint import address
 
@@ -74,7 +75,7 @@ class Forwarder:
         for place, channel in enumerate(self._channels):
             for pieces, (data, sender) in enumerate(channel.receive(), 1):
                 frames = self._gate.accepted(channel.split(data, sender).frames)
-                if frames and not channel.stream:
+                if not channel.stream and (frames or v1.split(data)):  # many begin with MAVLink 1, until they hear 2
                     self._note(place, sender, now_s)
                 received += [
                     FromStation(frame, f"{frame.sysid}/{frame.compid} at {channel.at.text}") for frame in frames
@@ -98,6 +99,10 @@ class Forwarder:
     def addresses(self) -> list[str]:
         """The addresses, with the ports that the system chose."""
         return [channel.at._replace(port=channel.port or channel.at.port).text for channel in self._channels]
+
+    def filenos(self) -> list[int]:
+        """For select: readable when something has come."""
+        return [channel.fileno() for channel in self._channels]
 
     def close(self) -> None:
         """Close them."""

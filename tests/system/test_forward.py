@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 import contextlib
+import json
 import socket
+import subprocess
 import threading
+import time
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
+import yaml
 from commands import gcs
 from pymavlink.dialects.v20 import common as mav
-from sessions import Outcome, fly, small
+from sessions import GCS, Outcome, fly, small
 
 pytestmark = pytest.mark.timeout(100)
 
@@ -114,6 +118,32 @@ def test_where_it_may_it_lands_one_that_nobody_flies_from_then_on(tmp_path: Path
         if message.get_srcSystem() == 1
     ]
     assert armed[-1] == 0
+
+
+def test_launched_vehicles_are_behind_one_address_of_any_kind(tmp_path: Path) -> None:
+    """TCP on IPv6: both are heard there, and each obeys what names it."""
+    path = tmp_path / "fleet.yaml"
+    path.write_text(yaml.safe_dump(small()), encoding="utf-8")
+    argv = [*GCS, "launch", str(path), "--connect", "tcpin:[::1]:0", "--json", "--until-eof"]
+    with subprocess.Popen(argv, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        assert process.stdout is not None
+        vehicles = json.loads(process.stdout.readline())["vehicles"]
+        (where,) = {vehicle["address"] for vehicle in vehicles}
+        assert where.startswith("tcpin:[::1]:")
+        station = mav.MAVLink(None, srcSystem=245, srcComponent=190)
+        asked: dict[int, float] = {}
+        answered: set[int] = set()
+        with socket.create_connection(("::1", int(where.rpartition(":")[2])), timeout=20.0) as stream:
+            while answered != {1, 101, 201}:
+                for message in station.parse_buffer(stream.recv(4096)) or []:
+                    sysid = message.get_srcSystem()
+                    if message.get_type() == "COMMAND_ACK":
+                        answered.add(sysid)
+                    elif message.get_type() == "HEARTBEAT" and sysid not in asked:
+                        asked[sysid] = time.monotonic()
+                        ask = mav.MAVLink_command_long_message(sysid, 1, 512, 0, 148, 0, 0, 0, 0, 0, 0)
+                        stream.sendall(bytes(ask.pack(station)))
+        process.communicate(timeout=30)
 
 
 def test_what_cannot_be_forwarded_to_is_a_sentence(tmp_path: Path) -> None:

@@ -263,10 +263,9 @@ def test_a_stream_is_read_however_it_is_cut_and_made_again_when_it_has_ended() -
         peer.close()
         told = until(lambda s: any("closed the connection" in event["text"] for event in s["events"]))
         assert [event["level"] for event in told["events"]] == ["warning"]
-        peer, _ = server.accept()
         until(lambda s: any(event["text"].endswith(" is there") for event in s["events"]))
         assert source.connected
-        peer.close()
+        server.accept()[0].close()
     finally:
         source.close()
         server.close()

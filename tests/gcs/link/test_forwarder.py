@@ -65,13 +65,16 @@ def test_of_many_who_ask_a_few_are_answered_and_those_who_go_make_room(monkeypat
     out = Forwarder(["udpin:127.0.0.1:0"])
     port = int(out.addresses[0].rpartition(":")[2])
     many = [station() for _ in range(MOST_STATIONS + 5)]
-    for one in many:
+    old = bytes(mav.MAVLink_heartbeat_message(6, 8, 0, 0, 4, 3).pack(SENDER, force_mavlink1=True))
+    many[0].sendto(old, ("127.0.0.1", port))  # it would go over to MAVLink 2 once it hears that
+    for one in many[1:]:
         one.sendto(HEARTBEAT, ("127.0.0.1", port))
     heard = 0
-    while heard < len(many):
+    while heard < len(many) - 1:
         assert select.select([out._channels[0]], [], [], 5.0)[0]
         heard += len(out.receive())
     assert len(out._stations) == MOST_STATIONS
+    assert (0, many[0].getsockname()) in out._stations
     monkeypatch.setattr(forwarder, "SILENT_S", 0.0)
     out.send([b"x"])
     assert not out._stations

@@ -52,7 +52,7 @@ def test_another_boot_begins_a_new_offset_and_a_message_that_was_overtaken_does_
 
 
 def test_a_message_whose_time_is_never_filled_in_is_no_boot_beside_one_whose_time_is() -> None:
-    """MAVSDK's server plugins send ATTITUDE with time 0, unless given one; LOCAL_POSITION_NED with their own."""
+    """MAVSDK's server plugins send ATTITUDE with time 0 beside a LOCAL_POSITION_NED that counts."""
     clock = BootClock()
     for k in range(100):
         assert not clock.feed(POSITION, 0.1 * k, 0.1 * k + OFFSET_S)

@@ -50,6 +50,12 @@ def _connection(_: click.Context, __: click.Parameter, value: str) -> Endpoint:
 @click.option(
     "--within", type=click.FloatRange(0.1), default=10.0, show_default=True, help="Seconds to find the vehicle."
 )
+@click.option(
+    "--wait-ready",
+    type=click.FloatRange(0.1),
+    metavar="SECONDS",
+    help="At first wait so long until its pre-arm checks pass, as after its start.",
+)
 @click.option("--json", "as_json", is_flag=True, help="One JSON object on stdout, for CI.")
 def check(
     connect: Endpoint,
@@ -58,6 +64,7 @@ def check(
     peers: tuple[str, ...],
     arm: bool,
     within: float,
+    wait_ready: float | None,
     as_json: bool,
 ) -> int:
     """Ask a vehicle what MAVSDK, QGroundControl and MAVProxy ask, and name each reply that does not come.
@@ -70,6 +77,7 @@ def check(
     Examples:
       gcs check
       gcs check --connect udpin:127.0.0.1:14540 --arm
+      gcs check --connect serial:/dev/ttyUSB0:57600 --wait-ready 60
       gcs check --peer qgroundcontrol --json > check.json
 
     \b
@@ -95,7 +103,8 @@ def check(
     from gcs.link.keys import KeyRefused
     from gcs.link.socket import AddressRefused
 
-    asked = questions([PEER_NAMES[peer] for peer in peers] or list(PEER_NAMES.values()), arm=arm)
+    names = [PEER_NAMES[peer] for peer in peers] or list(PEER_NAMES.values())
+    asked = questions(names, arm=arm, ready_within_s=wait_ready)
     dialogue = Dialogue(asked, sysid)
     known = False
 

@@ -176,7 +176,9 @@ def test_the_recording_holds_both_ways_with_the_sessions_time(flown: Flown) -> N
 
 def test_at_the_end_they_hold(flown: Flown) -> None:
     for log in flown.logs[:2]:
-        assert log.read_text(encoding="utf-8").splitlines()[-1].endswith("info: Hold")
+        lines = log.read_text(encoding="utf-8").splitlines()
+        lines = [line for line in lines if "ground station lost" not in line]  # it is gone, and the machine may be slow
+        assert lines[-1].endswith("info: Hold")
     for sysid in (1, 2, 3):
         assert flown.outcome.vehicle(sysid)["final_mode"] == "hold"
 

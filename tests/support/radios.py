@@ -23,8 +23,11 @@ _PIECE = 512
 class Relay:
     """Passes on what vehicles say to a near UDP port, and back to all of them; a thread until `close`.
 
-    Subclasses have the far side: `_far` descriptors to read, `_read(fd)` and `_write(data)`.
+    `wait_s` is how often it looks after what is due. Subclasses have the far side: `_far` descriptors to read,
+    `_read(fd)` and `_write(data)`.
     """
+
+    wait_s = 0.2
 
     def __init__(self) -> None:
         self._near = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
@@ -60,7 +63,7 @@ class Relay:
             with self._lock:
                 far = self._far()
             with contextlib.suppress(OSError, ValueError):
-                ready = select.select([self._near, self._stopped, *far], [], [], 0.01)[0]
+                ready = select.select([self._near, self._stopped, *far], [], [], self.wait_s)[0]
                 if self._stopped in ready:
                     return
                 with self._lock:
@@ -162,6 +165,8 @@ class Tcp(Relay):
 class Cable(Relay):
     """A serial device, a pty pair, with the throughput of its baud rate both ways. Who opens it at another rate reads
     and writes noise, as on a wire."""
+
+    wait_s = 0.02
 
     def __init__(self, device: Path, baud: int) -> None:
         super().__init__()

@@ -73,7 +73,7 @@ def station(lands: int) -> Iterator[Station]:
         one.close()
 
 
-def flown(folder: Path, *options: str, duration_s: float = 20.0) -> Outcome:
+def flown(folder: Path, *options: str, duration_s: float = 12.0) -> Outcome:
     return fly(small(goal={"duration_s": duration_s, "refuelled_at_least": 0}), folder, "--quiet", *options)
 
 
@@ -97,7 +97,7 @@ def test_looking_on_changes_nothing_and_an_order_without_leave_reaches_nobody(tm
 
 def test_where_it_may_it_lands_one_that_nobody_flies_from_then_on(tmp_path: Path) -> None:
     with station(lands=1) as one:
-        outcome = flown(tmp_path, "--speed", "3", "--forward", one.address, "--forward-control", duration_s=30.0)
+        outcome = flown(tmp_path, "--speed", "3", "--forward", one.address, "--forward-control", duration_s=20.0)
     assert (1, mav.MAV_RESULT_ACCEPTED, 255) in one.acked
     orders = [line for line in outcome.decisions if line["kind"] == "operator"]
     assert [(line["command"], line["sysid"], line["taken"]) for line in orders[:2]] == [

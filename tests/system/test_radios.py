@@ -26,7 +26,7 @@ LAT, LON, ALT = 47.397742, 8.545594, 488.0
 BAUD = 57600
 OFFBOARD = 6 << 16
 AWAY_S = 10.0
-FLOWN_S = 32.0
+FLOWN_S = 27.0
 CABLE, TCP, TCPIN, ROUTED = 1, 2, 3, (4, 5, 6)
 POINT_S = 2.0
 pytestmark = pytest.mark.timeout(110)
@@ -208,20 +208,12 @@ def test_it_is_flown_again_without_a_restart(flown: Flown) -> None:
     assert all(way_m > 1.0 for way_m in moved.values()), moved
 
 
-@pytest.mark.parametrize(
-    ("connect", "words"),
-    [
-        ("serial:{folder}/ttyUSB7:57600", "ttyUSB7:57600 within 1 s: there is no device {folder}/ttyUSB7; "),
-        ("tcp:127.0.0.1:{tcp}", "within 1 s: it cannot be reached (Connection refused): does the simulator or the rou"),
-    ],
-)
-def test_what_is_waited_for_is_said_in_one_sentence(tmp_path: Path, connect: str, words: str) -> None:
-    names = {"folder": tmp_path, "tcp": free_tcp_port()}
-    said = scenario({1: connect.format(**names)})
+def test_what_is_waited_for_is_said_in_one_sentence(tmp_path: Path) -> None:
+    said = scenario({1: f"tcp:127.0.0.1:{free_tcp_port()}"})
     said["vehicles"]["pursuers"][0]["external"]["found_within_s"] = 1.0
     outcome = fly(said, tmp_path, "--plain")
     assert outcome.status == 1
-    assert words.format(**names) in outcome.stderr
+    assert "within 1 s: it cannot be reached (Connection refused): does the simulator or the router" in outcome.stderr
     assert len(outcome.stderr.strip().splitlines()) == 1
 
 

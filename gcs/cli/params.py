@@ -18,11 +18,12 @@ from gcs.exit import BAD_INPUT, NOT_DONE
 from gcs.scenario.endpoint import EXAMPLE, FORM, Endpoint, address
 
 if TYPE_CHECKING:
-    from gcs.link.parameter_fleet import ParameterFleet
+    from gcs.link.asked_fleet import AskedFleet
     from gcs.mavlink.parameter_client import ParameterClient, ParameterResult
 
 GLOB = frozenset("*?[")
 LONGEST_NAME = 16
+FIND_WITHIN_S = 10.0
 WELL = ("read", "kept", "would", "set")
 
 
@@ -32,7 +33,10 @@ class _Refused(click.ClickException):
     exit_code = BAD_INPUT
 
 
-def _endpoint(_: click.Context, __: click.Parameter, value: str) -> Endpoint:
+def endpoint(_: click.Context, __: click.Parameter, value: str | None) -> Endpoint | None:
+    """The callback of an option that is an address."""
+    if value is None:
+        return None
     at = address(value)
     if at is None:
         raise click.BadParameter(f"{value!r} is no address; write {FORM}, {EXAMPLE}.")
@@ -46,7 +50,7 @@ def _of_the_fleet(command: Callable[..., Any]) -> Callable[..., Any]:
             "--connect",
             default="udpin:127.0.0.1:14550",
             show_default=True,
-            callback=_endpoint,
+            callback=endpoint,
             metavar="ADDRESS",
             help="Where the vehicles are: udpin, udpout, tcp, tcpin:HOST:PORT, or serial:DEVICE:BAUD.",
         ),
@@ -110,7 +114,7 @@ def get(patterns: tuple[str, ...], as_json: bool, **options: Any) -> int:
       gcs params get RTL_ALT 'WPNAV_*'
       gcs params get --sysid 3 --json > three.json
     """
-    with _fleet(**options) as fleet:
+    with fleet_at(**options) as fleet:
         clients = _read(fleet, patterns or ("*",))
     found = {client.sysid: _matching(client, patterns or ("*",)) for client in clients}
     if as_json:
@@ -134,7 +138,7 @@ def set_(settings: tuple[str, ...], dry_run: bool, as_json: bool, **options: Any
       gcs params set 'COM_*_ACT=0' --sysid 3
     """
     wanted = dict(_setting(text) for text in settings)
-    with _fleet(**options) as fleet:
+    with fleet_at(**options) as fleet:
         sysids = sorted(fleet.profiles)
         globs = [name for name in wanted if GLOB & set(name)]
         numbers = {sysid: {n: v for n, v in wanted.items() if n not in globs} for sysid in sysids}
@@ -159,7 +163,7 @@ def diff(file: Path | None, as_json: bool, **options: Any) -> int:
     from gcs.mavlink.parameter_client import same
 
     saved = None if file is None else _load(file)
-    with _fleet(**options) as fleet:
+    with fleet_at(**options) as fleet:
         clients = _read(fleet, ("*",))
     rows: dict[str, dict[str, float | None]] = {}
     for name in sorted({name for client in clients for name in client.known}):
@@ -195,7 +199,7 @@ def save(file: Path, patterns: tuple[str, ...], as_json: bool, **options: Any) -
     """
     if file.exists():
         raise _Refused(f"{file} exists already and is left as it is; give another name")
-    with _fleet(**options) as fleet:
+    with fleet_at(**options) as fleet:
         clients = _read(fleet, patterns or ("*",))
     lines = ["# Vehicle-Id Component-Id Name Value Type"]
     for client in clients:
@@ -225,7 +229,7 @@ def load(file: Path, dry_run: bool, as_json: bool, **options: Any) -> int:
     counts for all. Those that have the value already are not written.
     """
     saved = _load(file)
-    with _fleet(**options) as fleet:
+    with fleet_at(**options) as fleet:
         numbers = {sysid: _of(saved, sysid) for sysid in sorted(fleet.profiles)}
         if not any(numbers.values()):
             raise _Refused(f"{file} has no line for vehicle {', '.join(map(str, numbers))}")
@@ -233,16 +237,16 @@ def load(file: Path, dry_run: bool, as_json: bool, **options: Any) -> int:
 
 
 @contextlib.contextmanager
-def _fleet(
-    connect: Endpoint, sysids: tuple[int, ...], key_file: Path | None, within: float
-) -> Iterator[ParameterFleet]:
+def fleet_at(
+    connect: Endpoint, sysids: tuple[int, ...] = (), key_file: Path | None = None, within: float = FIND_WITHIN_S
+) -> Iterator[AskedFleet]:
     """The vehicles at an address, found. Raises click.ClickException where there is none."""
+    from gcs.link.asked_fleet import AskedFleet
     from gcs.link.keys import KeyRefused
-    from gcs.link.parameter_fleet import ParameterFleet
     from gcs.link.socket import AddressRefused
 
     try:
-        fleet = ParameterFleet(connect, key_file)
+        fleet = AskedFleet(connect, key_file)
     except AddressRefused as error:
         raise click.UsageError(f"--connect: {error}.") from None
     except KeyRefused as error:
@@ -258,7 +262,7 @@ def _fleet(
         fleet.close()
 
 
-def _read(fleet: ParameterFleet, patterns: Sequence[str]) -> list[ParameterClient]:
+def _read(fleet: AskedFleet, patterns: Sequence[str]) -> list[ParameterClient]:
     """Read from each vehicle what these patterns may name."""
     from gcs.mavlink.parameter_client import ParameterClient
 
@@ -272,7 +276,7 @@ def _read(fleet: ParameterFleet, patterns: Sequence[str]) -> list[ParameterClien
     return clients
 
 
-def _write(fleet: ParameterFleet, numbers: dict[int, dict[str, float]], *, dry_run: bool, as_json: bool) -> int:
+def _write(fleet: AskedFleet, numbers: dict[int, dict[str, float]], *, dry_run: bool, as_json: bool) -> int:
     from gcs.mavlink.parameter_client import ParameterClient
 
     clients = []

@@ -12,6 +12,8 @@ import pytest
 from commands import gcs
 from strangers import ARDUCOPTER, SIMVEHICLE, free_port, strangers
 
+from gcs.scenario.file import load
+
 pytestmark = pytest.mark.timeout(100)
 
 
@@ -85,3 +87,14 @@ def test_what_cannot_be_done_is_a_sentence(params: Params, tmp_path: Path) -> No
     nobody = gcs("params", "get", "A", "--connect", f"udpin:127.0.0.1:{free_port()}", "--within", "0.2")
     assert nobody.returncode == 2
     assert "no HEARTBEAT of any vehicle came within 0.2 s" in nobody.stderr
+
+
+def test_a_scenario_is_made_of_the_vehicles_that_are_heard(params: Params, tmp_path: Path) -> None:
+    made = gcs("init", str(tmp_path / "field.yaml"), "--connect", f"udpin:127.0.0.1:{params.port}")
+    assert made.returncode == 0, made.stderr
+    scenario = load(tmp_path / "field.yaml")
+    external = scenario.vehicles.external
+    assert sorted(external) == [1, 2, 3]
+    assert external[1].capacity_j == 24000.0 == external[2].capacity_j
+    assert external[3].capacity_j == pytest.approx(70 * 3600.0, rel=0.2)  # its 70 Wh, by mAh times the present volts
+    assert (scenario.origin.lat_deg, scenario.origin.lon_deg) == pytest.approx((47.397742, 8.545594), abs=1e-5)

@@ -1,12 +1,13 @@
-"""Parameters of all vehicles at an address at once: the dialogues of `gcs/mavlink/parameter_client.py` on a connection
-and the wall clock."""
+"""All vehicles at an address, asked at once, before anything flies: for parameters, and for messages by name."""
 
 from __future__ import annotations
 
+import math
 import select
 import time
 from collections.abc import Callable, Collection
 from pathlib import Path
+from typing import Any
 
 from pymavlink.dialects.v20 import common as mav
 
@@ -24,12 +25,13 @@ from gcs.scenario.endpoint import Endpoint
 
 POLL_S = 0.02
 HEARTBEAT_EVERY_S = 1.0
+ASK_EVERY_S = 1.0
 SETTLED_S = 1.5
 """So long after the last newcomer the fleet is taken for complete: a HEARTBEAT comes once a second."""
 
 
-class ParameterFleet:
-    """Vehicles at one address, and the connection to them. Raises AddressRefused, KeyRefused."""
+class AskedFleet:
+    """The vehicles, and the connection to them. Raises AddressRefused, KeyRefused."""
 
     def __init__(self, at: Endpoint, key_file: Path | None = None) -> None:
         self._gate = SignatureGate(key_file)
@@ -75,6 +77,26 @@ class ParameterFleet:
                 for message in client.poll(time.monotonic()):
                     self._send(message, self._where[client.sysid])
             progress()
+
+    def tell(self, names: Collection[str], within_s: float) -> dict[int, dict[str, Any]]:
+        """Ask every vehicle for these messages once a second, until all have come or the time is up; the latest fields
+        of each that came, by system id and name."""
+        numbers = {codec.msgid(name): name for name in names}
+        told: dict[int, dict[str, Any]] = {sysid: {} for sysid in self.profiles}
+        begun_s, asked_s = time.monotonic(), -math.inf
+        while (now_s := time.monotonic()) - begun_s < within_s and any(len(t) < len(numbers) for t in told.values()):
+            if now_s - asked_s >= ASK_EVERY_S:
+                asked_s = now_s
+                for sysid, so_far in told.items():
+                    for number in [n for n, name in numbers.items() if name not in so_far]:
+                        params = {f"param{i}": 0.0 for i in range(2, 8)} | {"param1": float(number)}
+                        to = {"target_system": sysid, "target_component": AUTOPILOT, "confirmation": 0}
+                        ask = codec.message("COMMAND_LONG", command=mav.MAV_CMD_REQUEST_MESSAGE, **to, **params)
+                        self._send(ask, self._where[sysid])
+            for frame in self._receive():
+                if frame.msgid in numbers and frame.compid == AUTOPILOT and frame.sysid in told:
+                    told[frame.sysid][numbers[frame.msgid]] = codec.fields(frame)
+        return told
 
     def close(self) -> None:
         """Close the connection."""

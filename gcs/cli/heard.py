@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from gcs.link.asked_fleet import AskedFleet
 
 FOUND_WITHIN_S = 15.0
-TOLD_WITHIN_S = 8.0
+REPORTED_WITHIN_S = 8.0
 CAPACITIES = ("SIM_BAT_CAP_J", "BATT_CAPACITY", "BAT1_CAPACITY")
 """Joules of a simulated vehicle of ours; mAh of ArduPilot; mAh of PX4."""
 GUESS_J = 200_000
@@ -26,7 +26,7 @@ HEIGHT_M = 5.0
 MESSAGES = ("HOME_POSITION", "GLOBAL_POSITION_INT", "SYS_STATUS")
 
 
-class NothingTold(click.ClickException):
+class NothingKnown(click.ClickException):
     """No scenario can be made of what was heard."""
 
     exit_code = BAD_INPUT
@@ -36,12 +36,12 @@ def scenario(at: Endpoint, name: str) -> str:
     """The scenario as YAML: each vehicle hovers above its home. Raises click.ClickException where nobody is there, or
     nobody says where it is."""
     with fleet_at(at) as fleet:
-        told = fleet.tell(MESSAGES, TOLD_WITHIN_S)
+        told = fleet.request(MESSAGES, REPORTED_WITHIN_S)
         capacities = {sysid: _capacity(fleet, sysid, messages) for sysid, messages in sorted(told.items())}
     homes = {sysid: home for sysid, messages in sorted(told.items()) if (home := _home(messages)) is not None}
     silent = sorted(told.keys() - homes.keys())
     if not homes:
-        raise NothingTold(f"vehicle {', '.join(map(str, silent))} does not say where it is yet: wait for its GPS")
+        raise NothingKnown(f"vehicle {', '.join(map(str, silent))} does not say where it is yet: wait for its GPS")
     first, (lat, lon, alt) = next(iter(homes.items()))
     lines = [
         f"# Vehicles heard at {at.text}. Next: gcs check, gcs validate, then gcs run",
@@ -75,7 +75,7 @@ def _home(messages: dict[str, Any]) -> tuple[float, float, float] | None:
 
 
 def _capacity(fleet: AskedFleet, sysid: int, messages: dict[str, Any]) -> tuple[int, str]:
-    """What its battery holds, J, and how that is known."""
+    """Capacity of its battery, J, and how that is known."""
     client = ParameterClient(sysid, 1, fleet.profiles[sysid])
     client.read(CAPACITIES)
     fleet.converse([client])

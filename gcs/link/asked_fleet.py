@@ -78,7 +78,7 @@ class AskedFleet:
                     self._send(message, self._where[client.sysid])
             progress()
 
-    def tell(self, names: Collection[str], within_s: float) -> dict[int, dict[str, Any]]:
+    def request(self, names: Collection[str], within_s: float) -> dict[int, dict[str, Any]]:
         """Ask every vehicle for these messages once a second, until all have come or the time is up; the latest fields
         of each that came, by system id and name."""
         numbers = {codec.msgid(name): name for name in names}

@@ -12,7 +12,7 @@ from gcs.scenario.endpoint import Endpoint
 MOST_VEHICLES = 254
 
 
-class Router:
+class VehicleRouter:
     """Passes on what vehicles say at a port of this machine to whoever is at an address, and back to all of them: each
     takes what names it."""
 

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from gcs.exit import DONE, NOT_DONE
-from gcs.link.router import Router
+from gcs.link.router import VehicleRouter
 from gcs.link.socket import AddressRefused
 from gcs.processes.hatch import Hatch, LaunchError
 from gcs.processes.vehicles import vehicle_orders
@@ -109,19 +109,19 @@ def launch(
         return NOT_DONE
 
 
-def _routed(connect: Endpoint | None, stack: contextlib.ExitStack) -> Router | None:
-    """Router to an address to which vehicles do not speak by themselves. Raises RunError."""
+def _routed(connect: Endpoint | None, stack: contextlib.ExitStack) -> VehicleRouter | None:
+    """VehicleRouter to an address to which vehicles do not speak by themselves. Raises RunError."""
     if connect is None or connect.way == "udpout":
         return None
     try:
-        router = Router(connect)
+        router = VehicleRouter(connect)
     except AddressRefused as error:
         raise RunError(f"--connect: {error}") from None
     stack.callback(router.close)
     return router
 
 
-def _pump(router: Router) -> None:
+def _pump(router: VehicleRouter) -> None:
     router.pump()
     for where, problem in router.pop_problems():
         print(f"gcs: {where}: {problem}" if problem else f"gcs: {where} is there", file=sys.stderr, flush=True)

@@ -163,24 +163,41 @@ def schema() -> int:
 
 @click.command(short_help="Write a scenario to start from.")
 @click.argument("name", default="my-scenario")
-def init(name: str) -> int:
+@click.option(
+    "--connect",
+    metavar="ADDRESS",
+    help="Make it of the vehicles heard there: their ids, home and battery. udpin, udpout, tcp, tcpin:HOST:PORT, or "
+    "serial:DEVICE:BAUD.",
+)
+def init(name: str, connect: str | None) -> int:
     """Write NAME.yaml: a small scenario that flies, with a comment on each key. NAME is my-scenario if left out.
 
     \b
     Examples:
       gcs init
       gcs init experiments/first.yaml
+      gcs init field --connect udpin:0.0.0.0:14550
 
     \b
     Exit status:
       0    the file was written
-      2    it exists already, or could not be written
+      2    it exists already, or could not be written; or no vehicle was heard
     """
     from importlib import resources
+
+    from gcs.scenario.endpoint import EXAMPLE, FORM, address
 
     path = Path(name if name.endswith((".yaml", ".yml")) else f"{name}.yaml")
     called = re.sub(r"[^A-Za-z0-9._-]+", "-", path.stem).lstrip("._-")[:64] or "my-scenario"
     text = resources.files("gcs").joinpath("templates", "scenario.yaml").read_text(encoding="utf-8")
+    if connect is not None:
+        from gcs.cli.heard import scenario
+
+        if (at := address(connect)) is None:
+            raise click.UsageError(f"--connect: {connect!r} is no address: write {FORM}, {EXAMPLE}.")
+        if path.exists():
+            raise click.UsageError(f"{path} exists already and is left as it is; give another name")
+        text = scenario(at, _yaml_text(called))
     for mark, value in (("{file}", " ".join(str(path).split())), ("{name}", _yaml_text(called))):
         text = text.replace(mark, value)
     try:

@@ -23,7 +23,7 @@ from gcs.cli.author import ScenarioName, ScenarioRefused, load_scenario, module_
 from gcs.exit import BAD_INPUT, INTERNAL_ERROR, INTERRUPTED, NOT_DONE, leave
 from gcs.extras import MissingExtra
 from gcs.loading import uncollected
-from gcs.scenario.endpoint import address
+from gcs.scenario.endpoint import EXAMPLE, FORM, Endpoint, address
 
 if TYPE_CHECKING:
     from gcs.scenario.model import Scenario
@@ -43,20 +43,21 @@ def _limits(wanted: str, holds: Callable[[Any], bool]) -> Callable[[click.Contex
     return check
 
 
-def _checked_address(ctx: click.Context, param: click.Parameter, value: str | None) -> str | None:
+def _checked_address(ctx: click.Context, param: click.Parameter, value: str | None) -> Endpoint | None:
     """A --connect is an address whose host can be found."""
-    if value is not None:
+    if value is None:
+        return None
+    at = address(value)
+    if at is None:
+        raise click.BadParameter(f"{value} is not an address; write {FORM}, {EXAMPLE}.", ctx, param)
+    if at.way != "serial":
         from gcs.link.socket import AddressRefused, resolve
 
-        at = address(value, "udpout")
-        if at is None:
-            form = "write udpout:HOST:PORT, such as udpout:127.0.0.1:14550"
-            raise click.BadParameter(f"{value} is not an address; {form}.", ctx, param)
         try:
             resolve(at)
         except AddressRefused as error:
             raise click.BadParameter(f"{error}.", ctx, param) from None
-    return value
+    return at
 
 
 class _Commands(click.Group):
@@ -69,6 +70,7 @@ class _Commands(click.Group):
         "key": "key",
         "monitor": "watch",
         "paper": "paper",
+        "params": "params",
         "replay": "recorded",
     }
 
@@ -93,6 +95,7 @@ def cli() -> None:
       gcs run demo --lockstep  the same as fast as the machine can
       gcs launch demo          only its vehicles, for QGroundControl, MAVSDK or MAVProxy
       gcs monitor              a further console on a session that runs, or on any fleet with --connect
+      gcs params get 'RTL_*'   parameters of every vehicle of a fleet: get, set, diff, save, load
       gcs replay               a recorded session, or any .tlog, in the console
       gcs campaign run FILE    a scenario many times, varied: rates, intervals, the worst sessions
       gcs report SESSION       a page of what it recorded: paths, energy, competition, distances
@@ -145,6 +148,18 @@ for _command in (
     metavar="FILE",
     help="MAVLink 2 signing: the key of all external vehicles, instead of what the scenario says (gcs key new).",
 )
+@click.option(
+    "--forward",
+    "forwards",
+    multiple=True,
+    metavar="ADDRESS",
+    help="Everything that vehicles say also goes there, such as udpout:127.0.0.1:14550 for QGroundControl; repeatable.",
+)
+@click.option(
+    "--forward-control",
+    is_flag=True,
+    help="What is said there reaches the vehicles: whoever flies one there has it until it rejoins.",
+)
 @click.option("--plain", is_flag=True, help="Lines of text instead of the console; also used without a terminal.")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object per second on stdout, for other programs.")
 @page.WEB
@@ -183,6 +198,8 @@ def run(
     settings: tuple[str, ...],
     out: Path | None,
     key_file: Path | None,
+    forwards: tuple[str, ...],
+    forward_control: bool,
     plain: bool,
     as_json: bool,
     web: bool,
@@ -209,6 +226,7 @@ def run(
       gcs run demo --web
       gcs run demo --speed 2 --out first-flight
       gcs run my-scenario.yaml --lockstep --seed 7 --plain
+      gcs run demo --forward udpout:127.0.0.1:14550
       gcs run demo --set planner.cruise_m_s=2 --set 'vehicles.pursuers.*.battery.initial_percent=60'
 
     The session's folder holds the resolved scenario (scenario.yaml), every MAVLink frame (session.tlog), every decision
@@ -246,7 +264,14 @@ def run(
 
     try:
         key_path = None if key_file is None else str(key_file.resolve())
-        resolved = load_scenario(scenario, settings).flown(lockstep=lockstep, speed=speed, seed=seed, key_file=key_path)
+        resolved = load_scenario(scenario, settings).flown(
+            lockstep=lockstep,
+            speed=speed,
+            seed=seed,
+            key_file=key_path,
+            forward=forwards,
+            forward_control=forward_control,
+        )
     except ScenarioRefused as refusal:
         if junit is not None:
             from gcs.report.junit import refused
@@ -255,6 +280,8 @@ def run(
         raise
     except ValueError as refusal:
         raise click.UsageError(f"{refusal}.") from None
+    if forward_control and not resolved.forward.to:
+        raise click.UsageError("--forward-control is for --forward: nobody is forwarded to.")
     if vehicles_per_process is not None:
         resolved = resolved.model_copy(update={"vehicles_per_process": vehicles_per_process})
     if resolved.vehicles.external:
@@ -369,15 +396,16 @@ def _view(
 @click.option(
     "--connect",
     callback=_checked_address,
-    metavar="udpout:HOST:PORT",
-    help="All vehicles speak to this address.  [default: each listens at a port of its own]",
+    metavar="ADDRESS",
+    help="All vehicles are there: they speak to a udpout; at any other address gcs stands between as a router.  "
+    "[default: each listens at a port of its own]",
 )
 @click.option(
     "--out", type=click.Path(path_type=Path), metavar="DIR", help="Keep parameters and logs in this new folder."
 )
 @click.option("--json", "as_json", is_flag=True, help="The vehicles' addresses as one line of JSON.")
 @click.option("--until-eof", is_flag=True, help="End them when standard input closes, as when the caller dies.")
-def launch(scenario: str, connect: str | None, out: Path | None, as_json: bool, until_eof: bool) -> int:
+def launch(scenario: str, connect: Endpoint | None, out: Path | None, as_json: bool, until_eof: bool) -> int:
     """Start SCENARIO's pursuers, targets and tankers, and nothing else: no supervisor, no traffic, no goal.
 
     They stand at their starts, on the wall clock, until another ground station commands them, targets included: nobody
@@ -388,6 +416,7 @@ def launch(scenario: str, connect: str | None, out: Path | None, as_json: bool, 
     Examples:
       gcs launch demo
       gcs launch demo --connect udpout:127.0.0.1:14550    QGroundControl finds them by itself
+      gcs launch demo --connect tcpin:127.0.0.1:5760      all of them at one TCP port, as of a router
 
     Without --connect each vehicle listens on 127.0.0.1 at a port that the system chooses. The table printed says where
     to send to: give it to the ground station as it is, e.g. `mavproxy.py --master=udpout:127.0.0.1:41234`.

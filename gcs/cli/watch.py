@@ -21,8 +21,9 @@ if TYPE_CHECKING:
 @click.argument("session", required=False, type=click.Path(path_type=Path, file_okay=False))
 @click.option(
     "--connect",
-    metavar="udpin|udpout|tcp:HOST:PORT",
-    help="Watch whoever is heard there instead of a session: any autopilot, any number, nothing to configure.",
+    metavar="ADDRESS",
+    help="Watch whoever is heard there instead of a session: any autopilot, any number, nothing to configure. udpin, "
+    "udpout, tcp, tcpin:HOST:PORT, or serial:DEVICE:BAUD.",
 )
 @click.option(
     "--control",
@@ -61,6 +62,7 @@ def monitor(
       gcs monitor sessions/demo-20260101-120000
       gcs monitor --connect udpin:127.0.0.1:14550
       gcs monitor --connect udpin:0.0.0.0:14550 --control
+      gcs monitor --connect serial:/dev/ttyUSB0:57600
       gcs monitor --web
 
     \b
@@ -115,20 +117,19 @@ def _monitor(connect: str, control: bool, key_file: Path | None) -> tuple[Messag
     """Monitor of all vehicles received at an address. Raises click.UsageError where it cannot be opened."""
     from gcs.link.keys import KeyRefused
     from gcs.link.socket import AddressRefused
-    from gcs.scenario.endpoint import address
+    from gcs.scenario.endpoint import EXAMPLE, FORM, LISTENS, address
     from gcs.session.monitor import MonitorSource
 
-    at = address(connect, "udpin", "udpout", "tcp")
+    at = address(connect)
     if at is None:
-        form = "write udpin:HOST:PORT to listen, udpout:HOST:PORT or tcp:HOST:PORT to go to somebody who does"
-        raise click.UsageError(f"--connect: {connect!r} is no address: {form}, such as udpin:127.0.0.1:14550.")
+        raise click.UsageError(f"--connect: {connect!r} is no address: write {FORM}, {EXAMPLE}.")
     try:
         source = MonitorSource(at, control=control, key_file=key_file)
     except AddressRefused as error:
         raise click.UsageError(f"--connect: {error}.") from None
     except KeyRefused as error:
         raise click.UsageError(f"--key-file: {error}.") from None
-    if at.way == "udpin":
+    if at.way in LISTENS:
         at = at._replace(port=source.port)
         click.echo(f"gcs: listening at {at.text}; Ctrl-C ends it.", err=True)
     return source, at.text

@@ -1,16 +1,15 @@
-"""The link to vehicles that another program has started: plain MAVLink over UDP, one frame per datagram.
+"""The link to vehicles that another program has started: plain MAVLink over UDP, TCP or a serial device.
 
 A vehicle is known by its system id and component 1, and by the address of its first HEARTBEAT; whoever says the same
 from elsewhere is refused and reported. Two who say the same before the session begins are `rivals`: nobody can know
-which is the vehicle. One that was silent for a while may go on from another address. Several vehicles may speak to one
-port, each from its own address or all through one router. What has come by the tick is delivered at the tick.
+which is the vehicle. One that was silent for a while, or whose stream has ended, may go on from another address.
+Several vehicles may speak to one port, each from its own address or all through one router or radio. What has come by
+the tick is delivered at the tick. Where a connection breaks it is made again, and the session goes on meanwhile.
 """
 
 from __future__ import annotations
 
-import contextlib
 import select
-import socket
 import time
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
@@ -19,9 +18,12 @@ from pathlib import Path
 
 from pymavlink.dialects.v20 import common as mav
 
+from gcs.link.addresses import open_connection
+from gcs.link.connection import Channel
+from gcs.link.diagnosis import Diagnosis
 from gcs.link.keys import KeyRefused, SignatureGate
 from gcs.link.link import Key
-from gcs.link.socket import MOST_AT_ONCE, RECEIVE_BYTES, AddressRefused, Where, kernel_drops, open_udp
+from gcs.link.socket import BUFFER_BYTES, AddressRefused, Where
 from gcs.mavlink import codec
 from gcs.mavlink.boot_clock import BootClock
 from gcs.mavlink.codec import Frame, Message
@@ -42,7 +44,8 @@ CLAIM_S = 1.5
 """So long after a vehicle's first HEARTBEAT somebody else may say that it is the one: it comes once a second."""
 MOVED_AFTER_S = 10.0
 """A vehicle that has been silent for so long may be heard from another address."""
-MAVLINK_1 = b"\xfe"
+MOVED_SIGNED_S = 2.0
+"""The same of one that signs: nobody else has its key."""
 _HEARTBEAT = codec.msgid("HEARTBEAT")
 _CLOCKS = frozenset({codec.msgid("LOCAL_POSITION_NED"), codec.msgid("ATTITUDE")})
 """Messages that carry a vehicle's time; the second comes also while it has not found its place, as after a boot."""
@@ -50,25 +53,31 @@ _SET_POINT = codec.msgid("SET_POSITION_TARGET_LOCAL_NED")
 
 
 @dataclass
-class _UdpEndpoint:
-    """One `connect`: its socket, and for udpout where the vehicle listens."""
+class _Door:
+    """One `connect`: its connection, and who has spoken there."""
 
-    connect: str
-    socket: socket.socket
-    remote: Where | None
+    connection: Channel
     gate: SignatureGate
+    diagnosis: Diagnosis
     counters: dict[Where, SequenceCounter] = field(default_factory=dict)
     speakers: set[Where] = field(default_factory=set)
     """addresses of vehicles"""
     unknown_senders: set[Where] = field(default_factory=set)
     """senders of MAVLink 1: some autopilots change to MAVLink 2 when they receive it"""
+    problem: str = ""
+    """of the connection, as it was reported last"""
+
+    @property
+    def hearers(self) -> set[Where]:
+        """Addresses to let know that a ground station is here."""
+        to = self.connection.to
+        return {to} if to is not None else self.speakers | self.unknown_senders | self.connection.senders
 
     def send(self, message: Message | bytes, address: Where) -> bytes:
         counter = self.counters.setdefault(address, SequenceCounter())
         raw = message if isinstance(message, bytes) else codec.frame(message, counter.next(), *STATION)
         raw = self.gate.signed(raw)
-        with contextlib.suppress(OSError):  # no receiver yet, or no room: as on a radio link, it is lost
-            self.socket.sendto(raw, address)
+        self.connection.send(raw, address)
         return raw
 
 
@@ -77,8 +86,10 @@ class _ExternalPeer:
     """One vehicle."""
 
     key: Key
-    door: _UdpEndpoint
+    door: _Door
     address: Where | None = None
+    cut_off: bool = False
+    """whether the stream from that address has ended"""
     found_s: float = 0.0
     received_s: float = 0.0
     clock: BootClock = field(default_factory=BootClock)
@@ -90,9 +101,9 @@ class ExternalLink:
     """All vehicles of a session that were not launched."""
 
     def __init__(self, expected: Mapping[int, External], now_s: Callable[[], float]) -> None:
-        """Open a socket for each address; `now_s` reads the session's clock. Raises AddressRefused, KeyRefused."""
+        """Open each address; `now_s` reads the session's clock. Raises AddressRefused, KeyRefused."""
         self._now_s = now_s
-        self._doors: dict[str, _UdpEndpoint] = {}
+        self._doors: dict[str, _Door] = {}
         self._peers: dict[int, _ExternalPeer] = {}
         self._poll = select.poll()
         self._kept = False
@@ -113,7 +124,7 @@ class ExternalLink:
                     raise
             self._peers[sysid] = _ExternalPeer((sysid, AUTOPILOT), self._doors[external.connect])
         for door in self._doors.values():
-            self._poll.register(door.socket, select.POLLIN)
+            self._poll.register(door.connection.fileno(), select.POLLIN)
 
     @property
     def joined(self) -> set[Key]:
@@ -130,7 +141,7 @@ class ExternalLink:
         """Whether everyone is there, and has been for so long that a rival would have spoken."""
         now_s = time.monotonic()
         return not self.missing and all(
-            peer.door.remote is not None or now_s - peer.found_s >= CLAIM_S for peer in self._peers.values()
+            peer.door.connection.to is not None or now_s - peer.found_s >= CLAIM_S for peer in self._peers.values()
         )
 
     @property
@@ -148,14 +159,34 @@ class ExternalLink:
         taken, self._moved = self._moved, {}
         return taken
 
+    def waits(self) -> dict[int, str]:
+        """Reasons why vehicles have not been received yet, by system id, where that can be seen."""
+        texts = {}
+        for sysid, peer in self._peers.items():
+            if peer.address is None and (text := peer.door.diagnosis.text(peer.door.connection.problem, sysid)):
+                texts[sysid] = text
+        return texts
+
+    def pop_problems(self) -> list[tuple[str, str]]:
+        """(address, its problem) of connections that have broken or have been mended since the last call; no problem:
+        mended."""
+        changed = []
+        for connect, door in self._doors.items():
+            problem = door.connection.problem
+            if bool(problem) != bool(door.problem):
+                changed.append((connect, problem))
+            door.problem = problem
+        return changed
+
     @property
     def buffer_bytes(self) -> int:
         """The least receive buffer that the kernel granted."""
-        return min(door.socket.getsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF) // 2 for door in self._doors.values())
+        granted = (door.connection.buffer_bytes() for door in self._doors.values())
+        return min((size for size in granted if size is not None), default=BUFFER_BYTES)
 
     def overflowed(self) -> int:
         """Datagrams that the kernel dropped because they were not read in time."""
-        return sum(kernel_drops(door.socket) for door in self._doors.values())
+        return sum(door.connection.overflowed() for door in self._doors.values())
 
     def offsets_s(self) -> dict[int, float]:
         """Offset from a vehicle's own time to the session's, s, by system id."""
@@ -173,13 +204,14 @@ class ExternalLink:
         if now_s - self._announced_s >= ANNOUNCE_EVERY_S:
             self._announced_s = now_s
             for door in self._doors.values():
-                for address in (door.remote,) if door.remote else (door.speakers | door.unknown_senders):
+                for address in sorted(door.hearers, key=str):
                     door.send(OUR_HEARTBEAT, address)
         self.rest(wait_s)
 
     def begin(self) -> None:
         """The session's clock runs from now: what comes is kept for its ticks."""
         self._drain()
+        self.pop_problems()
         self._kept = True
         for peer in self._peers.values():
             peer.clock = BootClock()
@@ -219,38 +251,47 @@ class ExternalLink:
                     peer.door.send(peer.set_point, peer.address)
 
     def close(self) -> None:
-        """Close the sockets."""
+        """Close the connections."""
         for door in self._doors.values():
-            door.socket.close()
+            door.connection.close()
             door.gate.close()
 
     def _drain(self) -> None:
+        now_s = time.monotonic()
         for door in self._doors.values():
+            connection = door.connection
+            connection.tend(now_s)
             unknown = 0
-            for _ in range(MOST_AT_ONCE):
-                try:
-                    datagram, address = door.socket.recvfrom(RECEIVE_BYTES)
-                except BlockingIOError:
-                    break
-                except OSError:  # a udpout whose other end is not there: raised once for each datagram sent
-                    continue
-                if address in door.speakers:
-                    frames, malformed, _ = codec.split(datagram)
-                    self.malformed += malformed
-                    self._receive(door, frames, address)
+            for data, sender in connection.receive():
+                if sender in door.speakers:
+                    split = connection.split(data, sender)
+                    self.malformed += split.malformed
+                    self._receive(door, split.frames, sender)
                 elif unknown < UNKNOWN_READ:
                     unknown += 1
-                    self._look_into(door, datagram, address)
+                    self._look_into(door, data, sender)
+            for sender in connection.pop_gone():
+                self._cut_off(door, sender)
 
-    def _look_into(self, door: _UdpEndpoint, datagram: bytes, address: Where) -> None:
-        """A datagram of somebody who is no vehicle yet: no more of it is read than UNKNOWN_BYTES."""
-        if datagram[:1] == MAVLINK_1:
-            if len(door.unknown_senders) < MOST_UNKNOWN_SENDERS:
-                door.unknown_senders.add(address)
-        else:
-            self._receive(door, codec.split(datagram[:UNKNOWN_BYTES]).frames, address)
+    def _look_into(self, door: _Door, data: bytes, address: Where) -> None:
+        """Bytes of somebody who is no vehicle yet: no more of a datagram is read than UNKNOWN_BYTES."""
+        if not door.connection.stream:
+            data = data[:UNKNOWN_BYTES]
+        split = door.connection.split(data, address)
+        if door.diagnosis.count(data, split) and len(door.unknown_senders) < MOST_UNKNOWN_SENDERS:
+            door.unknown_senders.add(address)
+        self._receive(door, split.frames, address)
 
-    def _receive(self, door: _UdpEndpoint, frames: Sequence[Frame], address: Where) -> None:
+    def _cut_off(self, door: _Door, address: Where) -> None:
+        """A stream has ended: who spoke there may come back there or elsewhere, at once."""
+        for peer in self._peers.values():
+            peer.cut_off = peer.cut_off or (peer.door is door and peer.address == address)
+        door.unknown_senders.discard(address)
+        if door.connection.to is None:
+            door.speakers.discard(address)
+            door.counters.pop(address, None)
+
+    def _receive(self, door: _Door, frames: Sequence[Frame], address: Where) -> None:
         now_s = time.monotonic()
         for frame in door.gate.accepted(frames):
             peer = self._peers.get(frame.sysid)
@@ -262,7 +303,7 @@ class ExternalLink:
                 if peer.address is not None and frame.compid == AUTOPILOT:
                     self.refused.setdefault(peer.key, (str(address[0]), int(address[1])))
                 continue
-            peer.received_s = now_s
+            peer.received_s, peer.cut_off = now_s, False
             if self._kept:
                 peer.frames.append(frame)
                 if frame.msgid in _CLOCKS and frame.compid == AUTOPILOT:
@@ -272,16 +313,17 @@ class ExternalLink:
 
     def _claim(self, peer: _ExternalPeer, address: Where, now_s: float) -> None:
         """Somebody says that it is this vehicle, from an address from which nobody did."""
+        silent_s = MOVED_SIGNED_S if peer.door.gate.has_key else MOVED_AFTER_S
         if peer.address is None:
             peer.found_s = now_s
-        elif not self._kept:
+        elif not self._kept and not peer.cut_off:
             self.rivals.setdefault(peer.key, (peer.address, address))
             return
-        elif now_s - peer.received_s < MOVED_AFTER_S:
+        elif now_s - peer.received_s < silent_s and not peer.cut_off:
             return
-        else:
+        elif self._kept:
             self._moved[peer.key] = address
-        peer.address, peer.received_s = address, now_s
+        peer.address, peer.received_s, peer.cut_off = address, now_s, False
         peer.door.speakers.add(address)
 
 
@@ -292,17 +334,8 @@ def _is_autopilot(frame: Frame) -> bool:
     return bool(codec.fields(frame).autopilot != mav.MAV_AUTOPILOT_INVALID)
 
 
-def _open(external: External) -> _UdpEndpoint:
-    connect = external.connect
-    at = address(connect, "udpin", "udpout")
+def _open(external: External) -> _Door:
+    at = address(external.connect)
     assert at is not None  # as the scenario has checked
     gate = SignatureGate(Path(external.signing.key_file) if external.signing else None)
-    made, where = open_udp(at)
-    if at.way == "udpin":
-        return _UdpEndpoint(connect, made, None, gate)
-    try:
-        made.connect(where)
-    except OSError as error:
-        made.close()
-        raise AddressRefused(f"{connect} cannot be spoken to: {error.strerror}") from None
-    return _UdpEndpoint(connect, made, where, gate)
+    return _Door(open_connection(at, alone=True), gate, Diagnosis(at))

@@ -125,6 +125,11 @@ class SignatureGate:
         self.reasons: dict[int, SignatureVerdict] = {}
         """why the last of them was"""
 
+    @property
+    def has_key(self) -> bool:
+        """Whether only what is signed passes."""
+        return self._signing is not None
+
     def accepted(self, frames: Sequence[Frame]) -> list[Frame]:
         """The frames that pass."""
         passed = []

@@ -52,9 +52,14 @@ def open_udp(at: Endpoint) -> tuple[socket.socket, Where]:
         made.bind(where if at.way == "udpin" else ("::" if family == socket.AF_INET6 else "", 0))
     except OSError as error:
         made.close()
-        advice = _ADVICE.get(error.errno or 0, "")
-        raise AddressRefused(f"{at.text} cannot be listened at: {error.strerror}{advice}") from None
+        raise refused_to_listen(at, error) from None
     return made, where
+
+
+def refused_to_listen(at: Endpoint, error: OSError) -> AddressRefused:
+    """Error to raise where an address cannot be listened at."""
+    advice = _ADVICE.get(error.errno or 0, "")
+    return AddressRefused(f"{at.text} cannot be listened at: {error.strerror}{advice}")
 
 
 def widen(of: socket.socket) -> None:

@@ -79,6 +79,20 @@ class Profile:
             return value
         return float(struct.unpack_from(form, struct.pack("<f", value))[0])
 
+    def parameter_value(self, number: float, param_type: int) -> float:
+        """PARAM_SET's value for a number, the inverse of `parameter`. Raises ValueError where the type cannot hold
+        it."""
+        form = _INTEGERS.get(param_type)
+        if form is None:
+            return number
+        if number != int(number):
+            raise ValueError(f"{number:g} is no whole number")
+        try:
+            raw = struct.pack(form, int(number))
+        except struct.error:
+            raise ValueError(f"{number:g} does not fit") from None
+        return float(struct.unpack("<f", raw.ljust(4, b"\0"))[0]) if self.integers_bytewise else float(number)
+
     def ending(self, end: End) -> tuple[int, Params]:
         """The command, with its parameters, that takes a vehicle out of offboard: stand there, go home, or land."""
         if end == "hold":

@@ -13,6 +13,8 @@ from gcs.scenario.external import External
 HELLO_WITHIN_S = 60.0
 """Wall time that launched vehicles have for their first word."""
 SAY_AGAIN_S = 5.0
+SAY_WHY_S = 1.0
+"""Nothing is made of what has not come in so short a time."""
 
 
 def starting_line() -> str:
@@ -39,19 +41,30 @@ class Arrivals:
         self._awaited = set(external)
         self._said_s = -math.inf
 
-    def look(self, missing: Collection[int], waited_s: float) -> list[tuple[int, str]]:
-        """(system id, words) of what is new about external vehicles, now that these system ids are missing."""
+    def look(
+        self, missing: Collection[int], waited_s: float, seen: Mapping[int, str] | None = None
+    ) -> list[tuple[int, str]]:
+        """(system id, words) of what is new about external vehicles, now that these system ids are missing.
+
+        seen: what keeps them from being heard, by system id, where that is known.
+        """
         awaited = self._external.keys() & set(missing)
         notices = [(sysid, f"{self._labels[sysid]} is there") for sysid in sorted(self._awaited - awaited)]
         if waited_s - self._said_s >= SAY_AGAIN_S:
             self._said_s = waited_s
             where = {sysid: self._external[sysid].connect for sysid in sorted(awaited)}
-            notices += [(sysid, f"Waiting for {self._labels[sysid]} at {at}") for sysid, at in where.items()]
+            for sysid, at in where.items():
+                why = f": {seen[sysid]}" if seen and sysid in seen and waited_s >= SAY_WHY_S else ""
+                notices.append((sysid, f"Waiting for {self._labels[sysid]} at {at}{why}"))
         self._awaited = awaited
         return notices
 
     def too_late(
-        self, missing: Collection[int], waited_s: float, refused: Mapping[int, str] | None = None
+        self,
+        missing: Collection[int],
+        waited_s: float,
+        refused: Mapping[int, str] | None = None,
+        seen: Mapping[int, str] | None = None,
     ) -> str | None:
         """Why the session cannot begin, as a sentence; None while there is hope."""
         late = [sysid for sysid in sorted(missing) if waited_s > self._patience_s(sysid)]
@@ -59,10 +72,13 @@ class Arrivals:
         if awaited:
             names = ", ".join(f"{self._labels[sysid]} at {self._external[sysid].connect}" for sysid in awaited)
             spoken_to = any(self._external[sysid].connect.startswith("udpout") for sysid in awaited)
+            known = sorted({seen[sysid] for sysid in awaited if sysid in seen}) if seen else []
+            guess = (
+                "is it switched on, has it that system id, and does it speak MAVLink 2 to that address? "
+                "(found_within_s gives it longer)" + (ONLY_ONCE if spoken_to else "")
+            )
             return (
-                f"no HEARTBEAT of {names} within {self._patience_s(awaited[0]):g} s: is it switched on, has it that "
-                "system id, and does it speak MAVLink 2 to that address? (found_within_s gives it longer)"
-                + (ONLY_ONCE if spoken_to else "")
+                f"no HEARTBEAT of {names} within {self._patience_s(awaited[0]):g} s: {'; '.join(known) or guess}"
                 + "".join(
                     f"; messages of {self._labels[sysid]} came and were refused: {refused[sysid]}"
                     for sysid in awaited

@@ -17,7 +17,7 @@ from gcs.telemetry.state import FleetSnapshot
 ASK_WITHIN_S = 10.0
 """Time after its first message within which a vehicle must send its parameters."""
 BY_SCENARIO = "the scenario says so"
-NO_BATTERY_MODEL = "it has no SIM_BAT_CAP_J"
+NO_BATTERY_MODEL = "it takes no energy in flight: it has not SIM_BAT_CAP_J, as simulated vehicles that do have"
 REFUSED = "it does not know MAV_CMD_USER_1"
 
 

@@ -1,10 +1,22 @@
-"""MAVLink endpoints, as people write them: udpin:HOST:PORT listens, udpout: and tcp:HOST:PORT go to a listener."""
+"""MAVLink endpoints, as people write them: one grammar for scenarios and every command.
+
+    udpin:HOST:PORT      listens for datagrams          udpout:HOST:PORT   sends to who listens for them
+    tcpin:HOST:PORT      listens for connections        tcp:HOST:PORT      connects to who listens for them
+    serial:DEVICE:BAUD   a cable or a telemetry radio, such as serial:/dev/ttyUSB0:57600
+
+A host of IPv6 stands in brackets: udpin:[::1]:14550.
+"""
 
 import re
 from typing import NamedTuple
 
-_FORM = re.compile(r"(udpin|udpout|tcp):(\[[0-9A-Fa-f:.]+\]|[^:\s\[\]]+):([0-9]{1,5})")
-
+WAYS = ("udpin", "udpout", "tcp", "tcpin", "serial")
+FORM = "udpin|udpout|tcp|tcpin:HOST:PORT or serial:DEVICE:BAUD"
+EXAMPLE = "such as udpin:127.0.0.1:14550, tcp:127.0.0.1:5760 or serial:/dev/ttyUSB0:57600"
+LISTENS = ("udpin", "tcpin")
+_NETWORK = re.compile(r"(udpin|udpout|tcp|tcpin):(\[[0-9A-Fa-f:.]+\]|[^:\s\[\]]+):([0-9]{1,5})")
+_SERIAL = re.compile(r"(serial):(/[^:\s]+):([0-9]{3,7})")
+_BAUD = range(300, 4_000_001)
 
 ONLY_ONCE = (
     "; a PX4 answers nobody at the port where it listens but who spoke there first since its start: hear it by udpin "
@@ -14,7 +26,8 @@ ONLY_ONCE = (
 
 
 class Endpoint(NamedTuple):
-    """Address to listen at (`udpin`), or to send to. The host of IPv6 stands here without its brackets."""
+    """Address of one of the WAYS. The host of IPv6 stands here without its brackets; of `serial` it is the device, and
+    the port its baud rate."""
 
     way: str
     host: str
@@ -23,14 +36,17 @@ class Endpoint(NamedTuple):
     @property
     def text(self) -> str:
         """The endpoint as it is written."""
-        return f"{self.way}:{f'[{self.host}]' if ':' in self.host else self.host}:{self.port}"
+        host = f"[{self.host}]" if ":" in self.host and self.way != "serial" else self.host
+        return f"{self.way}:{host}:{self.port}"
 
 
 def address(text: str, *ways: str) -> Endpoint | None:
-    """Endpoint that `text` names, if it is an address of one of these ways; a listener's port may be 0, any that is
-    free."""
-    match = _FORM.fullmatch(text)
-    if match is None or match[1] not in ways:
+    """Endpoint that `text` names, if it is an address of one of these ways (without any: of all); a listener's port may
+    be 0, any that is free."""
+    match = _NETWORK.fullmatch(text) or _SERIAL.fullmatch(text)
+    if match is None or match[1] not in (ways or WAYS):
         return None
     at = Endpoint(match[1], match[2].strip("[]"), int(match[3]))
-    return at if at.port < 65536 and (at.port or at.way == "udpin") else None
+    if at.way == "serial":
+        return at if at.port in _BAUD else None
+    return at if at.port < 65536 and (at.port or at.way in LISTENS) else None

@@ -13,18 +13,21 @@ from typing import Annotated, Any, Literal, Protocol
 from pydantic import AfterValidator, Field
 
 from gcs.scenario.document import Conflict, KeyPath
-from gcs.scenario.endpoint import address
+from gcs.scenario.endpoint import EXAMPLE, address
 from gcs.scenario.types import Joules, Part, SysId
 
 LAUNCH_ONLY = ("airborne", "velocity_m_s", "attitude_deg", "params")
 NOT_INHERITED = (*LAUNCH_ONLY, "start_m")
 """Keys that `vehicles.defaults` gives to launched vehicles alone."""
 NOWHERE = (0.0, 0.0, 0.0)
-_FORM = "must be udpin:HOST:PORT, where the vehicle speaks to, or udpout:HOST:PORT, where it listens"
+_FORM = (
+    "must be udpin:HOST:PORT or tcpin:HOST:PORT, where the vehicle speaks to, udpout:HOST:PORT or tcp:HOST:PORT, where "
+    f"it listens, or serial:DEVICE:BAUD, {EXAMPLE}"
+)
 
 
 def _checked(connect: str) -> str:
-    at = address(connect, "udpin", "udpout")
+    at = address(connect)
     if at is None or not at.port:
         raise ValueError(_FORM)
     return connect
@@ -44,7 +47,8 @@ class External(Part):
     """A vehicle that another program has started; `gcs run` waits for it, arms it and flies it."""
 
     connect: Annotated[str, AfterValidator(_checked)]
-    """`udpin:HOST:PORT`: the vehicle speaks to us there; `udpout:HOST:PORT`: it listens there. Several may share one"""
+    """`udpin:HOST:PORT`, `tcpin:HOST:PORT`: the vehicle speaks to us there; `udpout:HOST:PORT`, `tcp:HOST:PORT`: it
+    listens there; `serial:DEVICE:BAUD`: a cable or a radio. Several may share one"""
     sysid: SysId | None = None
     """MAVLink system id; may stand beside the block instead"""
     autopilot: Literal["auto", "px4", "ardupilot", "generic"] = "auto"
@@ -57,6 +61,9 @@ class External(Part):
     """session time in which it must have found its place and let itself be armed, or it is left out"""
     at_end: Literal["hold", "return", "land"] = "hold"
     """order to it at the session's end, however that comes"""
+    rejoins: bool = False
+    """whether it is flown again when its link was out or it has booted, whatever its failsafe did meanwhile; without
+    it a return or a landing is left alone, for a pilot may have wanted it, until the operator's `rejoin`"""
     signing: SigningKey | None = None
     """MAVLink 2 signing; every vehicle at one address has the same key"""
 

@@ -5,7 +5,7 @@
 """
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Annotated, Any, Literal, Self
 
 from pydantic import AfterValidator, ConfigDict, Field, ValidationError, model_validator
@@ -13,6 +13,7 @@ from pydantic import AfterValidator, ConfigDict, Field, ValidationError, model_v
 from gcs.scenario import external
 from gcs.scenario.document import Conflict, Document, KeyPath, Problem, ScenarioError, conflict_error
 from gcs.scenario.faults import Fault, fault_conflicts
+from gcs.scenario.forward import Forward
 from gcs.scenario.parts import (
     STEP_S,
     Attractor,
@@ -127,6 +128,8 @@ class Scenario(Part):
     """what goes wrong, at a time or by chance; nothing by default"""
     vehicles_per_process: Annotated[int, Field(strict=True, ge=1, le=254)] = 1
     """how many fly in one process; nothing else depends on it"""
+    forward: Forward = Forward()
+    """other ground stations that hear the vehicles too; none by default"""
     record: Record = Record()
     """files that the session leaves, and how large they become; everything in one file each by default"""
     truth: Flag = True
@@ -139,9 +142,11 @@ class Scenario(Part):
         speed: float | None = None,
         seed: int | None = None,
         key_file: str | None = None,
+        forward: Sequence[str] = (),
+        forward_control: bool = False,
     ) -> Self:
-        """The same with another clock or seed, or a signing key for all external vehicles; what is left out stays.
-        ValueError where a value cannot be had."""
+        """The same with another clock or seed, a signing key for all external vehicles, or further addresses to forward
+        to; what is left out stays. ValueError where a value cannot be had."""
         clock: dict[str, Any] = {}
         if lockstep:
             clock = {"mode": "lockstep"}
@@ -152,6 +157,9 @@ class Scenario(Part):
             raise ValueError(refusal)
         changed = self.model_dump(by_alias=True) | {"clock": {**self.clock.model_dump(), **clock}}
         changed |= {} if seed is None else {"seed": seed}
+        if forward or forward_control:
+            to = (*self.forward.to, *(text for text in forward if text not in self.forward.to))
+            changed["forward"] = {"to": to, "control": forward_control or self.forward.control}
         if key_file is not None:
             external.give_key(changed["vehicles"], key_file)
         try:

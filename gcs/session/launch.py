@@ -14,8 +14,11 @@ from pathlib import Path
 from typing import Any
 
 from gcs.exit import DONE, NOT_DONE
+from gcs.link.router import VehicleRouter
+from gcs.link.socket import AddressRefused
 from gcs.processes.hatch import Hatch, LaunchError
 from gcs.processes.vehicles import vehicle_orders
+from gcs.scenario.endpoint import Endpoint
 from gcs.scenario.model import Scenario
 from gcs.session.supervised import POLL_S, RunError, Signals, make_folder, write_scenario
 
@@ -27,18 +30,21 @@ ADDRESS_LINE = re.compile(r"vehicle \d+: (udpin:(.+):0|udpout:.+) \(local port (
 def launch(
     scenario: Scenario,
     out: Path | None,
-    connect: str | None,
+    connect: Endpoint | None,
     report: Callable[[list[dict[str, Any]]], object],
     *,
     until_eof: bool = False,
 ) -> int:
     """Start the scenario's vehicles for another ground station and keep them until Ctrl-C; the exit status.
 
+    `connect`: all of them are there; each listens at a port of its own without it. Raises RunError.
     `report` gets {sysid, role, label, address, log} of each vehicle that came up, once.
     """
     scenario = scenario.model_copy(update={"truth": False})  # a truth file would grow for as long as anyone flies
-    connection = ["--connect", connect or "udpin:127.0.0.1:0"]
     with contextlib.ExitStack() as stack:
+        router = _routed(connect, stack)
+        near = router.near if router is not None else connect.text if connect is not None else "udpin:127.0.0.1:0"
+        connection = ["--connect", near]
         if out is None:
             folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="gcs-launch-")))
             (folder / "vehicles").mkdir()
@@ -63,8 +69,12 @@ def launch(
         selector.register(signals, selectors.EVENT_READ)
         if until_eof:
             selector.register(0, selectors.EVENT_READ)
+        for fileno in router.filenos() if router is not None else ():
+            selector.register(fileno, selectors.EVENT_READ)
         while alive:
-            ready = selector.select(None if reported else POLL_S)
+            ready = selector.select(None if reported and router is None else POLL_S)
+            if router is not None:
+                _pump(router)
             if any(key.fd == 0 and not os.read(0, 65536) for key, _ in ready):
                 if not reported:
                     print(f"gcs: {ENDED_EARLY}", file=sys.stderr)
@@ -83,6 +93,7 @@ def launch(
                 break
             for sysid in list(waiting):
                 if (address := _address(waiting[sysid])) is not None:
+                    address = router.address if router is not None else address
                     role, label = labels[sysid]
                     log = str(waiting.pop(sysid))
                     up.append({"sysid": sysid, "role": role, "label": label, "address": address, "log": log})
@@ -96,6 +107,24 @@ def launch(
                 )
         print("gcs: no vehicle is left", file=sys.stderr)
         return NOT_DONE
+
+
+def _routed(connect: Endpoint | None, stack: contextlib.ExitStack) -> VehicleRouter | None:
+    """VehicleRouter to an address to which vehicles do not speak by themselves. Raises RunError."""
+    if connect is None or connect.way == "udpout":
+        return None
+    try:
+        router = VehicleRouter(connect)
+    except AddressRefused as error:
+        raise RunError(f"--connect: {error}") from None
+    stack.callback(router.close)
+    return router
+
+
+def _pump(router: VehicleRouter) -> None:
+    router.pump()
+    for where, problem in router.pop_problems():
+        print(f"gcs: {where}: {problem}" if problem else f"gcs: {where} is there", file=sys.stderr, flush=True)
 
 
 def _address(log: Path) -> str | None:

@@ -1,6 +1,6 @@
-"""Any fleet on the air as a console's source: one socket, an observer, the wall clock; nothing to configure.
+"""Any fleet on the air as a console's source: one address, an observer, the wall clock; nothing to configure.
 
-A monitor is passive: not a byte leaves its socket. With `control` it is a ground station: a HEARTBEAT each second to
+A monitor is passive: not a byte leaves it. With `control` it is a ground station: a HEARTBEAT each second to
 known senders, a request for streams to vehicles that send none, and hold, return and land for one vehicle, in its own
 autopilot's way.
 """
@@ -24,15 +24,17 @@ from gcs.mavlink.ids import OUR_HEARTBEAT, STATION
 from gcs.mavlink.sequence import SequenceCounter
 from gcs.mavlink.stream_requests import SilentVehicles, everything
 from gcs.scenario.endpoint import Endpoint
-from gcs.session.messages import end_message, reply_message
+from gcs.session.messages import reply_message
 from gcs.session.observer import Observer
-from gcs.telemetry.events import Event
+from gcs.telemetry.events import Event, Level
 
 SNAPSHOT_EVERY_S = 0.1
 HEARTBEAT_EVERY_S = 1.0
 COMMAND_TIMEOUT_S = 1.0
 MOST_REFUSED = 64
 """Of so many who say that they are a vehicle which is elsewhere it is told."""
+SILENT_AFTER_S = 0.5
+"""A connection has so long to be made before it is said that it is not."""
 GONE_S = 5.0
 """A vehicle may come from another address once the one that it had has been silent for so long."""
 ORDERS: Mapping[str, End] = {"hold": "hold", "return": "return", "land": "land"}
@@ -65,7 +67,8 @@ class MonitorSource:
         self._counter = SequenceCounter()
         self._replies: list[Mapping[str, Any]] = []
         self._shown_s = self._beat_s = -math.inf
-        self._ended = False
+        self._at = at
+        self._problem = self._silence = ""
         if at.way == "udpout" and not control:
             text = f"Nothing is sent to {at.text}: somebody who only answers will not be heard; --control speaks"
             self._observer.add_event(Event(0.0, 0, "warning", text, "link"))
@@ -91,6 +94,7 @@ class MonitorSource:
             for frame in frames:
                 self._receive(frame, peer, t_s)
         self._report_silent(t_s)
+        self._report_connection(t_s)
         gate = self._listener.gate
         for sysid, text in self._refusals.poll(gate.refused, gate.reasons, t_s):
             self._observer.add_event(Event(t_s, sysid, "warning", text, "link"))
@@ -99,12 +103,9 @@ class MonitorSource:
         messages, self._replies = self._replies, []
         if self._observer.changed:
             messages.append(self._observer.session())
-        if t_s - self._shown_s >= SNAPSHOT_EVERY_S or not self._listener.open:
+        if t_s - self._shown_s >= SNAPSHOT_EVERY_S:
             self._shown_s = t_s
             messages.append(self._observer.snapshot(t_s, speed=1.0, phase="flying"))
-        if not self._listener.open and not self._ended:
-            self._ended = True
-            messages.append(end_message("the other end has closed the connection", 0))
         return messages
 
     def send(self, command: Mapping[str, Any]) -> None:
@@ -147,6 +148,20 @@ class MonitorSource:
                 done = "it is asked for them now" if self._control else "nobody asks for them; --control does"
                 text = f"Does not tell its position, attitude and state: {done}"
                 self._observer.add_event(Event(t_s, sysid, "warning", text, "link"))
+
+    def _report_connection(self, t_s: float) -> None:
+        """A connection that is broken or mended; or why nobody is heard, once that can be seen."""
+        problem = self._listener.problem
+        if problem != self._problem and t_s >= SILENT_AFTER_S:
+            self._problem = problem
+            level: Level = "warning" if problem else "info"
+            text = f"{self._at.text}: {problem}" if problem else f"{self._at.text} is there"
+            self._observer.add_event(Event(t_s, 0, level, text, "link"))
+        silence = "" if problem or self._peers or t_s < GONE_S else self._listener.silence
+        if silence != self._silence:
+            self._silence = silence
+            if silence:
+                self._observer.add_event(Event(t_s, 0, "warning", f"{self._at.text}: {silence}", "link"))
 
     # out, with control only
 

@@ -16,6 +16,7 @@ import sys
 import time
 import traceback
 from collections.abc import Mapping, Sequence
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +25,7 @@ import click
 from gcs.exit import BAD_INPUT, DONE, INTERNAL_ERROR, INTERRUPTED, NOT_DONE, leave
 from gcs.link.external import ExternalLink
 from gcs.link.fleet import FleetLink
+from gcs.link.forwarder import Forwarder
 from gcs.link.keys import KeyRefused, RefusalNotices
 from gcs.link.link import Link
 from gcs.link.lockstep import REPEAT_S, LockstepLink
@@ -38,7 +40,7 @@ from gcs.processes.vehicles import traffic_order, vehicle_orders
 from gcs.recording.recorder import Recorder, RecorderError
 from gcs.recording.reserve import Reserve
 from gcs.scenario import goal, plugins
-from gcs.scenario.file import load
+from gcs.scenario.file import dump, load
 from gcs.scenario.model import Scenario, ScenarioError
 from gcs.session.commands import Clients
 from gcs.session.messages import end_message, session_message, snapshot_message
@@ -98,7 +100,8 @@ class SessionProcess:
         )
         self._reserve = Reserve(folder, len(scenario.vehicles.all))
         self._publisher = Publisher(folder, session_message(scenario, str(folder.resolve())))
-        self._supervisor = Supervisor(scenario, self._link, self._recorder)
+        self._forwarder = Forwarder(scenario.forward.to) if scenario.forward.to else None
+        self._supervisor = Supervisor(scenario, self._link, self._recorder, forwarder=self._forwarder)
         self._supervisor.faults.signal_process = self._signal
         self._hatch: Hatch | None = None
         self._unpublished: list[Event] = []
@@ -148,6 +151,8 @@ class SessionProcess:
             raise
         finally:
             self._link.close()
+            if self._forwarder is not None:
+                self._forwarder.close()
             self._publisher.close()
 
     def _summarise(self, outcome: str, text: str) -> None:
@@ -214,11 +219,12 @@ class SessionProcess:
         while missing is None or missing or not (self._external_link is None or self._external_link.settled):
             missing = {sysid for sysid, _ in self._link.listen(WATCH_EVERY_S)}
             waited_s = time.monotonic() - began_s
-            for sysid, text in arrivals.look(missing, waited_s):
+            seen = self._external_link.waits() if self._external_link is not None else {}
+            for sysid, text in arrivals.look(missing, waited_s, seen):
                 self._event(sysid, "info", text)
             self._watch()
             reasons = self._external_link.signature_reasons if self._external_link is not None else {}
-            if (why := arrivals.too_late(missing, waited_s, reasons)) is not None:
+            if (why := arrivals.too_late(missing, waited_s, reasons, seen)) is not None:
                 raise SessionFailed(why)
             for (sysid, _), (host, port) in self._lockstep_link.rivals.items():
                 name = self._labels.get(sysid, f"vehicle {sysid}")
@@ -245,6 +251,8 @@ class SessionProcess:
         self._begun = True
         self._answered_s = self._said_waiting_s = time.monotonic()
         loaded()
+        if self._scenario.vehicles.external:
+            self._begin_on_true_time()
         pace.start()
         self._link.begin()
         supervisor.begin()
@@ -257,6 +265,16 @@ class SessionProcess:
             self._wait()
         supervisor.finish(self._watch)
         self._serve_reader()
+
+    def _begin_on_true_time(self) -> None:
+        """Let session time 0 be now: autopilots' own logs, beside which the recording is laid, are on the true time."""
+        now = datetime.fromtimestamp(time.time_ns() // 1_000_000 / 1e3, UTC)
+        clock = self._scenario.clock.model_copy(update={"epoch": now})
+        self._supervisor.epoch_us = round(1e6 * now.timestamp())
+        path = self._folder / "scenario.yaml"
+        new = path.with_name("scenario.yaml.new")
+        new.write_text(dump(self._scenario.model_copy(update={"clock": clock})), encoding="utf-8")
+        new.replace(path)
 
     def _wait(self) -> None:
         """Until the next tick is due, or while the session is paused, see who wants something."""
@@ -314,13 +332,18 @@ class SessionProcess:
             self._event(
                 key[0], "warning", f"Another vehicle says that it is {key[0]}, from {host}:{port}: ignored", "link"
             )
-        moved = self._external_link.pop_moved() if self._external_link is not None else {}
-        for (sysid, _), address in moved.items():
-            self._event(sysid, "warning", f"Heard from {address[0]}:{address[1]} now, after a silence", "link")
         if self._external_link is not None:
+            for (sysid, _), address in self._external_link.pop_moved().items():
+                self._event(sysid, "warning", f"Heard from {address[0]}:{address[1]} now, after a silence", "link")
+            for connect, problem in self._external_link.pop_problems() if self._begun else ():
+                text = f"{connect} is lost: {problem}" if problem else f"{connect} is there again"
+                self._event(0, "critical" if problem else "info", text, "link")
             refused, reasons = self._external_link.signature_refusals, self._external_link.signature_reasons
             for sysid, text in self._refusals.poll(refused, reasons, now_s):
                 self._event(sysid, "critical", text, "link")
+        for to, problem in self._forwarder.pop_problems() if self._forwarder is not None else ():
+            text = f"Nothing is forwarded to {to}: {problem}" if problem else f"All is forwarded to {to} again"
+            self._event(0, "warning" if problem else "info", text, "link")
         if now_s - self._published_s >= PUBLISH_EVERY_S:
             self._published_s = now_s
             self._publisher.publish(self._next_snapshot())

@@ -11,7 +11,7 @@ import socket
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
@@ -24,8 +24,8 @@ from gcs.exit import BAD_INPUT, INTERNAL_ERROR
 from gcs.loading import loaded, uncollected
 from gcs.processes.forked import ForkedProcess
 from gcs.processes.hatch import Hatch, LaunchError
-from gcs.scenario.file import dump
-from gcs.scenario.model import Scenario
+from gcs.scenario.file import dump, load
+from gcs.scenario.model import Scenario, ScenarioError
 from gcs.session.client import SOCKET, Client, EarlierEvents, Lines
 from gcs.session.plain_text import QuietView, clean, farewell, mute_stdout
 
@@ -312,11 +312,12 @@ def run(
     what the supervisor says there; our own standard error without it. `hurry` is called where a person has asked more
     than once for the end.
     """
+    watched = _Watched(view)
     with Signals() as signals, Supervised(folder, arguments, supervisor, stderr=stderr, fork=fork) as process:
         begun()
         loaded()
         try:
-            interrupted = _watch(process, signals, view, hurry)
+            interrupted = _watch(process, signals, watched, hurry)
         finally:
             with contextlib.suppress(OSError):
                 view.close()
@@ -330,6 +331,8 @@ def run(
             f"the vehicles' logs in {folder / 'vehicles'}",
             file=sys.stderr,
         )
+        for line in _left_in_the_air(folder, watched.last):
+            print(f"gcs: {line}", file=sys.stderr)
         return INTERNAL_ERROR
     verdict = verdict or {"exit": BAD_INPUT, "outcome": "interrupted", "error": None}
     finish(verdict)
@@ -342,7 +345,41 @@ def run(
     return int(verdict["exit"]) if failed or not interrupted else 128 + interrupted
 
 
-def _watch(process: Supervised, signals: Signals, view: View, hurry: Callable[[], object]) -> int:
+class _Watched:
+    """A view that remembers the last snapshot, for the case that the supervisor dies."""
+
+    def __init__(self, view: View) -> None:
+        self.view = view
+        self.last: Mapping[str, Any] = {}
+
+    def show(self, snapshot: Any) -> None:
+        """As `View.show`."""
+        self.last = snapshot
+        self.view.show(snapshot)
+
+    def tick(self, now_s: float) -> None:
+        """As `View.tick`."""
+        self.view.tick(now_s)
+
+    def close(self) -> None:
+        """As `View.close`."""
+        self.view.close()
+
+
+def _left_in_the_air(folder: Path, last: Mapping[str, Any]) -> list[str]:
+    """External vehicles that a supervisor has left without anyone who steers them, a sentence each."""
+    try:
+        external = load(folder / "scenario.yaml").vehicles.external
+    except (OSError, ScenarioError):
+        return []
+    return [
+        f"{row['label']} at {external[row['sysid']].connect} may still be flying, and nobody steers it: look after it"
+        for row in last.get("vehicles", ())
+        if row["sysid"] in external and row["armed"] and not row["landed"]
+    ]
+
+
+def _watch(process: Supervised, signals: Signals, view: _Watched, hurry: Callable[[], object]) -> int:
     """Show the session until its supervisor has ended; the first signal that asked it to stop, or 0."""
     interrupted, notified = 0, False
     with selectors.DefaultSelector() as selector:
@@ -374,11 +411,11 @@ def _watch(process: Supervised, signals: Signals, view: View, hurry: Callable[[]
             except BrokenPipeError:  # the reader of our lines is gone, as with `| head`
                 interrupted = interrupted or signal.SIGPIPE
                 process.interrupt(now_s)
-                view = QuietView()
+                view.view = QuietView()
                 mute_stdout()
             except OSError as error:  # the session goes on unseen
                 print(f"gcs: cannot show the session: {error.strerror}; it goes on", file=sys.stderr)
-                view = QuietView()
+                view.view = QuietView()
                 mute_stdout()
             if watched is not None and not watched.connected:
                 selector.unregister(watched)

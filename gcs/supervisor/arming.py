@@ -82,6 +82,8 @@ class ArmingSequence:
         self._asked_s = self._read_s = -RETRY_S
         self.ordered: End | None = None
         """what an operator wants it to fly; None while it is the planner's"""
+        self.released = False
+        """whether another ground station flies it, and it is commanded nothing"""
         self._order_sent = False
         self._rejoins = False
         self.left_out = ""
@@ -102,13 +104,22 @@ class ArmingSequence:
         """Whether it is on its way back to the planner."""
         return self._rejoins
 
+    def unheard_lately(self, now_s: float) -> bool:
+        """Whether what it does now may be its failsafe's doing, because its link was out."""
+        return now_s - self._cut_off_s <= BLAMED_S
+
     def order(self, mode: End) -> None:
         """An operator wants it to hold, return or land, and to be left alone then."""
         self.ordered, self._order_sent = mode, False
 
+    def release(self) -> None:
+        """Leave it to another ground station, at once."""
+        self.released = True
+        self.ordered = None
+
     def rejoin(self) -> None:
         """Bring a vehicle back that was taken or is down, from where it is."""
-        self.ordered, self._rejoins = None, True
+        self.ordered, self.released, self._rejoins = None, False, True
         self.stage, self._asked_s = Stage.IDENTIFY, -RETRY_S
 
     def excuse(self, now_s: float) -> None:
@@ -201,7 +212,8 @@ class ArmingSequence:
     def _move_on(self, view: VehicleView, now_s: float, bound: bool) -> None:
         if self.stage in (Stage.OFFBOARD, Stage.FLY):
             self._blame_link(view, now_s)
-        stage = Stage.TAKEN if self.ordered is not None and view.alive and not bound else self._next(view)
+        taken = self.released or (self.ordered is not None and view.alive and not bound)
+        stage = Stage.TAKEN if taken else self._next(view)
         if stage is not self.stage:
             self.stage = stage
             self._stage_since_s = now_s
@@ -216,7 +228,7 @@ class ArmingSequence:
             self._cut_off_s = now_s
         elif (
             self._rejoins_itself
-            and now_s - self._cut_off_s <= BLAMED_S
+            and self.unheard_lately(now_s)
             and not (view.mode in STEERABLE and view.armed)
             and self._has_energy(view)
         ):

@@ -11,7 +11,8 @@
    it: then it is the autopilot's answer to that, and offboard is asked for again. Before it has been in offboard, a
    mode that is not steered by hand is but on its way there: a HEARTBEAT may be a second old.
 4. What an operator orders goes before all that, and so does the order to have it back.
-5. While it is silent nothing changes; it may come back.
+5. While it is silent nothing changes; it may come back. A return or a landing in which it does is its failsafe's or a
+   pilot's, nobody knows which: it is left alone, unless the scenario says `rejoins`.
 """
 
 from __future__ import annotations
@@ -29,6 +30,7 @@ from gcs.telemetry.state import VehicleView
 
 FAR_M = 5000.0
 """No origin is farther from the scenario's: the frames would not be parallel any more (gcs/telemetry/fleet.py)."""
+PLANE_M = 100e3
 SET_POINTS_FIRST_S = 1.0
 """PX4 wants a second of set points before offboard."""
 PARAMETER_TRIES = 3
@@ -48,6 +50,9 @@ BLAMED_S = 3.0
 """How long after that a hold is our own doing: it may need a HEARTBEAT or two to be reported. A return or a landing is
 left alone even then, for whoever looks on may have wanted it; a PX4 that did so by itself, as it does by its defaults,
 goes back to offboard by itself when set points flow again."""
+COMING_DOWN = frozenset({FlightMode.RETURN, FlightMode.LAND})
+"""Modes in which one that flies when it is met is waited for until it stands, and then armed: as a rule it is what an
+earlier session told it at its end."""
 THEIRS = frozenset({FlightMode.MANUAL, FlightMode.RETURN, FlightMode.LAND})
 """Modes that are not on the way into offboard."""
 _FLOWN = frozenset({Stage.OFFBOARD, Stage.FLY, Stage.YIELDED})
@@ -58,7 +63,7 @@ class ExternalArmingSequence(ArmingSequence):
     """One external vehicle's way into the air and into offboard."""
 
     def __init__(self, sysid: int, takeoff_m: float, rules: External) -> None:
-        super().__init__(sysid, takeoff_m)
+        super().__init__(sysid, takeoff_m, rejoins_itself=rules.rejoins)
         self._rules = rules
         self._now_s = 0.0
         self._begun_s = math.inf
@@ -87,6 +92,8 @@ class ExternalArmingSequence(ArmingSequence):
         self._now_s = self._decided_s = now_s
         self._silent = not view.alive
         if self._silent:
+            if self.stage in _FLOWN:
+                self._cut_off_s = now_s
             return [], []
         return super().decide(view, now_s, bound=bound)
 
@@ -121,7 +128,7 @@ class ExternalArmingSequence(ArmingSequence):
         if self.grounded and stage is not Stage.YIELDED:
             return Stage.BASE
         if not view.armed and view.landed:
-            return Stage.DOWN
+            return Stage.ARM if self._rejoins else Stage.DOWN
         if view.mode in STEERABLE:
             self._rejoins = False
             if view.landed and stage is not Stage.FLY:
@@ -130,6 +137,8 @@ class ExternalArmingSequence(ArmingSequence):
             return Stage.FLY
         if stage is Stage.OFFBOARD:
             return Stage.YIELDED if view.mode in THEIRS and not self._rejoins else Stage.OFFBOARD
+        if self._rejoins:
+            return Stage.OFFBOARD
         starved = self._now_s - self._starved_s <= BLAMED_S
         return Stage.OFFBOARD if starved and stage is Stage.FLY and view.mode is FlightMode.HOLD else Stage.YIELDED
 
@@ -155,13 +164,17 @@ class ExternalArmingSequence(ArmingSequence):
         self._took_off = True
         if view.mode in STEERABLE:
             return Stage.FLY
+        if view.mode in COMING_DOWN and not self._rejoins:
+            self._took_off, self._begun_s = False, self._now_s
+            return Stage.IDENTIFY
         return Stage.OFFBOARD if view.mode in ON_THE_WAY or self._rejoins else Stage.YIELDED
 
     def _hopeless(self, view: VehicleView) -> bool:
         """Whether it is to be left out, and why."""
         offset, waited_s = view.origin_offset_ned, self._rules.arm_within_s
         if offset is not None and math.hypot(*offset[:2]) > FAR_M:
-            away = f"{math.hypot(*offset[:2]) / 1e3:.1f} km"
+            away_m = math.hypot(*offset[:2])  # of a plane at the scenario's origin: far away it is too short
+            away = f"{away_m / 1e3:.1f} km" if away_m < PLANE_M else f"over {PLANE_M / 1e3:.0f} km"
             self.left_out = f"Its origin is {away} from the scenario's: is one of them wrong? Left out"
         elif self._now_s - self._begun_s <= waited_s or not view.landed:
             return False

@@ -158,12 +158,24 @@ class ExternalFleet:
         commands = []
         for sysid, rules in self.rules.items():
             view = snapshot.vehicle(sysid)
-            if not view.armed or stages[sysid] not in STEERED:
+            if not view.armed:
+                continue
+            silent_s = snapshot.time_s - self._last_received_s[sysid]
+            silent = not view.alive or silent_s > SILENT_S
+            if stages[sysid] not in STEERED:
+                if not view.landed:
+                    self._note(
+                        sysid, "warning", f"Left in the air in {view.mode}: nobody of this session flies it", "session"
+                    )
                 continue
             (command, params), order = view.profile.ending(rules.at_end), _ENDS[rules.at_end]
-            if view.landed:
+            if view.landed and not silent:
                 (command, params), order = _DISARM, "disarm"
-            self._note(sysid, "info", f"Told to {order}: the session ends, and nobody steers it any more", "session")
+            if silent:
+                self._note(sysid, "critical", f"May still be flying: {_last_seen(view, silent_s)}", "session")
+            else:
+                text = f"Told to {order}: the session ends, and nobody steers it any more"
+                self._note(sysid, "info", text, "session")
             self._handed_back.add(sysid)
             commands.append(CommandRequest(sysid, command, params, ENDING))
         return commands
@@ -196,6 +208,12 @@ class ExternalFleet:
 
     def _note(self, sysid: int, level: Level, text: str, kind: Kind = "link") -> None:
         self._events.append(Event(self._now_s, sysid, level, text, kind))
+
+
+def _last_seen(view: VehicleView, silent_s: float) -> str:
+    """Words about a vehicle that is not heard, for a person who looks for it."""
+    height = "" if view.height_m is None else f", {view.height_m:.0f} m above its ground"
+    return f"not heard for {silent_s:.0f} s, then in {view.mode}{height}; what it is told now it may not hear"
 
 
 def _answer(result: CommandResult) -> str:

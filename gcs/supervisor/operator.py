@@ -1,6 +1,7 @@
 """Operators' commands: vehicles taken over and given back, services asked for and skipped, targets changed.
 
     hold, return, land   the vehicle is the operator's; it flies that, and takes no part in anything, until `rejoin`
+    release              another ground station's: it is commanded nothing, until `rejoin`
     rejoin               back to the planner, from wherever it is; also one that a failsafe has landed
     refuel               served next, as soon as a tanker is free
     skip                 out of the competition; the same again: back in it
@@ -116,9 +117,17 @@ class Operator:
             does += ", once its transfer is broken off,"
         return OperatorReply(True, f"{_name(view)} {does} until it rejoins.")
 
+    def _release(self, view: VehicleView, command: str) -> OperatorReply:
+        if self._arming[view.sysid].released:
+            return OperatorReply(False, f"{_name(view)} is another ground station's already.")
+        self._arming[view.sysid].release()
+        self._schedule.out[view.sysid] = OUT_TAKEN
+        return OperatorReply(True, f"{_name(view)} is another ground station's until it rejoins.")
+
     def _rejoin(self, view: VehicleView, command: str) -> OperatorReply:
         arming = self._arming[view.sysid]
-        if arming.ordered is None and not arming.down and arming.stage is not Stage.YIELDED:
+        taken = arming.ordered is not None or arming.released
+        if not taken and not arming.down and arming.stage is not Stage.YIELDED:
             return OperatorReply(False, f"{_name(view)} flies by the plan already: nobody has taken it.")
         if view.energy_source != "none" and view.remaining_j <= 0.0:
             return OperatorReply(False, f"{_name(view)} has no energy left to fly with.")
@@ -137,7 +146,8 @@ class Operator:
         if refusal is None and view.sysid in schedule.asked:
             refusal = f"{name} is refuelled next already."
         if refusal is None and view.sysid in schedule.out:
-            back = "rejoin it" if self._arming[view.sysid].ordered is not None else "skip it again"
+            arming = self._arming[view.sysid]
+            back = "rejoin it" if arming.ordered is not None or arming.released else "skip it again"
             refusal = f"{name} is {schedule.out[view.sysid]}: {back} first."
         if refusal is None and not view.flying:
             refusal = f"{name} is not flying."
@@ -152,7 +162,7 @@ class Operator:
     def _skip(self, view: VehicleView, command: str) -> OperatorReply:
         if (refusal := self._no_receiver(view)) is not None:
             return OperatorReply(False, refusal)
-        taken = self._arming[view.sysid].ordered is not None
+        taken = self._arming[view.sysid].ordered is not None or self._arming[view.sysid].released
         if view.sysid in self._skipped:
             self._skipped.discard(view.sysid)
             if not taken:
@@ -195,6 +205,7 @@ class Operator:
 
 _COMMANDS: dict[str, Callable[[Operator, VehicleView, str], OperatorReply]] = {
     **dict.fromkeys(TAKEN, Operator._take_over),
+    "release": Operator._release,
     "rejoin": Operator._rejoin,
     "refuel": Operator._refuel,
     "skip": Operator._skip,

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from gcs.link import quality
+from gcs.link.forwarder import Forwarder
 from gcs.link.link import Key, TickLink
 from gcs.link.quality import LinkQuality
 from gcs.mavlink import codec
@@ -41,6 +42,7 @@ from gcs.supervisor.external_fleet import ENDING, ExternalFleet
 from gcs.supervisor.factory import make_arming_sequences, make_fleet, make_peer_radio, make_radio, make_schedule
 from gcs.supervisor.faults import INJECTED, OUT_OF_ORDER, FaultInjector
 from gcs.supervisor.fleet_command_queue import FleetCommandQueue
+from gcs.supervisor.forwarding import ForwardedControl
 from gcs.supervisor.goal_watch import GoalWatch
 from gcs.supervisor.operator import Operator, OperatorReply
 from gcs.supervisor.recovery import Recovery
@@ -63,13 +65,23 @@ _DEBUG_FLOAT_ARRAY = codec.msgid("DEBUG_FLOAT_ARRAY")
 class Supervisor:
     """A session's brain: everything between the link and the recorder."""
 
-    def __init__(self, scenario: Scenario, link: TickLink, recorder: Recorder, *, impaired: bool = True) -> None:
-        """`impaired`: the radio does what the scenario says; not where frames come from a recording of it."""
+    def __init__(
+        self,
+        scenario: Scenario,
+        link: TickLink,
+        recorder: Recorder,
+        *,
+        impaired: bool = True,
+        forwarder: Forwarder | None = None,
+    ) -> None:
+        """`impaired`: the radio does what the scenario says; not where frames come from a recording of it.
+        `forwarder`: other ground stations that hear what vehicles say."""
         self.scenario = scenario
         self.period_ms = round(1e3 * scenario.clock.period_s)
         self.epoch_us = round(1e6 * scenario.clock.epoch.timestamp())
         self._link = link
         self._recorder = recorder
+        self._forwarder = forwarder
         self.digest = Digest()
         self.fleet = make_fleet(scenario)
         self.planner, planner_guard = make_planner(scenario)
@@ -87,6 +99,7 @@ class Supervisor:
         self.goal_watch = GoalWatch(scenario, self.planner.obstacles, self.arming)
         self.operator = Operator(scenario, self.arming, self.schedule)
         self.recovery = Recovery(self.arming)
+        self._forwarded = ForwardedControl(self.arming, self.operator)
         self.externals = ExternalFleet(scenario)
         self._wait_for_fleet_s = WAIT_FOR_FLEET_S + self.externals.patience_s
         self._join_ms = {v.sysid: round(1e3 * v.join_s) for v in scenario.vehicles.all}
@@ -141,6 +154,8 @@ class Supervisor:
         now_s = self.time_s
         arrived, delivered = self._receive(self._link.answers(idle), now_s)
         self._receive_acknowledgements(now_s)
+        if self._forwarder is not None:
+            self._receive_forwarded(self._forwarder, now_s)
         if self.scenario.faults:
             self._inject_faults(now_s)
         self.snapshot = snapshot = self.fleet.snapshot(now_s)
@@ -162,7 +177,8 @@ class Supervisor:
         self._queue_set_points(set_points, snapshot)
         self._grant_all(relays, recording)
         recording.decisions += self._records(now_s, decision, set_points)
-        self.metrics.update(snapshot, set_points, pursuing)
+        flown = [point for point in set_points if self.arming[point.sysid].stage is not Stage.YIELDED]
+        self.metrics.update(snapshot, flown, pursuing)
         recording.decisions += self._watch_goal(snapshot, decision.partners)
         self._record(recording)
 
@@ -323,6 +339,12 @@ class Supervisor:
             self.events.append(Event(now_s, sysid, level_of(severity), text, "text"))
         return arrived, delivered
 
+    def _receive_forwarded(self, forwarder: Forwarder, now_s: float) -> None:
+        """Let pass what other ground stations may say to vehicles; without control it is read and forgotten."""
+        received = forwarder.receive()
+        if received and self.scenario.forward.control:
+            self.events += self._forwarded.receive(received, self.fleet.snapshot(now_s))
+
     def _receive_acknowledgements(self, now_s: float) -> None:
         for sysid, ack in self.fleet.pop_acks():
             for result in self.command_queue.on_ack(sysid, ack, now_s):
@@ -368,7 +390,9 @@ class Supervisor:
                 self.events.append(Event(now_s, view.sysid, "warning", why, kind))
             elif arming.stage is Stage.YIELDED and before is not Stage.YIELDED:
                 who, back = "Its failsafe" if view.failsafe else "Somebody else", view.profile.offboard_name
-                why = f"{who} flies it ({view.mode}): it takes part again when it is put into {back}"
+                if arming.unheard_lately(now_s) and not view.failsafe:
+                    who = "Its link was out, and its failsafe or somebody else"
+                why = f"{who} flies it ({view.mode}): it takes part again by rejoin, or when it is put into {back}"
                 self.events.append(Event(now_s, view.sysid, "warning", why))
             elif arming.stage is Stage.FLY and before is Stage.YIELDED:
                 self.events.append(Event(now_s, view.sysid, "info", "Takes part again"))
@@ -425,6 +449,7 @@ class Supervisor:
                     messages += [OUR_HEARTBEAT] * quality.copies(self.quality.lost_share(sysid))
                 messages += self.command_queue.pop(sysid)
                 messages += relays.get(sysid, ())
+                messages += self._forwarded.pop(sysid)
                 messages = [*self.faults.pop_orders(sysid), *self._radio.apply(sysid, "out", now_s, messages)]
             own = [m for m in messages if isinstance(m, Message)]
             foreign = [m.raw for m in messages if isinstance(m, Relay)]
@@ -493,3 +518,5 @@ class Supervisor:
     def _record(self, recording: TickRecord) -> None:
         """Recording and hashing wait until the grants are out: the vehicles fly meanwhile."""
         recording.write(self._recorder, self.digest, self.epoch_us)
+        if self._forwarder is not None:
+            self._forwarder.send(recording.arrived)

@@ -17,10 +17,11 @@ RECEIVED, GIVEN = "XferIn", "XferOut"
 class BatteryAccount:
     """Energies in J; capacity and initial charge as the scenario has them until the vehicle reports them."""
 
-    def __init__(self, capacity_j: float, initial_j: float) -> None:
+    def __init__(self, capacity_j: float, initial_j: float, *, from_now: bool = False) -> None:
+        """from_now: the vehicle was switched on before the session, whose energies count from its first report."""
         self.capacity_j = capacity_j
         self.initial_j = initial_j
-        self.meter = EnergyEstimator()
+        self.meter = EnergyEstimator(from_now=from_now)
         self.given_j = 0
         self._reported_in_j = self._booked_j = 0
         self._counts = self._initial_reported = False
@@ -45,6 +46,7 @@ class BatteryAccount:
         """Take what a message says of the battery."""
         if not self.meter.heeds(report):
             return []
+        before_j = self.meter.before_j
         facts = self.meter.update(
             report,
             capacity_j=self.capacity_j,
@@ -54,6 +56,8 @@ class BatteryAccount:
             armed=armed,
             swappable=not self._counts,
         )
+        if self._initial_reported:
+            self.initial_j -= self.meter.before_j - before_j  # SIM_BAT_INIT_J is of when it was switched on
         if not self._initial_reported and report.remaining is not None:
             left_j = report.remaining * self.capacity_j
             self.initial_j = left_j + self.meter.drawn_j + self.given_j - self.received_j
@@ -75,7 +79,7 @@ class BatteryAccount:
             return
         self._parameters.add(name)
         if name == INITIAL:
-            self.initial_j = value
+            self.initial_j = value - self.meter.before_j
             self._initial_reported = True
         elif value > 0.0:
             self.capacity_j = value

@@ -61,7 +61,11 @@ class Fact:
 class EnergyEstimator:
     """One vehicle's energy drawn; reports come in the order in which they are received."""
 
-    def __init__(self) -> None:
+    def __init__(self, *, from_now: bool = False) -> None:
+        """from_now: drawn since the first report, not since the vehicle was switched on."""
+        self._from_now = from_now
+        self.before_j = 0.0
+        """drawn before that, where it is not counted"""
         self.drawn_j = 0.0
         self.power_w = 0.0
         self.source = EnergySource.NONE
@@ -133,7 +137,8 @@ class EnergyEstimator:
             return
         if best is not self.source:
             if self.source is EnergySource.NONE:
-                self._anchors[best] = (0.0, 0.0)
+                self.before_j = self._meters[best] if self._from_now else 0.0
+                self._anchors[best] = (self.before_j, 0.0)
             self.source = best
             self._history.clear()
         reading_j = self._meters[best]

@@ -90,7 +90,7 @@ class _Track:
         self.offset: Vec3 | None = None
         self.origin_alt_m = 0.0
         self.origin_reported = False
-        self.battery = BatteryAccount(member.capacity_j, member.initial_j)
+        self.battery = BatteryAccount(member.capacity_j, member.initial_j, from_now=member.external)
         self.given_reported_s = self.received_reported_s = -math.inf
         self.control_effort = 0.0
         self.effort_reported_s: float | None = None

@@ -324,6 +324,18 @@ async def reboot_forgets(pilot):
     assert await rebooted(pilot) == (5.0, 0)
 
 
+async def lands_what_another_flies(pilot):
+    """It is in the air by another ground station's will: looked at, and landed."""
+    telemetry = pilot.telemetry
+    await until("in_air", telemetry, "in_air", bool)
+    await pilot.mode(FlightMode.OFFBOARD)
+    heights = await next_of(telemetry.subscribe_position_velocity_ned, 3)
+    assert all(m.position.down_m < -1.0 for m in heights), heights
+    await pilot.action.land()
+    await pilot.mode(FlightMode.LAND)
+    await pilot.down_and_disarmed()
+
+
 async def four(pilots):
     """Four on one port: each obeys its own orders and nobody else's."""
     first, second, third, fourth = (pilots[sysid] for sysid in sorted(pilots))

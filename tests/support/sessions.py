@@ -13,6 +13,7 @@ import sys
 import time
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from datetime import datetime
 from pathlib import Path
 from typing import Any
 
@@ -111,7 +112,8 @@ class Outcome:
     def messages(self, *types: str) -> Iterator[tuple[float, Any]]:
         """(session time, message) of the recorded frames, read by pymavlink."""
         reader = mavutil.mavlogfile(str(self.folder / "session.tlog"), robust_parsing=False)
-        epoch_s = 1767225600.0
+        scenario = yaml.safe_load((self.folder / "scenario.yaml").read_text(encoding="utf-8"))
+        epoch_s = datetime.fromisoformat(str(scenario["clock"]["epoch"])).timestamp()
         try:
             while (message := reader.recv_match(type=list(types) or None)) is not None:
                 yield message._timestamp - epoch_s, message

@@ -176,7 +176,9 @@ def test_the_recording_holds_both_ways_with_the_sessions_time(flown: Flown) -> N
 
 def test_at_the_end_they_hold(flown: Flown) -> None:
     for log in flown.logs[:2]:
-        assert log.read_text(encoding="utf-8").splitlines()[-1].endswith("info: Hold")
+        lines = log.read_text(encoding="utf-8").splitlines()
+        lines = [line for line in lines if "ground station lost" not in line]  # it is gone, and the machine may be slow
+        assert lines[-1].endswith("info: Hold")
     for sysid in (1, 2, 3):
         assert flown.outcome.vehicle(sysid)["final_mode"] == "hold"
 
@@ -195,6 +197,22 @@ def test_ctrl_c_leaves_nobody_in_offboard_without_a_pilot(tmp_path: Path) -> Non
             running.stop()
         assert (outcome.status, outcome.summary["outcome"]) == (130, "interrupted")
         assert log.read_text(encoding="utf-8").splitlines()[-1].endswith("info: Land")
+
+
+def test_whom_a_killed_supervisor_leaves_in_the_air_is_named(tmp_path: Path) -> None:
+    port = free_port()
+    block = {"connect": f"udpin:127.0.0.1:{port}", "sysid": 7, "capacity_j": 1e5}
+    said = scenario({"pursuers": [{"external": block, "waypoints_m": [[2, 0, -2.5]]}]}, goal={"duration_s": 60.0})
+    with strangers(tmp_path, [*SIMVEHICLE, "--sysid", "7", "--connect", f"udpout:127.0.0.1:{port}"]):
+        running = Running(said, tmp_path, "--json")
+        try:
+            running.wait_for(lambda seen: seen["vehicles"][0]["stage"] == "fly")
+            running.named("gcs.session.process").kill()
+            outcome = running.finish()
+        finally:
+            running.stop()
+    assert outcome.status == 70
+    assert f"gcs: pursuer 7 at udpin:127.0.0.1:{port} may still be flying, and nobody steers it" in outcome.stderr
 
 
 def test_a_vehicle_that_never_comes_ends_the_session_with_a_sentence(tmp_path: Path) -> None:

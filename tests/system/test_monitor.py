@@ -235,28 +235,37 @@ def test_a_second_vehicle_of_the_same_id_is_told_and_not_believed() -> None:
         source.close()
 
 
-def test_a_stream_is_read_however_it_is_cut() -> None:
+def test_a_stream_is_read_however_it_is_cut_and_made_again_when_it_has_ended() -> None:
     """TCP, a byte at a time at first."""
     server = socket.create_server(("127.0.0.1", 0))
     source = MonitorSource(Endpoint("tcp", *server.getsockname()))
-    peer, _ = server.accept()
+    said: list[Any] = []
+
+    def until(wanted: Callable[[Any], bool]) -> dict[str, Any]:
+        deadline_s = time.monotonic() + PATIENCE_S
+        while not any(map(wanted, said)):
+            assert time.monotonic() < deadline_s
+            select.select([source], [], [], 0.2)
+            said.extend(m for m in source.receive() if m["type"] == "snapshot")
+        return dict(next(filter(wanted, reversed(said))))
+
     try:
+        peer, _ = server.accept()
         sender = common.MAVLink(None, srcSystem=4, srcComponent=1)
         raw = b"".join(bytes(sender.heartbeat_encode(2, 12, 0x81, 6 << 16, 4).pack(sender)) for _ in range(3))
         for byte in raw[:30]:
             peer.sendall(bytes([byte]))
             select.select([source], [], [], 5.0)
-            first = source.receive()
-        assert first is not None
+            said += [m for m in source.receive() if m["type"] == "snapshot"]
         peer.sendall(raw[30:])
-        peer.close()
-        messages: list[Any] = []
-        while not messages or messages[-1]["type"] != "end":
-            select.select([source], [], [], 1.0)
-            messages += source.receive()
-        row = [m for m in messages if m["type"] == "snapshot"][-1]["vehicles"][0]
+        row = until(lambda s: bool(s["vehicles"]))["vehicles"][0]
         assert (row["sysid"], row["mode"], row["lost"]) == (4, "offboard", 0)
-        assert not source.connected
+        peer.close()
+        told = until(lambda s: any("closed the connection" in event["text"] for event in s["events"]))
+        assert [event["level"] for event in told["events"]] == ["warning"]
+        until(lambda s: any(event["text"].endswith(" is there") for event in s["events"]))
+        assert source.connected
+        server.accept()[0].close()
     finally:
         source.close()
         server.close()

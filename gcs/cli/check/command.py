@@ -10,17 +10,15 @@ from pathlib import Path
 import click
 
 from gcs.exit import BAD_INPUT, NOT_DONE
-from gcs.scenario.endpoint import ONLY_ONCE, Endpoint, address
+from gcs.scenario.endpoint import EXAMPLE, FORM, ONLY_ONCE, Endpoint, address
 
 PEER_NAMES = {"mavsdk": "MAVSDK", "qgroundcontrol": "QGroundControl", "mavproxy": "MAVProxy"}
 
 
 def _connection(_: click.Context, __: click.Parameter, value: str) -> Endpoint:
-    at = address(value, "udpin", "udpout")
+    at = address(value)
     if at is None:
-        raise click.BadParameter(
-            f"{value!r} is no connection; write udpin:HOST:PORT to listen, udpout:HOST:PORT to speak to a listener."
-        )
+        raise click.BadParameter(f"{value!r} is no connection; write {FORM}, {EXAMPLE}.")
     return at
 
 
@@ -30,8 +28,9 @@ def _connection(_: click.Context, __: click.Parameter, value: str) -> Endpoint:
     default="udpin:127.0.0.1:14550",
     show_default=True,
     callback=_connection,
-    metavar="udpin|udpout:HOST:PORT",
-    help="Where the vehicle is heard (udpin), or listens (udpout).",
+    metavar="ADDRESS",
+    help="Where the vehicle is heard (udpin, tcpin), listens (udpout, tcp) or is plugged in "
+    "(serial:/dev/ttyUSB0:57600).",
 )
 @click.option(
     "--key-file",
@@ -51,6 +50,12 @@ def _connection(_: click.Context, __: click.Parameter, value: str) -> Endpoint:
 @click.option(
     "--within", type=click.FloatRange(0.1), default=10.0, show_default=True, help="Seconds to find the vehicle."
 )
+@click.option(
+    "--wait-ready",
+    type=click.FloatRange(0.1),
+    metavar="SECONDS",
+    help="At first wait so long until its pre-arm checks pass, as after its start.",
+)
 @click.option("--json", "as_json", is_flag=True, help="One JSON object on stdout, for CI.")
 def check(
     connect: Endpoint,
@@ -59,6 +64,7 @@ def check(
     peers: tuple[str, ...],
     arm: bool,
     within: float,
+    wait_ready: float | None,
     as_json: bool,
 ) -> int:
     """Ask a vehicle what MAVSDK, QGroundControl and MAVProxy ask, and name each reply that does not come.
@@ -71,6 +77,7 @@ def check(
     Examples:
       gcs check
       gcs check --connect udpin:127.0.0.1:14540 --arm
+      gcs check --connect serial:/dev/ttyUSB0:57600 --wait-ready 60
       gcs check --peer qgroundcontrol --json > check.json
 
     \b
@@ -96,7 +103,8 @@ def check(
     from gcs.link.keys import KeyRefused
     from gcs.link.socket import AddressRefused
 
-    asked = questions([PEER_NAMES[peer] for peer in peers] or list(PEER_NAMES.values()), arm=arm)
+    names = [PEER_NAMES[peer] for peer in peers] or list(PEER_NAMES.values())
+    asked = questions(names, arm=arm, ready_within_s=wait_ready)
     dialogue = Dialogue(asked, sysid)
     known = False
 
@@ -120,7 +128,8 @@ def check(
         run(dialogue, wire, show, find_within_s=within)
     except CheckError as error:
         hint = ONLY_ONCE if connect.way == "udpout" else ""
-        click.echo(f"gcs: {error} at {connect.text}; is the vehicle running, and is that its address?{hint}", err=True)
+        why = error.why or f"; is the vehicle running, and is that its address?{hint}"
+        click.echo(f"gcs: {error} at {connect.text}{why}", err=True)
         return BAD_INPUT
     finally:
         wire.close()

@@ -11,9 +11,14 @@ from gcs.cli.check.dialogue import Question
 from gcs.cli.check.parameters import PARAMETERS
 from gcs.cli.check.preparation import PREPARATION
 from gcs.cli.check.presence import AT_LAST, PRESENCE
+from gcs.cli.check.readiness import readiness
 
 
-def questions(peers: Sequence[str] = PEERS, *, arm: bool = False) -> list[Question]:
-    """Questions of these peers, in order; with `arm` also what changes the mode, arms and disarms."""
+def questions(
+    peers: Sequence[str] = PEERS, *, arm: bool = False, ready_within_s: float | None = None
+) -> list[Question]:
+    """Questions of these peers, in order; with `arm` also what changes the mode, arms and disarms. `ready_within_s`:
+    at first wait so long until it could be armed."""
     everything = [*PRESENCE, *CONNECT, *PARAMETERS, *MISSIONS, *(PREPARATION if arm else ()), *AT_LAST]
-    return [q for q in everything if set(q.misses) & set(peers) or q.key == "heartbeat"]
+    ready = [] if ready_within_s is None else [readiness(ready_within_s)]
+    return ready + [q for q in everything if set(q.misses) & set(peers) or q.key == "heartbeat"]

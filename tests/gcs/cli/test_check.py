@@ -379,3 +379,27 @@ def test_each_file_request_has_a_number_of_its_own_and_its_repetition_the_same()
     vehicle.answers["FILE_TRANSFER_PROTOCOL"] = answer
     found = examine(vehicle, "ftp", "ftp-reset")
     assert (found["ftp"].outcome, found["ftp-reset"].outcome) == ("ok", "ok")
+
+
+def test_a_vehicle_that_has_just_started_is_waited_for_and_its_reasons_are_told() -> None:
+    for from_s, outcome in ((4.0, "ok"), (1e9, "missing")):
+        vehicle = Scripted()
+        begun: list[int] = []
+
+        def status(k: int, from_s: float = from_s, begun: list[int] = begun) -> Any:
+            begun.append(k)
+            bit = mav.MAV_SYS_STATUS_PREARM_CHECK if 0.5 * len(begun) >= from_s else 0
+            return mav.MAVLink_sys_status_message(bit, bit, bit, 0, 0, -1, -1, 0, 0, 0, 0, 0, 0)
+
+        text = mav.MAVLink_statustext_message(2, b"PreArm: GPS: no fix")
+        dialogue = Dialogue(questions(ready_within_s=10.0)[:1])
+        for step in range(1500):
+            now_s = 0.01 * step
+            if step % 50 == 0:
+                dialogue.receive(vehicle.frame(vehicle.heartbeat()), now_s)
+                dialogue.receive(vehicle.frame(status(step)), now_s)
+                dialogue.receive(vehicle.frame(text), now_s)
+            dialogue.poll(now_s)
+        ((finding,),) = (dialogue.findings,)
+        assert (finding.question.key, finding.outcome) == ("ready", outcome)
+        assert finding.text == ("" if outcome == "ok" else "not ready yet: PreArm: GPS: no fix")

@@ -67,5 +67,7 @@ def test_a_stranger_without_a_battery_model_is_sent_nothing_and_waited_for_ten_s
     run(ability, requests, 10.0, told=False, at_s=31.0)
     assert ability.unknown == {1}
     run(ability, requests, 1.0, told=False, at_s=41.5)
-    assert ability.unable == {1: "it has no SIM_BAT_CAP_J"}
+    assert ability.unable == {
+        1: "it takes no energy in flight: it has not SIM_BAT_CAP_J, as simulated vehicles that do have"
+    }
     assert requests.requests == []

@@ -75,7 +75,8 @@ def test_many_may_share_an_address_by_way_of_defaults(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("vehicle", "message"),
     [
-        ({"external": {**BLOCK, "connect": "tcp:127.0.0.1:5760"}}, "must be udpin:HOST:PORT, where the vehicle speaks"),
+        ({"external": {**BLOCK, "connect": "com3:57600"}}, "must be udpin:HOST:PORT or tcpin:HOST:PORT, where the veh"),
+        ({"external": {**BLOCK, "connect": "serial:/dev/ttyUSB0"}}, "or serial:DEVICE:BAUD, such as udpin:"),
         ({"external": {**BLOCK, "connect": "udpin:127.0.0.1:0"}}, "must be udpin:HOST:PORT"),
         ({"external": {k: BLOCK[k] for k in ("connect", "sysid")}}, "external lacks the key 'capacity_j'"),
         ({"external": {k: BLOCK[k] for k in ("connect", "capacity_j")}}, "pursuers[0] lacks the key 'sysid'"),

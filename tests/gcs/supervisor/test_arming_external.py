@@ -328,3 +328,52 @@ def test_one_that_someone_holds_is_not_landed_at_a_base() -> None:
     made.grounded = True
     assert told(made, FLYING._replace(mode=FlightMode.MANUAL), 11.0) == []
     assert made.stage is Stage.YIELDED
+
+
+def silent(made: ExternalArmingSequence, since_s: float, until_s: float) -> None:
+    """Not heard: at first its place grows old, then it counts as lost."""
+    for k in range(int(since_s), int(until_s)):
+        age_s = k - since_s
+        made.decide(FLYING._replace(age_s=age_s, alive=age_s < 10.0), float(k))
+
+
+@pytest.mark.parametrize("mode", [FlightMode.RETURN, FlightMode.LAND])
+def test_what_its_failsafe_did_while_it_was_not_heard_is_left_alone_unless_the_scenario_says_rejoins(
+    mode: FlightMode,
+) -> None:
+    made = flying()
+    silent(made, 5.0, 20.0)
+    assert told(made, UP._replace(mode=mode), 21.0) == []
+    assert made.stage is Stage.YIELDED
+    assert made.unheard_lately(21.0)
+    again = arming(rejoins=True)
+    for k, seen in enumerate((view(), ARMED, UP, FLYING)):
+        again.decide(seen, float(k))
+    silent(again, 5.0, 20.0)
+    again.decide(UP._replace(mode=mode), 21.0)
+    assert again.stage is Stage.OFFBOARD
+    assert told(again, UP._replace(mode=mode), 22.1) == [SET_MODE]
+    again.decide(FLYING, 23.0)
+    assert again.stage is Stage.FLY
+    assert told(again, UP._replace(mode=mode), 60.0) == []  # now it is somebody's wish
+    assert again.stage is Stage.YIELDED
+
+
+def test_one_that_has_booted_or_landed_meanwhile_is_armed_again_where_the_scenario_says_rejoins() -> None:
+    for rejoins, stage in ((False, Stage.DOWN), (True, Stage.ARM)):
+        made = arming(rejoins=rejoins)
+        for k, seen in enumerate((view(), ARMED, UP, FLYING)):
+            made.decide(seen, float(k))
+        silent(made, 5.0, 20.0)
+        made.decide(view(), 21.0)
+        assert made.stage is stage
+
+
+def test_one_that_still_lands_by_an_earlier_sessions_order_is_waited_for_and_armed() -> None:
+    made = arming()
+    coming = UP._replace(mode=FlightMode.LAND)
+    for k in range(40):  # longer than arm_within_s
+        assert told(made, coming, float(k)) == []
+    assert made.stage is Stage.IDENTIFY
+    assert not made.sends_set_points
+    assert told(made, view(), 41.0) == [ARM]

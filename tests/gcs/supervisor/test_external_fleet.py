@@ -202,3 +202,18 @@ def test_at_the_end_one_on_the_ground_is_disarmed_and_one_that_is_somebody_elses
     assert tower.end(Stage.YIELDED) == tower.end(Stage.DOWN) == []
     tower.hear(1.0, heartbeat(base_mode=0x01))
     assert tower.end(Stage.ARM) == []
+
+
+def test_who_is_left_in_the_air_at_the_end_is_named() -> None:
+    tower = Tower(at_end="land")
+    tower.hear(0.0, heartbeat(), origin(), landed(2))
+    tower.said()
+    assert tower.end(Stage.YIELDED) == []
+    assert tower.said() == [("warning", "Left in the air in offboard: nobody of this session flies it")]
+    tower.externals.receive({}, {}, (), tower.fleet, 12.0)
+    tower.said()
+    wishes = tower.externals.hand_back(tower.fleet.snapshot(12.0), {3: Stage.FLY})
+    assert [wish.command for wish in wishes] == [mav.MAV_CMD_NAV_LAND]  # it may hear it
+    ((level, text),) = tower.said()
+    assert level == "critical"
+    assert text.startswith("May still be flying: not heard for 12 s, then in offboard")

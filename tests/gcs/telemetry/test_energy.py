@@ -12,6 +12,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import battery, codec
 from gcs.mavlink.battery import BatteryReport
+from gcs.telemetry.battery_account import BatteryAccount
 from gcs.telemetry.energy import GAP_S, EnergyEstimator, EnergySource, Fact
 
 CAPACITY_J = 100_000.0
@@ -282,3 +283,16 @@ def test_a_px4_without_a_current_sensor_is_read_by_its_share() -> None:
         content = status(voltages=[16200, *CELLS[1:]], current_battery=-100, battery_remaining=percent)
         estimator.update(replace(content, time_s=float(second)), capacity_j=1000.0)
     assert (str(estimator.source), estimator.drawn_j) == ("battery_remaining", pytest.approx(500.0))
+
+
+def test_what_an_autopilot_drew_before_the_session_is_not_the_sessions() -> None:
+    """Switched on long ago, 50 kJ of 100 drawn; 700 J more until the end. A parameter may tell its charge at first."""
+    for told_charge in (False, True):
+        account = BatteryAccount(CAPACITY_J, CAPACITY_J, from_now=True)
+        if told_charge:
+            account.parameter("SIM_BAT_INIT_J", CAPACITY_J)
+        for time_s, consumed_j in ((1.0, 50_000.0), (2.0, 50_300.0), (3.0, 50_700.0)):
+            account.report(BatteryReport(time_s, consumed_j, None, 1.0 - consumed_j / CAPACITY_J), armed=True)
+        assert account.meter.drawn_j == pytest.approx(700.0)
+        assert account.initial_j == pytest.approx(50_000.0)
+        assert account.remaining_j == pytest.approx(49_300.0)

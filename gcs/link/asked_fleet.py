@@ -1,0 +1,132 @@
+"""All vehicles at an address, asked at once, before anything flies: for parameters, and for messages by name."""
+
+from __future__ import annotations
+
+import math
+import select
+import time
+from collections.abc import Callable, Collection
+from pathlib import Path
+from typing import Any
+
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.link.addresses import open_connection
+from gcs.link.diagnosis import Diagnosis
+from gcs.link.keys import SignatureGate
+from gcs.link.socket import Where
+from gcs.mavlink import codec
+from gcs.mavlink.autopilots import Profile, profile_of
+from gcs.mavlink.codec import Frame, Message
+from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION
+from gcs.mavlink.parameter_client import ParameterClient
+from gcs.mavlink.sequence import SequenceCounter
+from gcs.scenario.endpoint import Endpoint
+
+POLL_S = 0.02
+HEARTBEAT_EVERY_S = 1.0
+ASK_EVERY_S = 1.0
+SETTLED_S = 1.5
+"""So long after the last newcomer the fleet is taken for complete: a HEARTBEAT comes once a second."""
+
+
+class AskedFleet:
+    """The vehicles, and the connection to them. Raises AddressRefused, KeyRefused."""
+
+    def __init__(self, at: Endpoint, key_file: Path | None = None) -> None:
+        self._gate = SignatureGate(key_file)
+        self._connection = open_connection(at)
+        self._diagnosis = Diagnosis(at)
+        self._counter = SequenceCounter()
+        self._heartbeat_s = -HEARTBEAT_EVERY_S
+        self._where: dict[int, Where] = {}
+        self.profiles: dict[int, Profile] = {}
+        """by system id, of vehicles that have been heard"""
+
+    @property
+    def silence(self) -> str:
+        """Reason why no vehicle is heard, where that can be seen."""
+        return self._diagnosis.text(self._connection.problem)
+
+    def find(self, wanted: Collection[int], within_s: float) -> bool:
+        """Listen until all of these vehicles have been heard, or, where none is named, until no more come; whether that
+        was within this time."""
+        begun_s = newest_s = time.monotonic()
+        while (now_s := time.monotonic()) - begun_s < within_s:
+            before = len(self.profiles)
+            self._receive()
+            newest_s = newest_s if len(self.profiles) == before else now_s
+            if set(wanted) <= self.profiles.keys() if wanted else self.profiles and now_s - newest_s >= SETTLED_S:
+                break
+        if wanted:
+            self.profiles = {sysid: profile for sysid, profile in self.profiles.items() if sysid in wanted}
+        return bool(self.profiles) and set(wanted) <= self.profiles.keys()
+
+    def converse(self, clients: Collection[ParameterClient], progress: Callable[[], object] = lambda: None) -> None:
+        """Have all dialogues to their ends, side by side."""
+        by_sysid = {client.sysid: client for client in clients}
+        while not all(client.done for client in clients):
+            for frame in self._receive():
+                client = by_sysid.get(frame.sysid)
+                if client is not None and frame.compid == client.compid:
+                    try:
+                        client.receive(codec.name(frame.msgid), codec.fields(frame), time.monotonic())
+                    except ValueError:  # a message that no dialect of ours holds
+                        continue
+            for client in clients:
+                for message in client.poll(time.monotonic()):
+                    self._send(message, self._where[client.sysid])
+            progress()
+
+    def request(self, names: Collection[str], within_s: float) -> dict[int, dict[str, Any]]:
+        """Ask every vehicle for these messages once a second, until all have come or the time is up; the latest fields
+        of each that came, by system id and name."""
+        numbers = {codec.msgid(name): name for name in names}
+        told: dict[int, dict[str, Any]] = {sysid: {} for sysid in self.profiles}
+        begun_s, asked_s = time.monotonic(), -math.inf
+        while (now_s := time.monotonic()) - begun_s < within_s and any(len(t) < len(numbers) for t in told.values()):
+            if now_s - asked_s >= ASK_EVERY_S:
+                asked_s = now_s
+                for sysid, so_far in told.items():
+                    for number in [n for n, name in numbers.items() if name not in so_far]:
+                        params = {f"param{i}": 0.0 for i in range(2, 8)} | {"param1": float(number)}
+                        to = {"target_system": sysid, "target_component": AUTOPILOT, "confirmation": 0}
+                        ask = codec.message("COMMAND_LONG", command=mav.MAV_CMD_REQUEST_MESSAGE, **to, **params)
+                        self._send(ask, self._where[sysid])
+            for frame in self._receive():
+                if frame.msgid in numbers and frame.compid == AUTOPILOT and frame.sysid in told:
+                    told[frame.sysid][numbers[frame.msgid]] = codec.fields(frame)
+        return told
+
+    def close(self) -> None:
+        """Close the connection."""
+        self._connection.close()
+        self._gate.close()
+
+    def _receive(self) -> list[Frame]:
+        now_s = time.monotonic()
+        connection = self._connection
+        connection.tend(now_s)
+        if now_s - self._heartbeat_s >= HEARTBEAT_EVERY_S:
+            self._heartbeat_s = now_s
+            to = connection.to
+            for address in {to} if to is not None else {*self._where.values(), *connection.senders}:
+                self._send(OUR_HEARTBEAT, address)
+        select.select([connection], [], [], POLL_S)
+        received: list[Frame] = []
+        for data, sender in connection.receive():
+            split = connection.split(data, sender)
+            self._diagnosis.count(data, split)
+            for frame in self._gate.accepted(split.frames):
+                if frame.msgid == mav.MAVLINK_MSG_ID_HEARTBEAT and frame.compid == AUTOPILOT:
+                    content = codec.fields(frame)
+                    if content.autopilot != mav.MAV_AUTOPILOT_INVALID and frame.sysid != STATION[0]:
+                        self.profiles.setdefault(frame.sysid, profile_of(content.autopilot))
+                        self._where.setdefault(frame.sysid, sender)
+                if self._where.get(frame.sysid) == sender:
+                    received.append(frame)
+        connection.pop_gone()
+        return received
+
+    def _send(self, message: Message, to: Where) -> None:
+        self._connection.send(self._gate.signed(codec.frame(message, self._counter.next(), *STATION)), to)

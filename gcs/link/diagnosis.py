@@ -1,0 +1,47 @@
+"""Why no vehicle is heard at an address: from what came there, one sentence's end with what to do."""
+
+from __future__ import annotations
+
+from gcs.mavlink import v1
+from gcs.mavlink.codec import Split
+from gcs.scenario.endpoint import Endpoint
+
+NOISE_BYTES = 200
+"""So much without a frame is no MAVLink at this rate: no vehicle's console says so much before its first HEARTBEAT
+without one in between."""
+_OLD_MARKER = bytes([v1.MARKER])
+
+
+class Diagnosis:
+    """Counts of what came at one address."""
+
+    def __init__(self, at: Endpoint) -> None:
+        self._at = at
+        self._bytes = 0
+        self._frames = 0
+        self._old: set[int] = set()
+        """system ids of who speaks MAVLink 1"""
+
+    def count(self, data: bytes, split: Split) -> bool:
+        """Take what came from somebody unknown, and what was found in it; whether that is MAVLink 1."""
+        self._bytes += len(data)
+        self._frames += len(split.frames)
+        if split.frames or _OLD_MARKER not in data:
+            return False
+        old = {frame.sysid for frame in v1.split(data)}
+        self._old |= old
+        return bool(old)
+
+    def text(self, problem: str, sysid: int | None = None) -> str:
+        """Reason why this vehicle, or any, is not heard; empty where nothing does that can be seen here."""
+        if problem:
+            return problem
+        if sysid in self._old or (self._old and not self._frames):
+            return "only MAVLink 1 comes: let it speak MAVLink 2 (ArduPilot: SERIALn_PROTOCOL 2; PX4: MAV_PROTO_VER 2)"
+        if self._frames:
+            return ""
+        if self._at.way == "serial":
+            if self._bytes >= NOISE_BYTES:
+                return f"what comes is no MAVLink: has the other end another rate than {self._at.port} baud?"
+            return "" if self._bytes else "nothing comes: is the other end on, and are both radios of one network?"
+        return "what comes there is no MAVLink" if self._bytes >= NOISE_BYTES else ""

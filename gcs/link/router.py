@@ -1,0 +1,67 @@
+"""All launched vehicles behind one address of any kind: TCP, a serial device, a UDP port where others speak first."""
+
+from __future__ import annotations
+
+import contextlib
+import socket
+
+from gcs.link.forwarder import Forwarder
+from gcs.link.socket import MOST_AT_ONCE, RECEIVE_BYTES, Where, widen
+from gcs.scenario.endpoint import Endpoint
+
+MOST_VEHICLES = 254
+
+
+class VehicleRouter:
+    """Passes on what vehicles say at a port of this machine to whoever is at an address, and back to all of them: each
+    takes what names it."""
+
+    def __init__(self, at: Endpoint) -> None:
+        """Raises AddressRefused."""
+        self._far = Forwarder([at.text])
+        self._near = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self._near.setblocking(False)
+        widen(self._near)
+        self._near.bind(("127.0.0.1", 0))
+        self._vehicles: set[Where] = set()
+
+    @property
+    def near(self) -> str:
+        """Address that vehicles speak to."""
+        return f"udpout:127.0.0.1:{self._near.getsockname()[1]}"
+
+    @property
+    def address(self) -> str:
+        """Address of the other side, with the port that the system chose."""
+        return self._far.addresses[0]
+
+    def filenos(self) -> tuple[int, int]:
+        """For select: readable when something has come."""
+        return self._near.fileno(), self._far.filenos()[0]
+
+    def pump(self) -> None:
+        """Pass on what has come, a bounded piece of it, and connect again where that is due."""
+        frames: list[bytes] = []
+        for _ in range(MOST_AT_ONCE):
+            try:
+                datagram, vehicle = self._near.recvfrom(RECEIVE_BYTES)
+            except OSError:
+                break
+            if len(self._vehicles) < MOST_VEHICLES:
+                self._vehicles.add(vehicle)
+            if vehicle in self._vehicles:
+                frames.append(datagram)
+        self._far.send(frames)
+        for received in self._far.receive():
+            for vehicle in self._vehicles:
+                with contextlib.suppress(OSError):
+                    self._near.sendto(received.frame.raw, vehicle)
+
+    def pop_problems(self) -> list[tuple[str, str]]:
+        """(address, its problem) as `Forwarder.pop_problems`."""
+        return self._far.pop_problems()
+
+    def close(self) -> None:
+        """Close both sides."""
+        self._near.close()
+        self._far.close()

@@ -1,0 +1,133 @@
+"""Other ground stations' messages on their way to vehicles: which pass, and which take a vehicle from the supervisor.
+
+1. Nothing passes unless the session lets others command (`forward: {control: true}`).
+2. A message passes to the vehicle of the session that it names. One that claims to come from a vehicle does not pass,
+   nor do those over which two masters would fight without either being told: rates of streams, transfers of energy,
+   clocks, keys.
+3. A message that flies a vehicle takes it: from then on the supervisor sends it nothing but its HEARTBEAT, until an
+   operator's `rejoin`. So set points of two masters never meet.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from typing import NamedTuple
+
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.link.forwarder import FromStation
+from gcs.mavlink import codec
+from gcs.mavlink.codec import Frame, Message
+from gcs.mavlink.ids import STATION
+from gcs.refuelling.relay import Relay
+from gcs.supervisor.arming import ArmingSequence
+from gcs.supervisor.operator import Operator, OperatorReply
+from gcs.telemetry.events import Event
+from gcs.telemetry.state import FleetSnapshot
+
+_COMMANDS = frozenset({mav.MAVLINK_MSG_ID_COMMAND_LONG, mav.MAVLINK_MSG_ID_COMMAND_INT})
+_STOPPED = frozenset({mav.MAVLINK_MSG_ID_REQUEST_DATA_STREAM, mav.MAVLINK_MSG_ID_SETUP_SIGNING})
+_STOPPED_COMMANDS = frozenset({mav.MAV_CMD_SET_MESSAGE_INTERVAL, mav.MAV_CMD_USER_1})
+_FLIES = frozenset({
+    mav.MAVLINK_MSG_ID_SET_MODE, mav.MAVLINK_MSG_ID_SET_POSITION_TARGET_LOCAL_NED,
+    mav.MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT, mav.MAVLINK_MSG_ID_SET_ATTITUDE_TARGET,
+    mav.MAVLINK_MSG_ID_SET_ACTUATOR_CONTROL_TARGET, mav.MAVLINK_MSG_ID_MANUAL_CONTROL,
+    mav.MAVLINK_MSG_ID_RC_CHANNELS_OVERRIDE, mav.MAVLINK_MSG_ID_MISSION_SET_CURRENT,
+})  # fmt: skip
+_ASKS = frozenset({
+    mav.MAV_CMD_REQUEST_MESSAGE, mav.MAV_CMD_GET_MESSAGE_INTERVAL, mav.MAV_CMD_GET_HOME_POSITION,
+    mav.MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES, mav.MAV_CMD_REQUEST_PROTOCOL_VERSION,
+    mav.MAV_CMD_REQUEST_CAMERA_INFORMATION, mav.MAV_CMD_REQUEST_FLIGHT_INFORMATION, mav.MAV_CMD_PREFLIGHT_STORAGE,
+    mav.MAV_CMD_RUN_PREARM_CHECKS,
+})  # fmt: skip
+"""Commands that ask for something and fly nothing; every other one takes the vehicle."""
+
+
+MOST_AT_ONCE = 32
+"""Messages to one vehicle that pass in a tick."""
+SAY_AGAIN_S = 10.0
+MOST_SAID = 1000
+"""Different messages that are told within SAY_AGAIN_S."""
+
+
+class Passed(NamedTuple):
+    """A message on its way to a vehicle."""
+
+    sysid: int
+    message: Message | Relay
+    name: str
+    """of the message, or of the command in it"""
+    takes: bool
+    """whether it flies the vehicle"""
+
+
+def passed(frame: Frame, vehicles: Collection[int]) -> Passed | None:
+    """Result for another station's frame; None where it does not pass."""
+    if frame.sysid in vehicles or frame.msgid in _STOPPED:
+        return None
+    try:
+        content = codec.fields(frame)
+    except ValueError:
+        return None
+    sysid = getattr(content, "target_system", getattr(content, "target", 0))
+    if sysid not in vehicles:
+        return None
+    name, takes = codec.name(frame.msgid), frame.msgid in _FLIES
+    if frame.msgid in _COMMANDS:
+        if content.command in _STOPPED_COMMANDS:
+            return None
+        known = mav.enums["MAV_CMD"].get(content.command)
+        name = known.name.removeprefix("MAV_CMD_") if known is not None else f"command {content.command}"
+        takes = content.command not in _ASKS
+    # One with our own id goes out as ours: a vehicle counts our sequence numbers.
+    own = (frame.sysid, frame.compid) == STATION
+    message = Message(frame.msgid, tuple(content)) if own else Relay(frame.raw)
+    return Passed(sysid, message, name, takes)
+
+
+class ForwardedControl:
+    """Messages that other ground stations have sent to a session's vehicles and that are not passed on yet."""
+
+    def __init__(self, arming: Mapping[int, ArmingSequence], operator: Operator) -> None:
+        self._arming = arming
+        self._operator = operator
+        self._waiting: dict[int, list[Message | Relay]] = {}
+        self._said_s: dict[tuple[int, str, str], float] = {}
+
+    def receive(self, received: Sequence[FromStation], snapshot: FleetSnapshot) -> list[Event]:
+        """Take what has come; what to tell of it, which is recorded as decisions as well."""
+        events: list[Event] = []
+        now_s = snapshot.time_s
+        for frame, by in received:
+            one = passed(frame, self._arming)
+            if one is None:
+                continue
+            waiting = self._waiting.setdefault(one.sysid, [])
+            if len(waiting) >= MOST_AT_ONCE or not snapshot.vehicle(one.sysid).alive:
+                continue
+            if one.takes and not self._arming[one.sysid].released:
+                reply, event = self._operator.obey({"command": "release", "sysid": one.sysid}, snapshot)
+                events.append(event)
+                if not reply.taken:
+                    continue
+            waiting.append(one.message)
+            if self._is_new(one, by, now_s):
+                text = f"{one.name} to {snapshot.vehicle(one.sysid).label} by {by}"
+                events.append(self._operator.note(now_s, "forward", OperatorReply(True, text), one.sysid))
+        return events
+
+    def pop(self, sysid: int) -> list[Message | Relay]:
+        """Remove and return what goes to the vehicle with its next grant."""
+        return self._waiting.pop(sysid, [])
+
+    def _is_new(self, one: Passed, by: str, now_s: float) -> bool:
+        said = (one.sysid, one.name, by)
+        if now_s - self._said_s.get(said, -SAY_AGAIN_S) < SAY_AGAIN_S:
+            self._said_s[said] = now_s
+            return False
+        if len(self._said_s) >= MOST_SAID:
+            self._said_s = {key: s for key, s in self._said_s.items() if now_s - s < SAY_AGAIN_S}
+            if len(self._said_s) >= MOST_SAID:
+                return False
+        self._said_s[said] = now_s
+        return True

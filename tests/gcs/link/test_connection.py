@@ -1,0 +1,230 @@
+"""Connections of every way: bytes both ways, what is lost is had again, and what goes wrong is told with advice."""
+
+import os
+import select
+import socket
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+import serial
+from pymavlink.dialects.v20 import common as mav
+from radios import Cable
+
+from gcs.link import connection as module
+from gcs.link import serial_device, tcp
+from gcs.link.addresses import open_connection
+from gcs.link.connection import Channel
+from gcs.link.diagnosis import Diagnosis
+from gcs.link.socket import AddressRefused
+from gcs.mavlink import codec
+from gcs.scenario.endpoint import address
+
+WITHIN_S = 10.0
+SENDER = mav.MAVLink(None, srcSystem=4, srcComponent=1)
+FRAME = bytes(mav.MAVLink_heartbeat_message(2, 12, 0x81, 6 << 16, 4, 3).pack(SENDER))
+
+
+def opened(text: str) -> Channel:
+    at = address(text)
+    assert at is not None
+    return open_connection(at)
+
+
+def until(one: Channel, holds: Callable[[], object], count: int = 0) -> list[bytes]:
+    """Tend and read until something holds and so many frames have come; the frames."""
+    came: list[bytes] = []
+    deadline_s = time.monotonic() + WITHIN_S
+    while not holds() or len(came) < count:
+        assert time.monotonic() < deadline_s, one.problem
+        one.tend(time.monotonic())
+        select.select([one], [], [], 0.02)
+        for data, sender in one.receive():
+            came += [frame.raw for frame in one.split(data, sender).frames]
+    return came
+
+
+def read(one: Channel, count: int) -> list[bytes]:
+    return until(one, lambda: True, count)
+
+
+@pytest.fixture(autouse=True)
+def soon(monkeypatch: pytest.MonkeyPatch) -> None:
+    for one in (tcp, serial_device):
+        monkeypatch.setattr(one, "RETRY_S", 0.02)
+
+
+def test_tcp_is_made_when_somebody_listens_and_again_when_it_has_ended() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        where = server.getsockname()
+    one = opened(f"tcp:127.0.0.1:{where[1]}")
+    until(one, lambda: "it cannot be reached (Connection refused)" in one.problem)
+    for _ in range(2):
+        with socket.create_server(where) as server:
+            until(one, lambda: not one.problem)
+            peer, _ = server.accept()
+            with peer:
+                peer.sendall(FRAME[:5])
+                peer.sendall(FRAME[5:] + FRAME)
+                assert read(one, 2) == [FRAME, FRAME]
+                one.send(FRAME, one.to or ())
+                assert peer.recv(1000) == FRAME
+        until(one, lambda: "closed the connection" in one.problem)
+        assert one.pop_gone() == {one.to}
+    one.close()
+
+
+@pytest.mark.parametrize("host", ["127.0.0.1", "[::1]"])
+def test_tcpin_answers_each_who_connects_and_knows_who_has_gone(host: str) -> None:
+    one = opened(f"tcpin:{host}:0")
+    to = (host.strip("[]"), one.port)
+    with socket.create_connection(to) as first, socket.create_connection(to) as second:
+        until(one, lambda: len(one.senders) == 2)
+        first.sendall(FRAME[:9])
+        second.sendall(FRAME)
+        first.sendall(FRAME[9:])
+        assert read(one, 2) == [FRAME, FRAME]
+        for sender in one.senders:
+            one.send(FRAME, sender)
+        assert first.recv(1000) == second.recv(1000) == FRAME
+        gone = second.getsockname()
+    until(one, lambda: not one.senders)
+    assert gone in one.pop_gone()
+    one.close()
+
+
+def test_of_too_many_who_connect_and_say_nothing_the_next_takes_a_place() -> None:
+    one = opened("tcpin:127.0.0.1:0")
+    idle = []
+    for _ in range(tcp.MOST_CONNECTIONS + 4):
+        idle.append(socket.create_connection(("127.0.0.1", one.port)))
+        assert not list(one.receive())
+    until(one, lambda: idle[-1].getsockname() in one.senders)
+    assert len(one.senders) == tcp.MOST_CONNECTIONS
+    idle[-1].sendall(FRAME)
+    assert read(one, 1) == [FRAME]
+    for other in idle:
+        other.close()
+    one.close()
+
+
+def test_of_a_flood_on_a_stream_a_bounded_piece_is_taken_at_once() -> None:
+    one = opened("tcpin:127.0.0.1:0")
+    with socket.create_connection(("127.0.0.1", one.port)) as flood:
+        flood.setblocking(False)
+        until(one, lambda: one.senders)
+        sent = 0
+        while sent < 4 * module.STREAM_CHUNKS * 4096 and select.select([], [flood], [], 0.2)[1]:
+            sent += flood.send(b"\xfd" * 65536)
+        assert sum(len(data) for data, _ in one.receive()) <= module.STREAM_CHUNKS * 4096
+    one.close()
+
+
+def test_who_does_not_read_loses_frames_and_costs_nothing_else() -> None:
+    one = opened("tcpin:127.0.0.1:0")
+    with socket.create_connection(("127.0.0.1", one.port)) as deaf:
+        until(one, lambda: one.senders)
+        (sender,) = one.senders
+        began_s = time.monotonic()
+        while sum(len(stream._unsent) for stream in one._streams.values()) == 0:  # type: ignore[attr-defined]
+            for _ in range(1000):
+                one.send(FRAME, sender)
+            assert time.monotonic() - began_s < WITHIN_S
+        for _ in range(1000):
+            one.send(FRAME, sender)
+        (stream,) = one._streams.values()  # type: ignore[attr-defined]
+        assert len(stream._unsent) <= module.STREAM_OUT_BYTES
+        got, buffer = 0, b""
+        deaf.settimeout(0.5)
+        while got < 200:  # what comes later is whole frames only
+            buffer += deaf.recv(65536)
+            frames = codec.split(buffer).frames
+            got += len(frames)
+            buffer = buffer[len(FRAME) * len(frames) :]
+    one.close()
+
+
+def test_a_cable_is_read_at_its_rate_and_opened_again_when_it_is_back(tmp_path: Path) -> None:
+    device = tmp_path / "ttyRadio"
+    cable = Cable(device, 57600)
+    cable.start()
+    one = opened(f"serial:{device}:57600")
+    vehicle = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    try:
+        for _ in range(2):
+            until(one, lambda: not one.problem)
+            vehicle.sendto(FRAME, ("127.0.0.1", cable.port))
+            assert read(one, 1) == [FRAME]
+            one.send(FRAME, one.to or ())
+            assert select.select([vehicle], [], [], WITHIN_S)[0]
+            assert vehicle.recv(1000) == FRAME
+            cable.pull()
+            until(one, lambda: "there is no device" in one.problem)
+            cable.plug()
+        until(one, lambda: not one.problem)
+        with pytest.raises(AddressRefused, match="another program has it open"):
+            opened(f"serial:{device}:57600")
+    finally:
+        one.close()
+        cable.close()
+        vehicle.close()
+
+
+def test_another_rate_than_the_radios_is_noise_and_advice(tmp_path: Path) -> None:
+    cable = Cable(tmp_path / "ttyRadio", 57600)
+    cable.start()
+    one = opened(f"serial:{tmp_path}/ttyRadio:115200")
+    diagnosis = Diagnosis(one.at)
+    assert diagnosis.text(one.problem) == "nothing comes: is the other end on, and are both radios of one network?"
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as vehicle:
+        deadline_s = time.monotonic() + WITHIN_S
+        while "rate" not in diagnosis.text(one.problem):
+            assert time.monotonic() < deadline_s
+            vehicle.sendto(FRAME, ("127.0.0.1", cable.port))
+            select.select([one], [], [], 0.1)
+            for data, sender in one.receive():
+                diagnosis.count(data, one.split(data, sender))
+    assert diagnosis.text("") == "what comes is no MAVLink: has the other end another rate than 115200 baud?"
+    one.close()
+    cable.close()
+
+
+def test_what_no_waiting_mends_is_refused_with_what_to_do(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "file").write_text("no device")
+    with pytest.raises(AddressRefused, match="it is no serial device"):
+        opened(f"serial:{tmp_path}/file:57600")
+    missing = opened(f"serial:{tmp_path}/ttyUSB0:57600")  # it may be plugged in yet
+    assert missing.problem.startswith(f"there is no device {tmp_path}/ttyUSB0; ")
+    missing.close()
+    with socket.create_server(("127.0.0.1", 0)) as taken, pytest.raises(AddressRefused, match="another program list"):
+        opened(f"tcpin:127.0.0.1:{taken.getsockname()[1]}")
+    with pytest.raises(AddressRefused, match=r"the host .* cannot be found"):
+        opened("tcp:no.such.host.invalid:5760")
+
+    def forbid(*_: object, **__: object) -> None:
+        raise serial.SerialException(13, "could not open port: [Errno 13] Permission denied")
+
+    monkeypatch.setattr(serial, "Serial", forbid)
+    with pytest.raises(AddressRefused, match="join its group, mostly by `sudo usermod -aG dialout"):
+        opened("serial:/dev/ttyUSB0:57600")
+
+
+def test_who_speaks_mavlink_1_only_is_told_what_to_set() -> None:
+    old = bytes(mav.MAVLink_heartbeat_message(2, 12, 0x81, 0, 4, 3).pack(SENDER, force_mavlink1=True))
+    one = opened("udpin:127.0.0.1:0")
+    diagnosis = Diagnosis(one.at)
+    assert diagnosis.count(old, codec.split(old))
+    assert diagnosis.text("", 4).startswith("only MAVLink 1 comes: let it speak MAVLink 2")
+    diagnosis.count(FRAME, codec.split(FRAME))
+    assert diagnosis.text("", 5) == ""
+    assert diagnosis.text("", 4).startswith("only MAVLink 1 comes")
+    one.close()
+
+
+def test_nothing_is_left_open() -> None:
+    before = len(os.listdir("/proc/self/fd"))
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        for text in (f"tcp:127.0.0.1:{server.getsockname()[1]}", "tcpin:127.0.0.1:0", "udpin:[::1]:0"):
+            opened(text).close()
+    assert len(os.listdir("/proc/self/fd")) == before

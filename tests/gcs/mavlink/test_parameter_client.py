@@ -1,0 +1,117 @@
+"""The dialogue about parameters with a scripted vehicle that pymavlink speaks for, over a link that loses."""
+
+import random
+from typing import Any
+
+import pytest
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.mavlink import codec
+from gcs.mavlink.autopilots import ARDUCOPTER, PX4, Profile
+from gcs.mavlink.parameter_client import IN_FLIGHT, TRIES, ParameterClient
+
+INT32, REAL32 = mav.MAV_PARAM_TYPE_INT32, mav.MAV_PARAM_TYPE_REAL32
+
+
+class Vehicle:
+    """Its parameters by name, as (number, type); `stubborn` ones keep their value."""
+
+    def __init__(self, profile: Profile, parameters: dict[str, tuple[float, int]], lose: float = 0.0) -> None:
+        self.profile, self.parameters, self.lose = profile, dict(parameters), lose
+        self.stubborn: set[str] = set()
+        self.random = random.Random(5)
+        self.asked: list[str] = []
+        self.out = mav.MAVLink(None, srcSystem=3, srcComponent=1)
+
+    def value(self, name: str, index: int = 65535) -> Any:
+        number, kind = self.parameters[name]
+        raw = self.profile.parameter_value(number, kind)
+        return mav.MAVLink_param_value_message(name.encode(), raw, kind, len(self.parameters), index)
+
+    def answers(self, message: codec.Message) -> list[Any]:
+        """Read by pymavlink, as from the wire."""
+        (heard,) = self.out.parse_buffer(codec.frame(message, 0, 255, 190)) or []
+        self.asked.append(heard.get_type())
+        names = list(self.parameters)
+        match heard.get_type():
+            case "PARAM_REQUEST_LIST":
+                return [self.value(name, index) for index, name in enumerate(names)]
+            case "PARAM_REQUEST_READ" if heard.param_index >= 0:
+                return [self.value(names[heard.param_index], heard.param_index)]
+            case "PARAM_REQUEST_READ" if heard.param_id in names:
+                return [self.value(heard.param_id)]
+            case "PARAM_SET" if heard.param_id in names:
+                if heard.param_id not in self.stubborn:
+                    number = self.profile.parameter(heard.param_value, heard.param_type)
+                    self.parameters[heard.param_id] = (number, heard.param_type)
+                return [self.value(heard.param_id)]
+        return []
+
+
+def converse(client: ParameterClient, vehicle: Vehicle, within_s: float = 120.0) -> float:
+    now_s = 0.0
+    while not client.done:
+        assert now_s < within_s
+        sent = client.poll(now_s)
+        for message in sent:
+            for answer in [] if vehicle.random.random() < vehicle.lose else vehicle.answers(message):
+                if vehicle.random.random() >= vehicle.lose:
+                    (frame,) = codec.split(bytes(answer.pack(vehicle.out))).frames
+                    client.receive(answer.get_type(), codec.fields(frame), now_s)
+        now_s += 0.05
+    return now_s
+
+
+MANY = {f"P{i:03d}": (float(i * 3 - 100), INT32 if i % 2 else REAL32) for i in range(200)}
+
+
+@pytest.mark.parametrize("profile", [PX4, ARDUCOPTER])
+@pytest.mark.parametrize("lose", [0.0, 0.3])
+def test_a_list_comes_whole_whatever_the_link_loses(profile: Profile, lose: float) -> None:
+    client, vehicle = ParameterClient(3, 1, profile), Vehicle(profile, MANY, lose)
+    client.read_all()
+    converse(client, vehicle)
+    assert not client.incomplete
+    assert {name: tuple(parameter) for name, parameter in client.known.items()} == MANY
+
+
+@pytest.mark.parametrize("profile", [PX4, ARDUCOPTER])
+def test_what_is_written_is_read_back_and_what_has_its_value_is_not_written(profile: Profile) -> None:
+    client, vehicle = ParameterClient(3, 1, profile), Vehicle(profile, MANY, lose=0.2)
+    vehicle.stubborn = {"P010"}
+    client.write({"P001": -7.0, "P002": 0.1, "P003": -91.0, "P010": 4.0, "P005": 1.5, "NONE": 1.0})
+    converse(client, vehicle)
+    results = {result.name: result for result in client.results}
+    assert {name: result.outcome for name, result in results.items()} == {
+        "P001": "set", "P002": "set", "P003": "kept", "P010": "refused", "P005": "refused", "NONE": "unknown",
+    }  # fmt: skip
+    assert vehicle.parameters["P001"] == (-7.0, INT32)
+    assert vehicle.parameters["P002"][0] == pytest.approx(0.1)
+    assert results["P010"].why == "it keeps -70"
+    assert results["P005"].why == "1.5 is no whole number"
+
+
+def test_a_dry_run_writes_nothing() -> None:
+    client, vehicle = ParameterClient(3, 1, PX4, dry_run=True), Vehicle(PX4, MANY)
+    client.write({"P001": 5.0, "P003": -91.0})
+    converse(client, vehicle)
+    assert [(r.name, r.outcome, r.before) for r in client.results] == [
+        ("P001", "would", -97.0),
+        ("P003", "kept", -91.0),
+    ]
+    assert "PARAM_SET" not in vehicle.asked
+    assert vehicle.parameters == MANY
+
+
+def test_of_many_questions_a_few_are_open_at_once_and_a_silent_vehicle_is_given_up() -> None:
+    client = ParameterClient(3, 1, PX4)
+    client.read(MANY)
+    assert len(client.poll(0.0)) == IN_FLIGHT
+    assert client.poll(0.1) == []
+    silent = ParameterClient(3, 1, PX4)
+    silent.read(["A"])
+    silent.read_all()
+    vehicle = Vehicle(PX4, MANY, lose=1.0)
+    converse(silent, vehicle)
+    assert silent.results[0].why == f"no answer, though it was asked {TRIES} times"
+    assert silent.incomplete == "0 parameters came"

@@ -121,6 +121,12 @@ class _Triple(click.ParamType[tuple[float, float, float]]):
     help="Rules to compete on board by, YAML.",
 )
 @click.option(
+    "--world",
+    type=click.Path(path_type=Path, dir_okay=False),
+    metavar="FILE",
+    help="Air, and which vehicles fly on which rotors, YAML; without it the paper's plant in still air.",
+)
+@click.option(
     "--count",
     type=click.IntRange(1, 254),
     default=1,
@@ -171,6 +177,7 @@ def _fly(
     state: Path | None,
     key_file: Path | None,
     fleet: Path | None,
+    world: Path | None,
     count: int,
 ) -> int:
     from simvehicle.autopilot.body import Start
@@ -206,11 +213,15 @@ def _fly(
     files = zip(_each("--params", params or (None,), count), _each("--truth", truth or (None,), count), strict=True)
     wanted = []
     rules = None if fleet is None else _fleet_rules(fleet)
+    plants = {} if world is None else _plants(world)
     for i, (values, own_truth) in enumerate(files):
         store = _state(state, sysid + i)
         parameters = _parameters(values, store.values if store is not None else {})
+        plant = plants.get(sysid + i)
+        if plant is not None:
+            _check_flies(plant, parameters, world)
         wanted.append(
-            Wanted(sysid + i, starts[i], parameters, own_truth, store, key_file, state, rules, truth_hz=truth_hz)
+            Wanted(sysid + i, starts[i], parameters, own_truth, store, key_file, state, plant, rules, truth_hz=truth_hz)
         )
     for path in truth:
         if path.exists():
@@ -249,6 +260,34 @@ def _fleet_rules(path: Path) -> Any:
         raise click.UsageError(f"--fleet {path}: {' '.join(str(error).split())}") from error
     except FleetRulesError as error:
         raise click.UsageError(f"--fleet {path}: {error}") from error
+
+
+def _plants(path: Path) -> dict[int, Any]:
+    """Plants of the vehicles that the world's file names, by system id."""
+    import yaml
+
+    from simvehicle.law.plants import RotorPlant
+    from simvehicle.world.description import WorldError, read_world
+
+    try:
+        world = read_world(yaml.safe_load(path.read_text(encoding="utf-8")))
+    except OSError as error:
+        raise click.UsageError(f"--world {path}: {error.strerror}") from error
+    except (UnicodeDecodeError, yaml.YAMLError) as error:
+        raise click.UsageError(f"--world {path}: {' '.join(str(error).split())}") from error
+    except WorldError as error:
+        raise click.UsageError(f"--world {path}: {error}") from error
+    return {
+        sysid: RotorPlant(one.airframe, density_kg_m3=world.air_density_kg_m3) for sysid, one in world.vehicles.items()
+    }
+
+
+def _check_flies(plant: Any, parameters: Any, world: Path | None) -> None:
+    """Refuse rotors that cannot lift their vehicle in this air."""
+    try:
+        plant.parameters(parameters.flight())
+    except ValueError as error:
+        raise click.UsageError(f"--world {world}: {plant.airframe.name} cannot fly in this air: {error}") from error
 
 
 def _state(folder: Path | None, sysid: int) -> Any:
@@ -320,9 +359,17 @@ def hatch() -> None:
         warm_up()
         _rehearse_start()
     loaded()
-    status = forkserver.run(run_argv, sysid_of, title_of)
+    status = forkserver.run(run_argv, sysid_of, title_of, _prepare)
     sys.stderr.flush()
     os._exit(status)  # nothing is left to be done, and who waits for it need not wait for an interpreter's end
+
+
+def _prepare(argv: Sequence[str]) -> None:
+    """Load the flight core of rotors, once, where a vehicle needs it."""
+    if "--world" in argv:
+        from simvehicle.sitl.warmup import warm_up_rotors
+
+        warm_up_rotors()
 
 
 def _rehearse_start() -> None:

@@ -83,6 +83,8 @@ def vehicle_order(
         ]
         if scenario.truth:
             argv += ["--truth", str(folder / "vehicles" / f"{vehicle.sysid}.truth")]
+    if any(vehicle.plant == "rotors" for vehicle in block):
+        argv += ["--world", str(world_file(scenario, folder))]
     if scenario.competition.where == "vehicles":
         argv += ["--fleet", str(fleet_file(scenario, folder))]
     if scenario.truth and scenario.record.truth_hz is not None:
@@ -108,6 +110,25 @@ def vehicle_parameters(vehicle: VehicleBase, scenario: Scenario) -> dict[str, fl
         **(_cautious(vehicle, scenario) if scenario.planner.safety else {}),
         **({"SYS_FAILURE_EN": 1.0} if _fails(vehicle, scenario) else {}),
         **vehicle.params,
+    }
+
+
+def world_file(scenario: Scenario, folder: Path) -> Path:
+    """File of the world that the vehicles of a scenario fly in, for the programs that fly them."""
+    path = folder / "vehicles" / "world.yaml"
+    if not path.exists():
+        path.write_text(yaml.safe_dump(world(scenario), sort_keys=True), encoding="utf-8")
+    return path
+
+
+def world(scenario: Scenario) -> dict[str, Any]:
+    """World of the vehicles on rotors."""
+    return {
+        "vehicles": {
+            vehicle.sysid: {"airframe": vehicle.airframe or "iris"}
+            for vehicle in scenario.vehicles.launched
+            if vehicle.plant == "rotors"
+        },
     }
 
 

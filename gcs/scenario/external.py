@@ -17,7 +17,7 @@ from gcs.scenario.endpoint import address
 from gcs.scenario.types import Joules, Part, SysId
 
 LAUNCH_ONLY = ("airborne", "velocity_m_s", "attitude_deg", "params")
-NOT_INHERITED = (*LAUNCH_ONLY, "start_m")
+NOT_INHERITED = (*LAUNCH_ONLY, "start_m", "plant", "airframe")
 """Keys that `vehicles.defaults` gives to launched vehicles alone."""
 NOWHERE = (0.0, 0.0, 0.0)
 _FORM = "must be udpin:HOST:PORT, where the vehicle speaks to, or udpout:HOST:PORT, where it listens"
@@ -143,6 +143,8 @@ def conflicts(path: KeyPath, vehicle: Any) -> Iterator[Conflict]:
         given = getattr(vehicle, key)
         if any(given) if isinstance(given, tuple) else given:
             yield Conflict((*path, key), f"{vehicle.label} is external: {key} is for launched vehicles; leave it out")
+    if vehicle.plant != "paper":
+        yield Conflict((*path, "plant"), f"{vehicle.label} is external: plant is for launched vehicles; leave it out")
     if block.sysid != vehicle.sysid:
         yield Conflict((*path, "external", "sysid"), f"{vehicle.label} is given another sysid here: {block.sysid}")
     if block.capacity_j != vehicle.battery.capacity_j:

@@ -285,6 +285,8 @@ def _vehicle_conflicts(s: Scenario) -> Iterator[Conflict]:
             yield from _route_conflicts((*path, "path_m"), vehicle)
             if vehicle.laps > 1 and not vehicle.closed:
                 yield Conflict((*path, "laps"), "more than one lap needs 'closed: true'")
+        if vehicle.airframe is not None and vehicle.plant != "rotors":
+            yield Conflict((*path, "airframe"), f"{vehicle.label} has an airframe; it needs 'plant: rotors'")
         if vehicle.external is None:
             yield from _start_conflicts(s, path, vehicle, placed[:i])
 

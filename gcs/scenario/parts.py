@@ -37,6 +37,7 @@ from gcs.scenario.types import (
     Vec3,
 )
 
+Airframe = Literal["iris", "hummingbird", "crazyflie"]
 LEAST_BASE_CLEARANCE_M = 0.3
 STEP_S = 0.004  # the vehicles' own step: a grant is a whole number of them
 
@@ -151,6 +152,10 @@ class VehicleBase(Part):
     """the height above the ground to which it climbs first"""
     battery: Battery
     """capacity, charge and consumption"""
+    plant: Literal["paper", "rotors"] = "paper"
+    """`paper`: the plant of the paper's eq. 3; `rotors`: a rigid body on four rotors (docs/model.md#rotors)"""
+    airframe: Airframe | None = None
+    """with `plant: rotors`: whose mass, rotors and drag it has (docs/model.md#airframes); by default `iris`"""
     params: dict[ParamName, Number] = {}  # noqa: RUF012 - pydantic copies it
     """further MAVLink parameters"""
     external: External | None = None

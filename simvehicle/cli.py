@@ -124,7 +124,7 @@ class _Triple(click.ParamType[tuple[float, float, float]]):
     "--world",
     type=click.Path(path_type=Path, dir_okay=False),
     metavar="FILE",
-    help="Air, and which vehicles fly on which rotors, YAML; without it the paper's plant in still air.",
+    help="Weather, and which vehicles fly on which rotors, YAML; without it the paper's plant in still air.",
 )
 @click.option(
     "--count",
@@ -277,9 +277,7 @@ def _plants(path: Path) -> dict[int, Any]:
         raise click.UsageError(f"--world {path}: {' '.join(str(error).split())}") from error
     except WorldError as error:
         raise click.UsageError(f"--world {path}: {error}") from error
-    return {
-        sysid: RotorPlant(one.airframe, density_kg_m3=world.air_density_kg_m3) for sysid, one in world.vehicles.items()
-    }
+    return {sysid: RotorPlant(one, world.air, seed=world.seed, sysid=sysid) for sysid, one in world.vehicles.items()}
 
 
 def _check_flies(plant: Any, parameters: Any, world: Path | None) -> None:
@@ -287,7 +285,7 @@ def _check_flies(plant: Any, parameters: Any, world: Path | None) -> None:
     try:
         plant.parameters(parameters.flight())
     except ValueError as error:
-        raise click.UsageError(f"--world {world}: {plant.airframe.name} cannot fly in this air: {error}") from error
+        raise click.UsageError(f"--world {world}: {plant.own.airframe.name} cannot fly in this air: {error}") from error
 
 
 def _state(folder: Path | None, sysid: int) -> Any:

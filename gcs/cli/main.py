@@ -259,8 +259,13 @@ def run(
     if resolved.vehicles.external:
         _try_keys(resolved)
     folder = make_folder(out, resolved.name)
-    if seed is not None and not quiet and not (resolved.radio.random or any(named(resolved))):
-        click.echo("gcs: --seed changes nothing: without loss and the like in radio: nothing here is random", err=True)
+    if (
+        seed is not None
+        and not quiet
+        and not (resolved.radio.random or resolved.random_weather or any(named(resolved)))
+    ):
+        why = "without loss and the like in radio:, turbulence and sensors nothing here is random"
+        click.echo(f"gcs: --seed changes nothing: {why}", err=True)
     code = ", ".join(listed(resolved))
     if code and not quiet:
         click.echo(f"gcs: the scenario names code, which the session runs as you: {code}", err=True)

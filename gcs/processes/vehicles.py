@@ -122,10 +122,17 @@ def world_file(scenario: Scenario, folder: Path) -> Path:
 
 
 def world(scenario: Scenario) -> dict[str, Any]:
-    """World of the vehicles on rotors."""
+    """Weather, and the vehicles on rotors in it."""
     return {
+        "seed": scenario.seed,
+        "air_density_kg_m3": scenario.air_density_kg_m3,
+        "wind": scenario.wind.model_dump(mode="json"),
         "vehicles": {
-            vehicle.sysid: {"airframe": vehicle.airframe or "iris"}
+            vehicle.sysid: {
+                "airframe": vehicle.airframe or "iris",
+                "sensors": None if vehicle.sensors is None else vehicle.sensors.model_dump(),
+                "resistance_ohm": vehicle.battery.resistance_ohm,
+            }
             for vehicle in scenario.vehicles.launched
             if vehicle.plant == "rotors"
         },

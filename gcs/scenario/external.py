@@ -17,7 +17,7 @@ from gcs.scenario.endpoint import address
 from gcs.scenario.types import Joules, Part, SysId
 
 LAUNCH_ONLY = ("airborne", "velocity_m_s", "attitude_deg", "params")
-NOT_INHERITED = (*LAUNCH_ONLY, "start_m", "plant", "airframe")
+NOT_INHERITED = (*LAUNCH_ONLY, "start_m", "plant", "airframe", "sensors")
 """Keys that `vehicles.defaults` gives to launched vehicles alone."""
 NOWHERE = (0.0, 0.0, 0.0)
 _FORM = "must be udpin:HOST:PORT, where the vehicle speaks to, or udpout:HOST:PORT, where it listens"

@@ -32,6 +32,7 @@ from gcs.scenario.parts import (
     Target,
     VehicleBase,
     Vehicles,
+    Wind,
     base_conflicts,
     known_axes,
 )
@@ -65,10 +66,12 @@ __all__ = [
     "Target",
     "VehicleBase",
     "Vehicles",
+    "Wind",
 ]
 
 START_CLEARANCE_M = 0.3
 LONGEST_RELAY_S = 0.2
+SEA_LEVEL_KG_M3 = 1.225
 TRANSFER_SILENCE_S = 1.0
 TRANSFER_HOPS = 4
 """Giver, supervisor, receiver and back: within the silence the giver's joules must be seen to have arrived."""
@@ -93,7 +96,7 @@ class Scenario(Part):
     axes: Annotated[Literal["paper", "ned"], AfterValidator(known_axes)]
     """of all geometry in the file; `ned` once loaded"""
     seed: Count = 1
-    """of everything random (the radio); the same scenario and seed give the same session"""
+    """of everything random (radio, faults, gusts, sensors); the same scenario and seed give the same session"""
     origin: Origin
     """where on the globe the common frame's zero lies"""
     clock: Clock = Clock()
@@ -120,6 +123,10 @@ class Scenario(Part):
     """who is refuelled next"""
     refuelling: RefuellingRules = RefuellingRules()
     """rendezvous and transfer of energy"""
+    wind: Wind = Wind()
+    """wind and gusts on vehicles with `plant: rotors`; none by default"""
+    air_density_kg_m3: Annotated[float, Field(strict=True, gt=0, le=2)] = 1.225
+    """density of the air that rotors work in, kg/m³; by default that at sea level"""
     radio: Radio = Radio()
     """loss, delay and blackouts of frames; none by default"""
     faults: tuple[Fault, ...] = ()
@@ -130,6 +137,12 @@ class Scenario(Part):
     """files that the session leaves, and how large they become; everything in one file each by default"""
     truth: Flag = True
     """launched vehicles record what they themselves know (docs/protocol.md#truth)"""
+
+    @property
+    def random_weather(self) -> bool:
+        """Whether the seed decides what wind and sensors do."""
+        rotors = [vehicle for vehicle in self.vehicles.launched if vehicle.plant == "rotors"]
+        return any(vehicle.sensors is not None for vehicle in rotors) or bool(rotors and self.wind.turbulence_m_s)
 
     def flown(
         self,
@@ -213,6 +226,7 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
             "height_m must be below capture_m, or no transfer would begin",
         ),
     ]
+    rules += _weather_rules(s)
     rules += _onboard_rules(s)
     for i, silence in enumerate(s.radio.ground_blackouts):
         path: KeyPath = ("radio", "ground_blackouts", i, "to_s")
@@ -235,6 +249,20 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
         yield from _route_conflicts(("traffic", i, "path_m"), mover)
     yield from repeats("callsign", [(("traffic", i, "callsign"), mover.callsign) for i, mover in enumerate(s.traffic)])
     yield from (Conflict(path, sentence) for broken, path, sentence in rules if broken)
+
+
+def _weather_rules(s: Scenario) -> list[tuple[Any, KeyPath, str]]:
+    """Conditions of weather: (broken, where, sentence)."""
+    blows = s.wind != Wind()
+    rotors = any(vehicle.plant == "rotors" for vehicle in s.vehicles.launched)
+    return [
+        (blows and not rotors, ("wind",), "wind moves vehicles with 'plant: rotors', and there is none"),
+        (
+            s.air_density_kg_m3 != SEA_LEVEL_KG_M3 and not rotors,
+            ("air_density_kg_m3",),
+            "air_density_kg_m3 is for vehicles with 'plant: rotors', and there is none",
+        ),
+    ]
 
 
 def _onboard_rules(s: Scenario) -> list[tuple[Any, KeyPath, str]]:
@@ -285,10 +313,21 @@ def _vehicle_conflicts(s: Scenario) -> Iterator[Conflict]:
             yield from _route_conflicts((*path, "path_m"), vehicle)
             if vehicle.laps > 1 and not vehicle.closed:
                 yield Conflict((*path, "laps"), "more than one lap needs 'closed: true'")
-        if vehicle.airframe is not None and vehicle.plant != "rotors":
-            yield Conflict((*path, "airframe"), f"{vehicle.label} has an airframe; it needs 'plant: rotors'")
+        yield from _plant_conflicts(path, vehicle)
         if vehicle.external is None:
             yield from _start_conflicts(s, path, vehicle, placed[:i])
+
+
+def _plant_conflicts(path: KeyPath, vehicle: VehicleBase) -> Iterator[Conflict]:
+    """Keys that only a vehicle on rotors can have."""
+    if vehicle.plant == "rotors":
+        return
+    for key, name in (("airframe", "an airframe"), ("sensors", "sensors")):
+        if getattr(vehicle, key) is not None:
+            yield Conflict((*path, key), f"{vehicle.label} has {name}; it needs 'plant: rotors'")
+    if vehicle.battery.resistance_ohm is not None and vehicle.external is None:
+        place = (*path, "battery", "resistance_ohm")
+        yield Conflict(place, f"{vehicle.label} has a resistance_ohm; it needs 'plant: rotors'")
 
 
 def _start_conflicts(

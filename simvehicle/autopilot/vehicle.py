@@ -114,6 +114,7 @@ class Vehicle(Body):
             mission_length=len(mission.legs),
             mission_index=mission.index,
             mission_landing=self.mode is Mode.MISSION and mission.landing,
+            electric=self.plant.electric,
         )
 
     # what others ask of it

@@ -18,6 +18,7 @@ from simvehicle.mavlink.dispatcher import Services
 from simvehicle.mavlink.lockstep import SUPERVISOR, Bundle, Grants
 from simvehicle.sitl.unit import VehicleUnit
 from simvehicle.world.airframes import AIRFRAMES
+from simvehicle.world.description import WorldVehicle
 
 PERIOD_MS = 100
 BUNDLES = 30
@@ -47,7 +48,7 @@ def warm_up() -> None:
 @functools.cache
 def warm_up_rotors() -> None:
     """Load and compile, if need be, what flies on rotors."""
-    plant = RotorPlant(AIRFRAMES["iris"])
+    plant = RotorPlant(WorldVehicle(AIRFRAMES["iris"]))
     Vehicle(IDENTITIES["px4"], Parameters(), LocalFrame(0.0, 0.0, 0.0), Start(airborne=True), plant).advance(PERIOD_MS)
 
 

@@ -86,6 +86,13 @@ class RotorAirframe:
         return math.sqrt(self.mass_kg * GRAVITY_M_S2 / (ROTORS * self.thrust_n_s2))
 
     @property
+    def hover_shaft_w(self) -> float:
+        """Power at the rotors' shafts in hover at sea level, W: T √(T/(2 ρ A))/FM (docs/model.md#rotor-power)."""
+        weight_n = self.mass_kg * GRAVITY_M_S2
+        disc_m2 = ROTORS * math.pi * self.rotor_radius_m**2
+        return weight_n * math.sqrt(weight_n / (2.0 * SEA_LEVEL_KG_M3 * disc_m2)) / FIGURE_OF_MERIT
+
+    @property
     def hover_drag_1_s(self) -> float:
         """Deceleration over level air speed in hover, 1/s: what the law takes into account."""
         return ROTORS * self.hover_rad_s * self.rotor_drag_kg / self.mass_kg
@@ -148,7 +155,8 @@ A_BODY_DRAG = 9  # three
 A_FASTEST, A_LAG, A_AREA, A_DENSITY = range(12, 16)
 A_X, A_Y, A_SPIN = 16, 20, 24  # four each
 A_ALLOCATION = 28  # 4 x 4, row by row: the rotors' thrusts of total thrust and three moments
-A_SIZE = 44
+A_RADIUS, A_PROFILE, A_HOVER_W = 44, 45, 46
+A_SIZE = 47
 
 
 def pack(airframe: RotorAirframe, density_kg_m3: float = SEA_LEVEL_KG_M3) -> NDArray[np.float64]:
@@ -164,5 +172,8 @@ def pack(airframe: RotorAirframe, density_kg_m3: float = SEA_LEVEL_KG_M3) -> NDA
     packed[A_AREA], packed[A_DENSITY] = ROTORS * math.pi * airframe.rotor_radius_m**2, density_kg_m3
     packed[A_X : A_X + 4], packed[A_Y : A_Y + 4] = np.array(airframe.arms_m).T
     packed[A_SPIN : A_SPIN + 4] = SPIN
-    packed[A_ALLOCATION:A_SIZE] = np.linalg.inv(airframe.effectiveness).ravel()
+    packed[A_ALLOCATION:A_RADIUS] = np.linalg.inv(airframe.effectiveness).ravel()
+    packed[A_RADIUS], packed[A_HOVER_W] = airframe.rotor_radius_m, airframe.hover_shaft_w
+    profile_w = (1.0 - INDUCED_FACTOR * FIGURE_OF_MERIT) * airframe.hover_shaft_w
+    packed[A_PROFILE] = share * profile_w / (ROTORS * airframe.hover_rad_s**3)
     return packed

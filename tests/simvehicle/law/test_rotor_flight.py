@@ -16,11 +16,14 @@ from simvehicle.law.params import NAMED, pack
 from simvehicle.law.plants import RotorPlant
 from simvehicle.world import airframes
 from simvehicle.world.airframes import AIRFRAMES
+from simvehicle.world.description import WorldVehicle
 
 
 def vehicle(name: str = "iris", *, airborne: bool = False) -> Vehicle:
     start = Start((0.0, 0.0, -5.0 if airborne else 0.0), airborne=airborne)
-    return Vehicle(IDENTITIES["px4"], Parameters(), LocalFrame(47.0, 8.0, 0.0), start, RotorPlant(AIRFRAMES[name]))
+    return Vehicle(
+        IDENTITIES["px4"], Parameters(), LocalFrame(47.0, 8.0, 0.0), start, RotorPlant(WorldVehicle(AIRFRAMES[name]))
+    )
 
 
 def command(north_m: float, west_m: float, up_m: float) -> np.ndarray:
@@ -77,7 +80,13 @@ def test_a_vehicle_on_rotors_takes_off_and_lands() -> None:
 def test_its_ledger_closes_and_an_empty_battery_stops_its_rotors() -> None:
     start = Start((0.0, 0.0, -500.0), airborne=True)
     given = {"SIM_BAT_CAP_J": 1000.0}
-    one = Vehicle(IDENTITIES["px4"], Parameters(given), LocalFrame(0.0, 0.0, 0.0), start, RotorPlant(AIRFRAMES["iris"]))
+    one = Vehicle(
+        IDENTITIES["px4"],
+        Parameters(given),
+        LocalFrame(0.0, 0.0, 0.0),
+        start,
+        RotorPlant(WorldVehicle(AIRFRAMES["iris"])),
+    )
     one.advance(10_000)
     assert one.drawn_j + one.remaining_j == pytest.approx(1000.0, abs=1e-9)
     assert one.remaining_j == 0.0

@@ -219,7 +219,8 @@ def _step(
     s[EFFORT] += power.effort_rate(u1, tau2, tau3, tau4) * dt
     if not running:
         start_afresh(s, p, guide, yaw, linear)
-    return thrust / a[A_MASS]
+    thrust_m_s2: float = thrust / a[A_MASS]
+    return thrust_m_s2
 
 
 def _compiled(build: int) -> tuple[Callable[..., Any], Callable[..., Any]]:
@@ -309,7 +310,8 @@ def initial_state(
         flight, position_nwu=position_nwu, velocity_nwu=velocity_nwu, attitude_rad=attitude_rad, airborne=airborne
     )
     state[TRUE_POSITION], state[TRUE_VELOCITY] = state[step.POSITION], state[step.VELOCITY]
-    rotors.quaternion_of(*(float(angle) for angle in state[step.ATTITUDE]), state[TRUE_QUATERNION])
+    roll, pitch, yaw = (float(angle) for angle in state[step.ATTITUDE])
+    rotors.quaternion_of(roll, pitch, yaw, state[TRUE_QUATERNION])
     state[ROTOR_SPEEDS] = airframe.hover_rad_s if airborne else 0.0
     state[CAPACITY_J] = flight.battery.capacity_j
     state[VOLTAGE_V] = rotor_power.CELLS * rotor_power.cell_v(flight.battery.initial_j / flight.battery.capacity_j)

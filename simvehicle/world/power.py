@@ -49,7 +49,8 @@ def shaft_power(thrust_n: float, speeds: Row, across_m_s: float, along_m_s: floa
     tip = 0.25 * total * a[A_RADIUS]
     advance = across_m_s / tip if tip > 1.0 else 0.0
     profile = a[A_PROFILE] * cubes * (1.0 + _FLATTEST * min(advance * advance, 1.0))
-    return max(thrust_n * (INDUCED_FACTOR * v + along_m_s) + profile, 0.0)
+    power_w: float = thrust_n * (INDUCED_FACTOR * v + along_m_s) + profile
+    return max(power_w, 0.0)
 
 
 @njit(error_model="numpy")

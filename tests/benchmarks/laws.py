@@ -85,7 +85,10 @@ def flying(scale: Scale) -> list[Figure]:
             2, "one vehicle, full law at 250 Hz", flown_s, "vehicle-s/CPU s", 2000.0 * scale.cpu,
             peer="ArduCopter SITL" if copter_s else "ArduCopter SITL: none is named", peer_value=copter_s,
         ),
-        Figure(2, "  a whole vehicle on rotors, in gusts and with sensors", weathered_seconds(), "vehicle-s/CPU s", 1000.0 * scale.cpu),
+        Figure(
+            2, "  a whole vehicle on rotors, in gusts and with sensors", weathered_seconds(), "vehicle-s/CPU s",
+            1000.0 * scale.cpu,
+        ),
         Figure(2, "  farthest from the same flight solved to 1e-14", apart_m, "m", 1e-3, at_most=True),
     ]  # fmt: skip
 

@@ -18,7 +18,7 @@ from typing import Any
 
 import click
 
-from simvehicle.exit import BAD_INPUT, CANNOT_WRITE, INTERRUPTED
+from simvehicle.exit import AUTOPILOT_GONE, BAD_INPUT, CANNOT_WRITE, INTERRUPTED
 from simvehicle.loading import loaded, uncollected
 
 LAST_SYSID = 254
@@ -364,7 +364,7 @@ def hatch() -> None:
 
 def _prepare(argv: Sequence[str]) -> None:
     """Load the flight core of rotors, once, where a vehicle needs it."""
-    if "--world" in argv:
+    if "--world" in argv or "ardupilot" in argv[:1]:
         from simvehicle.sitl.warmup import warm_up_rotors
 
         warm_up_rotors()
@@ -407,6 +407,39 @@ def traffic(file: Path, supervised: str) -> None:
         raise click.UsageError(str(error)) from error
     with link:
         run_supervised([ConnectedUnit(Traffic(frame, movers, [connection]), link, [])], from_hatch())
+
+
+@cli.command(short_help="Fly a real ArduPilot on our physics, in a supervisor's time.")
+@click.argument("file", type=click.Path(path_type=Path, dir_okay=False))
+@click.option("--sysid", type=click.IntRange(1, 254), metavar="N", required=True, help="MAVLink system id.")
+@click.option("--supervised", metavar="udpout:HOST:PORT", required=True, help="The gcs supervisor that gives it time.")
+def ardupilot(file: Path, sysid: int, supervised: str) -> int:
+    """Start the ArduPilot of FILE and be its simulation, in the time that a gcs supervisor grants.
+
+    `gcs run` writes FILE for a vehicle with `autopilot: {ardupilot: PATH}`.
+    """
+    import yaml
+
+    from simvehicle.mavlink.connection import Connection
+    from simvehicle.sitl.ardupilot import ArduPilotUnit, AutopilotError, read_wanted
+    from simvehicle.sitl.link import AddressError, SupervisedLink, parse_supervisor
+    from simvehicle.sitl.loop import ConnectedUnit, run_supervised
+    from simvehicle.sitl.secret import from_hatch
+
+    try:
+        connection = Connection(sysid)
+        wanted, plant = read_wanted(yaml.safe_load(file.read_text(encoding="utf-8")), sysid)
+        with (
+            ArduPilotUnit(wanted, plant, connection) as unit,
+            SupervisedLink(parse_supervisor(supervised), connection) as link,
+        ):
+            run_supervised([ConnectedUnit(unit, link, [])], from_hatch())
+    except (AddressError, OSError, yaml.YAMLError) as error:
+        raise click.UsageError(f"{file}: {error}") from error
+    except AutopilotError as error:
+        print(f"vehicle {sysid}: {error}", file=sys.stderr)
+        return AUTOPILOT_GONE
+    return 0
 
 
 @cli.command(short_help="Draw the paper's vehicle-only figures.")

@@ -23,7 +23,7 @@ from gcs.link.keys import KeyRefused, SignatureGate
 from gcs.link.link import Key
 from gcs.link.socket import MOST_AT_ONCE, RECEIVE_BYTES, AddressRefused, Where, kernel_drops, open_udp
 from gcs.mavlink import codec
-from gcs.mavlink.boot_clock import BootClock
+from gcs.mavlink.boot_clock import CLOCKS, BootClock
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION
 from gcs.mavlink.sequence import SequenceCounter
@@ -44,8 +44,6 @@ MOVED_AFTER_S = 10.0
 """A vehicle that has been silent for so long may be heard from another address."""
 MAVLINK_1 = b"\xfe"
 _HEARTBEAT = codec.msgid("HEARTBEAT")
-_CLOCKS = frozenset({codec.msgid("LOCAL_POSITION_NED"), codec.msgid("ATTITUDE")})
-"""Messages that carry a vehicle's time; the second comes also while it has not found its place, as after a boot."""
 _SET_POINT = codec.msgid("SET_POSITION_TARGET_LOCAL_NED")
 
 
@@ -265,7 +263,7 @@ class ExternalLink:
             peer.received_s = now_s
             if self._kept:
                 peer.frames.append(frame)
-                if frame.msgid in _CLOCKS and frame.compid == AUTOPILOT:
+                if frame.msgid in CLOCKS and frame.compid == AUTOPILOT:
                     boot_s = codec.fields(frame).time_boot_ms / 1e3
                     rebooted = peer.clock.feed(frame.msgid, boot_s, self._now_s())
                     self._rebooted |= {frame.sysid} if rebooted else set()

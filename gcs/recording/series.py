@@ -201,7 +201,7 @@ def batteries(recorded: Recorded) -> dict[int, BatterySeries]:
         vehicle = vehicles.get(sysid)
         capacity_j = vehicle.battery.capacity_j if vehicle else 0.0
         account = BatteryAccount(capacity_j, 0.01 * vehicle.battery.initial_percent * capacity_j if vehicle else 0.0)
-        profile = PROFILES.get(vehicle.external.autopilot) if vehicle and vehicle.external else None
+        profile = PROFILES.get(rules.autopilot) if vehicle and (rules := vehicle.foreign) else None
         messages = [_messages(kind, rows[sysid]) for kind, rows in reported.items() if sysid in rows]
         times_s, left_j = _kept(account, heapq.merge(*messages, _booked(recorded, sysid)), profile)
         if account.capacity_j and times_s:

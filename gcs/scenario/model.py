@@ -141,7 +141,7 @@ class Scenario(Part):
     @property
     def random_weather(self) -> bool:
         """Whether the seed decides what wind and sensors do."""
-        rotors = [vehicle for vehicle in self.vehicles.launched if vehicle.plant == "rotors"]
+        rotors = [vehicle for vehicle in self.vehicles.launched if vehicle.on_rotors]
         return any(vehicle.sensors is not None for vehicle in rotors) or bool(rotors and self.wind.turbulence_m_s)
 
     def flown(
@@ -254,7 +254,7 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
 def _weather_rules(s: Scenario) -> list[tuple[Any, KeyPath, str]]:
     """Conditions of weather: (broken, where, sentence)."""
     blows = s.wind != Wind()
-    rotors = any(vehicle.plant == "rotors" for vehicle in s.vehicles.launched)
+    rotors = any(vehicle.on_rotors for vehicle in s.vehicles.launched)
     return [
         (blows and not rotors, ("wind",), "wind moves vehicles with 'plant: rotors', and there is none"),
         (
@@ -279,6 +279,11 @@ def _onboard_rules(s: Scenario) -> list[tuple[Any, KeyPath, str]]:
             "vehicles compete on board for tankers: it needs a pursuer, a tanker, and refuelling enabled",
         ),
         (vehicles.external, where, "external vehicles do not compete on board: leave them out, or where: supervisor"),
+        (
+            set(vehicles.foreign) - set(vehicles.external),
+            where,
+            "real autopilots do not compete on board: leave them out, or where: supervisor",
+        ),
         (s.bases, where, "bases are the supervisor's: leave them out, or where: supervisor"),
         (rules.policy != "winner_take_all", where, "on board there is the policy winner_take_all alone"),
         (rules.bids != "time", where, "on board there are bids by time alone"),
@@ -318,9 +323,18 @@ def _vehicle_conflicts(s: Scenario) -> Iterator[Conflict]:
             yield from _start_conflicts(s, path, vehicle, placed[:i])
 
 
+def _real_conflicts(path: KeyPath, vehicle: VehicleBase) -> Iterator[Conflict]:
+    """Keys that a real autopilot has no use for."""
+    for key in ("airborne", "sensors"):
+        if getattr(vehicle, key):
+            yield Conflict((*path, key), f"{vehicle.label} has a real autopilot: {key} is for our own; leave it out")
+
+
 def _plant_conflicts(path: KeyPath, vehicle: VehicleBase) -> Iterator[Conflict]:
     """Keys that only a vehicle on rotors can have."""
-    if vehicle.plant == "rotors":
+    if vehicle.real is not None:
+        yield from _real_conflicts(path, vehicle)
+    if vehicle.on_rotors:
         return
     for key, name in (("airframe", "an airframe"), ("sensors", "sensors")):
         if getattr(vehicle, key) is not None:

@@ -11,7 +11,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import AwareDatetime, ConfigDict, Field, ValidationInfo, model_validator
 
 from gcs.scenario.document import Conflict
-from gcs.scenario.external import External, filled
+from gcs.scenario.external import External, Wait, filled
 from gcs.scenario.types import (
     Angles,
     Count,
@@ -186,6 +186,17 @@ class Wind(Part):
     """discrete gusts; none by default"""
 
 
+class RealAutopilot(Part):
+    """An autopilot that is not ours, started with the session and flown by its clock, on our physics
+    (docs/how-to/real-autopilots.md)."""
+
+    ardupilot: Annotated[str, Field(min_length=1, max_length=4096)]
+    """ArduCopter's program for its own simulation, `build/sitl/bin/arducopter`; a relative path counts from the
+    scenario's folder, `~` is your home"""
+    arm_within_s: Wait = 120.0
+    """session time in which it must have found its place and let itself be armed, or it is left out"""
+
+
 class VehicleBase(Part):
     """Keys of every vehicle, whatever its role."""
 
@@ -210,16 +221,41 @@ class VehicleBase(Part):
     """the height above the ground to which it climbs first"""
     battery: Battery
     """capacity, charge and consumption"""
+    autopilot: RealAutopilot | Literal["own"] = "own"
+    """`own`: our law; `{ardupilot: PATH}`: a real ArduPilot, started and simulated by the session, on rotors"""
     plant: Literal["paper", "rotors"] = "paper"
     """`paper`: the plant of the paper's eq. 3; `rotors`: a rigid body on four rotors (docs/model.md#rotors)"""
     airframe: Airframe | None = None
-    """with `plant: rotors`: whose mass, rotors and drag it has (docs/model.md#airframes); by default `iris`"""
+    """on rotors: whose mass, rotors and drag it has (docs/model.md#airframes); by default `iris`"""
     sensors: Sensors | None = None
     """errors of what it knows of its motion; `{}` has usual ones; without it the vehicle knows exactly"""
     params: dict[ParamName, Number] = {}  # noqa: RUF012 - pydantic copies it
     """further MAVLink parameters"""
     external: External | None = None
     """expected there rather than launched; start_m then means nothing, it is where it is"""
+
+    @property
+    def real(self) -> RealAutopilot | None:
+        """The autopilot that is not ours and that the session starts; None where there is none."""
+        return None if self.autopilot == "own" else self.autopilot
+
+    @property
+    def on_rotors(self) -> bool:
+        """Whether it flies on rotors."""
+        return self.plant == "rotors" or self.real is not None
+
+    @property
+    def foreign(self) -> External | None:
+        """Rules for a vehicle whose autopilot is not ours, whoever started it; None where it is ours."""
+        if self.real is None:
+            return self.external
+        return External(
+            connect="udpin:127.0.0.1:1",
+            sysid=self.sysid,
+            autopilot="ardupilot",
+            capacity_j=self.battery.capacity_j,
+            arm_within_s=self.real.arm_within_s,
+        )
 
     @property
     def label(self) -> str:
@@ -242,7 +278,7 @@ class Pursuer(VehicleBase):
     @property
     def transfer_capable(self) -> bool | None:
         """Whether it can take energy in the air; None where it is to be asked."""
-        asked = self.transfer is None and self.external is not None
+        asked = self.transfer is None and self.foreign is not None
         return None if asked else self.transfer is not False
 
 
@@ -308,6 +344,11 @@ class Vehicles(Part):
     def external(self) -> dict[int, External]:
         """External vehicles, by system id."""
         return {vehicle.sysid: vehicle.external for vehicle in self.all if vehicle.external is not None}
+
+    @property
+    def foreign(self) -> dict[int, External]:
+        """Rules for the vehicles whose autopilot is not ours, by system id."""
+        return {vehicle.sysid: rules for vehicle in self.all if (rules := vehicle.foreign) is not None}
 
 
 Kind = Literal["point", "sphere", "box", "cylinder"]

@@ -184,6 +184,21 @@ class RotorPlant:
         self.now = self.state[0].tolist()
         return thrust
 
+    def turn(self, wanted_rad_s: NDArray[np.float64], *, time_s: float, dt_s: float) -> None:
+        """One step by the rotor speeds (4,) that another autopilot wants; it knows its motion exactly."""
+        self.state[0] = rotor_flight.turn(
+            self.state[0],
+            wanted_rad_s,
+            self._packed[0],
+            self._frame[0],
+            time_s=time_s,
+            dt_s=dt_s,
+            weather=self._weather[0],
+            gusts=self._gusts,
+            noise=self._noise(1)[0, 0],
+        )
+        self.now = self.state[0].tolist()
+
     def _noise(self, steps: int) -> NDArray[np.float64]:
         """Normal numbers of some steps, (1, steps, NOISE_SIZE): the same however a flight is cut into stretches."""
         noise = np.zeros((1, steps, rotor_flight.NOISE_SIZE))

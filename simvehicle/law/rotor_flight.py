@@ -223,7 +223,7 @@ def _step(
     return thrust_m_s2
 
 
-def _compiled(build: int) -> tuple[Callable[..., Any], Callable[..., Any]]:
+def _compiled(build: int) -> tuple[Callable[..., Any], Callable[..., Any], Callable[..., Any]]:
     """The entries that numba keeps on disk, with `build` as a part of their key (see step.py)."""
 
     @kernel(error_model="numpy")
@@ -265,7 +265,24 @@ def _compiled(build: int) -> tuple[Callable[..., Any], Callable[..., Any]]:
             body_step(body, wanted[k], wind[k], a, dt, scratch)
             path[k] = body
 
-    return fly, drive
+    @kernel(error_model="numpy")
+    def turn(s: Row, wanted: Row, p: Row, a: Row, w: Row, gusts: Row, noise: Row, t: float, dt: float) -> None:
+        _ = build
+        body, scratch = s[_BODY:_BODY_END], np.zeros(SCRATCH_SIZE)
+        x, y, stood = body[0], body[1], s[CONTACT] != 0.0
+        for i in range(4):
+            if s[REMAINING_J] <= 0.0:
+                wanted[i] = 0.0
+        _blow(s, body, w, gusts, noise, t, dt)
+        body_step(body, wanted, s[_WIND:_WIND_END], a, dt, scratch)
+        s[CONTACT] = 1.0 if meet_ground(body, x, y, stood) else 0.0
+        _see(s, body, scratch[:ERROR_SIZE] * 0.0)
+        thrust = 0.0
+        for i in range(4):
+            thrust += a[A_THRUST] * body[B_ROTORS + i] * body[B_ROTORS + i]
+        _draw(s, body, p, a, w, thrust, dt)
+
+    return fly, drive, turn
 
 
 def _checksum() -> int:
@@ -274,7 +291,7 @@ def _checksum() -> int:
     return zlib.crc32(b"".join(Path(str(module.__file__)).read_bytes() for module in modules))
 
 
-_fly, _drive = _compiled(_checksum())
+_fly, _drive, _turn = _compiled(_checksum())
 
 
 def on_rotors(flight: VehicleParams, airframe: RotorAirframe, density_kg_m3: float = SEA_LEVEL_KG_M3) -> VehicleParams:
@@ -405,6 +422,27 @@ def advance(
     rows = (_plain(command), _plain(packed_params), _plain(packed_airframe), _plain(weather))
     _fly(flown, *rows, _plain(gusts), _plain(noise), times, float(dt_s), thrust)
     return flown, thrust
+
+
+def turn(
+    state: NDArray[np.float64],
+    wanted_rad_s: NDArray[np.float64],
+    packed_params: NDArray[np.float64],
+    packed_airframe: NDArray[np.float64],
+    *,
+    time_s: float,
+    dt_s: float,
+    weather: NDArray[np.float64],
+    gusts: NDArray[np.float64],
+    noise: NDArray[np.float64],
+) -> NDArray[np.float64]:
+    """One step of a vehicle that another autopilot flies: a state (ROTOR_STATE_SIZE,) of known motion, over ground, by
+    the rotor speeds (4,) that it wants; rows as for `advance`, each of one vehicle, noise (NOISE_SIZE,). The state
+    after it."""
+    flown = np.array(state)
+    rows = (_plain(packed_params), _plain(packed_airframe), _plain(weather), _plain(gusts), _plain(noise))
+    _turn(flown, np.array(wanted_rad_s), *rows, float(time_s), float(dt_s))
+    return flown
 
 
 def drive(

@@ -34,6 +34,7 @@ class Serial:
     def __init__(self, port: int) -> None:
         with socket.create_server(("127.0.0.1", port)) as server:
             self.socket, _ = server.accept()
+        self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self.socket.setblocking(False)
         self._out = b""
 
@@ -48,6 +49,14 @@ class Serial:
         if not heard:
             sys.exit(0)
         return heard
+
+    def look(self) -> None:
+        """End with the client, without reading what it says."""
+        try:
+            if not self.socket.recv(1, socket.MSG_PEEK):
+                sys.exit(0)
+        except BlockingIOError:
+            return
 
     def flush(self) -> None:
         self.socket.setblocking(True)
@@ -80,7 +89,7 @@ class JsonArduCopter(ArduCopter):
                     line = udp.recv(4096)
                     break
                 except TimeoutError:
-                    self.link.read()
+                    self.link.look()
                     udp.sendto(packet, to)
             assert line[:1] == line[-1:] == b"\n"
             self.state = json.loads(line)

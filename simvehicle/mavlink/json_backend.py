@@ -22,7 +22,7 @@ EXTRA_S = 1e-9
 
 
 class ServoPacket(NamedTuple):
-    """What the autopilot wants of its motors: frame count, and PWM of the first four, µs."""
+    """Wish of the autopilot for its motors: frame count, and PWM of the first four, µs."""
 
     frame: int
     pwm_us: tuple[float, ...]

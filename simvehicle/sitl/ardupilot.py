@@ -24,7 +24,7 @@ import numpy as np
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.body import STEP_MS
-from simvehicle.law import rotor_flight
+from simvehicle.law import rotor_flight, step
 from simvehicle.law.dynamics import ned_from_nwu
 from simvehicle.law.params import BatteryParams, VehicleParams
 from simvehicle.law.plants import RotorPlant
@@ -32,6 +32,8 @@ from simvehicle.mavlink import json_backend
 from simvehicle.mavlink.codec import CHECKSUM_BYTES, HEADER_BYTES, MAGIC, ReceivedFrame, decode, message, split
 from simvehicle.mavlink.connection import Connection
 from simvehicle.sitl.truth import ENERGY, STATE
+from simvehicle.world import rotors
+from simvehicle.world.airframes import GRAVITY_M_S2
 from simvehicle.world.description import read_world
 
 PR_SET_PDEATHSIG = 1
@@ -62,7 +64,7 @@ PARAMETERS: dict[str, float] = {
     **{f"RC{i}_{end}": us for i in range(1, 5) for end, us in (("MIN", 1000), ("MAX", 2000), ("TRIM", 1500))},
     "RC3_TRIM": 1000,
 }
-"""What it starts with [choice]: calibrated, in no want of a transmitter, thrust by the square of the throttle."""
+"""Parameters that it starts with [choice]: calibrated, in no want of a transmitter, thrust by the square of the throttle."""
 
 
 class AutopilotError(RuntimeError):
@@ -153,7 +155,7 @@ class ArduPilotUnit:
             self._answer()
             self._time_ms += STEP_MS
             self._servo = self._next_servo(self._servo.frame)
-            for frame in self._heard():
+            for frame in self._received():
                 self._connection.put(frame)
         if self._truth is not None:
             self._truth.write(self._truth_record())
@@ -170,8 +172,9 @@ class ArduPilotUnit:
         now, self._steps = plant.now, self._steps + 1
         w, x, y, z = now[rotor_flight.TRUE_QUATERNION]
         force_nwu = (np.array(now[rotor_flight.TRUE_VELOCITY]) - before) / STEP_S
-        force_nwu[2] += rotor_flight.GRAVITY_M_S2
-        accel_flu = rotor_flight.rotated(np.array([w, x, y, z]), *force_nwu, -1.0)
+        force_nwu[2] += GRAVITY_M_S2
+        ax, ay, az = force_nwu.tolist()
+        accel_flu = rotors.rotated(np.array([w, x, y, z]), ax, ay, az, -1.0)
         volts, amperes = plant.electric
         line = json_backend.answer(
             step=self._steps,
@@ -203,7 +206,7 @@ class ArduPilotUnit:
             if packet is not None and packet.frame != last_frame:
                 return packet
 
-    def _heard(self) -> list[Any]:
+    def _received(self) -> list[Any]:
         """Messages that have come through its serial port, which are all that it said before its servo packet."""
         try:
             while True:
@@ -280,7 +283,7 @@ class ArduPilotUnit:
             "capacity_j": battery.capacity_j,
             "hover_w": battery.hover_w,
             "avionics_w": battery.avionics_w,
-            "gravity_m_s2": rotor_flight.GRAVITY_M_S2,
+            "gravity_m_s2": GRAVITY_M_S2,
         }
         return json.dumps(head, sort_keys=True).encode() + b"\n"
 
@@ -289,7 +292,7 @@ class ArduPilotUnit:
         now = self._plant.now
         parts = (slice(0, 3), slice(3, 6), slice(6, 9), slice(9, 12))
         motion = [number for part in parts for number in ned_from_nwu(now[part])]
-        drawn_j, left_j = now[rotor_flight.DRAWN_J], now[rotor_flight.REMAINING_J]
+        drawn_j, left_j = now[step.DRAWN_J], now[step.REMAINING_J]
         record = [self._time_ms / 1e3, 0.0, *motion, drawn_j, 0.0, 0.0, left_j]
         return np.array(record, dtype="<f8").tobytes()
 

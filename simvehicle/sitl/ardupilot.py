@@ -64,7 +64,7 @@ PARAMETERS: dict[str, float] = {
     **{f"RC{i}_{end}": us for i in range(1, 5) for end, us in (("MIN", 1000), ("MAX", 2000), ("TRIM", 1500))},
     "RC3_TRIM": 1000,
 }
-"""Parameters that it starts with [choice]: calibrated, in no want of a transmitter, thrust by the square of the throttle."""
+"""Parameters that it starts with [choice]: calibrated, in no want of a transmitter, thrust by the throttle squared."""
 
 
 class AutopilotError(RuntimeError):

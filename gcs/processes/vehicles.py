@@ -124,6 +124,8 @@ def autopilot_order(
             "hover_w": battery.hover_w,
             "avionics_w": battery.avionics_w,
         },
+        "capture_m": scenario.refuelling.capture_m,
+        "relative_speed_m_s": scenario.refuelling.relative_speed_m_s,
         "parameters": dict(vehicle.params),
         "truth": str(folder / "vehicles" / f"{name}.truth") if scenario.truth else None,
         "world": world(scenario),

@@ -33,6 +33,7 @@ def make_fleet(scenario: Scenario) -> Fleet:
             external=v.foreign is not None,
             profile=PROFILES.get(rules.autopilot) if (rules := v.foreign) else None,
             airborne=v.airborne and v.foreign is None,
+            battery_apart=v.real is not None,
         )
         for v in scenario.vehicles.all
     ]

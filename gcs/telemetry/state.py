@@ -60,6 +60,8 @@ class VehicleView(NamedTuple):
     pitch_rad: float = 0.0
     received_reported_s: float = -math.inf
     """as of when it has told the energy received"""
+    battery_apart: bool = False
+    """whether its battery takes energy whatever its autopilot does, and no mode of its says so"""
 
     @property
     def height_m(self) -> float | None:

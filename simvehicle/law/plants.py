@@ -223,6 +223,21 @@ class RotorPlant:
         return self.now[step.CONTACT] != 0.0
 
     @property
+    def drawn_j(self) -> float:
+        """Drawn from the battery since the start."""
+        return self.now[step.DRAWN_J]
+
+    @property
+    def remaining_j(self) -> float:
+        """Left in the battery."""
+        return self.now[step.REMAINING_J]
+
+    def charge(self, joules: float) -> None:
+        """Put energy into the battery."""
+        self.state[0, step.REMAINING_J] += joules
+        self.now = self.state[0].tolist()
+
+    @property
     def electric(self) -> tuple[float, float]:
         """Voltage in V and current in A at the battery."""
         return self.now[rotor_flight.VOLTAGE_V], self.now[rotor_flight.CURRENT_A]

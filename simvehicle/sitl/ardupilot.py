@@ -24,11 +24,15 @@ import numpy as np
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.body import STEP_MS
+from simvehicle.autopilot.energy_transfer import Envelope
+from simvehicle.autopilot.geodesy import LocalFrame
+from simvehicle.autopilot.snapshot import Vec3
 from simvehicle.law import rotor_flight, step
 from simvehicle.law.dynamics import ned_from_nwu
 from simvehicle.law.params import BatteryParams, VehicleParams
 from simvehicle.law.plants import RotorPlant
 from simvehicle.mavlink import json_backend
+from simvehicle.mavlink.battery_component import BatteryComponent
 from simvehicle.mavlink.codec import CHECKSUM_BYTES, HEADER_BYTES, MAGIC, ReceivedFrame, decode, message, split
 from simvehicle.mavlink.connection import Connection
 from simvehicle.sitl.truth import ENERGY, STATE
@@ -45,6 +49,8 @@ READY_WITHIN_S = 20.0
 LOOK_EVERY_S = 0.5
 SERIAL_BYTES = 65536
 LAST_LINES = 5
+_OURS = frozenset({mav.MAVLINK_MSG_ID_SYSTEM_TIME, mav.MAVLINK_MSG_ID_BATTERY_STATUS})
+"""Messages of the autopilot's that are left out: an answer ends with a time of its own, and the battery is ours."""
 PARAMETERS: dict[str, float] = {
     "FRAME_CLASS": 1,
     "FRAME_TYPE": 1,
@@ -83,6 +89,7 @@ class AutopilotWanted:
     yaw_deg: float
     epoch_s: int
     battery: BatteryParams
+    envelope: Envelope
     parameters: dict[str, float]
     truth: Path | None = None
 
@@ -105,6 +112,14 @@ class ArduPilotUnit:
             airborne=False,
         )
         self._initial_j = flight.battery.initial_j
+        self._battery = BatteryComponent(
+            plant,
+            wanted.sysid,
+            LocalFrame(*wanted.home),
+            wanted.envelope,
+            capacity_j=flight.battery.capacity_j,
+            initial_j=flight.battery.initial_j,
+        )
         self._time_ms: int | None = None
         self._steps = 0
         self._serial_pending = b""
@@ -142,23 +157,44 @@ class ArduPilotUnit:
         self._time_ms = time_ms
 
     def receive(self, frame: ReceivedFrame, connection: Connection) -> None:
-        """Say a frame into its serial port, before the next step."""
+        """Say a frame into its serial port, before the next step, unless it concerns the battery."""
+        answers = self._battery.receive(frame, self._boot_s, self._p_ned, self._v_ned)
+        if answers is not None:
+            for content in answers:
+                connection.put(content)
+            return
         try:
             self._serial.sendall(frame.raw)
         except OSError as error:
             raise self._gone() from error
 
     def advance(self, to_ms: int) -> None:
-        """Answer servo packets up to a time; queue what it has said."""
+        """Answer servo packets up to a time; queue what it has said, and what its battery says."""
         assert self._time_ms is not None
+        before_ms = self._time_ms
         while to_ms - self._time_ms >= STEP_MS:
             self._answer()
             self._time_ms += STEP_MS
             self._servo = self._next_servo(self._servo.frame)
             for frame in self._received():
                 self._connection.put(frame)
+        for content in self._battery.move(self._boot_s, (self._time_ms - before_ms) / 1e3, self._p_ned):
+            self._connection.put(content)
         if self._truth is not None:
             self._truth.write(self._truth_record())
+
+    @property
+    def _boot_s(self) -> float:
+        """Its own time."""
+        return self._steps * STEP_S
+
+    @property
+    def _p_ned(self) -> Vec3:
+        return ned_from_nwu(self._plant.now[rotor_flight.TRUE_POSITION])
+
+    @property
+    def _v_ned(self) -> Vec3:
+        return ned_from_nwu(self._plant.now[rotor_flight.TRUE_VELOCITY])
 
     # its simulation
 
@@ -221,7 +257,7 @@ class ArduPilotUnit:
         whole, self._serial_pending = _whole(self._serial_pending)
         mine = (self._wanted.sysid, mav.MAV_COMP_ID_AUTOPILOT1)
         frames = [frame for frame in split(whole) if frame[:2] == mine]
-        return [decode(frame) for frame in frames if frame.msgid != mav.MAVLINK_MSG_ID_SYSTEM_TIME]
+        return [decode(frame) for frame in frames if frame.msgid not in _OURS]
 
     def _connect(self, port: int) -> socket.socket:
         """Its serial port, which listens soon after its start."""
@@ -293,7 +329,8 @@ class ArduPilotUnit:
         parts = (slice(0, 3), slice(3, 6), slice(6, 9), slice(9, 12))
         motion = [number for part in parts for number in ned_from_nwu(now[part])]
         drawn_j, left_j = now[step.DRAWN_J], now[step.REMAINING_J]
-        record = [self._time_ms / 1e3, 0.0, *motion, drawn_j, 0.0, 0.0, left_j]
+        received_j = float(self._battery.exchange.received_j)
+        record = [self._time_ms / 1e3, 0.0, *motion, drawn_j, received_j, 0.0, left_j]
         return np.array(record, dtype="<f8").tobytes()
 
 
@@ -377,6 +414,7 @@ def read_wanted(content: Any, sysid: int) -> tuple[AutopilotWanted, RotorPlant]:
             yaw_deg=float(content["yaw_deg"]),
             epoch_s=int(content["epoch_s"]),
             battery=BatteryParams(**{name: float(value) for name, value in content["battery"].items()}),
+            envelope=Envelope(float(content["capture_m"]), float(content["relative_speed_m_s"])),
             parameters={str(name): float(value) for name, value in content["parameters"].items()},
             truth=None if content["truth"] is None else Path(content["truth"]),
         )

@@ -16,7 +16,7 @@ import sys
 from typing import Any
 
 from arducopter import ArduCopter
-from motion import GRAVITY_M_S2, STEP_S
+from motion import GRAVITY_M_S2, STEP_S, Place
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
 MAGIC, RATE_HZ, CHANNELS = 18458, 250, 16
@@ -76,7 +76,7 @@ class JsonArduCopter(ArduCopter):
         self.frame = 0
         self.pwm = [1000] * 4
         self.state: dict[str, Any] = {}
-        self.origin_ned: tuple[float, ...] = ()
+        self.origin_ned: Any = ()
 
     def fly(self, udp: socket.socket, to: tuple[str, int]) -> None:
         udp.settimeout(REPEAT_S)
@@ -102,9 +102,12 @@ class JsonArduCopter(ArduCopter):
             self.link.flush()
 
     def _know(self) -> None:
-        """Its motion as it is told; its own frame begins where it first stood."""
+        """Its motion as it is told; its own frame begins where it first stood, as where a GPS has its first fix."""
         body = self.copter.body
-        self.origin_ned = self.origin_ned or tuple(self.state["position"])
+        if not self.origin_ned:
+            self.origin_ned = tuple(self.state["position"])
+            lat_e7, lon_e7, alt_m = self.telemetry.place.to_global(self.origin_ned)
+            self.telemetry.place = Place((1e-7 * lat_e7, 1e-7 * lon_e7, alt_m))
         north, east, down = (p - o for p, o in zip(self.state["position"], self.origin_ned, strict=True))
         body.p, body.v = (north, east, down), tuple(self.state["velocity"])
         if not self.copter.flying:

@@ -2,6 +2,7 @@
 PYTHON ?= python3
 VENV := .venv
 READY := $(VENV)/.ready
+DEV_READY := $(VENV)/.ready-dev
 CONSTRAINTS := tests/constraints.txt
 
 PEERS := .venv-peers
@@ -10,33 +11,36 @@ PEERS_READY := $(PEERS)/.ready
 DOCS := .venv-docs
 DOCS_READY := $(DOCS)/.ready
 
+# What is imported is compiled then, a tenth of what is installed.
+INSTALL = $(VENV)/bin/python -m pip install --quiet --disable-pip-version-check --progress-bar on --no-compile -c $(CONSTRAINTS)
+
 .PHONY: run test bench fuzz faults docs picture clean
 
 run: $(READY)
 	@$(VENV)/bin/gcs run demo
 
-test: $(READY) $(PEERS_READY)
+test: $(DEV_READY) $(PEERS_READY)
 	@$(VENV)/bin/ruff check .
 	@$(VENV)/bin/ruff format --check .
 	@$(VENV)/bin/mypy
 	@PYTHONDONTWRITEBYTECODE= $(VENV)/bin/python -m pytest -n 4 --dist loadfile --no-loadscope-reorder
 
-bench: $(READY)
+bench: $(DEV_READY)
 	@$(VENV)/bin/python tests/benchmarks
 
 # FUZZ="--frames 10000 --files 100 --seed 7" attacks for shorter, and elsewhere.
-fuzz: $(READY)
+fuzz: $(DEV_READY)
 	@$(VENV)/bin/python tests/fuzz $(FUZZ)
 
 # FAULTS="--moments 3 --only SIGKILL,blackout" flies less of it.
-faults: $(READY)
+faults: $(DEV_READY)
 	@$(VENV)/bin/python tests/faults $(FAULTS)
 
-docs: $(READY) $(DOCS_READY)
+docs: $(DEV_READY) $(DOCS_READY)
 	@$(VENV)/bin/python docs/.site/build.py --builder $(DOCS)/bin/python
 
 # The moving picture at the README's top; needs Chromium.
-picture: $(READY)
+picture: $(DEV_READY)
 	@$(VENV)/bin/python docs/.site/picture.py
 
 clean:
@@ -49,10 +53,15 @@ $(READY): pyproject.toml $(CONSTRAINTS)
 	  { echo "Python's venv module is missing: install it (Debian, Ubuntu: apt install python3-venv) and call make again."; exit 2; }
 	@echo "[1/3] making the environment in $(VENV)"
 	@$(PYTHON) -m venv $(VENV)
-	@echo "[2/3] installing Skytender and what it needs (about a minute)"
-	@$(VENV)/bin/python -m pip install --quiet --disable-pip-version-check --progress-bar on -c $(CONSTRAINTS) -e '.[dev]'
+	@echo "[2/3] installing Skytender and what it needs (half a minute)"
+	@$(INSTALL) -e .
 	@echo "[3/3] compiling what flies, plans and reports, by flying the demo unseen (once, half a minute)"
 	@rm -rf $(VENV)/rehearsal && $(VENV)/bin/gcs run demo --lockstep --quiet --out $(VENV)/rehearsal && rm -rf $(VENV)/rehearsal
+	@touch $@
+
+$(DEV_READY): $(READY)
+	@echo "[tests] installing what only tests, benchmarks and documentation need"
+	@$(INSTALL) -e '.[dev]'
 	@touch $@
 
 # MAVSDK and MAVProxy, which only tests/peers run; without MAVProxy's graphical part, whole it is 1.2 GB. Where they cannot

@@ -16,12 +16,13 @@ if TYPE_CHECKING:
     from typing import Any
 
     from gcs.campaign.python import Campaign
+    from gcs.extras import MissingExtra
     from gcs.planner.custom import PursuerPlanner, Situation
     from gcs.recording.summary import Summary
     from gcs.refuelling.policies import RefuellingPolicy, RefuellingRequest
     from gcs.scenario.file import load
     from gcs.scenario.model import Scenario, ScenarioError
-    from gcs.session.arrays import MissingExtra, Snapshot
+    from gcs.session.arrays import Snapshot
     from gcs.session.python import Session, SessionError
     from gcs.telemetry.state import FleetSnapshot, TrafficView, VehicleView
 
@@ -47,7 +48,7 @@ __all__ = [
 _HOME = {
     "Campaign": "campaign.python",
     "FleetSnapshot": "telemetry.state",
-    "MissingExtra": "session.arrays",
+    "MissingExtra": "extras",
     "PursuerPlanner": "planner.custom",
     "RefuellingPolicy": "refuelling.policies",
     "RefuellingRequest": "refuelling.policies",

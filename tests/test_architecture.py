@@ -27,7 +27,7 @@ PACKAGES = {
         "__main__",
     ],
     "gcs": [
-        "exit kernels loading",
+        "exit extras kernels loading",
         "assignment mavlink scenario",
         "link telemetry",
         "planner refuelling",

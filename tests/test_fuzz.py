@@ -4,6 +4,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 FUZZ = Path(__file__).parent / "fuzz"
 TARGETS, READERS = 5, 5
 
@@ -15,3 +17,12 @@ def test_hostile_input_harms_nothing() -> None:
     lines = done.stdout.splitlines()
     assert len(lines) == TARGETS + READERS
     assert all(line.endswith("  ok") for line in lines)
+
+
+@pytest.mark.parametrize(("target", "runs"), [("datagrams", 2000), ("scenario", 100)])
+def test_nor_does_input_that_coverage_finds(target: str, runs: int, tmp_path: Path) -> None:
+    pytest.importorskip("atheris")
+    command = [sys.executable, str(FUZZ / "guided.py"), "--target", target, "--runs", str(runs)]
+    done = subprocess.run(command, capture_output=True, text=True, errors="replace", cwd=tmp_path, check=False)
+    assert done.returncode == 0, done.stderr
+    assert f"Done {runs} runs" in done.stderr

@@ -6,10 +6,10 @@ A value therefore depends on nothing else: not on other keys, combinations, work
 from __future__ import annotations
 
 import zlib
+from statistics import NormalDist
 from typing import Any
 
 import numpy as np
-from scipy.stats import norm
 
 from gcs.campaign.family_parts import rounded_m
 from gcs.campaign.model import Draw, RandomObstacles
@@ -48,7 +48,7 @@ def scaled(draw: Draw, u: float) -> Any:
         low, high = draw.integers
         return min(low + int(u * (high - low + 1)), high)
     if draw.normal is not None:
-        x = draw.normal[0] + draw.normal[1] * float(norm.ppf(min(max(u, 1e-9), 1.0 - 1e-9)))
+        x = draw.normal[0] + draw.normal[1] * NormalDist().inv_cdf(min(max(u, 1e-9), 1.0 - 1e-9))
         return x if draw.clip is None else min(max(x, draw.clip[0]), draw.clip[1])
     if draw.log_uniform is not None:
         low_m, high_m = np.log(draw.log_uniform)

@@ -21,7 +21,7 @@ from typing import IO, Any
 
 from gcs.campaign import table, worker
 from gcs.campaign.plan import Plan, PlannedRow
-from gcs.session.arrays import MissingExtra
+from gcs.extras import missing
 
 FLUSH_EVERY_S = 2.0
 FLUSH_ROWS = 200
@@ -151,7 +151,7 @@ def _cluster(scheduler: str | None, workers: int | None) -> Iterator[Any]:
         import dask  # noqa: PLC0415 - an extra
         from distributed import Client, LocalCluster  # noqa: PLC0415
     except ImportError:
-        raise MissingExtra("a campaign needs Dask: pip install 'skytender[campaign]'") from None
+        raise missing("a campaign", "Dask", "campaign") from None
 
     with contextlib.ExitStack() as stack:
         stack.enter_context(dask.config.set(SETTINGS))

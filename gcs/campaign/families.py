@@ -339,8 +339,10 @@ def _loss(rng: np.random.Generator) -> Document:
 
 
 def _delay(rng: np.random.Generator) -> Document:
-    """The same with 0.5 s of delay each way."""
-    return _any_of(rng) | {"radio": {"delay_s": 0.5}}
+    """The same with 0.5 s of delay each way, and time for those who see everything a second late."""
+    document = _any_of(rng) | {"radio": {"delay_s": 0.5}}
+    document["goal"]["duration_s"] = 2.0 * LONGEST_S if "pursue" in document["goal"] else LONGEST_S
+    return document
 
 
 def _blackout(rng: np.random.Generator) -> Document:

@@ -15,7 +15,7 @@ from typing import Any
 from gcs.campaign import draws, table
 from gcs.campaign.model import Draw
 from gcs.campaign.plan import Plan, PlannedRow
-from gcs.session.arrays import MissingExtra
+from gcs.extras import missing
 
 WORST = 1e9
 """Of a trial without a value: as far from what is searched for as can be."""
@@ -92,7 +92,7 @@ def _optuna() -> Any:
     try:
         import optuna  # noqa: PLC0415 - an extra
     except ImportError:
-        raise MissingExtra("a search needs Optuna: pip install 'skytender[campaign]'") from None
+        raise missing("a search", "Optuna", "campaign") from None
     optuna.logging.set_verbosity(optuna.logging.ERROR)
     warnings.filterwarnings("ignore", category=optuna.exceptions.ExperimentalWarning)
     return optuna

@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from statistics import NormalDist
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import bootstrap, norm
 
 from gcs.campaign import measures
 from gcs.campaign.plan import Plan
@@ -38,7 +38,7 @@ def wilson(count: int, of: int, confidence: float = CONFIDENCE) -> Interval:
     """A rate and its Wilson score interval (E. B. Wilson, J. Am. Stat. Assoc. 22, 1927)."""
     if of == 0:
         return Interval(math.nan, 0.0, 1.0)
-    z = float(norm.ppf(0.5 + confidence / 2.0))
+    z = NormalDist().inv_cdf(0.5 + confidence / 2.0)
     rate = count / of
     middle = (rate + z * z / (2.0 * of)) / (1.0 + z * z / of)
     half = z / (1.0 + z * z / of) * math.sqrt(rate * (1.0 - rate) / of + z * z / (4.0 * of * of))
@@ -48,6 +48,8 @@ def wilson(count: int, of: int, confidence: float = CONFIDENCE) -> Interval:
 
 def mean(values: Floats) -> Interval:
     """A mean and its bootstrap interval (BCa; percentile where that cannot be had)."""
+    from scipy.stats import bootstrap  # noqa: PLC0415 - of the extra, and only a page of results needs it
+
     values = values[np.isfinite(values)]
     if len(values) == 0:
         return Interval(math.nan, math.nan, math.nan)
@@ -90,7 +92,7 @@ def paired(rows: pa.Table, measure: str, first: int, second: int) -> PairedDiffe
     effect = float(changes.mean()) / deviation if deviation > 0.0 else math.nan
     needed = None
     if math.isfinite(effect) and effect != 0.0:
-        z = float(norm.ppf(0.5 + CONFIDENCE / 2.0) + norm.ppf(0.8))
+        z = NormalDist().inv_cdf(0.5 + CONFIDENCE / 2.0) + NormalDist().inv_cdf(0.8)
         needed = math.ceil((z / effect) ** 2) + 1
     return PairedDifference(measure, first, second, len(changes), mean(changes), effect, needed)
 

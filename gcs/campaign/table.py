@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, Any
 
 from gcs.campaign import measures
 from gcs.campaign.model import ARGUMENTS, CampaignRules
+from gcs.extras import missing
 from gcs.scenario import keys
-from gcs.session.arrays import MissingExtra
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -131,5 +131,5 @@ def _arrow() -> Any:
     try:
         import pyarrow as pa  # noqa: PLC0415
     except ImportError:
-        raise MissingExtra("a campaign's table needs pyarrow: pip install 'skytender[campaign]'") from None
+        raise missing("a campaign's table", "pyarrow", "campaign") from None
     return pa

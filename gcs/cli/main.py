@@ -20,7 +20,8 @@ import click
 
 from gcs.cli import author, page, report
 from gcs.cli.author import ScenarioName, ScenarioRefused, load_scenario, module_arguments
-from gcs.exit import INTERNAL_ERROR, INTERRUPTED, NOT_DONE, leave
+from gcs.exit import BAD_INPUT, INTERNAL_ERROR, INTERRUPTED, NOT_DONE, leave
+from gcs.extras import MissingExtra
 from gcs.loading import uncollected
 from gcs.scenario.endpoint import address
 
@@ -439,6 +440,9 @@ def run_argv(argv: list[str] | None = None) -> int:
     except (KeyboardInterrupt, click.Abort):
         return INTERRUPTED
     except Exception as error:
+        if isinstance(error, MissingExtra):
+            click.echo(f"gcs: {error}", err=True)
+            return BAD_INPUT
         if isinstance(error, OSError) and error.errno == errno.ENOSPC:
             click.echo(f"gcs: {error.filename or 'standard output'} cannot be written: {error.strerror}", err=True)
             return NOT_DONE

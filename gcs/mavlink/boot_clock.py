@@ -29,7 +29,7 @@ class BootClock:
     def feed(self, msgid: int, boot_s: float, arrival_s: float) -> bool:
         """A message `msgid` said `boot_s` and arrived at `arrival_s`; whether the vehicle has booted anew.
 
-        Messages are compared with those of their kind: a vehicle may fill in the time of one and leave that of another 0.
+        Messages are compared with those of their kind: a vehicle may fill in the time of one and leave another's 0.
         """
         newest_s = self._newest_boot_s.get(msgid, -math.inf)
         rebooted = boot_s < newest_s - REBOOT_S

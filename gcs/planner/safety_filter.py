@@ -147,7 +147,7 @@ def filter_step(
 
     v_wanted_ned (n, 3): velocity wanted at the period's end. obstacles: table of gcs/scenario/geometry.py.
     pair_required_m: rows (id, id, m), whole distance between two leaders instead of separation + margins, as for the
-    partners of a transfer. other_required_m: rows (id, index of the other, m) instead of radius + margin.
+    partners of a transfer. other_required_m: rows (id, index of the other, m) instead of radius + margin; 0 for none.
     apart: whether leaders keep apart from each other; else each is filtered as if it were alone.
     ValueError says which argument has a wrong shape or a value that is not finite or out of range.
     """
@@ -269,6 +269,11 @@ def _others(
     most = max(special.values(), default=0.0) + margin.max(initial=0.0)
     apart = np.sqrt(sum((p[:, None, axis] - moving[None, :, axis]) ** 2 for axis in range(3)))
     i, j = (side.astype(np.int64) for side in np.nonzero(apart <= reach[:, None] + far[None, :] + most))
+    free = np.zeros(apart.shape, dtype=bool)
+    for pair, required in special.items():
+        free[pair] = required == 0.0  # not a distance of 0, which a braking leader would have to keep too
+    kept = ~free[i, j]
+    i, j = i[kept], j[kept]
     return _rows(OTHER, i, j, _replace(moving[j, 6] + margin[i], i, j, special))
 
 

@@ -9,11 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-EXTRA = "pip install '.[pandas]' in Skytender's checkout"
-
-
-class MissingExtra(ImportError):
-    """A package that Skytender only needs for this is not installed; the text says which extra brings it."""
+from gcs.extras import missing
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,7 +103,7 @@ class Snapshot:
         try:
             import pandas as pd  # type: ignore[import-untyped, import-not-found, unused-ignore]  # noqa: PLC0415 - an extra
         except ModuleNotFoundError:
-            raise MissingExtra(f"pandas is not installed; it comes with the extra: {EXTRA}") from None
+            raise missing("frame()", "pandas", "pandas") from None
         return pd.DataFrame(self.table())
 
 

@@ -160,5 +160,5 @@ def _finite(value: float) -> float | None:
 
 
 def _versions() -> dict[str, str]:
-    names = ("skytender", "pymavlink", "numpy", "scipy", "numba")
+    names = ("skytender", "pymavlink", "numpy", "numba")
     return {"python": platform.python_version(), **{name: version(name) for name in names}}

@@ -1,7 +1,8 @@
 """Attack both programs with hostile input: `make fuzz`.
 
 Each target takes so many frames or mutated files, by seed, in a process of its own. Nothing may raise, take over two
-seconds, or grow by more than 5 MB once warm. What does is told with its seed, which makes it again.
+seconds, or grow by more than 5 MB once warm. What does is told with its seed, which makes it again. After that the
+readers, and the splitting of datagrams, take as much as files again, guided by coverage where Atheris is installed.
 """
 
 from __future__ import annotations
@@ -9,9 +10,12 @@ from __future__ import annotations
 import argparse
 import ctypes
 import gc
+import importlib.util
+import re
 import resource
 import subprocess
 import sys
+import tempfile
 import time
 import traceback
 from pathlib import Path
@@ -73,7 +77,7 @@ def main() -> int:
     says.add_argument("--within", action="store_true", help="in this process, as it is called by itself")
     says.add_argument("--only", default="", help="some targets, by name with commas")
     options = says.parse_args()
-    only = options.only.split(",") if options.only else [*FRAMES, *READERS]
+    only = options.only.split(",") if options.only else [*FRAMES, *READERS, "datagrams"]
     jobs = [(name, "frames", options.frames) for name in FRAMES if name in only]
     jobs += [(name, "files", options.files) for name in READERS if name in only]
     if options.within:
@@ -89,7 +93,27 @@ def main() -> int:
         said = done.stdout.strip().splitlines() or [f"ended with status {done.returncode}"]
         found += done.returncode != 0
         print(f"{time.monotonic() - begun_s:5.0f} s  {said[-1]}", *said[:-1], sep="\n", flush=True)
+    if importlib.util.find_spec("atheris") is None:
+        print("guided: not attacked, for Atheris is not installed (pip install atheris)")
+        return 1 if found else 0
+    for name in only:
+        if name not in FRAMES:
+            found += guided(name, options.files, options.seed)
     return 1 if found else 0
+
+
+def guided(name: str, runs: int, seed: int) -> int:
+    """Attack one target guided by coverage; 1 where something was found."""
+    begun_s = time.monotonic()
+    command = [sys.executable, str(Path(__file__).with_name("guided.py")), "--target", name]
+    command += ["--runs", str(runs), "--seed", str(seed)]
+    with tempfile.TemporaryDirectory() as place:
+        done = subprocess.run(command, cwd=place, capture_output=True, text=True, errors="replace", check=False)
+    covered = re.findall(r"cov: (\d+)", done.stderr)
+    reached = f"{covered[0]} to {covered[-1]} branches" if covered else "nothing reached"
+    verdict = "ok" if done.returncode == 0 else f"FOUND\n{done.stderr[-4000:]}"
+    print(f"{time.monotonic() - begun_s:5.0f} s  {name:<16} {runs:>9} guided  {reached}  {verdict}", flush=True)
+    return int(done.returncode != 0)
 
 
 if __name__ == "__main__":

@@ -16,7 +16,7 @@ import pytest
 from click.testing import CliRunner
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.cli.main import cli
+from gcs.cli.main import cli, run_argv
 
 GCS = str(Path(sys.executable).with_name("gcs"))
 TWO = """
@@ -61,6 +61,13 @@ def test_a_full_disk_behind_standard_output_is_one_sentence(words: tuple[str, ..
         done = subprocess.run([GCS, *words], stdout=full, stderr=subprocess.PIPE, text=True, timeout=100, check=False)
     sentence = "gcs: standard output cannot be written: No space left on device\n"
     assert (done.returncode, done.stderr) == (1, sentence)
+
+
+def test_what_needs_an_extra_says_which(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.setattr("gcs.cli.paper.find_spec", lambda _: None)
+    assert run_argv(["paper"]) == 2
+    said = "gcs: gcs paper needs SciPy, which is not installed: pip install '.[paper]' in Skytender's checkout\n"
+    assert capsys.readouterr().err == said
 
 
 @pytest.mark.parametrize("command", ["run", "launch", "paper"])

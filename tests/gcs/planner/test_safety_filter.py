@@ -372,6 +372,22 @@ def test_a_growing_silence_takes_more_room():
     assert room(0.2) > room(0.0) + 0.2
 
 
+def test_nobody_gives_way_to_what_no_distance_is_wanted_of():
+    """A leader flies through the presumed place of its own silent vehicle as if nothing were there; others brake."""
+    p, v, wish = np.array([[-1.5, 0, -5.0]]), np.array([[2.0, 0, 0]]), [[2.0, 0, 0]]
+    place = Others([[0.5, 0, -5.0]], [[0, 0, 0]], 0.8, 0.5)
+    own = filter_step(
+        Leaders([1], p, v, 3.0, A, MARGIN), wish, rules=RULES, others=place, other_required_m=[(1, 0, 0.0)]
+    )
+    free = filter_step(Leaders([1], p, v, 3.0, A, MARGIN), wish, rules=RULES)
+    assert (own.v_next_ned == free.v_next_ned).all()
+    assert own.changed_m_s2[0] == 0.0
+    other = filter_step(
+        Leaders([2], p, v, 3.0, A, MARGIN), wish, rules=RULES, others=place, other_required_m=[(1, 0, 0.0)]
+    )
+    assert other.changed_m_s2[0] > 1.0
+
+
 def test_empty_fleets_and_wrong_arguments():
     empty = filter_step(Leaders([], np.zeros((0, 3)), np.zeros((0, 3)), 1.0, 1.0), np.zeros((0, 3)), rules=RULES)
     assert empty.u_ned.shape == (0, 3)

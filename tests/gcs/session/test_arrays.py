@@ -9,7 +9,8 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from gcs.session.arrays import MissingExtra, Snapshot, from_message
+from gcs.extras import MissingExtra
+from gcs.session.arrays import Snapshot, from_message
 
 
 def vehicle(sysid: int, **changed: Any) -> dict[str, Any]:

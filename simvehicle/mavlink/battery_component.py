@@ -18,7 +18,7 @@ from simvehicle.autopilot.snapshot import CELL_FULL_V, CELLS, Vec3
 from simvehicle.mavlink import commands
 from simvehicle.mavlink.codec import ReceivedFrame, decode, message
 
-TOLD_EVERY_S, COUNTED_EVERY_S, FAST_EVERY_S = 0.5, 1.0, 0.1
+STATUS_EVERY_S, COUNTER_EVERY_S, FAST_EVERY_S = 0.5, 1.0, 0.1
 STAYS_FAST_S = 2.0
 """How long after a transfer its counter is told often: its last words must arrive."""
 UNKNOWN_U16 = 65535
@@ -27,7 +27,7 @@ _COMMANDS = frozenset({mav.MAVLINK_MSG_ID_COMMAND_LONG, mav.MAVLINK_MSG_ID_COMMA
 _OF_PARTNERS = frozenset({mav.MAVLINK_MSG_ID_FOLLOW_TARGET, mav.MAVLINK_MSG_ID_NAMED_VALUE_INT})
 
 
-class Cells(Protocol):
+class BatteryCells(Protocol):
     """Cells of the battery, as the plant has them; J, V, A."""
 
     @property
@@ -50,12 +50,19 @@ class BatteryComponent:
     """Its counters, its transfer, and its messages."""
 
     def __init__(
-        self, cells: Cells, sysid: int, frame: LocalFrame, envelope: Envelope, *, capacity_j: float, initial_j: float
+        self,
+        cells: BatteryCells,
+        sysid: int,
+        frame: LocalFrame,
+        envelope: Envelope,
+        *,
+        capacity_j: float,
+        initial_j: float,
     ) -> None:
         self._cells, self._sysid, self._frame, self._envelope = cells, sysid, frame, envelope
         self._values = dict(zip(PARAMETERS, (capacity_j, initial_j), strict=True))
         self.exchange = Exchange()
-        self._told_s = self._counted_s = -math.inf
+        self._status_s = self._counter_s = -math.inf
 
     def receive(self, frame: ReceivedFrame, now_s: float, p_ned: Vec3, v_ned: Vec3) -> list[Any] | None:
         """Answers to a frame that concerns the battery; None where it does not, and is the autopilot's."""
@@ -90,10 +97,10 @@ class BatteryComponent:
         if reason is not None:
             said.append(self._text(f"{exchange.end(now_s)}: {reason}"))
         busy = exchange.current is not None or now_s - exchange.ended_s < STAYS_FAST_S
-        if now_s - self._counted_s >= (FAST_EVERY_S if busy else COUNTED_EVERY_S) - 1e-6:
+        if now_s - self._counter_s >= (FAST_EVERY_S if busy else COUNTER_EVERY_S) - 1e-6:
             said.append(self._counter(now_s))
-        if now_s - self._told_s >= TOLD_EVERY_S - 1e-6:
-            self._told_s = now_s
+        if now_s - self._status_s >= STATUS_EVERY_S - 1e-6:
+            self._status_s = now_s
             said.append(self._status())
         return said
 
@@ -133,7 +140,7 @@ class BatteryComponent:
         return commands.ACCEPTED, []
 
     def _counter(self, now_s: float) -> Any:
-        self._counted_s = now_s
+        self._counter_s = now_s
         received_j = self.exchange.received_j
         return message("NAMED_VALUE_INT")(time_boot_ms=round(1e3 * now_s), name="XferIn", value=received_j)
 

@@ -232,8 +232,14 @@ class RotorPlant:
         """Left in the battery."""
         return self.now[step.REMAINING_J]
 
+    def waste(self, joules: float) -> None:
+        """Lose energy at once, as far as there is any; it counts as drawn."""
+        gone_j = min(joules, self.remaining_j)
+        self.state[0, step.DRAWN_J] += gone_j
+        self.charge(-gone_j)
+
     def charge(self, joules: float) -> None:
-        """Put energy into the battery."""
+        """Put energy into the battery, or take it out where negative."""
         self.state[0, step.REMAINING_J] += joules
         self.now = self.state[0].tolist()
 

@@ -35,6 +35,7 @@ from simvehicle.mavlink import json_backend
 from simvehicle.mavlink.battery_component import BatteryComponent
 from simvehicle.mavlink.codec import CHECKSUM_BYTES, HEADER_BYTES, MAGIC, ReceivedFrame, decode, message, split
 from simvehicle.mavlink.connection import Connection
+from simvehicle.mavlink.world_failures import WorldFailures
 from simvehicle.sitl.truth import ENERGY, STATE
 from simvehicle.world import rotors
 from simvehicle.world.airframes import GRAVITY_M_S2
@@ -120,6 +121,7 @@ class ArduPilotUnit:
             capacity_j=flight.battery.capacity_j,
             initial_j=flight.battery.initial_j,
         )
+        self._failures = WorldFailures(wanted.sysid, plant.waste)
         self._time_ms: int | None = None
         self._steps = 0
         self._serial_pending = b""
@@ -157,8 +159,10 @@ class ArduPilotUnit:
         self._time_ms = time_ms
 
     def receive(self, frame: ReceivedFrame, connection: Connection) -> None:
-        """Say a frame into its serial port, before the next step, unless it concerns the battery."""
+        """Say a frame into its serial port, before the next step, unless it concerns its battery or its world."""
         answers = self._battery.receive(frame, self._boot_s, self._p_ned, self._v_ned)
+        if answers is None:
+            answers = self._failures.receive(frame)
         if answers is not None:
             for content in answers:
                 connection.put(content)
@@ -202,6 +206,8 @@ class ArduPilotUnit:
         assert self._time_ms is not None
         plant = self._plant
         throttle = np.array(json_backend.throttles(self._servo))
+        for motor in self._failures.dead_motors:
+            throttle[motor] = 0.0
         before = np.array(plant.now[rotor_flight.TRUE_VELOCITY])
         wanted_rad_s = plant.own.airframe.fastest_rad_s * throttle
         plant.turn(wanted_rad_s, time_s=self._time_ms / 1e3, dt_s=STEP_S)
@@ -217,7 +223,7 @@ class ArduPilotUnit:
             dt_s=STEP_S,
             rates_body=ned_from_nwu(now[rotor_flight.BODY_RATES]),
             accel_body=ned_from_nwu(accel_flu),
-            p_ned=ned_from_nwu(now[rotor_flight.TRUE_POSITION]),
+            p_ned=[p + error for p, error in zip(self._p_ned, self._failures.position_error_ned, strict=True)],
             v_ned=ned_from_nwu(now[rotor_flight.TRUE_VELOCITY]),
             quaternion=(w, x, -y, -z),
             volts=volts,

@@ -18,7 +18,7 @@ from typing import Any
 
 import click
 
-from simvehicle.exit import BAD_INPUT, CANNOT_WRITE, INTERRUPTED
+from simvehicle.exit import AUTOPILOT_GONE, BAD_INPUT, CANNOT_WRITE, INTERRUPTED
 from simvehicle.loading import loaded, uncollected
 
 LAST_SYSID = 254
@@ -121,6 +121,12 @@ class _Triple(click.ParamType[tuple[float, float, float]]):
     help="Rules to compete on board by, YAML.",
 )
 @click.option(
+    "--world",
+    type=click.Path(path_type=Path, dir_okay=False),
+    metavar="FILE",
+    help="Weather, and which vehicles fly on which rotors, YAML; without it the paper's plant in still air.",
+)
+@click.option(
     "--count",
     type=click.IntRange(1, 254),
     default=1,
@@ -171,6 +177,7 @@ def _fly(
     state: Path | None,
     key_file: Path | None,
     fleet: Path | None,
+    world: Path | None,
     count: int,
 ) -> int:
     from simvehicle.autopilot.body import Start
@@ -206,11 +213,15 @@ def _fly(
     files = zip(_each("--params", params or (None,), count), _each("--truth", truth or (None,), count), strict=True)
     wanted = []
     rules = None if fleet is None else _fleet_rules(fleet)
+    plants = {} if world is None else _plants(world)
     for i, (values, own_truth) in enumerate(files):
         store = _state(state, sysid + i)
         parameters = _parameters(values, store.values if store is not None else {})
+        plant = plants.get(sysid + i)
+        if plant is not None:
+            _check_flies(plant, parameters, world)
         wanted.append(
-            Wanted(sysid + i, starts[i], parameters, own_truth, store, key_file, state, rules, truth_hz=truth_hz)
+            Wanted(sysid + i, starts[i], parameters, own_truth, store, key_file, state, plant, rules, truth_hz=truth_hz)
         )
     for path in truth:
         if path.exists():
@@ -249,6 +260,32 @@ def _fleet_rules(path: Path) -> Any:
         raise click.UsageError(f"--fleet {path}: {' '.join(str(error).split())}") from error
     except FleetRulesError as error:
         raise click.UsageError(f"--fleet {path}: {error}") from error
+
+
+def _plants(path: Path) -> dict[int, Any]:
+    """Plants of the vehicles that the world's file names, by system id."""
+    import yaml
+
+    from simvehicle.law.plants import RotorPlant
+    from simvehicle.world.description import WorldError, read_world
+
+    try:
+        world = read_world(yaml.safe_load(path.read_text(encoding="utf-8")))
+    except OSError as error:
+        raise click.UsageError(f"--world {path}: {error.strerror}") from error
+    except (UnicodeDecodeError, yaml.YAMLError) as error:
+        raise click.UsageError(f"--world {path}: {' '.join(str(error).split())}") from error
+    except WorldError as error:
+        raise click.UsageError(f"--world {path}: {error}") from error
+    return {sysid: RotorPlant(one, world.air, seed=world.seed, sysid=sysid) for sysid, one in world.vehicles.items()}
+
+
+def _check_flies(plant: Any, parameters: Any, world: Path | None) -> None:
+    """Refuse rotors that cannot lift their vehicle in this air."""
+    try:
+        plant.parameters(parameters.flight())
+    except ValueError as error:
+        raise click.UsageError(f"--world {world}: {plant.own.airframe.name} cannot fly in this air: {error}") from error
 
 
 def _state(folder: Path | None, sysid: int) -> Any:
@@ -320,9 +357,17 @@ def hatch() -> None:
         warm_up()
         _rehearse_start()
     loaded()
-    status = forkserver.run(run_argv, sysid_of, title_of)
+    status = forkserver.run(run_argv, sysid_of, title_of, _prepare)
     sys.stderr.flush()
     os._exit(status)  # nothing is left to be done, and who waits for it need not wait for an interpreter's end
+
+
+def _prepare(argv: Sequence[str]) -> None:
+    """Load the flight core of rotors, once, where a vehicle needs it."""
+    if "--world" in argv or "ardupilot" in argv[:1]:
+        from simvehicle.sitl.warmup import warm_up_rotors
+
+        warm_up_rotors()
 
 
 def _rehearse_start() -> None:
@@ -362,6 +407,39 @@ def traffic(file: Path, supervised: str) -> None:
         raise click.UsageError(str(error)) from error
     with link:
         run_supervised([ConnectedUnit(Traffic(frame, movers, [connection]), link, [])], from_hatch())
+
+
+@cli.command(short_help="Fly a real ArduPilot on our physics, in a supervisor's time.")
+@click.argument("file", type=click.Path(path_type=Path, dir_okay=False))
+@click.option("--sysid", type=click.IntRange(1, 254), metavar="N", required=True, help="MAVLink system id.")
+@click.option("--supervised", metavar="udpout:HOST:PORT", required=True, help="The gcs supervisor that gives it time.")
+def ardupilot(file: Path, sysid: int, supervised: str) -> int:
+    """Start the ArduPilot of FILE and be its simulation, in the time that a gcs supervisor grants.
+
+    `gcs run` writes FILE for a vehicle with `autopilot: {ardupilot: PATH}`.
+    """
+    import yaml
+
+    from simvehicle.mavlink.connection import Connection
+    from simvehicle.sitl.ardupilot import ArduPilotUnit, AutopilotError, read_wanted
+    from simvehicle.sitl.link import AddressError, SupervisedLink, parse_supervisor
+    from simvehicle.sitl.loop import ConnectedUnit, run_supervised
+    from simvehicle.sitl.secret import from_hatch
+
+    try:
+        connection = Connection(sysid)
+        wanted, plant = read_wanted(yaml.safe_load(file.read_text(encoding="utf-8")), sysid)
+        with (
+            ArduPilotUnit(wanted, plant, connection) as unit,
+            SupervisedLink(parse_supervisor(supervised), connection) as link,
+        ):
+            run_supervised([ConnectedUnit(unit, link, [])], from_hatch())
+    except (AddressError, OSError, yaml.YAMLError) as error:
+        raise click.UsageError(f"{file}: {error}") from error
+    except AutopilotError as error:
+        print(f"vehicle {sysid}: {error}", file=sys.stderr)
+        return AUTOPILOT_GONE
+    return 0
 
 
 @cli.command(short_help="Draw the paper's vehicle-only figures.")

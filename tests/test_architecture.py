@@ -16,6 +16,7 @@ ROOT = Path(__file__).resolve().parents[1]
 PACKAGES = {
     "simvehicle": [
         "exit kernels loading",
+        "world",
         "law",
         "autopilot",
         "fleet",

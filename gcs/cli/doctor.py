@@ -239,6 +239,22 @@ def _terminal() -> Iterator[MachineFinding]:
     yield MachineFinding("note" if advice else "ok", "terminal", seen, advice)
 
 
+def _autopilots() -> Iterator[MachineFinding]:
+    """Autopilots that a scenario's `autopilot: {ardupilot: PATH}` may name."""
+    places = [Path("~/ardupilot/build/sitl/bin/arducopter").expanduser()]
+    named, found_on_path = os.environ.get("SKYTENDER_ARDUCOPTER"), shutil.which("arducopter")
+    places = [Path(name) for name in (named, found_on_path) if name] + places
+    path = next((path for path in places if path.is_file() and os.access(path, os.X_OK)), None)
+    if path is not None:
+        yield MachineFinding("ok", "ArduCopter", f"{path} (versions 4.5 and later have what a session needs)")
+    elif named:
+        advice = "let SKYTENDER_ARDUCOPTER name build/sitl/bin/arducopter, or unset it"
+        yield MachineFinding("note", "ArduCopter", f"{named} is no program", advice)
+    else:
+        build = "./waf configure --board sitl && ./waf copter in ArduPilot's checkout makes build/sitl/bin/arducopter"
+        yield MachineFinding("ok", "ArduCopter", f"none, for 'autopilot: {{ardupilot: PATH}}' alone: {build}")
+
+
 def _own_scenarios() -> Iterator[MachineFinding]:
     from gcs.scenario.file import (  # noqa: PLC0415 - what is missing above must be reported, not raised here
         load,
@@ -286,6 +302,7 @@ CHECKS = [
         _folder,
         _cache,
         _terminal,
+        _autopilots,
         _own_scenarios,
     )
 ]

@@ -287,8 +287,13 @@ def run(
     if resolved.vehicles.external:
         _try_keys(resolved)
     folder = make_folder(out, resolved.name)
-    if seed is not None and not quiet and not (resolved.radio.random or any(named(resolved))):
-        click.echo("gcs: --seed changes nothing: without loss and the like in radio: nothing here is random", err=True)
+    if (
+        seed is not None
+        and not quiet
+        and not (resolved.radio.random or resolved.random_weather or any(named(resolved)))
+    ):
+        why = "without loss and the like in radio:, turbulence and sensors nothing here is random"
+        click.echo(f"gcs: --seed changes nothing: {why}", err=True)
     code = ", ".join(listed(resolved))
     if code and not quiet:
         click.echo(f"gcs: the scenario names code, which the session runs as you: {code}", err=True)
@@ -434,6 +439,9 @@ def launch(scenario: str, connect: Endpoint | None, out: Path | None, as_json: b
     resolved = load_scenario(scenario, runs_code=False)  # vehicles plan nothing
     for sysid, external in resolved.vehicles.external.items():
         click.echo(f"vehicle {sysid} is not launched: it is expected at {external.connect}", err=True)
+    for vehicle in resolved.vehicles.launched:
+        if vehicle.real is not None:
+            raise click.UsageError(f"{vehicle.label} has a real autopilot, which only `gcs run` starts: leave it out.")
     if not resolved.vehicles.launched:
         raise click.UsageError(f"{scenario} has nothing to launch: all its vehicles are external.")
     click.echo(f"starting {len(resolved.vehicles.launched)} vehicles ...", err=True)

@@ -25,7 +25,7 @@ from gcs.link.keys import KeyRefused, SignatureGate
 from gcs.link.link import Key
 from gcs.link.socket import BUFFER_BYTES, AddressRefused, Where
 from gcs.mavlink import codec
-from gcs.mavlink.boot_clock import BootClock
+from gcs.mavlink.boot_clock import CLOCKS, BootClock
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION
 from gcs.mavlink.sequence import SequenceCounter
@@ -47,8 +47,6 @@ MOVED_AFTER_S = 10.0
 MOVED_SIGNED_S = 2.0
 """The same of one that signs: nobody else has its key."""
 _HEARTBEAT = codec.msgid("HEARTBEAT")
-_CLOCKS = frozenset({codec.msgid("LOCAL_POSITION_NED"), codec.msgid("ATTITUDE")})
-"""Messages that carry a vehicle's time; the second comes also while it has not found its place, as after a boot."""
 _SET_POINT = codec.msgid("SET_POSITION_TARGET_LOCAL_NED")
 
 
@@ -306,7 +304,7 @@ class ExternalLink:
             peer.received_s, peer.cut_off = now_s, False
             if self._kept:
                 peer.frames.append(frame)
-                if frame.msgid in _CLOCKS and frame.compid == AUTOPILOT:
+                if frame.msgid in CLOCKS and frame.compid == AUTOPILOT:
                     boot_s = codec.fields(frame).time_boot_ms / 1e3
                     rebooted = peer.clock.feed(frame.msgid, boot_s, self._now_s())
                     self._rebooted |= {frame.sysid} if rebooted else set()

@@ -21,8 +21,6 @@ class FleetLink:
         self._external = external
         self._given_up: set[Key] = set()
         self.begin = external.begin
-        self.clock_offsets_s = external.offsets_s
-        self.pop_rebooted = external.pop_rebooted
         self.repeat = fleet.repeat
 
     @property
@@ -51,6 +49,12 @@ class FleetLink:
 
     def overflowed(self) -> int:
         return self._fleet.overflowed() + self._external.overflowed()
+
+    def clock_offsets_s(self) -> dict[int, float]:
+        return self._fleet.clock_offsets_s() | self._external.offsets_s()
+
+    def pop_rebooted(self) -> set[int]:
+        return self._fleet.pop_rebooted() | self._external.pop_rebooted()
 
     def listen(self, wait_s: float) -> set[Key]:
         missing = self._fleet.listen(0.0)

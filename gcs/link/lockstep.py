@@ -21,6 +21,7 @@ from dataclasses import dataclass, field
 from gcs.link.link import Key
 from gcs.link.socket import kernel_drops, widen
 from gcs.mavlink import codec
+from gcs.mavlink.boot_clock import CLOCKS, BootClock
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import STATION
 from gcs.mavlink.sequence import SequenceCounter, TickCollector, secret_of_hello
@@ -78,6 +79,9 @@ class LockstepLink:
         """the same of those who know the session's secret: two of its own processes say that they are one vehicle"""
         self.malformed = 0
         self.resent = 0
+        self._clocks: dict[Key, BootClock] = {}
+        self._rebooted: set[int] = set()
+        self._granted_s = 0.0
 
     @property
     def port(self) -> int:
@@ -148,6 +152,7 @@ class LockstepLink:
         frames = [*own, *foreign, end]
         peer.bundle = b"".join(frames)
         peer.collector.begin(t_ms)
+        self._granted_s = t_ms / 1e3
         peer.held = 0
         self._awaited.add(key)
         self._send(peer)
@@ -168,7 +173,7 @@ class LockstepLink:
             while self._whole:
                 key = self._whole.popleft()
                 if key in self._peers:
-                    yield key, self._peers[key].collector.pop_frames()
+                    yield key, self._compared(key, self._peers[key].collector.pop_frames())
             if not self._awaited:
                 continue
             left_s = deadline_s - time.monotonic()
@@ -195,13 +200,28 @@ class LockstepLink:
         """As `Link.unawaited`: none; every vehicle is waited for."""
         return {}
 
+    def compare_clocks(self, keys: Iterable[Key]) -> None:
+        """Compare the own clocks of these vehicles, whose autopilot is not ours, with the session's."""
+        self._clocks = {key: BootClock() for key in keys}
+
     def clock_offsets_s(self) -> dict[int, float]:
-        """As `Link.clock_offsets_s`: none."""
-        return {}
+        """As `Link.clock_offsets_s`, of those whose clocks are compared."""
+        offsets = {key[0]: clock.offset_s for key, clock in self._clocks.items()}
+        return {sysid: offset_s for sysid, offset_s in offsets.items() if offset_s is not None}
 
     def pop_rebooted(self) -> set[int]:
-        """As `Link.pop_rebooted`: none."""
-        return set()
+        """As `Link.pop_rebooted`, of those whose clocks are compared."""
+        rebooted, self._rebooted = self._rebooted, set()
+        return rebooted
+
+    def _compared(self, key: Key, frames: list[Frame]) -> list[Frame]:
+        clock = self._clocks.get(key)
+        for frame in frames if clock is not None else ():
+            if frame.msgid in CLOCKS:
+                assert clock is not None
+                if clock.feed(frame.msgid, codec.fields(frame).time_boot_ms / 1e3, self._granted_s):
+                    self._rebooted.add(key[0])
+        return frames
 
     def repeat(self) -> None:
         """Send every last bundle again, so that vehicles know during a pause that they are not forgotten."""

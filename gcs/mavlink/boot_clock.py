@@ -9,6 +9,10 @@ from __future__ import annotations
 
 import math
 
+from gcs.mavlink import codec
+
+CLOCKS = frozenset({codec.msgid("LOCAL_POSITION_NED"), codec.msgid("ATTITUDE")})
+"""Messages that carry a vehicle's time; the second comes also while it has not found its place, as after a boot."""
 WINDOW_S = 2.0
 REBOOT_S = 1.0
 """A boot time that falls by more than this is another boot; by less, a message that was overtaken."""

@@ -96,12 +96,12 @@ class SafePlanner:
         self._speed_m_s |= {t.sysid: t.speed_m_s for t in scenario.vehicles.tankers}
         self._a_max = {v.sysid: _acceleration_m_s2(scenario, v) for v in scenario.vehicles.all}
         self._grounded = {v.sysid for v in scenario.vehicles.all if not v.airborne}
-        launched = (v for v in scenario.vehicles.all if v.external is None)
+        launched = (v for v in scenario.vehicles.all if v.foreign is None)
         self._airborne = {v.sysid: v.start_m for v in launched if v.airborne and not v.join_s}
         self.lag_s = LOOKAHEAD_S
         """how far vehicles fly behind their leaders, usually"""
         self._failsafes = {
-            v.sysid: (v.start_m, failsafe_of(v, scenario)) for v in scenario.vehicles.all if v.external is None
+            v.sysid: (v.start_m, failsafe_of(v, scenario)) for v in scenario.vehicles.all if v.foreign is None
         }
         self._link_age = LinkAge()
         self._reported_s: dict[tuple[int, str], float] = {}
@@ -297,7 +297,7 @@ class SafePlanner:
 def _acceleration_m_s2(scenario: Scenario, vehicle: VehicleBase) -> float:
     """Acceleration limit of a vehicle's leader: less than the vehicle can, as far as that is known."""
     most_m_s2 = scenario.planner.acceleration_m_s2
-    if vehicle.external is not None:
+    if vehicle.foreign is not None:
         return min(most_m_s2, EXTERNAL_M_S2)
     acceleration_m_s2 = vehicle.params.get("MPC_ACC_HOR", USUAL_M_S2)
     tilt_m_s2 = GRAVITY_M_S2 * math.tan(math.radians(vehicle.params.get("MPC_TILTMAX_AIR", USUAL_TILT_DEG)))

@@ -13,6 +13,7 @@ from gcs.planner.silence import failsafe_of
 from gcs.processes.hatch import ProcessSpec
 from gcs.scenario.faults import COMMANDED
 from gcs.scenario.model import Scenario, VehicleBase
+from gcs.scenario.parts import RealAutopilot
 
 PEERS_A_TICK = 8
 """Reports of peers that a bundle holds beside everything else (docs/protocol.md#peer-reports)."""
@@ -54,14 +55,22 @@ def vehicle_orders(
     blocks: list[list[VehicleBase]] = []
     alone = {fault.sysid for fault in scenario.faults if fault.fault in ("kill", "hang")}
     for vehicle in scenario.vehicles.launched:
+        if vehicle.real is not None:
+            blocks.append([vehicle])
+            continue
         last = blocks[-1][-1] if blocks and len(blocks[-1]) < per_process else None
-        if last is not None and alone & {last.sysid, vehicle.sysid}:
+        if last is not None and (last.real is not None or alone & {last.sysid, vehicle.sysid}):
             last = None
         if last is not None and vehicle.sysid == last.sysid + 1 and vehicle.airborne == last.airborne:
             blocks[-1].append(vehicle)
         else:
             blocks.append([vehicle])
-    return [vehicle_order(block, scenario, folder, connection) for block in blocks]
+    return [
+        vehicle_order(block, scenario, folder, connection)
+        if block[0].real is None
+        else autopilot_order(block[0], block[0].real, scenario, folder, connection)
+        for block in blocks
+    ]
 
 
 def vehicle_order(
@@ -83,6 +92,8 @@ def vehicle_order(
         ]
         if scenario.truth:
             argv += ["--truth", str(folder / "vehicles" / f"{vehicle.sysid}.truth")]
+    if any(vehicle.on_rotors for vehicle in block):
+        argv += ["--world", str(world_file(scenario, folder))]
     if scenario.competition.where == "vehicles":
         argv += ["--fleet", str(fleet_file(scenario, folder))]
     if scenario.truth and scenario.record.truth_hz is not None:
@@ -93,6 +104,36 @@ def vehicle_order(
     return ProcessSpec(
         tuple(vehicle.sysid for vehicle in block), tuple(argv), folder / "vehicles" / f"{first.sysid}.log"
     )
+
+
+def autopilot_order(
+    vehicle: VehicleBase, real: RealAutopilot, scenario: Scenario, folder: Path, connection: Sequence[str]
+) -> ProcessSpec:
+    """Command that starts a real autopilot with its physics; writes its file."""
+    battery, origin, name = vehicle.battery, scenario.origin, str(vehicle.sysid)
+    content = {
+        "program": real.ardupilot,
+        "folder": str((folder / "vehicles" / name).resolve()),
+        "home": [origin.lat_deg, origin.lon_deg, origin.alt_m],
+        "start_ned": list(vehicle.start_m),
+        "yaw_deg": vehicle.attitude_deg[2],
+        "epoch_s": int(scenario.clock.epoch.timestamp()),
+        "battery": {
+            "capacity_j": battery.capacity_j,
+            "initial_j": battery.capacity_j * battery.initial_percent / 100.0,
+            "hover_w": battery.hover_w,
+            "avionics_w": battery.avionics_w,
+        },
+        "capture_m": scenario.refuelling.capture_m,
+        "relative_speed_m_s": scenario.refuelling.relative_speed_m_s,
+        "parameters": dict(vehicle.params),
+        "truth": str(folder / "vehicles" / f"{name}.truth") if scenario.truth else None,
+        "world": world(scenario),
+    }
+    path = folder / "vehicles" / f"{name}.autopilot.yaml"
+    path.write_text(yaml.safe_dump(content, sort_keys=True), encoding="utf-8")
+    argv = ("ardupilot", str(path), "--sysid", name, *connection)
+    return ProcessSpec((vehicle.sysid,), argv, folder / "vehicles" / f"{name}.log")
 
 
 def vehicle_parameters(vehicle: VehicleBase, scenario: Scenario) -> dict[str, float]:
@@ -108,6 +149,32 @@ def vehicle_parameters(vehicle: VehicleBase, scenario: Scenario) -> dict[str, fl
         **(_cautious(vehicle, scenario) if scenario.planner.safety else {}),
         **({"SYS_FAILURE_EN": 1.0} if _fails(vehicle, scenario) else {}),
         **vehicle.params,
+    }
+
+
+def world_file(scenario: Scenario, folder: Path) -> Path:
+    """File of the world that the vehicles of a scenario fly in, for the programs that fly them."""
+    path = folder / "vehicles" / "world.yaml"
+    if not path.exists():
+        path.write_text(yaml.safe_dump(world(scenario), sort_keys=True), encoding="utf-8")
+    return path
+
+
+def world(scenario: Scenario) -> dict[str, Any]:
+    """Weather, and the vehicles on rotors in it."""
+    return {
+        "seed": scenario.seed,
+        "air_density_kg_m3": scenario.air_density_kg_m3,
+        "wind": scenario.wind.model_dump(mode="json"),
+        "vehicles": {
+            vehicle.sysid: {
+                "airframe": vehicle.airframe or "iris",
+                "sensors": None if vehicle.sensors is None else vehicle.sensors.model_dump(),
+                "resistance_ohm": vehicle.battery.resistance_ohm,
+            }
+            for vehicle in scenario.vehicles.launched
+            if vehicle.on_rotors
+        },
     }
 
 

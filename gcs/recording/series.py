@@ -202,7 +202,7 @@ def batteries(recorded: Recorded) -> dict[int, BatterySeries]:
         capacity_j = vehicle.battery.capacity_j if vehicle else 0.0
         initial_j = 0.01 * vehicle.battery.initial_percent * capacity_j if vehicle else 0.0
         account = BatteryAccount(capacity_j, initial_j, from_now=bool(vehicle and vehicle.external))
-        profile = PROFILES.get(vehicle.external.autopilot) if vehicle and vehicle.external else None
+        profile = PROFILES.get(rules.autopilot) if vehicle and (rules := vehicle.foreign) else None
         messages = [_messages(kind, rows[sysid]) for kind, rows in reported.items() if sysid in rows]
         times_s, left_j = _kept(account, heapq.merge(*messages, _booked(recorded, sysid)), profile)
         if account.capacity_j and times_s:

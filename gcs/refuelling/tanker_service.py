@@ -72,7 +72,7 @@ class TankerSteps:
             self._finish(service, receiver, tanker, now_s, "a side died")
             return
         if service.phase is not Phase.JOIN:
-            service.seen_refuel |= receiver.mode is FlightMode.REFUEL
+            service.seen_refuel |= _takes(receiver)
             service.seen_giving |= tanker.mode is FlightMode.REFUEL
         _STEPS[service.phase](self, service, receiver, tanker, now_s)
 
@@ -144,7 +144,7 @@ class TankerSteps:
 
     def _transfer(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
         late = now_s - service.phase_since_s > START_WITHIN_S
-        receives = receiver.mode is FlightMode.REFUEL or not (service.seen_refuel or late)
+        receives = _takes(receiver) or not (service.seen_refuel or late)
         gives = tanker.mode is FlightMode.REFUEL or not (service.seen_giving or late)
         reason = None
         if receiver.remaining_j >= self._rules.until * receiver.capacity_j:
@@ -175,7 +175,7 @@ class TankerSteps:
         caught_up = (
             counter_reported and receiver.received_j - service.in_at_begin_j >= tanker.given_j - service.out_at_start_j
         )
-        if caught_up or now_s - service.phase_since_s >= CATCH_UP_S or receiver.mode is not FlightMode.REFUEL:
+        if caught_up or now_s - service.phase_since_s >= CATCH_UP_S or not _takes(receiver):
             self._stop(service, receiver, now_s)
 
     def _stop_receiver(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
@@ -261,6 +261,11 @@ class TankerSteps:
                 given_at_start_j=service.out_at_start_j,
             )
         )
+
+
+def _takes(receiver: VehicleView) -> bool:
+    """Whether it takes energy, by its mode; one whose battery is apart may, as long as it follows set points."""
+    return receiver.mode is FlightMode.REFUEL or (receiver.battery_apart and receiver.mode in STEERABLE)
 
 
 def _follow_target_every(interval_us: float, sysid: int, token: str) -> CommandRequest:

@@ -17,7 +17,7 @@ from gcs.scenario.endpoint import EXAMPLE, address
 from gcs.scenario.types import Joules, Part, SysId
 
 LAUNCH_ONLY = ("airborne", "velocity_m_s", "attitude_deg", "params")
-NOT_INHERITED = (*LAUNCH_ONLY, "start_m")
+NOT_INHERITED = (*LAUNCH_ONLY, "start_m", "plant", "airframe", "sensors", "autopilot")
 """Keys that `vehicles.defaults` gives to launched vehicles alone."""
 NOWHERE = (0.0, 0.0, 0.0)
 _FORM = (
@@ -110,10 +110,13 @@ def inherited(vehicle: dict[str, Any], own: Iterable[str]) -> None:
             vehicle.pop(key, None)
 
 
-def absolute_keys(vehicles: Any, folder: Path) -> None:
-    """Let the key files that a scenario's vehicles name count from its folder, in its data as read."""
+def absolute_paths(vehicles: Any, folder: Path) -> None:
+    """Let key files and programs that a scenario's vehicles name count from its folder, in its data as read."""
     groups = vehicles.values() if isinstance(vehicles, dict) else ()
     for vehicle in (one for group in groups if isinstance(group, list) for one in group):
+        real = vehicle.get("autopilot") if isinstance(vehicle, dict) else None
+        if isinstance(real, dict) and isinstance(real.get("ardupilot"), str):
+            real["ardupilot"] = str(folder.resolve() / Path(real["ardupilot"]).expanduser())
         block = vehicle.get("external") if isinstance(vehicle, dict) else None
         signing = block.get("signing") if isinstance(block, dict) else None
         if isinstance(signing, dict) and isinstance(signing.get("key_file"), str):
@@ -150,6 +153,11 @@ def conflicts(path: KeyPath, vehicle: Any) -> Iterator[Conflict]:
         given = getattr(vehicle, key)
         if any(given) if isinstance(given, tuple) else given:
             yield Conflict((*path, key), f"{vehicle.label} is external: {key} is for launched vehicles; leave it out")
+    if vehicle.real is not None:
+        text = f"{vehicle.label} is external: autopilot is for launched vehicles; leave it out"
+        yield Conflict((*path, "autopilot"), text)
+    if vehicle.plant != "paper":
+        yield Conflict((*path, "plant"), f"{vehicle.label} is external: plant is for launched vehicles; leave it out")
     if block.sysid != vehicle.sysid:
         yield Conflict((*path, "external", "sysid"), f"{vehicle.label} is given another sysid here: {block.sysid}")
     if block.capacity_j != vehicle.battery.capacity_j:

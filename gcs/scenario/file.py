@@ -104,7 +104,7 @@ def resolve(document: Document, settings: Mapping[str, Any]) -> Scenario:
                 if isinstance(vehicle, dict):
                     external.inherited(vehicle, own)
         del vehicles["defaults"]
-    external.absolute_keys(document.data.get("vehicles"), Path(document.file).parent)
+    external.absolute_paths(document.data.get("vehicles"), Path(document.file).parent)
     try:
         return Scenario.model_validate(document.data, context={"axes": document.data.get("axes")})
     except ValidationError as error:

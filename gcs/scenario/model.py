@@ -33,6 +33,7 @@ from gcs.scenario.parts import (
     Target,
     VehicleBase,
     Vehicles,
+    Wind,
     base_conflicts,
     known_axes,
 )
@@ -66,10 +67,12 @@ __all__ = [
     "Target",
     "VehicleBase",
     "Vehicles",
+    "Wind",
 ]
 
 START_CLEARANCE_M = 0.3
 LONGEST_RELAY_S = 0.2
+SEA_LEVEL_KG_M3 = 1.225
 TRANSFER_SILENCE_S = 1.0
 TRANSFER_HOPS = 4
 """Giver, supervisor, receiver and back: within the silence the giver's joules must be seen to have arrived."""
@@ -95,7 +98,7 @@ class Scenario(Part):
     axes: Annotated[Literal["paper", "ned"], AfterValidator(known_axes)]
     """of all geometry in the file; `ned` once loaded"""
     seed: Count = 1
-    """of everything random (the radio); the same scenario and seed give the same session"""
+    """of everything random (radio, faults, gusts, sensors); the same scenario and seed give the same session"""
     origin: Origin
     """where on the globe the common frame's zero lies"""
     clock: Clock = Clock()
@@ -122,6 +125,10 @@ class Scenario(Part):
     """who is refuelled next"""
     refuelling: RefuellingRules = RefuellingRules()
     """rendezvous and transfer of energy"""
+    wind: Wind = Wind()
+    """wind and gusts on vehicles with `plant: rotors`; none by default"""
+    air_density_kg_m3: Annotated[float, Field(strict=True, gt=0, le=2)] = 1.225
+    """density of the air that rotors work in, kg/m³; by default that at sea level"""
     radio: Radio = Radio()
     """loss, delay and blackouts of frames; none by default"""
     faults: tuple[Fault, ...] = ()
@@ -134,6 +141,12 @@ class Scenario(Part):
     """files that the session leaves, and how large they become; everything in one file each by default"""
     truth: Flag = True
     """launched vehicles record what they themselves know (docs/protocol.md#truth)"""
+
+    @property
+    def random_weather(self) -> bool:
+        """Whether the seed decides what wind and sensors do."""
+        rotors = [vehicle for vehicle in self.vehicles.launched if vehicle.on_rotors]
+        return any(vehicle.sensors is not None for vehicle in rotors) or bool(rotors and self.wind.turbulence_m_s)
 
     def flown(
         self,
@@ -227,6 +240,7 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
             "height_m must be below capture_m, or no transfer would begin",
         ),
     ]
+    rules += _weather_rules(s)
     rules += _onboard_rules(s)
     silent = any(pursuer.external is not None for pursuer in pursuers)
     measured, by_effort = s.pursuit.bids == "measured", s.competition.bids == "effort"
@@ -257,6 +271,20 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
     yield from (Conflict(path, sentence) for broken, path, sentence in rules if broken)
 
 
+def _weather_rules(s: Scenario) -> list[tuple[Any, KeyPath, str]]:
+    """Conditions of weather: (broken, where, sentence)."""
+    blows = s.wind != Wind()
+    rotors = any(vehicle.on_rotors for vehicle in s.vehicles.launched)
+    return [
+        (blows and not rotors, ("wind",), "wind moves vehicles with 'plant: rotors', and there is none"),
+        (
+            s.air_density_kg_m3 != SEA_LEVEL_KG_M3 and not rotors,
+            ("air_density_kg_m3",),
+            "air_density_kg_m3 is for vehicles with 'plant: rotors', and there is none",
+        ),
+    ]
+
+
 def _onboard_rules(s: Scenario) -> list[tuple[Any, KeyPath, str]]:
     """Conditions of a competition on board: (broken, where, sentence)."""
     where: KeyPath = ("competition", "where")
@@ -271,6 +299,11 @@ def _onboard_rules(s: Scenario) -> list[tuple[Any, KeyPath, str]]:
             "vehicles compete on board for tankers: it needs a pursuer, a tanker, and refuelling enabled",
         ),
         (vehicles.external, where, "external vehicles do not compete on board: leave them out, or where: supervisor"),
+        (
+            set(vehicles.foreign) - set(vehicles.external),
+            where,
+            "real autopilots do not compete on board: leave them out, or where: supervisor",
+        ),
         (s.bases, where, "bases are the supervisor's: leave them out, or where: supervisor"),
         (rules.policy != "winner_take_all", where, "on board there is the policy winner_take_all alone"),
         (rules.bids != "time", where, "on board there are bids by time alone"),
@@ -305,8 +338,30 @@ def _vehicle_conflicts(s: Scenario) -> Iterator[Conflict]:
             yield from _route_conflicts((*path, "path_m"), vehicle)
             if vehicle.laps > 1 and not vehicle.closed:
                 yield Conflict((*path, "laps"), "more than one lap needs 'closed: true'")
+        yield from _plant_conflicts(path, vehicle)
         if vehicle.external is None:
             yield from _start_conflicts(s, path, vehicle, placed[:i])
+
+
+def _real_conflicts(path: KeyPath, vehicle: VehicleBase) -> Iterator[Conflict]:
+    """Keys that a real autopilot has no use for."""
+    for key in ("airborne", "sensors"):
+        if getattr(vehicle, key):
+            yield Conflict((*path, key), f"{vehicle.label} has a real autopilot: {key} is for our own; leave it out")
+
+
+def _plant_conflicts(path: KeyPath, vehicle: VehicleBase) -> Iterator[Conflict]:
+    """Keys that only a vehicle on rotors can have."""
+    if vehicle.real is not None:
+        yield from _real_conflicts(path, vehicle)
+    if vehicle.on_rotors:
+        return
+    for key, name in (("airframe", "an airframe"), ("sensors", "sensors")):
+        if getattr(vehicle, key) is not None:
+            yield Conflict((*path, key), f"{vehicle.label} has {name}; it needs 'plant: rotors'")
+    if vehicle.battery.resistance_ohm is not None and vehicle.external is None:
+        place = (*path, "battery", "resistance_ohm")
+        yield Conflict(place, f"{vehicle.label} has a resistance_ohm; it needs 'plant: rotors'")
 
 
 def _start_conflicts(

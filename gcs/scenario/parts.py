@@ -11,7 +11,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import AwareDatetime, ConfigDict, Field, ValidationInfo, model_validator
 
 from gcs.scenario.document import Conflict
-from gcs.scenario.external import External, filled
+from gcs.scenario.external import External, Wait, filled
 from gcs.scenario.types import (
     Angles,
     Count,
@@ -37,6 +37,7 @@ from gcs.scenario.types import (
     Vec3,
 )
 
+Airframe = Literal["iris", "hummingbird", "crazyflie"]
 LEAST_BASE_CLEARANCE_M = 0.3
 STEP_S = 0.004  # the vehicles' own step: a grant is a whole number of them
 
@@ -125,6 +126,75 @@ class Battery(Part):
     """power of the motors in hover, W"""
     avionics_w: NotNegative = 10.0
     """power of everything else, W; drawn with motors off too"""
+    resistance_ohm: NotNegative | None = None
+    """with `plant: rotors`: inner resistance, Ω; by default that of a usual battery of its capacity"""
+
+
+class Sensors(Part):
+    """Errors of what a vehicle knows of its own motion (docs/model.md#estimate-errors) [choice]: the standard deviation
+    of each axis, and the time over which it is correlated. It needs `plant: rotors`."""
+
+    position_m: NotNegative = 0.3
+    """error of the position, m"""
+    position_s: Positive = 60.0
+    """correlation time of the position's error, s"""
+    velocity_m_s: NotNegative = 0.05
+    """error of the velocity, m/s"""
+    velocity_s: Positive = 2.0
+    """correlation time of the velocity's error, s"""
+    attitude_deg: NotNegative = 0.3
+    """error of roll, pitch and yaw, degrees"""
+    attitude_s: Positive = 10.0
+    """correlation time of the angles' error, s"""
+    rate_deg_s: NotNegative = 0.3
+    """error of the angular rates, degrees/s"""
+    rate_s: Positive = 0.02
+    """correlation time of the rates' error, s"""
+
+
+Compass = Annotated[float, Field(strict=True, ge=0, le=360)]
+WindSpeed = Annotated[float, Field(strict=True, ge=0, le=60)]
+
+
+class Gust(Part):
+    """Discrete gust: it rises as (1 - cos)/2, holds, and falls as it rose (docs/model.md#wind)."""
+
+    at_s: Seconds
+    """begin, s of session time"""
+    rise_s: Positive = 1.0
+    """time from nothing to its whole speed, s"""
+    hold_s: NotNegative = 0.0
+    """time at its whole speed, s"""
+    speed_m_s: WindSpeed
+    """level speed, added to the wind, m/s"""
+    from_deg: Compass = 0.0
+    """where it comes from, degrees clockwise from north"""
+    up_m_s: Annotated[float, Field(strict=True, ge=-60, le=60)] = 0.0
+    """speed upwards, m/s"""
+
+
+class Wind(Part):
+    """Wind on vehicles that fly on rotors (docs/model.md#wind)."""
+
+    speed_m_s: WindSpeed = 0.0
+    """mean wind, m/s, the same at all heights"""
+    from_deg: Compass = 0.0
+    """where the mean wind comes from, degrees clockwise from north"""
+    turbulence_m_s: WindSpeed = 0.0
+    """gusts after Dryden: those of a wind of this speed at 6 m; 7.7 is light, 15 moderate, 23 severe; 0 none"""
+    gusts: tuple[Gust, ...] = ()
+    """discrete gusts; none by default"""
+
+
+class RealAutopilot(Part):
+    """An autopilot that is not ours, started with the session and flown by its clock, on our physics
+    (docs/how-to/real-autopilots.md)."""
+
+    ardupilot: Annotated[str, Field(min_length=1, max_length=4096)]
+    """ArduCopter's program for its own simulation, `build/sitl/bin/arducopter`; a relative path counts from the
+    scenario's folder, `~` is your home"""
+    arm_within_s: Wait = 120.0
+    """session time in which it must have found its place and let itself be armed, or it is left out"""
 
 
 class VehicleBase(Part):
@@ -151,10 +221,41 @@ class VehicleBase(Part):
     """the height above the ground to which it climbs first"""
     battery: Battery
     """capacity, charge and consumption"""
+    autopilot: RealAutopilot | Literal["own"] = "own"
+    """`own`: our law; `{ardupilot: PATH}`: a real ArduPilot, started and simulated by the session, on rotors"""
+    plant: Literal["paper", "rotors"] = "paper"
+    """`paper`: the plant of the paper's eq. 3; `rotors`: a rigid body on four rotors (docs/model.md#rotors)"""
+    airframe: Airframe | None = None
+    """on rotors: whose mass, rotors and drag it has (docs/model.md#airframes); by default `iris`"""
+    sensors: Sensors | None = None
+    """errors of what it knows of its motion; `{}` has usual ones; without it the vehicle knows exactly"""
     params: dict[ParamName, Number] = {}  # noqa: RUF012 - pydantic copies it
     """further MAVLink parameters"""
     external: External | None = None
     """expected there rather than launched; start_m then means nothing, it is where it is"""
+
+    @property
+    def real(self) -> RealAutopilot | None:
+        """The autopilot that is not ours and that the session starts; None where there is none."""
+        return None if self.autopilot == "own" else self.autopilot
+
+    @property
+    def on_rotors(self) -> bool:
+        """Whether it flies on rotors."""
+        return self.plant == "rotors" or self.real is not None
+
+    @property
+    def foreign(self) -> External | None:
+        """Rules for a vehicle whose autopilot is not ours, whoever started it; None where it is ours."""
+        if self.real is None:
+            return self.external
+        return External(
+            connect="udpin:127.0.0.1:1",
+            sysid=self.sysid,
+            autopilot="ardupilot",
+            capacity_j=self.battery.capacity_j,
+            arm_within_s=self.real.arm_within_s,
+        )
 
     @property
     def label(self) -> str:
@@ -177,7 +278,7 @@ class Pursuer(VehicleBase):
     @property
     def transfer_capable(self) -> bool | None:
         """Whether it can take energy in the air; None where it is to be asked."""
-        asked = self.transfer is None and self.external is not None
+        asked = self.transfer is None and self.foreign is not None
         return None if asked else self.transfer is not False
 
 
@@ -243,6 +344,11 @@ class Vehicles(Part):
     def external(self) -> dict[int, External]:
         """External vehicles, by system id."""
         return {vehicle.sysid: vehicle.external for vehicle in self.all if vehicle.external is not None}
+
+    @property
+    def foreign(self) -> dict[int, External]:
+        """Rules for the vehicles whose autopilot is not ours, by system id."""
+        return {vehicle.sysid: rules for vehicle in self.all if (rules := vehicle.foreign) is not None}
 
 
 Kind = Literal["point", "sphere", "box", "cylinder"]

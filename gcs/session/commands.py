@@ -51,7 +51,7 @@ class Clients:
         return OperatorReply(False, f"There is no command '{command[:32]}'{hint}")
 
     def _command_clock(self, command: str) -> OperatorReply:
-        if command == "pause" and self._supervisor.externals.rules:
+        if command == "pause" and self._supervisor.scenario.vehicles.external:
             answer = OperatorReply(False, "The session cannot pause: external vehicles live on the real clock.")
             self._supervisor.note(command, answer)
             return answer

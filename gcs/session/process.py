@@ -179,7 +179,7 @@ class SessionProcess:
                 return True
             finally:
                 self._wall_time_s = self._pace.running_wall_s if self._begun else 0.0
-                if self._begun and self._supervisor.externals.rules:
+                if self._begun and self._scenario.vehicles.external:
                     self._hand_back()
         return False
 
@@ -211,6 +211,7 @@ class SessionProcess:
             keys.append(TRAFFIC)
         self._blocks = {order.sysid: order.sysids for order in orders}
         self._lockstep_link.expect(keys)
+        self._lockstep_link.compare_clocks((v.sysid, AUTOPILOT) for v in vehicles if v.foreign is not None)
         if self._hatch is not None:
             self._hatch.start(orders, self._lockstep_link.secret)
         rehearse(self._scenario)  # while the vehicles come up

@@ -75,7 +75,7 @@ class Replay:
             epoch_us=epoch_us,
             session=source.is_dir(),
             block_bytes=block_bytes,
-            metered=self._scenario.vehicles.external if self._scenario else (),
+            metered=self._scenario.vehicles.foreign if self._scenario else (),
             progress=lambda share: progress(begin + (end - begin) * share),
             watch=reader.add if reader is not None else lambda _: None,
         )

@@ -39,7 +39,7 @@ class ExternalFleet:
     """All external vehicles of a session."""
 
     def __init__(self, scenario: Scenario) -> None:
-        self.rules = scenario.vehicles.external
+        self.rules = scenario.vehicles.foreign
         wanted = needs(scenario.clock.period_s)
         self.patience_s = max((block.arm_within_s for block in self.rules.values()), default=0.0)
         """how much longer than others their fleets wait until they are in the air"""

@@ -30,9 +30,10 @@ def make_fleet(scenario: Scenario) -> Fleet:
             v.label,
             v.battery.capacity_j,
             v.battery.capacity_j * v.battery.initial_percent / 100.0,
-            external=v.external is not None,
-            profile=PROFILES.get(v.external.autopilot) if v.external else None,
-            airborne=v.airborne and v.external is None,
+            external=v.foreign is not None,
+            profile=PROFILES.get(rules.autopilot) if (rules := v.foreign) else None,
+            airborne=v.airborne and v.foreign is None,
+            battery_apart=v.real is not None,
         )
         for v in scenario.vehicles.all
     ]
@@ -42,8 +43,8 @@ def make_fleet(scenario: Scenario) -> Fleet:
 def make_arming_sequences(scenario: Scenario) -> dict[int, ArmingSequence]:
     """An arming sequence for each vehicle, by system id."""
     return {
-        v.sysid: ExternalArmingSequence(v.sysid, v.takeoff_m, v.external)
-        if v.external
+        v.sysid: ExternalArmingSequence(v.sysid, v.takeoff_m, rules)
+        if (rules := v.foreign)
         else ArmingSequence(v.sysid, v.takeoff_m, seldom_s=SELDOM_S, rejoins_itself=True)
         for v in scenario.vehicles.all
     }

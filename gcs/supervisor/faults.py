@@ -83,7 +83,7 @@ class FaultInjector:
         if one.fault.fault not in COMMANDED or sysid is None or (ends and one.fault.fault == "battery"):
             return []
         params = self._params(one, ends=ends)
-        if self._vehicles[sysid].external is not None:
+        if self._vehicles[sysid].foreign is not None:
             return [CommandRequest(sysid, mav.MAV_CMD_INJECT_FAILURE, params, f"fault {one.number}")]
         order = message(
             "COMMAND_LONG",

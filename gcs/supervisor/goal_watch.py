@@ -130,7 +130,7 @@ class GoalWatch:
     def _see_loss(self, view: VehicleView, arming: ArmingSequence, now_s: float) -> None:
         loss = self._lost.get(view.sysid)
         if loss is None and view.alive and arming.stage is Stage.DOWN:
-            if self._vehicles[self._rows[view.sysid]].external is None or view.failsafe or arming.left_out:
+            if self._vehicles[self._rows[view.sysid]].foreign is None or view.failsafe or arming.left_out:
                 self.lose(view.sysid, now_s, "left out" if arming.left_out else "landed by itself")
         elif loss is None and view.battery_reported and view.energy_source != "none" and view.remaining_j <= 0.0:
             if arming.ordered is None:
@@ -154,7 +154,7 @@ class GoalWatch:
             vehicle, arming = self._vehicles[row], self._arming[view.sysid]
             if view.sysid in lost or arming.ordered is not None or not view.alive:
                 continue
-            failsafe = vehicle.external is None or view.failsafe
+            failsafe = vehicle.foreign is None or view.failsafe
             if not self._flew[row] and arming.stage is not Stage.BASE and end_s - vehicle.join_s >= NEVER_FLEW_S:
                 lost[view.sysid] = Loss(view.sysid, end_s, "never in the air")
             elif view.doubt:

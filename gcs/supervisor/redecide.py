@@ -234,7 +234,7 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Comparison:
         if not rotation.exists(folder / name):
             raise RedecideError(f"{folder} has no {name}: only a whole session's folder can be decided again.")
     scenario = load(folder / "scenario.yaml").model_copy(update={"radio": Radio()})
-    if scenario.vehicles.external:
+    if scenario.vehicles.foreign:
         raise RedecideError(
             f"{folder} was flown with external vehicles, on their own clocks: only sessions whose vehicles were all "
             "launched can be decided again."

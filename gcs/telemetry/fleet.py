@@ -62,6 +62,8 @@ class Member:
     """not launched by the session: its clock is its own, and it may lack any message"""
     profile: Profile | None = None
     """whose habits it has; None: as its HEARTBEAT says"""
+    battery_apart: bool = False
+    """its battery takes energy whatever its autopilot does"""
     airborne: bool = False
     """launched in the air, where it is until it reports that it has landed; its frame is the common one"""
 
@@ -146,6 +148,7 @@ class _Track:
             age_s=max(now_s - self.position_s, 0.0),
             heading_rad=self.heading_rad,
             roll_rad=self.roll_rad,
+            battery_apart=self.member.battery_apart,
             pitch_rad=self.pitch_rad,
             origin_offset_ned=self.offset,
             ground_amsl_m=self.origin_alt_m if self.home_amsl_m is None else self.home_amsl_m,

@@ -63,6 +63,8 @@ class VehicleView(NamedTuple):
     """as of when it has told the energy received"""
     effort_age_s: float = 0.0
     """how old `control_effort` is"""
+    battery_apart: bool = False
+    """whether its battery takes energy whatever its autopilot does, and no mode of its says so"""
 
     @property
     def height_m(self) -> float | None:

@@ -12,7 +12,7 @@ from simvehicle.autopilot.parameters import Parameters
 from simvehicle.autopilot.snapshot import Vec3
 from simvehicle.law import step
 from simvehicle.law.dynamics import body_rates, ned_from_nwu, nwu_from_ned
-from simvehicle.law.params import P_YAW_RATE, pack
+from simvehicle.law.plants import PaperPlant, Plant
 
 STEP_MS = 4
 CHUNK_MS = 100
@@ -32,21 +32,22 @@ class Start:
 class Body:
     """State of one quadrotor and its time; what it does is its vehicle's affair."""
 
-    def __init__(self, parameters: Parameters, start: Start) -> None:
+    def __init__(self, parameters: Parameters, start: Start, plant: Plant | None = None) -> None:
+        """`plant`: what it flies on; without one the paper's. Raises ValueError where that cannot fly so."""
         self.parameters = parameters
+        self.plant: Plant = PaperPlant() if plant is None else plant
         self.time_ms = 0
         self.ground = not start.airborne
         initial = parameters.flight()
         self.initial_j = initial.battery.initial_j
         self.retune()
-        self.state: NDArray[np.float64] = step.initial_state(
+        self.plant.start(
             initial,
             position_nwu=nwu_from_ned(start.p_ned),
             velocity_nwu=nwu_from_ned(start.v_ned),
             attitude_rad=nwu_from_ned(start.attitude_ned_rad),
             airborne=start.airborne,
-        )[np.newaxis]
-        self._now: list[float] = self.state[0].tolist()  # the state as plain floats: read often, computed once a grant
+        )
         self.thrust_m_s2: NDArray[np.float64] = np.empty((1, 0))
         self.power_w = 0.0
         self.position_error_ned: Vec3 = AT_REST
@@ -55,7 +56,9 @@ class Body:
 
     def retune(self) -> None:
         """Fly with the parameters' present values from the next step on."""
-        self._packed = pack(self.parameters.flight())[np.newaxis]
+        flight = self.parameters.flight()
+        self._yaw_rate_rad_s = flight.guidance.yaw_rate_rad_s
+        self.plant.tune(flight)
 
     @property
     def time_s(self) -> float:
@@ -63,56 +66,68 @@ class Body:
         return self.time_ms / 1e3
 
     @property
+    def state(self) -> NDArray[np.float64]:
+        """The plant's own row, (1, n)."""
+        return self.plant.state
+
+    @property
     def true_p_ned(self) -> Vec3:
         """Position in the local frame, m."""
-        return ned_from_nwu(self._now[step.POSITION])
+        return ned_from_nwu(self.plant.motion[step.POSITION])
+
+    @property
+    def true_motion_ned(self) -> tuple[float, ...]:
+        """True motion, 12 numbers: position, velocity, Euler angles and their rates; m, m/s, rad, rad/s."""
+        motion = self.plant.motion
+        parts = (step.POSITION, step.VELOCITY, step.ATTITUDE, step.RATES)
+        return tuple(number for part in parts for number in ned_from_nwu(motion[part]))
 
     @property
     def p_ned(self) -> Vec3:
         """Position in the local frame as the vehicle knows it, m."""
-        return _shifted(self.true_p_ned, self.position_error_ned)
+        return _shifted(ned_from_nwu(self.plant.now[step.POSITION]), self.position_error_ned)
 
     @property
     def v_ned(self) -> Vec3:
         """Velocity, m/s."""
-        return ned_from_nwu(self._now[step.VELOCITY])
+        return ned_from_nwu(self.plant.now[step.VELOCITY])
 
     @property
     def attitude_ned(self) -> Vec3:
         """Roll, pitch and yaw, rad."""
-        return ned_from_nwu(self._now[step.ATTITUDE])
+        return ned_from_nwu(self.plant.now[step.ATTITUDE])
 
     @property
     def euler_rates_ned(self) -> Vec3:
         """Time derivatives of roll, pitch and yaw, rad/s."""
-        return ned_from_nwu(self._now[step.RATES])
+        return ned_from_nwu(self.plant.now[step.RATES])
 
     @property
     def rates_body(self) -> Vec3:
         """Roll, pitch and yaw rate about the body's own axes (front, right, down), rad/s."""
-        roll, pitch, _ = self._now[step.ATTITUDE]
-        return ned_from_nwu(body_rates(roll, pitch, *self._now[step.RATES]))
+        roll, pitch, _ = self.plant.now[step.ATTITUDE]
+        return ned_from_nwu(body_rates(roll, pitch, *self.plant.now[step.RATES]))
 
     @property
     def reference_ned(self) -> tuple[Vec3, Vec3]:
         """Position and velocity that the guidance really flies."""
-        p_ned, v_ned = self._now[step.REFERENCE_POSITION], self._now[step.REFERENCE_VELOCITY]
+        p_ned, v_ned = self.plant.now[step.REFERENCE_POSITION], self.plant.now[step.REFERENCE_VELOCITY]
         return _shifted(ned_from_nwu(p_ned), self.position_error_ned), ned_from_nwu(v_ned)
 
     @property
     def landed(self) -> bool:
         """Standing on the ground."""
-        return self.ground and self.p_ned[2] >= 0.0 and self.v_ned == AT_REST
+        return self.ground and self.plant.standing
 
     @property
     def remaining_j(self) -> float:
         """Energy in the battery."""
-        return self._now[step.REMAINING_J]
+        return self.plant.now[step.REMAINING_J]
 
     @property
     def drawn_j(self) -> float:
         """Energy used by motors and avionics since boot."""
-        return self._now[step.DRAWN_J]
+        return self.plant.now[step.DRAWN_J]
 
     @property
     def capacity_j(self) -> float:
@@ -122,24 +137,26 @@ class Body:
     @property
     def fastest_turn_rad_s(self) -> float:
         """The greatest yaw rate of the guidance."""
-        return float(self._packed[0, P_YAW_RATE])
+        return self._yaw_rate_rad_s
 
     @property
     def control_effort(self) -> float:
         """Integral of the control inputs' sizes."""
-        return self._now[step.EFFORT]
+        return self.plant.now[step.EFFORT]
 
     def charge(self, joules: float) -> None:
         """Put energy into the battery, or take it out where negative."""
-        self.state[0, step.REMAINING_J] += joules
-        self._now = self.state[0].tolist()
+        self._add(step.REMAINING_J, joules)
 
     def waste(self, joules: float) -> None:
         """Lose energy at once, as far as there is any; it counts as drawn."""
         gone_j = min(joules, self.remaining_j)
-        self.state[0, step.REMAINING_J] -= gone_j
-        self.state[0, step.DRAWN_J] += gone_j
-        self._now = self.state[0].tolist()
+        self._add(step.REMAINING_J, -gone_j)
+        self._add(step.DRAWN_J, gone_j)
+
+    def _add(self, account: int, joules: float) -> None:
+        self.plant.state[0, account] += joules
+        self.plant.now = self.plant.state[0].tolist()
 
     def fly(self, steps: int, wanted: ManeuverTarget, *, yaw_ned_rad: float, motors: bool) -> None:
         """Fly some steps of 4 ms towards a set point; `time_ms` is the caller's to move."""
@@ -155,10 +172,7 @@ class Body:
             CHUNK_MS / 1e3,
         )
         drawn_j = self.drawn_j
-        self.state, self.thrust_m_s2 = step.advance(
-            self.state, self._command, self._packed, time_s=self.time_s, steps=steps
-        )
-        self._now = self.state[0].tolist()
+        self.thrust_m_s2 = self.plant.advance(self._command, time_s=self.time_s, steps=steps)
         self.power_w = (self.drawn_j - drawn_j) / (steps * STEP_MS / 1e3)
 
 

@@ -47,10 +47,14 @@ class VehicleState(NamedTuple):
     mission_length: int = 0
     mission_index: int = 0
     mission_landing: bool = False
+    electric: tuple[float, float] | None = None
+    """voltage in V and current in A where the plant has them"""
 
     @property
     def voltage_v(self) -> float:
-        """Pack voltage, linear in the charge."""
+        """Pack voltage: the plant's, else linear in the charge."""
+        if self.electric is not None:
+            return self.electric[0]
         share = min(max(self.remaining_j / self.capacity_j, 0.0), 1.0)
         return CELLS * (CELL_EMPTY_V + (CELL_FULL_V - CELL_EMPTY_V) * share)
 

@@ -23,6 +23,7 @@ from simvehicle.autopilot.mission import Leg, Mission, Outcome
 from simvehicle.autopilot.modes import FAILSAFES, RESTING, STAND_DOWN, STEERED, Mode, Rule, Severity, Trigger, rule_for
 from simvehicle.autopilot.parameters import Parameters
 from simvehicle.autopilot.snapshot import Vec3, VehicleState
+from simvehicle.law.plants import Plant
 
 FENCE_HOLD, FENCE_RETURN = 2, 3
 """Values of GF_ACTION beside nothing and a warning."""
@@ -33,8 +34,10 @@ NO_MISSION = Mission(())
 class Vehicle(Body):
     """Behaviour of one quadrotor; `advance` is the only thing that moves its time."""
 
-    def __init__(self, identity: Identity, parameters: Parameters, frame: LocalFrame, start: Start) -> None:
-        super().__init__(parameters, start)
+    def __init__(
+        self, identity: Identity, parameters: Parameters, frame: LocalFrame, start: Start, plant: Plant | None = None
+    ) -> None:
+        super().__init__(parameters, start, plant)
         self.identity = identity
         self.frame = frame
         self.home_ned: Vec3 = start.p_ned
@@ -111,6 +114,7 @@ class Vehicle(Body):
             mission_length=len(mission.legs),
             mission_index=mission.index,
             mission_landing=self.mode is Mode.MISSION and mission.landing,
+            electric=self.plant.electric,
         )
 
     # what others ask of it

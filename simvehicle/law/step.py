@@ -99,7 +99,7 @@ _LEAST_PERIOD_S = 1e-3
 
 
 @njit(error_model="numpy")
-def _set_reference(s: Row, c: Row, p: Row, guide: Row, linear: Row, t: float) -> None:
+def set_reference(s: Row, c: Row, p: Row, guide: Row, linear: Row, t: float) -> None:
     """Write r, v_d and v_d' of the state's time t (docs/model.md#guidance)."""
     for i in range(3):
         if p[P_SHAPED] != 0.0:
@@ -116,7 +116,7 @@ def _set_reference(s: Row, c: Row, p: Row, guide: Row, linear: Row, t: float) ->
 
 
 @njit(error_model="numpy")
-def _guide_on(s: Row, c: Row, p: Row, guide: Row, yaw: Row, t: float, dt: float) -> None:
+def guide_on(s: Row, c: Row, p: Row, guide: Row, yaw: Row, t: float, dt: float) -> None:
     """Carry the shaped reference from t to t + dt; on the ground it waits for lift-off."""
     age = controller.bounded(t - c[CMD_TIME_S], _LONGEST_S)
     vx = controller.bounded(c[_CMD_V], _FASTEST_M_S)
@@ -142,7 +142,7 @@ def _guide_on(s: Row, c: Row, p: Row, guide: Row, yaw: Row, t: float, dt: float)
 
 
 @njit(error_model="numpy")
-def _start_afresh(s: Row, p: Row, guide: Row, yaw: Row, linear: Row) -> None:
+def start_afresh(s: Row, p: Row, guide: Row, yaw: Row, linear: Row) -> None:
     """Bring guidance and differentiators to the present state, as before a first step."""
     for i in range(3):
         guidance.start_axis(guide, i, s[_X + i], s[_V + i], p[P_OMEGA])
@@ -155,7 +155,7 @@ def _start_afresh(s: Row, p: Row, guide: Row, yaw: Row, linear: Row) -> None:
 
 
 @njit(error_model="numpy")
-def _control(s: Row, c: Row, p: Row, yaw: Row, dt: float) -> tuple[float, float, float, float]:
+def control(s: Row, c: Row, p: Row, yaw: Row, dt: float) -> tuple[float, float, float, float]:
     """Outer loop → differentiators of the new angles → inner loop: (u1, tau2, tau3, tau4)
     (docs/model.md#control-law)."""
     if p[P_LITERAL] != 0.0:
@@ -212,7 +212,7 @@ def _meet_ground(s: Row, c: Row, x: float, y: float) -> None:
 
 
 @njit(error_model="numpy")
-def _draw(s: Row, p: Row, u1: float, dt: float) -> None:
+def draw(s: Row, p: Row, u1: float, dt: float) -> None:
     """Take a step's energy from the battery, at most what is left (docs/model.md#battery)."""
     drawn = min(power.power(u1, p[P_GRAVITY], p[P_HOVER_W], p[P_AVIONICS_W]) * dt, max(s[REMAINING_J], 0.0))
     s[DRAWN_J] += drawn
@@ -226,15 +226,15 @@ def _step(s: Row, c: Row, p: Row, guide: Row, yaw: Row, linear: Row, t: float, d
     x, y = s[_X], s[_X + 1]
     running = c[CMD_MOTORS] != 0.0 and s[REMAINING_J] > 0.0
     if running:
-        _set_reference(s, c, p, guide, linear, t)
-        u1, tau2, tau3, tau4 = _control(s, c, p, yaw, dt)
-        _guide_on(s, c, p, guide, yaw, t, dt)
+        set_reference(s, c, p, guide, linear, t)
+        u1, tau2, tau3, tau4 = control(s, c, p, yaw, dt)
+        guide_on(s, c, p, guide, yaw, t, dt)
     dynamics.plant_step(s, u1, tau2, tau3, tau4, p[P_GRAVITY], p[P_DRAG], p[P_ROTATIONAL_DRAG], dt)
     _meet_ground(s, c, x, y)
-    _draw(s, p, u1, dt)
+    draw(s, p, u1, dt)
     s[EFFORT] += power.effort_rate(u1, tau2, tau3, tau4) * dt
     if not running:
-        _start_afresh(s, p, guide, yaw, linear)
+        start_afresh(s, p, guide, yaw, linear)
     return u1
 
 
@@ -260,7 +260,7 @@ def _compiled(build: int) -> Callable[..., Any]:
             for k in range(thrust.shape[1]):
                 thrust[vehicle, k] = _step(s, c, p, guide, yaw, linear, times[vehicle] + k * dt, dt)
             if s[STARTED] != 0.0:
-                _set_reference(s, c, p, guide, linear, times[vehicle] + thrust.shape[1] * dt)
+                set_reference(s, c, p, guide, linear, times[vehicle] + thrust.shape[1] * dt)
 
     return fly
 

@@ -57,7 +57,7 @@ def sys_status(s: VehicleState) -> Any:
         onboard_control_sensors_health=health,
         load=100,
         voltage_battery=round(1e3 * s.voltage_v),
-        current_battery=_int16(1e2 * s.power_w / s.voltage_v),
+        current_battery=_current_ca(s),
         drop_rate_comm=0,
         errors_comm=0,
         errors_count1=0,
@@ -69,6 +69,11 @@ def sys_status(s: VehicleState) -> Any:
         onboard_control_sensors_enabled_extended=0,
         onboard_control_sensors_health_extended=0,
     )
+
+
+def _current_ca(s: VehicleState) -> int:
+    """Current in the wire's 10 mA: the plant's, else of the power at the voltage."""
+    return _int16(1e2 * s.power_w / s.voltage_v if s.electric is None else 1e2 * s.electric[1])
 
 
 _ILL = {
@@ -180,7 +185,7 @@ def battery_status(s: VehicleState) -> Any:
         type=mav.MAV_BATTERY_TYPE_LIPO,
         temperature=32767,
         voltages=(cell_mv,) * CELLS + (UNKNOWN_U16,) * (10 - CELLS),
-        current_battery=_int16(1e2 * s.power_w / s.voltage_v),
+        current_battery=_current_ca(s),
         current_consumed=_int32(1e3 * charge_ah),
         energy_consumed=_int32(math.floor(s.drawn_j / 100.0)),
         battery_remaining=s.percent,

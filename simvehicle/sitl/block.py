@@ -13,6 +13,7 @@ from simvehicle.autopilot.identity import Identity
 from simvehicle.autopilot.parameters import Parameters
 from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.fleet.rules import FleetRules
+from simvehicle.law.plants import Plant
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.context import Store
 from simvehicle.mavlink.dispatcher import Services
@@ -38,6 +39,8 @@ class Wanted:
     key_file: Path | None = None
     state: Path | None = None
     """folder in which a key that is set outlives the process"""
+    plant: Plant | None = None
+    """what it flies on; without one the paper's plant"""
     rules: FleetRules | None = None
     """of the fleet that it belongs to, where vehicles compete on board"""
 
@@ -81,7 +84,7 @@ def _seat(
     supervisor: Address | None,
     opened: ExitStack,
 ) -> ConnectedUnit:
-    vehicle = Vehicle(identity, one.parameters, frame, one.start)
+    vehicle = Vehicle(identity, one.parameters, frame, one.start, one.plant)
     connections = [Connection(one.sysid) for _ in addresses]
     for connection in connections:
         for key, rate_hz in UNPROMPTED.items():

@@ -39,8 +39,10 @@ def run(
     main: Callable[[Sequence[str]], int],
     sysid_of: Callable[[Sequence[str]], int],
     title_of: Callable[[Sequence[str]], str],
+    prepare: Callable[[Sequence[str]], None],
 ) -> int:
-    """Serve until stdin ends. `main` runs one vehicle from its argv in a child; `sysid_of` and `title_of` name it."""
+    """Serve until stdin ends. `main` runs one vehicle from its argv in a child; `sysid_of` and `title_of` name it;
+    `prepare` loads what it needs beyond what all need, before it is forked."""
     with contextlib.suppress(PermissionError):
         os.setsid()
     libc = ctypes.CDLL(None, use_errno=True)
@@ -74,6 +76,7 @@ def run(
                         _end_all(pid for pid, _, _ in children.values())
                         return BAD_INPUT
                     sysid = sysid_of(argv)
+                    prepare(argv)
                     pid = _fork(main, argv, title_of(argv), log, secret, libc, list(children))
                     pidfd = os.pidfd_open(pid)
                     children[pidfd] = (pid, sysid, log)

@@ -31,7 +31,8 @@ class TruthWriter:
         """`hz`: records a second, which have no thrust; without it one per grant."""
         self._period_s = None if hz is None else 1.0 / hz
         self._due_s = 0.0
-        battery = vehicle.parameters.flight().battery
+        flight = vehicle.plant.parameters(vehicle.parameters.flight())
+        battery = flight.battery
         head = {
             "schema": 1,
             "sysid": sysid,
@@ -42,7 +43,7 @@ class TruthWriter:
             "capacity_j": battery.capacity_j,
             "hover_w": battery.hover_w,
             "avionics_w": battery.avionics_w,
-            "gravity_m_s2": vehicle.parameters.flight().airframe.gravity_m_s2,
+            "gravity_m_s2": flight.airframe.gravity_m_s2,
         }
         self._file = path.open("xb", buffering=0)
         self._put(json.dumps(head, sort_keys=True).encode() + b"\n")
@@ -58,10 +59,7 @@ class TruthWriter:
         numbers = (
             vehicle.time_s,
             float(steps),
-            *vehicle.true_p_ned,
-            *vehicle.v_ned,
-            *vehicle.attitude_ned,
-            *vehicle.euler_rates_ned,
+            *vehicle.true_motion_ned,
             vehicle.drawn_j,
             float(vehicle.received_j),
             float(vehicle.given_j),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import functools
+
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.body import Start
@@ -9,11 +11,14 @@ from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.identity import IDENTITIES
 from simvehicle.autopilot.parameters import Parameters
 from simvehicle.autopilot.vehicle import Vehicle
+from simvehicle.law.plants import RotorPlant
 from simvehicle.mavlink.codec import encode, message
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.dispatcher import Services
 from simvehicle.mavlink.lockstep import SUPERVISOR, Bundle, Grants
 from simvehicle.sitl.unit import VehicleUnit
+from simvehicle.world.airframes import AIRFRAMES
+from simvehicle.world.description import WorldVehicle
 
 PERIOD_MS = 100
 BUNDLES = 30
@@ -38,6 +43,13 @@ def warm_up() -> None:
             unit.receive(frame, connection)
         unit.advance(bundle.time_ms)
         grants.answer(bundle)
+
+
+@functools.cache
+def warm_up_rotors() -> None:
+    """Load and compile, if need be, what flies on rotors."""
+    plant = RotorPlant(WorldVehicle(AIRFRAMES["iris"]))
+    Vehicle(IDENTITIES["px4"], Parameters(), LocalFrame(0.0, 0.0, 0.0), Start(airborne=True), plant).advance(PERIOD_MS)
 
 
 def _bundle(number: int) -> bytes:

@@ -26,7 +26,7 @@ def control(
     if memory is not None:
         state[step.DIFF_ROLL], state[step.DIFF_PITCH] = memory[0, :3], memory[0, 3:]
     state[step.STARTED], command[step.CMD_YAW] = 1.0, yaw
-    u1, *tau = step._control(state, command, pack(vehicle), np.full(4, yaw), dt_s)
+    u1, *tau = step.control(state, command, pack(vehicle), np.full(4, yaw), dt_s)
     return np.array([u1]), np.array([tau]), np.array([[*state[step.DIFF_ROLL], *state[step.DIFF_PITCH]]])
 
 

@@ -1,0 +1,249 @@
+"""The plants that a vehicle may fly on: the paper's, and a rigid body on rotors. Both are flown by the same law.
+
+A plant holds the state of one vehicle as one row. What the law knows stands in it as step.py lays it out; what is true
+is the plant's to tell.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simvehicle.law import rotor_flight, step
+from simvehicle.law.params import VehicleParams, pack
+from simvehicle.world import airframes
+from simvehicle.world.description import STILL_AIR, Air, WorldVehicle
+from simvehicle.world.estimate import ERROR_SIZE
+from simvehicle.world.power import usual_resistance_ohm
+from simvehicle.world.wind import DISCRETE_SIZE, GUST_NOISE
+
+Floats = list[float]
+
+
+class Plant(Protocol):
+    """Plant of one vehicle. `state` is its row, (1, n); `now` the same as plain floats."""
+
+    state: NDArray[np.float64]
+    now: Floats
+
+    def tune(self, flight: VehicleParams) -> None:
+        """Fly with other parameters from the next step on."""
+
+    def parameters(self, flight: VehicleParams) -> VehicleParams:
+        """Parameters as they are in force on this plant."""
+
+    def start(
+        self,
+        flight: VehicleParams,
+        *,
+        position_nwu: Sequence[float],
+        velocity_nwu: Sequence[float],
+        attitude_rad: Sequence[float],
+        airborne: bool,
+    ) -> None:
+        """Place it before its first step."""
+
+    def advance(self, command: NDArray[np.float64], *, time_s: float, steps: int) -> NDArray[np.float64]:
+        """Fly some steps on; thrust per mass (1, steps), m/s²."""
+
+    @property
+    def motion(self) -> Floats:
+        """True motion: position, velocity, Euler angles and their rates, nwu."""
+
+    @property
+    def standing(self) -> bool:
+        """Whether it stands on the ground."""
+
+    @property
+    def electric(self) -> tuple[float, float] | None:
+        """Voltage in V and current in A at the battery; None where the plant has none."""
+
+
+class PaperPlant:
+    """The plant of the paper's eq. 3 (docs/model.md#rigid-body)."""
+
+    def __init__(self) -> None:
+        self.state = np.zeros((1, step.STATE_SIZE))
+        self.now: Floats = []
+        self._packed = np.zeros((1, 0))
+
+    def tune(self, flight: VehicleParams) -> None:
+        """As the protocol."""
+        self._packed = pack(flight)[np.newaxis]
+
+    def parameters(self, flight: VehicleParams) -> VehicleParams:
+        """As the protocol."""
+        return flight
+
+    def start(
+        self,
+        flight: VehicleParams,
+        *,
+        position_nwu: Sequence[float],
+        velocity_nwu: Sequence[float],
+        attitude_rad: Sequence[float],
+        airborne: bool,
+    ) -> None:
+        """As the protocol."""
+        self.state = step.initial_state(
+            flight, position_nwu=position_nwu, velocity_nwu=velocity_nwu, attitude_rad=attitude_rad, airborne=airborne
+        )[np.newaxis]
+        self.now = self.state[0].tolist()
+
+    def advance(self, command: NDArray[np.float64], *, time_s: float, steps: int) -> NDArray[np.float64]:
+        """As the protocol."""
+        self.state, thrust = step.advance(self.state, command, self._packed, time_s=time_s, steps=steps)
+        self.now = self.state[0].tolist()
+        return thrust
+
+    @property
+    def motion(self) -> Floats:
+        """As the protocol."""
+        return self.now
+
+    @property
+    def standing(self) -> bool:
+        """At rest at or below the ground's height, as it reports itself."""
+        return self.now[step.POSITION][2] <= 0.0 and self.now[step.VELOCITY] == [0.0, 0.0, 0.0]
+
+    @property
+    def electric(self) -> None:
+        """As the protocol: none."""
+        return None
+
+
+class RotorPlant:
+    """A rigid body on four rotors, in weather (docs/model.md#rotors)."""
+
+    def __init__(self, own: WorldVehicle, air: Air = STILL_AIR, *, seed: int = 0, sysid: int = 0) -> None:
+        """`seed` and `sysid`: of what is random in its wind and in its estimate, each a stream of its own."""
+        self.own = own
+        self._air = air
+        self.state = np.zeros((1, rotor_flight.ROTOR_STATE_SIZE))
+        self.now: Floats = []
+        self._packed = np.zeros((1, 0))
+        self._frame = airframes.pack(own.airframe, air.density_kg_m3)[np.newaxis]
+        self._weather = np.zeros((1, 0))
+        self._gusts = np.array(air.gusts_nwu, dtype=np.float64).reshape(-1, DISCRETE_SIZE)
+        self._random = [np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(sysid, k))) for k in range(2)]
+
+    def tune(self, flight: VehicleParams) -> None:
+        """As the protocol."""
+        self._packed = pack(self.parameters(flight))[np.newaxis]
+        capacity_j = flight.battery.capacity_j
+        ohm = self.own.resistance_ohm
+        self._weather = rotor_flight.weather_row(
+            mean_nwu=self._air.mean_nwu,
+            w20_m_s=self._air.turbulence_m_s,
+            errors=self.own.errors,
+            resistance_ohm=usual_resistance_ohm(capacity_j) if ohm is None else ohm,
+        )[np.newaxis]
+        self.state[0, rotor_flight.CAPACITY_J] = capacity_j
+
+    def parameters(self, flight: VehicleParams) -> VehicleParams:
+        """As the protocol. Raises ValueError where its rotors cannot lift it."""
+        return rotor_flight.on_rotors(flight, self.own.airframe, self._air.density_kg_m3)
+
+    def start(
+        self,
+        flight: VehicleParams,
+        *,
+        position_nwu: Sequence[float],
+        velocity_nwu: Sequence[float],
+        attitude_rad: Sequence[float],
+        airborne: bool,
+    ) -> None:
+        """As the protocol."""
+        self.state = rotor_flight.initial_state(
+            self.parameters(flight),
+            position_nwu=position_nwu,
+            velocity_nwu=velocity_nwu,
+            attitude_rad=attitude_rad,
+            airborne=airborne,
+            airframe=self.own.airframe,
+        )[np.newaxis]
+        rotor_flight.start_weather(self.state[0], self._weather[0], self._noise(1)[0, 0])
+        self.now = self.state[0].tolist()
+
+    def advance(self, command: NDArray[np.float64], *, time_s: float, steps: int) -> NDArray[np.float64]:
+        """As the protocol."""
+        self.state, thrust = rotor_flight.advance(
+            self.state,
+            command,
+            self._packed,
+            self._frame,
+            time_s=time_s,
+            steps=steps,
+            weather=self._weather,
+            gusts=self._gusts,
+            noise=self._noise(steps),
+        )
+        self.now = self.state[0].tolist()
+        return thrust
+
+    def turn(self, wanted_rad_s: NDArray[np.float64], *, time_s: float, dt_s: float) -> None:
+        """One step by the rotor speeds (4,) that another autopilot wants; it knows its motion exactly."""
+        self.state[0] = rotor_flight.turn(
+            self.state[0],
+            wanted_rad_s,
+            self._packed[0],
+            self._frame[0],
+            time_s=time_s,
+            dt_s=dt_s,
+            weather=self._weather[0],
+            gusts=self._gusts,
+            noise=self._noise(1)[0, 0],
+        )
+        self.now = self.state[0].tolist()
+
+    def _noise(self, steps: int) -> NDArray[np.float64]:
+        """Normal numbers of some steps, (1, steps, NOISE_SIZE): the same however a flight is cut into stretches."""
+        noise = np.zeros((1, steps, rotor_flight.NOISE_SIZE))
+        if self._air.turbulence_m_s > 0.0:
+            noise[0, :, :GUST_NOISE] = self._random[0].standard_normal((steps, GUST_NOISE))
+        if self.own.errors is not None:
+            noise[0, :, GUST_NOISE:] = self._random[1].standard_normal((steps, ERROR_SIZE))
+        return noise
+
+    @property
+    def motion(self) -> Floats:
+        """As the protocol."""
+        now = self.now
+        if self.own.errors is None:
+            return now
+        known = 3 if self.standing else ERROR_SIZE
+        return [x - e for x, e in zip(now[:known], now[rotor_flight.ERROR], strict=False)] + now[known:ERROR_SIZE]
+
+    @property
+    def standing(self) -> bool:
+        """As the protocol."""
+        return self.now[step.CONTACT] != 0.0
+
+    @property
+    def drawn_j(self) -> float:
+        """Drawn from the battery since the start."""
+        return self.now[step.DRAWN_J]
+
+    @property
+    def remaining_j(self) -> float:
+        """Left in the battery."""
+        return self.now[step.REMAINING_J]
+
+    def waste(self, joules: float) -> None:
+        """Lose energy at once, as far as there is any; it counts as drawn."""
+        gone_j = min(joules, self.remaining_j)
+        self.state[0, step.DRAWN_J] += gone_j
+        self.charge(-gone_j)
+
+    def charge(self, joules: float) -> None:
+        """Put energy into the battery, or take it out where negative."""
+        self.state[0, step.REMAINING_J] += joules
+        self.now = self.state[0].tolist()
+
+    @property
+    def electric(self) -> tuple[float, float]:
+        """Voltage in V and current in A at the battery."""
+        return self.now[rotor_flight.VOLTAGE_V], self.now[rotor_flight.CURRENT_A]

@@ -1,0 +1,467 @@
+"""The flight core of vehicles on rotors: guidance → outer loop → differentiators → inner loop → allocation → wind →
+rotors → estimate → energy (docs/model.md#rotors).
+
+A vehicle is one row: what the law knows, laid out as in step.py, and behind it the body as rotors.py has it, the wind
+there, and the errors of what the law knows. The law is the same as on the paper's plant; its angular accelerations
+become moments, its thrust and those four rotor speeds. Random numbers are arguments.
+"""
+
+from __future__ import annotations
+
+import zlib
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from simvehicle.kernels import kernel
+from simvehicle.law import controller, differentiator, dynamics, guidance, params, power, step
+from simvehicle.law.params import (
+    P_AVIONICS_W,
+    P_DRAG,
+    P_GRAVITY,
+    P_HOVER_W,
+    PARAMS_SIZE,
+    STEP_S,
+    Airframe,
+    VehicleParams,
+)
+from simvehicle.law.step import (
+    CMD_GROUND,
+    CMD_MOTORS,
+    CMD_TIME_S,
+    COMMAND_SIZE,
+    CONTACT,
+    DRAWN_J,
+    EFFORT,
+    REMAINING_J,
+    STARTED,
+    STATE_SIZE,
+    control,
+    guide_on,
+    set_reference,
+    start_afresh,
+)
+from simvehicle.world import airframes, estimate, rotors, wind
+from simvehicle.world import power as rotor_power
+from simvehicle.world.airframes import (
+    A_HOVER_W,
+    A_MASS,
+    A_SIZE,
+    A_THRUST,
+    GRAVITY_M_S2,
+    HEADROOM,
+    SEA_LEVEL_KG_M3,
+    RotorAirframe,
+)
+from simvehicle.world.estimate import ERROR_SIZE, EstimateErrors, error_step
+from simvehicle.world.power import discharge, shaft_power
+from simvehicle.world.rotors import (
+    B_POSITION,
+    B_QUATERNION,
+    B_RATES,
+    B_ROTORS,
+    B_VELOCITY,
+    BODY_SIZE,
+    SCRATCH_SIZE,
+    allocate,
+    body_step,
+    euler_of,
+    meet_ground,
+    moments_of,
+    rotated,
+)
+from simvehicle.world.wind import DISCRETE_SIZE, GUST_NOISE, GUST_SIZE, discrete, turbulence
+
+Row = NDArray[np.float64]
+
+BODY = slice(STATE_SIZE, STATE_SIZE + BODY_SIZE)
+GUST = slice(BODY.stop, BODY.stop + GUST_SIZE)  # memory of the turbulence
+WIND = slice(GUST.stop, GUST.stop + 3)  # m/s, nwu
+ERROR = slice(WIND.stop, WIND.stop + ERROR_SIZE)  # of what the law knows
+VOLTAGE_V, CURRENT_A = ERROR.stop, ERROR.stop + 1
+CAPACITY_J = ERROR.stop + 2
+OBSERVER = slice(ERROR.stop + 3, ERROR.stop + 9)  # velocity as foreseen, m/s; disturbance, m/s²
+ROTOR_STATE_SIZE = OBSERVER.stop
+TRUE_POSITION = slice(BODY.start + B_POSITION, BODY.start + B_POSITION + 3)
+TRUE_VELOCITY = slice(BODY.start + B_VELOCITY, BODY.start + B_VELOCITY + 3)
+TRUE_QUATERNION = slice(BODY.start + B_QUATERNION, BODY.start + B_QUATERNION + 4)
+BODY_RATES = slice(BODY.start + B_RATES, BODY.start + B_RATES + 3)
+ROTOR_SPEEDS = slice(BODY.start + B_ROTORS, BODY.start + B_ROTORS + 4)
+# Weather of a vehicle, and how well it knows its motion.
+W_MEAN = slice(0, 3)  # m/s, nwu
+W_ALONG = slice(3, 5)  # unit vector of the mean wind, north and west
+W_20 = 5  # m/s at 20 ft, which sets the turbulence
+W_DEVIATION = slice(6, 10)  # of the estimate: position, velocity, angles, rates
+W_TIME_S = slice(10, 14)
+W_OHM = 14  # inner resistance of the battery
+WEATHER_SIZE = 15
+NO_GUSTS = np.zeros((0, DISCRETE_SIZE))
+NOISE_SIZE = GUST_NOISE + ERROR_SIZE
+"""Normal numbers that a step takes: the wind's, then the estimate's."""
+_ANGLE, _RATE = step.ATTITUDE.start, step.RATES.start
+_LEAST_COSINE = 1e-6
+_OBSERVER = OBSERVER.start
+_OBSERVER_1_S = 1.5  # both poles of the disturbance observer
+_STRONGEST_M_S2 = 6.0  # disturbance that it believes
+_BODY, _BODY_END = BODY.start, BODY.stop
+_GUST, _GUST_END, _WIND, _WIND_END = GUST.start, GUST.stop, WIND.start, WIND.stop
+_ERROR, _ERROR_END = ERROR.start, ERROR.stop
+_W_ALONG, _W_DEVIATION, _W_TIME_S = W_ALONG.start, W_DEVIATION.start, W_TIME_S.start
+_GUIDE, _YAW, _LINEAR = step.GUIDE.start, step.GUIDE_YAW.start, step.LINEAR.start
+_GUIDE_END, _YAW_END, _LINEAR_END = step.GUIDE.stop, step.GUIDE_YAW.stop, step.LINEAR.stop
+_REF_V, _REF_A = step.REFERENCE_VELOCITY.start, step.REFERENCE_ACCELERATION.start
+
+
+@njit(error_model="numpy")
+def _see(s: Row, body: Row, error: Row) -> None:
+    """Write what the law knows of its motion: the body's, its attitude as Euler angles with their rates, and errors.
+    Standing, it knows that it stands, and how."""
+    roll, pitch, yaw = euler_of(body[B_QUATERNION : B_QUATERNION + 4])
+    p, q, r = body[B_RATES], body[B_RATES + 1], body[B_RATES + 2]
+    sin_roll, cos_roll = np.sin(roll), np.cos(roll)
+    yaw_rate = (q * sin_roll + r * cos_roll) / max(np.cos(pitch), _LEAST_COSINE)
+    for i in range(6):
+        s[i] = body[i]
+    s[_ANGLE], s[_ANGLE + 1], s[_ANGLE + 2] = roll, pitch, yaw
+    s[_RATE] = p + yaw_rate * np.sin(pitch)
+    s[_RATE + 1] = q * cos_roll - r * sin_roll
+    s[_RATE + 2] = yaw_rate
+    for i in range(3 if s[CONTACT] != 0.0 else ERROR_SIZE):
+        s[i] += error[i]
+    s[_ANGLE + 2] = dynamics.wrap_angle(s[_ANGLE + 2])
+
+
+@njit(error_model="numpy")
+def _observe(s: Row, p: Row, u1: float, dt: float) -> None:
+    """Disturbance observer (docs/model.md#rotors) [choice]: v̂' = u1 e - g - (K/m) v + d̂ + 2ω (v - v̂), d̂' = ω² (v - v̂),
+    with e the direction of thrust. Standing or falling it believes in none."""
+    ex, ey, ez = dynamics.thrust_direction(s[_ANGLE], s[_ANGLE + 1], s[_ANGLE + 2])
+    pushed = (u1 * ex, u1 * ey, u1 * ez - p[P_GRAVITY])
+    for i in range(3):
+        v = s[3 + i]
+        if s[CONTACT] != 0.0 or u1 == 0.0:
+            s[_OBSERVER + i], s[_OBSERVER + 3 + i] = v, 0.0
+            continue
+        missed = v - s[_OBSERVER + i]
+        foreseen = pushed[i] - p[P_DRAG] * v + s[_OBSERVER + 3 + i] + 2.0 * _OBSERVER_1_S * missed
+        s[_OBSERVER + i] += dt * foreseen
+        believed = s[_OBSERVER + 3 + i] + dt * _OBSERVER_1_S * _OBSERVER_1_S * missed
+        s[_OBSERVER + 3 + i] = controller.bounded(believed, _STRONGEST_M_S2)
+
+
+@njit(error_model="numpy")
+def _blow(s: Row, body: Row, w: Row, gusts: Row, noise: Row, t: float, dt: float) -> None:
+    """Write the wind of the step that begins at t."""
+    now = s[_WIND:_WIND_END]
+    x, y, z = discrete(gusts, t)
+    if w[W_20] > 0.0:
+        dx, dy, dz = body[3] - now[0], body[4] - now[1], body[5] - now[2]
+        air_speed = np.sqrt(dx * dx + dy * dy + dz * dz)
+        along, left, up = turbulence(s[_GUST:_GUST_END], noise, body[2], air_speed, w[W_20], dt)
+        x += w[_W_ALONG] * along - w[_W_ALONG + 1] * left
+        y += w[_W_ALONG + 1] * along + w[_W_ALONG] * left
+        z += up
+    now[0], now[1], now[2] = w[0] + x, w[1] + y, w[2] + z
+
+
+@njit(error_model="numpy")
+def _draw(s: Row, body: Row, p: Row, a: Row, w: Row, thrust_n: float, dt: float) -> None:
+    """Take a step's energy from the battery, at most what is left (docs/model.md#rotor-power)."""
+    q = body[B_QUATERNION : B_QUATERNION + 4]
+    ux, uy, uz = rotated(q, body[3] - s[_WIND], body[4] - s[_WIND + 1], body[5] - s[_WIND + 2], -1.0)
+    shaft_w = shaft_power(thrust_n, body[B_ROTORS : B_ROTORS + 4], np.sqrt(ux * ux + uy * uy), uz, a)
+    power_w = shaft_w * p[P_HOVER_W] / a[A_HOVER_W] + p[P_AVIONICS_W]
+    left_j = max(s[REMAINING_J], 0.0)
+    if left_j == 0.0:
+        power_w = 0.0
+    s[VOLTAGE_V], s[CURRENT_A], taken_w = discharge(power_w, left_j / s[CAPACITY_J], w[W_OHM])
+    drawn_j = min(taken_w * dt, left_j)
+    s[DRAWN_J] += drawn_j
+    s[REMAINING_J] -= drawn_j
+
+
+@njit(error_model="numpy")
+def _step(
+    s: Row, c: Row, p: Row, a: Row, w: Row, gusts: Row, noise: Row, decays: Row, t: float, dt: float, scratch: Row
+) -> float:
+    """One step from t to t + dt; returns the thrust per mass at its end."""
+    guide, yaw, linear = s[_GUIDE:_GUIDE_END], s[_YAW:_YAW_END], s[_LINEAR:_LINEAR_END]
+    u1 = tau2 = tau3 = tau4 = 0.0
+    body, wanted = s[_BODY:_BODY_END], scratch[SCRATCH_SIZE : SCRATCH_SIZE + 4]
+    x, y, stood = body[0], body[1], s[CONTACT] != 0.0
+    running = c[CMD_MOTORS] != 0.0 and s[REMAINING_J] > 0.0
+    if running:
+        set_reference(s, c, p, guide, linear, t)
+        for i in range(3):
+            s[_REF_A + i] -= s[_OBSERVER + 3 + i]
+        u1, tau2, tau3, tau4 = control(s, c, p, yaw, dt)
+        guide_on(s, c, p, guide, yaw, t, dt)
+        mx, my, mz = moments_of(s[_ANGLE : _ANGLE + 3], s[_RATE : _RATE + 3], tau2, tau3, tau4, a)
+        allocate(a[A_MASS] * u1, mx, my, mz, a, wanted)
+    else:
+        wanted[:] = 0.0
+    _observe(s, p, u1, dt)
+    _blow(s, body, w, gusts, noise, t, dt)
+    body_step(body, wanted, s[_WIND:_WIND_END], a, dt, scratch)
+    s[CONTACT] = 1.0 if c[CMD_GROUND] != 0.0 and meet_ground(body, x, y, stood) else 0.0
+    error = s[_ERROR:_ERROR_END]
+    error_step(error, noise[GUST_NOISE:], w[_W_DEVIATION : _W_DEVIATION + 4], decays)
+    _see(s, body, error)
+    thrust = 0.0
+    for i in range(4):
+        thrust += a[A_THRUST] * body[B_ROTORS + i] * body[B_ROTORS + i]
+    _draw(s, body, p, a, w, thrust, dt)
+    s[EFFORT] += power.effort_rate(u1, tau2, tau3, tau4) * dt
+    if not running:
+        start_afresh(s, p, guide, yaw, linear)
+    thrust_m_s2: float = thrust / a[A_MASS]
+    return thrust_m_s2
+
+
+def _compiled(build: int) -> tuple[Callable[..., Any], Callable[..., Any], Callable[..., Any]]:
+    """The entries that numba keeps on disk, with `build` as a part of their key (see step.py)."""
+
+    @kernel(error_model="numpy")
+    def fly(
+        states: Row,
+        commands: Row,
+        parameters: Row,
+        frames: Row,
+        weathers: Row,
+        gusts: Row,
+        noise: Row,
+        times: Row,
+        dt: float,
+        thrust: Row,
+    ) -> None:
+        _ = build
+        scratch, decays = np.zeros(SCRATCH_SIZE + 4), np.zeros(4)
+        for vehicle in range(states.shape[0]):
+            s, c, p, a, w = states[vehicle], commands[vehicle], parameters[vehicle], frames[vehicle], weathers[vehicle]
+            for i in range(4):
+                decays[i] = np.exp(-dt / w[_W_TIME_S + i])
+            linear = s[_LINEAR:_LINEAR_END]
+            if linear[guidance.LINEAR_STAMP] != c[CMD_TIME_S]:
+                linear[guidance.LINEAR_STAMP] = c[CMD_TIME_S]
+                linear[guidance.LINEAR_SINCE] = times[vehicle]
+                for i in range(3):
+                    linear[guidance.LINEAR_START + i] = s[_REF_V + i]
+            for k in range(thrust.shape[1]):
+                t = times[vehicle] + k * dt
+                thrust[vehicle, k] = _step(s, c, p, a, w, gusts, noise[vehicle, k], decays, t, dt, scratch)
+            if s[STARTED] != 0.0:
+                set_reference(s, c, p, s[_GUIDE:_GUIDE_END], linear, times[vehicle] + thrust.shape[1] * dt)
+
+    @kernel(error_model="numpy")
+    def drive(body: Row, wanted: Row, wind: Row, a: Row, dt: float, path: Row) -> None:
+        _ = build
+        scratch = np.zeros(SCRATCH_SIZE)
+        for k in range(path.shape[0]):
+            body_step(body, wanted[k], wind[k], a, dt, scratch)
+            path[k] = body
+
+    @kernel(error_model="numpy")
+    def turn(s: Row, wanted: Row, p: Row, a: Row, w: Row, gusts: Row, noise: Row, t: float, dt: float) -> None:
+        _ = build
+        body, scratch = s[_BODY:_BODY_END], np.zeros(SCRATCH_SIZE)
+        x, y, stood = body[0], body[1], s[CONTACT] != 0.0
+        for i in range(4):
+            if s[REMAINING_J] <= 0.0:
+                wanted[i] = 0.0
+        _blow(s, body, w, gusts, noise, t, dt)
+        body_step(body, wanted, s[_WIND:_WIND_END], a, dt, scratch)
+        s[CONTACT] = 1.0 if meet_ground(body, x, y, stood) else 0.0
+        _see(s, body, scratch[:ERROR_SIZE] * 0.0)
+        thrust = 0.0
+        for i in range(4):
+            thrust += a[A_THRUST] * body[B_ROTORS + i] * body[B_ROTORS + i]
+        _draw(s, body, p, a, w, thrust, dt)
+
+    return fly, drive, turn
+
+
+def _checksum() -> int:
+    law = (params, dynamics, differentiator, controller, guidance, power, step)
+    modules = (*law, airframes, rotors, wind, rotor_power, estimate)
+    return zlib.crc32(b"".join(Path(str(module.__file__)).read_bytes() for module in modules))
+
+
+_fly, _drive, _turn = _compiled(_checksum())
+
+
+def on_rotors(flight: VehicleParams, airframe: RotorAirframe, density_kg_m3: float = SEA_LEVEL_KG_M3) -> VehicleParams:
+    """Parameters of the law for an airframe: its gravity and drag, and no more thrust than its rotors have to spare.
+
+    Raises:
+        ValueError: in air of this density the rotors cannot lift it.
+    """
+    share = density_kg_m3 / SEA_LEVEL_KG_M3
+    spare = HEADROOM * share * airframe.greatest_thrust_m_s2
+    body = Airframe(
+        mass_kg=airframe.mass_kg,
+        gravity_m_s2=GRAVITY_M_S2,
+        drag_kg_s=airframe.hover_drag_1_s * airframe.mass_kg * share**0.5,
+        rotational_drag=0.0,
+    )
+    limits = replace(flight.limits, thrust_m_s2=min(flight.limits.thrust_m_s2, spare))
+    return replace(flight, airframe=body, limits=limits)
+
+
+def initial_state(
+    flight: VehicleParams,
+    *,
+    position_nwu: Sequence[float],
+    velocity_nwu: Sequence[float],
+    attitude_rad: Sequence[float],
+    airborne: bool,
+    airframe: RotorAirframe,
+) -> NDArray[np.float64]:
+    """State before the first step, (ROTOR_STATE_SIZE,), as `step.initial_state`; rotors turn where it is airborne."""
+    state = np.zeros(ROTOR_STATE_SIZE)
+    state[:STATE_SIZE] = step.initial_state(
+        flight, position_nwu=position_nwu, velocity_nwu=velocity_nwu, attitude_rad=attitude_rad, airborne=airborne
+    )
+    state[TRUE_POSITION], state[TRUE_VELOCITY] = state[step.POSITION], state[step.VELOCITY]
+    roll, pitch, yaw = (float(angle) for angle in state[step.ATTITUDE])
+    rotors.quaternion_of(roll, pitch, yaw, state[TRUE_QUATERNION])
+    state[ROTOR_SPEEDS] = airframe.hover_rad_s if airborne else 0.0
+    state[CAPACITY_J] = flight.battery.capacity_j
+    state[VOLTAGE_V] = rotor_power.CELLS * rotor_power.cell_v(flight.battery.initial_j / flight.battery.capacity_j)
+    return state
+
+
+def weather_row(
+    *,
+    mean_nwu: Sequence[float] = (0.0, 0.0, 0.0),
+    w20_m_s: float = 0.0,
+    errors: EstimateErrors | None = None,
+    resistance_ohm: float = 0.0,
+) -> NDArray[np.float64]:
+    """Weather of one vehicle (WEATHER_SIZE,): mean wind, m/s; the wind at 20 ft that sets the turbulence, none with 0;
+    errors of its estimate, none without; its battery's resistance. Turbulence lies along the mean wind, else north."""
+    row = np.zeros(WEATHER_SIZE)
+    row[W_MEAN] = mean_nwu
+    speed = float(np.hypot(row[0], row[1]))
+    row[W_ALONG] = (row[0] / speed, row[1] / speed) if speed > 0.0 else (1.0, 0.0)
+    row[W_20] = w20_m_s
+    row[W_TIME_S] = 1.0
+    if errors is not None:
+        row[W_DEVIATION], row[W_TIME_S] = errors.deviations, errors.times_s
+    row[W_OHM] = resistance_ohm
+    return row
+
+
+def start_weather(state: NDArray[np.float64], weather: NDArray[np.float64], noise: NDArray[np.float64]) -> None:
+    """Give a state (ROTOR_STATE_SIZE,), in place, a wind that has blown for long, and errors that have lasted; noise:
+    (NOISE_SIZE,) normal numbers."""
+    state[GUST] = wind.start_gust(noise[:GUST_NOISE])
+    state[WIND] = weather[W_MEAN]
+    state[ERROR] = np.repeat(weather[W_DEVIATION], 3) * noise[GUST_NOISE:]
+    known = 3 if state[CONTACT] != 0.0 else ERROR_SIZE
+    state[:known] += state[ERROR][:known]
+    state[step.ATTITUDE][2] = dynamics.wrap_angle(float(state[step.ATTITUDE][2]))
+
+
+def advance(
+    state: NDArray[np.float64],
+    command: NDArray[np.float64],
+    packed_params: NDArray[np.float64],
+    packed_airframe: NDArray[np.float64],
+    *,
+    time_s: float,
+    steps: int,
+    dt_s: float = STEP_S,
+    weather: NDArray[np.float64] | None = None,
+    gusts: NDArray[np.float64] = NO_GUSTS,
+    noise: NDArray[np.float64] | None = None,
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Fly n vehicles k steps on. Pure: the arguments stay as they are.
+
+    Args:
+        state: (n, ROTOR_STATE_SIZE).
+        command: (n, COMMAND_SIZE), as for `step.advance`.
+        packed_params: (n, PARAMS_SIZE), of `on_rotors`.
+        packed_airframe: (n, A_SIZE), from `airframes.pack`.
+        time_s: time of the state, s.
+        steps: k.
+        dt_s: a step, s.
+        weather: (n, WEATHER_SIZE), from `weather_row`; without it still air and a perfect estimate.
+        gusts: (m, DISCRETE_SIZE), discrete gusts that blow on all (wind.py).
+        noise: (n, k, NOISE_SIZE), normal numbers; zeros without.
+
+    Returns:
+        state (n, ROTOR_STATE_SIZE) at time_s + k dt_s, and the rotors' thrust per mass (n, k) in m/s² after every step.
+
+    Raises:
+        ValueError: an array of another shape.
+    """
+    n = state.shape[0]
+    if weather is None:
+        weather = np.tile(weather_row(), (n, 1))
+    if noise is None:
+        noise = np.zeros((n, steps, NOISE_SIZE))
+    if noise.shape != (n, steps, NOISE_SIZE):
+        raise ValueError(f"noise has shape {noise.shape}, but needs ({n}, {steps}, {NOISE_SIZE})")
+    for name, array, width in (
+        ("weather", weather, WEATHER_SIZE),
+        ("state", state, ROTOR_STATE_SIZE),
+        ("command", command, COMMAND_SIZE),
+        ("packed_params", packed_params, PARAMS_SIZE),
+        ("packed_airframe", packed_airframe, A_SIZE),
+    ):
+        if array.shape != (n, width):
+            raise ValueError(f"{name} has shape {array.shape}, but needs ({n}, {width})")
+    flown = np.array(state, dtype=np.float64, order="C")
+    thrust = np.empty((n, steps))
+    times = np.full(n, float(time_s))
+    rows = (_plain(command), _plain(packed_params), _plain(packed_airframe), _plain(weather))
+    _fly(flown, *rows, _plain(gusts), _plain(noise), times, float(dt_s), thrust)
+    return flown, thrust
+
+
+def turn(
+    state: NDArray[np.float64],
+    wanted_rad_s: NDArray[np.float64],
+    packed_params: NDArray[np.float64],
+    packed_airframe: NDArray[np.float64],
+    *,
+    time_s: float,
+    dt_s: float,
+    weather: NDArray[np.float64],
+    gusts: NDArray[np.float64],
+    noise: NDArray[np.float64],
+) -> NDArray[np.float64]:
+    """One step of a vehicle that another autopilot flies: a state (ROTOR_STATE_SIZE,) of known motion, over ground, by
+    the rotor speeds (4,) that it wants; rows as for `advance`, each of one vehicle, noise (NOISE_SIZE,). The state
+    after it."""
+    flown = np.array(state)
+    rows = (_plain(packed_params), _plain(packed_airframe), _plain(weather), _plain(gusts), _plain(noise))
+    _turn(flown, np.array(wanted_rad_s), *rows, float(time_s), float(dt_s))
+    return flown
+
+
+def drive(
+    body: NDArray[np.float64],
+    wanted_rad_s: NDArray[np.float64],
+    wind_nwu: NDArray[np.float64],
+    packed_airframe: NDArray[np.float64],
+    *,
+    dt_s: float,
+) -> NDArray[np.float64]:
+    """Motion of a body (BODY_SIZE,) alone, without law or ground, by the rotor speeds wanted in each of k steps (k, 4)
+    and the wind in each (k, 3): the body after each, (k, BODY_SIZE)."""
+    path = np.empty((len(wanted_rad_s), BODY_SIZE))
+    _drive(np.array(body), _plain(wanted_rad_s), _plain(wind_nwu), _plain(packed_airframe), float(dt_s), path)
+    return path
+
+
+def _plain(array: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The array as the one kind that the core is compiled for: float64, C order, writeable."""
+    if array.flags.c_contiguous and array.flags.writeable and array.dtype == np.float64:
+        return array
+    return np.array(array, dtype=np.float64, order="C")

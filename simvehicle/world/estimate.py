@@ -1,0 +1,66 @@
+"""Errors of what a vehicle knows of its motion (docs/model.md#estimate-errors) [choice]: first-order Gauss-Markov."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+Row = NDArray[np.float64]
+
+ERROR_SIZE = 12
+"""Of position, velocity, Euler angles and their rates, three each, nwu."""
+AXES = 3
+
+
+@dataclass(frozen=True, kw_only=True)
+class EstimateErrors:
+    """Standard deviation of each axis, and the time over which it is correlated.
+
+    Raises:
+        ValueError: a standard deviation that is negative, a time that is not positive.
+    """
+
+    position_m: float = 0.3
+    position_s: float = 60.0
+    velocity_m_s: float = 0.05
+    velocity_s: float = 2.0
+    attitude_deg: float = 0.3
+    attitude_s: float = 10.0
+    rate_deg_s: float = 0.3
+    rate_s: float = 0.02
+
+    def __post_init__(self) -> None:
+        for name in ("position_m", "velocity_m_s", "attitude_deg", "rate_deg_s"):
+            value = getattr(self, name)
+            if not 0.0 <= value < math.inf:
+                raise ValueError(f"sensors.{name} is {value!r}, but it must be 0 or greater, and finite")
+        for name in ("position_s", "velocity_s", "attitude_s", "rate_s"):
+            if not 0.0 < getattr(self, name) < math.inf:
+                raise ValueError(
+                    f"sensors.{name} is {getattr(self, name)!r}, but it must be greater than 0, and finite"
+                )
+
+    @property
+    def deviations(self) -> NDArray[np.float64]:
+        """(4,), of position, velocity, angles and rates: m, m/s, rad, rad/s."""
+        turning = np.radians([self.attitude_deg, self.rate_deg_s])
+        return np.array([self.position_m, self.velocity_m_s, *turning])
+
+    @property
+    def times_s(self) -> NDArray[np.float64]:
+        """(4,), correlation times of the same."""
+        return np.array([self.position_s, self.velocity_s, self.attitude_s, self.rate_s])
+
+
+@njit(error_model="numpy")
+def error_step(error: Row, noise: Row, deviations: Row, decays: Row) -> None:
+    """One step of errors (ERROR_SIZE,) in place: e⁺ = a e + σ √(1 - a²) n, with a = exp(-dt/τ), decays (4,)."""
+    for k in range(4):
+        a = decays[k]
+        push = deviations[k] * math.sqrt(max(1.0 - a * a, 0.0))
+        for i in range(AXES * k, AXES * k + AXES):
+            error[i] = a * error[i] + push * noise[i]

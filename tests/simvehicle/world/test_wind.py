@@ -1,0 +1,138 @@
+"""Turbulence against the spectra of MIL-F-8785C, discrete gusts, and what the seed decides."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from scipy.signal import welch
+
+from simvehicle.autopilot.body import Start
+from simvehicle.autopilot.geodesy import LocalFrame
+from simvehicle.autopilot.identity import IDENTITIES
+from simvehicle.autopilot.parameters import Parameters
+from simvehicle.autopilot.vehicle import Vehicle
+from simvehicle.law import rotor_flight
+from simvehicle.law.plants import RotorPlant
+from simvehicle.world import wind
+from simvehicle.world.airframes import AIRFRAMES
+from simvehicle.world.description import Air, World, WorldError, WorldVehicle, read_world
+from simvehicle.world.estimate import EstimateErrors
+
+DT_S, SPEED_M_S, HEIGHT_M, W20_M_S = 0.1, 8.0, 20.0, 7.7
+
+
+def blown(steps: int, seed: int, dt_s: float = DT_S) -> np.ndarray:
+    """Turbulence (steps, 3) at one height and air speed."""
+    random = np.random.default_rng(seed)
+    gust = wind.start_gust(random.standard_normal(wind.GUST_SIZE))
+    noise = random.standard_normal((steps, wind.GUST_NOISE))
+    out = np.empty((steps, 3))
+    for k in range(steps):
+        out[k] = wind.turbulence(gust, noise[k], HEIGHT_M, SPEED_M_S, W20_M_S, dt_s)
+    return out
+
+
+def theory(frequency_hz: np.ndarray) -> np.ndarray:
+    """One-sided spectra (n, 3) in m²/s² per Hz, of MIL-F-8785C's formulas in feet, by frequency at an air speed."""
+    height_ft = HEIGHT_M / 0.3048
+    sigma_w = 0.1 * W20_M_S
+    sigma_u = sigma_w / (0.177 + 0.000823 * height_ft) ** 0.4
+    length_u = height_ft / (0.177 + 0.000823 * height_ft) ** 1.2 * 0.3048
+    spatial = 2.0 * math.pi * frequency_hz / SPEED_M_S
+    long_, wide, high = length_u * spatial, length_u * spatial, HEIGHT_M * spatial
+    along = sigma_u**2 * 2.0 * length_u / math.pi / (1.0 + long_**2)
+    across = sigma_u**2 * length_u / math.pi * (1.0 + 3.0 * wide**2) / (1.0 + wide**2) ** 2
+    up = sigma_w**2 * HEIGHT_M / math.pi * (1.0 + 3.0 * high**2) / (1.0 + high**2) ** 2
+    return np.stack([along, across, up], axis=1) * (2.0 * math.pi / SPEED_M_S)
+
+
+def test_turbulence_has_the_spectra_of_dryden() -> None:
+    series = blown(400_000, seed=1)
+    frequency, spectra = welch(series, fs=1.0 / DT_S, nperseg=2048, axis=0)
+    expected = theory(frequency)
+    edges = np.geomspace(0.03, 1.2, 6)
+    for low, high in pairwise(edges):
+        band = (frequency >= low) & (frequency < high)
+        assert spectra[band].mean(axis=0) == pytest.approx(expected[band].mean(axis=0), rel=0.1)
+
+
+def test_turbulence_has_its_variance_at_any_step_and_from_the_start() -> None:
+    sigma, sigma_w, _, _ = wind.dryden_scales(HEIGHT_M, W20_M_S)
+    starts = np.array([blown(1, seed)[0] for seed in range(4000)])
+    assert starts.std(axis=0) == pytest.approx([sigma, sigma, sigma_w], rel=0.05)
+    fine = wind.start_gust(np.ones(5))
+    coarse = fine.copy()
+    for _ in range(200):
+        wind.turbulence(fine, np.zeros(5), HEIGHT_M, SPEED_M_S, W20_M_S, 1e-5)
+    wind.turbulence(coarse, np.zeros(5), HEIGHT_M, SPEED_M_S, W20_M_S, 2e-3)
+    assert fine == pytest.approx(coarse, rel=1e-9)
+
+
+def test_a_discrete_gust_rises_holds_and_falls_as_one_minus_cos() -> None:
+    gusts = np.array([[10.0, 2.0, 3.0, 4.0, -2.0, 1.0]])
+    at = {9.9: 0.0, 10.0: 0.0, 11.0: 0.5, 12.0: 1.0, 14.9: 1.0, 16.0: 0.5, 17.0: 0.0, 99.0: 0.0}
+    for t, share in at.items():
+        assert wind.discrete(gusts, t) == pytest.approx((4.0 * share, -2.0 * share, share), abs=1e-12)
+
+
+def hovering(seed: int, sysid: int = 1, *, stretch_ms: int = 100, errors: bool = True, w20: float = 7.7) -> Vehicle:
+    own = WorldVehicle(AIRFRAMES["iris"], EstimateErrors() if errors else None)
+    plant = RotorPlant(own, Air(mean_nwu=(5.0, 2.0, 0.0), turbulence_m_s=w20), seed=seed, sysid=sysid)
+    start = Start((0.0, 0.0, -20.0), airborne=True)
+    one = Vehicle(IDENTITIES["px4"], Parameters(), LocalFrame(0.0, 0.0, 0.0), start, plant)
+    for t_ms in range(stretch_ms, 2001, stretch_ms):
+        one.advance(t_ms)
+    return one
+
+
+def test_the_same_seed_gives_the_same_flight_however_it_is_cut_and_another_another() -> None:
+    first = hovering(1)
+    assert hovering(1).state.tobytes() == first.state.tobytes()
+    assert hovering(2).state.tobytes() != first.state.tobytes()
+    assert hovering(1, sysid=2).state.tobytes() != first.state.tobytes()
+    assert hovering(1, errors=False, w20=0.0).state.tobytes() == hovering(2, errors=False, w20=0.0).state.tobytes()
+
+
+def test_sensors_change_nothing_of_the_wind() -> None:
+    blind, seeing = hovering(1, errors=False), hovering(1)
+    there = np.array([one.plant._random[0].standard_normal() for one in (blind, seeing)])  # type: ignore[attr-defined]
+    assert there[0] == there[1]
+
+
+def test_estimates_err_as_they_are_said_to_and_truth_stays_what_is_true() -> None:
+    one = hovering(3)
+    row = one.state[0]
+    known = row[:12] - row[rotor_flight.ERROR]
+    assert np.allclose(known[:6], row[rotor_flight.BODY][:6])
+    assert one.true_p_ned == pytest.approx(tuple(known[:3] * [1, -1, -1]))
+    assert one.p_ned != one.true_p_ned
+    errors = EstimateErrors(position_s=0.5, velocity_s=0.5, attitude_s=0.5, rate_s=0.02)
+    plant = RotorPlant(WorldVehicle(AIRFRAMES["iris"], errors), seed=4, sysid=1)
+    start = Start((0.0, 0.0, -20.0), airborne=True)
+    other = Vehicle(IDENTITIES["px4"], Parameters(), LocalFrame(0.0, 0.0, 0.0), start, plant)
+    seen = []
+    for t_ms in range(100, 120_001, 100):
+        other.set_clock(t_ms - 100, 0)
+        other.advance(t_ms)
+        seen.append(other.state[0, rotor_flight.ERROR].copy())
+    deviations = np.std(seen, axis=0).reshape(4, 3).mean(axis=1)
+    assert deviations == pytest.approx([0.3, 0.05, math.radians(0.3), math.radians(0.3)], rel=0.15)
+
+
+def test_a_world_that_cannot_be_is_refused() -> None:
+    assert read_world({"vehicles": {3: {}}}) == World({3: WorldVehicle(AIRFRAMES["iris"])})
+    for content, said in (
+        ([], "the world must be keys"),
+        ({"winds": {}}, "unknown key 'winds'"),
+        ({"vehicles": {"x": {}}}, "'x' is no system id"),
+        ({"vehicles": {1: {"airframe": "boeing"}}}, "no airframe 'boeing'"),
+        ({"vehicles": {1: {"sensors": {"rate_s": -1}}}}, "sensors.rate_s is -1.0"),
+        ({"vehicles": {}, "air_density_kg_m3": 0}, "air_density_kg_m3 is 0"),
+        ({"vehicles": {}, "wind": {"speed_m_s": "fast"}}, "speed_m_s is 'fast'"),
+        ({"vehicles": {}, "seed": -1}, "seed is '-1'"),
+    ):
+        with pytest.raises(WorldError, match=said.replace("(", r"\(")):
+            read_world(content)

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 FUZZ = Path(__file__).parent / "fuzz"
-TARGETS, READERS = 5, 5
+TARGETS, READERS = 6, 5
 
 
 def test_hostile_input_harms_nothing() -> None:

@@ -9,12 +9,14 @@ the tick is delivered at the tick. Where a connection breaks it is made again, a
 
 from __future__ import annotations
 
+import math
 import select
 import time
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 from pymavlink.dialects.v20 import common as mav
 
@@ -47,6 +49,12 @@ MOVED_AFTER_S = 10.0
 MOVED_SIGNED_S = 2.0
 """The same of one that signs: nobody else has its key."""
 _HEARTBEAT = codec.msgid("HEARTBEAT")
+_RADIO_STATUS = codec.msgid("RADIO_STATUS")
+RADIO_FULL_PERCENT = 20
+"""So little room in a telemetry radio's buffer: from there on it tells autopilots to send less, or loses frames."""
+RADIO_WEAK = 15
+"""So little between signal and noise at either end, in the radio's own steps (SiK: about half a dB each)."""
+RADIO_AGAIN_S = 30.0
 _SET_POINT = codec.msgid("SET_POSITION_TARGET_LOCAL_NED")
 
 
@@ -64,6 +72,9 @@ class _Door:
     """senders of MAVLink 1: some autopilots change to MAVLink 2 when they receive it"""
     problem: str = ""
     """of the connection, as it was reported last"""
+    radio: str = ""
+    """problem of a telemetry radio on the way, by its last RADIO_STATUS, in words; empty where there is none"""
+    radio_said_s: float = -math.inf
 
     @property
     def hearers(self) -> set[Where]:
@@ -175,6 +186,15 @@ class ExternalLink:
                 changed.append((connect, problem))
             door.problem = problem
         return changed
+
+    def pop_radios(self) -> list[tuple[str, str]]:
+        """(address, words) of telemetry radios that are full or weak; again after RADIO_AGAIN_S while they are."""
+        now_s, notices = time.monotonic(), []
+        for connect, door in self._doors.items():
+            if door.radio and now_s - door.radio_said_s >= RADIO_AGAIN_S:
+                door.radio_said_s = now_s
+                notices.append((connect, door.radio))
+        return notices
 
     @property
     def buffer_bytes(self) -> int:
@@ -293,6 +313,8 @@ class ExternalLink:
         now_s = time.monotonic()
         for frame in door.gate.accepted(frames):
             peer = self._peers.get(frame.sysid)
+            if frame.msgid == _RADIO_STATUS and address in door.speakers:
+                door.radio = _radio_in_words(codec.fields(frame))
             if peer is None:
                 continue
             if peer.address != address and peer.door is door and _is_autopilot(frame):
@@ -323,6 +345,17 @@ class ExternalLink:
             self._moved[peer.key] = address
         peer.address, peer.received_s, peer.cut_off = address, now_s, False
         peer.door.speakers.add(address)
+
+
+def _radio_in_words(status: Any) -> str:
+    """Words about a RADIO_STATUS that a person should know of; empty where all is well."""
+    if status.txbuf <= RADIO_FULL_PERCENT:
+        return f"its radio has {status.txbuf} % of its buffer left: fewer vehicles behind it, or a faster air rate"
+    ends = (("here", status.rssi, status.noise), ("at the other end", status.remrssi, status.remnoise))
+    for where, signal, noise in ends:
+        if 0 < signal < 255 and 0 < noise < 255 and signal - noise < RADIO_WEAK:
+            return f"its radio's signal {where} is weak: {signal}, noise {noise}"
+    return ""
 
 
 def _is_autopilot(frame: Frame) -> bool:

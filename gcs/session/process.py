@@ -339,6 +339,8 @@ class SessionProcess:
             for connect, problem in self._external_link.pop_problems() if self._begun else ():
                 text = f"{connect} is lost: {problem}" if problem else f"{connect} is there again"
                 self._event(0, "critical" if problem else "info", text, "link")
+            for connect, text in self._external_link.pop_radios():
+                self._event(0, "warning", f"{connect}: {text}", "link")
             refused, reasons = self._external_link.signature_refusals, self._external_link.signature_reasons
             for sysid, text in self._refusals.poll(refused, reasons, now_s):
                 self._event(sysid, "critical", text, "link")

@@ -17,6 +17,7 @@ from hostile import Hostile
 from gcs.link.external import ExternalLink
 from gcs.link.lockstep import LockstepLink
 from gcs.mavlink import codec
+from gcs.mavlink.frame_stream import FrameStream
 from gcs.processes.pace import Pace
 from gcs.recording import export, series, session_folder
 from gcs.recording.recorder import DECISIONS, TLOG, Recorder
@@ -31,6 +32,7 @@ from gcs.session.messages import snapshot_message
 from gcs.session.monitor import MonitorSource
 from gcs.session.replay import Replay, ReplayError
 from gcs.session.server import NAME, Publisher
+from gcs.supervisor.forwarding import passed
 from gcs.supervisor.redecide import Comparer, RecordedLink, RedecideError, redecide
 from gcs.supervisor.supervisor import Supervisor
 from gcs.supervisor.warmup import rehearse
@@ -178,7 +180,7 @@ def external(hostile: Hostile) -> Iterator[Callable[[int], None]]:
     """An external link whose vehicle is hostile, with the supervisor's whole tick behind it."""
     supervisor, recorded = _supervisor()
     link = _external_link()
-    wire = cast(Any, next(iter(link._doors.values())).socket)
+    wire = cast(Any, next(iter(link._doors.values())).connection)._socket
 
     def attack(n: int) -> None:
         wire.waiting = [
@@ -206,9 +208,10 @@ def _external_link() -> ExternalLink:
         port = one.getsockname()[1]
     link = ExternalLink({7: External(connect=f"udpin:127.0.0.1:{port}", sysid=7, capacity_j=24e3)}, lambda: 1.0)
     (door,) = link._doors.values()
-    door.socket.close()
+    connection = cast(Any, door.connection)
+    connection._socket.close()
     wire = Replayed()
-    door.socket = cast(socket.socket, wire)
+    connection._socket = wire
     beat = codec.encode(
         "HEARTBEAT", 0, 7, 1, type=2, autopilot=12, base_mode=0x81, custom_mode=6 << 16, system_status=4
     )
@@ -220,13 +223,33 @@ def _external_link() -> ExternalLink:
 
 
 @contextlib.contextmanager
+def stations(hostile: Hostile) -> Iterator[Callable[[int], None]]:
+    """A stream that is cut anywhere, of other ground stations that may command: what passes is framed again."""
+    stream = FrameStream()
+
+    def attack(_: int) -> None:
+        for _ in range(50):
+            data = hostile.datagram()
+            at = hostile.random.randrange(len(data) + 1)
+            for piece in (data[:at], data[at:]):
+                for frame in stream.feed(piece).frames:
+                    one = passed(frame._replace(sysid=255, compid=190), (1, 7))
+                    if one is not None and isinstance(one.message, codec.Message):
+                        codec.frame(one.message, 0, 255, 190)
+            assert len(stream._pending) < codec.LARGEST_FRAME
+
+    yield attack
+
+
+@contextlib.contextmanager
 def monitor(hostile: Hostile) -> Iterator[Callable[[int], None]]:
     """A monitor with control, whose listener hears a crowd."""
     now = {"s": 0.0}
     source = MonitorSource(Endpoint("udpin", "127.0.0.1", 0), control=True, clock=lambda: now["s"])
-    source._listener._socket.close()
+    connection = cast(Any, source._listener._connection)
+    connection._socket.close()
     wire = Replayed()
-    source._listener._socket = cast(socket.socket, wire)
+    connection._socket = wire
 
     def attack(n: int) -> None:
         now["s"] = 0.1 * (n // 50 + 1)
@@ -285,6 +308,7 @@ FRAMES = {
     "supervised link": supervised,
     "external link": external,
     "monitor": monitor,
+    "stations": stations,
     "session.sock": session_sock,
 }
 """Targets of datagrams and lines; one call of `attack` takes 50."""

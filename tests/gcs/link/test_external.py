@@ -341,3 +341,31 @@ def test_of_a_flood_of_strangers_little_is_read_and_the_vehicle_is_heard(
     assert len(link.collect()[KEYS[1]]) == 1
     assert read == [external.UNKNOWN_BYTES] * 5 + [len(one.position(100))]
     assert link.malformed == 0
+
+
+@pytest.mark.parametrize(
+    ("status", "words"),
+    [
+        ((200, 190, 90, 40, 42, 0, 0), None),
+        ((200, 190, 12, 40, 42, 0, 0), "its radio has 12 % of its buffer left"),
+        ((200, 50, 90, 40, 42, 0, 0), "its radio's signal at the other end is weak: 50, noise 42"),
+        ((255, 255, 90, 255, 255, 0, 0), None),  # it does not know
+    ],
+)
+def test_a_telemetry_radio_that_is_full_or_weak_is_told_and_no_vehicle(stand: Any, status: Any, words: Any) -> None:
+    """RADIO_STATUS comes among a vehicle's frames, from the radio's own system id."""
+    link, port = udpin(1)
+    stand(link)
+    one, radio = stand(Vehicle(1)), stand(Vehicle(51, 68))
+    one.say(port, one.heartbeat())
+    until(link, lambda: not link.missing)
+    link.begin()
+    report = mav.MAVLink_radio_status_message(*status)
+    radio.say(port, radio.packed(report))  # a stranger's
+    one.say(port, radio.packed(report), one.position(100))
+    collected: list[Any] = []
+    until(link, lambda: collected.extend(link.collect()[KEYS[1]]) or collected)
+    told = link.pop_radios()
+    assert [text.startswith(words) for _, text in told] == ([True] if words else [])
+    assert link.pop_radios() == []
+    assert link.joined == {KEYS[1]}

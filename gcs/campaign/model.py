@@ -134,7 +134,8 @@ class SearchRules(Part):
     minimise: str | None = None
     maximise: str | None = None
     trials: Annotated[int, Field(strict=True, ge=1, le=1_000_000)] = 200
-    sampler: Literal["tpe", "cmaes", "sobol"] = "tpe"
+    sampler: Literal["sobol_cmaes", "tpe", "cmaes", "sobol"] = "sobol_cmaes"
+    """sobol_cmaes: a Sobol sequence over three tenths of the trials, then CMA-ES about the worst of them"""
     batch: Annotated[int, Field(strict=True, ge=1, le=1000)] = 10
     """trials that are flown at once; the result does not depend on the number of workers"""
 

@@ -421,7 +421,8 @@ def ardupilot(file: Path, sysid: int, supervised: str) -> int:
     import yaml
 
     from simvehicle.mavlink.connection import Connection
-    from simvehicle.sitl.ardupilot import ArduPilotUnit, AutopilotError, read_wanted
+    from simvehicle.sitl.ardupilot import ArduPilotUnit
+    from simvehicle.sitl.autopilot_process import AutopilotError, read_wanted
     from simvehicle.sitl.link import AddressError, SupervisedLink, parse_supervisor
     from simvehicle.sitl.loop import ConnectedUnit, run_supervised
     from simvehicle.sitl.secret import from_hatch

@@ -13,7 +13,7 @@ from gcs.planner.silence import failsafe_of
 from gcs.processes.hatch import ProcessSpec
 from gcs.scenario.faults import COMMANDED
 from gcs.scenario.model import Scenario, VehicleBase
-from gcs.scenario.parts import RealAutopilot
+from gcs.scenario.weather import RealAutopilot
 
 PEERS_A_TICK = 8
 """Reports of peers that a bundle holds beside everything else (docs/protocol.md#peer-reports)."""

@@ -33,12 +33,12 @@ from gcs.scenario.parts import (
     Target,
     VehicleBase,
     Vehicles,
-    Wind,
     base_conflicts,
     known_axes,
 )
 from gcs.scenario.rules import CompetitionRules, FormationRules, PlannerRules, PursuitRules, RefuellingRules
 from gcs.scenario.types import Count, Flag, Part
+from gcs.scenario.weather import Wind
 
 __all__ = [
     "Attractor",

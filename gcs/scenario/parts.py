@@ -11,7 +11,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import AwareDatetime, ConfigDict, Field, ValidationInfo, model_validator
 
 from gcs.scenario.document import Conflict
-from gcs.scenario.external import External, Wait, filled
+from gcs.scenario.external import External, filled
 from gcs.scenario.types import (
     Angles,
     Count,
@@ -36,6 +36,7 @@ from gcs.scenario.types import (
     SysId,
     Vec3,
 )
+from gcs.scenario.weather import RealAutopilot, Sensors
 
 Airframe = Literal["iris", "hummingbird", "crazyflie"]
 LEAST_BASE_CLEARANCE_M = 0.3
@@ -128,73 +129,6 @@ class Battery(Part):
     """power of everything else, W; drawn with motors off too"""
     resistance_ohm: NotNegative | None = None
     """with `plant: rotors`: inner resistance, Ω; by default that of a usual battery of its capacity"""
-
-
-class Sensors(Part):
-    """Errors of what a vehicle knows of its own motion (docs/model.md#estimate-errors) [choice]: the standard deviation
-    of each axis, and the time over which it is correlated. It needs `plant: rotors`."""
-
-    position_m: NotNegative = 0.3
-    """error of the position, m"""
-    position_s: Positive = 60.0
-    """correlation time of the position's error, s"""
-    velocity_m_s: NotNegative = 0.05
-    """error of the velocity, m/s"""
-    velocity_s: Positive = 2.0
-    """correlation time of the velocity's error, s"""
-    attitude_deg: NotNegative = 0.3
-    """error of roll, pitch and yaw, degrees"""
-    attitude_s: Positive = 10.0
-    """correlation time of the angles' error, s"""
-    rate_deg_s: NotNegative = 0.3
-    """error of the angular rates, degrees/s"""
-    rate_s: Positive = 0.02
-    """correlation time of the rates' error, s"""
-
-
-Compass = Annotated[float, Field(strict=True, ge=0, le=360)]
-WindSpeed = Annotated[float, Field(strict=True, ge=0, le=60)]
-
-
-class Gust(Part):
-    """Discrete gust: it rises as (1 - cos)/2, holds, and falls as it rose (docs/model.md#wind)."""
-
-    at_s: Seconds
-    """begin, s of session time"""
-    rise_s: Positive = 1.0
-    """time from nothing to its whole speed, s"""
-    hold_s: NotNegative = 0.0
-    """time at its whole speed, s"""
-    speed_m_s: WindSpeed
-    """level speed, added to the wind, m/s"""
-    from_deg: Compass = 0.0
-    """where it comes from, degrees clockwise from north"""
-    up_m_s: Annotated[float, Field(strict=True, ge=-60, le=60)] = 0.0
-    """speed upwards, m/s"""
-
-
-class Wind(Part):
-    """Wind on vehicles that fly on rotors (docs/model.md#wind)."""
-
-    speed_m_s: WindSpeed = 0.0
-    """mean wind, m/s, the same at all heights"""
-    from_deg: Compass = 0.0
-    """where the mean wind comes from, degrees clockwise from north"""
-    turbulence_m_s: WindSpeed = 0.0
-    """gusts after Dryden: those of a wind of this speed at 6 m; 7.7 is light, 15 moderate, 23 severe; 0 none"""
-    gusts: tuple[Gust, ...] = ()
-    """discrete gusts; none by default"""
-
-
-class RealAutopilot(Part):
-    """An autopilot that is not ours, started with the session and flown by its clock, on our physics
-    (docs/how-to/real-autopilots.md)."""
-
-    ardupilot: Annotated[str, Field(min_length=1, max_length=4096)]
-    """ArduCopter's program for its own simulation, `build/sitl/bin/arducopter`; a relative path counts from the
-    scenario's folder, `~` is your home"""
-    arm_within_s: Wait = 120.0
-    """session time in which it must have found its place and let itself be armed, or it is left out"""
 
 
 class VehicleBase(Part):

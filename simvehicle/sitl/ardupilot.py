@@ -8,91 +8,49 @@ Time passes for it only while one of its servo packets is being answered, so a g
 from __future__ import annotations
 
 import contextlib
-import ctypes
 import json
-import os
 import select
-import signal
 import socket
 import subprocess
 import time
-from dataclasses import dataclass
-from pathlib import Path
 from typing import Any, Self
 
 import numpy as np
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.body import STEP_MS
-from simvehicle.autopilot.energy_transfer import Envelope
 from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.snapshot import Vec3
 from simvehicle.law import rotor_flight, step
 from simvehicle.law.dynamics import ned_from_nwu
-from simvehicle.law.params import BatteryParams, VehicleParams
+from simvehicle.law.params import VehicleParams
 from simvehicle.law.plants import RotorPlant
 from simvehicle.mavlink import json_backend
 from simvehicle.mavlink.battery_component import BatteryComponent
 from simvehicle.mavlink.codec import CHECKSUM_BYTES, HEADER_BYTES, MAGIC, ReceivedFrame, decode, message, split
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.world_failures import WorldFailures
+from simvehicle.sitl.autopilot_process import (
+    APART,
+    HOST,
+    SERIAL_PORT,
+    STEP_S,
+    AutopilotError,
+    AutopilotWanted,
+    end,
+    simulation_port,
+    start,
+)
 from simvehicle.sitl.truth import ENERGY, STATE
 from simvehicle.world import rotors
 from simvehicle.world.airframes import GRAVITY_M_S2
-from simvehicle.world.description import read_world
 
-PR_SET_PDEATHSIG = 1
-STEP_S = STEP_MS / 1e3
-HOST = "127.0.0.1"
-JSON_PORT, SERIAL_PORT, APART = 9002, 5760, 10
-MOST_INSTANCES = 2000
 READY_WITHIN_S = 20.0
 LOOK_EVERY_S = 0.5
 SERIAL_BYTES = 65536
 LAST_LINES = 5
 _OURS = frozenset({mav.MAVLINK_MSG_ID_SYSTEM_TIME, mav.MAVLINK_MSG_ID_BATTERY_STATUS})
 """Messages of the autopilot's that are left out: an answer ends with a time of its own, and the battery is ours."""
-PARAMETERS: dict[str, float] = {
-    "FRAME_CLASS": 1,
-    "FRAME_TYPE": 1,
-    "SCHED_LOOP_RATE": round(1.0 / STEP_S),
-    "MOT_THST_EXPO": 1.0,
-    "MOT_SPIN_MIN": 0.0,
-    "MOT_SPIN_ARM": 0.0,
-    "MOT_BAT_VOLT_MAX": 0.0,
-    "BATT_MONITOR": 4,
-    "FS_THR_ENABLE": 0,
-    "GPS_TYPE": 100,
-    "EK3_YAW_M_NSE": 0.05,
-    "EK3_GPS_CHECK": 0,
-    **{f"INS_ACC{i}OFFS_{axis}": 0.001 for i in ("", "2", "3") for axis in "XYZ"},
-    **{f"INS_ACC{i}SCAL_{axis}": 1.001 for i in ("", "2", "3") for axis in "XYZ"},
-    **{f"COMPASS_OFS{i}_{axis}": x for i in ("", "2", "3") for axis, x in zip("XYZ", (5, 13, -18), strict=True)},
-    **{f"RC{i}_{end}": us for i in range(1, 5) for end, us in (("MIN", 1000), ("MAX", 2000), ("TRIM", 1500))},
-    "RC3_TRIM": 1000,
-}
-"""Parameters that it starts with [choice]: calibrated, in no want of a transmitter, thrust by the throttle squared."""
-
-
-class AutopilotError(RuntimeError):
-    """An autopilot that cannot be started, is not ready, or has ended; the text says which, with its last lines."""
-
-
-@dataclass(frozen=True)
-class AutopilotWanted:
-    """One autopilot of a command line; `folder` is its own, `home` degrees, degrees, m; `start_ned` where it stands."""
-
-    program: Path
-    sysid: int
-    folder: Path
-    home: tuple[float, float, float]
-    start_ned: tuple[float, float, float]
-    yaw_deg: float
-    epoch_s: int
-    battery: BatteryParams
-    envelope: Envelope
-    parameters: dict[str, float]
-    truth: Path | None = None
 
 
 class ArduPilotUnit:
@@ -127,10 +85,10 @@ class ArduPilotUnit:
         self._serial_pending = b""
         self._closing = contextlib.ExitStack()
         with contextlib.ExitStack() as opened:
-            self._udp, instance = _simulation_port()
+            self._udp, instance = simulation_port()
             opened.callback(self._udp.close)
-            self._process = _start(wanted, instance)
-            opened.callback(_end, self._process)
+            self._process = start(wanted, instance)
+            opened.callback(end, self._process)
             self._serial = self._connect(SERIAL_PORT + APART * instance)
             opened.callback(self._serial.close)
             self._peer: Any = None
@@ -351,79 +309,3 @@ def _whole(content: bytes) -> tuple[bytes, bytes]:
             return content[:start], content[start:]
         at = end
     return content, b""
-
-
-def _simulation_port() -> tuple[socket.socket, int]:
-    """A socket where an autopilot of some instance number speaks to its simulation, and that number: the first whose
-    ports are free."""
-    for instance in range(MOST_INSTANCES):
-        udp = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-        try:
-            udp.bind((HOST, JSON_PORT + APART * instance))
-            with socket.socket(socket.AF_INET, socket.SOCK_STREAM) as tcp:
-                tcp.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-                tcp.bind((HOST, SERIAL_PORT + APART * instance))
-            return udp, instance
-        except OSError:
-            udp.close()
-    raise AutopilotError(
-        f"no ports are free for an autopilot: UDP {JSON_PORT} and TCP {SERIAL_PORT}, in steps of {APART}"
-    )
-
-
-def _start(wanted: AutopilotWanted, instance: int) -> subprocess.Popen[bytes]:
-    wanted.folder.mkdir(parents=True, exist_ok=True)
-    defaults = wanted.folder / "defaults.parm"
-    values = {**PARAMETERS, **wanted.parameters}
-    defaults.write_text("".join(f"{name} {value:g}\n" for name, value in values.items()), encoding="utf-8")
-    place = ",".join(f"{number:.9g}" for number in wanted.home)
-    argv = [
-        *(str(wanted.program.resolve()), "--model", f"JSON:{HOST}", "-I", str(instance)),
-        *("--home", f"{place},{wanted.yaw_deg:g}", "--defaults", str(defaults.resolve()), "-w"),
-        *("--start-time", str(wanted.epoch_s), "--sysid", str(wanted.sysid)),
-        *("--serial1", "none:1", "--serial2", "none:1"),
-    ]
-    libc = ctypes.CDLL(None)
-    with (wanted.folder / "autopilot.log").open("wb") as log:
-        try:
-            return subprocess.Popen(
-                argv,
-                cwd=wanted.folder,
-                stdin=subprocess.DEVNULL,
-                stdout=log,
-                stderr=subprocess.STDOUT,
-                preexec_fn=lambda: libc.prctl(PR_SET_PDEATHSIG, signal.SIGKILL),  # noqa: PLW1509 - one thread alone
-            )
-        except OSError as error:
-            raise AutopilotError(f"the autopilot {wanted.program} cannot be started: {error.strerror}") from error
-
-
-def _end(process: subprocess.Popen[bytes]) -> None:
-    with contextlib.suppress(ProcessLookupError):
-        os.kill(process.pid, signal.SIGKILL)
-    process.wait()
-
-
-def read_wanted(content: Any, sysid: int) -> tuple[AutopilotWanted, RotorPlant]:
-    """An autopilot and its physics from plain data, as a file holds them. Raises AutopilotError."""
-    try:
-        world = read_world(content["world"])
-        plant = RotorPlant(world.vehicles[sysid], world.air, seed=world.seed, sysid=sysid)
-        lat_deg, lon_deg, alt_m = map(float, content["home"])
-        north_m, east_m, down_m = map(float, content["start_ned"])
-        wanted = AutopilotWanted(
-            program=Path(content["program"]),
-            sysid=sysid,
-            folder=Path(content["folder"]),
-            home=(lat_deg, lon_deg, alt_m),
-            start_ned=(north_m, east_m, down_m),
-            yaw_deg=float(content["yaw_deg"]),
-            epoch_s=int(content["epoch_s"]),
-            battery=BatteryParams(**{name: float(value) for name, value in content["battery"].items()}),
-            envelope=Envelope(float(content["capture_m"]), float(content["relative_speed_m_s"])),
-            parameters={str(name): float(value) for name, value in content["parameters"].items()},
-            truth=None if content["truth"] is None else Path(content["truth"]),
-        )
-    except (KeyError, TypeError, AttributeError, ValueError) as error:
-        raise AutopilotError(f"its file cannot be read: {error}") from error
-    return wanted, plant

@@ -67,7 +67,7 @@ class _Triple(click.ParamType[tuple[float, float, float]]):
 @click.option(
     "--attitude", type=_Triple("R,P,Y"), multiple=True, default=("0,0,0",), help="Roll, pitch and yaw at start, deg."
 )
-@click.option("--airborne", is_flag=True, help="Start armed and in offboard, flying its own state; there is no ground.")
+@click.option("--airborne", is_flag=True, help="Start flying in offboard; there is no ground.")
 @click.option(
     "--home",
     type=_Triple("LAT,LON,ALT"),
@@ -105,7 +105,7 @@ class _Triple(click.ParamType[tuple[float, float, float]]):
     "--state",
     type=click.Path(path_type=Path, file_okay=False),
     metavar="DIR",
-    help="Folder in which changed parameters (they count more than --params) and plans outlive reboot and process.",
+    help="Folder in which changed parameters (before --params) and plans outlive reboots.",
 )
 @click.option(
     "--key-file",
@@ -124,16 +124,16 @@ class _Triple(click.ParamType[tuple[float, float, float]]):
     "--world",
     type=click.Path(path_type=Path, dir_okay=False),
     metavar="FILE",
-    help="Weather, and which vehicles fly on which rotors, YAML; without it the paper's plant in still air.",
+    help="Weather and rotors, YAML; else the paper's.",
 )
 @click.option(
     "--count",
     type=click.IntRange(1, 254),
     default=1,
     metavar="N",
-    help="Fly N vehicles in this process, with system ids from --sysid on and sockets of their own (a udpin port "
-    "counts up). --position, --velocity, --attitude, --params and --truth may then be given N times, in order; given "
-    "once, all but --truth hold for all.",
+    help="Fly N vehicles in this process, ids from --sysid on, sockets of their own (udpin ports count up). "
+    "--position, --velocity, --attitude, --params, --truth may be given N times, in order; given once, all but "
+    "--truth hold for all.",
 )
 @click.pass_context
 def cli(ctx: click.Context, /, **options: Any) -> None:

@@ -22,7 +22,7 @@ PX4, COPTER, TARGET = 5, 6, 8
 RING_M, HEIGHT_M = 2.0, 2.5
 CAPACITY_J = 250_000.0
 REFUSE_S = "8"
-AWAY_S = 2.4
+AWAY_S = 3.0
 """The PX4 leaves offboard after a second of it, and tells so in the next."""
 pytestmark = pytest.mark.timeout(90)
 

@@ -67,6 +67,8 @@ COMPANIONS = {
     "gcs monitor": "gcs run demo --plain",
     "gcs monitor --connect udpin:127.0.0.1:14550": ONE_VEHICLE,
     "gcs check --connect udpin:127.0.0.1:14550": ONE_VEHICLE,
+    "gcs check --connect udpin:127.0.0.1:14550 --wait-ready 60": ONE_VEHICLE,
+    "gcs params get 'RTL_*'": ONE_VEHICLE,
     "gcs run external.yaml --plain": ONE_VEHICLE.replace("sysid 1", "sysid 3"),
 }
 """What runs meanwhile in the reader's other terminal."""

@@ -16,6 +16,8 @@ export interface SessionLine {
   obstacles: (ObstacleRow)[];
   bases: (BaseRow)[];
   goal: GoalRow;
+  origin?: [number, number, number] | null;
+  wind?: WindRow | null;
   events?: (EventRow)[];
   told?: number;
 }
@@ -56,6 +58,12 @@ export interface GoalRow {
   pursue_within_m: number | null;
   pursue_for_s: number | null;
   refuelled_at_least: number;
+}
+
+/** Mean wind, and where it comes from, degrees clockwise from north. */
+export interface WindRow {
+  speed_m_s: number;
+  from_deg: number;
 }
 
 /** A happening; `sysid` 0 is the ground station, 255 the traffic. */

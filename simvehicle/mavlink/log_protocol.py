@@ -34,7 +34,7 @@ MESSAGES = frozenset(
 
 
 class Log(Protocol):
-    """What a vehicle has written down of its flight."""
+    """Record of a flight that its vehicle has written."""
 
     number: int
     """its id on the wire, from 1"""

@@ -438,10 +438,11 @@ class Supervisor:
 
     def _queue_set_points(self, set_points: Iterable[SetPoint], snapshot: FleetSnapshot) -> None:
         for point in set_points:
-            offset = snapshot.vehicle(point.sysid).origin_offset_ned
+            view = snapshot.vehicle(point.sysid)
+            offset = view.origin_offset_ned
             assert offset is not None
             copies = quality.copies(self.quality.lost_share(point.sysid))
-            self.command_queue.put(point.sysid, (encoded(point, offset, self.time_ms),) * copies)
+            self.command_queue.put(point.sysid, (encoded(point, offset, self.time_ms, view.turn_rad),) * copies)
 
     # out
 

@@ -127,7 +127,10 @@ def replay(
     if from_s is not None:
         if not recording.from_s <= from_s <= recording.to_s:
             raise click.UsageError(f"--from: the recording goes from {recording.from_s:g} to {recording.to_s:g} s.")
-        recording.seek(from_s)
+        from gcs.console.terminal import usable
+
+        looked_at = web or (not (plain or as_json) and usable())
+        recording.seek(from_s, reported_s=-math.inf if looked_at else math.inf)  # who can scroll back finds the past
     if web:
         from gcs.session.replay import ReplaySource
 

@@ -119,11 +119,11 @@ class ArduPilotUnit:
         for content in self._monitor.settings(self._boot_s, *self._plant.electric):
             self._say(content)
         while to_ms - self._time_ms >= STEP_MS:
-            force_nwu = self._fly(self._time_ms / 1e3)
+            self._answer(self._fly(self._time_ms / 1e3))
             self._time_ms += STEP_MS
-            for frame in self._answer(force_nwu):
-                if frame.msgid not in _OURS and not self._monitor.answers(frame):
-                    self._connection.put(decode(frame))
+        for frame in self._link.received():
+            if frame.msgid not in _OURS and not self._monitor.answers(frame):
+                self._connection.put(decode(frame))
         for content in self._battery.move(self._boot_s, (self._time_ms - before_ms) / 1e3, self._p_ned):
             self._connection.put(content)
         if self._truth is not None:
@@ -158,7 +158,8 @@ class ArduPilotUnit:
                 raise AutopilotError(f"{self._link.name} was not ready in {BOOTS_WITHIN_S:.0f} s of its time{why}")
             for content in boot.requests(self._boot_s):
                 self._say(content)
-            for frame in self._answer(standing):
+            self._answer(standing)
+            for frame in self._link.received():
                 boot.receive(frame)
         return boot.volts
 
@@ -180,8 +181,8 @@ class ArduPilotUnit:
         force_nwu[2] += GRAVITY_M_S2
         return force_nwu
 
-    def _answer(self, force_nwu: NDArray[np.float64]) -> list[ReceivedFrame]:
-        """Answer its servo packet with its motion as it is now, as its sensors have it; what it says in the step."""
+    def _answer(self, force_nwu: NDArray[np.float64]) -> None:
+        """Answer its servo packet with its motion as it is now, as its sensors have it."""
         now = self._plant.now
         self._steps += 1
         w, x, y, z = now[rotor_flight.TRUE_QUATERNION]
@@ -208,7 +209,7 @@ class ArduPilotUnit:
             volts=volts,
             amperes=amperes,
         )
-        return self._link.answer(line)
+        self._link.answer(line)
 
     # truth
 

@@ -4,8 +4,8 @@ as one sentence."""
 from __future__ import annotations
 
 import contextlib
-import select
 import socket
+import struct
 import subprocess
 import time
 from typing import Any, Self
@@ -28,6 +28,7 @@ from simvehicle.sitl.autopilot_process import (
 READY_WITHIN_S = 20.0
 LOOK_EVERY_S = 0.5
 SERIAL_BYTES = 65536
+SERVO_BYTES = 2048
 LAST_LINES = 5
 
 
@@ -42,6 +43,7 @@ class AutopilotLink:
         with contextlib.ExitStack() as opened:
             self._udp, instance = simulation_port()
             opened.callback(self._udp.close)
+            self._udp.setsockopt(socket.SOL_SOCKET, socket.SO_RCVTIMEO, _time_of(LOOK_EVERY_S))
             self._process = start(wanted, instance)
             opened.callback(end, self._process)
             self._serial = self._connect(SERIAL_PORT + APART * instance)
@@ -67,40 +69,16 @@ class AutopilotLink:
         except OSError as error:
             raise self._gone() from error
 
-    def answer(self, line: bytes) -> list[ReceivedFrame]:
-        """Answer its servo packet and wait for the next, `servo`; its frames of the step between, all of them."""
+    def answer(self, line: bytes) -> None:
+        """Answer its servo packet and wait for the next, `servo`."""
         try:
             self._udp.sendto(line, self._peer)
         except OSError as error:
             raise self._gone() from error
         self.servo = self._next_servo(self.servo.frame)
-        return self._received()
 
-    def last_lines(self) -> str:
-        """Last lines of its log, to end a sentence."""
-        try:
-            lines = (self._wanted.folder / "autopilot.log").read_text(encoding="utf-8", errors="replace").splitlines()
-        except OSError:
-            lines = []
-        last = [line.strip() for line in lines if line.strip()][-LAST_LINES:]
-        return f"; its last lines: {' | '.join(last)}" if last else ", and said nothing"
-
-    def _next_servo(self, last_frame: int) -> json_backend.ServoPacket:
-        """The next servo packet; what it repeats is passed over. A session may stand still: it waits while it lives."""
-        deadline_s = time.monotonic() + READY_WITHIN_S if last_frame < 0 else None
-        while True:
-            if not select.select([self._udp], [], [], LOOK_EVERY_S)[0]:
-                self._look()
-                if deadline_s is not None and time.monotonic() > deadline_s:
-                    late = f"{self.name} said nothing to its simulation within {READY_WITHIN_S:.0f} s"
-                    raise AutopilotError(late + self.last_lines())
-                continue
-            datagram, self._peer = self._udp.recvfrom(2048)
-            packet = json_backend.parse(datagram)
-            if packet is not None and packet.frame != last_frame:
-                return packet
-
-    def _received(self) -> list[ReceivedFrame]:
+    def received(self) -> list[ReceivedFrame]:
+        """Frames that have come through its serial port: all that it said before its servo packet."""
         try:
             while True:
                 chunk = self._serial.recv(SERIAL_BYTES)
@@ -116,6 +94,31 @@ class AutopilotLink:
         whole, self._serial_pending = _whole(self._serial_pending)
         mine = (self._wanted.sysid, mav.MAV_COMP_ID_AUTOPILOT1)
         return [frame for frame in split(whole) if frame[:2] == mine]
+
+    def last_lines(self) -> str:
+        """Last lines of its log, to end a sentence."""
+        try:
+            lines = (self._wanted.folder / "autopilot.log").read_text(encoding="utf-8", errors="replace").splitlines()
+        except OSError:
+            lines = []
+        last = [line.strip() for line in lines if line.strip()][-LAST_LINES:]
+        return f"; its last lines: {' | '.join(last)}" if last else ", and said nothing"
+
+    def _next_servo(self, last_frame: int) -> json_backend.ServoPacket:
+        """The next servo packet; what it repeats is passed over. A session may stand still: it waits while it lives."""
+        deadline_s = time.monotonic() + READY_WITHIN_S if last_frame < 0 else None
+        while True:
+            try:
+                datagram, self._peer = self._udp.recvfrom(SERVO_BYTES)
+            except BlockingIOError:  # the socket's own time-out, which costs no call of its own
+                self._look()
+                if deadline_s is not None and time.monotonic() > deadline_s:
+                    late = f"{self.name} said nothing to its simulation within {READY_WITHIN_S:.0f} s"
+                    raise AutopilotError(late + self.last_lines()) from None
+                continue
+            packet = json_backend.parse(datagram)
+            if packet is not None and packet.frame != last_frame:
+                return packet
 
     def _connect(self, port: int) -> socket.socket:
         """Its serial port, which listens soon after its start."""
@@ -145,6 +148,12 @@ class AutopilotLink:
         if status is not None and status < 0:
             how = f"was killed by signal {-status}"
         return AutopilotError(f"{self.name} {how}{self.last_lines()}")
+
+
+def _time_of(seconds: float) -> bytes:
+    """A `struct timeval`."""
+    whole = int(seconds)
+    return struct.pack("ll", whole, round(1e6 * (seconds - whole)))
 
 
 def _whole(content: bytes) -> tuple[bytes, bytes]:

@@ -42,7 +42,8 @@ Quaternion = tuple[float, float, float, float]
 BOOTS_WITHIN_S = 120.0
 """Of its own time: an ArduCopter with its own parameters needs 40 s."""
 _OURS = frozenset({mav.MAVLINK_MSG_ID_SYSTEM_TIME, mav.MAVLINK_MSG_ID_BATTERY_STATUS})
-"""Messages of the autopilot's that are left out: an answer ends with a time of its own, and the battery is ours."""
+"""Messages of the autopilot's that are left out: an answer ends with a time of its own, and the battery is ours, also
+the charge in its SYS_STATUS, which it counts from a full battery of its own."""
 
 
 class ArduPilotUnit:
@@ -122,8 +123,12 @@ class ArduPilotUnit:
             self._answer(self._fly(self._time_ms / 1e3))
             self._time_ms += STEP_MS
         for frame in self._link.received():
-            if frame.msgid not in _OURS and not self._monitor.answers(frame):
-                self._connection.put(decode(frame))
+            if frame.msgid in _OURS or self._monitor.answers(frame):
+                continue
+            content: Any = decode(frame)
+            if frame.msgid == mav.MAVLINK_MSG_ID_SYS_STATUS:
+                content = content._replace(battery_remaining=self._battery.percent)
+            self._connection.put(content)
         for content in self._battery.move(self._boot_s, (self._time_ms - before_ms) / 1e3, self._p_ned):
             self._connection.put(content)
         if self._truth is not None:

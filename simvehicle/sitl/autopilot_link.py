@@ -96,12 +96,12 @@ class AutopilotLink:
         return [frame for frame in split(whole) if frame[:2] == mine]
 
     def last_lines(self) -> str:
-        """Last lines of its log, to end a sentence."""
+        """Last lines of its log, each once, to end a sentence."""
         try:
             lines = (self._wanted.folder / "autopilot.log").read_text(encoding="utf-8", errors="replace").splitlines()
         except OSError:
             lines = []
-        last = [line.strip() for line in lines if line.strip()][-LAST_LINES:]
+        last = list(dict.fromkeys(line.strip() for line in lines if line.strip()))[-LAST_LINES:]
         return f"; its last lines: {' | '.join(last)}" if last else ", and said nothing"
 
     def _next_servo(self, last_frame: int) -> json_backend.ServoPacket:

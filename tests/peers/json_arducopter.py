@@ -87,14 +87,27 @@ class JsonCopter(Copter):
         return (mode != GUIDED or self.now_s >= self.ready_s) and super().enter(mode)
 
 
+class JsonTelemetry(Telemetry):
+    """What it tells; it can say that it is another kind of vehicle."""
+
+    kind = mav.MAV_TYPE_QUADROTOR
+
+    def _heartbeat(self) -> Any:
+        said = super()._heartbeat()
+        said.type = self.kind
+        return said
+
+
 class JsonArduCopter(ArduCopter):
     """Its life, by the answers to its servo packets."""
+
+    telemetry: JsonTelemetry
 
     def __init__(self, options: argparse.Namespace, serial: Serial) -> None:
         super().__init__(options)
         self.copter = JsonCopter(options.start, options.battery_wh)
         self.copter.ready_s = options.refuse_arming_s
-        self.telemetry = Telemetry(self.copter, options)
+        self.telemetry = JsonTelemetry(self.copter, options)
         self.link = serial  # type: ignore[assignment]
         self.out = mav.MAVLink(serial, srcSystem=options.sysid, srcComponent=mav.MAV_COMP_ID_AUTOPILOT1)
         self.out.robust_parsing = True
@@ -198,11 +211,12 @@ def main() -> None:
     lat, lon, alt, _ = map(float, given.home.split(","))
     options = argparse.Namespace(
         sysid=given.sysid, connect="udpout:127.0.0.1:9", origin=(lat, lon, alt), start=(0.0, 0.0, 0.0), lose=0.0,
-        refuse_arming_s=2.0, refuse_intervals=False, battery_wh=70.0, battery_told="current", lies=False, says="",
-        param=[],
+        refuse_arming_s=float(parameters.get("READY_S", 2.0)), refuse_intervals=False, battery_wh=70.0,
+        battery_told="current", lies=False, says="", param=[],
     )  # fmt: skip
     serial = Serial(5760 + 10 * given.instance)
     copter = JsonArduCopter(options, serial)
+    copter.telemetry.kind = int(float(parameters.get("KIND", copter.telemetry.kind)))
     copter.killed_at_s = float(parameters.get("KILLED_AT_S", math.inf))
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as udp:
         copter.fly(udp, ("127.0.0.1", 9002 + 10 * given.instance))

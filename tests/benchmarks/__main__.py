@@ -61,7 +61,7 @@ def main() -> None:
     console.print(
         f"This machine now: {scale.cpu:.2f} of the reference ({REFERENCE_STEPS_S:.1e} steps of the calibration loop "
         f"per CPU second), {scale.wall:.2f} on the wall; load {load:.1f} before, {os.getloadavg()[0]:.1f} after; "
-        f"{time.monotonic() - begun_s:.0f} s. Goals of 2, 4, 5, 6 and 8 are scaled by it."
+        f"{time.monotonic() - begun_s:.0f} s. Goals of 2, 4, 5, 6, 8 and 14 are scaled by it."
     )
     rows = [
         {"id": f.id, "name": f.name.strip(), "value": f.value, "unit": f.unit, "peer": f.peer or None,

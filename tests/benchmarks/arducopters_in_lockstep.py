@@ -30,6 +30,7 @@ def fleet() -> dict[str, Any]:
         del content[key]
     content["goal"] = {"duration_s": 90.0, "refuelled_at_least": 2}
     content["planner"]["separation_m"] = 1.5
+    content["vehicles"]["defaults"]["battery"]["capacity_j"] = 48_000.0  # so that everyone flies to the end
     content["formation"]["ring_m"] = 4.0
     pursuers = content["vehicles"]["pursuers"]
     assert len(pursuers) == VEHICLES

@@ -48,7 +48,7 @@ class AutopilotBoot:
         return " | ".join(list(self._reasons)[-LAST_REASONS:])
 
     def requests(self, now_s: float) -> list[Any]:
-        """What is to be said to it now."""
+        """Messages that are to be said to it now."""
         if now_s - self._asked_s < ASK_EVERY_S:
             return []
         self._asked_s = now_s

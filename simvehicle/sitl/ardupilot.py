@@ -125,10 +125,10 @@ class ArduPilotUnit:
         for frame in self._link.received():
             if frame.msgid in _OURS or self._monitor.answers(frame):
                 continue
-            content: Any = decode(frame)
+            said: Any = decode(frame)
             if frame.msgid == mav.MAVLINK_MSG_ID_SYS_STATUS:
-                content = content._replace(battery_remaining=self._battery.percent)
-            self._connection.put(content)
+                said = said._replace(battery_remaining=self._battery.percent)
+            self._connection.put(said)
         for content in self._battery.move(self._boot_s, (self._time_ms - before_ms) / 1e3, self._p_ned):
             self._connection.put(content)
         if self._truth is not None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 
 from gcs.link.impairment import BlackoutWindow, Impairment
@@ -90,7 +91,13 @@ def make_schedule(scenario: Scenario, bidding: BiddingRule | None) -> Scheduler:
         bases=scenario.bases,
         transfer_capable={v.sysid: v.transfer_capable for v in vehicles.pursuers if served},
         cruise_m_s=scenario.planner.cruise_m_s,
+        settled_by_s=scenario.goal.duration_s if _frames_may_be_late(scenario) else math.inf,
     )
     if isinstance(schedule, WatchedSchedule):
         schedule.watch(scenario.competition, frozenset(pursuer.sysid for pursuer in vehicles.pursuers))
     return schedule
+
+
+def _frames_may_be_late(scenario: Scenario) -> bool:
+    """Whether a transfer may end with joules on the way: over a radio, real or simulated."""
+    return bool(scenario.vehicles.external) or not make_radio(scenario).clear

@@ -41,6 +41,8 @@ AWAY_S = 4.0
 """A process that was stopped goes on after so long, except a vehicle's, which is given up."""
 ORPHANS_WITHIN_S = 3.0
 PURSUER, TARGET, TANKER = 1, 101, 201
+LARGEST_BATTERY_J = 16_700_000.0
+"""Nearly the largest that a scenario may have: it lasts a vehicle that hovers for over 24 h."""
 PAGE = ROOT / "docs" / "threat-model.md"
 BEGINS, ENDS = "<!-- make faults -->\n", "<!-- /make faults -->\n"
 KEPT = ROOT / ".faults.jsonl"
@@ -184,6 +186,27 @@ def filled(row: str, number: int, folder: Path, size: int) -> Flown:
         subprocess.run(["umount", "-l", str(disk)], check=True)
 
 
+def long(row: str, number: int, folder: Path, hours: float) -> Flown:
+    """A session of hours in lockstep, whose batteries last; its outcome says how much faster than the clock it flew."""
+    everyone = {"battery": {"capacity_j": LARGEST_BATTERY_J}}
+    content = small(
+        goal={"duration_s": 3600.0 * hours, "refuelled_at_least": 0},
+        record={"decisions": "changes", "truth_hz": 1.0, "rotate_mb": 50, "keep": 4},
+    )
+    for group in ("pursuers", "targets", "tankers"):
+        content["vehicles"][group] = [{**one, **everyone} for one in content["vehicles"][group]]
+    running = Running(content, folder, "--plain")
+    try:
+        running.process.communicate()
+    finally:
+        running.stop()
+    flown = judged(row, number, running.folder, Outcome(running.process.returncode, running.folder, "", ""))
+    if (running.folder / "summary.json").exists():
+        summary = json.loads((running.folder / "summary.json").read_text(encoding="utf-8"))
+        flown.outcome += f" (at {summary['speed_achieved']:.0f} times the clock)"
+    return flown
+
+
 def can_mount() -> bool:
     """Whether a small disk can be made here."""
     with tempfile.TemporaryDirectory() as place:
@@ -214,8 +237,10 @@ RADIOS: dict[str, dict[str, Any]] = {
 Session = Callable[[str, int, Path], Flown]
 
 
-def jobs(moments: int, seed: int) -> Iterator[tuple[str, list[Session]]]:
+def jobs(moments: int, seed: int, hours: float) -> Iterator[tuple[str, list[Session]]]:
     """(name, sessions) of each row; the first of more moments are those of fewer."""
+    if hours:
+        yield f"none, {hours:g} h of session time", [lambda row, n, at: long(row, n, at, hours)]
     for name, whose in PROCESSES.items():
         for what in (signal.SIGKILL, signal.SIGSTOP):
             title = f"{what.name} of {name}"
@@ -268,6 +293,7 @@ def main() -> int:
     says = argparse.ArgumentParser(description=__doc__)
     says.add_argument("--moments", type=int, default=20, help="random moments of each row")
     says.add_argument("--seed", type=int, default=1)
+    says.add_argument("--hours", type=float, default=24.0, help="session time of the one long session; 0: none")
     says.add_argument("--only", default="", help="rows with one of these words, separated by commas")
     says.add_argument("--kept", type=Path, default=KEPT, help="what has been flown, and is not flown again")
     says.add_argument("--again", action="store_true", help="forget what has been flown")
@@ -277,11 +303,11 @@ def main() -> int:
         options.kept.unlink(missing_ok=True)
     lines = options.kept.read_text(encoding="utf-8").splitlines() if options.kept.exists() else []
     known = {(one.row, one.number): one for one in (Flown(**json.loads(line)) for line in lines)}
-    all_jobs = list(jobs(options.moments, options.seed))
+    all_jobs = list(jobs(options.moments, options.seed, options.hours))
     wanted = [job for job in all_jobs if any(word in job[0] for word in options.only.split(","))]
     for number in range(options.moments):  # a moment of every row first: what is stopped early is a smaller table
         for name, sessions in wanted:
-            if (name, number) in known:
+            if (name, number) in known or number >= len(sessions):
                 continue
             one = known[name, number] = flown(name, number, sessions[number])
             with options.kept.open("a", encoding="utf-8") as kept:

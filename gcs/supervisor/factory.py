@@ -11,7 +11,7 @@ from gcs.mavlink.autopilots import PROFILES
 from gcs.refuelling.bidding import BiddingRule
 from gcs.refuelling.scheduler import Scheduler
 from gcs.refuelling.watched_schedule import WatchedSchedule
-from gcs.scenario.faults import Injection
+from gcs.scenario.faults import RADIO, Injection
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import SELDOM_S, ArmingSequence
 from gcs.supervisor.arming_external import ExternalArmingSequence
@@ -100,4 +100,5 @@ def make_schedule(scenario: Scenario, bidding: BiddingRule | None) -> Scheduler:
 
 def _frames_may_be_late(scenario: Scenario) -> bool:
     """Whether a transfer may end with joules on the way: over a radio, real or simulated."""
-    return bool(scenario.vehicles.external) or not make_radio(scenario).clear
+    befallen = any(one.fault in RADIO for one in scenario.faults)
+    return bool(scenario.vehicles.external) or befallen or not make_radio(scenario).clear

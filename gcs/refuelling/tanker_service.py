@@ -34,9 +34,9 @@ BREAKS = 5
 """A service that was broken off so often ends; the receiver competes again, and so may the others."""
 REFUSALS = 5
 """Refusals of a receiver in a row after which its service is given up: others wait for the tanker."""
-LAST_S = 10.0
-"""[choice] A transfer that may have to be settled is stopped so long before the session ends: half of all frames lost,
-stops and settlement take 6 s."""
+LAST_S = 15.0
+"""[choice] A transfer that may have to be settled is stopped so long before the session ends: with half of all frames
+lost, both stops, both counters and the settlement, each asked for again until it is answered, took up to 10 s."""
 FOLLOW_EVERY_US = 100_000.0
 _FOLLOW = float(mav.MAVLINK_MSG_ID_FOLLOW_TARGET)
 

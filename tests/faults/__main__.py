@@ -34,6 +34,7 @@ from gcs.cli.main import run_argv  # noqa: E402
 from gcs.session.replay import Replay, ReplayError  # noqa: E402
 
 DURATION_S = 30.0
+IMPAIRED_S = 60.0
 SPEED = 4.0
 LATEST_S = DURATION_S - 2.0 * SPEED
 """A session tells its time once a second of the wall: no later, or it may have ended."""
@@ -164,7 +165,7 @@ def signalled(
 
 def impaired(row: str, number: int, folder: Path, **changes: Any) -> Flown:
     """A session in lockstep whose scenario is changed, with a seed of its own."""
-    content = small(goal={"duration_s": DURATION_S, "refuelled_at_least": 0}, seed=number, **changes)
+    content = small(goal={"duration_s": IMPAIRED_S, "refuelled_at_least": 0}, seed=number, **changes)
     outcome = fly(content, folder, "--plain")
     return judged(row, number, outcome.folder, outcome)
 

@@ -26,6 +26,11 @@ def _checked(_context: click.Context, _option: click.Parameter, given: str | Non
         raise click.UsageError(f"--tiles: {error}.") from None
 
 
+FOXGLOVE = click.option(
+    "--foxglove",
+    is_flag=True,
+    help="Serve it to Foxglove on this machine (Open connection, Foxglove WebSocket); the address is printed.",
+)
 TILES = click.option(
     "--tiles",
     metavar="URL",
@@ -49,6 +54,22 @@ def print_links(links: Mapping[str, str], *, commands: bool = True, err: bool = 
         click.echo(f"page that only shows: {links['view']}", err=err)
     else:
         click.echo(f"page: {links['command']}", err=err)
+
+
+def show_in_foxglove(source: MessageSource) -> None:
+    """Serve a source to Foxglove until it ends. Raises click.UsageError without its library, KeyboardInterrupt on
+    Ctrl-C."""
+    from gcs.report import foxglove
+
+    if not foxglove.available():
+        raise click.UsageError(foxglove.MISSING)
+    from gcs.report.foxglove_live import serve
+
+    def ready(address: str) -> None:
+        click.echo(f"foxglove: {address}")
+        click.echo("gcs: Ctrl-C ends it.", err=True)
+
+    serve(source, ready)
 
 
 def show(source: MessageSource, *, commands: bool, tiles: str | None = None) -> None:

@@ -40,6 +40,7 @@ if TYPE_CHECKING:
 @click.option("--json", "as_json", is_flag=True, help="One JSON object per second on stdout, for other programs.")
 @page.WEB
 @page.TILES
+@page.FOXGLOVE
 def monitor(
     session: Path | None,
     connect: str | None,
@@ -49,6 +50,7 @@ def monitor(
     as_json: bool,
     web: bool,
     tiles: str | None,
+    foxglove: bool,
 ) -> int:
     """Open a further console on SESSION, the folder of a session that runs; without it, on the newest in sessions/.
 
@@ -66,6 +68,7 @@ def monitor(
       gcs monitor --connect udpin:0.0.0.0:14550 --control
       gcs monitor --connect serial:/dev/ttyUSB0:57600
       gcs monitor --web
+      gcs monitor --foxglove
 
     \b
     Exit status:
@@ -75,8 +78,8 @@ def monitor(
     """
     if plain and as_json:
         raise click.UsageError("--plain and --json exclude each other: choose what goes to stdout.")
-    if web and (plain or as_json):
-        raise click.UsageError("--web excludes --plain and --json: the page shows what they would tell.")
+    if sum((web, foxglove, plain or as_json)) > 1:
+        raise click.UsageError("--web, --foxglove, and --plain or --json exclude each other: choose who shows it.")
     page.refuse_tiles(tiles, web=web)
     if connect is not None and session is not None:
         raise click.UsageError("SESSION and --connect exclude each other: a session is watched, or who is on the air.")
@@ -88,6 +91,10 @@ def monitor(
     if web:
         with contextlib.suppress(KeyboardInterrupt):
             page.show(source, commands=connect is None or control, tiles=tiles)
+        return 0
+    if foxglove:
+        with contextlib.suppress(KeyboardInterrupt):
+            page.show_in_foxglove(source)
         return 0
     from gcs.console.terminal import usable
 

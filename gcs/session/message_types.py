@@ -115,6 +115,8 @@ class SessionLine(Struct, tag_field="type", tag="session"):
     """the last ones that were sent before, where a client connects to a session"""
     told: int | UnsetType = UNSET
     """how many those were in all"""
+    contest: list[tuple[float, dict[str, float]]] | UnsetType = UNSET
+    """(session time, v by system id) of the last minute before, where a client connects or a recording is sought in"""
 
 
 class VehicleRow(Struct):

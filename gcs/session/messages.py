@@ -48,6 +48,8 @@ NO_GOAL: Mapping[str, Any] = {
     "refuelled_at_least": 0,
 }
 """of who knows no scenario"""
+CONTEST_S, CONTEST_EVERY_S = 60.0, 0.5
+"""For how long, and how often, the competition's states are kept for who comes later."""
 ROUND_CORNERS = 32
 """of the outline of what is round"""
 

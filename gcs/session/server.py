@@ -18,7 +18,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from gcs.session.messages import reply_message
+from gcs.session.messages import CONTEST_EVERY_S, CONTEST_S, reply_message
 from gcs.telemetry.events import Event
 
 NEXT, STOP = b"n", b"s"
@@ -66,6 +66,7 @@ class Publisher:
         self._known = 0
         self._events: deque[Any] = deque(maxlen=REMEMBERED)
         self._event_count = 0
+        self._contest: deque[tuple[float, Any]] = deque(maxlen=round(CONTEST_S / CONTEST_EVERY_S))
 
     @property
     def clients(self) -> frozenset[int]:
@@ -127,14 +128,21 @@ class Publisher:
             self._known += 1
             self._numbers[client] = self._known
             if self._greeting is not None:
-                earlier = {"events": list(self._events), "told": self._event_count}
+                earlier = {"events": list(self._events), "told": self._event_count, "contest": list(self._contest)}
                 self._send(client, _line({**self._greeting, **earlier}))
+
+    def _remember(self, content: Mapping[str, Any]) -> None:
+        """Keep a snapshot's competition for later clients."""
+        v = (content.get("competition") or {}).get("v")
+        if v and (not self._contest or content["t_s"] - self._contest[-1][0] >= CONTEST_EVERY_S):
+            self._contest.append((content["t_s"], v))
 
     def publish(self, content: Mapping[str, Any]) -> None:
         """Send one line to every client; who cannot take it whole is dropped. Its events are kept for later clients."""
         events = content.get("events") or ()
         self._events.extend(events)
         self._event_count += len(events)
+        self._remember(content)
         line = _line(content)
         for client in list(self._clients):
             self._send(client, line)

@@ -20,6 +20,7 @@ export interface SessionLine {
   wind?: WindRow | null;
   events?: (EventRow)[];
   told?: number;
+  contest?: ([number, Record<string, number>])[];
 }
 
 /** A vehicle, and its route. */

@@ -81,12 +81,12 @@ class PlanClient:
 
     @property
     def done(self) -> bool:
-        """Whether it has ended."""
-        return self.outcome is not None
+        """Whether it has ended, and nothing waits to be sent."""
+        return self.outcome is not None and not self._out
 
     def receive(self, name: str, content: Any, now_s: float) -> None:
         """Take a message of this vehicle's: its name and fields."""
-        if self.done or content.mission_type != self.kind:
+        if self.outcome is not None or content.mission_type != self.kind:
             return
         if name == "MISSION_ACK" and content.type != mav.MAV_MISSION_ACCEPTED:
             self._refused(content.type, now_s)
@@ -97,7 +97,7 @@ class PlanClient:
 
     def poll(self, now_s: float) -> list[Message]:
         """Messages to send now."""
-        if not self.done and now_s >= self._due_s and not self._out:
+        if self.outcome is None and now_s >= self._due_s and not self._out:
             self._repeat(now_s)
         taken, self._out = self._out, []
         return taken

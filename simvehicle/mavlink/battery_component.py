@@ -12,7 +12,7 @@ from typing import Any, Protocol
 
 from pymavlink.dialects.v20 import common as mav
 
-from simvehicle.autopilot.energy_transfer import Envelope, Exchange, Neighbour, Transfer, TransferOrder, TransferSide
+from simvehicle.autopilot.energy_transfer import Envelope, Exchange, Neighbour, TransferOrder, TransferSide
 from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.snapshot import CELL_FULL_V, CELLS, Vec3
 from simvehicle.mavlink import commands
@@ -142,7 +142,7 @@ class BatteryComponent:
         if reason is not None:
             return commands.TEMPORARILY_REJECTED, [self._text(f"Transfer refused: {reason}")]
         if exchange.current is None:
-            exchange.current = Transfer(order, now_s)
+            exchange.begin(order, now_s)
         return commands.ACCEPTED, []
 
     def _counter(self, now_s: float) -> Any:

@@ -105,7 +105,7 @@ def clearance(table: FloatArray, points_ned: ArrayLike) -> FloatArray:
     """Least signed distance (k,) in m from each of `points_ned` (k, 3) to any surface; inf where there is no shape."""
     at = np.ascontiguousarray(points_ned, dtype=np.float64).reshape(-1, 3)
     least_m = np.empty(len(at))
-    _clearances(table, at, least_m)
+    fill_clearances(table, at, least_m)
     return least_m
 
 
@@ -190,7 +190,8 @@ def _cylinder_surface(
 
 
 @kernel()
-def _clearances(table: FloatArray, at: FloatArray, least: FloatArray) -> None:
+def fill_clearances(table: FloatArray, at: FloatArray, least: FloatArray) -> None:
+    """Kernel: fills `least` (k,) with the clearance of each place of `at` (k, 3), as `clearance` gives it."""
     # No part of a shape is farther than this from its place, so most are passed over by one coordinate alone. Rounding
     # is monotonic, so that it never hides the nearest.
     reach = np.sqrt(table[:, SIZE_1] ** 2 + table[:, SIZE_2] ** 2 + table[:, SIZE_3] ** 2)

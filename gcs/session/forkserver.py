@@ -31,11 +31,12 @@ from setproctitle import setproctitle
 
 from gcs.exit import INTERNAL_ERROR
 from gcs.processes.hatch import READY_WITHIN_S, Hatch
+from gcs.recording import truth
 from gcs.scenario.file import load, shipped_folder
 from gcs.scenario.model import Scenario
 from gcs.session import process
 from gcs.session.supervised import Signals
-from gcs.supervisor import summarise  # noqa: F401 - loaded here, once, for all sessions
+from gcs.supervisor import summarise
 from gcs.supervisor.warmup import find_way, rehearse
 
 PR_SET_PDEATHSIG = 1
@@ -59,6 +60,8 @@ class SessionForks:
         for name in WARMED_BY:
             rehearse(load(shipped_folder() / f"{name}.yaml"))
         find_way()
+        truth.load()
+        summarise.load()
         with selectors.DefaultSelector() as selector:
             selector.register(self._hatch, selectors.EVENT_READ)
             while self._hatch.alive and selector.select(READY_WITHIN_S):

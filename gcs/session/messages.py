@@ -6,6 +6,8 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
+import msgspec
+
 from gcs.refuelling import explain
 from gcs.refuelling.service import Phase
 from gcs.scenario.goal import Judgement, asked
@@ -173,6 +175,11 @@ def snapshot_message(
             events=[event_row(event) for event in events],
         )
     )
+
+
+def event_rows(events: Iterable[Event]) -> list[Any]:
+    """Events as a snapshot has them."""
+    return [msgspec.to_builtins(event_row(event)) for event in events]
 
 
 def _vehicles(supervisor: Supervisor) -> list[VehicleRow]:

@@ -13,7 +13,7 @@ import os
 import select
 import socket
 from collections import deque
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -71,6 +71,11 @@ class Publisher:
     def clients(self) -> frozenset[int]:
         """Clients connected, by the number that requests carry."""
         return frozenset(self._numbers.values())
+
+    @property
+    def watched(self) -> bool:
+        """Whether there is a client."""
+        return bool(self._clients)
 
     def poll(self) -> list[ClientRequest]:
         """Take new clients and what the present ones ask for; never waits. Who sends a line that is none is told so.
@@ -132,12 +137,15 @@ class Publisher:
 
     def publish(self, content: Mapping[str, Any]) -> None:
         """Send one line to every client; who cannot take it whole is dropped. Its events are kept for later clients."""
-        events = content.get("events") or ()
-        self._events.extend(events)
-        self._event_count += len(events)
+        self.remember(content.get("events") or ())
         line = _line(content)
         for client in list(self._clients):
             self._send(client, line)
+
+    def remember(self, events: Collection[Any]) -> None:
+        """Keep events for later clients, where there is none now."""
+        self._events.extend(events)
+        self._event_count += len(events)
 
     def reply(self, request: ClientRequest, ok: bool, text: str) -> None:
         """Answer who asked, if it is still there: whether its command is taken, and a sentence."""

@@ -92,12 +92,12 @@ def of_scenario(shapes: Iterable[Obstacle]) -> FloatArray:
 def points(positions_ned: ArrayLike, radii_m: ArrayLike = 0.0) -> FloatArray:
     """Table of points at `positions_ned` (m, 3) m, spheres where `radii_m` (m,) > 0. ValueError unless finite."""
     positions = np.asarray(positions_ned, dtype=np.float64).reshape(-1, 3)
-    if not np.isfinite(positions).all():
+    if not (math.isfinite(np.vdot(positions, positions)) or np.isfinite(positions).all()):
         raise ValueError("positions_ned holds a value that is not finite; give every obstacle three finite numbers")
     rows = np.zeros((len(positions), COLUMNS))
     rows[:, NORTH : DOWN + 1] = positions
     rows[:, SIZE_1] = radii_m
-    rows[:, KIND] = np.where(rows[:, SIZE_1] > 0.0, SPHERE, POINT)
+    rows[:, KIND] = rows[:, SIZE_1] > 0.0  # SPHERE, else POINT
     return rows
 
 

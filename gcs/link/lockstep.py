@@ -247,6 +247,8 @@ class LockstepLink:
         """Take in the datagrams that have come, MOST_AT_ONCE at most; whether any tick made progress."""
         progress = False
         for _ in range(MOST_AT_ONCE):
+            if progress and not self._awaited:
+                break  # what else there is can wait
             try:
                 datagram, address = self._socket.recvfrom(RECEIVE_BYTES)
             except OSError:

@@ -120,7 +120,7 @@ def _array(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
     array = np.ascontiguousarray(value, dtype=np.float64)
     if array.size == 0 and shape[0] in (-1, 0):
         array = array.reshape(0, *shape[1:])
-    if array.ndim != len(shape) or any(want not in (-1, have) for want, have in zip(shape, array.shape, strict=True)):
+    if array.shape[1:] != shape[1:] or array.ndim == 0 or shape[0] not in (-1, array.shape[0]):
         raise ValueError(f"{name} has shape {array.shape}; it must be {shape}, -1 standing for any number")
     # A sum of squares is finite where all are, unless it overflows: that and a fault are then distinguished.
     if not math.isfinite(np.vdot(array, array)) and not np.isfinite(array).all():

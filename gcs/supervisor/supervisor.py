@@ -12,7 +12,6 @@ from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-from gcs.link import quality
 from gcs.link.forwarder import Forwarder
 from gcs.link.link import Key, TickLink
 from gcs.link.quality import LinkQuality
@@ -428,8 +427,8 @@ class Supervisor:
         for point in set_points:
             offset = snapshot.vehicle(point.sysid).origin_offset_ned
             assert offset is not None
-            copies = quality.copies(self.quality.lost_share(point.sysid))
-            self.command_queue.put(point.sysid, (encoded(point, offset, self.time_ms),) * copies)
+            messages = (encoded(point, offset, self.time_ms),) * self.quality.copies(point.sysid)
+            self.command_queue.put(point.sysid, messages)
 
     # out
 
@@ -446,7 +445,7 @@ class Supervisor:
             if key != TRAFFIC:
                 if self.time_ms >= self._heartbeat_due_ms[sysid]:
                     self._heartbeat_due_ms[sysid] = self.time_ms + round(1e3 * HEARTBEAT_EVERY_S)
-                    messages += [OUR_HEARTBEAT] * quality.copies(self.quality.lost_share(sysid))
+                    messages += [OUR_HEARTBEAT] * self.quality.copies(sysid)
                 messages += self.command_queue.pop(sysid)
                 messages += relays.get(sysid, ())
                 messages += self._forwarded.pop(sysid)

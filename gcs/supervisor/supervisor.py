@@ -312,10 +312,11 @@ class Supervisor:
                 grants = [frame for frame in frames if frame.msgid == _SYSTEM_TIME]
                 received = [*self._radio.apply(key[0], "in", now_s, impaired), *grants]
             self._gaps.feed_all(received)
-            for frame in received:
-                self.fleet.ingest(frame, now_s)
-                if self._watched is not None and frame.msgid == _DEBUG_FLOAT_ARRAY:
-                    self._watched.receive(frame.sysid, codec.fields(frame), now_s)
+            self.fleet.ingest_all(received, now_s)
+            if self._watched is not None:
+                for frame in received:
+                    if frame.msgid == _DEBUG_FLOAT_ARRAY:
+                        self._watched.receive(frame.sysid, codec.fields(frame), now_s)
             received_from[key] = received
             self.quality.count(key[0], len(received), now_s)
             if key[0] in self.inspection.wanted:

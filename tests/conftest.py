@@ -4,10 +4,10 @@ import os
 import signal
 
 import pytest
-from hypothesis import settings
+from hypothesis import HealthCheck, settings
 
 # The same examples in every run; none is judged by its time, for the first to call a kernel also loads it.
-settings.register_profile("ours", derandomize=True, deadline=None)
+settings.register_profile("ours", derandomize=True, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("ours")
 
 # A shell that starts the tests in the background lets them ignore SIGINT, and every program under test inherits that.

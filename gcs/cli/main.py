@@ -163,6 +163,7 @@ for _command in (
 @click.option("--plain", is_flag=True, help="Lines of text instead of the console; also used without a terminal.")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object per second on stdout, for other programs.")
 @page.WEB
+@page.TILES
 @click.option(
     "--vehicles-per-process",
     type=int,
@@ -203,6 +204,7 @@ def run(
     plain: bool,
     as_json: bool,
     web: bool,
+    tiles: str | None,
     vehicles_per_process: int | None,
     drop_datagrams: float,
     junit: Path | None,
@@ -245,6 +247,7 @@ def run(
         raise click.UsageError("--lockstep and --speed exclude each other: lockstep is as fast as the machine can.")
     if plain and as_json:
         raise click.UsageError("--plain and --json exclude each other: choose what goes to stdout.")
+    page.refuse_tiles(tiles, web=web)
     if quiet and (verbose or as_json or plain or web):
         raise click.UsageError("--quiet excludes --verbose, --plain, --json and --web.")
     if verbose and as_json:
@@ -332,7 +335,7 @@ def run(
         if web:
             from gcs.web.process import PageServer
 
-            page.print_links(stack.enter_context(PageServer(folder)).links, err=as_json)
+            page.print_links(stack.enter_context(PageServer(folder, tiles)).links, err=as_json)
         stderr = getattr(shown, "stderr", None)
         status = fly(
             folder,

@@ -64,6 +64,8 @@ def _time(ctx: click.Context, param: click.Parameter, value: float | None) -> fl
 @click.option("--plain", is_flag=True, help="Lines of text instead of the console; also used without a terminal.")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object per recorded second on stdout.")
 @page.WEB
+@page.TILES
+@page.FOXGLOVE
 @click.option("--decide", is_flag=True, help="Decide everything again, and list where the decisions differ.")
 @click.option("--trust", is_flag=True, help="With --decide: run the code that the session's scenario names.")
 def replay(
@@ -73,6 +75,8 @@ def replay(
     plain: bool,
     as_json: bool,
     web: bool,
+    tiles: str | None,
+    foxglove: bool,
     decide: bool,
     trust: bool,
 ) -> int:
@@ -91,6 +95,7 @@ def replay(
       gcs replay sessions/demo-20260101-120000
       gcs replay flight.tlog --speed 4 --from 120
       gcs replay first-flight --web
+      gcs replay first-flight --foxglove
       gcs replay flight.tlog --json > flight.jsonl
       gcs replay first-flight --decide
 
@@ -104,11 +109,12 @@ def replay(
     """
     if plain and as_json:
         raise click.UsageError("--plain and --json exclude each other: choose what goes to stdout.")
-    if web and (plain or as_json):
-        raise click.UsageError("--web excludes --plain and --json: the page shows what they would tell.")
+    if sum((web, foxglove, plain or as_json)) > 1:
+        raise click.UsageError("--web, --foxglove, and --plain or --json exclude each other: choose who shows it.")
+    page.refuse_tiles(tiles, web=web)
     if decide:
-        if speed is not None or from_s is not None or web:
-            raise click.UsageError("--decide plays nothing: leave out --speed, --from and --web.")
+        if speed is not None or from_s is not None or web or foxglove:
+            raise click.UsageError("--decide plays nothing: leave out --speed, --from, --web and --foxglove.")
         return _decide(session, as_json, trust=trust)
     from gcs.session.replay import Replay, ReplayError
 
@@ -124,11 +130,19 @@ def replay(
     if from_s is not None:
         if not recording.from_s <= from_s <= recording.to_s:
             raise click.UsageError(f"--from: the recording goes from {recording.from_s:g} to {recording.to_s:g} s.")
-        recording.seek(from_s)
+        from gcs.console.terminal import usable
+
+        looked_at = web or (not (plain or as_json) and usable())
+        recording.seek(from_s, reported_s=-math.inf if looked_at else math.inf)  # who can scroll back finds the past
     if web:
         from gcs.session.replay import ReplaySource
 
-        page.show(ReplaySource(recording, speed=speed or 1.0), commands=False)
+        page.show(ReplaySource(recording, speed=speed or 1.0), commands=False, tiles=tiles)
+        return 0
+    if foxglove:
+        from gcs.session.replay import ReplaySource
+
+        page.show_in_foxglove(ReplaySource(recording, speed=speed or 1.0))
         return 0
     return _play(recording, speed, plain=plain, as_json=as_json)
 

@@ -39,6 +39,8 @@ if TYPE_CHECKING:
 @click.option("--plain", is_flag=True, help="Lines of text instead of the console; also used without a terminal.")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object per second on stdout, for other programs.")
 @page.WEB
+@page.TILES
+@page.FOXGLOVE
 def monitor(
     session: Path | None,
     connect: str | None,
@@ -47,6 +49,8 @@ def monitor(
     plain: bool,
     as_json: bool,
     web: bool,
+    tiles: str | None,
+    foxglove: bool,
 ) -> int:
     """Open a further console on SESSION, the folder of a session that runs; without it, on the newest in sessions/.
 
@@ -64,6 +68,7 @@ def monitor(
       gcs monitor --connect udpin:0.0.0.0:14550 --control
       gcs monitor --connect serial:/dev/ttyUSB0:57600
       gcs monitor --web
+      gcs monitor --foxglove
 
     \b
     Exit status:
@@ -73,8 +78,9 @@ def monitor(
     """
     if plain and as_json:
         raise click.UsageError("--plain and --json exclude each other: choose what goes to stdout.")
-    if web and (plain or as_json):
-        raise click.UsageError("--web excludes --plain and --json: the page shows what they would tell.")
+    if sum((web, foxglove, plain or as_json)) > 1:
+        raise click.UsageError("--web, --foxglove, and --plain or --json exclude each other: choose who shows it.")
+    page.refuse_tiles(tiles, web=web)
     if connect is not None and session is not None:
         raise click.UsageError("SESSION and --connect exclude each other: a session is watched, or who is on the air.")
     if control and connect is None:
@@ -84,7 +90,11 @@ def monitor(
     source, title = _session(session) if connect is None else _monitor(connect, control, key_file)
     if web:
         with contextlib.suppress(KeyboardInterrupt):
-            page.show(source, commands=connect is None or control)
+            page.show(source, commands=connect is None or control, tiles=tiles)
+        return 0
+    if foxglove:
+        with contextlib.suppress(KeyboardInterrupt):
+            page.show_in_foxglove(source)
         return 0
     from gcs.console.terminal import usable
 

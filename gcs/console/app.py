@@ -8,6 +8,7 @@ import time
 
 from textual import events
 
+from gcs.console.dialogs import Confirm
 from gcs.console.job import can_suspend
 from gcs.console.main_screen import MainScreen
 from gcs.console.shell import Shell
@@ -46,6 +47,8 @@ class ConsoleApp(Shell):
             self.exit(0)
             return
         self.main.beat(changed)
+        if changed and isinstance(self.screen, Confirm):
+            self.screen.redraw()
 
     def action_suspend_process(self) -> None:
         """Give the terminal back to the shell, if there is one that can continue us."""

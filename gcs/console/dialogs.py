@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import ClassVar, TypeVar
 
 from textual.app import ComposeResult
@@ -13,21 +13,20 @@ from textual.screen import ModalScreen
 from textual.widgets import Input
 
 from gcs.console.drawing.panel import Panel
-from gcs.console.styles import GROUND, RAISED
 from gcs.console.text import Glyphs, StyledLine, StyledLines, fitted, width_of, wrapped
 
-FRAME = f"""
+FRAME = """
     align: center middle;
-    background: {GROUND} 60%;
+    background: $ground 60%;
 """
-BOX = f"""
+BOX = """
     width: 64;
     max-width: 96%;
     height: auto;
     max-height: 96%;
     padding: 1 2;
-    background: {RAISED};
-    border: FRAME #5c7894;
+    background: $raised;
+    border: FRAME $frame;
 """
 
 
@@ -77,7 +76,7 @@ class Dialog(ModalScreen[Answer]):
 
 
 class Confirm(Dialog[bool]):
-    """A question; `insist` also takes a second Ctrl-C as yes."""
+    """A question and the state of what it is about, as it changes; `insist` also takes a second Ctrl-C as yes."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("y,enter", "answer(True)"),
@@ -85,15 +84,15 @@ class Confirm(Dialog[bool]):
         Binding("ctrl+c", "interrupt", priority=True),
     ]
 
-    def __init__(self, question: str, detail: str, glyphs: Glyphs, *, insist: bool = False) -> None:
+    def __init__(self, question: str, detail: Callable[[], str], glyphs: Glyphs, *, insist: bool = False) -> None:
         super().__init__(glyphs)
         self._question, self._detail, self._insist = question, detail, insist
 
     def paint(self, width: int, height: int) -> StyledLines:
         """The question, what it means, and the keys."""
         lines: StyledLines = [[(text, "name")] for text in wrapped(self._question, width)]
-        if self._detail:
-            lines += [[(text, "dim")] for text in wrapped(self._detail, width)]
+        if detail := self._detail():
+            lines += [[(text, "dim")] for text in wrapped(detail, width)]
         yes = "y, Enter or Ctrl-C" if self._insist else "y or Enter"
         return [*lines, [], [(yes, "key"), (" yes    ", ""), ("n or Esc", "key"), (" no", "")]]
 
@@ -209,13 +208,13 @@ class Help(Dialog[None]):
 
 
 class Look(Dialog[str | None]):
-    """Words to look for in the events."""
+    """Words to look for."""
 
     BINDINGS: ClassVar[list[BindingType]] = [Binding("escape,ctrl+c", "cancel", priority=True)]
 
-    def __init__(self, words: str, glyphs: Glyphs) -> None:
+    def __init__(self, question: str, words: str, glyphs: Glyphs) -> None:
         super().__init__(glyphs)
-        self._words = words
+        self._question, self._words = question, words
 
     def compose(self) -> ComposeResult:
         """The prompt and a line to write in."""
@@ -231,7 +230,7 @@ class Look(Dialog[str | None]):
             ("Esc", "key"),
             (" no", ""),
         ]
-        return [*([(text, "name")] for text in wrapped("Show only events with these words:", width)), keys]
+        return [*([(text, "name")] for text in wrapped(self._question, width)), keys]
 
     def on_mount(self) -> None:
         """Let the keys go to the line."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -14,6 +15,8 @@ LEVELS = ("info", "warning", "critical")
 KINDS = ("text", "mode", "failsafe", "ack", "decision", "operator", "link", "death", "session", "violation", "fault")
 STYLES = {"info": "", "warning": "look", "critical": "act"}
 WHO = 12
+FOLDED, FOLDED_S = ("text", "mode", "ack"), 3.0
+"""Kinds of events that come in numbers, and for how long after the first of a vehicle they are one with it, s."""
 LEAST_TEXT = 20
 """Cells below which an event's words are cut instead of going on below themselves."""
 
@@ -74,6 +77,25 @@ def matching(watch: SessionModel, chosen: Filter) -> list[Event]:
     return [event for event in watch.events if chosen.lets(event, watch.name(event.get("sysid")))]
 
 
+def folded(events: Sequence[Event]) -> list[Event]:
+    """The same with what a vehicle says, acknowledges and changes of itself within `FOLDED_S` as one event, the first,
+    which tells under "more" for how many others it stands."""
+    shown: list[dict[str, Any] | Event] = []
+    heads: dict[Any, tuple[int, float]] = {}  # of each vehicle: where its last first one is shown, and its time
+    for event in events:
+        if str(event.get("level") or "info") != "info" or kind_of(event) not in FOLDED:
+            shown.append(event)
+            continue
+        sysid, t_s = event.get("sysid"), float(event.get("t_s") or 0.0)
+        head, begun_s = heads.get(sysid, (-1, -math.inf))
+        if 0.0 <= t_s - begun_s <= FOLDED_S:
+            shown[head] = {**shown[head], "more": int(shown[head].get("more") or 0) + 1}
+        else:
+            heads[sysid] = len(shown), t_s
+            shown.append(event)
+    return shown
+
+
 def line(watch: SessionModel, event: Event, width: int, glyphs: Glyphs) -> StyledLine:
     """One event on one line, cut where there is no room."""
     head, (text, style) = _parts(watch, event, width, glyphs)
@@ -100,6 +122,8 @@ def _parts(watch: SessionModel, event: Event, width: int, glyphs: Glyphs) -> tup
         text = text.removeprefix("Operator: ")
     if text.casefold().startswith((f"{who} ", f"{who}: ")):
         text = text[len(who) :].lstrip(": ")
+    if more := event.get("more"):
+        text = f"{text} (+{more})"
     shown: StyledLine = [(f"{float(event.get('t_s') or 0.0):7.1f} ", "dim"), (f"{mark} ", style)]
     if width >= 60:
         shown.append((left(kind_of(event), 9), "dim"))

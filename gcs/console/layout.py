@@ -5,21 +5,20 @@ from __future__ import annotations
 from textual.binding import Binding, BindingType
 
 from gcs.console.pages import heading
-from gcs.console.styles import GROUND, RAISED
 from gcs.session.order_table import ORDERS
 
-CSS = f"""
-MainScreen {{ background: {GROUND}; overflow: hidden; }}
-MainScreen Panel {{ background: {GROUND}; }}
-#session, #goal, #trouble, #keys {{ height: 1; }}
-#keys {{ background: {RAISED}; }}
-#body {{ height: 1fr; }}
-.page {{ display: none; }}
-#left {{ width: 1fr; }}
-#right {{ width: 60; display: none; padding: 0 0 0 1; }}
-.page, #recent, #small-map, #small {{ height: 1fr; }}
-#course {{ height: 15; }}
-#small {{ display: none; }}
+CSS = """
+MainScreen { background: $ground; overflow: hidden; }
+MainScreen Panel { background: $ground; }
+#session, #goal, #trouble, #keys { height: 1; }
+#keys { background: $raised; }
+#body { height: 1fr; }
+.page { display: none; }
+#left { width: 1fr; }
+#right { width: 60; display: none; padding: 0 0 0 1; }
+.page, #recent, #small-map, #small { height: 1fr; }
+#course { height: 15; }
+#small { display: none; }
 """
 
 KEYS: list[BindingType] = [
@@ -43,6 +42,9 @@ KEYS: list[BindingType] = [
     Binding("enter", "page('vehicle')"),
     Binding("escape", "page('fleet')"),
     Binding("o", "order_by"),
+    Binding("g", "go_to"),
+    Binding("d", "look"),
+    Binding("e", "fold"),
     Binding("z", "zoom(1)"),
     Binding("Z", "zoom(-1)"),
     Binding("plus,equals_sign", "faster(1)"),

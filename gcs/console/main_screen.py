@@ -13,13 +13,14 @@ from textual.geometry import Size
 from textual.screen import Screen
 
 from gcs.console import layout
-from gcs.console.dialogs import Help, Look
+from gcs.console.dialogs import Choose, Help, Look
 from gcs.console.drawing.canvas import Canvas
 from gcs.console.drawing.panel import Panel
-from gcs.console.model import SessionModel, Vehicle, ordered
+from gcs.console.model import SessionModel, Vehicle
 from gcs.console.operator_controls import OperatorControls
-from gcs.console.pages import competition, fleet, heading, help_text, map_view, vehicle
+from gcs.console.pages import competition, heading, help_text, map_view, vehicle
 from gcs.console.pages.events import EventsPage
+from gcs.console.pages.fleet_page import FleetPage
 from gcs.console.shell import Shell
 from gcs.console.text import StyledLine, StyledLines, fitted, titled, wrapped
 
@@ -27,7 +28,6 @@ LEAST = Size(80, 24)
 WIDE = Size(120, 30)
 NOTICE_S = 8.0
 SILENT_S = 3.0
-ORDERINGS = ("id", "battery", "competition")
 INTERRUPTED = 130  # the exit status when the operator wants the end of a session that cannot be asked yet
 
 
@@ -43,12 +43,10 @@ class MainScreen(Screen[None]):
         super().__init__()
         self.page = "fleet"
         self.chosen: int | None = None
-        self.order_by = "id"
+        self.fleet_page = FleetPage()
         self.events_page = EventsPage()
         self.plan = map_view.MapView()
         self.small_plan = map_view.MapView()
-        self._top = 0
-        self._on_row: list[int] = []
         self._scrolled = self._most = 0
         self._notice: tuple[str, str, float] | None = None
         self._fleet_size = 0
@@ -141,7 +139,8 @@ class MainScreen(Screen[None]):
     def _share_left(self, size: Size) -> None:
         """The fleet has the lines that it needs, and leaves the events at least six."""
         body = size.height - 4
-        self.query_one("#fleet").styles.height = max(4, min(len(self._ordered()) + 2, body - max(6, body // 5)))
+        needed = self.fleet_page.lines(self.seen) + 1
+        self.query_one("#fleet").styles.height = max(4, min(needed, body - max(6, body // 5)))
 
     def _session(self, width: int, height: int) -> StyledLines:
         app = self.app
@@ -180,15 +179,10 @@ class MainScreen(Screen[None]):
         return [[(line, "look")] for line in lines]
 
     def _ordered(self) -> list[Vehicle]:
-        if not self.seen.vehicles:
-            return [{**known, "mode": "starting"} for known in self.seen.known.values()]
-        return ordered(self.seen.vehicles.values(), self.order_by)
+        return self.fleet_page.ordered(self.seen)
 
     def _fleet(self, width: int, height: int) -> StyledLines:
-        lines, self._on_row, self._top = fleet.table(
-            self._ordered(), width=width, height=height, glyphs=self.app.glyphs, chosen=self.chosen, top=self._top
-        )
-        return lines
+        return self.fleet_page.table(self.seen, self.chosen, width=width, height=height, glyphs=self.app.glyphs)
 
     def _recent(self, width: int, height: int) -> StyledLines:
         return self.events_page.recent(self.seen, width=width, height=height, glyphs=self.app.glyphs)
@@ -287,8 +281,36 @@ class MainScreen(Screen[None]):
 
     def action_order_by(self) -> None:
         """Another order of the fleet."""
-        self.order_by = ORDERINGS[(ORDERINGS.index(self.order_by) + 1) % len(ORDERINGS)]
-        self.notice(f"the fleet is ordered by {self.order_by}; trouble comes first")
+        self.fleet_page.next_order()
+        self.notice(f"the fleet is ordered by {self.fleet_page.order_by}; trouble comes first")
+
+    def action_go_to(self) -> None:
+        """Choose a vehicle by its id."""
+
+        def go(sysid: int | None) -> None:
+            if sysid is not None:
+                self.chosen, self._scrolled = sysid, 0
+                if self.plan.follow is not None:
+                    self.plan.follow = sysid
+                self._inspect()
+                self.redraw()
+
+        if options := [(sysid, self.seen.name(sysid)) for sysid in sorted(self.seen.vehicles)]:
+            self.app.push_screen(Choose("Go to which vehicle?", options, self.app.glyphs), go)
+
+    def action_look(self) -> None:
+        """Dark or light."""
+        self.app.turn_look()
+        for panel in self.query(Panel):
+            panel.again()
+
+    def action_fold(self) -> None:
+        """Each event on its own, or what follows from another under it."""
+        self.events_page.folds = not self.events_page.folds
+        self.notice(
+            "what follows from an event is folded into it" if self.events_page.folds else "every event is shown"
+        )
+        self.redraw()
 
     def action_pan(self, north: int, east: int) -> None:
         """Move the map."""
@@ -325,14 +347,22 @@ class MainScreen(Screen[None]):
         self.redraw()
 
     def action_words(self) -> None:
-        """Ask for words that the events shown have to contain."""
+        """Ask for words that the vehicles shown must have; on the page of events, the events."""
+        vehicles = self.page == "fleet"
 
         def accept(words: str | None) -> None:
-            if words is not None:
+            if words is None:
+                return
+            if vehicles:
+                self.fleet_page.words = words
+                self._arrange()
+            else:
                 self.events_page.look_for(words)
-                self.redraw()
+            self.redraw()
 
-        self.app.push_screen(Look(self.events_page.filter.words, self.app.glyphs), accept)
+        before = self.fleet_page.words if vehicles else self.events_page.filter.words
+        what = "vehicles" if vehicles else "events"
+        self.app.push_screen(Look(f"Show only {what} with these words:", before, self.app.glyphs), accept)
 
     def action_help(self) -> None:
         """The help page."""
@@ -346,8 +376,8 @@ class MainScreen(Screen[None]):
     def _point_fleet(self, column: int, row: int, turn: int) -> None:
         if turn:
             self._go(turn)
-        elif 0 < row <= len(self._on_row):
-            self.chosen = self._on_row[row - 1]
+        elif (sysid := self.fleet_page.at(row)) is not None:
+            self.chosen = sysid
             self.redraw()
 
     def _point_map(self, column: int, row: int, turn: int) -> None:

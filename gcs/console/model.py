@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from gcs.scenario.colours import DARK
@@ -49,6 +49,7 @@ class SessionModel:
                 self._update_snapshot(message)
             elif kind == "session":
                 self.session = message
+                self._recall(message.get("contest") or ())
                 self.known = {v["sysid"]: v for v in message.get("vehicles") or () if "sysid" in v}
             elif kind == "reply":
                 self.replies.append(message)
@@ -77,6 +78,15 @@ class SessionModel:
         if t_s - self._contested_s >= CONTEST_EVERY_S and (v := self.competition.get("v")):
             self._contested_s = t_s
             self.competition_states.append((t_s, dict(v)))
+
+    def _recall(self, past: Sequence[tuple[float, Mapping[str, float]]]) -> None:
+        """Put what was there before this console among the competition's states."""
+        if past:
+            before = [one for one in self.competition_states if one[0] < past[0][0]]
+            after = [one for one in self.competition_states if one[0] > past[-1][0]]
+            self.competition_states = deque(
+                [*before, *((float(t_s), v) for t_s, v in past), *after], maxlen=STATES_LENGTH
+            )
 
     def _go_back(self, t_s: float) -> None:
         """A replay has gone back to `t_s`: what came later has not happened."""

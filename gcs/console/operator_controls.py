@@ -49,8 +49,12 @@ class OperatorControls:
                 self._send(order, sysid)
 
         seen, glyphs = self._app.seen, self._app.glyphs
-        vehicle = seen.vehicles.get(-1 if sysid is None else sysid)
-        detail = "" if vehicle is None else _state(vehicle)
+
+        def detail() -> str:
+            vehicle = seen.vehicles.get(-1 if sysid is None else sysid)
+            now = [] if vehicle is None else [_state(vehicle)]
+            return ". ".join([*now, *([order.means] if order.means else [])])
+
         self._app.push_screen(Confirm(question(order, seen, sysid), detail, glyphs, insist=insist), answer)
 
     def _ask_target(self, order: OperatorCommand, sysid: int | None) -> None:

@@ -2,30 +2,44 @@
 
 from __future__ import annotations
 
+import os
 import sys
 import time
 
-from textual.app import App
-
+from gcs.console.drawing.panel import LookingApp
 from gcs.console.model import SessionModel
+from gcs.console.styles import GROUNDS, look_of
 from gcs.console.text import Glyphs, own_glyphs
 from gcs.session.client import MessageSource
 
 
-class Shell(App[int]):
+class Shell(LookingApp):
     """One source, the state of its messages, and the abilities of the terminal.
 
     `owner`: this console belongs to `gcs run`, whose session Ctrl-C is meant to stop.
     """
 
     def __init__(self, source: MessageSource, title: str, *, owner: bool, glyphs: Glyphs | None) -> None:
+        self._ground = look_of(os.environ)
         super().__init__()
+        self.look = "plain" if self.no_color else self._ground
         self.source = source
         self.title = title
         self.owner = owner
         self.glyphs = glyphs or own_glyphs(sys.__stderr__.encoding if sys.__stderr__ else "ascii")
         self.seen = SessionModel()
         self.last_received_s = time.monotonic()
+
+    def get_css_variables(self) -> dict[str, str]:
+        """The grounds, for the panels' rules."""
+        on = GROUNDS[self._ground]
+        return super().get_css_variables() | {"ground": on.ground, "raised": on.raised, "frame": on.frame}
+
+    def turn_look(self) -> None:
+        """For a terminal of the other ground."""
+        self._ground = "light" if self._ground == "dark" else "dark"
+        self.look = "plain" if self.no_color else self._ground
+        self.refresh_css()
 
     def lost(self) -> list[str]:
         """Limits of this terminal, in sentences."""

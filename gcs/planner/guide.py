@@ -54,7 +54,7 @@ class GuideSettings:
     shorter_share: float = 0.1
     slack_share: float = 0.2
     reached_share: float = 0.25
-    cells: int = 20_000
+    cells: int = 15_000
     """settled in a tick at least"""
     few_cells: int = 60_000
     """and by a few vehicles, whose other work is short"""

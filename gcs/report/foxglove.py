@@ -1,4 +1,5 @@
-"""A recording as MCAP, with the schemas that Foxglove shows without set-up; foxglove-sdk writes it.
+"""A recording as MCAP, with the schemas that Foxglove shows without set-up; foxglove-sdk writes it. The same topics are
+served live by `gcs.report.foxglove_live`.
 
 /tf places every vehicle in the frame `map` (east, north, up; m), /scene draws them with obstacles, rings, paths and
 transfers, /location/ID is for a map, /log has the events. /vehicle/ID, /competition and /services are the rows of the
@@ -21,7 +22,7 @@ from gcs.session import message_types
 from gcs.session.replay import Replay
 
 EVERY_S = 0.1
-MISSING = "MCAP needs foxglove-sdk, which is not installed: pip install '.[mcap]' in Skytender's checkout."
+MISSING = "Foxglove and MCAP need foxglove-sdk, which is not installed: pip install '.[mcap]' in Skytender's checkout."
 FRAME = "map"
 LEVELS = {"info": "Info", "warning": "Warning", "critical": "Error"}
 SIZES_M = {"tanker": (0.9, 0.9, 0.4), "target": (0.5, 0.5, 0.5)}
@@ -31,7 +32,7 @@ Vector = Sequence[float]
 
 
 def available() -> bool:
-    """Whether MCAP can be written here."""
+    """Whether foxglove-sdk is installed."""
     return importlib.util.find_spec("foxglove") is not None
 
 
@@ -44,7 +45,8 @@ def export(source: Path, out: Path, progress: Callable[[float], None] = lambda _
     if out.exists():
         raise FileExistsError(17, "exists already and is left as it is", str(out))
     replay = Replay(source, lambda share: progress(0.3 * share))
-    topics = Topics(replay)
+    scenario = replay.observer.scenario
+    topics = Topics(0 if scenario is None else round(1e9 * scenario.clock.epoch.timestamp()))
     count = math.ceil((replay.to_s - replay.from_s) / EVERY_S - 1e-9)
     unfinished = out.with_name(f".{out.name}.unfinished")
     try:
@@ -63,14 +65,12 @@ def export(source: Path, out: Path, progress: Callable[[float], None] = lambda _
 
 
 class Topics:
-    """The topics of one recording; session and snapshot are lines as the session's socket has them."""
+    """The topics of one session that began at `epoch_ns`; session and snapshot are lines as its socket has them."""
 
-    def __init__(self, replay: Replay) -> None:
+    def __init__(self, epoch_ns: int) -> None:
         from foxglove import Context, channels, messages  # noqa: PLC0415 - as above
 
-        scenario = replay.observer.scenario
-        self._epoch_ns = 0 if scenario is None else round(1e9 * scenario.clock.epoch.timestamp())
-        self._origin = None if scenario is None else tuple(scenario.origin.model_dump().values())
+        self._epoch_ns = epoch_ns
         self._messages, self.context = messages, Context()
         self._transforms = channels.FrameTransformsChannel("/tf", context=self.context)
         self._entities = channels.SceneUpdateChannel("/scene", context=self.context)
@@ -214,7 +214,8 @@ class Topics:
         )
 
     def _locate(self, row: Mapping[str, Any], stamp: Any, t_ns: int) -> None:
-        if self._origin is None or row["p_ned"] is None:
+        origin = self._session.get("origin")
+        if origin is None or row["p_ned"] is None:
             return
         from foxglove import channels  # noqa: PLC0415 - as above
 
@@ -222,7 +223,7 @@ class Topics:
         channel = self._channels.get(topic)
         if channel is None:
             channel = self._channels[topic] = channels.LocationFixChannel(topic, context=self.context)
-        lat, lon, alt = pymap3d.ned2geodetic(*row["p_ned"], *self._origin)
+        lat, lon, alt = pymap3d.ned2geodetic(*row["p_ned"], *origin)
         fix = self._messages.LocationFix(
             timestamp=stamp, frame_id=FRAME, latitude=float(lat), longitude=float(lon), altitude=float(alt)
         )

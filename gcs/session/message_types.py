@@ -83,6 +83,13 @@ class BaseRow(Struct):
     p_ned: Vec3
 
 
+class WindRow(Struct):
+    """Mean wind, and where it comes from, degrees clockwise from north."""
+
+    speed_m_s: float
+    from_deg: float
+
+
 class SessionLine(Struct, tag_field="type", tag="session"):
     """The first line, and again when what it says has changed."""
 
@@ -100,10 +107,16 @@ class SessionLine(Struct, tag_field="type", tag="session"):
     obstacles: list[ObstacleRow]
     bases: list[BaseRow]
     goal: GoalRow
+    origin: tuple[float, float, float] | None = None
+    """of the common frame: latitude and longitude in degrees, altitude above mean sea level in m"""
+    wind: WindRow | None = None
+    """None: nothing blows"""
     events: list[EventRow] | UnsetType = UNSET
     """the last ones that were sent before, where a client connects to a session"""
     told: int | UnsetType = UNSET
     """how many those were in all"""
+    contest: list[tuple[float, dict[str, float]]] | UnsetType = UNSET
+    """(session time, v by system id) of the last minute before, where a client connects or a recording is sought in"""
 
 
 class VehicleRow(Struct):

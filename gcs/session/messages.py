@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any, Literal
 import msgspec
 
 from gcs.refuelling import explain
-from gcs.refuelling.service import Phase
+from gcs.refuelling.service import Phase, by_text
 from gcs.scenario.goal import Judgement, asked
 from gcs.scenario.model import Obstacle, Scenario, VehicleBase
+from gcs.scenario.weather import Wind
 from gcs.session.message_types import (
     BaseRow,
     BrokenRow,
@@ -30,6 +31,7 @@ from gcs.session.message_types import (
     StockRow,
     TrafficRow,
     VehicleRow,
+    WindRow,
     plain,
 )
 from gcs.telemetry.events import Event
@@ -48,6 +50,8 @@ NO_GOAL: Mapping[str, Any] = {
     "refuelled_at_least": 0,
 }
 """of who knows no scenario"""
+CONTEST_S, CONTEST_EVERY_S = 60.0, 0.5
+"""For how long, and how often, the competition's states are kept for who comes later."""
 ROUND_CORNERS = 32
 """of the outline of what is round"""
 
@@ -177,9 +181,13 @@ def snapshot_message(
     )
 
 
-def event_rows(events: Iterable[Event]) -> list[Any]:
-    """Events as a snapshot has them."""
-    return [msgspec.to_builtins(event_row(event)) for event in events]
+def kept_of_snapshot(supervisor: Supervisor, events: Iterable[Event]) -> dict[str, Any]:
+    """The part of the present `snapshot_message` that is kept for later clients."""
+    return {
+        "t_s": supervisor.time_s,
+        "competition": {"v": by_text(supervisor.schedule.competition_state.v)},
+        "events": [msgspec.to_builtins(event_row(event)) for event in events],
+    }
 
 
 def _vehicles(supervisor: Supervisor) -> list[VehicleRow]:
@@ -259,6 +267,8 @@ def session_message(
             obstacles=[obstacle_of(shape, f"{shape.kind} {i + 1}") for i, shape in enumerate(scenario.obstacles)],
             bases=[BaseRow(base.name, base.position_m) for base in scenario.bases],
             goal=GoalRow(**goal_of(scenario)),
+            origin=(scenario.origin.lat_deg, scenario.origin.lon_deg, scenario.origin.alt_m),
+            wind=None if scenario.wind == Wind() else WindRow(scenario.wind.speed_m_s, scenario.wind.from_deg),
         )
     )
 

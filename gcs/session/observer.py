@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import astuple
 from typing import Any, Literal
 
 import msgspec
@@ -221,6 +222,7 @@ class Observer:
                 obstacles=[],
                 bases=[],
                 goal=GoalRow(**NO_GOAL),
+                origin=None if self._origin is None else astuple(self._origin),
             )
         )
 

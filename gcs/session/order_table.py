@@ -15,11 +15,20 @@ class OperatorCommand:
     what: str
     question: str
     of_vehicle: bool = True
+    means: str = ""
+    """what follows from it that one might not think of"""
 
 
 ORDERS = (
     OperatorCommand("p", "pause", "pause", "pause everything, or go on", "Pause the whole session?", of_vehicle=False),
-    OperatorCommand("h", "hold", "hold", "hold its position, out of the planner's hands", "Let {} hold its position?"),
+    OperatorCommand(
+        "h",
+        "hold",
+        "hold",
+        "hold its position, out of the planner's hands",
+        "Let {} hold its position?",
+        means="Nobody refuels it until it rejoins",
+    ),
     OperatorCommand("r", "return", "return", "return to its home", "Send {} home?"),
     OperatorCommand("l", "land", "land", "land where it is", "Land {} where it is?"),
     OperatorCommand("j", "rejoin", "rejoin", "back into the planner's hands", "Give {} back to the planner?"),

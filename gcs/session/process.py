@@ -43,7 +43,7 @@ from gcs.scenario import goal, plugins
 from gcs.scenario.file import dump, load
 from gcs.scenario.model import Scenario, ScenarioError
 from gcs.session.commands import Clients
-from gcs.session.messages import end_message, event_rows, session_message, snapshot_message
+from gcs.session.messages import end_message, kept_of_snapshot, session_message, snapshot_message
 from gcs.session.server import Publisher, Reader
 from gcs.supervisor.summarise import summarise
 from gcs.supervisor.supervisor import Supervisor
@@ -426,7 +426,7 @@ class SessionProcess:
         if self._publisher.watched:
             self._publisher.publish(self._snapshot(events))
         else:
-            self._publisher.remember(event_rows(events))
+            self._publisher.remember(kept_of_snapshot(self._supervisor, events))
 
     def _snapshot(self, events: Sequence[Event]) -> dict[str, Any]:
         supervisor = self._supervisor

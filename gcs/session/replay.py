@@ -146,7 +146,8 @@ class Replay:
 
     def session(self) -> dict[str, Any]:
         """The message of type "session"."""
-        return self.observer.session()
+        line = self.observer.session()
+        return line if self._timeline is None else line | {"contest": self._timeline.contest(self.t_s)}
 
     def snapshot(self, *, speed: float | None, paused: bool = False) -> dict[str, Any]:
         """The message of type "snapshot" at `t_s`, with the events since the last one; no speed: without waiting."""

@@ -13,12 +13,12 @@ import os
 import select
 import socket
 from collections import deque
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from gcs.session.messages import reply_message
+from gcs.session.messages import CONTEST_EVERY_S, CONTEST_S, reply_message
 from gcs.telemetry.events import Event
 
 NEXT, STOP = b"n", b"s"
@@ -66,6 +66,7 @@ class Publisher:
         self._known = 0
         self._events: deque[Any] = deque(maxlen=REMEMBERED)
         self._event_count = 0
+        self._contest: deque[tuple[float, Any]] = deque(maxlen=round(CONTEST_S / CONTEST_EVERY_S))
 
     @property
     def clients(self) -> frozenset[int]:
@@ -132,20 +133,24 @@ class Publisher:
             self._known += 1
             self._numbers[client] = self._known
             if self._greeting is not None:
-                earlier = {"events": list(self._events), "told": self._event_count}
+                earlier = {"events": list(self._events), "told": self._event_count, "contest": list(self._contest)}
                 self._send(client, _line({**self._greeting, **earlier}))
 
     def publish(self, content: Mapping[str, Any]) -> None:
-        """Send one line to every client; who cannot take it whole is dropped. Its events are kept for later clients."""
-        self.remember(content.get("events") or ())
+        """Send one line to every client; who cannot take it whole is dropped. Later clients are sent some of it."""
+        self.remember(content)
         line = _line(content)
         for client in list(self._clients):
             self._send(client, line)
 
-    def remember(self, events: Collection[Any]) -> None:
-        """Keep events for later clients, where there is none now."""
+    def remember(self, content: Mapping[str, Any]) -> None:
+        """Keep a snapshot's events and its competition for later clients."""
+        events = content.get("events") or ()
         self._events.extend(events)
         self._event_count += len(events)
+        v = (content.get("competition") or {}).get("v")
+        if v and (not self._contest or content["t_s"] - self._contest[-1][0] >= CONTEST_EVERY_S):
+            self._contest.append((content["t_s"], v))
 
     def reply(self, request: ClientRequest, ok: bool, text: str) -> None:
         """Answer who asked, if it is still there: whether its command is taken, and a sentence."""

@@ -20,7 +20,7 @@ from gcs.refuelling import explain
 from gcs.refuelling.bidding import CompetitionState
 from gcs.refuelling.service import Phase, Service
 from gcs.scenario.model import Scenario
-from gcs.session.messages import goal_of
+from gcs.session.messages import CONTEST_EVERY_S, CONTEST_S, goal_of
 from gcs.supervisor.operator import TAKEN
 from gcs.telemetry.events import Event
 from gcs.telemetry.health import state
@@ -220,6 +220,12 @@ class Timeline:
             if service.phase is not Phase.DONE and service.start_s is not None:
                 received_j = snapshot.vehicle(service.receiver).received_j
                 service.energy_j = max(round(received_j - before.get(service.receiver, 0.0)), 0)
+
+    def contest(self, t_s: float) -> list[tuple[float, dict[str, float]]]:
+        """The competition's states of the last minute before `t_s`, as a session's line tells them."""
+        times = [t_s - CONTEST_S + k * CONTEST_EVERY_S for k in range(round(CONTEST_S / CONTEST_EVERY_S))]
+        states = ((at_s, self._competition_at(at_s).v) for at_s in times)
+        return [(at_s, {str(sysid): v for sysid, v in of.items()}) for at_s, of in states if of]
 
     def _competition_at(self, t_s: float) -> CompetitionState:
         at = bisect.bisect_right(self._competition_s, t_s) - 1

@@ -18,6 +18,8 @@ WELL, LOOK, ACT = range(3)
 SILENT_S = 3.0
 """HEARTBEATs come every second: three in a row are missing."""
 BATTERY_LOOK, BATTERY_ACT = 0.2, 0.1
+HELD_LOOK = 0.5
+"""[choice] Charge below which it matters that who is held by an operator is not refuelled."""
 EMPTIES_LOOK_S, EMPTIES_ACT_S = 60.0, 30.0
 LOSS_LOOK, LOSS_ACT = 0.2, 0.6
 
@@ -74,6 +76,8 @@ def health_issues(
         found.append(HealthIssue(str(view.mode), LOOK if ordered else ACT))
     elif down and not ordered:
         found.append(HealthIssue("not flying", ACT))
+    elif ordered and view.mode == FlightMode.HOLD and view.remaining_j < HELD_LOOK * view.capacity_j:
+        found.append(HealthIssue("held, not refuelled", LOOK))
     if lost_share is not None and lost_share >= LOSS_LOOK:
         found.append(HealthIssue(f"loses {100.0 * lost_share:.0f} %", ACT if lost_share >= LOSS_ACT else LOOK))
     return sorted(found, key=lambda issue: -issue.severity)

@@ -1,4 +1,4 @@
-"""The page's server as a process of its own: `python -m gcs.web FOLDER PARENT`, started by `gcs run --web`.
+"""The page's server as a process of its own: `python -m gcs.web FOLDER PARENT [TILES]`, started by `gcs run --web`.
 
 It tells its links on standard output, as one line of JSON, and ends with the session, or with who started it.
 """
@@ -20,13 +20,13 @@ PR_SET_PDEATHSIG = 1
 
 
 def main(words: list[str]) -> int:
-    """Serve the session in the folder that the first word names; the second one is our parent."""
-    folder, parent = words
+    """Serve the session in the folder that the first word names; the second is our parent, the third the tiles'."""
+    folder, parent, *tiles = words
     ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGTERM)
     if os.getppid() != int(parent):
         return 0
     with contextlib.suppress(KeyboardInterrupt):
-        serve(SessionSource(Path(folder)), lambda links: print(json.dumps(links), flush=True))
+        serve(SessionSource(Path(folder)), lambda links: print(json.dumps(links), flush=True), *tiles)
     return 0
 
 

@@ -23,6 +23,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from gcs.web import document
 from gcs.web.hub import Hub, PageListener
+from gcs.web.tiles import server
 
 HERE = frozenset({"127.0.0.1", "localhost", "::1"})
 PROTOCOL = "skytender"
@@ -30,11 +31,10 @@ NO_TOKEN, FAR_BEHIND = 4401, 4408
 MOST_COMMAND = 4096
 """Characters of a command."""
 POLICY = (
-    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; connect-src 'self'; "
+    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:{tiles}; connect-src 'self'; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
 )
 HEADERS = {
-    "Content-Security-Policy": POLICY,
     "X-Content-Type-Options": "nosniff",
     "X-Frame-Options": "DENY",
     "Referrer-Policy": "no-referrer",
@@ -65,7 +65,12 @@ class Tokens(NamedTuple):
         return False if hmac.compare_digest(given.encode(), self.view.encode()) else None
 
 
-def application(hub: Hub, tokens: Tokens, send: Send) -> Starlette:
+def policy(tiles: str | None) -> str:
+    """Content-Security-Policy of the page, whose map's tiles come from `tiles`."""
+    return POLICY.format(tiles="" if tiles is None else f" {server(tiles)}")
+
+
+def application(hub: Hub, tokens: Tokens, send: Send, tiles: str | None = None) -> Starlette:
     """The ASGI application; `send` takes the commands of pages that may command."""
 
     async def stream(socket: WebSocket) -> None:
@@ -82,13 +87,13 @@ def application(hub: Hub, tokens: Tokens, send: Send) -> Starlette:
         await _serve(socket, hub, commands, send)
 
     routes = [
-        Route("/", _text(document.served(), "text/html")),
+        Route("/", _text(document.served(tiles), "text/html")),
         Route("/page.js", _text(document.built(document.SCRIPT), "text/javascript")),
         Route("/page.css", _text(document.built(document.STYLE), "text/css")),
         WebSocketRoute("/stream", stream),
     ]
     made = Starlette(routes=routes)
-    made.add_middleware(_Guard)
+    made.add_middleware(_Guard, headers={"Content-Security-Policy": policy(tiles), **HEADERS})
     return made
 
 
@@ -104,8 +109,8 @@ def _text(content: str, kind: str) -> Callable[[Request], Awaitable[Response]]:
 class _Guard:
     """Refuses who calls this machine by another name, and gives every answer the headers."""
 
-    def __init__(self, app: Any) -> None:
-        self._app = app
+    def __init__(self, app: Any, headers: Mapping[str, str]) -> None:
+        self._app, self._headers = app, headers
 
     async def __call__(self, scope: Any, receive: Any, send: Any) -> None:
         if scope["type"] not in ("http", "websocket"):
@@ -114,14 +119,14 @@ class _Guard:
         host = next((value.decode("latin-1") for name, value in scope["headers"] if name == b"host"), "")
         if _name(f"//{host}") not in HERE:
             if scope["type"] == "http":
-                await PlainTextResponse(ELSEWHERE, 403, headers=HEADERS)(scope, receive, send)
+                await PlainTextResponse(ELSEWHERE, 403, headers=self._headers)(scope, receive, send)
             else:
                 await send({"type": "websocket.close", "code": 1008})
             return
 
         async def guarded(message: Any) -> None:
             if message["type"] == "http.response.start":
-                message["headers"] += [(name.encode(), value.encode()) for name, value in HEADERS.items()]
+                message["headers"] += [(name.encode(), value.encode()) for name, value in self._headers.items()]
             await send(message)
 
         await self._app(scope, receive, guarded)

@@ -33,10 +33,10 @@ def built(name: str) -> str:
     return files("gcs.web").joinpath("built", name).read_text(encoding="utf-8")
 
 
-def config(source: Literal["server", "report"]) -> dict[str, Any]:
-    """Settings of the script: the palette, the operator's orders, and where its flight comes from."""
+def config(source: Literal["server", "report"], tiles: str | None = None) -> dict[str, Any]:
+    """Settings of the script: the palette, the operator's orders, where its flight and its map's tiles come from."""
     palette = {"light": LIGHT, "dark": DARK, "sources": {"light": SOURCES_LIGHT, "dark": SOURCES_DARK}}
-    return {"palette": palette, "orders": [asdict(order) for order in ORDERS], "source": source}
+    return {"palette": palette, "orders": [asdict(order) for order in ORDERS], "source": source, "tiles": tiles}
 
 
 def as_json(content: Any) -> str:
@@ -44,9 +44,9 @@ def as_json(content: Any) -> str:
     return json.dumps(content, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c")
 
 
-def served() -> str:
-    """The page that a server gives."""
-    return _PAGE.format(title=escape("Skytender"), config=as_json(config("server")))
+def served(tiles: str | None = None) -> str:
+    """The page that a server gives; `tiles` is the address of its map's tiles."""
+    return _PAGE.format(title=escape("Skytender"), config=as_json(config("server", tiles)))
 
 
 def source_hash(text: str) -> str:

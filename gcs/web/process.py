@@ -19,13 +19,13 @@ ENDS_WITHIN_S = 3.0
 class PageServer:
     """Serves the session of `folder`, which need not fly yet; ends with its context. `links` is empty if it failed."""
 
-    def __init__(self, folder: Path) -> None:
-        self._folder = folder
+    def __init__(self, folder: Path, tiles: str | None = None) -> None:
+        self._words = [str(folder), str(os.getpid()), *([] if tiles is None else [tiles])]
         self.links: dict[str, str] = {}
 
     def __enter__(self) -> Self:
         self._process = subprocess.Popen(
-            [sys.executable, "-m", "gcs.web", str(self._folder), str(os.getpid())],
+            [sys.executable, "-m", "gcs.web", *self._words],
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,

@@ -33,11 +33,14 @@ def links(at: socket.socket, tokens: Tokens) -> dict[str, str]:
     return {name: f"http://{host}:{port}/#token={token}" for name, token in tokens._asdict().items()}
 
 
-def serve(source: MessageSource, ready: Callable[[Mapping[str, str]], object]) -> None:
-    """Serve until the source's end, SIGINT or SIGTERM; `ready` gets the links when they work. Closes the source."""
+def serve(source: MessageSource, ready: Callable[[Mapping[str, str]], object], tiles: str | None = None) -> None:
+    """Serve until the source's end, SIGINT or SIGTERM; `ready` gets the links when they work. Closes the source.
+
+    tiles: address of the map's tiles, as `gcs.web.tiles.checked` takes it.
+    """
     tokens, hub, at = Tokens.fresh(), Hub(), listening()
     orders: deque[Mapping[str, Any]] = deque()
-    app = application(hub, tokens, orders.append)
+    app = application(hub, tokens, orders.append, tiles)
     config = uvicorn.Config(
         app,
         log_level="critical",

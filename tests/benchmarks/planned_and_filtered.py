@@ -18,7 +18,7 @@ from gcs.scenario import geometry
 
 COUNT, SIDE_M = 1000, 100.0
 SPEED_M_S, PERIOD_S, SEPARATION_M, CLEARANCE_M, ACCELERATION_M_S2 = 3.0, 0.1, 0.6, 0.3, 4.0
-TICKS, WARM_TICKS = 200, 3
+TICKS, WARM_TICKS, FLIGHTS = 200, 3, 3
 FIELD = FieldConstants(k0=15.0, k1=2.0, a=0.5, b=0.5, attraction_range_m=1.0, repulsion_range_m=1.0, step_m=0.1)
 
 Floats = NDArray[np.float64]
@@ -26,7 +26,9 @@ Floats = NDArray[np.float64]
 
 def figures(scale: Scale) -> list[Figure]:
     """1000 vehicles that cross a room among 1000 shapes, from the tick on in which none has a route yet."""
-    spent = _flight(np.random.default_rng(COUNT))
+    flights = [_flight(np.random.default_rng(COUNT)) for _ in range(FLIGHTS)]
+    # The same tick does the same work in each; what else the machine does then differs.
+    spent = [min(tick) for tick in zip(*flights, strict=True)]
     goal = 30.0 / scale.cpu
     name = f"guide, planner and filter, {COUNT} vehicles among {COUNT} obstacles"
     return [

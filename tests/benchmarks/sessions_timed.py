@@ -45,7 +45,9 @@ def fleet(duration_s: float) -> dict[str, Any]:
     """`gcs run fleet` for this long, whatever comes of it."""
     content: dict[str, Any] = yaml.safe_load((ROOT / "configs/fleet.yaml").read_text(encoding="utf-8"))
     content["goal"] = {"duration_s": duration_s}
-    content["vehicles"]["defaults"]["battery"]["capacity_j"] *= max(4.0, duration_s / 60.0)  # everyone flies to the end
+    longer = max(4.0, duration_s / 60.0)  # everyone flies to the end
+    for vehicles in (content["vehicles"]["defaults"], *content["vehicles"]["tankers"]):
+        vehicles["battery"]["capacity_j"] *= longer
     return content
 
 

@@ -10,6 +10,8 @@ from __future__ import annotations
 import argparse
 import json
 import math
+import os
+import signal
 import socket
 import struct
 import sys
@@ -76,6 +78,7 @@ class JsonArduCopter(ArduCopter):
         self.frame = 0
         self.pwm = [1000] * 4
         self.state: dict[str, Any] = {}
+        self.killed_at_s = math.inf
         self.origin_ned: Any = ()
 
     def fly(self, udp: socket.socket, to: tuple[str, int]) -> None:
@@ -94,6 +97,8 @@ class JsonArduCopter(ArduCopter):
             assert line[:1] == line[-1:] == b"\n"
             self.state = json.loads(line)
             assert self.state["no_time_sync"] == 1
+            if self.state["timestamp"] >= self.killed_at_s:
+                os.kill(os.getpid(), signal.SIGKILL)
             self.hear(self.link.read())
             if self.state["timestamp"] >= self.copter.now_s + STEP_S:
                 self._know()
@@ -173,6 +178,7 @@ def main() -> None:
     )  # fmt: skip
     serial = Serial(5760 + 10 * given.instance)
     copter = JsonArduCopter(options, serial)
+    copter.killed_at_s = float(parameters.get("KILLED_AT_S", math.inf))
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as udp:
         copter.fly(udp, ("127.0.0.1", 9002 + 10 * given.instance))
 

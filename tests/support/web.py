@@ -73,11 +73,11 @@ class Stopping:
 
 
 @contextlib.contextmanager
-def served(source: MessageSource) -> Iterator[dict[str, str]]:
+def served(source: MessageSource, tiles: str | None = None) -> Iterator[dict[str, str]]:
     """The links of a source's page, while in the context."""
     links: queue.SimpleQueue[dict[str, str]] = queue.SimpleQueue()
     stopping = Stopping(source)
-    thread = threading.Thread(target=serve, args=(stopping, lambda told: links.put(dict(told))))
+    thread = threading.Thread(target=serve, args=(stopping, lambda told: links.put(dict(told)), tiles))
     thread.start()
     try:
         yield links.get(timeout=30)

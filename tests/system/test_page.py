@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import io
 import json
+import math
 import re
 import shutil
 from collections.abc import Iterator
@@ -11,9 +13,11 @@ from typing import Any
 from urllib.parse import urlsplit
 
 import numpy as np
+import pymap3d
 import pytest
 import yaml
-from playwright.sync_api import Browser, Page, expect
+from PIL import Image
+from playwright.sync_api import Browser, Page, Route, expect
 from sessions import Outcome, Running, merged, small
 from web import CHROMIUM, MISSING, Cable, Script, Watched, chromium, serious, served, until
 
@@ -209,6 +213,69 @@ def test_254_vehicles_are_filtered_counted_and_gone_to(browser: Browser) -> None
         assert page.evaluate("skytender.map.follow"), "the picture goes there too"
         assert serious(page) == []
         assert watched.wrong == []
+        page.close()
+
+
+def test_tiles_lie_under_the_map_where_they_belong_and_the_wind_is_shown(browser: Browser) -> None:
+    lat, lon = 47.397742, 8.545594
+    rows = [row(1, 0.0, p_ned=[400.0, -300.0, -5.0]), row(2, 0.0, p_ned=[-350.0, 250.0, -5.0])]
+    told = session(rows, origin=[lat, lon, 400.0], wind={"speed_m_s": 6.0, "from_deg": 250.0})
+    asked: list[tuple[int, int, int]] = []
+
+    def tile(route: Route) -> None:
+        z, x, y = (int(word) for word in route.request.url.removeprefix("https://tiles.example/").split("/"))
+        asked.append((z, x, y))
+        picture = io.BytesIO()
+        Image.new("RGB", (256, 256), shade(x, y)).save(picture, "PNG")
+        route.fulfill(body=picture.getvalue(), content_type="image/png")
+
+    def shade(x: int, y: int) -> tuple[int, int, int]:
+        return 40 * (x % 6), 40 * (y % 6), 255
+
+    with served(Script(told, snapshot(1.0, rows)), "https://tiles.example/{z}/{x}/{y}") as links:
+        watched = Watched(browser)
+        watched.page.route("https://tiles.example/**", tile)
+        page = watched.flying(links["command"])
+        expect(page.locator(".wind")).to_have_text("wind 6.0 m/s from 250°")
+        page.keyboard.press("m")
+        pictures = "[...skytender.map.tiles.kept.values()]"
+        until(page, f"skytender.map.tiles.kept.size > 0 && {pictures}.every((one) => one.complete)")
+        until(page, "!skytender.map.dirty && !skytender.dirty")
+        seen = Image.open(io.BytesIO(page.locator("canvas.map").screenshot())).convert("RGB")
+        frame = page.evaluate("skytender.map.frame")
+        ((z, *_), *_) = asked
+        for north, east in ((130.0, -170.0), (-210.0, 90.0), (20.0, 205.0), (-333.0, -140.0)):
+            there_lat, there_lon, _ = pymap3d.ned2geodetic(north, east, 0.0, lat, lon, 400.0)
+            # The tile of a place: https://wiki.openstreetmap.org/wiki/Slippy_map_tilenames
+            across = (there_lon + 180.0) / 360.0 * 2**z
+            s = math.sin(math.radians(there_lat))
+            down = (0.5 - math.log((1.0 + s) / (1.0 - s)) / (4.0 * math.pi)) * 2**z
+            assert min(across % 1.0, 1.0 - across % 1.0, down % 1.0, 1.0 - down % 1.0) > 0.02, "at no tile's edge"
+            x = round(frame["width"] / 2 + (east - frame["e"]) * frame["perMetre"])
+            y = round(frame["height"] / 2 - (north - frame["n"]) * frame["perMetre"])
+            assert seen.getpixel((x, y)) == shade(int(across), int(down)), (north, east)
+        assert serious(page) == []
+        assert watched.wrong == []
+        page.close()
+
+
+def test_a_page_of_another_origin_cannot_reach_the_stream(browser: Browser) -> None:
+    rows = [row(1, 0.0)]
+    with served(Script(session(rows, name="secret"), snapshot(1.0, rows))) as links:
+        token, port = urlsplit(links["command"]).fragment.removeprefix("token="), urlsplit(links["command"]).port
+        page = browser.new_page()
+        page.route("http://evil.example/", lambda route: route.fulfill(body="<p>evil</p>", content_type="text/html"))
+        page.goto("http://evil.example/")
+        opened = page.evaluate(
+            f"""new Promise((done) => {{
+              const socket = new WebSocket("ws://127.0.0.1:{port}/stream", ["skytender", "token.{token}"]);
+              socket.onmessage = (event) => done(event.data);
+              socket.onerror = () => done("refused");
+            }})"""
+        )
+        assert opened == "refused"
+        read = page.evaluate(f"fetch('http://127.0.0.1:{port}/').then((r) => r.text(), () => 'refused')")
+        assert read == "refused"
         page.close()
 
 

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import psutil
 import pytest
-from sessions import ROOT, Outcome, Running, fly, small
+from sessions import ROOT, Outcome, fly, small
 
 STAND_IN = ROOT / "tests" / "peers" / "json_arducopter.py"
 REAL = os.environ.get("SKYTENDER_ARDUCOPTER", "")
@@ -115,18 +115,13 @@ def test_one_that_cannot_be_had_is_one_sentence_and_nothing_is_left(
 
 
 def test_one_that_is_killed_is_lost_and_the_others_fly_on(tmp_path: Path) -> None:
-    running = Running(mixed(program(tmp_path)), tmp_path, "--json")
-    try:
-        running.wait_for(lambda snapshot: snapshot["t_s"] > 8.0)
-        (copter,) = copters()
-        copter.kill()
-        outcome = running.finish()
-    finally:
-        running.stop()
+    params = {"WPNAV_SPEED": 400.0, "KILLED_AT_S": 8.0}
+    outcome = fly(mixed(program(tmp_path), duration_s=14.0, params=params), tmp_path / "session", "--plain")
     assert outcome.status == 1
-    assert outcome.summary["sim_time_s"] == 26.0
+    assert outcome.summary["sim_time_s"] == 14.0
     assert "was killed by signal 9" in (outcome.folder / "session.log").read_text()
     assert outcome.vehicle(1)["final_mode"] == "offboard"
+    assert copters() == []
 
 
 @pytest.mark.skipif(not REAL, reason="SKYTENDER_ARDUCOPTER names no ArduCopter's simulator")

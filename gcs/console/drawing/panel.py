@@ -7,12 +7,20 @@ from typing import Any
 
 from rich.segment import Segment
 from textual import events
+from textual.app import App
 from textual.geometry import Region
 from textual.strip import Strip
 from textual.widget import Widget
 
-from gcs.console.styles import style
+from gcs.console.styles import Look, style
 from gcs.console.text import StyledLines, width_of
+
+
+class LookingApp(App[int]):
+    """An app that says how its panels look."""
+
+    look: Look = "dark"
+
 
 Paint = Callable[[int, int], StyledLines]
 Pointed = Callable[[int, int, int], object]
@@ -24,6 +32,8 @@ class Panel(Widget):
     `pointed(column, row, turn)` is called for clicks (0) and the wheel (±1).
     """
 
+    app: LookingApp
+
     def __init__(
         self, paint: Paint, *, id: str, classes: str = "", ground: str = "", pointed: Pointed | None = None
     ) -> None:
@@ -33,6 +43,11 @@ class Panel(Widget):
         self._pointed = pointed
         self._lines: StyledLines = []
         self._strips: list[Strip] = []
+
+    def again(self) -> None:
+        """Paint all of it, as after a change of the look."""
+        self._lines, self._strips = [], []
+        self.redraw()
 
     def redraw(self) -> None:
         """Take in what is new."""
@@ -52,21 +67,20 @@ class Panel(Widget):
             self.refresh(*(Region(0, row, width, 1) for row in changed))
 
     def _strip(self, line: list[tuple[str, str]]) -> Strip:
-        colour = not self.app.no_color
+        look = self.app.look
         width = self.size.width
-        segments = [Segment(text, style(f"{self._ground} {names}", colour)) for text, names in line if text]
-        return Strip(segments, width_of(line)).adjust_cell_length(width, style(self._ground, colour))
+        segments = [Segment(text, style(f"{self._ground} {names}", look)) for text, names in line if text]
+        return Strip(segments, width_of(line)).adjust_cell_length(width, style(self._ground, look))
 
     def render_line(self, y: int) -> Strip:
         """One line as it was last painted."""
         if y < len(self._strips):
             return self._strips[y]
-        return Strip.blank(self.size.width, style(self._ground, not self.app.no_color))
+        return Strip.blank(self.size.width, style(self._ground, self.app.look))
 
     def on_resize(self) -> None:
-        """Paint for the new size, all of it."""
-        self._lines, self._strips = [], []
-        self.redraw()
+        """Paint for the new size."""
+        self.again()
 
     def on_click(self, event: events.Click) -> None:
         """Notify the listener."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from gcs.console import events_log
 from gcs.console.model import SessionModel
 from gcs.console.text import Glyphs, StyledLine, StyledLines, titled
@@ -14,25 +16,36 @@ class EventsPage:
 
     def __init__(self) -> None:
         self.filter = events_log.Filter()
+        self.folds = True
         self._back = self._matched = 0
+        self._found: tuple[object, list[events_log.Event]] = (None, [])
+
+    def _matching(self, watch: SessionModel) -> list[events_log.Event]:
+        """The events that pass, folded; who filters wants each. Kept while nothing has come."""
+        key = (watch.event_count, len(watch.events), self.folds, replace(self.filter))
+        if self._found[0] != key:
+            found = events_log.matching(watch, self.filter)
+            self._found = key, events_log.folded(found) if self.folds and self.filter.open else found
+        return self._found[1]
 
     def page(self, watch: SessionModel, *, width: int, height: int, glyphs: Glyphs) -> StyledLines:
         """The events that there is room for, from where it was scrolled to."""
-        found = events_log.matching(watch, self.filter)
+        found = self._matching(watch)
         if self._back:  # who reads what is past is not to lose his place
             self._back += max(0, len(found) - self._matched)
         self._matched = len(found)
         shown, self._back = events_log.window(
             watch, found, width=width, height=height - 1, back=self._back, glyphs=glyphs
         )
-        note: StyledLine = [(f"{self.filter.said()}: {len(found)} of {len(watch.events)}", "info")]
+        shows = len(found) + sum(int(event.get("more") or 0) for event in found)
+        note: StyledLine = [(f"{self.filter.said()}: {shows} of {len(watch.events)}", "info")]
         if self._back:
             note.append((f", {self._back} newer below", "look"))
         return [titled("events", width, glyphs, note), *(shown or [NONE])]
 
     def recent(self, watch: SessionModel, *, width: int, height: int, glyphs: Glyphs) -> StyledLines:
         """The newest ones."""
-        found = events_log.matching(watch, self.filter)
+        found = self._matching(watch)
         note: StyledLine = [] if self.filter.open else [(self.filter.said(), "info")]
         shown, _ = events_log.window(watch, found, width=width, height=height - 1, back=0, glyphs=glyphs)
         return [titled("events", width, glyphs, note), *(shown or [NONE])]

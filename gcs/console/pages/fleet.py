@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -220,8 +221,17 @@ def table(
         mine = vehicle["sysid"] == chosen
         lines.append(_filled(row(vehicle, plan, glyphs, chosen=mine), width, "chosen" if mine else ""))
     if hidden_line:
-        lines.append(_hidden(len(vehicles) - len(shown), vehicles, {v["sysid"] for v in shown}, glyphs))
+        hidden = _hidden(len(vehicles) - len(shown), vehicles, {v["sysid"] for v in shown}, glyphs)
+        lines.append(fitted([*hidden, ("   ", ""), (totals(vehicles), "dim")], width, glyphs))
     return lines, [vehicle["sysid"] for vehicle in shown], top
+
+
+def totals(vehicles: Sequence[Vehicle]) -> str:
+    """How many are in each mode, the most first, and how many are low."""
+    modes = Counter(mode(vehicle)[0] for vehicle in vehicles)
+    low = sum(1 for v in vehicles if (share := battery_share(v)) is not None and share < LOW)
+    said = ", ".join(f"{count} {name}" for name, count in sorted(modes.items(), key=lambda one: (-one[1], one[0])))
+    return f"{said}; {low} below {100 * LOW:.0f} %" if low else said
 
 
 def _filled(line: StyledLine, width: int, style: str) -> StyledLine:

@@ -10,8 +10,10 @@ Keys = tuple[tuple[str, str], ...]
 EVERYWHERE: Keys = (
     ("1-5 tab", "page: fleet, map, competition, events, vehicle"),
     ("n N", "choose the next vehicle, the one before"),
+    ("g", "go to a vehicle by its id"),
     ("enter", "all about the chosen vehicle"),
     ("esc", "back to the fleet"),
+    ("d", "dark or light"),
 )
 EXIT_KEYS: Keys = (
     ("q", "close the console; the session goes on"),
@@ -23,6 +25,7 @@ PAGE_KEYS: dict[str, Keys] = {
     "fleet": (
         ("up down", "choose a vehicle; page up/down, home, end"),
         ("o", "order: by id, battery, competition; trouble is always first"),
+        ("/", "only vehicles with some words: tanker, served, 12, battery"),
     ),
     "map": (
         ("arrows", "pan (in a replay: shift and arrows)"),
@@ -36,6 +39,7 @@ PAGE_KEYS: dict[str, Keys] = {
         ("v", "only the chosen vehicle, or all"),
         ("/", "only events with some words"),
         ("0", "no filter"),
+        ("e", "fold what follows from an event into it, or show all"),
         ("up down", "back in time; end is now"),
     ),
     "vehicle": (("up down", "scroll through what it sends"),),
@@ -52,7 +56,7 @@ LEGEND = (
     ("energy", "leads, v 0.93: its value in the competition   served, serves: in a refuelling   waits"),
 )
 BOTTOM: dict[str, Keys] = {
-    "fleet": (("enter", "vehicle"),),
+    "fleet": (("enter", "vehicle"), ("/", "filter")),
     "map": (("arrows", "pan"), ("z Z", "zoom"), ("c", "follow"), ("a", "all"), ("n", "next")),
     "competition": (("n", "next"),),
     "events": (("w", "level"), ("k", "kind"), ("v", "vehicle"), ("/", "words"), ("0", "all")),

@@ -1,7 +1,7 @@
 // The page of a flight: live, replayed or recorded. It holds what has been seen, the time that is shown, and who is chosen.
 // @ts-check
 import { SharedTime, TimeChart } from "./charts.js";
-import { h } from "./elements.js";
+import { h, number, say } from "./elements.js";
 import { Flight } from "./flight.js";
 import { colourOf, nextTheme, onLook, setMembers } from "./look.js";
 import { MapView } from "./map.js";
@@ -87,8 +87,9 @@ export class App {
       h("option", { value: "free" }, "free view"), h("option", { value: "follow" }, "follow chosen"), h("option", { value: "first" }, "from its eyes"));
     const whole = h("button", { type: "button", onclick: () => this.whole() }, "show all");
     this.pathsButton = h("button", { type: "button", "aria-pressed": "true", onclick: () => this.togglePaths() }, "paths");
+    this.wind = h("span", { class: "soft wind" });
     const picture = h("div", { class: "picture" }, space, names, map);
-    const tools = h("div", { class: "tools" }, this.views.space, this.views.map, this.camera, whole, this.pathsButton);
+    const tools = h("div", { class: "tools" }, this.views.space, this.views.map, this.camera, whole, this.pathsButton, this.wind);
     const scene = h("section", { class: "card scene", "aria-label": "picture" }, tools, picture);
     const timelineAt = h("section", { class: "card time-line", "aria-label": "time" });
     const fleet = h("section", { class: "card", "aria-label": "fleet" }, h("h2", {}, "Fleet"));
@@ -207,6 +208,8 @@ export class App {
       this.shown = new Set(members.length > MANY ? [] : members.map((one) => one.sysid));
     }
     if (this.space) this.space.madeOf = null;
+    const wind = this.flight.session?.wind;
+    say(this.wind, wind ? `wind ${number(wind.speed_m_s, 1)} m/s from ${number(wind.from_deg, 0)}°` : "");
     this.fillPicker();
     this.dirty = true;
   }

@@ -6,9 +6,10 @@ import { nextTheme, restoreTheme, usePalette } from "./look.js";
 import { Live } from "./live.js";
 import { Operator } from "./operator.js";
 import { recorded } from "./recorded.js";
+import { Tiles } from "./tiles.js";
 
 /** @typedef {import("./operator.js").Order} Order */
-/** @typedef {{palette: import("./look.js").Palette, orders: Order[], source: "server" | "report"}} Config */
+/** @typedef {{palette: import("./look.js").Palette, orders: Order[], source: "server" | "report", tiles: string | null}} Config */
 
 const KEYS = [
   ["space", "pause, or go on"], ["← →", "10 s back or on (replay, report, or back in a live flight)"], ["< >", "slower, faster"], ["End", "back to the newest"],
@@ -96,6 +97,7 @@ function served(config) {
     if (!ok) operator.notice(text, "bad");
   };
   const app = new App(root, { charts: true, player });
+  if (config.tiles) app.map.tiles = new Tiles(config.tiles, () => (app.map.dirty = true));
   const operator = new Operator(config.orders, (command, answer) => live.send(command, answer));
   const ask = (/** @type {Order} */ order) => {
     if (!control) return void operator.notice(replaying ? "A recording takes no commands." : "This link shows, and commands nothing.", "bad");

@@ -69,6 +69,8 @@ export class MapView {
     /** @type {{sysid: number, x: number, y: number}[]} */
     this.places = [];
     this.dirty = true;
+    /** @type {import("./tiles.js").Tiles | null} */
+    this.tiles = null;
     /** @type {Map<number, {x: number, y: number}>} */
     const held = new Map();
     let travelled = 0;
@@ -175,12 +177,33 @@ export class MapView {
     this.frame = { n, e, m, perMetre, width, height };
     const X = (/** @type {number} */ east) => width / 2 + (east - e) * perMetre;
     const Y = (/** @type {number} */ north) => height / 2 - (north - n) * perMetre;
+    const origin = flight.session?.origin;
+    if (this.tiles && origin) this.tiles.draw(context, origin, this.frame, X, Y, colours);
     this.#grid(context, X, Y, perMetre, width, height);
     this.#ground(context, flight, X, Y, perMetre);
     if (paths) this.#paths(context, flight, X, Y, until_s, trail_s, chosen, shown);
     this.#services(context, flight, snapshot, X, Y);
     this.#vehicles(context, flight, snapshot, X, Y, perMetre, chosen);
     this.#scale(context, perMetre, width, height);
+    this.#wind(context, flight, width);
+  }
+
+  /** Where the wind blows, under the north arrow. @param {CanvasRenderingContext2D} context @param {Flight} flight @param {number} width */
+  #wind(context, flight, width) {
+    const wind = flight.session?.wind;
+    if (!wind) return;
+    const { ink } = look();
+    const [x, y] = [width - 20, 64];
+    context.save();
+    context.translate(x, y);
+    context.rotate(((wind.from_deg + 180) * Math.PI) / 180);
+    context.strokeStyle = ink;
+    context.lineWidth = 2;
+    context.beginPath();
+    [[0, 14], [0, -14]].forEach(([u, w], k) => context[k ? "lineTo" : "moveTo"](u, w));
+    [[-5, -7], [0, -14], [5, -7]].forEach(([u, w], k) => context[k ? "lineTo" : "moveTo"](u, w));
+    context.stroke();
+    context.restore();
   }
 
   /** @typedef {(metres: number) => number} Axis */

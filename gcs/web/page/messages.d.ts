@@ -16,8 +16,11 @@ export interface SessionLine {
   obstacles: (ObstacleRow)[];
   bases: (BaseRow)[];
   goal: GoalRow;
+  origin?: [number, number, number] | null;
+  wind?: WindRow | null;
   events?: (EventRow)[];
   told?: number;
+  contest?: ([number, Record<string, number>])[];
 }
 
 /** A vehicle, and its route. */
@@ -56,6 +59,12 @@ export interface GoalRow {
   pursue_within_m: number | null;
   pursue_for_s: number | null;
   refuelled_at_least: number;
+}
+
+/** Mean wind, and where it comes from, degrees clockwise from north. */
+export interface WindRow {
+  speed_m_s: number;
+  from_deg: number;
 }
 
 /** A happening; `sysid` 0 is the ground station, 255 the traffic. */

@@ -1,8 +1,8 @@
 // An operator's commands: the same as in the console, each asked about, answered, and told to everyone as an event.
 // @ts-check
-import { h } from "./elements.js";
+import { h, say } from "./elements.js";
 
-/** @typedef {{key: string, command: string, name: string, what: string, question: string, of_vehicle: boolean}} Order */
+/** @typedef {{key: string, command: string, name: string, what: string, question: string, of_vehicle: boolean, means: string}} Order */
 /** @typedef {import("./messages").SnapshotMessage} Snapshot */
 
 export class Operator {
@@ -35,18 +35,23 @@ export class Operator {
     if (order.of_vehicle && sysid === null) return void this.notice("No vehicle is chosen: choose one in the table, on the map or by its id.", "bad");
     const resume = order.command === "pause" && present()?.phase === "paused";
     const question = resume ? "Go on with the session?" : order.question.replace("{}", sysid === null ? "" : name(sysid));
-    const row = present()?.vehicles.find((one) => one.sysid === sysid);
-    const detail = row && order.of_vehicle ? state(row) : "";
+    const row = () => present()?.vehicles.find((one) => one.sysid === sysid);
+    const detail = h("p", { class: "soft" });
+    const now = () => {
+      const found = order.of_vehicle ? row() : undefined;
+      say(detail, [found ? state(found) : "", order.means].filter(Boolean).join(". "));
+    };
     const targets = order.command === "retarget" ? (present()?.vehicles ?? []).filter((one) => one.role === "target") : [];
     if (order.command === "retarget" && !targets.length) return void this.notice("There is no target.", "bad");
     const select = h("select", { "aria-label": "target" }, ...targets.map((one) => h("option", { value: one.sysid }, one.label)));
     const yes = h("button", { type: "submit", value: "yes", class: "primary" }, "Yes");
     const form = h("form", { method: "dialog" },
-      h("h2", { id: "ask-question" }, question), detail ? h("p", { class: "soft" }, detail) : null, targets.length ? h("p", {}, select) : null,
+      h("h2", { id: "ask-question" }, question), detail, targets.length ? h("p", {}, select) : null,
       h("p", { class: "buttons" }, yes, h("button", { type: "submit", value: "no" }, "No")));
     this.dialog.replaceChildren(form);
     this.dialog.returnValue = "no";
     this.dialog.onclose = () => {
+      clearInterval(keeping);
       if (this.dialog.returnValue !== "yes") return;
       /** @type {Record<string, unknown>} */
       const command = { command: resume ? "resume" : order.command };
@@ -56,6 +61,8 @@ export class Operator {
       this.notice(`${what}: sent`);
       this.send(command, (ok, text) => this.notice(`${what}: ${text || (ok ? "taken" : "not taken")}`, ok ? "good" : "bad"));
     };
+    now();
+    const keeping = setInterval(now, 500);
     this.dialog.showModal();
     yes.focus();
   }

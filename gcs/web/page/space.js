@@ -1,7 +1,7 @@
 // The fleet in space: bodies with their attitudes, paths, rings, obstacles, traffic and transfers. x east, y up, z south.
 // @ts-check
 import {
-  AmbientLight, BoxGeometry, BufferAttribute, BufferGeometry, Color, ConeGeometry, CylinderGeometry, DirectionalLight, DoubleSide,
+  AmbientLight, ArrowHelper, BoxGeometry, BufferAttribute, BufferGeometry, Color, ConeGeometry, CylinderGeometry, DirectionalLight, DoubleSide,
   ExtrudeGeometry, Group, GridHelper, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshLambertMaterial,
   OctahedronGeometry, PerspectiveCamera, PlaneGeometry, Quaternion, Scene, Shape, SphereGeometry, Vector3, WebGLRenderer,
 } from "three";
@@ -175,7 +175,8 @@ export class SpaceView {
 
   /** Obstacles, bases, planned paths, the ground: made again only where they have changed. @param {Flight} flight */
   #fix(flight) {
-    const key = `${JSON.stringify(flight.session?.obstacles.length ?? 0)} ${flight.session?.vehicles.length} ${look().dark}`;
+    const wind = flight.session?.wind;
+    const key = `${JSON.stringify(wind ?? 0)} ${flight.session?.obstacles.length ?? 0} ${flight.session?.vehicles.length} ${look().dark}`;
     if (this.madeOf === key && this.fixed.children.length) return;
     this.madeOf = key;
     for (const old of this.fixed.children) if (old instanceof Mesh || old instanceof LineSegments) old.geometry.dispose();
@@ -225,6 +226,14 @@ export class SpaceView {
         }
       });
     }
+    if (wind) {
+      const towards = ((wind.from_deg + 180) * Math.PI) / 180;
+      const along = new Vector3(Math.sin(towards), 0, -Math.cos(towards));
+      const middleOf = new Vector3((all[1][0] + all[1][1]) / 2, 0.12 * span, -(all[0][0] + all[0][1]) / 2);
+      const length = 0.14 * span;
+      const tail = middleOf.clone().addScaledVector(along, -0.62 * span);
+      this.fixed.add(new ArrowHelper(along, tail, length, colours.ink, 0.3 * length, 0.14 * length));
+    }
     const planned = this.#segments(0);
     this.#fill(planned, positions, tints);
     this.fixed.add(planned);
@@ -244,7 +253,7 @@ export class SpaceView {
     if (!all) return 8;
     const [[n0, n1], [e0, e1]] = all;
     const narrow = Math.max(1, 1.3 / this.camera.aspect);
-    return 1.15 * narrow * Math.max(n1 - n0, 0.9 * (e1 - e0), 8);
+    return 1.3 * narrow * Math.max(n1 - n0, 0.9 * (e1 - e0), 8);
   }
 
   /** @param {Flight} flight */

@@ -151,6 +151,9 @@ def test_events_are_filtered_by_level_kind_vehicle_and_words(flown: Messages) ->
             return [line for line in shown.lines()[4:-1] if line]
 
         await shown.press("4")
+        assert len(rows()) == 12
+        assert rows()[6].endswith("hold: accepted (+1)"), "what follows at once is folded into it"
+        await shown.press("e")
         assert len(rows()) == 13
         await shown.press("w")
         assert len(rows()) == 3
@@ -170,7 +173,7 @@ def test_old_events_stay_in_place_while_new_ones_come() -> None:
     many = [{"t_s": float(i), "sysid": 1, "level": "info", "kind": "text", "text": f"number {i}."} for i in range(100)]
 
     async def steps(shown: Shown) -> None:
-        await shown.press("4")
+        await shown.press("4", "e")
         assert "number 99." in shown.text()
         await shown.press("home")
         before = shown.lines()[4:-1]
@@ -331,7 +334,7 @@ def test_an_event_is_told_to_its_last_word_and_where_no_event_passes_that_is_sai
             await shown.press(key)
             assert all(word in shown.text() for word in words.split())
             assert "Operator:" not in shown.text()
-        await shown.press("slash", *"nowhere", "enter")
+        await shown.press("4", "slash", *"nowhere", "enter")
         assert "none" in [line.strip() for line in shown.lines()]
 
     drive(steps, [session(), snapshot(48.2, events=[told])])
@@ -342,7 +345,7 @@ def test_every_event_can_be_scrolled_to_however_many_lines_each_takes() -> None:
     many = [{"t_s": float(i), "sysid": 1, "level": "info", "kind": "text", "text": f"n{i}. {words}"} for i in range(40)]
 
     async def steps(shown: Shown) -> None:
-        await shown.press("4", "home")
+        await shown.press("4", "e", "home")
         seen = {number for number in range(40) if f"n{number}." in shown.text()}
         assert min(seen) == 0
         for _ in range(40):

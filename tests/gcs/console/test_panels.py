@@ -23,7 +23,7 @@ from gcs.console.pages.heading import session_line
 from gcs.console.pages.map_view import MapView, draw, symbol
 from gcs.console.styles import COLOURS
 from gcs.console.text import ASCII, UNICODE, bar, can_unicode, fitted, number, width_of, wrapped
-from gcs.scenario.colours import DARK
+from gcs.scenario.colours import DARK, LIGHT
 from gcs.session.client import GONE_S, SessionSource
 from gcs.session.server import Publisher
 
@@ -189,7 +189,8 @@ def test_a_vehicle_has_one_colour_on_map_and_in_curves_by_its_place_in_the_scena
     plan = draw(watch, MapView(), width=120, height=40, glyphs=UNICODE, chosen=None)
     numbers = {part.strip(): name for line in plan for part, name in line if part.strip() in ("2", "5")}
     assert all(styles[int(part)] in name for part, name in numbers.items())
-    assert {COLOURS[f"vehicle{place}"] for place in range(len(DARK))} == set(DARK), "the page's own"
+    for look, own in (("dark", DARK), ("light", LIGHT)):
+        assert [COLOURS[look][f"vehicle{place}"] for place in range(len(own))] == list(own), "the page's own"
 
 
 def test_the_present_is_at_the_curves_right_edge_though_nobody_competes_any_more() -> None:

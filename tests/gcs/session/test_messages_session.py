@@ -26,6 +26,8 @@ def test_the_demo_is_told_whole_as_json() -> None:
     target = next(v for v in line["vehicles"] if v["role"] == "target")
     assert len(target["path_ned"]) >= len(scenario.vehicles.targets[0].path_m)
     assert (line["clock"], line["speed"]) == ("real", scenario.clock.speed)
+    assert line["origin"] == [scenario.origin.lat_deg, scenario.origin.lon_deg, scenario.origin.alt_m]
+    assert line["wind"] is None
 
 
 def test_lockstep_has_no_speed() -> None:

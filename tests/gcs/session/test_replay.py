@@ -333,6 +333,11 @@ def test_decisions_passed_on_the_way_to_a_later_time_are_told_and_no_later_ones(
     kinds = ("decided", "transfer", "served", "broken off", "safety")
     made = [record["t_s"] for record in session.decisions if record["kind"] in kinds]
     assert decided == [t_s for t_s in made if t_s <= 30.0]
+    replay.seek(30.0, reported_s=-math.inf)  # as `--from` does it
+    assert [event["t_s"] for event in replay.snapshot(speed=1.0)["events"] if event["kind"] == "decision"] == decided
+    contest = replay.session()["contest"]
+    assert contest[-1][0] < 30.0
+    assert all(replay._timeline._competition_at(t_s).v == {int(k): x for k, x in v.items()} for t_s, v in contest)
     source.send({"command": "seek", "t_s": 20.0})
     again = [event for message in source.receive() for event in message.get("events", ())]
     assert not [event for event in again if event["kind"] == "decision"]

@@ -164,7 +164,7 @@ def test_a_client_reads_the_greeting_before_anything_else(tmp_path: Path) -> Non
         with connect(tmp_path) as second:
             publisher.poll()
             publisher.publish({"t_s": 2})
-            greeting = {"type": "session", "name": "x", "events": [], "told": 0}
+            greeting = {"type": "session", "name": "x", "events": [], "told": 0, "contest": []}
             assert lines(first, 3) == [greeting, {"t_s": 1}, {"t_s": 2}]
             assert lines(second, 2) == [greeting, {"t_s": 2}]
     publisher.close()
@@ -175,15 +175,17 @@ def test_who_comes_late_is_greeted_with_the_last_events_and_how_many_there_were(
     publisher.publish({"t_s": 0, "events": [{"n": 0}, {"n": 1}]})  # nobody is there yet
     with connect(tmp_path) as first:
         publisher.poll()
-        assert lines(first, 1) == [{"type": "session", "events": [{"n": 0}, {"n": 1}], "told": 2}]
+        assert lines(first, 1) == [{"type": "session", "events": [{"n": 0}, {"n": 1}], "told": 2, "contest": []}]
         for n in range(2, REMEMBERED + 5):
-            publisher.publish({"t_s": n, "events": [{"n": n}]})
+            publisher.publish({"t_s": 0.25 * n, "events": [{"n": n}], "competition": {"v": {"1": 0.5}}})
         with connect(tmp_path) as second:
             publisher.poll()
             (greeting,) = lines(second, 1)
             assert isinstance(greeting, dict)
             assert [event["n"] for event in greeting["events"]] == list(range(5, REMEMBERED + 5))
             assert greeting["told"] == REMEMBERED + 5
+            times = [t_s for t_s, v in greeting["contest"] if v == {"1": 0.5}]
+            assert times == [0.5 + 0.5 * k for k in range(102)], "twice a second"
     publisher.close()
 
 

@@ -33,6 +33,7 @@ def test_a_vehicle_that_is_well_has_no_trouble() -> None:
         ({"mode": FlightMode.LAND}, {}, "land", ACT),
         ({"mode": FlightMode.RETURN}, {}, "return", ACT),
         ({"mode": FlightMode.RETURN}, {"ordered": True}, "return", LOOK),
+        ({"mode": FlightMode.HOLD, "drawn_j": 6_000.0}, {"ordered": True}, "held, not refuelled", LOOK),
         ({"armed": False, "landed": True}, {"down": True}, "not flying", ACT),
         ({}, {"lost_share": 0.3}, "loses 30 %", LOOK),
         ({}, {"lost_share": 0.7}, "loses 70 %", ACT),

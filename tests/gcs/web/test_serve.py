@@ -14,8 +14,9 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Origin, Subprotocol
 
-from gcs.web.application import MOST_COMMAND, NO_TOKEN, POLICY
+from gcs.web.application import MOST_COMMAND, NO_TOKEN, policy
 from gcs.web.document import as_json
+from gcs.web.tiles import checked
 
 SESSION = {"type": "session", "name": "one", "control": True}
 
@@ -69,12 +70,33 @@ def test_every_answer_has_a_policy_and_carries_no_secret(links: dict[str, str]) 
     for path, status in (("/", 200), ("/page.js", 200), ("/page.css", 200), ("/nothing", 404), ("/../secrets", 404)):
         found, headers, body = get(links["command"], path)
         assert found == status, path
-        assert headers["content-security-policy"] == POLICY
+        assert headers["content-security-policy"] == policy(None)
         assert headers["x-content-type-options"] == "nosniff"
         assert headers["referrer-policy"] == "no-referrer"
         assert "server" not in headers
         assert urlsplit(links["command"]).fragment.removeprefix("token=") not in body
-    assert "unsafe" not in POLICY
+    assert "unsafe" not in policy(None)
+
+
+def test_the_policy_lets_pictures_come_from_the_tiles_server_alone() -> None:
+    given = policy(checked("https://user:secret@tiles.example:8443/{z}/{x}/{y}.png?key=abc"))
+    assert "img-src 'self' data: blob: https://tiles.example:8443;" in given
+    assert "secret" not in given
+    assert given.replace(" https://tiles.example:8443", "") == policy(None)
+
+
+@pytest.mark.parametrize(
+    "address",
+    ["tiles.example/{z}/{x}/{y}", "file:///{z}/{x}/{y}", "http:///{z}/{x}/{y}", "http://a; script-src *//{z}/{x}/{y}"],
+)
+def test_what_is_no_address_of_tiles_is_refused(address: str) -> None:
+    with pytest.raises(ValueError, match="is no address of map tiles"):
+        checked(address)
+
+
+def test_an_address_of_tiles_names_all_three_numbers() -> None:
+    with pytest.raises(ValueError, match=r"lacks \{x\} and \{y\}"):
+        checked("http://tiles.example/{z}.png")
 
 
 def test_another_name_for_this_machine_gets_nothing(links: dict[str, str]) -> None:

@@ -16,13 +16,13 @@ if TYPE_CHECKING:  # who only reads a summary need not load the supervisor
 FILE = "summary.json"
 
 
-class Part(Described, BaseModel):
+class SummaryPart(Described, BaseModel):
     """A part of summary.json."""
 
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False, defer_build=True)
 
 
-class EnergySummary(Part):
+class EnergySummary(SummaryPart):
     """One vehicle's ledger, as its messages report it."""
 
     initial_j: float
@@ -40,7 +40,7 @@ class EnergySummary(Part):
 Role = Literal["pursuer", "target", "tanker"]
 
 
-class VehicleSummary(Part):
+class VehicleSummary(SummaryPart):
     """One vehicle's session."""
 
     sysid: int
@@ -57,7 +57,7 @@ class VehicleSummary(Part):
     """messages with its id that were refused: not signed, signed with another key, repeated, or without a key here"""
 
 
-class RefuellingSummary(Part):
+class RefuellingSummary(SummaryPart):
     """One service, in the order of decision; times are null for steps that were not reached."""
 
     receiver: int
@@ -74,7 +74,7 @@ class RefuellingSummary(Part):
     """normalised need of each competitor at the decision, by system id"""
 
 
-class BaseSummary(Part):
+class BaseSummary(SummaryPart):
     """A base's ledger: initial = given + remaining."""
 
     name: str
@@ -85,7 +85,7 @@ class BaseSummary(Part):
     remaining_j: float
 
 
-class LinkSummary(Part):
+class LinkSummary(SummaryPart):
     """Frames over the supervised links; `overflowed` are datagrams that the kernel dropped."""
 
     received: int
@@ -96,7 +96,7 @@ class LinkSummary(Part):
     command_retries: int
 
 
-class GoalPartSummary(Part):
+class GoalPartSummary(SummaryPart):
     """Result of one part of the goal (docs/protocol.md#goal)."""
 
     part: str
@@ -116,7 +116,7 @@ class GoalPartSummary(Part):
     """when, s of session time; null of what has no one time"""
 
 
-class ClosestSummary(Part):
+class ClosestSummary(SummaryPart):
     """The nearest approach: vehicles, object and time."""
 
     distance_m: float
@@ -126,7 +126,7 @@ class ClosestSummary(Part):
     t_s: float
 
 
-class FaultSummary(Part):
+class FaultSummary(SummaryPart):
     """A fault that was injected."""
 
     fault: str
@@ -140,7 +140,7 @@ class FaultSummary(Part):
     text: str
 
 
-class Summary(Part):
+class Summary(SummaryPart):
     """The session."""
 
     schema_version: Literal[1] = Field(1, alias="schema")

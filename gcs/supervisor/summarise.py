@@ -16,10 +16,10 @@ from gcs.recording.summary import (
     FaultSummary,
     GoalPartSummary,
     LinkSummary,
-    Part,
     RefuellingSummary,
     Role,
     Summary,
+    SummaryPart,
     VehicleSummary,
 )
 from gcs.scenario.goal import Judgement, Nearest
@@ -163,7 +163,7 @@ def _finite(value: float) -> float | None:
 
 def load() -> None:
     """Build what the first summary of a process is built of."""
-    for model in Part.__subclasses__():
+    for model in SummaryPart.__subclasses__():
         model.model_rebuild()
     _versions()
 

@@ -32,7 +32,8 @@ bench: $(DEV_READY)
 fuzz: $(DEV_READY)
 	@$(VENV)/bin/python tests/fuzz $(FUZZ)
 
-# FAULTS="--moments 3 --only SIGKILL,blackout" flies less of it.
+# FAULTS="--moments 3 --only SIGKILL,blackout --hours 0" flies less of it; what has been flown is kept, and --write puts
+# the table into docs/threat-model.md.
 faults: $(DEV_READY)
 	@$(VENV)/bin/python tests/faults $(FAULTS)
 

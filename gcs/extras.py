@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import importlib.util
+from collections.abc import Mapping
+
 
 class MissingExtra(ImportError):
     """A package that Skytender only needs for this is not installed; the text says which extra brings it."""
@@ -12,3 +15,11 @@ def missing(what: str, package: str, extra: str) -> MissingExtra:
     return MissingExtra(
         f"{what} needs {package}, which is not installed: pip install '.[{extra}]' in Skytender's checkout"
     )
+
+
+def require(what: str, packages: Mapping[str, str], extra: str) -> None:
+    """Raise MissingExtra where a module of these is not installed, before anything is begun; `packages`: a package's
+    name by its module's."""
+    for module, package in packages.items():
+        if importlib.util.find_spec(module) is None:
+            raise missing(what, package, extra)

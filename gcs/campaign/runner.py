@@ -13,12 +13,15 @@ from typing import Any
 from gcs.campaign import table
 from gcs.campaign.engine import CampaignStore, EngineError, Progress, fly
 from gcs.campaign.plan import Plan, PlannedRow, rows
+from gcs.extras import require
 
 DEFAULT_FOLDER = "campaigns"
+NEEDED = {"dask": "Dask", "distributed": "Dask", "pyarrow": "pyarrow"}
 
 
 def make_folder(plan: Plan, out: Path | None) -> Path:
-    """A new campaign folder with the plan in it. Raises EngineError."""
+    """A new campaign folder with the plan in it. Raises EngineError, and MissingExtra where it could not be flown."""
+    require("a campaign", NEEDED, "campaign")
     stamp = datetime.now().astimezone().strftime("%Y%m%d-%H%M%S")
     folder = out or Path(DEFAULT_FOLDER) / f"{plan.campaign.name}-{stamp}"
     try:

@@ -252,6 +252,7 @@ def search(
     from gcs.campaign.model import SearchRules
     from gcs.campaign.runner import Runner, make_folder
     from gcs.campaign.search import Search
+    from gcs.extras import require
     from gcs.scenario.file import dump
 
     plan = _planned(file, None, seed)
@@ -266,6 +267,7 @@ def search(
     changed = {"search": rules, "vary": {}, "keep": "none", "sessions": rules.trials, "draw": each}
     changed["set"] = {**plan.campaign.set, **{k: v for k, v in plan.row(0).values.items() if k in plan.campaign.vary}}
     plan = replace(plan, campaign=plan.campaign.model_copy(update=changed))
+    require("a search", {"optuna": "Optuna"}, "campaign")
     try:
         folder = make_folder(plan, out)
         searched = Search(plan, folder)

@@ -98,7 +98,9 @@ class RecordedGaps:
     def count(self, sysids: IntArray, compids: IntArray, numbers: IntArray) -> tuple[IntArray, NDArray[np.bool_]]:
         """Go on with these frames (n,): the change of the frames lost with each, and which did not come before."""
         lost, new = np.empty(len(numbers), dtype=np.int64), np.empty(len(numbers), dtype=np.bool_)
-        _count(sysids << 8 | compids, numbers, self._newest, self._missing, lost, new)
+        # Of one layout: a column of a single row has another than that of many, and the kernel would be compiled again.
+        senders, numbers = np.ascontiguousarray(sysids << 8 | compids), np.ascontiguousarray(numbers)
+        _count(senders, numbers, self._newest, self._missing, lost, new)
         np.add.at(self._lost, sysids, lost)
         return lost, new
 

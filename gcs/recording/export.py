@@ -374,7 +374,8 @@ def _truth_tables(
         within = np.arange(total) - np.repeat(begun, steps)
         left = np.repeat(steps, steps) - 1 - within
         thrust = numbers[np.repeat(starts + 2 + len(names), steps) + within]
-        time_s = np.round(np.repeat(rows[:, 0], steps) - left * step_s, 9)
+        with np.errstate(over="ignore", invalid="ignore"):  # a damaged file may say any time
+            time_s = np.round(np.repeat(rows[:, 0], steps) - left * step_s, 9)
         tables.append(
             "truth_thrust",
             {"time_s": time_s, "sysid": np.full(total, sysid, dtype=np.uint8), "thrust_body_m_s2": thrust},

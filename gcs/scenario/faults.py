@@ -23,6 +23,8 @@ FaultKind = Literal[
 ]
 LAUNCHED_ONLY = frozenset({"kill", "hang", "battery", "gps_jump"})
 """Faults that only a vehicle which the session launches can have: nothing carries them to another's."""
+RADIO = frozenset({"blackout", "loss", "delay", "gcs_silent"})
+"""Faults of the radio: frames are lost or late."""
 COMMANDED = frozenset({"battery", "motor", "gps_off", "gps_jump"})
 """Faults that a vehicle is told to have, by MAV_CMD_INJECT_FAILURE."""
 OF_ALL = frozenset({"loss", "delay", "gcs_silent"})

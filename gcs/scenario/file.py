@@ -5,6 +5,7 @@ Shipped ones stand in `configs/`: beside the packages in a checkout, inside `gcs
 
 from __future__ import annotations
 
+import functools
 import os
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -108,10 +109,16 @@ def resolve(document: Document, settings: Mapping[str, Any]) -> Scenario:
     try:
         return Scenario.model_validate(document.data, context={"axes": document.data.get("axes")})
     except ValidationError as error:
-        problems = document.explain(error, Scenario.model_json_schema())
+        problems = document.explain(error, _schema())
         if not any(details["type"] == "conflict" for details in error.errors()):  # they were not looked for
             problems += [document.disagreement(repeated) for repeated in _repeated_ids(document.data)]
         raise ScenarioError(sorted(problems, key=lambda problem: (problem.line or 0, problem.column or 0))) from None
+
+
+@functools.cache
+def _schema() -> dict[str, Any]:
+    """The scenario's JSON Schema, to be read only: it takes longer to make than everything else that is wrong."""
+    return Scenario.model_json_schema()
 
 
 def _repeated_ids(data: dict[str, Any]) -> Iterator[Conflict]:

@@ -354,8 +354,9 @@ class SessionProcess:
     def _go_on_after(self, away_s: float) -> None:
         """The supervisor did not run for so long: nobody is to blame for the silence meanwhile."""
         now_s = time.monotonic()
-        if self._begun:
-            self._answered_s = self._said_waiting_s = now_s
+        if not self._begun:
+            return  # there is no session yet that could have stood still
+        self._answered_s = self._said_waiting_s = now_s
         external = bool(self._scenario.vehicles.external)
         if external:
             self._supervisor.recovery.returned(self._supervisor.time_s)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 
 from gcs.link.impairment import BlackoutWindow, Impairment
@@ -10,7 +11,7 @@ from gcs.mavlink.autopilots import PROFILES
 from gcs.refuelling.bidding import BiddingRule
 from gcs.refuelling.scheduler import Scheduler
 from gcs.refuelling.watched_schedule import WatchedSchedule
-from gcs.scenario.faults import Injection
+from gcs.scenario.faults import RADIO, Injection
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import SELDOM_S, ArmingSequence
 from gcs.supervisor.arming_external import ExternalArmingSequence
@@ -90,7 +91,14 @@ def make_schedule(scenario: Scenario, bidding: BiddingRule | None) -> Scheduler:
         bases=scenario.bases,
         transfer_capable={v.sysid: v.transfer_capable for v in vehicles.pursuers if served},
         cruise_m_s=scenario.planner.cruise_m_s,
+        settled_by_s=scenario.goal.duration_s if _frames_may_be_late(scenario) else math.inf,
     )
     if isinstance(schedule, WatchedSchedule):
         schedule.watch(scenario.competition, frozenset(pursuer.sysid for pursuer in vehicles.pursuers))
     return schedule
+
+
+def _frames_may_be_late(scenario: Scenario) -> bool:
+    """Whether a transfer may end with joules on the way: over a radio, real or simulated."""
+    befallen = any(one.fault in RADIO for one in scenario.faults)
+    return bool(scenario.vehicles.external) or befallen or not make_radio(scenario).clear

@@ -2,9 +2,11 @@
 
 Joules move whole and fractions carry over. Each side keeps one counter for life, `given_j` or `received_j`, which it
 sends as XferOut and XferIn. A receiver credits by the largest XferOut that it has seen, so a lost frame costs nothing.
-An order that has moved joules and ended is never begun again, or a late copy of it would credit them twice. What was
-on the way when a transfer broke off, given and not credited, comes back once both figures are final: the supervisor
-settles the order, and the joules count as received. Time is an argument; nothing here knows a message or a mode.
+A giver stops while too much of what it gave is not acknowledged by XferIn, and resumes with the next acknowledgement:
+what can be on the way is bounded, however slow or bad the radio. An order that has moved joules and ended is never
+begun again, or a late copy of it would credit them twice. What was on the way when a transfer broke off, given and not
+credited, comes back once both figures are final: the supervisor settles the order, and the joules count as received.
+Time is an argument; nothing here knows a message or a mode.
 """
 
 from __future__ import annotations
@@ -14,8 +16,14 @@ from enum import IntEnum
 from math import dist, floor, inf
 
 SILENCE_S = 1.0
-"""Either side gives up when the other has shown no sign of life, or no progress, for this long."""
-
+"""A receiver gives up when its giver has shown no sign of life for this long; it must know where the other one is."""
+UNACKNOWLEDGED_S = 1.0
+"""[choice] A giver is ahead of its receiver's acknowledgements by what flows in so long, and no more. Over four hops of
+0.2 s, the most that a scenario may have, they take as long: only worse radio slows a transfer down."""
+PROGRESS_WITHIN_S = 3.0
+"""[choice] A giver gives up without another acknowledgement for so long; it has stopped giving long before."""
+KNOWN_FOR_S = 1.5
+"""[choice] A receiver's XferIn heard so long before an order is its value at the order: it is told once a second."""
 
 OrderKey = tuple[int, int, int, int]
 
@@ -91,13 +99,15 @@ def refusal(
 class Transfer:
     """One vehicle's side of a transfer in progress."""
 
-    def __init__(self, order: TransferOrder, now_s: float) -> None:
+    def __init__(self, order: TransferOrder, now_s: float, start_in_j: int | None = None) -> None:
+        """`start_in_j`: the receiver's XferIn before the first joule; None where its giver has not heard it yet."""
         self.order = order
         self._moved_j = 0
         self._fraction_j = 0.0
         self._reported_j = 0
         self._progress_s = now_s
-        self._seen_in_j: int | None = None
+        self._start_in_j = start_in_j
+        self._acknowledged_j = 0
 
     @property
     def moved_j(self) -> int:
@@ -113,19 +123,29 @@ class Transfer:
         """Whether a STOP means this transfer: 0 stands for any partner or id."""
         return stop.partner in (0, self.order.partner) and stop.transfer_id in (0, self.order.transfer_id)
 
+    @property
+    def _ahead_j(self) -> float:
+        """Joules that may leave the giver now: it is not to be farther ahead of the acknowledged ones."""
+        if self._start_in_j is None:
+            return 0.0
+        most_j = max(self.order.rate_w * UNACKNOWLEDGED_S, 1.0)
+        return max(most_j - (self._moved_j - self._acknowledged_j), 0.0)
+
     def give(self, dt_s: float, available_j: float) -> int:
         """Whole joules that leave the giver in `dt_s`, of what it has."""
         wanted_j = self._fraction_j + self.order.rate_w * dt_s
-        whole_j = floor(min(wanted_j, self.order.limit_j - self._moved_j, max(available_j, 0.0)))
+        whole_j = floor(min(wanted_j, self.order.limit_j - self._moved_j, self._ahead_j, max(available_j, 0.0)))
         self._fraction_j = min(wanted_j - whole_j, 1.0)
         self._moved_j += whole_j
         return whole_j
 
     def receive_in(self, xfer_in_j: int, now_s: float) -> None:
         """Take in the receiver's XferIn, at the giver."""
-        if self._seen_in_j is None or xfer_in_j > self._seen_in_j:
-            self._progress_s = now_s
-        self._seen_in_j = max(xfer_in_j, self._seen_in_j or 0)
+        if self._start_in_j is None:
+            self._start_in_j, self._progress_s = xfer_in_j, now_s
+        acknowledged_j = min(xfer_in_j - self._start_in_j, self._moved_j)
+        if acknowledged_j > self._acknowledged_j:
+            self._acknowledged_j, self._progress_s = acknowledged_j, now_s
 
     def receive_out(self, xfer_out_j: int) -> None:
         """Take in the giver's XferOut, at the receiver."""
@@ -141,7 +161,7 @@ class Transfer:
         """Why a giver stops by itself; None while it goes on."""
         if self._moved_j >= floor(self.order.limit_j):
             return "limit reached"
-        if now_s - self._progress_s > SILENCE_S:
+        if now_s - self._progress_s > PROGRESS_WITHIN_S:
             return "the receiver takes no more"
         return None
 
@@ -155,6 +175,8 @@ class Exchange:
         self.current: Transfer | None = None
         self.ended_s = -inf
         self.neighbours: dict[int, Neighbour] = {}
+        self._last_in: tuple[int, int, float] | None = None
+        """whose XferIn came last outside a transfer, its value, and when"""
         self._ended_orders: dict[OrderKey, int] = {}
         """joules that each order moved in the end, by its key"""
 
@@ -174,8 +196,16 @@ class Exchange:
             return refusal(self.neighbours.get(order.partner), p_ned, now_s, envelope)
         return None
 
+    def begin(self, order: TransferOrder, now_s: float) -> None:
+        """Start an order that is not refused."""
+        partner, value_j, came_s = self._last_in or (0, 0, -inf)
+        known = partner == order.partner and now_s - came_s <= KNOWN_FOR_S
+        self.current = Transfer(order, now_s, value_j if known else None)
+
     def receive_counter(self, partner: int, name: str, value_j: int, now_s: float) -> None:
         """XferOut or XferIn of the partner, as relayed."""
+        if self.current is None and name == "XferIn":
+            self._last_in = partner, value_j, now_s
         if self.current is None or self.current.order.partner != partner:
             return
         if name == "XferOut" and self.current.order.role is TransferSide.RECEIVE:

@@ -221,7 +221,7 @@ class Vehicle(Body):
         charged = order.role is TransferSide.RECEIVE and self.landed and not self.armed  # at a base, in whatever mode
         if not charged and not self.trigger(Trigger.REFUEL):
             return f"not from mode {self.mode}"
-        self.exchange.current = Transfer(order, self.time_s)
+        self.exchange.begin(order, self.time_s)
         return None
 
     def announce(self, severity: Severity, text: str) -> None:

@@ -30,7 +30,7 @@ def compiled() -> list[str]:
 
 
 with atheris.instrument_imports(include=["gcs", "simvehicle"], exclude=compiled()):
-    from targets import CORPUS, READERS
+    from targets import CORPUS, IN_MEMORY, READERS, read_once
 
     from gcs.mavlink import codec
     from simvehicle.mavlink import codec as vehicle_codec
@@ -87,10 +87,11 @@ def main() -> None:
     says.add_argument("--seed", type=int, default=1)
     says.add_argument("--kept", type=Path, help="folder of inputs that reach something new  [default: a temporary one]")
     options = says.parse_args()
-    place = Path(tempfile.mkdtemp())
+    place = Path(tempfile.mkdtemp(dir=IN_MEMORY))
     kept = options.kept or place / "kept"
     seeds(options.target, kept)
     attack = datagram if options.target == DATAGRAMS else file_of(options.target, place / "session")
+    read_once().__enter__()
     limits = [f"-runs={options.runs}", f"-seed={options.seed}", f"-max_len={LARGEST}", f"-timeout={HANG_S}"]
     os.environ.setdefault("PYTHONWARNINGS", "ignore")
     atheris.Setup([sys.argv[0], *limits, "-print_final_stats=1", str(kept)], attack)

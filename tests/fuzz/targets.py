@@ -11,6 +11,7 @@ import tempfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any, cast
+from unittest import mock
 
 from hostile import Hostile
 
@@ -27,11 +28,13 @@ from gcs.scenario.endpoint import Endpoint
 from gcs.scenario.external import External
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
+from gcs.session import replay as replay_module
 from gcs.session.commands import Clients
 from gcs.session.messages import snapshot_message
 from gcs.session.monitor import MonitorSource
 from gcs.session.replay import Replay, ReplayError
 from gcs.session.server import NAME, Publisher
+from gcs.supervisor import redecide as redecide_module
 from gcs.supervisor.forwarding import passed
 from gcs.supervisor.redecide import Comparer, RecordedLink, RedecideError, redecide
 from gcs.supervisor.supervisor import Supervisor
@@ -48,6 +51,8 @@ from simvehicle.sitl.link import Address, PlainLink
 from simvehicle.sitl.unit import VehicleUnit
 
 CORPUS = Path(__file__).parent / "corpus"
+IN_MEMORY = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
+"""Where copies of the corpus are made; None: where temporary files go."""
 WHERE = ("127.0.0.1", 4242)
 KEY = (7, 1)
 
@@ -318,6 +323,23 @@ FRAMES = {
 WANTED = (TLOG, DECISIONS, SUMMARY, "scenario.yaml", "vehicles/1.truth")
 
 
+KNOWN = (CORPUS / "session" / "scenario.yaml").read_bytes()
+
+
+@contextlib.contextmanager
+def read_once() -> Iterator[None]:
+    """Readers take the scenario of the corpus as read where it is as it was: half of their time, and not attacked."""
+    known = load(CORPUS / "session" / "scenario.yaml")
+
+    def remembered(path: Path) -> Scenario:
+        return known if path.read_bytes() == KNOWN else load(path)
+
+    with contextlib.ExitStack() as patched:
+        for module in (replay_module, redecide_module, session_folder, export):
+            patched.enter_context(mock.patch.object(module, "load", remembered))
+        yield
+
+
 def _report(folder: Path) -> None:
     recorded = session_folder.read(folder)
     flown = series.tracks(recorded)
@@ -370,7 +392,7 @@ def reader(name: str, hostile: Hostile) -> Iterator[Callable[[int], None]]:
     """One reader on copies of the corpus's session, in each of which a file is mutated."""
     files, read = READERS[name]
     session = CORPUS / "session"
-    with tempfile.TemporaryDirectory() as place:
+    with tempfile.TemporaryDirectory(dir=IN_MEMORY) as place, read_once():
         folder = Path(place) / "session"
 
         def attack(n: int) -> None:

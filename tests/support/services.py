@@ -1,6 +1,7 @@
 """Scripted vehicles that answer a schedule's commands as docs/protocol.md#energy-transfer has them do, and a play of
 one with them."""
 
+import math
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -120,11 +121,18 @@ class Play:
         return [record["kind"] for decision in self.decisions for record in decision.records]
 
 
-def play(rules: RefuellingRules | None = None, tankers: tuple[Tanker, ...] = (), **competition: Any) -> Play:
+def play(
+    rules: RefuellingRules | None = None,
+    tankers: tuple[Tanker, ...] = (),
+    settled_by_s: float = math.inf,
+    **competition: Any,
+) -> Play:
     """One receiver, 1, of 10 kJ with 4 kJ left, and a tanker, 201, above it."""
     fleet = Fleet({
         1: view(1, "pursuer", (0.0, 0.0, -4.8), 4_000.0, 10_000.0),
         201: view(201, "tanker", (0.0, 0.0, -6.0), 150_000.0, 150_000.0),
     })  # fmt: skip
     rules = rules or RefuellingRules(rate_w=RATE_W, hold_s=1.0)
-    return Play(Scheduler(CompetitionRules(**competition), rules, tankers or (tanker(),)), fleet)
+    return Play(
+        Scheduler(CompetitionRules(**competition), rules, tankers or (tanker(),), settled_by_s=settled_by_s), fleet
+    )

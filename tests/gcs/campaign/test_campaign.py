@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import math
+import sys
 from pathlib import Path
 from typing import Any
 
 import duckdb
 import numpy as np
 import pytest
+from click.testing import CliRunner
 
 from gcs.campaign import draws, file, statistics, table
 from gcs.campaign.model import Draw
 from gcs.campaign.plan import Plan, make, read
+from gcs.cli.campaign import campaign
+from gcs.extras import MissingExtra
 from gcs.scenario import geometry
 from gcs.scenario.model import ScenarioError
 
@@ -181,3 +185,15 @@ def test_the_shipped_campaigns_can_be_flown() -> None:
     for name in file.shipped_names():
         path = file.find(name)
         make(file.load(path), [path.parent]).check()
+
+
+@pytest.mark.parametrize("module", ["distributed", "pyarrow"])
+def test_a_campaign_without_its_extra_is_refused_before_it_leaves_a_folder(
+    module: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setitem(sys.modules, module, None)
+    out = tmp_path / "campaign"
+    said = CliRunner().invoke(campaign, ["run", "policies", "--out", str(out)], standalone_mode=False)
+    assert isinstance(said.exception, MissingExtra)
+    assert "pip install '.[campaign]'" in str(said.exception)
+    assert not out.exists()

@@ -3,11 +3,12 @@
 import random
 from collections.abc import Sequence
 
+import numpy as np
 import pytest
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
-from gcs.mavlink.gaps import GapCounter
+from gcs.mavlink.gaps import GapCounter, RecordedGaps, _count
 from gcs.mavlink.sequence import FIRST_ANSWER, SequenceCounter, TickCollector, secret_of_hello
 
 SYSID, COMPID = 4, 1
@@ -213,3 +214,12 @@ def test_frames_counted_together_are_counted_as_one_by_one() -> None:
         single.feed(frame.sysid, frame.compid, frame.seq)
     assert together.lost_of == single.lost_of
     assert min(together.lost_of.values()) > 0
+
+
+def test_recordings_of_any_length_are_counted_by_one_compiled_kernel() -> None:
+    """Columns of a table, of which one of a single row is contiguous: a second kernel takes 33 MB and a second."""
+    counter = RecordedGaps()
+    for rows in (5, 1, 2):
+        heads = np.arange(3 * rows, dtype=np.int64).reshape(rows, 3)
+        counter.count(heads[:, 0], heads[:, 1], heads[:, 2])
+    assert len(_count.signatures) == 1  # type: ignore[attr-defined]

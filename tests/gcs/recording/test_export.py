@@ -249,6 +249,16 @@ def test_a_folder_without_its_log_gives_its_decisions_and_says_so(session: Path,
     assert len(pd.read_csv(tmp_path / "out" / "decisions_served.csv")) == 1
 
 
+def test_a_session_killed_before_its_first_frame_is_exported_as_far_as_it_goes(session: Path, tmp_path: Path) -> None:
+    folder = tmp_path / "killed"
+    folder.mkdir()
+    (folder / "scenario.yaml").symlink_to(session / "scenario.yaml")
+    for name in ("session.tlog", "decisions.jsonl"):
+        (folder / name).touch()
+    assert "session.tlog is empty." in exported(folder, tmp_path / "out")
+    assert list((tmp_path / "out").iterdir()) == []
+
+
 def test_truth_that_should_be_there_is_said_to_be_missing(session: Path, tmp_path: Path) -> None:
     for name in ("scenario.yaml", "session.tlog"):
         (tmp_path / name).symlink_to(session / name)

@@ -32,6 +32,19 @@ def test_a_whole_service_in_its_order() -> None:
     assert service.decided_at_s <= service.joined_at_s <= service.start_s < service.end_s  # type: ignore[operator]
 
 
+def test_a_transfer_is_stopped_in_time_to_be_settled_and_none_begins_after_that() -> None:
+    game = play(settled_by_s=19.0)
+    service = game.until(Phase.DONE)
+    assert service.ended_by == "the session ends"
+    assert service.start_s is not None
+    assert service.start_s < 4.0 <= game.now_s < 6.0
+    late = play(settled_by_s=16.5)
+    while late.now_s < 16.5:
+        late.tick()
+    assert [one.phase for one in late.schedule.services] == [Phase.JOIN]
+    assert late.fleet.orders == []
+
+
 def test_the_command_on_the_wire_is_the_contracts() -> None:
     """param1 partner, 2 role, 3 limit in J, 4 rate in W, 5 transfer id, 6 the giver's XferOut at the start."""
     game = play()

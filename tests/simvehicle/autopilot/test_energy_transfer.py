@@ -34,7 +34,7 @@ def order(
 
 @settings(max_examples=200)
 @given(
-    st.lists(st.floats(0.004, 0.5), min_size=1, max_size=200),
+    st.lists(st.floats(0.004, 0.4), min_size=1, max_size=200),
     st.floats(0.1, 5000.0),
     st.floats(1.0, 1e4),
     st.floats(0.0, 1e4),
@@ -42,13 +42,14 @@ def order(
 def test_giver_gives_whole_joules_at_its_rate_within_limit_and_stock(
     spans_s: list[float], rate_w: float, limit_j: float, stock_j: float
 ) -> None:
-    transfer = Transfer(order(limit_j=limit_j, rate_w=rate_w), 0.0)
+    transfer = Transfer(order(limit_j=limit_j, rate_w=rate_w), 0.0, start_in_j=7)
     given_j, elapsed_s = 0, 0.0
     for span_s in spans_s:
         step_j = transfer.give(span_s, stock_j - given_j)
         assert isinstance(step_j, int)
         given_j, elapsed_s = given_j + step_j, elapsed_s + span_s
         assert 0 <= given_j <= min(rate_w * elapsed_s + 1e-6, limit_j, stock_j)
+        transfer.receive_in(7 + given_j, elapsed_s)
     assert transfer.moved_j == given_j
     if given_j < math.floor(min(limit_j, stock_j)):
         assert given_j >= math.floor(rate_w * elapsed_s * (1.0 - 1e-12) - 1e-9)  # the fraction was carried over
@@ -87,16 +88,54 @@ def test_giver_never_heard_of_is_silent() -> None:
     assert refusal(None, (0.0, 0.0, 0.0), 0.0, Envelope(1.5, 0.5)) == "the giver is silent"
 
 
-def test_giver_ends_a_second_after_the_receivers_counter_stood_still() -> None:
-    transfer = Transfer(order(), 5.0)
-    assert transfer.finished(6.0) is None
-    assert transfer.finished(6.01) is not None
-    for k in range(20):
-        transfer.receive_in(k, 5.0 + 0.9 * k)
-        assert transfer.finished(5.0 + 0.9 * k + 0.9) is None
-    transfer.receive_in(19, 24.0)
-    transfer.receive_in(3, 24.0)
-    assert transfer.finished(5.0 + 0.9 * 19 + 1.01) == "the receiver takes no more"
+@settings(max_examples=200)
+@given(
+    st.floats(1.0, 5000.0),
+    st.one_of(st.none(), st.integers(0, 10**6)),
+    st.lists(st.tuples(st.floats(0.004, 0.4), st.booleans(), st.integers(0, 20)), min_size=1, max_size=100),
+)
+def test_giver_is_never_farther_ahead_of_what_is_acknowledged_than_it_may_be(
+    rate_w: float, known_j: int | None, steps: list[tuple[float, bool, int]]
+) -> None:
+    """Whatever acknowledgements come, late and in any order, each of what had arrived at its time."""
+    transfer = Transfer(order(rate_w=rate_w), 0.0, known_j)
+    start_j = known_j or 0
+    arrived_j, told, now_s = 0, [start_j], 0.0
+    seen = None if known_j is None else known_j
+    for span_s, arrives, late in steps:
+        now_s += span_s
+        transfer.give(span_s, 1e9)
+        acknowledged_j = (start_j if seen is None else seen) - start_j
+        assert transfer.moved_j - acknowledged_j <= max(rate_w, 1.0)
+        assert seen is not None or transfer.moved_j == 0
+        arrived_j = transfer.moved_j if arrives else arrived_j
+        told.append(start_j + arrived_j)
+        said = told[max(len(told) - 1 - late, 0)]
+        seen = said if seen is None else max(seen, said)
+        transfer.receive_in(said, now_s)
+
+
+def test_giver_stops_without_acknowledgements_and_resumes_at_its_rate() -> None:
+    transfer = Transfer(order(rate_w=100.0), 0.0, start_in_j=0)
+    given = [transfer.give(0.1, 1e9) for _ in range(20)]
+    assert sum(given) == 100  # a second's worth, then it waits
+    transfer.receive_in(20, 2.0)
+    assert [transfer.give(0.1, 1e9) for _ in range(3)] == [11, 9, 0]  # a joule was begun; nothing is made up for
+    transfer.receive_in(120, 2.3)
+    assert sum(transfer.give(0.1, 1e9) for _ in range(10)) == 100
+
+
+def test_giver_ends_when_the_receivers_counter_has_stood_still_for_too_long() -> None:
+    transfer = Transfer(order(rate_w=100.0), 5.0, start_in_j=0)
+    assert transfer.finished(8.0) is None
+    assert transfer.finished(8.01) == "the receiver takes no more"
+    for k in range(1, 20):
+        transfer.give(0.4, 1e9)
+        transfer.receive_in(k, 5.0 + 2.9 * k)
+        assert transfer.finished(5.0 + 2.9 * k + 2.9) is None
+    transfer.receive_in(19, 62.0)
+    transfer.receive_in(3, 62.0)
+    assert transfer.finished(5.0 + 2.9 * 19 + 3.01) == "the receiver takes no more"
 
 
 def key(message: Any) -> str:
@@ -183,21 +222,23 @@ def test_joules_arrive_at_the_rate_asked_for_and_end_at_the_limit(vehicle_bench:
 def test_lost_frames_cost_nothing_in_the_end(vehicle_bench: Any, loss: float, seed: int) -> None:
     pair = Pair(vehicle_bench, loss=loss, seed=seed, receiver=NEED)
     pair.run(10)
-    start_j = 0
+    start_j = lost_j = 0
     for number in range(1, 4):
         pair.run(10)
         while pair.order(RECEIVER, 2, number=number, start_j=start_j) != ACCEPTED:
             pair.run(1)
         assert pair.order(GIVER, 1, number=number, start_j=start_j) == ACCEPTED
         pair.run(20)
+        before_j = pair.giver.given_j - pair.receiver.received_j
+        assert before_j <= lost_j + 500  # what 500 W move in a second
         assert pair.order(GIVER, 0, number=number) == ACCEPTED
         pair.run(10)
         pair.order(RECEIVER, 0, number=number)
         pair.run(1)
         start_j = pair.giver.given_j
+        lost_j = start_j - pair.receiver.received_j
     assert pair.giver.given_j > 1000
-    lost_j = pair.giver.given_j - pair.receiver.received_j
-    assert 0 <= lost_j <= 3 * 500  # at most the last second of each, where a side fell silent
+    assert 0 <= lost_j <= 3 * 500
 
 
 @settings(max_examples=25)
@@ -406,17 +447,17 @@ def test_counter_of_a_third_vehicle_is_not_credited(vehicle_bench: Any) -> None:
 
 
 def test_what_did_not_arrive_comes_back_once_and_only_when_the_transfer_has_ended(vehicle_bench: Any) -> None:
-    """The relay falls silent in mid transfer: the giver goes on for a second, and the supervisor settles it."""
+    """The relay falls silent in mid transfer: the giver stops, gives up, and the supervisor settles it."""
     pair = Pair(vehicle_bench, receiver=NEED).start(number=1)
     pair.run(10)
     pair.relaying = False
     pair.run(3)
     before_j = pair.giver.remaining_j
     assert pair.order(GIVER, 3, number=1, limit_j=float(pair.receiver.received_j)) == TEMPORARILY_REJECTED
-    pair.run(12)
+    pair.run(32)
     assert {pair.giver.mode, pair.receiver.mode} == {"offboard"}
     missing_j = pair.giver.given_j - pair.receiver.received_j
-    assert missing_j > 400
+    assert 400 <= missing_j <= 500  # at 500 W
     credited_j = float(pair.receiver.received_j)
     assert pair.order(GIVER, 3, number=2, limit_j=credited_j) == TEMPORARILY_REJECTED  # another transfer
     assert pair.order(RECEIVER, 3, number=1, limit_j=0.0) == TEMPORARILY_REJECTED  # it has given nothing
@@ -434,7 +475,7 @@ def test_what_did_not_arrive_comes_back_once_and_only_when_the_transfer_has_ende
 def test_settling_returns_what_is_missing_and_never_more_than_was_given(moved_j: int, credited_j: int) -> None:
     exchange = Exchange()
     given = order(limit_j=1e6, rate_w=float(max(moved_j, 1)))
-    exchange.current = Transfer(given, 0.0)
+    exchange.current = Transfer(given, 0.0, start_in_j=0)
     if moved_j:
         exchange.given_j += exchange.current.give(1.0, 1e6)
     exchange.end(1.0)

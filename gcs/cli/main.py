@@ -68,6 +68,7 @@ class _Commands(click.Group):
         "check": "check.command",
         "export": "recorded",
         "key": "key",
+        "logs": "logs",
         "monitor": "watch",
         "paper": "paper",
         "params": "params",
@@ -96,6 +97,7 @@ def cli() -> None:
       gcs launch demo          only its vehicles, for QGroundControl, MAVSDK or MAVProxy
       gcs monitor              a further console on a session that runs, or on any fleet with --connect
       gcs params get 'RTL_*'   parameters of every vehicle of a fleet: get, set, diff, save, load
+      gcs logs get             the logs of every vehicle of a fleet, into a folder
       gcs replay               a recorded session, or any .tlog, in the console
       gcs campaign run FILE    a scenario many times, varied: rates, intervals, the worst sessions
       gcs report SESSION       a page of what it recorded: paths, energy, competition, distances

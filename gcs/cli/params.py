@@ -8,14 +8,14 @@ import contextlib
 import fnmatch
 import json
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from gcs.exit import BAD_INPUT, NOT_DONE
-from gcs.scenario.endpoint import EXAMPLE, FORM, Endpoint, address
+from gcs.cli.fleet_options import Refused, fleet_at, of_the_fleet
+from gcs.exit import NOT_DONE
 
 if TYPE_CHECKING:
     from gcs.link.asked_fleet import AskedFleet
@@ -23,61 +23,7 @@ if TYPE_CHECKING:
 
 GLOB = frozenset("*?[")
 LONGEST_NAME = 16
-FIND_WITHIN_S = 10.0
 WELL = ("read", "kept", "would", "set")
-
-
-class _Refused(click.ClickException):
-    """Why nothing was asked of any vehicle."""
-
-    exit_code = BAD_INPUT
-
-
-def endpoint(_: click.Context, __: click.Parameter, value: str | None) -> Endpoint | None:
-    """The callback of an option that is an address."""
-    if value is None:
-        return None
-    at = address(value)
-    if at is None:
-        raise click.BadParameter(f"{value!r} is no address; write {FORM}, {EXAMPLE}.")
-    return at
-
-
-def _of_the_fleet(command: Callable[..., Any]) -> Callable[..., Any]:
-    """The options that all of these commands have."""
-    for option in (
-        click.option(
-            "--connect",
-            default="udpin:127.0.0.1:14550",
-            show_default=True,
-            callback=endpoint,
-            metavar="ADDRESS",
-            help="Where the vehicles are: udpin, udpout, tcp, tcpin:HOST:PORT, or serial:DEVICE:BAUD.",
-        ),
-        click.option(
-            "--sysid",
-            "sysids",
-            type=click.IntRange(1, 254),
-            multiple=True,
-            help="Only this vehicle; may be given again.  [default: all that are heard]",
-        ),
-        click.option(
-            "--key-file",
-            type=click.Path(path_type=Path, dir_okay=False),
-            metavar="FILE",
-            help="MAVLink 2 signing: sign, and take only what is signed with this key.",
-        ),
-        click.option(
-            "--within",
-            type=click.FloatRange(0.1),
-            default=10.0,
-            show_default=True,
-            help="Seconds to find the vehicles.",
-        ),
-        click.option("--json", "as_json", is_flag=True, help="One JSON object on stdout, for other programs."),
-    ):
-        command = option(command)
-    return command
 
 
 @click.group(short_help="Read, write, compare, save and load parameters over a fleet.")
@@ -105,7 +51,7 @@ def params() -> None:
 
 @params.command(short_help="Show parameters.")
 @click.argument("patterns", nargs=-1, metavar="NAME...")
-@_of_the_fleet
+@of_the_fleet
 def get(patterns: tuple[str, ...], as_json: bool, **options: Any) -> int:
     """Show the parameters named NAME..., or all, of every vehicle.
 
@@ -128,7 +74,7 @@ def get(patterns: tuple[str, ...], as_json: bool, **options: Any) -> int:
 @params.command("set", short_help="Write parameters, and read them back.")
 @click.argument("settings", nargs=-1, required=True, metavar="NAME=VALUE...")
 @click.option("--dry-run", is_flag=True, help="Only say what would change.")
-@_of_the_fleet
+@of_the_fleet
 def set_(settings: tuple[str, ...], dry_run: bool, as_json: bool, **options: Any) -> int:
     """Give parameters a value on every vehicle, and verify it by reading it back.
 
@@ -148,13 +94,13 @@ def set_(settings: tuple[str, ...], dry_run: bool, as_json: bool, **options: Any
                     names = fnmatch.filter(client.known, pattern)
                     numbers[client.sysid] |= dict.fromkeys(names, wanted[pattern])
         if not any(numbers.values()):
-            raise _Refused(f"no vehicle has a parameter named {', '.join(globs)}")
+            raise Refused(f"no vehicle has a parameter named {', '.join(globs)}")
         return _write(fleet, numbers, dry_run=dry_run, as_json=as_json)
 
 
 @params.command(short_help="Compare vehicles with each other, or with a file.")
 @click.argument("file", required=False, type=click.Path(path_type=Path, dir_okay=False, exists=True))
-@_of_the_fleet
+@of_the_fleet
 def diff(file: Path | None, as_json: bool, **options: Any) -> int:
     """Show the parameters in which vehicles differ from each other, or from FILE where it is given.
 
@@ -191,14 +137,14 @@ def diff(file: Path | None, as_json: bool, **options: Any) -> int:
 @params.command(short_help="Write the parameters of all vehicles to a file.")
 @click.argument("file", type=click.Path(path_type=Path, dir_okay=False))
 @click.argument("patterns", nargs=-1, metavar="[NAME...]")
-@_of_the_fleet
+@of_the_fleet
 def save(file: Path, patterns: tuple[str, ...], as_json: bool, **options: Any) -> int:
     """Write all parameters, or those named NAME..., to FILE, which must not exist yet.
 
     A line holds vehicle, component, name, value and type, as QGroundControl writes and reads it.
     """
     if file.exists():
-        raise _Refused(f"{file} exists already and is left as it is; give another name")
+        raise Refused(f"{file} exists already and is left as it is; give another name")
     with fleet_at(**options) as fleet:
         clients = _read(fleet, patterns or ("*",))
     lines = ["# Vehicle-Id Component-Id Name Value Type"]
@@ -209,7 +155,7 @@ def save(file: Path, patterns: tuple[str, ...], as_json: bool, **options: Any) -
     try:
         file.write_text("\n".join(lines) + "\n", encoding="ascii")
     except OSError as error:
-        raise _Refused(f"{file} cannot be written: {error.strerror}") from None
+        raise Refused(f"{file} cannot be written: {error.strerror}") from None
     count, vehicles = len(lines) - 1, len(clients)
     if as_json:
         click.echo(json.dumps({"file": str(file), "vehicles": vehicles, "parameters": count}))
@@ -221,7 +167,7 @@ def save(file: Path, patterns: tuple[str, ...], as_json: bool, **options: Any) -
 @params.command(short_help="Write a file's parameters to vehicles, and read them back.")
 @click.argument("file", type=click.Path(path_type=Path, dir_okay=False, exists=True))
 @click.option("--dry-run", is_flag=True, help="Only say what would change.")
-@_of_the_fleet
+@of_the_fleet
 def load(file: Path, dry_run: bool, as_json: bool, **options: Any) -> int:
     """Give vehicles the parameters of FILE, and verify them by reading them back.
 
@@ -232,34 +178,8 @@ def load(file: Path, dry_run: bool, as_json: bool, **options: Any) -> int:
     with fleet_at(**options) as fleet:
         numbers = {sysid: _of(saved, sysid) for sysid in sorted(fleet.profiles)}
         if not any(numbers.values()):
-            raise _Refused(f"{file} has no line for vehicle {', '.join(map(str, numbers))}")
+            raise Refused(f"{file} has no line for vehicle {', '.join(map(str, numbers))}")
         return _write(fleet, numbers, dry_run=dry_run, as_json=as_json)
-
-
-@contextlib.contextmanager
-def fleet_at(
-    connect: Endpoint, sysids: tuple[int, ...] = (), key_file: Path | None = None, within: float = FIND_WITHIN_S
-) -> Iterator[AskedFleet]:
-    """The vehicles at an address, found. Raises click.ClickException where there is none."""
-    from gcs.link.asked_fleet import AskedFleet
-    from gcs.link.keys import KeyRefused
-    from gcs.link.socket import AddressRefused
-
-    try:
-        fleet = AskedFleet(connect, key_file)
-    except AddressRefused as error:
-        raise click.UsageError(f"--connect: {error}.") from None
-    except KeyRefused as error:
-        raise click.UsageError(f"--key-file: {error}.") from None
-    try:
-        if not fleet.find(sysids, within):
-            missing = sorted(set(sysids) - fleet.profiles.keys())
-            who = f"vehicle {', '.join(map(str, missing))}" if missing else "any vehicle"
-            why = fleet.silence or "is it running, and is that its address?"
-            raise _Refused(f"no HEARTBEAT of {who} came within {within:g} s at {connect.text}: {why}")
-        yield fleet
-    finally:
-        fleet.close()
 
 
 def _read(fleet: AskedFleet, patterns: Sequence[str]) -> list[ParameterClient]:
@@ -367,7 +287,7 @@ def _load(file: Path) -> dict[int, dict[str, float]]:
     try:
         lines = file.read_text(encoding="ascii", errors="replace").splitlines()
     except OSError as error:
-        raise _Refused(f"{file} cannot be read: {error.strerror}") from None
+        raise Refused(f"{file} cannot be read: {error.strerror}") from None
     for number, line in enumerate(lines, 1):
         words = line.partition("#")[0].replace(",", " ").split()
         if not words:
@@ -378,8 +298,8 @@ def _load(file: Path) -> dict[int, dict[str, float]]:
                 raise ValueError
         except ValueError:
             text = "no parameter: write NAME VALUE, or vehicle, component, name, value and type"
-            raise _Refused(f"{file}:{number}: {line.strip()[:60]!r} is {text}") from None
+            raise Refused(f"{file}:{number}: {line.strip()[:60]!r} is {text}") from None
         saved.setdefault(int(sysid), {})[name] = float(value)
     if not saved:
-        raise _Refused(f"{file} holds no parameter")
+        raise Refused(f"{file} holds no parameter")
     return saved

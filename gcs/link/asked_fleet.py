@@ -1,4 +1,4 @@
-"""All vehicles at an address, asked at once, before anything flies: for parameters, and for messages by name."""
+"""All vehicles at an address, asked at once, before or after they fly: in dialogues, and for messages by name."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import select
 import time
 from collections.abc import Callable, Collection
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 from pymavlink.dialects.v20 import common as mav
 
@@ -19,7 +19,6 @@ from gcs.mavlink import codec
 from gcs.mavlink.autopilots import Profile, profile_of
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION
-from gcs.mavlink.parameter_client import ParameterClient
 from gcs.mavlink.sequence import SequenceCounter
 from gcs.scenario.endpoint import Endpoint
 
@@ -28,6 +27,23 @@ HEARTBEAT_EVERY_S = 1.0
 ASK_EVERY_S = 1.0
 SETTLED_S = 1.5
 """So long after the last newcomer the fleet is taken for complete: a HEARTBEAT comes once a second."""
+
+
+class VehicleClient(Protocol):
+    """One side of a dialogue with one vehicle; times are of the monotonic clock, s."""
+
+    sysid: int
+    compid: int
+
+    @property
+    def done(self) -> bool:
+        """Whether nothing is open."""
+
+    def receive(self, name: str, content: Any, now_s: float) -> None:
+        """Take a message of this vehicle's: its name and fields."""
+
+    def poll(self, now_s: float) -> list[Message]:
+        """Messages to send now."""
 
 
 class AskedFleet:
@@ -62,7 +78,7 @@ class AskedFleet:
             self.profiles = {sysid: profile for sysid, profile in self.profiles.items() if sysid in wanted}
         return bool(self.profiles) and set(wanted) <= self.profiles.keys()
 
-    def converse(self, clients: Collection[ParameterClient], progress: Callable[[], object] = lambda: None) -> None:
+    def converse(self, clients: Collection[VehicleClient], progress: Callable[[], object] = lambda: None) -> None:
         """Have all dialogues to their ends, side by side."""
         by_sysid = {client.sysid: client for client in clients}
         while not all(client.done for client in clients):
@@ -75,8 +91,12 @@ class AskedFleet:
                         continue
             for client in clients:
                 for message in client.poll(time.monotonic()):
-                    self._send(message, self._where[client.sysid])
+                    self.send_to(client.sysid, message)
             progress()
+
+    def send_to(self, sysid: int, message: Message) -> None:
+        """Send a message to a vehicle that has been heard."""
+        self._send(message, self._where[sysid])
 
     def request(self, names: Collection[str], within_s: float) -> dict[int, dict[str, Any]]:
         """Ask every vehicle for these messages once a second, until all have come or the time is up; the latest fields

@@ -8,6 +8,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Message
+from gcs.mavlink.common_frame import Vec3, turned
 from gcs.mavlink.ids import AUTOPILOT
 
 POSITION_AND_VELOCITY = (
@@ -19,8 +20,6 @@ POSITION_AND_VELOCITY = (
 )
 _MSGID = codec.msgid("SET_POSITION_TARGET_LOCAL_NED")
 
-Vec3 = tuple[float, float, float]
-
 
 @dataclass(frozen=True, slots=True)
 class SetPoint:
@@ -31,11 +30,13 @@ class SetPoint:
     v_ned: Vec3
 
 
-def encoded(point: SetPoint, origin_offset_ned: Vec3, time_ms: int) -> Message:
-    """SET_POSITION_TARGET_LOCAL_NED in the vehicle's own frame, whose origin lies at `origin_offset_ned` (m)."""
+def encoded(point: SetPoint, origin_offset_ned: Vec3, time_ms: int, turn_rad: float = 0.0) -> Message:
+    """SET_POSITION_TARGET_LOCAL_NED in the vehicle's own frame, whose origin lies at `origin_offset_ned` (m) and which
+    is turned by `turn_rad` about the vertical."""
     (north, east, down), (north_0, east_0, down_0) = point.p_ned, origin_offset_ned
+    p_local = turned((north - north_0, east - east_0, down - down_0), -turn_rad)
     values = (
-        *(time_ms, north - north_0, east - east_0, down - down_0, *point.v_ned, 0.0, 0.0, 0.0, 0.0, 0.0),
+        *(time_ms, *p_local, *turned(point.v_ned, -turn_rad), 0.0, 0.0, 0.0, 0.0, 0.0),
         *(POSITION_AND_VELOCITY, point.sysid, AUTOPILOT, mav.MAV_FRAME_LOCAL_NED),
     )
     return Message(_MSGID, values)

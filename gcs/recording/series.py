@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from gcs.mavlink import statustext
 from gcs.mavlink.autopilots import GENERIC, PROFILES, Profile, profile_of
 from gcs.mavlink.battery import battery_status, sys_status
+from gcs.mavlink.common_frame import FramePlace, frame_place, turned
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.recording.session_folder import Recorded
 from gcs.telemetry.battery_account import BatteryAccount
@@ -27,6 +28,8 @@ from gcs.telemetry.plausibility import FARTHEST_M, FASTEST_M_S
 from gcs.telemetry.state import STALE_S
 
 Floats = NDArray[np.float64]
+PARALLEL_M = 1.0
+"""A frame whose zero is less than this away was launched there: degE7 are rounded."""
 GAP_S = 2.0
 """Silence longer than this is drawn as a gap."""
 LATE_S = 5.0
@@ -117,10 +120,10 @@ def tracks(recorded: Recorded) -> dict[int, Track]:
     for sysid, rows in _by_vehicle(recorded.tables["LOCAL_POSITION_NED"]).items():
         if sysid not in origins or zero is None:
             continue
-        offset = np.array(pymap3d.geodetic2ned(*_place(origins[sysid][0]), *zero), dtype=np.float64)
+        place = _frame(_place(origins[sysid][0]), zero)
         t_s = _times_s(rows)
-        p_ned = np.column_stack([rows[axis] for axis in "xyz"]).astype(np.float64) + offset
-        v_ned = np.column_stack([rows[f"v{axis}"] for axis in "xyz"]).astype(np.float64)
+        p_ned = _turned(np.column_stack([rows[axis] for axis in "xyz"]), place.turn_rad) + place.offset_ned
+        v_ned = _turned(np.column_stack([rows[f"v{axis}"] for axis in "xyz"]), place.turn_rad)
         # In the order in which they were true; what came late and out of order changes nothing that is known.
         with np.errstate(invalid="ignore", over="ignore"):  # a vehicle may tell anything; so much of it is believed
             good = (np.abs(p_ned) <= FARTHEST_M).all(axis=1) & (np.abs(v_ned) <= FASTEST_M_S).all(axis=1)
@@ -134,6 +137,22 @@ def tracks(recorded: Recorded) -> dict[int, Track]:
             _state(states, None if states is None else ~np.isin(states["landed_state"], (ON_GROUND, UNDEFINED_STATE))),
         )
     return found
+
+
+def _frame(own: tuple[float, float, float], zero: tuple[float, float, float]) -> FramePlace:
+    """Where a frame lies in the common one; one with its zero, but for rounding, is parallel to it."""
+    place = frame_place(*own, *zero)
+    if math.hypot(*place.offset_ned[:2]) >= PARALLEL_M:
+        return place
+    north, east, down = (float(x) for x in pymap3d.geodetic2ned(*own, *zero))
+    return FramePlace((north, east, down), 0.0)
+
+
+def _turned(rows: NDArray[Any], turn_rad: float) -> Floats:
+    """Vectors (k, 3) of a frame that is turned by so much, in the other's axes."""
+    vectors = rows.astype(np.float64)
+    with np.errstate(invalid="ignore", over="ignore"):  # a vehicle may tell anything
+        return np.column_stack(turned((vectors[:, 0], vectors[:, 1], vectors[:, 2]), turn_rad))
 
 
 def traffic(recorded: Recorded) -> dict[str, Track]:

@@ -40,6 +40,15 @@ class EnergySummary(SummaryPart):
 Role = Literal["pursuer", "target", "tanker"]
 
 
+class CheckedItem(SummaryPart):
+    """An entry of a vehicle's check list before the flight."""
+
+    key: str
+    """fence, rally or clock"""
+    passed: bool
+    text: str
+
+
 class VehicleSummary(SummaryPart):
     """One vehicle's session."""
 
@@ -53,6 +62,8 @@ class VehicleSummary(SummaryPart):
     energy: EnergySummary
     missing_streams: list[str] = []
     """messages that an external vehicle was asked for and did not send at the end, or at less than half the rate"""
+    check_list: list[CheckedItem] = []
+    """what was checked before it was armed; empty where nothing was"""
     refused_messages: int = 0
     """messages with its id that were refused: not signed, signed with another key, repeated, or without a key here"""
 

@@ -13,6 +13,7 @@ from pydantic import AfterValidator, ConfigDict, Field, ValidationError, model_v
 from gcs.scenario import external
 from gcs.scenario.document import Conflict, Document, KeyPath, Problem, ScenarioError, conflict_error
 from gcs.scenario.faults import Fault, fault_conflicts
+from gcs.scenario.fence import FenceRules, fence_conflicts
 from gcs.scenario.forward import Forward
 from gcs.scenario.parts import (
     STEP_S,
@@ -37,7 +38,7 @@ from gcs.scenario.parts import (
     known_axes,
 )
 from gcs.scenario.rules import CompetitionRules, FormationRules, PlannerRules, PursuitRules, RefuellingRules
-from gcs.scenario.types import Count, Flag, Part
+from gcs.scenario.types import Count, Flag, Part, Plane
 from gcs.scenario.weather import Wind
 
 __all__ = [
@@ -137,6 +138,12 @@ class Scenario(Part):
     """how many fly in one process; nothing else depends on it"""
     forward: Forward = Forward()
     """other ground stations that hear the vehicles too; none by default"""
+    fence: FenceRules = FenceRules()
+    """geofence that is uploaded to every vehicle before it is armed, and read back; none by default"""
+    rally_m: tuple[Plane, ...] = ()
+    """places to come down at in need, uploaded like the fence; the first two coordinates, m; none by default"""
+    preflight: Literal["enforce", "warn"] = "enforce"
+    """a vehicle that fails its check list (fence, rally points, clock) is not armed, or is only warned of"""
     record: Record = Record()
     """files that the session leaves, and how large they become; everything in one file each by default"""
     truth: Flag = True
@@ -186,7 +193,8 @@ class Scenario(Part):
         capture_m, pursuers = self.refuelling.capture_m, self.vehicles.pursuers
         grounded = base_conflicts(self.bases, pursuers, self.obstacles, capture_m=capture_m)
         faulty = fault_conflicts(self.faults, self.vehicles.all, self.goal.duration_s)
-        if conflicts := [*_conflicts(self), *_vehicle_conflicts(self), *grounded, *faulty]:
+        fenced = fence_conflicts(self.fence, self.rally_m)
+        if conflicts := [*_conflicts(self), *_vehicle_conflicts(self), *grounded, *faulty, *fenced]:
             raise conflict_error(conflicts)
         return self
 

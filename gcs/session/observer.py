@@ -21,6 +21,7 @@ from gcs.mavlink import codec
 from gcs.mavlink.autopilots import End, profile_of
 from gcs.mavlink.codec import Frame
 from gcs.mavlink.command_protocol import result_in_words
+from gcs.mavlink.common_frame import turned
 from gcs.mavlink.gaps import GapCounter
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.scenario.model import Scenario
@@ -358,7 +359,7 @@ class Observer:
                 target_m=distance_m(view.p_ned, places.get(target)) if target is not None else None,
                 lost=self.quality.lost(view.sysid),
                 lost_share=lost_share,
-                aim_ned=None if aim is None or offset is None else _sum(aim, offset),
+                aim_ned=None if aim is None or offset is None else _sum(turned(aim, view.turn_rad), offset),
                 state=part.pop("state", State.IDLE if view.alive else State.LOST),
                 found=health_issues(view, snapshot.time_s, lost_share=lost_share, ordered=view.sysid in self.ordered),
                 **part,

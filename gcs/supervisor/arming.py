@@ -86,6 +86,10 @@ class ArmingSequence:
         """whether another ground station flies it, and it is commanded nothing"""
         self._order_sent = False
         self._rejoins = False
+        self.checked = True
+        """whether its check list has ended; it is not armed before"""
+        self.unfit = ""
+        """why it must not be armed, as a sentence; empty while it may be"""
         self.left_out = ""
         """why it takes no part, as a sentence; empty while it does"""
 
@@ -201,6 +205,8 @@ class ArmingSequence:
     def _wanted(self, view: VehicleView, now_s: float) -> list[CommandRequest]:
         """The command that the stage needs."""
         if self.stage is Stage.ARM:
+            if not self.checked or self.unfit:
+                return []
             return [self._command(mav.MAV_CMD_COMPONENT_ARM_DISARM, 1.0, 0.0)]
         if self.stage is Stage.TAKEOFF and view.mode is not FlightMode.TAKEOFF:
             height = view.profile.takeoff_param7(self._takeoff_m, view.ground_amsl_m)
@@ -213,7 +219,9 @@ class ArmingSequence:
         if self.stage in (Stage.OFFBOARD, Stage.FLY):
             self._blame_link(view, now_s)
         taken = self.released or (self.ordered is not None and view.alive and not bound)
-        stage = Stage.TAKEN if taken else self._next(view)
+        refused = self.unfit if self.stage is Stage.ARM else ""
+        self.left_out = refused or self.left_out
+        stage = Stage.TAKEN if taken else Stage.DOWN if refused else self._next(view)
         if stage is not self.stage:
             self.stage = stage
             self._stage_since_s = now_s

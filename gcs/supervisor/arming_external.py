@@ -28,9 +28,8 @@ from gcs.scenario.external import External
 from gcs.supervisor.arming import ArmingSequence, Stage
 from gcs.telemetry.state import VehicleView
 
-FAR_M = 5000.0
-"""No origin is farther from the scenario's: the frames would not be parallel any more (gcs/telemetry/fleet.py)."""
-PLANE_M = 100e3
+FAR_M = 100e3
+"""No origin is farther from the scenario's: the common frame is a plane (gcs/mavlink/common_frame.py)."""
 SET_POINTS_FIRST_S = 1.0
 """PX4 wants a second of set points before offboard."""
 PARAMETER_TRIES = 3
@@ -173,9 +172,9 @@ class ExternalArmingSequence(ArmingSequence):
         """Whether it is to be left out, and why."""
         offset, waited_s = view.origin_offset_ned, self._rules.arm_within_s
         if offset is not None and math.hypot(*offset[:2]) > FAR_M:
-            away_m = math.hypot(*offset[:2])  # of a plane at the scenario's origin: far away it is too short
-            away = f"{away_m / 1e3:.1f} km" if away_m < PLANE_M else f"over {PLANE_M / 1e3:.0f} km"
-            self.left_out = f"Its origin is {away} from the scenario's: is one of them wrong? Left out"
+            self.left_out = (
+                f"Its origin is over {FAR_M / 1e3:.0f} km from the scenario's: is one of them wrong? Left out"
+            )
         elif self._now_s - self._begun_s <= waited_s or not view.landed:
             return False
         elif view.origin_offset_ned is None:

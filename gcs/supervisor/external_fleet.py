@@ -5,6 +5,7 @@ Streams are asked for and checked, clocks compared, silence judged, and repetiti
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 
 from pymavlink.dialects.v20 import common as mav
@@ -27,6 +28,8 @@ SAY_AGAIN_S = 10.0
 MOST_SAID = 1000
 """Different texts of all external vehicles that are told within SAY_AGAIN_S."""
 NO_ORIGIN_S = 5.0
+DISTANT_M = 5000.0
+"""An origin that is farther from the scenario's is reported: it may be a mistake."""
 GROUND_OFF_M = 2.0
 """A home that lies so much higher or lower than the scenario's height 0 is reported."""
 STEERED = frozenset({Stage.ARM, Stage.TAKEOFF, Stage.OFFBOARD, Stage.FLY})
@@ -50,6 +53,7 @@ class ExternalFleet:
         self._asks: dict[int, list[Ask]] = {sysid: [] for sysid in self.rules}
         self._origin_noted: set[int] = set()
         self._ground_noted: set[int] = set()
+        self._distance_noted: set[int] = set()
         self._handed_back: set[int] = set()
         self._answers: dict[int, str] = {}
         self._events: list[Event] = []
@@ -109,6 +113,11 @@ class ExternalFleet:
             elif known and sysid in self._origin_noted:
                 self._origin_noted.discard(sysid)
                 self._note(sysid, "info", "Its frame is known now")
+            offset = view.origin_offset_ned
+            if offset is not None and math.hypot(*offset[:2]) > DISTANT_M and sysid not in self._distance_noted:
+                self._distance_noted.add(sysid)
+                away_km = math.hypot(*offset[:2]) / 1e3
+                self._note(sysid, "warning", f"Its origin lies {away_km:.1f} km from the scenario's: is that meant?")
             if known and view.ground_down_m is not None and sysid not in self._ground_noted:
                 self._ground_noted.add(sysid)
                 if abs(view.ground_down_m) >= GROUND_OFF_M:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, cast
 
 from gcs.recording.summary import (
     BaseSummary,
+    CheckedItem,
     ClosestSummary,
     EnergySummary,
     FaultSummary,
@@ -92,6 +93,7 @@ def summarise(
                 control_effort=view.control_effort,
                 energy=_ledger(view, view.given_j - credited_j[view.sysid] - _returned_j(view)),
                 missing_streams=supervisor.externals.missing_streams(view.sysid),
+                check_list=[CheckedItem(**item._asdict()) for item in supervisor.preflight.items(view.sysid)],
                 refused_messages=link.signature_refusals.get(view.sysid, 0),
             )
             for view in snapshot.vehicles

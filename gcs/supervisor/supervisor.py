@@ -44,6 +44,7 @@ from gcs.supervisor.fleet_command_queue import FleetCommandQueue
 from gcs.supervisor.forwarding import ForwardedControl
 from gcs.supervisor.goal_watch import GoalWatch
 from gcs.supervisor.operator import Operator, OperatorReply
+from gcs.supervisor.preflight import Preflight
 from gcs.supervisor.recovery import Recovery
 from gcs.telemetry.changes import ChangeDetector
 from gcs.telemetry.events import Event, Kind, level_of
@@ -100,6 +101,7 @@ class Supervisor:
         self.recovery = Recovery(self.arming)
         self._forwarded = ForwardedControl(self.arming, self.operator)
         self.externals = ExternalFleet(scenario)
+        self.preflight = Preflight(scenario)
         self._wait_for_fleet_s = WAIT_FOR_FLEET_S + self.externals.patience_s
         self._join_ms = {v.sysid: round(1e3 * v.join_s) for v in scenario.vehicles.all}
         injections = drawn(scenario.faults, scenario.seed)
@@ -162,6 +164,7 @@ class Supervisor:
         self.events += self._watch.look(snapshot, ordered | self.operator.ordered)
         decision = self.schedule.decide(snapshot)
         self._serve_at_bases(decision)
+        self._prepare(snapshot)
         self._fly(snapshot, now_s)
         self.events += self.recovery.look(snapshot)
         self._keep_streams(snapshot)
@@ -327,6 +330,7 @@ class Supervisor:
         if self.externals.rules:
             offsets_s, rebooted = self._link.clock_offsets_s(), self._link.pop_rebooted()
             self.externals.receive(delivered, offsets_s, rebooted, self.fleet, now_s)
+        self.preflight.receive(delivered, self.epoch_us + round(1e6 * now_s), now_s)
         self.received += len(arrived)
         count: Counter[int] = Counter()
         for sysid, severity, text in self.fleet.pop_statustexts(now_s):
@@ -371,6 +375,14 @@ class Supervisor:
             self.command_queue.put(report.sysid, giver_messages(report, self.scenario.origin, self.time_ms))
         for sysid, joules in decision.booked.items():
             self.fleet.book(sysid, joules)
+
+    def _prepare(self, snapshot: FleetSnapshot) -> None:
+        """Go on with the check lists; who fails his is not armed."""
+        for sysid, messages in self.preflight.decide(snapshot).items():
+            self.command_queue.put(sysid, messages)
+        for sysid, arming in self.arming.items():
+            arming.checked, arming.unfit = self.preflight.ended(sysid), self.preflight.failed(sysid)
+        self.events += self.preflight.pop_events()
 
     def _fly(self, snapshot: FleetSnapshot, now_s: float) -> None:
         late_s = (self._periods - 1) * self.scenario.clock.period_s
@@ -426,10 +438,11 @@ class Supervisor:
 
     def _queue_set_points(self, set_points: Iterable[SetPoint], snapshot: FleetSnapshot) -> None:
         for point in set_points:
-            offset = snapshot.vehicle(point.sysid).origin_offset_ned
+            view = snapshot.vehicle(point.sysid)
+            offset = view.origin_offset_ned
             assert offset is not None
-            messages = (encoded(point, offset, self.time_ms),) * self.quality.copies(point.sysid)
-            self.command_queue.put(point.sysid, messages)
+            message = encoded(point, offset, self.time_ms, view.turn_rad)
+            self.command_queue.put(point.sysid, (message,) * self.quality.copies(point.sysid))
 
     # out
 

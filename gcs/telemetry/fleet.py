@@ -2,16 +2,15 @@
 
 The common frame is the scenario's origin. A vehicle's own local frame is moved there by its GPS_GLOBAL_ORIGIN, or by
 HOME_POSITION where that says where home lies in it; until one has come its position is unknown, and nothing is planned
-for it. It is moved and not turned: the axes of two tangent planes d apart at latitude φ differ by d/(R cos φ), R the
-earth's radius, so that a place at a distance r from its origin is off by r d/(R cos φ): 0.12 m for 100 m and 5 km at
-47 degrees.
+for it. An external vehicle's, whose origin may be far away, is turned by the convergence of the meridians too
+(gcs/mavlink/common_frame.py).
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 from operator import itemgetter
 from typing import Any
 
@@ -21,6 +20,7 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.mavlink.autopilots import GENERIC, FlightMode, Profile, profile_of
 from gcs.mavlink.battery import BatteryReport, battery_status, sys_status
 from gcs.mavlink.codec import Frame, fields
+from gcs.mavlink.common_frame import FramePlace, frame_place, turned
 from gcs.mavlink.statustext import Texts
 from gcs.telemetry import plausibility
 from gcs.telemetry.battery_account import BATTERY_PARAMETERS, CAPACITY, GIVEN, RECEIVED, BatteryAccount
@@ -90,6 +90,7 @@ class _Track:
         self.position_s = -math.inf
         self.heading_rad = self.roll_rad = self.pitch_rad = 0.0
         self.offset: Vec3 | None = None
+        self.turn_rad = 0.0
         self.origin_alt_m = 0.0
         self.origin_reported = False
         self.battery = BatteryAccount(member.capacity_j, member.initial_j, from_now=member.external)
@@ -119,11 +120,8 @@ class _Track:
     def view(self, now_s: float) -> VehicleView:
         p_ned = None
         if self.p_local is not None and self.offset is not None:
-            p_ned = (
-                self.p_local[0] + self.offset[0],
-                self.p_local[1] + self.offset[1],
-                self.p_local[2] + self.offset[2],
-            )
+            north, east, down = turned(self.p_local, self.turn_rad)
+            p_ned = (north + self.offset[0], east + self.offset[1], down + self.offset[2])
         ground_down_m = self.home_down_m
         if ground_down_m is None and self.offset is not None:
             ground_down_m = self.offset[2]
@@ -144,13 +142,14 @@ class _Track:
             landed=landed,
             last_received_s=self.last_received_s,
             p_ned=p_ned,
-            v_ned=self.v_ned,
+            v_ned=turned(self.v_ned, self.turn_rad),
             age_s=max(now_s - self.position_s, 0.0),
-            heading_rad=self.heading_rad,
+            heading_rad=self.heading_rad + self.turn_rad,
             roll_rad=self.roll_rad,
             battery_apart=self.member.battery_apart,
             pitch_rad=self.pitch_rad,
             origin_offset_ned=self.offset,
+            turn_rad=self.turn_rad,
             ground_amsl_m=self.origin_alt_m if self.home_amsl_m is None else self.home_amsl_m,
             ground_down_m=ground_down_m,
             p_local_ned=self.p_local,
@@ -282,12 +281,13 @@ class Fleet:
     def _global_origin(self, track: _Track, content: Any, time_s: float) -> None:
         if track.doubts(plausibility.globe(content.latitude, content.longitude), time_s):
             return
-        offset = self._ned(content)
+        place = self._place(track, content)
+        offset = place.offset_ned
         known = track.offset if track.origin_reported and track.armed else None
         if known is not None and math.dist(offset, known) > ORIGIN_JUMP_M:
             track.doubts("its origin moves while it is armed", time_s)
             return
-        track.offset = offset
+        track.offset, track.turn_rad = place
         track.origin_alt_m = 1e-3 * content.altitude
         track.origin_reported = True
 
@@ -297,15 +297,25 @@ class Fleet:
             return
         if track.doubts(plausibility.globe(content.latitude, content.longitude), time_s):
             return
-        home_ned = self._ned(content)
-        track.home_amsl_m, track.home_down_m = 1e-3 * content.altitude, home_ned[2]
+        track.home_amsl_m = 1e-3 * content.altitude
+        track.home_down_m = self.origin.alt_m - track.home_amsl_m
         local = (content.x, content.y, content.z)
         if track.origin_reported or not track.profile.home_is_local:
             return
         if not all(abs(axis) <= plausibility.FARTHEST_M for axis in local):
             return
-        track.offset = (home_ned[0] - local[0], home_ned[1] - local[1], home_ned[2] - local[2])
+        home = (1e-7 * content.latitude, 1e-7 * content.longitude, track.home_amsl_m)
+        lat_deg, lon_deg, _ = pymap3d.ned2geodetic(-local[0], -local[1], -local[2], *home)
+        alt_m = track.home_amsl_m + local[2]
+        track.offset, track.turn_rad = frame_place(float(lat_deg), float(lon_deg), alt_m, *astuple(self.origin))
         track.origin_alt_m = track.home_amsl_m + content.z
+
+    def _place(self, track: _Track, content: Any) -> FramePlace:
+        """Where the frame of a vehicle lies that tells its origin; that of one of ours is parallel."""
+        if not track.member.external:
+            return FramePlace(self._ned(content), 0.0)
+        told = (1e-7 * content.latitude, 1e-7 * content.longitude, 1e-3 * content.altitude)
+        return frame_place(*told, *astuple(self.origin))
 
     def _ned(self, content: Any) -> Vec3:
         """A message's latitude, longitude and altitude in the common frame."""

@@ -51,6 +51,8 @@ class VehicleView(NamedTuple):
     """the ground under its home, or else under its origin, in the common frame; None while that is unknown"""
     custom_mode: int = 0
     """HEARTBEAT's, for those who name it to a person"""
+    turn_rad: float = 0.0
+    """by how much its own frame is turned about the vertical against the common one"""
     failsafe: bool = False
     """whether its autopilot says that it flies by a failsafe of its own"""
     p_local_ned: Vec3 | None = None

@@ -18,6 +18,7 @@ from simvehicle.fleet.rules import FleetRules
 from simvehicle.mavlink import (
     commands,
     flight_commands,
+    log_protocol,
     maintenance,
     message_requests,
     missions,
@@ -47,7 +48,7 @@ MESSAGES: dict[int, MessageHandler] = {
 }
 COMMANDS: dict[int, CommandHandler] = {**flight_commands.COMMANDS, **message_requests.COMMANDS, **maintenance.COMMANDS}
 _COMMAND_MESSAGES = frozenset({mav.MAVLINK_MSG_ID_COMMAND_LONG, mav.MAVLINK_MSG_ID_COMMAND_INT})
-UNDERSTOOD = _COMMAND_MESSAGES | missions.MESSAGES | set(MESSAGES)
+UNDERSTOOD = _COMMAND_MESSAGES | missions.MESSAGES | log_protocol.MESSAGES | set(MESSAGES)
 """Ids of the messages that the vehicle acts on."""
 
 
@@ -61,13 +62,15 @@ class Services:
         connections: Iterable[Connection] = (),
         store: Store | None = None,
         rules: FleetRules | None = None,
+        log: log_protocol.Log | None = None,
     ) -> None:
-        """`rules`: of the fleet that it belongs to, where vehicles compete on board."""
+        """`rules`: of the fleet that it belongs to, where vehicles compete on board. `log`: what it writes down."""
         self.vehicle = vehicle
         self.sysid = sysid
         self.connections = list(connections)
         self._context = ServiceContext(vehicle, sysid, self.connections, store)
         self._planning = missions.Planning(self._context)
+        self._logs = log_protocol.LogService(log)
         self._reboot = maintenance.Reboot(self._context, self._planning.restart)
         self._commands = {**COMMANDS, mav.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN: self._reboot.ask}
         self.fleet = None if rules is None else FleetService(vehicle, sysid, rules)
@@ -96,6 +99,8 @@ class Services:
             return
         elif frame.msgid in missions.MESSAGES:
             self._planning.receive(call)
+        elif frame.msgid in log_protocol.MESSAGES:
+            self._logs.receive(call)
         else:
             MESSAGES[frame.msgid](self._context, call)
 
@@ -149,6 +154,7 @@ class Services:
         snapshot = vehicle.snapshot()
         for connection in self.connections:
             connection.put_due(snapshot)
+        self._logs.report()
 
     def _finish_reboot(self) -> None:
         finished = self._reboot.finish()

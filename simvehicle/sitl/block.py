@@ -100,5 +100,5 @@ def _seat(
         link = opened.enter_context(SupervisedLink(supervisor, Connection(one.sysid)))
         connections.insert(0, link.connection)
     writer = opened.enter_context(TruthWriter(one.truth, one.sysid, vehicle, one.truth_hz)) if one.truth else None
-    services = Services(vehicle, one.sysid, connections, one.store, one.rules)
+    services = Services(vehicle, one.sysid, connections, one.store, one.rules, writer)
     return ConnectedUnit(VehicleUnit(vehicle, services, writer), link, plain)

@@ -6,12 +6,13 @@ of little-endian float64, one per grant:
     T (s), number of steps n, 12 states (p, v in NED; roll, pitch, yaw and their rates in NED), drawn, received, given,
     remaining (J, each an accumulator of its own), then the thrust u1 (m/s2) of each of the n steps.
 
-At a rate of its own n is 0.
+At a rate of its own n is 0. It is also the vehicle's log, as others download it (`mavlink/log_protocol.py`).
 """
 
 from __future__ import annotations
 
 import json
+import os
 import struct
 from pathlib import Path
 from typing import Self
@@ -23,6 +24,8 @@ ROUNDING_S = 1e-6
 _pack = struct.Struct("<18d").pack
 """A record without its thrust."""
 STATE = ["n", "e", "d", "vn", "ve", "vd", "roll", "pitch", "yaw", "roll_rate", "pitch_rate", "yaw_rate"]
+LAST_NUMBER = 65534
+"""65535 is no log but the end of a list that is asked for."""
 ENERGY = ["drawn_j", "received_j", "given_j", "remaining_j"]
 
 
@@ -47,8 +50,35 @@ class TruthWriter:
             "avionics_w": battery.avionics_w,
             "gravity_m_s2": flight.airframe.gravity_m_s2,
         }
-        self._file = path.open("xb", buffering=0)
-        self._put(json.dumps(head, sort_keys=True).encode() + b"\n")
+        self._file = path.open("x+b", buffering=0)
+        self._head = json.dumps(head, sort_keys=True).encode() + b"\n"
+        self._written = 0
+        self._put(self._head)
+        self._vehicle = vehicle
+        self._begun_ms = 0
+        self._begun_at = self._written
+        self.number = 1
+
+    @property
+    def unix_s(self) -> int:
+        """When the present log began, by the vehicle's clock."""
+        return (self._vehicle.unix_epoch_us + 1000 * self._begun_ms) // 1_000_000
+
+    @property
+    def size_bytes(self) -> int:
+        """Bytes of the present log: the head, and the records since it began."""
+        return len(self._head) + self._written - self._begun_at
+
+    def read(self, offset: int, count: int) -> bytes:
+        """Bytes of the present log from a place on, as many as there are of `count`. Raises OSError."""
+        head = self._head[offset : offset + count]
+        at = self._begun_at + max(offset - len(self._head), 0)
+        return head + os.pread(self._file.fileno(), min(count - len(head), max(self._written - at, 0)), at)
+
+    def erase(self) -> None:
+        """Let a new log begin here, with the same head; the file, which a session judges by, stays as it is."""
+        self.number = self.number % LAST_NUMBER + 1
+        self._begun_ms, self._begun_at = self._vehicle.time_ms, self._written
 
     def write(self, vehicle: Vehicle, steps: int) -> None:
         """One record at the vehicle's present time, if it is due; `steps` were flown since the last one."""
@@ -71,7 +101,9 @@ class TruthWriter:
     def _put(self, content: bytes) -> None:
         """Write all of it: a disk that is nearly full takes a part first and complains at the rest."""
         while content:
-            content = content[self._file.write(content) :]
+            taken = self._file.write(content)
+            self._written += taken
+            content = content[taken:]
 
     def __enter__(self) -> Self:
         return self

@@ -33,11 +33,12 @@ class Bench:
         params: dict[str, float] | None = None,
         start: Start | None = None,
         store: Any = None,
+        log: Any = None,
     ) -> None:
         self.sysid = sysid
         self.vehicle = Vehicle(IDENTITIES[autopilot], Parameters(params), LocalFrame(*ORIGIN), start or Start())
         self.connection = Connection(sysid)
-        self.services = Services(self.vehicle, sysid, [self.connection], store)
+        self.services = Services(self.vehicle, sysid, [self.connection], store, log=log)
         self.heard: list[Any] = []
         self._parser = common.MAVLink(None)
         self._writers: dict[tuple[int, int], Any] = {}

@@ -133,7 +133,7 @@ def test_an_origin_beyond_what_parallel_frames_allow_is_refused_at_once() -> Non
     made = arming()
     made.decide(view(origin_offset_ned=(0.0, FAR_M + 1.0, 0.0)), 0.0)
     assert (made.stage, made.left_out) == (
-        Stage.DOWN, "Its origin is 5.0 km from the scenario's: is one of them wrong? Left out",
+        Stage.DOWN, "Its origin is over 100 km from the scenario's: is one of them wrong? Left out",
     )  # fmt: skip
 
 

@@ -330,26 +330,6 @@ def test_arducopters_home_does_not_align_it_since_it_says_nothing_of_its_frame()
     assert view.ground_amsl_m == pytest.approx(486.0, abs=0.01)
 
 
-@pytest.mark.parametrize(("distance_m", "reach_m"), [(1000.0, 200.0), (5000.0, 100.0), (5000.0, 500.0)])
-@pytest.mark.parametrize("bearing_rad", [0.0, 0.8, 1.6, 3.9])
-def test_frames_that_are_moved_and_not_turned_are_off_by_no_more_than_the_stated_bound(
-    distance_m: float, reach_m: float, bearing_rad: float
-) -> None:
-    """|p| d/(R cos φ), against pymap3d's way over the ellipsoid; and it is no empty bound: half of it is reached."""
-    common = (ORIGIN.lat_deg, ORIGIN.lon_deg, ORIGIN.alt_m)
-    there = (distance_m * math.cos(bearing_rad), distance_m * math.sin(bearing_rad), 0.0)
-    own = pymap3d.ned2geodetic(*there, *common)
-    bound_m = reach_m * distance_m / (6_350_000.0 * math.cos(math.radians(ORIGIN.lat_deg)))
-    errors = []
-    for k in range(12):
-        local = (reach_m * math.cos(k * math.pi / 6), reach_m * math.sin(k * math.pi / 6), 0.0)
-        truth = pymap3d.geodetic2ned(*pymap3d.ned2geodetic(*local, *own), *common)
-        errors.append(
-            math.dist(truth, [a + b for a, b in zip(local, pymap3d.geodetic2ned(*own, *common), strict=True)])
-        )
-    assert 0.5 * bound_m <= max(errors) <= bound_m
-
-
 def test_a_stranger_that_never_says_whether_it_has_landed_is_in_the_air_when_it_is_high() -> None:
     fleet = strangers()
     for one in (heartbeat(), origin(), position(at=(0.0, 0.0, -0.1))):

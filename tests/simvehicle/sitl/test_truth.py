@@ -118,3 +118,26 @@ def test_disk_that_fills_in_the_middle_of_a_record_is_an_error_at_once(vehicle_b
         finally:
             resource.setrlimit(resource.RLIMIT_FSIZE, limits)
     assert error.value.errno == errno.EFBIG
+
+
+def test_truth_is_the_log_of_the_vehicle_and_erased_begins_anew_while_the_file_stays(
+    vehicle_bench: Any, tmp_path: Path
+) -> None:
+    bench, path = vehicle_bench(), tmp_path / "1.truth"
+    with TruthWriter(path, bench.sysid, bench.vehicle) as log:
+        unit = VehicleUnit(bench.vehicle, bench.services, log)
+        unit.start_clock(0, 1_700_000_000_000_000)
+        for _ in range(50):
+            unit.advance(bench.vehicle.time_ms + 100)
+        whole = path.read_bytes()
+        assert (log.number, log.unix_s, log.size_bytes) == (1, 1_700_000_000, len(whole))
+        assert b"".join(log.read(at, 90) for at in range(0, len(whole), 90)) == whole
+        assert log.read(len(whole), 90) == log.read(len(whole) + 900, 90) == b""
+        log.erase()
+        head = whole[: whole.index(b"\n") + 1]
+        assert log.read(0, 9999) == head
+        unit.advance(bench.vehicle.time_ms + 100)
+        new = path.read_bytes()
+        assert new.startswith(whole)
+        assert (log.number, log.unix_s) == (2, 1_700_000_005)
+        assert b"".join(log.read(at, 7) for at in range(0, log.size_bytes, 7)) == head + new[len(whole) :]

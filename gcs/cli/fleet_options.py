@@ -1,0 +1,99 @@
+"""Commands that ask all vehicles at an address: their options, and the fleet that these stand for."""
+
+# ruff: noqa: PLC0415 - so that `gcs --help` answers at once
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from gcs.exit import BAD_INPUT
+from gcs.scenario.endpoint import EXAMPLE, FORM, Endpoint, address
+
+if TYPE_CHECKING:
+    from gcs.link.asked_fleet import AskedFleet
+
+FIND_WITHIN_S = 10.0
+
+
+class Refused(click.ClickException):
+    """Why nothing was asked of any vehicle."""
+
+    exit_code = BAD_INPUT
+
+
+def endpoint(_: click.Context, __: click.Parameter, value: str | None) -> Endpoint | None:
+    """The callback of an option that is an address."""
+    if value is None:
+        return None
+    at = address(value)
+    if at is None:
+        raise click.BadParameter(f"{value!r} is no address; write {FORM}, {EXAMPLE}.")
+    return at
+
+
+def of_the_fleet(command: Callable[..., Any]) -> Callable[..., Any]:
+    """The options of every command that asks a fleet."""
+    for option in (
+        click.option(
+            "--connect",
+            default="udpin:127.0.0.1:14550",
+            show_default=True,
+            callback=endpoint,
+            metavar="ADDRESS",
+            help="Where the vehicles are: udpin, udpout, tcp, tcpin:HOST:PORT, or serial:DEVICE:BAUD.",
+        ),
+        click.option(
+            "--sysid",
+            "sysids",
+            type=click.IntRange(1, 254),
+            multiple=True,
+            help="Only this vehicle; may be given again.  [default: all that are heard]",
+        ),
+        click.option(
+            "--key-file",
+            type=click.Path(path_type=Path, dir_okay=False),
+            metavar="FILE",
+            help="MAVLink 2 signing: sign, and take only what is signed with this key.",
+        ),
+        click.option(
+            "--within",
+            type=click.FloatRange(0.1),
+            default=10.0,
+            show_default=True,
+            help="Seconds to find the vehicles.",
+        ),
+        click.option("--json", "as_json", is_flag=True, help="One JSON object on stdout, for other programs."),
+    ):
+        command = option(command)
+    return command
+
+
+@contextlib.contextmanager
+def fleet_at(
+    connect: Endpoint, sysids: tuple[int, ...] = (), key_file: Path | None = None, within: float = FIND_WITHIN_S
+) -> Iterator[AskedFleet]:
+    """The vehicles at an address, found. Raises click.ClickException where there is none."""
+    from gcs.link.asked_fleet import AskedFleet
+    from gcs.link.keys import KeyRefused
+    from gcs.link.socket import AddressRefused
+
+    try:
+        fleet = AskedFleet(connect, key_file)
+    except AddressRefused as error:
+        raise click.UsageError(f"--connect: {error}.") from None
+    except KeyRefused as error:
+        raise click.UsageError(f"--key-file: {error}.") from None
+    try:
+        if not fleet.find(sysids, within):
+            missing = sorted(set(sysids) - fleet.profiles.keys())
+            who = f"vehicle {', '.join(map(str, missing))}" if missing else "any vehicle"
+            why = fleet.silence or "is it running, and is that its address?"
+            raise Refused(f"no HEARTBEAT of {who} came within {within:g} s at {connect.text}: {why}")
+        yield fleet
+    finally:
+        fleet.close()

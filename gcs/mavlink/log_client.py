@@ -1,0 +1,188 @@
+"""Logs of one vehicle, listed and downloaded: no socket, file or clock here, time is an argument (s).
+
+    list        LOG_REQUEST_LIST → LOG_ENTRY …
+    download    LOG_REQUEST_DATA (a range) → LOG_DATA …, then each range that is missing; LOG_REQUEST_END after all
+
+One range is open at a time, since a vehicle serves one. What comes is kept wherever it belongs, so a piece that is lost
+costs itself, and no more than TRIES requests in a row may bring nothing.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from gcs.mavlink import codec
+from gcs.mavlink.codec import Message
+
+PIECE_BYTES = 90
+REPEAT_S = 1.0
+TRIES = 8
+SETTLED_S = 1.0
+"""A list during which nothing more has come for so long has come as far as it does by itself."""
+NEAR_PIECES = 16
+"""Missing ranges with no more pieces than this between them are asked for as one."""
+LARGEST_BYTES = 1 << 29
+"""A log that is said to be longer is not begun: by MAVLink it would take an hour, and it is built in memory."""
+
+
+class LogEntry(NamedTuple):
+    """A log that a vehicle has."""
+
+    number: int
+    size_bytes: int
+    unix_s: int
+    """when it began; 0 where the vehicle did not know"""
+
+
+class _Download:
+    """A log as far as it has come."""
+
+    def __init__(self, entry: LogEntry) -> None:
+        self.entry = entry
+        self.content = bytearray(entry.size_bytes)
+        self.missing = -(-entry.size_bytes // PIECE_BYTES)
+        self.has = bytearray(self.missing)
+        """by piece, 1 where it has come"""
+        self._searched = 0
+
+    def put(self, offset: int, data: bytes) -> bool:
+        """Keep a piece; whether it was missing."""
+        piece, end = offset // PIECE_BYTES, min(offset + PIECE_BYTES, len(self.content))
+        if offset % PIECE_BYTES or piece >= len(self.has) or self.has[piece] or len(data) < end - offset:
+            return False
+        self.content[offset:end] = data[: end - offset]
+        self.has[piece] = 1
+        self.missing -= 1
+        return True
+
+    def first_missing(self) -> tuple[int, int]:
+        """The first range of pieces to ask for, its end excluded."""
+        first = last = self._searched = self.has.index(0, self._searched)
+        while True:
+            stop = self.has.find(1, last)
+            if stop < 0:
+                return first, len(self.has)
+            again = self.has.find(0, stop)
+            if again < 0 or again - stop > NEAR_PIECES:
+                return first, stop
+            last = again
+
+
+class LogClient:
+    """The dialogue with one vehicle."""
+
+    def __init__(self, sysid: int, compid: int) -> None:
+        self.sysid, self.compid = sysid, compid
+        self.entries: dict[int, LogEntry] = {}
+        """its logs, by number"""
+        self.files: dict[int, bytes] = {}
+        """whole logs, by number"""
+        self.failed: dict[int, str] = {}
+        """why a log did not come, by number"""
+        self.list_problem = ""
+        """what the list lacks, in words; empty where nothing"""
+        self._listing = False
+        self._expected: int | None = None
+        self._wanted: list[LogEntry] = []
+        self._open: _Download | None = None
+        self._range = (0, 0)
+        self._tries = 0
+        self._due_s = 0.0
+        self._to_end = False
+
+    def list_logs(self) -> None:
+        """Ask for its logs."""
+        self._listing, self._tries, self._due_s = True, 0, 0.0
+
+    def download(self, entries: list[LogEntry]) -> None:
+        """Ask for these logs, one after the other."""
+        self._wanted += entries
+
+    @property
+    def done(self) -> bool:
+        """Whether nothing is open."""
+        return not (self._listing or self._wanted or self._open or self._to_end)
+
+    @property
+    def bytes_so_far(self) -> int:
+        """Of the logs asked for, what has come."""
+        download = self._open
+        partial = 0 if download is None else (len(download.has) - download.missing) * PIECE_BYTES
+        return partial + sum(map(len, self.files.values()))
+
+    def receive(self, name: str, content: Any, now_s: float) -> None:
+        """Take a message of this vehicle's: its name and fields."""
+        if name == "LOG_ENTRY" and self._listing:
+            self._expected = content.num_logs
+            self._due_s = now_s + SETTLED_S
+            if content.num_logs and content.id not in self.entries:
+                self._tries = 0
+                self.entries[content.id] = LogEntry(content.id, content.size, content.time_utc)
+            if len(self.entries) >= content.num_logs:
+                self._listing = False
+        elif name == "LOG_DATA" and self._open is not None and content.id == self._open.entry.number:
+            download = self._open
+            if download.put(content.ofs, bytes(content.data[: content.count])):
+                self._tries = 0
+            self._due_s = max(self._due_s, now_s + REPEAT_S)
+            if not download.missing:
+                self.files[content.id] = bytes(download.content)
+                self._close()
+            elif content.ofs // PIECE_BYTES + 1 >= self._range[1] or content.count < PIECE_BYTES:
+                self._due_s = now_s if self._tries == 0 else self._due_s  # the range has ended: the next gap at once
+
+    def poll(self, now_s: float) -> list[Message]:
+        """Messages to send now."""
+        if self._listing:
+            return self._poll_list(now_s)
+        if self._open is None and self._wanted:
+            self._begin(self._wanted.pop(0), now_s)
+        if self._open is not None and now_s >= self._due_s:
+            if self._tries < TRIES:
+                return [self._ask(self._open, now_s)]
+            came = len(self._open.has) - self._open.missing
+            of = f"{came} of {len(self._open.has)} pieces came"
+            self.failed[self._open.entry.number] = f"{of}, then nothing, though it was asked {TRIES} times"
+            self._close()
+        if self._to_end and not self._wanted and self._open is None:
+            self._to_end = False
+            return [self.end()]
+        return []
+
+    def end(self) -> Message:
+        """The message that ends a download: the vehicle goes on writing its log."""
+        return codec.message("LOG_REQUEST_END", target_system=self.sysid, target_component=self.compid)
+
+    def _begin(self, entry: LogEntry, now_s: float) -> None:
+        self._to_end = True
+        if entry.size_bytes > LARGEST_BYTES:
+            self.failed[entry.number] = f"it is said to have {entry.size_bytes} bytes, more than comes over such a link"
+        elif entry.size_bytes == 0:
+            self.files[entry.number] = b""
+        else:
+            self._open, self._tries, self._due_s = _Download(entry), 0, now_s
+
+    def _close(self) -> None:
+        self._open, self._tries, self._due_s = None, 0, 0.0
+
+    def _poll_list(self, now_s: float) -> list[Message]:
+        if now_s < self._due_s:
+            return []
+        if self._tries >= TRIES:
+            self._listing = False
+            came = "no list" if self._expected is None else f"{len(self.entries)} of {self._expected} entries"
+            why = "ArduPilot is silent while it is armed" if self._expected is None else "the link loses much"
+            self.list_problem = f"{came} of its logs came, though it was asked {TRIES} times: {why}"
+            return []
+        self._tries += 1
+        self._due_s = now_s + REPEAT_S
+        to = {"target_system": self.sysid, "target_component": self.compid}
+        return [codec.message("LOG_REQUEST_LIST", **to, start=0, end=0xFFFF)]
+
+    def _ask(self, download: _Download, now_s: float) -> Message:
+        self._tries += 1
+        self._due_s = now_s + REPEAT_S
+        first, stop = self._range = download.first_missing()
+        offset, end = first * PIECE_BYTES, min(stop * PIECE_BYTES, download.entry.size_bytes)
+        to = {"target_system": self.sysid, "target_component": self.compid}
+        return codec.message("LOG_REQUEST_DATA", **to, id=download.entry.number, ofs=offset, count=end - offset)

@@ -1,0 +1,206 @@
+"""The check list of every vehicle before it is armed: fence and rally points uploaded and read back, clock compared.
+
+1. What the scenario has no fence or rally points for is not touched on a vehicle.
+2. A vehicle that takes no such plan (MAV_MISSION_UNSUPPORTED) passes: it is told, and flies without.
+3. The clock is that of SYSTEM_TIME, of external vehicles only. One that has no time yet, or does not tell it, passes.
+4. Until its list has ended a vehicle is not armed; who fails is not armed at all, unless `preflight: warn`.
+Origins are judged where frames are (`arming_external`): one that is too far away is left out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import NamedTuple
+
+import pymap3d
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.mavlink import codec, plan_client
+from gcs.mavlink.codec import Frame, Message
+from gcs.mavlink.ids import AUTOPILOT
+from gcs.mavlink.plan_client import PlanClient, PlanItem
+from gcs.scenario.fence import Area
+from gcs.scenario.model import Scenario
+from gcs.telemetry.events import Event
+from gcs.telemetry.state import FleetSnapshot
+
+CLOCK_OFF_S = 10.0
+"""[choice] Logs and signatures of a vehicle whose clock is farther off belong to another time."""
+NO_TIME_BEFORE_S = 1_420_070_400.0
+"""2015: a clock before that has not been set."""
+ASK_EVERY_S, ASK_TIMES = 1.0, 3
+PLANS = {"fence": int(mav.MAV_MISSION_TYPE_FENCE), "rally": int(mav.MAV_MISSION_TYPE_RALLY)}
+_SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
+_WORDS = {
+    "kept": "there already",
+    "uploaded": "uploaded and read back",
+    "unsupported": "not taken: it flies without",
+    "refused": "refused",
+    "differs": "not kept as it was written",
+    "silent": "not answered",
+}
+_FAILS = frozenset({"refused", "differs", "silent"})
+
+
+class CheckItem(NamedTuple):
+    """An entry of a vehicle's check list."""
+
+    key: str
+    """fence, rally or clock"""
+    passed: bool
+    text: str
+
+
+class _CheckList:
+    """One vehicle's."""
+
+    def __init__(self, clients: Mapping[str, PlanClient], *, external: bool) -> None:
+        self.clients = clients
+        self.items: dict[str, CheckItem] = {}
+        self.asks_clock = ASK_TIMES if external else 0
+        self.clock_open = external
+        self.due_s = 0.0
+        self.ended = False
+
+
+class Preflight:
+    """The check lists of all vehicles of a session."""
+
+    def __init__(self, scenario: Scenario) -> None:
+        self.enforced = scenario.preflight == "enforce"
+        plans = {"fence": fence_items(scenario), "rally": rally_items(scenario)}
+        self._lists = {
+            v.sysid: _CheckList(
+                {key: PlanClient(v.sysid, AUTOPILOT, PLANS[key], items) for key, items in plans.items() if items},
+                external=v.external is not None,
+            )
+            for v in scenario.vehicles.all
+            if any(plans.values()) or v.external is not None
+        }
+        self._events: list[Event] = []
+
+    def items(self, sysid: int) -> list[CheckItem]:
+        """Entries of a vehicle's list so far."""
+        return list(self._lists[sysid].items.values()) if sysid in self._lists else []
+
+    def ended(self, sysid: int) -> bool:
+        """Whether the vehicle may be armed as far as its list goes: it has ended, or there is none."""
+        return sysid not in self._lists or self._lists[sysid].ended
+
+    def failed(self, sysid: int) -> str:
+        """Why a vehicle is not to be armed, as a sentence; empty where it may be."""
+        wrong = [item.text for item in self.items(sysid) if not item.passed]
+        if not wrong or not self.enforced or not self.ended(sysid):
+            return ""
+        return f"Fails its check list and is not armed: {'; '.join(wrong)} ('preflight: warn' arms it all the same)"
+
+    def receive(self, delivered: Mapping[int, Iterable[Frame]], unix_us: int, now_s: float) -> None:
+        """Take what vehicles have said; `unix_us` is the time by our clock."""
+        for sysid, checks in self._lists.items():
+            if checks.ended:
+                continue
+            for frame in delivered.get(sysid, ()):
+                if (frame.sysid, frame.compid) != (sysid, AUTOPILOT):
+                    continue
+                if frame.msgid in plan_client.MESSAGES:
+                    content = codec.fields(frame)
+                    for client in checks.clients.values():
+                        client.receive(codec.name(frame.msgid), content, now_s)
+                elif frame.msgid == _SYSTEM_TIME and checks.clock_open:
+                    self._clock(checks, codec.fields(frame).time_unix_usec, unix_us)
+
+    def decide(self, snapshot: FleetSnapshot) -> dict[int, list[Message]]:
+        """Messages by system id that bring the lists of those who have been received further."""
+        now_s, out = snapshot.time_s, {}
+        for sysid, checks in self._lists.items():
+            view = snapshot.vehicle(sysid)
+            if checks.ended or not view.alive or view.last_received_s < 0.0:
+                continue
+            messages = self._ask_clock(sysid, checks, now_s)
+            under_way = next(((key, one) for key, one in checks.clients.items() if key not in checks.items), None)
+            if under_way is not None:
+                messages += self._plan(*under_way, checks, now_s)
+            if messages:
+                out[sysid] = messages
+            if checks.items.keys() >= checks.clients.keys() and not checks.clock_open:
+                checks.ended = True
+                self._report(sysid, checks, now_s)
+        return out
+
+    def pop_events(self) -> list[Event]:
+        """Events since the last call."""
+        taken, self._events = self._events, []
+        return taken
+
+    def _plan(self, key: str, client: PlanClient, checks: _CheckList, now_s: float) -> list[Message]:
+        messages = client.poll(now_s)
+        if client.outcome is not None:
+            why = f" ({client.why})" if client.why and client.outcome != "unsupported" else ""
+            name = "rally points" if key == "rally" else key
+            text = f"{name} {_WORDS[client.outcome]}{why}"
+            checks.items[key] = CheckItem(key, client.outcome not in _FAILS, text)
+        return messages
+
+    def _ask_clock(self, sysid: int, checks: _CheckList, now_s: float) -> list[Message]:
+        if not checks.clock_open or now_s < checks.due_s:
+            return []
+        if not checks.asks_clock:
+            checks.clock_open = False
+            checks.items.setdefault("clock", CheckItem("clock", True, "clock not told"))
+            return []
+        checks.asks_clock -= 1
+        checks.due_s = now_s + ASK_EVERY_S
+        to = {"target_system": sysid, "target_component": AUTOPILOT, "confirmation": 0}
+        rest = {f"param{i}": 0.0 for i in range(2, 8)}
+        return [
+            codec.message("COMMAND_LONG", **to, command=mav.MAV_CMD_REQUEST_MESSAGE, param1=float(_SYSTEM_TIME), **rest)
+        ]
+
+    def _clock(self, checks: _CheckList, theirs_us: int, ours_us: int) -> None:
+        if theirs_us / 1e6 < NO_TIME_BEFORE_S:
+            checks.items["clock"] = CheckItem("clock", True, "clock not set yet")
+            return
+        checks.clock_open = False
+        off_s = (theirs_us - ours_us) / 1e6
+        side = "ahead of" if off_s > 0.0 else "behind"
+        passed = abs(off_s) <= CLOCK_OFF_S
+        text = "clock right" if passed else f"clock {abs(off_s):.0f} s {side} ours"
+        checks.items["clock"] = CheckItem("clock", passed, text)
+
+    def _report(self, sysid: int, checks: _CheckList, now_s: float) -> None:
+        texts = "; ".join(item.text for item in checks.items.values())
+        passed = all(item.passed for item in checks.items.values())
+        self._events.append(Event(now_s, sysid, "info" if passed else "warning", f"Check list: {texts}", "session"))
+
+
+def fence_items(scenario: Scenario) -> list[PlanItem]:
+    """The scenario's fence as items: corners and circles, in degrees by WGS 84."""
+    inside, outside = scenario.fence.inside, scenario.fence.outside
+    polygons = (mav.MAV_CMD_NAV_FENCE_POLYGON_VERTEX_INCLUSION, mav.MAV_CMD_NAV_FENCE_POLYGON_VERTEX_EXCLUSION)
+    circles = (mav.MAV_CMD_NAV_FENCE_CIRCLE_INCLUSION, mav.MAV_CMD_NAV_FENCE_CIRCLE_EXCLUSION)
+    items = []
+    for side, areas in enumerate((inside, outside)):
+        for area in areas:
+            command = circles[side] if area.circle_m is not None else polygons[side]
+            items += _area_items(scenario, area, int(command))
+    return items
+
+
+def _area_items(scenario: Scenario, area: Area, command: int) -> list[PlanItem]:
+    places = (area.circle_m,) if area.circle_m is not None else area.polygon_m or ()
+    size = float(len(places)) if area.radius_m is None else area.radius_m
+    frame = int(mav.MAV_FRAME_GLOBAL)
+    return [PlanItem(command, frame, size, *_degrees_e7(scenario, place), 0.0) for place in places]
+
+
+def rally_items(scenario: Scenario) -> list[PlanItem]:
+    """The scenario's rally points as items, at the height of a take-off above home."""
+    command, frame = int(mav.MAV_CMD_NAV_RALLY_POINT), int(mav.MAV_FRAME_GLOBAL_RELATIVE_ALT)
+    height_m = max((v.takeoff_m for v in scenario.vehicles.all), default=0.0)
+    return [PlanItem(command, frame, 0.0, *_degrees_e7(scenario, place), height_m) for place in scenario.rally_m]
+
+
+def _degrees_e7(scenario: Scenario, place: tuple[float, float]) -> tuple[int, int]:
+    o = scenario.origin
+    lat_deg, lon_deg, _ = pymap3d.ned2geodetic(*place, 0.0, o.lat_deg, o.lon_deg, o.alt_m)
+    return round(1e7 * float(lat_deg)), round(1e7 * float(lon_deg))

@@ -1,0 +1,128 @@
+"""The dialogue about logs with a scripted vehicle that pymavlink speaks for, over a link that loses."""
+
+import random
+from typing import Any
+
+import pytest
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.mavlink import codec
+from gcs.mavlink.log_client import TRIES, LogClient, LogEntry
+
+PIECES_A_TICK = 20
+TICK_S = 0.05
+
+
+class Vehicle:
+    """Its logs by number. It sends as ArduPilot does: one range at a time, some pieces of 90 bytes a tick."""
+
+    def __init__(self, logs: dict[int, bytes], lose: float = 0.0) -> None:
+        self.logs, self.lose = logs, lose
+        self.random = random.Random(7)
+        self.asked: list[str] = []
+        self.announced: dict[int, int] = {}
+        """sizes by number that are not those of the logs"""
+        self.pieces = 0
+        self.out = mav.MAVLink(None, srcSystem=3, srcComponent=1)
+        self._sending: tuple[int, int, int] | None = None
+
+    def hear(self, message: codec.Message) -> list[Any]:
+        """What it answers at once; read by pymavlink, as from the wire."""
+        (heard,) = self.out.parse_buffer(codec.frame(message, 0, 255, 190)) or []
+        self.asked.append(heard.get_type())
+        match heard.get_type():
+            case "LOG_REQUEST_LIST":
+                sizes = {number: self.announced.get(number, len(log)) for number, log in self.logs.items()}
+                entries = [(number, len(sizes), max(sizes), 1000 + number, size) for number, size in sizes.items()]
+                return [mav.MAVLink_log_entry_message(*entry) for entry in entries or [(0, 0, 0, 0, 0)]]
+            case "LOG_REQUEST_DATA":
+                self._sending = (heard.id, heard.ofs, heard.ofs + heard.count)
+            case "LOG_REQUEST_END":
+                self._sending = None
+        return []
+
+    def tick(self) -> list[Any]:
+        out: list[Any] = []
+        while self._sending is not None and len(out) < PIECES_A_TICK:
+            number, at, stop = self._sending
+            data = self.logs[number][at : min(at + 90, stop)]
+            out.append(mav.MAVLink_log_data_message(number, at, len(data), [*data, *[0] * (90 - len(data))]))
+            self._sending = (number, at + 90, stop) if at + 90 < stop and len(data) == 90 else None
+        self.pieces += len(out)
+        return out
+
+
+def converse(client: LogClient, vehicle: Vehicle, within_s: float = 300.0) -> float:
+    now_s = 0.0
+    while not client.done:
+        assert now_s < within_s
+        out = vehicle.tick()
+        for message in client.poll(now_s):
+            out += [] if vehicle.random.random() < vehicle.lose else vehicle.hear(message)
+        for answer in out:
+            if vehicle.random.random() >= vehicle.lose:
+                (frame,) = codec.split(bytes(answer.pack(vehicle.out))).frames
+                client.receive(answer.get_type(), codec.fields(frame), now_s)
+        now_s += TICK_S
+    return now_s
+
+
+def log(size: int) -> bytes:
+    return random.Random(size).randbytes(size)
+
+
+LOGS = {0: b"", 3: log(89), 4: log(90), 5: log(90 * 700), 9: log(100_001)}
+
+
+@pytest.mark.parametrize("lose", [0.0, 0.02, 0.3])
+def test_every_log_comes_whole_whatever_the_link_loses(lose: float) -> None:
+    client, vehicle = LogClient(3, 1), Vehicle(LOGS, lose)
+    client.list_logs()
+    converse(client, vehicle)
+    assert client.entries == {number: LogEntry(number, len(content), 1000 + number) for number, content in LOGS.items()}
+    client.download(list(client.entries.values()))
+    converse(client, vehicle)
+    assert client.files == LOGS
+    assert not client.failed
+    if not lose:
+        assert vehicle.pieces == sum(-(-len(content) // 90) for content in LOGS.values())
+        assert vehicle.asked.count("LOG_REQUEST_DATA") == 4
+        assert vehicle.asked[-1] == "LOG_REQUEST_END"
+        assert client.bytes_so_far == sum(map(len, LOGS.values()))
+
+
+def test_a_single_lost_piece_costs_one_short_request() -> None:
+    client, vehicle = LogClient(3, 1), Vehicle({1: log(90 * 1000)})
+    client.download([LogEntry(1, 90_000, 0)])
+    now_s, dropped = 0.0, False
+    while not client.done:
+        out = vehicle.tick()
+        for message in client.poll(now_s):
+            vehicle.hear(message)
+        for answer in out:
+            if answer.ofs == 90 * 333 and not dropped:
+                dropped = True
+                continue
+            (frame,) = codec.split(bytes(answer.pack(vehicle.out))).frames
+            client.receive("LOG_DATA", codec.fields(frame), now_s)
+        now_s += TICK_S
+    assert client.files == vehicle.logs
+    assert vehicle.pieces == 1001
+    assert now_s < 1000 / PIECES_A_TICK * TICK_S + 0.5
+
+
+def test_what_does_not_come_is_a_sentence() -> None:
+    silent = LogClient(3, 1)
+    silent.list_logs()
+    converse(silent, Vehicle(LOGS, lose=1.0))
+    assert silent.list_problem.startswith("no list of its logs came, though it was asked 8 times")
+    shorter = Vehicle({1: log(900)})
+    shorter.announced[1] = 1800
+    client = LogClient(3, 1)
+    client.list_logs()
+    converse(client, shorter)
+    client.download([*client.entries.values(), LogEntry(2, 1 << 30, 0)])
+    converse(client, shorter)
+    assert client.failed[1] == f"10 of 20 pieces came, then nothing, though it was asked {TRIES} times"
+    assert client.failed[2].startswith("it is said to have 1073741824 bytes")
+    assert not client.files

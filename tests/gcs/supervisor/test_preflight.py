@@ -1,0 +1,121 @@
+"""Check lists before the flight, tick by tick; the frames are pymavlink's."""
+
+from typing import Any
+
+import pytest
+from pymavlink.dialects.v20 import common as mav
+from views import snapshot, view
+
+from gcs.mavlink import codec
+from gcs.scenario.model import Scenario
+from gcs.supervisor.arming import ArmingSequence, Stage
+from gcs.supervisor.preflight import Preflight
+
+NOON_US = 1_790_000_000_000_000
+
+
+class Session:
+    """An external vehicle, 3, and its check list; time is the test's."""
+
+    def __init__(self, *, preflight: str = "enforce", **fence: Any) -> None:
+        external = {"connect": "udpin:127.0.0.1:14550", "sysid": 3, "capacity_j": 1e5}
+        scenario = Scenario.model_validate({
+            "schema": 1, "name": "list", "axes": "ned", "origin": {"lat_deg": 47.0, "lon_deg": 8.0, "alt_m": 400.0},
+            "goal": {"duration_s": 60.0}, "vehicles": {"pursuers": [{"external": external}]},
+            "preflight": preflight, "fence": fence,
+        })  # fmt: skip
+        self.preflight = Preflight(scenario)
+        self.sender = mav.MAVLink(None, srcSystem=3, srcComponent=1)
+        self.now_s = 0.0
+        self.sent: list[str] = []
+
+    def hear(self, *messages: Any) -> None:
+        frames = codec.split(b"".join(bytes(message.pack(self.sender)) for message in messages)).frames
+        self.preflight.receive({3: frames}, NOON_US + round(1e6 * self.now_s), self.now_s)
+
+    def go_on(self, for_s: float, **seen: Any) -> None:
+        for _ in range(round(10 * for_s)):
+            self.now_s += 0.1
+            messages = self.preflight.decide(snapshot(view(3, **seen), time_s=self.now_s)).get(3, [])
+            self.sent += [codec.name(message.msgid) for message in messages]
+
+    def end(self) -> tuple[bool, str, list[tuple[str, str]]]:
+        """Whether the list has ended, why it must not be armed, and what was told."""
+        told = [(event.level, event.text) for event in self.preflight.pop_events()]
+        return self.preflight.ended(3), self.preflight.failed(3), told
+
+
+def system_time(off_s: float) -> Any:
+    return mav.MAVLink_system_time_message(NOON_US + round(1e6 * off_s), 5000)
+
+
+@pytest.mark.parametrize(
+    ("off_s", "text"),
+    [(-3.0, ""), (9.0, ""), (3600.5, "clock 3600 s ahead of ours"), (-86400.0, "clock 86400 s behind ours")],
+)
+def test_a_clock_that_is_far_off_fails(off_s: float, text: str) -> None:
+    session = Session()
+    session.go_on(0.5)
+    assert session.sent == ["COMMAND_LONG"]
+    session.hear(system_time(off_s))
+    session.go_on(0.1)
+    ended, failed, told = session.end()
+    assert ended
+    assert failed.startswith(f"Fails its check list and is not armed: {text} (") if text else not failed
+    assert told == [("warning" if text else "info", f"Check list: {text or 'clock right'}")]
+
+
+def test_who_has_no_time_or_does_not_tell_it_passes_and_is_asked_three_times() -> None:
+    for messages, text in (((), "clock not told"), ([mav.MAVLink_system_time_message(0, 7)], "clock not set yet")):
+        session = Session()
+        session.go_on(1.0)
+        session.hear(*messages)
+        session.go_on(3.0)
+        assert session.end() == (True, "", [("info", f"Check list: {text}")])
+        assert session.sent == ["COMMAND_LONG"] * 3
+
+
+def test_nobody_is_asked_before_it_has_been_received() -> None:
+    session = Session(inside=[{"circle_m": [0, 0], "radius_m": 30.0}])
+    session.go_on(5.0, last_received_s=float("-inf"))
+    session.go_on(5.0, alive=False)
+    assert session.sent == []
+    assert not session.preflight.ended(3)
+
+
+@pytest.mark.parametrize("preflight", ["enforce", "warn"])
+def test_a_fence_that_is_not_answered_fails_where_that_is_enforced(preflight: str) -> None:
+    session = Session(preflight=preflight, inside=[{"circle_m": [0, 0], "radius_m": 30.0}])
+    session.hear(system_time(0.0))
+    session.go_on(8.0)
+    assert not session.preflight.ended(3)
+    session.go_on(4.0)
+    ended, failed, told = session.end()
+    words = "fence not answered (no answer, though it was asked 6 times)"
+    assert ended
+    assert told == [("warning", f"Check list: clock right; {words}")]
+    assert failed.startswith(f"Fails its check list and is not armed: {words}") == (preflight == "enforce")
+
+
+def test_who_takes_no_fence_is_named_and_flies_without() -> None:
+    session = Session(outside=[{"polygon_m": [[0, 0], [9, 0], [9, 9]]}])
+    session.hear(system_time(0.0))
+    session.go_on(0.2)
+    session.hear(mav.MAVLink_mission_ack_message(255, 190, mav.MAV_MISSION_UNSUPPORTED, mav.MAV_MISSION_TYPE_FENCE))
+    session.go_on(0.2)
+    assert session.end() == (True, "", [("info", "Check list: clock right; fence not taken: it flies without")])
+
+
+def test_nobody_is_armed_before_its_list_has_ended_and_who_fails_is_left_out() -> None:
+    arming, ground = ArmingSequence(3, 2.5), view(armed=False, landed=True, p_ned=(0.0, 0.0, 0.0))
+    arming.checked = False
+    for k in range(30):
+        assert arming.decide(ground, 0.1 * k)[0] == []
+    assert arming.stage is Stage.ARM
+    arming.checked, arming.unfit = True, "Fails its check list"
+    assert arming.decide(ground, 3.0)[0] == []
+    assert (arming.stage, arming.left_out) == (Stage.DOWN, "Fails its check list")
+    arming.unfit = ""
+    arming.rejoin()
+    commands = [command for k in range(30) for command in arming.decide(ground, 4.0 + 0.1 * k)[0]]
+    assert commands[0].command == mav.MAV_CMD_COMPONENT_ARM_DISARM

@@ -1,0 +1,87 @@
+"""Before the flight: fence and rally points in the vehicles, and who fails its check list stays on the ground."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import pymap3d
+import pytest
+from pymavlink.dialects.v20 import common as mav
+from sessions import Running, fly
+from strangers import ARDUCOPTER, free_port, strangers
+
+from gcs.scenario.model import Scenario
+from gcs.supervisor.preflight import fence_items, rally_items
+
+pytestmark = pytest.mark.timeout(100)
+ORIGIN = {"lat_deg": 47.397742, "lon_deg": 8.545594, "alt_m": 488.0}
+TARGET = {
+    "sysid": 101,
+    "start_m": [0, 0, 0],
+    "battery": {"capacity_j": 60000},
+    "speed_m_s": 1.5,
+    "path_m": [[0, 0, -3], [30, 0, -3]],
+}
+FENCE = {
+    "inside": [{"polygon_m": [[-9, -9], [9, -9], [9, 9], [-9, 9]]}],
+    "outside": [{"circle_m": [-6, -6], "radius_m": 1.5}],
+}
+
+
+def scenario(**more: Any) -> dict[str, Any]:
+    return {
+        "schema": 1, "name": "fenced", "axes": "ned", "origin": ORIGIN, "goal": {"duration_s": 20},
+        "vehicles": {"targets": [TARGET]}, "fence": FENCE, "rally_m": [[4, 3], [-4, 3]], **more,
+    }  # fmt: skip
+
+
+def test_items_lie_where_the_ellipsoid_says() -> None:
+    made = Scenario.model_validate(scenario())
+    fence, rally = fence_items(made), rally_items(made)
+    origin = tuple(ORIGIN.values())
+    places = [pymap3d.geodetic2ned(1e-7 * i.x, 1e-7 * i.y, origin[2], *origin)[:2] for i in (*fence, *rally)]
+    wanted = [(-9, -9), (9, -9), (9, 9), (-9, 9), (-6, -6), (4, 3), (-4, 3)]
+    for place, meant in zip(places, wanted, strict=True):
+        assert math.dist([float(x) for x in place], meant) < 0.01
+    assert [i.param1 for i in fence] == [4.0] * 4 + [1.5]
+    inclusion, exclusion = mav.MAV_CMD_NAV_FENCE_POLYGON_VERTEX_INCLUSION, mav.MAV_CMD_NAV_FENCE_CIRCLE_EXCLUSION
+    assert [i.command for i in fence] == [inclusion] * 4 + [exclusion]
+
+
+def test_a_launched_vehicle_takes_fence_and_rally_points_and_keeps_the_fence(tmp_path: Path) -> None:
+    """Its path leads out of the fence 9 m to the north: there it holds by itself, over a radio that loses."""
+    flown = fly(scenario(radio={"loss": 0.1}), tmp_path, "--lockstep")
+    checked = {item["key"]: (item["passed"], item["text"]) for item in flown.vehicle(101)["check_list"]}
+    assert checked == {
+        "fence": (True, "fence uploaded and read back"),
+        "rally": (True, "rally points uploaded and read back"),
+    }
+    said = (flown.folder / "session.log").read_text(encoding="utf-8")
+    assert "Check list: fence uploaded and read back; rally points uploaded and read back" in said
+    breached_s = next(t for t, m in flown.messages("STATUSTEXT") if m.text == "Geofence breached")
+    north_m = [m.x for t, m in flown.messages("LOCAL_POSITION_NED") if abs(t - breached_s) < 0.05]
+    assert north_m == [pytest.approx(9.0, abs=0.3)]
+    arming = [t for t, m in flown.messages("COMMAND_LONG") if m.command == mav.MAV_CMD_COMPONENT_ARM_DISARM]
+    read = [t for t, m in flown.messages("MISSION_ITEM_INT") if m.get_srcSystem() == 101]
+    assert max(read) <= min(arming)
+
+
+def test_an_external_vehicle_that_does_not_answer_stays_on_the_ground(tmp_path: Path) -> None:
+    """The scripted ArduCopter knows no missions."""
+    port = free_port()
+    external = {"connect": f"udpin:127.0.0.1:{port}", "sysid": 3, "capacity_j": 250_000, "arm_within_s": 40}
+    made = scenario(rally_m=[], goal={"duration_s": 40}, clock={"mode": "real", "speed": 1})
+    made["vehicles"] = {"targets": [{"external": external, "path_m": [[0, 0, -3], [5, 0, -3]], "speed_m_s": 0.5}]}
+    running = Running(made, tmp_path, "--json")
+    with strangers(tmp_path / "said", [*ARDUCOPTER, "--sysid", "3", "--connect", f"udpout:127.0.0.1:{port}"]):
+        try:
+            seen = running.wait_for(lambda seen: seen["vehicles"][0]["stage"] == "down")
+        finally:
+            running.stop()
+    assert not seen["vehicles"][0]["armed"]
+    texts = (running.folder / "session.log").read_text(encoding="utf-8")
+    listed = "fence not answered (no answer, though it was asked 6 times)"
+    assert f"Check list: clock right; {listed}" in texts
+    assert f"Fails its check list and is not armed: {listed}" in texts

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import mmap
 import os
 import platform
 import re
@@ -24,6 +25,9 @@ OLDEST_PYTHON = (3, 11)
 COMMON_PORT = 14550
 ROOM_BYTES = 200 << 20
 COLUMNS, LINES = 80, 24
+ARDUCOPTERS_FLOWN = ("4.6.0-dev",)
+"""Versions of ArduCopter that have flown in sessions of `tests/system/test_real_autopilots.py`."""
+_RELEASE = re.compile(rb"ArduCopter V([0-9]+\.[0-9]+[0-9A-Za-z.-]*)")
 _REQUIREMENT = re.compile(r"^([A-Za-z0-9._-]+)\s*([^;]*)(?:;.*extra\s*==\s*['\"]([^'\"]+)['\"])?")
 
 
@@ -245,14 +249,32 @@ def _autopilots() -> Iterator[MachineFinding]:
     named, found_on_path = os.environ.get("SKYTENDER_ARDUCOPTER"), shutil.which("arducopter")
     places = [Path(name) for name in (named, found_on_path) if name] + places
     path = next((path for path in places if path.is_file() and os.access(path, os.X_OK)), None)
+    flown = f"flown so far: {', '.join(ARDUCOPTERS_FLOWN)}"
     if path is not None:
-        yield MachineFinding("ok", "ArduCopter", f"{path} (versions 4.5 and later have what a session needs)")
+        release = arducopter_release(path)
+        if release is None:
+            advice = "its program names no version of ArduCopter; a session needs build/sitl/bin/arducopter"
+            yield MachineFinding("note", "ArduCopter", str(path), advice)
+        elif release in ARDUCOPTERS_FLOWN:
+            yield MachineFinding("ok", "ArduCopter", f"{release} at {path}")
+        else:
+            yield MachineFinding("ok", "ArduCopter", f"{release} at {path} ({flown})")
     elif named:
         advice = "let SKYTENDER_ARDUCOPTER name build/sitl/bin/arducopter, or unset it"
         yield MachineFinding("note", "ArduCopter", f"{named} is no program", advice)
     else:
         build = "./waf configure --board sitl && ./waf copter in ArduPilot's checkout makes build/sitl/bin/arducopter"
-        yield MachineFinding("ok", "ArduCopter", f"none, for 'autopilot: {{ardupilot: PATH}}' alone: {build}")
+        found = f"none, for 'autopilot: {{ardupilot: PATH}}' alone ({flown}): {build}"
+        yield MachineFinding("ok", "ArduCopter", found)
+
+
+def arducopter_release(path: Path) -> str | None:
+    """The version that an ArduCopter's program was built as, such as 4.5.7; None where it names none."""
+    if not path.stat().st_size:
+        return None
+    with path.open("rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
+        found = _RELEASE.search(content)
+        return found[1].decode() if found else None
 
 
 def _own_scenarios() -> Iterator[MachineFinding]:

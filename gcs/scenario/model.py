@@ -345,9 +345,9 @@ def _vehicle_conflicts(s: Scenario) -> Iterator[Conflict]:
 
 def _real_conflicts(path: KeyPath, vehicle: VehicleBase) -> Iterator[Conflict]:
     """Keys that a real autopilot has no use for."""
-    for key in ("airborne", "sensors"):
-        if getattr(vehicle, key):
-            yield Conflict((*path, key), f"{vehicle.label} has a real autopilot: {key} is for our own; leave it out")
+    if vehicle.airborne:
+        text = f"{vehicle.label} has a real autopilot: airborne is for our own; leave it out"
+        yield Conflict((*path, "airborne"), text)
 
 
 def _plant_conflicts(path: KeyPath, vehicle: VehicleBase) -> Iterator[Conflict]:

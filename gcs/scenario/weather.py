@@ -10,7 +10,8 @@ from gcs.scenario.types import NotNegative, Part, Positive, Seconds
 
 class Sensors(Part):
     """Errors of what a vehicle knows of its own motion (docs/model.md#estimate-errors) [choice]: the standard deviation
-    of each axis, and the time over which it is correlated. It needs `plant: rotors`."""
+    of each axis, and the time over which it is correlated. It needs `plant: rotors`. A real autopilot, which estimates
+    by itself, has them as errors of its sensors (docs/model.md#sensors)."""
 
     position_m: NotNegative = 0.3
     """error of the position, m"""
@@ -28,6 +29,10 @@ class Sensors(Part):
     """error of the angular rates, degrees/s"""
     rate_s: Positive = 0.02
     """correlation time of the rates' error, s"""
+    accel_m_s2: NotNegative = 0.1
+    """error of the accelerometers of a real autopilot, m/s²; our own has none"""
+    accel_s: Positive = 0.02
+    """correlation time of the accelerometers' error, s"""
 
 
 Compass = Annotated[float, Field(strict=True, ge=0, le=360)]

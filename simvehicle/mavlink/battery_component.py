@@ -64,6 +64,12 @@ class BatteryComponent:
         self.exchange = Exchange()
         self._status_s = self._counter_s = -math.inf
 
+    @property
+    def percent(self) -> int:
+        """Charge, of its capacity."""
+        share = self._cells.remaining_j / self._values["SIM_BAT_CAP_J"]
+        return min(max(round(100.0 * share), 0), 100)
+
     def receive(self, frame: ReceivedFrame, now_s: float, p_ned: Vec3, v_ned: Vec3) -> list[Any] | None:
         """Answers to a frame that concerns the battery; None where it does not, and is the autopilot's."""
         if frame.msgid in _OF_PARTNERS:
@@ -157,7 +163,6 @@ class BatteryComponent:
     def _status(self) -> Any:
         volts, amperes = self._cells.electric
         cell_mv = min(max(round(1e3 * volts / CELLS), 0), UNKNOWN_U16 - 1)
-        share = self._cells.remaining_j / self._values["SIM_BAT_CAP_J"]
         drawn_j = self._cells.drawn_j
         return message("BATTERY_STATUS")(
             id=0,
@@ -168,7 +173,7 @@ class BatteryComponent:
             current_battery=min(round(1e2 * amperes), 2**15 - 1),
             current_consumed=round(1e3 * drawn_j / (CELLS * CELL_FULL_V) / 3600.0),
             energy_consumed=math.floor(drawn_j / 100.0),
-            battery_remaining=min(max(round(100.0 * share), 0), 100),
+            battery_remaining=self.percent,
             time_remaining=0,
             charge_state=mav.MAV_BATTERY_CHARGE_STATE_OK,
             voltages_ext=(0, 0, 0, 0),

@@ -7,7 +7,6 @@ would wait for the wall clock. What is not answered is said again, each second, 
 
 from __future__ import annotations
 
-import json
 import struct
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -59,13 +58,15 @@ def answer(
 ) -> bytes:
     """Line that ends a step: rates in rad/s and specific force in m/s² about the body's axes (front, right, down),
     place and velocity in NED, the quaternion from the body's axes to NED, w first."""
-    content = {
-        "timestamp": step * (dt_s + EXTRA_S),
-        "imu": {"gyro": list(rates_body), "accel_body": list(accel_body)},
-        "position": list(p_ned),
-        "quaternion": list(quaternion),
-        "velocity": list(v_ned),
-        "battery": {"voltage": volts, "current": amperes},
-        "no_time_sync": 1,
-    }
-    return b"\n" + json.dumps(content, separators=(",", ":")).encode() + b"\n"
+    accel, gyro, position = (_numbers(three) for three in (accel_body, rates_body, p_ned))
+    line = (
+        f'{{"timestamp":{step * (dt_s + EXTRA_S)!r},"imu":{{"gyro":{gyro},"accel_body":{accel}}},"position":{position},'
+        f'"quaternion":{_numbers(quaternion)},"velocity":{_numbers(v_ned)},'
+        f'"battery":{{"voltage":{volts!r},"current":{amperes!r}}},"no_time_sync":1}}'
+    )
+    return f"\n{line}\n".encode()
+
+
+def _numbers(values: Sequence[float]) -> str:
+    """Floats as a list of JSON, whose numbers are Python's."""
+    return f"[{','.join(map(repr, values))}]"

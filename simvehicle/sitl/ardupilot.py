@@ -9,13 +9,12 @@ from __future__ import annotations
 
 import contextlib
 import json
-import select
-import socket
-import subprocess
-import time
+import math
+from collections.abc import Sequence
 from typing import Any, Self
 
 import numpy as np
+from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.body import STEP_MS
@@ -26,31 +25,25 @@ from simvehicle.law.dynamics import ned_from_nwu
 from simvehicle.law.params import VehicleParams
 from simvehicle.law.plants import RotorPlant
 from simvehicle.mavlink import json_backend
+from simvehicle.mavlink.analog_battery import AnalogBattery
+from simvehicle.mavlink.autopilot_boot import GUIDED, AutopilotBoot
 from simvehicle.mavlink.battery_component import BatteryComponent
-from simvehicle.mavlink.codec import CHECKSUM_BYTES, HEADER_BYTES, MAGIC, ReceivedFrame, decode, message, split
+from simvehicle.mavlink.codec import ReceivedFrame, decode, encode, message
 from simvehicle.mavlink.connection import Connection
+from simvehicle.mavlink.lockstep import SUPERVISOR
 from simvehicle.mavlink.world_failures import WorldFailures
-from simvehicle.sitl.autopilot_process import (
-    APART,
-    HOST,
-    SERIAL_PORT,
-    STEP_S,
-    AutopilotError,
-    AutopilotWanted,
-    end,
-    simulation_port,
-    start,
-)
+from simvehicle.sitl.autopilot_link import AutopilotLink
+from simvehicle.sitl.autopilot_process import STEP_S, AutopilotError, AutopilotWanted
 from simvehicle.sitl.truth import ENERGY, STATE
 from simvehicle.world import rotors
 from simvehicle.world.airframes import GRAVITY_M_S2
 
-READY_WITHIN_S = 20.0
-LOOK_EVERY_S = 0.5
-SERIAL_BYTES = 65536
-LAST_LINES = 5
+Quaternion = tuple[float, float, float, float]
+BOOTS_WITHIN_S = 120.0
+"""Of its own time: an ArduCopter with its own parameters needs 40 s."""
 _OURS = frozenset({mav.MAVLINK_MSG_ID_SYSTEM_TIME, mav.MAVLINK_MSG_ID_BATTERY_STATUS})
-"""Messages of the autopilot's that are left out: an answer ends with a time of its own, and the battery is ours."""
+"""Messages of the autopilot's that are left out: an answer ends with a time of its own, and the battery is ours, also
+the charge in its SYS_STATUS, which it counts from a full battery of its own."""
 
 
 class ArduPilotUnit:
@@ -82,17 +75,10 @@ class ArduPilotUnit:
         self._failures = WorldFailures(wanted.sysid, plant.waste)
         self._time_ms: int | None = None
         self._steps = 0
-        self._serial_pending = b""
-        self._closing = contextlib.ExitStack()
+        self._said = 0
         with contextlib.ExitStack() as opened:
-            self._udp, instance = simulation_port()
-            opened.callback(self._udp.close)
-            self._process = start(wanted, instance)
-            opened.callback(end, self._process)
-            self._serial = self._connect(SERIAL_PORT + APART * instance)
-            opened.callback(self._serial.close)
-            self._peer: Any = None
-            self._servo = self._next_servo(-1)
+            self._link = opened.enter_context(AutopilotLink(wanted))
+            self._monitor = AnalogBattery(wanted.sysid, self._boot())
             self._truth = None if wanted.truth is None else opened.enter_context(wanted.truth.open("xb", buffering=0))
             if self._truth is not None:
                 self._truth.write(self._truth_head())
@@ -107,10 +93,10 @@ class ArduPilotUnit:
     # loop.Unit
 
     def hello(self) -> object:
-        """A HEARTBEAT in its name: it has said none yet."""
+        """A HEARTBEAT in its name, which has booted and waits in GUIDED."""
         base = mav.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
         kind, autopilot = mav.MAV_TYPE_QUADROTOR, mav.MAV_AUTOPILOT_ARDUPILOTMEGA
-        return message("HEARTBEAT")(0, kind, autopilot, base, mav.MAV_STATE_BOOT, 3)
+        return message("HEARTBEAT")(GUIDED, kind, autopilot, base, mav.MAV_STATE_STANDBY, 3)
 
     def start_clock(self, time_ms: int, unix_us: int) -> None:
         """Begin at the session's time."""
@@ -125,21 +111,24 @@ class ArduPilotUnit:
             for content in answers:
                 connection.put(content)
             return
-        try:
-            self._serial.sendall(frame.raw)
-        except OSError as error:
-            raise self._gone() from error
+        self._link.say(frame.raw)
 
     def advance(self, to_ms: int) -> None:
         """Answer servo packets up to a time; queue what it has said, and what its battery says."""
         assert self._time_ms is not None
         before_ms = self._time_ms
+        for content in self._monitor.settings(self._boot_s, *self._plant.electric):
+            self._say(content)
         while to_ms - self._time_ms >= STEP_MS:
-            self._answer()
+            self._answer(self._fly(self._time_ms / 1e3))
             self._time_ms += STEP_MS
-            self._servo = self._next_servo(self._servo.frame)
-            for frame in self._received():
-                self._connection.put(frame)
+        for frame in self._link.received():
+            if frame.msgid in _OURS or self._monitor.answers(frame):
+                continue
+            said: Any = decode(frame)
+            if frame.msgid == mav.MAVLINK_MSG_ID_SYS_STATUS:
+                said = said._replace(battery_remaining=self._battery.percent)
+            self._connection.put(said)
         for content in self._battery.move(self._boot_s, (self._time_ms - before_ms) / 1e3, self._p_ned):
             self._connection.put(content)
         if self._truth is not None:
@@ -160,114 +149,72 @@ class ArduPilotUnit:
 
     # its simulation
 
-    def _answer(self) -> None:
-        assert self._time_ms is not None
+    def _boot(self) -> float:
+        """Let it boot where it stands, in a time of its own before the session's, until it would let itself be armed.
+        The voltage that it measures. Raises AutopilotError."""
+        boot, standing = AutopilotBoot(self._wanted.sysid), np.array([0.0, 0.0, GRAVITY_M_S2])
+        while not boot.ready:
+            if not boot.is_arducopter:
+                kind, autopilot = boot.kind or (0, 0)
+                said = f"its HEARTBEAT has type {kind} and autopilot {autopilot}, not 2 and 3"
+                raise AutopilotError(f"{self._link.name} is no ArduCopter with four rotors: {said}")
+            if self._boot_s >= BOOTS_WITHIN_S:
+                why = f": {boot.reasons}" if boot.reasons else self._link.last_lines()
+                raise AutopilotError(f"{self._link.name} was not ready in {BOOTS_WITHIN_S:.0f} s of its time{why}")
+            for content in boot.requests(self._boot_s):
+                self._say(content)
+            self._answer(standing)
+            for frame in self._link.received():
+                boot.receive(frame)
+        return boot.volts
+
+    def _say(self, content: Any) -> None:
+        """Say a message of ours to it, as the supervisor's."""
+        sysid, compid = SUPERVISOR
+        self._link.say(encode(content, seq=self._said & 0xFF, sysid=sysid, compid=compid))
+        self._said += 1
+
+    def _fly(self, time_s: float) -> NDArray[np.float64]:
+        """One step of its body by its servo packet; the force on it but gravity's, per mass, (3,), nwu."""
         plant = self._plant
-        throttle = np.array(json_backend.throttles(self._servo))
+        throttle = np.array(json_backend.throttles(self._link.servo))
         for motor in self._failures.dead_motors:
             throttle[motor] = 0.0
         before = np.array(plant.now[rotor_flight.TRUE_VELOCITY])
-        wanted_rad_s = plant.own.airframe.fastest_rad_s * throttle
-        plant.turn(wanted_rad_s, time_s=self._time_ms / 1e3, dt_s=STEP_S)
-        now, self._steps = plant.now, self._steps + 1
-        w, x, y, z = now[rotor_flight.TRUE_QUATERNION]
-        force_nwu = (np.array(now[rotor_flight.TRUE_VELOCITY]) - before) / STEP_S
+        plant.turn(plant.own.airframe.fastest_rad_s * throttle, time_s=time_s, dt_s=STEP_S)
+        force_nwu: NDArray[np.float64] = (np.array(plant.now[rotor_flight.TRUE_VELOCITY]) - before) / STEP_S
         force_nwu[2] += GRAVITY_M_S2
+        return force_nwu
+
+    def _answer(self, force_nwu: NDArray[np.float64]) -> None:
+        """Answer its servo packet with its motion as it is now, as its sensors have it."""
+        now = self._plant.now
+        self._steps += 1
+        w, x, y, z = now[rotor_flight.TRUE_QUATERNION]
         ax, ay, az = force_nwu.tolist()
-        accel_flu = rotors.rotated(np.array([w, x, y, z]), ax, ay, az, -1.0)
-        volts, amperes = plant.electric
+        p_ned = _sum(self._p_ned, self._failures.position_error_ned)
+        v_ned: Sequence[float] = self._v_ned
+        rates: Sequence[float] = ned_from_nwu(now[rotor_flight.BODY_RATES])
+        accel: Sequence[float] = ned_from_nwu(rotors.rotated(np.array([w, x, y, z]), ax, ay, az, -1.0))
+        quaternion = (w, x, -y, -z)
+        errors = self._wanted.sensors.step()
+        if errors is not None:
+            p_ned, v_ned = _sum(p_ned, errors[0]), _sum(v_ned, errors[1])
+            rates, accel = _sum(rates, errors[3]), _sum(accel, errors[4])
+            quaternion = _turned(quaternion, errors[2])
+        volts, amperes = self._plant.electric
         line = json_backend.answer(
             step=self._steps,
             dt_s=STEP_S,
-            rates_body=ned_from_nwu(now[rotor_flight.BODY_RATES]),
-            accel_body=ned_from_nwu(accel_flu),
-            p_ned=[p + error for p, error in zip(self._p_ned, self._failures.position_error_ned, strict=True)],
-            v_ned=ned_from_nwu(now[rotor_flight.TRUE_VELOCITY]),
-            quaternion=(w, x, -y, -z),
+            rates_body=rates,
+            accel_body=accel,
+            p_ned=p_ned,
+            v_ned=v_ned,
+            quaternion=quaternion,
             volts=volts,
             amperes=amperes,
         )
-        try:
-            self._udp.sendto(line, self._peer)
-        except OSError as error:
-            raise self._gone() from error
-
-    def _next_servo(self, last_frame: int) -> json_backend.ServoPacket:
-        """The next servo packet; what it repeats is passed over. A session may stand still: it waits while it lives."""
-        deadline_s = time.monotonic() + READY_WITHIN_S if last_frame < 0 else None
-        while True:
-            if not select.select([self._udp], [], [], LOOK_EVERY_S)[0]:
-                self._look()
-                if deadline_s is not None and time.monotonic() > deadline_s:
-                    raise AutopilotError(f"{self._name} was not ready within {READY_WITHIN_S:.0f} s{self._said()}")
-                continue
-            datagram, self._peer = self._udp.recvfrom(2048)
-            packet = json_backend.parse(datagram)
-            if packet is not None and packet.frame != last_frame:
-                return packet
-
-    def _received(self) -> list[Any]:
-        """Messages that have come through its serial port, which are all that it said before its servo packet."""
-        try:
-            while True:
-                chunk = self._serial.recv(SERIAL_BYTES)
-                if not chunk:
-                    raise self._gone()
-                self._serial_pending += chunk
-        except BlockingIOError:
-            pass
-        except ConnectionError as error:
-            raise self._gone() from error
-        whole, self._serial_pending = _whole(self._serial_pending)
-        mine = (self._wanted.sysid, mav.MAV_COMP_ID_AUTOPILOT1)
-        frames = [frame for frame in split(whole) if frame[:2] == mine]
-        return [decode(frame) for frame in frames if frame.msgid not in _OURS]
-
-    def _connect(self, port: int) -> socket.socket:
-        """Its serial port, which listens soon after its start."""
-        deadline_s = time.monotonic() + READY_WITHIN_S
-        while True:
-            self._look()
-            try:
-                made = socket.create_connection((HOST, port), timeout=LOOK_EVERY_S)
-                made.setblocking(False)
-                made.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-                return made
-            except OSError as error:
-                if time.monotonic() > deadline_s:
-                    said = self._said()
-                    raise AutopilotError(
-                        f"{self._name} opened no port {port} in {READY_WITHIN_S:.0f} s{said}"
-                    ) from error
-                time.sleep(0.01)
-
-    # its end
-
-    @property
-    def _name(self) -> str:
-        return f"the autopilot {self._wanted.program}"
-
-    def _look(self) -> None:
-        if self._process.poll() is not None:
-            raise self._gone()
-
-    def _gone(self) -> AutopilotError:
-        with contextlib.suppress(subprocess.TimeoutExpired):
-            self._process.wait(LOOK_EVERY_S)
-        status = self._process.poll()
-        how = "has closed its connection" if status is None else f"ended with status {status}"
-        if status is not None and status < 0:
-            how = f"was killed by signal {-status}"
-        return AutopilotError(f"{self._name} {how}{self._said()}")
-
-    def _said(self) -> str:
-        """Last lines of its log."""
-        try:
-            lines = (self._wanted.folder / "autopilot.log").read_text(encoding="utf-8", errors="replace").splitlines()
-        except OSError:
-            lines = []
-        last = [line.strip() for line in lines if line.strip()][-LAST_LINES:]
-        return f"; its last lines: {' | '.join(last)}" if last else ", and said nothing"
+        self._link.answer(line)
 
     # truth
 
@@ -298,14 +245,19 @@ class ArduPilotUnit:
         return np.array(record, dtype="<f8").tobytes()
 
 
-def _whole(content: bytes) -> tuple[bytes, bytes]:
-    """Bytes up to the end of the last whole frame, and the rest."""
-    at = 0
-    while (start := content.find(bytes((MAGIC,)), at)) >= 0:
-        if len(content) < start + HEADER_BYTES:
-            return content[:start], content[start:]
-        end = start + HEADER_BYTES + content[start + 1] + CHECKSUM_BYTES
-        if len(content) < end:
-            return content[:start], content[start:]
-        at = end
-    return content, b""
+def _sum(a: Sequence[float], b: Sequence[float]) -> tuple[float, ...]:
+    return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
+
+
+def _turned(quaternion: Quaternion, angles: Sequence[float]) -> Quaternion:
+    """A unit quaternion from the body's axes, turned by small angles (3,), rad, about them: q ⊗ (1, φ/2), normed."""
+    w, x, y, z = quaternion
+    a, b, c = (0.5 * angle for angle in angles)
+    turned = (
+        w - x * a - y * b - z * c,
+        w * a + x + y * c - z * b,
+        w * b - x * c + y + z * a,
+        w * c + x * b - y * a + z,
+    )
+    norm = math.hypot(*turned)
+    return (turned[0] / norm, turned[1] / norm, turned[2] / norm, turned[3] / norm)

@@ -8,7 +8,7 @@ import os
 import signal
 import socket
 import subprocess
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +16,9 @@ from simvehicle.autopilot.body import STEP_MS
 from simvehicle.autopilot.energy_transfer import Envelope
 from simvehicle.law.params import BatteryParams
 from simvehicle.law.plants import RotorPlant
+from simvehicle.mavlink.analog_battery import DEFAULTS
 from simvehicle.world.description import read_world
+from simvehicle.world.sensors import SensorErrors
 
 PR_SET_PDEATHSIG = 1
 STEP_S = STEP_MS / 1e3
@@ -32,12 +34,15 @@ PARAMETERS: dict[str, float] = {
     "MOT_SPIN_ARM": 0.0,
     "MOT_BAT_VOLT_MAX": 0.0,
     "BATT_MONITOR": 4,
+    **DEFAULTS,
     "FS_THR_ENABLE": 0,
+    "LOG_BACKEND_TYPE": 0,
     "GPS_TYPE": 100,
+    "GPS1_TYPE": 100,
     "EK3_YAW_M_NSE": 0.05,
     "EK3_GPS_CHECK": 0,
-    **{f"INS_ACC{i}OFFS_{axis}": 0.001 for i in ("", "2", "3") for axis in "XYZ"},
-    **{f"INS_ACC{i}SCAL_{axis}": 1.001 for i in ("", "2", "3") for axis in "XYZ"},
+    **{f"INS_ACC{i}OFFS_{axis}": 0.001 for i in ("", "2") for axis in "XYZ"},
+    **{f"INS_ACC{i}SCAL_{axis}": 1.001 for i in ("", "2") for axis in "XYZ"},
     **{f"COMPASS_OFS{i}_{axis}": x for i in ("", "2", "3") for axis, x in zip("XYZ", (5, 13, -18), strict=True)},
     **{f"RC{i}_{end}": us for i in range(1, 5) for end, us in (("MIN", 1000), ("MAX", 2000), ("TRIM", 1500))},
     "RC3_TRIM": 1000,
@@ -63,6 +68,7 @@ class AutopilotWanted:
     battery: BatteryParams
     envelope: Envelope
     parameters: dict[str, float]
+    sensors: SensorErrors
     truth: Path | None = None
 
 
@@ -121,7 +127,8 @@ def read_wanted(content: Any, sysid: int) -> tuple[AutopilotWanted, RotorPlant]:
     """An autopilot and its physics from plain data, as a file holds them. Raises AutopilotError."""
     try:
         world = read_world(content["world"])
-        plant = RotorPlant(world.vehicles[sysid], world.air, seed=world.seed, sysid=sysid)
+        own = world.vehicles[sysid]
+        plant = RotorPlant(replace(own, errors=None), world.air, seed=world.seed, sysid=sysid)
         lat_deg, lon_deg, alt_m = map(float, content["home"])
         north_m, east_m, down_m = map(float, content["start_ned"])
         wanted = AutopilotWanted(
@@ -135,6 +142,7 @@ def read_wanted(content: Any, sysid: int) -> tuple[AutopilotWanted, RotorPlant]:
             battery=BatteryParams(**{name: float(value) for name, value in content["battery"].items()}),
             envelope=Envelope(float(content["capture_m"]), float(content["relative_speed_m_s"])),
             parameters={str(name): float(value) for name, value in content["parameters"].items()},
+            sensors=SensorErrors(own.errors, STEP_S, seed=world.seed, sysid=sysid),
             truth=None if content["truth"] is None else Path(content["truth"]),
         )
     except (KeyError, TypeError, AttributeError, ValueError) as error:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 
+import numpy as np
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.body import Start
@@ -17,7 +18,7 @@ from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.dispatcher import Services
 from simvehicle.mavlink.lockstep import SUPERVISOR, Bundle, Grants
 from simvehicle.sitl.unit import VehicleUnit
-from simvehicle.world.airframes import AIRFRAMES
+from simvehicle.world.airframes import AIRFRAMES, ROTORS
 from simvehicle.world.description import WorldVehicle
 
 PERIOD_MS = 100
@@ -50,6 +51,7 @@ def warm_up_rotors() -> None:
     """Load and compile, if need be, what flies on rotors."""
     plant = RotorPlant(WorldVehicle(AIRFRAMES["iris"]))
     Vehicle(IDENTITIES["px4"], Parameters(), LocalFrame(0.0, 0.0, 0.0), Start(airborne=True), plant).advance(PERIOD_MS)
+    plant.turn(np.zeros(ROTORS), time_s=0.0, dt_s=PERIOD_MS / 1e3)
 
 
 def _bundle(number: int) -> bytes:

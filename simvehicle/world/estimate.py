@@ -18,7 +18,8 @@ AXES = 3
 
 @dataclass(frozen=True, kw_only=True)
 class EstimateErrors:
-    """Standard deviation of each axis, and the time over which it is correlated.
+    """Standard deviation of each axis, and the time over which it is correlated. Accelerometers matter to an autopilot
+    which estimates by itself (sensors.py).
 
     Raises:
         ValueError: a standard deviation that is negative, a time that is not positive.
@@ -32,13 +33,15 @@ class EstimateErrors:
     attitude_s: float = 10.0
     rate_deg_s: float = 0.3
     rate_s: float = 0.02
+    accel_m_s2: float = 0.1
+    accel_s: float = 0.02
 
     def __post_init__(self) -> None:
-        for name in ("position_m", "velocity_m_s", "attitude_deg", "rate_deg_s"):
+        for name in ("position_m", "velocity_m_s", "attitude_deg", "rate_deg_s", "accel_m_s2"):
             value = getattr(self, name)
             if not 0.0 <= value < math.inf:
                 raise ValueError(f"sensors.{name} is {value!r}, but it must be 0 or greater, and finite")
-        for name in ("position_s", "velocity_s", "attitude_s", "rate_s"):
+        for name in ("position_s", "velocity_s", "attitude_s", "rate_s", "accel_s"):
             if not 0.0 < getattr(self, name) < math.inf:
                 raise ValueError(
                     f"sensors.{name} is {getattr(self, name)!r}, but it must be greater than 0, and finite"

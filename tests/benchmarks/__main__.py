@@ -13,6 +13,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
+import arducopters_in_lockstep
 import campaign_sessions
 import codecs_of_a_tick
 import console_drawn
@@ -48,6 +49,7 @@ def main() -> None:
         11: prompt_to_prompt.figures,
         12: campaign_sessions.figures,
         13: page_shown.figures,
+        14: lambda: arducopters_in_lockstep.figures(scale),
     }
     wanted = [int(number) for number in options.only.split(",")] if options.only else list(figures)
     console = Console(width=None if sys.stdout.isatty() else 170)
@@ -59,7 +61,7 @@ def main() -> None:
     console.print(
         f"This machine now: {scale.cpu:.2f} of the reference ({REFERENCE_STEPS_S:.1e} steps of the calibration loop "
         f"per CPU second), {scale.wall:.2f} on the wall; load {load:.1f} before, {os.getloadavg()[0]:.1f} after; "
-        f"{time.monotonic() - begun_s:.0f} s. Goals of 2, 4, 5, 6 and 8 are scaled by it."
+        f"{time.monotonic() - begun_s:.0f} s. Goals of 2, 4, 5, 6, 8 and 14 are scaled by it."
     )
     rows = [
         {"id": f.id, "name": f.name.strip(), "value": f.value, "unit": f.unit, "peer": f.peer or None,

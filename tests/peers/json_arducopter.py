@@ -18,6 +18,8 @@ import sys
 from typing import Any
 
 from arducopter import ArduCopter
+from arducopter_motion import GUIDED, PARAMETERS, REAL32, Copter
+from arducopter_telemetry import Telemetry
 from motion import GRAVITY_M_S2, STEP_S, Place
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
@@ -67,11 +69,45 @@ class Serial:
         self._out = b""
 
 
+class JsonCopter(Copter):
+    """Its motion and its battery, of which it knows what its simulated sensor measures."""
+
+    ready_s = 0.0
+
+    @property
+    def volts(self) -> float:
+        return self.parameters["SIM_BATT_VOLTAGE"]
+
+    @property
+    def power_w(self) -> float:
+        return -17.0 * self.parameters["BATT_AMP_OFFSET"] * self.volts
+
+    def enter(self, mode: int) -> bool:
+        """Not GUIDED before it knows its place."""
+        return (mode != GUIDED or self.now_s >= self.ready_s) and super().enter(mode)
+
+
+class JsonTelemetry(Telemetry):
+    """What it tells; it can say that it is another kind of vehicle."""
+
+    kind = mav.MAV_TYPE_QUADROTOR
+
+    def _heartbeat(self) -> Any:
+        said = super()._heartbeat()
+        said.type = self.kind
+        return said
+
+
 class JsonArduCopter(ArduCopter):
     """Its life, by the answers to its servo packets."""
 
+    telemetry: JsonTelemetry
+
     def __init__(self, options: argparse.Namespace, serial: Serial) -> None:
         super().__init__(options)
+        self.copter = JsonCopter(options.start, options.battery_wh)
+        self.copter.ready_s = options.refuse_arming_s
+        self.telemetry = JsonTelemetry(self.copter, options)
         self.link = serial  # type: ignore[assignment]
         self.out = mav.MAVLink(serial, srcSystem=options.sysid, srcComponent=mav.MAV_COMP_ID_AUTOPILOT1)
         self.out.robust_parsing = True
@@ -166,6 +202,8 @@ def main() -> None:
     assert given.model == "JSON:127.0.0.1"
     with open(given.defaults, encoding="utf-8") as file:
         parameters = dict(line.split() for line in file)
+    for name in ("SIM_BATT_VOLTAGE", "BATT_AMP_OFFSET"):
+        PARAMETERS[name] = (REAL32, float(parameters[name]))
     if "CRASH" in parameters:
         print("PANIC: a parameter that it cannot bear", flush=True)
         sys.exit(3)
@@ -173,11 +211,12 @@ def main() -> None:
     lat, lon, alt, _ = map(float, given.home.split(","))
     options = argparse.Namespace(
         sysid=given.sysid, connect="udpout:127.0.0.1:9", origin=(lat, lon, alt), start=(0.0, 0.0, 0.0), lose=0.0,
-        refuse_arming_s=2.0, refuse_intervals=False, battery_wh=70.0, battery_told="current", lies=False, says="",
-        param=[],
+        refuse_arming_s=float(parameters.get("READY_S", 2.0)), refuse_intervals=False, battery_wh=70.0,
+        battery_told="current", lies=False, says="", param=[],
     )  # fmt: skip
     serial = Serial(5760 + 10 * given.instance)
     copter = JsonArduCopter(options, serial)
+    copter.telemetry.kind = int(float(parameters.get("KIND", copter.telemetry.kind)))
     copter.killed_at_s = float(parameters.get("KILLED_AT_S", math.inf))
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as udp:
         copter.fly(udp, ("127.0.0.1", 9002 + 10 * given.instance))

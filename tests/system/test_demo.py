@@ -185,7 +185,7 @@ def test_without_the_competition_nobody_is_refuelled(tmp_path: Path) -> None:
 def test_with_the_competition_somebody_is(tmp_path: Path) -> None:
     outcome = fly(shorter(goal={"duration_s": 45, "refuelled_at_least": 1}), tmp_path, "--plain")
     assert unmet(outcome) == []
-    assert outcome.summary["refuel_order"][0] == 5
+    assert outcome.summary["refuel_order"][0] == 3
 
 
 def test_without_the_tanker_nobody_is_refuelled_and_the_neediest_lands(tmp_path: Path) -> None:

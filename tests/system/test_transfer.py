@@ -98,7 +98,8 @@ def test_it_closes_with_a_fifth_of_all_frames_lost(tmp_path: Path) -> None:
         energy, truth = outcome.vehicle(sysid)["energy"], outcome.truth(sysid)
         assert energy["drawn_j"] <= truth.energy[-1, 0]
         assert energy["received_j"] <= truth.energy[-1, 1]
-    assert sum(outcome.truth(s).energy[-1, 1] for s in sysids) == sum(
+    # Its tanker too receives, what it has given and nobody got.
+    assert sum(outcome.truth(s).energy[-1, 1] for s in sysids if s != 201) == sum(
         s["energy_j"] for s in outcome.summary["refuelling"]
     )
 

@@ -274,6 +274,44 @@ def test_the_doctor_says_what_to_do_about_a_missing_program(monkeypatch: pytest.
 
 
 @pytest.mark.parametrize(
+    ("content", "level", "found"),
+    [
+        (b"\0FreeRTOS ArduCopter V4.6.0-dev (0123abcd)\0", "ok", "4.6.0-dev at {}"),
+        (b"ArduCopter V9.9.1", "ok", "9.9.1 at {} (flown so far: "),
+        (b"ArduPlane V4.5.7", "note", "{}"),
+        (b"", "note", "{}"),
+    ],
+)
+@pytest.mark.parametrize("by", ["name", "path"])
+def test_the_doctor_finds_an_arducopter_and_names_its_version(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, by: str, content: bytes, level: str, found: str
+) -> None:
+    program = tmp_path / "arducopter"
+    program.write_bytes(content)
+    program.chmod(0o755)
+    monkeypatch.delenv("SKYTENDER_ARDUCOPTER", raising=False)
+    if by == "name":
+        monkeypatch.setenv("SKYTENDER_ARDUCOPTER", str(program))
+    else:
+        monkeypatch.setenv("PATH", str(tmp_path))
+    (finding,) = doctor._autopilots()
+    assert finding.level == level
+    assert finding.found.startswith(found.format(program))
+
+
+def test_the_doctor_says_how_to_build_an_arducopter(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    for name in ("PATH", "HOME"):
+        monkeypatch.setenv(name, str(tmp_path))
+    monkeypatch.delenv("SKYTENDER_ARDUCOPTER", raising=False)
+    (finding,) = doctor._autopilots()
+    assert finding.level == "ok"
+    assert "./waf configure --board sitl" in finding.found
+    monkeypatch.setenv("SKYTENDER_ARDUCOPTER", str(tmp_path / "none"))
+    (finding,) = doctor._autopilots()
+    assert finding.level == "note"
+
+
+@pytest.mark.parametrize(
     ("have", "limits", "fits"),
     [("2.4.6", ">=2.0,<3", True), ("3.0", ">=2.0,<3", False), ("1.26.4", "<3,>=2", False), ("2", ">=2.0", True)],
 )

@@ -1,0 +1,66 @@
+"""Figure 14: real ArduCopters in lockstep, where one is named: SKYTENDER_ARDUCOPTER=/path/to/bin/arducopter.
+
+python tests/benchmarks --only 14
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import statistics
+import sys
+import tempfile
+from pathlib import Path
+from typing import Any
+
+import yaml
+from measure import Figure, Scale
+from prompt_to_prompt import took
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = os.environ.get("SKYTENDER_ARDUCOPTER", "")
+ROUNDS = 3
+VEHICLES = 5
+
+
+def fleet() -> dict[str, Any]:
+    """The demo with an ArduCopter for each of its pursuers, over open ground."""
+    content: dict[str, Any] = yaml.safe_load((ROOT / "configs/demo.yaml").read_text(encoding="utf-8"))
+    for key in ("obstacles", "traffic"):
+        del content[key]
+    content["goal"] = {"duration_s": 90.0, "refuelled_at_least": 2}
+    content["planner"]["separation_m"] = 1.5
+    content["vehicles"]["defaults"]["battery"]["capacity_j"] = 48_000.0  # so that everyone flies to the end
+    content["formation"]["ring_m"] = 4.0
+    pursuers = content["vehicles"]["pursuers"]
+    assert len(pursuers) == VEHICLES
+    for pursuer in pursuers:
+        pursuer["autopilot"] = {"ardupilot": PROGRAM}
+        north, east, _ = pursuer["start_m"]
+        pursuer["start_m"] = [2.0 * north, 2.0 * (east + 3.0) - 3.0, 0.0]
+    return content
+
+
+def figures(scale: Scale) -> list[Figure]:
+    """Nothing where no program is named. Raises RuntimeError where the same session differs from itself."""
+    if not PROGRAM:
+        return []
+    with tempfile.TemporaryDirectory() as folder:
+        rounds = [_fly(Path(folder), number) for number in range(ROUNDS)]
+    if len({digest for *_, digest in rounds}) != 1:
+        raise RuntimeError("the same session of ArduCopters had more than one digest")
+    speed, began_s = (statistics.median(column) for column in list(zip(*rounds, strict=True))[:2])
+    return [
+        Figure(14, f"{VEHICLES} ArduCopters in lockstep", speed, "x real time", 8.0 * scale.wall),
+        Figure(14, "  from prompt to the first tick, and away", began_s, "s", 5.0 / scale.wall, True),
+    ]
+
+
+def _fly(folder: Path, number: int) -> tuple[float, float, str]:
+    """Times real time, wall time of all but the flight, and the digest."""
+    path, out = folder / "scenario.yaml", folder / str(number)
+    path.write_text(yaml.safe_dump(fleet()), encoding="utf-8")
+    command = [sys.executable, "-m", "gcs", "run", str(path), "--lockstep", "--quiet", "--no-report"]
+    took_s = took([*command, "--out", str(out)])
+    summary = json.loads((out / "summary.json").read_text(encoding="utf-8"))
+    return summary["speed_achieved"], took_s - summary["wall_time_s"], summary["digest"]

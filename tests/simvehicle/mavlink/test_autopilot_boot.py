@@ -1,0 +1,77 @@
+"""Boot of an ArduPilot: what it is asked, and when it counts as ready."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from pymavlink.dialects.v20 import common
+
+from simvehicle.mavlink.autopilot_boot import AutopilotBoot
+from simvehicle.mavlink.codec import ReceivedFrame, encode, split
+
+COPTER = 7
+PREARM = common.MAV_SYS_STATUS_PREARM_CHECK
+
+
+def said(message: Any) -> ReceivedFrame:
+    (frame,) = split(bytes(message.pack(common.MAVLink(None, COPTER, 1))))
+    return frame
+
+
+def heartbeat(mode: int, kind: int = 2, autopilot: int = 3) -> ReceivedFrame:
+    return said(common.MAVLink_heartbeat_message(kind, autopilot, 1, mode, 3, 3))
+
+
+def status(health: int, millivolts: int = 12600) -> ReceivedFrame:
+    return said(common.MAVLink_sys_status_message(PREARM, PREARM, health, 0, millivolts, 0, -1, 0, 0, 0, 0, 0, 0))
+
+
+def asked(boot: AutopilotBoot, now_s: float) -> list[tuple[int, float, float]]:
+    """(command, params 1 and 2) as pymavlink reads them."""
+    link = common.MAVLink(None)
+    frames = b"".join(encode(content, seq=0, sysid=255, compid=190) for content in boot.requests(now_s))
+    messages = link.parse_buffer(frames) or []
+    assert {m.target_system for m in messages} <= {COPTER}
+    return [(m.command, m.param1, m.param2) for m in messages]
+
+
+def test_it_is_asked_for_guided_until_it_has_it_and_for_its_checks_twice_a_second() -> None:
+    boot = AutopilotBoot(COPTER)
+    checks = (common.MAV_CMD_REQUEST_MESSAGE, float(common.MAVLINK_MSG_ID_SYS_STATUS), 0.0)
+    guided = (common.MAV_CMD_DO_SET_MODE, float(common.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED), 4.0)
+    assert asked(boot, 0.0) == [checks, guided]
+    assert asked(boot, 0.4) == []
+    boot.receive(heartbeat(0))
+    assert asked(boot, 0.5) == [checks, guided]
+    boot.receive(heartbeat(4))
+    assert asked(boot, 1.0) == [checks]
+
+
+def test_it_is_ready_in_guided_with_its_checks_passed_and_not_before() -> None:
+    boot = AutopilotBoot(COPTER)
+    boot.receive(status(PREARM, 30012))
+    assert boot.volts == pytest.approx(30.012)
+    boot.receive(heartbeat(0))
+    assert not boot.ready
+    boot.receive(heartbeat(4))
+    assert boot.ready
+    boot.receive(status(0))
+    assert not boot.ready
+
+
+def test_its_last_reasons_are_kept_each_once() -> None:
+    boot = AutopilotBoot(COPTER)
+    assert boot.reasons == ""
+    for text in ("PreArm: A", "PreArm: B", "Frame: QUAD", "PreArm: C", "PreArm: D", "PreArm: B"):
+        boot.receive(said(common.MAVLink_statustext_message(2, text.encode())))
+    assert boot.reasons == "C | D | B"
+
+
+@pytest.mark.parametrize(("kind", "autopilot", "fits"), [(2, 3, True), (1, 3, False), (2, 12, False), (13, 3, False)])
+def test_another_vehicle_or_autopilot_is_none(kind: int, autopilot: int, fits: bool) -> None:
+    boot = AutopilotBoot(COPTER)
+    assert boot.is_arducopter
+    boot.receive(heartbeat(0, kind, autopilot))
+    assert boot.is_arducopter is fits
+    assert boot.kind == (kind, autopilot)

@@ -1,0 +1,101 @@
+"""An ArduPilot with its simulation in one process, here the stand-in: how it boots, what it says, how it fails."""
+
+from __future__ import annotations
+
+import socket
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+from pymavlink.dialects.v20 import common
+
+from simvehicle.mavlink.codec import split
+from simvehicle.mavlink.connection import Connection
+from simvehicle.sitl import ardupilot
+from simvehicle.sitl.ardupilot import ArduPilotUnit
+from simvehicle.sitl.autopilot_process import HOST, SERIAL_PORT, AutopilotError, read_wanted, simulation_port
+
+STAND_IN = Path(__file__).resolve().parents[2] / "peers" / "json_arducopter.py"
+COPTER = 7
+
+
+def unit(folder: Path, program: Path | None = None, **parameters: float) -> tuple[ArduPilotUnit, Connection]:
+    """The stand-in, or another program, booted. Raises AutopilotError."""
+    if program is None:
+        program = folder / "arducopter"
+        program.write_text(f'#!/bin/sh\nexec {sys.executable} {STAND_IN} "$@"\n')
+        program.chmod(0o755)
+    content: dict[str, Any] = {
+        "program": str(program),
+        "folder": str(folder / "own"),
+        "home": [47.4, 8.5, 488.0],
+        "start_ned": [1.0, 2.0, 0.0],
+        "yaw_deg": 30.0,
+        "epoch_s": 1_700_000_000,
+        "battery": {"capacity_j": 60000.0, "initial_j": 30000.0, "hover_w": 200.0, "avionics_w": 10.0},
+        "capture_m": 1.5,
+        "relative_speed_m_s": 0.5,
+        "parameters": parameters,
+        "truth": None,
+        "world": {"vehicles": {COPTER: {"airframe": "iris"}}},
+    }
+    wanted, plant = read_wanted(content, COPTER)
+    connection = Connection(COPTER)
+    return ArduPilotUnit(wanted, plant, connection), connection
+
+
+def test_it_boots_before_the_session_and_its_battery_is_ours(tmp_path: Path) -> None:
+    booted, connection = unit(tmp_path)
+    with booted:
+        assert connection.frames() == []  # what it said in its boot is its own
+        booted.start_clock(5000, 0)
+        interval = common.MAVLink_command_long_message(
+            COPTER, 1, common.MAV_CMD_SET_MESSAGE_INTERVAL, 0, common.MAVLINK_MSG_ID_SYS_STATUS, 2e5, 0, 0, 0, 0, 0
+        )
+        (frame,) = split(bytes(interval.pack(common.MAVLink(None, 255, 190))))
+        booted.receive(frame, connection)
+        booted.advance(8000)
+        said = common.MAVLink(None).parse_buffer(b"".join(connection.frames())) or []
+        kinds = {m.get_type() for m in said}
+        assert {"HEARTBEAT", "SYS_STATUS", "BATTERY_STATUS", "COMMAND_ACK", "NAMED_VALUE_INT"} <= kinds
+        assert not kinds & {"SYSTEM_TIME", "PARAM_VALUE"}
+        assert {m.custom_mode for m in said if m.get_type() == "HEARTBEAT"} == {4}
+        *_, status = (m for m in said if m.get_type() == "SYS_STATUS")
+        *_, battery = (m for m in said if m.get_type() == "BATTERY_STATUS")
+        assert status.voltage_battery == pytest.approx(sum(battery.voltages[:4]), abs=60)  # set once a second
+        assert status.battery_remaining == battery.battery_remaining == 50
+
+
+@pytest.mark.parametrize(
+    ("program", "parameters", "said"),
+    [
+        ("none", {}, "cannot be started: No such file or directory"),
+        ("/bin/true", {}, "ended with status 0, and said nothing"),
+        ("", {"CRASH": 1.0}, "ended with status 3; its last lines: PANIC: a parameter that it cannot bear"),
+        ("", {"KIND": 1.0}, "is no ArduCopter with four rotors: its HEARTBEAT has type 1 and autopilot 3, not 2 and 3"),
+        ("", {"READY_S": 1e6}, "was not ready in 3 s of its time; its last lines: Starting sketch 'ArduCopter'"),
+        ("", {"KILLED_AT_S": 1.0}, "was killed by signal 9"),
+    ],
+)
+def test_one_that_cannot_be_had_is_one_sentence(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, program: str, parameters: dict[str, float], said: str
+) -> None:
+    monkeypatch.setattr(ardupilot, "BOOTS_WITHIN_S", 3.0)
+    with pytest.raises(AutopilotError) as refused:
+        unit(tmp_path, Path(program) if program else None, **parameters)
+    assert said in str(refused.value)
+    assert "\n" not in str(refused.value)
+
+
+def test_ports_that_others_have_are_passed_over() -> None:
+    first, instance = simulation_port()
+    with first, socket.socket(socket.AF_INET, socket.SOCK_STREAM) as taken:
+        second, after = simulation_port()
+        second.close()
+        assert after > instance
+        taken.bind((HOST, SERIAL_PORT + 10 * after))
+        taken.listen()
+        third, later = simulation_port()
+        third.close()
+        assert later > after

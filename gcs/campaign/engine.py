@@ -161,10 +161,11 @@ def _cluster(scheduler: str | None, workers: int | None) -> Iterator[Any]:
             scratch = stack.enter_context(
                 tempfile.TemporaryDirectory(prefix="gcs-campaign-", ignore_cleanup_errors=True)
             )
+            cores = sorted(os.sched_getaffinity(0))
             with _sigint_blocked():  # Ctrl-C is for this process: workers and what they start never see it
                 cluster = stack.enter_context(
                     LocalCluster(
-                        n_workers=workers or len(os.sched_getaffinity(0)),
+                        n_workers=workers or len(cores),
                         threads_per_worker=1,
                         processes=True,
                         dashboard_address="127.0.0.1:0",
@@ -173,6 +174,8 @@ def _cluster(scheduler: str | None, workers: int | None) -> Iterator[Any]:
                     )
                 )
                 client = stack.enter_context(Client(cluster))
+            if (workers or len(cores)) >= len(cores):  # fewer use the others' cores, too
+                client.run(worker.take_core, cores)
         else:
             try:
                 client = stack.enter_context(Client(scheduler, timeout=CONNECT_WITHIN_S))

@@ -11,6 +11,7 @@ import platform
 import tarfile
 import threading
 import time
+from collections.abc import Sequence
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -22,6 +23,8 @@ from gcs.session.warm import Flight, WarmError, WarmSessions
 
 _here = threading.local()
 _all: list[WarmSessions] = []
+_own_core: list[int] = []
+"""on which the sessions of this process stay, if on one"""
 _lock = threading.Lock()
 
 
@@ -101,6 +104,15 @@ def warm_up() -> None:
     _sessions().warm_up()
 
 
+def take_core(cores: Sequence[int], dask_worker: Any = None) -> None:
+    """Let the sessions of a worker of Dask stay on one core of these, by the worker's name, a number.
+
+    The processes of a session in lockstep take turns: on one core they find its caches warm, and wake each other
+    without waking a core.
+    """
+    _own_core[:] = [cores[int(dask_worker.name) % len(cores)]]
+
+
 def _flown(scenario: Scenario, name: str, plan: Plan) -> Flight:
     """A flight; a warm process that has died is replaced once."""
     for attempt in (1, 2):
@@ -120,7 +132,7 @@ def _sessions() -> WarmSessions:
     if sessions is None or not sessions.alive:
         if sessions is not None:
             _drop()
-        sessions = _here.sessions = WarmSessions()
+        sessions = _here.sessions = WarmSessions(_own_core[0] if _own_core else None)
         with _lock:
             if not _all:
                 atexit.register(close)

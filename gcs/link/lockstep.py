@@ -135,6 +135,21 @@ class LockstepLink:
     ) -> list[bytes]:
         """Send one vehicle its bundle up to T; the frames that it holds. What does not fit waits for the next one."""
         peer = self._peers[key]
+        if not peer.waiting and not relayed and len(messages) <= SURELY_FIT:
+            frames = [self._frame(peer, message) for message in messages]
+        else:
+            frames = self._fitting(peer, messages, relayed)
+        frames.append(self._frame(peer, codec.Message(_SYSTEM_TIME, (unix_us, t_ms))))
+        peer.bundle = b"".join(frames)
+        peer.collector.begin(t_ms)
+        self._granted_s = t_ms / 1e3
+        peer.held = 0
+        self._awaited.add(key)
+        self._send(peer)
+        return frames
+
+    def _fitting(self, peer: _LockstepPeer, messages: Sequence[Message], relayed: Sequence[bytes]) -> list[bytes]:
+        """Frames of as much of what waits for a vehicle as fits into a bundle, our own before relayed ones."""
         peer.waiting += [*messages, *relayed]
         own: list[bytes] = []
         foreign: list[bytes] = []
@@ -148,15 +163,7 @@ class LockstepLink:
             if size > DATAGRAM_BYTES - _LARGEST_FRAME:
                 break
         del peer.waiting[:taken]
-        end = self._frame(peer, codec.Message(_SYSTEM_TIME, (unix_us, t_ms)))
-        frames = [*own, *foreign, end]
-        peer.bundle = b"".join(frames)
-        peer.collector.begin(t_ms)
-        self._granted_s = t_ms / 1e3
-        peer.held = 0
-        self._awaited.add(key)
-        self._send(peer)
-        return frames
+        return [*own, *foreign]
 
     def answers(self, idle: Callable[[], None]) -> Iterator[tuple[Key, list[Frame]]]:
         """Every vehicle's answer to the last grant as soon as it is whole, so that it is read while others still fly.
@@ -247,6 +254,8 @@ class LockstepLink:
         """Take in the datagrams that have come, MOST_AT_ONCE at most; whether any tick made progress."""
         progress = False
         for _ in range(MOST_AT_ONCE):
+            if progress and not self._awaited:
+                break  # what else there is can wait
             try:
                 datagram, address = self._socket.recvfrom(RECEIVE_BYTES)
             except OSError:
@@ -289,3 +298,5 @@ class LockstepLink:
 
 _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
 _LARGEST_FRAME = codec.HEADER_BYTES + 255 + codec.CRC_BYTES
+SURELY_FIT = (DATAGRAM_BYTES - GRANT_BYTES) // _LARGEST_FRAME - 1
+"""So many messages fit into a bundle whatever they are."""

@@ -60,6 +60,10 @@ class LinkQuality:
         """Frames of this vehicle that never came: gaps in its numbers so far."""
         return self._gaps.lost_of.get(sysid, 0)
 
+    def copies(self, sysid: int) -> int:
+        """Number of copies of a frame that must arrive soon, over the link to this vehicle."""
+        return copies(self.lost_share(sysid)) if sysid in self._gaps.lost_of else 1
+
     def lost_share(self, sysid: int) -> float | None:
         """Lost of all frames sent in the last `WINDOW_S` or so, 0..1; None where there were none."""
         counts = self._counts.get(sysid)

@@ -70,9 +70,8 @@ def advance(
     following = _array("memory", memory, (n, MEMORY_SIZE)).copy()
     if repulsors.ndim != 2 or repulsors.shape[1] != COLUMNS:
         raise ValueError(f"repulsors has shape {repulsors.shape}; it must be an obstacle table (m, {COLUMNS})")
-    speed = np.broadcast_to(np.asarray(speed_m_s, dtype=np.float64), (n,)) if np.ndim(speed_m_s) == 0 else speed_m_s
-    speeds = _array("speed_m_s", speed, (n,))
-    if (speeds < 0).any():
+    speeds = _array("speed_m_s", [speed_m_s] * n if isinstance(speed_m_s, int | float) else speed_m_s, (n,))
+    if n and speeds.min() < 0:
         raise ValueError(f"speed_m_s is {speeds.min()!r} for leader {int(speeds.argmin())}; it must be at least 0")
     if not (math.isfinite(period_s) and period_s > 0):
         raise ValueError(f"period_s is {period_s!r}; it must be finite and above 0")
@@ -80,9 +79,9 @@ def advance(
     if exempted.shape != (n, m):
         raise ValueError(f"exempt has shape {exempted.shape}; it must be {(n, m)}: leaders, moving repulsors")
     owners = np.asarray(owner, dtype=np.int64)
-    if owners.shape != (m,) or (owners >= n).any():
+    if owners.shape != (m,) or (m and owners.max() >= n):
         raise ValueError(f"owner must give one leader below {n}, or -1, for each of {m} moving repulsors")
-    owned = np.flatnonzero(owners >= 0)
+    owned = (owners >= 0).nonzero()[0]
     exempted[owners[owned], owned] = True
 
     others = _array("attractors", attractors, (-1, 3))
@@ -103,7 +102,7 @@ def advance(
         _array("attraction_ranges_m", attraction_ranges_m, (len(others),)),
         draws,
         repulsors,
-        *within_range(q, reach_m, repulsors, np.full(len(repulsors), field.repulsion_range_m)),
+        *within_range(q, reach_m, repulsors, field.repulsion_range_m),
         spheres,
         ranges,
         exempted,
@@ -121,10 +120,10 @@ def _array(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
     array = np.ascontiguousarray(value, dtype=np.float64)
     if array.size == 0 and shape[0] in (-1, 0):
         array = array.reshape(0, *shape[1:])
-    if array.ndim != len(shape) or any(want not in (-1, have) for want, have in zip(shape, array.shape, strict=True)):
+    if array.shape[1:] != shape[1:] or array.ndim == 0 or shape[0] not in (-1, array.shape[0]):
         raise ValueError(f"{name} has shape {array.shape}; it must be {shape}, -1 standing for any number")
-    # A sum is finite where all are, unless it overflows: that and a fault are then distinguished.
-    if not math.isfinite(array.sum()) and not np.isfinite(array).all():
+    # A sum of squares is finite where all are, unless it overflows: that and a fault are then distinguished.
+    if not math.isfinite(np.vdot(array, array)) and not np.isfinite(array).all():
         row = int(np.argwhere(~np.isfinite(array))[0][0])
         raise ValueError(f"{name} holds a value that is not finite in row {row}; leave that row out or mend its data")
     return array

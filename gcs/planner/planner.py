@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from gcs.mavlink.setpoints import SetPoint
 from gcs.planner import formation, fuzzy_escape, leader
@@ -76,7 +76,7 @@ class Planner:
             full_steps=rules.full_steps,
         )
         self.obstacles = geometry.of_scenario(scenario.obstacles)
-        self._q: dict[int, NDArray[np.float64]] = {}
+        self._q: dict[int, Vec3] = {}
         self._v: dict[int, Vec3] = {}
         self._memory: dict[int, NDArray[np.float64]] = {}
         self._paths = {
@@ -97,6 +97,8 @@ class Planner:
             router = Router(self.obstacles, clearance_m, floor_m=FLOOR_M if self._grounded else None)
             router.prepare()
             self._guides = {role: RouteFollower(router) for role in ROLES}
+        self._exempted: dict[str, tuple[tuple[Any, ...], NDArray[np.bool_]]] = {}
+        """by role: of whom, and the answer, which seldom changes"""
         self._slots: dict[int, Vec3] = {}
         self._slots_of: dict[int, frozenset[int]] = {}
 
@@ -109,10 +111,11 @@ class Planner:
             return []
         for view in views:
             if view.sysid not in self._q:
-                self._q[view.sysid] = np.array(self._starts.pop(view.sysid, None) or view.p_now_ned())
+                start = self._starts.pop(view.sysid, None)
+                self._q[view.sysid] = view.p_now_ned() if start is None else start
                 self._v[view.sysid] = STILL
                 self._memory[view.sysid] = fuzzy_escape.new_memory(1)[0]
-        self._begin = {view.sysid: _vec(self._q[view.sysid]) for view in views}
+        self._begin = {view.sysid: self._q[view.sysid] for view in views}
         self._pursuing, self._stations = request.pursuing, request.stations
         for role in ROLES:
             led = [view for view in views if view.role == role]
@@ -146,7 +149,7 @@ class Planner:
     def anchor(self, sysid: int, p_ned: Vec3) -> None:
         """Go on from here: where the safety filter takes the leader of a vehicle to."""
         if sysid in self._q:
-            self._q[sysid] = np.array(p_ned)
+            self._q[sysid] = p_ned
 
     def _move(
         self,
@@ -181,13 +184,13 @@ class Planner:
             # A route keeps its own distance from obstacles, in gaps less than their range.
             obstacle_ranges_m=[self._field.repulsion_range_m if want.route_m is None else 0.0 for want in wanted],
         )
-        for i, view in enumerate(views):
-            lowest_d = floor_d(view)
-            if view.sysid in self._grounded and q_next[i, 2] > lowest_d:
-                q_next[i, 2] = lowest_d
-                v_ned[i] = (q_next[i] - np.array(self._begin[view.sysid])) / period_s
-            self._q[view.sysid], self._memory[view.sysid] = q_next[i], memory[i]
-            self._v[view.sysid] = _vec(v_ned[i])
+        for view, q, way, remembered in zip(views, q_next.tolist(), v_ned.tolist(), memory, strict=True):
+            v = way
+            if view.sysid in self._grounded and q[2] > (lowest_d := floor_d(view)):
+                q[2] = lowest_d
+                v = [(end - begin) / period_s for end, begin in zip(q, self._begin[view.sysid], strict=True)]
+            self._q[view.sysid], self._v[view.sysid] = (q[0], q[1], q[2]), (v[0], v[1], v[2])
+            self._memory[view.sysid] = remembered
 
     def _forget(self, kept: set[int]) -> None:
         """A vehicle that is not steered any more starts from where it is, should it come back."""
@@ -207,7 +210,7 @@ class Planner:
                 wants[tanker.sysid] = self._station(tanker, snapshot, request.rendezvous.get(tanker.sysid))
         cruise_m_s = self._scenario.planner.cruise_m_s  # who holds may still give way
         wants |= {sysid: _Wanted(place, STILL, cruise_m_s) for sysid, place in self._stations.items()}
-        return [wants.get(view.sysid, _Wanted(_vec(self._q[view.sysid]), STILL, cruise_m_s)) for view in views]
+        return [wants.get(view.sysid, _Wanted(self._q[view.sysid], STILL, cruise_m_s)) for view in views]
 
     def _station(self, tanker: Tanker, snapshot: FleetSnapshot, receiver: int | None) -> _Wanted:
         """Above its receiver, or where it waits."""
@@ -230,7 +233,7 @@ class Planner:
 
     def _course(self, sysid: int) -> _Wanted:
         """The next of a vehicle's own way points; at the last one it stays."""
-        course, here = self._courses[sysid], _vec(self._q[sysid])
+        course, here = self._courses[sysid], self._q[sysid]
         last = 1 if self._scenario.planner.safety else 0  # who gives way at the last one comes back to it
         reached_m = self._field.step_m
         if self._scenario.planner.safety:  # a leader with an inertia passes by within a period's way
@@ -279,8 +282,10 @@ class Planner:
 
     def _attractors(
         self, snapshot: FleetSnapshot, views: list[VehicleView]
-    ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.bool_]]:
+    ) -> tuple[ArrayLike, ArrayLike, NDArray[np.bool_] | None]:
         """Places and ranges of what draws pursuers beside their goals, and whom each one draws."""
+        if not (self._scenario.attractors or self._attracting):
+            return (), (), None
         default_m = self._scenario.planner.attraction_range_m
         rows = [(*a.point_m, a.range_m or default_m) for a in self._scenario.attractors]
         for aircraft in snapshot.traffic:
@@ -329,6 +334,12 @@ class Planner:
     ) -> NDArray[np.bool_]:
         """Vehicles that each leader need not keep away from: partners of a transfer; whom it pursues; what attracts
         it."""
+        pairs = tuple(partners)
+        rows_of = ([view.sysid for view in views], [other.sysid for other in others])
+        asked = (*rows_of, [aircraft.callsign for aircraft in snapshot.traffic], pairs)
+        known = self._exempted.get(views[0].role)
+        if known is not None and known[0] == asked:
+            return known[1]
         exempt = np.zeros((len(views), len(others) + len(snapshot.traffic)), dtype=bool)
         of_view, of_other = np.array([view.role for view in views]), np.array([other.role for other in others])
         flying = exempt[:, : len(others)]
@@ -340,10 +351,11 @@ class Planner:
             flying |= np.outer(of_view == "pursuer", of_other == "target")
         rows = {view.sysid: i for i, view in enumerate(views)}
         columns = {other.sysid: j for j, other in enumerate(others)}
-        for a, b in partners:
+        for a, b in pairs:
             for one, other in ((a, b), (b, a)):
                 if one in rows and other in columns:
                     exempt[rows[one], columns[other]] = True
+        self._exempted[views[0].role] = (asked, exempt)
         return exempt
 
     def _speed(self, view: VehicleView, want: _Wanted) -> float:

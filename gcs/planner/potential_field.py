@@ -10,6 +10,7 @@ F_g is -∇U_g up to ρ = cap and keeps its size beyond: uncapped, a far target 
 Forces are those of the field alone and have no unit; distances are metres, NED.
 """
 
+import functools
 import math
 from dataclasses import dataclass, fields
 
@@ -69,7 +70,12 @@ class FieldConstants:
             )
 
     def constants(self) -> FloatArray:
-        """The parameters that kernels need, (8,), indexed by K0, K1, A, B, ATTRACTION_RANGE, STEP, CAP, FULL_STEPS."""
+        """The parameters that kernels need, (8,), only to be read, by K0, K1, A, B, ATTRACTION_RANGE, STEP, CAP and
+        FULL_STEPS."""
+        return self._constants
+
+    @functools.cached_property
+    def _constants(self) -> FloatArray:
         lengths = (self.attraction_range_m, self.step_m, self.cap_m)
         return np.array([self.k0, self.k1, self.a, self.b, *lengths, float(self.full_steps)])
 

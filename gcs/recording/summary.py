@@ -16,11 +16,13 @@ if TYPE_CHECKING:  # who only reads a summary need not load the supervisor
 FILE = "summary.json"
 
 
-class _Part(Described, BaseModel):
+class SummaryPart(Described, BaseModel):
+    """A part of summary.json."""
+
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False, defer_build=True)
 
 
-class EnergySummary(_Part):
+class EnergySummary(SummaryPart):
     """One vehicle's ledger, as its messages report it."""
 
     initial_j: float
@@ -38,7 +40,7 @@ class EnergySummary(_Part):
 Role = Literal["pursuer", "target", "tanker"]
 
 
-class VehicleSummary(_Part):
+class VehicleSummary(SummaryPart):
     """One vehicle's session."""
 
     sysid: int
@@ -55,7 +57,7 @@ class VehicleSummary(_Part):
     """messages with its id that were refused: not signed, signed with another key, repeated, or without a key here"""
 
 
-class RefuellingSummary(_Part):
+class RefuellingSummary(SummaryPart):
     """One service, in the order of decision; times are null for steps that were not reached."""
 
     receiver: int
@@ -72,7 +74,7 @@ class RefuellingSummary(_Part):
     """normalised need of each competitor at the decision, by system id"""
 
 
-class BaseSummary(_Part):
+class BaseSummary(SummaryPart):
     """A base's ledger: initial = given + remaining."""
 
     name: str
@@ -83,7 +85,7 @@ class BaseSummary(_Part):
     remaining_j: float
 
 
-class LinkSummary(_Part):
+class LinkSummary(SummaryPart):
     """Frames over the supervised links; `overflowed` are datagrams that the kernel dropped."""
 
     received: int
@@ -94,7 +96,7 @@ class LinkSummary(_Part):
     command_retries: int
 
 
-class GoalPartSummary(_Part):
+class GoalPartSummary(SummaryPart):
     """Result of one part of the goal (docs/protocol.md#goal)."""
 
     part: str
@@ -114,7 +116,7 @@ class GoalPartSummary(_Part):
     """when, s of session time; null of what has no one time"""
 
 
-class ClosestSummary(_Part):
+class ClosestSummary(SummaryPart):
     """The nearest approach: vehicles, object and time."""
 
     distance_m: float
@@ -124,7 +126,7 @@ class ClosestSummary(_Part):
     t_s: float
 
 
-class FaultSummary(_Part):
+class FaultSummary(SummaryPart):
     """A fault that was injected."""
 
     fault: str
@@ -138,7 +140,7 @@ class FaultSummary(_Part):
     text: str
 
 
-class Summary(_Part):
+class Summary(SummaryPart):
     """The session."""
 
     schema_version: Literal[1] = Field(1, alias="schema")

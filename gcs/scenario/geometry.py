@@ -92,12 +92,12 @@ def of_scenario(shapes: Iterable[Obstacle]) -> FloatArray:
 def points(positions_ned: ArrayLike, radii_m: ArrayLike = 0.0) -> FloatArray:
     """Table of points at `positions_ned` (m, 3) m, spheres where `radii_m` (m,) > 0. ValueError unless finite."""
     positions = np.asarray(positions_ned, dtype=np.float64).reshape(-1, 3)
-    if not np.isfinite(positions).all():
+    if not (math.isfinite(np.vdot(positions, positions)) or np.isfinite(positions).all()):
         raise ValueError("positions_ned holds a value that is not finite; give every obstacle three finite numbers")
     rows = np.zeros((len(positions), COLUMNS))
     rows[:, NORTH : DOWN + 1] = positions
     rows[:, SIZE_1] = radii_m
-    rows[:, KIND] = np.where(rows[:, SIZE_1] > 0.0, SPHERE, POINT)
+    rows[:, KIND] = rows[:, SIZE_1] > 0.0  # SPHERE, else POINT
     return rows
 
 
@@ -105,7 +105,7 @@ def clearance(table: FloatArray, points_ned: ArrayLike) -> FloatArray:
     """Least signed distance (k,) in m from each of `points_ned` (k, 3) to any surface; inf where there is no shape."""
     at = np.ascontiguousarray(points_ned, dtype=np.float64).reshape(-1, 3)
     least_m = np.empty(len(at))
-    _clearances(table, at, least_m)
+    fill_clearances(table, at, least_m)
     return least_m
 
 
@@ -190,7 +190,8 @@ def _cylinder_surface(
 
 
 @kernel()
-def _clearances(table: FloatArray, at: FloatArray, least: FloatArray) -> None:
+def fill_clearances(table: FloatArray, at: FloatArray, least: FloatArray) -> None:
+    """Kernel: fills `least` (k,) with the clearance of each place of `at` (k, 3), as `clearance` gives it."""
     # No part of a shape is farther than this from its place, so most are passed over by one coordinate alone. Rounding
     # is monotonic, so that it never hides the nearest.
     reach = np.sqrt(table[:, SIZE_1] ** 2 + table[:, SIZE_2] ** 2 + table[:, SIZE_3] ** 2)

@@ -1,4 +1,4 @@
-"""Supervisors by fork from a process that has everything loaded and compiled: `python -m gcs.session.forkserver`.
+"""Supervisors by fork from a process that has all loaded and compiled: `python -m gcs.session.forkserver [CORE]`.
 
 stdin: one JSON line per session, {"folder": PATH, "scenario": JSON, "modules": [...]}, in a folder with `vehicles/`;
 {"stop": true} ends the one that flies in order, {"kill": true} at once. stdout: {"ready": true, "folder": PATH} once
@@ -7,7 +7,7 @@ everything is warm, the folder being a temporary one that goes with this process
 
 One session flies at a time, in processes of its own: a fork of this one is its supervisor, and the one hatch that this
 process keeps forks its vehicles. The end of stdin ends everything and removes the folder. `ps` shows
-`gcs sessions`, and `gcs session` for the supervisor.
+`gcs sessions`, and `gcs session` for the supervisor. With CORE all of them stay on that core.
 """
 
 from __future__ import annotations
@@ -31,11 +31,12 @@ from setproctitle import setproctitle
 
 from gcs.exit import INTERNAL_ERROR
 from gcs.processes.hatch import READY_WITHIN_S, Hatch
+from gcs.recording import truth
 from gcs.scenario.file import load, shipped_folder
 from gcs.scenario.model import Scenario
 from gcs.session import process
 from gcs.session.supervised import Signals
-from gcs.supervisor import summarise  # noqa: F401 - loaded here, once, for all sessions
+from gcs.supervisor import summarise
 from gcs.supervisor.warmup import find_way, rehearse
 
 PR_SET_PDEATHSIG = 1
@@ -59,6 +60,8 @@ class SessionForks:
         for name in WARMED_BY:
             rehearse(load(shipped_folder() / f"{name}.yaml"))
         find_way()
+        truth.load()
+        summarise.load()
         with selectors.DefaultSelector() as selector:
             selector.register(self._hatch, selectors.EVENT_READ)
             while self._hatch.alive and selector.select(READY_WITHIN_S):
@@ -176,6 +179,9 @@ def main() -> None:
     setproctitle("gcs sessions")
     with contextlib.suppress(PermissionError):
         os.setsid()
+    if len(sys.argv) > 1:
+        with contextlib.suppress(OSError):  # it is only slower elsewhere
+            os.sched_setaffinity(0, {int(sys.argv[1])})
     folder = Path(tempfile.mkdtemp(prefix="gcs-sessions-"))
     try:
         forks = SessionForks()

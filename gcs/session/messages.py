@@ -6,8 +6,10 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
+import msgspec
+
 from gcs.refuelling import explain
-from gcs.refuelling.service import Phase
+from gcs.refuelling.service import Phase, by_text
 from gcs.scenario.goal import Judgement, asked
 from gcs.scenario.model import Obstacle, Scenario, VehicleBase
 from gcs.scenario.weather import Wind
@@ -177,6 +179,15 @@ def snapshot_message(
             events=[event_row(event) for event in events],
         )
     )
+
+
+def kept_of_snapshot(supervisor: Supervisor, events: Iterable[Event]) -> dict[str, Any]:
+    """The part of the present `snapshot_message` that is kept for later clients."""
+    return {
+        "t_s": supervisor.time_s,
+        "competition": {"v": by_text(supervisor.schedule.competition_state.v)},
+        "events": [msgspec.to_builtins(event_row(event)) for event in events],
+    }
 
 
 def _vehicles(supervisor: Supervisor) -> list[VehicleRow]:

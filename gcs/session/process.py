@@ -43,7 +43,7 @@ from gcs.scenario import goal, plugins
 from gcs.scenario.file import dump, load
 from gcs.scenario.model import Scenario, ScenarioError
 from gcs.session.commands import Clients
-from gcs.session.messages import end_message, session_message, snapshot_message
+from gcs.session.messages import end_message, kept_of_snapshot, session_message, snapshot_message
 from gcs.session.server import Publisher, Reader
 from gcs.supervisor.summarise import summarise
 from gcs.supervisor.supervisor import Supervisor
@@ -137,7 +137,7 @@ class SessionProcess:
             self._summarise(outcome, text)
             self._phase = "ended"
             status = INTERRUPTED if interrupted else DONE if outcome == goal.MET else NOT_DONE
-            self._publisher.publish(self._next_snapshot())
+            self._publish()
             self._publisher.publish(end_message(outcome, status, text))
             return status, outcome
         except (SessionFailed, RecorderError):
@@ -349,7 +349,7 @@ class SessionProcess:
             self._event(0, "warning" if problem else "info", text, "link")
         if now_s - self._published_s >= PUBLISH_EVERY_S:
             self._published_s = now_s
-            self._publisher.publish(self._next_snapshot())
+            self._publish()
 
     def _go_on_after(self, away_s: float) -> None:
         """The supervisor did not run for so long: nobody is to blame for the silence meanwhile."""
@@ -420,11 +420,14 @@ class SessionProcess:
         if self.reader is not None:
             self.reader.remember(events)
 
-    def _next_snapshot(self) -> dict[str, Any]:
-        """The snapshot that clients see, with the events since the last one."""
+    def _publish(self) -> None:
+        """Send clients a snapshot, with the events since the last one; where there are none, these are kept."""
         self._gather_events()
         events, self._unpublished = self._unpublished, []
-        return self._snapshot(events)
+        if self._publisher.watched:
+            self._publisher.publish(self._snapshot(events))
+        else:
+            self._publisher.remember(kept_of_snapshot(self._supervisor, events))
 
     def _snapshot(self, events: Sequence[Event]) -> dict[str, Any]:
         supervisor = self._supervisor

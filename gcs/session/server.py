@@ -73,6 +73,11 @@ class Publisher:
         """Clients connected, by the number that requests carry."""
         return frozenset(self._numbers.values())
 
+    @property
+    def watched(self) -> bool:
+        """Whether there is a client."""
+        return bool(self._clients)
+
     def poll(self) -> list[ClientRequest]:
         """Take new clients and what the present ones ask for; never waits. Who sends a line that is none is told so.
 
@@ -131,21 +136,21 @@ class Publisher:
                 earlier = {"events": list(self._events), "told": self._event_count, "contest": list(self._contest)}
                 self._send(client, _line({**self._greeting, **earlier}))
 
-    def _remember(self, content: Mapping[str, Any]) -> None:
-        """Keep a snapshot's competition for later clients."""
-        v = (content.get("competition") or {}).get("v")
-        if v and (not self._contest or content["t_s"] - self._contest[-1][0] >= CONTEST_EVERY_S):
-            self._contest.append((content["t_s"], v))
-
     def publish(self, content: Mapping[str, Any]) -> None:
-        """Send one line to every client; who cannot take it whole is dropped. Its events are kept for later clients."""
-        events = content.get("events") or ()
-        self._events.extend(events)
-        self._event_count += len(events)
-        self._remember(content)
+        """Send one line to every client; who cannot take it whole is dropped. Later clients are sent some of it."""
+        self.remember(content)
         line = _line(content)
         for client in list(self._clients):
             self._send(client, line)
+
+    def remember(self, content: Mapping[str, Any]) -> None:
+        """Keep a snapshot's events and its competition for later clients."""
+        events = content.get("events") or ()
+        self._events.extend(events)
+        self._event_count += len(events)
+        v = (content.get("competition") or {}).get("v")
+        if v and (not self._contest or content["t_s"] - self._contest[-1][0] >= CONTEST_EVERY_S):
+            self._contest.append((content["t_s"], v))
 
     def reply(self, request: ClientRequest, ok: bool, text: str) -> None:
         """Answer who asked, if it is still there: whether its command is taken, and a sentence."""

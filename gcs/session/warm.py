@@ -60,9 +60,11 @@ class Flight:
 class WarmSessions:
     """The warm process; its context's end ends it and whatever flies."""
 
-    def __init__(self) -> None:
+    def __init__(self, core: int | None = None) -> None:
+        """`core`: on which all its processes stay; otherwise on any."""
+        on_core = [] if core is None else [str(core)]
         self._process = subprocess.Popen(
-            [sys.executable, "-P", "-m", "gcs.session.forkserver"],
+            [sys.executable, "-P", "-m", "gcs.session.forkserver", *on_core],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             start_new_session=True,

@@ -9,6 +9,7 @@ Who counts (docs/protocol.md#goal):
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -21,6 +22,7 @@ from gcs.scenario import goal
 from gcs.scenario.goal import Judgement, Loss, Measured
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import CUT_OFF_S, ArmingSequence, Stage
+from gcs.telemetry import approach
 from gcs.telemetry.approach import Floats
 from gcs.telemetry.changes import GOING_DOWN
 from gcs.telemetry.events import Event
@@ -29,6 +31,7 @@ from gcs.telemetry.state import FleetSnapshot, TrafficView, Vec3, VehicleView
 
 Notices = tuple[list[dict[str, Any]], list[Event]]
 """Records and events."""
+UNKNOWN: Vec3 = (math.nan, math.nan, math.nan)
 UP_M = 0.3
 """A vehicle that has been so high must not touch the ground until it lands."""
 NEVER_FLEW_S = 10.0
@@ -52,11 +55,13 @@ class GoalWatch:
         self.believed = self.judged = Proximity(scenario, shapes)
         self.from_truth = False
         self._waypoints = WayPoints(scenario)
-        self._up = np.zeros(len(self._vehicles), dtype=np.bool_)
-        self._flew = np.zeros(len(self._vehicles), dtype=np.bool_)
+        self._up = [False] * len(self._vehicles)
+        self._flew = [False] * len(self._vehicles)
         near_m = self._asked.get("separation", 0.0)
         self._parting_s = PARTING_S if scenario.refuelling.height_m < near_m else 0.0
         self._partners: dict[tuple[int, int], float] = {}
+        self._counts: tuple[Any, ...] = ()
+        """of which vehicles what counts, as `_airspace` says it"""
         self._airspace: Airspace | None = None
         self._log: list[tuple[float, Airspace, tuple[str, ...], Floats]] = []
         """of each tick: time, who counts, and the traffic's callsigns and places (n, 3), which may be many"""
@@ -64,6 +69,7 @@ class GoalWatch:
         whole = scenario.truth and scenario.record.truth_hz is None  # a record at every tick
         self._keeps_log = whole and bool(scenario.vehicles.launched)
         self._ours = np.array([vehicle.external is None for vehicle in self._vehicles], dtype=np.bool_)
+        self._has_external = not self._ours.all()
         self._lost: dict[int, Loss] = {}
         self._reported: set[tuple[Any, ...]] = set()
 
@@ -72,60 +78,68 @@ class GoalWatch:
     def update(self, snapshot: FleetSnapshot, partners: Iterable[tuple[int, int]]) -> Notices:
         """Count one tick; records and events of what has just been broken."""
         now_s, count = snapshot.time_s, len(self._vehicles)
-        p_ned, height_m = np.full((count, 3), np.nan), np.full(count, np.nan)
-        flying, fresh, ours = (np.zeros(count, dtype=np.bool_) for _ in range(3))
+        p_ned, height_m = [UNKNOWN] * count, [math.nan] * count
+        flying, ours = [False] * count, [False] * count
         for row, view in enumerate(snapshot.vehicles):
             arming = self._arming[view.sysid]
-            flying[row] = view.flying
-            if not view.flying and not self._up[row]:
+            flies = flying[row] = view.flying
+            if not flies and not self._up[row]:
                 self._see_loss(view, arming, now_s)
                 continue
             self._flew[row] = True
             by_failsafe = view.mode in GOING_DOWN and arming.stage is not Stage.BASE and not arming.grounded
             ours[row] = arming.stage not in _OTHERS and not by_failsafe
             if view.p_ned is not None and view.fresh:
-                fresh[row] = True
-                p_ned[row] = view.p_now_ned()
+                p_now_ned = view.p_now_ned()
+                if flies:
+                    p_ned[row] = p_now_ned
                 if view.ground_down_m is not None:
-                    height_m[row] = view.ground_down_m - p_ned[row, 2]
+                    height_m[row] = view.ground_down_m - p_now_ned[2]
             self._see_height(row, view, arming, height_m)
             self._see_loss(view, arming, now_s)
-        airspace = Airspace(flying, ours, self._up.copy(), self._exempt(partners, now_s))
-        if self._airspace is not None and airspace.same(self._airspace):
-            airspace = self._airspace
-        self._airspace = airspace
+        airspace = self._airspace_of(flying, ours, self._exempt(partners, now_s))
         traffic = {aircraft.callsign: _now(aircraft) for aircraft in snapshot.traffic}
-        places = Places(np.where(flying[:, None], p_ned, np.nan), height_m, traffic=traffic)
+        places = Places(np.array(p_ned).reshape(-1, 3), np.array(height_m), traffic=traffic)
         if self._keeps_log:
             callsigns = tuple(traffic)
             if self._log and self._log[-1][2] == callsigns:
                 callsigns = self._log[-1][2]
-            self._log.append((now_s, airspace, callsigns, np.array([*traffic.values()]).reshape(-1, 3)))
-            if not self._ours.all():
+            there = np.array([*traffic.values()]) if traffic else approach.STRAIGHT
+            self._log.append((now_s, airspace, callsigns, there))
+            if self._has_external:
                 self._external_p_ned.append(places.p_ned[~self._ours].astype(np.float32))
-        self._waypoints.update(flying & fresh, p_ned)
+        self._waypoints.update(p_ned)
         return self._notices_of(now_s, self.believed.update(now_s, airspace, places), "reports")
 
-    def _see_height(self, row: int, view: VehicleView, arming: ArmingSequence, height_m: Floats) -> None:
+    def _airspace_of(self, flying: list[bool], ours: list[bool], exempt: list[tuple[int, int]]) -> Airspace:
+        """The last one while nothing has changed, as at nearly every tick."""
+        counts = (flying, ours, self._up.copy(), exempt)
+        if self._airspace is None or counts != self._counts:
+            self._counts = counts
+            up = np.array(self._up, dtype=np.bool_)
+            pairs = np.array(exempt, dtype=np.int64).reshape(-1, 2)
+            self._airspace = Airspace(np.array(flying, dtype=np.bool_), np.array(ours, dtype=np.bool_), up, pairs)
+        return self._airspace
+
+    def _see_height(self, row: int, view: VehicleView, arming: ArmingSequence, height_m: list[float]) -> None:
         """Whether it is up, and must not touch the ground; one that says it has landed touches it."""
         follows = arming.stage in _STEERED and view.mode in STEERABLE and view.alive and view.armed
         follows = follows and view.age_s <= CUT_OFF_S  # else its failsafe may be landing it
         if not follows or self._vehicles[row].airborne or arming.grounded:
             self._up[row] = False
         elif self._up[row] and view.landed:
-            height_m[row] = min(0.0, height_m[row]) if not np.isnan(height_m[row]) else 0.0
+            height_m[row] = min(0.0, height_m[row]) if not math.isnan(height_m[row]) else 0.0
         elif not view.landed and height_m[row] >= UP_M:
             self._up[row] = True
 
-    def _exempt(self, partners: Iterable[tuple[int, int]], now_s: float) -> np.ndarray[Any, np.dtype[np.int64]]:
+    def _exempt(self, partners: Iterable[tuple[int, int]], now_s: float) -> list[tuple[int, int]]:
         """Rows of those who may come near each other: partners, also over the interval in which they cease to be."""
         kept = {pair: until_s for pair, until_s in self._partners.items() if until_s >= now_s - 1e-9}
         period_s = self._scenario.clock.period_s
         for a, b in partners:
             kept[min(a, b), max(a, b)] = now_s + period_s + self._parting_s
         self._partners = kept
-        pairs = [(self._rows[a], self._rows[b]) for a, b in sorted(kept) if a in self._rows and b in self._rows]
-        return np.array(pairs, dtype=np.int64).reshape(-1, 2)
+        return [(self._rows[a], self._rows[b]) for a, b in sorted(kept) if a in self._rows and b in self._rows]
 
     def _see_loss(self, view: VehicleView, arming: ArmingSequence, now_s: float) -> None:
         loss = self._lost.get(view.sysid)
@@ -200,17 +214,21 @@ class GoalWatch:
             at[row] = np.where(same, k, -1)
         judged, waypoints = Proximity(self._scenario, self._shapes), WayPoints(self._scenario)
         breaches: list[Breach] = []
+        shape = (len(ticks), len(self._vehicles), 3)
+        p_ned, v_ned = np.full(shape, np.nan), np.zeros(shape)
+        for row, table in tables.items():
+            there = at[row] >= 0
+            if table is not None and there.any():
+                p_ned[there, row], v_ned[there, row] = table[at[row, there], 1:4], table[at[row, there], 4:7]
+        curved = not self._external_p_ned
+        if self._external_p_ned:
+            p_ned[:, ~self._ours] = self._external_p_ned
         for tick, (t_s, airspace, callsigns, traffic_ned) in enumerate(self._log):
             traffic = {name: (n, e, d) for name, (n, e, d) in zip(callsigns, traffic_ned.tolist(), strict=True)}
-            p_ned, v_ned = np.full((len(at), 3), np.nan), np.zeros((len(at), 3))
-            for row, table in tables.items():
-                if at[row, tick] >= 0 and table is not None:
-                    p_ned[row], v_ned[row] = table[at[row, tick], 1:4], table[at[row, tick], 4:7]
-            curved = not self._external_p_ned
-            if self._external_p_ned:
-                p_ned[~self._ours] = self._external_p_ned[tick]
-            waypoints.update(airspace.flying, p_ned)
-            places = Places(p_ned, 0.0 - p_ned[:, 2], v_ned if curved else np.empty((0, 3)), traffic)
+            in_flight = np.where(airspace.flying[:, None], p_ned[tick], np.nan)
+            waypoints.update(in_flight.tolist())
+            height_m = 0.0 - p_ned[tick, :, 2]
+            places = Places(p_ned[tick], height_m, v_ned[tick] if curved else approach.STRAIGHT, traffic)
             breaches += judged.update(t_s, airspace, places)
         self.judged, self._waypoints, self.from_truth = judged, waypoints, True
         return self._notices_of(now_s, breaches, "truth")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 import platform
 from collections import defaultdict
@@ -18,6 +19,7 @@ from gcs.recording.summary import (
     RefuellingSummary,
     Role,
     Summary,
+    SummaryPart,
     VehicleSummary,
 )
 from gcs.scenario.goal import Judgement, Nearest
@@ -64,7 +66,7 @@ def summarise(
         unmet=[part for part in goal if not part.met],
         judged_by="truth" if supervisor.goal_watch.from_truth else "reports",
         digest=None if scenario.vehicles.external else supervisor.digest.hexdigest(),
-        versions=_versions(),
+        versions=dict(_versions()),
         min_separation_m=_finite(near.separation.m),
         min_clearance_m=_finite(near.clearance.m),
         min_traffic_m=_finite(near.traffic.m),
@@ -159,6 +161,14 @@ def _finite(value: float) -> float | None:
     return value if math.isfinite(value) else None
 
 
+def load() -> None:
+    """Build what the first summary of a process is built of."""
+    for model in SummaryPart.__subclasses__():
+        model.model_rebuild()
+    _versions()
+
+
+@functools.cache
 def _versions() -> dict[str, str]:
     names = ("skytender", "pymavlink", "numpy", "numba")
     return {"python": platform.python_version(), **{name: version(name) for name in names}}

@@ -12,7 +12,6 @@ from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-from gcs.link import quality
 from gcs.link.forwarder import Forwarder
 from gcs.link.link import Key, TickLink
 from gcs.link.quality import LinkQuality
@@ -313,10 +312,11 @@ class Supervisor:
                 grants = [frame for frame in frames if frame.msgid == _SYSTEM_TIME]
                 received = [*self._radio.apply(key[0], "in", now_s, impaired), *grants]
             self._gaps.feed_all(received)
-            for frame in received:
-                self.fleet.ingest(frame, now_s)
-                if self._watched is not None and frame.msgid == _DEBUG_FLOAT_ARRAY:
-                    self._watched.receive(frame.sysid, codec.fields(frame), now_s)
+            self.fleet.ingest_all(received, now_s)
+            if self._watched is not None:
+                for frame in received:
+                    if frame.msgid == _DEBUG_FLOAT_ARRAY:
+                        self._watched.receive(frame.sysid, codec.fields(frame), now_s)
             received_from[key] = received
             self.quality.count(key[0], len(received), now_s)
             if key[0] in self.inspection.wanted:
@@ -428,8 +428,8 @@ class Supervisor:
         for point in set_points:
             offset = snapshot.vehicle(point.sysid).origin_offset_ned
             assert offset is not None
-            copies = quality.copies(self.quality.lost_share(point.sysid))
-            self.command_queue.put(point.sysid, (encoded(point, offset, self.time_ms),) * copies)
+            messages = (encoded(point, offset, self.time_ms),) * self.quality.copies(point.sysid)
+            self.command_queue.put(point.sysid, messages)
 
     # out
 
@@ -446,7 +446,7 @@ class Supervisor:
             if key != TRAFFIC:
                 if self.time_ms >= self._heartbeat_due_ms[sysid]:
                     self._heartbeat_due_ms[sysid] = self.time_ms + round(1e3 * HEARTBEAT_EVERY_S)
-                    messages += [OUR_HEARTBEAT] * quality.copies(self.quality.lost_share(sysid))
+                    messages += [OUR_HEARTBEAT] * self.quality.copies(sysid)
                 messages += self.command_queue.pop(sysid)
                 messages += relays.get(sysid, ())
                 messages += self._forwarded.pop(sysid)

@@ -49,9 +49,9 @@ def rehearse(scenario: Scenario) -> None:
     if scenario.planner.safety:
         _rehearse_tracking()
     approach.nearest_to(*(np.zeros((1, 3)) for _ in range(4)))  # once traffic is reported
+    watch.update(snapshot, ())
     for _ in range(PLAN_MEMORY):  # only then is a vehicle's way held against its plan
         metrics.update(snapshot, set_points)
-        watch.update(snapshot, ())
 
 
 def _rehearse_tracking() -> None:

@@ -159,24 +159,108 @@ def nearest_to(before: Floats, now: Floats, others_before: Floats, others_now: F
     return least, which, shares
 
 
+@kernel()
 def clearances(shapes: Floats, before: Floats, now: Floats, worth_m: float) -> tuple[Floats, Floats]:
     """For each of n vehicles the least clearance (n,) to any shape in an interval, and the share; straight ways.
 
     A distance changes by no more than the way flown: only those that may have come nearer than `worth_m` between the
     ticks are looked at there.
     """
-    least = geometry.clearance(shapes, now)
-    shares = np.ones(len(now))
-    moved = np.linalg.norm(now - before, axis=1)
-    for i in np.flatnonzero(least - moved < worth_m).tolist():
+    least = np.empty(now.shape[0])
+    geometry.fill_clearances(shapes, now, least)
+    shares = np.ones(now.shape[0])
+    between, there, clear_m = np.empty(FINE + 1), np.empty((FINE + 1, 3)), np.empty(FINE + 1)
+    for i in range(now.shape[0]):
+        n, e, d = now[i, 0] - before[i, 0], now[i, 1] - before[i, 1], now[i, 2] - before[i, 2]
+        if not least[i] - math.sqrt(n * n + e * e + d * d) < worth_m:
+            continue
         low, high = 0.0, 1.0
         for _ in range(2):  # the second time closer around the nearest place of the first
-            between = np.linspace(low, high, FINE + 1)
-            there = geometry.clearance(shapes, before[i] + between[:, None] * (now[i] - before[i]))
-            k = int(there.argmin())
-            least[i], shares[i] = there[k], between[k]
+            for step in range(FINE + 1):
+                share = high if step == FINE else low + step * ((high - low) / FINE)
+                between[step] = share
+                there[step, 0], there[step, 1] = before[i, 0] + share * n, before[i, 1] + share * e
+                there[step, 2] = before[i, 2] + share * d
+            geometry.fill_clearances(shapes, there, clear_m)
+            k = int(clear_m.argmin())
+            least[i], shares[i] = clear_m[k], between[k]
             low, high = between[max(k - 1, 0)], between[min(k + 1, FINE)]
     return least, shares
+
+
+@kernel()
+def look(
+    p: Floats,
+    v: Floats,
+    p_last: Floats,
+    v_last: Floats,
+    period_s: float,
+    flying: Flags,
+    ours: Flags,
+    exempt: Ints,
+    shapes: Floats,
+    limit_m: float,
+    worth_m: float,
+    clear_of_m: float,
+    before: Floats,
+    clear_m: Floats,
+    clear_at: Floats,
+    found: Floats,
+) -> tuple[int, float, int, int, float, int]:
+    """One interval of a fleet of n: (vehicles that count, least separation, row, row, share, pairs too near), as
+    `nearest_pair` has them with `limit_m` and `worth_m`, of those who are `flying` and whose place is known.
+
+    p, v: (n, 3) now, NaN where unknown, v also (0, 3). p_last, v_last (n, 3): at the last tick, NaN where unknown; at
+    the end they are those of now. exempt (k, 2): rows of pairs that are left out. before (n, 3): filled with where each
+    way began. clear_m, clear_at (n,): filled with the least clearance of those who are `ours`, inf for others, and its
+    share; `clear_of_m` is what is worth a closer look.
+    """
+    n = p.shape[0]
+    rows, place = np.empty(n, dtype=np.int64), np.full(n, -1, dtype=np.int64)
+    count = 0
+    known = True
+    for i in range(n):
+        if flying[i] and not math.isnan(p[i, 0]):
+            rows[count], place[i] = i, count
+            count += 1
+            known &= not (math.isnan(p_last[i, 0]) or math.isnan(p_last[i, 1]) or math.isnan(p_last[i, 2]))
+    curved = count if known and v.shape[0] > 0 else 0
+    now, was, own = np.empty((count, 3)), np.empty((count, 3)), np.empty(count, dtype=np.bool_)
+    v_now, v_was = np.empty((curved, 3)), np.empty((curved, 3))
+    for k in range(count):
+        i = rows[k]
+        own[k] = ours[i]
+        for axis in range(3):
+            now[k, axis] = p[i, axis]
+            was[k, axis] = p[i, axis] if math.isnan(p_last[i, axis]) else p_last[i, axis]
+            before[i, axis] = was[k, axis]
+            if curved > 0:
+                v_now[k, axis], v_was[k, axis] = v[i, axis], v_last[i, axis]
+    pairs = np.empty_like(exempt)
+    kept = 0
+    for k in range(exempt.shape[0]):
+        if place[exempt[k, 0]] >= 0 and place[exempt[k, 1]] >= 0:
+            pairs[kept, 0], pairs[kept, 1] = place[exempt[k, 0]], place[exempt[k, 1]]
+            kept += 1
+    least, one, other, share, near = nearest_pair(
+        was, now, v_was, v_now, period_s, own, pairs[:kept], limit_m, worth_m, found
+    )
+    if one >= 0:
+        one, other = rows[one], rows[other]
+    for k in range(min(near, found.shape[0])):
+        found[k, 0], found[k, 1] = rows[int(found[k, 0])], rows[int(found[k, 1])]
+    for i in range(n):
+        clear_m[i], clear_at[i] = math.inf, 1.0
+    if shapes.shape[0] > 0:
+        of_each, at_share = clearances(shapes, was[own], now[own], clear_of_m)
+        for k, i in enumerate(rows[:count][own]):
+            clear_m[i], clear_at[i] = of_each[k], at_share[k]
+    for i in range(n):
+        for axis in range(3):
+            p_last[i, axis] = p[i, axis] if place[i] >= 0 else math.nan
+            if v.shape[0] > 0:
+                v_last[i, axis] = v[i, axis]
+    return count, least, one, other, share, near
 
 
 def nearest_shape(shapes: Floats, place: Floats) -> int:

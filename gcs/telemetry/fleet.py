@@ -188,14 +188,20 @@ class Fleet:
 
     def ingest(self, frame: Frame, time_s: float) -> None:
         """Take one frame that was delivered at a session time."""
-        if frame.msgid == mav.MAVLINK_MSG_ID_ADSB_VEHICLE:
-            self._receive_traffic(fields(frame), time_s)
-            return
-        handler = _HANDLERS.get(frame.msgid)
-        track = self._tracks.get(frame.sysid)
-        if handler is None or track is None or frame.compid != mav.MAV_COMP_ID_AUTOPILOT1:
-            return
-        handler(self, track, fields(frame), time_s)
+        self.ingest_all((frame,), time_s)
+
+    def ingest_all(self, frames: Iterable[Frame], time_s: float) -> None:
+        """Take frames that were delivered at a session time, in their order."""
+        tracks = self._tracks
+        for frame in frames:
+            sysid, compid, _, msgid, _ = frame
+            handler = _HANDLERS.get(msgid)
+            if handler is not None:
+                track = tracks.get(sysid)
+                if track is not None and compid == mav.MAV_COMP_ID_AUTOPILOT1:
+                    handler(self, track, fields(frame), time_s)
+            elif msgid == mav.MAVLINK_MSG_ID_ADSB_VEHICLE:
+                self._receive_traffic(fields(frame), time_s)
 
     def join(self, member: Member) -> None:
         """Add a vehicle that was unknown before; the snapshot keeps its order of system ids."""

@@ -80,6 +80,8 @@ class Metrics:
                 self.max_tracking_error_m[sysid] = max(self.max_tracking_error_m.get(sysid, 0.0), error_m)
 
     def _measure_pursuit(self, now_s: float, here: dict[int, Vec3]) -> None:
+        if not self._pursuit.keys:
+            return
         near_m: dict[int, float] = {}
         for sysid, target in self.target_of.items():
             if sysid in here and target in here:

@@ -6,7 +6,7 @@ Fed tick by tick, alike with what vehicles report and with what they themselves 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -16,6 +16,7 @@ from gcs.scenario.goal import Nearest
 from gcs.scenario.model import Scenario
 from gcs.telemetry import approach
 from gcs.telemetry.approach import Flags, Floats, Ints
+from gcs.telemetry.state import Vec3
 
 GROUND_M = 0.05
 """A vehicle in flight that is no higher than this above its ground touches it."""
@@ -35,11 +36,6 @@ class Airspace:
     exempt: Ints
     """(k, 2) rows of pairs that may come near each other"""
 
-    def same(self, other: Airspace) -> bool:
-        """Whether both say the same."""
-        pairs = ((self.flying, other.flying), (self.ours, other.ours), (self.up, other.up), (self.exempt, other.exempt))
-        return all(np.array_equal(a, b) for a, b in pairs)
-
 
 @dataclass(frozen=True)
 class Breach:
@@ -58,7 +54,7 @@ class Places:
     """(n,) above each vehicle's own ground"""
     v_ned: Floats = field(default_factory=lambda: approach.STRAIGHT)
     """m/s; (0, 3) where ways between ticks are to be straight"""
-    traffic: Mapping[str, tuple[float, float, float]] = field(default_factory=dict)
+    traffic: Mapping[str, Vec3] = field(default_factory=dict)
 
 
 class Proximity:
@@ -78,66 +74,65 @@ class Proximity:
         self._near: dict[str, set[tuple[object, ...]]] = {}
         self._reported: set[tuple[object, ...]] = set()
         self._count: dict[str, int] = {}
+        count = len(self._sysids)
         self._found = np.empty((approach.MOST_FOUND, 4))
-        self._last: tuple[float, Floats, Floats, Mapping[str, tuple[float, float, float]]] | None = None
+        self._p_ned, self._v_ned = np.full((count, 3), np.nan), np.zeros((count, 3))
+        self._before, self._clear_m, self._clear_at = np.empty((count, 3)), np.empty(count), np.empty(count)
+        self._last: tuple[float, Mapping[str, Vec3]] | None = None
+        """time, and places of the traffic"""
 
     def update(self, t_s: float, airspace: Airspace, places: Places) -> list[Breach]:
         """Count the interval since the last tick; what has come too near in it, each pair once in a session."""
-        known = airspace.flying & ~np.isnan(places.p_ned[:, 0])
-        rows = np.flatnonzero(known)
-        now = places.p_ned[rows]
-        period_s, before = 0.0, now
-        v_before, v_now, traffic_before = approach.STRAIGHT, approach.STRAIGHT, places.traffic
+        period_s, traffic_before = 0.0, places.traffic
         if self._last is not None:
-            last_s, p_before, v_last, traffic_before = self._last
-            period_s = t_s - last_s
-            unknown = np.isnan(p_before[rows])
-            before = np.where(unknown, now, p_before[rows])
-            if len(places.v_ned) and not unknown.any():
-                v_before, v_now = v_last[rows], places.v_ned[rows]
-        kept = np.where(known[:, None], places.p_ned, np.nan)
-        self._last = (t_s, kept, places.v_ned, places.traffic)
-        breaches: list[Breach] = []
-        if len(rows):
-            breaches += self._between(t_s, period_s, airspace, rows, (before, now, v_before, v_now))
-            ours = rows[airspace.ours[rows]]
-            if len(ours):
-                own = airspace.ours[rows]
-                breaches += self._to_shapes(t_s, period_s, ours, before[own], now[own])
-                breaches += self._to_traffic(t_s, period_s, ours, before[own], now[own], traffic_before, places.traffic)
-        return breaches + self._to_ground(t_s, airspace.up, places.height_m)
-
-    def _between(
-        self, t_s: float, period_s: float, airspace: Airspace, rows: Ints, ways: tuple[Floats, Floats, Floats, Floats]
-    ) -> list[Breach]:
-        place = np.full(len(airspace.flying), -1, dtype=np.int64)
-        place[rows] = np.arange(len(rows))
-        exempt = place[airspace.exempt]
-        exempt = exempt[(exempt >= 0).all(axis=1)]
-        least_m, one, other, share, count = approach.nearest_pair(
-            *ways, period_s, airspace.ours[rows], exempt, self._separation_m, self.separation.m, self._found
+            period_s, traffic_before = t_s - self._last[0], self._last[1]
+        self._last = (t_s, places.traffic)
+        limit_m = self._clearance_m
+        count, least_m, one, other, share, near = approach.look(
+            places.p_ned,
+            places.v_ned,
+            self._p_ned,
+            self._v_ned,
+            period_s,
+            airspace.flying,
+            airspace.ours,
+            airspace.exempt,
+            self._shapes,
+            self._separation_m,
+            self.separation.m,
+            max(limit_m, min(self.clearance.m, 1e9)),
+            self._before,
+            self._clear_m,
+            self._clear_at,
+            self._found,
         )
+        breaches: list[Breach] = []
         if least_m < self.separation.m:
-            self.separation = self._nearest(least_m, (rows[one], rows[other]), t_s - (1.0 - share) * period_s)
+            self.separation = self._nearest(least_m, (one, other), t_s - (1.0 - share) * period_s)
+        if near:
+            breaches += self._between(t_s, period_s, near)
+        if count:
+            k = int(self._clear_m.argmin())
+            if self._clear_m[k] < self.clearance.m or self._clear_m[k] < limit_m:
+                breaches += self._to_shapes(t_s, period_s, k, places.p_ned)
+            if places.traffic:
+                breaches += self._to_traffic(t_s, period_s, airspace, places, traffic_before)
+        if self._ground:
+            breaches += self._to_ground(t_s, airspace.up, places.height_m)
+        return breaches
+
+    def _between(self, t_s: float, period_s: float, count: int) -> list[Breach]:
         near = []
         for i, j, gap_m, at in self._found[: min(count, len(self._found))].tolist():
-            pair = (int(rows[int(i)]), int(rows[int(j)]))
-            near.append(self._nearest(gap_m, pair, t_s - (1.0 - at) * period_s))
+            near.append(self._nearest(gap_m, (int(i), int(j)), t_s - (1.0 - at) * period_s))
         return self._new("separation", near)
 
-    def _to_shapes(self, t_s: float, period_s: float, rows: Ints, before: Floats, now: Floats) -> list[Breach]:
-        if not len(self._shapes):
-            return []
-        limit_m = self._clearance_m
-        least, shares = approach.clearances(self._shapes, before, now, max(limit_m, min(self.clearance.m, 1e9)))
-        near = []
-        k = int(least.argmin())
-        for i in {k, *np.flatnonzero(least < limit_m).tolist()}:
-            if i == k and least[k] >= self.clearance.m and least[k] >= limit_m:
-                continue
-            there = before[i] + shares[i] * (now[i] - before[i])
+    def _to_shapes(self, t_s: float, period_s: float, nearest: int, now: Floats) -> list[Breach]:
+        limit_m, near = self._clearance_m, []
+        for row in {nearest, *np.flatnonzero(self._clear_m < limit_m).tolist()}:
+            there = self._before[row] + self._clear_at[row] * (now[row] - self._before[row])
             what = self._names[approach.nearest_shape(self._shapes, there)]
-            found = self._nearest(float(least[i]), (rows[i],), t_s - (1.0 - shares[i]) * period_s, what)
+            found = self._nearest(self._clear_m[row], (row,), t_s - (1.0 - self._clear_at[row]) * period_s, what)
             if found.m < self.clearance.m:
                 self.clearance = found
             if found.m < limit_m:
@@ -145,21 +140,16 @@ class Proximity:
         return self._new("clearance", near)
 
     def _to_traffic(
-        self,
-        t_s: float,
-        period_s: float,
-        rows: Ints,
-        before: Floats,
-        now: Floats,
-        traffic_before: Mapping[str, tuple[float, float, float]],
-        traffic: Mapping[str, tuple[float, float, float]],
+        self, t_s: float, period_s: float, airspace: Airspace, places: Places, traffic_before: Mapping[str, Vec3]
     ) -> list[Breach]:
+        traffic = places.traffic
         names = [name for name in traffic if name not in self._draws]
-        if not names:
+        rows = np.flatnonzero(airspace.flying & airspace.ours & ~np.isnan(places.p_ned[:, 0]))
+        if not names or not len(rows):
             return []
         there = np.array([traffic[name] for name in names])
         was = np.array([traffic_before.get(name, traffic[name]) for name in names])
-        least, which, shares = approach.nearest_to(before, now, was, there)
+        least, which, shares = approach.nearest_to(self._before[rows], places.p_ned[rows], was, there)
         near = []
         k = int(least.argmin())
         for i in {k, *np.flatnonzero(least < self._traffic_m).tolist()}:
@@ -172,8 +162,6 @@ class Proximity:
         return self._new("traffic", near)
 
     def _to_ground(self, t_s: float, up: Flags, height_m: Floats) -> list[Breach]:
-        if not self._ground:
-            return []
         rows = np.flatnonzero(up & (height_m <= GROUND_M))
         near = [self._nearest(float(height_m[row]), (row,), t_s) for row in rows.tolist()]
         for found in near:
@@ -204,26 +192,26 @@ class WayPoints:
         rows = {vehicle.sysid: row for row, vehicle in enumerate(scenario.vehicles.all)}
         self._left = {p.sysid: list(p.waypoints_m) for p in scenario.vehicles.pursuers if p.waypoints_m}
         self._rows = {sysid: rows[sysid] for sysid in self._left}
-        self._last: dict[int, Floats] = {}
+        self._last: dict[int, Vec3] = {}
 
     @property
     def missed(self) -> dict[int, int]:
         """Number of way points that each has not passed yet."""
         return {sysid: len(left) for sysid, left in self._left.items()}
 
-    def update(self, flying: Flags, p_ned: Floats) -> None:
-        """Count the way since the last tick, straight."""
+    def update(self, p_ned: Sequence[Vec3]) -> None:
+        """Count the way since the last tick, straight; p_ned: of each vehicle, NaN where it is unknown or does not
+        fly."""
         for sysid, left in self._left.items():
-            row = self._rows[sysid]
-            now = p_ned[row]
-            if not flying[row] or math.isnan(now[0]):
+            n, e, d = p_ned[self._rows[sysid]]
+            if math.isnan(n):
                 self._last.pop(sysid, None)
                 continue
-            before = self._last.get(sysid, now)
-            self._last[sysid] = now
+            before = self._last.get(sysid, (n, e, d))
+            self._last[sysid] = (n, e, d)
             while left:
-                r, d = before - np.array(left[0]), now - before
-                gap2, _ = approach.segment_gap2(*r.tolist(), *d.tolist())
+                (north, east, down), (p_n, p_e, p_d) = left[0], before
+                gap2, _ = approach.segment_gap2(p_n - north, p_e - east, p_d - down, n - p_n, e - p_e, d - p_d)
                 if gap2 > self._within_m**2:
                     break
                 left.pop(0)

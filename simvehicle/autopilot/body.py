@@ -15,6 +15,7 @@ from simvehicle.law.dynamics import body_rates, ned_from_nwu, nwu_from_ned
 from simvehicle.law.plants import PaperPlant, Plant
 
 STEP_MS = 4
+_POSITION, _VELOCITY = step.POSITION, step.VELOCITY
 CHUNK_MS = 100
 """Modes, failsafes and transfer are looked at this often at least, however long the step asked for."""
 
@@ -78,19 +79,22 @@ class Body:
     @property
     def true_motion_ned(self) -> tuple[float, ...]:
         """True motion, 12 numbers: position, velocity, Euler angles and their rates; m, m/s, rad, rad/s."""
-        motion = self.plant.motion
-        parts = (step.POSITION, step.VELOCITY, step.ATTITUDE, step.RATES)
-        return tuple(number for part in parts for number in ned_from_nwu(motion[part]))
+        n, w, u, v_n, v_w, v_u, roll, pitch, yaw, p, q, r = self.plant.motion[: step.RATES.stop]
+        return n, -w, -u, v_n, -v_w, -v_u, roll, -pitch, -yaw, p, -q, -r
 
     @property
     def p_ned(self) -> Vec3:
         """Position in the local frame as the vehicle knows it, m."""
-        return _shifted(ned_from_nwu(self.plant.now[step.POSITION]), self.position_error_ned)
+        north, west, up = self.plant.now[_POSITION]
+        if self.position_error_ned is AT_REST:
+            return north, -west, -up
+        return _shifted((north, -west, -up), self.position_error_ned)
 
     @property
     def v_ned(self) -> Vec3:
         """Velocity, m/s."""
-        return ned_from_nwu(self.plant.now[step.VELOCITY])
+        north, west, up = self.plant.now[_VELOCITY]
+        return north, -west, -up
 
     @property
     def attitude_ned(self) -> Vec3:

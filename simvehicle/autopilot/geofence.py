@@ -44,5 +44,7 @@ class Fence:
 
     def breached(self, north: float, east: float) -> bool:
         """Whether a vehicle at this place is where it may not be."""
+        if not self.inside and not self.outside:
+            return False
         kept = not self.inside or any(area.holds(north, east) for area in self.inside)
         return not kept or any(area.holds(north, east) for area in self.outside)

@@ -26,8 +26,7 @@ FOLLOW_ITS_HEIGHT = 2
 _EVERYWHERE = (True, True, True)
 
 
-@dataclass(frozen=True)
-class OffboardSetPoint:
+class OffboardSetPoint(NamedTuple):
     """Offboard control's last set point; `use_position`: the axes on which a position counts beside the velocity.
 
     Of yaw and yaw rate at most one counts; where both are None the yaw stays.

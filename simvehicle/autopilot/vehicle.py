@@ -131,7 +131,7 @@ class Vehicle(Body):
         """Why the vehicle would not arm; None when it would."""
         if self.parameters["ARMING_CHECK"] == 0.0:
             return None
-        for failure in (Failure.GPS, Failure.BATTERY, Failure.MOTOR):
+        for failure in (Failure.GPS, Failure.BATTERY, Failure.MOTOR) if self.failed else ():
             if failure in self.failed:
                 return f"{failure} failed"
         if self._battery_low():
@@ -236,7 +236,7 @@ class Vehicle(Body):
         self.unix_epoch_us = unix_us - 1000 * time_ms
         self._anchor = replace(self._anchor, time_s=self.time_s)
         if self._setpoint is not None:
-            self._setpoint = replace(self._setpoint, time_s=self.time_s)
+            self._setpoint = self._setpoint._replace(time_s=self.time_s)
 
     def advance(self, to_ms: int) -> None:
         """Fly to a time; whole steps of 4 ms, a remainder waits for the next call."""
@@ -313,17 +313,18 @@ class Vehicle(Body):
         if not self.armed:
             return
         crossed = self._fence_crossed()
-        happened = {
-            Trigger.BATTERY_EMPTY: self._battery_low(),
-            Trigger.GPS_LOST: Failure.GPS in self.failed,
-            Trigger.GCS_LOST: self._gcs_seen_s is not None
-            and self.time_s - self._gcs_seen_s > self.parameters["COM_DL_LOSS_T"],
-            Trigger.FENCE_RETURN: crossed and self.parameters["GF_ACTION"] == FENCE_RETURN,
-            Trigger.FENCE_HOLD: crossed and self.parameters["GF_ACTION"] == FENCE_HOLD,
-            Trigger.SETPOINTS_LOST: not self.setpoints_fresh(),
-        }
-        for event in FAILSAFES:
-            if happened[event]:
+        happened = (  # in the order of FAILSAFES
+            self._battery_low(),
+            Failure.GPS in self.failed,
+            self._gcs_seen_s is not None and self.time_s - self._gcs_seen_s > self.parameters["COM_DL_LOSS_T"],
+            crossed and self.parameters["GF_ACTION"] == FENCE_RETURN,
+            crossed and self.parameters["GF_ACTION"] == FENCE_HOLD,
+            not self.setpoints_fresh(),
+        )
+        if True not in happened:
+            return
+        for event, has_happened in zip(FAILSAFES, happened, strict=True):
+            if has_happened:
                 rule = rule_for(event, self.mode, self.armed)
                 if rule is None:
                     continue

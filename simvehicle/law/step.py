@@ -340,13 +340,11 @@ def advance(
         ValueError: an array of another shape, or a negative number of steps.
     """
     n = state.shape[0]
-    for name, array, width in (
-        ("state", state, STATE_SIZE),
-        ("command", command, COMMAND_SIZE),
-        ("packed_params", packed_params, PARAMS_SIZE),
-    ):
-        if array.shape != (n, width):
-            raise ValueError(f"{name} has shape {array.shape}, but needs ({n}, {width})")
+    given = (state.shape, command.shape, packed_params.shape)
+    if given != (needed := ((n, STATE_SIZE), (n, COMMAND_SIZE), (n, PARAMS_SIZE))):
+        for name, shape, wanted in zip(("state", "command", "packed_params"), given, needed, strict=True):
+            if shape != wanted:
+                raise ValueError(f"{name} has shape {shape}, but needs {wanted}")
     if steps < 0:
         raise ValueError(f"steps is {steps}, but it must be 0 or greater")
     flown = np.array(state, dtype=np.float64, order="C")

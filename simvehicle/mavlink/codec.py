@@ -39,16 +39,20 @@ class ReceivedFrame(NamedTuple):
     raw: bytes
 
 
+Arrays = tuple[tuple[int, int], ...]
+Encoder = Callable[[Any, int, int, int], bytes]
+
+
 class Schema(NamedTuple):
     """The table's entry of one message; `arrays` holds (first slot, length) of each array in wire order."""
 
     msgid: int
     seed: bytes
     packer: struct.Struct
-    frame_pack: Callable[..., bytes]
-    arrays: tuple[tuple[int, int], ...]
+    arrays: Arrays
     text: tuple[int, ...]
     make: Any
+    encode: Encoder
 
 
 _tuple_class: Any = namedtuple  # the fields come from the table, where no type checker can follow
@@ -56,10 +60,15 @@ _tuple_class: Any = namedtuple  # the fields come from the table, where no type 
 
 def schema(msgid: int) -> Schema | None:
     """The table's row of a message id; None where the dialect has none, of which nothing is kept."""
-    return _row(msgid) if msgid in common.mavlink_map else None
+    row = _rows.get(msgid)
+    if row is None and msgid in common.mavlink_map:
+        row = _rows[msgid] = _row(msgid)
+    return row
 
 
-@cache
+_rows: dict[int, Schema] = {}
+
+
 def _row(msgid: int) -> Schema:
     definition = common.mavlink_map[msgid]
     kinds = dict(zip(definition.fieldnames, definition.fieldtypes, strict=True))
@@ -72,11 +81,12 @@ def _row(msgid: int) -> Schema:
         elif length > 0:
             arrays.append((slot, length))
     make: Any = _tuple_class(definition.msgname, definition.ordered_fieldnames)
-    make.MSGID = msgid
     packer = definition.unpacker
-    frame_pack = struct.Struct(HEADER.format + packer.format.removeprefix("<")).pack
     seed = bytes((definition.crc_extra,))
-    return Schema(msgid, seed, packer, frame_pack, tuple(arrays), tuple(text), make)
+    encoder = _encoder(msgid, seed, packer, tuple(arrays), tuple(text))
+    make.SCHEMA = Schema(msgid, seed, packer, tuple(arrays), tuple(text), make, encoder)
+    row: Schema = make.SCHEMA
+    return row
 
 
 @cache
@@ -89,21 +99,31 @@ def message(name: str) -> Any:
 
 def encode(content: Any, *, seq: int, sysid: int, compid: int) -> bytes:
     """The frame of a message made by `message(...)`; trailing zeros of the payload are cut as MAVLink 2 asks."""
-    row = schema(content.MSGID)
-    assert row is not None
-    values = content
-    if row.arrays or row.text:
-        values = list(content)
-        for slot in row.text:
-            values[slot] = values[slot].encode("ascii", "replace")
-        for slot, _ in reversed(row.arrays):
-            values[slot : slot + 1] = values[slot]
-    size, msgid = row.packer.size, row.msgid
-    body = row.frame_pack(MAGIC, size, 0, 0, seq, sysid, compid, msgid & 0xFFFF, msgid >> 16, *values)
-    if not body[-1]:
-        payload = body[HEADER_BYTES:].rstrip(b"\0") or b"\0"
-        body = body[:1] + bytes((len(payload),)) + body[2:HEADER_BYTES] + payload
-    return body + _CHECKSUM.pack(mcrf4xx(body[1:] + row.seed))
+    frame: bytes = content.SCHEMA.encode(content, seq, sysid, compid)
+    return frame
+
+
+def _encoder(msgid: int, seed: bytes, packer: struct.Struct, arrays: Arrays, text: tuple[int, ...]) -> Encoder:
+    """`encode` of one message."""
+    pack, pack_crc = struct.Struct(HEADER.format + packer.format.removeprefix("<")).pack, _CHECKSUM.pack
+    size, low, high = packer.size, msgid & 0xFFFF, msgid >> 16
+    plain = not (arrays or text)
+
+    def encode_message(content: Any, seq: int, sysid: int, compid: int) -> bytes:
+        values = content
+        if not plain:
+            values = list(content)
+            for slot in text:
+                values[slot] = values[slot].encode("ascii", "replace")
+            for slot, _ in reversed(arrays):
+                values[slot : slot + 1] = values[slot]
+        body = pack(MAGIC, size, 0, 0, seq, sysid, compid, low, high, *values)
+        if not body[-1]:
+            payload = body[HEADER_BYTES:].rstrip(b"\0") or b"\0"
+            body = body[:1] + bytes((len(payload),)) + body[2:HEADER_BYTES] + payload
+        return body + pack_crc(mcrf4xx(body[1:] + seed))
+
+    return encode_message
 
 
 def decode(frame: ReceivedFrame) -> Any | None:

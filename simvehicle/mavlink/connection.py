@@ -38,9 +38,9 @@ class Connection:
 
     def number(self, content: Any) -> bytes:
         """The frame of one message with this connection's next number, past everything that waits."""
-        frame = encode(content, seq=self._seq, sysid=self.sysid, compid=self.compid)
-        self._seq = (self._seq + 1) & 0xFF
-        return frame
+        seq = self._seq
+        self._seq = (seq + 1) & 0xFF
+        return encode(content, seq=seq, sysid=self.sysid, compid=self.compid)
 
 
 def pack(frames: list[bytes]) -> list[bytes]:

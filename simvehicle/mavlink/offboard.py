@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from functools import lru_cache
+from typing import Any, NamedTuple
 
 from pymavlink.dialects.v20 import common as mav
 
@@ -53,29 +54,45 @@ def global_set_point(context: ServiceContext, call: Call) -> None:
 
 def _fly(context: ServiceContext, content: Any, place: Vec3) -> None:
     vehicle, mask, frame = context.vehicle, content.type_mask, content.coordinate_frame
-    use_position = (not mask & 1, not mask & 2, not mask & 4)
-    use_velocity = (not mask & 8, not mask & 16, not mask & 32)
-    use_yaw = not mask & mav.POSITION_TARGET_TYPEMASK_YAW_IGNORE
-    use_yaw_rate = not mask & mav.POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE
-    flown = all(p or v for p, v in zip(use_position, use_velocity, strict=True)) and not (use_yaw and use_yaw_rate)
+    use_position, use_velocity, use_yaw, use_yaw_rate, flown = _uses(mask)
     halved = frame in _TURNED and any(use[0] != use[1] for use in (use_position, use_velocity))
-    if mask & _NEVER_FLOWN != _NEVER_FLOWN or not flown or halved:
+    if not flown or halved:
         return context.complain("type_mask", f"Set point ignored: type_mask {mask}")
     p_ned = _where_used(place, use_position)
     v_ned = _where_used((content.vx, content.vy, content.vz), use_velocity)
     turn = (content.yaw if use_yaw else 0.0, content.yaw_rate if use_yaw_rate else 0.0)
     if not all(map(math.isfinite, (*p_ned, *v_ned, *turn))):
         return context.complain("number", "Set point ignored: not a number")
-    yaw_ned = vehicle.attitude_ned[2]
     if frame in _TURNED:
-        v_ned = _turned(v_ned, yaw_ned)
+        v_ned = _turned(v_ned, vehicle.attitude_ned[2])
     if frame in _TRAVELLING:
-        offset_ned = _turned(p_ned, yaw_ned) if frame in _TURNED else p_ned
+        offset_ned = _turned(p_ned, vehicle.attitude_ned[2]) if frame in _TURNED else p_ned
         north, east, down = (here + away for here, away in zip(vehicle.p_ned, offset_ned, strict=True))
         p_ned = _where_used((north, east, down), use_position)
     yaw_rad, yaw_rate = turn[0] if use_yaw else None, turn[1] if use_yaw_rate else None
     vehicle.set_point(OffboardSetPoint(p_ned, v_ned, use_position, yaw_rad, vehicle.time_s, yaw_rate))
     return None
+
+
+class _Uses(NamedTuple):
+    """Parts of a set point that count by its type_mask, and whether what it asks for is flown."""
+
+    position: tuple[bool, bool, bool]
+    velocity: tuple[bool, bool, bool]
+    yaw: bool
+    yaw_rate: bool
+    flown: bool
+
+
+@lru_cache(maxsize=64)
+def _uses(mask: int) -> _Uses:
+    position = (not mask & 1, not mask & 2, not mask & 4)
+    velocity = (not mask & 8, not mask & 16, not mask & 32)
+    yaw = not mask & mav.POSITION_TARGET_TYPEMASK_YAW_IGNORE
+    yaw_rate = not mask & mav.POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE
+    each = all(p or v for p, v in zip(position, velocity, strict=True))
+    flown = each and not (yaw and yaw_rate) and mask & _NEVER_FLOWN == _NEVER_FLOWN
+    return _Uses(position, velocity, yaw, yaw_rate, flown)
 
 
 def _turned(v: Vec3, yaw_rad: float) -> Vec3:

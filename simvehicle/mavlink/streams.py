@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.mavlink.telemetry import TELEMETRY, Stream
@@ -20,15 +18,24 @@ class StreamSchedule:
         self._default_ms = {s.key: _interval_ms(s.rate_hz) for s in TELEMETRY}
         self._interval_ms = dict(self._default_ms)
         self._due_ms = dict.fromkeys(self._interval_ms, 0)
+        self._sent: list[tuple[str, Stream]] | None = None
 
-    def due(self, now_ms: int) -> Iterator[Stream]:
+    def due(self, now_ms: int) -> list[Stream]:
         """Streams that are due at `now_ms`, each once, in the table's order; they count as sent."""
-        for stream in TELEMETRY:
-            interval_ms = self._interval_ms[stream.key]
-            if interval_ms and now_ms >= self._due_ms[stream.key]:
-                late = now_ms - self._due_ms[stream.key]
-                self._due_ms[stream.key] = now_ms + interval_ms - (late if late < interval_ms else 0)
-                yield stream
+        due_ms, due = self._due_ms, []
+        for key, stream in self._active():
+            due_then_ms = due_ms[key]
+            if now_ms >= due_then_ms:
+                interval_ms, late = self._interval_ms[key], now_ms - due_then_ms
+                due_ms[key] = now_ms + interval_ms - (late if late < interval_ms else 0)
+                due.append(stream)
+        return due
+
+    def _active(self) -> list[tuple[str, Stream]]:
+        """Streams that have an interval."""
+        if self._sent is None:
+            self._sent = [(stream.key, stream) for stream in TELEMETRY if self._interval_ms[stream.key]]
+        return self._sent
 
     def hasten(self, key: str, now_ms: int) -> None:
         """Let a stream be due now, besides its rhythm."""
@@ -36,7 +43,7 @@ class StreamSchedule:
 
     def set_interval(self, msgid: int, interval_us: float, now_ms: int) -> bool:
         """MAV_CMD_SET_MESSAGE_INTERVAL: -1 stops, 0 restores the default; False where there is no such stream."""
-        known = False
+        known, self._sent = False, None
         for stream in TELEMETRY:
             if stream.msgid == msgid:
                 known = True
@@ -53,12 +60,13 @@ class StreamSchedule:
 
     def set_rate(self, key: str, rate_hz: float, now_ms: int) -> None:
         """Send one stream at a rate; 0 stops it."""
-        self._interval_ms[key] = _interval_ms(rate_hz)
+        self._interval_ms[key], self._sent = _interval_ms(rate_hz), None
         self._due_ms[key] = now_ms
 
     def set_default(self, key: str, rate_hz: float) -> None:
         """Send one stream at a rate from the beginning, and whenever the default is asked for."""
         self._default_ms[key] = self._interval_ms[key] = _interval_ms(rate_hz)
+        self._sent = None
 
     def interval_us(self, msgid: int) -> int | None:
         """MESSAGE_INTERVAL of a message: -1 when it is not sent; None where the vehicle has no such stream."""

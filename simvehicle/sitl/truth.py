@@ -20,6 +20,8 @@ from simvehicle.autopilot.body import STEP_MS
 from simvehicle.autopilot.vehicle import Vehicle
 
 ROUNDING_S = 1e-6
+_pack = struct.Struct("<18d").pack
+"""A record without its thrust."""
 STATE = ["n", "e", "d", "vn", "ve", "vd", "roll", "pitch", "yaw", "roll_rate", "pitch_rate", "yaw_rate"]
 ENERGY = ["drawn_j", "received_j", "given_j", "remaining_j"]
 
@@ -55,18 +57,16 @@ class TruthWriter:
                 return
             self._due_s = max(self._due_s + self._period_s, vehicle.time_s)
             steps = 0
-        thrust = vehicle.thrust_m_s2[0].tolist() if steps else ()
-        numbers = (
+        record = _pack(
             vehicle.time_s,
-            float(steps),
+            steps,
             *vehicle.true_motion_ned,
             vehicle.drawn_j,
-            float(vehicle.received_j),
-            float(vehicle.given_j),
+            vehicle.received_j,
+            vehicle.given_j,
             vehicle.remaining_j,
-            *thrust,
         )
-        self._put(struct.pack(f"<{len(numbers)}d", *numbers))
+        self._put(record + vehicle.thrust_m_s2[0].astype("<f8", copy=False).tobytes() if steps else record)
 
     def _put(self, content: bytes) -> None:
         """Write all of it: a disk that is nearly full takes a part first and complains at the rest."""

@@ -16,11 +16,12 @@ from typing import Any
 import yaml
 from measure import Figure, Scale
 from prompt_to_prompt import took
+from sessions_timed import children_cpu_s
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("SKYTENDER_ARDUCOPTER", "")
 ROUNDS = 3
-VEHICLES = 5
+VEHICLES, DURATION_S = 5, 90.0
 
 
 def fleet() -> dict[str, Any]:
@@ -28,7 +29,7 @@ def fleet() -> dict[str, Any]:
     content: dict[str, Any] = yaml.safe_load((ROOT / "configs/demo.yaml").read_text(encoding="utf-8"))
     for key in ("obstacles", "traffic"):
         del content[key]
-    content["goal"] = {"duration_s": 90.0, "refuelled_at_least": 2}
+    content["goal"] = {"duration_s": DURATION_S, "refuelled_at_least": 2}
     content["planner"]["separation_m"] = 1.5
     content["vehicles"]["defaults"]["battery"]["capacity_j"] = 48_000.0  # so that everyone flies to the end
     content["formation"]["ring_m"] = 4.0
@@ -49,18 +50,21 @@ def figures(scale: Scale) -> list[Figure]:
         rounds = [_fly(Path(folder), number) for number in range(ROUNDS)]
     if len({digest for *_, digest in rounds}) != 1:
         raise RuntimeError("the same session of ArduCopters had more than one digest")
-    speed, began_s = (statistics.median(column) for column in list(zip(*rounds, strict=True))[:2])
+    speed, began_s, cpu_s = (statistics.median(column) for column in list(zip(*rounds, strict=True))[:3])
+    name = f"{VEHICLES} ArduCopters in lockstep for {DURATION_S:.0f} s"
     return [
-        Figure(14, f"{VEHICLES} ArduCopters in lockstep", speed, "x real time", 8.0 * scale.wall),
+        Figure(14, name, speed, "x real time", 8.0 * scale.wall, cpu_s=cpu_s),
         Figure(14, "  from prompt to the first tick, and away", began_s, "s", 5.0 / scale.wall, True),
     ]
 
 
-def _fly(folder: Path, number: int) -> tuple[float, float, str]:
-    """Times real time, wall time of all but the flight, and the digest."""
+def _fly(folder: Path, number: int) -> tuple[float, float, float, str]:
+    """Times real time, wall time of all but the flight, CPU seconds of all processes, and the digest."""
     path, out = folder / "scenario.yaml", folder / str(number)
     path.write_text(yaml.safe_dump(fleet()), encoding="utf-8")
     command = [sys.executable, "-m", "gcs", "run", str(path), "--lockstep", "--quiet", "--no-report"]
+    before_s = children_cpu_s()
     took_s = took([*command, "--out", str(out)])
+    cpu_s = children_cpu_s() - before_s
     summary = json.loads((out / "summary.json").read_text(encoding="utf-8"))
-    return summary["speed_achieved"], took_s - summary["wall_time_s"], summary["digest"]
+    return summary["speed_achieved"], took_s - summary["wall_time_s"], cpu_s, summary["digest"]

@@ -172,9 +172,11 @@ def test_a_client_reads_the_greeting_before_anything_else(tmp_path: Path) -> Non
 
 def test_who_comes_late_is_greeted_with_the_last_events_and_how_many_there_were(tmp_path: Path) -> None:
     publisher = Publisher(tmp_path, {"type": "session"})
-    publisher.publish({"t_s": 0, "events": [{"n": 0}, {"n": 1}]})  # nobody is there yet
+    assert not publisher.watched
+    publisher.remember({"t_s": 0, "events": [{"n": 0}, {"n": 1}]})
     with connect(tmp_path) as first:
         publisher.poll()
+        assert publisher.watched
         assert lines(first, 1) == [{"type": "session", "events": [{"n": 0}, {"n": 1}], "told": 2, "contest": []}]
         for n in range(2, REMEMBERED + 5):
             publisher.publish({"t_s": 0.25 * n, "events": [{"n": n}], "competition": {"v": {"1": 0.5}}})

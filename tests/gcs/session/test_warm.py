@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import threading
 import time
 from pathlib import Path
@@ -48,9 +49,11 @@ def test_a_warm_session_is_that_of_a_session_of_its_own_also_after_a_supervisor_
     with gcs.Session(example(4.0), out=tmp_path / "alone") as alone:
         alone.finish()
     ended: list[Flight] = []
-    with WarmSessions() as sessions:
+    core = max(os.sched_getaffinity(0))
+    with WarmSessions(core) as sessions:
         sessions.warm_up()
         warm = psutil.Process(sessions.pid)
+        assert {tuple(one.cpu_affinity()) for one in (warm, *warm.children())} == {(core,)}
         first = sessions.fly(example(4.0), "first")
         flying = threading.Thread(target=lambda: ended.append(sessions.fly(example(80_000.0), "killed")))
         flying.start()

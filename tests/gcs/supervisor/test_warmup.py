@@ -15,7 +15,7 @@ from gcs.supervisor.warmup import rehearse
 from gcs.scenario import load
 
 scenario = load(find("paper/example1"))
-kernels = [leader._advance_all, geometry._clearances, metrics.distance_to_path, approach.nearest_pair]
+kernels = [leader._advance_all, geometry.fill_clearances, metrics.distance_to_path, approach.look]
 before = [len(kernel.signatures) for kernel in kernels]
 rehearse(scenario)
 loaded = set(sys.modules)

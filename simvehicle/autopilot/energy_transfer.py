@@ -175,8 +175,8 @@ class Exchange:
         self.current: Transfer | None = None
         self.ended_s = -inf
         self.neighbours: dict[int, Neighbour] = {}
-        self._last_in: tuple[int, int, float] | None = None
-        """whose XferIn came last outside a transfer, its value, and when"""
+        self._last_in: dict[int, tuple[int, float]] = {}
+        """the last XferIn of each vehicle that came outside a transfer, and when"""
         self._ended_orders: dict[OrderKey, int] = {}
         """joules that each order moved in the end, by its key"""
 
@@ -198,14 +198,13 @@ class Exchange:
 
     def begin(self, order: TransferOrder, now_s: float) -> None:
         """Start an order that is not refused."""
-        partner, value_j, came_s = self._last_in or (0, 0, -inf)
-        known = partner == order.partner and now_s - came_s <= KNOWN_FOR_S
-        self.current = Transfer(order, now_s, value_j if known else None)
+        value_j, reported_s = self._last_in.get(order.partner, (0, -inf))
+        self.current = Transfer(order, now_s, value_j if now_s - reported_s <= KNOWN_FOR_S else None)
 
     def receive_counter(self, partner: int, name: str, value_j: int, now_s: float) -> None:
         """XferOut or XferIn of the partner, as relayed."""
         if self.current is None and name == "XferIn":
-            self._last_in = partner, value_j, now_s
+            self._last_in[partner] = value_j, now_s
         if self.current is None or self.current.order.partner != partner:
             return
         if name == "XferOut" and self.current.order.role is TransferSide.RECEIVE:

@@ -233,7 +233,13 @@ RADIOS: dict[str, dict[str, Any]] = {
     "0.2 s of delay": {"radio": {"delay_s": 0.2}},
     "0.2 s of delay, 20 % lost": {"radio": {"delay_s": 0.2, "loss": 0.2}},
     "up to 0.4 s of jitter": {"radio": {"jitter_s": 0.4}},
-    "0.5 s of delay, no refuelling": {"radio": {"delay_s": 0.5}, "refuelling": {"enabled": False}},
+    "0.5 s of delay, no refuelling": {
+        "radio": {"delay_s": 0.5},
+        "refuelling": {"enabled": False},
+        "vehicles": {
+            "pursuers": [{"sysid": PURSUER, "start_m": [2.0, 0.0, 0.0], "battery": {"capacity_j": 24000}}],
+        },
+    },
 }
 Session = Callable[[str, int, Path], Flown]
 

@@ -91,11 +91,11 @@ def main() -> None:
     kept = options.kept or place / "kept"
     seeds(options.target, kept)
     attack = datagram if options.target == DATAGRAMS else file_of(options.target, place / "session")
-    read_once().__enter__()
     limits = [f"-runs={options.runs}", f"-seed={options.seed}", f"-max_len={LARGEST}", f"-timeout={HANG_S}"]
     os.environ.setdefault("PYTHONWARNINGS", "ignore")
-    atheris.Setup([sys.argv[0], *limits, "-print_final_stats=1", str(kept)], attack)
-    atheris.Fuzz()
+    with read_once():
+        atheris.Setup([sys.argv[0], *limits, "-print_final_stats=1", str(kept)], attack)
+        atheris.Fuzz()
 
 
 if __name__ == "__main__":

@@ -138,6 +138,23 @@ def test_giver_ends_when_the_receivers_counter_has_stood_still_for_too_long() ->
     assert transfer.finished(5.0 + 2.9 * 19 + 3.01) == "the receiver takes no more"
 
 
+@pytest.mark.parametrize(
+    ("reported", "gives_at_once"),
+    [([], False), ([(2, 400, 9.0)], True), ([(2, 400, 8.0)], False), ([(3, 400, 9.9)], False)],
+)
+def test_giver_begins_with_what_it_has_heard_of_its_receiver_lately_or_waits_for_it(
+    reported: list[tuple[int, int, float]], gives_at_once: bool
+) -> None:
+    exchange = Exchange()
+    for partner, value_j, at_s in reported:
+        exchange.receive_counter(partner, "XferIn", value_j, at_s)
+    exchange.begin(order(rate_w=100.0), 10.0)
+    assert exchange.current is not None
+    assert (exchange.current.give(0.1, 1e9) == 10) == gives_at_once
+    exchange.receive_counter(2, "XferIn", 400, 10.2)
+    assert exchange.current.give(0.1, 1e9) >= 10
+
+
 def key(message: Any) -> str:
     return str(message.name if message.get_type() == "NAMED_VALUE_INT" else message.get_type())
 

@@ -89,6 +89,7 @@ def test_record_of_a_jump_holds_the_thrust_of_every_step(vehicle_bench: Any, tmp
 def test_given_and_received_are_in_the_ledger(vehicle_bench: Any, tmp_path: Path) -> None:
     bench = vehicle_bench(start=Start((0.0, 0.0, -3.0), airborne=True))
     bench.set_point((0.0, 0.0, -3.0))
+    bench.send(mav.MAVLink_named_value_int_message(0, b"XferIn", 0), source=(2, 1))
     assert bench.result(mav.MAV_CMD_USER_1, 2.0, 1.0, 1e4, 300.0, 1.0, 0.0) == 0
     written(bench, tmp_path / "1.truth", 15)
     head, rows, _ = read(tmp_path / "1.truth")

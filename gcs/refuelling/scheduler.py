@@ -49,11 +49,11 @@ class Scheduler:
         bases: Sequence[Base] = (),
         transfer_capable: Mapping[int, bool | None] | None = None,
         cruise_m_s: float = 1.5,
-        settled_by_s: float = math.inf,
+        transfers_until_s: float = math.inf,
     ) -> None:
         """`own` takes the competition's place for the tankers. `transfer_capable`: whether a vehicle can take energy in
         the air, by system id, None where it is to be found out; those who are not named can. `cruise_m_s`: how fast
-        they fly to a base. `settled_by_s`: session time by which transfers in the air are to be settled."""
+        they fly to a base. `transfers_until_s`: session time at which transfers in the air are stopped."""
         competes = competition.enabled and refuelling.enabled
         self._bidding = (own or make_competition(competition, refuelling)) if competes else None
         self._base_bidding = make_competition(competition, refuelling) if competes and bases else None
@@ -67,7 +67,9 @@ class Scheduler:
         self.asked: list[int] = []
         """who is served before anybody else, in this order"""
         self._requests = ServiceRequests()
-        self._steps = TankerSteps(refuelling, self._tankers, self._requests, self.out, settled_by_s=settled_by_s)
+        self._steps = TankerSteps(
+            refuelling, self._tankers, self._requests, self.out, transfers_until_s=transfers_until_s
+        )
         self._bases = BaseSteps(refuelling, bases, self._requests, self.out, need_from=competition.need_from)
         self._ability = ReceiverCapability(transfer_capable or {})
         self.tanker_times = ServiceTimes(*TANKER_TIMES)

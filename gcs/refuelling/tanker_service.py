@@ -34,9 +34,6 @@ BREAKS = 5
 """A service that was broken off so often ends; the receiver competes again, and so may the others."""
 REFUSALS = 5
 """Refusals of a receiver in a row after which its service is given up: others wait for the tanker."""
-LAST_S = 15.0
-"""[choice] A transfer that may have to be settled is stopped so long before the session ends: with half of all frames
-lost, both stops, both counters and the settlement, each asked for again until it is answered, took up to 10 s."""
 FOLLOW_EVERY_US = 100_000.0
 _FOLLOW = float(mav.MAVLINK_MSG_ID_FOLLOW_TARGET)
 
@@ -51,15 +48,15 @@ class TankerSteps:
         requests: ServiceRequests,
         out: Mapping[int, str],
         *,
-        settled_by_s: float = math.inf,
+        transfers_until_s: float = math.inf,
     ) -> None:
-        """`out`: who neither is served nor serves, and why; a service of theirs is broken off. `settled_by_s`: session
-        time by which all transfers are to be settled."""
+        """`out`: who neither is served nor serves, and why; a service of theirs is broken off. `transfers_until_s`:
+        session time at which transfers are stopped, so that they can be settled before the end."""
         self._rules = rules
         self._tankers = tankers
         self._requests = requests
         self._out_of_it = out
-        self._last_s = settled_by_s - LAST_S
+        self._until_s = transfers_until_s
         self.settlement = Settlement(requests)
 
     def available_j(self, tanker: VehicleView, limit_j: float) -> float:
@@ -102,7 +99,7 @@ class TankerSteps:
         counter_known = tanker.given_reported_s >= service.phase_since_s + COUNTER_SETTLES_S
         held = service.near_since_s is not None and now_s - service.near_since_s >= self._rules.hold_s
         settled = not any(self.settlement.awaits(view.sysid, now_s) for view in (receiver, tanker))
-        if held and counter_known and settled and now_s < self._last_s:
+        if held and counter_known and settled and now_s < self._until_s:
             for view in (receiver, tanker):
                 self.settlement.begin(view.sysid)
             if service.joined_at_s is None:
@@ -168,7 +165,7 @@ class TankerSteps:
             reason = unfit
         elif not gives and tanker.given_j - service.out_at_start_j >= service.ordered_j:
             reason = "limit"
-        elif now_s >= self._last_s:
+        elif now_s >= self._until_s:
             reason = "the session ends"
         elif not (gives and receives):
             reason = f"broken off by the {'receiver' if gives else 'giver'}"

@@ -28,7 +28,7 @@ CLOCK_OFF_S = 10.0
 """[choice] Logs and signatures of a vehicle whose clock is farther off belong to another time."""
 NO_TIME_BEFORE_S = 1_420_070_400.0
 """2015: a clock before that has not been set."""
-ASK_EVERY_S, ASK_TIMES = 1.0, 3
+ASK_EVERY_S, ASK_TIMES = 0.5, 2
 PLANS = {"fence": int(mav.MAV_MISSION_TYPE_FENCE), "rally": int(mav.MAV_MISSION_TYPE_RALLY)}
 _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
 _WORDS = {

@@ -124,7 +124,7 @@ class Play:
 def play(
     rules: RefuellingRules | None = None,
     tankers: tuple[Tanker, ...] = (),
-    settled_by_s: float = math.inf,
+    transfers_until_s: float = math.inf,
     **competition: Any,
 ) -> Play:
     """One receiver, 1, of 10 kJ with 4 kJ left, and a tanker, 201, above it."""
@@ -134,5 +134,6 @@ def play(
     })  # fmt: skip
     rules = rules or RefuellingRules(rate_w=RATE_W, hold_s=1.0)
     return Play(
-        Scheduler(CompetitionRules(**competition), rules, tankers or (tanker(),), settled_by_s=settled_by_s), fleet
+        Scheduler(CompetitionRules(**competition), rules, tankers or (tanker(),), transfers_until_s=transfers_until_s),
+        fleet,
     )

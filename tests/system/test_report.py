@@ -61,7 +61,7 @@ def copied(flown: Outcome, folder: Path) -> Path:
 
 @pytest.fixture(scope="module")
 def flown(tmp_path_factory: pytest.TempPathFactory) -> Outcome:
-    """Thirty seconds of the demo: one refuelling, and the goal missed."""
+    """Thirty seconds of the demo: two refuellings, and the goal missed."""
     changes = {"goal": {"duration_s": 30}}
     return fly(merged(demo(), changes), tmp_path_factory.mktemp("report"), "--plain", report=True)
 
@@ -85,7 +85,7 @@ def test_a_run_ends_with_its_report(flown: Outcome) -> None:
     assert f"report: {page}" in flown.stdout
     text = page.read_text(encoding="utf-8")
     assert f"The goal was not met: {flown.summary['outcome_text'].removeprefix('not met: ')}" in text
-    assert "Not reached: at least 3 refuelled (1 of 3)." in text
+    assert "Not reached: at least 3 refuelled (2 of 3)." in text
     assert flown.summary["digest"] in text
     assert not re.search(r"""(src|href|url)\s*[=(]\s*["']?(https?:)?//""", text)
 

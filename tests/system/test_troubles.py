@@ -20,7 +20,10 @@ def paced(**changes: Any) -> dict[str, Any]:
 
 
 def test_pursuers_hold_when_their_target_dies(tmp_path: Path) -> None:
-    running = Running(paced(**OPEN), tmp_path, "--json")
+    content = paced(**OPEN)
+    for pursuer in content["vehicles"]["pursuers"]:
+        pursuer["battery"] = {"initial_percent": 100}
+    running = Running(content, tmp_path, "--json")
     try:
         running.wait_for(lambda s: s["t_s"] > 20.0)
         running.vehicle(101).send_signal(signal.SIGKILL)

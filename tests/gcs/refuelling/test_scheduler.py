@@ -33,12 +33,12 @@ def test_a_whole_service_in_its_order() -> None:
 
 
 def test_a_transfer_is_stopped_in_time_to_be_settled_and_none_begins_after_that() -> None:
-    game = play(settled_by_s=19.0)
+    game = play(transfers_until_s=4.0)
     service = game.until(Phase.DONE)
     assert service.ended_by == "the session ends"
     assert service.start_s is not None
     assert service.start_s < 4.0 <= game.now_s < 6.0
-    late = play(settled_by_s=16.5)
+    late = play(transfers_until_s=1.5)
     while late.now_s < 16.5:
         late.tick()
     assert [one.phase for one in late.schedule.services] == [Phase.JOIN]

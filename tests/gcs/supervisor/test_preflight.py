@@ -65,14 +65,14 @@ def test_a_clock_that_is_far_off_fails(off_s: float, text: str) -> None:
     assert told == [("warning" if text else "info", f"Check list: {text or 'clock right'}")]
 
 
-def test_who_has_no_time_or_does_not_tell_it_passes_and_is_asked_three_times() -> None:
+def test_who_has_no_time_or_does_not_tell_it_passes_and_is_asked_twice() -> None:
     for messages, text in (((), "clock not told"), ([mav.MAVLink_system_time_message(0, 7)], "clock not set yet")):
         session = Session()
         session.go_on(1.0)
         session.hear(*messages)
         session.go_on(3.0)
         assert session.end() == (True, "", [("info", f"Check list: {text}")])
-        assert session.sent == ["COMMAND_LONG"] * 3
+        assert session.sent == ["COMMAND_LONG"] * 2
 
 
 def test_nobody_is_asked_before_it_has_been_received() -> None:

@@ -35,6 +35,9 @@ CONNECT_WITHIN_S = 20.0
 SETTINGS = {
     "distributed.scheduler.allowed-failures": DEATHS,
     "distributed.worker.profile.enabled": False,
+    "distributed.admin.system-monitor.interval": "5s",
+    "distributed.admin.system-monitor.disk": False,
+    "distributed.admin.tick.interval": "500ms",
     "distributed.comm.timeouts.connect": CONNECT_WITHIN_S,
     "distributed.admin.log-length": 100,
     "distributed.worker.memory.target": False,

@@ -41,6 +41,9 @@ class PageServer:
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
+        if kind is None:  # its pages are told how the session ended, and it ends by itself
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                self._process.wait(ENDS_WITHIN_S)
         self._process.terminate()
         try:
             self._process.wait(ENDS_WITHIN_S)

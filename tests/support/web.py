@@ -174,14 +174,21 @@ class Watched:
 
 
 UNTIL = """new Promise((done) => {{
-  const look = () => (({0}) ? done() : setTimeout(look, 20));
+  const end_ms = performance.now() + {1};
+  const look = () => (({0}) ? done("") : performance.now() < end_ms ? setTimeout(look, 20) : done(state()));
+  const state = () => {{
+    const app = window.skytender;
+    const seen = {{ hidden: document.hidden, frames: app?.frames, at_s: app?.at_s, shown_s: app?.current?.t_s }};
+    return JSON.stringify({{ ...seen, received_s: app?.flight?.newest?.t_s, samples: app?.flight?.count }});
+  }};
   look();
 }})"""
 
 
 def until(page: Page, expression: str) -> None:
     """Wait in the page until an expression of JavaScript holds; the page's policy lets nothing else evaluate text."""
-    page.evaluate(UNTIL.format(expression))
+    state = page.evaluate(UNTIL.format(expression, PATIENCE_MS))
+    assert not state, f"{expression} does not hold after {PATIENCE_MS / 1e3:.0f} s: {state}"
 
 
 def serious(page: Page) -> list[str]:

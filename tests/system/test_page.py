@@ -86,6 +86,8 @@ def test_a_flight_is_watched_commanded_and_ended_from_the_page(tmp_path: Path, b
         first, second = Watched(browser), Watched(browser, width=420, height=900, dark=True)
         page, other = first.flying(command), second.flying(view)
         until(page, "skytender.current.vehicles.every((v) => v.mode === 'offboard')")
+        live = page.get_by_role("button", name="live", exact=True)
+        place = live.bounding_box()
         page.get_by_role("button", name="1", exact=True).first.click()
         assert chosen(page) == 1
         page.get_by_role("button", name="hold").click()
@@ -102,8 +104,10 @@ def test_a_flight_is_watched_commanded_and_ended_from_the_page(tmp_path: Path, b
         # back in time, and to the newest again
         past_s = page.evaluate("(skytender.player.seek(skytender.flight.first_s + 1), skytender.at_s)")
         until(page, f"Math.abs(skytender.current.t_s - {past_s}) < 0.01")
-        page.get_by_role("button", name="live", exact=True).click()
+        live.click()
         until(page, f"skytender.current.t_s > {past_s} + 2")
+        expect(page.get_by_label("what is wrong")).to_contain_text("held, not refuelled")
+        assert live.bounding_box() == place, "trouble moves no button away from under the pointer"
         assert serious(page) == []
         assert serious(other) == []
         page.get_by_role("button", name="stop").click()

@@ -78,7 +78,7 @@ export class App {
     this.first = new Promise((resolve) => (this.drawnFirst = () => resolve(null)));
 
     const choose = (/** @type {number | null} */ sysid) => this.choose(sysid);
-    this.trouble = h("ul", { class: "problems", "aria-label": "what is wrong", "aria-live": "polite" });
+    this.trouble = h("ul", { class: "problems now-wrong", tabindex: 0, "aria-label": "what is wrong", "aria-live": "polite" });
     const space = h("canvas", { class: "space", tabindex: 0, role: "img", "aria-label": "the fleet in space; arrow keys turn, + and − zoom, 0 shows everything" });
     const names = h("canvas", { class: "names", "aria-hidden": "true" });
     const map = h("canvas", { class: "map", tabindex: 0, role: "img", "aria-label": "the fleet from above, north up; arrow keys move, + and − zoom, 0 shows everything" });
@@ -133,8 +133,8 @@ export class App {
     });
     new ResizeObserver(() => (this.dirty = true)).observe(picture);
     const tick = () => {
+      requestAnimationFrame(tick); // first, so that a frame that fails is not the last
       this.#tick();
-      requestAnimationFrame(tick);
     };
     requestAnimationFrame(tick);
   }

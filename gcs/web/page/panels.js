@@ -40,13 +40,13 @@ export function showTrouble(at, snapshot, choose) {
     found.push({ level, text, sysid: rows[0].sysid, count: rows.length });
   }
   found.sort((a, b) => Number(b.level === "bad") - Number(a.level === "bad") || b.count - a.count);
-  at.hidden = !found.length;
   renew(at, JSON.stringify(found), () => {
     const items = found.slice(0, MOST_TOLD).map(({ level, text, sysid }) => {
       const who = sysid;
       const said = who === null ? h("span", {}, text) : h("button", { type: "button", class: "link", onclick: () => choose(who) }, text);
       return h("li", { class: level }, level === "bad" ? "✗ " : "! ", said);
     });
+    if (!found.length) items.push(h("li", { class: "note" }, "Nothing is wrong."));
     if (found.length > MOST_TOLD) items.push(h("li", { class: "note" }, `and ${found.length - MOST_TOLD} more`));
     return items;
   });

@@ -24,8 +24,6 @@ from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 
 POSITION_AND_VELOCITY = 0b11
 STANDS = (0.0, 0.0, 0.0)
-
-"""The ground station's system id, the partner of a vehicle that a base charges."""
 REACH_WITHIN_S = 60.0
 """beyond the time that the way to the base takes"""
 LAND_WITHIN_S = 60.0

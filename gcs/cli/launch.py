@@ -11,17 +11,14 @@ from typing import Any
 import click
 
 from gcs.cli.author import ScenarioName, load_scenario
-from gcs.scenario.endpoint import EXAMPLE, FORM, Endpoint, address
+from gcs.cli.options import endpoint
+from gcs.scenario.endpoint import Endpoint
 
 
 def _checked_address(ctx: click.Context, param: click.Parameter, value: str | None) -> Endpoint | None:
     """A --connect is an address whose host can be found."""
-    if value is None:
-        return None
-    at = address(value)
-    if at is None:
-        raise click.BadParameter(f"{value} is not an address; write {FORM}, {EXAMPLE}.", ctx, param)
-    if at.way != "serial":
+    at = endpoint(ctx, param, value)
+    if at is not None and at.way != "serial":
         from gcs.link.socket import AddressRefused, resolve
 
         try:

@@ -253,7 +253,8 @@ def test_streams_that_begin_alike_and_part_are_taken_from_one_link() -> None:
             raw = bytes([step])
             if feed.peer.takes(Frame(1, 1, seq, 0, raw), feed.peer.links[place], 0.1 * step):
                 taken.append(step)
-    assert taken == list(range(40))
+    assert sorted({*taken}) == list(range(40))
+    assert len(taken) == 41  # the first frame that parts has a number that the other has not used yet
 
 
 def test_numbers_of_another_link_are_no_gap() -> None:

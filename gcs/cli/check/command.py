@@ -11,20 +11,14 @@ from typing import TYPE_CHECKING
 
 import click
 
+from gcs.cli.options import connecting, endpoint
 from gcs.exit import BAD_INPUT, NOT_DONE
-from gcs.scenario.endpoint import EXAMPLE, FORM, ONLY_ONCE, Endpoint, address
+from gcs.scenario.endpoint import ONLY_ONCE, Endpoint
 
 if TYPE_CHECKING:
     from gcs.cli.check.dialogue import CheckFinding, Dialogue
 
 PEER_NAMES = {"mavsdk": "MAVSDK", "qgroundcontrol": "QGroundControl", "mavproxy": "MAVProxy"}
-
-
-def _connection(_: click.Context, __: click.Parameter, value: str) -> Endpoint:
-    at = address(value)
-    if at is None:
-        raise click.BadParameter(f"{value!r} is no connection; write {FORM}, {EXAMPLE}.")
-    return at
 
 
 @click.command(short_help="Check what a vehicle would make its ground stations miss, or a scenario's check list.")
@@ -33,7 +27,7 @@ def _connection(_: click.Context, __: click.Parameter, value: str) -> Endpoint:
     "--connect",
     default="udpin:127.0.0.1:14550",
     show_default=True,
-    callback=_connection,
+    callback=endpoint,
     metavar="ADDRESS",
     help="Where the vehicle is heard (udpin, tcpin), listens (udpout, tcp) or is plugged in "
     "(serial:/dev/ttyUSB0:57600).",
@@ -116,8 +110,6 @@ def check(
     from gcs.cli.check.questions import questions
     from gcs.cli.check.wire import CheckError, Wire
     from gcs.cli.check.wire import check as run
-    from gcs.link.keys import KeyRefused
-    from gcs.link.socket import AddressRefused
 
     if scenario is not None:
         return _check_scenario(context, scenario, wait_ready or 0.0, as_json=as_json)
@@ -126,12 +118,8 @@ def check(
     names = [PEER_NAMES[peer] for peer in peers] or list(PEER_NAMES.values())
     signed = key_file is not None
     asked = questions(names, arm=arm, ready_within_s=wait_ready, now_unix_s=time.time, signed=signed)
-    try:
+    with connecting():
         wire = Wire(connect, key_file)
-    except AddressRefused as error:
-        raise click.UsageError(f"--connect: {error}.") from None
-    except KeyRefused as error:
-        raise click.UsageError(f"--key-file: {error}.") from None
     done: list[Dialogue] = []
     waiting: list[int | None] = [sysid]
     try:

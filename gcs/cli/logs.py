@@ -102,7 +102,7 @@ def get(numbers: tuple[int, ...], everything: bool, out: Path, as_json: bool, **
         for client in clients:
             client.download(folder.missing(client, _wanted(client, numbers, everything=everything)))
         try:
-            progress.tell()
+            progress.report()
             fleet.converse(clients, progress.look)
         except KeyboardInterrupt:
             for client in clients:
@@ -126,12 +126,12 @@ class _Progress:
         self._begun_s = time.monotonic()
         self._shown_s = self._begun_s + SILENT_FOR_S - DRAW_EVERY_S
         self._drawn = False
-        self._told = 0
+        self._shown = 0
 
     def look(self) -> None:
         """Keep what has come whole since the last call, and show how far the others are."""
         self._folder.save()
-        self.tell()
+        self.report()
         now_s = time.monotonic()
         terminal = sys.stderr.isatty()
         if now_s - self._shown_s < (DRAW_EVERY_S if terminal or not self._drawn else LINE_EVERY_S):
@@ -142,11 +142,11 @@ class _Progress:
         text = f"{came / 1e6:.2f} of {self._folder.wanted_bytes / 1e6:.2f} MB, {rate / 1e3:.0f} kB/s"
         click.echo(f"\r{text:<50}" if terminal else text, nl=not terminal, err=True)
 
-    def tell(self) -> None:
-        """Print a line for each log that is kept and not told yet."""
-        for log in self._folder.kept[self._told :] if self._say else ():
+    def report(self) -> None:
+        """Print a line for each log that is kept and not printed yet."""
+        for log in self._folder.kept[self._shown :] if self._say else ():
             click.echo(log.text)
-        self._told = len(self._folder.kept)
+        self._shown = len(self._folder.kept)
 
     def close(self) -> None:
         """Leave the line of the progress."""

@@ -48,14 +48,14 @@ class GroundCheck:
         self._ready: dict[int, bool | None] = {}
         """whether SYS_STATUS says that it could be armed; None: it does not know that"""
         self._texts: dict[int, list[str]] = {}
-        self._heard = {sysid for sysid, _ in link.joined}
+        self._received = {sysid for sysid, _ in link.joined}
         self._now_s = 0.0
 
     def tick(self, now_s: float, unix_us: int) -> None:
         """Take what has come, and send what is due; `unix_us` is the time by our clock."""
         self._now_s = now_s
         delivered = {key[0]: frames for key, frames in self._link.collect().items()}
-        self._heard |= delivered.keys()
+        self._received |= delivered.keys()
         for frames in delivered.values():
             self._fleet.ingest_all(frames, now_s)
             self._read(frames)
@@ -69,10 +69,10 @@ class GroundCheck:
         commands, messages = self._externals.decide(snapshot)
         for sysid, more in (*messages.items(), *self._preflight.decide(snapshot).items()):
             self._queue.put(sysid, more)
-        self._queue.ask([command for command in commands if command.sysid in self._heard], now_s)
+        self._queue.ask([command for command in commands if command.sysid in self._received], now_s)
         greets = now_s - self._heartbeat_s >= HEARTBEAT_EVERY_S
         self._heartbeat_s = now_s if greets else self._heartbeat_s
-        for sysid in sorted(self._heard):
+        for sysid in sorted(self._received):
             for result in self._queue.poll(sysid, now_s):
                 self._externals.settles(sysid, result, now_s)
             self._link.grant((sysid, AUTOPILOT), [*([OUR_HEARTBEAT] if greets else ()), *self._queue.pop(sysid)], ())
@@ -80,12 +80,12 @@ class GroundCheck:
     @property
     def done(self) -> bool:
         """Whether nothing is open any more of those who were heard."""
-        return self._now_s >= STREAMS_S and all(self._preflight.ended(sysid) for sysid in self._heard)
+        return self._now_s >= STREAMS_S and all(self._preflight.ended(sysid) for sysid in self._received)
 
     @property
     def ready(self) -> bool:
         """Whether nobody says that it could not be armed."""
-        return all(self._ready.get(sysid) is not False for sysid in self._heard)
+        return all(self._ready.get(sysid) is not False for sysid in self._received)
 
     def lists(self, waits: Mapping[int, str]) -> dict[int, list[CheckItem]]:
         """Check lists by system id; `waits` are reasons why somebody has not been heard."""
@@ -93,13 +93,13 @@ class GroundCheck:
         links = self._link.links()
         found = {}
         for sysid, rules in self._expected.items():
-            if sysid not in self._heard:
+            if sysid not in self._received:
                 why = waits.get(sysid) or "is it switched on, and has it that system id?"
                 found[sysid] = [CheckItem("heard", False, f"no HEARTBEAT at {rules.where}: {why}")]
                 continue
             items = [CheckItem("heard", True, f"heard at {rules.where}")]
             for one in links.get(sysid, ()):
-                if not one.heard:
+                if not one.alive:
                     items.append(CheckItem("link", False, f"not heard at {one.connect}"))
             items += [_origin(snapshot.vehicle(sysid)), *self._preflight.items(sysid)]
             missing = self._externals.missing_streams(sysid)

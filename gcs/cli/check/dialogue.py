@@ -58,7 +58,7 @@ class CheckedVehicle:
     arrivals_s: dict[str, list[float]] = field(default_factory=dict)
     parameters: dict[str, Any] = field(default_factory=dict)
     """PARAM_VALUE's fields by name"""
-    strangers: dict[int, str] = field(default_factory=dict)
+    neighbours: dict[int, str] = field(default_factory=dict)
     """other vehicles that acknowledged a command to it, with that command's name, by system id"""
     backwards: str = ""
     """the first message whose time_boot_ms was lower than the one before"""
@@ -199,7 +199,7 @@ class Dialogue:
         if self.vehicle is None:
             return
         if frame.sysid != self.vehicle.sysid and name == "COMMAND_ACK" and content.command in self._commands:
-            self.vehicle.strangers.setdefault(frame.sysid, command_name(content.command))
+            self.vehicle.neighbours.setdefault(frame.sysid, command_name(content.command))
         if (frame.sysid, frame.compid) != (self.vehicle.sysid, self.vehicle.compid):
             return
         received = ReceivedMessage(name, content, now_s)

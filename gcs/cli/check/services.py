@@ -62,9 +62,9 @@ def signing(*, signed: bool) -> Question:
 
 
 def _alone(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> Verdict:
-    if not vehicle.strangers:
+    if not vehicle.neighbours:
         return OK
-    others = ", ".join(f"vehicle {sysid} ({name})" for sysid, name in sorted(vehicle.strangers.items()))
+    others = ", ".join(f"vehicle {sysid} ({name})" for sysid, name in sorted(vehicle.neighbours.items()))
     return Verdict("wrong", f"acknowledged too by {others}")
 
 

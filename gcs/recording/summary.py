@@ -55,7 +55,7 @@ class VehicleLinkSummary(SummaryPart):
     connect: str
     used: bool
     """whether it was the one in use"""
-    fresh: bool
+    alive: bool
     received: int
     """frames, also those that came over another link too"""
     lost_share: float | None

@@ -458,7 +458,7 @@ def ardupilot(file: Path, sysid: int, supervised: str | None, connect: str | Non
     required=True,
     help="Folder for vehicle.json and figures.",
 )
-@click.option("--only", metavar="NAME,NAME", help="Some of fig5, fig12, implicit; all by default.")
+@click.option("--only", metavar="NAME,NAME", help="Some of fig5, fig12, implicit, noise; all by default.")
 @click.option(
     "--plans",
     type=click.Path(path_type=Path, dir_okay=False, exists=True),
@@ -467,7 +467,8 @@ def ardupilot(file: Path, sysid: int, supervised: str | None, connect: str | Non
 def paper(out: Path, only: str | None, plans: Path | None) -> None:
     """Measure and draw the paper's figures that need one vehicle alone, as SVG and PNG, numbers in vehicle.json.
 
-    fig5 is the differentiator on 5 sin t, fig12 its comparison with two others, implicit why it is stepped implicitly.
+    fig5 is the differentiator on 5 sin t, fig12 its comparison with two others, implicit why it is stepped implicitly,
+    noise the three in flight on an estimate that errs.
     """
     from simvehicle.paper import energies
     from simvehicle.paper.studies import STUDIES, make

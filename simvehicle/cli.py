@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from importlib import import_module
 from importlib.metadata import version
 from itertools import pairwise
 from math import radians
@@ -22,6 +23,11 @@ from simvehicle.exit import AUTOPILOT_GONE, BAD_INPUT, CANNOT_WRITE, INTERRUPTED
 from simvehicle.loading import loaded, uncollected
 
 LAST_SYSID = 254
+REAL_AUTOPILOTS = {
+    "ardupilot": ("simvehicle.sitl.ardupilot", "ArduPilotUnit"),
+    "px4": ("simvehicle.sitl.px4", "Px4Unit"),
+}
+"""Commands that fly a real autopilot: the module and the class of each."""
 
 
 class _Triple(click.ParamType[tuple[float, float, float]]):
@@ -364,12 +370,13 @@ def hatch() -> None:
 
 def _prepare(argv: Sequence[str]) -> None:
     """Load the flight core of rotors, once, where a vehicle needs it."""
-    if "--world" in argv or "ardupilot" in argv[:1]:
+    real = argv[0] if argv and argv[0] in REAL_AUTOPILOTS else None
+    if "--world" in argv or real:
         from simvehicle.sitl.warmup import warm_up_rotors
 
         warm_up_rotors()
-    if "ardupilot" in argv[:1]:
-        from simvehicle.sitl import ardupilot  # noqa: F401 - loaded here, once, for all autopilots
+    if real:
+        import_module(REAL_AUTOPILOTS[real][0])  # loaded here, once, for all autopilots
 
 
 def _rehearse_start() -> None:
@@ -411,20 +418,44 @@ def traffic(file: Path, supervised: str) -> None:
         run_supervised([ConnectedUnit(Traffic(frame, movers, [connection]), link, [])], from_hatch())
 
 
-@cli.command(short_help="Fly a real ArduPilot on our physics.")
-@click.argument("file", type=click.Path(path_type=Path, dir_okay=False))
-@click.option("--sysid", type=click.IntRange(1, 254), metavar="N", required=True, help="MAVLink system id.")
-@click.option("--supervised", metavar="udpout:HOST:PORT", help="The gcs supervisor that gives it time.")
-@click.option("--connect", metavar="ADDRESS", help="udpin:HOST:PORT or udpout:HOST:PORT, to live on the wall clock.")
-def ardupilot(file: Path, sysid: int, supervised: str | None, connect: str | None) -> int:
-    """Start the ArduPilot of FILE and be its simulation, in the time that a supervisor grants, or on the wall clock.
+def _real_autopilot(run: Callable[[Path, int, str | None, str | None], int]) -> click.Command:
+    """A command that flies a real autopilot, with its options."""
+    run = click.option(
+        "--connect", metavar="ADDRESS", help="udpin:HOST:PORT or udpout:HOST:PORT, to live on the wall clock."
+    )(run)
+    run = click.option("--supervised", metavar="udpout:HOST:PORT", help="The gcs supervisor that gives it time.")(run)
+    run = click.option("--sysid", type=click.IntRange(1, 254), metavar="N", required=True, help="MAVLink system id.")(
+        run
+    )
+    run = click.argument("file", type=click.Path(path_type=Path, dir_okay=False))(run)
+    return cli.command(short_help=(run.__doc__ or "").partition("\n")[0])(run)
 
+
+@_real_autopilot
+def ardupilot(file: Path, sysid: int, supervised: str | None, connect: str | None) -> int:
+    """Fly a real ArduPilot on our physics.
+
+    It starts the ArduPilot of FILE and is its simulation, in the time that a supervisor grants, or on the wall clock.
     `gcs run` and `gcs launch` write FILE for a vehicle with `autopilot: {ardupilot: PATH}`.
     """
+    return _fly_autopilot("ardupilot", file, sysid, supervised, connect)
+
+
+@_real_autopilot
+def px4(file: Path, sysid: int, supervised: str | None, connect: str | None) -> int:
+    """Fly a real PX4 on our physics.
+
+    It starts the PX4 of FILE and is its simulation, in the time that a supervisor grants, or on the wall clock.
+    `gcs run` and `gcs launch` write FILE for a vehicle with `autopilot: {px4: PATH}`.
+    """
+    return _fly_autopilot("px4", file, sysid, supervised, connect)
+
+
+def _fly_autopilot(kind: str, file: Path, sysid: int, supervised: str | None, connect: str | None) -> int:
+    """Start the autopilot of a file and be its simulation."""
     import yaml
 
     from simvehicle.mavlink.connection import Connection
-    from simvehicle.sitl.ardupilot import ArduPilotUnit
     from simvehicle.sitl.autopilot_process import AutopilotError, read_wanted
     from simvehicle.sitl.link import AddressError, PlainLink, SupervisedLink, parse_address, parse_supervisor
     from simvehicle.sitl.loop import ConnectedUnit, run_free, run_supervised
@@ -432,10 +463,12 @@ def ardupilot(file: Path, sysid: int, supervised: str | None, connect: str | Non
 
     if (supervised is None) == (connect is None):
         raise click.UsageError("give either --supervised or --connect")
+    module, name = REAL_AUTOPILOTS[kind]
+    start = getattr(import_module(module), name)
     try:
         connection = Connection(sysid)
         wanted, plant = read_wanted(yaml.safe_load(file.read_text(encoding="utf-8")), sysid)
-        with ArduPilotUnit(wanted, plant, connection) as unit:
+        with start(wanted, plant, connection) as unit:
             if supervised is not None:
                 with SupervisedLink(parse_supervisor(supervised), connection) as link:
                     run_supervised([ConnectedUnit(unit, link, [])], from_hatch())

@@ -176,7 +176,9 @@ class HilPx4(JsonArduCopter):
             self.quaternion = np.array([math.cos(heading / 2), 0.0, 0.0, math.sin(heading / 2)])
         w, x, y, z = self.quaternion
         a, b, c = 0.5 * 0.004 * gyro
-        turned = np.array([w - x*a - y*b - z*c, w*a + x + y*c - z*b, w*b - x*c + y + z*a, w*c + x*b - y*a + z])  # fmt: skip
+        turned = np.array(
+            (w - x * a - y * b - z * c, w * a + x + y * c - z * b, w * b - x * c + y + z * a, w * c + x * b - y * a + z)
+        )
         self.quaternion = turned / np.linalg.norm(turned)
         w, u = self.quaternion[0], self.quaternion[1:]
         force = np.array([sensed.xacc, sensed.yacc, sensed.zacc])

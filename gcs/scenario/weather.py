@@ -1,11 +1,18 @@
 """Weather, and what a vehicle on rotors knows and is flown by: parts of a scenario."""
 
+from itertools import pairwise
 from typing import Annotated
 
-from pydantic import Field
+from pydantic import AfterValidator, Field, model_validator
 
 from gcs.scenario.external import REAL_KINDS, RealKind, Wait
-from gcs.scenario.types import NotNegative, Part, Positive, Seconds
+from gcs.scenario.types import Coordinate, NotNegative, Part, Positive, Seconds
+
+
+def _ascending(axis: tuple[float, ...]) -> tuple[float, ...]:
+    if any(b <= a for a, b in pairwise(axis)):
+        raise ValueError("must ascend")
+    return axis
 
 
 class Sensors(Part):
@@ -37,6 +44,8 @@ class Sensors(Part):
 
 Compass = Annotated[float, Field(strict=True, ge=0, le=360)]
 WindSpeed = Annotated[float, Field(strict=True, ge=0, le=60)]
+AirSpeed = Annotated[float, Field(strict=True, ge=-60, le=60)]
+Axis = Annotated[tuple[Coordinate, ...], Field(min_length=1, max_length=2000), AfterValidator(_ascending)]
 
 
 class Gust(Part):
@@ -56,6 +65,30 @@ class Gust(Part):
     """speed upwards, m/s"""
 
 
+class WindTable(Part):
+    """Wind by place, on a grid, added to the mean wind (docs/model.md#wind): between places in proportion, beyond the
+    table as at its edge. An axis of one place has the same wind all along."""
+
+    north_m: Axis = (0.0,)
+    """places north of the origin, m, ascending"""
+    east_m: Axis = (0.0,)
+    """places east of the origin, m, ascending"""
+    height_m: Axis = (0.0,)
+    """heights above the scenario's height 0, m, ascending"""
+    wind_m_s: Annotated[tuple[tuple[AirSpeed, AirSpeed, AirSpeed], ...], Field(min_length=1, max_length=2000)]
+    """the air's velocity to north, east and up at each place, m/s: height changes first, north last"""
+
+    @model_validator(mode="after")
+    def _whole(self) -> "WindTable":
+        places = len(self.north_m) * len(self.east_m) * len(self.height_m)
+        if len(self.wind_m_s) != places:
+            raise ValueError(
+                f"wind_m_s has {len(self.wind_m_s)} rows, but {len(self.north_m)} x {len(self.east_m)} x "
+                f"{len(self.height_m)} places need {places}"
+            )
+        return self
+
+
 class Wind(Part):
     """Wind on vehicles that fly on rotors (docs/model.md#wind)."""
 
@@ -67,6 +100,8 @@ class Wind(Part):
     """gusts after Dryden: those of a wind of this speed at 6 m; 7.7 is light, 15 moderate, 23 severe; 0 none"""
     gusts: tuple[Gust, ...] = ()
     """discrete gusts; none by default"""
+    field: WindTable | None = None
+    """wind by place, from a table; the same everywhere by default"""
 
 
 ProgramPath = Annotated[str, Field(min_length=1, max_length=4096)]

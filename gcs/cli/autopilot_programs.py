@@ -78,7 +78,7 @@ REAL_AUTOPILOTS = (
         form="build",
         program="build/px4_sitl_default",
         inner="bin/px4",
-        build="make px4_sitl_default in PX4-Autopilot's checkout",
+        build="the target px4_sitl_default of PX4-Autopilot (docs.px4.io says how)",
         flown=("1.14.0-beta2-4431-gb765769f50",),
         version=re.compile(rb"\0v([0-9]+\.[0-9]+\.[0-9]+[0-9A-Za-z.-]*)\0+[0-9a-f]{40}\0"),  # its tag, then its commit
     ),

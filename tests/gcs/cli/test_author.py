@@ -337,7 +337,7 @@ def test_the_doctor_says_how_to_build_an_autopilot(monkeypatch: pytest.MonkeyPat
     assert {arducopter.level, px4.level} == {"ok"}
     assert "./waf configure --board sitl" in arducopter.found
     assert "'autopilot: {px4: PATH}'" in px4.found
-    assert "make px4_sitl_default" in px4.found
+    assert "the target px4_sitl_default of PX4-Autopilot" in px4.found
     for name in ("ARDUCOPTER", "PX4"):
         monkeypatch.setenv(f"SKYTENDER_{name}", str(tmp_path / "none"))
     assert [finding.level for finding in doctor._autopilots()] == ["note", "note"]

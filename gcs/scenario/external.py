@@ -118,9 +118,10 @@ def absolute_paths(vehicles: Any, folder: Path) -> None:
     groups = vehicles.values() if isinstance(vehicles, dict) else ()
     for vehicle in (one for group in groups if isinstance(group, list) for one in group):
         real = vehicle.get("autopilot") if isinstance(vehicle, dict) else None
-        for kind in REAL_KINDS if isinstance(real, dict) else ():
-            if isinstance(real.get(kind), str):
-                real[kind] = str(folder.resolve() / Path(real[kind]).expanduser())
+        programs = real if isinstance(real, dict) else {}
+        for kind in REAL_KINDS:
+            if isinstance(programs.get(kind), str):
+                programs[kind] = str(folder.resolve() / Path(programs[kind]).expanduser())
         block = vehicle.get("external") if isinstance(vehicle, dict) else None
         signing = block.get("signing") if isinstance(block, dict) else None
         if isinstance(signing, dict) and isinstance(signing.get("key_file"), str):

@@ -20,7 +20,7 @@ from simvehicle.sitl.autopilot_process import (
     time_of,
     whole_frames,
 )
-from simvehicle.sitl.px4_process import free_port, simulation_port, start_px4
+from simvehicle.sitl.px4_process import MAVLINK_PORT, simulation_port, start_px4
 
 BYTES = 65536
 BEFORE_FIRST_S = 0.01
@@ -44,9 +44,9 @@ class Px4Link:
             self._udp = opened.enter_context(socket.socket(socket.AF_INET, socket.SOCK_DGRAM))
             self._udp.bind((HOST, 0))
             self._udp.setblocking(False)
-            self._peer = (HOST, free_port())
-            ports = {"own_port": self._peer[1], "our_port": self._udp.getsockname()[1]}
-            process = start_px4(wanted, instance, hover_throttle=hover_throttle, **ports)
+            self._peer = (HOST, MAVLINK_PORT + instance)
+            port = int(self._udp.getsockname()[1])
+            process = start_px4(wanted, instance, hover_throttle=hover_throttle, port=port)
             self.process = opened.enter_context(process)
             self._tcp = self._accept(listening)
             opened.callback(self._tcp.close)

@@ -1,8 +1,8 @@
 """A real PX4 as a process: its parameters, ports and start scripts (docs/protocol.md#px4).
 
 PX4 starts by a shell script that looks for parts of it on PATH first, which is its own way to be configured: two stand
-in its folder, its parameters and its MAVLink. Its instance number gives it the port of its simulation; the ports of
-its MAVLink come from the system.
+in its folder, its parameters and its MAVLink. Its instance number gives it the port of its simulation and that of its
+MAVLink, PX4's own ones.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from simvehicle.sitl.autopilot_process import (
     AutopilotWanted,
 )
 
-SIMULATION_PORT = 4560
+SIMULATION_PORT, MAVLINK_PORT = 4560, 18570
 LOCK = "/tmp/px4_lock"
 """How the names of PX4's locks begin."""
 MODEL = "none_iris"
@@ -34,15 +34,12 @@ PARAMETERS: Mapping[str, float] = {
     "COM_RC_IN_MODE": 4,
     "NAV_DLL_ACT": 0,
     "EKF2_GPS_DELAY": 0.0,
-    "EKF2_MULTI_IMU": 0,
-    "EKF2_MULTI_MAG": 0,
-    "SENS_IMU_MODE": 1,
-    "SENS_MAG_MODE": 1,
+    "EKF2_MULTI_IMU": 1,
     "SDLOG_MODE": -1,
     "SYS_FAILURE_EN": 1,
 }
 """Parameters that it starts with [choice]: thrust by the throttle squared, a battery that is ours and no flight home
-by itself when it is low, in no want of a transmitter, one estimator in place of six, no log on disk."""
+by itself when it is low, in no want of a transmitter, one estimator in place of three, no log on disk."""
 
 
 def simulation_port() -> tuple[socket.socket, int]:
@@ -54,12 +51,16 @@ def simulation_port() -> tuple[socket.socket, int]:
             tcp.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
             tcp.bind((HOST, SIMULATION_PORT + instance))
             tcp.listen(1)
+            with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as udp:
+                udp.bind((HOST, MAVLINK_PORT + instance))
             if not _runs(instance):
                 return tcp, instance
         except OSError:
             pass
         tcp.close()
-    raise AutopilotError(f"no port is free for an autopilot: TCP {SIMULATION_PORT} and the {MOST_INSTANCES} after it")
+    raise AutopilotError(
+        f"no ports are free for an autopilot: TCP {SIMULATION_PORT}, UDP {MAVLINK_PORT}, and those after them"
+    )
 
 
 def _runs(instance: int) -> bool:
@@ -71,13 +72,6 @@ def _runs(instance: int) -> bool:
             return True
         fcntl.lockf(file, fcntl.LOCK_UN)
     return False
-
-
-def free_port() -> int:
-    """A UDP port that nobody has."""
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as udp:
-        udp.bind((HOST, 0))
-        return int(udp.getsockname()[1])
 
 
 def program_of(path: Path) -> tuple[Path, Path]:
@@ -92,16 +86,14 @@ def program_of(path: Path) -> tuple[Path, Path]:
     return program.resolve(), scripts
 
 
-def start_px4(
-    wanted: AutopilotWanted, instance: int, *, hover_throttle: float, own_port: int, our_port: int
-) -> AutopilotProcess:
-    """Start it: its MAVLink goes from one UDP port to the other. `hover_throttle`: share of the greatest thrust at
+def start_px4(wanted: AutopilotWanted, instance: int, *, hover_throttle: float, port: int) -> AutopilotProcess:
+    """Start it: its MAVLink goes from its own UDP port to `port`. `hover_throttle`: share of the greatest thrust at
     which it hovers. Raises AutopilotError."""
     program, scripts = program_of(wanted.program)
     values = {**PARAMETERS, "MPC_THR_HOVER": hover_throttle, "MAV_SYS_ID": wanted.sysid, **wanted.parameters}
     lines = [f"param set {name} {value:.9g}" for name, value in values.items()]
     (wanted.folder / "px4-rc.params").write_text("".join(f"{line}\n" for line in lines), encoding="utf-8")
-    mavlink = f"mavlink start -x -u {own_port} -o {our_port} -t {HOST} -r 4000000\n"
+    mavlink = f"mavlink start -x -u {MAVLINK_PORT + instance} -o {port} -t {HOST} -r 4000000\n"
     (wanted.folder / "px4-rc.mavlink").write_text(mavlink, encoding="utf-8")
     kept = {name: value for name, value in os.environ.items() if not name.startswith("PX4_")}
     path = f".{os.pathsep}{kept.get('PATH', os.defpath)}"

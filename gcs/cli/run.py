@@ -16,6 +16,7 @@ import click
 
 from gcs.cli import author, page, report
 from gcs.cli.author import ScenarioName, ScenarioRefused, load_scenario, module_arguments
+from gcs.cli.options import ONE_STDOUT, PLAIN, limits, speed_limits
 from gcs.exit import NOT_DONE
 from gcs.loading import uncollected
 
@@ -24,31 +25,20 @@ if TYPE_CHECKING:
     from gcs.session.supervised import View
 
 
-def _limits(wanted: str, holds: Callable[[Any], bool]) -> Callable[[click.Context, click.Parameter, Any], Any]:
-    """A callback that refuses a value outside its limits; `nan` lies in none."""
-
-    def check(ctx: click.Context, param: click.Parameter, value: Any) -> Any:
-        if value is not None and not holds(value):
-            raise click.BadParameter(f"{value} is not {wanted}.", ctx, param)
-        return value
-
-    return check
-
-
 @click.command(short_help="Fly a scenario and watch it.")
 @click.argument("scenario", type=ScenarioName())
 @click.option("--lockstep", is_flag=True, help="As fast as the machine can; the result does not depend on its load.")
 @click.option(
     "--speed",
     type=float,
-    callback=_limits("a speed above 0 and up to 1000", lambda speed: 0.0 < speed <= 1000.0),
+    callback=speed_limits,
     metavar="X",
     help="Session seconds per second on the wall, above 0 and up to 1000.",
 )
 @click.option(
     "--seed",
     type=int,
-    callback=_limits("a whole number from 0 to 2^63 - 1", lambda seed: 0 <= seed < 1 << 63),
+    callback=limits("a whole number from 0 to 2^63 - 1", lambda seed: 0 <= seed < 1 << 63),
     metavar="N",
     help="Of everything random, instead of the scenario's.",
 )
@@ -77,14 +67,14 @@ def _limits(wanted: str, holds: Callable[[Any], bool]) -> Callable[[click.Contex
     is_flag=True,
     help="What is said there reaches the vehicles: whoever flies one there has it until it rejoins.",
 )
-@click.option("--plain", is_flag=True, help="Lines of text instead of the console; also used without a terminal.")
+@PLAIN
 @click.option("--json", "as_json", is_flag=True, help="One JSON object per second on stdout, for other programs.")
 @page.WEB
 @page.TILES
 @click.option(
     "--vehicles-per-process",
     type=int,
-    callback=_limits("a number from 1 to 254", lambda number: 1 <= number <= 254),
+    callback=limits("a number from 1 to 254", lambda number: 1 <= number <= 254),
     metavar="K",
     help="Fly up to K vehicles in each process, instead of the scenario's number: lighter and faster, and the same to "
     "the last bit.",
@@ -92,7 +82,7 @@ def _limits(wanted: str, holds: Callable[[Any], bool]) -> Callable[[click.Contex
 @click.option(
     "--drop-datagrams",
     type=float,
-    callback=_limits("a share from 0 to 0.9", lambda share: 0.0 <= share <= 0.9),
+    callback=limits("a share from 0 to 0.9", lambda share: 0.0 <= share <= 0.9),
     default=0.0,
     metavar="SHARE",
     help="For tests: drop this share (0 to 0.9) of the supervised link's datagrams, both ways; they are sent again and "
@@ -163,7 +153,7 @@ def run(
     if lockstep and speed is not None:
         raise click.UsageError("--lockstep and --speed exclude each other: lockstep is as fast as the machine can.")
     if plain and as_json:
-        raise click.UsageError("--plain and --json exclude each other: choose what goes to stdout.")
+        raise click.UsageError(ONE_STDOUT)
     page.refuse_tiles(tiles, web=web)
     if quiet and (verbose or as_json or plain or web):
         raise click.UsageError("--quiet excludes --verbose, --plain, --json and --web.")

@@ -49,6 +49,19 @@ class CheckedItem(SummaryPart):
     text: str
 
 
+class VehicleLinkSummary(SummaryPart):
+    """One of several links to an external vehicle, at the session's end."""
+
+    connect: str
+    used: bool
+    """whether it was the one in use"""
+    fresh: bool
+    received: int
+    """frames, also those that came over another link too"""
+    lost_share: float | None
+    """of the frames of the last 10 s, 0 to 1"""
+
+
 class VehicleSummary(SummaryPart):
     """One vehicle's session."""
 
@@ -66,6 +79,8 @@ class VehicleSummary(SummaryPart):
     """what was checked before it was armed; empty where nothing was"""
     refused_messages: int = 0
     """messages with its id that were refused: not signed, signed with another key, repeated, or without a key here"""
+    links: list[VehicleLinkSummary] = []
+    """of an external vehicle with several links, in the scenario's order; empty where it has one"""
 
 
 class RefuellingSummary(SummaryPart):

@@ -21,6 +21,7 @@ from gcs.recording.summary import (
     Role,
     Summary,
     SummaryPart,
+    VehicleLinkSummary,
     VehicleSummary,
 )
 from gcs.scenario.goal import Judgement, Nearest
@@ -46,6 +47,7 @@ def summarise(
     snapshot = supervisor.fleet.snapshot(supervisor.time_s)
     goal = [_part(judged) for judged in supervisor.judged()]
     near, believed = supervisor.goal_watch.judged, supervisor.goal_watch.believed
+    links = supervisor.links()
     schedule.settle(snapshot)
     credited_j: dict[int | str | None, int] = defaultdict(int)
     for service in schedule.services:
@@ -95,6 +97,7 @@ def summarise(
                 missing_streams=supervisor.externals.missing_streams(view.sysid),
                 check_list=[CheckedItem(**item._asdict()) for item in supervisor.preflight.items(view.sysid)],
                 refused_messages=link.signature_refusals.get(view.sysid, 0),
+                links=[VehicleLinkSummary(**one._asdict()) for one in links.get(view.sysid, ())],
             )
             for view in snapshot.vehicles
         ],

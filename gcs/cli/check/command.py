@@ -9,17 +9,11 @@ from pathlib import Path
 
 import click
 
+from gcs.cli.options import connecting, endpoint
 from gcs.exit import BAD_INPUT, NOT_DONE
-from gcs.scenario.endpoint import EXAMPLE, FORM, ONLY_ONCE, Endpoint, address
+from gcs.scenario.endpoint import ONLY_ONCE, Endpoint
 
 PEER_NAMES = {"mavsdk": "MAVSDK", "qgroundcontrol": "QGroundControl", "mavproxy": "MAVProxy"}
-
-
-def _connection(_: click.Context, __: click.Parameter, value: str) -> Endpoint:
-    at = address(value)
-    if at is None:
-        raise click.BadParameter(f"{value!r} is no connection; write {FORM}, {EXAMPLE}.")
-    return at
 
 
 @click.command(short_help="Check what a vehicle would make its ground stations miss.")
@@ -27,7 +21,7 @@ def _connection(_: click.Context, __: click.Parameter, value: str) -> Endpoint:
     "--connect",
     default="udpin:127.0.0.1:14550",
     show_default=True,
-    callback=_connection,
+    callback=endpoint,
     metavar="ADDRESS",
     help="Where the vehicle is heard (udpin, tcpin), listens (udpout, tcp) or is plugged in "
     "(serial:/dev/ttyUSB0:57600).",
@@ -100,8 +94,6 @@ def check(
     from gcs.cli.check.questions import questions
     from gcs.cli.check.wire import CheckError, Wire
     from gcs.cli.check.wire import check as run
-    from gcs.link.keys import KeyRefused
-    from gcs.link.socket import AddressRefused
 
     names = [PEER_NAMES[peer] for peer in peers] or list(PEER_NAMES.values())
     asked = questions(names, arm=arm, ready_within_s=wait_ready)
@@ -117,12 +109,8 @@ def check(
         if not as_json:
             click.echo(report.line(finding))
 
-    try:
+    with connecting():
         wire = Wire(connect, key_file)
-    except AddressRefused as error:
-        raise click.UsageError(f"--connect: {error}.") from None
-    except KeyRefused as error:
-        raise click.UsageError(f"--key-file: {error}.") from None
     try:
         click.echo(f"waiting for a HEARTBEAT at {connect.text} ...", err=True)
         run(dialogue, wire, show, find_within_s=within)

@@ -109,8 +109,8 @@ def test_estimates_err_as_they_are_said_to_and_truth_stays_what_is_true() -> Non
     row = one.state[0]
     known = row[:12] - row[rotor_flight.ERROR]
     assert np.allclose(known[:6], row[rotor_flight.BODY][:6])
-    assert one.true_p_ned == pytest.approx(tuple(known[:3] * [1, -1, -1]))
-    assert one.p_ned != one.true_p_ned
+    assert one.true_motion_ned[:3] == pytest.approx(tuple(known[:3] * [1, -1, -1]))
+    assert one.p_ned != one.true_motion_ned[:3]
     errors = EstimateErrors(position_s=0.5, velocity_s=0.5, attitude_s=0.5, rate_s=0.02)
     plant = RotorPlant(WorldVehicle(AIRFRAMES["iris"], errors), seed=4, sysid=1)
     start = Start((0.0, 0.0, -20.0), airborne=True)

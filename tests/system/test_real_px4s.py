@@ -100,28 +100,11 @@ def test_what_it_reports_is_where_our_physics_has_it(flown: Outcome) -> None:
         assert (m.x, m.y, m.z) == pytest.approx((north, east, down), abs=ACCURATE_M)
 
 
-@pytest.mark.parametrize(
-    ("keys", "said"),
-    [
-        ({"params": {"KIND": 1.0}}, "is no PX4 with four rotors"),
-        ({"autopilot": {"px4": "nowhere"}}, "cannot be started: there is no "),
-    ],
-)
-def test_one_that_cannot_be_had_is_one_sentence_and_nothing_is_left(
-    tmp_path: Path, keys: dict[str, Any], said: str
-) -> None:
-    outcome = fly(mixed(build(tmp_path), **keys), tmp_path / "session", "--plain")
+def test_one_that_cannot_be_had_is_one_sentence_and_nothing_is_left(tmp_path: Path) -> None:
+    outcome = fly(mixed("nowhere"), tmp_path / "session", "--plain")
     assert outcome.status == 1
-    assert said in outcome.stderr
+    assert "nowhere cannot be started: there is no " in outcome.stderr
     assert "Traceback" not in outcome.stderr
-    assert px4s() == []
-
-
-def test_one_that_is_killed_is_lost_and_the_others_fly_on(tmp_path: Path) -> None:
-    outcome = fly(mixed(build(tmp_path), duration_s=6.0, params={"KILLED_AT_S": 5.0}), tmp_path / "session", "--plain")
-    assert outcome.status == 1
-    assert outcome.summary["sim_time_s"] == 6.0
-    assert "was killed by signal 9" in (outcome.folder / "session.log").read_text()
     assert px4s() == []
 
 

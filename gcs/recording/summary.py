@@ -192,7 +192,7 @@ class Summary(SummaryPart):
     judged_by: Literal["truth", "reports"] = "reports"
     """whether the distances are those that launched vehicles themselves knew, or those that vehicles reported"""
     digest: str | None
-    """null with external vehicles: their flight never repeats"""
+    """null with external vehicles and real PX4s: their flight never repeats"""
     versions: dict[str, str]
     min_separation_m: float | None
     """least distance of two vehicles in flight, partners of a transfer aside, between ticks too; null without a pair"""

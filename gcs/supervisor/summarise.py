@@ -68,7 +68,7 @@ def summarise(
         goal=goal,
         unmet=[part for part in goal if not part.met],
         judged_by="truth" if supervisor.goal_watch.from_truth else "reports",
-        digest=None if scenario.vehicles.external else supervisor.digest.hexdigest(),
+        digest=supervisor.digest.hexdigest() if scenario.vehicles.repeat else None,
         versions=dict(_versions()),
         min_separation_m=_finite(near.separation.m),
         min_clearance_m=_finite(near.clearance.m),

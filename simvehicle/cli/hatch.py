@@ -7,6 +7,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Sequence
+from importlib import import_module
 from pathlib import Path
 
 import click
@@ -36,12 +37,13 @@ def hatch() -> None:
 
 def _prepare(argv: Sequence[str]) -> None:
     """Load the flight core of rotors, once, where a vehicle needs it."""
-    if "--world" in argv or "ardupilot" in argv[:1]:
+    real = argv[0] if argv and argv[0] in ("ardupilot", "px4") else None
+    if "--world" in argv or real:
         from simvehicle.sitl.warmup import warm_up_rotors
 
         warm_up_rotors()
-    if "ardupilot" in argv[:1]:
-        from simvehicle.sitl import ardupilot  # noqa: F401 - loaded here, once, for all autopilots
+    if real:
+        import_module(f"simvehicle.sitl.{real}")  # loaded here, once, for all autopilots of its kind
 
 
 def _rehearse_start() -> None:

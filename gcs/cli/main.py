@@ -1,87 +1,52 @@
 """`gcs`: the ground station on the command line. Commands load what they need when they run."""
 
-# ruff: noqa: PLC0415 - so that `gcs --help` and a mistyped option answer at once
-
 from __future__ import annotations
 
-import contextlib
 import errno
-import json
-import os
 import sys
-import threading
 import traceback
-from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar
 
 import click
 
-from gcs.cli import author, page, report
-from gcs.cli.author import ScenarioName, ScenarioRefused, load_scenario, module_arguments
 from gcs.exit import BAD_INPUT, INTERNAL_ERROR, INTERRUPTED, NOT_DONE, leave
 from gcs.extras import MissingExtra
-from gcs.loading import uncollected
-from gcs.scenario.endpoint import EXAMPLE, FORM, Endpoint, address
-
-if TYPE_CHECKING:
-    from gcs.scenario.model import Scenario
-    from gcs.session.supervised import View
 
 SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 
 
-def _limits(wanted: str, holds: Callable[[Any], bool]) -> Callable[[click.Context, click.Parameter, Any], Any]:
-    """A callback that refuses a value outside its limits; `nan` lies in none."""
-
-    def check(ctx: click.Context, param: click.Parameter, value: Any) -> Any:
-        if value is not None and not holds(value):
-            raise click.BadParameter(f"{value} is not {wanted}.", ctx, param)
-        return value
-
-    return check
-
-
-def _checked_address(ctx: click.Context, param: click.Parameter, value: str | None) -> Endpoint | None:
-    """A --connect is an address whose host can be found."""
-    if value is None:
-        return None
-    at = address(value)
-    if at is None:
-        raise click.BadParameter(f"{value} is not an address; write {FORM}, {EXAMPLE}.", ctx, param)
-    if at.way != "serial":
-        from gcs.link.socket import AddressRefused, resolve
-
-        try:
-            resolve(at)
-        except AddressRefused as error:
-            raise click.BadParameter(f"{error}.", ctx, param) from None
-    return at
+MODULES = {
+    "campaign": "campaign",
+    "check": "check.command",
+    "doctor": "author",
+    "export": "recorded",
+    "init": "author",
+    "key": "key",
+    "launch": "launch",
+    "logs": "logs",
+    "monitor": "watch",
+    "paper": "paper",
+    "params": "params",
+    "replay": "recorded",
+    "report": "report",
+    "run": "run",
+    "schema": "author",
+    "validate": "author",
+}
+"""Where each command stands."""
 
 
 class _Commands(click.Group):
     """Commands of other modules, each loaded when it, or the list of all, is asked for."""
 
-    elsewhere: ClassVar = {
-        "campaign": "campaign",
-        "check": "check.command",
-        "export": "recorded",
-        "key": "key",
-        "logs": "logs",
-        "monitor": "watch",
-        "paper": "paper",
-        "params": "params",
-        "replay": "recorded",
-    }
-
     def list_commands(self, ctx: click.Context) -> list[str]:
-        return sorted({*super().list_commands(ctx), *self.elsewhere})
+        return list(MODULES)
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        if cmd_name not in self.elsewhere:
-            return super().get_command(ctx, cmd_name)
-        command: click.Command = getattr(import_module(f"gcs.cli.{self.elsewhere[cmd_name]}"), cmd_name)
+        if cmd_name not in MODULES:
+            return None
+        command: click.Command = getattr(import_module(f"gcs.cli.{MODULES[cmd_name]}"), cmd_name)
         return command
 
 
@@ -108,357 +73,6 @@ def cli() -> None:
 
     `gcs COMMAND --help` explains a command. `simvehicle --help` is one vehicle by itself.
     """
-
-
-for _command in (
-    author.init,
-    author.validate,
-    author.schema,
-    author.doctor,
-    report.report,
-):
-    cli.add_command(_command)
-
-
-@cli.command(short_help="Fly a scenario and watch it.")
-@click.argument("scenario", type=ScenarioName())
-@click.option("--lockstep", is_flag=True, help="As fast as the machine can; the result does not depend on its load.")
-@click.option(
-    "--speed",
-    type=float,
-    callback=_limits("a speed above 0 and up to 1000", lambda speed: 0.0 < speed <= 1000.0),
-    metavar="X",
-    help="Session seconds per second on the wall, above 0 and up to 1000.",
-)
-@click.option(
-    "--seed",
-    type=int,
-    callback=_limits("a whole number from 0 to 2^63 - 1", lambda seed: 0 <= seed < 1 << 63),
-    metavar="N",
-    help="Of everything random, instead of the scenario's.",
-)
-@author.SET
-@click.option(
-    "--out",
-    type=click.Path(path_type=Path),
-    metavar="DIR",
-    help="The session's folder, which must not exist yet.  [default: sessions/NAME-TIME]",
-)
-@click.option(
-    "--key-file",
-    type=click.Path(path_type=Path, dir_okay=False),
-    metavar="FILE",
-    help="MAVLink 2 signing: the key of all external vehicles, instead of what the scenario says (gcs key new).",
-)
-@click.option(
-    "--forward",
-    "forwards",
-    multiple=True,
-    metavar="ADDRESS",
-    help="Everything that vehicles say also goes there, such as udpout:127.0.0.1:14550 for QGroundControl; repeatable.",
-)
-@click.option(
-    "--forward-control",
-    is_flag=True,
-    help="What is said there reaches the vehicles: whoever flies one there has it until it rejoins.",
-)
-@click.option("--plain", is_flag=True, help="Lines of text instead of the console; also used without a terminal.")
-@click.option("--json", "as_json", is_flag=True, help="One JSON object per second on stdout, for other programs.")
-@page.WEB
-@page.TILES
-@click.option(
-    "--vehicles-per-process",
-    type=int,
-    callback=_limits("a number from 1 to 254", lambda number: 1 <= number <= 254),
-    metavar="K",
-    help="Fly up to K vehicles in each process, instead of the scenario's number: lighter and faster, and the same to "
-    "the last bit.",
-)
-@click.option(
-    "--drop-datagrams",
-    type=float,
-    callback=_limits("a share from 0 to 0.9", lambda share: 0.0 <= share <= 0.9),
-    default=0.0,
-    metavar="SHARE",
-    help="For tests: drop this share (0 to 0.9) of the supervised link's datagrams, both ways; they are sent again and "
-    "the flight must not change.",
-)
-@click.option(
-    "--junit",
-    type=click.Path(dir_okay=False, writable=True, path_type=Path),
-    metavar="FILE",
-    help="Write the outcome as JUnit XML, a test case for each part of the goal.",
-)
-@click.option("--no-report", is_flag=True, help="Leave out report.html; gcs report makes it later.")
-@click.option("--verbose", "-v", is_flag=True, help="Lines of text, with every vehicle's state.")
-@click.option("--quiet", "-q", is_flag=True, help="Say only what goes wrong; the exit status tells the rest.")
-@uncollected()
-def run(
-    scenario: str,
-    lockstep: bool,
-    speed: float | None,
-    seed: int | None,
-    settings: tuple[str, ...],
-    out: Path | None,
-    key_file: Path | None,
-    forwards: tuple[str, ...],
-    forward_control: bool,
-    plain: bool,
-    as_json: bool,
-    web: bool,
-    tiles: str | None,
-    vehicles_per_process: int | None,
-    drop_datagrams: float,
-    junit: Path | None,
-    no_report: bool,
-    verbose: bool,
-    quiet: bool,
-) -> int:
-    """Fly SCENARIO: start its vehicles, command them over MAVLink, and keep a record of everything.
-
-    In a terminal a console shows fleet, map, competition and events, and takes an operator's commands; `?` there
-    explains it. Closing it (q) or losing it leaves the session flying, told in lines; `gcs monitor` opens it again.
-    Ctrl-C stops the session and saves it (the console asks first), then makes the report; a second Ctrl-C waits for
-    neither.
-
-    With --web the session is a page in the browser instead, in space and on a map, with the same commands; the terminal
-    tells it in lines.
-
-    \b
-    Examples:
-      gcs run demo
-      gcs run demo --web
-      gcs run demo --speed 2 --out first-flight
-      gcs run my-scenario.yaml --lockstep --seed 7 --plain
-      gcs run demo --forward udpout:127.0.0.1:14550
-      gcs run demo --set planner.cruise_m_s=2 --set 'vehicles.pursuers.*.battery.initial_percent=60'
-
-    The session's folder holds the resolved scenario (scenario.yaml), every MAVLink frame (session.tlog), every decision
-    with its reasons (decisions.jsonl), what was said here (session.log), the vehicles' logs (vehicles/), the result
-    (summary.json) and a page that shows it all (report.html).
-
-    \b
-    Exit status:
-      0    the scenario's goal was met
-      1    it was not met
-      2    bad input; nothing has flown
-      130  stopped by Ctrl-C (143 by SIGTERM); what was flown is saved
-      70   an error of the program itself
-    """
-    if lockstep and speed is not None:
-        raise click.UsageError("--lockstep and --speed exclude each other: lockstep is as fast as the machine can.")
-    if plain and as_json:
-        raise click.UsageError("--plain and --json exclude each other: choose what goes to stdout.")
-    page.refuse_tiles(tiles, web=web)
-    if quiet and (verbose or as_json or plain or web):
-        raise click.UsageError("--quiet excludes --verbose, --plain, --json and --web.")
-    if verbose and as_json:
-        raise click.UsageError("--verbose and --json exclude each other: choose what goes to stdout.")
-    if junit is not None and not junit.parent.is_dir():
-        raise click.UsageError(f"--junit: there is no folder {junit.parent}.")
-    from gcs.processes.forked import can_fork
-    from gcs.processes.hatch import early
-
-    lines = plain or as_json or quiet or verbose or web or not os.isatty(1)  # else its errors are the console's
-    hatch = click.get_current_context().with_resource(early(lines and can_fork()))
-    from gcs.scenario.plugins import listed, named
-    from gcs.session.plain_text import mute_stdout
-    from gcs.session.session_log import logged
-    from gcs.session.supervised import SupervisorFork, make_folder, write_scenario
-    from gcs.session.supervised import run as fly
-
-    try:
-        key_path = None if key_file is None else str(key_file.resolve())
-        resolved = load_scenario(scenario, settings).flown(
-            lockstep=lockstep,
-            speed=speed,
-            seed=seed,
-            key_file=key_path,
-            forward=forwards,
-            forward_control=forward_control,
-        )
-    except ScenarioRefused as refusal:
-        if junit is not None:
-            from gcs.report.junit import refused
-
-            _write_junit(junit, refused(scenario, refusal.text))
-        raise
-    except ValueError as refusal:
-        raise click.UsageError(f"{refusal}.") from None
-    if forward_control and not resolved.forward.to:
-        raise click.UsageError("--forward-control is for --forward: nobody is forwarded to.")
-    if vehicles_per_process is not None:
-        resolved = resolved.model_copy(update={"vehicles_per_process": vehicles_per_process})
-    if resolved.vehicles.external:
-        _try_keys(resolved)
-    folder = make_folder(out, resolved.name)
-    if (
-        seed is not None
-        and not quiet
-        and not (resolved.radio.random or resolved.random_weather or any(named(resolved)))
-    ):
-        why = "without loss and the like in radio:, turbulence and sensors nothing here is random"
-        click.echo(f"gcs: --seed changes nothing: {why}", err=True)
-    code = ", ".join(listed(resolved))
-    if code and not quiet:
-        click.echo(f"gcs: the scenario names code, which the session runs as you: {code}", err=True)
-    if not quiet:
-        try:
-            click.echo(f"{resolved.name}: starting; the session's folder is {folder}", err=as_json)
-        except OSError:
-            mute_stdout()
-    shown, said = _view(folder, resolved.name, plain or web, as_json, verbose=verbose, quiet=quiet)
-    arguments = ["--drop-datagrams", str(drop_datagrams), *module_arguments(scenario)]
-    fork = None
-    own = bool(resolved.vehicles.launched or resolved.traffic)
-    forks = can_fork() and not code
-    if hatch is not None and not (own and forks):
-        hatch.discard()
-    if forks:
-        fork = SupervisorFork(folder, resolved, drop_datagrams, hatch if own else None)
-    else:
-        write_scenario(folder, resolved)
-
-    error: str | None = None
-    hurry = threading.Event()
-
-    def begun() -> None:
-        if fork is not None:
-            write_scenario(folder, resolved)
-
-    def finish(verdict: dict[str, Any]) -> None:
-        nonlocal error
-        error = verdict.get("error")
-        if as_json:
-            click.echo(json.dumps({"type": "end", **verdict, "session": str(folder)}))
-
-    with contextlib.ExitStack() as stack:
-        view, echo = stack.enter_context(logged(shown, said, folder))
-        if web:
-            from gcs.web.process import PageServer
-
-            page.print_links(stack.enter_context(PageServer(folder, tiles)).links, err=as_json)
-        stderr = getattr(shown, "stderr", None)
-        status = fly(
-            folder,
-            view,
-            echo,
-            arguments=arguments,
-            fork=fork,
-            begun=begun,
-            finish=finish,
-            stderr=stderr,
-            hurry=hurry.set,
-        )
-        if junit is not None:
-            from gcs.report.junit import flown
-
-            if not _write_junit(junit, flown(folder, resolved, error)):
-                status = status or NOT_DONE
-        if not no_report:
-            report.after_run(folder, echo, status, hurried=hurry.is_set())
-    return status
-
-
-def _try_keys(scenario: Scenario) -> None:
-    """Raise click.UsageError for a signing key that cannot be used, before anything is started."""
-    from gcs.link.keys import KeyRefused, read_key
-
-    try:
-        for block in scenario.vehicles.external.values():
-            if block.signing is not None:
-                read_key(Path(block.signing.key_file))
-    except KeyRefused as error:
-        raise click.UsageError(f"{error}.") from None
-
-
-def _write_junit(path: Path, xml: str) -> bool:
-    """Write the file for CI; whether that worked."""
-    try:
-        path.write_text(xml, encoding="utf-8")
-    except OSError as problem:
-        click.echo(f"gcs: {path} could not be written: {problem.strerror}", err=True)
-        return False
-    return True
-
-
-def _view(
-    folder: Path, name: str, plain: bool, as_json: bool, *, verbose: bool, quiet: bool
-) -> tuple[View, Callable[[str], object]]:
-    """View of the session, and the writer of its last lines."""
-    from gcs.session.plain_text import JsonView, PlainView, QuietView
-
-    if quiet or verbose:
-        from gcs.session.session_log import VerboseView
-
-        return (QuietView(), str) if quiet else (VerboseView(click.echo), click.echo)
-    if as_json:
-        return JsonView(click.echo), lambda line: click.echo(line, err=True)
-    from gcs.console.terminal import ConsoleView, usable
-
-    if plain or not usable():
-        return PlainView(click.echo), click.echo
-    return ConsoleView(folder, name, PlainView(click.echo), click.echo), click.echo
-
-
-@cli.command(short_help="Start a scenario's vehicles for another ground station.")
-@click.argument("scenario", type=ScenarioName())
-@click.option(
-    "--connect",
-    callback=_checked_address,
-    metavar="ADDRESS",
-    help="All vehicles are there: they speak to a udpout; at any other address gcs stands between as a router.  "
-    "[default: each listens at a port of its own]",
-)
-@click.option(
-    "--out", type=click.Path(path_type=Path), metavar="DIR", help="Keep parameters and logs in this new folder."
-)
-@click.option("--json", "as_json", is_flag=True, help="The vehicles' addresses as one line of JSON.")
-@click.option("--until-eof", is_flag=True, help="End them when standard input closes, as when the caller dies.")
-def launch(scenario: str, connect: Endpoint | None, out: Path | None, as_json: bool, until_eof: bool) -> int:
-    """Start SCENARIO's pursuers, targets and tankers, and nothing else: no supervisor, no traffic, no goal.
-
-    They stand at their starts, on the wall clock, until another ground station commands them, targets included: nobody
-    flies their path. All are there from the beginning, also those that would join later. Ctrl-C ends them. A vehicle
-    that dies is reported at once with its last lines.
-
-    \b
-    Examples:
-      gcs launch demo
-      gcs launch demo --connect udpout:127.0.0.1:14550    QGroundControl finds them by itself
-      gcs launch demo --connect tcpin:127.0.0.1:5760      all of them at one TCP port, as of a router
-
-    Without --connect each vehicle listens on 127.0.0.1 at a port that the system chooses. The table printed says where
-    to send to: give it to the ground station as it is, e.g. `mavproxy.py --master=udpout:127.0.0.1:41234`.
-
-    \b
-    Exit status:
-      0    ended by --until-eof
-      130  ended by Ctrl-C (143 by SIGTERM)
-      1    every vehicle has died
-      2    bad input, or vehicles that could not be started
-      70   an error of the program itself
-    """
-    from gcs.session.launch import launch as start
-
-    resolved = load_scenario(scenario, runs_code=False)  # vehicles plan nothing
-    for sysid, external in resolved.vehicles.external.items():
-        click.echo(f"vehicle {sysid} is not launched: it is expected at {external.connect}", err=True)
-    if not resolved.vehicles.launched:
-        raise click.UsageError(f"{scenario} has nothing to launch: all its vehicles are external.")
-    click.echo(f"starting {len(resolved.vehicles.launched)} vehicles ...", err=True)
-    return start(resolved, out, connect, _print_json if as_json else _print_addresses, until_eof=until_eof)
-
-
-def _print_json(vehicles: list[dict[str, Any]]) -> None:
-    click.echo(json.dumps({"vehicles": vehicles}))
-
-
-def _print_addresses(vehicles: list[dict[str, Any]]) -> None:
-    rows = [("id", "role", "address"), *((str(v["sysid"]), v["role"], v["address"]) for v in vehicles)]
-    for sysid, role, where in rows:
-        click.echo(f"{sysid:>3}  {role:<7}  {where}")
-    click.echo("Ctrl-C ends them.", err=True)
 
 
 def run_argv(argv: list[str] | None = None) -> int:

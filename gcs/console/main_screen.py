@@ -22,12 +22,11 @@ from gcs.console.pages import competition, heading, help_text, map_view, vehicle
 from gcs.console.pages.events import EventsPage
 from gcs.console.pages.fleet_page import FleetPage
 from gcs.console.shell import Shell
-from gcs.console.text import StyledLine, StyledLines, fitted, titled, wrapped
+from gcs.console.text import StyledLines, fitted, titled
 
 LEAST = Size(80, 24)
 WIDE = Size(120, 30)
 NOTICE_S = 8.0
-SILENT_S = 3.0
 INTERRUPTED = 130  # the exit status when the operator wants the end of a session that cannot be asked yet
 
 
@@ -67,8 +66,8 @@ class MainScreen(Screen[None]):
                     yield Panel(self._course, id="course")
             yield Panel(self._map, id="page-map", classes="page", pointed=self._point_map)
             yield Panel(self._contest, id="page-competition", classes="page")
-            yield Panel(self._events, id="page-events", classes="page", pointed=self._point_events)
-            yield Panel(self._vehicle, id="page-vehicle", classes="page", pointed=self._point_vehicle)
+            yield Panel(self._events, id="page-events", classes="page", pointed=self._point_lines)
+            yield Panel(self._vehicle, id="page-vehicle", classes="page", pointed=self._point_lines)
         yield Panel(self._keys, id="keys")
         yield Panel(self._too_small, id="small")
 
@@ -144,12 +143,8 @@ class MainScreen(Screen[None]):
 
     def _session(self, width: int, height: int) -> StyledLines:
         app = self.app
-        line = heading.session_line(self.seen, app.title, app.source.connected, width, app.glyphs)
         silent_s = time.monotonic() - app.last_received_s
-        if app.source.connected and self.seen.snapshot and silent_s >= SILENT_S and not self.seen.replay:
-            note: StyledLine = [(f" no news for {silent_s:.0f} s ", "look")]
-            return [[*fitted(line, width - len(note[0][0]), app.glyphs), *note]]
-        return [line]
+        return [heading.session_line(self.seen, app.title, app.source.connected, silent_s, width, app.glyphs)]
 
     def _goal(self, width: int, height: int) -> StyledLines:
         return [heading.goal_line(self.seen, self.page, width, self.app.glyphs)]
@@ -166,17 +161,7 @@ class MainScreen(Screen[None]):
         return [heading.keys_line(keys, width)]
 
     def _too_small(self, width: int, height: int) -> StyledLines:
-        goes_on = "" if self.seen.replay is not None else "; the session goes on"
-        needs = f"needs {LEAST.width} x {LEAST.height}"
-        texts = (
-            f"This terminal is {width} x {height}: the console {needs}. "
-            f"Make it larger, or close the console with q{goes_on}.",
-            f"{width} x {height} is too small: {needs}; q closes{goes_on}.",
-            f"{needs}; q closes",
-        )
-        written = [wrapped(text, width) for text in texts]
-        lines = next((lines for lines in written if len(lines) <= height), written[-1])
-        return [[(line, "look")] for line in lines]
+        return heading.too_small(width, height, (LEAST.width, LEAST.height), flies=self.seen.replay is None)
 
     def _ordered(self) -> list[Vehicle]:
         return self.fleet_page.ordered(self.seen)
@@ -243,12 +228,14 @@ class MainScreen(Screen[None]):
         fleet = [vehicle["sysid"] for vehicle in self._ordered()]
         if fleet:
             at = fleet.index(self.chosen) if self.chosen in fleet else -1
-            self.chosen = fleet[(at + step) % len(fleet)]
-            if self.plan.follow is not None:
-                self.plan.follow = self.chosen
-            self._scrolled = 0
-            self._inspect()
-            self.redraw()
+            self._choose(fleet[(at + step) % len(fleet)])
+
+    def _choose(self, sysid: int) -> None:
+        self.chosen, self._scrolled = sysid, 0
+        if self.plan.follow is not None:
+            self.plan.follow = sysid
+        self._inspect()
+        self.redraw()
 
     def action_move(self, down: int, across: int) -> None:
         """Arrows: along the fleet, over the map, through events and messages; across in a replay: in time."""
@@ -289,11 +276,7 @@ class MainScreen(Screen[None]):
 
         def go(sysid: int | None) -> None:
             if sysid is not None:
-                self.chosen, self._scrolled = sysid, 0
-                if self.plan.follow is not None:
-                    self.plan.follow = sysid
-                self._inspect()
-                self.redraw()
+                self._choose(sysid)
 
         if options := [(sysid, self.seen.name(sysid)) for sysid in sorted(self.seen.vehicles)]:
             self.app.push_screen(Choose("Go to which vehicle?", options, self.app.glyphs), go)
@@ -384,10 +367,7 @@ class MainScreen(Screen[None]):
         if turn:
             self.action_zoom(-turn)
 
-    def _point_events(self, column: int, row: int, turn: int) -> None:
-        self._go(3 * turn)
-
-    def _point_vehicle(self, column: int, row: int, turn: int) -> None:
+    def _point_lines(self, column: int, row: int, turn: int) -> None:
         self._go(3 * turn)
 
     # what is sent

@@ -24,7 +24,7 @@ from gcs.planner.link_age import LinkAge
 from gcs.planner.planner import CATCH_UP_SPEED, FLOOR_M, LEAST_MARGIN_M, LOOKAHEAD_S, STILL, floor_d
 from gcs.planner.request import PlanRequest, TickPlanner
 from gcs.planner.safety_filter import KINDS, Filtered, FilterSettings, Leaders, Others, filter_step
-from gcs.planner.silence import STEP_M, failsafe_of, flown_on, presumed_places
+from gcs.planner.silence import STEP_M, between, braked, failsafe_of, flown_on, presumed_places
 from gcs.planner.tracking import Tracking
 from gcs.scenario.model import Scenario, VehicleBase
 from gcs.telemetry.state import Vec3, VehicleView
@@ -245,6 +245,8 @@ class SafePlanner:
             v_ned, lead_s = view.v_ned, self.lag_s
             if silent and failsafe and view.p_ned is not None and view.mode in STEERABLE:
                 (place, v_ned), lead_s = flown_on(view.p_ned, v_ned, age_s, self.lag_s, failsafe), 0.0
+                for p, v in between(braked(view.p_ned, view.v_ned, age_s), (place, v_ned)):
+                    others.append(_Other.of(name, owner, p, v, 0.0, radius_m + 0.5 * STEP_M, 0.0))
             others.append(_Other.of(name, owner, place, v_ned, lead_s, radius_m, age_s))
             if silent and failsafe:
                 for presumed in presumed_places(place, home, age_s, failsafe):

@@ -91,6 +91,33 @@ def flown_on(p_ned: Vec3, v_ned: Vec3, silent_s: float, lag_s: float, failsafe: 
     return (n, e, d), v_ned if silent_s + lag_s < stands_s else (0.0, 0.0, 0.0)
 
 
+def braked(p_ned: Vec3, v_ned: Vec3, silent_s: float) -> tuple[Vec3, Vec3]:
+    """Place (NED, m) and velocity (m/s) of a vehicle whose last report, silent_s ago, was p and v, if it brakes.
+
+    Its last set points may have led it to stand: it is nowhere behind that place.
+    """
+    speed_m_s = math.hypot(*v_ned)
+    if speed_m_s == 0.0:
+        return p_ned, v_ned
+    t_s = min(silent_s, speed_m_s / BRAKES_M_S2)
+    gone_s, left = t_s - 0.5 * BRAKES_M_S2 * t_s**2 / speed_m_s, 1.0 - BRAKES_M_S2 * t_s / speed_m_s
+    n, e, d = (p + gone_s * v for p, v in zip(p_ned, v_ned, strict=True))
+    return (n, e, d), (left * v_ned[0], left * v_ned[1], left * v_ned[2])
+
+
+def between(first: tuple[Vec3, Vec3], last: tuple[Vec3, Vec3]) -> list[tuple[Vec3, Vec3]]:
+    """Places and velocities from the first on, so near to each other that their spheres overlap; without the last."""
+    count = math.ceil(math.dist(first[0], last[0]) / STEP_M)
+    (p0, v0), (p1, v1) = first, last
+    return [
+        (
+            (_between(p0[0], p1[0], k / count), _between(p0[1], p1[1], k / count), _between(p0[2], p1[2], k / count)),
+            (_between(v0[0], v1[0], k / count), _between(v0[1], v1[1], k / count), _between(v0[2], v1[2], k / count)),
+        )
+        for k in range(count)
+    ]
+
+
 def presumed_places(p_ned: Vec3, home_ned: Vec3, silent_s: float, failsafe: Failsafe) -> list[Vec3]:
     """Places (NED, m) where a vehicle may be that last reported p_ned; none while it may only hold."""
     begun_s = silent_s - failsafe.loss_s + HEARTBEAT_S

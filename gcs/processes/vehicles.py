@@ -11,6 +11,7 @@ import yaml
 
 from gcs.planner.silence import failsafe_of
 from gcs.processes.hatch import ProcessSpec
+from gcs.refuelling.settlement import transfers_until_s
 from gcs.scenario.faults import COMMANDED
 from gcs.scenario.model import Scenario, VehicleBase
 from gcs.scenario.weather import RealAutopilot
@@ -193,6 +194,7 @@ def fleet_rules(scenario: Scenario) -> dict[str, Any]:
     return {
         **scenario.competition.model_dump(include=_COMPETITION_KEYS),
         **scenario.refuelling.model_dump(include=_REFUELLING_KEYS),
+        "transfers_until_s": transfers_until_s(scenario),
         "separation_m": scenario.planner.separation_m,
         "clearance_m": scenario.planner.clearance_m,
         "transit_height_m": transit_m,

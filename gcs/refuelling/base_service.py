@@ -18,6 +18,7 @@ from gcs.mavlink.autopilots import STEERABLE
 from gcs.mavlink.codec import Message, message
 from gcs.mavlink.ids import STATION
 from gcs.refuelling.service import GiverReport, Phase, Service, ServiceRequests, token
+from gcs.refuelling.settlement import EndedTransfer, Settlement
 from gcs.refuelling.transfer_command import TransferRole, transfer_request
 from gcs.scenario.model import Base, Origin, RefuellingRules
 from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
@@ -25,7 +26,6 @@ from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 POSITION_AND_VELOCITY = 0b11
 STANDS = (0.0, 0.0, 0.0)
 
-"""The ground station's system id, the partner of a vehicle that a base charges."""
 REACH_WITHIN_S = 60.0
 """beyond the time that the way to the base takes"""
 LAND_WITHIN_S = 60.0
@@ -34,22 +34,33 @@ CATCH_UP_S = 1.0
 SILENCE_S = 1.0
 ASK_AGAIN_S = 1.0
 REFUSALS = 5
+ENDS_BY_ITSELF_S = 2.0
+"""[choice] A receiver that has not answered STOP ends its transfer when nothing of the base comes for 1 s; frames may
+be on the way for as long again."""
 EMPTY = "the base is empty"
+ENDS = "the session ends"
 _BREAKS_OFF = (Phase.JOIN, Phase.LAND, Phase.START_RECEIVER, Phase.TRANSFER)
 _CHARGING = (Phase.LAND, Phase.START_RECEIVER, Phase.TRANSFER, Phase.CATCH_UP, Phase.STOP_RECEIVER)
 
 
 class Stock:
-    """A base and what it still has: initial = given + remaining."""
+    """A base and what it still has: initial = given − taken back + remaining."""
 
     def __init__(self, base: Base) -> None:
         self.base = base
         self.given_j = 0
+        """its `XferOut`, which never falls"""
+        self.taken_back_j = 0
+        """given, and never credited by whom it was for"""
 
     @property
     def remaining_j(self) -> float:
         """Energy that it holds; a part of a joule is never given."""
-        return self.base.stock_j - self.given_j
+        return self.base.stock_j - self.given_j + self.taken_back_j
+
+    def take_back(self, joules: int) -> None:
+        """Book what has not arrived."""
+        self.taken_back_j += joules
 
 
 class BaseSteps:
@@ -61,12 +72,17 @@ class BaseSteps:
         bases: Iterable[Base],
         requests: ServiceRequests,
         out: Mapping[int, str],
+        settlement: Settlement,
         *,
         need_from: float,
+        transfers_until_s: float = math.inf,
     ) -> None:
-        """`out`: who is not to be served, and why; a service of theirs is broken off."""
+        """`out`: who is not to be served, and why; a service of theirs is broken off. `transfers_until_s`: session time
+        at which transfers are stopped, so that they can be settled before the end."""
         self._rules = rules
         self._out = out
+        self._settlement = settlement
+        self._until_s = transfers_until_s
         self._requests = requests
         self._need_from = need_from
         self.stocks = {base.name: Stock(base) for base in bases}
@@ -133,6 +149,9 @@ class BaseSteps:
             if off_m > base.radius_m:
                 self._leave(service, receiver, now_s, f"landed {off_m:.1f} m from the base")
                 return
+            if self._settlement.awaits(receiver.sysid, now_s):
+                return
+            self._settlement.begin(receiver.sysid)
             service.joined_at_s = now_s
             service.in_at_start_j = service.in_at_begin_j = service.reported_in_j = receiver.received_j
             self._begin(service, receiver, now_s)
@@ -147,6 +166,8 @@ class BaseSteps:
         service.out_at_start_j = stock.given_j
         if service.ordered_j < 1:
             self._leave(service, receiver, now_s, "full" if stock.remaining_j >= 1.0 else EMPTY)
+        elif now_s >= self._until_s:
+            self._leave(service, receiver, now_s, ENDS)
         elif receiver.battery_reported:
             self._order(service, TransferRole.RECEIVE)
             self._go(service, Phase.START_RECEIVER, now_s)
@@ -177,6 +198,8 @@ class BaseSteps:
             service.reported_in_j, service.progress_s = receiver.received_j, now_s
         if receiver.armed or not receiver.landed:
             self._stop(service, f"{receiver.label} left the base", now_s)
+        elif now_s >= self._until_s:
+            self._stop(service, ENDS, now_s)
         elif counts and now_s - service.progress_s > SILENCE_S:
             self._stop(service, "the receiver takes no more", now_s)
         elif self._given_j(service) >= service.ordered_j:
@@ -218,6 +241,16 @@ class BaseSteps:
     def _stop_receiver(self, service: Service, receiver: VehicleView, now_s: float) -> None:
         answered = self._requests.accepted(token(service, "stop receiver")) is not None
         if answered or now_s - service.phase_since_s > START_WITHIN_S:
+            self._settlement.add(
+                EndedTransfer(
+                    service,
+                    service.out_at_start_j,
+                    service.in_at_begin_j,
+                    now_s if answered else now_s + ENDS_BY_ITSELF_S,
+                    given_j=self._given_j(service),
+                    take_back=self._stock(service).take_back,
+                )
+            )
             self._leave(service, receiver, now_s, service.ended_by)
 
     def _leave(self, service: Service, receiver: VehicleView, now_s: float, reason: str) -> None:

@@ -137,7 +137,8 @@ def sentence(record: Mapping[str, Any]) -> str:
     """A decision for a person."""
     receiver, kind = record["receiver"], record["kind"]
     if kind == "settled":
-        return f"Tanker {record['tanker']} took back {record['energy_j']:.0f} J that had not arrived at {receiver}"
+        giver = f"Base {record['base']}" if "base" in record else f"Tanker {record['tanker']}"
+        return f"{giver} took back {record['energy_j']:.0f} J that had not arrived at {receiver}"
     if kind == "unable":
         return f"Vehicle {receiver} cannot take a transfer: {record['reason']}; only a base can serve it"
     if "base" in record:

@@ -23,6 +23,7 @@ from gcs.refuelling.capability import ReceiverCapability
 from gcs.refuelling.giver import WORTH_J, Giver, ServiceTimes
 from gcs.refuelling.policy_bidding import make_competition
 from gcs.refuelling.service import Decision, Phase, Service, ServiceRequests, by_text
+from gcs.refuelling.settlement import Settlement
 from gcs.refuelling.tanker_service import TankerSteps
 from gcs.refuelling.target_assignment import meeting_s
 from gcs.scenario.model import Base, CompetitionRules, RefuellingRules, Tanker
@@ -53,7 +54,7 @@ class Scheduler:
     ) -> None:
         """`own` takes the competition's place for the tankers. `transfer_capable`: whether a vehicle can take energy in
         the air, by system id, None where it is to be found out; those who are not named can. `cruise_m_s`: how fast
-        they fly to a base. `transfers_until_s`: session time at which transfers in the air are stopped."""
+        they fly to a base. `transfers_until_s`: session time at which transfers are stopped."""
         competes = competition.enabled and refuelling.enabled
         self._bidding = (own or make_competition(competition, refuelling)) if competes else None
         self._base_bidding = make_competition(competition, refuelling) if competes and bases else None
@@ -67,10 +68,12 @@ class Scheduler:
         self.asked: list[int] = []
         """who is served before anybody else, in this order"""
         self._requests = ServiceRequests()
-        self._steps = TankerSteps(
-            refuelling, self._tankers, self._requests, self.out, transfers_until_s=transfers_until_s
+        self._settlement = Settlement(self._requests)
+        with_all = (self._requests, self.out, self._settlement)
+        self._steps = TankerSteps(refuelling, self._tankers, *with_all, transfers_until_s=transfers_until_s)
+        self._bases = BaseSteps(
+            refuelling, bases, *with_all, need_from=competition.need_from, transfers_until_s=transfers_until_s
         )
-        self._bases = BaseSteps(refuelling, bases, self._requests, self.out, need_from=competition.need_from)
         self._ability = ReceiverCapability(transfer_capable or {})
         self.tanker_times = ServiceTimes(*TANKER_TIMES)
         self.base_times = ServiceTimes(*BASE_TIMES)
@@ -150,7 +153,7 @@ class Scheduler:
         self._compete(snapshot)
         for service in self.open_services:
             (self._steps if service.base is None else self._bases).serve(service, snapshot)
-        self._steps.settlement.settle(snapshot)
+        self._settlement.settle(snapshot)
         self.tanker_idle_s += dt_s * self._idle_tankers(snapshot)
         in_air = {s.tanker: s for s in self.open_services if s.tanker is not None}
         at_base = [service for service in self.open_services if service.base is not None]

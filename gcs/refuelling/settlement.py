@@ -1,17 +1,21 @@
-"""Joules that were on the way when a transfer ended: they come back to the tanker (docs/protocol.md#settlement).
+"""Joules that were on the way when a transfer ended: they come back to their giver (docs/protocol.md#settlement).
 
 A transfer over a slow or bad radio ends with more given than credited. Once both sides have ended it and have told
-their counters since, what is missing is known for good, and the tanker is ordered to take it back. Until then neither
-side begins another transfer, so that a counter means one transfer only.
+their counters since, what is missing is known for good, and the tanker is ordered to take it back; a base's books are
+the supervisor's own. Until then neither side begins another transfer, so that a counter means one transfer only.
 """
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from gcs.mavlink.autopilots import FlightMode
-from gcs.refuelling.service import ServiceRequests
+from gcs.refuelling.service import Service, ServiceRequests, token
 from gcs.refuelling.transfer_command import TransferRole, transfer_request
+from gcs.scenario.faults import RADIO
+from gcs.scenario.model import Radio, Scenario
 from gcs.telemetry.state import FleetSnapshot, VehicleView
 
 WAIT_S = 10.0
@@ -19,27 +23,31 @@ WAIT_S = 10.0
 ASK_AGAIN_S = 5.0
 MOST_ASKED = 20
 """A tanker that accepts no order of so many keeps its books as they are."""
+SETTLES_S, SETTLES_BY_LOSS_S, SETTLES_WAYS = 3.0, 24.0, 4
+"""[choice] How long it takes to stop and settle a transfer, by the share of frames lost and the delay of one way: with
+half of all frames lost both stops, both counters and the settlement, each asked for again until answered, took 10 s."""
 
 
 @dataclass
 class EndedTransfer:
     """A transfer that has ended, and what is known for good of both of its ends; J."""
 
-    service: int
-    tanker: int
-    receiver: int
+    service: Service
     out_at_start_j: int
     in_at_start_j: int
     since_s: float
+    """nobody's counter rises after that"""
     given_j: int | None = None
     credited_j: int | None = None
+    take_back: Callable[[int], None] | None = None
+    """for a base: books what comes back"""
     asked: int = 0
     asked_s: float = 0.0
 
     @property
     def token(self) -> str:
         """The mark by which the result of its order is known."""
-        return f"refuel {self.service} settle {self.out_at_start_j}"
+        return token(self.service, f"settle {self.out_at_start_j}")
 
     @property
     def missing_j(self) -> int | None:
@@ -71,10 +79,13 @@ class Settlement:
         self._open = [one for one in self._open if not self._settled(one, snapshot)]
 
     def _settled(self, one: EndedTransfer, snapshot: FleetSnapshot) -> bool:
-        tanker, receiver = snapshot.vehicle(one.tanker), snapshot.vehicle(one.receiver)
-        if not tanker.alive or (not receiver.alive and one.credited_j is None):
+        service = one.service
+        receiver = snapshot.vehicle(service.receiver)
+        tanker = None if service.tanker is None else snapshot.vehicle(service.tanker)
+        if (tanker is not None and not tanker.alive) or (not receiver.alive and one.credited_j is None):
             return True
-        if one.given_j is None and _has_ended(tanker) and tanker.given_reported_s > one.since_s:
+        gave = tanker is not None and one.given_j is None and _has_ended(tanker)
+        if tanker is not None and gave and tanker.given_reported_s > one.since_s:
             one.given_j = tanker.given_j - one.out_at_start_j
         if one.credited_j is None and _has_ended(receiver) and receiver.received_reported_s > one.since_s:
             one.credited_j = receiver.received_j - one.in_at_start_j
@@ -83,33 +94,51 @@ class Settlement:
             return False
         if missing_j <= 0 or one.asked > MOST_ASKED:
             return True
-        accepted = self._requests.accepted(one.token)
-        if accepted:
-            self._requests.records.append(
-                {"kind": "settled", "receiver": one.receiver, "tanker": one.tanker, "energy_j": missing_j}
+        if one.take_back is not None:
+            one.take_back(missing_j)
+        elif not self._requests.accepted(one.token):
+            if tanker is not None and tanker.fresh:
+                self._ask(one, snapshot.time_s)
+            return False
+        self._requests.records.append({"kind": "settled", **service.sides, "energy_j": missing_j})
+        return True
+
+    def _ask(self, one: EndedTransfer, now_s: float) -> None:
+        """Order the tanker to take back what its receiver has not credited, unless it was lately."""
+        service = one.service
+        if service.tanker is None or (one.asked and now_s - one.asked_s <= ASK_AGAIN_S):
+            return
+        one.asked, one.asked_s = one.asked + 1, now_s
+        self._requests.request(
+            transfer_request(
+                service.tanker,
+                one.token,
+                TransferRole.SETTLE,
+                partner=service.receiver,
+                limit_j=one.credited_j or 0,
+                rate_w=0.0,
+                number=service.number,
+                given_at_start_j=one.out_at_start_j,
             )
-            return True
-        if tanker.fresh and (not one.asked or snapshot.time_s - one.asked_s > ASK_AGAIN_S):
-            one.asked, one.asked_s = one.asked + 1, snapshot.time_s
-            self._requests.request(
-                transfer_request(
-                    one.tanker,
-                    one.token,
-                    TransferRole.SETTLE,
-                    partner=one.receiver,
-                    limit_j=one.credited_j or 0,
-                    rate_w=0.0,
-                    number=one.service,
-                    given_at_start_j=one.out_at_start_j,
-                )
-            )
-        return False
+        )
 
 
 def _unknown(one: EndedTransfer, sysid: int) -> bool:
-    return (one.tanker == sysid and one.given_j is None) or (one.receiver == sysid and one.credited_j is None)
+    service = one.service
+    return (service.tanker == sysid and one.given_j is None) or (service.receiver == sysid and one.credited_j is None)
 
 
 def _has_ended(view: VehicleView) -> bool:
     """Whether a vehicle is heard, and in no transfer."""
     return view.fresh and view.mode is not FlightMode.REFUEL
+
+
+def transfers_until_s(scenario: Scenario) -> float:
+    """Session time at which transfers are stopped, so that they are settled before the end; inf where a transfer cannot
+    end with joules on the way, because nothing passes a radio, real or simulated."""
+    radio, faults = scenario.radio, [one for one in scenario.faults if one.fault in RADIO]
+    if not (scenario.vehicles.external or faults or radio != Radio()):
+        return math.inf
+    loss = max([radio.loss, *(one.share or 0.0 for one in faults if one.fault == "loss")])
+    late_s = max([radio.delay_s + radio.jitter_s, *(one.delay_s or 0.0 for one in faults)])
+    return scenario.goal.duration_s - SETTLES_S - SETTLES_BY_LOSS_S * loss - SETTLES_WAYS * late_s

@@ -47,6 +47,7 @@ class TankerSteps:
         tankers: Mapping[int, Tanker],
         requests: ServiceRequests,
         out: Mapping[int, str],
+        settlement: Settlement,
         *,
         transfers_until_s: float = math.inf,
     ) -> None:
@@ -57,7 +58,7 @@ class TankerSteps:
         self._requests = requests
         self._out_of_it = out
         self._until_s = transfers_until_s
-        self.settlement = Settlement(requests)
+        self._settlement = settlement
 
     def available_j(self, tanker: VehicleView, limit_j: float) -> float:
         """Energy that a tanker may give and still get home with its reserve."""
@@ -98,10 +99,10 @@ class TankerSteps:
             service.near_since_s = now_s
         counter_known = tanker.given_reported_s >= service.phase_since_s + COUNTER_SETTLES_S
         held = service.near_since_s is not None and now_s - service.near_since_s >= self._rules.hold_s
-        settled = not any(self.settlement.awaits(view.sysid, now_s) for view in (receiver, tanker))
+        settled = not any(self._settlement.awaits(view.sysid, now_s) for view in (receiver, tanker))
         if held and counter_known and settled and now_s < self._until_s:
             for view in (receiver, tanker):
-                self.settlement.begin(view.sysid)
+                self._settlement.begin(view.sysid)
             if service.joined_at_s is None:
                 service.joined_at_s = now_s
                 service.in_at_start_j = receiver.received_j
@@ -217,9 +218,7 @@ class TankerSteps:
 
     def _settle(self, service: Service, now_s: float) -> None:
         """Let the transfer that has just ended be settled."""
-        assert service.tanker is not None
-        out_j, in_j = service.out_at_start_j, service.in_at_begin_j
-        self.settlement.add(EndedTransfer(service.number, service.tanker, service.receiver, out_j, in_j, now_s))
+        self._settlement.add(EndedTransfer(service, service.out_at_start_j, service.in_at_begin_j, now_s))
 
     def _go(self, service: Service, phase: Phase, now_s: float) -> None:
         service.phase, service.phase_since_s = phase, now_s

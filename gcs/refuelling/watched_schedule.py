@@ -78,7 +78,14 @@ class WatchedSchedule(Scheduler):
         return self._watched, CompetitionState()
 
     def settle(self, snapshot: FleetSnapshot) -> None:
-        """Energies are those that the tankers report."""
+        """Book on the newest services what their tankers report as given and their receivers have not counted."""
+        for receiver in sorted({service.receiver for service in self.services}):
+            own = [service for service in self.services if service.receiver == receiver]
+            missing_j = sum(service.energy_j for service in own) - snapshot.vehicle(receiver).received_j
+            for service in reversed(own):
+                taken_j = min(max(missing_j, 0), service.energy_j)
+                service.energy_j -= taken_j
+                missing_j -= taken_j
 
     def bound(self, sysid: int) -> bool:
         """The vehicles break their services off themselves."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable
 
 from gcs.link.impairment import BlackoutWindow, Impairment
@@ -10,8 +9,9 @@ from gcs.link.peer_radio import PeerRadio, SplitWindow
 from gcs.mavlink.autopilots import PROFILES
 from gcs.refuelling.bidding import BiddingRule
 from gcs.refuelling.scheduler import Scheduler
+from gcs.refuelling.settlement import transfers_until_s
 from gcs.refuelling.watched_schedule import WatchedSchedule
-from gcs.scenario.faults import RADIO, Injection
+from gcs.scenario.faults import Injection
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import SELDOM_S, ArmingSequence
 from gcs.supervisor.arming_external import ExternalArmingSequence
@@ -19,11 +19,6 @@ from gcs.supervisor.faults import radio_faults
 from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
 
 _SHARES = {"loss", "delay_s", "jitter_s", "duplicate", "reorder"}
-
-
-SETTLES_S, SETTLES_BY_LOSS_S, SETTLES_WAYS = 3.0, 24.0, 4
-"""[choice] How long it takes to stop and settle a transfer, by the share of frames lost and the delay of one way: with
-half of all frames lost both stops, both counters and the settlement, each asked for again until answered, took 10 s."""
 
 
 def make_fleet(scenario: Scenario) -> Fleet:
@@ -96,24 +91,8 @@ def make_schedule(scenario: Scenario, bidding: BiddingRule | None) -> Scheduler:
         bases=scenario.bases,
         transfer_capable={v.sysid: v.transfer_capable for v in vehicles.pursuers if served},
         cruise_m_s=scenario.planner.cruise_m_s,
-        transfers_until_s=_transfers_until_s(scenario),
+        transfers_until_s=transfers_until_s(scenario),
     )
     if isinstance(schedule, WatchedSchedule):
         schedule.watch(scenario.competition, frozenset(pursuer.sysid for pursuer in vehicles.pursuers))
     return schedule
-
-
-def _transfers_until_s(scenario: Scenario) -> float:
-    """Session time at which transfers in the air are stopped, so that they are settled before the end."""
-    if not _frames_may_be_late(scenario):
-        return math.inf
-    radio, faults = scenario.radio, scenario.faults
-    loss = max([radio.loss, *(one.share or 0.0 for one in faults if one.fault == "loss")])
-    late_s = max([radio.delay_s + radio.jitter_s, *(one.delay_s or 0.0 for one in faults)])
-    return scenario.goal.duration_s - SETTLES_S - SETTLES_BY_LOSS_S * loss - SETTLES_WAYS * late_s
-
-
-def _frames_may_be_late(scenario: Scenario) -> bool:
-    """Whether a transfer may end with joules on the way: over a radio, real or simulated."""
-    befallen = any(one.fault in RADIO for one in scenario.faults)
-    return bool(scenario.vehicles.external) or befallen or not make_radio(scenario).clear

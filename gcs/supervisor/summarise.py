@@ -105,8 +105,8 @@ def summarise(
             BaseSummary(
                 name=stock.base.name,
                 initial_j=stock.base.stock_j,
-                given_j=stock.given_j,
-                lost_j=stock.given_j - credited_j[stock.base.name],
+                given_j=stock.given_j - stock.taken_back_j,
+                lost_j=stock.given_j - stock.taken_back_j - credited_j[stock.base.name],
                 remaining_j=stock.remaining_j,
             )
             for stock in schedule.stocks

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from enum import Enum, auto
 from typing import NamedTuple
 
@@ -21,6 +22,7 @@ from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.fleet.competition import FleetAward
 from simvehicle.fleet.peers import DecidedBy, PeerReport, PeerStage
 from simvehicle.fleet.rules import FleetRules
+from simvehicle.fleet.settlement import ReceiverSettlement
 
 CALL_WITHIN_S = 3.0
 """A tanker that has not answered a call for so long is called by nobody of ours for as long again."""
@@ -88,6 +90,7 @@ class Receiver:
         self._in_at_call_j = 0
         self._breaks = 0
         self._again = False
+        self._settlement = ReceiverSettlement()
 
     @property
     def stage(self) -> PeerStage:
@@ -109,9 +112,11 @@ class Receiver:
         """An acknowledgement of an order. Only a refusal counts: that energy flows, or does so no more, is what the
         tanker's reports say."""
         self._refused |= sysid == self.tanker and not accepted
+        self._settlement.receive_answer(sysid, accepted)
 
     def step(self, now_s: float, peers: Mapping[int, PeerReport]) -> None:
         """Move the service to a time."""
+        self.orders += [OrderToPeer(*ask) for ask in self._settlement.due(now_s, peers)]
         if self.phase is ReceiverPhase.NONE:
             return
         tanker = peers.get(self.tanker)
@@ -161,6 +166,7 @@ class Receiver:
         elif self._near_since_s is None:
             self._near_since_s = now_s
         held = self._near_since_s is not None and now_s - self._near_since_s >= self._rules.hold_s
+        held &= now_s < self._rules.transfers_until_s
         if not held or tanker is None or tanker.time_s <= self._phase_since_s or tanker.stage is not PeerStage.MEETS:
             return
         self._number += 1
@@ -204,7 +210,8 @@ class Receiver:
         received_j = vehicle.received_j - self._in_at_call_j
         settled = tanker is not None and tanker.time_s > self._phase_since_s + REPEAT_S
         limited = rules.limit_j is not None and received_j >= rules.limit_j
-        if limited or vehicle.remaining_j >= rules.until * vehicle.capacity_j:
+        ends = now_s >= rules.transfers_until_s
+        if ends or limited or vehicle.remaining_j >= rules.until * vehicle.capacity_j:
             self._go(ReceiverPhase.STOP, now_s)
         elif vehicle.transfer is None:
             self._break_off(now_s)
@@ -232,7 +239,7 @@ class Receiver:
         )
         if caught_up or self._vehicle.transfer is None or now_s - self._phase_since_s >= CATCH_UP_S:
             again, self._again = self._again, False
-            self._stop_own()
+            self._stop_own(now_s)
             self._go(ReceiverPhase.MEET if again else ReceiverPhase.NONE, now_s)
 
     def _ask(self, now_s: float, role: TransferSide) -> None:
@@ -241,17 +248,20 @@ class Receiver:
         if now_s - self._asked_s < REPEAT_S:
             return
         self._asked_s = now_s
-        o = self._order
-        order = TransferOrder(self._sysid, role, o.limit_j, o.rate_w, o.transfer_id, o.giver_start_j)
-        self.orders.append(OrderToPeer(self.tanker, order))
+        self.orders.append(OrderToPeer(self.tanker, replace(self._order, partner=self._sysid, role=role)))
 
-    def _stop_own(self) -> None:
+    def _stop_own(self, now_s: float) -> None:
+        """End the own side of a transfer, whoever ended the other one; what it credited is known for good."""
         if self._vehicle.transfer is not None:
             self._vehicle.order(TransferOrder(0, TransferSide.STOP, 0.0, 0.0, 0, 0))
+        if self._order is not None:
+            credited_j = self._vehicle.received_j - self._in_at_start_j
+            self._settlement.add(self.tanker, replace(self._order, partner=self._sysid), credited_j, now_s)
+            self._order = None
 
     def _end(self, now_s: float) -> None:
         """Give the service up; the tanker sees it by the next reports."""
-        self._stop_own()
+        self._stop_own(now_s)
         self._again = False
         self._go(ReceiverPhase.NONE, now_s)
 

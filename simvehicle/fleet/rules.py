@@ -64,6 +64,8 @@ class FleetRules:
     lands_at: float
     tops_up: bool
     limit_j: float | None
+    transfers_until_s: float
+    """of the session: transfers are stopped then, so that they are settled before it ends"""
     separation_m: float
     clearance_m: float
     transit_height_m: float

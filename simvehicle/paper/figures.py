@@ -148,4 +148,38 @@ def _steps_axis(plot: Axes, words: str) -> None:
     plot.set_ylabel(words)
 
 
-DRAWN: dict[str, Callable[[Curves, Numbers], Figure]] = {"fig5": _fig5, "fig12": _fig12, "implicit": _implicit}
+def _noise(curves: Curves, numbers: Numbers) -> Figure:
+    figure = Figure(figsize=(7.2, 4.9), layout="constrained")
+    grid = figure.add_gridspec(2, 2)
+    torque, speed, trace = (figure.add_subplot(place) for place in (grid[0, 0], grid[0, 1], grid[1, :]))
+    rivals = (
+        ("high_gain", "linear high gain", GREEN),
+        ("finite_time", "finite time", BLUE),
+        ("sliding_mode", "sliding mode", ORANGE),
+    )
+    for name, words, colour in rivals:
+        cases = [case for case in numbers["cases"] if case["differentiator"] == name]
+        errors = [case["errors_over_sensors"] for case in cases]
+        for plot, key in ((torque, "torque_rms_rad_s2"), (speed, "speed_error_rms_m_s")):
+            plot.plot(errors, [case[key] for case in cases], color=colour, marker="o", markersize=3.5, label=words)
+        rows = curves[name]
+        shown = rows[:, 0] <= numbers["counted_from_s"] + 2.0
+        trace.plot(rows[shown, 0], rows[shown, 1], color=colour, linewidth=0.7)
+    for plot, words in ((torque, "torque, rad/s² rms"), (speed, "speed error, m/s rms")):
+        plot.set_yscale("log")
+        plot.set_xlabel("errors of the estimate over those of sensors: {}")
+        plot.set_ylabel(words)
+    handles, labels = torque.get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside upper center", ncols=3)
+    trace.set_xlabel("t, s")
+    trace.set_ylabel("roll torque, rad/s²")
+    trace.set_title("with the errors of sensors: {}", loc="left")
+    return figure
+
+
+DRAWN: dict[str, Callable[[Curves, Numbers], Figure]] = {
+    "fig5": _fig5,
+    "fig12": _fig12,
+    "implicit": _implicit,
+    "noise": _noise,
+}

@@ -3,6 +3,7 @@
     fig5      the finite-time differentiator on 5 sin t (docs/model.md#differentiator; paper Fig. 5)
     fig12     it on sin t, against the sliding-mode and the linear high-gain differentiator (paper Fig. 12)
     implicit  why it is stepped implicitly: torque and speed error against step and noise (docs/model.md#differentiator)
+    noise     the three in flight, on an estimate that errs (docs/model.md#comparison-differentiators)
 
 Numbers carry their unit in their name; a time of convergence that is never reached is null.
 """
@@ -21,7 +22,7 @@ from numpy.typing import NDArray
 
 from simvehicle.law import controller, differentiator, dynamics
 from simvehicle.law.params import NAMED, SOLVE_TOLERANCE, STEP_S, VehicleParams
-from simvehicle.paper import comparators, figures
+from simvehicle.paper import comparators, figures, noisy_flight
 
 Floats = NDArray[np.float64]
 Law = Callable[[float, float, float, float], tuple[float, float, float]]
@@ -317,4 +318,9 @@ def _number(x: float) -> float | None:
     return float(x) if math.isfinite(x) else None
 
 
-STUDIES: dict[str, Callable[[], VehicleStudy]] = {"fig5": fig5, "fig12": fig12, "implicit": implicit}
+def noise() -> VehicleStudy:
+    """A circle flown on an estimate that errs, by three differentiators."""
+    return VehicleStudy(*noisy_flight.study())
+
+
+STUDIES: dict[str, Callable[[], VehicleStudy]] = {"fig5": fig5, "fig12": fig12, "implicit": implicit, "noise": noise}

@@ -76,3 +76,15 @@ def test_a_session_on_board_is_reproducible_whatever_the_datagrams(tmp_path: Any
     outcomes = [fly(content, tmp_path / "a"), fly(content, tmp_path / "b", "--drop-datagrams", "0.05")]
     assert len({outcome.summary["digest"] for outcome in outcomes}) == 1
     assert outcomes[0].summary["refuelling"][0]["receiver"] == 1
+
+
+def test_what_a_bad_radio_kept_from_arriving_comes_back_to_the_tanker(tmp_path: Any) -> None:
+    """30 % loss and 0.2 s of delay: a transfer breaks off while 2 kJ are on the way."""
+    radio, goal = {"loss": 0.3, "delay_s": 0.2}, {"duration_s": 30.0, "refuelled_at_least": 0}
+    outcome = fly(small(**ON_BOARD, seed=2, radio=radio, goal=goal), tmp_path, "--quiet", "--no-report")
+    _, credited_j, _, _ = outcome.truth(1).energy[-1]
+    _, returned_j, given_j, _ = outcome.truth(TANKER).energy[-1]
+    assert returned_j > 0
+    assert given_j == credited_j + returned_j
+    assert sum(service["energy_j"] for service in outcome.summary["refuelling"]) == credited_j
+    assert outcome.vehicle(TANKER)["energy"]["lost_j"] == 0

@@ -83,6 +83,42 @@ def test_a_bad_radio_keeps_them_apart_too(tmp_path: Path, radio: dict[str, Any])
     assert nearest_m(outcome, list(range(1, 9))) > WANTED_M
 
 
+def test_a_vehicle_that_stops_early_where_nobody_hears_it_is_not_run_into(tmp_path: Path) -> None:
+    """Seven follow a target at 2.8 m/s on a ring; what campaign safety's seed 919191 and `gcs campaign shrink` found.
+
+    Vehicle 1 falls silent at 15 s and stops a metre before the place where its last set point and failsafe take it.
+    """
+    ring = [
+        [-1.504, 0.303],
+        [-1.175, -0.986],
+        [0.039, -1.533],
+        [1.223, -0.926],
+        [1.486, 0.379],
+        [0.63, 1.398],
+        [-0.7, 1.365],
+    ]
+    path_m = [
+        [0.0, 0.0, -3.0], [2.336, 4.008, -4.564], [8.449, 6.151, -3.705], [9.509, 10.052, -3.435],
+        [14.3, 14.403, -3.035], [23.571, 14.205, -2.61], [26.807, 17.27, -4.871], [26.212, 26.861, -4.854],
+    ]  # fmt: skip
+    content = circle(7, 4.42, radio={"blackouts": [{"sysid": 1, "from_s": 15.0, "to_s": 45.0}]})
+    content |= {
+        "goal": {"duration_s": 20.0, "separation_m": 0.63},
+        "formation": {"ring_m": 1.534},
+        "obstacles": [
+            {"box_m": [[21.339, 11.594, -2.741], [23.395, 12.299, 0.0]]},
+            {"cylinder_m": [16.15, 18.446], "radius_m": 0.607, "bottom_m": 0.0, "top_m": -5.693},
+        ],
+        "refuelling": {"enabled": False},
+    }
+    content["planner"] |= {"separation_m": 0.63, "clearance_m": 0.2}
+    content["vehicles"] |= {
+        "pursuers": [{"sysid": k, "airborne": True, "start_m": [*at, -3.0]} for k, at in enumerate(ring, 1)],
+        "targets": [{"sysid": 101, "airborne": True, "start_m": [0.0, 0.0, -3.0], "path_m": path_m, "speed_m_s": 2.8}],
+    }
+    assert nearest_m(fly(content, tmp_path), list(range(1, 8))) > 0.63
+
+
 @pytest.mark.parametrize("planner", ["OnePoint", "Raises"])
 def test_a_planner_of_a_users_own_cannot_make_them_meet(tmp_path: Path, planner: str) -> None:
     (tmp_path / "bad.py").write_text(ONE_POINT, encoding="utf-8")

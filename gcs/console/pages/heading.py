@@ -6,16 +6,19 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from gcs.console.model import SessionModel, issues, severity
-from gcs.console.text import Glyphs, StyledLine, bar, fitted, width_of
+from gcs.console.text import Glyphs, StyledLine, StyledLines, bar, fitted, width_of, wrapped
 from gcs.session.plain_text import broken_text, clean, goal_parts
 
 PAGES = ("fleet", "map", "competition", "events", "vehicle")
 PHASES = {"starting": "info", "flying": "well", "paused": "look", "ended": "title"}
 LONGEST_BAR = 40
+SILENT_S = 3.0
 
 
-def session_line(watch: SessionModel, title: str, connected: bool, width: int, glyphs: Glyphs) -> StyledLine:
-    """Name, time, progress, speed, phase, connection."""
+def session_line(
+    watch: SessionModel, title: str, connected: bool, silent_s: float, width: int, glyphs: Glyphs
+) -> StyledLine:
+    """Name, time, progress, speed, phase, connection; and that a session which runs says nothing."""
     replay, snapshot = watch.replay, watch.snapshot
     name = clean(watch.session.get("name") or title or "session")
     duration_s = snapshot.get("duration_s") or watch.session.get("duration_s")
@@ -45,7 +48,11 @@ def session_line(watch: SessionModel, title: str, connected: bool, width: int, g
         share = (watch.t_s - begin_s) / max(float(end_s) - begin_s, 1e-9)
         head += bar(share, min(room, LONGEST_BAR), glyphs, "progress")
         head.append((" " * (room - min(room, LONGEST_BAR)), ""))
-    return fitted([*head, *tail], width, glyphs)
+    line = fitted([*head, *tail], width, glyphs)
+    if not (connected and snapshot and silent_s >= SILENT_S and not replay):
+        return line
+    note = f" no news for {silent_s:.0f} s "
+    return [*fitted(line, width - len(note), glyphs), (note, "look")]
 
 
 def _pace(replay: Mapping[str, Any] | None, snapshot: Mapping[str, Any]) -> str:
@@ -125,3 +132,18 @@ def keys_line(keys: Sequence[tuple[str, str]], width: int) -> StyledLine:
             break
         line += piece
     return [*line, (" " * (width - width_of(line)), "keys")]
+
+
+def too_small(width: int, height: int, least: tuple[int, int], *, flies: bool) -> StyledLines:
+    """The longest text that fits a terminal of less than `least` (width, height); `flies`: a session goes on."""
+    goes_on = "; the session goes on" if flies else ""
+    needs = f"needs {least[0]} x {least[1]}"
+    texts = (
+        f"This terminal is {width} x {height}: the console {needs}. "
+        f"Make it larger, or close the console with q{goes_on}.",
+        f"{width} x {height} is too small: {needs}; q closes{goes_on}.",
+        f"{needs}; q closes",
+    )
+    written = [wrapped(text, width) for text in texts]
+    lines = next((lines for lines in written if len(lines) <= height), written[-1])
+    return [[(line, "look")] for line in lines]

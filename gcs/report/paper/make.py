@@ -66,6 +66,7 @@ TITLES = {
     "loops": "Order of the loops (Section III-B)",
     "fig12": "Differentiators compared (Fig. 12)",
     "implicit": "Chattering, and why implicit",
+    "noise": "Differentiators in flight, on an estimate that errs",
     "fig13": "Noise (Fig. 13)",
     "fig14": "Delay (Fig. 14)",
     "readings": "Other readings of the competition (Figs. 10, 13, 14)",

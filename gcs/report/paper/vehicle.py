@@ -15,11 +15,12 @@ from numpy.typing import NDArray
 from gcs.report.paper.claims import Measurement
 from gcs.report.paper.study import Study, Table
 
-NAMES = ("fig5", "fig12", "implicit")
+NAMES = ("fig5", "fig12", "implicit", "noise")
 CAPTIONS = {
     "fig5": "Fig. 5: the differentiator on 5 sin t, ε = 0.04, X(0) = 0, implicit steps of 4 ms.",
     "fig12": "Fig. 12: derivative of sin t by the finite-time, sliding-mode and linear high-gain differentiators.",
     "implicit": "Why the differentiator is stepped implicitly: torque and speed error against step and noise.",
+    "noise": "Three differentiators in flight, on an estimate that errs as by a scenario's sensors.",
 }
 RIVALS = {"finite_time": "finite-time", "sliding_mode": "sliding mode", "high_gain": "linear high gain"}
 COMPARED = (
@@ -125,7 +126,34 @@ def implicit(numbers: dict[str, Any]) -> Study:
     return Study(measured, (), [Table("Steady flight with the paper's gains", columns, rows)])
 
 
-STUDIES = {"fig5": fig5, "fig12": fig12, "implicit": implicit}
+def noise(numbers: dict[str, Any]) -> Study:
+    """Torque and speed error of a circle that is flown on an estimate with errors, by differentiator."""
+    rows = [
+        [
+            *(RIVALS[c["differentiator"]], f"{c['errors_over_sensors']:g}"),
+            *(_number(c["torque_rms_rad_s2"]), _number(c["torque_variation_rad_s2"])),
+            *(_number(c["speed_error_rms_m_s"]), _number(c["speed_error_max_m_s"])),
+        ]
+        for c in numbers["cases"]
+    ]
+    measured = {}
+    for claim, key, unit in (
+        ("noise-flight-speed", "speed_error_rms_m_s", "m/s"),
+        ("noise-flight-torque", "torque_rms_rad_s2", "rad/s²"),
+    ):
+        of = {c["differentiator"]: c[key] for c in numbers["cases"] if c["errors_over_sensors"] == 1.0}
+        words = "; ".join(f"{RIVALS[name]} {_number(of[name])} {unit}" for name in RIVALS)
+        own = of.pop("finite_time")
+        measured[claim] = Measurement(own / min(of.values()), words)
+    columns = [
+        *("differentiator", "errors over those of `sensors: {}`", "torque rms, rad/s²", "its total variation"),
+        *("speed error rms, m/s", "greatest"),
+    ]
+    caption = f"A circle at {numbers['speed_m_s']:g} m/s, from {numbers['counted_from_s']:g} s on"
+    return Study(measured, (), [Table(caption, columns, rows)])
+
+
+STUDIES = {"fig5": fig5, "fig12": fig12, "implicit": implicit, "noise": noise}
 
 
 def _place(cases: dict[str, Any], key: str) -> int:

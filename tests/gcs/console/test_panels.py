@@ -226,7 +226,7 @@ def test_the_margin_is_the_share_less_what_is_needed() -> None:
 def test_a_lost_connection_is_told_in_words() -> None:
     watch = SessionModel()
     watch.update([snapshot(10.0)])
-    assert "not connected" in text([session_line(watch, "demo", False, 80, UNICODE)])[0]
+    assert "not connected" in text([session_line(watch, "demo", False, 0.0, 80, UNICODE)])[0]
 
 
 def test_a_session_that_goes_without_a_word_ends_and_one_that_dropped_us_is_found_again(tmp_path: Path) -> None:

@@ -8,7 +8,7 @@ import math
 import pytest
 from sessions import merged, small
 
-from gcs.planner.silence import Failsafe, failsafe_of, flown_on, presumed_places
+from gcs.planner.silence import Failsafe, between, braked, failsafe_of, flown_on, presumed_places
 from gcs.scenario.model import Scenario
 
 HOME = (0.0, 0.0, -5.0)
@@ -66,3 +66,28 @@ def test_a_vehicle_without_set_points_flies_on_until_it_holds(silent_s: float) -
     place, v_ned = flown_on((1.0, 2.0, -5.0), (3.2, 0.0, 0.0), silent_s, 0.37, Failsafe(hold_s=0.5))
     assert place == pytest.approx((1.0 + 3.2 * min(silent_s + 0.37, 1.27), 2.0, -5.0))
     assert v_ned == ((3.2, 0.0, 0.0) if silent_s < 0.9 else (0.0, 0.0, 0.0))
+
+
+@pytest.mark.parametrize(
+    ("silent_s", "gone_m", "left_m_s"), [(0.0, 0.0, 3.2), (0.4, 0.96, 1.6), (0.8, 1.28, 0.0), (30.0, 1.28, 0.0)]
+)
+def test_a_vehicle_is_nowhere_behind_where_it_is_if_it_brakes_at_once(
+    silent_s: float, gone_m: float, left_m_s: float
+) -> None:
+    """From 3.2 m/s at 4 m/s²: it stands after 0.8 s and 1.28 m."""
+    place, v_ned = braked((1.0, 2.0, -5.0), (0.0, 3.2, 0.0), silent_s)
+    assert place == pytest.approx((1.0, 2.0 + gone_m, -5.0))
+    assert v_ned == pytest.approx((0.0, left_m_s, 0.0))
+
+
+def test_a_vehicle_that_hovers_stays() -> None:
+    assert braked(LAST, (0.0, 0.0, 0.0), 3.0) == (LAST, (0.0, 0.0, 0.0))
+
+
+def test_between_two_places_there_is_no_gap_and_the_last_is_left_out() -> None:
+    first, last = ((0.0, 0.0, -5.0), (1.0, 0.0, 0.0)), ((3.0, 0.0, -5.0), (4.0, 0.0, 0.0))
+    places = [*between(first, last), last]
+    assert places[0] == first
+    assert max(math.dist(a[0], b[0]) for a, b in itertools.pairwise(places)) <= 0.7
+    assert all(v[0] == pytest.approx(1.0 + p[0]) for p, v in places), "velocity changes in proportion"
+    assert between(first, first) == []

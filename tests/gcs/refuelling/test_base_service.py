@@ -106,7 +106,11 @@ class World:
 
 
 def world(
-    *views: VehicleView, bases: tuple[Base, ...] = (PAD,), rules: RefuellingRules | None = None, **changed: Any
+    *views: VehicleView,
+    bases: tuple[Base, ...] = (PAD,),
+    rules: RefuellingRules | None = None,
+    transfers_until_s: float = math.inf,
+    **changed: Any,
 ) -> World:
     seen = views or (view(1),)
     unable = {one.sysid: False for one in seen if one.role == "pursuer"}
@@ -117,6 +121,7 @@ def world(
         bases=bases,
         transfer_capable=unable,
         cruise_m_s=1.5,
+        transfers_until_s=transfers_until_s,
     )
     return World(schedule, {one.sysid: one for one in seen}, **changed)
 
@@ -228,6 +233,48 @@ def test_one_that_would_not_last_goes_first() -> None:
     game = world(view(1, initial_j=2_000.0), view(2, initial_j=5_000.0, power_w=200.0))
     service = game.until(Phase.DONE)
     assert (service.receiver, service.by) == (2, "competition")  # 1 is emptier, but lasts longer
+
+
+def test_what_never_arrives_comes_back_to_the_base_and_its_counter_never_falls() -> None:
+    """The receiver hears nothing for the transfer's last 0.6 s at 2000 W, and takes off with what it has."""
+    game = world()
+    game.until(Phase.TRANSFER)
+    for _ in range(10):
+        game.tick()
+    game.hears = False
+    for _ in range(6):
+        game.tick()
+    game.set(1, landed=False, armed=True)
+    game.until(Phase.STOP_RECEIVER)
+    reported = {"received_reported_s": game.now_s}
+    (stock,) = game.schedule.stocks
+    given_j, credited_j = stock.given_j, game.views[1].received_j
+    game.until(Phase.TAKE_OFF)
+    game.set(1, **reported)
+    for _ in range(10):
+        game.tick()
+    assert stock.remaining_j == PAD.stock_j - given_j, "not before it has said again what it credited"
+    game.set(1, received_reported_s=game.now_s)
+    for _ in range(10):
+        game.tick()
+    assert stock.remaining_j == PAD.stock_j - credited_j
+    assert stock.given_j == given_j
+    (settled,) = [record for record in game.records if record["kind"] == "settled"]
+    missing_j = given_j - credited_j
+    assert missing_j > 0
+    assert settled == {"kind": "settled", "receiver": 1, "tanker": None, "base": "pad", "energy_j": missing_j}
+    assert sentence(settled) == f"Base pad took back {missing_j} J that had not arrived at 1"
+
+
+def test_over_a_radio_charging_ends_in_time_to_be_settled() -> None:
+    whole = world().until(Phase.DONE)
+    assert whole.start_s is not None
+    game = world(transfers_until_s=whole.start_s + 1.0)
+    service = game.until(Phase.DONE)
+    assert service.ended_by == "the session ends"
+    assert 0 < service.energy_j < 5_000
+    late = world(transfers_until_s=1.0).until(Phase.DONE)
+    assert (late.ended_by, late.energy_j) == ("the session ends", 0)
 
 
 def test_a_vehicle_that_knows_no_transfers_is_charged_by_the_book() -> None:

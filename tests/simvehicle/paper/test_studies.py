@@ -31,12 +31,12 @@ def case(figures, method, step_s, noise):
 def test_every_figure_is_there_twice_and_named(made):
     out, document = made
     assert document["schema"] == 1
-    assert list(document["figures"]) == ["fig5", "fig12", "implicit"]
+    assert list(document["figures"]) == ["fig5", "fig12", "implicit", "noise"]
     for name, entry in document["figures"].items():
         assert entry["files"] == [f"{name}.svg", f"{name}.png"]
         assert ET.parse(out / f"{name}.svg").getroot().tag.endswith("svg")
         assert (out / f"{name}.png").read_bytes().startswith(b"\x89PNG")
-    assert len(list(out.iterdir())) == 7
+    assert len(list(out.iterdir())) == 9
 
 
 def test_five_sin_t_has_the_published_errors(made):
@@ -143,3 +143,18 @@ def test_what_flies_never_loads_the_drawing():
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, check=False, text=True)
     assert done.returncode == 0, done.stderr
+
+
+def test_in_flight_both_fly_as_well_as_their_estimate_and_errors_become_torque(made):
+    """An error of 0.05 m/s by axis is one of 0.05 √3 m/s in length, whoever differentiates."""
+    cases = {(c["differentiator"], c["errors_over_sensors"]): c for c in made[1]["figures"]["noise"]["cases"]}
+    for name in ("finite_time", "sliding_mode"):
+        assert cases[name, 0.0]["speed_error_max_m_s"] < 1e-3
+        for share in (0.5, 1.0, 2.0):
+            assert cases[name, share]["speed_error_rms_m_s"] == pytest.approx(0.05 * 3**0.5 * share, rel=0.1)
+    torque = {key: case["torque_rms_rad_s2"] for key, case in cases.items()}
+    assert torque["finite_time", 0.0] < 0.02 * torque["sliding_mode", 0.0], "on an exact estimate it does not chatter"
+    assert torque["finite_time", 1.0] > 2.0 * torque["sliding_mode", 1.0], (
+        "on one that errs it does more than the other"
+    )
+    assert min(torque["high_gain", share] for share in (0.0, 1.0)) > 20.0

@@ -1,0 +1,197 @@
+"""Vehicles by role, with their batteries."""
+
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import ConfigDict, Field, model_validator
+
+from gcs.scenario.external import External, filled
+from gcs.scenario.types import (
+    Angles,
+    Flag,
+    Joules,
+    Label,
+    Metres,
+    NotNegative,
+    Number,
+    ParamName,
+    Part,
+    Percent,
+    Positive,
+    Route,
+    Seconds,
+    Speed,
+    SysId,
+    Vec3,
+)
+from gcs.scenario.weather import RealAutopilot, Sensors
+
+Airframe = Literal["iris", "hummingbird", "crazyflie"]
+
+
+class Battery(Part):
+    """P = hover_w (T/mg)^(3/2) + avionics_w (docs/model.md#battery) [choice]."""
+
+    capacity_j: Joules
+    """energy of the full battery, J"""
+    initial_percent: Percent = 100.0
+    """charge at the start, % of the capacity"""
+    hover_w: Positive = 200.0
+    """power of the motors in hover, W"""
+    avionics_w: NotNegative = 10.0
+    """power of everything else, W; drawn with motors off too"""
+    resistance_ohm: NotNegative | None = None
+    """with `plant: rotors`: inner resistance, Ω; by default that of a usual battery of its capacity"""
+
+
+class VehicleBase(Part):
+    """Keys of every vehicle, whatever its role."""
+
+    role: ClassVar[str]
+    _external = model_validator(mode="before")(filled)
+
+    sysid: SysId
+    """MAVLink system id, 1 to 254; unique"""
+    name: Label | None = None
+    """shown in place of the role; by default `pursuer 3` and the like"""
+    start_m: Vec3
+    """position at the start, m, in the file's axes; on the ground its height is 0"""
+    velocity_m_s: Vec3 = (0.0, 0.0, 0.0)
+    """velocity at the start, m/s, in the file's axes; needs `airborne: true`"""
+    attitude_deg: Angles = (0.0, 0.0, 0.0)
+    """roll, pitch, yaw"""
+    airborne: Flag = False
+    """starts flying; there is then no ground"""
+    join_s: Seconds = 0.0
+    """session time at which it joins, s; its process waits until then"""
+    takeoff_m: Metres = 2.5
+    """the height above the ground to which it climbs first"""
+    battery: Battery
+    """capacity, charge and consumption"""
+    autopilot: RealAutopilot | Literal["own"] = "own"
+    """`own`: our law; `{ardupilot: PATH}`: a real ArduPilot, started and simulated by the session, on rotors"""
+    plant: Literal["paper", "rotors"] = "paper"
+    """`paper`: the plant of the paper's eq. 3; `rotors`: a rigid body on four rotors (docs/model.md#rotors)"""
+    airframe: Airframe | None = None
+    """on rotors: whose mass, rotors and drag it has (docs/model.md#airframes); by default `iris`"""
+    sensors: Sensors | None = None
+    """errors of what it knows of its motion; `{}` has usual ones; without it the vehicle knows exactly"""
+    params: dict[ParamName, Number] = {}  # noqa: RUF012 - pydantic copies it
+    """further MAVLink parameters"""
+    external: External | None = None
+    """expected there rather than launched; start_m then means nothing, it is where it is"""
+
+    @property
+    def real(self) -> RealAutopilot | None:
+        """The autopilot that is not ours and that the session starts; None where there is none."""
+        return None if self.autopilot == "own" else self.autopilot
+
+    @property
+    def on_rotors(self) -> bool:
+        """Whether it flies on rotors."""
+        return self.plant == "rotors" or self.real is not None
+
+    @property
+    def foreign(self) -> External | None:
+        """Rules for a vehicle whose autopilot is not ours, whoever started it; None where it is ours."""
+        if self.real is None:
+            return self.external
+        return External(
+            connect="udpin:127.0.0.1:1",
+            sysid=self.sysid,
+            autopilot="ardupilot",
+            capacity_j=self.battery.capacity_j,
+            arm_within_s=self.real.arm_within_s,
+        )
+
+    @property
+    def label(self) -> str:
+        """For messages: `NAME (3)`, or `pursuer 3`."""
+        return f"{self.name} ({self.sysid})" if self.name else f"{self.role} {self.sysid}"
+
+
+class Pursuer(VehicleBase):
+    """A vehicle that follows a target, or its own way points, and that is refuelled."""
+
+    role = "pursuer"
+
+    target: SysId | None = None
+    """the target's sysid; without it the first target"""
+    waypoints_m: tuple[Vec3, ...] = ()
+    """visited in order, within planner.step_m each, instead of a target; it stays at the last one"""
+    transfer: Flag | None = None
+    """whether it can take energy in the air, or only a base can serve it; without it external vehicles are asked"""
+
+    @property
+    def transfer_capable(self) -> bool | None:
+        """Whether it can take energy in the air; None where it is to be asked."""
+        asked = self.transfer is None and self.foreign is not None
+        return None if asked else self.transfer is not False
+
+
+class Target(VehicleBase):
+    """A vehicle that flies a path and is followed."""
+
+    role = "target"
+
+    path_m: Route
+    """corners of its path, m, in the file's axes; flown once all vehicles are in the air"""
+    speed_m_s: Speed
+    """speed along the path, m/s"""
+    laps: Annotated[int, Field(strict=True, ge=1, le=1_000_000)] = 1
+    """how often a closed path is flown"""
+    closed: Flag = False
+    """the path leads from its last point back to its first"""
+
+
+class Tanker(VehicleBase):
+    """A vehicle that refuels others in the air."""
+
+    role = "tanker"
+
+    reserve_j: NotNegative = 10_000.0
+    """kept to get home"""
+    speed_m_s: Speed = 5.0
+    """greatest speed on the way to a receiver and home, m/s"""
+    home_m: Vec3 | None = None
+    """where it waits; without it above its start"""
+
+
+class Vehicles(Part):
+    """By role. A file may add `defaults`: keys that `load` gives to each vehicle that lacks them."""
+
+    model_config = ConfigDict(json_schema_extra=lambda schema: schema["properties"].update(defaults={"type": "object"}))
+
+    pursuers: tuple[Pursuer, ...] = ()
+    """vehicles that follow a target or way points, and are refuelled"""
+    targets: tuple[Target, ...] = ()
+    """vehicles that fly a path and are followed"""
+    tankers: tuple[Tanker, ...] = ()
+    """vehicles that refuel pursuers in flight"""
+
+    def target_of(self, pursuer: Pursuer) -> int | None:
+        """The system id of the target that a pursuer follows: the one it names, else the first; None without any."""
+        if pursuer.waypoints_m:
+            return None
+        if pursuer.target is not None:
+            return pursuer.target
+        return self.targets[0].sysid if self.targets else None
+
+    @property
+    def all(self) -> tuple[Pursuer | Target | Tanker, ...]:
+        """Every vehicle, in order of system id."""
+        return tuple(sorted((*self.pursuers, *self.targets, *self.tankers), key=lambda vehicle: vehicle.sysid))
+
+    @property
+    def launched(self) -> tuple[Pursuer | Target | Tanker, ...]:
+        """Vehicles that a session starts itself, in order of system id."""
+        return tuple(vehicle for vehicle in self.all if vehicle.external is None)
+
+    @property
+    def external(self) -> dict[int, External]:
+        """External vehicles, by system id."""
+        return {vehicle.sysid: vehicle.external for vehicle in self.all if vehicle.external is not None}
+
+    @property
+    def foreign(self) -> dict[int, External]:
+        """Rules for the vehicles whose autopilot is not ours, by system id."""
+        return {vehicle.sysid: rules for vehicle in self.all if (rules := vehicle.foreign) is not None}

@@ -1,0 +1,5 @@
+"""`simvehicle`: one simulated quadrotor on the command line, the hatch that makes many, and traffic."""
+
+from simvehicle.cli.command import cli, main, run_argv
+
+__all__ = ["cli", "main", "run_argv"]

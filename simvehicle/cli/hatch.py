@@ -1,0 +1,63 @@
+"""`simvehicle hatch`: loads and compiles once, then makes every vehicle as a fork."""
+
+# ruff: noqa: PLC0415 - so that help and a bad command line cost no compiler's start
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+import click
+
+from simvehicle.cli.argv import sysid_of, title_of
+from simvehicle.cli.command import cli, run_argv
+from simvehicle.loading import loaded, uncollected
+
+
+@click.command(short_help="Make many vehicles, one per JSON line on stdin.")
+def hatch() -> None:
+    """Make many vehicles: one JSON line on stdin each, {"argv": [...], "log": PATH}; ends with stdin.
+
+    Modules are loaded and the flight law is compiled once; every vehicle is then a fork of this process.
+    """
+    with uncollected():
+        from simvehicle.sitl import forkserver
+        from simvehicle.sitl.warmup import warm_up
+
+        warm_up()
+        _rehearse_start()
+    loaded()
+    status = forkserver.run(run_argv, sysid_of, title_of, _prepare)
+    sys.stderr.flush()
+    os._exit(status)  # nothing is left to be done, and who waits for it need not wait for an interpreter's end
+
+
+def _prepare(argv: Sequence[str]) -> None:
+    """Load the flight core of rotors, once, where a vehicle needs it."""
+    if "--world" in argv or "ardupilot" in argv[:1]:
+        from simvehicle.sitl.warmup import warm_up_rotors
+
+        warm_up_rotors()
+    if "ardupilot" in argv[:1]:
+        from simvehicle.sitl import ardupilot  # noqa: F401 - loaded here, once, for all autopilots
+
+
+def _rehearse_start() -> None:
+    """Go the way of a vehicle's process from its argv to its first hello, so that every fork finds it loaded."""
+    import tempfile
+
+    from simvehicle.autopilot.geodesy import LocalFrame
+    from simvehicle.cli import vehicle  # noqa: F401
+    from simvehicle.cli.files import read_parameters
+    from simvehicle.sitl import block, link, storage, traffic  # noqa: F401 - loaded here, once, for all vehicles
+
+    triples = ("--position", "0,0,-1", "--velocity", "0,0,0", "--attitude", "0,0,0", "--home", "0,0,0")
+    cli.make_context("simvehicle", ["--sysid", "1", *triples, "--params", "none", "--airborne"])
+    LocalFrame(0.0, 0.0, 0.0)
+    with tempfile.NamedTemporaryFile("w", suffix=".yaml") as file:
+        file.write("SIM_BAT_CAP_J: 24000.0\n")
+        file.flush()
+        read_parameters(Path(file.name), {})
+    link.open_socket(link.parse_supervisor("udpout:127.0.0.1:9")).close()

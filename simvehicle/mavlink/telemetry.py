@@ -357,9 +357,7 @@ TELEMETRY: tuple[Stream, ...] = (
     Stream("SYS_STATUS", mav.MAVLINK_MSG_ID_SYS_STATUS, 1.0, sys_status),
     Stream("EXTENDED_SYS_STATE", mav.MAVLINK_MSG_ID_EXTENDED_SYS_STATE, 1.0, extended_sys_state),
     Stream("ATTITUDE", mav.MAVLINK_MSG_ID_ATTITUDE, 10.0, attitude, attitude),
-    Stream(
-        "LOCAL_POSITION_NED", mav.MAVLINK_MSG_ID_LOCAL_POSITION_NED, 10.0, local_position_ned, local_position_ned
-    ),
+    Stream("LOCAL_POSITION_NED", mav.MAVLINK_MSG_ID_LOCAL_POSITION_NED, 10.0, local_position_ned, local_position_ned),
     Stream(
         "GLOBAL_POSITION_INT", mav.MAVLINK_MSG_ID_GLOBAL_POSITION_INT, 5.0, global_position_int, global_position_int
     ),

@@ -70,7 +70,7 @@ def launch(scenario: str, connect: Endpoint | None, out: Path | None, as_json: b
 
     resolved = load_scenario(scenario, runs_code=False)  # vehicles plan nothing
     for sysid, external in resolved.vehicles.external.items():
-        click.echo(f"vehicle {sysid} is not launched: it is expected at {external.connect}", err=True)
+        click.echo(f"vehicle {sysid} is not launched: it is expected at {external.where}", err=True)
     if not resolved.vehicles.launched:
         raise click.UsageError(f"{scenario} has nothing to launch: all its vehicles are external.")
     click.echo(f"starting {len(resolved.vehicles.launched)} vehicles ...", err=True)

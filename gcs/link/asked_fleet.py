@@ -54,6 +54,8 @@ class AskedFleet:
         self._where: dict[int, Where] = {}
         self.profiles: dict[int, Profile] = {}
         """by system id, of vehicles that have been heard"""
+        self.armed: set[int] = set()
+        """whose last HEARTBEAT said so"""
 
     @property
     def silence(self) -> str:
@@ -76,19 +78,23 @@ class AskedFleet:
 
     def converse(self, clients: Collection[VehicleClient], progress: Callable[[], object] = lambda: None) -> None:
         """Have all dialogues to their ends, side by side."""
-        by_sysid = {client.sysid: client for client in clients}
         while not all(client.done for client in clients):
-            for frame in self._receive():
-                client = by_sysid.get(frame.sysid)
-                if client is not None and frame.compid == client.compid:
-                    try:
-                        client.receive(codec.name(frame.msgid), codec.fields(frame), time.monotonic())
-                    except ValueError:  # a message that no dialect of ours holds
-                        continue
-            for client in clients:
-                for message in client.poll(time.monotonic()):
-                    self.send_to(client.sysid, message)
+            self.exchange(clients)
             progress()
+
+    def exchange(self, clients: Collection[VehicleClient]) -> None:
+        """Take in what has come, for POLL_S at most, and send what is due."""
+        by_sysid = {client.sysid: client for client in clients}
+        for frame in self._receive():
+            client = by_sysid.get(frame.sysid)
+            if client is not None and frame.compid == client.compid:
+                try:
+                    client.receive(codec.name(frame.msgid), codec.fields(frame), time.monotonic())
+                except ValueError:  # a message that no dialect of ours holds
+                    continue
+        for client in clients:
+            for message in client.poll(time.monotonic()):
+                self.send_to(client.sysid, message)
 
     def send_to(self, sysid: int, message: Message) -> None:
         """Send a message to a vehicle that has been heard."""
@@ -134,6 +140,8 @@ class AskedFleet:
                     if content.autopilot != mav.MAV_AUTOPILOT_INVALID and frame.sysid != STATION[0]:
                         self.profiles.setdefault(frame.sysid, profile_of(content.autopilot))
                         self._where.setdefault(frame.sysid, sender)
+                        armed = content.base_mode & mav.MAV_MODE_FLAG_SAFETY_ARMED
+                        (self.armed.add if armed else self.armed.discard)(frame.sysid)
                 if self._where.get(frame.sysid) == sender:
                     received.append(frame)
         return received

@@ -68,9 +68,9 @@ class Listener:
             yield self.gate.accepted(split.frames), sender
         self._connection.pop_gone()
 
-    def send(self, raw: bytes, peer: Where) -> None:
-        """Send a frame to a known sender, or to the one address that it speaks to."""
-        self._connection.send(self.gate.signed(raw), self._connection.to or peer)
+    def send(self, raw: bytes, peer: Where, *, unsigned: bool = False) -> None:
+        """Send a frame to a known sender, or to the one address that it speaks to; signed, where there is a key."""
+        self._connection.send(raw if unsigned else self.gate.signed(raw), self._connection.to or peer)
 
     @property
     def to(self) -> Where | None:

@@ -43,7 +43,7 @@ def facts(scenario: Scenario) -> list[str]:
         lasts_s = 0.01 * battery.initial_percent * battery.capacity_j / (battery.hover_w + battery.avionics_w)
         line = f"{MARKS[vehicle.role]} {vehicle.label}: starts at {_place(vehicle.start_m)}, hovers for {lasts_s:.0f} s"
         if vehicle.external is not None:
-            line = f"{MARKS[vehicle.role]} {vehicle.label}: expected at {vehicle.external.connect}, wherever it stands"
+            line = f"{MARKS[vehicle.role]} {vehicle.label}: expected at {vehicle.external.where}, wherever it stands"
             if (first := drawn_at(vehicle)) is not None:
                 line += f"; drawn at {_place(first)}, where it is sent first"
         if isinstance(vehicle, Target):

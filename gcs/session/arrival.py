@@ -49,7 +49,7 @@ def arriving(
 def _refuse_rivals(scenario: Scenario, labels: Mapping[int, str], external: ExternalLink) -> None:
     """Nothing flies while two say that they are one vehicle: the wrong one would be believed."""
     for (sysid, _), (one, other) in external.rivals.items():
-        at = scenario.vehicles.external[sysid].connect
+        at = scenario.vehicles.external[sysid].where
         raise SessionFailed(
             f"two say that they are {labels[sysid]} at {at}, {one[0]}:{one[1]} and {other[0]}:{other[1]}: "
             "end the one that is not, or let the vehicle sign (signing.key_file)"

@@ -37,6 +37,8 @@ class LinkNotices:
     def _of_externals(self, link: ExternalLink, now_s: float, *, begun: bool) -> Iterator[Notice]:
         for (sysid, _), address in link.pop_moved().items():
             yield sysid, "warning", f"Heard from {address[0]}:{address[1]} now, after a silence"
+        for sysid, text in link.pop_changes():
+            yield sysid, "warning", text
         for connect, problem in link.pop_problems() if begun else ():
             text = f"{connect} is lost: {problem}" if problem else f"{connect} is there again"
             yield 0, "critical" if problem else "info", text

@@ -22,6 +22,7 @@ from gcs.recording.summary import (
     Role,
     Summary,
     SummaryPart,
+    VehicleLinkSummary,
     VehicleSummary,
 )
 from gcs.scenario.goal import Judgement, Nearest
@@ -47,6 +48,7 @@ def summarise(
     snapshot = supervisor.fleet.snapshot(supervisor.time_s)
     goal = [_part(judged) for judged in supervisor.judged()]
     near, believed = supervisor.goal_watch.judged, supervisor.goal_watch.believed
+    links = supervisor.links()
     schedule.settle(snapshot)
     credited_j: dict[int | str | None, int] = defaultdict(int)
     for service in schedule.services:
@@ -67,7 +69,7 @@ def summarise(
         goal=goal,
         unmet=[part for part in goal if not part.met],
         judged_by="truth" if supervisor.goal_watch.from_truth else "reports",
-        digest=None if scenario.vehicles.external else supervisor.digest.hexdigest(),
+        digest=supervisor.digest.hexdigest() if scenario.vehicles.repeat else None,
         versions=dict(_versions()),
         min_separation_m=_finite(near.separation.m),
         min_clearance_m=_finite(near.clearance.m),
@@ -96,6 +98,7 @@ def summarise(
                 missing_streams=supervisor.externals.missing_streams(view.sysid),
                 check_list=[CheckedItem(**item._asdict()) for item in supervisor.preflight.items(view.sysid)],
                 refused_messages=link.signature_refusals.get(view.sysid, 0),
+                links=[VehicleLinkSummary(**one._asdict()) for one in links.get(view.sysid, ())],
             )
             for view in snapshot.vehicles
         ],

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Protocol
 
-from simvehicle.mavlink.codec import encode
+from simvehicle.autopilot.snapshot import Moving, VehicleState
 from simvehicle.mavlink.streams import StreamSchedule
-from simvehicle.mavlink.telemetry import VehicleState
 
 DATAGRAM_BYTES = 1400
+
+
+class Reporting(Moving, Protocol):
+    """Vehicle whose telemetry is sent."""
+
+    def snapshot(self) -> VehicleState:
+        """Everything that telemetry reports, at the present time."""
 
 
 class Connection:
@@ -25,22 +31,35 @@ class Connection:
         """Queue a message behind those that wait."""
         self._queue.append(content)
 
-    def put_due(self, snapshot: VehicleState) -> None:
-        """Queue the telemetry that is due at the snapshot's time."""
-        for stream in self.streams.due(snapshot.time_ms):
+    def put_due(self, vehicle: Reporting) -> None:
+        """Queue the telemetry that is due at the vehicle's present time."""
+        snapshot = None
+        for stream in self.streams.due(vehicle.time_ms):
+            if stream.build_moving is not None:
+                self._queue.append(stream.build_moving(vehicle))
+                continue
+            if snapshot is None:
+                snapshot = vehicle.snapshot()
             self._queue.append(stream.build(snapshot))
 
     def frames(self, most: int | None = None) -> list[bytes]:
         """Number, encode and hand out what waits, at most `most` messages; the others go on waiting."""
-        handed_out = self._queue[:most]
-        del self._queue[:most]
-        return [self.number(content) for content in handed_out]
+        queue = self._queue
+        handed_out = queue[:most]
+        del queue[:most]
+        seq, sysid, compid, frames = self._seq, self.sysid, self.compid, []
+        for content in handed_out:
+            frames.append(content.SCHEMA.encode(content, seq, sysid, compid))
+            seq = (seq + 1) & 0xFF
+        self._seq = seq
+        return frames
 
     def number(self, content: Any) -> bytes:
         """The frame of one message with this connection's next number, past everything that waits."""
         seq = self._seq
         self._seq = (seq + 1) & 0xFF
-        return encode(content, seq=seq, sysid=self.sysid, compid=self.compid)
+        frame: bytes = content.SCHEMA.encode(content, seq, self.sysid, self.compid)
+        return frame
 
 
 def pack(frames: list[bytes]) -> list[bytes]:

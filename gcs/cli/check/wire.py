@@ -42,13 +42,13 @@ class Wire:
             received += frames
         return received
 
-    def send(self, messages: Sequence[codec.Message], sysid: int | None) -> None:
+    def send(self, messages: Sequence[codec.Message], sysid: int | None, *, unsigned: bool = False) -> None:
         """Send each message by itself, to the vehicle or to the address that was given."""
         to = self.listener.to or (self._peers.get(sysid) if sysid is not None else None)
         if to is None:
             return
         for message in messages:
-            self.listener.send(codec.frame(message, self._counter.next(), *STATION), to)
+            self.listener.send(codec.frame(message, self._counter.next(), *STATION), to, unsigned=unsigned)
 
     def close(self) -> None:
         """Close the connection."""
@@ -76,7 +76,10 @@ def check(
             refused = f", only messages that are {reasons}" if reasons else ""
             why = f": {silence}" if (silence := wire.listener.silence) else ""
             raise CheckError(f"no vehicle's HEARTBEAT came within {find_within_s:g} s{refused}", why)
-        wire.send(dialogue.poll(time.monotonic() - begun_s), None if vehicle is None else vehicle.sysid)
+        messages = dialogue.poll(time.monotonic() - begun_s)
+        question = dialogue.current
+        unsigned = question is not None and question.unsigned
+        wire.send(messages, None if vehicle is None else vehicle.sysid, unsigned=unsigned)
         for finding in dialogue.findings[count:]:
             on_finding(finding)
         count = len(dialogue.findings)

@@ -22,7 +22,6 @@ if TYPE_CHECKING:
 
 FOLDER = "rows"
 FIRST = ("row", "session", "combination", "seed")
-LAST = ("ok", "fault", "error", "digest", "wall_s", "cpu_s", "kept")
 
 
 def schema(campaign: CampaignRules) -> pa.Schema:

@@ -93,12 +93,6 @@ def close() -> None:
         _all.clear()
 
 
-def warm_processes() -> list[WarmSessions]:
-    """Sessions that run."""
-    with _lock:
-        return list(_all)
-
-
 def warm_up() -> None:
     """Have the warm process of this thread ready. Raises WarmError."""
     _sessions().warm_up()

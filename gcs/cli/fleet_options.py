@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from gcs.cli.options import connecting, endpoint
 from gcs.exit import BAD_INPUT
-from gcs.scenario.endpoint import EXAMPLE, FORM, Endpoint, address
+from gcs.scenario.endpoint import Endpoint
 
 if TYPE_CHECKING:
     from gcs.link.asked_fleet import AskedFleet
@@ -24,16 +25,6 @@ class Refused(click.ClickException):
     """Why nothing was asked of any vehicle."""
 
     exit_code = BAD_INPUT
-
-
-def endpoint(_: click.Context, __: click.Parameter, value: str | None) -> Endpoint | None:
-    """The callback of an option that is an address."""
-    if value is None:
-        return None
-    at = address(value)
-    if at is None:
-        raise click.BadParameter(f"{value!r} is no address; write {FORM}, {EXAMPLE}.")
-    return at
 
 
 def of_the_fleet(command: Callable[..., Any]) -> Callable[..., Any]:
@@ -79,15 +70,9 @@ def fleet_at(
 ) -> Iterator[AskedFleet]:
     """The vehicles at an address, found. Raises click.ClickException where there is none."""
     from gcs.link.asked_fleet import AskedFleet
-    from gcs.link.keys import KeyRefused
-    from gcs.link.socket import AddressRefused
 
-    try:
+    with connecting():
         fleet = AskedFleet(connect, key_file)
-    except AddressRefused as error:
-        raise click.UsageError(f"--connect: {error}.") from None
-    except KeyRefused as error:
-        raise click.UsageError(f"--key-file: {error}.") from None
     try:
         if not fleet.find(sysids, within):
             missing = sorted(set(sysids) - fleet.profiles.keys())

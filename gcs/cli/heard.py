@@ -16,7 +16,6 @@ from gcs.scenario.endpoint import Endpoint
 if TYPE_CHECKING:
     from gcs.link.asked_fleet import AskedFleet
 
-FOUND_WITHIN_S = 15.0
 REPORTED_WITHIN_S = 8.0
 CAPACITIES = ("SIM_BAT_CAP_J", "BATT_CAPACITY", "BAT1_CAPACITY")
 """Joules of a simulated vehicle of ours; mAh of ArduPilot; mAh of PX4."""

@@ -11,17 +11,14 @@ from typing import Any
 import click
 
 from gcs.cli.author import ScenarioName, load_scenario
-from gcs.scenario.endpoint import EXAMPLE, FORM, Endpoint, address
+from gcs.cli.options import endpoint
+from gcs.scenario.endpoint import Endpoint
 
 
 def _checked_address(ctx: click.Context, param: click.Parameter, value: str | None) -> Endpoint | None:
     """A --connect is an address whose host can be found."""
-    if value is None:
-        return None
-    at = address(value)
-    if at is None:
-        raise click.BadParameter(f"{value} is not an address; write {FORM}, {EXAMPLE}.", ctx, param)
-    if at.way != "serial":
+    at = endpoint(ctx, param, value)
+    if at is not None and at.way != "serial":
         from gcs.link.socket import AddressRefused, resolve
 
         try:
@@ -73,7 +70,7 @@ def launch(scenario: str, connect: Endpoint | None, out: Path | None, as_json: b
 
     resolved = load_scenario(scenario, runs_code=False)  # vehicles plan nothing
     for sysid, external in resolved.vehicles.external.items():
-        click.echo(f"vehicle {sysid} is not launched: it is expected at {external.connect}", err=True)
+        click.echo(f"vehicle {sysid} is not launched: it is expected at {external.where}", err=True)
     if not resolved.vehicles.launched:
         raise click.UsageError(f"{scenario} has nothing to launch: all its vehicles are external.")
     click.echo(f"starting {len(resolved.vehicles.launched)} vehicles ...", err=True)

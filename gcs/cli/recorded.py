@@ -16,10 +16,10 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from gcs.cli import page
+from gcs.cli.options import PLAIN, limits, refuse_two_shows, speed_limits
 from gcs.exit import NOT_DONE
 
 if TYPE_CHECKING:
-    from gcs.session.replay import Replay
     from gcs.supervisor.redecide import Comparison
 
 AGREES, DIFFERS = 0, 1
@@ -39,29 +39,24 @@ def _progress(what: str) -> Iterator[Callable[[float], None]]:
         yield lambda share: shown.update(task, completed=share)
 
 
-def _speed(ctx: click.Context, param: click.Parameter, value: float | None) -> float | None:
-    if value is not None and not 0.0 < value <= 1000.0:
-        raise click.BadParameter(f"{value} is not a speed above 0 and up to 1000.", ctx, param)
-    return value
-
-
-def _time(ctx: click.Context, param: click.Parameter, value: float | None) -> float | None:
-    if value is not None and not math.isfinite(value):
-        raise click.BadParameter(f"{value} is not a time in seconds.", ctx, param)
-    return value
-
-
 @click.command(short_help="Play a recorded session, or any .tlog, in the console.")
 @click.argument("session", type=click.Path(path_type=Path))
 @click.option(
     "--speed",
     type=float,
-    callback=_speed,
+    callback=speed_limits,
     metavar="X",
     help="Recorded seconds per second on the wall, up to 1000.  [default: 1; as lines or JSON: without waiting]",
 )
-@click.option("--from", "from_s", type=float, callback=_time, metavar="T", help="Begin T seconds into the recording.")
-@click.option("--plain", is_flag=True, help="Lines of text instead of the console; also used without a terminal.")
+@click.option(
+    "--from",
+    "from_s",
+    type=float,
+    callback=limits("a time in seconds", math.isfinite),
+    metavar="T",
+    help="Begin T seconds into the recording.",
+)
+@PLAIN
 @click.option("--json", "as_json", is_flag=True, help="One JSON object per recorded second on stdout.")
 @page.WEB
 @page.TILES
@@ -107,16 +102,13 @@ def replay(
       130  stopped by Ctrl-C
       70   an error of the program itself
     """
-    if plain and as_json:
-        raise click.UsageError("--plain and --json exclude each other: choose what goes to stdout.")
-    if sum((web, foxglove, plain or as_json)) > 1:
-        raise click.UsageError("--web, --foxglove, and --plain or --json exclude each other: choose who shows it.")
-    page.refuse_tiles(tiles, web=web)
+    refuse_two_shows(plain=plain, as_json=as_json, web=web, foxglove=foxglove, tiles=tiles)
     if decide:
         if speed is not None or from_s is not None or web or foxglove:
             raise click.UsageError("--decide plays nothing: leave out --speed, --from, --web and --foxglove.")
         return _decide(session, as_json, trust=trust)
-    from gcs.session.replay import Replay, ReplayError
+    from gcs.console.terminal import usable
+    from gcs.session.replay import Replay, ReplayError, ReplaySource
 
     try:
         with _progress("reading") as progress:
@@ -130,31 +122,19 @@ def replay(
     if from_s is not None:
         if not recording.from_s <= from_s <= recording.to_s:
             raise click.UsageError(f"--from: the recording goes from {recording.from_s:g} to {recording.to_s:g} s.")
-        from gcs.console.terminal import usable
-
         looked_at = web or (not (plain or as_json) and usable())
         recording.seek(from_s, reported_s=-math.inf if looked_at else math.inf)  # who can scroll back finds the past
+    source = ReplaySource(recording, speed=speed or 1.0)
     if web:
-        from gcs.session.replay import ReplaySource
-
-        page.show(ReplaySource(recording, speed=speed or 1.0), commands=False, tiles=tiles)
+        page.show(source, commands=False, tiles=tiles)
         return 0
     if foxglove:
-        from gcs.session.replay import ReplaySource
-
-        page.show_in_foxglove(ReplaySource(recording, speed=speed or 1.0))
+        page.show_in_foxglove(source)
         return 0
-    return _play(recording, speed, plain=plain, as_json=as_json)
-
-
-def _play(recording: Replay, speed: float | None, *, plain: bool, as_json: bool) -> int:
-    from gcs.console.terminal import usable
-    from gcs.session.replay import ReplaySource
-
     if not plain and not as_json and usable():
         from gcs.console.app import show
 
-        return show(ReplaySource(recording, speed=speed or 1.0), recording.name)
+        return show(source, recording.name)
     from gcs.console.follow import Steps, follow
 
     if speed is None:
@@ -162,7 +142,6 @@ def _play(recording: Replay, speed: float | None, *, plain: bool, as_json: bool)
         source = ReplaySource(recording, speed=None, clock=steps, patience_s=math.inf)
         follow(source, click.echo, as_json=as_json, clock=steps, wait=steps.go_on, over=lambda: recording.ended)
     else:
-        source = ReplaySource(recording, speed=speed)
         follow(source, click.echo, as_json=as_json, over=lambda: recording.ended)
     return 0
 

@@ -16,23 +16,13 @@ import click
 
 from gcs.cli import author, page, report
 from gcs.cli.author import ScenarioName, ScenarioRefused, load_scenario, module_arguments
-from gcs.exit import NOT_DONE
+from gcs.cli.options import ONE_STDOUT, PLAIN, limits, speed_limits
+from gcs.exit import BAD_INPUT, NOT_DONE
 from gcs.loading import uncollected
 
 if TYPE_CHECKING:
     from gcs.scenario.model import Scenario
     from gcs.session.supervised import View
-
-
-def _limits(wanted: str, holds: Callable[[Any], bool]) -> Callable[[click.Context, click.Parameter, Any], Any]:
-    """A callback that refuses a value outside its limits; `nan` lies in none."""
-
-    def check(ctx: click.Context, param: click.Parameter, value: Any) -> Any:
-        if value is not None and not holds(value):
-            raise click.BadParameter(f"{value} is not {wanted}.", ctx, param)
-        return value
-
-    return check
 
 
 @click.command(short_help="Fly a scenario and watch it.")
@@ -41,14 +31,14 @@ def _limits(wanted: str, holds: Callable[[Any], bool]) -> Callable[[click.Contex
 @click.option(
     "--speed",
     type=float,
-    callback=_limits("a speed above 0 and up to 1000", lambda speed: 0.0 < speed <= 1000.0),
+    callback=speed_limits,
     metavar="X",
     help="Session seconds per second on the wall, above 0 and up to 1000.",
 )
 @click.option(
     "--seed",
     type=int,
-    callback=_limits("a whole number from 0 to 2^63 - 1", lambda seed: 0 <= seed < 1 << 63),
+    callback=limits("a whole number from 0 to 2^63 - 1", lambda seed: 0 <= seed < 1 << 63),
     metavar="N",
     help="Of everything random, instead of the scenario's.",
 )
@@ -77,14 +67,19 @@ def _limits(wanted: str, holds: Callable[[Any], bool]) -> Callable[[click.Contex
     is_flag=True,
     help="What is said there reaches the vehicles: whoever flies one there has it until it rejoins.",
 )
-@click.option("--plain", is_flag=True, help="Lines of text instead of the console; also used without a terminal.")
+@click.option(
+    "--logs",
+    is_flag=True,
+    help="After the flight download each external vehicle's newest log into the session's folder.",
+)
+@PLAIN
 @click.option("--json", "as_json", is_flag=True, help="One JSON object per second on stdout, for other programs.")
 @page.WEB
 @page.TILES
 @click.option(
     "--vehicles-per-process",
     type=int,
-    callback=_limits("a number from 1 to 254", lambda number: 1 <= number <= 254),
+    callback=limits("a number from 1 to 254", lambda number: 1 <= number <= 254),
     metavar="K",
     help="Fly up to K vehicles in each process, instead of the scenario's number: lighter and faster, and the same to "
     "the last bit.",
@@ -92,7 +87,7 @@ def _limits(wanted: str, holds: Callable[[Any], bool]) -> Callable[[click.Contex
 @click.option(
     "--drop-datagrams",
     type=float,
-    callback=_limits("a share from 0 to 0.9", lambda share: 0.0 <= share <= 0.9),
+    callback=limits("a share from 0 to 0.9", lambda share: 0.0 <= share <= 0.9),
     default=0.0,
     metavar="SHARE",
     help="For tests: drop this share (0 to 0.9) of the supervised link's datagrams, both ways; they are sent again and "
@@ -118,6 +113,7 @@ def run(
     key_file: Path | None,
     forwards: tuple[str, ...],
     forward_control: bool,
+    logs: bool,
     plain: bool,
     as_json: bool,
     web: bool,
@@ -163,7 +159,7 @@ def run(
     if lockstep and speed is not None:
         raise click.UsageError("--lockstep and --speed exclude each other: lockstep is as fast as the machine can.")
     if plain and as_json:
-        raise click.UsageError("--plain and --json exclude each other: choose what goes to stdout.")
+        raise click.UsageError(ONE_STDOUT)
     page.refuse_tiles(tiles, web=web)
     if quiet and (verbose or as_json or plain or web):
         raise click.UsageError("--quiet excludes --verbose, --plain, --json and --web.")
@@ -191,6 +187,7 @@ def run(
             key_file=key_path,
             forward=forwards,
             forward_control=forward_control,
+            logs=logs,
         )
     except ScenarioRefused as refusal:
         if junit is not None:
@@ -265,6 +262,11 @@ def run(
             stderr=stderr,
             hurry=hurry.set,
         )
+        if resolved.logs and status != BAD_INPUT and not hurry.is_set():
+            from gcs.session.fetched_logs import fetch_logs
+
+            for problem in fetch_logs(resolved, folder, echo):
+                echo(f"gcs: {problem}")
         if junit is not None:
             from gcs.report.junit import flown
 

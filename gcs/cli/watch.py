@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING
 import click
 
 from gcs.cli import page
+from gcs.cli.options import PLAIN, connecting, endpoint, refuse_two_shows
+from gcs.scenario.endpoint import LISTENS, Endpoint
 from gcs.session.client import SOCKET
 
 if TYPE_CHECKING:
@@ -21,6 +23,7 @@ if TYPE_CHECKING:
 @click.argument("session", required=False, type=click.Path(path_type=Path, file_okay=False))
 @click.option(
     "--connect",
+    callback=endpoint,
     metavar="ADDRESS",
     help="Watch whoever is heard there instead of a session: any autopilot, any number, nothing to configure. udpin, "
     "udpout, tcp, tcpin:HOST:PORT, or serial:DEVICE:BAUD.",
@@ -36,14 +39,14 @@ if TYPE_CHECKING:
     metavar="FILE",
     help="With --connect: MAVLink 2 signing; take only what is signed with this key, and sign what --control sends.",
 )
-@click.option("--plain", is_flag=True, help="Lines of text instead of the console; also used without a terminal.")
+@PLAIN
 @click.option("--json", "as_json", is_flag=True, help="One JSON object per second on stdout, for other programs.")
 @page.WEB
 @page.TILES
 @page.FOXGLOVE
 def monitor(
     session: Path | None,
-    connect: str | None,
+    connect: Endpoint | None,
     control: bool,
     key_file: Path | None,
     plain: bool,
@@ -76,11 +79,7 @@ def monitor(
       2    no session runs there, or the address cannot be had
       70   an error of the program itself
     """
-    if plain and as_json:
-        raise click.UsageError("--plain and --json exclude each other: choose what goes to stdout.")
-    if sum((web, foxglove, plain or as_json)) > 1:
-        raise click.UsageError("--web, --foxglove, and --plain or --json exclude each other: choose who shows it.")
-    page.refuse_tiles(tiles, web=web)
+    refuse_two_shows(plain=plain, as_json=as_json, web=web, foxglove=foxglove, tiles=tiles)
     if connect is not None and session is not None:
         raise click.UsageError("SESSION and --connect exclude each other: a session is watched, or who is on the air.")
     if control and connect is None:
@@ -123,22 +122,12 @@ def _session(session: Path | None) -> tuple[MessageSource, str]:
     return SessionSource(folder), folder.name
 
 
-def _monitor(connect: str, control: bool, key_file: Path | None) -> tuple[MessageSource, str]:
+def _monitor(at: Endpoint, control: bool, key_file: Path | None) -> tuple[MessageSource, str]:
     """Monitor of all vehicles received at an address. Raises click.UsageError where it cannot be opened."""
-    from gcs.link.keys import KeyRefused
-    from gcs.link.socket import AddressRefused
-    from gcs.scenario.endpoint import EXAMPLE, FORM, LISTENS, address
     from gcs.session.monitor import MonitorSource
 
-    at = address(connect)
-    if at is None:
-        raise click.UsageError(f"--connect: {connect!r} is no address: write {FORM}, {EXAMPLE}.")
-    try:
+    with connecting():
         source = MonitorSource(at, control=control, key_file=key_file)
-    except AddressRefused as error:
-        raise click.UsageError(f"--connect: {error}.") from None
-    except KeyRefused as error:
-        raise click.UsageError(f"--key-file: {error}.") from None
     if at.way in LISTENS:
         at = at._replace(port=source.port)
         click.echo(f"gcs: listening at {at.text}; Ctrl-C ends it.", err=True)

@@ -30,10 +30,8 @@ class Glyphs:
     full: str
     empty: str
     times: str
-    from_: str
     more: str
     rule: str
-    upright: str
     act: str
     look: str
     chosen: str
@@ -45,8 +43,8 @@ class Glyphs:
     dot: str
 
 
-UNICODE = Glyphs(True, "━", "─", "×", "←", "…", "─", "│", "▲", "!", "▸", "●", "○", "↑", "↓", "●", "·")
-ASCII = Glyphs(False, "#", ".", "x", "<-", "..", "-", "|", "A", "!", ">", "y", "n", "^", "v", "*", "-")
+UNICODE = Glyphs(True, "━", "─", "×", "…", "─", "▲", "!", "▸", "●", "○", "↑", "↓", "●", "·")
+ASCII = Glyphs(False, "#", ".", "x", "..", "-", "A", "!", ">", "y", "n", "^", "v", "*", "-")
 
 
 def can_unicode(environment: Mapping[str, str], encoding: str) -> bool:

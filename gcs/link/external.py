@@ -3,36 +3,30 @@
 A vehicle is known by its system id and component 1, and by the address of its first HEARTBEAT; whoever says the same
 from elsewhere is refused and reported. Two who say the same before the session begins are `rivals`: nobody can know
 which is the vehicle. One that was silent for a while, or whose stream has ended, may go on from another address.
-Several vehicles may speak to one port, each from its own address or all through one router or radio. What has come by
-the tick is delivered at the tick. Where a connection breaks it is made again, and the session goes on meanwhile.
+Several vehicles may speak to one port, each from its own address or all through one router or radio; one vehicle may
+speak to several (gcs/link/external_peer.py). What has come by the tick is delivered at the tick. Where a connection
+breaks it is made again, and the session goes on meanwhile.
 """
 
 from __future__ import annotations
 
-import math
 import select
 import time
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
-from pathlib import Path
-from typing import Any
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.link.addresses import open_connection
-from gcs.link.connection import Channel
-from gcs.link.diagnosis import Diagnosis
-from gcs.link.keys import KeyRefused, SignatureGate
-from gcs.link.link import Key
+from gcs.link.door import Door, open_door, radio_in_words
+from gcs.link.external_peer import ExternalPeer, PeerLink
+from gcs.link.keys import KeyRefused
+from gcs.link.link import Key, LinkState
 from gcs.link.socket import BUFFER_BYTES, AddressRefused, Where
 from gcs.mavlink import codec
 from gcs.mavlink.boot_clock import CLOCKS, BootClock
 from gcs.mavlink.codec import Frame, Message
-from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION
-from gcs.mavlink.sequence import SequenceCounter
+from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT
 from gcs.mavlink.signing import SignatureVerdict
-from gcs.scenario.endpoint import address
 from gcs.scenario.external import External
 
 ANNOUNCE_EVERY_S = 1.0
@@ -50,60 +44,11 @@ MOVED_SIGNED_S = 2.0
 """The same of one that signs: nobody else has its key."""
 _HEARTBEAT = codec.msgid("HEARTBEAT")
 _RADIO_STATUS = codec.msgid("RADIO_STATUS")
-RADIO_FULL_PERCENT = 20
-"""So little room in a telemetry radio's buffer: from there on it tells autopilots to send less, or loses frames."""
-RADIO_WEAK = 15
-"""So little between signal and noise at either end, in the radio's own steps (SiK: about half a dB each)."""
 RADIO_AGAIN_S = 30.0
 _SET_POINT = codec.msgid("SET_POSITION_TARGET_LOCAL_NED")
-
-
-@dataclass
-class _Door:
-    """One `connect`: its connection, and who has spoken there."""
-
-    connection: Channel
-    gate: SignatureGate
-    diagnosis: Diagnosis
-    counters: dict[Where, SequenceCounter] = field(default_factory=dict)
-    speakers: set[Where] = field(default_factory=set)
-    """addresses of vehicles"""
-    unknown_senders: set[Where] = field(default_factory=set)
-    """senders of MAVLink 1: some autopilots change to MAVLink 2 when they receive it"""
-    problem: str = ""
-    """of the connection, as it was reported last"""
-    radio: str = ""
-    """problem of a telemetry radio on the way, by its last RADIO_STATUS, in words; empty where there is none"""
-    radio_said_s: float = -math.inf
-
-    @property
-    def hearers(self) -> set[Where]:
-        """Addresses to let know that a ground station is here."""
-        to = self.connection.to
-        return {to} if to is not None else self.speakers | self.unknown_senders | self.connection.senders
-
-    def send(self, message: Message | bytes, address: Where) -> bytes:
-        counter = self.counters.setdefault(address, SequenceCounter())
-        raw = message if isinstance(message, bytes) else codec.frame(message, counter.next(), *STATION)
-        raw = self.gate.signed(raw)
-        self.connection.send(raw, address)
-        return raw
-
-
-@dataclass
-class _ExternalPeer:
-    """One vehicle."""
-
-    key: Key
-    door: _Door
-    address: Where | None = None
-    cut_off: bool = False
-    """whether the stream from that address has ended"""
-    found_s: float = 0.0
-    received_s: float = 0.0
-    clock: BootClock = field(default_factory=BootClock)
-    frames: list[Frame] = field(default_factory=list)
-    set_point: Message | None = None
+_FOR_ALL_LINKS = frozenset({_HEARTBEAT, codec.msgid("REQUEST_DATA_STREAM")})
+_COMMAND_LONG = codec.msgid("COMMAND_LONG")
+_COMMAND_AT = codec.layout("COMMAND_LONG").record._fields.index("command")
 
 
 class ExternalLink:
@@ -112,8 +57,8 @@ class ExternalLink:
     def __init__(self, expected: Mapping[int, External], now_s: Callable[[], float]) -> None:
         """Open each address; `now_s` reads the session's clock. Raises AddressRefused, KeyRefused."""
         self._now_s = now_s
-        self._doors: dict[str, _Door] = {}
-        self._peers: dict[int, _ExternalPeer] = {}
+        self._doors: dict[str, Door] = {}
+        self._peers: dict[int, ExternalPeer] = {}
         self._poll = select.poll()
         self._kept = False
         self._announced_s = self._sent_s = -ANNOUNCE_EVERY_S
@@ -124,33 +69,30 @@ class ExternalLink:
         self._moved: dict[Key, Where] = {}
         self.malformed = 0
         self._rebooted: set[int] = set()
+        self._changes: list[tuple[int, str]] = []
         for sysid, external in expected.items():
-            if external.connect not in self._doors:
-                try:
-                    self._doors[external.connect] = _open(external)
-                except (AddressRefused, KeyRefused):
-                    self.close()
-                    raise
-            self._peers[sysid] = _ExternalPeer((sysid, AUTOPILOT), self._doors[external.connect])
+            links = [PeerLink(self._door(connect, external), connect) for connect in external.addresses]
+            self._peers[sysid] = ExternalPeer((sysid, AUTOPILOT), links, links[0])
         for door in self._doors.values():
             self._poll.register(door.connection.fileno(), select.POLLIN)
 
     @property
     def joined(self) -> set[Key]:
         """Vehicles that have been received and are still held."""
-        return {peer.key for peer in self._peers.values() if peer.address is not None}
+        return {peer.key for peer in self._peers.values() if peer.found}
 
     @property
     def missing(self) -> set[Key]:
         """Vehicles that have not been received yet."""
-        return {peer.key for peer in self._peers.values() if peer.address is None}
+        return {peer.key for peer in self._peers.values() if not peer.found}
 
     @property
     def settled(self) -> bool:
         """Whether everyone is there, and has been for so long that a rival would have spoken."""
         now_s = time.monotonic()
+        found = (link for peer in self._peers.values() for link in peer.links if link.address is not None)
         return not self.missing and all(
-            peer.door.connection.to is not None or now_s - peer.found_s >= CLAIM_S for peer in self._peers.values()
+            link.door.connection.to is not None or now_s - link.found_s >= CLAIM_S for link in found
         )
 
     @property
@@ -172,9 +114,27 @@ class ExternalLink:
         """Reasons why vehicles have not been received yet, by system id, where that can be seen."""
         texts = {}
         for sysid, peer in self._peers.items():
-            if peer.address is None and (text := peer.door.diagnosis.text(peer.door.connection.problem, sysid)):
-                texts[sysid] = text
+            reasons = [link.door.diagnosis.text(link.door.connection.problem, sysid) for link in peer.links]
+            if not peer.found and any(reasons):
+                texts[sysid] = "; ".join(filter(None, reasons))
         return texts
+
+    def links(self) -> dict[int, list[LinkState]]:
+        """Links of the vehicles that have several, in the scenario's order, by system id."""
+        now_s = time.monotonic()
+        return {sysid: peer.states(now_s) for sysid, peer in self._peers.items() if len(peer.links) > 1}
+
+    def pop_relinked(self) -> set[int]:
+        """As `Link.pop_relinked`."""
+        taken = {sysid for sysid, peer in self._peers.items() if peer.relinked}
+        for sysid in taken:
+            self._peers[sysid].relinked = False
+        return taken
+
+    def pop_changes(self) -> list[tuple[int, str]]:
+        """(system id, words) of vehicles that another link is used for since the last call."""
+        taken, self._changes = self._changes, []
+        return taken
 
     def pop_problems(self) -> list[tuple[str, str]]:
         """(address, its problem) of connections that have broken or have been mended since the last call; no problem:
@@ -225,6 +185,7 @@ class ExternalLink:
                 for address in sorted(door.hearers, key=str):
                     door.send(OUR_HEARTBEAT, address)
         self.rest(wait_s)
+        self._choose()
 
     def begin(self) -> None:
         """The session's clock runs from now: what comes is kept for its ticks."""
@@ -233,6 +194,7 @@ class ExternalLink:
         self._kept = True
         for peer in self._peers.values():
             peer.clock = BootClock()
+            peer.relinked = False
 
     def rest(self, wait_s: float) -> None:
         """Take in what comes in the next `wait_s`, when it comes."""
@@ -244,19 +206,24 @@ class ExternalLink:
     def grant(self, key: Key, messages: Sequence[Message], relayed: Sequence[bytes]) -> list[bytes]:
         """Send one vehicle what is for it now; the frames. The clock that it lives on needs no grant."""
         peer = self._peers[key[0]]
-        assert peer.address is not None  # it has joined
         self._sent_s = time.monotonic()
         set_points = [message for message in messages if message.msgid == _SET_POINT]
         peer.set_point = set_points[-1] if set_points else None
         items: list[Message | bytes] = [*messages, *relayed]
-        return [peer.door.send(item, peer.address) for item in items]
+        sent = []
+        for link in peer.links:
+            to = link.address or link.door.connection.to
+            if to is not None:
+                sent += [link.door.send(item, to) for item in items if link is peer.used or _is_for_all_links(item)]
+        return sent
 
     def collect(self) -> dict[Key, list[Frame]]:
         """Frames received from each vehicle since the last call, in order of system id."""
         self._drain()
-        taken = {peer.key: peer.frames for _, peer in sorted(self._peers.items()) if peer.address is not None}
+        taken = {peer.key: peer.frames for _, peer in sorted(self._peers.items()) if peer.found}
         for peer in self._peers.values():
             peer.frames = []
+        self._choose()  # now: frames of one collection are numbered alike
         return taken
 
     def stand_in(self) -> None:
@@ -265,14 +232,30 @@ class ExternalLink:
         if time.monotonic() - self._sent_s >= REPEAT_AFTER_S:
             self._sent_s = time.monotonic()
             for peer in self._peers.values():
-                if peer.set_point is not None and peer.address is not None:
-                    peer.door.send(peer.set_point, peer.address)
+                if peer.set_point is not None and peer.used.address is not None:
+                    peer.used.door.send(peer.set_point, peer.used.address)
 
     def close(self) -> None:
         """Close the connections."""
         for door in self._doors.values():
             door.connection.close()
             door.gate.close()
+
+    def _choose(self) -> None:
+        now_s = time.monotonic()
+        for sysid, peer in self._peers.items():
+            if len(peer.links) > 1 and (text := peer.choose(now_s)) and self._kept:
+                self._changes.append((sysid, text))
+
+    def _door(self, connect: str, external: External) -> Door:
+        if connect not in self._doors:
+            key_file = external.signing.key_file if external.signing else None
+            try:
+                self._doors[connect] = open_door(connect, key_file, len(self._doors))
+            except (AddressRefused, KeyRefused):
+                self.close()
+                raise
+        return self._doors[connect]
 
     def _drain(self) -> None:
         now_s = time.monotonic()
@@ -291,7 +274,7 @@ class ExternalLink:
             for sender in connection.pop_gone():
                 self._cut_off(door, sender)
 
-    def _look_into(self, door: _Door, data: bytes, address: Where) -> None:
+    def _look_into(self, door: Door, data: bytes, address: Where) -> None:
         """Bytes of somebody who is no vehicle yet: no more of a datagram is read than UNKNOWN_BYTES."""
         if not door.connection.stream:
             data = data[:UNKNOWN_BYTES]
@@ -300,62 +283,64 @@ class ExternalLink:
             door.unknown_senders.add(address)
         self._receive(door, split.frames, address)
 
-    def _cut_off(self, door: _Door, address: Where) -> None:
+    def _cut_off(self, door: Door, address: Where) -> None:
         """A stream has ended: who spoke there may come back there or elsewhere, at once."""
         for peer in self._peers.values():
-            peer.cut_off = peer.cut_off or (peer.door is door and peer.address == address)
+            link = peer.link_of(door)
+            if link is not None:
+                link.cut_off = link.cut_off or link.address == address
         door.unknown_senders.discard(address)
         if door.connection.to is None:
             door.speakers.discard(address)
             door.counters.pop(address, None)
 
-    def _receive(self, door: _Door, frames: Sequence[Frame], address: Where) -> None:
+    def _receive(self, door: Door, frames: Sequence[Frame], address: Where) -> None:
         now_s = time.monotonic()
         for frame in door.gate.accepted(frames):
             peer = self._peers.get(frame.sysid)
             if frame.msgid == _RADIO_STATUS and address in door.speakers:
-                door.radio = _radio_in_words(codec.fields(frame))
+                door.radio = radio_in_words(codec.fields(frame))
+            link = None if peer is None else peer.link_of(door)
             if peer is None:
                 continue
-            if peer.address != address and peer.door is door and _is_autopilot(frame):
-                self._claim(peer, address, now_s)
-            if peer.address != address or peer.door is not door:
-                if peer.address is not None and frame.compid == AUTOPILOT:
+            if link is not None and link.address != address and _is_autopilot(frame):
+                self._claim(peer.key, link, address, now_s)
+            if link is None or link.address != address:
+                if frame.compid == AUTOPILOT and (peer.found if link is None else link.address is not None):
                     self.refused.setdefault(peer.key, (str(address[0]), int(address[1])))
                 continue
-            peer.received_s, peer.cut_off = now_s, False
-            if self._kept:
+            taken = peer.takes(frame, link, now_s)
+            link.received_s, link.cut_off = now_s, False
+            if self._kept and taken:
                 peer.frames.append(frame)
                 if frame.msgid in CLOCKS and frame.compid == AUTOPILOT:
                     boot_s = codec.fields(frame).time_boot_ms / 1e3
                     rebooted = peer.clock.feed(frame.msgid, boot_s, self._now_s())
                     self._rebooted |= {frame.sysid} if rebooted else set()
 
-    def _claim(self, peer: _ExternalPeer, address: Where, now_s: float) -> None:
+    def _claim(self, key: Key, link: PeerLink, address: Where, now_s: float) -> None:
         """Somebody says that it is this vehicle, from an address from which nobody did."""
-        silent_s = MOVED_SIGNED_S if peer.door.gate.has_key else MOVED_AFTER_S
-        if peer.address is None:
-            peer.found_s = now_s
-        elif not self._kept and not peer.cut_off:
-            self.rivals.setdefault(peer.key, (peer.address, address))
+        silent_s = MOVED_SIGNED_S if link.door.gate.has_key else MOVED_AFTER_S
+        if link.address is None:
+            link.found_s = now_s
+        elif not self._kept and not link.cut_off:
+            self.rivals.setdefault(key, (link.address, address))
             return
-        elif now_s - peer.received_s < silent_s and not peer.cut_off:
+        elif now_s - link.received_s < silent_s and not link.cut_off:
             return
         elif self._kept:
-            self._moved[peer.key] = address
-        peer.address, peer.received_s, peer.cut_off = address, now_s, False
-        peer.door.speakers.add(address)
+            self._moved[key] = address
+        link.address, link.cut_off = address, False
+        link.door.speakers.add(address)
 
 
-def _radio_in_words(status: Any) -> str:
-    """Words about a RADIO_STATUS that a person should know of; empty where all is well."""
-    if status.txbuf <= RADIO_FULL_PERCENT:
-        return f"its radio has {status.txbuf} % of its buffer left: fewer vehicles behind it, or a faster air rate"
-    ends = (("here", status.rssi, status.noise), ("at the other end", status.remrssi, status.remnoise))
-    for where, signal, noise in ends:
-        if 0 < signal < 255 and 0 < noise < 255 and signal - noise < RADIO_WEAK:
-            return f"its radio's signal {where} is weak: {signal}, noise {noise}"
-    return ""
+def _is_for_all_links(item: Message | bytes) -> bool:
+    """Whether a message goes over all links of a vehicle: an autopilot sends streams on the port where it was asked."""
+    if isinstance(item, bytes):
+        return False
+    if item.msgid in _FOR_ALL_LINKS:
+        return True
+    return item.msgid == _COMMAND_LONG and item.values[_COMMAND_AT] == mav.MAV_CMD_SET_MESSAGE_INTERVAL
 
 
 def _is_autopilot(frame: Frame) -> bool:
@@ -363,10 +348,3 @@ def _is_autopilot(frame: Frame) -> bool:
     if frame.msgid != _HEARTBEAT or frame.compid != AUTOPILOT:
         return False
     return bool(codec.fields(frame).autopilot != mav.MAV_AUTOPILOT_INVALID)
-
-
-def _open(external: External) -> _Door:
-    at = address(external.connect)
-    assert at is not None  # as the scenario has checked
-    gate = SignatureGate(Path(external.signing.key_file) if external.signing else None)
-    return _Door(open_connection(at, alone=True), gate, Diagnosis(at))

@@ -117,9 +117,9 @@ class SignatureGate:
     """Lets frames to and from one address pass by their signatures: with a key only those signed with it, and a short
     list of messages; without a key only those that are not signed. A message that carries a key never passes."""
 
-    def __init__(self, key_file: Path | None) -> None:
+    def __init__(self, key_file: Path | None, link_id: int = 0) -> None:
         """Raises KeyRefused."""
-        self._signing = None if key_file is None else LinkSigning(key_file)
+        self._signing = None if key_file is None else LinkSigning(key_file, link_id)
         self.refused: Counter[int] = Counter()
         """frames refused, by system id"""
         self.reasons: dict[int, SignatureVerdict] = {}

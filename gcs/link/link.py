@@ -3,12 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 from gcs.mavlink.codec import Frame, Message
 
 Key = tuple[int, int]
 """System and component."""
+
+
+class LinkState(NamedTuple):
+    """One of the links of a vehicle that has several."""
+
+    connect: str
+    used: bool
+    """whether what is sent goes over it"""
+    alive: bool
+    """whether it is there at present"""
+    received: int
+    """frames"""
+    lost_share: float | None
+    """of the frames of the last 10 s, 0..1; None where there were none"""
 
 
 class TickLink(Protocol):
@@ -37,6 +51,13 @@ class TickLink(Protocol):
 
     def pop_rebooted(self) -> set[int]:
         """System ids of vehicles whose clock has restarted since the last call."""
+
+    def pop_relinked(self) -> set[int]:
+        """System ids of vehicles of which, since the last call, a link has come, or another is used whose frames have
+        numbers of their own."""
+
+    def links(self) -> dict[int, list[LinkState]]:
+        """Links of the vehicles that have several, in the scenario's order, by system id."""
 
 
 class Link(TickLink, Protocol):

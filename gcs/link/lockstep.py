@@ -18,7 +18,7 @@ from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
-from gcs.link.link import Key
+from gcs.link.link import Key, LinkState
 from gcs.link.socket import kernel_drops, widen
 from gcs.mavlink import codec
 from gcs.mavlink.boot_clock import CLOCKS, BootClock
@@ -220,6 +220,14 @@ class LockstepLink:
         """As `Link.pop_rebooted`, of those whose clocks are compared."""
         rebooted, self._rebooted = self._rebooted, set()
         return rebooted
+
+    def pop_relinked(self) -> set[int]:
+        """As `Link.pop_relinked`: none; each has one link."""
+        return set()
+
+    def links(self) -> dict[int, list[LinkState]]:
+        """As `Link.links`: none."""
+        return {}
 
     def _compared(self, key: Key, frames: list[Frame]) -> list[Frame]:
         clock = self._clocks.get(key)

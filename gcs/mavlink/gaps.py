@@ -86,6 +86,11 @@ class GapCounter:
         if lost:
             self.lost_of[sysid] = self.lost_of.get(sysid, 0) + lost
 
+    def forget(self, sysid: int) -> None:
+        """A vehicle's frames are numbered anew from the next one on; what it has lost so far stays."""
+        for sender in [sender for sender in self._newest if sender >> 8 == sysid]:
+            del self._newest[sender], self._missing[sender]
+
 
 class RecordedGaps:
     """The same over a recording, many frames at once."""

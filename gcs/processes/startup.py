@@ -52,7 +52,7 @@ class Arrivals:
         notices = [(sysid, f"{self._labels[sysid]} is there") for sysid in sorted(self._awaited - awaited)]
         if waited_s - self._said_s >= SAY_AGAIN_S:
             self._said_s = waited_s
-            where = {sysid: self._external[sysid].connect for sysid in sorted(awaited)}
+            where = {sysid: self._external[sysid].where for sysid in sorted(awaited)}
             for sysid, at in where.items():
                 why = f": {seen[sysid]}" if seen and sysid in seen and waited_s >= SAY_WHY_S else ""
                 notices.append((sysid, f"Waiting for {self._labels[sysid]} at {at}{why}"))
@@ -70,8 +70,8 @@ class Arrivals:
         late = [sysid for sysid in sorted(missing) if waited_s > self._patience_s(sysid)]
         awaited = [sysid for sysid in late if sysid in self._external]
         if awaited:
-            names = ", ".join(f"{self._labels[sysid]} at {self._external[sysid].connect}" for sysid in awaited)
-            spoken_to = any(self._external[sysid].connect.startswith("udpout") for sysid in awaited)
+            names = ", ".join(f"{self._labels[sysid]} at {self._external[sysid].where}" for sysid in awaited)
+            spoken_to = any("udpout" in self._external[sysid].where for sysid in awaited)
             known = sorted({seen[sysid] for sysid in awaited if sysid in seen}) if seen else []
             guess = (
                 "is it switched on, has it that system id, and does it speak MAVLink 2 to that address? "

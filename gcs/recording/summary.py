@@ -4,14 +4,11 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
 from gcs.scenario.described import Described
-
-if TYPE_CHECKING:  # who only reads a summary need not load the supervisor
-    pass
 
 FILE = "summary.json"
 
@@ -49,6 +46,19 @@ class CheckedItem(SummaryPart):
     text: str
 
 
+class VehicleLinkSummary(SummaryPart):
+    """One of several links to an external vehicle, at the session's end."""
+
+    connect: str
+    used: bool
+    """whether it was the one in use"""
+    alive: bool
+    received: int
+    """frames, also those that came over another link too"""
+    lost_share: float | None
+    """of the frames of the last 10 s, 0 to 1"""
+
+
 class VehicleSummary(SummaryPart):
     """One vehicle's session."""
 
@@ -66,6 +76,8 @@ class VehicleSummary(SummaryPart):
     """what was checked before it was armed; empty where nothing was"""
     refused_messages: int = 0
     """messages with its id that were refused: not signed, signed with another key, repeated, or without a key here"""
+    links: list[VehicleLinkSummary] = []
+    """of an external vehicle with several links, in the scenario's order; empty where it has one"""
 
 
 class RefuellingSummary(SummaryPart):
@@ -177,7 +189,7 @@ class Summary(SummaryPart):
     judged_by: Literal["truth", "reports"] = "reports"
     """whether the distances are those that launched vehicles themselves knew, or those that vehicles reported"""
     digest: str | None
-    """null with external vehicles: their flight never repeats"""
+    """null with external vehicles and real PX4s: their flight never repeats"""
     versions: dict[str, str]
     min_separation_m: float | None
     """least distance of two vehicles in flight, partners of a transfer aside, between ticks too; null without a pair"""

@@ -77,9 +77,3 @@ def read(competitors: Sequence[Competitor], k: int, *, p: float, tie_s: float) -
 def share_of(ln_ratio: float, p: float) -> float:
     """Share of the first of two in the sum of their v^p, from the logarithm of their ratio."""
     return 1.0 / (1.0 + math.exp(-min(p * ln_ratio, 700.0))) if ln_ratio > -700.0 / p else 0.0
-
-
-def decided_after_s(gap: float, share: float, *, p: float, rate: float) -> float:
-    """How long two states that begin alike take until the first holds `share` of their v^p, for a gap of their τ:
-    t = ln(share/(1 - share))/(p c Δτ)."""
-    return math.log(share / (1.0 - share)) / (p * rate * gap)

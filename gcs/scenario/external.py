@@ -1,6 +1,7 @@
 """Vehicles that are expected rather than launched: where they are received, and what of a vehicle's keys is theirs.
 
     - external: {connect: "udpin:127.0.0.1:14550", sysid: 3, capacity_j: 250000}
+    - external: {connect: ["serial:/dev/ttyUSB0:57600", "udpin:0.0.0.0:14550"], sysid: 4, capacity_j: 250000}
 
 `sysid` and the battery's `capacity_j` may stand in the block or beside it. Such a vehicle is where it is, flies with
 the parameters that it has and on the real clock: what only a launch could give it is refused.
@@ -8,17 +9,21 @@ the parameters that it has and on the real clock: what only a launch could give 
 
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
-from typing import Annotated, Any, Literal, Protocol
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Protocol
 
-from pydantic import AfterValidator, Field
+from pydantic import AfterValidator, Field, WithJsonSchema
 
 from gcs.scenario.document import Conflict, KeyPath
 from gcs.scenario.endpoint import EXAMPLE, address
 from gcs.scenario.types import Joules, Part, SysId
 
+RealKind = Literal["ardupilot", "px4"]
+REAL_KINDS: tuple[RealKind, ...] = ("ardupilot", "px4")
+"""Autopilots that a session starts, which are not ours."""
 LAUNCH_ONLY = ("airborne", "velocity_m_s", "attitude_deg", "params")
 NOT_INHERITED = (*LAUNCH_ONLY, "start_m", "plant", "airframe", "sensors", "autopilot")
 """Keys that `vehicles.defaults` gives to launched vehicles alone."""
+MOST_LINKS = 4
 NOWHERE = (0.0, 0.0, 0.0)
 _FORM = (
     "must be udpin:HOST:PORT or tcpin:HOST:PORT, where the vehicle speaks to, udpout:HOST:PORT or tcp:HOST:PORT, where "
@@ -26,13 +31,25 @@ _FORM = (
 )
 
 
-def _checked(connect: str) -> str:
-    at = address(connect)
-    if at is None or not at.port:
-        raise ValueError(_FORM)
-    return connect
+def _checked(connect: Any) -> Any:
+    """One address, or a list of several, as a tuple."""
+    given = connect if isinstance(connect, list | tuple) else [connect]
+    if not 1 <= len(given) <= MOST_LINKS:
+        raise ValueError(f"must be one address, or a list of 1 to {MOST_LINKS}")
+    for one in given:
+        at = address(one) if isinstance(one, str) else None
+        if at is None or not at.port:
+            raise ValueError(_FORM)
+    if len(set(given)) < len(given):
+        raise ValueError("names an address twice: each link of a vehicle has its own")
+    return connect if isinstance(connect, str) else tuple(given)
 
 
+if TYPE_CHECKING:
+    Connect = str | tuple[str, ...]
+else:
+    _LIST = {"type": "array", "items": {"type": "string"}, "minItems": 1, "maxItems": MOST_LINKS}
+    Connect = Annotated[Any, AfterValidator(_checked), WithJsonSchema({"anyOf": [{"type": "string"}, _LIST]})]
 Wait = Annotated[float, Field(strict=True, gt=0, le=3600)]
 
 
@@ -46,9 +63,10 @@ class SigningKey(Part):
 class External(Part):
     """A vehicle that another program has started; `gcs run` waits for it, arms it and flies it."""
 
-    connect: Annotated[str, AfterValidator(_checked)]
+    connect: Connect
     """`udpin:HOST:PORT`, `tcpin:HOST:PORT`: the vehicle speaks to us there; `udpout:HOST:PORT`, `tcp:HOST:PORT`: it
-    listens there; `serial:DEVICE:BAUD`: a cable or a radio. Several may share one"""
+    listens there; `serial:DEVICE:BAUD`: a cable or a radio. Several may share one. A list: it has as many links, of
+    which the better one is used, of equals the first"""
     sysid: SysId | None = None
     """MAVLink system id; may stand beside the block instead"""
     autopilot: Literal["auto", "px4", "ardupilot", "generic"] = "auto"
@@ -66,6 +84,16 @@ class External(Part):
     it a return or a landing is left alone, for a pilot may have wanted it, until the operator's `rejoin`"""
     signing: SigningKey | None = None
     """MAVLink 2 signing; every vehicle at one address has the same key"""
+
+    @property
+    def addresses(self) -> tuple[str, ...]:
+        """Every address that it may be heard at."""
+        return (self.connect,) if isinstance(self.connect, str) else self.connect
+
+    @property
+    def where(self) -> str:
+        """The same, for a person."""
+        return " or ".join(self.addresses)
 
 
 class _Vehicle(Protocol):
@@ -115,8 +143,10 @@ def absolute_paths(vehicles: Any, folder: Path) -> None:
     groups = vehicles.values() if isinstance(vehicles, dict) else ()
     for vehicle in (one for group in groups if isinstance(group, list) for one in group):
         real = vehicle.get("autopilot") if isinstance(vehicle, dict) else None
-        if isinstance(real, dict) and isinstance(real.get("ardupilot"), str):
-            real["ardupilot"] = str(folder.resolve() / Path(real["ardupilot"]).expanduser())
+        programs = real if isinstance(real, dict) else {}
+        for kind in REAL_KINDS:
+            if isinstance(programs.get(kind), str):
+                programs[kind] = str(folder.resolve() / Path(programs[kind]).expanduser())
         block = vehicle.get("external") if isinstance(vehicle, dict) else None
         signing = block.get("signing") if isinstance(block, dict) else None
         if isinstance(signing, dict) and isinstance(signing.get("key_file"), str):
@@ -139,9 +169,10 @@ def key_conflicts(vehicles: Iterable[tuple[KeyPath, Any]]) -> Iterator[Conflict]
         if block is None:
             continue
         key = block.signing.key_file if block.signing else None
-        if keys.setdefault(block.connect, key) != key:
-            text = f"{vehicle.label} has another key than the vehicle before it at {block.connect}: they share one"
-            yield Conflict((*path, "external"), text)
+        for connect in block.addresses:
+            if keys.setdefault(connect, key) != key:
+                text = f"{vehicle.label} has another key than the vehicle before it at {connect}: they share one"
+                yield Conflict((*path, "external"), text)
 
 
 def conflicts(path: KeyPath, vehicle: Any) -> Iterator[Conflict]:

@@ -1,5 +1,6 @@
 """Where vehicles may be by their own geofence, and where they may come down: what is uploaded before a flight."""
 
+import math
 from collections.abc import Iterator
 from typing import Annotated, Any
 
@@ -8,6 +9,7 @@ from pydantic import Field
 from gcs.scenario.document import Conflict
 from gcs.scenario.types import Metres, Part, Plane
 
+CIRCLE = 72
 MOST_ITEMS = 200
 """Of a fence's corners and circles, or of rally points: more does not fit smaller autopilots."""
 
@@ -30,6 +32,26 @@ class Area(Part):
             return "circle_m and radius_m go together"
         return ""
 
+    @property
+    def border_ned(self) -> list[tuple[float, float]]:
+        """Its border as corners (north, east), m; a circle has CIRCLE of them."""
+        if self.polygon_m is not None:
+            return [(n, e) for n, e in self.polygon_m]
+        n, e = self.circle_m or (0.0, 0.0)
+        turns = [2.0 * math.pi * k / CIRCLE for k in range(CIRCLE)]
+        radius_m = self.radius_m or 0.0
+        return [(n + radius_m * math.cos(turn), e + radius_m * math.sin(turn)) for turn in turns]
+
+    def covers(self, north_m: float, east_m: float) -> bool:
+        """Whether a place lies in it: a line from there to the east crosses the border an odd number of times."""
+        if self.circle_m is not None and self.radius_m is not None:
+            return math.dist((north_m, east_m), self.circle_m) <= self.radius_m
+        inside, border = False, self.border_ned
+        for (n0, e0), (n1, e1) in zip(border, [*border[1:], border[0]], strict=True):
+            if (n0 > north_m) != (n1 > north_m) and east_m < e0 + (e1 - e0) * (north_m - n0) / (n1 - n0):
+                inside = not inside
+        return inside
+
 
 class FenceRules(Part):
     """The geofence that vehicles keep by themselves; the planner does not know it."""
@@ -38,6 +60,11 @@ class FenceRules(Part):
     """a vehicle stays in one of these; none: anywhere"""
     outside: tuple[Area, ...] = ()
     """a vehicle stays out of all of these"""
+
+    def allows(self, north_m: float, east_m: float) -> bool:
+        """Whether a vehicle may be at a place."""
+        kept_in = not self.inside or any(area.covers(north_m, east_m) for area in self.inside)
+        return kept_in and not any(area.covers(north_m, east_m) for area in self.outside)
 
 
 def fence_conflicts(fence: FenceRules, rally_m: tuple[Any, ...]) -> Iterator[Conflict]:

@@ -127,6 +127,8 @@ class Scenario(Part):
     """places to come down at in need, uploaded like the fence; the first two coordinates, m; none by default"""
     preflight: Literal["enforce", "warn"] = "enforce"
     """a vehicle that fails its check list (fence, rally points, clock) is not armed, or is only warned of"""
+    logs: Flag = False
+    """after the flight the newest log of each external vehicle is downloaded into the session's folder"""
     record: Record = Record()
     """files that the session leaves, and how large they become; everything in one file each by default"""
     truth: Flag = True
@@ -147,6 +149,7 @@ class Scenario(Part):
         key_file: str | None = None,
         forward: Sequence[str] = (),
         forward_control: bool = False,
+        logs: bool = False,
     ) -> Self:
         """The same with another clock or seed, a signing key for all external vehicles, or further addresses to forward
         to; what is left out stays. ValueError where a value cannot be had."""
@@ -159,7 +162,7 @@ class Scenario(Part):
         if (refusal := external.clock_refusal(self.vehicles.all, mode, rate)) is not None:
             raise ValueError(refusal)
         changed = self.model_dump(by_alias=True) | {"clock": {**self.clock.model_dump(), **clock}}
-        changed |= {} if seed is None else {"seed": seed}
+        changed |= ({} if seed is None else {"seed": seed}) | ({"logs": True} if logs else {})
         if forward or forward_control:
             to = (*self.forward.to, *(text for text in forward if text not in self.forward.to))
             changed["forward"] = {"to": to, "control": forward_control or self.forward.control}
@@ -193,6 +196,11 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
     rules: list[tuple[Any, KeyPath, str]] = [
         (clock_refused, ("clock", "mode" if s.clock.mode == "lockstep" else "speed"), clock_refused or ""),
         (not sysids, ("vehicles",), "there must be at least one vehicle"),
+        (
+            s.logs and not s.vehicles.external,
+            ("logs",),
+            "logs are fetched from external vehicles, and there is none: those of launched ones are in vehicles/",
+        ),
         (abs(steps - round(steps)) > 1e-6, ("clock", "period_s"), f"period_s must be a multiple of {STEP_S} s"),
         (pursue and pursue.for_s > s.goal.duration_s, ("goal", "pursue", "for_s"), "for_s is longer than duration_s"),
         (pursue and not (pursuers and targets), ("goal", "pursue"), "pursue needs a pursuer and a target"),
@@ -335,7 +343,10 @@ def _vehicle_conflicts(s: Scenario) -> Iterator[Conflict]:
 
 
 def _real_conflicts(path: KeyPath, vehicle: VehicleBase) -> Iterator[Conflict]:
-    """Keys that a real autopilot has no use for."""
+    """Programs of a real autopilot, and keys that it has no use for."""
+    if vehicle.real is not None and len(vehicle.real.programs) != 1:
+        text = f"{vehicle.label} needs one program: 'autopilot: {{ardupilot: PATH}}' or 'autopilot: {{px4: PATH}}'"
+        yield Conflict((*path, "autopilot"), text)
     if vehicle.airborne:
         text = f"{vehicle.label} has a real autopilot: airborne is for our own; leave it out"
         yield Conflict((*path, "airborne"), text)

@@ -17,6 +17,7 @@ Point = tuple[float, ...]
 Plane = tuple[float, float]
 MARKS = {"pursuer": "P", "target": "T", "tanker": "K"}
 ROUTE, OBSTACLE, TRAFFIC, COURSE, ATTRACTOR, BASE = ".", "#", "~", ":", "+", "B"
+KEPT_IN, KEPT_OUT, RALLY = "=", "x", "R"
 CELL_ASPECT = 2.0
 """A terminal's cell is about twice as high as wide."""
 MARGIN_M = 1.0
@@ -42,7 +43,7 @@ def facts(scenario: Scenario) -> list[str]:
         lasts_s = 0.01 * battery.initial_percent * battery.capacity_j / (battery.hover_w + battery.avionics_w)
         line = f"{MARKS[vehicle.role]} {vehicle.label}: starts at {_place(vehicle.start_m)}, hovers for {lasts_s:.0f} s"
         if vehicle.external is not None:
-            line = f"{MARKS[vehicle.role]} {vehicle.label}: expected at {vehicle.external.connect}, wherever it stands"
+            line = f"{MARKS[vehicle.role]} {vehicle.label}: expected at {vehicle.external.where}, wherever it stands"
             if (first := drawn_at(vehicle)) is not None:
                 line += f"; drawn at {_place(first)}, where it is sent first"
         if isinstance(vehicle, Target):
@@ -109,12 +110,20 @@ def _routes(scenario: Scenario) -> Iterator[tuple[str, Sequence[Point], bool]]:
             yield COURSE, pursuer.waypoints_m if pursuer.external else (pursuer.start_m, *pursuer.waypoints_m), False
 
 
+def _fence(scenario: Scenario) -> Iterator[tuple[str, Sequence[Point]]]:
+    """(mark, border) of the areas to stay in and to stay out of."""
+    for mark, areas in ((KEPT_IN, scenario.fence.inside), (KEPT_OUT, scenario.fence.outside)):
+        for area in areas:
+            yield mark, area.border_ned
+
+
 def bounds(scenario: Scenario) -> tuple[Plane, Plane]:
     """((north, east) of the south-west corner, of the north-east corner) of everything, with a margin."""
     points: list[Point] = [place for _, place in _drawn(scenario)] or [(0.0, 0.0, 0.0)]
     points += [base.position_m for base in scenario.bases]
     points += [point for _, route, _ in _routes(scenario) for point in route]
     points += [attractor.point_m for attractor in scenario.attractors]
+    points += [point for _, border in _fence(scenario) for point in border] + list(scenario.rally_m)
     for shape in scenario.obstacles:
         r = shape.radius_m
         points += [(shape.low_m[0] - r, shape.low_m[1] - r), (shape.high_m[0] + r, shape.high_m[1] + r)]
@@ -133,7 +142,8 @@ def text(scenario: Scenario, columns: int = 78, rows: int = 30) -> list[str]:
         row, column = round((north - n) / metres / CELL_ASPECT), round((e - west) / metres)
         cells[min(max(row, 0), height - 1)][min(max(column, 0), width - 1)] = mark
 
-    for mark, route, closed in _routes(scenario):
+    borders = [(mark, border, True) for mark, border in _fence(scenario)]
+    for mark, route, closed in (*borders, *_routes(scenario)):
         for a, b in legs(route, closed):
             steps = max(int(math.dist(a, b) / metres), 1)
             for k in range(steps + 1):
@@ -149,6 +159,8 @@ def text(scenario: Scenario, columns: int = 78, rows: int = 30) -> list[str]:
         put(attractor.point_m[0], attractor.point_m[1], ATTRACTOR)
     for base in scenario.bases:
         put(base.position_m[0], base.position_m[1], BASE)
+    for north_m, east_m in scenario.rally_m:
+        put(north_m, east_m, RALLY)
     for vehicle, place in _drawn(scenario):
         put(place[0], place[1], MARKS[vehicle.role])
     bar_m = 10.0 ** math.floor(math.log10(max(width * metres / 2.0, 1e-9)))
@@ -184,6 +196,15 @@ def image(scenario: Scenario, path: Path) -> None:
         TRAFFIC: ("#b07300", ":", "traffic"),
     }
     labelled = set()
+    for mark, border in _fence(scenario):
+        color, label = ("#1a7f37", "fence: stay in") if mark == KEPT_IN else ("#b3261e", "fence: stay out")
+        name = "" if label in labelled else label
+        labelled.add(label)
+        ring = [*border, border[0]]
+        axes.plot([p[1] for p in ring], [p[0] for p in ring], "-.", color=color, linewidth=1.2, label=name or None)
+    if scenario.rally_m:
+        norths_m, easts_m = zip(*scenario.rally_m, strict=True)
+        axes.plot(easts_m, norths_m, "v", color="#1a7f37", label="rally point")
     for mark, route, closed in _routes(scenario):
         points = [*route, *(route[:1] if closed else ())]
         color, style, label = styles[mark]
@@ -254,6 +275,9 @@ def legend(marks: Iterable[str]) -> str:
         OBSTACLE: "obstacle",
         TRAFFIC: "traffic",
         ATTRACTOR: "attractor",
+        KEPT_IN: "fence to stay in",
+        KEPT_OUT: "fence to stay out of",
+        RALLY: "rally point",
     }
     present = set(marks)
     return ", ".join(f"{mark} {word}" for mark, word in words.items() if mark in present)

@@ -7,7 +7,7 @@ Rules of thumb, said before anything flies; nothing here keeps a scenario from b
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -48,7 +48,7 @@ def stopping_m(scenario: Scenario, speed_m_s: float) -> float:
 
 def warnings(scenario: Scenario) -> list[ScenarioWarning]:
     """All of them; those about distances first."""
-    return [*_of_speed(scenario), *_of_places(scenario), *_of_the_ring(scenario)]
+    return [*_of_speed(scenario), *_of_places(scenario), *_of_the_ring(scenario), *_of_the_fence(scenario)]
 
 
 def _of_speed(scenario: Scenario) -> Iterator[ScenarioWarning]:
@@ -144,6 +144,29 @@ def _of_the_ring(scenario: Scenario) -> Iterator[ScenarioWarning]:
                 f"the ring of {ring_m:g} m around {target.label} crosses {crossed[0]}{more} on the target's way: who "
                 "has that place must leave it",
             )
+
+
+def _of_the_fence(scenario: Scenario) -> Iterator[ScenarioWarning]:
+    """Places that somebody is to be at and that the fence forbids: the planner does not know it."""
+    places: list[tuple[str, Sequence[float]]] = [
+        *((f"base {base.name}", base.position_m) for base in scenario.bases),
+        *((f"rally point {k}", place) for k, place in enumerate(scenario.rally_m, 1)),
+    ]
+    for vehicle in scenario.vehicles.all:
+        places += [] if vehicle.external else [(f"the start of {vehicle.label}", vehicle.start_m)]
+        for name, key in (("way point", "waypoints_m"), ("corner", "path_m")):
+            route = getattr(vehicle, key, ())
+            places += [(f"{name} {k} of {vehicle.label}", place) for k, place in enumerate(route, 1)]
+        if home_m := getattr(vehicle, "home_m", None):
+            places.append((f"the home of {vehicle.label}", home_m))
+    beyond = [name for name, place in places if not scenario.fence.allows(place[0], place[1])]
+    if beyond:
+        which = f"{beyond[0]} and {len(beyond) - 1} more lie" if len(beyond) > 1 else f"{beyond[0]} lies"
+        yield ScenarioWarning(
+            "fence",
+            f"{which} beyond the fence, which vehicles keep by themselves and the planner does not "
+            "know: move them or the fence",
+        )
 
 
 def _along(path: tuple[Vec3, ...], *, closed: bool) -> geometry.FloatArray:

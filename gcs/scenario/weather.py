@@ -1,11 +1,18 @@
 """Weather, and what a vehicle on rotors knows and is flown by: parts of a scenario."""
 
+from itertools import pairwise
 from typing import Annotated
 
-from pydantic import Field
+from pydantic import AfterValidator, Field, model_validator
 
-from gcs.scenario.external import Wait
-from gcs.scenario.types import NotNegative, Part, Positive, Seconds
+from gcs.scenario.external import REAL_KINDS, RealKind, Wait
+from gcs.scenario.types import Coordinate, NotNegative, Part, Positive, Seconds
+
+
+def _ascending(axis: tuple[float, ...]) -> tuple[float, ...]:
+    if any(b <= a for a, b in pairwise(axis)):
+        raise ValueError("must ascend")
+    return axis
 
 
 class Sensors(Part):
@@ -37,6 +44,8 @@ class Sensors(Part):
 
 Compass = Annotated[float, Field(strict=True, ge=0, le=360)]
 WindSpeed = Annotated[float, Field(strict=True, ge=0, le=60)]
+AirSpeed = Annotated[float, Field(strict=True, ge=-60, le=60)]
+Axis = Annotated[tuple[Coordinate, ...], Field(min_length=1, max_length=2000), AfterValidator(_ascending)]
 
 
 class Gust(Part):
@@ -56,6 +65,30 @@ class Gust(Part):
     """speed upwards, m/s"""
 
 
+class WindTable(Part):
+    """Wind by place, on a grid, added to the mean wind (docs/model.md#wind): between places in proportion, beyond the
+    table as at its edge. An axis of one place has the same wind all along."""
+
+    north_m: Axis = (0.0,)
+    """places north of the origin, m, ascending"""
+    east_m: Axis = (0.0,)
+    """places east of the origin, m, ascending"""
+    height_m: Axis = (0.0,)
+    """heights above the scenario's height 0, m, ascending"""
+    wind_m_s: Annotated[tuple[tuple[AirSpeed, AirSpeed, AirSpeed], ...], Field(min_length=1, max_length=2000)]
+    """the air's velocity to north, east and up at each place, m/s: height changes first, north last"""
+
+    @model_validator(mode="after")
+    def _whole(self) -> "WindTable":
+        places = len(self.north_m) * len(self.east_m) * len(self.height_m)
+        if len(self.wind_m_s) != places:
+            raise ValueError(
+                f"wind_m_s has {len(self.wind_m_s)} rows, but {len(self.north_m)} x {len(self.east_m)} x "
+                f"{len(self.height_m)} places need {places}"
+            )
+        return self
+
+
 class Wind(Part):
     """Wind on vehicles that fly on rotors (docs/model.md#wind)."""
 
@@ -67,14 +100,41 @@ class Wind(Part):
     """gusts after Dryden: those of a wind of this speed at 6 m; 7.7 is light, 15 moderate, 23 severe; 0 none"""
     gusts: tuple[Gust, ...] = ()
     """discrete gusts; none by default"""
+    field: WindTable | None = None
+    """wind by place, from a table; the same everywhere by default"""
+
+
+ProgramPath = Annotated[str, Field(min_length=1, max_length=4096)]
 
 
 class RealAutopilot(Part):
     """An autopilot that is not ours, started with the session and flown by its clock, on our physics
-    (docs/how-to/real-autopilots.md)."""
+    (docs/how-to/real-autopilots.md). It has one program."""
 
-    ardupilot: Annotated[str, Field(min_length=1, max_length=4096)]
+    ardupilot: ProgramPath | None = None
     """ArduCopter's program for its own simulation, `build/sitl/bin/arducopter`; a relative path counts from the
     scenario's folder, `~` is your home"""
+    px4: ProgramPath | None = None
+    """PX4's build for simulation, `build/px4_sitl_default`, or the program `bin/px4` in it; paths as above"""
     arm_within_s: Wait = 120.0
     """session time in which it must have found its place and let itself be armed, or it is left out"""
+
+    @property
+    def programs(self) -> dict[RealKind, str]:
+        """Programs that are named, by kind: one, unless the file is wrong."""
+        return {kind: path for kind in REAL_KINDS if (path := getattr(self, kind)) is not None}
+
+    @property
+    def kind(self) -> RealKind:
+        """Which autopilot it is."""
+        return next(iter(self.programs), "ardupilot")
+
+    @property
+    def program(self) -> str:
+        """Its program, or its build's folder."""
+        return self.programs[self.kind]
+
+    @property
+    def repeats(self) -> bool:
+        """Whether it flies the same way again: PX4's threads take turns as the machine lets them."""
+        return self.kind != "px4"

@@ -163,6 +163,8 @@ class VehicleRow(Struct):
     trouble: list[str]
     severity: int
     note: str
+    link: str | UnsetType = UNSET
+    """of a vehicle with several links, the address of the one in use"""
 
 
 class TrafficRow(Struct):

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
 import msgspec
+from msgspec import UNSET, UnsetType
 
 from gcs.refuelling import explain
 from gcs.refuelling.service import Phase, by_text
@@ -71,6 +72,7 @@ def vehicle_row(
     margin_m: float | None = None,
     state: State = State.IDLE,
     found: Sequence[HealthIssue] = (),
+    link: str | UnsetType = UNSET,
 ) -> VehicleRow:
     """One vehicle at `now_s`; `found` is its health issues, worst first (gcs/telemetry/health.py)."""
     received = view.last_received_s >= 0.0
@@ -109,6 +111,7 @@ def vehicle_row(
         trouble=[issue.text for issue in found],
         severity=severity(found),
         note=note,
+        link=link,
     )
 
 
@@ -205,6 +208,7 @@ def _vehicles(supervisor: Supervisor) -> list[VehicleRow]:
     at = {view.sysid: view.p_ned for view in snapshot.vehicles}
     aims = {point.sysid: point.p_ned for point in supervisor.set_points}
     target_of = supervisor.metrics.target_of
+    used = {sysid: one.connect for sysid, links in supervisor.links().items() for one in links if one.used}
     rows = []
     for view in snapshot.vehicles:
         sysid, arming = view.sysid, supervisor.arming[view.sysid]
@@ -237,6 +241,7 @@ def _vehicles(supervisor: Supervisor) -> list[VehicleRow]:
                     down=arming.down,
                     ordered=arming.ordered is not None or sysid in supervisor.grounded,
                 ),
+                link=used.get(sysid, UNSET),
             )
         )
     return rows

@@ -238,7 +238,7 @@ class SessionProcess:
     def _refuse_rivals(self, external: ExternalLink) -> None:
         """Nothing flies while two say that they are one vehicle: the wrong one would be believed."""
         for (sysid, _), (one, other) in external.rivals.items():
-            at = self._scenario.vehicles.external[sysid].connect
+            at = self._scenario.vehicles.external[sysid].where
             raise SessionFailed(
                 f"two say that they are {self._labels[sysid]} at {at}, {one[0]}:{one[1]} and {other[0]}:{other[1]}: "
                 "end the one that is not, or let the vehicle sign (signing.key_file)"
@@ -336,6 +336,8 @@ class SessionProcess:
         if self._external_link is not None:
             for (sysid, _), address in self._external_link.pop_moved().items():
                 self._event(sysid, "warning", f"Heard from {address[0]}:{address[1]} now, after a silence", "link")
+            for sysid, text in self._external_link.pop_changes():
+                self._event(sysid, "warning", text, "link")
             for connect, problem in self._external_link.pop_problems() if self._begun else ():
                 text = f"{connect} is lost: {problem}" if problem else f"{connect} is there again"
                 self._event(0, "critical" if problem else "info", text, "link")

@@ -90,6 +90,11 @@ class ExternalFleet:
                 fleet.lost(sysid)
                 self._note(sysid, "critical", f"No word for {LOST_S:.0f} s: it is counted as lost until it is heard")
 
+    def relinked(self, sysid: int) -> None:
+        """A vehicle has another link: an autopilot sends there what it is asked for there."""
+        if sysid in self.streams:
+            self.streams[sysid].restart()
+
     def decide(self, snapshot: FleetSnapshot) -> tuple[list[CommandRequest], dict[int, list[Message]]]:
         """Commands, and messages by system id, that keep the streams flowing."""
         now_s = snapshot.time_s

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, cast
 
-from gcs.link.link import Key
+from gcs.link.link import Key, LinkState
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import AUTOPILOT, STATION, TRAFFIC
@@ -150,6 +150,14 @@ class RecordedLink:
     def pop_rebooted(self) -> set[int]:
         """As `Link.pop_rebooted`: none."""
         return set()
+
+    def pop_relinked(self) -> set[int]:
+        """As `Link.pop_relinked`: none."""
+        return set()
+
+    def links(self) -> dict[int, list[LinkState]]:
+        """As `Link.links`: none."""
+        return {}
 
 
 class Comparer:

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from gcs.link.forwarder import Forwarder
-from gcs.link.link import Key, TickLink
+from gcs.link.link import Key, LinkState, TickLink
 from gcs.link.quality import LinkQuality
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import End
@@ -142,6 +142,10 @@ class Supervisor:
     def command_retries(self) -> int:
         """Commands that were sent again."""
         return self.command_queue.resent
+
+    def links(self) -> dict[int, list[LinkState]]:
+        """Links of vehicles that have several, by system id."""
+        return self._link.links() if self.externals.rules else {}
 
     def begin(self) -> None:
         """Send the first grant, which sets the vehicles' clocks and lets none move."""
@@ -305,6 +309,9 @@ class Supervisor:
         Nothing that is read of one depends on another, so whose answer came first shows nowhere: what is given back is
         in order of system id, as are the texts, acknowledgements and facts that the fleet keeps.
         """
+        for sysid in self._link.pop_relinked() if self.externals.rules else ():
+            self._gaps.forget(sysid)
+            self.externals.relinked(sysid)
         received_from: dict[Key, list[Frame]] = {}
         for key, frames in answers:
             received = frames

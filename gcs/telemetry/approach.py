@@ -27,7 +27,6 @@ CLOSING_M_S = 0.1
 """A vehicle that is not ours comes too near only where ours closes in by more than this."""
 CURVED_M = 0.1
 """A curve is nearer than its chord by at most this much: at 5 m/s² each and 0.1 s it is 0.0125 m."""
-NO_PAIRS = np.empty((0, 2), dtype=np.int64)
 STRAIGHT = np.empty((0, 3))
 
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from gcs.scenario import geometry, goal
+from gcs.scenario import goal
 from gcs.scenario.goal import Nearest
 from gcs.scenario.model import Scenario
 from gcs.telemetry import approach
@@ -215,8 +215,3 @@ class WayPoints:
                 if gap2 > self._within_m**2:
                     break
                 left.pop(0)
-
-
-def shapes_of(scenario: Scenario) -> Floats:
-    """The scenario's obstacles as a table."""
-    return geometry.of_scenario(scenario.obstacles)

@@ -72,11 +72,6 @@ class Hub:
         """Whether the source has said its last word."""
         return self._end is not None
 
-    @property
-    def listeners(self) -> int:
-        """How many listen."""
-        return len(self._listeners)
-
     def take(self, messages: Iterable[Message]) -> None:
         """Pass on what the source has told."""
         for message in messages:

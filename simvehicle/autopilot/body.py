@@ -72,11 +72,6 @@ class Body:
         return self.plant.state
 
     @property
-    def true_p_ned(self) -> Vec3:
-        """Position in the local frame, m."""
-        return ned_from_nwu(self.plant.motion[step.POSITION])
-
-    @property
     def true_motion_ned(self) -> tuple[float, ...]:
         """True motion, 12 numbers: position, velocity, Euler angles and their rates; m, m/s, rad, rad/s."""
         n, w, u, v_n, v_w, v_u, roll, pitch, yaw, p, q, r = self.plant.motion[: step.RATES.stop]
@@ -100,11 +95,6 @@ class Body:
     def attitude_ned(self) -> Vec3:
         """Roll, pitch and yaw, rad."""
         return ned_from_nwu(self.plant.now[step.ATTITUDE])
-
-    @property
-    def euler_rates_ned(self) -> Vec3:
-        """Time derivatives of roll, pitch and yaw, rad/s."""
-        return ned_from_nwu(self.plant.now[step.RATES])
 
     @property
     def rates_body(self) -> Vec3:

@@ -15,7 +15,7 @@ import click
 
 from simvehicle.exit import BAD_INPUT, INTERRUPTED
 
-COMMANDS = ("ardupilot", "hatch", "paper", "traffic")
+COMMANDS = ("ardupilot", "hatch", "paper", "px4", "traffic")
 """Each in a module of its name."""
 
 

@@ -8,6 +8,7 @@ import os
 import sys
 from collections.abc import Callable, Sequence
 from functools import partial
+from importlib import import_module
 from pathlib import Path
 
 import click
@@ -44,12 +45,13 @@ def _prepare(argv: Sequence[str]) -> Callable[[], int]:
 
     A command line that is refused is left to the process itself, which says so in its log.
     """
-    if "--world" in argv or "ardupilot" in argv[:1]:
+    real = argv[0] if argv and argv[0] in ("ardupilot", "px4") else None
+    if "--world" in argv or real:
         from simvehicle.sitl.warmup import warm_up_rotors
 
         warm_up_rotors()
-    if "ardupilot" in argv[:1]:
-        from simvehicle.sitl import ardupilot  # noqa: F401 - loaded here, once, for all autopilots
+    if real:
+        import_module(f"simvehicle.sitl.{real}")  # loaded here, once, for all autopilots of its kind
     alone = partial(run_argv, argv)
     if argv[:1] != ["--sysid"] or any(word.partition("=")[0] in OWN_PROCESS for word in argv):
         return alone

@@ -34,8 +34,6 @@ class TankerDuty:
         self.receiver = 0
         self.since_s = 0.0
         self.services: list[ServiceReport] = []
-        self.double_claims = 0
-        """callers that were passed over because another had called at the same time"""
         self._received_s = 0.0
         self._given_at_start_j = 0
         self._free = False
@@ -72,7 +70,6 @@ class TankerDuty:
         if not callers:
             return
         chosen = min(callers, key=lambda one: (callers[one].slack_s < HOPELESS_S, callers[one].bid_s, one))
-        self.double_claims += len(callers) - 1
         call = callers[chosen]
         self.receiver, self.since_s, self._received_s = chosen, now_s, now_s
         self._given_at_start_j = self._vehicle.given_j

@@ -165,11 +165,19 @@ class RotorPlant:
             airborne=airborne,
             airframe=self.own.airframe,
         )[np.newaxis]
+        self._blow()
         rotor_flight.start_weather(self.state[0], self._weather[0], self._noise(1)[0, 0])
         self.now = self.state[0].tolist()
 
+    def _blow(self) -> None:
+        """Let the mean wind of the place blow, where it is not the same everywhere."""
+        if self._air.field is not None:
+            here = self.state[0, rotor_flight.TRUE_POSITION].tolist()
+            rotor_flight.blow(self._weather[0], self._air.mean_at_nwu(here))
+
     def advance(self, command: NDArray[np.float64], *, time_s: float, steps: int) -> NDArray[np.float64]:
-        """As the protocol."""
+        """As the protocol. A wind by place is that of the stretch's beginning."""
+        self._blow()
         self.state, thrust = rotor_flight.advance(
             self.state,
             command,
@@ -186,6 +194,7 @@ class RotorPlant:
 
     def turn(self, wanted_rad_s: NDArray[np.float64], *, time_s: float, dt_s: float) -> None:
         """One step by the rotor speeds (4,) that another autopilot wants; it knows its motion exactly."""
+        self._blow()
         self.state[0] = rotor_flight.turn(
             self.state[0],
             wanted_rad_s,

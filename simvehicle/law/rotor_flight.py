@@ -345,15 +345,20 @@ def weather_row(
     """Weather of one vehicle (WEATHER_SIZE,): mean wind, m/s; the wind at 20 ft that sets the turbulence, none with 0;
     errors of its estimate, none without; its battery's resistance. Turbulence lies along the mean wind, else north."""
     row = np.zeros(WEATHER_SIZE)
-    row[W_MEAN] = mean_nwu
-    speed = float(np.hypot(row[0], row[1]))
-    row[W_ALONG] = (row[0] / speed, row[1] / speed) if speed > 0.0 else (1.0, 0.0)
+    blow(row, mean_nwu)
     row[W_20] = w20_m_s
     row[W_TIME_S] = 1.0
     if errors is not None:
         row[W_DEVIATION], row[W_TIME_S] = errors.deviations, errors.times_s
     row[W_OHM] = resistance_ohm
     return row
+
+
+def blow(weather: NDArray[np.float64], mean_nwu: Sequence[float]) -> None:
+    """Give a weather (WEATHER_SIZE,), in place, another mean wind, m/s."""
+    north, west, _ = weather[W_MEAN] = mean_nwu
+    speed = float(np.hypot(north, west))
+    weather[W_ALONG] = (north / speed, west / speed) if speed > 0.0 else (1.0, 0.0)
 
 
 def start_weather(state: NDArray[np.float64], weather: NDArray[np.float64], noise: NDArray[np.float64]) -> None:

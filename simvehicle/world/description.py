@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from typing import Any
 
 from simvehicle.world.airframes import AIRFRAMES, SEA_LEVEL_KG_M3, RotorAirframe
 from simvehicle.world.estimate import EstimateErrors
+from simvehicle.world.wind_field import WindField
 
 
 class WorldError(ValueError):
@@ -27,13 +28,21 @@ class WorldVehicle:
 
 @dataclass(frozen=True)
 class Air:
-    """Air of a session: density in kg/m³, mean wind in m/s, nwu, the wind at 20 ft that sets the turbulence, and
-    discrete gusts, DISCRETE_SIZE numbers each."""
+    """Air of a session: density in kg/m³, mean wind in m/s, nwu, the wind at 20 ft that sets the turbulence, discrete
+    gusts, DISCRETE_SIZE numbers each, and a table of what is added to the mean wind by place."""
 
     density_kg_m3: float = SEA_LEVEL_KG_M3
     mean_nwu: tuple[float, float, float] = (0.0, 0.0, 0.0)
     turbulence_m_s: float = 0.0
     gusts_nwu: tuple[tuple[float, ...], ...] = ()
+    field: WindField | None = None
+
+    def mean_at_nwu(self, p_nwu: Sequence[float]) -> tuple[float, float, float]:
+        """Mean wind (nwu, m/s) at a place (nwu, m)."""
+        if self.field is None:
+            return self.mean_nwu
+        (x, y, z), (dx, dy, dz) = self.mean_nwu, self.field.at_nwu(p_nwu)
+        return x + dx, y + dy, z + dz
 
 
 STILL_AIR = Air()
@@ -64,7 +73,7 @@ def read_world(content: Any) -> World:
 
 
 def _air(content: Any, density_kg_m3: float) -> Air:
-    wind = _mapping(content, "wind", {"speed_m_s", "from_deg", "turbulence_m_s", "gusts"})
+    wind = _mapping(content, "wind", {"speed_m_s", "from_deg", "turbulence_m_s", "gusts", "field"})
     keys = {"at_s", "rise_s", "hold_s", "speed_m_s", "from_deg", "up_m_s"}
     gusts = []
     for one in wind.get("gusts", ()):
@@ -73,7 +82,18 @@ def _air(content: Any, density_kg_m3: float) -> Air:
         x, y, _ = _blowing(gust)
         begin_s, hold_s = _number(gust, "at_s", 0.0), _number(gust, "hold_s", 0.0)
         gusts.append((begin_s, rise_s, hold_s, x, y, _number(gust, "up_m_s", 0.0)))
-    return Air(density_kg_m3, _blowing(wind), _number(wind, "turbulence_m_s", 0.0), tuple(gusts))
+    field = None if wind.get("field") is None else _field(wind["field"])
+    return Air(density_kg_m3, _blowing(wind), _number(wind, "turbulence_m_s", 0.0), tuple(gusts), field)
+
+
+def _field(content: Any) -> WindField:
+    table = _mapping(content, "field", {"north_m", "east_m", "height_m", "wind_m_s"})
+    try:
+        north_m, east_m, height_m = (tuple(map(float, table[name])) for name in ("north_m", "east_m", "height_m"))
+        rows = tuple((float(north), float(east), float(up)) for north, east, up in table["wind_m_s"])
+        return WindField(north_m, east_m, height_m, rows)
+    except (KeyError, TypeError, ValueError) as error:
+        raise WorldError(f"wind: {error}") from None
 
 
 def _blowing(content: Mapping[Any, Any]) -> tuple[float, float, float]:

@@ -64,7 +64,7 @@ def figures(sessions: int = SESSIONS) -> list[Figure]:
 
 def _resident_kib() -> float:
     """Of this process and the warm one, which its sessions are forked from."""
-    pids = ["self", *(str(sessions.pid) for sessions in worker.warm_processes())]
+    pids = ["self", *(str(sessions.pid) for sessions in worker._all)]
     return sum(PAGE_KIB * int(Path(f"/proc/{pid}/statm").read_text(encoding="ascii").split()[1]) for pid in pids)
 
 

@@ -105,7 +105,8 @@ def _competition(vehicle: Vehicle) -> str:
 def _link(vehicle: Vehicle) -> str:
     share = vehicle.get("lost_share")
     lost = "-" if share is None else f"{100.0 * float(share):.1f} % lost"
-    return f"{lost} ({vehicle.get('lost', '-')}), {number(vehicle.get('heard_s'), 5)} s ago"
+    used = f", {clean(vehicle['link'])}" if vehicle.get("link") else ""
+    return f"{lost} ({vehicle.get('lost', '-')}), {number(vehicle.get('heard_s'), 5)} s ago{used}"
 
 
 def _inspected(watch: SessionModel, sysid: int, width: int, glyphs: Glyphs) -> StyledLines:

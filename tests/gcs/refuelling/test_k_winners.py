@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from gcs.refuelling.k_winners import Competitor, bounded, decided_after_s, read, share_of
+from gcs.refuelling.k_winners import Competitor, bounded, read, share_of
 from gcs.refuelling.winner_take_all import advance, advance_ln
 
 
@@ -46,7 +46,7 @@ def test_the_set_is_clear_when_the_closed_form_says_whoever_leads(p: float, k: i
     """The ODE itself: the k-th holds the share against the next one at ln(share/(1 - share))/(p c Δτ)."""
     tau = np.array([1.0, 0.7, 0.65, 0.5, 0.2])
     gap = tau[k - 1] - tau[k]
-    after_s = decided_after_s(gap, 0.9, p=p, rate=10.0)
+    after_s = math.log(0.9 / 0.1) / (p * 10.0 * gap)
     solved = solve_ivp(
         lambda _, v: 10.0 * (tau - (v**p).sum()) * v, (0, after_s), [0.05] * 5, method="DOP853", rtol=1e-11, atol=1e-15
     ).y[:, -1]

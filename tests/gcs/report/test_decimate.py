@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
-from scipy.spatial import cKDTree
 
 from gcs.recording.series import Series
-from gcs.report.decimate import band, min_max, simplified
+from gcs.report.decimate import band, min_max
 from gcs.report.pack import Pack
 
 values = arrays.arrays(
@@ -67,52 +64,6 @@ def test_a_band_holds_the_extremes_of_all_and_the_median_of_each() -> None:
     assert np.array_equal(least, [0.0] * 8 + [np.nan] * 2, equal_nan=True)
     assert np.array_equal(greatest, [10.0] * 5 + [99.0] + [10.0] * 2 + [np.nan] * 2, equal_nan=True)
     assert median[:5] == pytest.approx(5.0)
-
-
-def off_line_m(points: np.ndarray, line: np.ndarray) -> np.ndarray:
-    """(n,) how far points (n, 3) are from a line through others (m, 3): least over 2,000 places on each leg."""
-    places = np.concatenate([np.linspace(a, b, 2000) for a, b in pairwise(line)])
-    return cKDTree(places).query(points)[0]
-
-
-def test_a_simplified_path_is_nowhere_farther_from_the_path_than_asked_for() -> None:
-    """A growing spiral with a gap: each point left out is within 0.5 m of the line, though few are kept."""
-    t = np.linspace(0.0, 30.0, 5000)
-    path = np.column_stack((np.cos(t) * t, np.sin(t) * t, -t))
-    path[2000:2010] = np.nan
-    drawn = simplified(path, 0.5)
-    assert len(drawn) < 120
-    (gap,) = np.flatnonzero(np.isnan(drawn[:, 0]))
-    for part, line in ((path[:2000], drawn[:gap]), (path[2010:], drawn[gap + 1 :])):
-        assert np.array_equal(line[[0, -1]], part[[0, -1]])
-        assert off_line_m(part, line).max() <= 0.5 + 1e-6
-
-
-def test_a_straight_path_is_its_ends_and_a_corner_stays() -> None:
-    out = np.column_stack((np.arange(100.0), np.zeros(100), np.zeros(100)))
-    assert np.array_equal(simplified(out, 0.01), out[[0, -1]])
-    there_and_back = np.concatenate((out, out[::-1]))
-    drawn = simplified(there_and_back, 0.01)
-    assert drawn[:, 0].tolist() == [0.0, 99.0, 0.0]
-
-
-def stretches(path: np.ndarray) -> list[np.ndarray]:
-    """The runs of known points."""
-    known = ~np.isnan(path[:, 0])
-    runs = np.split(np.arange(len(path)), np.flatnonzero(np.diff(known)) + 1)
-    return [path[run] for run in runs if len(run) and known[run[0]]]
-
-
-@given(st.lists(st.none() | st.tuples(*[st.sampled_from([0.0, 1.0, 2.5])] * 3), max_size=12))
-def test_no_path_is_too_odd_to_simplify(points: list[tuple[float, float, float] | None]) -> None:
-    """Points on one another, gaps at either end, one point, none: with 0 m each stretch goes through all its places."""
-    path = np.array([(np.nan,) * 3 if p is None else p for p in points]).reshape(-1, 3)
-    drawn = simplified(path, 0.0)
-    silent = np.isnan(drawn[:, 0])
-    assert not (silent[1:] & silent[:-1]).any()
-    for whole, kept in zip(stretches(path), stretches(drawn), strict=True):
-        assert np.array_equal(kept[[0, -1]], whole[[0, -1]])
-        assert off_line_m(whole, np.concatenate((kept[:1], kept))).max() < 2e-3
 
 
 @given(values)

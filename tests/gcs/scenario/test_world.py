@@ -19,6 +19,7 @@ WEATHER = """wind:
   from_deg: 270
   turbulence_m_s: 7.7
   gusts: [{at_s: 3, rise_s: 0.5, hold_s: 2, speed_m_s: 4, up_m_s: 1}]
+  field: {height_m: [0, 10], wind_m_s: [[0, 0, 0], [-2, 3, 0.5]]}
 air_density_kg_m3: 1.1
 """
 """West wind blows towards the east, and east is -y in nwu axes."""
@@ -38,6 +39,7 @@ def test_vehicles_on_rotors_are_told_of_the_world_and_others_are_not(tmp_path: P
     assert told.air.density_kg_m3 == 1.1
     assert told.air.mean_nwu == pytest.approx((0.0, -8.0, 0.0), abs=1e-12)
     assert told.air.turbulence_m_s == 7.7
+    assert told.air.mean_at_nwu((50.0, 9.0, 5.0)) == pytest.approx((-1.0, -9.5, 0.25), abs=1e-12)
     assert told.air.gusts_nwu[0] == pytest.approx((3.0, 0.5, 2.0, -4.0, 0.0, 1.0), abs=1e-12)
     assert all("--world" not in other.argv for other in others)
 
@@ -60,6 +62,19 @@ def test_without_rotors_there_is_no_world(tmp_path: Path) -> None:
 )
 def test_keys_that_do_not_fit_are_refused(tmp_path: Path, keys: str, said: str) -> None:
     assert said in refusal(tmp_path / "s.yaml", changed(SMALL, "sysid: 1,", f"sysid: 1, {keys}"))
+
+
+@pytest.mark.parametrize(
+    ("field", "said"),
+    [
+        ("{height_m: [0, 10], wind_m_s: [[1, 2, 3]]}", "wind_m_s has 1 rows, but 1 x 1 x 2 places need 2"),
+        ("{north_m: [5, 5], wind_m_s: [[1, 2, 3], [1, 2, 3]]}", "must ascend"),
+        ("{wind_m_s: [[99, 2, 3]]}", "less than or equal to 60"),
+    ],
+)
+def test_a_table_of_wind_that_does_not_fit_is_refused(tmp_path: Path, field: str, said: str) -> None:
+    text = changed(SMALL, "sysid: 1,", "sysid: 1, plant: rotors,") + f"wind: {{field: {field}}}\n"
+    assert said in refusal(tmp_path / "s.yaml", text)
 
 
 def test_weather_without_rotors_is_refused_and_is_random_only_where_it_is(tmp_path: Path) -> None:

@@ -16,6 +16,7 @@ from gcs.telemetry.approach import STRAIGHT, clearances, nearest_pair, nearest_t
 
 METRES = st.floats(-5.0, 5.0, width=32)
 VECTOR = st.tuples(METRES, METRES, METRES)
+NO_PAIRS = np.empty((0, 2), dtype=np.int64)
 
 
 def pair(
@@ -60,7 +61,7 @@ def test_a_curve_is_followed_to_the_millimetre() -> None:
     v0 = np.array([[0.0, a_m_s2 * period_s / 2, 0.0], [0.0, -a_m_s2 * period_s / 2, 0.0]])
     found = np.empty((4, 4))
     least_m, _, _, share, _ = nearest_pair(
-        before, now, v0, -v0, period_s, np.ones(2, dtype=bool), approach.NO_PAIRS, 0.0, math.inf, found
+        before, now, v0, -v0, period_s, np.ones(2, dtype=bool), NO_PAIRS, 0.0, math.inf, found
     )
     assert least_m == pytest.approx(apart_m - 2 * a_m_s2 * period_s**2 / 8, abs=1e-4)
     assert share == pytest.approx(0.5, abs=0.05)
@@ -92,7 +93,7 @@ def test_every_pair_too_near_is_told_and_the_least_of_all_is_the_same_by_brute_f
             gaps.append(float(np.linalg.norm(r + np.clip(-(r @ d) / (d @ d), 0, 1) * d)))
     found = np.empty((200, 4))
     least_m, _, _, _, count = nearest_pair(
-        before, now, STRAIGHT, STRAIGHT, 0.1, np.ones(40, dtype=bool), approach.NO_PAIRS, 1.0, math.inf, found
+        before, now, STRAIGHT, STRAIGHT, 0.1, np.ones(40, dtype=bool), NO_PAIRS, 1.0, math.inf, found
     )
     assert least_m == pytest.approx(min(gaps))
     assert count == sum(gap < 1.0 for gap in gaps) > 5

@@ -78,16 +78,16 @@ def test_yaw_rate_turns_the_vehicle_as_long_as_it_is_asked_for(vehicle_bench: An
     yaw = bench.vehicle.attitude_ned[2]
     bench.fly(3.0, v_ned=(0.0, 0.0, 0.0), mask=VELOCITY)
     assert abs(math.remainder(bench.vehicle.attitude_ned[2] - yaw, math.tau)) < 0.8
-    assert bench.vehicle.euler_rates_ned[2] == pytest.approx(0.0, abs=0.01)
+    assert bench.vehicle.true_motion_ned[11] == pytest.approx(0.0, abs=0.01)
 
 
 def test_yaw_rate_is_no_faster_than_the_guidance_turns(vehicle_bench: Any) -> None:
     bench = facing_east(vehicle_bench())
     for rate in (50.0, -3e38):
         bench.fly(5.0, mask=VELOCITY_AND_TURN, yaw_rate=rate)
-        assert abs(bench.vehicle.euler_rates_ned[2]) == pytest.approx(bench.vehicle.fastest_turn_rad_s, rel=0.05)
+        assert abs(bench.vehicle.true_motion_ned[11]) == pytest.approx(bench.vehicle.fastest_turn_rad_s, rel=0.05)
     bench.fly(3.0, mask=VELOCITY_AND_TURN, yaw_rate=0.0)
-    assert bench.vehicle.euler_rates_ned[2] == pytest.approx(0.0, abs=0.02)
+    assert bench.vehicle.true_motion_ned[11] == pytest.approx(0.0, abs=0.02)
 
 
 @pytest.mark.parametrize(

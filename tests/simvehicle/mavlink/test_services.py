@@ -380,7 +380,7 @@ def test_a_wrong_gps_moves_the_vehicle_the_other_way_and_it_does_not_know(vehicl
         bench.set_point((1.0, 2.0, -5.0))
         bench.tick()
     assert bench.vehicle.p_ned == pytest.approx((1.0, 2.0, -5.0), abs=0.02)
-    assert bench.vehicle.true_p_ned == pytest.approx((-1.0, 3.0, -5.0), abs=0.02)
+    assert bench.vehicle.true_motion_ned[:3] == pytest.approx((-1.0, 3.0, -5.0), abs=0.02)
     assert inject(bench, GPS, mav.FAILURE_TYPE_OK) == ACCEPTED
-    assert bench.vehicle.p_ned == bench.vehicle.true_p_ned
+    assert bench.vehicle.p_ned == bench.vehicle.true_motion_ned[:3]
     assert wrong(bench, GPS, 0.0, 1e9, 0.0) == DENIED

@@ -7,6 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from scipy.interpolate import RegularGridInterpolator
 from scipy.signal import welch
 
 from simvehicle.autopilot.body import Start
@@ -20,6 +21,7 @@ from simvehicle.world import wind
 from simvehicle.world.airframes import AIRFRAMES
 from simvehicle.world.description import Air, World, WorldError, WorldVehicle, read_world
 from simvehicle.world.estimate import EstimateErrors
+from simvehicle.world.wind_field import WindField
 
 DT_S, SPEED_M_S, HEIGHT_M, W20_M_S = 0.1, 8.0, 20.0, 7.7
 
@@ -107,8 +109,8 @@ def test_estimates_err_as_they_are_said_to_and_truth_stays_what_is_true() -> Non
     row = one.state[0]
     known = row[:12] - row[rotor_flight.ERROR]
     assert np.allclose(known[:6], row[rotor_flight.BODY][:6])
-    assert one.true_p_ned == pytest.approx(tuple(known[:3] * [1, -1, -1]))
-    assert one.p_ned != one.true_p_ned
+    assert one.true_motion_ned[:3] == pytest.approx(tuple(known[:3] * [1, -1, -1]))
+    assert one.p_ned != one.true_motion_ned[:3]
     errors = EstimateErrors(position_s=0.5, velocity_s=0.5, attitude_s=0.5, rate_s=0.02)
     plant = RotorPlant(WorldVehicle(AIRFRAMES["iris"], errors), seed=4, sysid=1)
     start = Start((0.0, 0.0, -20.0), airborne=True)
@@ -120,6 +122,41 @@ def test_estimates_err_as_they_are_said_to_and_truth_stays_what_is_true() -> Non
         seen.append(other.state[0, rotor_flight.ERROR].copy())
     deviations = np.std(seen, axis=0).reshape(4, 3).mean(axis=1)
     assert deviations == pytest.approx([0.3, 0.05, math.radians(0.3), math.radians(0.3)], rel=0.15)
+
+
+def table(seed: int = 1) -> WindField:
+    rows = np.random.default_rng(seed).uniform(-9.0, 9.0, (3 * 2 * 4, 3))
+    return WindField((-20.0, 0.0, 35.0), (-5.0, 5.0), (0.0, 2.0, 10.0, 50.0), tuple(map(tuple, rows.tolist())))
+
+
+def test_wind_between_places_is_theirs_in_proportion_and_beyond_them_the_edges() -> None:
+    """By scipy's interpolation on the same grid; the place is held within it."""
+    field = table()
+    axes = (field.north_m, field.east_m, field.height_m)
+    oracle = RegularGridInterpolator(axes, np.array(field.wind_m_s).reshape(3, 2, 4, 3))
+    places = np.random.default_rng(2).uniform((-30.0, -8.0, -3.0), (45.0, 8.0, 60.0), (500, 3))
+    places[:4] = [(-20.0, -5.0, 0.0), (35.0, 5.0, 50.0), (0.0, 0.0, 2.0), (-99.0, 99.0, 5.0)]
+    held = np.clip(places, [axis[0] for axis in axes], [axis[-1] for axis in axes])
+    found = [field.at_nwu((north, -east, up)) for north, east, up in places]
+    assert np.array(found) * (1.0, -1.0, 1.0) == pytest.approx(oracle(held), abs=1e-12)
+
+
+def test_a_table_of_one_wind_is_that_wind_and_one_that_changes_blows_by_place() -> None:
+    def flown(air: Air, north_m: float) -> np.ndarray:
+        plant = RotorPlant(WorldVehicle(AIRFRAMES["iris"]), air, seed=1, sysid=1)
+        start = Start((north_m, 0.0, -20.0), airborne=True)
+        one = Vehicle(IDENTITIES["px4"], Parameters(), LocalFrame(0.0, 0.0, 0.0), start, plant)
+        for t_ms in range(100, 2001, 100):
+            one.advance(t_ms)
+        return one.state
+
+    even = Air(turbulence_m_s=7.7, field=WindField((0.0,), (0.0,), (0.0,), ((3.0, -4.0, 0.5),)))
+    mean = Air(turbulence_m_s=7.7, mean_nwu=(3.0, 4.0, 0.5))
+    assert flown(even, 0.0).tobytes() == flown(mean, 0.0).tobytes()
+    behind = WindField((-1.0, 1.0), (0.0,), (0.0,), ((0.0, 0.0, 0.0), (3.0, -4.0, 0.5)))
+    sheltered = flown(Air(field=behind), -50.0)
+    assert sheltered[0, rotor_flight.WIND] == pytest.approx([0.0, 0.0, 0.0])
+    assert flown(Air(field=behind), 50.0).tobytes() == flown(Air(mean_nwu=(3.0, 4.0, 0.5)), 50.0).tobytes()
 
 
 def test_a_world_that_cannot_be_is_refused() -> None:

@@ -1,0 +1,66 @@
+"""Options that several commands have, their checks, and what one of them refuses together with another."""
+
+# ruff: noqa: PLC0415 - so that `gcs --help` answers at once
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import click
+
+from gcs.cli import page
+from gcs.scenario.endpoint import EXAMPLE, FORM, Endpoint, address
+
+PLAIN = click.option(
+    "--plain", is_flag=True, help="Lines of text instead of the console; also used without a terminal."
+)
+ONE_STDOUT = "--plain and --json exclude each other: choose what goes to stdout."
+
+
+def limits(wanted: str, holds: Callable[[Any], bool]) -> Callable[[click.Context, click.Parameter, Any], Any]:
+    """A callback that refuses a value outside its limits; `nan` lies in none."""
+
+    def check(ctx: click.Context, param: click.Parameter, value: Any) -> Any:
+        if value is not None and not holds(value):
+            raise click.BadParameter(f"{value} is not {wanted}.", ctx, param)
+        return value
+
+    return check
+
+
+speed_limits = limits("a speed above 0 and up to 1000", lambda speed: 0.0 < speed <= 1000.0)
+
+
+def endpoint(ctx: click.Context, param: click.Parameter, value: str | None) -> Endpoint | None:
+    """The callback of an option that is an address."""
+    if value is None:
+        return None
+    at = address(value)
+    if at is None:
+        raise click.BadParameter(f"{value!r} is no address; write {FORM}, {EXAMPLE}.", ctx, param)
+    return at
+
+
+@contextlib.contextmanager
+def connecting() -> Iterator[None]:
+    """Inside, an address or a key that cannot be used is said of --connect or --key-file, as click.UsageError."""
+    from gcs.link.keys import KeyRefused
+    from gcs.link.socket import AddressRefused
+
+    try:
+        yield
+    except AddressRefused as error:
+        raise click.UsageError(f"--connect: {error}.") from None
+    except KeyRefused as error:
+        raise click.UsageError(f"--key-file: {error}.") from None
+
+
+def refuse_two_shows(*, plain: bool, as_json: bool, web: bool, foxglove: bool, tiles: str | None) -> None:
+    """Raise click.UsageError where more than one is to show a source, or what is asked of the page has none."""
+    if plain and as_json:
+        raise click.UsageError(ONE_STDOUT)
+    if sum((web, foxglove, plain or as_json)) > 1:
+        raise click.UsageError("--web, --foxglove, and --plain or --json exclude each other: choose who shows it.")
+    page.refuse_tiles(tiles, web=web)

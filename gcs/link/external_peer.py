@@ -1,0 +1,177 @@
+"""One external vehicle: over one link, or over several, of which the better one is used.
+
+1. What is sent goes over the link in use; our HEARTBEAT, and requests of streams, go over all, so that each is ready.
+2. What comes over the link in use is taken, each frame once. What comes over another is taken where both carry one
+   stream (a router's), for then it is the same frames, or such as the first one lost; else it only shows that this
+   link lives: an autopilot's own second port has numbers and times of its own.
+3. A link is left when it is silent for so long as it never was, and another is heard: SILENT_S, or SILENCES of its
+   usual time from frame to frame; at once, when its stream has ended.
+4. A link is left for one that loses BETTER_SHARE less, and for one that the scenario names before it once that has been
+   heard for RETURN_S and loses no more; at most every DWELL_S.
+Times are of the monotonic clock, s.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+from gcs.link.door import Door
+from gcs.link.link import Key, LinkState
+from gcs.link.quality import LinkQuality
+from gcs.link.socket import Where
+from gcs.mavlink.boot_clock import BootClock
+from gcs.mavlink.codec import Frame, Message
+from gcs.mavlink.gaps import GapCounter
+from gcs.mavlink.recent_frames import RecentFrames, Relation
+
+SILENT_S = 0.4
+"""[choice] A PX4 leaves offboard half a second to a second after the last set point."""
+SILENCES = 4.0
+SMOOTHING = 0.1
+"""Weight of the newest time from frame to frame in the usual one."""
+BETTER_SHARE = 0.1
+EQUAL_SHARE = 0.02
+RETURN_S, DWELL_S = 5.0, 5.0
+ONE_STREAM = 8
+"""So many frames that came over two links, none of another content with its number in between, and no more than
+ONE_STREAM_S from one to the next: both carry one stream."""
+ONE_STREAM_S = 3.0
+
+
+@dataclass(eq=False)
+class PeerLink:
+    """A vehicle over one address."""
+
+    door: Door
+    connect: str
+    address: Where | None = None
+    cut_off: bool = False
+    """whether the stream from that address has ended"""
+    found_s: float = 0.0
+    received_s: float = 0.0
+    alive_since_s: float = math.inf
+    """since when it has not been silent"""
+    usual_s: float = 1.0
+    """from frame to frame"""
+    gaps: GapCounter = field(default_factory=GapCounter)
+    received: int = 0
+    matched: int = 0
+    """how many of its frames in a row came over another link too"""
+    matched_s: float = -math.inf
+
+    def __post_init__(self) -> None:
+        self.quality = LinkQuality(self.gaps)
+
+    @property
+    def patience_s(self) -> float:
+        """A silence so long is none that it usually has."""
+        return max(SILENT_S, SILENCES * self.usual_s)
+
+    def alive(self, now_s: float) -> bool:
+        """Whether it is there."""
+        return self.address is not None and not self.cut_off and now_s - self.received_s < self.patience_s
+
+    def lost_share(self, sysid: int) -> float:
+        """Frames lost of those of the last seconds, 0..1."""
+        return self.quality.lost_share(sysid) or 0.0
+
+    def count(self, frame: Frame, now_s: float) -> bool:
+        """Take note of a frame, `received_s` being still that of the one before; whether it ends a silence."""
+        since_s = now_s - self.received_s
+        self.received += 1
+        self.gaps.feed(frame.sysid, frame.compid, frame.seq)
+        self.quality.count(frame.sysid, 1, now_s)
+        if since_s >= self.patience_s or self.alive_since_s == math.inf:
+            self.alive_since_s = now_s
+            return True
+        self.usual_s += SMOOTHING * (since_s - self.usual_s)
+        return False
+
+    def compare(self, relation: Relation, now_s: float) -> None:
+        """Take note of what another link brought with the same number."""
+        if relation == "copy":
+            self.matched = self.matched + 1 if now_s - self.matched_s <= ONE_STREAM_S else 1
+            self.matched_s = now_s
+        elif relation == "other":
+            self.matched = 0
+
+    def carries_stream_of_others(self, now_s: float) -> bool:
+        """Whether its frames are those that others carry."""
+        return self.matched >= ONE_STREAM and now_s - self.matched_s <= ONE_STREAM_S
+
+
+@dataclass(eq=False)
+class ExternalPeer:
+    """One vehicle."""
+
+    key: Key
+    links: list[PeerLink]
+    """in the scenario's order"""
+    used: PeerLink
+    changed_s: float = -math.inf
+    """when the link in use was changed"""
+    relinked: bool = False
+    """whether since it was asked for streams a link has come, or numbers go on as another's"""
+    clock: BootClock = field(default_factory=BootClock)
+    recent: RecentFrames = field(default_factory=RecentFrames)
+    frames: list[Frame] = field(default_factory=list)
+    set_point: Message | None = None
+
+    @property
+    def found(self) -> bool:
+        """Whether it has been heard at any of its addresses."""
+        return any(link.address is not None for link in self.links)
+
+    def link_of(self, door: Door) -> PeerLink | None:
+        """Its link over an address; None where it is not expected there."""
+        return next((link for link in self.links if link.door is door), None)
+
+    def takes(self, frame: Frame, link: PeerLink, now_s: float) -> bool:
+        """Whether a frame that came over one of its links is to be taken."""
+        if len(self.links) == 1:
+            return True
+        self.relinked |= link.count(frame, now_s)
+        seen, relation, other = self.recent.add(frame, self.links.index(link))
+        for one in (link, self.links[other]):
+            one.compare(relation, now_s)
+        if seen.taken or not (link is self.used or link.carries_stream_of_others(now_s)):
+            return False
+        seen.taken = True
+        return True
+
+    def choose(self, now_s: float) -> str:
+        """Change to a better link where there is one; words about that, empty where it stays."""
+        before = self.used
+        others = [link for link in self.links if link is not before and link.alive(now_s)]
+        if not others:
+            return ""
+        sysid = self.key[0]
+        best = min(others, key=lambda link: link.lost_share(sysid))  # of equals the first
+        silent_s = best.received_s - before.received_s
+        if before.address is None or before.cut_off or silent_s >= before.patience_s:
+            why = f"{before.connect} is silent"
+        elif now_s - self.changed_s < DWELL_S:
+            return ""
+        elif before.lost_share(sysid) - best.lost_share(sysid) >= BETTER_SHARE:
+            why = f"{before.connect} loses {100.0 * before.lost_share(sysid):.0f} % of its frames"
+        else:
+            back = next((link for link in self.links[: self.links.index(before)] if self._as_good(link, now_s)), None)
+            if back is None:
+                return ""
+            best, why = back, "it is as good, and preferred"
+        self.used, self.changed_s = best, now_s
+        self.relinked |= not best.carries_stream_of_others(now_s)
+        return f"Flown over {best.connect} now: {why}"
+
+    def states(self, now_s: float) -> list[LinkState]:
+        """Its links, in the scenario's order."""
+        sysid = self.key[0]
+        return [
+            LinkState(link.connect, link is self.used, link.alive(now_s), link.received, link.quality.lost_share(sysid))
+            for link in self.links
+        ]
+
+    def _as_good(self, link: PeerLink, now_s: float) -> bool:
+        worse = link.lost_share(self.key[0]) - self.used.lost_share(self.key[0])
+        return link.alive(now_s) and now_s - link.alive_since_s >= RETURN_S and worse <= EQUAL_SHARE

@@ -99,7 +99,7 @@ class GroundCheck:
                 continue
             items = [CheckItem("heard", True, f"heard at {rules.where}")]
             for one in links.get(sysid, ()):
-                if not one.alive:
+                if not one.fresh:
                     items.append(CheckItem("link", False, f"not heard at {one.connect}"))
             items += [_origin(snapshot.vehicle(sysid)), *self._preflight.items(sysid)]
             missing = self._externals.missing_streams(sysid)

@@ -21,6 +21,7 @@ from gcs.scenario.parts.session import STEP_S, Clock, Goal, Origin, Pursue, Reco
 from gcs.scenario.parts.surroundings import Attractor, Mover, Obstacle
 from gcs.scenario.parts.vehicles import Battery, Pursuer, Tanker, Target, VehicleBase, Vehicles
 from gcs.scenario.rules import CompetitionRules, FormationRules, PlannerRules, PursuitRules, RefuellingRules
+from gcs.scenario.station import Station, station_conflicts
 from gcs.scenario.types import Count, Flag, Part, Plane
 from gcs.scenario.weather import Wind
 
@@ -119,6 +120,8 @@ class Scenario(Part):
     """what goes wrong, at a time or by chance; nothing by default"""
     vehicles_per_process: Annotated[int, Field(strict=True, ge=1, le=254)] = 1
     """how many fly in one process; nothing else depends on it"""
+    station: Station = Station()
+    """our own ids for external vehicles; 255/190 by default"""
     forward: Forward = Forward()
     """other ground stations that hear the vehicles too; none by default"""
     fence: FenceRules = FenceRules()
@@ -180,7 +183,8 @@ class Scenario(Part):
         grounded = base_conflicts(self.bases, pursuers, self.obstacles, capture_m=capture_m)
         faulty = fault_conflicts(self.faults, self.vehicles.all, self.goal.duration_s)
         fenced = fence_conflicts(self.fence, self.rally_m)
-        if conflicts := [*_conflicts(self), *_vehicle_conflicts(self), *grounded, *faulty, *fenced]:
+        known = station_conflicts(self.station, {vehicle.sysid for vehicle in self.vehicles.all})
+        if conflicts := [*_conflicts(self), *_vehicle_conflicts(self), *grounded, *faulty, *fenced, *known]:
             raise conflict_error(conflicts)
         return self
 

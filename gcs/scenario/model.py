@@ -161,8 +161,7 @@ class Scenario(Part):
             clock = {"mode": "lockstep"}
         elif speed is not None:
             clock = {"mode": "real", "speed": speed}
-        mode, rate = clock.get("mode", self.clock.mode), clock.get("speed", self.clock.speed)
-        if (refusal := external.clock_refusal(self.vehicles.all, mode, rate)) is not None:
+        if (refusal := external.clock_refusal(self.vehicles.all, clock.get("mode", self.clock.mode))) is not None:
             raise ValueError(refusal)
         changed = self.model_dump(by_alias=True) | {"clock": {**self.clock.model_dump(), **clock}}
         changed |= ({} if seed is None else {"seed": seed}) | ({"logs": True} if logs else {})
@@ -196,9 +195,9 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
     refuels = s.refuelling.enabled and pursuers and (tankers or s.bases)
     mean_delay_s = s.radio.delay_s + 0.5 * s.radio.jitter_s
     longest_delay_s = max(TRANSFER_SILENCE_S - 2.0 * s.clock.period_s, 0.0) / TRANSFER_HOPS
-    clock_refused = external.clock_refusal(s.vehicles.all, s.clock.mode, s.clock.speed)
+    clock_refused = external.clock_refusal(s.vehicles.all, s.clock.mode)
     rules: list[tuple[Any, KeyPath, str]] = [
-        (clock_refused, ("clock", "mode" if s.clock.mode == "lockstep" else "speed"), clock_refused or ""),
+        (clock_refused, ("clock", "mode"), clock_refused or ""),
         (not sysids, ("vehicles",), "there must be at least one vehicle"),
         (
             s.logs and not s.vehicles.external,

@@ -30,8 +30,8 @@ _DEGREES = 180.0 / math.pi
 
 @njit(error_model="numpy")
 def _remainder(x: float, whole: float) -> float:
+    """IEEE's remainder, as math.remainder; exact."""
     rest: float = np.fmod(x, whole)
-    rest = np.fmod(x, whole)
     if abs(rest) > 0.5 * whole:
         rest -= math.copysign(whole, rest)
     return rest

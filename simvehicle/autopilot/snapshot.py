@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
 from simvehicle.autopilot.failures import Failure
 from simvehicle.autopilot.geodesy import LocalFrame
@@ -13,39 +13,6 @@ Vec3 = tuple[float, float, float]
 
 CELLS = 4
 CELL_FULL_V, CELL_EMPTY_V = 4.2, 3.5
-
-
-class Moving(Protocol):
-    """Part of a vehicle's state that changes with every step: of a `VehicleState`, and of the vehicle itself, from
-    which frequent telemetry is made without gathering all the rest. SI units, NED axes."""
-
-    @property
-    def frame(self) -> LocalFrame:
-        """The local frame's place on the globe."""
-
-    @property
-    def time_ms(self) -> int:
-        """Time since boot."""
-
-    @property
-    def p_ned(self) -> Vec3:
-        """Position, m."""
-
-    @property
-    def v_ned(self) -> Vec3:
-        """Velocity, m/s."""
-
-    @property
-    def attitude_ned(self) -> Vec3:
-        """Roll, pitch and yaw, rad."""
-
-    @property
-    def rates_body(self) -> Vec3:
-        """Rates about the body's own axes, rad/s."""
-
-    @property
-    def home_ned(self) -> Vec3:
-        """Home, m."""
 
 
 class VehicleState(NamedTuple):

@@ -13,7 +13,8 @@ from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.failures import Failure
 from simvehicle.autopilot.modes import Mode
-from simvehicle.autopilot.snapshot import CELL_FULL_V, CELLS, Moving, Vec3, VehicleState
+from simvehicle.autopilot.snapshot import CELL_FULL_V, CELLS, Vec3, VehicleState
+from simvehicle.mavlink import motion_frames
 from simvehicle.mavlink.codec import message
 
 __all__ = ["ALL_HEALTHY", "TELEMETRY", "UNPROMPTED", "Stream", "Vec3", "VehicleState", "autopilot_version", "heartbeat"]
@@ -102,17 +103,17 @@ def extended_sys_state(s: VehicleState) -> Any:
     return message("EXTENDED_SYS_STATE")(vtol_state=mav.MAV_VTOL_STATE_UNDEFINED, landed_state=landed)
 
 
-def attitude(s: Moving) -> Any:
+def attitude(s: VehicleState) -> Any:
     roll, pitch, yaw = s.attitude_ned
     p, q, r = s.rates_body
     return message("ATTITUDE")(s.time_ms, _wrapped(roll), _wrapped(pitch), _wrapped(yaw), p, q, r)
 
 
-def local_position_ned(s: Moving) -> Any:
+def local_position_ned(s: VehicleState) -> Any:
     return message("LOCAL_POSITION_NED")(s.time_ms, *s.p_ned, *s.v_ned)
 
 
-def global_position_int(s: Moving) -> Any:
+def global_position_int(s: VehicleState) -> Any:
     p_ned, (v_n, v_e, v_d) = s.p_ned, s.v_ned
     lat_deg, lon_deg, alt_m = s.frame.to_global(*p_ned)
     return message("GLOBAL_POSITION_INT")(
@@ -345,8 +346,8 @@ class Stream(NamedTuple):
     msgid: int
     rate_hz: float
     build: Callable[[VehicleState], Any]
-    build_moving: Callable[[Moving], Any] | None = None
-    """the same builder where it takes the vehicle itself too"""
+    motion: int = 0
+    """its bit where `motion_frames` makes it too"""
 
 
 UNPROMPTED = {"ATTITUDE_QUATERNION": 10.0, "VFR_HUD": 4.0, "ALTITUDE": 2.0}
@@ -356,10 +357,20 @@ TELEMETRY: tuple[Stream, ...] = (
     Stream("HEARTBEAT", mav.MAVLINK_MSG_ID_HEARTBEAT, 1.0, heartbeat),
     Stream("SYS_STATUS", mav.MAVLINK_MSG_ID_SYS_STATUS, 1.0, sys_status),
     Stream("EXTENDED_SYS_STATE", mav.MAVLINK_MSG_ID_EXTENDED_SYS_STATE, 1.0, extended_sys_state),
-    Stream("ATTITUDE", mav.MAVLINK_MSG_ID_ATTITUDE, 10.0, attitude, attitude),
-    Stream("LOCAL_POSITION_NED", mav.MAVLINK_MSG_ID_LOCAL_POSITION_NED, 10.0, local_position_ned, local_position_ned),
+    Stream("ATTITUDE", mav.MAVLINK_MSG_ID_ATTITUDE, 10.0, attitude, motion_frames.ATTITUDE),
     Stream(
-        "GLOBAL_POSITION_INT", mav.MAVLINK_MSG_ID_GLOBAL_POSITION_INT, 5.0, global_position_int, global_position_int
+        "LOCAL_POSITION_NED",
+        mav.MAVLINK_MSG_ID_LOCAL_POSITION_NED,
+        10.0,
+        local_position_ned,
+        motion_frames.LOCAL_POSITION,
+    ),
+    Stream(
+        "GLOBAL_POSITION_INT",
+        mav.MAVLINK_MSG_ID_GLOBAL_POSITION_INT,
+        5.0,
+        global_position_int,
+        motion_frames.GLOBAL_POSITION,
     ),
     Stream("GPS_RAW_INT", mav.MAVLINK_MSG_ID_GPS_RAW_INT, 1.0, gps_raw_int),
     Stream("HOME_POSITION", mav.MAVLINK_MSG_ID_HOME_POSITION, 0.5, home_position),

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import mmap
 import os
 import platform
 import re
@@ -18,6 +17,7 @@ from importlib.metadata import PackageNotFoundError, requires, version
 from pathlib import Path
 from typing import Literal
 
+from gcs.cli.autopilot_programs import REAL_AUTOPILOTS
 from gcs.link.socket import BUFFER_BYTES
 
 PACKAGE = "skytender"
@@ -25,9 +25,6 @@ OLDEST_PYTHON = (3, 11)
 COMMON_PORT = 14550
 ROOM_BYTES = 200 << 20
 COLUMNS, LINES = 80, 24
-ARDUCOPTERS_FLOWN = ("4.6.0-dev",)
-"""Versions of ArduCopter that have flown in sessions of `tests/system/test_real_autopilots.py`."""
-_RELEASE = re.compile(rb"ArduCopter V([0-9]+\.[0-9]+[0-9A-Za-z.-]*)")
 _REQUIREMENT = re.compile(r"^([A-Za-z0-9._-]+)\s*([^;]*)(?:;.*extra\s*==\s*['\"]([^'\"]+)['\"])?")
 
 
@@ -244,37 +241,24 @@ def _terminal() -> Iterator[MachineFinding]:
 
 
 def _autopilots() -> Iterator[MachineFinding]:
-    """Autopilots that a scenario's `autopilot: {ardupilot: PATH}` may name."""
-    places = [Path("~/ardupilot/build/sitl/bin/arducopter").expanduser()]
-    named, found_on_path = os.environ.get("SKYTENDER_ARDUCOPTER"), shutil.which("arducopter")
-    places = [Path(name) for name in (named, found_on_path) if name] + places
-    path = next((path for path in places if path.is_file() and os.access(path, os.X_OK)), None)
-    flown = f"flown so far: {', '.join(ARDUCOPTERS_FLOWN)}"
-    if path is not None:
-        release = arducopter_release(path)
-        if release is None:
-            advice = "its program names no version of ArduCopter; a session needs build/sitl/bin/arducopter"
-            yield MachineFinding("note", "ArduCopter", str(path), advice)
-        elif release in ARDUCOPTERS_FLOWN:
-            yield MachineFinding("ok", "ArduCopter", f"{release} at {path}")
+    """Autopilots that a scenario's `autopilot: {…: PATH}` may name."""
+    for kind in REAL_AUTOPILOTS:
+        flown = f"flown so far: {', '.join(kind.flown)}"
+        path, named = kind.found(), os.environ.get(kind.variable)
+        release = None if path is None else kind.release(path)
+        if path is None and named:
+            advice = f"let {kind.variable} name {kind.program}, or unset it"
+            yield MachineFinding("note", kind.name, f"{named} is no {kind.form}", advice)
+        elif path is None:
+            found = f"none, for 'autopilot: {{{kind.key}: PATH}}' alone ({flown}): {kind.build} makes {kind.program}"
+            yield MachineFinding("ok", kind.name, found)
+        elif release is None:
+            advice = f"its program names no version of {kind.name}; a session needs {kind.program}"
+            yield MachineFinding("note", kind.name, str(path), advice)
+        elif release in kind.flown:
+            yield MachineFinding("ok", kind.name, f"{release} at {path}")
         else:
-            yield MachineFinding("ok", "ArduCopter", f"{release} at {path} ({flown})")
-    elif named:
-        advice = "let SKYTENDER_ARDUCOPTER name build/sitl/bin/arducopter, or unset it"
-        yield MachineFinding("note", "ArduCopter", f"{named} is no program", advice)
-    else:
-        build = "./waf configure --board sitl && ./waf copter in ArduPilot's checkout makes build/sitl/bin/arducopter"
-        found = f"none, for 'autopilot: {{ardupilot: PATH}}' alone ({flown}): {build}"
-        yield MachineFinding("ok", "ArduCopter", found)
-
-
-def arducopter_release(path: Path) -> str | None:
-    """The version that an ArduCopter's program was built as, such as 4.5.7; None where it names none."""
-    if not path.stat().st_size:
-        return None
-    with path.open("rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
-        found = _RELEASE.search(content)
-        return found[1].decode() if found else None
+            yield MachineFinding("ok", kind.name, f"{release} at {path} ({flown})")
 
 
 def _own_scenarios() -> Iterator[MachineFinding]:

@@ -113,7 +113,7 @@ def autopilot_order(
     """Command that starts a real autopilot with its physics; writes its file."""
     battery, origin, name = vehicle.battery, scenario.origin, str(vehicle.sysid)
     content = {
-        "program": real.ardupilot,
+        "program": real.program,
         "folder": str((folder / "vehicles" / name).resolve()),
         "home": [origin.lat_deg, origin.lon_deg, origin.alt_m],
         "start_ned": list(vehicle.start_m),
@@ -133,7 +133,7 @@ def autopilot_order(
     }
     path = folder / "vehicles" / f"{name}.autopilot.yaml"
     path.write_text(yaml.safe_dump(content, sort_keys=True), encoding="utf-8")
-    argv = ("ardupilot", str(path), "--sysid", name, *connection)
+    argv = (real.kind, str(path), "--sysid", name, *connection)
     return ProcessSpec((vehicle.sysid,), argv, folder / "vehicles" / f"{name}.log")
 
 

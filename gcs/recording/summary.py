@@ -4,14 +4,11 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
 from gcs.scenario.described import Described
-
-if TYPE_CHECKING:  # who only reads a summary need not load the supervisor
-    pass
 
 FILE = "summary.json"
 
@@ -192,7 +189,7 @@ class Summary(SummaryPart):
     judged_by: Literal["truth", "reports"] = "reports"
     """whether the distances are those that launched vehicles themselves knew, or those that vehicles reported"""
     digest: str | None
-    """null with external vehicles: their flight never repeats"""
+    """null with external vehicles and real PX4s: their flight never repeats"""
     versions: dict[str, str]
     min_separation_m: float | None
     """least distance of two vehicles in flight, partners of a transfer aside, between ticks too; null without a pair"""

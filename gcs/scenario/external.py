@@ -17,6 +17,9 @@ from gcs.scenario.document import Conflict, KeyPath
 from gcs.scenario.endpoint import EXAMPLE, address
 from gcs.scenario.types import Joules, Part, SysId
 
+RealKind = Literal["ardupilot", "px4"]
+REAL_KINDS: tuple[RealKind, ...] = ("ardupilot", "px4")
+"""Autopilots that a session starts, which are not ours."""
 LAUNCH_ONLY = ("airborne", "velocity_m_s", "attitude_deg", "params")
 NOT_INHERITED = (*LAUNCH_ONLY, "start_m", "plant", "airframe", "sensors", "autopilot")
 """Keys that `vehicles.defaults` gives to launched vehicles alone."""
@@ -140,8 +143,10 @@ def absolute_paths(vehicles: Any, folder: Path) -> None:
     groups = vehicles.values() if isinstance(vehicles, dict) else ()
     for vehicle in (one for group in groups if isinstance(group, list) for one in group):
         real = vehicle.get("autopilot") if isinstance(vehicle, dict) else None
-        if isinstance(real, dict) and isinstance(real.get("ardupilot"), str):
-            real["ardupilot"] = str(folder.resolve() / Path(real["ardupilot"]).expanduser())
+        programs = real if isinstance(real, dict) else {}
+        for kind in REAL_KINDS:
+            if isinstance(programs.get(kind), str):
+                programs[kind] = str(folder.resolve() / Path(programs[kind]).expanduser())
         block = vehicle.get("external") if isinstance(vehicle, dict) else None
         signing = block.get("signing") if isinstance(block, dict) else None
         if isinstance(signing, dict) and isinstance(signing.get("key_file"), str):

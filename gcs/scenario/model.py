@@ -346,7 +346,10 @@ def _vehicle_conflicts(s: Scenario) -> Iterator[Conflict]:
 
 
 def _real_conflicts(path: KeyPath, vehicle: VehicleBase) -> Iterator[Conflict]:
-    """Keys that a real autopilot has no use for."""
+    """Programs of a real autopilot, and keys that it has no use for."""
+    if vehicle.real is not None and len(vehicle.real.programs) != 1:
+        text = f"{vehicle.label} needs one program: 'autopilot: {{ardupilot: PATH}}' or 'autopilot: {{px4: PATH}}'"
+        yield Conflict((*path, "autopilot"), text)
     if vehicle.airborne:
         text = f"{vehicle.label} has a real autopilot: airborne is for our own; leave it out"
         yield Conflict((*path, "airborne"), text)

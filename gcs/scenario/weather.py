@@ -5,7 +5,7 @@ from typing import Annotated
 
 from pydantic import AfterValidator, Field, model_validator
 
-from gcs.scenario.external import Wait
+from gcs.scenario.external import REAL_KINDS, RealKind, Wait
 from gcs.scenario.types import Coordinate, NotNegative, Part, Positive, Seconds
 
 
@@ -104,12 +104,37 @@ class Wind(Part):
     """wind by place, from a table; the same everywhere by default"""
 
 
+ProgramPath = Annotated[str, Field(min_length=1, max_length=4096)]
+
+
 class RealAutopilot(Part):
     """An autopilot that is not ours, started with the session and flown by its clock, on our physics
-    (docs/how-to/real-autopilots.md)."""
+    (docs/how-to/real-autopilots.md). It has one program."""
 
-    ardupilot: Annotated[str, Field(min_length=1, max_length=4096)]
+    ardupilot: ProgramPath | None = None
     """ArduCopter's program for its own simulation, `build/sitl/bin/arducopter`; a relative path counts from the
     scenario's folder, `~` is your home"""
+    px4: ProgramPath | None = None
+    """PX4's build for simulation, `build/px4_sitl_default`, or the program `bin/px4` in it; paths as above"""
     arm_within_s: Wait = 120.0
     """session time in which it must have found its place and let itself be armed, or it is left out"""
+
+    @property
+    def programs(self) -> dict[RealKind, str]:
+        """Programs that are named, by kind: one, unless the file is wrong."""
+        return {kind: path for kind in REAL_KINDS if (path := getattr(self, kind)) is not None}
+
+    @property
+    def kind(self) -> RealKind:
+        """Which autopilot it is."""
+        return next(iter(self.programs), "ardupilot")
+
+    @property
+    def program(self) -> str:
+        """Its program, or its build's folder."""
+        return self.programs[self.kind]
+
+    @property
+    def repeats(self) -> bool:
+        """Whether it flies the same way again: PX4's threads take turns as the machine lets them."""
+        return self.kind != "px4"

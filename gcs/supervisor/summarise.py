@@ -6,6 +6,7 @@ import functools
 import math
 import platform
 from collections import defaultdict
+from dataclasses import asdict
 from importlib.metadata import version
 from typing import TYPE_CHECKING, cast
 
@@ -68,7 +69,7 @@ def summarise(
         goal=goal,
         unmet=[part for part in goal if not part.met],
         judged_by="truth" if supervisor.goal_watch.from_truth else "reports",
-        digest=None if scenario.vehicles.external else supervisor.digest.hexdigest(),
+        digest=supervisor.digest.hexdigest() if scenario.vehicles.repeat else None,
         versions=dict(_versions()),
         min_separation_m=_finite(near.separation.m),
         min_clearance_m=_finite(near.clearance.m),
@@ -144,18 +145,7 @@ def _ledger(view: VehicleView, lost_j: int) -> EnergySummary:
 
 
 def _part(judged: Judgement) -> GoalPartSummary:
-    return GoalPartSummary(
-        part=judged.part,
-        wanted=judged.wanted,
-        reached=judged.reached,
-        met=judged.met is not False,
-        value=judged.value,
-        limit=judged.limit,
-        unit=judged.unit,
-        sysids=list(judged.sysids),
-        what=judged.what,
-        t_s=judged.t_s,
-    )
+    return GoalPartSummary(**{**asdict(judged), "met": judged.met is not False})
 
 
 def _closest(nearest: Nearest) -> ClosestSummary:

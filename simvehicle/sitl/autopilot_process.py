@@ -1,4 +1,5 @@
-"""A real ArduPilot as a process: parameters, ports, start and end (docs/protocol.md#autopilots-of-others)."""
+"""An autopilot that is not ours as a process: what is wanted of it, its start, its end, its last words
+(docs/protocol.md#autopilots-of-others)."""
 
 from __future__ import annotations
 
@@ -6,48 +7,28 @@ import contextlib
 import ctypes
 import os
 import signal
-import socket
+import struct
 import subprocess
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
 from simvehicle.autopilot.body import STEP_MS
 from simvehicle.autopilot.energy_transfer import Envelope
 from simvehicle.law.params import BatteryParams
 from simvehicle.law.plants import RotorPlant
-from simvehicle.mavlink.analog_battery import DEFAULTS
+from simvehicle.mavlink.codec import CHECKSUM_BYTES, HEADER_BYTES, MAGIC
 from simvehicle.world.description import read_world
 from simvehicle.world.sensors import SensorErrors
 
 PR_SET_PDEATHSIG = 1
 STEP_S = STEP_MS / 1e3
 HOST = "127.0.0.1"
-JSON_PORT, SERIAL_PORT, APART = 9002, 5760, 10
 MOST_INSTANCES = 2000
-PARAMETERS: dict[str, float] = {
-    "FRAME_CLASS": 1,
-    "FRAME_TYPE": 1,
-    "SCHED_LOOP_RATE": round(1.0 / STEP_S),
-    "MOT_THST_EXPO": 1.0,
-    "MOT_SPIN_MIN": 0.0,
-    "MOT_SPIN_ARM": 0.0,
-    "MOT_BAT_VOLT_MAX": 0.0,
-    "BATT_MONITOR": 4,
-    **DEFAULTS,
-    "FS_THR_ENABLE": 0,
-    "LOG_BACKEND_TYPE": 0,
-    "GPS_TYPE": 100,
-    "GPS1_TYPE": 100,
-    "EK3_YAW_M_NSE": 0.05,
-    "EK3_GPS_CHECK": 0,
-    **{f"INS_ACC{i}OFFS_{axis}": 0.001 for i in ("", "2") for axis in "XYZ"},
-    **{f"INS_ACC{i}SCAL_{axis}": 1.001 for i in ("", "2") for axis in "XYZ"},
-    **{f"COMPASS_OFS{i}_{axis}": x for i in ("", "2", "3") for axis, x in zip("XYZ", (5, 13, -18), strict=True)},
-    **{f"RC{i}_{end}": us for i in range(1, 5) for end, us in (("MIN", 1000), ("MAX", 2000), ("TRIM", 1500))},
-    "RC3_TRIM": 1000,
-}
-"""Parameters that it starts with [choice]: calibrated, in no want of a transmitter, thrust by the throttle squared."""
+READY_WITHIN_S = 20.0
+LOOK_EVERY_S = 0.5
+LAST_LINES = 5
 
 
 class AutopilotError(RuntimeError):
@@ -65,6 +46,8 @@ class AutopilotWanted:
     start_ned: tuple[float, float, float]
     yaw_deg: float
     epoch_s: int
+    seed: int
+    air_density_kg_m3: float
     battery: BatteryParams
     envelope: Envelope
     parameters: dict[str, float]
@@ -72,55 +55,89 @@ class AutopilotWanted:
     truth: Path | None = None
 
 
-def simulation_port() -> tuple[socket.socket, int]:
-    """A socket where an autopilot of some instance number speaks to its simulation, and that number: the first whose
-    ports are free."""
-    for instance in range(MOST_INSTANCES):
-        udp = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+class AutopilotProcess:
+    """The process of an autopilot, which ends with this one, or with the block that it is opened for."""
+
+    def __init__(
+        self, wanted: AutopilotWanted, argv: Sequence[str], environment: Mapping[str, str] | None = None
+    ) -> None:
+        """Start it in its folder, with its output in a log. Raises AutopilotError."""
+        self._wanted = wanted
+        libc = ctypes.CDLL(None)
+        with (wanted.folder / "autopilot.log").open("wb") as log:
+            try:
+                self._process = subprocess.Popen(
+                    argv,
+                    cwd=wanted.folder,
+                    env=environment,
+                    stdin=subprocess.DEVNULL,
+                    stdout=log,
+                    stderr=subprocess.STDOUT,
+                    process_group=0,
+                    preexec_fn=lambda: libc.prctl(PR_SET_PDEATHSIG, signal.SIGKILL),  # noqa: PLW1509 - one thread alone
+                )
+            except OSError as error:
+                raise AutopilotError(f"{self.name} cannot be started: {error.strerror}") from error
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        with contextlib.suppress(ProcessLookupError, PermissionError):
+            os.killpg(self._process.pid, signal.SIGKILL)  # with what it has started itself
+        self._process.wait()
+
+    @property
+    def name(self) -> str:
+        """The autopilot, for a sentence."""
+        return f"the autopilot {self._wanted.program}"
+
+    def look(self) -> None:
+        """Raise AutopilotError where it has ended."""
+        if self._process.poll() is not None:
+            raise self.gone()
+
+    def gone(self) -> AutopilotError:
+        """The error that says how it ended."""
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            self._process.wait(LOOK_EVERY_S)
+        status = self._process.poll()
+        how = "has closed its connection" if status is None else f"ended with status {status}"
+        if status is not None and status < 0:
+            how = f"was killed by signal {-status}"
+        return AutopilotError(f"{self.name} {how}{self.last_lines()}")
+
+    def late(self, what: str) -> AutopilotError:
+        """The error that says what it has not done in time."""
+        return AutopilotError(f"{self.name} {what}{self.last_lines()}")
+
+    def last_lines(self) -> str:
+        """Last lines of its log, each once, to end a sentence."""
         try:
-            udp.bind((HOST, JSON_PORT + APART * instance))
-            with socket.socket(socket.AF_INET, socket.SOCK_STREAM) as tcp:
-                tcp.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-                tcp.bind((HOST, SERIAL_PORT + APART * instance))
-            return udp, instance
+            lines = (self._wanted.folder / "autopilot.log").read_text(encoding="utf-8", errors="replace").splitlines()
         except OSError:
-            udp.close()
-    raise AutopilotError(
-        f"no ports are free for an autopilot: UDP {JSON_PORT} and TCP {SERIAL_PORT}, in steps of {APART}"
-    )
+            lines = []
+        last = list(dict.fromkeys(line.strip() for line in lines if line.strip()))[-LAST_LINES:]
+        return f"; its last lines: {' | '.join(last)}" if last else ", and said nothing"
 
 
-def start(wanted: AutopilotWanted, instance: int) -> subprocess.Popen[bytes]:
-    wanted.folder.mkdir(parents=True, exist_ok=True)
-    defaults = wanted.folder / "defaults.parm"
-    values = {**PARAMETERS, **wanted.parameters}
-    defaults.write_text("".join(f"{name} {value:g}\n" for name, value in values.items()), encoding="utf-8")
-    place = ",".join(f"{number:.9g}" for number in wanted.home)
-    argv = [
-        *(str(wanted.program.resolve()), "--model", f"JSON:{HOST}", "-I", str(instance)),
-        *("--home", f"{place},{wanted.yaw_deg:g}", "--defaults", str(defaults.resolve()), "-w"),
-        *("--start-time", str(wanted.epoch_s), "--sysid", str(wanted.sysid)),
-        *("--serial1", "none:1", "--serial2", "none:1"),
-    ]
-    libc = ctypes.CDLL(None)
-    with (wanted.folder / "autopilot.log").open("wb") as log:
-        try:
-            return subprocess.Popen(
-                argv,
-                cwd=wanted.folder,
-                stdin=subprocess.DEVNULL,
-                stdout=log,
-                stderr=subprocess.STDOUT,
-                preexec_fn=lambda: libc.prctl(PR_SET_PDEATHSIG, signal.SIGKILL),  # noqa: PLW1509 - one thread alone
-            )
-        except OSError as error:
-            raise AutopilotError(f"the autopilot {wanted.program} cannot be started: {error.strerror}") from error
+def time_of(seconds: float) -> bytes:
+    """A `struct timeval`, as SO_RCVTIMEO takes it."""
+    whole = int(seconds)
+    return struct.pack("ll", whole, round(1e6 * (seconds - whole)))
 
 
-def end(process: subprocess.Popen[bytes]) -> None:
-    with contextlib.suppress(ProcessLookupError):
-        os.kill(process.pid, signal.SIGKILL)
-    process.wait()
+def whole_frames(content: bytes) -> tuple[bytes, bytes]:
+    """Bytes of a stream up to the end of the last whole frame, and the rest."""
+    at = 0
+    while (start := content.find(bytes((MAGIC,)), at)) >= 0:
+        if len(content) < start + HEADER_BYTES:
+            return content[:start], content[start:]
+        end = start + HEADER_BYTES + content[start + 1] + CHECKSUM_BYTES
+        if len(content) < end:
+            return content[:start], content[start:]
+        at = end
+    return content, b""
 
 
 def read_wanted(content: Any, sysid: int) -> tuple[AutopilotWanted, RotorPlant]:
@@ -139,12 +156,15 @@ def read_wanted(content: Any, sysid: int) -> tuple[AutopilotWanted, RotorPlant]:
             start_ned=(north_m, east_m, down_m),
             yaw_deg=float(content["yaw_deg"]),
             epoch_s=int(content["epoch_s"]),
+            seed=world.seed,
+            air_density_kg_m3=world.air.density_kg_m3,
             battery=BatteryParams(**{name: float(value) for name, value in content["battery"].items()}),
             envelope=Envelope(float(content["capture_m"]), float(content["relative_speed_m_s"])),
             parameters={str(name): float(value) for name, value in content["parameters"].items()},
             sensors=SensorErrors(own.errors, STEP_S, seed=world.seed, sysid=sysid),
             truth=None if content["truth"] is None else Path(content["truth"]),
         )
+        wanted.folder.mkdir(parents=True, exist_ok=True)
     except (KeyError, TypeError, AttributeError, ValueError) as error:
         raise AutopilotError(f"its file cannot be read: {error}") from error
     return wanted, plant

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -33,3 +35,37 @@ class SensorErrors:
         self._now = self._decays * self._now + self._pushes * self._random.standard_normal(self._now.size)
         e = self._now.tolist()
         return e[0:3], e[3:6], e[6:9], e[9:12], e[12:15]
+
+
+class Noise(NamedTuple):
+    """White noise of one reading of each sensor: accelerometers m/s², gyros rad/s, magnetometers T, three axes of the
+    body each, and barometer Pa."""
+
+    accel: Floats
+    rates: Floats
+    field: Floats
+    pressure_pa: float
+
+
+ACCEL_NOISE_M_S2, RATE_NOISE_RAD_S, FIELD_NOISE_T, PRESSURE_NOISE_PA = 0.02, 0.002, 5e-8, 0.5
+_BLOCK = 250
+
+
+class SensorNoise:
+    """Noise of the readings of one vehicle's sensors [choice], far below any error that matters: an autopilot that
+    reads the same number again and again takes a sensor for dead."""
+
+    def __init__(self, *, seed: int, sysid: int) -> None:
+        """`seed` and `sysid`: of the stream that it is drawn from."""
+        self._random = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(sysid, 3)))
+        deviations = (ACCEL_NOISE_M_S2, RATE_NOISE_RAD_S, FIELD_NOISE_T)
+        self._deviations = np.array([*np.repeat(deviations, AXES), PRESSURE_NOISE_PA])
+        self._drawn: list[Floats] = []
+
+    def step(self) -> Noise:
+        """Noise of one reading."""
+        if not self._drawn:
+            normal = self._random.standard_normal((_BLOCK, self._deviations.size))
+            self._drawn = (normal * self._deviations).tolist()
+        e = self._drawn.pop()
+        return Noise(e[0:3], e[3:6], e[6:9], e[9])

@@ -13,7 +13,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-import arducopters_in_lockstep
+import autopilots_in_lockstep
 import campaign_sessions
 import codecs_of_a_tick
 import console_drawn
@@ -49,7 +49,7 @@ def main() -> None:
         11: prompt_to_prompt.figures,
         12: campaign_sessions.figures,
         13: page_shown.figures,
-        14: lambda: arducopters_in_lockstep.figures(scale),
+        14: lambda: autopilots_in_lockstep.figures(scale),
     }
     wanted = [int(number) for number in options.only.split(",")] if options.only else list(figures)
     console = Console(width=None if sys.stdout.isatty() else 170)

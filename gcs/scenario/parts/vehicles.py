@@ -68,7 +68,7 @@ class VehicleBase(Part):
     battery: Battery
     """capacity, charge and consumption"""
     autopilot: RealAutopilot | Literal["own"] = "own"
-    """`own`: our law; `{ardupilot: PATH}`: a real ArduPilot, started and simulated by the session, on rotors"""
+    """`own`: our law; `{ardupilot: PATH}` or `{px4: PATH}`: a real one, started by the session, on rotors"""
     plant: Literal["paper", "rotors"] = "paper"
     """`paper`: the plant of the paper's eq. 3; `rotors`: a rigid body on four rotors (docs/model.md#rotors)"""
     airframe: Airframe | None = None
@@ -98,7 +98,7 @@ class VehicleBase(Part):
         return External(
             connect="udpin:127.0.0.1:1",
             sysid=self.sysid,
-            autopilot="ardupilot",
+            autopilot=self.real.kind,
             capacity_j=self.battery.capacity_j,
             arm_within_s=self.real.arm_within_s,
         )
@@ -190,6 +190,11 @@ class Vehicles(Part):
     def external(self) -> dict[int, External]:
         """External vehicles, by system id."""
         return {vehicle.sysid: vehicle.external for vehicle in self.all if vehicle.external is not None}
+
+    @property
+    def repeat(self) -> bool:
+        """Whether all of them fly the same way again."""
+        return not self.external and all(vehicle.real is None or vehicle.real.repeats for vehicle in self.all)
 
     @property
     def foreign(self) -> dict[int, External]:

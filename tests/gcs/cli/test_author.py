@@ -273,42 +273,74 @@ def test_the_doctor_says_what_to_do_about_a_missing_program(monkeypatch: pytest.
     assert (problems, lines[-1].partition(",")[0]) == (1, "1 problem")
 
 
+COMMIT = b"b765769f50a0a830d96e3a416a55bd229b0b6bce\0"
+"""It stands after a PX4's version; its program holds others, of its own tests."""
+
+
+@pytest.fixture
+def bare(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
+    """A machine without autopilots, and the folder of all its programs."""
+    for name in ("PATH", "HOME"):
+        monkeypatch.setenv(name, str(tmp_path))
+    for name in ("SKYTENDER_ARDUCOPTER", "SKYTENDER_PX4"):
+        monkeypatch.delenv(name, raising=False)
+    return tmp_path
+
+
 @pytest.mark.parametrize(
-    ("content", "level", "found"),
+    ("name", "content", "level", "found"),
     [
-        (b"\0FreeRTOS ArduCopter V4.6.0-dev (0123abcd)\0", "ok", "4.6.0-dev at {}"),
-        (b"ArduCopter V9.9.1", "ok", "9.9.1 at {} (flown so far: "),
-        (b"ArduPlane V4.5.7", "note", "{}"),
-        (b"", "note", "{}"),
+        ("ArduCopter", b"\0FreeRTOS ArduCopter V4.6.0-dev (0123abcd)\0", "ok", "4.6.0-dev at {}"),
+        ("ArduCopter", b"ArduCopter V9.9.1", "ok", "9.9.1 at {} (flown so far: "),
+        ("ArduCopter", b"ArduPlane V4.5.7", "note", "{}"),
+        ("ArduCopter", b"", "note", "{}"),
+        (
+            "PX4",
+            b"\0v1.2.3-dirty\0v1.14.0-beta2-4431-gb765769f50\0\0" + COMMIT,
+            "ok",
+            "1.14.0-beta2-4431-gb765769f50 at {}",
+        ),
+        ("PX4", b"\0v1.99.0\0" + COMMIT, "ok", "1.99.0 at {} (flown so far: "),
+        ("PX4", b"ArduCopter V4.6.0-dev", "note", "{}"),
     ],
 )
 @pytest.mark.parametrize("by", ["name", "path"])
-def test_the_doctor_finds_an_arducopter_and_names_its_version(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, by: str, content: bytes, level: str, found: str
+def test_the_doctor_finds_an_autopilot_and_names_its_version(
+    monkeypatch: pytest.MonkeyPatch, bare: Path, by: str, name: str, content: bytes, level: str, found: str
 ) -> None:
-    program = tmp_path / "arducopter"
+    program = bare / name.lower()
     program.write_bytes(content)
     program.chmod(0o755)
-    monkeypatch.delenv("SKYTENDER_ARDUCOPTER", raising=False)
     if by == "name":
-        monkeypatch.setenv("SKYTENDER_ARDUCOPTER", str(program))
-    else:
-        monkeypatch.setenv("PATH", str(tmp_path))
-    (finding,) = doctor._autopilots()
+        monkeypatch.setenv(f"SKYTENDER_{name.upper()}", str(program))
+        monkeypatch.setenv("PATH", "")
+    (finding,) = (one for one in doctor._autopilots() if one.what == name)
     assert finding.level == level
     assert finding.found.startswith(found.format(program))
 
 
-def test_the_doctor_says_how_to_build_an_arducopter(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    for name in ("PATH", "HOME"):
-        monkeypatch.setenv(name, str(tmp_path))
-    monkeypatch.delenv("SKYTENDER_ARDUCOPTER", raising=False)
-    (finding,) = doctor._autopilots()
-    assert finding.level == "ok"
-    assert "./waf configure --board sitl" in finding.found
-    monkeypatch.setenv("SKYTENDER_ARDUCOPTER", str(tmp_path / "none"))
-    (finding,) = doctor._autopilots()
-    assert finding.level == "note"
+def test_the_doctor_finds_a_px4_by_the_folder_of_its_build(monkeypatch: pytest.MonkeyPatch, bare: Path) -> None:
+    program = bare / "PX4-Autopilot" / "build" / "px4_sitl_default" / "bin" / "px4"
+    program.parent.mkdir(parents=True)
+    program.write_bytes(b"\0v1.99.0\0" + COMMIT)
+    program.chmod(0o755)
+    for named in (None, program.parents[1]):
+        if named is not None:
+            monkeypatch.setenv("SKYTENDER_PX4", str(named))
+        *_, finding = doctor._autopilots()
+        assert (finding.level, finding.found.partition(" (")[0]) == ("ok", f"1.99.0 at {program.parents[1]}")
+
+
+@pytest.mark.usefixtures("bare")
+def test_the_doctor_says_how_to_build_an_autopilot(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    arducopter, px4 = doctor._autopilots()
+    assert {arducopter.level, px4.level} == {"ok"}
+    assert "./waf configure --board sitl" in arducopter.found
+    assert "'autopilot: {px4: PATH}'" in px4.found
+    assert "the target px4_sitl_default of PX4-Autopilot" in px4.found
+    for name in ("ARDUCOPTER", "PX4"):
+        monkeypatch.setenv(f"SKYTENDER_{name}", str(tmp_path / "none"))
+    assert [finding.level for finding in doctor._autopilots()] == ["note", "note"]
 
 
 @pytest.mark.parametrize(

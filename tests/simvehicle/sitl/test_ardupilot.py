@@ -12,9 +12,10 @@ from pymavlink.dialects.v20 import common
 
 from simvehicle.mavlink.codec import split
 from simvehicle.mavlink.connection import Connection
-from simvehicle.sitl import ardupilot
+from simvehicle.sitl import autopilot_unit
 from simvehicle.sitl.ardupilot import ArduPilotUnit
-from simvehicle.sitl.autopilot_process import HOST, SERIAL_PORT, AutopilotError, read_wanted, simulation_port
+from simvehicle.sitl.ardupilot_process import SERIAL_PORT, simulation_port
+from simvehicle.sitl.autopilot_process import HOST, AutopilotError, read_wanted
 
 STAND_IN = Path(__file__).resolve().parents[2] / "peers" / "json_arducopter.py"
 COPTER = 7
@@ -81,7 +82,7 @@ def test_it_boots_before_the_session_and_its_battery_is_ours(tmp_path: Path) -> 
 def test_one_that_cannot_be_had_is_one_sentence(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, program: str, parameters: dict[str, float], said: str
 ) -> None:
-    monkeypatch.setattr(ardupilot, "BOOTS_WITHIN_S", 3.0)
+    monkeypatch.setattr(autopilot_unit, "BOOTS_WITHIN_S", 3.0)
     with pytest.raises(AutopilotError) as refused:
         unit(tmp_path, Path(program) if program else None, **parameters)
     assert said in str(refused.value)

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 import pytest
 
-from simvehicle.mavlink import json_backend
+from simvehicle.mavlink.real_autopilots import json_backend
 
 
 @pytest.mark.parametrize(("magic", "channels"), [(18458, 16), (29569, 32)])

@@ -9,8 +9,8 @@ from pymavlink.dialects.v20 import common
 
 from simvehicle.autopilot.energy_transfer import Envelope
 from simvehicle.autopilot.geodesy import LocalFrame
-from simvehicle.mavlink.battery_component import BatteryComponent
 from simvehicle.mavlink.codec import ReceivedFrame, split
+from simvehicle.mavlink.real_autopilots.battery_component import BatteryComponent
 
 FRAME = LocalFrame(47.0, 8.0, 400.0)
 HERE, STILL = (0.0, 0.0, -5.0), (0.0, 0.0, 0.0)

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 from pymavlink.dialects.v20 import common
 
-from simvehicle.mavlink.analog_battery import DEFAULTS, MARK_V, AnalogBattery
 from simvehicle.mavlink.codec import encode, split
+from simvehicle.mavlink.real_autopilots.analog_battery import DEFAULTS, MARK_V, AnalogBattery
 
 COPTER = 7
 

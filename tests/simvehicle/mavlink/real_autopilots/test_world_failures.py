@@ -9,7 +9,7 @@ import pytest
 from pymavlink.dialects.v20 import common
 
 from simvehicle.mavlink.codec import ReceivedFrame, split
-from simvehicle.mavlink.world_failures import NOWHERE, WorldFailures
+from simvehicle.mavlink.real_autopilots.world_failures import NOWHERE, WorldFailures
 
 OFF, WRONG, OK = common.FAILURE_TYPE_OFF, common.FAILURE_TYPE_WRONG, common.FAILURE_TYPE_OK
 GPS, BATTERY = common.FAILURE_UNIT_SENSOR_GPS, common.FAILURE_UNIT_SYSTEM_BATTERY

@@ -107,7 +107,7 @@ class BatteryComponent:
             said.append(self._counter(now_s))
         if now_s - self._status_s >= STATUS_EVERY_S - 1e-6:
             self._status_s = now_s
-            said.append(self._status())
+            said.append(self.status())
         return said
 
     def _learn(self, frame: ReceivedFrame, now_s: float, v_ned: Vec3) -> None:
@@ -160,7 +160,8 @@ class BatteryComponent:
             param_index=index,
         )
 
-    def _status(self) -> Any:
+    def status(self) -> Any:
+        """Its BATTERY_STATUS now."""
         volts, amperes = self._cells.electric
         cell_mv = min(max(round(1e3 * volts / CELLS), 0), UNKNOWN_U16 - 1)
         drawn_j = self._cells.drawn_j

@@ -7,8 +7,8 @@ from typing import Any
 import pytest
 from pymavlink.dialects.v20 import common
 
-from simvehicle.mavlink.autopilot_boot import AutopilotBoot
 from simvehicle.mavlink.codec import ReceivedFrame, encode, split
+from simvehicle.mavlink.real_autopilots.autopilot_boot import ARDUCOPTER_BOOT, PX4_BOOT, AutopilotBoot
 
 COPTER = 7
 PREARM = common.MAV_SYS_STATUS_PREARM_CHECK
@@ -37,7 +37,7 @@ def asked(boot: AutopilotBoot, now_s: float) -> list[tuple[int, float, float]]:
 
 
 def test_it_is_asked_for_guided_until_it_has_it_and_for_its_checks_twice_a_second() -> None:
-    boot = AutopilotBoot(COPTER)
+    boot = AutopilotBoot(COPTER, ARDUCOPTER_BOOT)
     checks = (common.MAV_CMD_REQUEST_MESSAGE, float(common.MAVLINK_MSG_ID_SYS_STATUS), 0.0)
     guided = (common.MAV_CMD_DO_SET_MODE, float(common.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED), 4.0)
     assert asked(boot, 0.0) == [checks, guided]
@@ -49,7 +49,7 @@ def test_it_is_asked_for_guided_until_it_has_it_and_for_its_checks_twice_a_secon
 
 
 def test_it_is_ready_in_guided_with_its_checks_passed_and_not_before() -> None:
-    boot = AutopilotBoot(COPTER)
+    boot = AutopilotBoot(COPTER, ARDUCOPTER_BOOT)
     boot.receive(status(PREARM, 30012))
     assert boot.volts == pytest.approx(30.012)
     boot.receive(heartbeat(0))
@@ -61,7 +61,7 @@ def test_it_is_ready_in_guided_with_its_checks_passed_and_not_before() -> None:
 
 
 def test_its_last_reasons_are_kept_each_once() -> None:
-    boot = AutopilotBoot(COPTER)
+    boot = AutopilotBoot(COPTER, ARDUCOPTER_BOOT)
     assert boot.reasons == ""
     for text in ("PreArm: A", "PreArm: B", "Frame: QUAD", "PreArm: C", "PreArm: D", "PreArm: B"):
         boot.receive(said(common.MAVLink_statustext_message(2, text.encode())))
@@ -70,8 +70,23 @@ def test_its_last_reasons_are_kept_each_once() -> None:
 
 @pytest.mark.parametrize(("kind", "autopilot", "fits"), [(2, 3, True), (1, 3, False), (2, 12, False), (13, 3, False)])
 def test_another_vehicle_or_autopilot_is_none(kind: int, autopilot: int, fits: bool) -> None:
-    boot = AutopilotBoot(COPTER)
-    assert boot.is_arducopter
+    boot = AutopilotBoot(COPTER, ARDUCOPTER_BOOT)
+    assert boot.mismatch == ""
     boot.receive(heartbeat(0, kind, autopilot))
-    assert boot.is_arducopter is fits
+    said = f"is no ArduCopter with four rotors: its HEARTBEAT has type {kind} and autopilot {autopilot}, not 2 and 3"
+    assert boot.mismatch == ("" if fits else said)
     assert boot.kind == (kind, autopilot)
+
+
+def test_a_px4_is_asked_into_hold_and_says_why_it_cannot_be_armed() -> None:
+    boot, hold = AutopilotBoot(COPTER, PX4_BOOT), 4 << 16 | 3 << 24
+    link = common.MAVLink(None)
+    frames = b"".join(encode(content, seq=0, sysid=255, compid=190) for content in boot.requests(0.0))
+    *_, mode = link.parse_buffer(frames) or []
+    assert (mode.param1, mode.param2, mode.param3) == (1.0, 4.0, 3.0)
+    boot.receive(heartbeat(4 << 16 | 1 << 24, 2, 12))
+    boot.receive(status(PREARM))
+    boot.receive(said(common.MAVLink_statustext_message(2, b"Preflight Fail: ekf2 missing data")))
+    assert (boot.ready, boot.mismatch, boot.reasons) == (False, "", "ekf2 missing data")
+    boot.receive(heartbeat(hold, 2, 12))
+    assert boot.ready

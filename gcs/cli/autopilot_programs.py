@@ -1,0 +1,85 @@
+"""Programs of real autopilots on this machine: where they are looked for, and which version they are."""
+
+from __future__ import annotations
+
+import mmap
+import os
+import re
+import shutil
+from dataclasses import dataclass
+from pathlib import Path
+
+
+@dataclass(frozen=True, kw_only=True)
+class AutopilotProgram:
+    """One kind of autopilot that a scenario's `autopilot: {KEY: PATH}` may name."""
+
+    name: str
+    key: str
+    variable: str
+    """environment variable that names it for the tests"""
+    command: str
+    """its name on PATH"""
+    usual: str
+    """where a build leaves it, as a rule"""
+    form: str
+    """a word for what PATH is"""
+    program: str
+    """what PATH has to be"""
+    inner: str
+    """the program below PATH, where that is a folder"""
+    build: str
+    """how it is made, in its own checkout"""
+    flown: tuple[str, ...]
+    """versions that have flown in sessions of the tests"""
+    version: re.Pattern[bytes]
+    """its version in its program, as the first group"""
+
+    def found(self) -> Path | None:
+        """The first that there is: by the variable, on PATH, where builds leave it."""
+        named, on_path = os.environ.get(self.variable), shutil.which(self.command)
+        places = [*(Path(name) for name in (named, on_path) if name), Path(self.usual).expanduser()]
+        return next((place for place in places if os.access(self._program(place), os.X_OK)), None)
+
+    def release(self, path: Path) -> str | None:
+        """The version that it was built as, such as 4.5.7; None where it names none."""
+        program = self._program(path)
+        if not program.stat().st_size:
+            return None
+        with program.open("rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
+            found = self.version.search(content)
+            return found[1].decode() if found else None
+
+    def _program(self, path: Path) -> Path:
+        program = path / self.inner if self.inner and path.is_dir() else path
+        return program if program.is_file() else path / "none"
+
+
+REAL_AUTOPILOTS = (
+    AutopilotProgram(
+        name="ArduCopter",
+        key="ardupilot",
+        variable="SKYTENDER_ARDUCOPTER",
+        command="arducopter",
+        usual="~/ardupilot/build/sitl/bin/arducopter",
+        form="program",
+        program="build/sitl/bin/arducopter",
+        inner="",
+        build="./waf configure --board sitl && ./waf copter in ArduPilot's checkout",
+        flown=("4.6.0-dev",),
+        version=re.compile(rb"ArduCopter V([0-9]+\.[0-9]+[0-9A-Za-z.-]*)"),
+    ),
+    AutopilotProgram(
+        name="PX4",
+        key="px4",
+        variable="SKYTENDER_PX4",
+        command="px4",
+        usual="~/PX4-Autopilot/build/px4_sitl_default",
+        form="build",
+        program="build/px4_sitl_default",
+        inner="bin/px4",
+        build="the target px4_sitl_default of PX4-Autopilot (docs.px4.io says how)",
+        flown=("1.14.0-beta2-4431-gb765769f50",),
+        version=re.compile(rb"\0v([0-9]+\.[0-9]+\.[0-9]+[0-9A-Za-z.-]*)\0+[0-9a-f]{40}\0"),  # its tag, then its commit
+    ),
+)

@@ -1,0 +1,307 @@
+"""A vehicle that an autopilot of others flies on our physics, on the supervisor's clock
+(docs/protocol.md#autopilots-of-others).
+
+This process starts the autopilot, is its simulation, and stands between it and the supervisor: frames of a bundle go
+to it before the step that they count for, frames that it says are numbered anew and go into the answer. Time passes
+for it only while a step is being answered. Kinds of autopilots differ in how a step is told and what a boot asks for.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import math
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from typing import Any, NamedTuple, Protocol, Self
+
+import numpy as np
+from numpy.typing import NDArray
+from pymavlink.dialects.v20 import common as mav
+
+from simvehicle.autopilot.body import STEP_MS
+from simvehicle.autopilot.geodesy import LocalFrame
+from simvehicle.autopilot.snapshot import Vec3
+from simvehicle.law import rotor_flight, step
+from simvehicle.law.dynamics import ned_from_nwu
+from simvehicle.law.params import VehicleParams
+from simvehicle.law.plants import RotorPlant
+from simvehicle.mavlink.codec import ReceivedFrame, decode, encode, message
+from simvehicle.mavlink.connection import Connection
+from simvehicle.mavlink.lockstep import SUPERVISOR
+from simvehicle.mavlink.real_autopilots.autopilot_boot import AutopilotBoot, BootMode
+from simvehicle.mavlink.real_autopilots.battery_component import BatteryComponent
+from simvehicle.mavlink.real_autopilots.world_failures import WorldFailures
+from simvehicle.sitl.autopilot_process import STEP_S, AutopilotError, AutopilotProcess, AutopilotWanted
+from simvehicle.sitl.truth import ENERGY, STATE
+from simvehicle.world import rotors
+from simvehicle.world.airframes import GRAVITY_M_S2
+
+Quaternion = tuple[float, float, float, float]
+BOOTS_WITHIN_S = 120.0
+"""Of its own time: an ArduCopter with its own parameters needs 40 s."""
+OURS = frozenset({mav.MAVLINK_MSG_ID_SYSTEM_TIME, mav.MAVLINK_MSG_ID_BATTERY_STATUS})
+"""Messages of the autopilot's that are left out: an answer ends with a time of its own, and the battery is ours, also
+the charge in its SYS_STATUS."""
+STANDING = np.array([0.0, 0.0, GRAVITY_M_S2])
+"""Force per mass on one that stands, but gravity's, nwu."""
+
+
+class Sensed(NamedTuple):
+    """Motion as sensors have it: place, velocity NED, attitude from the body to NED (w first), rates and specific
+    force about the body's axes (front, right, down)."""
+
+    p_ned: Sequence[float]
+    v_ned: Sequence[float]
+    quaternion: Quaternion
+    rates_body: Sequence[float]
+    accel_body: Sequence[float]
+
+
+class AutopilotLink(Protocol):
+    """An autopilot's process with its sockets. Everything raises AutopilotError once it is gone."""
+
+    process: AutopilotProcess
+
+    def __enter__(self) -> Self:
+        """Itself."""
+
+    def __exit__(self, *_: object) -> None:
+        """End it."""
+
+    def say(self, raw: bytes) -> None:
+        """Say bytes to it over its MAVLink."""
+
+    def received(self) -> list[ReceivedFrame]:
+        """Frames that it has said since it was asked last."""
+
+
+class AutopilotUnit(ABC):
+    """The autopilot with its physics, as the loops drive it (`loop.Unit`)."""
+
+    boot_mode: BootMode
+
+    def __init__(self, wanted: AutopilotWanted, plant: RotorPlant, connection: Connection) -> None:
+        """Start it, and let it boot; raises AutopilotError."""
+        self._wanted, self._plant, self._connection = wanted, plant, connection
+        flight = VehicleParams(battery=wanted.battery)
+        plant.tune(flight)
+        north, east, down = wanted.start_ned
+        plant.start(
+            flight,
+            position_nwu=(north, -east, -down),
+            velocity_nwu=(0.0, 0.0, 0.0),
+            attitude_rad=(0.0, 0.0, -math.radians(wanted.yaw_deg)),
+            airborne=False,
+        )
+        self._initial_j = flight.battery.initial_j
+        self._frame = LocalFrame(*wanted.home)
+        self._battery = BatteryComponent(
+            plant,
+            wanted.sysid,
+            self._frame,
+            wanted.envelope,
+            capacity_j=flight.battery.capacity_j,
+            initial_j=flight.battery.initial_j,
+        )
+        self._failures = WorldFailures(wanted.sysid, plant.waste)
+        self._time_ms: int | None = None
+        self._steps = 0
+        self._said = 0
+        with contextlib.ExitStack() as opened:
+            self._traffic: AutopilotLink = opened.enter_context(self._open())
+            self._process = self._traffic.process
+            self._boot()
+            self._truth = None if wanted.truth is None else opened.enter_context(wanted.truth.open("xb", buffering=0))
+            if self._truth is not None:
+                self._truth.write(self._truth_head())
+            self._closing = opened.pop_all()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._closing.close()
+
+    # loop.Unit
+
+    def hello(self) -> object:
+        """A HEARTBEAT in its name, which has booted and waits in its mode."""
+        mode, base = self.boot_mode, mav.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
+        kind, state = mav.MAV_TYPE_QUADROTOR, mav.MAV_STATE_STANDBY
+        return message("HEARTBEAT")(mode.custom_mode, kind, mode.autopilot, base, state, 3)
+
+    def start_clock(self, time_ms: int, unix_us: int) -> None:
+        """Begin at the session's time."""
+        self._time_ms = time_ms
+
+    def receive(self, frame: ReceivedFrame, connection: Connection) -> None:
+        """Say a frame to it, before the next step, unless it concerns its battery or its world."""
+        answers = self._battery.receive(frame, self._boot_s, self._p_ned, self._v_ned)
+        if answers is None:
+            answers = self._failures.receive(frame)
+        if answers is not None:
+            for content in answers:
+                connection.put(content)
+            return
+        self._traffic.say(frame.raw)
+
+    def advance(self, to_ms: int) -> None:
+        """Fly up to a time; queue what it has said, and what its battery says."""
+        assert self._time_ms is not None
+        before_ms = self._time_ms
+        self._report_battery()
+        while to_ms - self._time_ms >= STEP_MS:
+            self._answer(self._fly(self._time_ms / 1e3))
+            self._time_ms += STEP_MS
+        for frame in self._traffic.received():
+            if frame.msgid in OURS or self._is_answer(frame):
+                continue
+            said: Any = decode(frame)
+            if frame.msgid == mav.MAVLINK_MSG_ID_SYS_STATUS:
+                said = said._replace(battery_remaining=self._battery.percent)
+            self._connection.put(said)
+        for content in self._battery.move(self._boot_s, (self._time_ms - before_ms) / 1e3, self._p_ned):
+            self._connection.put(content)
+        if self._truth is not None:
+            self._truth.write(self._truth_record())
+
+    # what kinds of autopilots differ in
+
+    @abstractmethod
+    def _open(self) -> AutopilotLink:
+        """Start it."""
+
+    @abstractmethod
+    def _throttles(self) -> Sequence[float]:
+        """Throttle of each of four motors that it wishes for now, 0 to 1."""
+
+    @abstractmethod
+    def _answer(self, force_nwu: NDArray[np.float64]) -> None:
+        """Tell it a step of its motion, and wait until it has lived through it. `force_nwu`: (3,), on its body but
+        gravity's, per mass."""
+
+    @abstractmethod
+    def _report_battery(self) -> None:
+        """Let it measure the battery as it is now."""
+
+    def _is_answer(self, frame: ReceivedFrame) -> bool:
+        """Whether a frame answers this process, and nobody else."""
+        return False
+
+    def _booted(self, boot: AutopilotBoot) -> None:  # noqa: B027 - only some learn
+        """Learn from a boot that has ended."""
+
+    # its simulation
+
+    @property
+    def _boot_s(self) -> float:
+        """Its own time."""
+        return self._steps * STEP_S
+
+    @property
+    def _p_ned(self) -> Vec3:
+        return ned_from_nwu(self._plant.now[rotor_flight.TRUE_POSITION])
+
+    @property
+    def _v_ned(self) -> Vec3:
+        return ned_from_nwu(self._plant.now[rotor_flight.TRUE_VELOCITY])
+
+    def _boot(self) -> None:
+        """Let it boot where it stands, in a time of its own before the session's, until it would let itself be armed.
+        Raises AutopilotError."""
+        boot, process = AutopilotBoot(self._wanted.sysid, self.boot_mode), self._process
+        while not boot.ready:
+            if boot.mismatch:
+                raise AutopilotError(f"{process.name} {boot.mismatch}")
+            if self._boot_s >= BOOTS_WITHIN_S:
+                why = f": {boot.reasons}" if boot.reasons else process.last_lines()
+                raise AutopilotError(f"{process.name} was not ready in {BOOTS_WITHIN_S:.0f} s of its time{why}")
+            for content in boot.requests(self._boot_s):
+                self._say(content)
+            self._answer(STANDING)
+            for frame in self._traffic.received():
+                boot.receive(frame)
+        self._booted(boot)
+
+    def _say(self, content: Any, sender: tuple[int, int] = SUPERVISOR) -> None:
+        """Say a message of ours to it, as the supervisor's or another component's."""
+        sysid, compid = sender
+        self._traffic.say(encode(content, seq=self._said & 0xFF, sysid=sysid, compid=compid))
+        self._said += 1
+
+    def _fly(self, time_s: float) -> NDArray[np.float64]:
+        """One step of its body by its throttles; the force on it but gravity's, per mass, (3,), nwu."""
+        plant = self._plant
+        throttle = np.array(self._throttles())
+        for motor in self._failures.dead_motors:
+            throttle[motor] = 0.0
+        before = np.array(plant.now[rotor_flight.TRUE_VELOCITY])
+        plant.turn(plant.own.airframe.fastest_rad_s * throttle, time_s=time_s, dt_s=STEP_S)
+        force_nwu: NDArray[np.float64] = (np.array(plant.now[rotor_flight.TRUE_VELOCITY]) - before) / STEP_S
+        force_nwu[2] += GRAVITY_M_S2
+        return force_nwu
+
+    def _sense(self, force_nwu: NDArray[np.float64]) -> Sensed:
+        """One step of time, and its motion then as its sensors have it."""
+        now = self._plant.now
+        self._steps += 1
+        w, x, y, z = now[rotor_flight.TRUE_QUATERNION]
+        ax, ay, az = force_nwu.tolist()
+        p_ned = _sum(self._p_ned, self._failures.position_error_ned)
+        v_ned: Sequence[float] = self._v_ned
+        rates: Sequence[float] = ned_from_nwu(now[rotor_flight.BODY_RATES])
+        accel: Sequence[float] = ned_from_nwu(rotors.rotated(np.array([w, x, y, z]), ax, ay, az, -1.0))
+        quaternion = (w, x, -y, -z)
+        errors = self._wanted.sensors.step()
+        if errors is not None:
+            p_ned, v_ned = _sum(p_ned, errors[0]), _sum(v_ned, errors[1])
+            rates, accel = _sum(rates, errors[3]), _sum(accel, errors[4])
+            quaternion = _turned(quaternion, errors[2])
+        return Sensed(p_ned, v_ned, quaternion, rates, accel)
+
+    # truth
+
+    def _truth_head(self) -> bytes:
+        battery = self._wanted.battery
+        head = {
+            "schema": 1,
+            "sysid": self._wanted.sysid,
+            "step_s": STEP_S,
+            "state": STATE,
+            "energy": ENERGY,
+            "initial_j": self._initial_j,
+            "capacity_j": battery.capacity_j,
+            "hover_w": battery.hover_w,
+            "avionics_w": battery.avionics_w,
+            "gravity_m_s2": GRAVITY_M_S2,
+        }
+        return json.dumps(head, sort_keys=True).encode() + b"\n"
+
+    def _truth_record(self) -> bytes:
+        assert self._time_ms is not None
+        now = self._plant.now
+        parts = (slice(0, 3), slice(3, 6), slice(6, 9), slice(9, 12))
+        motion = [number for part in parts for number in ned_from_nwu(now[part])]
+        drawn_j, left_j = now[step.DRAWN_J], now[step.REMAINING_J]
+        received_j = float(self._battery.exchange.received_j)
+        record = [self._time_ms / 1e3, 0.0, *motion, drawn_j, received_j, 0.0, left_j]
+        return np.array(record, dtype="<f8").tobytes()
+
+
+def _sum(a: Sequence[float], b: Sequence[float]) -> tuple[float, ...]:
+    return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
+
+
+def _turned(quaternion: Quaternion, angles: Sequence[float]) -> Quaternion:
+    """A unit quaternion from the body's axes, turned by small angles (3,), rad, about them: q ⊗ (1, φ/2), normed."""
+    w, x, y, z = quaternion
+    a, b, c = (0.5 * angle for angle in angles)
+    turned = (
+        w - x * a - y * b - z * c,
+        w * a + x + y * c - z * b,
+        w * b - x * c + y + z * a,
+        w * c + x * b - y * a + z,
+    )
+    norm = math.hypot(*turned)
+    return (turned[0] / norm, turned[1] / norm, turned[2] / norm, turned[3] / norm)

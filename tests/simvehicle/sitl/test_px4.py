@@ -1,0 +1,137 @@
+"""A PX4 with its simulation in one process, here the stand-in: how it boots, what it says, how it fails."""
+
+from __future__ import annotations
+
+import math
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+from pymavlink.dialects.v20 import common
+
+from simvehicle.mavlink.codec import split
+from simvehicle.mavlink.connection import Connection
+from simvehicle.sitl import autopilot_unit, px4_process
+from simvehicle.sitl.autopilot_process import AutopilotError, read_wanted
+from simvehicle.sitl.px4 import Px4Unit
+from simvehicle.sitl.px4_process import program_of, simulation_port
+
+STAND_IN = Path(__file__).resolve().parents[2] / "peers" / "hil_px4.py"
+PX4 = 7
+YAW_DEG = 70.0
+
+
+@pytest.fixture
+def build(tmp_path: Path) -> Path:
+    """The stand-in as a build of PX4's."""
+    program = tmp_path / "build" / "bin" / "px4"
+    scripts = tmp_path / "build" / "etc" / "init.d-posix"
+    for made in (program.parent, scripts):
+        made.mkdir(parents=True)
+    (scripts / "rcS").touch()
+    program.write_text(f'#!/bin/sh\nexec {sys.executable} {STAND_IN} "$@"\n')
+    program.chmod(0o755)
+    return tmp_path / "build"
+
+
+def unit(program: Path, **parameters: float) -> tuple[Px4Unit, Connection]:
+    """The stand-in, or another program, booted. Raises AutopilotError."""
+    content: dict[str, Any] = {
+        "program": str(program),
+        "folder": str(program.parent / "own"),
+        "home": [47.4, 8.5, 488.0],
+        "start_ned": [1.0, 2.0, 0.0],
+        "yaw_deg": YAW_DEG,
+        "epoch_s": 1_770_000_000,
+        "battery": {"capacity_j": 60000.0, "initial_j": 30000.0, "hover_w": 200.0, "avionics_w": 10.0},
+        "capture_m": 1.5,
+        "relative_speed_m_s": 0.5,
+        "parameters": parameters,
+        "truth": None,
+        "world": {"vehicles": {PX4: {"airframe": "iris"}}},
+    }
+    wanted, plant = read_wanted(content, PX4)
+    connection = Connection(PX4)
+    return Px4Unit(wanted, plant, connection), connection
+
+
+def test_it_boots_before_the_session_and_its_battery_is_ours(build: Path) -> None:
+    booted, connection = unit(build)
+    with booted:
+        assert connection.frames() == []  # what it said in its boot is its own
+        booted.start_clock(5000, 0)
+        order = common.MAVLink_command_long_message(
+            PX4, 1, common.MAV_CMD_SET_MESSAGE_INTERVAL, 0, common.MAVLINK_MSG_ID_ATTITUDE, 1e5, 0, 0, 0, 0, 0
+        )
+        (frame,) = split(bytes(order.pack(common.MAVLink(None, 255, 190))))
+        booted.receive(frame, connection)
+        booted.advance(8000)
+        said = common.MAVLink(None).parse_buffer(b"".join(connection.frames())) or []
+        kinds = {m.get_type() for m in said}
+        assert {"HEARTBEAT", "SYS_STATUS", "BATTERY_STATUS", "COMMAND_ACK", "NAMED_VALUE_INT"} <= kinds
+        assert "SYSTEM_TIME" not in kinds
+        assert {(m.autopilot, m.custom_mode) for m in said if m.get_type() == "HEARTBEAT"} == {(12, 0x03040000)}
+        *_, status = (m for m in said if m.get_type() == "SYS_STATUS")
+        *_, battery = (m for m in said if m.get_type() == "BATTERY_STATUS")
+        assert status.voltage_battery == pytest.approx(sum(battery.voltages[:4]), abs=20)
+        assert status.battery_remaining == battery.battery_remaining == 50
+        attitudes = [m for m in said if m.get_type() == "ATTITUDE"]
+        assert len(attitudes) == pytest.approx(30, abs=1)
+        heading = pytest.approx(YAW_DEG - 3.55, abs=0.5)  # by its compass, which points so far east of north there
+        assert math.degrees(attitudes[-1].yaw) == heading
+        *_, place = (m for m in said if m.get_type() == "LOCAL_POSITION_NED")
+        assert (place.x, place.y, place.z) == pytest.approx((0.0, 0.0, 0.0), abs=0.05)
+
+
+@pytest.mark.parametrize(
+    ("parameters", "said"),
+    [
+        ({"CRASH": 1.0}, "ended with status 3; its last lines: ERROR [init] a parameter that it cannot bear"),
+        ({"KIND": 1.0}, "is no PX4 with four rotors: its HEARTBEAT has type 1 and autopilot 12, not 2 and 12"),
+        ({"READY_S": 1e6}, "was not ready in 3 s of its time; its last lines: INFO  [px4] instance: "),
+        ({"LOCKSTEP": 0.0}, "does not wait for its simulation: build px4_sitl_default, not px4_sitl_nolockstep"),
+        ({"KILLED_AT_S": 1.0}, "was killed by signal 9"),
+    ],
+)
+def test_one_that_cannot_be_had_is_one_sentence(
+    monkeypatch: pytest.MonkeyPatch, build: Path, parameters: dict[str, float], said: str
+) -> None:
+    monkeypatch.setattr(autopilot_unit, "BOOTS_WITHIN_S", 3.0)
+    with pytest.raises(AutopilotError) as refused:
+        unit(build, **parameters)
+    assert said in str(refused.value)
+    assert "\n" not in str(refused.value)
+
+
+def test_its_build_is_named_by_its_folder_or_its_program_and_what_is_none_is_one_sentence(build: Path) -> None:
+    assert program_of(build) == program_of(build / "bin" / "px4") == (build / "bin" / "px4", build / "etc")
+    with pytest.raises(AutopilotError, match=r"cannot be started: there is no .*none"):
+        program_of(build / "none")
+    with pytest.raises(AutopilotError, match="is no build of PX4's for simulation: there is no "):
+        program_of(Path("/bin/true"))
+
+
+def test_ports_that_others_have_and_instances_that_run_are_passed_over(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    first, instance = simulation_port()
+    with first:
+        second, after = simulation_port()
+        second.close()
+        assert after > instance
+    monkeypatch.setattr(px4_process, "LOCK", str(tmp_path / "lock"))
+    (tmp_path / f"lock-{instance}").touch()
+    third, free = simulation_port()  # a lock that nobody holds
+    third.close()
+    assert free == instance
+    hold = "import fcntl, sys; f = open(sys.argv[1], 'r+b'); fcntl.lockf(f, fcntl.LOCK_EX); print(flush=True); input()"
+    argv = [sys.executable, "-c", hold, str(tmp_path / f"lock-{instance}")]
+    with subprocess.Popen(argv, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as holder:
+        assert holder.stdout is not None
+        holder.stdout.readline()
+        fourth, later = simulation_port()
+        fourth.close()
+        holder.communicate(b"\n")
+    assert later > instance

@@ -1,0 +1,141 @@
+"""PX4s flown by a session on our physics: a stand-in that speaks HIL, and a real one where SKYTENDER_PX4 names its
+build."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import psutil
+import pytest
+from sessions import ROOT, Outcome, demo, fly, small
+
+STAND_IN = ROOT / "tests" / "peers" / "hil_px4.py"
+REAL = os.environ.get("SKYTENDER_PX4", "")
+PX4 = 2
+NEEDS_REAL = pytest.mark.skipif(not REAL, reason="SKYTENDER_PX4 names no build/px4_sitl_default")
+ACCURATE_M = 0.6
+"""How far its report may be from where our physics has it: a real one estimates it."""
+
+
+def build(folder: Path) -> Path:
+    """The stand-in as a build of PX4's."""
+    program = folder / "px4_sitl_default" / "bin" / "px4"
+    scripts = program.parents[1] / "etc" / "init.d-posix"
+    for made in (program.parent, scripts):
+        made.mkdir(parents=True)
+    (scripts / "rcS").touch()
+    program.write_text(f'#!/bin/sh\nexec {sys.executable} {STAND_IN} "$@"\n')
+    program.chmod(0o755)
+    return program.parents[1]
+
+
+def mixed(px4: Path | str, *, duration_s: float = 25.0, **keys: Any) -> dict[str, Any]:
+    """One of ours, a PX4 that needs energy, their target and a tanker, in wind."""
+    goal = {"duration_s": duration_s, "refuelled_at_least": 1, "pursue": {"within_m": 3.5, "for_s": 5.0}}
+    content = small(goal=goal, wind={"speed_m_s": 4.0, "from_deg": 200.0, "turbulence_m_s": 5.0})
+    content["vehicles"]["pursuers"][0]["battery"]["initial_percent"] = 100
+    battery = {"capacity_j": 60000, "initial_percent": 50}
+    one = {"sysid": PX4, "start_m": [2.0, 3.0, 0.0], "attitude_deg": [0.0, 0.0, 70.0], "battery": battery}
+    content["vehicles"]["pursuers"].append({**one, "autopilot": {"px4": str(px4)}, **keys})
+    content["refuelling"] = {"limit_j": 10000}
+    return content
+
+
+def px4s() -> list[psutil.Process]:
+    """Stand-ins and real ones that live."""
+    programs = {str(STAND_IN), f"{Path(REAL).resolve()}/bin/px4" if REAL else ""} - {""}
+    return [process for process in psutil.process_iter(["cmdline"]) if programs & {*(process.info["cmdline"] or [])}]
+
+
+@pytest.fixture(scope="module", params=["stand-in", pytest.param("real", marks=NEEDS_REAL)])
+def flown(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Outcome:
+    folder = tmp_path_factory.mktemp("mixed")
+    return fly(mixed(REAL if request.param == "real" else build(folder)), folder / "session", "--plain")
+
+
+def test_it_takes_off_follows_its_target_and_is_recorded_as_ours_are(flown: Outcome) -> None:
+    assert flown.status == 0, flown.stdout
+    px4 = flown.vehicle(PX4)
+    assert px4["final_mode"] == "offboard"
+    assert px4["max_tracking_error_m"] < 2.0
+    assert px4["missing_streams"] == []
+    assert flown.summary["digest"] is None  # threads of a real one take turns as the machine lets them
+    heartbeats = [m for _, m in flown.messages("HEARTBEAT") if m.get_srcSystem() == PX4]
+    assert {m.autopilot for m in heartbeats} == {12}
+    assert {6 << 16} <= {m.custom_mode for m in heartbeats}
+    assert "px4" in (flown.folder / "vehicles" / str(PX4) / "autopilot.log").read_text()
+    assert px4s() == []
+
+
+def test_it_takes_ten_kilojoules_in_the_air_and_flies_on(flown: Outcome) -> None:
+    (service, *_) = flown.summary["refuelling"]
+    assert (service["receiver"], service["tanker"]) == (PX4, 201)
+    assert service["energy_j"] >= 10_000
+    px4, tanker = flown.vehicle(PX4)["energy"], flown.vehicle(201)["energy"]
+    assert px4["received_j"] == service["energy_j"]
+    assert tanker["given_j"] - tanker["received_j"] == px4["received_j"]  # what did not arrive came back
+    assert tanker["lost_j"] == 0.0
+    truth = flown.truth(PX4)
+    drawn, received, given, remaining = truth.energy.T
+    assert np.abs(truth.head["initial_j"] + received - drawn - given - remaining).max() < 1e-6
+    assert received[-1] == px4["received_j"]
+    assert px4["drawn_j"] == pytest.approx(drawn[-1], abs=200.0)
+    assert truth.p_ned[-1, 2] < -1.0
+    volts = [m.voltage_battery for _, m in flown.messages("SYS_STATUS") if m.get_srcSystem() == PX4]
+    told = [sum(m.voltages[:4]) for _, m in flown.messages("BATTERY_STATUS") if m.get_srcSystem() == PX4]
+    assert volts[-1] == pytest.approx(told[-1], abs=150)  # it measures our battery, half a second late
+
+
+def test_what_it_reports_is_where_our_physics_has_it(flown: Outcome) -> None:
+    truth = flown.truth(PX4)
+    reported = [(t, m) for t, m in flown.messages("LOCAL_POSITION_NED") if m.get_srcSystem() == PX4]
+    assert len(reported) > 100
+    by_time = {round(t, 1): row for t, row in zip(truth.time_s, truth.p_ned, strict=True)}
+    for t, m in reported[20:]:
+        north, east, down = by_time[round(t, 1)] - [2.0, 3.0, 0.0]
+        assert (m.x, m.y, m.z) == pytest.approx((north, east, down), abs=ACCURATE_M)
+
+
+def test_one_that_cannot_be_had_is_one_sentence_and_nothing_is_left(tmp_path: Path) -> None:
+    outcome = fly(mixed("nowhere"), tmp_path / "session", "--plain")
+    assert outcome.status == 1
+    assert "nowhere cannot be started: there is no " in outcome.stderr
+    assert "Traceback" not in outcome.stderr
+    assert px4s() == []
+
+
+@NEEDS_REAL
+def test_two_of_ours_and_a_real_one_meet_the_goal_of_the_demo(tmp_path: Path) -> None:
+    content = demo()
+    pursuers = content["vehicles"]["pursuers"][:4]
+    pursuers[3]["autopilot"] = {"px4": REAL}
+    content["vehicles"]["pursuers"] = pursuers
+    outcome = fly(content, tmp_path / "session", "--plain")
+    assert outcome.status == 0, outcome.stdout
+
+
+@NEEDS_REAL
+def test_a_real_one_flies_nearly_the_same_way_again(flown: Outcome, tmp_path: Path) -> None:
+    again = fly(mixed(REAL), tmp_path / "session", "--plain")
+    first, second = flown.truth(PX4).p_ned, again.truth(PX4).p_ned
+    ticks = min(len(first), len(second))
+    assert np.abs(first[:ticks] - second[:ticks]).max() < 1.0
+
+
+@NEEDS_REAL
+def test_three_real_ones_fly_together(tmp_path: Path) -> None:
+    content = mixed(REAL, duration_s=30.0)
+    (first, px4), battery = content["vehicles"]["pursuers"], {"capacity_j": 60000, "initial_percent": 45}
+    places = [(4.0, 4.0), (4.0, -4.0), (-4.0, 4.0)]
+    content["vehicles"]["pursuers"] = [first] + [
+        {**px4, "sysid": 2 + i, "start_m": [*place, 0.0], "battery": battery} for i, place in enumerate(places)
+    ]
+    content["formation"] = {"ring_m": 4.0}
+    content["goal"]["pursue"]["within_m"] = 6.0
+    outcome = fly(content, tmp_path / "session", "--plain")
+    assert outcome.status == 0, outcome.stdout
+    assert {outcome.vehicle(sysid)["final_mode"] for sysid in range(2, 5)} <= {"offboard", "refuel"}

@@ -13,11 +13,13 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from gcs.cli.options import endpoint
 from gcs.exit import BAD_INPUT, NOT_DONE
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
+    from gcs.scenario.endpoint import Endpoint
     from gcs.scenario.model import Scenario
 
 
@@ -165,11 +167,12 @@ def schema() -> int:
 @click.argument("name", default="my-scenario")
 @click.option(
     "--connect",
+    callback=endpoint,
     metavar="ADDRESS",
     help="Make it of the vehicles heard there: their ids, home and battery. udpin, udpout, tcp, tcpin:HOST:PORT, or "
     "serial:DEVICE:BAUD.",
 )
-def init(name: str, connect: str | None) -> int:
+def init(name: str, connect: Endpoint | None) -> int:
     """Write NAME.yaml: a small scenario that flies, with a comment on each key. NAME is my-scenario if left out.
 
     \b
@@ -185,19 +188,15 @@ def init(name: str, connect: str | None) -> int:
     """
     from importlib import resources
 
-    from gcs.scenario.endpoint import EXAMPLE, FORM, address
-
     path = Path(name if name.endswith((".yaml", ".yml")) else f"{name}.yaml")
     called = re.sub(r"[^A-Za-z0-9._-]+", "-", path.stem).lstrip("._-")[:64] or "my-scenario"
     text = resources.files("gcs").joinpath("templates", "scenario.yaml").read_text(encoding="utf-8")
     if connect is not None:
         from gcs.cli.heard import scenario
 
-        if (at := address(connect)) is None:
-            raise click.UsageError(f"--connect: {connect!r} is no address: write {FORM}, {EXAMPLE}.")
         if path.exists():
             raise click.UsageError(f"{path} exists already and is left as it is; give another name")
-        text = scenario(at, _yaml_text(called))
+        text = scenario(connect, _yaml_text(called))
     for mark, value in (("{file}", " ".join(str(path).split())), ("{name}", _yaml_text(called))):
         text = text.replace(mark, value)
     try:

@@ -4,9 +4,7 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
-import os
 import sys
 import time
 from collections.abc import Sequence
@@ -21,13 +19,12 @@ from gcs.exit import NOT_DONE
 
 if TYPE_CHECKING:
     from gcs.link.asked_fleet import AskedFleet
+    from gcs.link.log_folder import LogFolder
     from gcs.mavlink.log_client import LogClient, LogEntry
 
 SILENT_FOR_S = 2.0
 """Progress of what takes no longer is not shown."""
 DRAW_EVERY_S, LINE_EVERY_S = 0.25, 5.0
-ENDINGS = ((b"\xa3\x95", ".bin"), (b"ULog", ".ulg"), (b'{"', ".truth"))
-"""By their first bytes: ArduPilot's DataFlash log, PX4's ULog, the truth of a vehicle of ours."""
 
 
 @click.group(short_help="List and download the logs of a fleet.")
@@ -96,96 +93,65 @@ def get(numbers: tuple[int, ...], everything: bool, out: Path, as_json: bool, **
         out.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise Refused(f"--out {out}: {error.strerror}") from None
+    from gcs.link.log_folder import LogFolder
+
     with fleet_at(**options) as fleet:
         clients = _list(fleet)
-        kept = _Kept(out, clients, say=not as_json)
+        folder = LogFolder(out, clients)
+        progress = _Progress(folder, say=not as_json)
         for client in clients:
-            client.download(kept.missing(client, _wanted(client, numbers, everything=everything)))
+            client.download(folder.missing(client, _wanted(client, numbers, everything=everything)))
         try:
-            fleet.converse(clients, kept.look)
+            progress.report()
+            fleet.converse(clients, progress.look)
         except KeyboardInterrupt:
             for client in clients:
                 if not client.done:
                     fleet.send_to(client.sysid, client.end())
             raise
         finally:
-            kept.close()
+            progress.close()
     if as_json:
-        click.echo(json.dumps({"files": kept.rows}))
-    elif not kept.rows and not any(client.failed or client.list_problem for client in clients):
+        click.echo(json.dumps({"files": [log._asdict() for log in folder.kept]}))
+    elif not folder.kept and not any(client.failed or client.list_problem for client in clients):
         click.echo("there is no log")
     return _complain(clients)
 
 
-class _Kept:
-    """The folder: logs go there as they come whole, and progress is told."""
+class _Progress:
+    """Tells which logs have come, and how far the others are."""
 
-    def __init__(self, folder: Path, clients: Sequence[LogClient], *, say: bool) -> None:
-        self.rows: list[dict[str, Any]] = []
-        self._folder, self._clients, self._say = folder, clients, say
-        self._bytes = 0
-        self._saved: set[tuple[int, int]] = set()
+    def __init__(self, folder: LogFolder, *, say: bool) -> None:
+        self._folder, self._say = folder, say
         self._begun_s = time.monotonic()
         self._shown_s = self._begun_s + SILENT_FOR_S - DRAW_EVERY_S
         self._drawn = False
-
-    def missing(self, client: LogClient, entries: Sequence[LogEntry]) -> list[LogEntry]:
-        """Those that are not in the folder yet; the others are told."""
-        wanted = []
-        for entry in entries:
-            there = next(self._folder.glob(f"{_stem(client, entry)}.*"), None)
-            if there is None or there.stat().st_size != entry.size_bytes:
-                wanted.append(entry)
-                self._bytes += entry.size_bytes
-            else:
-                self._report(client, entry, there, there.read_bytes(), "already")
-        return wanted
+        self._shown = 0
 
     def look(self) -> None:
         """Keep what has come whole since the last call, and show how far the others are."""
-        for client in self._clients:
-            for number, content in client.files.items():
-                if (client.sysid, number) not in self._saved:
-                    self._saved.add((client.sysid, number))
-                    self._save(client, client.entries[number], content)
+        self._folder.save()
+        self.report()
         now_s = time.monotonic()
         terminal = sys.stderr.isatty()
         if now_s - self._shown_s < (DRAW_EVERY_S if terminal or not self._drawn else LINE_EVERY_S):
             return
         self._shown_s, self._drawn = now_s, True
-        came = sum(client.bytes_so_far for client in self._clients)
+        came = self._folder.bytes_so_far
         rate = came / (now_s - self._begun_s)
-        text = f"{came / 1e6:.2f} of {self._bytes / 1e6:.2f} MB, {rate / 1e3:.0f} kB/s"
+        text = f"{came / 1e6:.2f} of {self._folder.wanted_bytes / 1e6:.2f} MB, {rate / 1e3:.0f} kB/s"
         click.echo(f"\r{text:<50}" if terminal else text, nl=not terminal, err=True)
+
+    def report(self) -> None:
+        """Print a line for each log that is kept and not printed yet."""
+        for log in self._folder.kept[self._shown :] if self._say else ():
+            click.echo(log.text)
+        self._shown = len(self._folder.kept)
 
     def close(self) -> None:
         """Leave the line of the progress."""
         if self._drawn and sys.stderr.isatty():
             click.echo(err=True)
-
-    def _save(self, client: LogClient, entry: LogEntry, content: bytes) -> None:
-        ending = next((ending for first, ending in ENDINGS if content.startswith(first)), ".log")
-        path = self._folder / f"{_stem(client, entry)}{ending}"
-        part = path.with_suffix(f"{ending}.part")
-        try:
-            if path.exists() and not content.startswith(path.read_bytes()):
-                client.failed[entry.number] = f"{path} holds another log and is left as it is; give another --out"
-                return
-            part.write_bytes(content)
-            os.replace(part, path)
-        except OSError as error:
-            part.unlink(missing_ok=True)
-            client.failed[entry.number] = f"{path} cannot be written: {error.strerror}"
-            return
-        self._report(client, entry, path, content, "downloaded")
-
-    def _report(self, client: LogClient, entry: LogEntry, path: Path, content: bytes, outcome: str) -> None:
-        checksum = hashlib.sha256(content).hexdigest()
-        row = {"sysid": client.sysid, "number": entry.number, "file": str(path), "outcome": outcome}
-        self.rows.append({**row, "size_bytes": len(content), "sha256": checksum})
-        if self._say:
-            words = "is there already" if outcome == "already" else f"{len(content)} bytes"
-            click.echo(f"{client.sysid:>3}  log {entry.number}: {path}, {words}, sha256 {checksum}")
 
 
 def _list(fleet: AskedFleet) -> list[LogClient]:
@@ -208,20 +174,13 @@ def _wanted(client: LogClient, numbers: Sequence[int], *, everything: bool) -> l
     if everything:
         return _sorted(client)
     if not numbers:
-        return sorted(client.entries.values(), key=_by_time)[-1:]
+        from gcs.link.log_folder import newest
+
+        return newest(client)
     for number in numbers:
         if number not in client.entries and not client.list_problem:
             client.failed[number] = "it has no such log"
     return [client.entries[number] for number in dict.fromkeys(numbers) if number in client.entries]
-
-
-def _by_time(log: LogEntry) -> tuple[int, int]:
-    return log.unix_s, log.number
-
-
-def _stem(client: LogClient, entry: LogEntry) -> str:
-    begun = f"-{datetime.fromtimestamp(entry.unix_s, UTC):%Y%m%dT%H%M%SZ}" if entry.unix_s else ""
-    return f"vehicle-{client.sysid}-log-{entry.number}{begun}"
 
 
 def _begun(log: LogEntry) -> str | None:
@@ -230,8 +189,9 @@ def _begun(log: LogEntry) -> str | None:
 
 def _complain(clients: Sequence[LogClient]) -> int:
     """Say what did not come; the exit status of that."""
-    for client in clients:
-        problems = [f"log {number}: {why}" for number, why in client.failed.items()]
-        for problem in [*filter(None, [client.list_problem]), *problems]:
-            click.echo(f"gcs: vehicle {client.sysid}: {problem}", err=True)
-    return NOT_DONE if any(client.failed or client.list_problem for client in clients) else 0
+    from gcs.link.log_folder import problems
+
+    found = problems(clients)
+    for problem in found:
+        click.echo(f"gcs: {problem}", err=True)
+    return NOT_DONE if found else 0

@@ -17,7 +17,7 @@ import click
 from gcs.cli import author, page, report
 from gcs.cli.author import ScenarioName, ScenarioRefused, load_scenario, module_arguments
 from gcs.cli.options import ONE_STDOUT, PLAIN, limits, speed_limits
-from gcs.exit import NOT_DONE
+from gcs.exit import BAD_INPUT, NOT_DONE
 from gcs.loading import uncollected
 
 if TYPE_CHECKING:
@@ -67,6 +67,11 @@ if TYPE_CHECKING:
     is_flag=True,
     help="What is said there reaches the vehicles: whoever flies one there has it until it rejoins.",
 )
+@click.option(
+    "--logs",
+    is_flag=True,
+    help="After the flight download each external vehicle's newest log into the session's folder.",
+)
 @PLAIN
 @click.option("--json", "as_json", is_flag=True, help="One JSON object per second on stdout, for other programs.")
 @page.WEB
@@ -108,6 +113,7 @@ def run(
     key_file: Path | None,
     forwards: tuple[str, ...],
     forward_control: bool,
+    logs: bool,
     plain: bool,
     as_json: bool,
     web: bool,
@@ -181,6 +187,7 @@ def run(
             key_file=key_path,
             forward=forwards,
             forward_control=forward_control,
+            logs=logs,
         )
     except ScenarioRefused as refusal:
         if junit is not None:
@@ -255,6 +262,11 @@ def run(
             stderr=stderr,
             hurry=hurry.set,
         )
+        if resolved.logs and status != BAD_INPUT and not hurry.is_set():
+            from gcs.session.fetched_logs import fetch_logs
+
+            for problem in fetch_logs(resolved, folder, echo):
+                echo(f"gcs: {problem}")
         if junit is not None:
             from gcs.report.junit import flown
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import select
 import time
 from collections.abc import Callable, Collection
 from pathlib import Path
@@ -11,13 +10,12 @@ from typing import Any, Protocol
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.link.addresses import open_connection
-from gcs.link.diagnosis import Diagnosis
-from gcs.link.keys import SignatureGate
+from gcs.link.listener import Listener
 from gcs.link.socket import Where
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import Profile, profile_of
 from gcs.mavlink.codec import Frame, Message
+from gcs.mavlink.command_protocol import CommandLong, CommandTarget
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION
 from gcs.mavlink.sequence import SequenceCounter
 from gcs.scenario.endpoint import Endpoint
@@ -50,19 +48,19 @@ class AskedFleet:
     """The vehicles, and the connection to them. Raises AddressRefused, KeyRefused."""
 
     def __init__(self, at: Endpoint, key_file: Path | None = None) -> None:
-        self._gate = SignatureGate(key_file)
-        self._connection = open_connection(at)
-        self._diagnosis = Diagnosis(at)
+        self._listener = Listener(at, key_file)
         self._counter = SequenceCounter()
         self._heartbeat_s = -HEARTBEAT_EVERY_S
         self._where: dict[int, Where] = {}
         self.profiles: dict[int, Profile] = {}
         """by system id, of vehicles that have been heard"""
+        self.armed: set[int] = set()
+        """whose last HEARTBEAT said so"""
 
     @property
     def silence(self) -> str:
         """Reason why no vehicle is heard, where that can be seen."""
-        return self._diagnosis.text(self._connection.problem)
+        return self._listener.silence
 
     def find(self, wanted: Collection[int], within_s: float) -> bool:
         """Listen until all of these vehicles have been heard, or, where none is named, until no more come; whether that
@@ -80,19 +78,23 @@ class AskedFleet:
 
     def converse(self, clients: Collection[VehicleClient], progress: Callable[[], object] = lambda: None) -> None:
         """Have all dialogues to their ends, side by side."""
-        by_sysid = {client.sysid: client for client in clients}
         while not all(client.done for client in clients):
-            for frame in self._receive():
-                client = by_sysid.get(frame.sysid)
-                if client is not None and frame.compid == client.compid:
-                    try:
-                        client.receive(codec.name(frame.msgid), codec.fields(frame), time.monotonic())
-                    except ValueError:  # a message that no dialect of ours holds
-                        continue
-            for client in clients:
-                for message in client.poll(time.monotonic()):
-                    self.send_to(client.sysid, message)
+            self.exchange(clients)
             progress()
+
+    def exchange(self, clients: Collection[VehicleClient]) -> None:
+        """Take in what has come, for POLL_S at most, and send what is due."""
+        by_sysid = {client.sysid: client for client in clients}
+        for frame in self._receive():
+            client = by_sysid.get(frame.sysid)
+            if client is not None and frame.compid == client.compid:
+                try:
+                    client.receive(codec.name(frame.msgid), codec.fields(frame), time.monotonic())
+                except ValueError:  # a message that no dialect of ours holds
+                    continue
+        for client in clients:
+            for message in client.poll(time.monotonic()):
+                self.send_to(client.sysid, message)
 
     def send_to(self, sysid: int, message: Message) -> None:
         """Send a message to a vehicle that has been heard."""
@@ -109,10 +111,9 @@ class AskedFleet:
                 asked_s = now_s
                 for sysid, so_far in told.items():
                     for number in [n for n, name in numbers.items() if name not in so_far]:
-                        params = {f"param{i}": 0.0 for i in range(2, 8)} | {"param1": float(number)}
-                        to = {"target_system": sysid, "target_component": AUTOPILOT, "confirmation": 0}
-                        ask = codec.message("COMMAND_LONG", command=mav.MAV_CMD_REQUEST_MESSAGE, **to, **params)
-                        self._send(ask, self._where[sysid])
+                        target = CommandTarget(sysid, AUTOPILOT)
+                        ask = CommandLong(target, mav.MAV_CMD_REQUEST_MESSAGE, (float(number),))
+                        self.send_to(sysid, ask.message(0))
             for frame in self._receive():
                 if frame.msgid in numbers and frame.compid == AUTOPILOT and frame.sysid in told:
                     told[frame.sysid][numbers[frame.msgid]] = codec.fields(frame)
@@ -120,33 +121,30 @@ class AskedFleet:
 
     def close(self) -> None:
         """Close the connection."""
-        self._connection.close()
-        self._gate.close()
+        self._listener.close()
 
     def _receive(self) -> list[Frame]:
         now_s = time.monotonic()
-        connection = self._connection
-        connection.tend(now_s)
+        self._listener.tend()
         if now_s - self._heartbeat_s >= HEARTBEAT_EVERY_S:
             self._heartbeat_s = now_s
-            to = connection.to
-            for address in {to} if to is not None else {*self._where.values(), *connection.senders}:
+            to = self._listener.to
+            for address in {to} if to is not None else {*self._where.values(), *self._listener.senders}:
                 self._send(OUR_HEARTBEAT, address)
-        select.select([connection], [], [], POLL_S)
+        self._listener.wait(POLL_S)
         received: list[Frame] = []
-        for data, sender in connection.receive():
-            split = connection.split(data, sender)
-            self._diagnosis.count(data, split)
-            for frame in self._gate.accepted(split.frames):
+        for frames, sender in self._listener.receive():
+            for frame in frames:
                 if frame.msgid == mav.MAVLINK_MSG_ID_HEARTBEAT and frame.compid == AUTOPILOT:
                     content = codec.fields(frame)
                     if content.autopilot != mav.MAV_AUTOPILOT_INVALID and frame.sysid != STATION[0]:
                         self.profiles.setdefault(frame.sysid, profile_of(content.autopilot))
                         self._where.setdefault(frame.sysid, sender)
+                        armed = content.base_mode & mav.MAV_MODE_FLAG_SAFETY_ARMED
+                        (self.armed.add if armed else self.armed.discard)(frame.sysid)
                 if self._where.get(frame.sysid) == sender:
                     received.append(frame)
-        connection.pop_gone()
         return received
 
     def _send(self, message: Message, to: Where) -> None:
-        self._connection.send(self._gate.signed(codec.frame(message, self._counter.next(), *STATION)), to)
+        self._listener.send(codec.frame(message, self._counter.next(), *STATION), to)

@@ -90,9 +90,9 @@ class ExternalLink:
     def settled(self) -> bool:
         """Whether everyone is there, and has been for so long that a rival would have spoken."""
         now_s = time.monotonic()
-        known = (link for peer in self._peers.values() for link in peer.links if link.address is not None)
+        found = (link for peer in self._peers.values() for link in peer.links if link.address is not None)
         return not self.missing and all(
-            link.door.connection.to is not None or now_s - link.found_s >= CLAIM_S for link in known
+            link.door.connection.to is not None or now_s - link.found_s >= CLAIM_S for link in found
         )
 
     @property

@@ -1,7 +1,8 @@
-"""Link of `gcs monitor`: any address, split into frames, MAVLink 1 too; sends only when asked to."""
+"""Any address without a fleet that is known before: split into frames, with their senders; sends only when asked to."""
 
 from __future__ import annotations
 
+import select
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -16,11 +17,11 @@ from gcs.scenario.endpoint import Endpoint
 
 
 class Listener:
-    """Frames received at an address, with their senders, of MAVLink 1 too. Raises AddressRefused where it cannot be
-    had; a connection that breaks is made again."""
+    """Frames received at an address, with their senders. A connection that breaks is made again."""
 
-    def __init__(self, at: Endpoint, key_file: Path | None = None) -> None:
-        """Raises AddressRefused, KeyRefused."""
+    def __init__(self, at: Endpoint, key_file: Path | None = None, *, older: bool = False) -> None:
+        """older: read MAVLink 1 too. Raises AddressRefused, KeyRefused."""
+        self._older = older
         self.gate = SignatureGate(key_file)
         self._connection = open_connection(at)
         self._diagnosis = Diagnosis(at)
@@ -38,33 +39,48 @@ class Listener:
 
     @property
     def silence(self) -> str:
-        """Reason why no vehicle is heard, where that can be seen; MAVLink 1 is read here."""
+        """Reason why no vehicle is heard, where that can be seen."""
         return self._diagnosis.text(self.problem)
 
     def fileno(self) -> int:
         """For select: readable when something has come."""
         return self._connection.fileno()
 
+    def tend(self) -> None:
+        """Make the connection where it is broken and may be mended by now."""
+        self._connection.tend(time.monotonic())
+
+    def wait(self, wait_s: float) -> None:
+        """Wait until something has come, at most so long."""
+        self.tend()
+        select.select([self._connection], [], [], wait_s)
+
     def receive(self) -> Iterator[tuple[list[Frame], Where]]:
         """Frames received, with their senders, of a bounded number of datagrams; never waits."""
         if not self.open:
             return
-        self._connection.tend(time.monotonic())
+        self.tend()
         for data, sender in self._connection.receive():
             split = self._connection.split(data, sender)
-            frames = split.frames or v1.split(data)
-            self._diagnosis.count(data, split._replace(frames=frames))
-            yield self.gate.accepted(frames), sender
+            if self._older and not split.frames:
+                split = split._replace(frames=v1.split(data))
+            self._diagnosis.count(data, split)
+            yield self.gate.accepted(split.frames), sender
         self._connection.pop_gone()
 
-    def send(self, raw: bytes, peer: Where) -> None:
-        """Send a frame to a known sender, or to the one address that it speaks to."""
-        self._connection.send(self.gate.signed(raw), self._connection.to or peer)
+    def send(self, raw: bytes, peer: Where, *, unsigned: bool = False) -> None:
+        """Send a frame to a known sender, or to the one address that it speaks to; signed, where there is a key."""
+        self._connection.send(raw if unsigned else self.gate.signed(raw), self._connection.to or peer)
 
     @property
     def to(self) -> Where | None:
         """Address that it sends to; None where it listens."""
         return self._connection.to
+
+    @property
+    def senders(self) -> frozenset[Where]:
+        """Those whose streams are open."""
+        return self._connection.senders
 
     def close(self) -> None:
         """Close the connection."""

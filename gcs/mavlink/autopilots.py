@@ -1,4 +1,5 @@
-"""Every difference between autopilots, in one table: the only place in the ground station where a mode has a number."""
+"""Every difference between autopilots, in one table: nowhere else does the ground station ask which one it is, or has a
+mode a number (tests/gcs/mavlink/test_one_table.py)."""
 
 from __future__ import annotations
 
@@ -54,6 +55,28 @@ class Profile:
     not_given: float
     integers_bytewise: bool
     home_is_local: bool
+    streams_on_request: bool
+    """it sends little but HEARTBEAT until REQUEST_DATA_STREAM"""
+    logs_while_armed: bool
+    """whether it answers LOG_REQUEST_LIST while it is armed"""
+    pinged: bool
+    """whether MAVSDK sends it PING"""
+    unknown_parameters_refused: bool
+    """whether it answers the request for a parameter that it does not have"""
+    parameter_encoding_said: bool
+    """whether its capabilities say how integers stand in PARAM_VALUE"""
+    fence_in_status: bool
+    """whether SYS_STATUS has its fence's health"""
+    setup_checked: bool
+    """whether QGroundControl wants its parameters of setup and calibration"""
+    oldest_version: tuple[int, int, int] | None
+    """that QGroundControl speaks to; None: any"""
+    commanded_by_peers: bool
+    """whether QGroundControl knows how to let it take off, land and return"""
+    mode_table: Literal["main and sub", "copter"]
+    """which of pymavlink's tables MAVProxy reads its modes by"""
+    speed_parameter: str | None
+    """the parameter of its simulator that says how much faster than real time it runs; None: it has none"""
     names: Mapping[int, str]
     """what the autopilot itself calls its modes, for those that `modes` has no word of its own for"""
 
@@ -139,6 +162,17 @@ PX4 = Profile(
     not_given=math.nan,
     integers_bytewise=True,
     home_is_local=True,
+    streams_on_request=False,
+    logs_while_armed=True,
+    pinged=True,
+    unknown_parameters_refused=False,
+    parameter_encoding_said=True,
+    fence_in_status=False,
+    setup_checked=True,
+    oldest_version=(1, 4, 1),
+    commanded_by_peers=True,
+    mode_table="main and sub",
+    speed_parameter=None,
     names={
         _px4(1): "manual",
         _px4(2): "altitude",
@@ -173,6 +207,17 @@ ARDUCOPTER = Profile(
     not_given=0.0,
     integers_bytewise=False,
     home_is_local=False,
+    streams_on_request=True,
+    logs_while_armed=False,
+    pinged=False,
+    unknown_parameters_refused=False,
+    parameter_encoding_said=False,
+    fence_in_status=True,
+    setup_checked=False,
+    oldest_version=None,
+    commanded_by_peers=True,
+    mode_table="copter",
+    speed_parameter="SIM_SPEEDUP",
     names={
         0: "stabilize",
         1: "acro",
@@ -197,7 +242,16 @@ ARDUCOPTER = Profile(
         28: "turtle",
     },
 )
-GENERIC = replace(PX4, name="generic", takeoff_is_amsl=False)
+GENERIC = replace(
+    PX4,
+    name="generic",
+    takeoff_is_amsl=False,
+    unknown_parameters_refused=True,
+    fence_in_status=True,
+    setup_checked=False,
+    oldest_version=None,
+    commanded_by_peers=False,
+)
 
 _BY_AUTOPILOT = {mav.MAV_AUTOPILOT_PX4: PX4, mav.MAV_AUTOPILOT_ARDUPILOTMEGA: ARDUCOPTER}
 PROFILES = {profile.name: profile for profile in (PX4, ARDUCOPTER, GENERIC)}

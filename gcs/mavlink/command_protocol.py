@@ -66,17 +66,7 @@ class CommandLong:
 
     def message(self, attempt: int) -> Message:
         """The message of the first (0) or a repeated attempt. Raises ValueError for a value that does not fit."""
-        if len(self.params) > 7:
-            raise ValueError(f"command {self.command} has {len(self.params)} parameters; COMMAND_LONG holds 7")
-        params = (*self.params, *[0.0] * (7 - len(self.params)))
-        return codec.message(
-            "COMMAND_LONG",
-            target_system=self.target.sysid,
-            target_component=self.target.compid,
-            command=self.command,
-            confirmation=attempt,
-            **{f"param{index}": value for index, value in enumerate(params, 1)},
-        )
+        return _message("COMMAND_LONG", 7, self, confirmation=attempt)
 
 
 @dataclass(frozen=True)
@@ -93,25 +83,26 @@ class CommandInt:
 
     def message(self, attempt: int) -> Message:
         """The message, the same at every attempt. Raises ValueError for a value that does not fit."""
-        if len(self.params) > 4:
-            raise ValueError(f"command {self.command} has {len(self.params)} parameters; COMMAND_INT holds 4")
-        params = (*self.params, *[0.0] * (4 - len(self.params)))
-        return codec.message(
-            "COMMAND_INT",
-            target_system=self.target.sysid,
-            target_component=self.target.compid,
-            frame=self.frame,
-            command=self.command,
-            current=0,
-            autocontinue=0,
-            **{f"param{index}": value for index, value in enumerate(params, 1)},
-            x=self.x,
-            y=self.y,
-            z=self.z,
-        )
+        place = {"frame": self.frame, "x": self.x, "y": self.y, "z": self.z}
+        return _message("COMMAND_INT", 4, self, current=0, autocontinue=0, **place)
 
 
 Command = CommandLong | CommandInt
+
+
+def _message(name: str, holds: int, command: Command, **more: float) -> Message:
+    """A message that holds so many parameters; those that are not given are 0."""
+    if len(command.params) > holds:
+        raise ValueError(f"command {command.command} has {len(command.params)} parameters; {name} holds {holds}")
+    params = (*command.params, *[0.0] * (holds - len(command.params)))
+    return codec.message(
+        name,
+        target_system=command.target.sysid,
+        target_component=command.target.compid,
+        command=command.command,
+        **{f"param{index}": value for index, value in enumerate(params, 1)},
+        **more,
+    )
 
 
 class CommandResult(NamedTuple):

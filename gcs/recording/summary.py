@@ -4,14 +4,11 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
 from gcs.scenario.described import Described
-
-if TYPE_CHECKING:  # who only reads a summary need not load the supervisor
-    pass
 
 FILE = "summary.json"
 
@@ -55,7 +52,7 @@ class VehicleLinkSummary(SummaryPart):
     connect: str
     used: bool
     """whether it was the one in use"""
-    fresh: bool
+    alive: bool
     received: int
     """frames, also those that came over another link too"""
     lost_share: float | None

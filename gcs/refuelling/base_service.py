@@ -25,7 +25,6 @@ from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 
 POSITION_AND_VELOCITY = 0b11
 STANDS = (0.0, 0.0, 0.0)
-
 REACH_WITHIN_S = 60.0
 """beyond the time that the way to the base takes"""
 LAND_WITHIN_S = 60.0

@@ -71,11 +71,27 @@ class RefuellingPolicy(Protocol):
         """The candidate whom request.tanker is to serve, by system id; None: none, ask again in the next tick."""
 
 
-class GreedyNearest:
-    """The candidate nearest to the tanker."""
+class _Stateless:
+    """Keeps nothing of the scenario."""
 
     def __init__(self, scenario: Scenario) -> None:
         pass
+
+
+class _Assigning(_Stateless):
+    """Says for all free tankers at once whom each is to serve."""
+
+    def assign(self, request: RefuellingRequest) -> dict[int, int]:
+        """Receiver by free tanker."""
+        raise NotImplementedError
+
+    def choose(self, request: RefuellingRequest) -> int | None:
+        """This tanker's of them."""
+        return self.assign(request).get(request.tanker.sysid)
+
+
+class GreedyNearest(_Stateless):
+    """The candidate nearest to the tanker."""
 
     def choose(self, request: RefuellingRequest) -> int | None:
         """The nearest; of equals the lowest system id."""
@@ -83,27 +99,20 @@ class GreedyNearest:
         return min(request.candidates, key=lambda view: (math.dist(here, view.p_now_ned()), view.sysid)).sysid
 
 
-class MostEmptyFirst:
+class MostEmptyFirst(_Stateless):
     """The candidate with the smallest share of its battery left."""
-
-    def __init__(self, scenario: Scenario) -> None:
-        pass
 
     def choose(self, request: RefuellingRequest) -> int | None:
         """The neediest; of equals the lowest system id."""
         return min(request.candidates, key=lambda view: (-view.need, view.sysid)).sysid
 
 
-class Optimal:
+class Optimal(_Assigning):
     """Plans all services of all tankers ahead, of those who want energy and those who soon will, and flies the first
     (gcs/refuelling/rolling_horizon.py) [choice]."""
 
     def __init__(self, scenario: Scenario) -> None:
         self._need_from = scenario.competition.need_from
-
-    def choose(self, request: RefuellingRequest) -> int | None:
-        """This tanker's first receiver in the best plan; None where that leaves them to another free one."""
-        return self.assign(request).get(request.tanker.sysid)
 
     def assign(self, request: RefuellingRequest) -> dict[int, int]:
         """Receiver by free tanker: the first ones of the best plan, matched by the least time."""
@@ -144,15 +153,8 @@ def soonest(views: Iterable[VehicleView], rules: RefuellingRules) -> list[Vehicl
     return sorted(views, key=lambda view: (lasts_s(view, rules.lands_at), view.sysid))[:MOST_PLANNED]
 
 
-class EarliestDeadline:
+class EarliestDeadline(_Assigning):
     """Those who land first, matched to the free tankers by the least time (earliest deadline first)."""
-
-    def __init__(self, scenario: Scenario) -> None:
-        pass
-
-    def choose(self, request: RefuellingRequest) -> int | None:
-        """This tanker's of them."""
-        return self.assign(request).get(request.tanker.sysid)
 
     def assign(self, request: RefuellingRequest) -> dict[int, int]:
         """Receiver by free tanker."""
@@ -160,16 +162,9 @@ class EarliestDeadline:
         return _pairs(match(free, soonest(request.candidates, request.rules)[: len(free)]))
 
 
-class Hungarian:
+class Hungarian(_Assigning):
     """Tankers and candidates paired so that the sum of the ways' times is least; who would not last `reserve_s` beyond
     the way comes before all who would."""
-
-    def __init__(self, scenario: Scenario) -> None:
-        pass
-
-    def choose(self, request: RefuellingRequest) -> int | None:
-        """This tanker's of them."""
-        return self.assign(request).get(request.tanker.sysid)
 
     def assign(self, request: RefuellingRequest) -> dict[int, int]:
         """Receiver by free tanker."""
@@ -181,16 +176,9 @@ class Hungarian:
         return {int(free[i].name): request.candidates[j].sysid for i, j in zip(rows, columns, strict=True)}
 
 
-class Auction:
+class Auction(_Assigning):
     """Tankers bid for candidates: worth most is who lands soonest and is near, a second of the one for a second of the
     other."""
-
-    def __init__(self, scenario: Scenario) -> None:
-        pass
-
-    def choose(self, request: RefuellingRequest) -> int | None:
-        """This tanker's of them."""
-        return self.assign(request).get(request.tanker.sysid)
 
     def assign(self, request: RefuellingRequest) -> dict[int, int]:
         """Receiver by free tanker."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Literal
 
@@ -16,7 +16,7 @@ from gcs.recording.series import Series, Track, VehicleInfo
 from gcs.recording.session_folder import Recorded
 from gcs.report import distances
 from gcs.scenario import goal
-from gcs.scenario.goal import Measured, Nearest
+from gcs.scenario.goal import Judgement, Measured, Nearest
 from gcs.scenario.model import Scenario
 
 Level = Literal["bad", "warn", "note"]
@@ -31,15 +31,6 @@ class SessionProblem:
 
     level: Level
     text: str
-
-
-@dataclass(frozen=True)
-class GoalFinding:
-    """One part of the goal; `met` None: not known."""
-
-    wanted: str
-    reached: str
-    met: bool | None
 
 
 @dataclass(frozen=True)
@@ -147,18 +138,17 @@ class Findings:
     # the goal
 
     @cached_property
-    def parts(self) -> list[GoalFinding]:
+    def parts(self) -> list[Judgement]:
         """The goal, part by part, and what was reached: as the session judged it, or, where it left no summary, as far
         as its recording shows."""
         if self.scenario is None:
             return []
         reported = {part.part: part for part in self.summary.goal} if self.summary is not None else {}
-        judged = goal.judge(self.scenario, self._measured())
         return [
-            GoalFinding(reported[one.part].wanted, reported[one.part].reached, reported[one.part].met)
-            if one.part in reported
-            else GoalFinding(one.wanted, one.reached, one.met)
-            for one in judged
+            replace(one, wanted=part.wanted, reached=part.reached, met=part.met)
+            if (part := reported.get(one.part))
+            else one
+            for one in goal.judge(self.scenario, self._measured())
         ]
 
     def _measured(self) -> Measured:
@@ -168,13 +158,13 @@ class Findings:
         dead = [d for d in self.recorded.decisions if d["kind"] == "death"]
         return Measured(
             time_s=self.end_s,
-            separation=self._closest(near.separation, near.pair, "separation") if self.tracks else None,
+            separation=self._closest(near.separation, near.pair) if self.tracks else None,
             lost=[goal.Loss(int(d["sysid"]), d["t_s"], "its process died") for d in dead] if dead else None,
             pursuit_held_s=min(held.values()) if held and self.tracks else None,
             refuelled=len(summary.refuel_order) if summary else sum(s.energy_j > 0 for s in self.services),
         )
 
-    def _closest(self, line: Series, pair: Any, name: str) -> Nearest:
+    def _closest(self, line: Series, pair: Any) -> Nearest:
         """Nearest approach by the recording."""
         if not np.isfinite(line.values).any():
             return Nearest()
@@ -184,11 +174,9 @@ class Findings:
     def closest(self, name: str) -> Nearest | None:
         """Nearest approach: `separation`, `clearance` or `traffic`, as judged; None where that is not known."""
         reported = self.summary.closest.get(name) if self.summary is not None else None
-        return (
-            None
-            if reported is None
-            else Nearest(reported.distance_m, tuple(reported.sysids), reported.t_s, reported.what)
-        )
+        if reported is None:
+            return None
+        return Nearest(reported.distance_m, tuple(reported.sysids), reported.t_s, reported.what)
 
     @property
     def limits(self) -> dict[str, float]:
@@ -268,10 +256,8 @@ class Findings:
             yield SessionProblem(level, f"“{text}” said by {plural} {few(who)} ({_times(len(said), said[0][0])}).")
 
     def _too_near(self) -> Iterator[SessionProblem]:
-        reported: dict[str, list[tuple[float, int, str]]] = {}
         for part in ("separation", "clearance", "traffic", "ground"):
-            reported[part] = self.violations(part)
-        for part, found in reported.items():
+            found = self.violations(part)
             for t_s, _, text in found[:FEW]:
                 when = "" if " at " in text else f" ({t_s:.1f} s)"
                 yield SessionProblem("bad", f"{text[:1].upper()}{text[1:]}{when}.")

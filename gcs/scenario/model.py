@@ -127,6 +127,8 @@ class Scenario(Part):
     """places to come down at in need, uploaded like the fence; the first two coordinates, m; none by default"""
     preflight: Literal["enforce", "warn"] = "enforce"
     """a vehicle that fails its check list (fence, rally points, clock) is not armed, or is only warned of"""
+    logs: Flag = False
+    """after the flight the newest log of each external vehicle is downloaded into the session's folder"""
     record: Record = Record()
     """files that the session leaves, and how large they become; everything in one file each by default"""
     truth: Flag = True
@@ -147,6 +149,7 @@ class Scenario(Part):
         key_file: str | None = None,
         forward: Sequence[str] = (),
         forward_control: bool = False,
+        logs: bool = False,
     ) -> Self:
         """The same with another clock or seed, a signing key for all external vehicles, or further addresses to forward
         to; what is left out stays. ValueError where a value cannot be had."""
@@ -159,7 +162,7 @@ class Scenario(Part):
         if (refusal := external.clock_refusal(self.vehicles.all, mode, rate)) is not None:
             raise ValueError(refusal)
         changed = self.model_dump(by_alias=True) | {"clock": {**self.clock.model_dump(), **clock}}
-        changed |= {} if seed is None else {"seed": seed}
+        changed |= ({} if seed is None else {"seed": seed}) | ({"logs": True} if logs else {})
         if forward or forward_control:
             to = (*self.forward.to, *(text for text in forward if text not in self.forward.to))
             changed["forward"] = {"to": to, "control": forward_control or self.forward.control}
@@ -193,6 +196,11 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
     rules: list[tuple[Any, KeyPath, str]] = [
         (clock_refused, ("clock", "mode" if s.clock.mode == "lockstep" else "speed"), clock_refused or ""),
         (not sysids, ("vehicles",), "there must be at least one vehicle"),
+        (
+            s.logs and not s.vehicles.external,
+            ("logs",),
+            "logs are fetched from external vehicles, and there is none: those of launched ones are in vehicles/",
+        ),
         (abs(steps - round(steps)) > 1e-6, ("clock", "period_s"), f"period_s must be a multiple of {STEP_S} s"),
         (pursue and pursue.for_s > s.goal.duration_s, ("goal", "pursue", "for_s"), "for_s is longer than duration_s"),
         (pursue and not (pursuers and targets), ("goal", "pursue"), "pursue needs a pursuer and a target"),

@@ -52,7 +52,7 @@ class MonitorSource:
         key_file: Path | None = None,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
-        self._listener = Listener(at, key_file)
+        self._listener = Listener(at, key_file, older=True)
         self._refusals = RefusalNotices()
         self._clock = clock
         self._begun_s = clock()

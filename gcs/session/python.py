@@ -19,7 +19,6 @@ import socket
 import time
 from collections.abc import Iterator
 from pathlib import Path
-from types import TracebackType
 from typing import Self
 
 from gcs.recording.summary import FILE, Summary
@@ -145,9 +144,7 @@ class Session:
             self._end(time.monotonic() + PATIENCE_S[0])
         return self.summary
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
+    def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
         assert self._process is not None
         try:
             if self._channel is not None:
@@ -155,7 +152,7 @@ class Session:
                     self.stop()
         finally:
             self._close()
-            self._process.__exit__(kind, error, trace)
+            self._process.__exit__()
 
     def _close(self) -> None:
         if self._channel is not None:

@@ -15,7 +15,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
-from types import TracebackType
 from typing import IO, Any, Protocol, Self
 
 import click
@@ -69,9 +68,7 @@ class Signals:
         self._handlers = {number: signal.signal(number, _ignore) for number in (signal.SIGINT, signal.SIGTERM)}
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         for number, handler in self._handlers.items():
             signal.signal(number, handler)
         signal.set_wakeup_fd(self._wakeup)
@@ -201,13 +198,13 @@ class Supervised:
         self._asked_s = self._firmer_at_s = float("inf")
         self.client: Client | None = None
         self.verdict: dict[str, Any] | None = None
+        self.last: Mapping[str, Any] = {}
+        """the newest snapshot shown, for the case that the supervisor dies"""
 
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         with contextlib.suppress(BrokenPipeError):
             self._in.close()
         try:
@@ -312,12 +309,11 @@ def run(
     what the supervisor says there; our own standard error without it. `hurry` is called where a person has asked more
     than once for the end.
     """
-    watched = _Watched(view)
     with Signals() as signals, Supervised(folder, arguments, supervisor, stderr=stderr, fork=fork) as process:
         begun()
         loaded()
         try:
-            interrupted = _watch(process, signals, watched, hurry)
+            interrupted = _watch(process, signals, view, hurry)
         finally:
             with contextlib.suppress(OSError):
                 view.close()
@@ -331,7 +327,7 @@ def run(
             f"the vehicles' logs in {folder / 'vehicles'}",
             file=sys.stderr,
         )
-        for line in _left_in_the_air(folder, watched.last):
+        for line in _left_in_the_air(folder, process.last):
             print(f"gcs: {line}", file=sys.stderr)
         return INTERNAL_ERROR
     verdict = verdict or {"exit": BAD_INPUT, "outcome": "interrupted", "error": None}
@@ -343,27 +339,6 @@ def run(
             echo(line)
     failed = verdict["exit"] == INTERNAL_ERROR or verdict.get("error")
     return int(verdict["exit"]) if failed or not interrupted else 128 + interrupted
-
-
-class _Watched:
-    """A view that remembers the last snapshot, for the case that the supervisor dies."""
-
-    def __init__(self, view: View) -> None:
-        self.view = view
-        self.last: Mapping[str, Any] = {}
-
-    def show(self, snapshot: Any) -> None:
-        """As `View.show`."""
-        self.last = snapshot
-        self.view.show(snapshot)
-
-    def tick(self, now_s: float) -> None:
-        """As `View.tick`."""
-        self.view.tick(now_s)
-
-    def close(self) -> None:
-        """As `View.close`."""
-        self.view.close()
 
 
 def _left_in_the_air(folder: Path, last: Mapping[str, Any]) -> list[str]:
@@ -379,7 +354,7 @@ def _left_in_the_air(folder: Path, last: Mapping[str, Any]) -> list[str]:
     ]
 
 
-def _watch(process: Supervised, signals: Signals, view: _Watched, hurry: Callable[[], object]) -> int:
+def _watch(process: Supervised, signals: Signals, view: View, hurry: Callable[[], object]) -> int:
     """Show the session until its supervisor has ended; the first signal that asked it to stop, or 0."""
     interrupted, notified = 0, False
     with selectors.DefaultSelector() as selector:
@@ -406,16 +381,17 @@ def _watch(process: Supervised, signals: Signals, view: _Watched, hurry: Callabl
             try:
                 for content in earlier.joined(watched.receive()) if watched is not None else ():
                     if content.get("type") == "snapshot":
+                        process.last = content
                         view.show(content)
                 view.tick(now_s)
             except BrokenPipeError:  # the reader of our lines is gone, as with `| head`
                 interrupted = interrupted or signal.SIGPIPE
                 process.interrupt(now_s)
-                view.view = QuietView()
+                view = QuietView()
                 mute_stdout()
             except OSError as error:  # the session goes on unseen
                 print(f"gcs: cannot show the session: {error.strerror}; it goes on", file=sys.stderr)
-                view.view = QuietView()
+                view = QuietView()
                 mute_stdout()
             if watched is not None and not watched.connected:
                 selector.unregister(watched)

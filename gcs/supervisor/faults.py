@@ -14,8 +14,8 @@ from typing import Any
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.link.impairment import BlackoutWindow, Burst
-from gcs.mavlink.codec import Message, message
-from gcs.mavlink.command_protocol import CommandRequest
+from gcs.mavlink.codec import Message
+from gcs.mavlink.command_protocol import CommandLong, CommandRequest, CommandTarget
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.scenario.faults import COMMANDED, Injection
 from gcs.scenario.goal import Loss
@@ -85,15 +85,8 @@ class FaultInjector:
         params = self._params(one, ends=ends)
         if self._vehicles[sysid].foreign is not None:
             return [CommandRequest(sysid, mav.MAV_CMD_INJECT_FAILURE, params, f"fault {one.number}")]
-        order = message(
-            "COMMAND_LONG",
-            target_system=sysid,
-            target_component=AUTOPILOT,
-            command=mav.MAV_CMD_INJECT_FAILURE,
-            confirmation=0,
-            **{f"param{k}": value for k, value in enumerate(params, 1)},
-        )
-        self._orders.setdefault(sysid, []).append(order)
+        order = CommandLong(CommandTarget(sysid, AUTOPILOT), mav.MAV_CMD_INJECT_FAILURE, params)
+        self._orders.setdefault(sysid, []).append(order.message(0))
         return []
 
     def pop_orders(self, sysid: int) -> list[Message]:

@@ -17,6 +17,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec, plan_client
 from gcs.mavlink.codec import Frame, Message
+from gcs.mavlink.command_protocol import CommandLong, CommandTarget
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.mavlink.plan_client import PlanClient, PlanItem
 from gcs.scenario.fence import Area
@@ -150,11 +151,8 @@ class Preflight:
             return []
         checks.asks_clock -= 1
         checks.due_s = now_s + ASK_EVERY_S
-        to = {"target_system": sysid, "target_component": AUTOPILOT, "confirmation": 0}
-        rest = {f"param{i}": 0.0 for i in range(2, 8)}
-        return [
-            codec.message("COMMAND_LONG", **to, command=mav.MAV_CMD_REQUEST_MESSAGE, param1=float(_SYSTEM_TIME), **rest)
-        ]
+        target = CommandTarget(sysid, AUTOPILOT)
+        return [CommandLong(target, mav.MAV_CMD_REQUEST_MESSAGE, (float(_SYSTEM_TIME),)).message(0)]
 
     def _clock(self, checks: _CheckList, theirs_us: int, ours_us: int) -> None:
         if theirs_us / 1e6 < NO_TIME_BEFORE_S:

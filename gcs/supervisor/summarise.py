@@ -6,6 +6,7 @@ import functools
 import math
 import platform
 from collections import defaultdict
+from dataclasses import asdict
 from importlib.metadata import version
 from typing import TYPE_CHECKING, cast
 
@@ -144,18 +145,7 @@ def _ledger(view: VehicleView, lost_j: int) -> EnergySummary:
 
 
 def _part(judged: Judgement) -> GoalPartSummary:
-    return GoalPartSummary(
-        part=judged.part,
-        wanted=judged.wanted,
-        reached=judged.reached,
-        met=judged.met is not False,
-        value=judged.value,
-        limit=judged.limit,
-        unit=judged.unit,
-        sysids=list(judged.sysids),
-        what=judged.what,
-        t_s=judged.t_s,
-    )
+    return GoalPartSummary(**{**asdict(judged), "met": judged.met is not False})
 
 
 def _closest(nearest: Nearest) -> ClosestSummary:

@@ -9,7 +9,6 @@ import select
 import subprocess
 import sys
 from pathlib import Path
-from types import TracebackType
 from typing import Self
 
 STARTS_WITHIN_S = 30.0
@@ -38,9 +37,7 @@ class PageServer:
                 self.links = dict(json.loads(out.readline()))
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
+    def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
         if kind is None:  # its pages are told how the session ended, and it ends by itself
             with contextlib.suppress(subprocess.TimeoutExpired):
                 self._process.wait(ENDS_WITHIN_S)

@@ -9,6 +9,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from math import cos, degrees, radians
 
+import numpy as np
+from numpy.typing import NDArray
 from pymap3d import rcurve
 
 MOST_LATITUDE_DEG = 89.0
@@ -23,6 +25,8 @@ class LocalFrame:
     alt_m: float
     deg_per_north_m: float = field(init=False)
     deg_per_east_m: float = field(init=False)
+    row: NDArray[np.float64] = field(init=False, repr=False, compare=False)
+    """all of it in this order, for compiled code"""
 
     def __post_init__(self) -> None:
         """Raises ValueError for a place that is none, or so near a pole that east has no meaning."""
@@ -35,6 +39,8 @@ class LocalFrame:
         east_radius_m = (float(rcurve.transverse(self.lat_deg)) + self.alt_m) * cos(radians(self.lat_deg))
         object.__setattr__(self, "deg_per_north_m", degrees(1.0 / north_radius_m))
         object.__setattr__(self, "deg_per_east_m", degrees(1.0 / east_radius_m))
+        numbers = (self.lat_deg, self.lon_deg, self.alt_m, self.deg_per_north_m, self.deg_per_east_m)
+        object.__setattr__(self, "row", np.array(numbers, dtype=np.float64))
 
     def to_global(self, north_m: float, east_m: float, down_m: float) -> tuple[float, float, float]:
         """Latitude and longitude in degrees and height above mean sea level in m of a local point."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from pymavlink.dialects.v20 import common as mav
 
@@ -85,18 +85,20 @@ _ARDUCOPTER_REQUESTABLE = {
     23: Mode.FOLLOW,
 }
 
+_PX4 = Identity(
+    autopilot=mav.MAV_AUTOPILOT_PX4,
+    spoken=_PX4_MODES,
+    requestable=_PX4_REQUESTABLE,
+    integers_bytewise=True,
+    takeoff_altitude_is_relative=False,
+    modes_packed=True,
+    guided=False,
+    item_0_is_home=False,
+    capabilities=_COMMON_CAPABILITIES | mav.MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_BYTEWISE,
+)
+
 IDENTITIES: dict[str, Identity] = {
-    "px4": Identity(
-        autopilot=mav.MAV_AUTOPILOT_PX4,
-        spoken=_PX4_MODES,
-        requestable=_PX4_REQUESTABLE,
-        integers_bytewise=True,
-        takeoff_altitude_is_relative=False,
-        modes_packed=True,
-        guided=False,
-        item_0_is_home=False,
-        capabilities=_COMMON_CAPABILITIES | mav.MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_BYTEWISE,
-    ),
+    "px4": _PX4,
     "ardupilot": Identity(
         autopilot=mav.MAV_AUTOPILOT_ARDUPILOTMEGA,
         spoken=_ARDUCOPTER_MODES,
@@ -108,15 +110,5 @@ IDENTITIES: dict[str, Identity] = {
         item_0_is_home=True,
         capabilities=_COMMON_CAPABILITIES | mav.MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_C_CAST,
     ),
-    "generic": Identity(
-        autopilot=mav.MAV_AUTOPILOT_GENERIC,
-        spoken=_PX4_MODES,
-        requestable=_PX4_REQUESTABLE,
-        integers_bytewise=True,
-        takeoff_altitude_is_relative=True,
-        modes_packed=True,
-        guided=False,
-        item_0_is_home=False,
-        capabilities=_COMMON_CAPABILITIES | mav.MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_BYTEWISE,
-    ),
+    "generic": replace(_PX4, autopilot=mav.MAV_AUTOPILOT_GENERIC, takeoff_altitude_is_relative=True),
 }

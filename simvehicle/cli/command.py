@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from importlib import import_module
 from importlib.metadata import version
 from pathlib import Path
@@ -173,8 +173,13 @@ def cli(ctx: click.Context, /, **options: Any) -> None:
 
 def run_argv(argv: Sequence[str]) -> int:
     """Run one command line in this process; the exit status."""
+    return reported(lambda: cli.main(list(argv), prog_name="simvehicle", standalone_mode=False))
+
+
+def reported(run: Callable[[], int | None]) -> int:
+    """Run, and say in one sentence what click refuses; the exit status."""
     try:
-        status = cli.main(list(argv), prog_name="simvehicle", standalone_mode=False)
+        status = run()
     except click.ClickException as error:
         print(f"simvehicle: {' '.join(error.format_message().split())}", file=sys.stderr)
         return BAD_INPUT

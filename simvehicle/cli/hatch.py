@@ -6,15 +6,19 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 
 import click
 
 from simvehicle.cli.argv import sysid_of, title_of
-from simvehicle.cli.command import cli, run_argv
+from simvehicle.cli.command import cli, reported, run_argv
 from simvehicle.loading import loaded, uncollected
+
+OWN_PROCESS = {"-h", "--help", "--version", "--state"}
+"""Options that a vehicle's own process reads: those that print, and the one that opens a file to write."""
 
 
 @click.command(short_help="Make many vehicles, one per JSON line on stdin.")
@@ -30,13 +34,17 @@ def hatch() -> None:
         warm_up()
         _rehearse_start()
     loaded()
-    status = forkserver.run(run_argv, sysid_of, title_of, _prepare)
+    status = forkserver.run(sysid_of, title_of, _prepare)
     sys.stderr.flush()
     os._exit(status)  # nothing is left to be done, and who waits for it need not wait for an interpreter's end
 
 
-def _prepare(argv: Sequence[str]) -> None:
-    """Load the flight core of rotors, once, where a vehicle needs it."""
+def _prepare(argv: Sequence[str]) -> Callable[[], int]:
+    """Load what a vehicle needs beyond what all need, and read its command line and its files: the function that its
+    process is to call. Each process would pay for the same with memory of its own.
+
+    A command line that is refused is left to the process itself, which says so in its log.
+    """
     real = argv[0] if argv and argv[0] in ("ardupilot", "px4") else None
     if "--world" in argv or real:
         from simvehicle.sitl.warmup import warm_up_rotors
@@ -44,6 +52,16 @@ def _prepare(argv: Sequence[str]) -> None:
         warm_up_rotors()
     if real:
         import_module(f"simvehicle.sitl.{real}")  # loaded here, once, for all autopilots of its kind
+    alone = partial(run_argv, argv)
+    if argv[:1] != ["--sysid"] or any(word.partition("=")[0] in OWN_PROCESS for word in argv):
+        return alone
+    from simvehicle.cli.vehicle import prepare
+
+    try:
+        with cli.make_context("simvehicle", list(argv)) as context:
+            return partial(reported, prepare(**context.params))
+    except (click.ClickException, OSError):
+        return alone
 
 
 def _rehearse_start() -> None:

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable
 from math import radians
 from pathlib import Path
 from typing import Any
@@ -16,7 +17,12 @@ from simvehicle.cli.files import open_state, read_fleet_rules, read_parameters, 
 from simvehicle.exit import CANNOT_WRITE
 
 
-def fly(
+def fly(**options: Any) -> int:
+    """Fly what the options of `simvehicle` ask for; the exit status. Raises click.UsageError."""
+    return prepare(**options)()
+
+
+def prepare(
     *,
     sysid: int | None,
     connect: tuple[str, ...],
@@ -35,8 +41,9 @@ def fly(
     fleet: Path | None,
     world: Path | None,
     count: int,
-) -> int:
-    """Fly what the options of `simvehicle` ask for; the exit status. Raises click.UsageError."""
+) -> Callable[[], int]:
+    """Read what the options of `simvehicle` ask for; the function that flies it and returns the exit status, which
+    only the vehicles' own process may call. Both raise click.UsageError."""
     from simvehicle.autopilot.body import Start
     from simvehicle.autopilot.geodesy import LocalFrame
     from simvehicle.autopilot.identity import IDENTITIES
@@ -81,20 +88,24 @@ def fly(
         wanted.append(
             Wanted(sysid + i, starts[i], parameters, own_truth, store, key_file, state, plant, rules, truth_hz=truth_hz)
         )
-    for path in truth:
-        if path.exists():
-            raise click.UsageError(f"--truth {path} exists already; name a new file.")
-        if not path.parent.is_dir():
-            raise click.UsageError(f"--truth {path}: No such file or directory")
-    try:
-        fly_block(wanted, IDENTITIES[autopilot], frame, connect, supervised)
-    except (AddressError, KeyFileError) as error:
-        raise click.UsageError(str(error)) from error
-    except OSError as error:
-        unwritten = error.filename or ", ".join(map(str, truth))
-        print(f"vehicle {sysid}: cannot write {unwritten}: {error.strerror}", file=sys.stderr)
-        return CANNOT_WRITE
-    return 0
+
+    def flight() -> int:
+        for path in truth:
+            if path.exists():
+                raise click.UsageError(f"--truth {path} exists already; name a new file.")
+            if not path.parent.is_dir():
+                raise click.UsageError(f"--truth {path}: No such file or directory")
+        try:
+            fly_block(wanted, IDENTITIES[autopilot], frame, connect, supervised)
+        except (AddressError, KeyFileError) as error:
+            raise click.UsageError(str(error)) from error
+        except OSError as error:
+            unwritten = error.filename or ", ".join(map(str, truth))
+            print(f"vehicle {sysid}: cannot write {unwritten}: {error.strerror}", file=sys.stderr)
+            return CANNOT_WRITE
+        return 0
+
+    return flight
 
 
 def _each(option: str, values: tuple[Any, ...], count: int) -> tuple[Any, ...]:

@@ -151,9 +151,8 @@ class Services:
                 for connection in self.connections:
                     connection.put(content)
         vehicle.announcements.clear()
-        snapshot = vehicle.snapshot()
         for connection in self.connections:
-            connection.put_due(snapshot)
+            connection.put_due(vehicle)
         self._logs.report()
 
     def _finish_reboot(self) -> None:

@@ -14,6 +14,7 @@ from pymavlink.dialects.v20 import common as mav
 from simvehicle.autopilot.failures import Failure
 from simvehicle.autopilot.modes import Mode
 from simvehicle.autopilot.snapshot import CELL_FULL_V, CELLS, Vec3, VehicleState
+from simvehicle.mavlink import motion_frames
 from simvehicle.mavlink.codec import message
 
 __all__ = ["ALL_HEALTHY", "TELEMETRY", "UNPROMPTED", "Stream", "Vec3", "VehicleState", "autopilot_version", "heartbeat"]
@@ -113,16 +114,17 @@ def local_position_ned(s: VehicleState) -> Any:
 
 
 def global_position_int(s: VehicleState) -> Any:
-    lat_deg, lon_deg, alt_m = s.frame.to_global(*s.p_ned)
+    p_ned, (v_n, v_e, v_d) = s.p_ned, s.v_ned
+    lat_deg, lon_deg, alt_m = s.frame.to_global(*p_ned)
     return message("GLOBAL_POSITION_INT")(
         time_boot_ms=s.time_ms,
         lat=_deg_e7(lat_deg),
         lon=_deg_e7(lon_deg),
         alt=_int32(1e3 * alt_m),
-        relative_alt=_int32(1e3 * (s.home_ned[2] - s.p_ned[2])),
-        vx=_int16(100.0 * s.v_ned[0]),
-        vy=_int16(100.0 * s.v_ned[1]),
-        vz=_int16(100.0 * s.v_ned[2]),
+        relative_alt=_int32(1e3 * (s.home_ned[2] - p_ned[2])),
+        vx=_int16(100.0 * v_n),
+        vy=_int16(100.0 * v_e),
+        vz=_int16(100.0 * v_d),
         hdg=round(1e2 * math.degrees(s.attitude_ned[2])) % 36000,
     )
 
@@ -344,6 +346,8 @@ class Stream(NamedTuple):
     msgid: int
     rate_hz: float
     build: Callable[[VehicleState], Any]
+    motion: int = 0
+    """its bit where `motion_frames` makes it too"""
 
 
 UNPROMPTED = {"ATTITUDE_QUATERNION": 10.0, "VFR_HUD": 4.0, "ALTITUDE": 2.0}
@@ -353,9 +357,21 @@ TELEMETRY: tuple[Stream, ...] = (
     Stream("HEARTBEAT", mav.MAVLINK_MSG_ID_HEARTBEAT, 1.0, heartbeat),
     Stream("SYS_STATUS", mav.MAVLINK_MSG_ID_SYS_STATUS, 1.0, sys_status),
     Stream("EXTENDED_SYS_STATE", mav.MAVLINK_MSG_ID_EXTENDED_SYS_STATE, 1.0, extended_sys_state),
-    Stream("ATTITUDE", mav.MAVLINK_MSG_ID_ATTITUDE, 10.0, attitude),
-    Stream("LOCAL_POSITION_NED", mav.MAVLINK_MSG_ID_LOCAL_POSITION_NED, 10.0, local_position_ned),
-    Stream("GLOBAL_POSITION_INT", mav.MAVLINK_MSG_ID_GLOBAL_POSITION_INT, 5.0, global_position_int),
+    Stream("ATTITUDE", mav.MAVLINK_MSG_ID_ATTITUDE, 10.0, attitude, motion_frames.ATTITUDE),
+    Stream(
+        "LOCAL_POSITION_NED",
+        mav.MAVLINK_MSG_ID_LOCAL_POSITION_NED,
+        10.0,
+        local_position_ned,
+        motion_frames.LOCAL_POSITION,
+    ),
+    Stream(
+        "GLOBAL_POSITION_INT",
+        mav.MAVLINK_MSG_ID_GLOBAL_POSITION_INT,
+        5.0,
+        global_position_int,
+        motion_frames.GLOBAL_POSITION,
+    ),
     Stream("GPS_RAW_INT", mav.MAVLINK_MSG_ID_GPS_RAW_INT, 1.0, gps_raw_int),
     Stream("HOME_POSITION", mav.MAVLINK_MSG_ID_HOME_POSITION, 0.5, home_position),
     Stream("GPS_GLOBAL_ORIGIN", mav.MAVLINK_MSG_ID_GPS_GLOBAL_ORIGIN, 0.5, gps_global_origin),

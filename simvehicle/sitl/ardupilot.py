@@ -38,7 +38,7 @@ class ArduPilotUnit(AutopilotUnit):
     def _throttles(self) -> Sequence[float]:
         return json_backend.throttles(self._link.servo)
 
-    def _tell_battery(self) -> None:
+    def _report_battery(self) -> None:
         for content in self._monitor.settings(self._boot_s, *self._plant.electric):
             self._say(content)
 

@@ -150,7 +150,7 @@ class AutopilotUnit(ABC):
         """Fly up to a time; queue what it has said, and what its battery says."""
         assert self._time_ms is not None
         before_ms = self._time_ms
-        self._tell_battery()
+        self._report_battery()
         while to_ms - self._time_ms >= STEP_MS:
             self._answer(self._fly(self._time_ms / 1e3))
             self._time_ms += STEP_MS
@@ -182,7 +182,7 @@ class AutopilotUnit(ABC):
         gravity's, per mass."""
 
     @abstractmethod
-    def _tell_battery(self) -> None:
+    def _report_battery(self) -> None:
         """Let it measure the battery as it is now."""
 
     def _is_answer(self, frame: ReceivedFrame) -> bool:

@@ -22,7 +22,7 @@ import sys
 import traceback
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from setproctitle import setproctitle
 
@@ -35,14 +35,27 @@ END = {"end": True}
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 
 
+class _Order(NamedTuple):
+    """A process to fork."""
+
+    sysid: int
+    title: str
+    log: Path
+    secret: object
+    flight: Callable[[], int]
+
+
 def run(
-    main: Callable[[Sequence[str]], int],
     sysid_of: Callable[[Sequence[str]], int],
     title_of: Callable[[Sequence[str]], str],
-    prepare: Callable[[Sequence[str]], None],
+    prepare: Callable[[Sequence[str]], Callable[[], int]],
 ) -> int:
-    """Serve until stdin ends. `main` runs one vehicle from its argv in a child; `sysid_of` and `title_of` name it;
-    `prepare` loads what it needs beyond what all need, before it is forked."""
+    """Serve until stdin ends. `sysid_of` and `title_of` name a vehicle by its argv; `prepare` does all for it that can
+    be done before its process is forked, and gives back what that is to call.
+
+    Orders that come together are prepared before the first is forked: from then on whatever this process writes to is
+    copied.
+    """
     with contextlib.suppress(PermissionError):
         os.setsid()
     libc = ctypes.CDLL(None, use_errno=True)
@@ -63,10 +76,13 @@ def run(
                     _end_all(pid for pid, _, _ in children.values())
                     return 0
                 *lines, pending = (pending + chunk).split(b"\n")
+                orders: list[_Order] = []
                 for line in lines:
                     try:
                         order = json.loads(line)
                         if order == END:
+                            _fork_all(orders, selector, children, libc)
+                            orders.clear()
                             _end_session(selector, children)
                             continue
                         argv, log = list(map(str, order["argv"])), Path(order["log"])
@@ -75,13 +91,23 @@ def run(
                         print(f"hatch: no order: {line[:100]!r}", file=sys.stderr, flush=True)
                         _end_all(pid for pid, _, _ in children.values())
                         return BAD_INPUT
-                    sysid = sysid_of(argv)
-                    prepare(argv)
-                    pid = _fork(main, argv, title_of(argv), log, secret, libc, list(children))
-                    pidfd = os.pidfd_open(pid)
-                    children[pidfd] = (pid, sysid, log)
-                    selector.register(pidfd, selectors.EVENT_READ)
-                    _say({"sysid": sysid, "pid": pid})
+                    orders.append(_Order(sysid_of(argv), title_of(argv), log, secret, prepare(argv)))
+                _fork_all(orders, selector, children, libc)
+
+
+def _fork_all(
+    orders: Iterable[_Order],
+    selector: selectors.BaseSelector,
+    children: dict[int, tuple[int, int, Path]],
+    libc: ctypes.CDLL,
+) -> None:
+    """Fork a process for each order, and say so."""
+    for order in orders:
+        pid = _fork(order, libc, list(children))
+        pidfd = os.pidfd_open(pid)
+        children[pidfd] = (pid, order.sysid, order.log)
+        selector.register(pidfd, selectors.EVENT_READ)
+        _say({"sysid": order.sysid, "pid": pid})
 
 
 def _end_session(selector: selectors.BaseSelector, children: dict[int, tuple[int, int, Path]]) -> None:
@@ -95,15 +121,7 @@ def _end_session(selector: selectors.BaseSelector, children: dict[int, tuple[int
     _say({"ended": True, "cpu_s": used.ru_utime + used.ru_stime})
 
 
-def _fork(
-    main: Callable[[Sequence[str]], int],
-    argv: list[str],
-    title: str,
-    log: Path,
-    secret: object,
-    libc: ctypes.CDLL,
-    inherited: list[int],
-) -> int:
+def _fork(order: _Order, libc: ctypes.CDLL, inherited: list[int]) -> int:
     parent = os.getpid()
     pid = os.fork()
     if pid:
@@ -115,18 +133,18 @@ def _fork(
             os._exit(INTERNAL_ERROR)
         for fd in inherited:
             os.close(fd)
-        setproctitle(title)
-        hand_over(secret)
+        setproctitle(order.title)
+        hand_over(order.secret)
         try:
-            out = os.open(log, os.O_WRONLY | os.O_CREAT | os.O_APPEND | os.O_CLOEXEC, 0o644)
+            out = os.open(order.log, os.O_WRONLY | os.O_CREAT | os.O_APPEND | os.O_CLOEXEC, 0o644)
         except OSError as error:
-            print(f"hatch: cannot write {log}: {error.strerror}", file=sys.stderr)
+            print(f"hatch: cannot write {order.log}: {error.strerror}", file=sys.stderr)
             raise SystemExit(CANNOT_WRITE) from error
         null = os.open(os.devnull, os.O_RDONLY)
         os.dup2(null, 0)
         os.dup2(out, 1)
         os.dup2(out, 2)
-        status = main(argv)
+        status = order.flight()
     except SystemExit as end:
         status = end.code if isinstance(end.code, int) else 1
     except KeyboardInterrupt:

@@ -53,7 +53,7 @@ class Px4Unit(AutopilotUnit):
     def _throttles(self) -> Sequence[float]:
         return self._link.controls.throttles
 
-    def _tell_battery(self) -> None:
+    def _report_battery(self) -> None:
         if self._boot_s - self._battery_said_s < STATUS_EVERY_S - 1e-6:
             return
         self._battery_said_s = self._boot_s
@@ -61,7 +61,7 @@ class Px4Unit(AutopilotUnit):
 
     def _answer(self, force_nwu: NDArray[np.float64]) -> None:
         if self._time_ms is None:  # it boots, and a grant of its own takes no time
-            self._tell_battery()
+            self._report_battery()
         sensed = self._sense(force_nwu)
         time_us = self._steps * STEP_MS * 1000
         noise = self._noise.step()

@@ -11,14 +11,14 @@ _EXPONENT = 9.80665 * 0.0289644 / (8.31432 * LAPSE_K_M)
 ZERO_CELSIUS_K = 273.15
 
 
-class Air(NamedTuple):
+class StillAir(NamedTuple):
     """Air at a height: pressure in Pa, temperature in °C."""
 
     pressure_pa: float
     celsius: float
 
 
-def air_at(alt_m: float) -> Air:
+def air_at(alt_m: float) -> StillAir:
     """Air at a height above mean sea level: T = T₀ - L h, p = p₀ (T/T₀)^(g₀ M/(R L))."""
     kelvin = SEA_LEVEL_K - LAPSE_K_M * alt_m
-    return Air(SEA_LEVEL_PA * (kelvin / SEA_LEVEL_K) ** _EXPONENT, kelvin - ZERO_CELSIUS_K)
+    return StillAir(SEA_LEVEL_PA * (kelvin / SEA_LEVEL_K) ** _EXPONENT, kelvin - ZERO_CELSIUS_K)

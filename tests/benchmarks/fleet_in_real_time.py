@@ -17,7 +17,7 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.mavlink import codec
 from gcs.processes.pace import Pace
 from gcs.scenario.file import load
-from gcs.session.process import SessionProcess
+from gcs.session.session_process import SessionProcess
 
 HOT = ("HEARTBEAT", "LOCAL_POSITION_NED", "ATTITUDE", "GLOBAL_POSITION_INT", "BATTERY_STATUS", "NAMED_VALUE_FLOAT")
 PERIOD_US = 100_000.0

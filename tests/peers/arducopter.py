@@ -176,6 +176,11 @@ class ArduCopter:
     def on_mission_request_list(self, m: Any) -> None:
         self.out.mission_count_send(m.get_srcSystem(), m.get_srcComponent(), 0, m.mission_type)
 
+    def on_log_request_list(self, _: Any) -> None:
+        """None yet, which an ArduCopter says while it is disarmed."""
+        if not self.copter.armed:
+            self.out.log_entry_send(0, 0, 0, 0, 0)
+
     def on_timesync(self, m: Any) -> None:
         if m.tc1 == 0:
             self.out.timesync_send(round(1e9 * self.copter.now_s), m.ts1)

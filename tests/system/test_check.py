@@ -152,7 +152,7 @@ def test_a_port_in_use_and_an_address_that_is_none_are_named() -> None:
         address = f"udpin:127.0.0.1:{taken.getsockname()[1]}"
         for connect, words in (
             (address, "in use; another program listens there: end it"),
-            ("14550", "no connection"),
+            ("14550", "no address"),
             ("udpout:no-such-host.invalid:1", "no-such"),
         ):
             done = gcs(*CHECK, "--connect", connect)

@@ -19,6 +19,7 @@ from typing import Any
 import pytest
 from commands import gcs
 from pymavlink.dialects.v20 import common as mav
+from sessions import fly
 from strangers import SIMVEHICLE, free_port, strangers
 
 pytestmark = pytest.mark.timeout(100)
@@ -161,3 +162,44 @@ def test_ctrl_c_ends_the_download_on_the_vehicle_too_and_leaves_no_part(
     assert b"Traceback" not in rest
     assert other.ended.wait(10.0)
     assert not list(tmp_path.iterdir())
+
+
+def test_after_a_session_the_newest_log_of_each_lies_in_its_folder(
+    fleet: tuple[int, Path, ArduPilotLogs], tmp_path: Path
+) -> None:
+    """One lands and is waited for, one is told to hold and stays armed, one has never been armed; a fourth is lost."""
+    port, folder, other = fleet
+    other.slow = False
+    rules = {"connect": f"udpin:127.0.0.1:{port}", "capacity_j": 250_000, "found_within_s": 40, "arm_within_s": 3}
+    ends = {1: "land", 2: "hold", 3: "land"}
+    made = {
+        "schema": 1, "name": "logged", "axes": "ned", "goal": {"duration_s": 10.0, "lost_at_most": 3}, "logs": True,
+        "origin": {"lat_deg": 47.397742, "lon_deg": 8.545594, "alt_m": 488.0}, "planner": {"vehicles_repel": False},
+        "vehicles": {"pursuers": [
+            {"external": {**rules, "sysid": sysid, "at_end": end}, "waypoints_m": [[0, 4 * sysid, -2.5]]}
+            for sysid, end in ends.items()
+        ]},
+    }  # fmt: skip
+    flown = fly(made, tmp_path)
+    logs = flown.folder / "logs"
+    content = json.loads((logs / "logs.json").read_text(encoding="utf-8"))
+    rows = {row["sysid"]: row for row in content["files"]}
+    assert sorted(rows) == [1, 3]
+    for row in rows.values():
+        assert hashlib.sha256((logs / row["file"]).read_bytes()).hexdigest() == row["sha256"]
+    assert (logs / rows[3]["file"]).read_bytes() == DATAFLASH
+    mine = (logs / rows[1]["file"]).read_bytes()
+    assert (folder / "1.truth").read_bytes().startswith(mine)
+    assert len(mine) > 10_000  # it has flown
+    (armed,) = content["problems"]
+    assert armed.startswith("vehicle 2: still armed, so its log is not whole: `gcs logs get --connect udpin:")
+    said = (flown.folder / "session.log").read_text(encoding="utf-8")
+    assert f"log 8 of vehicle 3: {logs / rows[3]['file']}, {len(DATAFLASH)} bytes" in said
+    assert "waiting until vehicle 1 is down and disarmed, for its log ..." in said
+    assert armed in said
+
+
+def test_logs_of_nobody_are_refused(tmp_path: Path) -> None:
+    done = gcs("run", "demo", "--logs", "--out", str(tmp_path / "out"))
+    assert done.returncode == 2
+    assert "logs are fetched from external vehicles, and there is none" in done.stderr

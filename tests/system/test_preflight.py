@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import json
 import math
 from pathlib import Path
 from typing import Any
 
 import pymap3d
 import pytest
+import yaml
+from commands import gcs
 from pymavlink.dialects.v20 import common as mav
 from sessions import Running, fly
-from strangers import ARDUCOPTER, free_port, strangers
+from strangers import ARDUCOPTER, SIMVEHICLE, free_port, strangers
 
 from gcs.scenario.model import Scenario
 from gcs.supervisor.preflight import fence_items, rally_items
@@ -85,3 +88,31 @@ def test_an_external_vehicle_that_does_not_answer_stays_on_the_ground(tmp_path: 
     listed = "fence not answered (no answer, though it was asked 6 times)"
     assert f"Check list: clock right; {listed}" in texts
     assert f"Fails its check list and is not armed: {listed}" in texts
+
+
+def test_the_check_list_is_gone_through_without_a_flight(tmp_path: Path) -> None:
+    """A PX4 of ours that is well, a scripted ArduCopter that knows no fence and has one of two links, nobody at all."""
+    ports = [free_port() for _ in range(4)]
+    at = [f"udpin:127.0.0.1:{port}" for port in ports]
+    common = {"capacity_j": 250_000, "found_within_s": 8}
+    file = tmp_path / "field.yaml"
+    made = scenario(clock={"mode": "real", "speed": 1}, rally_m=[])
+    made["vehicles"] = {"pursuers": [
+        {"external": {"connect": connect, "sysid": sysid, **common}, "waypoints_m": [[0, 4 * sysid, -3]]}
+        for sysid, connect in ((1, at[0]), (2, at[1:3]), (3, at[3]))
+    ]}  # fmt: skip
+    file.write_text(yaml.safe_dump(made), encoding="utf-8")
+    well = [*SIMVEHICLE, "--sysid", "1", "--connect", f"udpout:127.0.0.1:{ports[0]}"]
+    copter = [*ARDUCOPTER, "--sysid", "2", "--connect", f"udpout:127.0.0.1:{ports[1]}"]
+    with strangers(tmp_path / "said", well, copter):
+        done = gcs("check", str(file), "--json")
+    found = json.loads(done.stdout)
+    assert (done.returncode, found["passed"]) == (1, False)
+    lists = {one["sysid"]: {item["key"]: item for item in one["check_list"]} for one in found["vehicles"]}
+    assert [one["passed"] for one in found["vehicles"]] == [True, False, False]
+    assert lists[1]["fence"]["text"] == "fence uploaded and read back"
+    assert [key for key, item in lists[2].items() if not item["passed"]] == ["link", "fence"]
+    assert lists[2]["link"]["text"] == f"not heard at {at[2]}"
+    assert lists[3].keys() == {"heard"}
+    assert f"no HEARTBEAT at {at[3]}" in lists[3]["heard"]["text"]
+    assert gcs("check", str(file), "--arm").returncode == 2

@@ -95,7 +95,7 @@ def test_the_change_is_an_event_and_the_link_in_use_is_shown(flown: Flown) -> No
     assert flown.device in flown.links
     assert flown.links[-1] == flown.udp
     (vehicle,) = flown.outcome.summary["vehicles"]
-    assert [(one["connect"], one["used"], one["fresh"]) for one in vehicle["links"]] == [
+    assert [(one["connect"], one["used"], one["alive"]) for one in vehicle["links"]] == [
         (flown.device, False, False), (flown.udp, True, True),
     ]  # fmt: skip
     assert flown.outcome.summary["link"]["lost"] < 20

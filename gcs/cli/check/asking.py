@@ -11,6 +11,7 @@ from gcs.cli.check.dialogue import CheckedVehicle, Question
 from gcs.cli.check.judges import Fault, acknowledged, no_fault
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Message, layout, message
+from gcs.mavlink.command_protocol import CommandInt, CommandLong, CommandTarget
 
 MAVSDK, QGC, MAVPROXY = "MAVSDK", "QGroundControl", "MAVProxy"
 PEERS = (MAVSDK, QGC, MAVPROXY)
@@ -30,31 +31,16 @@ def command_long(command: int, *params: float, to_component: int | None = None, 
     """COMMAND_LONG to the vehicle; with `offset` to the vehicle of another system id."""
 
     def ask(vehicle: CheckedVehicle) -> Sequence[Message]:
-        values = dict(zip([f"param{i}" for i in range(1, 8)], (*params, *[0.0] * 7), strict=False))
-        return [
-            message(
-                "COMMAND_LONG",
-                target_system=(vehicle.sysid - 1 + offset) % 250 + 1 if offset else vehicle.sysid,
-                target_component=vehicle.compid if to_component is None else to_component,
-                command=command,
-                confirmation=0,
-                **values,
-            )
-        ]
+        sysid = (vehicle.sysid - 1 + offset) % 250 + 1 if offset else vehicle.sysid
+        target = CommandTarget(sysid, vehicle.compid if to_component is None else to_component)
+        return [CommandLong(target, command, params).message(0)]
 
     return ask
 
 
 def command_int(command: int, *params: float) -> Ask:
     """COMMAND_INT to the vehicle, without a place."""
-
-    def ask(vehicle: CheckedVehicle) -> Sequence[Message]:
-        values = dict(zip([f"param{i}" for i in range(1, 5)], (*params, *[0.0] * 4), strict=False))
-        to = {"target_system": vehicle.sysid, "target_component": vehicle.compid}
-        rest = {"frame": mav.MAV_FRAME_GLOBAL, "current": 0, "autocontinue": 0, "x": 0, "y": 0, "z": 0.0}
-        return [message("COMMAND_INT", command=command, **to, **rest, **values)]
-
-    return ask
+    return lambda v: [CommandInt(CommandTarget(v.sysid, v.compid), command, mav.MAV_FRAME_GLOBAL, params).message(0)]
 
 
 def to_vehicle(name: str, **values: Any) -> Ask:

@@ -5,7 +5,9 @@
 from __future__ import annotations
 
 import json
+import time
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
@@ -13,10 +15,14 @@ from gcs.cli.options import connecting, endpoint
 from gcs.exit import BAD_INPUT, NOT_DONE
 from gcs.scenario.endpoint import ONLY_ONCE, Endpoint
 
+if TYPE_CHECKING:
+    from gcs.cli.check.dialogue import CheckFinding, Dialogue
+
 PEER_NAMES = {"mavsdk": "MAVSDK", "qgroundcontrol": "QGroundControl", "mavproxy": "MAVProxy"}
 
 
-@click.command(short_help="Check what a vehicle would make its ground stations miss.")
+@click.command(short_help="Check what a vehicle would make its ground stations miss, or a scenario's check list.")
+@click.argument("scenario", required=False)
 @click.option(
     "--connect",
     default="udpin:127.0.0.1:14550",
@@ -50,8 +56,12 @@ PEER_NAMES = {"mavsdk": "MAVSDK", "qgroundcontrol": "QGroundControl", "mavproxy"
     metavar="SECONDS",
     help="At first wait so long until its pre-arm checks pass, as after its start.",
 )
+@click.option("--all", "everyone", is_flag=True, help="Every vehicle behind the address, one after the other.")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object on stdout, for CI.")
+@click.pass_context
 def check(
+    context: click.Context,
+    scenario: str | None,
     connect: Endpoint,
     key_file: Path | None,
     sysid: int | None,
@@ -59,6 +69,7 @@ def check(
     arm: bool,
     within: float,
     wait_ready: float | None,
+    everyone: bool,
     as_json: bool,
 ) -> int:
     """Ask a vehicle what MAVSDK, QGroundControl and MAVProxy ask, and name each reply that does not come.
@@ -67,12 +78,17 @@ def check(
     takes about ten seconds where all is well. One parameter is written, with the value that it has; without --arm
     nothing else changes on the vehicle but the rates of its streams.
 
+    With a SCENARIO instead: its check list over its external vehicles, as `gcs run` goes through it before it arms
+    them, and no flight. They get the scenario's fence and rally points; nobody is armed.
+
     \b
     Examples:
       gcs check
       gcs check --connect udpin:127.0.0.1:14540 --arm
       gcs check --connect serial:/dev/ttyUSB0:57600 --wait-ready 60
       gcs check --peer qgroundcontrol --json > check.json
+      gcs check --connect udpin:0.0.0.0:14550 --all --key-file fleet.key
+      gcs check field.yaml --wait-ready 60 --json
 
     \b
     Outcomes:
@@ -90,30 +106,31 @@ def check(
       130  stopped by Ctrl-C
     """
     from gcs.cli.check import report
-    from gcs.cli.check.dialogue import CheckFinding, Dialogue
+    from gcs.cli.check.dialogue import Dialogue
     from gcs.cli.check.questions import questions
     from gcs.cli.check.wire import CheckError, Wire
     from gcs.cli.check.wire import check as run
 
+    if scenario is not None:
+        return _check_scenario(context, scenario, wait_ready or 0.0, as_json=as_json)
+    if everyone and sysid is not None:
+        raise click.UsageError("--all and --sysid exclude each other.")
     names = [PEER_NAMES[peer] for peer in peers] or list(PEER_NAMES.values())
-    asked = questions(names, arm=arm, ready_within_s=wait_ready)
-    dialogue = Dialogue(asked, sysid)
-    known = False
-
-    def show(finding: CheckFinding) -> None:
-        nonlocal known
-        if not known and dialogue.vehicle is not None:
-            known = True
-            who = f"vehicle {dialogue.vehicle.sysid}, {dialogue.vehicle.profile.name}"
-            click.echo(f"{who}: {len(asked)} questions", err=as_json)
-        if not as_json:
-            click.echo(report.line(finding))
-
+    signed = key_file is not None
+    asked = questions(names, arm=arm, ready_within_s=wait_ready, now_unix_s=time.time, signed=signed)
     with connecting():
         wire = Wire(connect, key_file)
+    done: list[Dialogue] = []
+    waiting: list[int | None] = [sysid]
     try:
         click.echo(f"waiting for a HEARTBEAT at {connect.text} ...", err=True)
-        run(dialogue, wire, show, find_within_s=within)
+        while waiting:
+            dialogue = Dialogue(asked, waiting.pop(0))
+            run(dialogue, wire, _Shown(dialogue, len(asked), as_json=as_json), find_within_s=within)
+            done.append(dialogue)
+            checked = {one.vehicle.sysid for one in done if one.vehicle is not None}
+            if everyone:
+                waiting = [*sorted(set().union(*(one.others for one in done)) - checked)]
     except CheckError as error:
         hint = ONLY_ONCE if connect.way == "udpout" else ""
         why = error.why or f"; is the vehicle running, and is that its address?{hint}"
@@ -121,13 +138,57 @@ def check(
         return BAD_INPUT
     finally:
         wire.close()
-    assert dialogue.vehicle is not None
+    passed = all(report.passed(one.findings) for one in done)
     if as_json:
-        click.echo(json.dumps(report.as_json(dialogue.vehicle, dialogue.others, dialogue.findings)))
-    else:
-        counts = report.counted(dialogue.findings)
-        click.echo(", ".join(f"{number} {outcome}" for outcome, number in counts.items() if number))
-        if dialogue.others:
-            also = ", ".join(map(str, sorted(dialogue.others)))
-            click.echo(f"also heard: vehicle {also}; choose with --sysid")
-    return 0 if report.passed(dialogue.findings) else NOT_DONE
+        found = [report.as_json(one.vehicle, one.others, one.findings) for one in done if one.vehicle is not None]
+        click.echo(json.dumps({"passed": passed, "vehicles": found} if everyone else found[0]))
+    elif done[0].others and not everyone:
+        also = ", ".join(map(str, sorted(done[0].others)))
+        click.echo(f"also heard: vehicle {also}; choose with --sysid, or --all")
+    return 0 if passed else NOT_DONE
+
+
+def _check_scenario(context: click.Context, name: str, ready_within_s: float, *, as_json: bool) -> int:
+    """Go through a scenario's check list; the exit status."""
+    from gcs.cli.author import load_scenario
+    from gcs.cli.check import scenario as lists
+    from gcs.link.keys import KeyRefused
+    from gcs.link.socket import AddressRefused
+
+    given = click.core.ParameterSource.COMMANDLINE
+    for option in ("connect", "key_file", "sysid", "peers", "arm", "within", "everyone"):
+        if context.get_parameter_source(option) is given:
+            flag = {"peers": "peer", "everyone": "all"}.get(option, option).replace("_", "-")
+            raise click.UsageError(f"--{flag} is for a check without a scenario: the scenario says who and where.")
+    loaded = load_scenario(name, runs_code=False)  # nothing is planned
+    if not loaded.vehicles.external:
+        raise click.UsageError(f"{name} has no external vehicle to check; `gcs validate` checks the scenario itself.")
+    try:
+        found = lists.check_scenario(loaded, lambda text: click.echo(text, err=True), ready_within_s=ready_within_s)
+    except (AddressRefused, KeyRefused) as error:
+        raise click.ClickException(f"{error}.") from None
+    content = lists.as_json(loaded, found)
+    click.echo(json.dumps(content) if as_json else "\n".join(lists.lines(loaded, found)))
+    return 0 if content["passed"] else NOT_DONE
+
+
+class _Shown:
+    """Tells findings as they come, and after the last their number."""
+
+    def __init__(self, dialogue: Dialogue, questions: int, *, as_json: bool) -> None:
+        self._dialogue, self._questions, self._as_json = dialogue, questions, as_json
+        self._known = False
+
+    def __call__(self, finding: CheckFinding) -> None:
+        from gcs.cli.check import report
+
+        if not self._known and self._dialogue.vehicle is not None:
+            self._known = True
+            who = f"vehicle {self._dialogue.vehicle.sysid}, {self._dialogue.vehicle.profile.name}"
+            click.echo(f"{who}: {self._questions} questions", err=self._as_json)
+        if self._as_json:
+            return
+        click.echo(report.line(finding))
+        if finding is self._dialogue.findings[-1] and self._dialogue.done:
+            counts = report.counted(self._dialogue.findings)
+            click.echo(", ".join(f"{number} {outcome}" for outcome, number in counts.items() if number))

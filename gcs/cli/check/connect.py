@@ -10,7 +10,6 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.cli.check.asking import MAVPROXY, MAVSDK, QGC, Ask, command_int, command_long, requested, to_vehicle
 from gcs.cli.check.dialogue import CheckedVehicle, Question
 from gcs.cli.check.judges import OK, acknowledged, answered, refuses, silent
-from gcs.mavlink.autopilots import ARDUCOPTER, PX4
 from gcs.mavlink.codec import Message, layout, message
 from gcs.mavlink.ids import STATION
 
@@ -24,8 +23,10 @@ def _version_fault(vehicle: CheckedVehicle, content: Any) -> str:
     if not content.capabilities & mav.MAV_PROTOCOL_CAPABILITY_MAVLINK2:
         return "its capabilities lack MAVLINK2"
     number = tuple(content.flight_sw_version >> shift & 0xFF for shift in (24, 16, 8))
-    if vehicle.profile is PX4 and number < (1, 4, 1):
-        return f"its version is {'.'.join(map(str, number))}, QGroundControl wants 1.4.1 at least"
+    oldest = vehicle.profile.oldest_version
+    if oldest is not None and number < oldest:
+        wanted = ".".join(map(str, oldest))
+        return f"its version is {'.'.join(map(str, number))}, QGroundControl wants {wanted} at least"
     return ""
 
 
@@ -69,7 +70,7 @@ def _ping() -> Question:
         {MAVSDK: "has no round-trip time"},
         answered("PING", ours=ours),
         ask,
-        when=lambda v: "MAVSDK sends ArduPilot none" if v.profile is ARDUCOPTER else "",
+        when=lambda v: "" if v.profile.pinged else "MAVSDK sends ArduPilot none",
     )
 
 
@@ -107,7 +108,14 @@ def _other_target() -> Question:
     ask = command_long(mav.MAV_CMD_REQUEST_MESSAGE, float(layout("AUTOPILOT_VERSION").msgid), offset=1)
     misses = {MAVSDK: "flies every vehicle on the port when it means one"}
     return Question(
-        "other-target", "a command to another system id is left alone", misses, silent, ask, lambda *_: OK, tries=1
+        "other-target",
+        "a command to another system id is left alone",
+        misses,
+        silent,
+        ask,
+        lambda *_: OK,
+        tries=1,
+        elsewhere=True,
     )
 
 

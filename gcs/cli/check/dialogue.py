@@ -36,6 +36,9 @@ VEHICLE_TYPES = frozenset(range(mav.MAV_TYPE_ENUM_END)) - {
 }
 
 
+_COMMANDS = frozenset({codec.msgid("COMMAND_LONG"), codec.msgid("COMMAND_INT")})
+
+
 class ReceivedMessage(NamedTuple):
     """A message that the vehicle sent: its name, its fields in MAVLink's own units (None for one that no dialect of
     ours holds), and when it came."""
@@ -55,6 +58,8 @@ class CheckedVehicle:
     arrivals_s: dict[str, list[float]] = field(default_factory=dict)
     parameters: dict[str, Any] = field(default_factory=dict)
     """PARAM_VALUE's fields by name"""
+    neighbours: dict[int, str] = field(default_factory=dict)
+    """other vehicles that acknowledged a command to it, with that command's name, by system id"""
     backwards: str = ""
     """the first message whose time_boot_ms was lower than the one before"""
     _boot_ms: dict[str, int] = field(default_factory=dict)
@@ -124,6 +129,10 @@ class Question:
     tries: int = TRIES
     streams: Callable[[CheckedVehicle], Sequence[Message]] | None = None
     lead_s: float = 0.0
+    elsewhere: bool = False
+    """asked of another system id"""
+    unsigned: bool = False
+    """asked without a signature, whatever the link's key"""
 
 
 @dataclass(frozen=True)
@@ -134,6 +143,16 @@ class CheckFinding:
     outcome: Outcome
     text: str
     after_s: float | None
+
+
+def command_name(command: int) -> str:
+    """A command's name in MAVLink, else its number."""
+    known = mav.enums["MAV_CMD"].get(command)
+    return known.name if known is not None else str(command)
+
+
+def _fields(message: Message) -> Any:
+    return codec.layout(message.msgid).record(*message.values)
 
 
 class Dialogue:
@@ -150,6 +169,8 @@ class Dialogue:
         self._asked = 0
         self._lead_until_s: float | None = None
         self._first_s = self._due_s = 0.0
+        self._commands: set[int] = set()
+        """that are being asked of the vehicle"""
         self._heartbeat_s = -HEARTBEAT_EVERY_S
         self._stream_s = 0.0
 
@@ -175,7 +196,11 @@ class Dialogue:
                 self.vehicle = CheckedVehicle(frame.sysid, frame.compid)
             elif self.vehicle is not None and frame.sysid != self.vehicle.sysid:
                 self.others.add(frame.sysid)
-        if self.vehicle is None or (frame.sysid, frame.compid) != (self.vehicle.sysid, self.vehicle.compid):
+        if self.vehicle is None:
+            return
+        if frame.sysid != self.vehicle.sysid and name == "COMMAND_ACK" and content.command in self._commands:
+            self.vehicle.neighbours.setdefault(frame.sysid, command_name(content.command))
+        if (frame.sysid, frame.compid) != (self.vehicle.sysid, self.vehicle.compid):
             return
         received = ReceivedMessage(name, content, now_s)
         self.vehicle.receive(received)
@@ -220,11 +245,14 @@ class Dialogue:
         assert self.vehicle is not None
         self._asked += 1
         self._due_s = now_s + question.repeat_s
-        return question.ask(self.vehicle)
+        messages = question.ask(self.vehicle)
+        if not question.elsewhere:
+            self._commands = {_fields(one).command for one in messages if one.msgid in _COMMANDS}
+        return messages
 
     def _close(self, verdict: Verdict, after_s: float | None) -> None:
         outcome, text = verdict
         if outcome == "ok" and self._asked > 1:
             outcome, text = "late", f"came only after it was asked {self._asked} times"
         self.findings.append(CheckFinding(self._left.popleft(), outcome, text, after_s))
-        self._received, self._asked, self._lead_until_s = [], 0, None
+        self._received, self._asked, self._lead_until_s, self._commands = [], 0, None, set()

@@ -112,6 +112,13 @@ def refuses(command: int) -> Judge:
     return judge
 
 
+def refuses_unsigned(_: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verdict | None:
+    """A command without a signature over a link with a key: any acknowledgement shows that it was read."""
+    if any(_named(received, "COMMAND_ACK")):
+        return Verdict("wrong", "obeyed a command without a signature")
+    return None
+
+
 def silent(_: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verdict | None:
     """A command to another system: any acknowledgement shows that it was obeyed."""
     if any(_named(received, "COMMAND_ACK")):

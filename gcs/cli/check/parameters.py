@@ -11,7 +11,6 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.cli.check.asking import MAVPROXY, MAVSDK, QGC, judged, to_vehicle
 from gcs.cli.check.dialogue import CheckedVehicle, Question, ReceivedMessage, Verdict
 from gcs.cli.check.judges import OK, answered
-from gcs.mavlink.autopilots import ARDUCOPTER, PX4
 from gcs.mavlink.codec import Message
 
 LIST_S = 10.0
@@ -47,7 +46,7 @@ def _parameters_missing(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -
 def _encoding_fault(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> Verdict:
     bytewise = bool(vehicle.capabilities & mav.MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_BYTEWISE)
     cast = bool(vehicle.capabilities & mav.MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_C_CAST)
-    if not bytewise and vehicle.profile is ARDUCOPTER:
+    if not bytewise and not vehicle.profile.parameter_encoding_said:
         cast = True  # its releases up to 4.6 claim neither: peers know it by its name
     elif bytewise == cast:
         said = "both" if cast else "neither"
@@ -68,13 +67,13 @@ def _no_parameters(vehicle: CheckedVehicle) -> str:
 
 
 def _silent_on_unknown(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> Verdict:
-    if vehicle.profile in (PX4, ARDUCOPTER):
+    if not vehicle.profile.unknown_parameters_refused:
         return Verdict("late", "silence, as from PX4 up to 1.17 and ArduPilot up to 4.6")
     return Verdict("missing", "no answer")
 
 
 def _px4_only(vehicle: CheckedVehicle) -> str:
-    return _no_parameters(vehicle) if vehicle.profile is PX4 else "only PX4 is asked for it"
+    return _no_parameters(vehicle) if vehicle.profile.setup_checked else "only PX4 is asked for it"
 
 
 def _has(*names: str, set_up: bool = False) -> Callable[[CheckedVehicle, Sequence[ReceivedMessage]], Verdict]:

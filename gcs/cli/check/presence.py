@@ -9,7 +9,6 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.cli.check.asking import MAVPROXY, MAVSDK, QGC, judged, to_vehicle
 from gcs.cli.check.dialogue import CheckedVehicle, Question, ReceivedMessage, Verdict
 from gcs.cli.check.judges import OK, steady, streamed
-from gcs.mavlink.autopilots import ARDUCOPTER, GENERIC, PX4
 from gcs.mavlink.codec import Message
 
 LISTEN_S = 4.0
@@ -18,7 +17,7 @@ MAVSDK_LOSES_S = 3.0
 
 def _stream_request(vehicle: CheckedVehicle) -> Sequence[Message]:
     """ArduPilot's peers ask for its streams; PX4 sends them unasked."""
-    if vehicle.profile is not ARDUCOPTER:
+    if not vehicle.profile.streams_on_request:
         return []
     return to_vehicle("REQUEST_DATA_STREAM", req_stream_id=0, req_message_rate=4, start_stop=1)(vehicle)
 
@@ -42,7 +41,7 @@ def mav_mode_names(vehicle: CheckedVehicle) -> dict[str, set[int]]:
     """The autopilot's modes, by pymavlink's tables, which MAVProxy shows."""
     from pymavlink import mavutil  # noqa: PLC0415 - reads the environment when it is imported
 
-    if vehicle.profile is ARDUCOPTER:
+    if vehicle.profile.mode_table == "copter":
         return {name: {number} for number, name in mavutil.mode_mapping_acm.items()}
     found: dict[str, set[int]] = {}
     for name, (_, main, sub) in mavutil.px4_map.items():
@@ -51,7 +50,7 @@ def mav_mode_names(vehicle: CheckedVehicle) -> dict[str, set[int]]:
 
 
 def _autopilot_fault(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> Verdict:
-    if vehicle.profile is GENERIC:
+    if not vehicle.profile.commanded_by_peers:
         return Verdict("wrong", f"MAV_AUTOPILOT {vehicle.of('HEARTBEAT').autopilot} is neither PX4 nor ArduPilot")
     return OK
 
@@ -66,7 +65,7 @@ def _fence(vehicle: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verd
     """A PX4 has a fence, and no word of it in SYS_STATUS: MAVProxy says 'fence breach' of each, once."""
     status = vehicle.of("SYS_STATUS")
     reported = status.onboard_control_sensors_present | status.onboard_control_sensors_enabled
-    if vehicle.profile is PX4 and not reported & mav.MAV_SYS_STATUS_GEOFENCE:
+    if not vehicle.profile.fence_in_status and not reported & mav.MAV_SYS_STATUS_GEOFENCE:
         return Verdict("late", "nothing is told of it, as by PX4 up to 1.17")
     return _health(mav.MAV_SYS_STATUS_GEOFENCE, "GEOFENCE")(vehicle, received)
 

@@ -9,7 +9,6 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.cli.check.asking import command_long, to_vehicle
 from gcs.cli.check.dialogue import CheckedVehicle, Question, ReceivedMessage, Verdict
 from gcs.cli.check.judges import OK
-from gcs.mavlink.autopilots import ARDUCOPTER
 from gcs.mavlink.codec import Message
 
 EVERY_US = 500_000.0
@@ -19,7 +18,7 @@ _BIT = mav.MAV_SYS_STATUS_PREARM_CHECK
 def _ask(vehicle: CheckedVehicle) -> Sequence[Message]:
     """SYS_STATUS, which some do not send unasked."""
     asked = list(command_long(mav.MAV_CMD_SET_MESSAGE_INTERVAL, mav.MAVLINK_MSG_ID_SYS_STATUS, EVERY_US)(vehicle))
-    if vehicle.profile is ARDUCOPTER:
+    if vehicle.profile.streams_on_request:
         stream = mav.MAV_DATA_STREAM_EXTENDED_STATUS
         asked += to_vehicle("REQUEST_DATA_STREAM", req_stream_id=stream, req_message_rate=2, start_stop=1)(vehicle)
     return asked

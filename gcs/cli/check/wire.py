@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import select
 import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from gcs.cli.check.dialogue import FIND_WITHIN_S, CheckFinding, Dialogue
-from gcs.link.addresses import open_connection
-from gcs.link.diagnosis import Diagnosis
-from gcs.link.keys import SignatureGate
+from gcs.link.listener import Listener
 from gcs.link.socket import Where
 from gcs.mavlink import codec
 from gcs.mavlink.ids import STATION
@@ -32,47 +29,30 @@ class Wire:
     """One connection; a listener answers whoever spoke last. Raises AddressRefused, KeyRefused."""
 
     def __init__(self, at: Endpoint, key_file: Path | None = None) -> None:
-        self.gate = SignatureGate(key_file)
-        self._connection = open_connection(at)
-        self._diagnosis = Diagnosis(at)
+        self.listener = Listener(at, key_file)
         self._counter = SequenceCounter()
         self._peers: dict[int, Where] = {}
 
-    @property
-    def port(self) -> int:
-        """The port that it listens at."""
-        return self._connection.port
-
-    @property
-    def silence(self) -> str:
-        """Reason why no vehicle is heard, where that can be seen."""
-        return self._diagnosis.text(self._connection.problem)
-
     def receive(self, wait_s: float) -> list[codec.Frame]:
         """The frames that have come, waiting at most so long for the first."""
-        self._connection.tend(time.monotonic())
-        select.select([self._connection], [], [], wait_s)
-        frames: list[codec.Frame] = []
-        for data, sender in self._connection.receive():
-            split = self._connection.split(data, sender)
-            self._diagnosis.count(data, split)
-            for frame in self.gate.accepted(split.frames):
-                self._peers[frame.sysid] = sender
-                frames.append(frame)
-        return frames
+        self.listener.wait(wait_s)
+        received: list[codec.Frame] = []
+        for frames, sender in self.listener.receive():
+            self._peers.update((frame.sysid, sender) for frame in frames)
+            received += frames
+        return received
 
-    def send(self, messages: Sequence[codec.Message], sysid: int | None) -> None:
+    def send(self, messages: Sequence[codec.Message], sysid: int | None, *, unsigned: bool = False) -> None:
         """Send each message by itself, to the vehicle or to the address that was given."""
-        to = self._connection.to or (self._peers.get(sysid) if sysid is not None else None)
+        to = self.listener.to or (self._peers.get(sysid) if sysid is not None else None)
         if to is None:
             return
         for message in messages:
-            self._connection.send(self.gate.signed(codec.frame(message, self._counter.next(), *STATION)), to)
+            self.listener.send(codec.frame(message, self._counter.next(), *STATION), to, unsigned=unsigned)
 
     def close(self) -> None:
         """Close the connection."""
-        self._connection.close()
-        self.gate.close()
+        self.listener.close()
 
 
 def check(
@@ -92,11 +72,14 @@ def check(
             dialogue.receive(frame, time.monotonic() - begun_s)
         vehicle = dialogue.vehicle
         if vehicle is None and now_s > find_within_s:
-            reasons = ", ".join(sorted(set(wire.gate.reasons.values())))
+            reasons = ", ".join(sorted(set(wire.listener.gate.reasons.values())))
             refused = f", only messages that are {reasons}" if reasons else ""
-            why = f": {wire.silence}" if wire.silence else ""
+            why = f": {silence}" if (silence := wire.listener.silence) else ""
             raise CheckError(f"no vehicle's HEARTBEAT came within {find_within_s:g} s{refused}", why)
-        wire.send(dialogue.poll(time.monotonic() - begun_s), None if vehicle is None else vehicle.sysid)
+        messages = dialogue.poll(time.monotonic() - begun_s)
+        question = dialogue.current
+        unsigned = question is not None and question.unsigned
+        wire.send(messages, None if vehicle is None else vehicle.sysid, unsigned=unsigned)
         for finding in dialogue.findings[count:]:
             on_finding(finding)
         count = len(dialogue.findings)

@@ -49,7 +49,11 @@ def example1(scenario: Scenario, folder: Path) -> Study:
         "ex1-pitch": flown.pitch(flights),
     }
     drawings += [
-        Drawing("fig7bc", "Figs. 7(b) and 7(c): speeds and attitudes of the five vehicles.", _tracked(flights)),
+        Drawing(
+            "fig7bc",
+            "Figs. 7(b) and 7(c): speeds and attitudes of the five vehicles.",
+            tracking.tracking_figure(flights),
+        ),
         Drawing("fig8", "Fig. 8: static competition, p = 2, c = 1, least control effort wins.", _static(v0, tau)),
     ]
     return Study(measured, drawings, [*tables, _bids(flights, effort, v0, tau)])
@@ -73,7 +77,7 @@ def example2(scenario: Scenario, folder: Path) -> Study:
         "ex2-length": flown.length(flights, way, end),
     }
     drawings += [
-        Drawing("fig9a", "Fig. 9(a): speeds and attitudes of the three vehicles.", _tracked(flights)),
+        Drawing("fig9a", "Fig. 9(a): speeds and attitudes of the three vehicles.", tracking.tracking_figure(flights)),
         Drawing("fig9c", "Fig. 9(c): competition from 0.8, p = 2, c = 1.", _static(v0, tau)),
     ]
     return Study(measured, drawings, [*tables, _bids(flights, effort, v0, tau)])
@@ -229,10 +233,6 @@ def _world(scenario: Scenario) -> tuple[Floats, Floats, Floats]:
     course = np.array(scenario.vehicles.pursuers[0].waypoints_m) * session.NED_TO_PAPER
     obstacles = np.array([obstacle.low_m for obstacle in scenario.obstacles]) * session.NED_TO_PAPER
     return obstacles, course[0], course[-1]
-
-
-def _tracked(flights: Sequence[RecordedFlight]) -> Figure:
-    return tracking.tracking_figure(flights)
 
 
 def _bids(flights: Sequence[RecordedFlight], effort: Floats, v0: Floats, tau: Floats) -> Table:

@@ -18,11 +18,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcs.planner import fuzzy_escape
-from gcs.planner.leader import advance
 from gcs.planner.potential_field import FieldConstants
 from gcs.report.paper.claims import Measurement
 from gcs.report.paper.session import NED_TO_PAPER
 from gcs.report.paper.study import Study, Table
+from gcs.report.paper.theory import step_alone
 from gcs.scenario import geometry
 
 Floats = NDArray[np.float64]
@@ -62,21 +62,7 @@ def planned(start: Sequence[float], *, full_steps: bool) -> Floats:
     left = [np.array(point) * NED_TO_PAPER for point in COURSE]
     velocities: list[Floats] = []
     while left and len(velocities) < MOST_STEPS:
-        q, memory, v_ned = advance(
-            q,
-            memory,
-            [left[0]],
-            [np.zeros(3)],
-            repulsors=obstacles,
-            moving=np.zeros((0, 3)),
-            ranges_m=(),
-            owner=(),
-            exempt=np.zeros((1, 0), dtype=bool),
-            field=field,
-            speed_m_s=1.0,
-            period_s=0.1,
-            escape=True,
-        )
+        q, memory, v_ned = step_alone(q, memory, left[0], obstacles=obstacles, field=field, escape=True)
         velocities.append(v_ned[0] * NED_TO_PAPER)
         if np.linalg.norm(q[0] - left[0]) <= STEP_M:
             left.pop(0)

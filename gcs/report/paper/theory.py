@@ -88,25 +88,31 @@ def walk(points: list[tuple[float, float, float]], *, escape: bool) -> Floats:
     """Planned points (k, 3) m from the origin to TARGET, one step of 0.1 m each, at most STEPS of them."""
     field, table = FieldConstants(), geometry.points(np.array(points))
     q, memory, trail = np.zeros((1, 3)), fuzzy_escape.new_memory(1), [np.zeros(3)]
-    none = np.zeros((0, 3))
     while len(trail) <= STEPS and np.linalg.norm(trail[-1] - TARGET) > ARRIVED_M:
-        q, memory, _ = advance(
-            q,
-            memory,
-            [TARGET],
-            [np.zeros(3)],
-            repulsors=table,
-            moving=none,
-            ranges_m=(),
-            owner=(),
-            exempt=np.zeros((1, 0), dtype=bool),
-            field=field,
-            speed_m_s=1.0,
-            period_s=0.1,
-            escape=escape,
-        )
+        q, memory, _ = step_alone(q, memory, TARGET, obstacles=table, field=field, escape=escape)
         trail.append(q[0])
     return np.array(trail)
+
+
+def step_alone(
+    q: Floats, memory: Floats, goal: Floats, *, obstacles: Floats, field: FieldConstants, escape: bool
+) -> tuple[Floats, Floats, Floats]:
+    """A planned point's next step of 0.1 m and 0.1 s by itself, as `leader.advance` returns it."""
+    return advance(
+        q,
+        memory,
+        [goal],
+        [np.zeros(3)],
+        repulsors=obstacles,
+        moving=np.zeros((0, 3)),
+        ranges_m=(),
+        owner=(),
+        exempt=np.zeros((1, 0), dtype=bool),
+        field=field,
+        speed_m_s=1.0,
+        period_s=0.1,
+        escape=escape,
+    )
 
 
 def fig6() -> Study:

@@ -49,9 +49,11 @@ class Scripted:
         return codec.split(message.pack(self.link)).frames[0]
 
 
-def examine(vehicle: Scripted, *keys: str, arm: bool = False) -> dict[str, CheckFinding]:
+def examine(
+    vehicle: Scripted, *keys: str, arm: bool = False, neighbour: Scripted | None = None, **more: Any
+) -> dict[str, CheckFinding]:
     """The findings of some questions, by key, with the vehicle answering 10 ms after it was asked."""
-    asked = [q for q in questions(arm=arm) if q.key in ("heartbeat", *keys)]
+    asked = [q for q in questions(arm=arm, **more) if q.key in ("heartbeat", *keys)]
     dialogue = Dialogue(asked)
     now_s, due_s = 0.0, [0.0] * len(vehicle.streams)
     pending: list[Any] = []
@@ -63,7 +65,10 @@ def examine(vehicle: Scripted, *keys: str, arm: bool = False) -> dict[str, Check
                 pending.append(made(round(1e3 * now_s)))
         for message in pending:
             dialogue.receive(vehicle.frame(message), now_s)
-        pending = [answer for message in dialogue.poll(now_s) for answer in vehicle.hear(message)]
+        messages = dialogue.poll(now_s)
+        pending = [answer for message in messages for answer in vehicle.hear(message)]
+        for answer in [answer for message in messages for answer in neighbour.hear(message)] if neighbour else ():
+            dialogue.receive(neighbour.frame(answer), now_s)
         assert now_s < 120.0
     return {finding.question.key: finding for finding in dialogue.findings}
 
@@ -403,3 +408,46 @@ def test_a_vehicle_that_has_just_started_is_waited_for_and_its_reasons_are_told(
         ((finding,),) = (dialogue.findings,)
         assert (finding.question.key, finding.outcome) == ("ready", outcome)
         assert finding.text == ("" if outcome == "ok" else "not ready yet: PreArm: GPS: no fix")
+
+
+def test_logs_are_asked_for_where_the_autopilot_tells_of_them() -> None:
+    vehicle = Scripted()
+    none = mav.MAVLink_log_entry_message(0, 0, 0, 0, 0)
+    vehicle.answers["LOG_REQUEST_LIST"] = lambda _: [none]
+    assert examine(vehicle, "log-list")["log-list"].outcome == "ok"
+    armed = vehicle.heartbeat(autopilot=mav.MAV_AUTOPILOT_ARDUPILOTMEGA, base_mode=0x81, custom_mode=4)
+    vehicle.streams = [(1.0, lambda _: armed)]
+    assert examine(vehicle, "log-list")["log-list"].outcome == "skipped"
+    silent = Scripted()
+    assert examine(silent, "log-list")["log-list"].outcome == "missing"
+
+
+@pytest.mark.parametrize(
+    ("told_s", "outcome", "words"),
+    [(1.8e9 + 3.0, "ok", ""), (0.0, "ok", ""), (1.8e9 - 3600.0, "wrong", "3600 s behind ours")],
+)
+def test_its_clock_is_compared_with_ours(told_s: float, outcome: str, words: str) -> None:
+    vehicle = Scripted()
+    time = mav.MAVLink_system_time_message(round(1e6 * told_s), 1000)
+    vehicle.answers["COMMAND_LONG"] = lambda asked: [time, vehicle.ack(asked.command)]
+    finding = examine(vehicle, "system-time", now_unix_s=lambda: 1.8e9)["system-time"]
+    assert (finding.outcome, finding.text) == (outcome, words)
+
+
+def test_over_a_link_with_a_key_an_unsigned_command_is_to_be_refused() -> None:
+    vehicle = Scripted()
+    assert examine(vehicle, "signing")["signing"].outcome == "skipped"
+    assert examine(vehicle, "signing", signed=True)["signing"].outcome == "ok"
+    vehicle.answers["COMMAND_LONG"] = lambda asked: [vehicle.ack(asked.command)]
+    assert examine(vehicle, "signing", signed=True)["signing"].outcome == "wrong"
+
+
+def test_a_neighbour_behind_the_same_address_that_obeys_too_is_named() -> None:
+    vehicle, neighbour = Scripted(), Scripted(8)
+    vehicle.answers["COMMAND_LONG"] = lambda asked: [vehicle.ack(asked.command)]
+    assert examine(vehicle, "home-position", "neighbours", neighbour=neighbour)["neighbours"].outcome == "ok"
+    neighbour.answers["COMMAND_LONG"] = lambda asked: [neighbour.ack(asked.command)]
+    finding = examine(vehicle, "home-position", "neighbours", neighbour=neighbour)["neighbours"]
+    assert (finding.outcome, finding.text) == ("wrong", "acknowledged too by vehicle 8 (MAV_CMD_REQUEST_MESSAGE)")
+    told_apart = examine(vehicle, "other-target", "neighbours", neighbour=neighbour)["neighbours"]
+    assert told_apart.outcome == "ok"  # that command was the neighbour's

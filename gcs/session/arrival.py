@@ -1,0 +1,56 @@
+"""The time between a session's first process and its first tick: until every vehicle is there, and is the only one."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator, Mapping
+
+from gcs.link.external import ExternalLink
+from gcs.link.link import Link
+from gcs.link.lockstep import LockstepLink
+from gcs.processes.startup import Arrivals
+from gcs.scenario.model import Scenario
+
+WATCH_EVERY_S = 0.05
+
+
+class SessionFailed(Exception):
+    """The session cannot go on; the text is for the person who started it."""
+
+
+class BadVehicleError(SessionFailed):
+    """A vehicle refused what the scenario gives it."""
+
+
+def arriving(
+    scenario: Scenario, labels: Mapping[int, str], link: Link, lockstep: LockstepLink, external: ExternalLink | None
+) -> Iterator[list[tuple[int, str]]]:
+    """Wait for all vehicles; every WATCH_EVERY_S what is new of whom, in words. Raises SessionFailed.
+
+    `link` is all of the two others.
+    """
+    arrivals, began_s = Arrivals(labels, scenario.vehicles.external), time.monotonic()
+    missing: set[int] | None = None
+    while missing is None or missing or not (external is None or external.settled):
+        missing = {sysid for sysid, _ in link.listen(WATCH_EVERY_S)}
+        waited_s = time.monotonic() - began_s
+        seen = external.waits() if external is not None else {}
+        yield arrivals.look(missing, waited_s, seen)
+        reasons = external.signature_reasons if external is not None else {}
+        if (why := arrivals.too_late(missing, waited_s, reasons, seen)) is not None:
+            raise SessionFailed(why)
+        for (sysid, _), (host, port) in lockstep.rivals.items():
+            name = labels.get(sysid, f"vehicle {sysid}")
+            raise SessionFailed(f"two of the session's own processes say that they are {name}, one from {host}:{port}")
+        if external is not None:
+            _refuse_rivals(scenario, labels, external)
+
+
+def _refuse_rivals(scenario: Scenario, labels: Mapping[int, str], external: ExternalLink) -> None:
+    """Nothing flies while two say that they are one vehicle: the wrong one would be believed."""
+    for (sysid, _), (one, other) in external.rivals.items():
+        at = scenario.vehicles.external[sysid].where
+        raise SessionFailed(
+            f"two say that they are {labels[sysid]} at {at}, {one[0]}:{one[1]} and {other[0]}:{other[1]}: "
+            "end the one that is not, or let the vehicle sign (signing.key_file)"
+        )

@@ -1,0 +1,141 @@
+"""After a session: the logs that external vehicles wrote themselves, downloaded into the session's folder.
+
+1. A vehicle that comes down is waited for until it is disarmed: before that its log is not whole, and ArduPilot keeps
+   it back. One that was told to hold is not waited for.
+2. The newest log of each is downloaded, all side by side, for FETCH_WITHIN_S at most. What came whole stays.
+3. Whose log did not come is named, with what to do. That changes nothing about how the session ended.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import time
+from collections.abc import Callable, Iterable
+from pathlib import Path
+
+from gcs.link.asked_fleet import AskedFleet
+from gcs.link.keys import KeyRefused
+from gcs.link.log_folder import LogFolder, newest, problems
+from gcs.link.socket import AddressRefused
+from gcs.mavlink.ids import AUTOPILOT
+from gcs.mavlink.log_client import LogClient
+from gcs.scenario.endpoint import address
+from gcs.scenario.model import Scenario
+
+FOLDER, FILE = "logs", "logs.json"
+FIND_WITHIN_S, LAND_WITHIN_S, FETCH_WITHIN_S = 5.0, 60.0, 300.0
+SAY_EVERY_S = 5.0
+
+
+def fetch_logs(
+    scenario: Scenario, session: Path, say: Callable[[str], object], *, fetch_within_s: float = FETCH_WITHIN_S
+) -> list[str]:
+    """Download into SESSION/logs, with a logs.json of what is there; sentences about what did not come.
+
+    `say` is told what is waited for and how far it is.
+    """
+    folder = session / FOLDER
+    try:
+        folder.mkdir(exist_ok=True)
+    except OSError as error:
+        return [f"{folder} cannot be made: {error.strerror}; no log is fetched"]
+    with contextlib.ExitStack() as stack:
+        found, missed = _find(scenario, stack)
+        missed += _wait_until_down(scenario, found, say)
+        clients = [LogClient(sysid, AUTOPILOT) for sysid in sorted(found)]
+        kept = LogFolder(folder, clients)
+        try:
+            _download(found, clients, kept, say, fetch_within_s)
+        except KeyboardInterrupt:
+            missed.append("the download of logs was stopped: `gcs logs get` begins it again")
+        for client in clients:
+            if not client.done:
+                found[client.sysid].send_to(client.sysid, client.end())
+                came = f"{client.bytes_so_far} bytes came in {fetch_within_s:.0f} s"
+                missed.append(
+                    f"vehicle {client.sysid}: {came}, not its whole log: `gcs logs get` goes on without a limit"
+                )
+        missed += problems(clients)
+    for log in kept.kept:
+        say(f"log {log.number} of vehicle {log.sysid}: {log.file}, {log.size_bytes} bytes, sha256 {log.sha256}")
+    content = {"files": [{**log._asdict(), "file": Path(log.file).name} for log in kept.kept], "problems": missed}
+    with contextlib.suppress(OSError):
+        (folder / FILE).write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
+    return missed
+
+
+def _find(scenario: Scenario, stack: contextlib.ExitStack) -> tuple[dict[int, AskedFleet], list[str]]:
+    """The fleet by which each external vehicle is heard, by system id, and who is not."""
+    found: dict[int, AskedFleet] = {}
+    expected, missed = scenario.vehicles.external, []
+    for connect in dict.fromkeys(text for rules in expected.values() for text in rules.addresses):
+        wanted = [sysid for sysid, rules in expected.items() if connect in rules.addresses and sysid not in found]
+        at = address(connect)
+        if not wanted or at is None:
+            continue
+        signing = expected[wanted[0]].signing
+        try:
+            fleet = AskedFleet(at, Path(signing.key_file) if signing else None)
+        except (AddressRefused, KeyRefused) as error:
+            missed.append(f"{connect}: {error}")
+            continue
+        stack.callback(fleet.close)
+        fleet.find(wanted, FIND_WITHIN_S)
+        found |= dict.fromkeys(fleet.profiles, fleet)
+    for sysid in sorted(expected.keys() - found.keys()):
+        where = expected[sysid].where
+        missed.append(f"vehicle {sysid}: not heard at {where} after the session, so its log is still with it")
+    return found, missed
+
+
+def _wait_until_down(scenario: Scenario, found: dict[int, AskedFleet], say: Callable[[str], object]) -> list[str]:
+    """Wait for those that come down; who stays armed is taken out of `found`, and named."""
+    expected = scenario.vehicles.external
+    begun_s, said = time.monotonic(), False
+    while coming := [s for s, fleet in found.items() if s in fleet.armed and expected[s].at_end != "hold"]:
+        if time.monotonic() - begun_s >= LAND_WITHIN_S:
+            break
+        if not said:
+            said = True
+            say(f"waiting until vehicle {', '.join(map(str, sorted(coming)))} is down and disarmed, for its log ...")
+        _round(found.values(), [])
+    armed = sorted(sysid for sysid, fleet in found.items() if sysid in fleet.armed)
+    for sysid in armed:
+        del found[sysid]
+    return [
+        f"vehicle {sysid}: still armed, so its log is not whole: `gcs logs get --connect "
+        f"{expected[sysid].addresses[0]}` once it is down"
+        for sysid in armed
+    ]
+
+
+def _download(
+    found: dict[int, AskedFleet],
+    clients: list[LogClient],
+    kept: LogFolder,
+    say: Callable[[str], object],
+    within_s: float,
+) -> None:
+    begun_s = said_s = time.monotonic()
+    for client in clients:
+        client.list_logs()
+    listed: set[int] = set()
+    while not all(client.done and client.sysid in listed for client in clients):
+        _round(found.values(), clients)
+        for client in clients:
+            if client.sysid not in listed and client.done:
+                listed.add(client.sysid)
+                client.download(kept.missing(client, newest(client)))
+        kept.save()
+        now_s = time.monotonic()
+        if now_s - begun_s >= within_s:
+            return
+        if now_s - said_s >= SAY_EVERY_S:
+            said_s = now_s
+            say(f"logs: {kept.bytes_so_far / 1e6:.2f} of {kept.wanted_bytes / 1e6:.2f} MB")
+
+
+def _round(fleets: Iterable[AskedFleet], clients: list[LogClient]) -> None:
+    for fleet in dict.fromkeys(fleets):
+        fleet.exchange([client for client in clients if client.sysid in fleet.profiles])

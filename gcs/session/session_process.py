@@ -1,0 +1,394 @@
+"""One session from its first process to its summary: link, recorder, supervisor and server, on its clock."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import math
+import os
+import signal
+import sys
+import time
+from collections.abc import Mapping, Sequence
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+from gcs.exit import BAD_INPUT, DONE, INTERRUPTED, NOT_DONE
+from gcs.link.external import ExternalLink
+from gcs.link.fleet import FleetLink
+from gcs.link.forwarder import Forwarder
+from gcs.link.link import Link
+from gcs.link.lockstep import REPEAT_S, LockstepLink
+from gcs.link.socket import BUFFER_BYTES
+from gcs.loading import loaded
+from gcs.mavlink.ids import AUTOPILOT, TRAFFIC
+from gcs.processes.hatch import Ended, Hatch
+from gcs.processes.pace import Pace
+from gcs.processes.suspension import SuspensionWatch
+from gcs.processes.vehicles import traffic_order, vehicle_orders
+from gcs.recording.recorder import Recorder, RecorderError
+from gcs.recording.reserve import Reserve
+from gcs.scenario import goal
+from gcs.scenario.file import dump
+from gcs.scenario.model import Scenario
+from gcs.session.arrival import WATCH_EVERY_S, BadVehicleError, SessionFailed, arriving
+from gcs.session.commands import Clients
+from gcs.session.link_notices import LinkNotices
+from gcs.session.messages import end_message, kept_of_snapshot, session_message, snapshot_message
+from gcs.session.server import Publisher, Reader
+from gcs.supervisor.summarise import summarise
+from gcs.supervisor.supervisor import Supervisor
+from gcs.supervisor.warmup import rehearse
+from gcs.telemetry.events import Event, Kind, Level
+
+PUBLISH_EVERY_S = 0.1
+SAY_WAITING_EVERY_S = 5.0
+GIVE_UP_S, GIVE_UP_SOON_S = 60.0, 5.0
+"""Time that the session stands still for a process that lives but does not answer, in wall time; the second is with
+external vehicles, which fly on meanwhile."""
+HAND_BACK_S = 2.5
+"""Time that external vehicles have at the end to obey; their HEARTBEAT, once a second, shows that they do."""
+
+
+class _Stopped(Exception):
+    """The session's end was asked for."""
+
+
+class SessionProcess:
+    """One session, from the first process to the summary."""
+
+    def __init__(self, folder: Path, scenario: Scenario, *, drop: float = 0.0, hatch: Hatch | None = None) -> None:
+        self._kept_hatch = hatch
+        self._folder = folder
+        self._scenario = scenario
+        external = scenario.vehicles.external
+        self._external_link: ExternalLink | None = None
+        clock = scenario.clock
+        speed = None if clock.mode == "lockstep" else clock.speed
+        self._pace = Pace(speed, time.monotonic, keeps_up=bool(external))
+        self._lockstep_link = LockstepLink(drop=drop, seed=scenario.seed)
+        self._link: Link = self._lockstep_link
+        if external:
+            self._external_link = ExternalLink(external, lambda: self._pace.running_wall_s)
+            self._link = FleetLink(self._lockstep_link, self._external_link)
+        self._forwarder = Forwarder(scenario.forward.to) if scenario.forward.to else None
+        self._notices = LinkNotices(self._link, self._external_link, self._forwarder)
+        self._sleep = time.sleep if self._external_link is None else self._external_link.rest
+        record = scenario.record
+        self._recorder = Recorder(
+            folder,
+            rotate_bytes=None if record.rotate_mb is None else record.rotate_mb * 1_000_000,
+            keep=record.keep,
+            changes_only=record.decisions == "changes",
+        )
+        self._reserve = Reserve(folder, len(scenario.vehicles.all))
+        self._publisher = Publisher(folder, session_message(scenario, str(folder.resolve())))
+        self._supervisor = Supervisor(scenario, self._link, self._recorder, forwarder=self._forwarder)
+        self._supervisor.faults.signal_process = self._signal
+        self._hatch: Hatch | None = None
+        self._unpublished: list[Event] = []
+        self.reader: Reader | None = None
+        """who is given every snapshot, as a program in Python is; not a client of the socket"""
+        self._clients = Clients(self._publisher, self._supervisor, self._pace)
+        self._labels = {v.sysid: v.label for v in scenario.vehicles.all} | {255: "traffic"}
+        self._blocks: dict[int, tuple[int, ...]] = {}
+        self._killed: set[int] = set()
+        """whose process a fault has ended"""
+        self._answered_s = self._said_waiting_s = math.inf
+        self._suspension = SuspensionWatch()
+        self._published_s = self._watched_s = 0.0
+        self._phase = "starting"
+        self._begun = False
+        self._wall_time_s = 0.0
+        self._terminated = False
+
+    def terminate(self, *_: object) -> None:
+        """End the session in order, soon; a handler of SIGTERM, as when the machine shuts down."""
+        self._terminated = True
+
+    def run(self) -> tuple[int, str]:
+        """Fly the session; exit status and outcome. Raises SessionError, LaunchError, RecorderError, OSError."""
+        try:
+            with self._recorder:
+                say({"listening": True})
+                interrupted = self._fly_fleet()
+                self._supervisor.judge(self._folder)
+            outcome, text = self._outcome(interrupted)
+            self._summarise(outcome, text)
+            self._phase = "ended"
+            status = INTERRUPTED if interrupted else DONE if outcome == goal.MET else NOT_DONE
+            self._publish()
+            self._publisher.publish(end_message(outcome, status, text))
+            return status, outcome
+        except (SessionFailed, RecorderError):
+            if self._begun:
+                died = self._hatch is not None and not self._hatch.alive
+                with contextlib.suppress(OSError):  # a full disk may have no room for it either
+                    why = (
+                        "lost every vehicle: the process that makes them has died" if died else "the session broke off"
+                    )
+                    self._summarise("lost" if died else goal.INTERRUPTED, f"not met: {why}")
+            raise
+        finally:
+            self._link.close()
+            if self._forwarder is not None:
+                self._forwarder.close()
+            self._publisher.close()
+
+    def _summarise(self, outcome: str, text: str) -> None:
+        self._reserve.release()
+        summarise(
+            self._supervisor,
+            self._link,
+            outcome=outcome,
+            outcome_text=text,
+            completed=self._supervisor.time_ms >= round(1e3 * self._scenario.goal.duration_s),
+            wall_time_s=self._wall_time_s,
+            lag_s=self._pace.lag_s,
+        ).write(self._folder)
+
+    def _fly_fleet(self) -> bool:
+        """The session from its first process to its last; True where it was interrupted."""
+        own = self._scenario.vehicles.launched or self._scenario.traffic
+        with (self._kept_hatch or Hatch()) if own else contextlib.nullcontext() as self._hatch:
+            try:
+                self._start_fleet()
+                self._fly()
+            except _Stopped:
+                self._supervisor.stop()
+                return True
+            finally:
+                self._wall_time_s = self._pace.running_wall_s if self._begun else 0.0
+                if self._begun and self._scenario.vehicles.external:
+                    self._hand_back()
+        return False
+
+    def _hand_back(self) -> None:
+        """External vehicles must not be left in offboard without anyone who steers them."""
+        supervisor = self._supervisor
+        supervisor.hand_back()
+        deadline_s = time.monotonic() + HAND_BACK_S
+        with contextlib.suppress(RecorderError):  # it has been reported, or will be; what matters now is sent before
+            while supervisor.exchange(self._pace.running_wall_s):
+                if time.monotonic() > deadline_s:
+                    supervisor.report_disobedience()
+                    break
+                self._sleep(WATCH_EVERY_S)
+
+    # start
+
+    def _start_fleet(self) -> None:
+        if self._link.buffer_bytes < BUFFER_BYTES:
+            granted = f"{self._link.buffer_bytes >> 10} KiB"
+            self._event(0, "warning", f"The kernel grants a receive buffer of {granted}, not 4 MiB: raise rmem_max")
+        connection = ("--supervised", f"udpout:{self._lockstep_link.host}:{self._lockstep_link.port}")
+        vehicles = self._scenario.vehicles.launched
+        per_process = self._scenario.vehicles_per_process
+        orders = vehicle_orders(self._scenario, self._folder, connection, per_process=per_process)
+        keys = [(vehicle.sysid, AUTOPILOT) for vehicle in vehicles]
+        if self._scenario.traffic:
+            orders.append(traffic_order(self._scenario, self._folder, connection))
+            keys.append(TRAFFIC)
+        self._blocks = {order.sysid: order.sysids for order in orders}
+        self._lockstep_link.expect(keys)
+        self._lockstep_link.compare_clocks((v.sysid, AUTOPILOT) for v in vehicles if v.foreign is not None)
+        if self._hatch is not None:
+            self._hatch.start(orders, self._lockstep_link.secret)
+        rehearse(self._scenario)  # while the vehicles come up
+        for notices in arriving(self._scenario, self._labels, self._link, self._lockstep_link, self._external_link):
+            for sysid, text in notices:
+                self._event(sysid, "info", text)
+            self._watch()
+
+    # fly
+
+    def _fly(self) -> None:
+        supervisor, pace = self._supervisor, self._pace
+        self._phase = "flying"
+        self._begun = True
+        self._answered_s = self._said_waiting_s = time.monotonic()
+        loaded()
+        if self._scenario.vehicles.external:
+            self._begin_on_true_time()
+        pace.start()
+        self._link.begin()
+        supervisor.begin()
+        end_ms = round(1e3 * self._scenario.goal.duration_s)
+        while supervisor.time_ms < end_ms and self._link.joined:
+            periods = pace.next(self._scenario.clock.period_s)
+            supervisor.tick(self._watch, periods)
+            self._answered_s = self._said_waiting_s = time.monotonic()
+            self._look_around()
+            self._wait()
+        supervisor.finish(self._watch)
+        self._serve_reader()
+
+    def _begin_on_true_time(self) -> None:
+        """Let session time 0 be now: autopilots' own logs, beside which the recording is laid, are on the true time."""
+        now = datetime.fromtimestamp(time.time_ns() // 1_000_000 / 1e3, UTC)
+        clock = self._scenario.clock.model_copy(update={"epoch": now})
+        self._supervisor.epoch_us = round(1e6 * now.timestamp())
+        path = self._folder / "scenario.yaml"
+        new = path.with_name("scenario.yaml.new")
+        new.write_text(dump(self._scenario.model_copy(update={"clock": clock})), encoding="utf-8")
+        new.replace(path)
+
+    def _wait(self) -> None:
+        """Until the next tick is due, or while the session is paused, see who wants something."""
+        self._serve_reader()
+        repeat_s = time.monotonic() + REPEAT_S
+        while self._pace.paused or (left_s := self._pace.wait_s()) > 0.0:
+            self._sleep(min(WATCH_EVERY_S, WATCH_EVERY_S if self._pace.paused else left_s))
+            self._watch()
+            if time.monotonic() >= repeat_s:
+                self._link.repeat()
+                repeat_s = time.monotonic() + REPEAT_S
+
+    def _serve_reader(self) -> None:
+        """A reader gets the snapshots that it asks for; in lockstep it is waited for."""
+        reader, supervisor = self.reader, self._supervisor
+        if reader is None or not reader.due(supervisor.snapshot.time_s):
+            return
+        repeat_s = time.monotonic() + REPEAT_S
+        lockstep = self._scenario.clock.mode == "lockstep"
+        while not reader.wants(WATCH_EVERY_S if lockstep else 0.0) and reader.open and lockstep:
+            self._watch()
+            if time.monotonic() >= repeat_s:
+                self._link.repeat()
+                repeat_s = time.monotonic() + REPEAT_S
+        if reader.stops:
+            raise _Stopped
+        if reader.asked:
+            self._gather_events()
+            reader.give({**self._snapshot(()), "t_s": supervisor.snapshot.time_s})
+
+    def _look_around(self) -> None:
+        """At most every 50 ms of wall time: the rest of the world."""
+        if time.monotonic() - self._watched_s >= WATCH_EVERY_S:
+            self._watch()
+
+    def _watch(self) -> None:
+        """Deaths, operators, the parent's pipe; and a fresh snapshot for clients."""
+        self._watched_s = now_s = time.monotonic()
+        if away_s := self._suspension.look():
+            self._go_on_after(away_s)
+        for end in self._hatch.events()[1] if self._hatch is not None else ():
+            self._lose(end)
+        if self._hatch is not None and not self._hatch.alive:
+            raise SessionFailed("the process that makes the vehicles (simvehicle hatch) has died, and they with it")
+        if now_s - self._said_waiting_s >= SAY_WAITING_EVERY_S and not self._pace.paused:
+            self._said_waiting_s = now_s
+            self._wait_for(now_s - self._answered_s)
+        if self._terminated:
+            self._event(0, "warning", "The supervisor was told to end (SIGTERM): the session stops")
+        if self._clients.serve() or _stdin_closed() or self._terminated:
+            raise _Stopped
+        for sysid, level, text in self._notices.poll(now_s, begun=self._begun):
+            self._event(sysid, level, text, "link")
+        if now_s - self._published_s >= PUBLISH_EVERY_S:
+            self._published_s = now_s
+            self._publish()
+
+    def _go_on_after(self, away_s: float) -> None:
+        """The supervisor did not run for so long: nobody is to blame for the silence meanwhile."""
+        now_s = time.monotonic()
+        if not self._begun:
+            return  # there is no session yet that could have stood still
+        self._answered_s = self._said_waiting_s = now_s
+        external = bool(self._scenario.vehicles.external)
+        if external:
+            self._supervisor.recovery.returned(self._supervisor.time_s)
+        how = "the external vehicles flew on without it" if external else "the session stood still, and goes on"
+        self._event(0, "warning", f"The supervisor was suspended for {away_s:.0f} s: {how}")
+
+    def _wait_for(self, waited_s: float) -> None:
+        """Say whose answer the session waits for; after a minute, go on without them."""
+        for key in self._link.awaited:
+            label = self._labels.get(key[0], f"vehicle {key[0]}")
+            if key[0] in self._supervisor.hung:  # nobody need wait to see whether it comes back
+                self._supervisor.lose(key, f"{label} hangs, and is given up")
+                continue
+            if waited_s < (GIVE_UP_SOON_S if self._scenario.vehicles.external else GIVE_UP_S):
+                self._event(
+                    key[0], "warning", f"{label} lives but has not answered for {waited_s:.0f} s of wall time", "link"
+                )
+                continue
+            self._supervisor.lose(key, f"{label} lives but has not answered for {waited_s:.0f} s: given up")
+
+    def _lose(self, end: Ended) -> None:
+        sysids = self._blocks.get(end.sysid, (end.sysid,))
+        sentence = end.sentence(", ".join(self._labels.get(sysid, f"vehicle {sysid}") for sysid in sysids))
+        if self._phase == "starting":
+            raise (BadVehicleError if end.status == BAD_INPUT else SessionFailed)(sentence)
+        for sysid in sysids:
+            if sysid in self._killed:
+                continue
+            self._supervisor.lose(TRAFFIC if sysid == TRAFFIC[0] else (sysid, AUTOPILOT), sentence)
+
+    def _signal(self, sysid: int, fault: str) -> None:
+        """Let a fault befall a vehicle's process: it is the only one in it."""
+        if self._hatch is None:
+            return
+        if fault == "kill":
+            self._killed.add(sysid)
+        for pid, first in self._hatch.pids.items():
+            if first == sysid:
+                with contextlib.suppress(ProcessLookupError):
+                    os.kill(pid, signal.SIGKILL if fault == "kill" else signal.SIGSTOP)
+
+    def _event(self, sysid: int, level: Level, text: str, kind: Kind = "session") -> None:
+        self._supervisor.events.append(Event(self._supervisor.time_s, sysid, level, text, kind))
+
+    # publish
+
+    def _outcome(self, interrupted: bool) -> tuple[str, str]:
+        """`met`, the first part of the goal that was not, or `interrupted`; and the same as a sentence."""
+        supervisor = self._supervisor
+        if not interrupted:
+            outcome, text = goal.verdict(supervisor.judged())
+            return outcome, text + supervisor.faults_text()
+        text = f"interrupted at {supervisor.time_s:.1f} s"
+        broken = [one.text for one in supervisor.goal_watch.broken()]
+        return goal.INTERRUPTED, f"{text}; {goal.outcome_text(broken)}" if broken else text
+
+    def _gather_events(self) -> None:
+        """New events, for the next snapshot and for the reader's."""
+        events, self._supervisor.events = self._supervisor.events, []
+        self._unpublished += events
+        if self.reader is not None:
+            self.reader.remember(events)
+
+    def _publish(self) -> None:
+        """Send clients a snapshot, with the events since the last one; where there are none, these are kept."""
+        self._gather_events()
+        events, self._unpublished = self._unpublished, []
+        if self._publisher.watched:
+            self._publisher.publish(self._snapshot(events))
+        else:
+            self._publisher.remember(kept_of_snapshot(self._supervisor, events))
+
+    def _snapshot(self, events: Sequence[Event]) -> dict[str, Any]:
+        supervisor = self._supervisor
+        wall_s = self._pace.running_wall_s if self._begun else 0.0
+        return snapshot_message(
+            supervisor,
+            phase="paused" if self._pace.paused else self._phase,
+            speed=supervisor.time_s / wall_s if wall_s > 0.0 else 0.0,
+            refuelled=len(supervisor.schedule.refuelled),
+            events=events,
+        )
+
+
+def _stdin_closed() -> bool:
+    """Whether the parent has gone: its end of our stdin is closed."""
+    try:
+        return os.read(0, 1) == b""
+    except BlockingIOError:
+        return False
+
+
+def say(content: Mapping[str, Any]) -> None:
+    """Say a line of JSON to whoever started this process."""
+    with contextlib.suppress(BrokenPipeError):
+        print(json.dumps(content), file=sys.__stdout__, flush=True)

@@ -47,7 +47,9 @@ class VehicleClient(Protocol):
 class AskedFleet:
     """The vehicles, and the connection to them. Raises AddressRefused, KeyRefused."""
 
-    def __init__(self, at: Endpoint, key_file: Path | None = None) -> None:
+    def __init__(self, at: Endpoint, key_file: Path | None = None, station: tuple[int, int] = STATION) -> None:
+        """`station`: our system and component id."""
+        self._station = station
         self._listener = Listener(at, key_file)
         self._counter = SequenceCounter()
         self._heartbeat_s = -HEARTBEAT_EVERY_S
@@ -137,7 +139,7 @@ class AskedFleet:
             for frame in frames:
                 if frame.msgid == mav.MAVLINK_MSG_ID_HEARTBEAT and frame.compid == AUTOPILOT:
                     content = codec.fields(frame)
-                    if content.autopilot != mav.MAV_AUTOPILOT_INVALID and frame.sysid != STATION[0]:
+                    if content.autopilot != mav.MAV_AUTOPILOT_INVALID and frame.sysid != self._station[0]:
                         self.profiles.setdefault(frame.sysid, profile_of(content.autopilot))
                         self._where.setdefault(frame.sysid, sender)
                         armed = content.base_mode & mav.MAV_MODE_FLAG_SAFETY_ARMED
@@ -147,4 +149,4 @@ class AskedFleet:
         return received
 
     def _send(self, message: Message, to: Where) -> None:
-        self._listener.send(codec.frame(message, self._counter.next(), *STATION), to)
+        self._listener.send(codec.frame(message, self._counter.next(), *self._station), to)

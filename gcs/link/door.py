@@ -14,7 +14,6 @@ from gcs.link.keys import SignatureGate
 from gcs.link.socket import Where
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Message
-from gcs.mavlink.ids import STATION
 from gcs.mavlink.sequence import SequenceCounter
 from gcs.scenario.endpoint import address
 
@@ -29,6 +28,8 @@ class Door:
     """One address."""
 
     connection: Channel
+    station: tuple[int, int]
+    """our system and component id there"""
     gate: SignatureGate
     diagnosis: Diagnosis
     counters: dict[Where, SequenceCounter] = field(default_factory=dict)
@@ -51,13 +52,13 @@ class Door:
     def send(self, message: Message | bytes, address: Where) -> bytes:
         """Send a message, or a frame as it is, to somebody there; the frame."""
         counter = self.counters.setdefault(address, SequenceCounter())
-        raw = message if isinstance(message, bytes) else codec.frame(message, counter.next(), *STATION)
+        raw = message if isinstance(message, bytes) else codec.frame(message, counter.next(), *self.station)
         raw = self.gate.signed(raw)
         self.connection.send(raw, address)
         return raw
 
 
-def open_door(connect: str, key_file: str | None, link_id: int) -> Door:
+def open_door(connect: str, key_file: str | None, link_id: int, station: tuple[int, int]) -> Door:
     """Open an address of a scenario. Raises AddressRefused, KeyRefused.
 
     link_id: of our signatures there: a vehicle with two links takes each stream's time stamps in their order.
@@ -65,7 +66,7 @@ def open_door(connect: str, key_file: str | None, link_id: int) -> Door:
     at = address(connect)
     assert at is not None  # as the scenario has checked
     gate = SignatureGate(Path(key_file) if key_file else None, link_id)
-    return Door(open_connection(at, alone=True), gate, Diagnosis(at))
+    return Door(open_connection(at, alone=True), station, gate, Diagnosis(at))
 
 
 def radio_in_words(status: Any) -> str:

@@ -25,7 +25,7 @@ from gcs.link.socket import BUFFER_BYTES, AddressRefused, Where
 from gcs.mavlink import codec
 from gcs.mavlink.boot_clock import CLOCKS, BootClock
 from gcs.mavlink.codec import Frame, Message
-from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT
+from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION
 from gcs.mavlink.signing import SignatureVerdict
 from gcs.scenario.external import External
 
@@ -54,9 +54,13 @@ _COMMAND_AT = codec.layout("COMMAND_LONG").record._fields.index("command")
 class ExternalLink:
     """All vehicles of a session that were not launched."""
 
-    def __init__(self, expected: Mapping[int, External], now_s: Callable[[], float]) -> None:
-        """Open each address; `now_s` reads the session's clock. Raises AddressRefused, KeyRefused."""
+    def __init__(
+        self, expected: Mapping[int, External], now_s: Callable[[], float], station: tuple[int, int] = STATION
+    ) -> None:
+        """Open each address; `now_s` reads the session's clock, `station` is our system and component id. Raises
+        AddressRefused, KeyRefused."""
         self._now_s = now_s
+        self._station = station
         self._doors: dict[str, Door] = {}
         self._peers: dict[int, ExternalPeer] = {}
         self._poll = select.poll()
@@ -90,9 +94,9 @@ class ExternalLink:
     def settled(self) -> bool:
         """Whether everyone is there, and has been for so long that a rival would have spoken."""
         now_s = time.monotonic()
-        found = (link for peer in self._peers.values() for link in peer.links if link.address is not None)
+        known = (link for peer in self._peers.values() for link in peer.links if link.address is not None)
         return not self.missing and all(
-            link.door.connection.to is not None or now_s - link.found_s >= CLAIM_S for link in found
+            link.door.connection.to is not None or now_s - link.found_s >= CLAIM_S for link in known
         )
 
     @property
@@ -251,7 +255,7 @@ class ExternalLink:
         if connect not in self._doors:
             key_file = external.signing.key_file if external.signing else None
             try:
-                self._doors[connect] = open_door(connect, key_file, len(self._doors))
+                self._doors[connect] = open_door(connect, key_file, len(self._doors), self._station)
             except (AddressRefused, KeyRefused):
                 self.close()
                 raise

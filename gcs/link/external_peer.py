@@ -50,7 +50,7 @@ class PeerLink:
     """whether the stream from that address has ended"""
     found_s: float = 0.0
     received_s: float = 0.0
-    alive_since_s: float = math.inf
+    fresh_since_s: float = math.inf
     """since when it has not been silent"""
     usual_s: float = 1.0
     """from frame to frame"""
@@ -68,7 +68,7 @@ class PeerLink:
         """A silence so long is none that it usually has."""
         return max(SILENT_S, SILENCES * self.usual_s)
 
-    def alive(self, now_s: float) -> bool:
+    def fresh(self, now_s: float) -> bool:
         """Whether it is there."""
         return self.address is not None and not self.cut_off and now_s - self.received_s < self.patience_s
 
@@ -82,8 +82,8 @@ class PeerLink:
         self.received += 1
         self.gaps.feed(frame.sysid, frame.compid, frame.seq)
         self.quality.count(frame.sysid, 1, now_s)
-        if since_s >= self.patience_s or self.alive_since_s == math.inf:
-            self.alive_since_s = now_s
+        if since_s >= self.patience_s or self.fresh_since_s == math.inf:
+            self.fresh_since_s = now_s
             return True
         self.usual_s += SMOOTHING * (since_s - self.usual_s)
         return False
@@ -143,7 +143,7 @@ class ExternalPeer:
     def choose(self, now_s: float) -> str:
         """Change to a better link where there is one; words about that, empty where it stays."""
         before = self.used
-        others = [link for link in self.links if link is not before and link.alive(now_s)]
+        others = [link for link in self.links if link is not before and link.fresh(now_s)]
         if not others:
             return ""
         sysid = self.key[0]
@@ -168,10 +168,10 @@ class ExternalPeer:
         """Its links, in the scenario's order."""
         sysid = self.key[0]
         return [
-            LinkState(link.connect, link is self.used, link.alive(now_s), link.received, link.quality.lost_share(sysid))
+            LinkState(link.connect, link is self.used, link.fresh(now_s), link.received, link.quality.lost_share(sysid))
             for link in self.links
         ]
 
     def _as_good(self, link: PeerLink, now_s: float) -> bool:
         worse = link.lost_share(self.key[0]) - self.used.lost_share(self.key[0])
-        return link.alive(now_s) and now_s - link.alive_since_s >= RETURN_S and worse <= EQUAL_SHARE
+        return link.fresh(now_s) and now_s - link.fresh_since_s >= RETURN_S and worse <= EQUAL_SHARE

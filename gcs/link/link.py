@@ -17,7 +17,7 @@ class LinkState(NamedTuple):
     connect: str
     used: bool
     """whether what is sent goes over it"""
-    alive: bool
+    fresh: bool
     """whether it is there at present"""
     received: int
     """frames"""

@@ -75,8 +75,8 @@ class Profile:
     """whether QGroundControl knows how to let it take off, land and return"""
     mode_table: Literal["main and sub", "copter"]
     """which of pymavlink's tables MAVProxy reads its modes by"""
-    speed_parameter: str | None
-    """the parameter of its simulator that says how much faster than real time it runs; None: it has none"""
+    speed_setting: str
+    """which setting of its simulator says how much faster than real time it runs"""
     names: Mapping[int, str]
     """what the autopilot itself calls its modes, for those that `modes` has no word of its own for"""
 
@@ -172,7 +172,7 @@ PX4 = Profile(
     oldest_version=(1, 4, 1),
     commanded_by_peers=True,
     mode_table="main and sub",
-    speed_parameter=None,
+    speed_setting="PX4_SIM_SPEED_FACTOR",
     names={
         _px4(1): "manual",
         _px4(2): "altitude",
@@ -217,7 +217,7 @@ ARDUCOPTER = Profile(
     oldest_version=None,
     commanded_by_peers=True,
     mode_table="copter",
-    speed_parameter="SIM_SPEEDUP",
+    speed_setting="SIM_SPEEDUP",
     names={
         0: "stabilize",
         1: "acro",
@@ -255,6 +255,7 @@ GENERIC = replace(
 
 _BY_AUTOPILOT = {mav.MAV_AUTOPILOT_PX4: PX4, mav.MAV_AUTOPILOT_ARDUPILOTMEGA: ARDUCOPTER}
 PROFILES = {profile.name: profile for profile in (PX4, ARDUCOPTER, GENERIC)}
+SPEED_SETTINGS = " or ".join(dict.fromkeys(profile.speed_setting for profile in PROFILES.values()))
 
 
 def profile_of(autopilot: int) -> Profile:

@@ -71,6 +71,11 @@ class Pace:
         return self._paused_since_s is not None
 
     @property
+    def running_s(self) -> float:
+        """Session time by the wall clock; in lockstep, where there is none, that wall time itself."""
+        return self.running_wall_s * (1.0 if self._speed is None else self._speed)
+
+    @property
     def running_wall_s(self) -> float:
         """Wall time since the start, pauses left out."""
         until_s = self._wall_s() if self._paused_since_s is None else self._paused_since_s

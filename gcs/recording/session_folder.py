@@ -178,6 +178,7 @@ class Gathering:
         scenario = recorded.scenario
         self._recorded = recorded
         self._epoch_us = round(1e6 * scenario.clock.epoch.timestamp()) if scenario else None
+        self._station = scenario.station.sysid if scenario else STATION[0]
         self._pieces: dict[str, list[NDArray[Any]]] = {name: [] for name in wanted}
         self._counted = counted
         self._gaps = RecordedGaps()
@@ -211,7 +212,8 @@ class Gathering:
         # Foreign times, years away, must not make a table of years: so few frames do not fill so many seconds.
         self._frames += len(heads)
         most = min(MOST_SECONDS, FEWEST_SECONDS + SECONDS_A_FRAME * self._frames)
-        mine = (heads[:, tlog_reader.SYSID] < STATION[0]) & (second >= 0) & (second < most)
+        sender = heads[:, tlog_reader.SYSID]
+        mine = (sender < STATION[0]) & (sender != self._station) & (second >= 0) & (second < most)
         second, heads = second[mine], heads[mine]
         sysids = heads[:, tlog_reader.SYSID]
         lost, new = self._gaps.count(sysids, heads[:, tlog_reader.COMPID], heads[:, tlog_reader.SEQ])

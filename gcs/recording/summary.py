@@ -52,7 +52,7 @@ class VehicleLinkSummary(SummaryPart):
     connect: str
     used: bool
     """whether it was the one in use"""
-    alive: bool
+    fresh: bool
     received: int
     """frames, also those that came over another link too"""
     lost_share: float | None

@@ -4,7 +4,7 @@
     - external: {connect: ["serial:/dev/ttyUSB0:57600", "udpin:0.0.0.0:14550"], sysid: 4, capacity_j: 250000}
 
 `sysid` and the battery's `capacity_j` may stand in the block or beside it. Such a vehicle is where it is, flies with
-the parameters that it has and on the real clock: what only a launch could give it is refused.
+the parameters that it has and on its own clock: what only a launch could give it is refused.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
@@ -197,12 +197,11 @@ def conflicts(path: KeyPath, vehicle: Any) -> Iterator[Conflict]:
         yield Conflict(path, f"{vehicle.label} is external: say where it waits, home_m")
 
 
-def clock_refusal(vehicles: Iterable[_Vehicle], mode: str, speed: float) -> str | None:
+def clock_refusal(vehicles: Iterable[_Vehicle], mode: str) -> str | None:
     """Why this clock cannot be had with these vehicles; None where it can."""
     labels = [vehicle.label for vehicle in vehicles if vehicle.external is not None]
-    if not labels or (mode == "real" and speed == 1.0):
+    if not labels or mode == "real":
         return None
     who = labels[0] if len(labels) == 1 else f"{labels[0]} and {len(labels) - 1} more"
-    lives = "lives" if len(labels) == 1 else "live"
-    asked = "lockstep" if mode == "lockstep" else f"speed {speed:g}"
-    return f"{who} (external) {lives} on the real clock, which nobody can hurry or stop: leave out {asked}"
+    lives = "lives on its own clock, which waits" if len(labels) == 1 else "live on their own clocks, which wait"
+    return f"{who} (external) {lives} for nobody: leave out lockstep"

@@ -21,6 +21,7 @@ from gcs.scenario.parts.session import STEP_S, Clock, Goal, Origin, Pursue, Reco
 from gcs.scenario.parts.surroundings import Attractor, Mover, Obstacle
 from gcs.scenario.parts.vehicles import Battery, Pursuer, Tanker, Target, VehicleBase, Vehicles
 from gcs.scenario.rules import CompetitionRules, FormationRules, PlannerRules, PursuitRules, RefuellingRules
+from gcs.scenario.station import Station, station_conflicts
 from gcs.scenario.types import Count, Flag, Part, Plane
 from gcs.scenario.weather import Wind
 
@@ -119,6 +120,8 @@ class Scenario(Part):
     """what goes wrong, at a time or by chance; nothing by default"""
     vehicles_per_process: Annotated[int, Field(strict=True, ge=1, le=254)] = 1
     """how many fly in one process; nothing else depends on it"""
+    station: Station = Station()
+    """our own ids for external vehicles; 255/190 by default"""
     forward: Forward = Forward()
     """other ground stations that hear the vehicles too; none by default"""
     fence: FenceRules = FenceRules()
@@ -158,8 +161,7 @@ class Scenario(Part):
             clock = {"mode": "lockstep"}
         elif speed is not None:
             clock = {"mode": "real", "speed": speed}
-        mode, rate = clock.get("mode", self.clock.mode), clock.get("speed", self.clock.speed)
-        if (refusal := external.clock_refusal(self.vehicles.all, mode, rate)) is not None:
+        if (refusal := external.clock_refusal(self.vehicles.all, clock.get("mode", self.clock.mode))) is not None:
             raise ValueError(refusal)
         changed = self.model_dump(by_alias=True) | {"clock": {**self.clock.model_dump(), **clock}}
         changed |= ({} if seed is None else {"seed": seed}) | ({"logs": True} if logs else {})
@@ -180,7 +182,8 @@ class Scenario(Part):
         grounded = base_conflicts(self.bases, pursuers, self.obstacles, capture_m=capture_m)
         faulty = fault_conflicts(self.faults, self.vehicles.all, self.goal.duration_s)
         fenced = fence_conflicts(self.fence, self.rally_m)
-        if conflicts := [*_conflicts(self), *_vehicle_conflicts(self), *grounded, *faulty, *fenced]:
+        known = station_conflicts(self.station, {vehicle.sysid for vehicle in self.vehicles.all})
+        if conflicts := [*_conflicts(self), *_vehicle_conflicts(self), *grounded, *faulty, *fenced, *known]:
             raise conflict_error(conflicts)
         return self
 
@@ -192,9 +195,9 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
     refuels = s.refuelling.enabled and pursuers and (tankers or s.bases)
     mean_delay_s = s.radio.delay_s + 0.5 * s.radio.jitter_s
     longest_delay_s = max(TRANSFER_SILENCE_S - 2.0 * s.clock.period_s, 0.0) / TRANSFER_HOPS
-    clock_refused = external.clock_refusal(s.vehicles.all, s.clock.mode, s.clock.speed)
+    clock_refused = external.clock_refusal(s.vehicles.all, s.clock.mode)
     rules: list[tuple[Any, KeyPath, str]] = [
-        (clock_refused, ("clock", "mode" if s.clock.mode == "lockstep" else "speed"), clock_refused or ""),
+        (clock_refused, ("clock", "mode"), clock_refused or ""),
         (not sysids, ("vehicles",), "there must be at least one vehicle"),
         (
             s.logs and not s.vehicles.external,

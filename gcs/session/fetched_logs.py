@@ -76,7 +76,7 @@ def _find(scenario: Scenario, stack: contextlib.ExitStack) -> tuple[dict[int, As
             continue
         signing = expected[wanted[0]].signing
         try:
-            fleet = AskedFleet(at, Path(signing.key_file) if signing else None)
+            fleet = AskedFleet(at, Path(signing.key_file) if signing else None, scenario.station.ids)
         except (AddressRefused, KeyRefused) as error:
             missed.append(f"{connect}: {error}")
             continue

@@ -70,7 +70,7 @@ class SessionProcess:
         self._lockstep_link = LockstepLink(drop=drop, seed=scenario.seed)
         self._link: Link = self._lockstep_link
         if external:
-            self._external_link = ExternalLink(external, lambda: self._pace.running_wall_s)
+            self._external_link = ExternalLink(external, lambda: self._pace.running_s, scenario.station.ids)
             self._link = FleetLink(self._lockstep_link, self._external_link)
         self._forwarder = Forwarder(scenario.forward.to) if scenario.forward.to else None
         self._notices = LinkNotices(self._link, self._external_link, self._forwarder)
@@ -170,7 +170,7 @@ class SessionProcess:
         supervisor.hand_back()
         deadline_s = time.monotonic() + HAND_BACK_S
         with contextlib.suppress(RecorderError):  # it has been reported, or will be; what matters now is sent before
-            while supervisor.exchange(self._pace.running_wall_s):
+            while supervisor.exchange(self._pace.running_s):
                 if time.monotonic() > deadline_s:
                     supervisor.report_disobedience()
                     break

@@ -30,6 +30,8 @@ MOST_SAID = 1000
 NO_ORIGIN_S = 5.0
 DISTANT_M = 5000.0
 """An origin that is farther from the scenario's is reported: it may be a mistake."""
+BEHIND_S = 2.0
+"""At another speed than 1: a clock that has fallen so much further behind the session's is told."""
 GROUND_OFF_M = 2.0
 """A home that lies so much higher or lower than the scenario's height 0 is reported."""
 STEERED = frozenset({Stage.ARM, Stage.TAKEOFF, Stage.OFFBOARD, Stage.FLY})
@@ -58,6 +60,9 @@ class ExternalFleet:
         self._answers: dict[int, str] = {}
         self._events: list[Event] = []
         self._now_s = 0.0
+        self._speed = scenario.clock.speed if scenario.clock.mode == "real" else 1.0
+        self._offset_s: dict[int, float] = {}
+        """from each one's own time to the session's, as it was when it was told last"""
 
     def receive(
         self,
@@ -71,8 +76,10 @@ class ExternalFleet:
         self._now_s = now_s
         for sysid, offset_s in offsets_s.items():
             fleet.set_clock(sysid, offset_s)
+            self._watch_pace(sysid, offset_s)
         for sysid in rebooted:
             self.streams[sysid].restart()
+            self._offset_s.pop(sysid, None)
             self._note(sysid, "warning", "Its clock has begun anew: it has booted")
         for sysid, streams in self.streams.items():
             own = [frame for frame in delivered.get(sysid, ()) if frame.compid == mav.MAV_COMP_ID_AUTOPILOT1]
@@ -89,6 +96,18 @@ class ExternalFleet:
                 self.lost.add(sysid)
                 fleet.lost(sysid)
                 self._note(sysid, "critical", f"No word for {LOST_S:.0f} s: it is counted as lost until it is heard")
+
+    def _watch_pace(self, sysid: int, offset_s: float) -> None:
+        if self._speed == 1.0:
+            return
+        behind_s = offset_s - self._offset_s.setdefault(sysid, offset_s)
+        if abs(behind_s) >= BEHIND_S:
+            self._offset_s[sysid] = offset_s
+            way = "behind" if behind_s > 0.0 else "ahead of"
+            text = (
+                f"Its clock has fallen {behind_s:.1f} s" if behind_s > 0.0 else f"Its clock has run {-behind_s:.1f} s"
+            )
+            self._note(sysid, "warning", f"{text} {way} the session's: it does not keep speed {self._speed:g}")
 
     def relinked(self, sysid: int) -> None:
         """A vehicle has another link: an autopilot sends there what it is asked for there."""

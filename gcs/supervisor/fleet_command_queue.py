@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from gcs.mavlink.codec import Message
@@ -22,8 +22,10 @@ from gcs.mavlink.ids import AUTOPILOT, STATION
 class FleetCommandQueue:
     """For each vehicle what waits for its next grant, and which of its commands are under way; all in session time."""
 
-    def __init__(self, sysids: Iterable[int]) -> None:
-        self._queues = {sysid: CommandQueue(*STATION) for sysid in sysids}
+    def __init__(self, sysids: Iterable[int], stations: Mapping[int, tuple[int, int]] | None = None) -> None:
+        """`stations`: our ids, to which acknowledgements come, for vehicles that know us by others than STATION."""
+        known = stations or {}
+        self._queues = {sysid: CommandQueue(*known.get(sysid, STATION)) for sysid in sysids}
         self._waiting: dict[int, list[Message]] = {sysid: [] for sysid in self._queues}
         self._under_way: set[tuple[int, str]] = set()
 

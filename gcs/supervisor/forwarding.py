@@ -61,8 +61,11 @@ class Passed(NamedTuple):
     """whether it flies the vehicle"""
 
 
-def passed(frame: Frame, vehicles: Collection[int]) -> Passed | None:
-    """Result for another station's frame; None where it does not pass."""
+def passed(
+    frame: Frame, vehicles: Collection[int], stations: Mapping[int, tuple[int, int]] | None = None
+) -> Passed | None:
+    """Result for another station's frame; None where it does not pass. `stations`: our own ids for vehicles that know
+    us by others than STATION."""
     if frame.sysid in vehicles or frame.msgid in _STOPPED:
         return None
     try:
@@ -80,7 +83,7 @@ def passed(frame: Frame, vehicles: Collection[int]) -> Passed | None:
         name = known.name.removeprefix("MAV_CMD_") if known is not None else f"command {content.command}"
         takes = content.command not in _ASKS
     # One with our own id goes out as ours: a vehicle counts our sequence numbers.
-    own = (frame.sysid, frame.compid) == STATION
+    own = (frame.sysid, frame.compid) == (stations or {}).get(sysid, STATION)
     message = Message(frame.msgid, tuple(content)) if own else Relay(frame.raw)
     return Passed(sysid, message, name, takes)
 
@@ -88,7 +91,14 @@ def passed(frame: Frame, vehicles: Collection[int]) -> Passed | None:
 class ForwardedControl:
     """Messages that other ground stations have sent to a session's vehicles and that are not passed on yet."""
 
-    def __init__(self, arming: Mapping[int, ArmingSequence], operator: Operator) -> None:
+    def __init__(
+        self,
+        arming: Mapping[int, ArmingSequence],
+        operator: Operator,
+        stations: Mapping[int, tuple[int, int]] | None = None,
+    ) -> None:
+        """`stations` as in `passed`."""
+        self._stations = stations
         self._arming = arming
         self._operator = operator
         self._waiting: dict[int, list[Message | Relay]] = {}
@@ -99,7 +109,7 @@ class ForwardedControl:
         events: list[Event] = []
         now_s = snapshot.time_s
         for frame, by in received:
-            one = passed(frame, self._arming)
+            one = passed(frame, self._arming, self._stations)
             if one is None:
                 continue
             waiting = self._waiting.setdefault(one.sysid, [])

@@ -43,7 +43,7 @@ class GroundCheck:
         self._fleet = make_fleet(scenario)
         self._externals = ExternalFleet(scenario)
         self._preflight = Preflight(scenario)
-        self._queue = FleetCommandQueue(vehicle.sysid for vehicle in scenario.vehicles.all)
+        self._queue = FleetCommandQueue(self._expected, dict.fromkeys(self._expected, scenario.station.ids))
         self._heartbeat_s = -HEARTBEAT_EVERY_S
         self._ready: dict[int, bool | None] = {}
         """whether SYS_STATUS says that it could be armed; None: it does not know that"""
@@ -99,7 +99,7 @@ class GroundCheck:
                 continue
             items = [CheckItem("heard", True, f"heard at {rules.where}")]
             for one in links.get(sysid, ()):
-                if not one.alive:
+                if not one.fresh:
                     items.append(CheckItem("link", False, f"not heard at {one.connect}"))
             items += [_origin(snapshot.vehicle(sysid)), *self._preflight.items(sysid)]
             missing = self._externals.missing_streams(sysid)

@@ -3,6 +3,8 @@
 1. What the scenario has no fence or rally points for is not touched on a vehicle.
 2. A vehicle that takes no such plan (MAV_MISSION_UNSUPPORTED) passes: it is told, and flies without.
 3. The clock is that of SYSTEM_TIME, of external vehicles only. One that has no time yet, or does not tell it, passes.
+   At another speed than 1 only the pace of its own time counts, by `time_boot_ms`, over PACE_OVER_S of the session: a
+   simulator has to keep the session's, within PACE_OFF.
 4. Until its list has ended a vehicle is not armed; who fails is not armed at all, unless `preflight: warn`.
 Origins are judged where frames are (`arming_external`): one that is too far away is left out.
 """
@@ -16,6 +18,8 @@ import pymap3d
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec, plan_client
+from gcs.mavlink.autopilots import SPEED_SETTINGS
+from gcs.mavlink.boot_clock import CLOCKS
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.command_protocol import CommandLong, CommandTarget
 from gcs.mavlink.ids import AUTOPILOT
@@ -27,6 +31,8 @@ from gcs.telemetry.state import FleetSnapshot
 
 CLOCK_OFF_S = 10.0
 """[choice] Logs and signatures of a vehicle whose clock is farther off belong to another time."""
+PACE_OVER_S, PACE_WITHIN_S = 4.0, 30.0
+PACE_OFF = 0.1
 NO_TIME_BEFORE_S = 1_420_070_400.0
 """2015: a clock before that has not been set."""
 ASK_EVERY_S, ASK_TIMES = 0.5, 2
@@ -47,7 +53,7 @@ class CheckItem(NamedTuple):
     """An entry of a vehicle's check list."""
 
     key: str
-    """fence, rally or clock"""
+    """fence, rally, clock, or pace at another speed than 1"""
     passed: bool
     text: str
 
@@ -55,11 +61,14 @@ class CheckItem(NamedTuple):
 class _CheckList:
     """One vehicle's."""
 
-    def __init__(self, clients: Mapping[str, PlanClient], *, external: bool) -> None:
+    def __init__(self, clients: Mapping[str, PlanClient], *, external: bool, paced: bool) -> None:
         self.clients = clients
         self.items: dict[str, CheckItem] = {}
-        self.asks_clock = ASK_TIMES if external else 0
-        self.clock_open = external
+        self.asks_clock = ASK_TIMES if external and not paced else 0
+        self.clock_open = external and not paced
+        self.pace_open = external and paced
+        self.pace_began: dict[int, tuple[float, float]] = {}
+        """(session time, boot time) of its first message of each kind, s"""
         self.due_s = 0.0
         self.ended = False
 
@@ -69,11 +78,13 @@ class Preflight:
 
     def __init__(self, scenario: Scenario) -> None:
         self.enforced = scenario.preflight == "enforce"
+        self._speed = scenario.clock.speed if scenario.clock.mode == "real" else 1.0
         plans = {"fence": fence_items(scenario), "rally": rally_items(scenario)}
         self._lists = {
             v.sysid: _CheckList(
                 {key: PlanClient(v.sysid, AUTOPILOT, PLANS[key], items) for key, items in plans.items() if items},
                 external=v.external is not None,
+                paced=self._speed != 1.0,
             )
             for v in scenario.vehicles.all
             if any(plans.values()) or v.external is not None
@@ -109,6 +120,8 @@ class Preflight:
                         client.receive(codec.name(frame.msgid), content, now_s)
                 elif frame.msgid == _SYSTEM_TIME and checks.clock_open:
                     self._clock(checks, codec.fields(frame).time_unix_usec, unix_us)
+                elif frame.msgid in CLOCKS and checks.pace_open:
+                    self._pace(checks, frame.msgid, codec.fields(frame).time_boot_ms / 1e3, now_s)
 
     def decide(self, snapshot: FleetSnapshot) -> dict[int, list[Message]]:
         """Messages by system id that bring the lists of those who have been received further."""
@@ -118,12 +131,17 @@ class Preflight:
             if checks.ended or not view.alive or view.last_received_s < 0.0:
                 continue
             messages = self._ask_clock(sysid, checks, now_s)
+            if checks.pace_open and now_s >= PACE_WITHIN_S:
+                checks.pace_open = False
+                checks.items["pace"] = CheckItem(
+                    "pace", False, "does not tell its own time, by which it would be followed"
+                )
             under_way = next(((key, one) for key, one in checks.clients.items() if key not in checks.items), None)
             if under_way is not None:
                 messages += self._plan(*under_way, checks, now_s)
             if messages:
                 out[sysid] = messages
-            if checks.items.keys() >= checks.clients.keys() and not checks.clock_open:
+            if checks.items.keys() >= checks.clients.keys() and not checks.clock_open and not checks.pace_open:
                 checks.ended = True
                 self._report(sysid, checks, now_s)
         return out
@@ -164,6 +182,21 @@ class Preflight:
         passed = abs(off_s) <= CLOCK_OFF_S
         text = "clock right" if passed else f"clock {abs(off_s):.0f} s {side} ours"
         checks.items["clock"] = CheckItem("clock", passed, text)
+
+    def _pace(self, checks: _CheckList, msgid: int, boot_s: float, now_s: float) -> None:
+        """Compare how fast its own time runs with the session's."""
+        began_s, booted_s = checks.pace_began.setdefault(msgid, (now_s, boot_s))
+        if boot_s < booted_s:  # it has booted
+            checks.pace_began[msgid] = now_s, boot_s
+        elif now_s - began_s >= PACE_OVER_S:
+            checks.pace_open = False
+            share = (boot_s - booted_s) / (now_s - began_s)
+            runs = f"runs {share * self._speed:.1f} times as fast as real time"
+            kept = abs(share - 1.0) <= PACE_OFF
+            advice = (
+                f", the session {self._speed:g} times: set its simulator's speed ({SPEED_SETTINGS}), or leave out speed"
+            )
+            checks.items["pace"] = CheckItem("pace", kept, runs + ("" if kept else advice))
 
     def _report(self, sysid: int, checks: _CheckList, now_s: float) -> None:
         texts = "; ".join(item.text for item in checks.items.values())

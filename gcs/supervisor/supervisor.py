@@ -99,7 +99,8 @@ class Supervisor:
         self.goal_watch = GoalWatch(scenario, self.planner.obstacles, self.arming)
         self.operator = Operator(scenario, self.arming, self.schedule)
         self.recovery = Recovery(self.arming)
-        self._forwarded = ForwardedControl(self.arming, self.operator)
+        stations = dict.fromkeys(scenario.vehicles.external, scenario.station.ids)
+        self._forwarded = ForwardedControl(self.arming, self.operator, stations)
         self.externals = ExternalFleet(scenario)
         self.preflight = Preflight(scenario)
         self._wait_for_fleet_s = WAIT_FOR_FLEET_S + self.externals.patience_s
@@ -110,7 +111,7 @@ class Supervisor:
         """whose process has been stopped by a fault"""
         self._radio = make_radio(scenario, injections if impaired else ())
         self._peer_radio = make_peer_radio(scenario, injections)
-        self.command_queue = FleetCommandQueue(self.arming)
+        self.command_queue = FleetCommandQueue(self.arming, stations)
         self._gaps = GapCounter()
         self.quality = LinkQuality(self._gaps)
         self._heartbeat_due_ms = dict.fromkeys(self.arming, 0)

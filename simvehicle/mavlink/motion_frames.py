@@ -28,23 +28,23 @@ _TURN_RAD, _TURN_DEG = 2.0 * math.pi, 360.0
 _DEGREES = 180.0 / math.pi
 
 
-@njit
+@njit(error_model="numpy")
 def _remainder(x: float, whole: float) -> float:
     """IEEE's remainder, as math.remainder; exact."""
-    rest = np.fmod(x, whole)
+    rest: float = np.fmod(x, whole)
     if abs(rest) > 0.5 * whole:
         rest -= math.copysign(whole, rest)
     return rest
 
 
-@njit
+@njit(error_model="numpy")
 def _bounded(value: float, bits: int) -> int:
     """The nearest number that so many bits hold."""
     limit = 2.0 ** (bits - 1)
     return int(min(max(np.rint(value), -limit), limit - 1.0))
 
 
-@njit
+@njit(error_model="numpy")
 def _checksum(frame: NDArray[np.uint8], start: int, end: int, seed: int) -> int:
     """CRC-16/MCRF4XX of bytes and the message's seed."""
     crc = 0xFFFF
@@ -55,7 +55,7 @@ def _checksum(frame: NDArray[np.uint8], start: int, end: int, seed: int) -> int:
     return crc & 0xFFFF
 
 
-@njit
+@njit(error_model="numpy")
 def _frame(
     out: NDArray[np.uint8], at: int, words: NDArray[np.int32], msgid: int, seed: int, seq: int, sysid: int, compid: int
 ) -> int:

@@ -303,15 +303,15 @@ class ArduCopter:
 
     def live(self) -> None:
         """Until stdin ends."""
-        began_s = time.monotonic()
+        began_s, speed = time.monotonic(), self.options.speedup
         while True:
-            wait_s = max(0.0, began_s + self.copter.now_s + STEP_S - time.monotonic())
+            wait_s = max(0.0, began_s + (self.copter.now_s + STEP_S) / speed - time.monotonic())
             ready, _, _ = select.select([self.link.socket, sys.stdin], [], [], wait_s)
             if sys.stdin in ready and not sys.stdin.buffer.read1():
                 return
             if self.link.socket in ready:
                 self.hear(self.link.read())
-            while time.monotonic() >= began_s + self.copter.now_s + STEP_S:
+            while time.monotonic() >= began_s + (self.copter.now_s + STEP_S) / speed:
                 self.step()
 
 
@@ -359,6 +359,7 @@ def main() -> None:
     says.add_argument("--origin", type=three, default=(47.3978, 8.5455, 487.0), metavar="LAT,LON,ALT")
     says.add_argument("--start", type=three, default=ZERO, metavar="N,E,D", help="from its own origin, m")
     says.add_argument("--refuse-arming-s", type=float, default=2.0, help="how long after its start arming is refused")
+    says.add_argument("--speedup", type=float, default=1.0, help="how much faster than real time its time runs")
     says.add_argument("--refuse-intervals", action="store_true", help="know no SET_MESSAGE_INTERVAL")
     says.add_argument("--battery-wh", type=float, default=70.0)
     says.add_argument(

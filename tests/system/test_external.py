@@ -236,10 +236,45 @@ def test_a_port_that_another_program_has_is_bad_input(tmp_path: Path) -> None:
     assert f"gcs: {connect} cannot be listened at: Address already in use; another program" in outcome.stderr
 
 
-@pytest.mark.parametrize("option", [["--lockstep"], ["--speed", "2"]])
-def test_another_clock_is_refused_before_anything_is_made(tmp_path: Path, option: list[str]) -> None:
+def test_lockstep_is_refused_before_anything_is_made(tmp_path: Path) -> None:
     block = {"connect": "udpin:127.0.0.1:14550", "sysid": 7, "capacity_j": 1e5}
-    outcome = fly(scenario({"pursuers": [{"external": block}]}), tmp_path, *option)
+    outcome = fly(scenario({"pursuers": [{"external": block}]}), tmp_path, "--lockstep")
     assert outcome.status == 2
-    assert "pursuer 7 (external) lives on the real clock" in outcome.stderr
+    assert "pursuer 7 (external) lives on its own clock" in outcome.stderr
     assert not outcome.folder.exists()
+
+
+def test_a_session_at_three_times_real_time_flies_who_keeps_it_and_names_who_does_not(tmp_path: Path) -> None:
+    ports = free_port(), free_port()
+    rules = {"capacity_j": 1e5, "arm_within_s": 30}
+    made = scenario(
+        {"pursuers": [
+            {"external": {"connect": f"udpin:127.0.0.1:{port}", "sysid": sysid, **rules},
+             "waypoints_m": [[0, 5 * sysid, -3], [4, 5 * sysid, -3]]}
+            for sysid, port in enumerate(ports, 3)
+        ]},
+        goal={"duration_s": 33.0, "lost_at_most": 2, "waypoints": "none"},
+    )  # fmt: skip
+    commands = [
+        [*ARDUCOPTER, "--sysid", str(sysid), "--connect", f"udpout:127.0.0.1:{port}", "--speedup", str(speed),
+         "--origin", home(0.0, 5.0 * sysid, 0.0)]
+        for sysid, port, speed in zip((3, 4), ports, (3, 1), strict=True)
+    ]  # fmt: skip
+    with strangers(tmp_path / "said", *commands):
+        outcome = fly(made, tmp_path, "--speed", "3")
+    summary = outcome.summary
+    assert summary["speed"] == 3.0
+    assert summary["speed_achieved"] == pytest.approx(3.0, rel=0.05)
+    pace = {sysid: next(i for i in outcome.vehicle(sysid)["check_list"] if i["key"] == "pace") for sysid in (3, 4)}
+    assert pace[3]["passed"]
+    assert not pace[4]["passed"]
+    assert pace[4]["text"].startswith("runs 1.0 times as fast as real time, the session 3 times: set its simulator's")
+    assert "Fails its check list and is not armed: runs 1.0 times" in (outcome.folder / "session.log").read_text()
+    reached = {3: math.inf, 4: math.inf}
+    for _, m in outcome.messages("LOCAL_POSITION_NED"):
+        sysid = m.get_srcSystem()
+        reached[sysid] = min(reached[sysid], math.dist((m.x, m.y, m.z), (4.0, 0.0, -3.0)))
+    assert reached[3] < 0.6
+    assert reached[4] > 4.0
+    boots = [m.time_boot_ms for _, m in outcome.messages("ATTITUDE") if m.get_srcSystem() == 3]
+    assert (boots[-1] - boots[0]) / 1e3 == pytest.approx(summary["sim_time_s"], abs=2.0)

@@ -14,6 +14,8 @@ from radios import Cable
 from sessions import Outcome, Running
 from strangers import SIMVEHICLE, free_port, strangers
 
+from gcs.recording import session_folder
+
 BAUD = 57_600
 FLOWN_S = 16.0
 PX4_OFFBOARD = 6 << 16
@@ -48,7 +50,7 @@ def flown(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Flown]:
         said = {
             "schema": 1, "name": "links", "axes": "ned",
             "origin": {"lat_deg": 47.397742, "lon_deg": 8.545594, "alt_m": 488.0},
-            "goal": {"duration_s": FLOWN_S},
+            "goal": {"duration_s": FLOWN_S}, "station": {"sysid": 240, "compid": 191},
             "vehicles": {"pursuers": [
                 {"external": {"connect": connects, "sysid": 7, "capacity_j": 250_000}, "waypoints_m": POINTS_M},
             ]},
@@ -95,7 +97,7 @@ def test_the_change_is_an_event_and_the_link_in_use_is_shown(flown: Flown) -> No
     assert flown.device in flown.links
     assert flown.links[-1] == flown.udp
     (vehicle,) = flown.outcome.summary["vehicles"]
-    assert [(one["connect"], one["used"], one["alive"]) for one in vehicle["links"]] == [
+    assert [(one["connect"], one["used"], one["fresh"]) for one in vehicle["links"]] == [
         (flown.device, False, False), (flown.udp, True, True),
     ]  # fmt: skip
     assert flown.outcome.summary["link"]["lost"] < 20
@@ -105,3 +107,12 @@ def test_nobody_but_the_session_had_it(flown: Flown) -> None:
     (vehicle,) = flown.outcome.summary["vehicles"]
     assert vehicle["missing_streams"] == []
     assert not [event for event in flown.events if "takes part again" in event["text"].lower()]
+
+
+def test_the_vehicle_knows_us_by_the_scenarios_id_alone(flown: Flown) -> None:
+    sent = [m for name in ("SET_POSITION_TARGET_LOCAL_NED", "COMMAND_LONG") for _, m in flown.outcome.messages(name)]
+    senders = {(m.get_srcSystem(), m.get_srcComponent()) for m in sent}
+    assert senders == {(240, 191)}
+    answered = {(m.target_system, m.target_component) for _, m in flown.outcome.messages("COMMAND_ACK")}
+    assert answered == {(240, 191)}
+    assert session_folder.read(flown.outcome.folder).traffic_count.keys() == {7}

@@ -22,7 +22,7 @@ def check_scenario(
     """Check lists of the external vehicles, by system id; `say` is told what is waited for. Raises AddressRefused,
     KeyRefused."""
     begun_s = time.monotonic()
-    link = ExternalLink(scenario.vehicles.external, lambda: time.monotonic() - begun_s)
+    link = ExternalLink(scenario.vehicles.external, lambda: time.monotonic() - begun_s, scenario.station.ids)
     labels = {vehicle.sysid: vehicle.label for vehicle in scenario.vehicles.all}
     try:
         patience_s = max(rules.found_within_s for rules in scenario.vehicles.external.values())

@@ -111,6 +111,17 @@ def test_vehicles_on_one_port_are_known_by_their_first_heartbeat_and_answered_wh
     assert [m.get_type() for m in two.hear(1)] == ["PING"]
 
 
+def test_the_station_has_the_id_that_it_is_given(stand: Any) -> None:
+    port = free_port()
+    link = stand(ExternalLink({1: block(f"udpin:127.0.0.1:{port}")}, time.monotonic, (245, 191)))
+    one = stand(Vehicle(1))
+    one.say(port, one.heartbeat())
+    until(link, lambda: not link.missing)
+    link.grant(KEYS[1], [codec.message("PING", time_usec=7, seq=1, target_system=0, target_component=0)], [])
+    (ping,) = one.hear(1)
+    assert (ping.get_srcSystem(), ping.get_srcComponent()) == (245, 191)
+
+
 def test_what_comes_between_two_ticks_is_delivered_at_the_second(stand: Any) -> None:
     link, port = udpin(1)
     stand(link)

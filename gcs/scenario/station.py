@@ -1,0 +1,34 @@
+"""The id by which external vehicles know this ground station."""
+
+from collections.abc import Collection, Iterator
+from typing import Annotated
+
+from pydantic import Field
+
+from gcs.scenario.document import Conflict
+from gcs.scenario.types import Part
+
+TRAFFIC = (255, 156)
+
+
+class Station(Part):
+    """Our system and component id, on every link to an external vehicle; launched ones always hear 255/190."""
+
+    sysid: Annotated[int, Field(strict=True, ge=1, le=255)] = 255
+    """system id; ArduPilot obeys by its SYSID_MYGCS (MAV_GCS_SYSID) alone the sticks of whom it names; QGroundControl
+    and MAVProxy are 255 too"""
+    compid: Annotated[int, Field(strict=True, ge=2, le=255)] = 190
+    """component id; 1 is an autopilot's"""
+
+    @property
+    def ids(self) -> tuple[int, int]:
+        """(system, component)."""
+        return self.sysid, self.compid
+
+
+def station_conflicts(station: Station, sysids: Collection[int]) -> Iterator[Conflict]:
+    """An id that somebody else has."""
+    if station.sysid in sysids:
+        yield Conflict(("station", "sysid"), f"{station.sysid} is the sysid of a vehicle: the station needs its own")
+    if station.ids == TRAFFIC:
+        yield Conflict(("station",), f"{TRAFFIC[0]}/{TRAFFIC[1]} is the traffic's: take another compid")

@@ -96,15 +96,13 @@ class Search:
         """CMA-ES about the worst trial so far; what has no order is suggested by TPE."""
         samplers, seed = self._optuna.samplers, self._plan.campaign.seed % (1 << 32)
         others = samplers.TPESampler(seed=seed, multivariate=True)
-        ordered = {key: value for key, value in self._study.best_params.items() if self._is_ordered(key)}
+        draws, best = self._plan.campaign.draw, self._study.best_params
+        ordered = {key: value for key, value in best.items() if draws[key].choice is None}
         if not ordered:
             return others
         return samplers.CmaEsSampler(
             seed=seed, x0=ordered, sigma0=STEP, popsize=max(self._rules.batch, 5), independent_sampler=others
         )
-
-    def _is_ordered(self, key: str) -> bool:
-        return self._plan.campaign.draw[key].choice is None
 
 
 def _suggested(trial: Any, key: str, draw: Draw) -> Any:

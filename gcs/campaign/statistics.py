@@ -108,7 +108,7 @@ def numbers(rows: pa.Table, measure: str) -> Floats:
 def name_of(plan: Plan, combination: int) -> str:
     """A combination's values in words; empty where nothing is varied."""
     row = plan.row(combination)
-    return ", ".join(f"{_short(key)} {row.values[key]}" for key in plan.campaign.vary)
+    return ", ".join(f"{key.rsplit('.', 1)[-1]} {row.values[key]}" for key in plan.campaign.vary)
 
 
 def text(plan: Plan, rows: pa.Table) -> list[str]:
@@ -136,7 +136,3 @@ def aligned(lines: Sequence[Sequence[Any]]) -> list[str]:
     return [
         "  ".join(f"{word!s:<{width}}" for word, width in zip(line, widths, strict=True)).rstrip() for line in lines
     ]
-
-
-def _short(key: str) -> str:
-    return key.rsplit(".", 1)[-1]

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import re
 import sys
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -35,6 +36,11 @@ WORKERS = click.option(
 )
 PLAIN = click.option("--plain", is_flag=True, help="Lines of text instead of a progress line.")
 QUIET = click.option("--quiet", "-q", is_flag=True, help="Say only what goes wrong.")
+
+
+def flown(command: Callable[..., Any]) -> Callable[..., Any]:
+    """The options of every command that flies a campaign's sessions."""
+    return SCHEDULER(WORKERS(PLAIN(QUIET(command))))
 
 
 class CampaignRefused(click.ClickException):
@@ -67,19 +73,13 @@ def campaign() -> None:
 )
 @SEED
 @OUT
-@SCHEDULER
-@WORKERS
-@PLAIN
-@QUIET
+@flown
 def run(
     file: str,
     sessions: int | None,
     seed: int | None,
     out: Path | None,
-    scheduler: str | None,
-    workers: int | None,
-    plain: bool,
-    quiet: bool,
+    **how: Any,
 ) -> int:
     """Fly FILE, a campaign's file or the name of a shipped one; a row per session, written as rows come.
 
@@ -101,22 +101,19 @@ def run(
         folder = make_folder(plan, out)
     except EngineError as error:
         raise CampaignRefused(str(error)) from None
-    return _fly(folder, plan, scheduler, workers, plain, quiet)
+    return _fly(folder, plan, **how)
 
 
 @campaign.command(short_help="Fly what a campaign lacks.")
 @FOLDER
-@SCHEDULER
-@WORKERS
-@PLAIN
-@QUIET
-def resume(folder: Path, scheduler: str | None, workers: int | None, plain: bool, quiet: bool) -> int:
+@flown
+def resume(folder: Path, **how: Any) -> int:
     """Go on with the campaign in DIR: only sessions without a row are flown.
 
     \b
     Exit status: as of `gcs campaign run`.
     """
-    return _fly(folder, _found(folder), scheduler, workers, plain, quiet)
+    return _fly(folder, _found(folder), **how)
 
 
 @campaign.command(short_help="How far a campaign is.")
@@ -222,10 +219,7 @@ def report(folder: Path) -> int:
 @click.option("--trials", type=click.IntRange(1), metavar="N", help="Instead of the file's.")
 @SEED
 @OUT
-@SCHEDULER
-@WORKERS
-@PLAIN
-@QUIET
+@flown
 def search(
     file: str,
     trials: int | None,
@@ -393,7 +387,7 @@ def _found(folder: Path) -> Plan:
         raise CampaignRefused(str(error)) from None
 
 
-def _fly(folder: Path, plan: Plan, scheduler: str | None, workers: int | None, plain: bool, quiet: bool) -> int:
+def _fly(folder: Path, plan: Plan, *, scheduler: str | None, workers: int | None, plain: bool, quiet: bool) -> int:
     from gcs.campaign import statistics, table
     from gcs.campaign.engine import EngineError
     from gcs.campaign.runner import Runner

@@ -124,23 +124,23 @@ def replay(
             raise click.UsageError(f"--from: the recording goes from {recording.from_s:g} to {recording.to_s:g} s.")
         looked_at = web or (not (plain or as_json) and usable())
         recording.seek(from_s, reported_s=-math.inf if looked_at else math.inf)  # who can scroll back finds the past
-    source = ReplaySource(recording, speed=speed or 1.0)
-    if web:
-        page.show(source, commands=False, tiles=tiles)
-        return 0
-    if foxglove:
-        page.show_in_foxglove(source)
-        return 0
-    if not plain and not as_json and usable():
-        from gcs.console.app import show
-
-        return show(source, recording.name)
     from gcs.console.follow import Steps, follow
 
-    if speed is None:
+    shown = web or foxglove or (not plain and not as_json and usable())
+    if speed is None and not shown:
         steps = Steps()
         source = ReplaySource(recording, speed=None, clock=steps, patience_s=math.inf)
         follow(source, click.echo, as_json=as_json, clock=steps, wait=steps.go_on, over=lambda: recording.ended)
+        return 0
+    source = ReplaySource(recording, speed=speed or 1.0)
+    if web:
+        page.show(source, commands=False, tiles=tiles)
+    elif foxglove:
+        page.show_in_foxglove(source)
+    elif shown:
+        from gcs.console.app import show
+
+        return show(source, recording.name)
     else:
         follow(source, click.echo, as_json=as_json, over=lambda: recording.ended)
     return 0

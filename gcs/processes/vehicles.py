@@ -140,6 +140,7 @@ def autopilot_order(
 def vehicle_parameters(vehicle: VehicleBase, scenario: Scenario) -> dict[str, float]:
     """The MAVLink parameters that a scenario gives one of its vehicles."""
     battery = vehicle.battery
+    fails = any(fault.sysid == vehicle.sysid and fault.fault in COMMANDED for fault in scenario.faults)
     return {
         "SIM_BAT_CAP_J": battery.capacity_j,
         "SIM_BAT_INIT_J": battery.capacity_j * battery.initial_percent / 100.0,
@@ -148,7 +149,7 @@ def vehicle_parameters(vehicle: VehicleBase, scenario: Scenario) -> dict[str, fl
         "SIM_XFER_DIST": scenario.refuelling.capture_m,
         "SIM_XFER_SPEED": scenario.refuelling.relative_speed_m_s,
         **(_cautious(vehicle, scenario) if scenario.planner.safety else {}),
-        **({"SYS_FAILURE_EN": 1.0} if _fails(vehicle, scenario) else {}),
+        **({"SYS_FAILURE_EN": 1.0} if fails else {}),
         **vehicle.params,
     }
 
@@ -219,11 +220,6 @@ def fleet_rules(scenario: Scenario) -> dict[str, Any]:
             for obstacle in scenario.obstacles
         ],
     }
-
-
-def _fails(vehicle: VehicleBase, scenario: Scenario) -> bool:
-    """Whether it is to be told to have a fault."""
-    return any(fault.sysid == vehicle.sysid and fault.fault in COMMANDED for fault in scenario.faults)
 
 
 def _cautious(vehicle: VehicleBase, scenario: Scenario) -> dict[str, float]:

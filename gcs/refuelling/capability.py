@@ -8,7 +8,6 @@ asked, and by a command that does nothing: to stop a transfer that it has not be
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 from gcs.refuelling.service import ServiceRequests
 from gcs.refuelling.transfer_command import inquiry
@@ -51,7 +50,9 @@ class ReceiverCapability:
                 requests.request(inquiry(sysid, mark))
             elif snapshot.time_s - first_s > ASK_WITHIN_S:
                 self._learn(sysid, NO_BATTERY_MODEL)
-        requests.records += [self._record(sysid) for sysid in self._unrecorded]
+        requests.records += [
+            {"kind": "unable", "receiver": sysid, "reason": self.unable[sysid]} for sysid in self._unrecorded
+        ]
         self._unrecorded = []
 
     def _learn(self, sysid: int, why_not: str | None) -> None:
@@ -59,6 +60,3 @@ class ReceiverCapability:
         if why_not is not None:
             self.unable[sysid] = why_not
             self._unrecorded.append(sysid)
-
-    def _record(self, sysid: int) -> dict[str, Any]:
-        return {"kind": "unable", "receiver": sysid, "reason": self.unable[sysid]}

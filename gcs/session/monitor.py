@@ -19,7 +19,7 @@ from gcs.link.socket import Where
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import End
 from gcs.mavlink.codec import Frame, Message
-from gcs.mavlink.command_protocol import CommandLong, CommandQueue, CommandResult, CommandTarget, Step
+from gcs.mavlink.command_protocol import CommandLong, CommandQueue, CommandTarget, Step
 from gcs.mavlink.ids import OUR_HEARTBEAT, STATION
 from gcs.mavlink.sequence import SequenceCounter
 from gcs.mavlink.stream_requests import SilentVehicles, everything
@@ -125,7 +125,7 @@ class MonitorSource:
         if known is not None and known[0] != peer and t_s - known[1] < GONE_S:
             if (frame.sysid, peer) not in self._refused and len(self._refused) < MOST_REFUSED:
                 self._refused.add((frame.sysid, peer))
-                text = f"Another vehicle says that it is {frame.sysid}, from {_where(peer)}: ignored"
+                text = f"Another vehicle says that it is {frame.sysid}, from {peer[0]}:{peer[1]}: ignored"
                 observer.add_event(Event(t_s, frame.sysid, "warning", text, "link"))
             return
         observer.receive(frame, t_s)
@@ -207,17 +207,11 @@ class MonitorSource:
         self._transmit(sysid, step.messages)
         for result in step.results:
             if result.outcome == "timeout":
-                self._observer.add_event(Event(t_s, sysid, "warning", _unanswered(result), "ack"))
+                what = str(result.token).capitalize()
+                text = f"{what} was not acknowledged, though it was sent {result.attempts} times"
+                self._observer.add_event(Event(t_s, sysid, "warning", text, "ack"))
 
     def _transmit(self, sysid: int, messages: list[Message]) -> None:
         peer = self._peers[sysid][0]
         for message in messages:
             self._listener.send(codec.frame(message, self._counter.next(), *STATION), peer)
-
-
-def _unanswered(result: CommandResult) -> str:
-    return f"{str(result.token).capitalize()} was not acknowledged, though it was sent {result.attempts} times"
-
-
-def _where(peer: Where) -> str:
-    return f"{peer[0]}:{peer[1]}"

@@ -148,7 +148,8 @@ class Vehicle(Body):
 
     def reposition(self, p_ned: Vec3, speed_m_s: float | None = None) -> bool:
         """Hold at another place, flying there no faster than asked; False where the vehicle is not flying."""
-        if self.landed or not self.armed or not self.trigger(self._hold_event()):
+        hold = Trigger.GUIDED_HOLD if self.identity.guided else Trigger.HOLD
+        if self.landed or not self.armed or not self.trigger(hold):
             return False
         self._anchor = replace(self._anchor, p_ned=p_ned, speed_m_s=speed_m_s)
         return True
@@ -188,9 +189,6 @@ class Vehicle(Body):
         self._setpoint = self._followed = self._gcs_seen_s = None
         self.trigger(Trigger.HOLD)
         self.retune()
-
-    def _hold_event(self) -> Trigger:
-        return Trigger.GUIDED_HOLD if self.identity.guided else Trigger.HOLD
 
     def set_point(self, setpoint: OffboardSetPoint) -> None:
         """Take an offboard set point; it is flown in offboard and refuel, and keeps them alive."""

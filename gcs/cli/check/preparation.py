@@ -14,17 +14,18 @@ from gcs.mavlink.autopilots import FlightMode
 from gcs.mavlink.codec import Message, message
 
 
-def _mode_number(vehicle: CheckedVehicle, mode: FlightMode) -> int:
-    return min(number for number, known in vehicle.profile.modes.items() if known is mode)
-
-
 def _set_hold(vehicle: CheckedVehicle) -> Sequence[Message]:
-    mode = {"base_mode": mav.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED, "custom_mode": _mode_number(vehicle, FlightMode.HOLD)}
-    return [message("SET_MODE", target_system=vehicle.sysid, **mode)]
+    hold = min(number for number, mode in vehicle.profile.modes.items() if mode is FlightMode.HOLD)
+    base = mav.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
+    return [message("SET_MODE", target_system=vehicle.sysid, base_mode=base, custom_mode=hold)]
 
 
-def _flies(mode: FlightMode) -> Callable[[CheckedVehicle, Any], bool]:
-    return lambda vehicle, content: vehicle.profile.mode(content.custom_mode) is mode
+def _hold(key: str, what: str) -> Question:
+    def flies(vehicle: CheckedVehicle, content: Any) -> bool:
+        return vehicle.profile.mode(content.custom_mode) is FlightMode.HOLD
+
+    misses = {QGC: "tries three times, then shows the old mode"}
+    return Question(key, what, misses, answered("HEARTBEAT", ours=flies), _set_hold, repeat_s=1.2)
 
 
 def _says(wanted: bool) -> Callable[[CheckedVehicle, Sequence[ReceivedMessage]], Verdict | None]:
@@ -75,14 +76,7 @@ def _arming(wanted: bool) -> list[Question]:
 def _preparation() -> list[Question]:
     judge, at_end = acknowledged(mav.MAV_CMD_DO_SET_MODE)
     return [
-        Question(
-            "set-mode",
-            "SET_MODE (11) to hold: the HEARTBEAT says so",
-            {QGC: "tries three times, then shows the old mode"},
-            answered("HEARTBEAT", ours=_flies(FlightMode.HOLD)),
-            _set_hold,
-            repeat_s=1.2,
-        ),
+        _hold("set-mode", "SET_MODE (11) to hold: the HEARTBEAT says so"),
         Question(
             "offboard",
             "offboard after half a second of set points",
@@ -93,14 +87,7 @@ def _preparation() -> list[Question]:
             streams=_stay,
             lead_s=0.5,
         ),
-        Question(
-            "hold-again",
-            "SET_MODE (11) back to hold",
-            {QGC: "tries three times, then shows the old mode"},
-            answered("HEARTBEAT", ours=_flies(FlightMode.HOLD)),
-            _set_hold,
-            repeat_s=1.2,
-        ),
+        _hold("hold-again", "SET_MODE (11) back to hold"),
         *_arming(True),
         *_arming(False),
     ]

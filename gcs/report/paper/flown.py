@@ -78,7 +78,7 @@ def literal(scenario: Scenario, folder: Path) -> Study:
     obstacles = np.array([obstacle.low_m for obstacle in scenario.obstacles]) * session.NED_TO_PAPER
     course = np.array(scenario.vehicles.pursuers[0].waypoints_m) * session.NED_TO_PAPER
     speed = tracking.speed_errors(flights)
-    slowest = min(float(_speeds(f)[f.plan_time_s < f.arrived_s - 1e-6].min()) for f in flights)
+    slowest = min(float(np.linalg.norm(f.plan_v[f.plan_time_s < f.arrived_s - 1e-6], axis=1).min()) for f in flights)
     measured = {
         "lit-speed": Measurement(max(speed), f"worst of {len(flights)} vehicles"),
         "lit-way": Measurement(slowest),
@@ -100,10 +100,6 @@ def _pitch_at(flight: RecordedFlight, way: Floats) -> float:
     passed_s = flight.plan_time_s[np.linalg.norm(flight.plan_p - way, axis=1).argmin()]
     near = np.abs(flight.time_s - passed_s) <= NEAR_S
     return float(np.abs(tracking.attitude_reference(flight)[near, 1]).max())
-
-
-def _speeds(flight: RecordedFlight) -> Floats:
-    return np.asarray(np.linalg.norm(flight.plan_v, axis=1))
 
 
 def _settles_s(flight: RecordedFlight) -> float:

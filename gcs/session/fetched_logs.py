@@ -2,6 +2,7 @@
 
 1. A vehicle that comes down is waited for until it is disarmed: before that its log is not whole, and ArduPilot keeps
    it back. One that was told to hold is not waited for.
+   Autopilots write a log on for seconds then: its size is asked for until it stays.
 2. The newest log of each is downloaded, all side by side, for FETCH_WITHIN_S at most. What came whole stays.
 3. Whose log did not come is named, with what to do. That changes nothing about how the session ended.
 """
@@ -19,13 +20,14 @@ from gcs.link.keys import KeyRefused
 from gcs.link.log_folder import LogFolder, newest, problems
 from gcs.link.socket import AddressRefused
 from gcs.mavlink.ids import AUTOPILOT
-from gcs.mavlink.log_client import LogClient
+from gcs.mavlink.log_client import LogClient, LogEntry
 from gcs.scenario.endpoint import address
 from gcs.scenario.model import Scenario
 
 FOLDER, FILE = "logs", "logs.json"
 FIND_WITHIN_S, LAND_WITHIN_S, FETCH_WITHIN_S = 5.0, 60.0, 300.0
 SAY_EVERY_S = 5.0
+STAYS_S, STAYS_TRIES = 2.0, 8
 
 
 def fetch_logs(
@@ -43,9 +45,10 @@ def fetch_logs(
     with contextlib.ExitStack() as stack:
         found, missed = _find(scenario, stack)
         missed += _wait_until_down(scenario, found, say)
-        clients = [LogClient(sysid, AUTOPILOT) for sysid in sorted(found)]
+        clients: list[LogClient] = []
         kept = LogFolder(folder, clients)
         try:
+            clients += _listed(found)
             _download(found, clients, kept, say, fetch_within_s)
         except KeyboardInterrupt:
             missed.append("the download of logs was stopped: `gcs logs get` begins it again")
@@ -110,6 +113,24 @@ def _wait_until_down(scenario: Scenario, found: dict[int, AskedFleet], say: Call
     ]
 
 
+def _listed(found: dict[int, AskedFleet]) -> list[LogClient]:
+    """Dialogues that know the logs of each vehicle, the newest in a size that it keeps."""
+    before: list[list[LogEntry]] | None = None
+    for _ in range(STAYS_TRIES):
+        clients = [LogClient(sysid, AUTOPILOT) for sysid in sorted(found)]
+        for client in clients:
+            client.list_logs()
+        while not all(client.done for client in clients):
+            _round(found.values(), clients)
+        latest = [newest(client) for client in clients]
+        if latest == before:
+            break
+        before, until_s = latest, time.monotonic() + STAYS_S
+        while any(latest) and time.monotonic() < until_s:
+            _round(found.values(), [])
+    return clients
+
+
 def _download(
     found: dict[int, AskedFleet],
     clients: list[LogClient],
@@ -119,14 +140,9 @@ def _download(
 ) -> None:
     begun_s = said_s = time.monotonic()
     for client in clients:
-        client.list_logs()
-    listed: set[int] = set()
-    while not all(client.done and client.sysid in listed for client in clients):
+        client.download(kept.missing(client, newest(client)))
+    while not all(client.done for client in clients):
         _round(found.values(), clients)
-        for client in clients:
-            if client.sysid not in listed and client.done:
-                listed.add(client.sysid)
-                client.download(kept.missing(client, newest(client)))
         kept.save()
         now_s = time.monotonic()
         if now_s - begun_s >= within_s:

@@ -76,7 +76,7 @@ class _LazyCommands(click.Group):
 @click.option(
     "--attitude", type=_Triple("R,P,Y"), multiple=True, default=("0,0,0",), help="Roll, pitch and yaw at start, deg."
 )
-@click.option("--airborne", is_flag=True, help="Start flying in offboard; there is no ground.")
+@click.option("--airborne", is_flag=True, help="Start flying, in offboard; no ground.")
 @click.option(
     "--home",
     type=_Triple("LAT,LON,ALT"),

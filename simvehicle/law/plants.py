@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simvehicle.law import rotor_flight, step
-from simvehicle.law.params import VehicleParams, pack
+from simvehicle.law.params import STEP_S, VehicleParams, pack
 from simvehicle.world import airframes
 from simvehicle.world.description import STILL_AIR, Air, WorldVehicle
 from simvehicle.world.estimate import ERROR_SIZE
@@ -69,6 +69,7 @@ class PaperPlant:
         self.state = np.zeros((1, step.STATE_SIZE))
         self.now: Floats = []
         self._packed = np.zeros((1, 0))
+        self._time_s = np.zeros(1)
 
     def tune(self, flight: VehicleParams) -> None:
         """As the protocol."""
@@ -95,7 +96,10 @@ class PaperPlant:
 
     def advance(self, command: NDArray[np.float64], *, time_s: float, steps: int) -> NDArray[np.float64]:
         """As the protocol."""
-        self.state, thrust = step.advance(self.state, command, self._packed, time_s=time_s, steps=steps)
+        flown, thrust = self.state.copy(), np.empty((1, steps))
+        self._time_s[0] = time_s
+        step.fly_rows(flown, command, self._packed, self._time_s, STEP_S, thrust)
+        self.state = flown
         self.now = self.state[0].tolist()
         return thrust
 

@@ -270,7 +270,9 @@ def _checksum() -> int:
     return zlib.crc32(b"".join(Path(str(module.__file__)).read_bytes() for module in modules))
 
 
-_fly = _compiled(_checksum())
+fly_rows = _compiled(_checksum())
+"""(states, commands, parameters, times (n,), dt, thrust (n, k)): as `advance`, but in place and unchecked: all of
+float64, in C order."""
 
 
 def initial_state(
@@ -351,7 +353,7 @@ def advance(
     thrust = np.empty((n, steps))
     times = np.empty(n)
     times[:] = time_s
-    _fly(flown, _plain(command), _plain(packed_params), times, float(dt_s), thrust)
+    fly_rows(flown, _plain(command), _plain(packed_params), times, float(dt_s), thrust)
     return flown, thrust
 
 

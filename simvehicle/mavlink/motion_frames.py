@@ -75,7 +75,7 @@ def _frame(
     return end + 2
 
 
-@kernel()
+@kernel(error_model="numpy")
 def write_motion(
     out: NDArray[np.uint8],
     state: NDArray[np.float64],

@@ -26,6 +26,7 @@ _TURNED = frozenset({mav.MAV_FRAME_BODY_NED, mav.MAV_FRAME_BODY_OFFSET_NED, mav.
 part. Places are turned too where they also travel: those of BODY_NED are LOCAL_NED's, as MAV_FRAME has it. A yaw counts
 from north in every frame."""
 _LOCAL = _TRAVELLING | _TURNED | {mav.MAV_FRAME_LOCAL_NED}
+_EVERY_AXIS = (True, True, True)
 _RELATIVE = frozenset({mav.MAV_FRAME_GLOBAL_RELATIVE_ALT, mav.MAV_FRAME_GLOBAL_RELATIVE_ALT_INT})
 _GLOBAL = _RELATIVE | {mav.MAV_FRAME_GLOBAL, mav.MAV_FRAME_GLOBAL_INT}
 
@@ -61,7 +62,7 @@ def _fly(context: ServiceContext, content: Any, place: Vec3) -> None:
     p_ned = _where_used(place, use_position)
     v_ned = _where_used((content.vx, content.vy, content.vz), use_velocity)
     turn = (content.yaw if use_yaw else 0.0, content.yaw_rate if use_yaw_rate else 0.0)
-    if not all(map(math.isfinite, (*p_ned, *v_ned, *turn))):
+    if not math.isfinite(sum((*p_ned, *v_ned, *turn))):
         return context.complain("number", "Set point ignored: not a number")
     if frame in _TURNED:
         v_ned = _turned(v_ned, vehicle.attitude_ned[2])
@@ -122,7 +123,7 @@ def named_value_int(context: ServiceContext, call: Call) -> None:
 
 def _where_used(numbers: Vec3, used: tuple[bool, bool, bool]) -> Vec3:
     """The numbers, 0 where they are not used, since anything may stand there."""
-    if all(used):
+    if used == _EVERY_AXIS:
         return numbers
     first, second, third = (number if use else 0.0 for number, use in zip(numbers, used, strict=True))
     return first, second, third

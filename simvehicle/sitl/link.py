@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import re
 import socket
+import struct
 import time
 from collections.abc import Callable
 from typing import NamedTuple, Self
@@ -178,10 +179,17 @@ class SupervisedLink(_Link):
     def waiting(self) -> bool:
         """Whether a datagram has come that was not received yet."""
         try:
-            self.socket.recv(1, socket.MSG_PEEK)
+            self.socket.recv(1, socket.MSG_PEEK | socket.MSG_DONTWAIT)
         except OSError:
             return False
         return True
+
+    def wait_in_receive(self, most_s: float) -> None:
+        """Let `receive` wait for a datagram, for so long at most, instead of a poll before it."""
+        self.socket.setblocking(True)
+        seconds = int(most_s)
+        limit = struct.pack("@ll", seconds, round(1e6 * (most_s - seconds)))
+        self.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVTIMEO, limit)
 
     def receive(self) -> bytes | None:
         """The next datagram, or None."""
@@ -194,6 +202,6 @@ class SupervisedLink(_Link):
         """Send; a supervisor that is not there (yet) is no error."""
         for datagram in datagrams:
             try:
-                self.socket.send(datagram)
+                self.socket.send(datagram, socket.MSG_DONTWAIT)
             except OSError:
                 return

@@ -65,6 +65,10 @@ class _Granted:
         self._link.send([self._hello])
         return True
 
+    def wait_in_receive(self, most_s: float) -> None:
+        """Let `receive` wait for a datagram, for so long at most."""
+        self._link.wait_in_receive(most_s)
+
     def receive(self) -> None:
         """Act on the datagram that waits."""
         datagram = self._link.receive()
@@ -109,6 +113,9 @@ def run_supervised(seats: Sequence[ConnectedUnit], secret: int | None = None) ->
         assert link is not None
         granted[link.socket.fileno()] = _Granted(unit, link, plain, secret)
         poll.register(link.socket, select.POLLIN)
+    alone = next(iter(granted.values())) if len(granted) == 1 else None
+    if alone is not None:
+        alone.wait_in_receive(HELLO_EVERY_S)
     look_s = 0.0
     while granted:
         now_s = time.monotonic()
@@ -120,6 +127,9 @@ def run_supervised(seats: Sequence[ConnectedUnit], secret: int | None = None) ->
         if not granted:
             print(f"The supervisor has been silent for {SILENCE_S:.0f} s: leaving", file=sys.stderr, flush=True)
             raise SystemExit(ABANDONED)
+        if alone is not None:
+            alone.receive()
+            continue
         for fd, _ in poll.poll(1e3 * HELLO_EVERY_S):
             granted[fd].receive()
 

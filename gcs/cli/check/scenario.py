@@ -21,8 +21,8 @@ def check_scenario(
 ) -> dict[int, list[CheckItem]]:
     """Check lists of the external vehicles, by system id; `say` is told what is waited for. Raises AddressRefused,
     KeyRefused."""
-    begun_s = time.monotonic()
-    link = ExternalLink(scenario.vehicles.external, lambda: time.monotonic() - begun_s, scenario.station.ids)
+    begun_s, speed = time.monotonic(), scenario.clock.speed
+    link = ExternalLink(scenario.vehicles.external, lambda: speed * (time.monotonic() - begun_s), scenario.station.ids)
     labels = {vehicle.sysid: vehicle.label for vehicle in scenario.vehicles.all}
     try:
         patience_s = max(rules.found_within_s for rules in scenario.vehicles.external.values())
@@ -35,7 +35,7 @@ def check_scenario(
         link.begin()
         check = GroundCheck(scenario, link)
         while (now_s := time.monotonic() - begun_s) < MOST_S + ready_within_s:
-            check.tick(now_s, time.time_ns() // 1000)
+            check.tick(speed * now_s, time.time_ns() // 1000)
             if check.done and (check.ready or now_s >= ready_within_s):
                 break
             link.rest(TICK_S)

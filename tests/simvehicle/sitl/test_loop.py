@@ -91,22 +91,18 @@ def test_a_vehicle_of_a_hatch_waits_for_a_suspended_supervisor(monkeypatch: pyte
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as supervisor:
         supervisor.bind(("127.0.0.1", 0))
         address = parse_address(f"udpout:127.0.0.1:{supervisor.getsockname()[1]}")
-        with SupervisedLink(address, Connection(1)) as link:
+        receives = iter(range(1000))
+
+        class Counted(SupervisedLink):
+            def receive(self) -> bytes | None:
+                if next(receives) == 300:  # 150 s by the clock
+                    unit.grant(100)
+                return super().receive()
+
+        monkeypatch.setattr(loop, "HELLO_EVERY_S", 1e-3)
+        with Counted(address, Connection(1)) as link:
             unit = Waiting(clock, supervisor)
             unit.grant(0, link.socket.getsockname())
-            polls = iter(range(1000))
-
-            class Poll:
-                def register(self, *_: object) -> None:
-                    pass
-
-                def poll(self, _: float) -> list[tuple[int, int]]:
-                    if next(polls) == 300:  # 150 s by the clock
-                        unit.grant(100)
-                        link.socket.setblocking(True)
-                    return [(link.socket.fileno(), 1)]
-
-            monkeypatch.setattr(loop.select, "poll", Poll)
             with pytest.raises(Enough):
                 loop.run_supervised([loop.ConnectedUnit(unit, link, ())], secret=1)
     assert unit.advanced_ms == [0, 100]

@@ -107,6 +107,7 @@ def replay(
         if speed is not None or from_s is not None or web or foxglove:
             raise click.UsageError("--decide plays nothing: leave out --speed, --from, --web and --foxglove.")
         return _decide(session, as_json, trust=trust)
+    from gcs.console.follow import Steps, follow
     from gcs.console.terminal import usable
     from gcs.session.replay import Replay, ReplayError, ReplaySource
 
@@ -119,15 +120,13 @@ def replay(
         raise click.UsageError(f"{error.filename or session}: {error.strerror}.") from None
     for problem in recording.problems if as_json else ():  # else it is the recording's first event
         click.echo(f"gcs: {problem}", err=True)
+    in_console = not (plain or as_json) and usable()
     if from_s is not None:
         if not recording.from_s <= from_s <= recording.to_s:
             raise click.UsageError(f"--from: the recording goes from {recording.from_s:g} to {recording.to_s:g} s.")
-        looked_at = web or (not (plain or as_json) and usable())
+        looked_at = web or in_console
         recording.seek(from_s, reported_s=-math.inf if looked_at else math.inf)  # who can scroll back finds the past
-    from gcs.console.follow import Steps, follow
-
-    shown = web or foxglove or (not plain and not as_json and usable())
-    if speed is None and not shown:
+    if speed is None and not (web or foxglove or in_console):
         steps = Steps()
         source = ReplaySource(recording, speed=None, clock=steps, patience_s=math.inf)
         follow(source, click.echo, as_json=as_json, clock=steps, wait=steps.go_on, over=lambda: recording.ended)
@@ -137,7 +136,7 @@ def replay(
         page.show(source, commands=False, tiles=tiles)
     elif foxglove:
         page.show_in_foxglove(source)
-    elif shown:
+    elif in_console:
         from gcs.console.app import show
 
         return show(source, recording.name)

@@ -29,6 +29,8 @@ BRAKES_M_S2 = 4.0
 """Deceleration of a vehicle that holds."""
 LOST_AFTER_PERIODS, MOST_LOST_S = 5, 1.0
 """[choice] Periods without a set point after which a launched vehicle holds, and the longest wait: PX4's own."""
+GONE_AFTER_PERIODS = 2
+"""[choice] The same where none is lost or late by itself: two that are missing were kept from it."""
 OVER_M = 1.5
 """[choice] Above the highest obstacle a launched vehicle returns, where its parameters do not say how high."""
 MOST_ALTITUDE_M = 150.0
@@ -64,7 +66,14 @@ def failsafe_of(vehicle: VehicleBase, scenario: Scenario) -> Failsafe:
     if altitude_m is None:
         over_m = _highest_m(scenario.obstacles) + OVER_M + vehicle.start_m[2]
         altitude_m = min(max(usual.altitude_m, math.ceil(over_m)), MOST_ALTITUDE_M)
-    waits_s = LOST_AFTER_PERIODS * scenario.clock.period_s + scenario.radio.jitter_s
+    radio, lockstep = scenario.radio, scenario.clock.mode == "lockstep"
+    frames_go_missing = (
+        radio.loss or radio.reorder or any(fault.fault in ("loss", "delay") for fault in scenario.faults)
+    )
+    flies_itself = scenario.competition.where == "vehicles"  # and begins to a moment before it would hold
+    sure = lockstep and not frames_go_missing and not flies_itself
+    periods = GONE_AFTER_PERIODS if sure else LOST_AFTER_PERIODS
+    waits_s = periods * scenario.clock.period_s + radio.jitter_s
     return Failsafe(
         params.get("COM_DL_LOSS_T", usual.loss_s),
         params.get("COM_OF_LOSS_T", min(waits_s, MOST_LOST_S)),

@@ -70,6 +70,7 @@ COMPANIONS = {
     "gcs check --connect udpin:127.0.0.1:14550 --wait-ready 60": ONE_VEHICLE,
     "gcs params get 'RTL_*'": ONE_VEHICLE,
     "gcs logs get": ONE_VEHICLE,
+    "gcs check external.yaml": ONE_VEHICLE.replace("sysid 1", "sysid 3"),
     "gcs run external.yaml --plain": ONE_VEHICLE.replace("sysid 1", "sysid 3"),
 }
 """What runs meanwhile in the reader's other terminal."""

@@ -107,7 +107,7 @@ def flown(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Flown]:
         done = gcs("params", "set", *SETTINGS, "--connect", at, *ids, "--json")
         set_s = time.monotonic() - began_s
         assert done.returncode == 0, done.stdout + done.stderr
-        checked = json.loads(gcs("check", str(file), "--wait-ready", "300", "--json").stdout)
+        checked = json.loads(gcs("check", str(file), "--wait-ready", "120", "--json").stdout)
         outcome = fly(made, folder)
         own = {sysid: max((folder / str(sysid) / "logs").glob("*.BIN")) for sysid in COPTERS}
         yield Flown(outcome, set_s, json.loads(done.stdout), checked, own)

@@ -36,7 +36,8 @@ class Clock(Part):
     mode: Literal["lockstep", "real"] = "real"
     """`lockstep`: as fast as the machine can; `real`: paced at `speed`"""
     speed: Annotated[float, Field(strict=True, gt=0, le=1000)] = 1.0
-    """session seconds per wall second, with mode `real`; 1 with external vehicles"""
+    """session seconds per wall second, with mode `real`; external vehicles must keep it by themselves, else they are
+    not armed"""
     period_s: Annotated[float, Field(strict=True, ge=STEP_S, le=1)] = 0.1
     """period of planning, set points and grants, s; a multiple of 0.004, at most 0.2 with refuelling"""
     epoch: Annotated[AwareDatetime, Field(ge=EARLIEST, lt=LATEST)] = datetime(2026, 1, 1, tzinfo=UTC)

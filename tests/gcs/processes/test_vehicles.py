@@ -83,7 +83,9 @@ def test_parameters_are_the_scenarios_and_the_vehicles_own_win(folder: Path) -> 
 
 def test_failsafes_are_cautious_only_where_the_filter_flies() -> None:
     slow = scenario(clock={"mode": "lockstep", "period_s": 0.04}, radio={"jitter_s": 0.1})
-    assert vehicle_parameters(slow.vehicles.pursuers[1], slow)["COM_OF_LOSS_T"] == pytest.approx(0.3)
+    assert vehicle_parameters(slow.vehicles.pursuers[1], slow)["COM_OF_LOSS_T"] == pytest.approx(0.18)
+    lossy = scenario(clock={"mode": "lockstep", "period_s": 0.04}, radio={"jitter_s": 0.1, "loss": 0.1})
+    assert vehicle_parameters(lossy.vehicles.pursuers[1], lossy)["COM_OF_LOSS_T"] == pytest.approx(0.3)
     bare = scenario(planner={"safety": False})
     assert {"RTL_RETURN_ALT", "COM_OF_LOSS_T"}.isdisjoint(vehicle_parameters(bare.vehicles.pursuers[1], bare))
 

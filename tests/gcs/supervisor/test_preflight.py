@@ -17,12 +17,12 @@ NOON_US = 1_790_000_000_000_000
 class Session:
     """An external vehicle, 3, and its check list; time is the test's."""
 
-    def __init__(self, *, preflight: str = "enforce", **fence: Any) -> None:
+    def __init__(self, *, preflight: str = "enforce", speed: float = 1.0, **fence: Any) -> None:
         external = {"connect": "udpin:127.0.0.1:14550", "sysid": 3, "capacity_j": 1e5}
         scenario = Scenario.model_validate({
             "schema": 1, "name": "list", "axes": "ned", "origin": {"lat_deg": 47.0, "lon_deg": 8.0, "alt_m": 400.0},
             "goal": {"duration_s": 60.0}, "vehicles": {"pursuers": [{"external": external}]},
-            "preflight": preflight, "fence": fence,
+            "preflight": preflight, "fence": fence, "clock": {"mode": "real", "speed": speed},
         })  # fmt: skip
         self.preflight = Preflight(scenario)
         self.sender = mav.MAVLink(None, srcSystem=3, srcComponent=1)
@@ -119,3 +119,28 @@ def test_nobody_is_armed_before_its_list_has_ended_and_who_fails_is_left_out() -
     arming.rejoin()
     commands = [command for k in range(30) for command in arming.decide(ground, 4.0 + 0.1 * k)[0]]
     assert commands[0].command == mav.MAV_CMD_COMPONENT_ARM_DISARM
+
+
+@pytest.mark.parametrize(("runs", "passes"), [(3.0, True), (2.8, True), (2.6, False), (1.0, False), (9.0, False)])
+def test_at_another_speed_its_own_time_must_keep_the_sessions(runs: float, passes: bool) -> None:
+    """`runs` times real time, beside a session at three times."""
+    session = Session(speed=3.0)
+    for _ in range(60):
+        boot_ms = round(1e3 * session.now_s * runs / 3.0)
+        session.hear(mav.MAVLink_attitude_message(5000 + boot_ms, 0, 0, 0, 0, 0, 0))
+        session.go_on(0.1)
+    ended, failed, _ = session.end()
+    assert ended
+    (item,) = session.preflight.items(3)
+    assert (item.key, item.passed) == ("pace", passes)
+    assert item.text.startswith(f"runs {runs:.1f} times as fast as real time")
+    assert bool(failed) is not passes
+    assert session.sent == []  # no SYSTEM_TIME: at three times real time it is nobody's
+
+
+def test_who_does_not_tell_its_own_time_cannot_be_followed_at_another_speed() -> None:
+    session = Session(speed=2.0)
+    session.go_on(31.0)
+    ended, failed, _ = session.end()
+    assert ended
+    assert "does not tell its own time" in failed

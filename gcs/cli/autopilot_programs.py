@@ -65,7 +65,7 @@ REAL_AUTOPILOTS = (
         form="program",
         program="build/sitl/bin/arducopter",
         inner="",
-        build="./waf configure --board sitl && ./waf copter in ArduPilot's checkout",
+        build="the target copter of ArduPilot for the board sitl (ardupilot.org/dev says how)",
         flown=("4.6.0-dev",),
         version=re.compile(rb"ArduCopter V([0-9]+\.[0-9]+[0-9A-Za-z.-]*)"),
     ),

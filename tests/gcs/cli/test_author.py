@@ -335,7 +335,7 @@ def test_the_doctor_finds_a_px4_by_the_folder_of_its_build(monkeypatch: pytest.M
 def test_the_doctor_says_how_to_build_an_autopilot(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     arducopter, px4 = doctor._autopilots()
     assert {arducopter.level, px4.level} == {"ok"}
-    assert "./waf configure --board sitl" in arducopter.found
+    assert "the target copter of ArduPilot for the board sitl" in arducopter.found
     assert "'autopilot: {px4: PATH}'" in px4.found
     assert "the target px4_sitl_default of PX4-Autopilot" in px4.found
     for name in ("ARDUCOPTER", "PX4"):

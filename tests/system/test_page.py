@@ -106,7 +106,7 @@ def test_a_flight_is_watched_commanded_and_ended_from_the_page(tmp_path: Path, b
         until(page, f"Math.abs(skytender.current.t_s - {past_s}) < 0.01")
         live.click()
         until(page, f"skytender.current.t_s > {past_s} + 2")
-        expect(page.get_by_label("what is wrong")).to_contain_text("held, not refuelled")
+        until(page, "skytender.trouble.textContent.includes('held, not refuelled')")
         assert live.bounding_box() == place, "trouble moves no button away from under the pointer"
         assert serious(page) == []
         assert serious(other) == []

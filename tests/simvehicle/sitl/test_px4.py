@@ -75,7 +75,7 @@ def test_it_boots_before_the_session_and_its_battery_is_ours(build: Path) -> Non
         assert {(m.autopilot, m.custom_mode) for m in said if m.get_type() == "HEARTBEAT"} == {(12, 0x03040000)}
         *_, status = (m for m in said if m.get_type() == "SYS_STATUS")
         *_, battery = (m for m in said if m.get_type() == "BATTERY_STATUS")
-        assert status.voltage_battery == pytest.approx(sum(battery.voltages[:4]), abs=100)
+        assert status.voltage_battery == pytest.approx(sum(battery.voltages[:4]), abs=30)
         assert status.battery_remaining == battery.battery_remaining == 50
         attitudes = [m for m in said if m.get_type() == "ATTITUDE"]
         assert len(attitudes) == pytest.approx(30, abs=1)

@@ -23,9 +23,7 @@ test: $(DEV_READY) $(PEERS_READY)
 	@$(VENV)/bin/ruff check .
 	@$(VENV)/bin/ruff format --check .
 	@$(VENV)/bin/mypy
-	@PYTHONDONTWRITEBYTECODE= $(VENV)/bin/python -m pytest -n 4 --dist loadfile --no-loadscope-reorder || { [ $$? -eq 1 ] && \
-	  echo "What failed beside others, on busy cores, must pass alone:" && \
-	  $(VENV)/bin/python -m pytest -p no:xdist --last-failed --last-failed-no-failures none --maxfail 3; }
+	@PYTHONDONTWRITEBYTECODE= $(VENV)/bin/python -m pytest -n 4 --dist loadfile --no-loadscope-reorder
 
 bench: $(DEV_READY)
 	@$(VENV)/bin/python tests/benchmarks
@@ -47,7 +45,7 @@ picture: $(DEV_READY)
 	@$(VENV)/bin/python docs/.site/picture.py
 
 clean:
-	rm -rf $(VENV) $(PEERS) $(DOCS) .docs-site .pytest_cache .mypy_cache .ruff_cache
+	rm -rf $(VENV) $(PEERS) $(DOCS) .docs-site .mypy_cache .ruff_cache
 
 $(READY): pyproject.toml $(CONSTRAINTS)
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \

@@ -39,7 +39,7 @@ def vehicle() -> Iterator[socket.socket]:
 
 def speakers(vehicle: socket.socket) -> set[tuple[int, int]]:
     """(system, component) of all frames that have come."""
-    heard = set()
+    heard: set[tuple[int, int]] = set()
     while True:
         try:
             raw = vehicle.recv(4096)

@@ -39,6 +39,7 @@ ERRORS = {
     10: "it has no such file",
 }
 _HEAD = struct.Struct("<HBBBBBxI")
+_SIZE = struct.Struct("<I")
 _PAYLOAD_BYTES = 251
 
 
@@ -53,7 +54,8 @@ class _Stage(Enum):
 class FileClient:
     """The dialogue with one vehicle about one file."""
 
-    def __init__(self, sysid: int, compid: int, path: str) -> None:
+    def __init__(self, sysid: int, compid: int, path: str, first_bytes: int | None = None) -> None:
+        """first_bytes: only so much of it is read, and a shorter file is not it; None: all that it has."""
         self.sysid, self.compid, self.path = sysid, compid, path
         self.content: bytes | None = None
         """the whole file, once it has come"""
@@ -64,10 +66,15 @@ class FileClient:
         self._asked = (0, 0)
         self._pieces: dict[int, bytes] = {}
         self._first_missing = self._highest = self._begun_at = 0
-        self._end: int | None = None
+        self._end = self._wanted = first_bytes
         self._tries = 0
         self._due_s = 0.0
         self._to_close = False
+
+    @property
+    def bytes_so_far(self) -> int:
+        """Of the file, what has come."""
+        return PIECE_BYTES * len(self._pieces)
 
     @property
     def done(self) -> bool:
@@ -93,6 +100,8 @@ class FileClient:
         elif self._stage is _Stage.OPEN:
             self._session, self._to_close = session, True
             self._go_on(_Stage.BURST)
+            if self._wanted is not None and (size != 4 or _SIZE.unpack(data)[0] < self._wanted):
+                self._give_up(f"{self.path} is shorter than {self._wanted} bytes")
         else:
             self._put(offset, data)
             self._tries, self._due_s = 0, now_s + REPEAT_S
@@ -106,7 +115,7 @@ class FileClient:
             if not self._to_close:
                 return []
             self._to_close = False
-            return [self._request(TERMINATE)]
+            return [self.end()]
         if now_s < self._due_s:
             return []
         if self._tries >= (FIRST_TRIES if self._stage is _Stage.RESET else TRIES):
@@ -122,6 +131,10 @@ class FileClient:
         self._begun_at = self._highest if self._stage is _Stage.BURST else self._first_missing
         return [self._request(self._stage.value, offset=self._begun_at, size=PIECE_BYTES)]
 
+    def end(self) -> Message:
+        """The message that ends the transfer."""
+        return self._request(TERMINATE)
+
     def _refused(self, data: bytes) -> None:
         reason = data[0] if data else 0
         if self._stage is _Stage.RESET:
@@ -130,6 +143,9 @@ class FileClient:
             # The last pieces may be lost, and what the answer says of its place is with some autopilots the last
             # piece's: the end is where it is the first answer.
             if self._last_number == (self._number + 1) % (1 << 16):
+                if self._wanted is not None:
+                    self._give_up(f"{self.path} ended after {self._begun_at} of {self._wanted} bytes")
+                    return
                 self._end = self._begun_at
             self._tries, self._due_s = 0, 0.0
             self._look_on()
@@ -138,11 +154,13 @@ class FileClient:
 
     def _put(self, offset: int, data: bytes) -> None:
         """Keep a piece."""
+        if self._wanted is not None:
+            data = data[: max(self._wanted - offset, 0)]
         if offset % PIECE_BYTES or not data:
             return
         self._pieces.setdefault(offset, data)
         self._highest = max(self._highest, offset + len(data))
-        if len(data) < PIECE_BYTES:
+        if len(data) < PIECE_BYTES and self._wanted is None:
             self._end = offset + len(data)
         while self._first_missing in self._pieces:
             self._first_missing += len(self._pieces[self._first_missing])
@@ -150,12 +168,12 @@ class FileClient:
     def _look_on(self) -> None:
         """End where everything has come, or there is more than is taken; fill what is missing where the end is
         known."""
-        if self._highest > LARGEST_BYTES:
+        if self._highest > LARGEST_BYTES and self._wanted is None:
             self._give_up(f"{self.path} has more than {LARGEST_BYTES} bytes")
         elif self._end is not None and self._first_missing >= self._end:
             self.content = b"".join(self._pieces[at] for at in sorted(self._pieces))
             self._stage = _Stage.DONE
-        elif self._end is not None and self._stage is _Stage.BURST:
+        elif self._end is not None and self._highest >= self._end and self._stage is _Stage.BURST:
             self._go_on(_Stage.FILL)
 
     def _go_on(self, stage: _Stage) -> None:

@@ -3,7 +3,7 @@
     read     PARAM_REQUEST_READ → PARAM_VALUE
     write    read → PARAM_SET → PARAM_VALUE → PARAM_REQUEST_READ → PARAM_VALUE: it counts when it reads as written
     list     PARAM_REQUEST_LIST → PARAM_VALUE …, then by index what is missing; before that, where the profile names a
-             file of all parameters, this is read by MAVFTP (file_client.py), which is faster: ten or more come in a frame
+             file of all parameters, this is read by MAVFTP (file_client.py), which is faster: ten or more a frame
 
 What is not answered is sent again, TRIES times in all; no more than IN_FLIGHT questions are open at once, so that a
 slow radio is not flooded.

@@ -33,6 +33,7 @@ from typing import Any
 from setproctitle import setproctitle
 
 from gcs.exit import INTERNAL_ERROR
+from gcs.loading import gathered
 from gcs.processes.hatch import READY_WITHIN_S, Hatch
 from gcs.recording import truth
 from gcs.scenario.file import load, shipped_folder
@@ -72,6 +73,7 @@ class SessionForks:
                     break
         gc.collect()
         gc.freeze()
+        gathered()
 
     def start(self, order: Mapping[str, Any]) -> int:
         """Fork a supervisor for a session's folder; a descriptor that is readable at its end."""

@@ -66,7 +66,8 @@ class Hatch:
     """The running hatch; its context's end ends every process it made, and itself unless it is to be `kept`."""
 
     def __init__(self, *, kept: bool = False) -> None:
-        self._kept = kept
+        self.kept = kept
+        """whether it goes on to the next session"""
         program = Path(sys.executable).with_name("simvehicle")
         command = str(program) if program.exists() else shutil.which("simvehicle")
         if command is None:
@@ -90,7 +91,7 @@ class Hatch:
         return self
 
     def __exit__(self, *_: object) -> None:
-        if self._kept:
+        if self.kept:
             self.end_session()
         else:
             self.close()

@@ -84,7 +84,8 @@ def vehicle_order(
         argv += ["--count", str(len(block))]
     for vehicle in block:
         params = folder / "vehicles" / f"{vehicle.sysid}.params.yaml"
-        params.write_text(yaml.safe_dump(vehicle_parameters(vehicle, scenario), sort_keys=True), encoding="utf-8")
+        values = sorted(vehicle_parameters(vehicle, scenario).items())
+        params.write_text("".join(f"{name}: {value!r}\n" for name, value in values), encoding="utf-8")
         argv += [
             *("--position", _triple(vehicle.start_m)),
             *("--velocity", _triple(vehicle.velocity_m_s)),

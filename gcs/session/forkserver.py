@@ -1,6 +1,7 @@
 """Supervisors by fork from a process that has all loaded and compiled: `python -m gcs.session.forkserver [CORE]`.
 
-stdin: one JSON line per session, {"folder": PATH, "scenario": JSON, "modules": [...]}, in a folder with `vehicles/`;
+stdin: one JSON line per session, {"folder": PATH, "scenario": TEXT, "modules": [...]}, in a folder with `vehicles/`,
+TEXT being the pickled scenario in base64: whoever writes there has validated it and has started this process;
 {"stop": true} ends the one that flies in order, {"kill": true} at once. stdout: {"ready": true, "folder": PATH} once
 everything is warm, the folder being a temporary one that goes with this process; then the supervisor's own lines
 (gcs/session/process.py) and {"ended": PID, "status", "cpu_s"} with the CPU time of supervisor and vehicles together.
@@ -12,11 +13,13 @@ process keeps forks its vehicles. The end of stdin ends everything and removes t
 
 from __future__ import annotations
 
+import base64
 import contextlib
 import ctypes
 import gc
 import json
 import os
+import pickle
 import selectors
 import shutil
 import signal
@@ -30,6 +33,7 @@ from typing import Any
 from setproctitle import setproctitle
 
 from gcs.exit import INTERNAL_ERROR
+from gcs.loading import gathered
 from gcs.processes.hatch import READY_WITHIN_S, Hatch
 from gcs.recording import truth
 from gcs.scenario.file import load, shipped_folder
@@ -69,6 +73,7 @@ class SessionForks:
                     break
         gc.collect()
         gc.freeze()
+        gathered()
 
     def start(self, order: Mapping[str, Any]) -> int:
         """Fork a supervisor for a session's folder; a descriptor that is readable at its end."""
@@ -96,7 +101,7 @@ class SessionForks:
             errors = os.open(folder / "stderr.log", os.O_WRONLY | os.O_CREAT | os.O_APPEND, 0o644)
             os.dup2(errors, 2)
             os.close(errors)
-            scenario = Scenario.model_validate_json(order["scenario"])
+            scenario: Scenario = pickle.loads(base64.b64decode(order["scenario"]))
             status = process.fly(folder, scenario=scenario, modules=modules, hatch=self._hatch)
         except BaseException:
             traceback.print_exc()

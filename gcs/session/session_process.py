@@ -60,6 +60,8 @@ class SessionProcess:
 
     def __init__(self, folder: Path, scenario: Scenario, *, drop: float = 0.0, hatch: Hatch | None = None) -> None:
         self._kept_hatch = hatch
+        self._rehearsed = hatch is not None and hatch.kept and scenario.clock.mode == "lockstep"
+        """in the process that this one was forked from, or well enough: what is left to load delays nobody here"""
         self._folder = folder
         self._scenario = scenario
         external = scenario.vehicles.external
@@ -195,7 +197,8 @@ class SessionProcess:
         self._lockstep_link.compare_clocks((v.sysid, AUTOPILOT) for v in vehicles if v.foreign is not None)
         if self._hatch is not None:
             self._hatch.start(orders, self._lockstep_link.secret)
-        rehearse(self._scenario)  # while the vehicles come up
+        if not self._rehearsed:
+            rehearse(self._scenario)  # while the vehicles come up
         for notices in arriving(self._scenario, self._labels, self._link, self._lockstep_link, self._external_link):
             for sysid, text in notices:
                 self._event(sysid, "info", text)

@@ -8,9 +8,11 @@ Each has processes and sockets of its own and the digest of `gcs run SCENARIO --
 
 from __future__ import annotations
 
+import base64
 import contextlib
 import json
 import os
+import pickle
 import select
 import shutil
 import subprocess
@@ -121,9 +123,8 @@ class WarmSessions:
             (folder / "vehicles").mkdir(parents=True)
         except OSError as error:
             raise WarmError(f"cannot make the folder {folder}: {error.strerror}") from None
-        self._send(
-            {"folder": str(folder), "modules": list(modules), "scenario": scenario.model_dump_json(by_alias=True)}
-        )
+        pickled = base64.b64encode(pickle.dumps(scenario)).decode()
+        self._send({"folder": str(folder), "modules": list(modules), "scenario": pickled})
         deadlines_s = [] if wall_limit_s is None else [began_s + wall_limit_s, began_s + wall_limit_s + ENDS_WITHIN_S]
         verdict: dict[str, Any] = {}
         limited = False

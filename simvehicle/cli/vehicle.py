@@ -42,13 +42,12 @@ def prepare(
     world: Path | None,
     count: int,
 ) -> Callable[[], int]:
-    """Read what the options of `simvehicle` ask for; the function that flies it and returns the exit status, which
-    only the vehicles' own process may call. Both raise click.UsageError."""
+    """Read what the options of `simvehicle` ask for, and build it; the function that flies it and returns the exit
+    status, which only the vehicles' own process may call. Both raise click.UsageError."""
     from simvehicle.autopilot.body import Start
     from simvehicle.autopilot.geodesy import LocalFrame
     from simvehicle.autopilot.identity import IDENTITIES
-    from simvehicle.sitl.block import Wanted
-    from simvehicle.sitl.block import fly as fly_block
+    from simvehicle.sitl.block import Block, Wanted
     from simvehicle.sitl.keys import KeyFileError
     from simvehicle.sitl.link import AddressError
 
@@ -88,6 +87,10 @@ def prepare(
         wanted.append(
             Wanted(sysid + i, starts[i], parameters, own_truth, store, key_file, state, plant, rules, truth_hz=truth_hz)
         )
+    try:
+        block = Block(wanted, IDENTITIES[autopilot], frame, connect, supervised)
+    except AddressError as error:
+        raise click.UsageError(str(error)) from error
 
     def flight() -> int:
         for path in truth:
@@ -96,7 +99,7 @@ def prepare(
             if not path.parent.is_dir():
                 raise click.UsageError(f"--truth {path}: No such file or directory")
         try:
-            fly_block(wanted, IDENTITIES[autopilot], frame, connect, supervised)
+            block.fly()
         except (AddressError, KeyFileError) as error:
             raise click.UsageError(str(error)) from error
         except OSError as error:

@@ -45,28 +45,77 @@ class Wanted:
     """of the fleet that it belongs to, where vehicles compete on board"""
 
 
-def fly(
-    wanted: Sequence[Wanted], identity: Identity, frame: LocalFrame, connect: Sequence[str], supervised: str | None
-) -> None:
-    """Fly them to the end of their session; every vehicle has every connection for itself.
+@dataclass(frozen=True)
+class _Built:
+    """A vehicle with its services, before it has a socket or a file."""
 
-    Raises AddressError, KeyFileError and OSError before anything flies, OSError with a file name when truth cannot be
-    written.
-    """
-    addresses = [parse_address(text) for text in connect]
-    supervisor = parse_supervisor(supervised) if supervised is not None else None
-    with ExitStack() as opened:
-        seats = [
-            _seat(one, identity, frame, [_own(address, i) for address in addresses], supervisor, opened)
-            for i, one in enumerate(wanted)
+    wanted: Wanted
+    unit: VehicleUnit
+    connections: Sequence[Connection]
+    """one for each address; before them that to the supervisor, if there is one"""
+    writer: TruthWriter | None
+
+
+class Block:
+    """Vehicles of one command line, every one with every connection for itself."""
+
+    def __init__(
+        self,
+        wanted: Sequence[Wanted],
+        identity: Identity,
+        frame: LocalFrame,
+        connect: Sequence[str],
+        supervised: str | None,
+    ) -> None:
+        """Build them, without a socket or a file: what is forked from this process can fly them. Raises
+        AddressError."""
+        self._addresses = [parse_address(text) for text in connect]
+        self._supervisor = parse_supervisor(supervised) if supervised is not None else None
+        self._built = [self._build(one, identity, frame) for one in wanted]
+
+    def _build(self, one: Wanted, identity: Identity, frame: LocalFrame) -> _Built:
+        vehicle = Vehicle(identity, one.parameters, frame, one.start, one.plant)
+        connections = [Connection(one.sysid) for _ in self._addresses]
+        for connection in connections:
+            for key, rate_hz in UNPROMPTED.items():
+                connection.streams.set_default(key, rate_hz)
+        if self._supervisor is not None:
+            connections.insert(0, Connection(one.sysid))
+        writer = TruthWriter(one.truth, one.sysid, vehicle, one.truth_hz) if one.truth else None
+        services = Services(vehicle, one.sysid, connections, one.store, one.rules, writer)
+        return _Built(one, VehicleUnit(vehicle, services, writer), connections, writer)
+
+    def fly(self) -> None:
+        """Fly them to the end of their session, once.
+
+        Raises AddressError, KeyFileError and OSError before anything flies, OSError with a file name when truth cannot
+        be written.
+        """
+        with ExitStack() as opened:
+            seats = [self._seat(one, i, opened) for i, one in enumerate(self._built)]
+            for one, (_, _, plain) in zip(self._built, seats, strict=True):
+                for link in plain:
+                    print(f"vehicle {one.wanted.sysid}: {link.address} (local port {link.port})", flush=True)
+            if self._supervisor is not None:
+                run_supervised(seats, from_hatch())
+            else:
+                run_free(seats)
+
+    def _seat(self, one: _Built, i: int, opened: ExitStack) -> ConnectedUnit:
+        wanted, connections = one.wanted, one.connections
+        keyring = Keyring(wanted.sysid, wanted.key_file, wanted.state)
+        opened.callback(keyring.close)
+        link = None
+        if self._supervisor is not None:
+            link = opened.enter_context(SupervisedLink(self._supervisor, connections[0]))
+            connections = connections[1:]
+        plain = [
+            opened.enter_context(PlainLink(_own(address, i), connection, keyring=keyring, link_id=number))
+            for number, (address, connection) in enumerate(zip(self._addresses, connections, strict=True))
         ]
-        for one, (_, _, plain) in zip(wanted, seats, strict=True):
-            for link in plain:
-                print(f"vehicle {one.sysid}: {link.address} (local port {link.port})", flush=True)
-        if supervisor is not None:
-            run_supervised(seats, from_hatch())
-        else:
-            run_free(seats)
+        if one.writer is not None:
+            opened.enter_context(one.writer)
+        return ConnectedUnit(one.unit, link, plain)
 
 
 def _own(address: Address, i: int) -> Address:
@@ -74,31 +123,3 @@ def _own(address: Address, i: int) -> Address:
     if address.kind != "udpin" or address.port == 0:
         return address
     return address._replace(port=address.port + i)
-
-
-def _seat(
-    one: Wanted,
-    identity: Identity,
-    frame: LocalFrame,
-    addresses: Sequence[Address],
-    supervisor: Address | None,
-    opened: ExitStack,
-) -> ConnectedUnit:
-    vehicle = Vehicle(identity, one.parameters, frame, one.start, one.plant)
-    connections = [Connection(one.sysid) for _ in addresses]
-    for connection in connections:
-        for key, rate_hz in UNPROMPTED.items():
-            connection.streams.set_default(key, rate_hz)
-    keyring = Keyring(one.sysid, one.key_file, one.state)
-    opened.callback(keyring.close)
-    plain = [
-        opened.enter_context(PlainLink(address, connection, keyring=keyring, link_id=i))
-        for i, (address, connection) in enumerate(zip(addresses, connections, strict=True))
-    ]
-    link = None
-    if supervisor is not None:
-        link = opened.enter_context(SupervisedLink(supervisor, Connection(one.sysid)))
-        connections.insert(0, link.connection)
-    writer = opened.enter_context(TruthWriter(one.truth, one.sysid, vehicle, one.truth_hz)) if one.truth else None
-    services = Services(vehicle, one.sysid, connections, one.store, one.rules, writer)
-    return ConnectedUnit(VehicleUnit(vehicle, services, writer), link, plain)

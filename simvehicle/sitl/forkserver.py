@@ -24,9 +24,10 @@ from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from setproctitle import setproctitle
+from setproctitle import getproctitle, setproctitle
 
 from simvehicle.exit import BAD_INPUT, CANNOT_WRITE, INTERNAL_ERROR, INTERRUPTED
+from simvehicle.loading import gathered
 from simvehicle.sitl.secret import hand_over
 
 PR_SET_PDEATHSIG = 1
@@ -59,6 +60,8 @@ def run(
     with contextlib.suppress(PermissionError):
         os.setsid()
     libc = ctypes.CDLL(None, use_errno=True)
+    getproctitle()  # which makes room for titles: once here, and not in each process
+    lasts = False
     _say({"ready": True})
     # poll, not epoll: stdin may be a file or /dev/null, which epoll refuses.
     with selectors.PollSelector() as selector:
@@ -84,6 +87,9 @@ def run(
                             _fork_all(orders, selector, children, libc)
                             orders.clear()
                             _end_session(selector, children)
+                            if not lasts:
+                                lasts = True
+                                gathered()  # more sessions will come
                             continue
                         argv, log = list(map(str, order["argv"])), Path(order["log"])
                         secret = order.get("secret")

@@ -33,7 +33,7 @@ class TruthWriter:
     """Writes one vehicle's truth; every record is whole on disk before the answer that reports it goes out."""
 
     def __init__(self, path: Path, sysid: int, vehicle: Vehicle, hz: float | None = None) -> None:
-        """`hz`: records a second, which have no thrust; without it one per grant."""
+        """`hz`: records a second, which have no thrust; without it one per grant. The file is made by its context."""
         self._period_s = None if hz is None else 1.0 / hz
         self._due_s = 0.0
         flight = vehicle.plant.parameters(vehicle.parameters.flight())
@@ -50,13 +50,12 @@ class TruthWriter:
             "avionics_w": battery.avionics_w,
             "gravity_m_s2": flight.airframe.gravity_m_s2,
         }
-        self._file = path.open("x+b", buffering=0)
+        self._path = path
         self._head = json.dumps(head, sort_keys=True).encode() + b"\n"
         self._written = 0
-        self._put(self._head)
         self._vehicle = vehicle
         self._begun_ms = 0
-        self._begun_at = self._written
+        self._begun_at = len(self._head)
         self.number = 1
 
     @property
@@ -106,6 +105,8 @@ class TruthWriter:
             content = content[taken:]
 
     def __enter__(self) -> Self:
+        self._file = self._path.open("x+b", buffering=0)
+        self._put(self._head)
         return self
 
     def __exit__(self, *_: object) -> None:

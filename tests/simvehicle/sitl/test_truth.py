@@ -102,8 +102,8 @@ def test_given_and_received_are_in_the_ledger(vehicle_bench: Any, tmp_path: Path
 def test_existing_file_is_never_overwritten(vehicle_bench: Any, tmp_path: Path) -> None:
     path = tmp_path / "1.truth"
     path.write_text("precious")
-    with pytest.raises(FileExistsError):
-        TruthWriter(path, 1, vehicle_bench().vehicle)
+    with pytest.raises(FileExistsError), TruthWriter(path, 1, vehicle_bench().vehicle):
+        pass
     assert path.read_text() == "precious"
 
 

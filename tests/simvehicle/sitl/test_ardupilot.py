@@ -12,7 +12,7 @@ from pymavlink.dialects.v20 import common
 
 from simvehicle.mavlink.codec import split
 from simvehicle.mavlink.connection import Connection
-from simvehicle.sitl import autopilot_unit
+from simvehicle.sitl import ardupilot_process, autopilot_unit
 from simvehicle.sitl.ardupilot import ArduPilotUnit
 from simvehicle.sitl.ardupilot_process import SERIAL_PORT, simulation_port
 from simvehicle.sitl.autopilot_process import HOST, AutopilotError, read_wanted
@@ -114,7 +114,7 @@ def test_one_that_cannot_be_had_is_one_sentence(
     assert "\n" not in str(refused.value)
 
 
-def test_ports_that_others_have_are_passed_over() -> None:
+def test_ports_that_others_have_are_passed_over(monkeypatch: pytest.MonkeyPatch) -> None:
     first, instance = simulation_port()
     with first, socket.socket(socket.AF_INET, socket.SOCK_STREAM) as taken:
         second, after = simulation_port()
@@ -125,3 +125,6 @@ def test_ports_that_others_have_are_passed_over() -> None:
         third, later = simulation_port()
         third.close()
         assert later > after
+        monkeypatch.setattr(ardupilot_process, "MOST_INSTANCES", after + 1)
+        with pytest.raises(AutopilotError, match="no ports are free for an autopilot: UDP 9002 and TCP 5760"):
+            simulation_port()

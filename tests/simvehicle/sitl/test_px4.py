@@ -146,6 +146,10 @@ def test_ports_that_others_have_and_instances_that_run_are_passed_over(
         second, after = simulation_port()
         second.close()
         assert after > instance
+        monkeypatch.setattr(px4_process, "MOST_INSTANCES", instance + 1)
+        with pytest.raises(AutopilotError, match="no ports are free for an autopilot: TCP 4560, UDP 18570"):
+            simulation_port()
+        monkeypatch.undo()
     monkeypatch.setattr(px4_process, "LOCK", str(tmp_path / "lock"))
     (tmp_path / f"lock-{instance}").touch()
     third, free = simulation_port()  # a lock that nobody holds

@@ -132,6 +132,18 @@ def test_it_is_launched_for_other_ground_stations_too(tmp_path: Path) -> None:
 
 @NEEDS_REAL
 @pytest.mark.timeout(PATIENCE_S + 60.0)
+def test_a_real_one_that_is_never_ready_says_why(tmp_path: Path) -> None:
+    """It has no GNSS, so that it never knows its place."""
+    params = {"GPS_TYPE": 0.0, "GPS1_TYPE": 0.0}
+    outcome = fly(mixed(REAL, params=params), tmp_path, "--plain", patience_s=PATIENCE_S)
+    assert outcome.status == 1
+    assert "was not ready in 120 s of its time: " in outcome.stderr
+    assert "Traceback" not in outcome.stderr
+    assert copters() == []
+
+
+@NEEDS_REAL
+@pytest.mark.timeout(PATIENCE_S + 60.0)
 def test_two_of_ours_and_two_real_ones_meet_the_goal_of_the_demo(tmp_path: Path) -> None:
     content = demo()
     pursuers = content["vehicles"]["pursuers"][:4]

@@ -7,12 +7,13 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import psutil
 import pytest
 from pymavlink.dialects.v20 import common
 
 from simvehicle.mavlink.codec import split
 from simvehicle.mavlink.connection import Connection
-from simvehicle.sitl import ardupilot_process, autopilot_unit
+from simvehicle.sitl import ardupilot_link, ardupilot_process, autopilot_unit
 from simvehicle.sitl.ardupilot import ArduPilotUnit
 from simvehicle.sitl.ardupilot_process import SERIAL_PORT, simulation_port
 from simvehicle.sitl.autopilot_process import HOST, AutopilotError, read_wanted
@@ -112,6 +113,16 @@ def test_one_that_cannot_be_had_is_one_sentence(
         unit(tmp_path, Path(program) if program else None, **parameters)
     assert said in str(refused.value)
     assert "\n" not in str(refused.value)
+
+
+def test_one_that_opens_no_port_is_one_sentence_and_is_ended(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr(ardupilot_link, "READY_WITHIN_S", 0.2)
+    program = tmp_path / "mute"
+    program.write_text("#!/bin/sh\nexec sleep 99\n")
+    program.chmod(0o755)
+    with pytest.raises(AutopilotError, match=r"opened no port \d+ in 0 s, and said nothing$"):
+        unit(tmp_path, program)
+    assert not [child for child in psutil.Process().children() if "sleep" in child.name()]
 
 
 def test_ports_that_others_have_are_passed_over(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -8,12 +8,13 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import psutil
 import pytest
 from pymavlink.dialects.v20 import common
 
 from simvehicle.mavlink.codec import split
 from simvehicle.mavlink.connection import Connection
-from simvehicle.sitl import autopilot_unit, px4_process
+from simvehicle.sitl import autopilot_unit, px4_link, px4_process
 from simvehicle.sitl.autopilot_process import AutopilotError, read_wanted
 from simvehicle.sitl.px4 import Px4Unit
 from simvehicle.sitl.px4_process import program_of, simulation_port
@@ -128,6 +129,17 @@ def test_one_that_cannot_be_had_is_one_sentence(
         unit(build, **parameters)
     assert said in str(refused.value)
     assert "\n" not in str(refused.value)
+
+
+def test_one_that_asks_for_no_simulation_is_one_sentence_and_is_ended(
+    monkeypatch: pytest.MonkeyPatch, build: Path
+) -> None:
+    for name in ("READY_WITHIN_S", "LOOK_EVERY_S"):
+        monkeypatch.setattr(px4_link, name, 0.2)
+    (build / "bin" / "px4").write_text("#!/bin/sh\necho INFO starting\nexec sleep 99\n")
+    with pytest.raises(AutopilotError, match=r"asked for no simulation within 0 s; its last lines: INFO starting$"):
+        unit(build)
+    assert not [child for child in psutil.Process().children() if "sleep" in child.name()]
 
 
 def test_its_build_is_named_by_its_folder_or_its_program_and_what_is_none_is_one_sentence(build: Path) -> None:

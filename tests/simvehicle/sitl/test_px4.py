@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import psutil
+import pymap3d
 import pytest
 from pymavlink.dialects.v20 import common
 
@@ -21,7 +22,7 @@ from simvehicle.sitl.px4_process import program_of, simulation_port
 
 STAND_IN = Path(__file__).resolve().parents[2] / "peers" / "hil_px4.py"
 PX4 = 7
-YAW_DEG = 70.0
+HOME, START_NED, YAW_DEG = (47.4, 8.5, 488.0), (1.0, 2.0, 0.0), 70.0
 
 
 @pytest.fixture
@@ -37,13 +38,13 @@ def build(tmp_path: Path) -> Path:
     return tmp_path / "build"
 
 
-def unit(program: Path, **parameters: float) -> tuple[Px4Unit, Connection]:
+def unit(program: Path, sensors: dict[str, float] | None = None, **parameters: float) -> tuple[Px4Unit, Connection]:
     """The stand-in, or another program, booted. Raises AutopilotError."""
     content: dict[str, Any] = {
         "program": str(program),
         "folder": str(program.parent / "own"),
-        "home": [47.4, 8.5, 488.0],
-        "start_ned": [1.0, 2.0, 0.0],
+        "home": [*HOME],
+        "start_ned": [*START_NED],
         "yaw_deg": YAW_DEG,
         "epoch_s": 1_770_000_000,
         "battery": {"capacity_j": 60000.0, "initial_j": 30000.0, "hover_w": 200.0, "avionics_w": 10.0},
@@ -51,7 +52,7 @@ def unit(program: Path, **parameters: float) -> tuple[Px4Unit, Connection]:
         "relative_speed_m_s": 0.5,
         "parameters": parameters,
         "truth": None,
-        "world": {"vehicles": {PX4: {"airframe": "iris"}}},
+        "world": {"vehicles": {PX4: {"airframe": "iris", "sensors": sensors}}},
     }
     wanted, plant = read_wanted(content, PX4)
     connection = Connection(PX4)
@@ -84,6 +85,18 @@ def test_it_boots_before_the_session_and_its_battery_is_ours(build: Path) -> Non
         assert math.degrees(attitudes[-1].yaw) == heading
         *_, place = (m for m in said if m.get_type() == "LOCAL_POSITION_NED")
         assert (place.x, place.y, place.z) == pytest.approx((0.0, 0.0, 0.0), abs=0.05)
+
+
+@pytest.mark.parametrize(("sigma_m", "least_m", "most_m"), [(0.0, 0.0, 0.1), (20.0, 2.0, 80.0)])
+def test_its_sensors_err_as_the_scenario_says(build: Path, sigma_m: float, least_m: float, most_m: float) -> None:
+    booted, connection = unit(build, {"position_m": sigma_m, "velocity_m_s": 0.0, "accel_m_s2": 0.0})
+    with booted:
+        booted.start_clock(0, 0)
+        booted.advance(1000)
+        said = common.MAVLink(None).parse_buffer(b"".join(connection.frames())) or []
+    *_, place = (m for m in said if m.get_type() == "GLOBAL_POSITION_INT")
+    north, east, _ = pymap3d.geodetic2ned(1e-7 * place.lat, 1e-7 * place.lon, 488.0, *HOME)
+    assert least_m <= math.hypot(north - START_NED[0], east - START_NED[1]) <= most_m
 
 
 def test_its_receiver_has_no_fix_while_gnss_fails(build: Path) -> None:

@@ -20,6 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 from gcs.mavlink.setpoints import SetPoint
 from gcs.planner import formation, fuzzy_escape, leader
 from gcs.planner.guide import STRAIGHT, RouteFollower
+from gcs.planner.link_age import SlowLinks
 from gcs.planner.potential_field import FieldConstants, widened_range
 from gcs.planner.request import PlanRequest
 from gcs.planner.route import Router
@@ -84,6 +85,7 @@ class Planner:
             for target in scenario.vehicles.targets
         }
         self._begin: dict[int, Vec3] = {}
+        self._slow = SlowLinks()
         self._pursuing: Mapping[int, int] | None = None
         self._stations: Mapping[int, Vec3] = {}
         self._way_m = dict.fromkeys(self._paths, 0.0)
@@ -107,6 +109,8 @@ class Planner:
         snapshot, steered, period_s = request.snapshot, request.steered, request.period_s
         views = [view for view in snapshot.vehicles if view.sysid in steered and view.p_ned is not None]
         self._forget({view.sysid for view in views})
+        for view in snapshot.vehicles:
+            self._slow.receive(view.sysid, view.age_s, period_s)
         if not views:
             return []
         for view in views:
@@ -280,6 +284,13 @@ class Planner:
             return self._begin[view.sysid], self._v[view.sysid]
         return flown, view.v_ned
 
+    def _met(self, view: VehicleView) -> Vec3:
+        """Place at which leaders meet a vehicle: where it flies, looked ahead; where its leader is if its link is slow.
+        Who evades what another did a second ago, and is evaded likewise, sways with it for ever."""
+        if self._scenario.planner.safety and view.fresh and self._slow.slow(view.sysid):
+            return self._led(view)[0]
+        return _ahead(view.p_now_ned(), view.v_ned)
+
     def _attractors(
         self, snapshot: FleetSnapshot, views: list[VehicleView]
     ) -> tuple[ArrayLike, ArrayLike, NDArray[np.bool_] | None]:
@@ -304,7 +315,7 @@ class Planner:
         A target must not push its pursuers from their ring, so its sphere ends where the ring is out of its range.
         """
         rows = {view.sysid: i for i, view in enumerate(views)}
-        at = [_ahead(view.p_now_ned(), view.v_ned) for view in others]
+        at = [self._met(view) for view in others]
         speeds = [math.hypot(*view.v_ned) for view in others]
         ages = [view.age_s for view in others]
         for aircraft in snapshot.traffic:

@@ -1,9 +1,10 @@
-"""Figure 1: frames as sessions, replays and reports read them, and set points as sessions write them, against
-pymavlink on the same bytes in the same rounds."""
+"""Figure 1: frames as sessions, replays and reports read them, set points as sessions write them, and what signing
+adds to both, against pymavlink on the same bytes in the same rounds."""
 
 from __future__ import annotations
 
 import random
+import secrets
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
@@ -11,6 +12,7 @@ from pathlib import Path
 from measure import Figure, cpu_times
 from pymavlink.dialects.v20 import common
 
+from gcs.link.keys import LinkSigning, read_key
 from gcs.link.link import Key
 from gcs.link.lockstep import LockstepLink
 from gcs.mavlink import codec
@@ -28,6 +30,7 @@ from gcs.supervisor.supervisor import Supervisor
 VEHICLES = 254
 SET_POINTS = 500
 TICKS, PERIOD_MS = 32, 100
+MOST_SIGNING_US = 3.0
 PORT = 20_000
 
 
@@ -160,6 +163,34 @@ def reading() -> list[Figure]:
     ]
 
 
+def signing() -> list[Figure]:
+    """What a key adds to each frame out and in."""
+    key_file = Path(tempfile.mkdtemp()) / "key"
+    key_file.write_text(secrets.token_hex(32), encoding="ascii")
+    key_file.chmod(0o600)
+    sender, receiver = LinkSigning(key_file), LinkSigning(key_file)
+    plain = hot_frames()
+    signed = [codec.split(sender.sign(raw)).frames[0] for raw in plain]
+    peer = common.MAVLink(None, srcSystem=255, srcComponent=190)
+    peer.signing.secret_key = read_key(key_file)
+
+    def judge() -> None:
+        receiver._signing.streams.clear()
+        assert all(receiver.judge(frame) == "good" for frame in signed)
+
+    def their_judgement() -> None:
+        peer.signing.stream_timestamps.clear()
+        assert all(peer.check_signature(bytearray(f.raw), f.sysid, f.compid) for f in signed)
+
+    times = cpu_times(lambda: [sender.sign(raw) for raw in plain], judge, their_judgement)
+    sign_us, judge_us, theirs_us = (1e6 * one_s / len(plain) for one_s in times)
+    unit, most, peer_name = "µs/frame", MOST_SIGNING_US, "pymavlink check_signature"
+    return [
+        Figure(1, "sign", sign_us, unit, most, at_most=True),
+        Figure(1, "judge a signature", judge_us, unit, most, True, False, peer_name, theirs_us),
+    ]
+
+
 def figures() -> list[Figure]:
     """All of them."""
     point = SetPoint(7, (2.5, -4.5, -5.0), (0.5, 0.25, 0.0))
@@ -181,4 +212,5 @@ def figures() -> list[Figure]:
             1, "encode set points", SET_POINTS / encode_s, "messages/CPU s", 1.5, False, True, "pymavlink pack",
             SET_POINTS / peer_encode_s,
         ),
+        *signing(),
     ]  # fmt: skip

@@ -83,6 +83,18 @@ def test_a_bad_radio_keeps_them_apart_too(tmp_path: Path, radio: dict[str, Any])
     assert nearest_m(outcome, list(range(1, 9))) > WANTED_M
 
 
+def test_a_row_whose_reports_come_late_stands_still(tmp_path: Path) -> None:
+    """Each evaded what its neighbours had done a second ago, and the row began to sway, eight of them by over a metre."""
+    content = circle(4, 2.2, radio={"delay_s": 0.5}, goal={"duration_s": 45.0}, planner={"separation_m": 0.65})
+    for pursuer, east in zip(content["vehicles"]["pursuers"], (-1.58, -0.53, 0.53, 1.58), strict=True):
+        pursuer |= {"start_m": [-3.0, east, -5.0], "waypoints_m": [[3.0, east, -5.0]]}
+    outcome = fly(content, tmp_path)
+    for pursuer in content["vehicles"]["pursuers"]:
+        truth = outcome.truth(pursuer["sysid"])
+        standing = truth.p_ned[truth.time_s > 25.0]
+        assert np.linalg.norm(standing - pursuer["waypoints_m"][0], axis=1).max() < 0.25
+
+
 def test_a_vehicle_that_stops_early_where_nobody_hears_it_is_not_run_into(tmp_path: Path) -> None:
     """Seven follow a target at 2.8 m/s on a ring; what campaign safety's seed 919191 and `gcs campaign shrink` found.
 

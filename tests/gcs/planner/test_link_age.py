@@ -7,7 +7,7 @@ from collections.abc import Iterable
 import numpy as np
 import pytest
 
-from gcs.planner.link_age import LinkAge
+from gcs.planner.link_age import LinkAge, SlowLinks
 
 PERIOD_S = 0.1
 
@@ -51,3 +51,21 @@ def test_a_second_without_a_report_is_silence_on_any_link() -> None:
 
 def test_who_is_back_is_not_silent() -> None:
     assert silent_at([0.0] * 5 + [0.1 * k for k in range(1, 300)] + [0.0])[-2:] == [True, False]
+
+
+@pytest.mark.parametrize(
+    ("ages_s", "slow"),
+    [
+        ([0.5] * 20, True),
+        ([0.0] * 20, False),
+        ([0.0, 0.5, 0.5, 0.5] * 20, False),
+        ([0.0] * 20 + [0.1 * k for k in range(1, 15)], False),
+        ([0.5] * 20 + [0.0], False),
+        ([], False),
+    ],
+)
+def test_a_link_is_slow_whose_newest_reports_are_old(ages_s: list[float], slow: bool) -> None:
+    links = SlowLinks()
+    for age_s in ages_s:
+        links.receive(1, age_s, PERIOD_S)
+    assert links.slow(1) is slow

@@ -38,7 +38,8 @@ ELSEWHERE = {
     "python fly_with_mavsdk.py": "tests/peers/test_docs.py, where MAVSDK is",
     "gcs check --connect udpin:127.0.0.1:14550 --arm": "tests/system/test_check.py",
     "gcs check --connect udpin:127.0.0.1:14550 --json": "tests/system/test_check.py",
-    "SKYTENDER_PX4=~/PX4-Autopilot/build/px4_sitl_default python -m pytest tests/peers/test_real_px4.py": "needs a PX4",
+    "SKYTENDER_PX4=~/PX4-Autopilot/build/px4_sitl_default python -m pytest "
+    "tests/peers/test_real_px4.py tests/system/test_real_fleet.py": "needs a PX4",
     "SKYTENDER_ARDUCOPTER=~/ardupilot/build/sitl/bin/arducopter python -m pytest "
     "tests/peers/test_real_arducopter.py tests/system/test_real_fleet.py": "needs an ArduCopter",
 }

@@ -1,6 +1,7 @@
-"""Three real ArduCopters in their own simulators at three times real time, where SKYTENDER_ARDUCOPTER names one.
+"""Three real autopilots in their own simulators at three times real time: ArduCopters where SKYTENDER_ARDUCOPTER names
+one, PX4s (SIH) where SKYTENDER_PX4 names a build, and two PX4s with one ArduCopter where both do.
 
-What is set up before a flight, what is kept in it, and what is fetched after it. It takes two minutes.
+What is set up before a flight, what is kept in it, and what is fetched after it. Each fleet takes two minutes.
 """
 
 from __future__ import annotations
@@ -22,54 +23,101 @@ from commands import gcs
 from sessions import Outcome, fly
 from strangers import free_port, strangers
 
-PROGRAM = os.environ.get("SKYTENDER_ARDUCOPTER", "")
+ARDUCOPTER = os.environ.get("SKYTENDER_ARDUCOPTER", "")
+PX4 = os.environ.get("SKYTENDER_PX4", "")
 DEFAULTS = Path("Tools", "autotest", "default_params", "copter.parm")
 ORIGIN = (47.397742, 8.545594, 488.0)
-COPTERS = (1, 2, 3)
+PX4_PORT = 14549
+"""Where every PX4 speaks to whose number is above 9; it knows no other way to be told."""
+FIRST_PX4 = 11
 SPEED = 3.0
 FENCE_M = 12.0
 BEYOND_M = 25.0
-SETTINGS = (
-    "FENCE_ENABLE=1",
-    "FENCE_TYPE=4",
-    "FENCE_ACTION=1",
-    "RTL_ALT=600",
-    "WPNAV_SPEED=300",
-    "LOG_FILE_DSRMROT=1",
-    "LOG_DISARMED=0",
+FETCHED_WITHIN_S = 300.0
+"""Flight, landing, and 110 MB of logs: PX4 writes 0.6 MB in a second of its time."""
+SETTINGS = {
+    "arducopter": (
+        "FENCE_ENABLE=1", "FENCE_TYPE=4", "FENCE_ACTION=1", "RTL_ALT=600", "WPNAV_SPEED=300",
+        "LOG_FILE_DSRMROT=1", "LOG_DISARMED=0",
+    ),
+    "px4": (
+        "GF_ACTION=3", "GF_SOURCE=0", "RTL_RETURN_ALT=6", "RTL_DESCEND_ALT=4", "RTL_LAND_DELAY=0", "MPC_XY_CRUISE=3",
+        "SDLOG_MODE=0",
+    ),
+}  # fmt: skip
+"""The fence sends who crosses it home; a log is of one flight."""
+pytestmark = pytest.mark.timeout(400)
+
+
+@dataclass(frozen=True)
+class Fleet:
+    """Which autopilots fly, by system id; the middle one is sent beyond the fence."""
+
+    name: str
+    kinds: dict[int, str]
+
+    @property
+    def missing(self) -> str:
+        """The variable that names no program."""
+        needed = {"arducopter": ("SKYTENDER_ARDUCOPTER", ARDUCOPTER), "px4": ("SKYTENDER_PX4", PX4)}
+        return next((needed[kind][0] for kind in self.kinds.values() if not needed[kind][1]), "")
+
+    @property
+    def sysids(self) -> list[int]:
+        return list(self.kinds)
+
+    @property
+    def beyond(self) -> int:
+        return self.sysids[1]
+
+
+FLEETS = (
+    Fleet("arducopters", dict.fromkeys((1, 2, 3), "arducopter")),
+    Fleet("px4s", dict.fromkeys(range(FIRST_PX4, FIRST_PX4 + 3), "px4")),
+    Fleet("mixed", {FIRST_PX4: "px4", FIRST_PX4 + 1: "px4", FIRST_PX4 + 2: "arducopter"}),
 )
-pytestmark = [
-    pytest.mark.timeout(400),
-    pytest.mark.skipif(not PROGRAM, reason="SKYTENDER_ARDUCOPTER names no ArduCopter's simulator"),
-]
 
 
 def defaults() -> Path:
     """The parameters that ArduPilot's own tests start with."""
     named = os.environ.get("SKYTENDER_ARDUCOPTER_DEFAULTS")
-    known = [Path(named)] if named else [folder / DEFAULTS for folder in Path(PROGRAM).resolve().parents]
-    known += [folder / "ardupilot" / DEFAULTS for folder in Path(PROGRAM).resolve().parents]
+    known = [Path(named)] if named else [folder / DEFAULTS for folder in Path(ARDUCOPTER).resolve().parents]
+    known += [folder / "ardupilot" / DEFAULTS for folder in Path(ARDUCOPTER).resolve().parents]
     found = next((path for path in known if path.is_file()), None)
-    assert found is not None, f"no {DEFAULTS} around {PROGRAM}: name it with SKYTENDER_ARDUCOPTER_DEFAULTS"
+    assert found is not None, f"no {DEFAULTS} around {ARDUCOPTER}: name it with SKYTENDER_ARDUCOPTER_DEFAULTS"
     return found.resolve()
 
 
-def command(sysid: int, port: int, folder: Path) -> list[str]:
-    folder.mkdir()
-    lat, lon, alt = pymap3d.ned2geodetic(0.0, 8.0 * (sysid - 2), 0.0, *ORIGIN)
+def arducopter(sysid: int, port: int, home: tuple[float, float, float]) -> list[str]:
+    lat, lon, alt = home
     return [
-        "env", "-C", str(folder), PROGRAM, "-w", "--model", "quad", "--speedup", f"{SPEED:g}", "--slave", "0",
+        ARDUCOPTER, "-w", "--model", "quad", "--speedup", f"{SPEED:g}", "--slave", "0",
         "--sysid", str(sysid), "-I", str(20 + sysid), "--defaults", str(defaults()),
         "--home", f"{lat:.7f},{lon:.7f},{alt:.2f},0", "--sim-address", "127.0.0.1", "--rc-in-port", str(free_port()),
         "--serial0", f"udpclient:127.0.0.1:{port}", "--serial1", "none", "--serial2", "none",
     ]  # fmt: skip
 
 
+def px4(sysid: int, home: tuple[float, float, float]) -> list[str]:
+    names = {"PX4_SIM_MODEL": "sihsim_quadx", "PX4_SIM_SPEED_FACTOR": SPEED}
+    names |= dict(zip(("PX4_HOME_LAT", "PX4_HOME_LON", "PX4_HOME_ALT"), home, strict=True))
+    return [*(f"{name}={value}" for name, value in names.items()), f"{PX4}/bin/px4", "-d", "-i", str(sysid - 1),
+            f"{PX4}/etc"]  # fmt: skip
+
+
+def command(fleet: Fleet, sysid: int, port: int, folder: Path) -> list[str]:
+    folder.mkdir()
+    east_m = 8.0 * (sysid - fleet.beyond)
+    home = tuple(float(x) for x in pymap3d.ned2geodetic(0.0, east_m, 0.0, *ORIGIN))
+    of_its_kind = px4(sysid, home) if fleet.kinds[sysid] == "px4" else arducopter(sysid, port, home)
+    return ["env", "-C", str(folder), *of_its_kind]
+
+
 @dataclass
 class Flown:
+    fleet: Fleet
     outcome: Outcome
     set_s: float
-    settings: dict[str, Any]
     checked: dict[str, Any]
     own_logs: dict[int, Path]
 
@@ -78,11 +126,17 @@ class Flown:
         return (self.outcome.folder / "session.log").read_text(encoding="utf-8")
 
 
-@pytest.fixture(scope="module")
-def flown(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Flown]:
-    """Parameters are set, the list is checked, and each flies along its line to the north, the second to the fence."""
-    folder = tmp_path_factory.mktemp("copters")
-    port = free_port()
+@pytest.fixture(scope="module", params=FLEETS, ids=lambda fleet: fleet.name)
+def flown(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Flown]:
+    """Parameters are set, the list is checked, and each flies along its line to the north, one of them to the fence.
+
+    Without the safety layer, which would not let it go there: that the autopilot keeps the fence itself is to be seen.
+    """
+    fleet: Fleet = request.param
+    if fleet.missing:
+        pytest.skip(f"{fleet.missing} names no program")
+    folder = tmp_path_factory.mktemp(fleet.name)
+    port = PX4_PORT if "px4" in fleet.kinds.values() else free_port()
     at = f"udpin:127.0.0.1:{port}"
     rules = {"connect": at, "capacity_j": 150_000, "found_within_s": 60, "at_end": "land"}
     made = {
@@ -90,27 +144,31 @@ def flown(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Flown]:
         "origin": dict(zip(("lat_deg", "lon_deg", "alt_m"), ORIGIN, strict=True)),
         "clock": {"mode": "real", "speed": SPEED}, "logs": True,
         "goal": {"duration_s": 60.0, "lost_at_most": 3, "waypoints": "none"},
-        "planner": {"separation_m": 2.0, "repulsion_range_m": 2.0},
+        "planner": {"separation_m": 2.0, "repulsion_range_m": 2.0, "safety": False},
         "fence": {"inside": [{"polygon_m": [[-20, -20], [FENCE_M, -20], [FENCE_M, 20], [-20, 20]]}]},
         "vehicles": {"pursuers": [
             {"external": {**rules, "sysid": sysid},
-             "waypoints_m": [[BEYOND_M if sysid == 2 else 6.0, 8.0 * (sysid - 2), -4.0]]}
-            for sysid in COPTERS
+             "waypoints_m": [[BEYOND_M if sysid == fleet.beyond else 6.0, 8.0 * (sysid - fleet.beyond), -4.0]]}
+            for sysid in fleet.sysids
         ]},
     }  # fmt: skip
     file = folder / "real.yaml"
     file.write_text(yaml.safe_dump(made), encoding="utf-8")
-    ids = [word for sysid in COPTERS for word in ("--sysid", str(sysid))]
-    with strangers(folder / "said", *(command(sysid, port, folder / str(sysid)) for sysid in COPTERS)):
-        gcs("params", "get", "SYSID_THISMAV", "--connect", at, "--within", "90", *ids, "--json")  # until they are there
+    ids = {kind: [word for sysid in fleet.sysids if fleet.kinds[sysid] == kind for word in ("--sysid", str(sysid))]
+           for kind in dict.fromkeys(fleet.kinds.values())}  # fmt: skip
+    programs = (command(fleet, sysid, port, folder / str(sysid)) for sysid in fleet.sysids)
+    with strangers(folder / "said", *programs):
+        for kind, words in ids.items():  # until they are there
+            gcs("params", "get", SETTINGS[kind][0].split("=")[0], "--connect", at, "--within", "90", *words, "--json")
         began_s = time.monotonic()
-        done = gcs("params", "set", *SETTINGS, "--connect", at, *ids, "--json")
+        done = [gcs("params", "set", *SETTINGS[kind], "--connect", at, *words) for kind, words in ids.items()]
         set_s = time.monotonic() - began_s
-        assert done.returncode == 0, done.stdout + done.stderr
+        assert not any(one.returncode for one in done), [one.stdout + one.stderr for one in done]
         checked = json.loads(gcs("check", str(file), "--wait-ready", "120", "--json").stdout)
-        outcome = fly(made, folder)
-        own = {sysid: max((folder / str(sysid) / "logs").glob("*.BIN")) for sysid in COPTERS}
-        yield Flown(outcome, set_s, json.loads(done.stdout), checked, own)
+        outcome = fly(made, folder, patience_s=FETCHED_WITHIN_S)
+        own = {sysid: max(p for p in (folder / str(sysid)).rglob("*") if p.suffix in (".BIN", ".ulg"))
+               for sysid in fleet.sysids}  # fmt: skip
+        yield Flown(fleet, outcome, set_s, checked, own)
 
 
 def test_parameters_of_three_are_set_and_verified_within_ten_seconds(flown: Flown) -> None:
@@ -127,16 +185,17 @@ def test_the_check_list_passes_before_the_flight(flown: Flown) -> None:
 
 
 def test_the_fence_is_there_and_kept(flown: Flown) -> None:
-    """The second is told to go 25 m north. Each one's own frame begins at its home, on the common frame's zero line."""
-    for sysid in COPTERS:
+    """One is told to go 25 m north. Each one's own frame begins at its home, on the common frame's zero line."""
+    fleet = flown.fleet
+    for sysid in fleet.sysids:
         fence = next(item for item in flown.outcome.vehicle(sysid)["check_list"] if item["key"] == "fence")
         assert fence["passed"], fence
-    north_m = dict.fromkeys(COPTERS, -math.inf)
+    north_m = dict.fromkeys(fleet.sysids, -math.inf)
     for _, m in flown.outcome.messages("LOCAL_POSITION_NED"):
         north_m[m.get_srcSystem()] = max(north_m[m.get_srcSystem()], m.x)
     print("farthest north:", {sysid: round(n, 2) for sysid, n in north_m.items()})
-    assert 5.0 < north_m[1] < 8.0
-    assert 9.0 < north_m[2] <= FENCE_M + 2.0  # it brakes from 1.5 m/s and turns back
+    assert 5.0 < north_m[fleet.sysids[0]] < 8.0
+    assert 9.0 < north_m[fleet.beyond] <= FENCE_M + 2.0  # it brakes from 1.5 m/s and turns back
 
 
 def test_three_times_real_time_is_held(flown: Flown) -> None:
@@ -144,7 +203,7 @@ def test_three_times_real_time_is_held(flown: Flown) -> None:
     print(f"speed: {summary['speed_achieved']:.2f}")
     assert summary["speed_achieved"] == pytest.approx(SPEED, rel=0.05)
     assert "does not keep speed" not in flown.said
-    for sysid in COPTERS:
+    for sysid in flown.fleet.sysids:
         boots = [m.time_boot_ms / 1e3 for _, m in flown.outcome.messages("ATTITUDE") if m.get_srcSystem() == sysid]
         assert boots[-1] - boots[0] == pytest.approx(summary["sim_time_s"], abs=4.0)
 
@@ -153,7 +212,7 @@ def test_logs_lie_in_the_sessions_folder_equal_by_checksum(flown: Flown) -> None
     logs = flown.outcome.folder / "logs"
     content = json.loads((logs / "logs.json").read_text(encoding="utf-8"))
     assert content["problems"] == []
-    assert sorted(row["sysid"] for row in content["files"]) == list(COPTERS)
+    assert sorted(row["sysid"] for row in content["files"]) == flown.fleet.sysids
     for row in content["files"]:
         own = flown.own_logs[row["sysid"]].read_bytes()
         print(f"log of {row['sysid']}: {row['size_bytes']} bytes")

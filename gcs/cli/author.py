@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from gcs.cli.options import endpoint
+from gcs.cli.options import STATION_OPTION, endpoint
 from gcs.exit import BAD_INPUT, NOT_DONE
 
 if TYPE_CHECKING:
@@ -172,7 +172,9 @@ def schema() -> int:
     help="Make it of the vehicles heard there: their ids, home and battery. udpin, udpout, tcp, tcpin:HOST:PORT, or "
     "serial:DEVICE:BAUD.",
 )
-def init(name: str, connect: Endpoint | None) -> int:
+@STATION_OPTION
+@click.pass_context
+def init(context: click.Context, name: str, connect: Endpoint | None, station: tuple[int, int]) -> int:
     """Write NAME.yaml: a small scenario that flies, with a comment on each key. NAME is my-scenario if left out.
 
     \b
@@ -191,12 +193,14 @@ def init(name: str, connect: Endpoint | None) -> int:
     path = Path(name if name.endswith((".yaml", ".yml")) else f"{name}.yaml")
     called = re.sub(r"[^A-Za-z0-9._-]+", "-", path.stem).lstrip("._-")[:64] or "my-scenario"
     text = resources.files("gcs").joinpath("templates", "scenario.yaml").read_text(encoding="utf-8")
+    if connect is None and context.get_parameter_source("station") is click.core.ParameterSource.COMMANDLINE:
+        raise click.UsageError("--station is for --connect: by it vehicles are asked; in a scenario it is a key.")
     if connect is not None:
         from gcs.cli.heard import scenario
 
         if path.exists():
             raise click.UsageError(f"{path} exists already and is left as it is; give another name")
-        text = scenario(connect, _yaml_text(called))
+        text = scenario(connect, _yaml_text(called), station)
     for mark, value in (("{file}", " ".join(str(path).split())), ("{name}", _yaml_text(called))):
         text = text.replace(mark, value)
     try:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from gcs.cli.options import connecting, endpoint
+from gcs.cli.options import STATION_OPTION, connecting, endpoint
 from gcs.exit import BAD_INPUT
 from gcs.scenario.endpoint import Endpoint
 
@@ -58,6 +58,7 @@ def of_the_fleet(command: Callable[..., Any]) -> Callable[..., Any]:
             show_default=True,
             help="Seconds to find the vehicles.",
         ),
+        STATION_OPTION,
         click.option("--json", "as_json", is_flag=True, help="One JSON object on stdout, for other programs."),
     ):
         command = option(command)
@@ -66,13 +67,17 @@ def of_the_fleet(command: Callable[..., Any]) -> Callable[..., Any]:
 
 @contextlib.contextmanager
 def fleet_at(
-    connect: Endpoint, sysids: tuple[int, ...] = (), key_file: Path | None = None, within: float = FIND_WITHIN_S
+    connect: Endpoint,
+    station: tuple[int, int],
+    sysids: tuple[int, ...] = (),
+    key_file: Path | None = None,
+    within: float = FIND_WITHIN_S,
 ) -> Iterator[AskedFleet]:
     """The vehicles at an address, found. Raises click.ClickException where there is none."""
     from gcs.link.asked_fleet import AskedFleet
 
     with connecting():
-        fleet = AskedFleet(connect, key_file)
+        fleet = AskedFleet(connect, key_file, station)
     try:
         if not fleet.find(sysids, within):
             missing = sorted(set(sysids) - fleet.profiles.keys())

@@ -10,6 +10,7 @@ import pymap3d
 
 from gcs.cli.fleet_options import fleet_at
 from gcs.exit import BAD_INPUT
+from gcs.mavlink.ids import STATION
 from gcs.mavlink.parameter_client import ParameterClient
 from gcs.scenario.endpoint import Endpoint
 
@@ -31,10 +32,11 @@ class NothingKnown(click.ClickException):
     exit_code = BAD_INPUT
 
 
-def scenario(at: Endpoint, name: str) -> str:
-    """The scenario as YAML: each vehicle hovers above its home. Raises click.ClickException where nobody is there, or
+def scenario(at: Endpoint, name: str, station: tuple[int, int]) -> str:
+    """The scenario as YAML: each vehicle hovers above its home. `station`: our ids, which the scenario gets too where
+    they are not the usual ones. Raises click.ClickException where nobody is there, or
     nobody says where it is."""
-    with fleet_at(at) as fleet:
+    with fleet_at(at, station) as fleet:
         told = fleet.request(MESSAGES, REPORTED_WITHIN_S)
         capacities = {sysid: _capacity(fleet, sysid, messages) for sysid, messages in sorted(told.items())}
     homes = {sysid: home for sysid, messages in sorted(told.items()) if (home := _home(messages)) is not None}
@@ -50,6 +52,7 @@ def scenario(at: Endpoint, name: str) -> str:
         f"origin: {{lat_deg: {lat:.7f}, lon_deg: {lon:.7f}, alt_m: {alt:.2f}}}  # home of vehicle {first}",
         "clock: {mode: real, speed: 1}",
         "goal: {duration_s: 60}",
+        *([] if station == STATION else [f"station: {{sysid: {station[0]}, compid: {station[1]}}}"]),
         "vehicles:",
         "  pursuers:",
     ]

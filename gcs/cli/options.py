@@ -13,6 +13,7 @@ import click
 from gcs.cli import page
 from gcs.scenario.endpoint import EXAMPLE, FORM, Endpoint, address
 
+USUAL_COMPID = 190
 PLAIN = click.option(
     "--plain", is_flag=True, help="Lines of text instead of the console; also used without a terminal."
 )
@@ -41,6 +42,27 @@ def endpoint(ctx: click.Context, param: click.Parameter, value: str | None) -> E
     if at is None:
         raise click.BadParameter(f"{value!r} is no address; write {FORM}, {EXAMPLE}.", ctx, param)
     return at
+
+
+def _station(ctx: click.Context, param: click.Parameter, value: str) -> tuple[int, int]:
+    """The callback of --station: (system, component)."""
+    sysid, slash, compid = value.partition("/")
+    if not (sysid.isascii() and sysid.isdigit() and (compid.isascii() and compid.isdigit()) is bool(slash)):
+        raise click.BadParameter(f"{value!r} is no id; write SYSID or SYSID/COMPID, such as 245/190.", ctx, param)
+    ids = int(sysid), int(compid) if slash else USUAL_COMPID
+    if not (1 <= ids[0] <= 255 and 2 <= ids[1] <= 255):
+        raise click.BadParameter(f"{value} is no station's: SYSID is 1 to 255, COMPID 2 to 255.", ctx, param)
+    return ids
+
+
+STATION_OPTION = click.option(
+    "--station",
+    default="255/190",
+    show_default=True,
+    callback=_station,
+    metavar="SYSID[/COMPID]",
+    help="Our own id, for vehicles that obey one ground station alone; QGroundControl's and MAVProxy's system is 255.",
+)
 
 
 @contextlib.contextmanager

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import click
 
 from gcs.cli import page
-from gcs.cli.options import PLAIN, connecting, endpoint, refuse_two_shows
+from gcs.cli.options import PLAIN, STATION_OPTION, connecting, endpoint, refuse_two_shows
 from gcs.scenario.endpoint import LISTENS, Endpoint
 from gcs.session.client import SOCKET
 
@@ -39,16 +39,20 @@ if TYPE_CHECKING:
     metavar="FILE",
     help="With --connect: MAVLink 2 signing; take only what is signed with this key, and sign what --control sends.",
 )
+@STATION_OPTION
 @PLAIN
 @click.option("--json", "as_json", is_flag=True, help="One JSON object per second on stdout, for other programs.")
 @page.WEB
 @page.TILES
 @page.FOXGLOVE
+@click.pass_context
 def monitor(
+    context: click.Context,
     session: Path | None,
     connect: Endpoint | None,
     control: bool,
     key_file: Path | None,
+    station: tuple[int, int],
     plain: bool,
     as_json: bool,
     web: bool,
@@ -86,7 +90,9 @@ def monitor(
         raise click.UsageError("--control is for --connect: a session takes its watchers' commands as it is.")
     if key_file is not None and connect is None:
         raise click.UsageError("--key-file is for --connect: a session has the keys of its vehicles itself.")
-    source, title = _session(session) if connect is None else _monitor(connect, control, key_file)
+    if not control and context.get_parameter_source("station") is click.core.ParameterSource.COMMANDLINE:
+        raise click.UsageError("--station is for --control: without it nothing is said to any vehicle.")
+    source, title = _session(session) if connect is None else _monitor(connect, control, key_file, station)
     if web:
         with contextlib.suppress(KeyboardInterrupt):
             page.show(source, commands=connect is None or control, tiles=tiles)
@@ -122,12 +128,12 @@ def _session(session: Path | None) -> tuple[MessageSource, str]:
     return SessionSource(folder), folder.name
 
 
-def _monitor(at: Endpoint, control: bool, key_file: Path | None) -> tuple[MessageSource, str]:
+def _monitor(at: Endpoint, control: bool, key_file: Path | None, station: tuple[int, int]) -> tuple[MessageSource, str]:
     """Monitor of all vehicles received at an address. Raises click.UsageError where it cannot be opened."""
     from gcs.session.monitor import MonitorSource
 
     with connecting():
-        source = MonitorSource(at, control=control, key_file=key_file)
+        source = MonitorSource(at, control=control, key_file=key_file, station=station)
     if at.way in LISTENS:
         at = at._replace(port=source.port)
         click.echo(f"gcs: listening at {at.text}; Ctrl-C ends it.", err=True)

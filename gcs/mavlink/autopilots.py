@@ -63,6 +63,8 @@ class Profile:
     """whether MAVSDK sends it PING"""
     unknown_parameters_refused: bool
     """whether it answers the request for a parameter that it does not have"""
+    parameter_file: str
+    """file of all its parameters, packed, that it gives by MAVFTP; empty where it has none"""
     parameter_encoding_said: bool
     """whether its capabilities say how integers stand in PARAM_VALUE"""
     fence_in_status: bool
@@ -166,6 +168,7 @@ PX4 = Profile(
     logs_while_armed=True,
     pinged=True,
     unknown_parameters_refused=False,
+    parameter_file="",
     parameter_encoding_said=True,
     fence_in_status=False,
     setup_checked=True,
@@ -211,6 +214,7 @@ ARDUCOPTER = Profile(
     logs_while_armed=False,
     pinged=False,
     unknown_parameters_refused=False,
+    parameter_file="@PARAM/param.pck",
     parameter_encoding_said=False,
     fence_in_status=True,
     setup_checked=False,

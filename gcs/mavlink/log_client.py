@@ -1,7 +1,9 @@
 """Logs of one vehicle, listed and downloaded: no socket, file or clock here, time is an argument (s).
 
     list        LOG_REQUEST_LIST → LOG_ENTRY …
-    download    LOG_REQUEST_DATA (a range) → LOG_DATA …, then each range that is missing; LOG_REQUEST_END after all
+    download    by MAVFTP (file_client.py) as the file `@LOG/NUMBER`, where the vehicle has that: simulated ones of ours
+                do, and 239 bytes come in a frame instead of 90. Else
+                LOG_REQUEST_DATA (a range) → LOG_DATA …, then each range that is missing; LOG_REQUEST_END after all
 
 One range is open at a time, since a vehicle serves one. What comes is kept wherever it belongs, so a piece that is lost
 costs itself, and no more than TRIES requests in a row may bring nothing.
@@ -13,6 +15,7 @@ from typing import Any, NamedTuple
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Message
+from gcs.mavlink.file_client import FileClient
 
 PIECE_BYTES = 90
 REPEAT_S = 1.0
@@ -85,6 +88,9 @@ class LogClient:
         self._expected: int | None = None
         self._wanted: list[LogEntry] = []
         self._open: _Download | None = None
+        self._file: FileClient | None = None
+        self._has_files = True
+        """whether it may have its logs as files, as far as is known"""
         self._range = (0, 0)
         self._tries = 0
         self._due_s = 0.0
@@ -101,13 +107,14 @@ class LogClient:
     @property
     def done(self) -> bool:
         """Whether nothing is open."""
-        return not (self._listing or self._wanted or self._open or self._to_end)
+        return not (self._listing or self._wanted or self._open or self._file or self._to_end)
 
     @property
     def bytes_so_far(self) -> int:
         """Of the logs asked for, what has come."""
         download = self._open
         partial = 0 if download is None else (len(download.has) - download.missing) * PIECE_BYTES
+        partial += 0 if self._file is None else self._file.bytes_so_far
         return partial + sum(map(len, self.files.values()))
 
     def receive(self, name: str, content: Any, now_s: float) -> None:
@@ -120,6 +127,8 @@ class LogClient:
                 self.entries[content.id] = LogEntry(content.id, content.size, content.time_utc)
             if len(self.entries) >= content.num_logs:
                 self._listing = False
+        elif self._file is not None:
+            self._file.receive(name, content, now_s)
         elif name == "LOG_DATA" and self._open is not None and content.id == self._open.entry.number:
             download = self._open
             if download.put(content.ofs, bytes(content.data[: content.count])):
@@ -137,6 +146,8 @@ class LogClient:
             return self._poll_list(now_s)
         if self._open is None and self._wanted:
             self._begin(self._wanted.pop(0), now_s)
+        if self._file is not None and self._open is not None:
+            return self._poll_file(self._file, self._open.entry, now_s)
         if self._open is not None and now_s >= self._due_s:
             if self._tries < TRIES:
                 return [self._ask(self._open, now_s)]
@@ -151,6 +162,8 @@ class LogClient:
 
     def end(self) -> Message:
         """The message that ends a download: the vehicle goes on writing its log."""
+        if self._file is not None:
+            return self._file.end()
         return codec.message("LOG_REQUEST_END", target_system=self.sysid, target_component=self.compid)
 
     def _begin(self, entry: LogEntry, now_s: float) -> None:
@@ -161,6 +174,20 @@ class LogClient:
             self.files[entry.number] = b""
         else:
             self._open, self._tries, self._due_s = _Download(entry), 0, now_s
+            if self._has_files:
+                self._file = FileClient(self.sysid, self.compid, f"@LOG/{entry.number}", entry.size_bytes)
+
+    def _poll_file(self, file: FileClient, entry: LogEntry, now_s: float) -> list[Message]:
+        """Read it as a file; where that does not bring it, go over to ranges."""
+        messages = file.poll(now_s)
+        if file.done:
+            self._file = None
+            if file.content is None:
+                self._has_files = False
+            else:
+                self.files[entry.number] = file.content
+                self._close()
+        return messages
 
     def _close(self) -> None:
         self._open, self._tries, self._due_s = None, 0, 0.0

@@ -2,7 +2,8 @@
 
     read     PARAM_REQUEST_READ → PARAM_VALUE
     write    read → PARAM_SET → PARAM_VALUE → PARAM_REQUEST_READ → PARAM_VALUE: it counts when it reads as written
-    list     PARAM_REQUEST_LIST → PARAM_VALUE …, then by index what is missing
+    list     PARAM_REQUEST_LIST → PARAM_VALUE …, then by index what is missing; before that, where the profile names a
+             file of all parameters, this is read by MAVFTP (file_client.py), which is faster: ten or more a frame
 
 What is not answered is sent again, TRIES times in all; no more than IN_FLIGHT questions are open at once, so that a
 slow radio is not flooded.
@@ -15,9 +16,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any, Literal, NamedTuple
 
-from gcs.mavlink import codec
+from gcs.mavlink import codec, parameter_pack
 from gcs.mavlink.autopilots import Profile
 from gcs.mavlink.codec import Message
+from gcs.mavlink.file_client import FileClient
 
 REPEAT_S = 0.7
 TRIES = 5
@@ -83,6 +85,7 @@ class ParameterClient:
         self._dry_run = dry_run
         self._tasks: dict[str, _Task] = {}
         self._listing: _Listing | None = None
+        self._file: FileClient | None = None
 
     def read(self, names: Iterable[str]) -> None:
         """Read these."""
@@ -94,15 +97,20 @@ class ParameterClient:
 
     def read_all(self) -> None:
         """Read whatever it has."""
-        self._listing = _Listing()
+        if self.profile.parameter_file:
+            self._file = FileClient(self.sysid, self.compid, self.profile.parameter_file)
+        else:
+            self._listing = _Listing()
 
     @property
     def done(self) -> bool:
         """Whether nothing is open."""
-        return not self._tasks and (self._listing is None or self._listing.complete)
+        return not self._tasks and self._file is None and (self._listing is None or self._listing.complete)
 
     def receive(self, name: str, content: Any, now_s: float) -> None:
         """Take a message of this vehicle's: its name and fields."""
+        if self._file is not None:
+            self._file.receive(name, content, now_s)
         if name == "PARAM_ERROR" and content.param_id in self._tasks:
             self._end(self._tasks[content.param_id], "unknown", None, "it does not know it")
         if name != "PARAM_VALUE":
@@ -117,7 +125,7 @@ class ParameterClient:
 
     def poll(self, now_s: float) -> list[Message]:
         """Messages to send now."""
-        out: list[Message] = []
+        out: list[Message] = [] if self._file is None else self._poll_file(self._file, now_s)
         if self._listing is not None and not self._listing.complete:
             out += self._poll_list(self._listing, now_s)
         for task in list(self._tasks.values())[:IN_FLIGHT]:
@@ -131,6 +139,20 @@ class ParameterClient:
             task.due_s = now_s + REPEAT_S
             out.append(self._set(task) if task.stage == "write" else self._read(task.name, -1))
         return out
+
+    def _poll_file(self, file: FileClient, now_s: float) -> list[Message]:
+        """Read the file; once that has ended, take what is in it, or go over to the list."""
+        messages = file.poll(now_s)
+        if file.done:
+            self._file = None
+            try:
+                if file.content is None:
+                    raise ValueError(file.problem)
+                found = parameter_pack.unpack(file.content)
+                self.known |= {name: Parameter(number, kind) for name, (number, kind) in found.items()}
+            except ValueError:
+                self._listing = _Listing()
+        return messages
 
     def _go_on(self, task: _Task, parameter: Parameter) -> None:
         number = parameter.number

@@ -28,7 +28,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from gcs.scenario.geometry import BOX, CYLINDER, DOWN, EAST, KIND, NORTH, shape_surface
+from gcs.scenario.geometry import BOX, CYLINDER, DOWN, EAST, KIND, NORTH, WALL, past_wall, shape_surface
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -184,6 +184,9 @@ def _segment(
     """Least distance from a straight line to row k: (lower bound, value, share of the line, direction)."""
     mn, me, md = n1 - n0, e1 - e0, d1 - d0
     length = math.sqrt(mn * mn + me * me + md * md)
+    if table[k, KIND] == WALL:
+        value, share, gn, ge = past_wall(table, k, n0, e0, n1, e1)
+        return value, value, share, gn, ge, 0.0
     low_value, gn, ge, gd = shape_surface(table, k, n0, e0, d0)
     if low_value - length >= enough or length < TINY:
         return low_value - length, low_value, 0.0, gn, ge, gd

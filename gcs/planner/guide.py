@@ -1,7 +1,8 @@
 """Aims for many vehicles that follow routes: at each tick the place that each one is to fly to now.
 
-Straight to the goal while that is free; else along a route (route.py), towards the farthest place on its next two legs
-that can be seen, so that a vehicle rounds a corner instead of stopping at it. A route is kept as long as it holds:
+Straight to the goal while neither obstacle nor fence lies between; else along a route (route.py), towards the farthest
+place on its next two legs that can be seen, so that a vehicle rounds a corner instead of stopping at it. A route is
+kept as long as it holds:
 
 - a goal that moves takes the route's end along while the last leg stays free, and asks for a new search once it has
   moved by `moved_m` out of sight, or by `refresh_m` in any case;

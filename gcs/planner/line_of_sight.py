@@ -18,7 +18,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcs.kernels import kernel
-from gcs.scenario.geometry import BOX, CYLINDER, DOWN, EAST, KIND, NORTH, SIZE_1, SIZE_2, SIZE_3, shape_surface
+from gcs.scenario.geometry import (
+    BOX,
+    CYLINDER,
+    DOWN,
+    EAST,
+    KIND,
+    NORTH,
+    SIZE_1,
+    SIZE_2,
+    SIZE_3,
+    WALL,
+    past_wall,
+    shape_surface,
+)
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -29,6 +42,8 @@ _EXACT_M = 1e-6  # to which a least distance is found
 _ROUNDING_M = 1e-7
 _MOST_BINS = 128  # each way [choice]: lists stay short, the table small
 _LEAST_BIN_M = 1.0
+FAR_M = 1e6
+"""Where a wall ends, up and down: beyond every scenario."""
 
 
 class Sight(NamedTuple):
@@ -73,6 +88,9 @@ def bounds(table: FloatArray) -> tuple[FloatArray, FloatArray]:
     half = np.repeat(size[:, :1], 3, axis=1)
     half[kind == BOX] = size[kind == BOX]
     half[kind == CYLINDER, 2] = size[kind == CYLINDER, 1]
+    walls = kind == WALL
+    half[walls, :2] = np.abs(size[walls, :2])
+    half[walls, 2] = FAR_M
     return table[:, NORTH : DOWN + 1] - half, table[:, NORTH : DOWN + 1] + half
 
 
@@ -149,6 +167,8 @@ def _along(
 ) -> float:
     """Kernel: least distance of the leg to shape i, or `enough` where it is more."""
     kind = table[i, KIND]
+    if kind == WALL:
+        return min(enough, past_wall(table, i, an, ae, bn, be)[0])
     un, ue, ud = bn - an, be - ae, bd - ad
     square = un * un + ue * ue + ud * ud
     cn, ce, cd = table[i, NORTH] - an, table[i, EAST] - ae, table[i, DOWN] - ad

@@ -1,4 +1,4 @@
-"""What the age of a vehicle's reports says of its link: silent, or slow [choice].
+"""Silent and slow links, by the age of vehicles' reports [choice].
 
 A link that loses nothing brings a report in every period: four periods without one are an outage, in which the vehicle
 no longer obeys. Where frames are lost or vehicles report seldom, reports are as old as that often. On a slow link all

@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gcs.mavlink.setpoints import SetPoint
 from gcs.planner import formation, fuzzy_escape, leader
+from gcs.planner.fence import FenceBorder
 from gcs.planner.guide import STRAIGHT, RouteFollower
 from gcs.planner.link_age import SlowLinks
 from gcs.planner.potential_field import FieldConstants, widened_range
@@ -94,9 +95,11 @@ class Planner:
         self._attracting = {mover.callsign for mover in scenario.traffic if mover.attracts}
         self._grounded = {v.sysid for v in scenario.vehicles.all if not v.airborne}
         self._guides: dict[str, RouteFollower] | None = None
-        if rules.safety and rules.guide and len(self.obstacles):
-            clearance_m = 2.0 * (rules.clearance_m + LEAST_MARGIN_M)
-            router = Router(self.obstacles, clearance_m, floor_m=FLOOR_M if self._grounded else None)
+        clearance_m = 2.0 * (rules.clearance_m + LEAST_MARGIN_M)
+        self._fence = FenceBorder(scenario, clearance_m)
+        solid = np.concatenate([self.obstacles, self._fence.walls])
+        if rules.safety and rules.guide and len(solid):
+            router = Router(solid, clearance_m, floor_m=FLOOR_M if self._grounded else None)
             router.prepare()
             self._guides = {role: RouteFollower(router) for role in ROLES}
         self._exempted: dict[str, tuple[tuple[Any, ...], NDArray[np.bool_]]] = {}
@@ -133,18 +136,24 @@ class Planner:
         return []
 
     def _guided(self, views: list[VehicleView], wanted: list[_Wanted]) -> list[_Wanted]:
-        """Goals as they are where the way to them is free, else the next place of a route around what is in it."""
-        if self._guides is None or not len(self.obstacles):
+        """Goals, none beyond the fence: as they are where the way is free, else the next place of a route around what
+        is in it. A leader that is beyond the fence itself comes back straight."""
+        wanted = [self._fenced(want) for want in wanted]
+        if self._guides is None:
             return wanted
         guide = self._guides[views[0].role]
         here = [self._q[view.sysid] for view in views]
         found = guide.aims([view.sysid for view in views], here, [want.p_ned for want in wanted])
+        straight = (found.state == STRAIGHT) | ~self._fence.allows(np.array(here))
         guided = []
-        for want, aim, left_m, state in zip(wanted, found.aim_ned, found.remaining_m, found.state, strict=True):
-            free = state == STRAIGHT
+        for want, aim, left_m, free in zip(wanted, found.aim_ned, found.remaining_m, straight, strict=True):
             v_ned = want.v_ned if left_m < NEAR_GOAL_M else STILL
             guided.append(want if free else _Wanted(_vec(aim), v_ned, want.speed_m_s, float(left_m)))
         return guided
+
+    def _fenced(self, want: _Wanted) -> _Wanted:
+        p_ned = self._fence.brought_inside(want.p_ned)
+        return want if p_ned is want.p_ned else _Wanted(p_ned, STILL, want.speed_m_s)
 
     def margin_m(self, sysid: int) -> float | None:
         """None: the safety filter has margins."""

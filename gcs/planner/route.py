@@ -21,7 +21,7 @@ from numpy.typing import ArrayLike
 from gcs.planner.line_of_sight import BoolArray, FloatArray, IntArray, clear_m, leg_clearances, sees_all, sight, visible
 from gcs.planner.route_grid import ALL_CELLS, Cells, CostField, cell_at, cells, centre, nearest_in_part
 from gcs.planner.route_shortening import pulled
-from gcs.scenario.geometry import COLUMNS
+from gcs.scenario.geometry import COLUMNS, KIND, WALL
 
 LEAST_SHARE = 0.5
 """[choice] Of the clearance wanted: what a route keeps in a gap. 0.6 m wanted passes gaps of 0.9 m and more."""
@@ -86,6 +86,7 @@ class Router:
         self.floor_d = math.inf if floor_m is None else -float(floor_m)
         self.sight = sight(table, self.clearance_m)
         self._cell_m = CELL_SHARE * least_m if cell_m is None else cell_m
+        self._walled = bool((table[:, KIND] == WALL).any())
         self._grid: Cells | None = None
         self._fields: OrderedDict[int, CostField] = OrderedDict()
         self.settled = 0
@@ -203,12 +204,18 @@ class Router:
 
     def _clipped(self, p_ned: FloatArray, other_ned: FloatArray) -> FloatArray:
         """Point where the line from a place to another enters the region; the place itself, or nearest to it,
-        without."""
+        without.
+
+        Where there are walls it is the nearest: above the region they go on, so the line may have crossed one.
+        """
         grid = self.grid
         low = np.array(grid.low_ned) + grid.cell_m
         high = low + (np.array([grid.count_n, grid.count_e, grid.count_d]) - 3) * grid.cell_m
         if ((low <= p_ned) & (p_ned <= high)).all():
             return p_ned
+        if self._walled:
+            nearest: FloatArray = np.clip(p_ned, low, high)
+            return nearest
         along = other_ned - p_ned
         with np.errstate(divide="ignore", invalid="ignore"):
             t1, t2 = (low - p_ned) / along, (high - p_ned) / along

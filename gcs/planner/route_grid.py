@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 
 from gcs.kernels import kernel
 from gcs.planner.line_of_sight import FloatArray, IntArray, bounds
-from gcs.scenario.geometry import shape_surface
+from gcs.scenario.geometry import DOWN, KIND, SIZE_3, WALL, shape_surface
 
 Costs = NDArray[np.int32]
 Weights = NDArray[np.uint8]
@@ -31,6 +31,8 @@ Labels = NDArray[np.int32]
 
 MOST_CELLS = 8_000_000
 """[choice] A larger region is given larger cells, so that memory stays below 100 MB; gaps may then be missed."""
+WALL_SHARE = 0.75
+"""[choice] Of a cell, that a wall blocks on either side at least: from half of one on none is passed between cells."""
 ALL_CELLS = 1 << 40
 """More than there are: a search without a pause."""
 DEAREST = 9
@@ -59,7 +61,12 @@ def cells(
 ) -> Cells:
     """Cells around all obstacles (at least one) and `margin_m` more, none of whose centres lies below floor_d."""
     low, high = bounds(table)
-    low_ned, high_ned = low.min(axis=0) - margin_m, high.max(axis=0) + margin_m
+    tops_d, feet_d = low[:, 2].copy(), high[:, 2].copy()
+    walls = table[:, KIND] == WALL
+    tops_d[walls] = table[walls, DOWN] - table[walls, SIZE_3]
+    feet_d[walls] = table[walls, DOWN] + table[walls, SIZE_3]
+    low_ned = np.array([*low[:, :2].min(axis=0), tops_d.min()]) - margin_m
+    high_ned = np.array([*high[:, :2].max(axis=0), feet_d.max()]) + margin_m
     if math.isfinite(floor_d):
         high_ned[2] = floor_d
         low_ned[2] = min(low_ned[2], floor_d - margin_m)
@@ -73,7 +80,7 @@ def cells(
     # The longest move between cells that keep so much keeps the clearance.
     wanted_m = math.hypot(clearance_m, cell_m * math.sqrt(3.0) / 2.0)
     distance = np.full(counts, wanted_m, dtype=np.float32)
-    _rasterise(table, low, high, distance, first, cell_m, wanted_m)
+    _rasterise(table, low, high, distance, first, cell_m, wanted_m, max(WALL_SHARE * cell_m - least_m, 0.0))
     share = np.clip((wanted_m - distance) / max(wanted_m - least_m, 1e-9), 0.0, 1.0)
     weight = np.where(distance < least_m, 0, 1 + np.ceil(share * (DEAREST - 1))).astype(np.uint8)
     for axis in range(3):
@@ -94,6 +101,7 @@ def _rasterise(
     first: FloatArray,
     cell_m: float,
     wanted_m: float,
+    thicker_m: float,
 ) -> None:
     for i in range(table.shape[0]):
         a = np.empty(3, dtype=np.int64)
@@ -105,6 +113,8 @@ def _rasterise(
             for e in range(a[1], b[1] + 1):
                 for d in range(a[2], b[2] + 1):
                     at = shape_surface(table, i, first[0] + n * cell_m, first[1] + e * cell_m, first[2] + d * cell_m)[0]
+                    if table[i, KIND] == WALL:
+                        at -= thicker_m
                     distance[n, e, d] = min(distance[n, e, d], at)
 
 

@@ -2,7 +2,8 @@
 
 Legs in a row that keep the clearance wanted, and legs in a row through a gap too narrow for it, are pulled each by
 themselves: to the fewest places that see each other, legs of gaps then moved to the middle, then each place moved
-towards the line between its neighbours, and what has become needless left out. Compiled; lengths in metres.
+towards the line between its neighbours, and what has become needless left out. Compiled; no leg crosses a fence's
+wall; lengths in metres.
 """
 
 from __future__ import annotations

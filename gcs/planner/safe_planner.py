@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.mavlink.setpoints import SetPoint
+from gcs.planner.fence import FenceBorder
 from gcs.planner.link_age import LinkAge
 from gcs.planner.planner import CATCH_UP_SPEED, FLOOR_M, LEAST_MARGIN_M, LOOKAHEAD_S, STILL, floor_d
 from gcs.planner.request import PlanRequest, TickPlanner
@@ -104,6 +105,7 @@ class SafePlanner:
             v.sysid: (v.start_m, failsafe_of(v, scenario)) for v in scenario.vehicles.all if v.foreign is None
         }
         self._link_age = LinkAge()
+        self._fence = FenceBorder(scenario, scenario.planner.clearance_m)
         self._reported_s: dict[tuple[int, str], float] = {}
         self._records: list[dict[str, Any]] = []
 
@@ -203,8 +205,8 @@ class SafePlanner:
         silent = np.array([self._silent(views[sysid]) for sysid in ids])
         wanted_ned[silent] = 0.0
         speeds = np.array([max(self._speed_m_s[sysid], SLOWEST_M_S) for sysid in ids])
-        fence = np.full((len(ids), 3), np.inf)
-        fence[:, 2] = [floor_d(views[sysid]) if sysid in self._grounded else math.inf for sysid in ids]
+        floor = np.full((len(ids), 3), np.inf)
+        floor[:, 2] = [floor_d(views[sysid]) if sysid in self._grounded else math.inf for sysid in ids]
         return filter_step(
             Leaders(
                 ids=ids,
@@ -213,12 +215,13 @@ class SafePlanner:
                 v_max_m_s=speeds,
                 a_max_m_s2=[self._a_max[sysid] for sysid in ids],
                 margin_m=[self.margin_m(sysid) for sysid in ids],
-                high_ned=fence,
+                high_ned=floor,
             ),
             wanted_ned,
             rules=FilterSettings(request.period_s, rules.separation_m, rules.clearance_m),
             others=_table(others),
-            obstacles=self._planner.obstacles,
+            obstacles=np.concatenate([self._planner.obstacles, self._fence.walls]),
+            beyond=~self._fence.allows(p),
             pair_required_m=self._partners(request),
             other_required_m=[(other.owner, row, 0.0) for row, other in enumerate(others) if other.owner is not None],
             apart=rules.vehicles_repel,
@@ -291,6 +294,8 @@ class SafePlanner:
         if KINDS[kind] == "other":
             return others[index].name
         if KINDS[kind] == "obstacle":
+            if index >= len(self._scenario.obstacles):
+                return "fence"
             obstacle = self._scenario.obstacles[index]
             return f"obstacle {obstacle.name or f'{obstacle.kind} {index + 1}'}"
         return "ground" if KINDS[kind] == "wall" else "limits"

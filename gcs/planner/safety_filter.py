@@ -37,7 +37,7 @@ from gcs.planner.line_of_sight import bounds
 from gcs.planner.neighbours import near_pairs
 from gcs.planner.safety_constraints import OBSTACLE, OTHER, PAIR, PLANE
 from gcs.planner.safety_solver import solve
-from gcs.scenario.geometry import COLUMNS
+from gcs.scenario.geometry import COLUMNS, KIND, WALL
 
 KINDS = ("", "vehicle", "other", "obstacle", "wall")
 """Names of `Filtered.binding_kind`; a wall is a side of the fence or the floor: low n, e, d, then high n, e, d."""
@@ -139,13 +139,15 @@ def filter_step(
     rules: FilterSettings,
     others: Others | None = None,
     obstacles: FloatArray | None = None,
+    beyond: NDArray[np.bool_] | None = None,
     pair_required_m: ArrayLike = (),
     other_required_m: ArrayLike = (),
     apart: bool = True,
 ) -> Filtered:
     """The next period of all leaders (module docstring).
 
-    v_wanted_ned (n, 3): velocity wanted at the period's end. obstacles: table of gcs/scenario/geometry.py.
+    v_wanted_ned (n, 3): velocity wanted at the period's end. obstacles: table of gcs/scenario/geometry.py. beyond (n,):
+    who is on a wall's wrong side, which no wall of the table keeps there; nobody where it is left out.
     pair_required_m: rows (id, id, m), whole distance between two leaders instead of separation + margins, as for the
     partners of a transfer. other_required_m: rows (id, index of the other, m) instead of radius + margin; 0 for none.
     apart: whether leaders keep apart from each other; else each is filtered as if it were alone.
@@ -183,7 +185,7 @@ def filter_step(
     rows = [
         *([_pairs(p, reach, margin, rules, _special(pair_required_m, ids, ids, order, back))] if apart else []),
         _others(p, reach, margin, moving, rules, _special(other_required_m, ids, np.arange(m), order, None)),
-        _shapes(p, reach, margin, table, rules),
+        _shapes(p, reach, margin, table, rules, np.zeros(n, dtype=np.bool_) if beyond is None else beyond[order]),
         _walls(p, reach, margin, walls[order]),
     ]
     constraints = np.concatenate(rows)
@@ -278,13 +280,21 @@ def _others(
 
 
 def _shapes(
-    p: FloatArray, reach: FloatArray, margin: FloatArray, table: FloatArray, rules: FilterSettings
+    p: FloatArray,
+    reach: FloatArray,
+    margin: FloatArray,
+    table: FloatArray,
+    rules: FilterSettings,
+    beyond: NDArray[np.bool_],
 ) -> FloatArray:
     if not len(table) or not len(p):
         return np.zeros((0, 4))
     required = rules.clearance_m + margin
     low, high = bounds(table)
     i, j = _within_boxes(p, reach + required, low, high)
+    if beyond.any():
+        kept = ~(beyond[i] & (table[j, KIND] == WALL))
+        i, j = i[kept], j[kept]
     return _rows(OBSTACLE, i, j, required[i])
 
 

@@ -12,6 +12,8 @@ from gcs.scenario.external import External
 
 HELLO_WITHIN_S = 60.0
 """Wall time that launched vehicles have for their first word."""
+BOOTED_WITHIN_S = 300.0
+"""[choice] The same for those whose autopilot boots first: one that does not boot says why, by its own time."""
 SAY_AGAIN_S = 5.0
 SAY_WHY_S = 1.0
 """Nothing is made of what has not come in so short a time."""
@@ -35,8 +37,12 @@ def compiled() -> bool:
 class Arrivals:
     """Waits for launched vehicles and for external ones; times are s since it began."""
 
-    def __init__(self, labels: Mapping[int, str], external: Mapping[int, External]) -> None:
+    def __init__(
+        self, labels: Mapping[int, str], external: Mapping[int, External], booting: Collection[int] = ()
+    ) -> None:
+        """`booting`: system ids of launched vehicles whose autopilot boots before their first word."""
         self._labels = labels
+        self._booting = frozenset(booting)
         self._external = external
         self._awaited = set(external)
         self._said_s = -math.inf
@@ -87,9 +93,11 @@ class Arrivals:
             )
         if late:
             names = ", ".join(self._labels[sysid] for sysid in late)
-            return f"no word from {names} within {HELLO_WITHIN_S:.0f} s of their start"
+            return f"no word from {names} within {self._patience_s(late[0]):.0f} s of their start"
         return None
 
     def _patience_s(self, sysid: int) -> float:
         external = self._external.get(sysid)
-        return HELLO_WITHIN_S if external is None else external.found_within_s
+        if external is not None:
+            return external.found_within_s
+        return BOOTED_WITHIN_S if sysid in self._booting else HELLO_WITHIN_S

@@ -16,6 +16,7 @@ from gcs.mavlink.gaps import RecordedGaps
 from gcs.mavlink.ids import STATION
 from gcs.recording import rotation, tlog_reader
 from gcs.recording import summary as summaries
+from gcs.recording.decision_types import COMPETITION, holds_what_is_read
 from gcs.recording.decisions_reader import COLUMNS, DecisionLines
 from gcs.recording.recorder import DECISIONS, TLOG
 from gcs.recording.summary import Summary
@@ -42,25 +43,6 @@ WANTED = {
 MOST_SECONDS = 7 * 86_400
 FEWEST_SECONDS, SECONDS_A_FRAME = 3600, 2
 """A recording's rates and losses are counted for so long, and so much longer by each frame in it."""
-NEEDED: dict[str, tuple[str, ...]] = {
-    "competition": ("v", "leader", "share"),
-    "decided": ("receiver", "tanker", "by", "bids"),
-    "served": (
-        *("receiver", "tanker", "by", "reason", "bids"),
-        *("decided_at_s", "joined_at_s", "start_s", "end_s", "energy_j"),
-    ),
-    "broken off": ("receiver", "tanker"),
-    "pursuit": ("target", "pursuer"),
-    "policy failed": ("policy", "problem"),
-    "death": ("text",),
-    "violation": ("part", "at_s", "sysids", "text"),
-    "unable": ("receiver", "reason"),
-    "operator": ("command", "taken", "text"),
-    "fault": ("sysid", "state", "text"),
-}
-"""Keys that a report reads of each kind of decision; a line without them is none."""
-COMPETITION = ("kind", "giver", *NEEDED["competition"])
-
 Progress = Callable[[float], object]
 
 
@@ -139,7 +121,7 @@ def _read_decisions(recorded: Recorded, progress: Progress) -> None:
             points.append(some)
             for line in others:
                 record = line.record()
-                if not record or any(key not in record for key in NEEDED.get(line.kind, ())):
+                if not record or not holds_what_is_read(line.kind, line.raw):
                     foreign += 1
                     continue
                 if line.kind == "competition":  # one a tick, with numbers of every vehicle

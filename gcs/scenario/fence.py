@@ -54,7 +54,7 @@ class Area(Part):
 
 
 class FenceRules(Part):
-    """The geofence that vehicles keep by themselves; the planner does not know it."""
+    """The geofence that vehicles keep by themselves; unless `planner: {safety: false}`, no set point lies beyond it."""
 
     inside: tuple[Area, ...] = ()
     """a vehicle stays in one of these; none: anywhere"""

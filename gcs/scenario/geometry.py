@@ -8,9 +8,12 @@ A table is float64 of shape (m, COLUMNS), one row per shape, all lengths in metr
 | SPHERE   | centre            | radius     | 0           | 0         |
 | BOX      | centre            | half north | half east   | half down |
 | CYLINDER | centre            | radius     | half height | 0         |
+| WALL     | middle            | half north | half east   | half down |
 
 Boxes are axis-aligned, cylinders stand upright and end in flat lids. Distances are signed: positive outside, zero on
-the surface, negative within a volume. A point's surface is its centre, so its distance is never negative.
+the surface, negative within a volume. A point's surface is its centre, so its distance is never negative. A wall is a
+stretch of a fence's border, from its middle by plus and minus (half north, half east), whose halves have signs. It is
+as high and as deep as the world; DOWN and half down only tell between which heights routes along it are looked for.
 """
 
 from __future__ import annotations
@@ -31,7 +34,7 @@ FloatArray = NDArray[np.float64]
 
 KIND, NORTH, EAST, DOWN, SIZE_1, SIZE_2, SIZE_3 = range(7)
 COLUMNS = 7
-POINT, SPHERE, BOX, CYLINDER = 0.0, 1.0, 2.0, 3.0
+POINT, SPHERE, BOX, CYLINDER, WALL = 0.0, 1.0, 2.0, 3.0, 4.0
 
 # Nearer than this to a centre or an edge the difference of two positions has no direction left that means anything.
 _NO_DIRECTION_M = 1e-9
@@ -65,6 +68,19 @@ def cylinder(centre_ned: ArrayLike, radius_m: float, height_m: float) -> FloatAr
     """
     centre = _vector("centre_ned", centre_ned)
     return _row(CYLINDER, centre, _size("radius_m", radius_m), _size("height_m", height_m) / 2)
+
+
+def wall(
+    from_ne: tuple[float, float], to_ne: tuple[float, float], high_d: float = 0.0, low_d: float = 0.0
+) -> FloatArray:
+    """Row (COLUMNS,) of a wall between two places (north, east), with routes between two downs, high_d <= low_d.
+
+    ValueError unless finite, and longer than zero.
+    """
+    a = _vector("from_ne, high_d", (*from_ne, high_d))
+    b = _vector("to_ne, low_d", (*to_ne, low_d))
+    _size("wall: from from_ne to to_ne", math.hypot(b[0] - a[0], b[1] - a[1]))
+    return _row(WALL, (a + b) / 2, *((b - a) / 2))
 
 
 def table(rows: list[FloatArray]) -> FloatArray:
@@ -146,6 +162,9 @@ def shape_surface(table: FloatArray, i: int, qn: float, qe: float, qd: float) ->
         return _box_surface(dn, de, dd, table[i, SIZE_1], table[i, SIZE_2], table[i, SIZE_3])
     if kind == CYLINDER:
         return _cylinder_surface(dn, de, dd, table[i, SIZE_1], table[i, SIZE_2])
+    if kind == WALL:
+        r, gn, ge = _wall_surface(dn, de, table[i, SIZE_1], table[i, SIZE_2])
+        return r, gn, ge, 0.0
     r = math.sqrt(dn * dn + de * de + dd * dd)
     radius = table[i, SIZE_1]
     if r < _NO_DIRECTION_M:
@@ -187,6 +206,57 @@ def _cylinder_surface(
     if out_r >= out_d:
         return out_r, radial_n, radial_e, 0.0
     return out_d, 0.0, 0.0, down
+
+
+@kernel()
+def _wall_surface(dn: float, de: float, hn: float, he: float) -> tuple[float, float, float]:
+    square = hn * hn + he * he
+    t = min(max((dn * hn + de * he) / square, -1.0), 1.0)
+    on, oe = dn - t * hn, de - t * he
+    r = math.sqrt(on * on + oe * oe)
+    if r < _NO_DIRECTION_M:
+        half = math.sqrt(square)
+        return r, -he / half, hn / half
+    return r, on / r, oe / r
+
+
+@kernel()
+def past_wall(
+    table: FloatArray, i: int, n0: float, e0: float, n1: float, e1: float
+) -> tuple[float, float, float, float]:
+    """Kernel: least signed distance in m of the way (n0, e0) to (n1, e1) to the wall of row `i`, where on the way that
+    is (0 to 1), and the unit vector (north, east) from the wall to there.
+
+    A way that crosses the wall is as far beyond it as its end is, seen from where it begins.
+    """
+    hn, he = table[i, SIZE_1], table[i, SIZE_2]
+    an, ae = n0 - table[i, NORTH], e0 - table[i, EAST]
+    bn, be = n1 - table[i, NORTH], e1 - table[i, EAST]
+    half = math.sqrt(hn * hn + he * he)
+    ln, le = -he / half, hn / half  # to the wall's left
+    side_a, side_b = an * ln + ae * le, bn * ln + be * le
+    if (side_a > 0.0) != (side_b > 0.0):
+        share = side_a / (side_a - side_b)
+        along = ((an + share * (bn - an)) * hn + (ae + share * (be - ae)) * he) / half
+        if abs(along) <= half:
+            sign = 1.0 if side_a > 0.0 else -1.0
+            return sign * side_b, 1.0, sign * ln, sign * le
+    # They do not cross, so one of the four ends is nearest.
+    least, where = math.inf, 0.0
+    gn, ge = ln, le
+    square = (bn - an) ** 2 + (be - ae) ** 2
+    for k in range(4):
+        at = float(k)
+        if k > 1:
+            at = 0.0
+            if square > 0.0:
+                sign = 1.0 if k == 2 else -1.0
+                at = ((sign * hn - an) * (bn - an) + (sign * he - ae) * (be - ae)) / square
+                at = min(max(at, 0.0), 1.0)
+        r, dn, de = _wall_surface(an + at * (bn - an), ae + at * (be - ae), hn, he)
+        if r < least:
+            least, where, gn, ge = r, at, dn, de
+    return least, where, gn, ge
 
 
 @kernel()

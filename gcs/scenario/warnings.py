@@ -147,7 +147,7 @@ def _of_the_ring(scenario: Scenario) -> Iterator[ScenarioWarning]:
 
 
 def _of_the_fence(scenario: Scenario) -> Iterator[ScenarioWarning]:
-    """Places that somebody is to be at and that the fence forbids: the planner does not know it."""
+    """Places that somebody is to be at and that the fence forbids."""
     places: list[tuple[str, Sequence[float]]] = [
         *((f"base {base.name}", base.position_m) for base in scenario.bases),
         *((f"rally point {k}", place) for k, place in enumerate(scenario.rally_m, 1)),
@@ -161,11 +161,15 @@ def _of_the_fence(scenario: Scenario) -> Iterator[ScenarioWarning]:
             places.append((f"the home of {vehicle.label}", home_m))
     beyond = [name for name, place in places if not scenario.fence.allows(place[0], place[1])]
     if beyond:
+        kept = (
+            "whoever is sent there stops at it"
+            if scenario.planner.safety
+            else "without the safety layer the planner does not know it, and vehicles keep it by themselves"
+        )
         which = f"{beyond[0]} and {len(beyond) - 1} more lie" if len(beyond) > 1 else f"{beyond[0]} lies"
         yield ScenarioWarning(
             "fence",
-            f"{which} beyond the fence, which vehicles keep by themselves and the planner does not "
-            "know: move them or the fence",
+            f"{which} beyond the fence: {kept}; move them or the fence",
         )
 
 

@@ -29,7 +29,8 @@ def arriving(
 
     `link` is all of the two others.
     """
-    arrivals, began_s = Arrivals(labels, scenario.vehicles.external), time.monotonic()
+    booting = [vehicle.sysid for vehicle in scenario.vehicles.all if vehicle.real is not None]
+    arrivals, began_s = Arrivals(labels, scenario.vehicles.external, booting), time.monotonic()
     missing: set[int] | None = None
     while missing is None or missing or not (external is None or external.settled):
         missing = {sysid for sysid, _ in link.listen(WATCH_EVERY_S)}

@@ -50,8 +50,11 @@ class MonitorSource:
         *,
         control: bool = False,
         key_file: Path | None = None,
+        station: tuple[int, int] = STATION,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
+        """`station`: our ids in what `control` says."""
+        self._station = station
         self._listener = Listener(at, key_file, older=True)
         self._refusals = RefusalNotices()
         self._clock = clock
@@ -187,7 +190,7 @@ class MonitorSource:
         if not view.armed:
             return False, f"{view.label} is not armed: there is nothing to {end}."
         number, params = view.profile.ending(end)
-        queue = self._queues.setdefault(sysid, CommandQueue(*STATION))
+        queue = self._queues.setdefault(sysid, CommandQueue(*self._station))
         order = CommandLong(CommandTarget(sysid, self._observer.component(sysid)), number, params)
         self._transmit(sysid, queue.send(order, t_s, COMMAND_TIMEOUT_S, token=end))
         self._observer.add_event(Event(t_s, sysid, "info", f"Operator: {end}", "operator"))
@@ -196,7 +199,7 @@ class MonitorSource:
     def _speak(self, t_s: float) -> None:
         if t_s - self._beat_s >= HEARTBEAT_EVERY_S:
             self._beat_s = t_s
-            raw = codec.frame(OUR_HEARTBEAT, self._counter.next(), *STATION)
+            raw = codec.frame(OUR_HEARTBEAT, self._counter.next(), *self._station)
             peers = {self._listener.to} if self._listener.to is not None else {peer for peer, _ in self._peers.values()}
             for peer in sorted(peers, key=str):
                 self._listener.send(raw, peer)
@@ -214,4 +217,4 @@ class MonitorSource:
     def _transmit(self, sysid: int, messages: list[Message]) -> None:
         peer = self._peers[sysid][0]
         for message in messages:
-            self._listener.send(codec.frame(message, self._counter.next(), *STATION), peer)
+            self._listener.send(codec.frame(message, self._counter.next(), *self._station), peer)

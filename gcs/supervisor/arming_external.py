@@ -76,6 +76,13 @@ class ExternalArmingSequence(ArmingSequence):
         """Whether set points should flow."""
         return (self.stage in _FLOWN or super().sends_set_points) and not self._silent
 
+    def mend(self, view: VehicleView) -> None:
+        """As `ArmingSequence.mend`, also while its failsafe still flies it; a mode that it reports late counts too."""
+        self._cut_off_s = self._now_s
+        back = self.stage in (Stage.YIELDED, Stage.DOWN) and self.ordered is None and not self.left_out
+        if back and self._rejoins_itself and self._has_energy(view):
+            self.rejoin()
+
     def decide(
         self, view: VehicleView, now_s: float, *, bound: bool = False, late_s: float = 0.0
     ) -> tuple[list[CommandRequest], list[Message]]:

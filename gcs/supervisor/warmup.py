@@ -30,7 +30,8 @@ WAY_TICKS = 12
 
 def rehearse(scenario: Scenario) -> None:
     """Plan for, and measure, a fleet in the air at its starts; everything that does so is thrown away afterwards."""
-    if scenario.planner.guide and scenario.planner.safety and scenario.obstacles:
+    fence = scenario.fence
+    if scenario.planner.guide and scenario.planner.safety and (scenario.obstacles or fence.inside or fence.outside):
         find_way()
     origin, vehicles = scenario.origin, scenario.vehicles.all
     fleet = Fleet(

@@ -17,6 +17,7 @@ from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.fleet.rules import FleetRules
 from simvehicle.mavlink import (
     commands,
+    file_protocol,
     flight_commands,
     log_protocol,
     maintenance,
@@ -48,7 +49,7 @@ MESSAGES: dict[int, MessageHandler] = {
 }
 COMMANDS: dict[int, CommandHandler] = {**flight_commands.COMMANDS, **message_requests.COMMANDS, **maintenance.COMMANDS}
 _COMMAND_MESSAGES = frozenset({mav.MAVLINK_MSG_ID_COMMAND_LONG, mav.MAVLINK_MSG_ID_COMMAND_INT})
-UNDERSTOOD = _COMMAND_MESSAGES | missions.MESSAGES | log_protocol.MESSAGES | set(MESSAGES)
+UNDERSTOOD = _COMMAND_MESSAGES | missions.MESSAGES | log_protocol.MESSAGES | {file_protocol.MESSAGE} | set(MESSAGES)
 """Ids of the messages that the vehicle acts on."""
 
 
@@ -71,6 +72,7 @@ class Services:
         self._context = ServiceContext(vehicle, sysid, self.connections, store)
         self._planning = missions.Planning(self._context)
         self._logs = log_protocol.LogService(log)
+        self._files = file_protocol.FileService(log)
         self._reboot = maintenance.Reboot(self._context, self._planning.restart)
         self._commands = {**COMMANDS, mav.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN: self._reboot.ask}
         self.fleet = None if rules is None else FleetService(vehicle, sysid, rules)
@@ -101,6 +103,8 @@ class Services:
             self._planning.receive(call)
         elif frame.msgid in log_protocol.MESSAGES:
             self._logs.receive(call)
+        elif frame.msgid == file_protocol.MESSAGE:
+            self._files.receive(call)
         else:
             MESSAGES[frame.msgid](self._context, call)
 
@@ -154,6 +158,7 @@ class Services:
         for connection in self.connections:
             connection.put_due(vehicle)
         self._logs.report()
+        self._files.report()
 
     def _finish_reboot(self) -> None:
         finished = self._reboot.finish()

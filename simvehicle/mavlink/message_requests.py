@@ -1,4 +1,4 @@
-"""Requests for messages: messages once, streams at a rate, pings, time, files."""
+"""Requests for messages: messages once, streams at a rate, pings, time."""
 
 from __future__ import annotations
 
@@ -14,10 +14,6 @@ from simvehicle.mavlink.context import Call, CommandHandler, MessageHandler, Ser
 from simvehicle.mavlink.telemetry import TELEMETRY, autopilot_version
 
 FASTEST_HZ = 250
-FTP_HEADER_BYTES = 12
-FTP_PAYLOAD_BYTES = 251
-FTP_NAK = 129
-FTP_UNKNOWN_COMMAND = 7
 _POSITION = ("LOCAL_POSITION_NED", "GLOBAL_POSITION_INT")
 _STATUS = ("SYS_STATUS", "GPS_RAW_INT", "BATTERY_STATUS", "EXTENDED_SYS_STATE")
 DATA_STREAMS: dict[int, tuple[str, ...]] = {
@@ -87,10 +83,6 @@ def timesync(context: ServiceContext, call: Call) -> None:
         call.connection.put(reply)
 
 
-def file_transfer(context: ServiceContext, call: Call) -> None:
-    call.connection.put(ftp_refusal(call.content, call.sender))
-
-
 def ping_reply(content: Any, asker: tuple[int, int]) -> Any | None:
     """The echo of a PING to everybody; one that is addressed is itself an echo."""
     if content.target_system != 0:
@@ -105,24 +97,10 @@ def timesync_reply(content: Any, unix_us: int) -> Any | None:
     return content._replace(tc1=1000 * unix_us)
 
 
-def ftp_refusal(content: Any, asker: tuple[int, int]) -> Any:
-    """FILE_TRANSFER_PROTOCOL: there are no files, and no operation is known; NAK names the operation refused."""
-    asked = bytes(content.payload[:FTP_HEADER_BYTES])
-    seq = (int.from_bytes(asked[:2], "little") + 1) & 0xFFFF
-    answer = seq.to_bytes(2, "little") + bytes((asked[2], FTP_NAK, 1, asked[3], 0, 0, 0, 0, 0, 0, FTP_UNKNOWN_COMMAND))
-    return message("FILE_TRANSFER_PROTOCOL")(
-        target_network=0,
-        target_system=asker[0],
-        target_component=asker[1],
-        payload=tuple(answer.ljust(FTP_PAYLOAD_BYTES, b"\0")),
-    )
-
-
 MESSAGES: dict[int, MessageHandler] = {
     mav.MAVLINK_MSG_ID_REQUEST_DATA_STREAM: data_stream,
     mav.MAVLINK_MSG_ID_PING: ping,
     mav.MAVLINK_MSG_ID_TIMESYNC: timesync,
-    mav.MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL: file_transfer,
 }
 COMMANDS: dict[int, CommandHandler] = {
     mav.MAV_CMD_SET_MESSAGE_INTERVAL: set_interval,

@@ -15,6 +15,7 @@ from simvehicle.mavlink.codec import ReceivedFrame
 from simvehicle.mavlink.real_autopilots import json_backend
 from simvehicle.mavlink.real_autopilots.analog_battery import AnalogBattery
 from simvehicle.mavlink.real_autopilots.autopilot_boot import ARDUCOPTER_BOOT, AutopilotBoot
+from simvehicle.mavlink.real_autopilots.gnss_switch import GnssSwitch
 from simvehicle.sitl.ardupilot_link import ArduPilotLink
 from simvehicle.sitl.autopilot_process import STEP_S
 from simvehicle.sitl.autopilot_unit import AutopilotUnit
@@ -27,6 +28,7 @@ class ArduPilotUnit(AutopilotUnit):
 
     _link: ArduPilotLink
     _monitor: AnalogBattery
+    _receiver: GnssSwitch
 
     def _open(self) -> ArduPilotLink:
         self._link = ArduPilotLink(self._wanted)
@@ -34,6 +36,7 @@ class ArduPilotUnit(AutopilotUnit):
 
     def _booted(self, boot: AutopilotBoot) -> None:
         self._monitor = AnalogBattery(self._wanted.sysid, boot.volts)
+        self._receiver = GnssSwitch(self._wanted.sysid)
 
     def _throttles(self) -> Sequence[float]:
         return json_backend.throttles(self._link.servo)
@@ -42,8 +45,12 @@ class ArduPilotUnit(AutopilotUnit):
         for content in self._monitor.settings(self._boot_s, *self._plant.electric):
             self._say(content)
 
+    def _report_failures(self) -> None:
+        for content in self._receiver.settings(lost=self._failures.gnss_lost):
+            self._say(content)
+
     def _is_answer(self, frame: ReceivedFrame) -> bool:
-        return self._monitor.answers(frame)
+        return self._monitor.answers(frame) or self._receiver.answers(frame)
 
     def _answer(self, force_nwu: NDArray[np.float64]) -> None:
         sensed = self._sense(force_nwu)

@@ -151,6 +151,7 @@ class AutopilotUnit(ABC):
         assert self._time_ms is not None
         before_ms = self._time_ms
         self._report_battery()
+        self._report_failures()
         while to_ms - self._time_ms >= STEP_MS:
             self._answer(self._fly(self._time_ms / 1e3))
             self._time_ms += STEP_MS
@@ -184,6 +185,9 @@ class AutopilotUnit(ABC):
     @abstractmethod
     def _report_battery(self) -> None:
         """Let it measure the battery as it is now."""
+
+    def _report_failures(self) -> None:  # noqa: B027 - only some cannot be told by their sensors
+        """Let it have a failure that the readings of its sensors do not say."""
 
     def _is_answer(self, frame: ReceivedFrame) -> bool:
         """Whether a frame answers this process, and nobody else."""

@@ -31,6 +31,8 @@ SLOW_STEPS = 5
 GNSS_STEPS = 25
 """GNSS tells its place at 10 Hz [choice]."""
 GNSS_EPH_M, GNSS_EPV_M, SATELLITES = 0.3, 0.4, 12
+NO_FIX_M = 99.99
+"""Deviations of a place that is none, as receivers tell them."""
 SIMULATION = (0, 0)
 """System and component that say HIL messages: it asks for none."""
 
@@ -81,15 +83,17 @@ class Px4Unit(AutopilotUnit):
     def _gnss(self, sensed: Sensed, time_us: int) -> list[object]:
         """Where GNSS has it, and where it is, for the autopilot's log."""
         lat_deg, lon_deg, alt_m = self._frame.to_global(*sensed.p_ned)
+        lost = self._failures.gnss_lost
         fix = hil.gnss(
             self._wanted.epoch_s * 1_000_000 + time_us,
             lat_deg=lat_deg,
             lon_deg=lon_deg,
             alt_m=alt_m,
             v_ned=sensed.v_ned,
-            eph_m=GNSS_EPH_M,
-            epv_m=GNSS_EPV_M,
-            satellites=SATELLITES,
+            eph_m=NO_FIX_M if lost else GNSS_EPH_M,
+            epv_m=NO_FIX_M if lost else GNSS_EPV_M,
+            satellites=0 if lost else SATELLITES,
+            fix=not lost,
         )
         lat_deg, lon_deg, alt_m = self._frame.to_global(*self._p_ned)
         w, x, y, z = self._plant.now[rotor_flight.TRUE_QUATERNION]

@@ -17,12 +17,12 @@ import math
 import random
 import select
 import socket
-import struct
 import sys
 import time
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from arducopter_files import Files, packed
 from arducopter_motion import GUIDED, LAND, LOITER, MODES, PARAMETERS, REAL32, RTL, RUNTIME_EVERY_S, Copter
 from arducopter_telemetry import Telemetry
 from motion import STEP_S, ZERO, Vec3
@@ -43,6 +43,7 @@ STREAMS = {
 """EXTENDED_SYS_STATE is in none of them: ArduCopter sends it only to who asks for that message."""
 
 
+PACKED = {mav.MAV_PARAM_TYPE_INT8: 1, mav.MAV_PARAM_TYPE_INT16: 2, mav.MAV_PARAM_TYPE_INT32: 3, REAL32: 4}
 LOSSY = (mav.MAVLINK_MSG_ID_LOCAL_POSITION_NED, mav.MAVLINK_MSG_ID_ATTITUDE)
 
 
@@ -86,6 +87,7 @@ class ArduCopter:
         self.due: dict[str, float] = {}
         self.interval: dict[str, float] = {}
         self.parameters_to_tell: list[int] = []
+        self.files = Files({})
         self.origin_told = False
         self.heartbeat_s = 0.0
         self.runtime_s = 1.0
@@ -173,6 +175,13 @@ class ArduCopter:
             self.copter.parameters[m.param_id] = m.param_value if kind == REAL32 else float(round(m.param_value))
             self._parameter(m.param_id)
 
+    def on_file_transfer_protocol(self, m: Any) -> None:
+        """By MAVFTP its parameters come in one file."""
+        kinds = {name: (self.copter.parameters[name], PACKED[kind]) for name, (kind, _) in PARAMETERS.items()}
+        self.files.files = {"@PARAM/param.pck": packed(kinds)}
+        for answer in self.files.hear(m):
+            self.out.send(answer)
+
     def on_mission_request_list(self, m: Any) -> None:
         self.out.mission_count_send(m.get_srcSystem(), m.get_srcComponent(), 0, m.mission_type)
 
@@ -184,14 +193,6 @@ class ArduCopter:
     def on_timesync(self, m: Any) -> None:
         if m.tc1 == 0:
             self.out.timesync_send(round(1e9 * self.copter.now_s), m.ts1)
-
-    def on_file_transfer_protocol(self, m: Any) -> None:
-        nak, opcode = 129, m.payload[3]
-        seq = struct.unpack("<H", bytes(m.payload[:2]))[0] + 1
-        payload = struct.pack("<HBBBBBxI", seq, m.payload[2], nak, 1, opcode, 0, 0) + b"\x07"
-        self.out.file_transfer_protocol_send(
-            0, m.get_srcSystem(), m.get_srcComponent(), list(payload.ljust(251, b"\0"))
-        )
 
     def on_set_position_target_local_ned(self, m: Any) -> None:
         """Positions, velocities or both; anything else is passed over, as is all while it is not flown in GUIDED."""

@@ -160,7 +160,9 @@ class HilPx4(JsonArduCopter):
 
     def _fix(self, fix: Any) -> None:
         """GNSS has it where it is, and as fast."""
-        assert fix.fix_type == 3
+        self.copter.lose_fix(lost=fix.fix_type < 3)
+        if fix.fix_type < 3:
+            return
         if self.frame_of is None:
             self.frame_of = Place((1e-7 * fix.lat, 1e-7 * fix.lon, 1e-3 * fix.alt))
             self.telemetry.place = self.frame_of

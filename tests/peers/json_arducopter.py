@@ -15,16 +15,20 @@ import signal
 import socket
 import struct
 import sys
+from collections.abc import Sequence
 from typing import Any
 
 from arducopter import ArduCopter
-from arducopter_motion import GUIDED, PARAMETERS, REAL32, Copter
+from arducopter_motion import GUIDED, LAND, PARAMETERS, REAL32, Copter
 from arducopter_telemetry import Telemetry
 from motion import GRAVITY_M_S2, STEP_S, Place
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
 MAGIC, RATE_HZ, CHANNELS = 18458, 250, 16
 REPEAT_S = 1.0
+GPS_DISABLE, SWITCH_HIGH = 65.0, 2.0
+LOST_FOR_S = 2.0
+"""Without a fix for so long, it lands."""
 TILT_GAIN, RATE_GAIN, YAW_GAIN, YAW_RATE_GAIN = 36.0, 12.0, 4.0, 4.0
 MOST_TILT_RAD, HOVER_SHARE = math.radians(30.0), 0.5205
 """Share of the greatest thrust at which it hovers, as a real one would have learnt."""
@@ -73,6 +77,8 @@ class JsonCopter(Copter):
     """Its motion and its battery, of which it knows what its simulated sensor measures."""
 
     ready_s = 0.0
+    fix_s: float | None = None
+    """when its GNSS lost its fix; None while it has one"""
 
     @property
     def volts(self) -> float:
@@ -83,14 +89,30 @@ class JsonCopter(Copter):
         return -17.0 * self.parameters["BATT_AMP_OFFSET"] * self.volts
 
     def enter(self, mode: int) -> bool:
-        """Not GUIDED before it knows its place."""
-        return (mode != GUIDED or self.now_s >= self.ready_s) and super().enter(mode)
+        """Not GUIDED before it knows its place, or while it does not."""
+        knows = self.now_s >= self.ready_s and self.fix_s is None
+        return (mode != GUIDED or knows) and super().enter(mode)
+
+    def lose_fix(self, *, lost: bool) -> None:
+        self.fix_s = None if not lost else self.now_s if self.fix_s is None else self.fix_s
+
+    def step(self) -> None:
+        if self.flying and self.mode != LAND and self.fix_s is not None and self.now_s > self.fix_s + LOST_FOR_S:
+            self.told.append("EKF Failsafe: changed to LAND Mode")
+            self.enter(LAND)
+        super().step()
 
 
 class JsonTelemetry(Telemetry):
     """What it tells; it can say that it is another kind of vehicle."""
 
+    copter: JsonCopter
     kind = mav.MAV_TYPE_QUADROTOR
+
+    def _gps_raw_int(self) -> Any:
+        said = super()._gps_raw_int()
+        said.fix_type = 6 if self.copter.fix_s is None else 1
+        return said
 
     def _heartbeat(self) -> Any:
         said = super()._heartbeat()
@@ -102,6 +124,7 @@ class JsonArduCopter(ArduCopter):
     """Its life, by the answers to its servo packets."""
 
     telemetry: JsonTelemetry
+    copter: JsonCopter
 
     def __init__(self, options: argparse.Namespace, serial: Serial) -> None:
         super().__init__(options)
@@ -141,6 +164,14 @@ class JsonArduCopter(ArduCopter):
                 self.step()
             self._steer()
             self.link.flush()
+
+    def _command(self, m: Any, params: Sequence[float], place: Sequence[float], z: float) -> None:
+        """Its switch for tests of GNSS is a matter of this simulation; ArduPilot knows it in each."""
+        if (m.command, params[0]) != (mav.MAV_CMD_DO_AUX_FUNCTION, GPS_DISABLE):
+            super()._command(m, params, place, z)
+            return
+        self.copter.lose_fix(lost=params[1] == SWITCH_HIGH)
+        self.out.command_ack_send(m.command, 0, 0, 0, m.get_srcSystem(), m.get_srcComponent())
 
     def _know(self) -> None:
         """Its motion as it is told; its own frame begins where it first stood, as where a GPS has its first fix."""

@@ -233,9 +233,9 @@ class Running:
         """The first process that has this word among its arguments and is no vehicle."""
         return next(p for p in self.family() if word in " ".join(p.cmdline()).split())  # a title is one argument
 
-    def finish(self) -> Outcome:
+    def finish(self, patience_s: float = PATIENCE_S) -> Outcome:
         """Wait for the end."""
-        stdout, stderr = self.process.communicate(timeout=PATIENCE_S)
+        stdout, stderr = self.process.communicate(timeout=patience_s)
         return Outcome(self.process.returncode, self.folder, stdout, stderr)
 
     def stop(self) -> None:
@@ -246,12 +246,14 @@ class Running:
             self.process.communicate(timeout=10)
 
 
-def fly(scenario: Mapping[str, Any] | str, folder: Path, *options: str, **kwargs: Any) -> Outcome:
+def fly(
+    scenario: Mapping[str, Any] | str, folder: Path, *options: str, patience_s: float = PATIENCE_S, **kwargs: Any
+) -> Outcome:
     """Run a session to its end."""
     folder.mkdir(parents=True, exist_ok=True)
     running = Running(scenario, folder, *options, **kwargs)
     try:
-        return running.finish()
+        return running.finish(patience_s)
     finally:
         running.stop()
 

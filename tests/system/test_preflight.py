@@ -53,9 +53,27 @@ def test_items_lie_where_the_ellipsoid_says() -> None:
     assert [i.command for i in fence] == [inclusion] * 4 + [exclusion]
 
 
+def test_no_set_point_leads_beyond_the_fence(tmp_path: Path) -> None:
+    """A target whose path leads out to the north, and a pursuer with a keep-out circle between its two way points: by
+    their own truth both stay inside, the pursuer gets around, and the target stops near the border."""
+    pursuer = {"sysid": 1, "start_m": [-6.0, -8.0, 0.0], "battery": {"capacity_j": 60000},
+               "waypoints_m": [[-6.0, -8.0, -3.0], [-6.0, -3.0, -3.0]]}  # fmt: skip
+    made = scenario(vehicles={"targets": [TARGET], "pursuers": [pursuer]}, goal={"duration_s": 25})
+    flown = fly(made, tmp_path, "--lockstep")
+    said = (flown.folder / "session.log").read_text(encoding="utf-8")
+    assert "Geofence breached" not in said
+    rules = Scenario.model_validate(made).fence
+    for sysid in (1, 101):
+        for north_m, east_m, _ in flown.truth(sysid).p_ned[::5].tolist():
+            assert rules.allows(north_m, east_m), (sysid, north_m, east_m)
+    assert 8.0 < flown.truth(101).p_ned[:, 0].max() < 9.0
+    assert math.dist(flown.truth(1).p_ned[-1], (-6.0, -3.0, -3.0)) < 0.5
+
+
 def test_a_launched_vehicle_takes_fence_and_rally_points_and_keeps_the_fence(tmp_path: Path) -> None:
-    """Its path leads out of the fence 9 m to the north: there it holds by itself, over a radio that loses."""
-    flown = fly(scenario(radio={"loss": 0.1}), tmp_path, "--lockstep")
+    """Its path leads out of the fence 9 m to the north: there it holds by itself, over a radio that loses. Without the
+    safety layer, whose set points would stay inside."""
+    flown = fly(scenario(radio={"loss": 0.1}, planner={"safety": False}), tmp_path, "--lockstep")
     checked = {item["key"]: (item["passed"], item["text"]) for item in flown.vehicle(101)["check_list"]}
     assert checked == {
         "fence": (True, "fence uploaded and read back"),

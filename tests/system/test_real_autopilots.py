@@ -3,9 +3,7 @@ and a real ArduCopter where SKYTENDER_ARDUCOPTER names one."""
 
 from __future__ import annotations
 
-import json
 import os
-import socket
 import subprocess
 import sys
 from pathlib import Path
@@ -15,12 +13,14 @@ import numpy as np
 import psutil
 import pytest
 import yaml
-from pymavlink.dialects.v20 import common as mav
-from sessions import GCS, ROOT, Outcome, demo, fly, small
+from launched import first_heartbeat, launched
+from sessions import ROOT, Outcome, demo, fly, small
 
 STAND_IN = ROOT / "tests" / "peers" / "json_arducopter.py"
 REAL = os.environ.get("SKYTENDER_ARDUCOPTER", "")
 COPTER = 2
+PATIENCE_S = 400.0
+"""Wall time of the demo with two real ones: a quarter of a minute on two cores that are free."""
 NEEDS_REAL = pytest.mark.skipif(not REAL, reason="SKYTENDER_ARDUCOPTER names no ArduCopter's simulator")
 
 
@@ -124,34 +124,33 @@ def test_one_that_is_killed_is_lost_and_the_others_fly_on(tmp_path: Path) -> Non
 
 
 def test_it_is_launched_for_other_ground_stations_too(tmp_path: Path) -> None:
-    path = tmp_path / "fleet.yaml"
-    path.write_text(yaml.safe_dump(mixed(program(tmp_path))), encoding="utf-8")
-    argv = [*GCS, "launch", str(path), "--json", "--until-eof"]
-    with subprocess.Popen(argv, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
-        assert process.stdout is not None
-        vehicles = json.loads(process.stdout.readline())["vehicles"]
-        (where,) = [vehicle["address"] for vehicle in vehicles if vehicle["sysid"] == COPTER]
-        station = mav.MAVLink(None, srcSystem=245, srcComponent=190)
-        heard: list[Any] = []
-        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as udp:
-            udp.settimeout(20.0)
-            udp.connect(("127.0.0.1", int(where.rpartition(":")[2])))
-            udp.send(bytes(mav.MAVLink_heartbeat_message(6, 8, 0, 0, 4, 3).pack(station)))
-            while not heard:
-                heard = [m for m in station.parse_buffer(udp.recv(4096)) or [] if m.get_type() == "HEARTBEAT"]
-        process.communicate(timeout=30)
-    assert (heard[0].get_srcSystem(), heard[0].autopilot, heard[0].custom_mode) == (COPTER, 3, 4)
+    with launched(mixed(program(tmp_path)), tmp_path) as where:
+        heard = first_heartbeat(where[COPTER])
+    assert (heard.get_srcSystem(), heard.autopilot, heard.custom_mode) == (COPTER, 3, 4)
     assert copters() == []
 
 
 @NEEDS_REAL
+@pytest.mark.timeout(PATIENCE_S + 60.0)
+def test_a_real_one_that_is_never_ready_says_why(tmp_path: Path) -> None:
+    """It has no GNSS, so that it never knows its place."""
+    params = {"GPS_TYPE": 0.0, "GPS1_TYPE": 0.0}
+    outcome = fly(mixed(REAL, params=params), tmp_path, "--plain", patience_s=PATIENCE_S)
+    assert outcome.status == 1
+    assert "was not ready in 120 s of its time: " in outcome.stderr
+    assert "Traceback" not in outcome.stderr
+    assert copters() == []
+
+
+@NEEDS_REAL
+@pytest.mark.timeout(PATIENCE_S + 60.0)
 def test_two_of_ours_and_two_real_ones_meet_the_goal_of_the_demo(tmp_path: Path) -> None:
     content = demo()
     pursuers = content["vehicles"]["pursuers"][:4]
     for pursuer in pursuers[2:]:
         pursuer["autopilot"] = {"ardupilot": REAL}
     content["vehicles"]["pursuers"] = pursuers
-    outcome = fly(content, tmp_path / "session", "--plain")
+    outcome = fly(content, tmp_path / "session", "--plain", patience_s=PATIENCE_S)
     assert outcome.status == 0, outcome.stdout
     assert {3, 4} <= {service["receiver"] for service in outcome.summary["refuelling"]}
 

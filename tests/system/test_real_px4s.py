@@ -11,11 +11,14 @@ from typing import Any
 import numpy as np
 import psutil
 import pytest
-from sessions import ROOT, Outcome, demo, fly, small
+from launched import first_heartbeat, launched
+from sessions import ROOT, Outcome, Running, demo, fly, small
 
 STAND_IN = ROOT / "tests" / "peers" / "hil_px4.py"
 REAL = os.environ.get("SKYTENDER_PX4", "")
 PX4 = 2
+PATIENCE_S = 400.0
+"""Wall time of a session that takes less than a minute on two cores that are free."""
 NEEDS_REAL = pytest.mark.skipif(not REAL, reason="SKYTENDER_PX4 names no build/px4_sitl_default")
 ACCURATE_M = 0.6
 """How far its report may be from where our physics has it: a real one estimates it."""
@@ -104,6 +107,46 @@ def test_one_that_cannot_be_had_is_one_sentence_and_nothing_is_left(tmp_path: Pa
     outcome = fly(mixed("nowhere"), tmp_path / "session", "--plain")
     assert outcome.status == 1
     assert "nowhere cannot be started: there is no " in outcome.stderr
+    assert "Traceback" not in outcome.stderr
+    assert px4s() == []
+
+
+@pytest.fixture(params=["stand-in", pytest.param("real", marks=NEEDS_REAL)])
+def px4(request: pytest.FixtureRequest, tmp_path: Path) -> str:
+    """A build of PX4's, the stand-in's and a real one."""
+    return REAL if request.param == "real" else str(build(tmp_path))
+
+
+def test_one_that_is_killed_is_lost_and_the_others_fly_on(px4: str, tmp_path: Path) -> None:
+    running = Running(mixed(px4, duration_s=12.0), tmp_path, "--json")
+    try:
+        running.wait_for(lambda seen: seen["t_s"] > 1.0)
+        (one,) = px4s()
+        one.kill()
+        outcome = running.finish()
+    finally:
+        running.stop()
+    assert outcome.status == 1
+    assert outcome.summary["sim_time_s"] == 12.0
+    assert "was killed by signal 9" in (outcome.folder / "session.log").read_text()
+    assert outcome.vehicle(1)["final_mode"] == "offboard"
+    assert px4s() == []
+
+
+def test_it_is_launched_for_other_ground_stations_too(px4: str, tmp_path: Path) -> None:
+    with launched(mixed(px4), tmp_path) as where:
+        heard = first_heartbeat(where[PX4])
+    assert (heard.get_srcSystem(), heard.autopilot, heard.custom_mode) == (PX4, 12, 4 << 16 | 3 << 24)
+    assert px4s() == []
+
+
+@NEEDS_REAL
+@pytest.mark.timeout(PATIENCE_S + 60.0)
+def test_a_real_one_that_is_never_ready_says_why(tmp_path: Path) -> None:
+    """It wants one satellite more than there are, so that it never knows its place."""
+    outcome = fly(mixed(REAL, params={"EKF2_REQ_NSATS": 13.0}), tmp_path, "--plain", patience_s=PATIENCE_S)
+    assert outcome.status == 1
+    assert "was not ready in 120 s of its time: " in outcome.stderr
     assert "Traceback" not in outcome.stderr
     assert px4s() == []
 

@@ -84,7 +84,7 @@ def test_a_bad_radio_keeps_them_apart_too(tmp_path: Path, radio: dict[str, Any])
 
 
 def test_a_row_whose_reports_come_late_stands_still(tmp_path: Path) -> None:
-    """Each evaded what its neighbours had done a second ago, and the row began to sway, eight of them by over a metre."""
+    """Each evaded what its neighbours had done a second ago: the row swayed, a row of eight by over a metre."""
     content = circle(4, 2.2, radio={"delay_s": 0.5}, goal={"duration_s": 45.0}, planner={"separation_m": 0.65})
     for pursuer, east in zip(content["vehicles"]["pursuers"], (-1.58, -0.53, 0.53, 1.58), strict=True):
         pursuer |= {"start_m": [-3.0, east, -5.0], "waypoints_m": [[3.0, east, -5.0]]}

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from gcs.cli.options import connecting, endpoint
+from gcs.cli.options import STATION_OPTION, connecting, endpoint
 from gcs.exit import BAD_INPUT, NOT_DONE
 from gcs.scenario.endpoint import ONLY_ONCE, Endpoint
 
@@ -56,6 +56,7 @@ PEER_NAMES = {"mavsdk": "MAVSDK", "qgroundcontrol": "QGroundControl", "mavproxy"
     metavar="SECONDS",
     help="At first wait so long until its pre-arm checks pass, as after its start.",
 )
+@STATION_OPTION
 @click.option("--all", "everyone", is_flag=True, help="Every vehicle behind the address, one after the other.")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object on stdout, for CI.")
 @click.pass_context
@@ -69,6 +70,7 @@ def check(
     arm: bool,
     within: float,
     wait_ready: float | None,
+    station: tuple[int, int],
     everyone: bool,
     as_json: bool,
 ) -> int:
@@ -119,13 +121,13 @@ def check(
     signed = key_file is not None
     asked = questions(names, arm=arm, ready_within_s=wait_ready, now_unix_s=time.time, signed=signed)
     with connecting():
-        wire = Wire(connect, key_file)
+        wire = Wire(connect, key_file, station)
     done: list[Dialogue] = []
     waiting: list[int | None] = [sysid]
     try:
         click.echo(f"waiting for a HEARTBEAT at {connect.text} ...", err=True)
         while waiting:
-            dialogue = Dialogue(asked, waiting.pop(0))
+            dialogue = Dialogue(asked, waiting.pop(0), station)
             run(dialogue, wire, _Shown(dialogue, len(asked), as_json=as_json), find_within_s=within)
             done.append(dialogue)
             checked = {one.vehicle.sysid for one in done if one.vehicle is not None}
@@ -156,7 +158,7 @@ def _check_scenario(context: click.Context, name: str, ready_within_s: float, *,
     from gcs.link.socket import AddressRefused
 
     given = click.core.ParameterSource.COMMANDLINE
-    for option in ("connect", "key_file", "sysid", "peers", "arm", "within", "everyone"):
+    for option in ("connect", "key_file", "sysid", "peers", "arm", "within", "station", "everyone"):
         if context.get_parameter_source(option) is given:
             flag = {"peers": "peer", "everyone": "all"}.get(option, option).replace("_", "-")
             raise click.UsageError(f"--{flag} is for a check without a scenario: the scenario says who and where.")

@@ -11,7 +11,6 @@ from gcs.cli.check.asking import MAVPROXY, MAVSDK, QGC, Ask, command_int, comman
 from gcs.cli.check.dialogue import CheckedVehicle, Question
 from gcs.cli.check.judges import OK, acknowledged, answered, refuses, silent
 from gcs.mavlink.codec import Message, layout, message
-from gcs.mavlink.ids import STATION
 
 UNKNOWN_COMMAND = 65000
 OPEN_FILE, RESET_SESSIONS, FTP_ACK, FTP_NAK = 4, 2, 128, 129
@@ -61,8 +60,8 @@ def _ping() -> Question:
     def ask(_: CheckedVehicle) -> Sequence[Message]:
         return [message("PING", time_usec=1, seq=4711, target_system=0, target_component=0)]
 
-    def ours(_: CheckedVehicle, content: Any) -> bool:
-        return bool(content.seq == 4711 and (content.target_system, content.target_component) == STATION)
+    def ours(vehicle: CheckedVehicle, content: Any) -> bool:
+        return bool(content.seq == 4711 and (content.target_system, content.target_component) == vehicle.station)
 
     return Question(
         "ping",

@@ -16,7 +16,7 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import Profile, profile_of
 from gcs.mavlink.codec import Frame, Message
-from gcs.mavlink.ids import OUR_HEARTBEAT
+from gcs.mavlink.ids import OUR_HEARTBEAT, STATION
 
 HEARTBEAT_EVERY_S = 1.0
 FIND_WITHIN_S = 10.0
@@ -54,6 +54,8 @@ class CheckedVehicle:
 
     sysid: int
     compid: int
+    station: tuple[int, int] = STATION
+    """our ids, to which it answers"""
     latest: dict[str, ReceivedMessage] = field(default_factory=dict)
     arrivals_s: dict[str, list[float]] = field(default_factory=dict)
     parameters: dict[str, Any] = field(default_factory=dict)
@@ -158,12 +160,15 @@ def _fields(message: Message) -> Any:
 class Dialogue:
     """All questions to one vehicle, one at a time. The driver feeds frames, and sends what `poll` returns."""
 
-    def __init__(self, questions: Iterable[Question], sysid: int | None = None) -> None:
+    def __init__(
+        self, questions: Iterable[Question], sysid: int | None = None, station: tuple[int, int] = STATION
+    ) -> None:
+        """`sysid`: who is asked, None: the first that is heard. `station`: our ids."""
         self.vehicle: CheckedVehicle | None = None
         self.others: set[int] = set()
         """system ids of further vehicles that were received"""
         self.findings: list[CheckFinding] = []
-        self._wanted = sysid
+        self._wanted, self._station = sysid, station
         self._left = deque(questions)
         self._received: list[ReceivedMessage] = []
         self._asked = 0
@@ -193,7 +198,7 @@ class Dialogue:
             content = None
         if name == "HEARTBEAT" and content.type in VEHICLE_TYPES and content.autopilot != mav.MAV_AUTOPILOT_INVALID:
             if self.vehicle is None and self._wanted in (None, frame.sysid):
-                self.vehicle = CheckedVehicle(frame.sysid, frame.compid)
+                self.vehicle = CheckedVehicle(frame.sysid, frame.compid, self._station)
             elif self.vehicle is not None and frame.sysid != self.vehicle.sysid:
                 self.others.add(frame.sysid)
         if self.vehicle is None:

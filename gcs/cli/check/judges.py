@@ -10,7 +10,6 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.cli.check.dialogue import CheckedVehicle, Judge, ReceivedMessage, Verdict
 from gcs.mavlink.command_protocol import result_name
-from gcs.mavlink.ids import STATION
 
 Fault = Callable[[CheckedVehicle, Any], str]
 """Fault of a message's fields; empty without one."""
@@ -34,15 +33,16 @@ def _names(received: Sequence[ReceivedMessage]) -> set[str]:
     return {h.name for h in received}
 
 
-def _final_acks(received: Sequence[ReceivedMessage], command: int) -> list[Any]:
+def _final_acks(vehicle: CheckedVehicle, received: Sequence[ReceivedMessage], command: int) -> list[Any]:
     """The acknowledgements of `command` that end it and are addressed to us or to everyone."""
+    sysid, compid = vehicle.station
     return [
         ack
         for ack in _named(received, "COMMAND_ACK")
         if ack.command == command
         and ack.result != mav.MAV_RESULT_IN_PROGRESS
-        and ack.target_system in (0, STATION[0])
-        and ack.target_component in (0, STATION[1])
+        and ack.target_system in (0, sysid)
+        and ack.target_component in (0, compid)
     ]
 
 
@@ -72,7 +72,7 @@ def acknowledged(
         return Verdict("ok" if may_refuse else "wrong", said)
 
     def judge(vehicle: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verdict | None:
-        acks = _final_acks(received, command)
+        acks = _final_acks(vehicle, received, command)
         if not acks:
             return None
         if acks[0].result != mav.MAV_RESULT_ACCEPTED:
@@ -86,8 +86,8 @@ def acknowledged(
         wrong = fault(vehicle, next(_named(received, then)))
         return Verdict("wrong", wrong) if wrong else OK
 
-    def at_end(_: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verdict:
-        if acks := _final_acks(received, command):
+    def at_end(vehicle: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verdict:
+        if acks := _final_acks(vehicle, received, command):
             if acks[0].result != mav.MAV_RESULT_ACCEPTED:
                 return refused(received, acks[0])
             return Verdict("wrong", f"accepted, but {then} never came")
@@ -101,8 +101,8 @@ def acknowledged(
 def refuses(command: int) -> Judge:
     """An unknown command is refused, once."""
 
-    def judge(_: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verdict | None:
-        acks = _final_acks(received, command)
+    def judge(vehicle: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verdict | None:
+        acks = _final_acks(vehicle, received, command)
         if not acks:
             return None
         if acks[0].result == mav.MAV_RESULT_ACCEPTED:

@@ -28,7 +28,9 @@ class CheckError(Exception):
 class Wire:
     """One connection; a listener answers whoever spoke last. Raises AddressRefused, KeyRefused."""
 
-    def __init__(self, at: Endpoint, key_file: Path | None = None) -> None:
+    def __init__(self, at: Endpoint, key_file: Path | None = None, station: tuple[int, int] = STATION) -> None:
+        """`station`: our system and component id."""
+        self._station = station
         self.listener = Listener(at, key_file)
         self._counter = SequenceCounter()
         self._peers: dict[int, Where] = {}
@@ -48,7 +50,7 @@ class Wire:
         if to is None:
             return
         for message in messages:
-            self.listener.send(codec.frame(message, self._counter.next(), *STATION), to, unsigned=unsigned)
+            self.listener.send(codec.frame(message, self._counter.next(), *self._station), to, unsigned=unsigned)
 
     def close(self) -> None:
         """Close the connection."""

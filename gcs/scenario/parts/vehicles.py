@@ -101,6 +101,7 @@ class VehicleBase(Part):
             autopilot=self.real.kind,
             capacity_j=self.battery.capacity_j,
             arm_within_s=self.real.arm_within_s,
+            rejoins=True,
         )
 
     @property

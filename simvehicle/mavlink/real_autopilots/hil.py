@@ -18,7 +18,7 @@ from simvehicle.mavlink.codec import ReceivedFrame, message
 ACCEL, GYRO, MAG, BARO = 0b111, 0b111 << 3, 0b111 << 6, 0b1101 << 9
 """Bits of HIL_SENSOR's fields_updated: three axes each; pressure, its height and the temperature."""
 GAUSS_PER_T = 1e4
-GNSS_FIX_3D = 3
+GNSS_NO_FIX, GNSS_FIX_3D = 1, 3
 _CONTROLS = struct.Struct("<QQ4f")
 _CONTROLS_BYTES = 81
 ROTORS = 4
@@ -77,9 +77,10 @@ def gnss(
     eph_m: float,
     epv_m: float,
     satellites: int,
+    fix: bool = True,
 ) -> Any:
     """HIL_GPS: place in degrees and m above mean sea level, velocity m/s NED, deviations of the place across and
-    along the vertical, m."""
+    along the vertical, m. Without a `fix` none of it counts."""
     north, east, down = v_ned
     return message("HIL_GPS")(
         time_usec=unix_us,
@@ -93,7 +94,7 @@ def gnss(
         ve=_short(1e2 * east),
         vd=_short(1e2 * down),
         cog=round(1e2 * (math.degrees(math.atan2(east, north)) % 360.0)) % 36000,
-        fix_type=GNSS_FIX_3D,
+        fix_type=GNSS_FIX_3D if fix else GNSS_NO_FIX,
         satellites_visible=satellites,
         id=0,
         yaw=0,

@@ -5,6 +5,7 @@
 | motor | OFF, OK | the motor of that instance, 1 to 4, or all with 0, gives no thrust until it is mended |
 | battery | WRONG | so many joules (param4) are gone at once, and count as drawn |
 | GPS | WRONG, OK | the place that it is told is off by so many metres north and east (params 5 and 6) |
+| GPS | OFF, OK | its receiver has no fix |
 
 Whatever else is asked for is not supported: the autopilot's own simulation has no part in this.
 """
@@ -36,6 +37,7 @@ class WorldFailures:
         self.dead_motors: set[int] = set()
         """of 0 to 3"""
         self.position_error_ned = NOWHERE
+        self.gnss_lost = False
 
     def receive(self, frame: ReceivedFrame) -> list[Any] | None:
         """The acknowledgement of a failure's order; None where the frame is none."""
@@ -57,7 +59,10 @@ class WorldFailures:
             self.dead_motors = self.dead_motors | motors if kind == mav.FAILURE_TYPE_OFF else self.dead_motors - motors
             return commands.ACCEPTED
         if unit == mav.FAILURE_UNIT_SENSOR_GPS and kind == mav.FAILURE_TYPE_OK:
-            self.position_error_ned = NOWHERE
+            self.position_error_ned, self.gnss_lost = NOWHERE, False
+            return commands.ACCEPTED
+        if unit == mav.FAILURE_UNIT_SENSOR_GPS and kind == mav.FAILURE_TYPE_OFF:
+            self.gnss_lost = True
             return commands.ACCEPTED
         numbers = request.params[3:6]
         if kind != mav.FAILURE_TYPE_WRONG:

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from gcs.processes.startup import HELLO_WITHIN_S, SAY_AGAIN_S, Arrivals, compiled, starting_line
+from gcs.processes.startup import BOOTED_WITHIN_S, HELLO_WITHIN_S, SAY_AGAIN_S, Arrivals, compiled, starting_line
 from gcs.scenario.external import External
 
 AT = "udpin:127.0.0.1:14550"
@@ -43,6 +43,9 @@ def test_each_has_its_own_patience() -> None:
     assert why.startswith(f"no HEARTBEAT of pursuer 2 at {AT} within 10 s: is it switched on")
     assert waiting.too_late({101}, HELLO_WITHIN_S) is None
     assert waiting.too_late({101}, HELLO_WITHIN_S + 0.1) == "no word from target 101 within 60 s of their start"
+    booting = Arrivals(LABELS, {}, [1])
+    assert booting.too_late({1}, BOOTED_WITHIN_S) is None
+    assert booting.too_late({1}, BOOTED_WITHIN_S + 0.1) == "no word from pursuer 1 within 300 s of their start"
 
 
 def test_compiling_is_spoken_of_only_where_it_happens(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

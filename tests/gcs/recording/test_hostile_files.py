@@ -16,7 +16,7 @@ from commands import gcs
 from sessions import Outcome, fly, small
 
 from gcs.mavlink import codec
-from gcs.recording import session_folder, tlog_reader, truth
+from gcs.recording import series, session_folder, tlog_reader, truth
 from gcs.recording.decisions_reader import DecisionLines
 from gcs.scenario.file import load
 from gcs.session.client import Lines
@@ -166,3 +166,27 @@ def test_a_broken_line_of_the_competition_shows_none(tmp_path: Path, broken: byt
     (tmp_path / "decisions.jsonl").write_bytes(line)
     timeline = Timeline(tmp_path / "decisions.jsonl", scenario)
     assert timeline._competition_at(1.0).leader is None
+
+
+@pytest.mark.parametrize(
+    "broken",
+    [
+        '"kind":"competition","leader":1,"share":0.5,"v":{"":1.0}',
+        '"kind":"competition","leader":1,"share":"0.5","v":{"1":1.0}',
+        '"kind":"competition","leader":1,"share":0.5,"v":{"1":1e999}',
+        '"kind":"decided","receiver":1,"tanker":null,"by":"policy","bids":{}',
+        '"kind":"decided","receiver":0,"tanker":201,"by":"policy","bids":{}',
+        '"kind":"violation","part":"lost","at_s":[],"sysids":[1],"text":""',
+        '"kind":"fault","sysid":1e9,"state":"begins","text":""',
+        '"kind":"death","text":null',
+    ],
+)
+def test_a_decision_of_the_wrong_type_is_passed_over_by_a_report(tmp_path: Path, broken: str) -> None:
+    folder = Path(shutil.copytree(CORPUS, tmp_path / "copy"))
+    before = session_folder.read(folder)
+    with (folder / "decisions.jsonl").open("a", encoding="utf-8") as file:
+        file.write(f'{{{broken},"t_s":1.0}}\n')
+    recorded = session_folder.read(folder)
+    assert recorded.decisions == before.decisions
+    assert any("1 line that is no decision" in problem for problem in recorded.problems)
+    series.competition(recorded)

@@ -369,6 +369,24 @@ def test_one_that_has_booted_or_landed_meanwhile_is_armed_again_where_the_scenar
         assert made.stage is stage
 
 
+@pytest.mark.parametrize("rejoins", [False, True])
+@pytest.mark.parametrize("late", [False, True])
+def test_one_that_landed_without_its_gps_flies_again_with_it_where_the_scenario_says_rejoins(
+    late: bool, rejoins: bool
+) -> None:
+    made = arming(rejoins=rejoins)
+    for k, seen in enumerate((view(), ARMED, UP, FLYING)):
+        made.decide(seen, float(k))
+    landing = UP._replace(mode=FlightMode.LAND)
+    made.decide(FLYING if late else landing, 5.0)
+    made.mend(FLYING if late else landing)
+    assert told(made, landing, 6.0) == []
+    assert made.stage is (Stage.OFFBOARD if rejoins else Stage.YIELDED)
+    assert told(made, landing, 7.1) == ([SET_MODE] if rejoins else [])
+    assert told(made, FLYING, 8.2) == []
+    assert made.stage is Stage.FLY
+
+
 def test_one_that_still_lands_by_an_earlier_sessions_order_is_waited_for_and_armed() -> None:
     made = arming()
     coming = UP._replace(mode=FlightMode.LAND)

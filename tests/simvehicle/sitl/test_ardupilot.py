@@ -7,12 +7,13 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import psutil
 import pytest
 from pymavlink.dialects.v20 import common
 
 from simvehicle.mavlink.codec import split
 from simvehicle.mavlink.connection import Connection
-from simvehicle.sitl import autopilot_unit
+from simvehicle.sitl import ardupilot_link, ardupilot_process, autopilot_unit
 from simvehicle.sitl.ardupilot import ArduPilotUnit
 from simvehicle.sitl.ardupilot_process import SERIAL_PORT, simulation_port
 from simvehicle.sitl.autopilot_process import HOST, AutopilotError, read_wanted
@@ -68,6 +69,31 @@ def test_it_boots_before_the_session_and_its_battery_is_ours(tmp_path: Path) -> 
         assert status.battery_remaining == battery.battery_remaining == 50
 
 
+def test_its_receiver_has_no_fix_while_gnss_fails(tmp_path: Path) -> None:
+    booted, connection = unit(tmp_path)
+    with booted:
+        booted.start_clock(0, 0)
+        ordered(booted, connection, common.MAV_CMD_SET_MESSAGE_INTERVAL, common.MAVLINK_MSG_ID_GPS_RAW_INT, 2e5)
+        fixes: list[list[int]] = []
+        for to_ms, kind in ((2000, common.FAILURE_TYPE_OFF), (4000, common.FAILURE_TYPE_OK)):
+            ordered(booted, connection, common.MAV_CMD_INJECT_FAILURE, common.FAILURE_UNIT_SENSOR_GPS, kind)
+            booted.advance(to_ms)
+            said = common.MAVLink(None).parse_buffer(b"".join(connection.frames())) or []
+            fixes.append([m.fix_type for m in said if m.get_type() == "GPS_RAW_INT"])
+            answered = {m.command: m.result for m in said if m.get_type() == "COMMAND_ACK"}
+            assert answered.pop(common.MAV_CMD_INJECT_FAILURE) == common.MAV_RESULT_ACCEPTED
+            assert set(answered) <= {common.MAV_CMD_SET_MESSAGE_INTERVAL}  # what this process asked for is its own
+        assert [fix[-1] for fix in fixes] == [1, 6]
+
+
+def ordered(booted: ArduPilotUnit, connection: Connection, command: int, *params: float) -> None:
+    """Let it receive a command."""
+    seven = (*params, *(0.0,) * (7 - len(params)))
+    order = common.MAVLink_command_long_message(COPTER, 1, command, 0, *seven)
+    (frame,) = split(bytes(order.pack(common.MAVLink(None, 255, 190))))
+    booted.receive(frame, connection)
+
+
 @pytest.mark.parametrize(
     ("program", "parameters", "said"),
     [
@@ -89,7 +115,17 @@ def test_one_that_cannot_be_had_is_one_sentence(
     assert "\n" not in str(refused.value)
 
 
-def test_ports_that_others_have_are_passed_over() -> None:
+def test_one_that_opens_no_port_is_one_sentence_and_is_ended(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr(ardupilot_link, "READY_WITHIN_S", 0.2)
+    program = tmp_path / "mute"
+    program.write_text("#!/bin/sh\nexec sleep 99\n")
+    program.chmod(0o755)
+    with pytest.raises(AutopilotError, match=r"opened no port \d+ in 0 s, and said nothing$"):
+        unit(tmp_path, program)
+    assert not [child for child in psutil.Process().children() if "sleep" in child.name()]
+
+
+def test_ports_that_others_have_are_passed_over(monkeypatch: pytest.MonkeyPatch) -> None:
     first, instance = simulation_port()
     with first, socket.socket(socket.AF_INET, socket.SOCK_STREAM) as taken:
         second, after = simulation_port()
@@ -100,3 +136,6 @@ def test_ports_that_others_have_are_passed_over() -> None:
         third, later = simulation_port()
         third.close()
         assert later > after
+        monkeypatch.setattr(ardupilot_process, "MOST_INSTANCES", after + 1)
+        with pytest.raises(AutopilotError, match="no ports are free for an autopilot: UDP 9002 and TCP 5760"):
+            simulation_port()

@@ -8,19 +8,21 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import psutil
+import pymap3d
 import pytest
 from pymavlink.dialects.v20 import common
 
 from simvehicle.mavlink.codec import split
 from simvehicle.mavlink.connection import Connection
-from simvehicle.sitl import autopilot_unit, px4_process
+from simvehicle.sitl import autopilot_unit, px4_link, px4_process
 from simvehicle.sitl.autopilot_process import AutopilotError, read_wanted
 from simvehicle.sitl.px4 import Px4Unit
 from simvehicle.sitl.px4_process import program_of, simulation_port
 
 STAND_IN = Path(__file__).resolve().parents[2] / "peers" / "hil_px4.py"
 PX4 = 7
-YAW_DEG = 70.0
+HOME, START_NED, YAW_DEG = (47.4, 8.5, 488.0), (1.0, 2.0, 0.0), 70.0
 
 
 @pytest.fixture
@@ -36,13 +38,13 @@ def build(tmp_path: Path) -> Path:
     return tmp_path / "build"
 
 
-def unit(program: Path, **parameters: float) -> tuple[Px4Unit, Connection]:
+def unit(program: Path, sensors: dict[str, float] | None = None, **parameters: float) -> tuple[Px4Unit, Connection]:
     """The stand-in, or another program, booted. Raises AutopilotError."""
     content: dict[str, Any] = {
         "program": str(program),
         "folder": str(program.parent / "own"),
-        "home": [47.4, 8.5, 488.0],
-        "start_ned": [1.0, 2.0, 0.0],
+        "home": [*HOME],
+        "start_ned": [*START_NED],
         "yaw_deg": YAW_DEG,
         "epoch_s": 1_770_000_000,
         "battery": {"capacity_j": 60000.0, "initial_j": 30000.0, "hover_w": 200.0, "avionics_w": 10.0},
@@ -50,7 +52,7 @@ def unit(program: Path, **parameters: float) -> tuple[Px4Unit, Connection]:
         "relative_speed_m_s": 0.5,
         "parameters": parameters,
         "truth": None,
-        "world": {"vehicles": {PX4: {"airframe": "iris"}}},
+        "world": {"vehicles": {PX4: {"airframe": "iris", "sensors": sensors}}},
     }
     wanted, plant = read_wanted(content, PX4)
     connection = Connection(PX4)
@@ -85,6 +87,43 @@ def test_it_boots_before_the_session_and_its_battery_is_ours(build: Path) -> Non
         assert (place.x, place.y, place.z) == pytest.approx((0.0, 0.0, 0.0), abs=0.05)
 
 
+@pytest.mark.parametrize(("sigma_m", "least_m", "most_m"), [(0.0, 0.0, 0.1), (20.0, 2.0, 80.0)])
+def test_its_sensors_err_as_the_scenario_says(build: Path, sigma_m: float, least_m: float, most_m: float) -> None:
+    booted, connection = unit(build, {"position_m": sigma_m, "velocity_m_s": 0.0, "accel_m_s2": 0.0})
+    with booted:
+        booted.start_clock(0, 0)
+        booted.advance(1000)
+        said = common.MAVLink(None).parse_buffer(b"".join(connection.frames())) or []
+    *_, place = (m for m in said if m.get_type() == "GLOBAL_POSITION_INT")
+    north, east, _ = pymap3d.geodetic2ned(1e-7 * place.lat, 1e-7 * place.lon, 488.0, *HOME)
+    assert least_m <= math.hypot(north - START_NED[0], east - START_NED[1]) <= most_m
+
+
+def test_its_receiver_has_no_fix_while_gnss_fails(build: Path) -> None:
+    booted, connection = unit(build)
+    with booted:
+        booted.start_clock(0, 0)
+        ordered(booted, connection, common.MAV_CMD_SET_MESSAGE_INTERVAL, common.MAVLINK_MSG_ID_GPS_RAW_INT, 2e5)
+        fixes: list[list[int]] = []
+        for to_ms, kind in ((2000, common.FAILURE_TYPE_OFF), (4000, common.FAILURE_TYPE_OK)):
+            ordered(booted, connection, common.MAV_CMD_INJECT_FAILURE, common.FAILURE_UNIT_SENSOR_GPS, kind)
+            booted.advance(to_ms)
+            said = common.MAVLink(None).parse_buffer(b"".join(connection.frames())) or []
+            fixes.append([m.fix_type for m in said if m.get_type() == "GPS_RAW_INT"])
+            answered = {m.command: m.result for m in said if m.get_type() == "COMMAND_ACK"}
+            assert answered.pop(common.MAV_CMD_INJECT_FAILURE) == common.MAV_RESULT_ACCEPTED
+            assert set(answered) <= {common.MAV_CMD_SET_MESSAGE_INTERVAL}  # what this process asked for is its own
+        assert [fix[-1] for fix in fixes] == [1, 6]
+
+
+def ordered(booted: Px4Unit, connection: Connection, command: int, *params: float) -> None:
+    """Let it receive a command."""
+    seven = (*params, *(0.0,) * (7 - len(params)))
+    order = common.MAVLink_command_long_message(PX4, 1, command, 0, *seven)
+    (frame,) = split(bytes(order.pack(common.MAVLink(None, 255, 190))))
+    booted.receive(frame, connection)
+
+
 @pytest.mark.parametrize(
     ("parameters", "said"),
     [
@@ -105,6 +144,17 @@ def test_one_that_cannot_be_had_is_one_sentence(
     assert "\n" not in str(refused.value)
 
 
+def test_one_that_asks_for_no_simulation_is_one_sentence_and_is_ended(
+    monkeypatch: pytest.MonkeyPatch, build: Path
+) -> None:
+    for name in ("READY_WITHIN_S", "LOOK_EVERY_S"):
+        monkeypatch.setattr(px4_link, name, 0.2)
+    (build / "bin" / "px4").write_text("#!/bin/sh\necho INFO starting\nexec sleep 99\n")
+    with pytest.raises(AutopilotError, match=r"asked for no simulation within 0 s; its last lines: INFO starting$"):
+        unit(build)
+    assert not [child for child in psutil.Process().children() if "sleep" in child.name()]
+
+
 def test_its_build_is_named_by_its_folder_or_its_program_and_what_is_none_is_one_sentence(build: Path) -> None:
     assert program_of(build) == program_of(build / "bin" / "px4") == (build / "bin" / "px4", build / "etc")
     with pytest.raises(AutopilotError, match=r"cannot be started: there is no .*none"):
@@ -121,6 +171,10 @@ def test_ports_that_others_have_and_instances_that_run_are_passed_over(
         second, after = simulation_port()
         second.close()
         assert after > instance
+        monkeypatch.setattr(px4_process, "MOST_INSTANCES", instance + 1)
+        with pytest.raises(AutopilotError, match="no ports are free for an autopilot: TCP 4560, UDP 18570"):
+            simulation_port()
+        monkeypatch.undo()
     monkeypatch.setattr(px4_process, "LOCK", str(tmp_path / "lock"))
     (tmp_path / f"lock-{instance}").touch()
     third, free = simulation_port()  # a lock that nobody holds

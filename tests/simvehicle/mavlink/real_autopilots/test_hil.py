@@ -49,6 +49,12 @@ def test_a_fix_of_gnss_is_in_its_units() -> None:
     assert (m.fix_type, m.eph, m.epv, m.satellites_visible, m.id) == (3, 30, 40, 12, 0)
 
 
+def test_a_receiver_without_a_fix_says_so() -> None:
+    where = {"lat_deg": 47.4, "lon_deg": 8.5, "alt_m": 488.0}
+    m = read(hil.gnss(0, **where, v_ned=(0.0, 0.0, 0.0), eph_m=99.99, epv_m=99.99, satellites=0, fix=False))
+    assert (m.fix_type, m.satellites_visible) == (common.GPS_FIX_TYPE_NO_FIX, 0)
+
+
 @pytest.mark.parametrize("east", [0.0, -1e-9])
 def test_a_course_to_the_north_is_none_of_36000(east: float) -> None:
     where = {"lat_deg": 0.0, "lon_deg": 0.0, "alt_m": 0.0}

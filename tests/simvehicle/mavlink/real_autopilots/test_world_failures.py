@@ -43,8 +43,10 @@ def test_motors_battery_and_gps_fail_and_are_mended() -> None:
     assert gone == [1500.0]
     assert answered(failures, GPS, WRONG, 0, 0.0, 12.0, -3.0) == ACCEPTED
     assert failures.position_error_ned == (12.0, -3.0, 0.0)
+    assert answered(failures, GPS, OFF) == ACCEPTED
+    assert failures.gnss_lost
     assert answered(failures, GPS, OK) == ACCEPTED
-    assert failures.position_error_ned == NOWHERE
+    assert (failures.position_error_ned, failures.gnss_lost) == (NOWHERE, False)
 
 
 @pytest.mark.parametrize(
@@ -54,7 +56,7 @@ def test_motors_battery_and_gps_fail_and_are_mended() -> None:
         ((BATTERY, WRONG, 0, math.nan), DENIED),
         ((BATTERY, WRONG, 0, -1.0), DENIED),
         ((GPS, WRONG, 0, 0.0, 1e9), DENIED),
-        ((GPS, OFF), UNSUPPORTED),
+        ((GPS, common.FAILURE_TYPE_STUCK), UNSUPPORTED),
         ((BAROMETER, WRONG), UNSUPPORTED),
         ((BATTERY, OFF), UNSUPPORTED),
     ],

@@ -1,0 +1,125 @@
+"""MAVFTP without a socket, a file or a clock, read-only: the only file of a vehicle is its log, `@LOG/NUMBER`.
+
+Rules:
+1. One session, 0. OpenFileRO opens it for who asks, whoever had it before, and says how long the log is; it is read as
+   far as it has been written then. ResetSessions and TerminateSession close it.
+2. ReadFile gives one piece. BurstReadFile gives all from a place on, PIECES_A_TICK in each tick, then NAK, end of file.
+3. Another file is NAK, file not found; whatever would write or look elsewhere is NAK, unknown command.
+[lineage] MAVLink File Transfer Protocol, https://mavlink.io/en/services/ftp.html
+"""
+
+from __future__ import annotations
+
+import struct
+from typing import Any, NamedTuple
+
+from pymavlink.dialects.v20 import common as mav
+
+from simvehicle.mavlink.codec import message
+from simvehicle.mavlink.connection import Connection
+from simvehicle.mavlink.context import Call
+from simvehicle.mavlink.log_protocol import PIECES_A_TICK, Log
+
+MESSAGE = mav.MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL
+PIECE_BYTES = 239
+TERMINATE, RESET, OPEN, READ, BURST, ACK, NAK = 1, 2, 4, 5, 15, 128, 129
+INVALID_SESSION, END_OF_FILE, UNKNOWN_COMMAND, NOT_FOUND = 4, 6, 7, 10
+_HEAD = struct.Struct("<HBBBBBxI")
+_PAYLOAD_BYTES = 251
+
+
+class _Request(NamedTuple):
+    number: int
+    session: int
+    opcode: int
+    size: int
+    offset: int
+    data: bytes
+
+    @classmethod
+    def of(cls, payload: bytes) -> _Request:
+        number, session, opcode, size, _, _, offset = _HEAD.unpack_from(payload)
+        return cls(number, session, opcode, size, offset, payload[_HEAD.size : _HEAD.size + size])
+
+
+class FileService:
+    """The log of one vehicle as a file, on all its connections; `log` is None where it writes none."""
+
+    def __init__(self, log: Log | None) -> None:
+        self._log = log
+        self._size_bytes: int | None = None
+        """of the open log; None: closed"""
+        self._burst: tuple[Connection, tuple[int, int], _Request] | None = None
+        self._sent = 0
+        """answers to the burst so far"""
+
+    def receive(self, call: Call) -> None:
+        """Act on a FILE_TRANSFER_PROTOCOL."""
+        asked = _Request.of(bytes(call.content.payload))
+        self._burst = None
+        to = call.connection, call.sender, asked
+        if self._log is None or asked.opcode not in (TERMINATE, RESET, OPEN, READ, BURST):
+            _answer(*to, refusal=UNKNOWN_COMMAND)
+        elif asked.opcode in (TERMINATE, RESET):
+            self._size_bytes = None
+            _answer(*to)
+        elif asked.opcode == OPEN:
+            if asked.data.rstrip(b"\0") != f"@LOG/{self._log.number}".encode():
+                _answer(*to, refusal=NOT_FOUND)
+            else:
+                self._size_bytes = self._log.size_bytes
+                _answer(*to, data=struct.pack("<I", min(self._size_bytes, 0xFFFFFFFF)))
+        elif self._size_bytes is None or asked.session:
+            _answer(*to, refusal=INVALID_SESSION)
+        elif asked.opcode == READ:
+            piece = self._piece(asked, asked.offset)
+            _answer(*to, data=piece, offset=asked.offset, refusal=0 if piece else END_OF_FILE)
+        else:
+            self._burst, self._sent = to, 0
+
+    def report(self) -> None:
+        """Queue the pieces of this tick."""
+        for _ in range(PIECES_A_TICK):
+            if self._burst is None:
+                return
+            asked = self._burst[2]
+            offset = asked.offset + self._sent * self._piece_bytes(asked)
+            piece = self._piece(asked, offset)
+            _answer(*self._burst, data=piece, offset=offset, refusal=0 if piece else END_OF_FILE, later=self._sent)
+            self._sent += 1
+            if not piece:
+                self._burst = None
+
+    def _piece(self, asked: _Request, offset: int) -> bytes:
+        assert self._log is not None
+        count = min(self._piece_bytes(asked), (self._size_bytes or 0) - offset)
+        try:
+            return self._log.read(offset, count) if count > 0 else b""
+        except OSError:  # it cannot be read any more: it ends here
+            return b""
+
+    def _piece_bytes(self, asked: _Request) -> int:
+        return min(asked.size, PIECE_BYTES) or PIECE_BYTES
+
+
+def _answer(
+    connection: Connection,
+    sender: tuple[int, int],
+    asked: _Request,
+    *,
+    data: bytes = b"",
+    offset: int = 0,
+    refusal: int = 0,
+    later: int = 0,
+) -> None:
+    """Queue an answer to a request, its first or a `later` one."""
+    number = (asked.number + 1 + later) & 0xFFFF
+    data = bytes([refusal]) if refusal else data
+    head = _HEAD.pack(number, asked.session, NAK if refusal else ACK, len(data), asked.opcode, 0, offset)
+    content: Any = message("FILE_TRANSFER_PROTOCOL")(
+        target_network=0,
+        target_system=sender[0],
+        target_component=sender[1],
+        payload=tuple((head + data).ljust(_PAYLOAD_BYTES, b"\0")),
+    )
+    connection.put(content)

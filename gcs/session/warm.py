@@ -97,12 +97,11 @@ class WarmSessions:
         """Wait until everything is loaded and compiled. Raises WarmError."""
         deadline_s = time.monotonic() + WARM_WITHIN_S
         while self._folder is None:
-            for content in self._messages(deadline_s):
-                if content.get("ready"):
-                    self._folder = Path(content["folder"])
-                    break
-            else:
+            content = next(self._messages(deadline_s), None)
+            if content is None:
                 raise WarmError("the process that forks supervisors did not come up; gcs doctor looks for the reason")
+            if content.get("ready"):
+                self._folder = Path(content["folder"])
 
     def fly(
         self,

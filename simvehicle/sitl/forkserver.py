@@ -13,6 +13,7 @@ from __future__ import annotations
 import contextlib
 import ctypes
 import errno
+import gc
 import json
 import os
 import resource
@@ -134,6 +135,7 @@ def _fork(order: _Order, libc: ctypes.CDLL, inherited: list[int]) -> int:
         return pid
     status = INTERNAL_ERROR
     try:
+        gc.freeze()  # a collection would write to whatever it looks at
         libc.prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
         if os.getppid() != parent:
             os._exit(INTERNAL_ERROR)

@@ -34,10 +34,15 @@ MOST_PAIRS = 12
 MOST_LINES = 2000
 """Sessions drawn in the parallel coordinates."""
 LESS_IS_WORSE = ("min_separation_m", "min_clearance_m", "lowest_battery", "delivered_j", "refuelled")
+MORE_IS_WORSE = (
+    *("lost", "lost_somebody", "stuck", "tanker_idle_s", "wait_s", "time_to_goal_s"),
+    *("tankers_way_m", "path_length_m", "control_effort", "max_tracking_error_m"),
+)
 STYLE = """
 body{font:15px/1.5 system-ui,sans-serif;max-width:72rem;margin:2rem auto;padding:0 1rem;color:#1b1f24}
 table{border-collapse:collapse;margin:.5rem 0 1.5rem}td,th{padding:.25rem .7rem;border-bottom:1px solid #d8dde3}
-th{text-align:left}td{font-variant-numeric:tabular-nums}code{background:#eef1f4;padding:.1rem .3rem;border-radius:3px}
+th{text-align:left}td{font-variant-numeric:tabular-nums}
+code{background:#eef1f4;padding:.1rem .3rem;border-radius:3px;white-space:nowrap}
 .plot{max-width:100%;height:auto;background:#fff}@media print{body{max-width:none}}
 """
 
@@ -66,8 +71,8 @@ def page(folder: Path, plan: Plan, rows: pa.Table) -> str:
     if campaign.combinations > 1:
         parts += [
             "<h2>Differences</h2><p>Paired: the same draws under both. Intervals are 95 % bootstrap ones; the effect "
-            "is the mean difference over its standard deviation; the last column is how many sessions would tell such "
-            "an effect from none at 95 % confidence with 80 % power.</p>",
+            "is the mean difference over its standard deviation; none is better where the interval holds 0; the last "
+            "column is how many sessions would tell such an effect from none at 95 % confidence with 80 % power.</p>",
             _differences(plan, rows, measured),
         ]
     parts += ["<h2>Worst sessions</h2>", _worst(folder, plan, rows, measured), _parallel(plan, rows, measured)]
@@ -113,12 +118,21 @@ def _differences(plan: Plan, rows: pa.Table, measured: Sequence[str]) -> str:
         found = paired(rows, name, first, second)
         if not found.pairs:
             continue
-        distinguished = "yes" if found.difference.low > 0.0 or found.difference.high < 0.0 else "no"
+        verdict = _better(name, found.difference, name_of(plan, first), name_of(plan, second))
         who = f"{name_of(plan, second)} less {name_of(plan, first)}"
         effect = "-" if math.isnan(found.effect) else f"{found.effect:.2f}"
         needed = "-" if found.sessions_needed is None else str(found.sessions_needed)
-        lines.append([name, who, str(found.pairs), _interval(found.difference), distinguished, effect, needed])
-    return _table(["measure", "", "pairs", "difference", "differs", "effect", "sessions needed"], lines)
+        lines.append([name, who, str(found.pairs), _interval(found.difference), verdict, effect, needed])
+    return _table(["measure", "", "pairs", "difference", "better", "effect", "sessions needed"], lines)
+
+
+def _better(measure: str, second_less_first: Interval, first: str, second: str) -> str:
+    """Which of two the interval of a difference shows to be better; of other measures only that they differ."""
+    if not (second_less_first.low > 0.0 or second_less_first.high < 0.0):
+        return "-"
+    if measure not in LESS_IS_WORSE + MORE_IS_WORSE:
+        return "they differ"
+    return second if (second_less_first.low > 0.0) == (measure in LESS_IS_WORSE) else first
 
 
 def _worst(folder: Path, plan: Plan, rows: pa.Table, measured: Sequence[str]) -> str:

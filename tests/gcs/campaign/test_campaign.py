@@ -12,9 +12,10 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
-from gcs.campaign import draws, file, statistics, table
+from gcs.campaign import draws, file, report, statistics, table
 from gcs.campaign.model import Draw
 from gcs.campaign.plan import Plan, make, read
+from gcs.campaign.statistics import Interval
 from gcs.cli.campaign import campaign
 from gcs.extras import MissingExtra
 from gcs.scenario import geometry
@@ -197,3 +198,22 @@ def test_a_campaign_without_its_extra_is_refused_before_it_leaves_a_folder(
     assert isinstance(said.exception, MissingExtra)
     assert "pip install '.[campaign]'" in str(said.exception)
     assert not out.exists()
+
+
+@pytest.mark.parametrize(
+    ("measure", "low", "high", "better"),
+    [
+        ("lost_somebody", -0.07, -0.01, "b"),
+        ("lost_somebody", 0.01, 0.07, "a"),
+        ("lost_somebody", -0.01, 0.07, "-"),
+        ("lowest_battery", -4.1, -0.8, "a"),
+        ("lowest_battery", 0.8, 4.1, "b"),
+        ("least_lost", math.nan, math.nan, "-"),
+        ("sim_time_s", 1.0, 2.0, "they differ"),
+    ],
+)
+def test_the_report_says_which_is_better_where_an_interval_shows_it(
+    measure: str, low: float, high: float, better: str
+) -> None:
+    """The difference is b's mean less a's."""
+    assert report._better(measure, Interval((low + high) / 2, low, high), "a", "b") == better

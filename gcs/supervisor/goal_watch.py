@@ -71,6 +71,8 @@ class GoalWatch:
         self._ours = np.array([vehicle.external is None for vehicle in self._vehicles], dtype=np.bool_)
         self._has_external = not self._ours.all()
         self._lost: dict[int, Loss] = {}
+        self._fell: dict[int, Loss] = {}
+        """who touched the ground in flight, which is no loss by itself"""
         self._reported: set[tuple[Any, ...]] = set()
 
     # in flight
@@ -179,6 +181,10 @@ class GoalWatch:
                 lost[view.sysid] = Loss(view.sysid, end_s, f"its failsafe flies it ({view.mode})")
         return sorted(lost.values(), key=lambda loss: (loss.t_s, loss.sysid))
 
+    def harmed(self, snapshot: FleetSnapshot, end_s: float) -> list[Loss]:
+        """Vehicles lost by now, and those that touched the ground in flight; each once."""
+        return list((self._fell | {loss.sysid: loss for loss in self.losses(snapshot, end_s)}).values())
+
     def new_losses(self, now_s: float) -> Notices:
         """Records and events of those losses that are more than the goal allows, once each."""
         if len(self._lost) <= self._asked["lost"]:
@@ -266,6 +272,9 @@ class GoalWatch:
         records = []
         for breach in breaches:
             near = breach.nearest
+            if breach.part == "ground":
+                for sysid in near.sysids:
+                    self._fell.setdefault(sysid, Loss(sysid, near.t_s, "it touches the ground"))
             key = (breach.part, near.sysids, near.what)
             if key not in self._reported:
                 self._reported.add(key)

@@ -214,7 +214,7 @@ class Supervisor:
 
     def fault_outcomes(self) -> list[dict[str, Any]]:
         """Faults that were injected so far, and what came of each."""
-        return self.faults.outcomes(self.goal_watch.losses(self.fleet.snapshot(self.time_s), self.time_s))
+        return self.faults.outcomes(self.goal_watch.harmed(self.fleet.snapshot(self.time_s), self.time_s))
 
     def faults_text(self) -> str:
         """For the end of the outcome's sentence: how many faults were survived, and which were not."""

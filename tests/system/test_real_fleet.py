@@ -1,5 +1,5 @@
 """Three real autopilots in their own simulators at three times real time: ArduCopters where SKYTENDER_ARDUCOPTER names
-one, PX4s (SIH) where SKYTENDER_PX4 names a build, and two PX4s with one ArduCopter where both do.
+one, PX4s (SIH) where SKYTENDER_PX4 names a build.
 
 What is set up before a flight, what is kept in it, and what is fetched after it. Each fleet takes two minutes.
 """
@@ -74,7 +74,6 @@ class Fleet:
 FLEETS = (
     Fleet("arducopters", dict.fromkeys((1, 2, 3), "arducopter")),
     Fleet("px4s", dict.fromkeys(range(FIRST_PX4, FIRST_PX4 + 3), "px4")),
-    Fleet("mixed", {FIRST_PX4: "px4", FIRST_PX4 + 1: "px4", FIRST_PX4 + 2: "arducopter"}),
 )
 
 

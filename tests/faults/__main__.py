@@ -43,7 +43,7 @@ AWAY_S = 4.0
 ORPHANS_WITHIN_S = 3.0
 PURSUER, TARGET, TANKER = 1, 101, 201
 LARGEST_BATTERY_J = 16_700_000.0
-"""Nearly the largest that a scenario may have: it lasts a vehicle that hovers for over 24 h."""
+"""Nearly the largest that a scenario may have: of so little power it lasts for over 24 h, and nobody needs a tanker."""
 PAGE = ROOT / "docs" / "threat-model.md"
 BEGINS, ENDS = "<!-- make faults -->\n", "<!-- /make faults -->\n"
 KEPT = ROOT / ".faults.jsonl"
@@ -189,7 +189,7 @@ def filled(row: str, number: int, folder: Path, size: int) -> Flown:
 
 def long(row: str, number: int, folder: Path, hours: float) -> Flown:
     """A session of hours in lockstep, whose batteries last; its outcome says how much faster than the clock it flew."""
-    everyone = {"battery": {"capacity_j": LARGEST_BATTERY_J, "hover_w": 100.0, "avionics_w": 10.0}}  # 9.5 MJ a day
+    everyone = {"battery": {"capacity_j": LARGEST_BATTERY_J, "hover_w": 50.0, "avionics_w": 10.0}}  # 5.2 MJ a day
     content = small(
         goal={"duration_s": 3600.0 * hours, "refuelled_at_least": 0},
         record={"decisions": "changes", "truth_hz": 1.0, "rotate_mb": 50, "keep": 4},

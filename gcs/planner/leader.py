@@ -21,6 +21,7 @@ from gcs.planner.potential_field import CAP, FULL_STEPS, K0, STEP, FieldConstant
 from gcs.scenario.geometry import COLUMNS, FloatArray, points
 
 _UNFREE_SHARE = 0.25  # of k0: the repulsion at which nothing is fed forward any more
+_ONE_THREAD = 8192  # numbers of which OpenBLAS takes a sum without its threads
 
 BoolArray = NDArray[np.bool_]
 
@@ -122,8 +123,10 @@ def _array(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
         array = array.reshape(0, *shape[1:])
     if array.shape[1:] != shape[1:] or array.ndim == 0 or shape[0] not in (-1, array.shape[0]):
         raise ValueError(f"{name} has shape {array.shape}; it must be {shape}, -1 standing for any number")
-    # A sum of squares is finite where all are, unless it overflows: that and a fault are then distinguished.
-    if not math.isfinite(np.vdot(array, array)) and not np.isfinite(array).all():
+    # A sum of squares is finite where all are, unless it overflows: that and a fault are then distinguished. Of many,
+    # BLAS would take the sum with threads that wait for each other for longer than it takes.
+    squares = np.vdot(array, array) if array.size <= _ONE_THREAD else math.nan
+    if not math.isfinite(squares) and not np.isfinite(array).all():
         row = int(np.argwhere(~np.isfinite(array))[0][0])
         raise ValueError(f"{name} holds a value that is not finite in row {row}; leave that row out or mend its data")
     return array

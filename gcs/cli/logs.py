@@ -106,8 +106,8 @@ def get(numbers: tuple[int, ...], everything: bool, out: Path, as_json: bool, **
             fleet.converse(clients, progress.look)
         except KeyboardInterrupt:
             for client in clients:
-                if not client.done:
-                    fleet.send_to(client.sysid, client.end())
+                for message in () if client.done else client.end():
+                    fleet.send_to(client.sysid, message)
             raise
         finally:
             progress.close()

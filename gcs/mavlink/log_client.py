@@ -157,14 +157,14 @@ class LogClient:
             self._close()
         if self._to_end and not self._wanted and self._open is None:
             self._to_end = False
-            return [self.end()]
+            return self.end()
         return []
 
-    def end(self) -> Message:
-        """The message that ends a download: the vehicle goes on writing its log."""
-        if self._file is not None:
-            return self._file.end()
-        return codec.message("LOG_REQUEST_END", target_system=self.sysid, target_component=self.compid)
+    def end(self) -> list[Message]:
+        """Messages that end a download, however it goes: the vehicle, whose list was asked for, goes on writing its
+        log."""
+        file = [] if self._file is None else [self._file.end()]
+        return [*file, codec.message("LOG_REQUEST_END", target_system=self.sysid, target_component=self.compid)]
 
     def _begin(self, entry: LogEntry, now_s: float) -> None:
         self._to_end = True

@@ -54,7 +54,8 @@ def fetch_logs(
             missed.append("the download of logs was stopped: `gcs logs get` begins it again")
         for client in clients:
             if not client.done:
-                found[client.sysid].send_to(client.sysid, client.end())
+                for message in client.end():
+                    found[client.sysid].send_to(client.sysid, message)
                 came = f"{client.bytes_so_far} bytes came in {fetch_within_s:.0f} s"
                 missed.append(
                     f"vehicle {client.sysid}: {came}, not its whole log: `gcs logs get` goes on without a limit"

@@ -74,7 +74,8 @@ class _Download:
 class LogClient:
     """The dialogue with one vehicle."""
 
-    def __init__(self, sysid: int, compid: int) -> None:
+    def __init__(self, sysid: int, compid: int, *, files: bool = True) -> None:
+        """`files`: whether it may have its logs as files; an ArduPilot, which has others, has not."""
         self.sysid, self.compid = sysid, compid
         self.entries: dict[int, LogEntry] = {}
         """its logs, by number"""
@@ -89,7 +90,7 @@ class LogClient:
         self._wanted: list[LogEntry] = []
         self._open: _Download | None = None
         self._file: FileClient | None = None
-        self._has_files = True
+        self._has_files = files
         """whether it may have its logs as files, as far as is known"""
         self._range = (0, 0)
         self._tries = 0

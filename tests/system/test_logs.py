@@ -47,10 +47,15 @@ class ArduPilotLogs:
         self.socket.close()
 
     def _heard(self, reader: Any) -> list[Any]:
-        try:
-            return reader.parse_buffer(self.socket.recv(2048)) or []
-        except OSError:  # nothing came, or nobody is there
-            return []
+        """What came in one datagram; that nobody is there any more to hear a heartbeat hides none that came before."""
+        for _ in range(2):
+            try:
+                return reader.parse_buffer(self.socket.recv(2048)) or []
+            except ConnectionRefusedError:
+                continue
+            except OSError:  # nothing came
+                break
+        return []
 
     def _live(self) -> None:
         writer, reader = mav.MAVLink(None, 3, 1), mav.MAVLink(None)

@@ -33,6 +33,7 @@ from gcs.campaign.family_parts import (
     speed_of,
     table_of,
 )
+from gcs.campaign.silent_ways import SILENT_FROM_S, clearance_over, floats_over
 from gcs.campaign.tight import tight
 from gcs.scenario import geometry as shapes
 
@@ -40,10 +41,6 @@ FIRST_SERVED_S, SERVICE_S = 20.0, 13.0
 """[choice] Until a tanker gives its first joule, and from one receiver to the next: charges last so long."""
 LANDS_AT, HOVERS_W = 0.05, 213.0
 """Share of the battery at which vehicles land, and what they draw."""
-SILENT_FROM_S, STOPS_WITHIN_S = 15.0, 1.5
-"""[choice] When a vehicle falls silent, and how long it flies on."""
-STARTS_WITHIN_S, TAKES_OFF_WITHIN_S = 2.0, 8.0
-"""[choice] Until a target is under way that starts in the air, and on the ground."""
 
 
 def family(name: str, seed: int) -> Document:
@@ -360,36 +357,14 @@ def _blackout(rng: np.random.Generator) -> Document:
         clear = [
             pursuer["sysid"]
             for pursuer in document["vehicles"]["pursuers"]
-            if _over(table, pursuer["start_m"][:2], 0.0) >= OBSTACLE_M and not _floats_over(table, document, pursuer)
+            if clearance_over(table, pursuer["start_m"][:2], 0.0) >= OBSTACLE_M
+            and not floats_over(table, document, pursuer)
         ]
         if clear:
             break
     silent = clear[int(rng.integers(len(clear)))]
     document["goal"]["duration_s"] = LONGEST_S
     return document | {"radio": {"blackouts": [{"sysid": silent, "from_s": SILENT_FROM_S, "to_s": 45.0}]}}
-
-
-def _floats_over(table: FloatArray, document: Document, pursuer: Document) -> bool:
-    """Whether an obstacle hangs over a place in the ring where a pursuer may be when it falls silent: straight up from
-    there it would come nearer to one than `OBSTACLE_M`, and nearer than it is."""
-    target = document["vehicles"]["targets"][0]
-    path, offset = np.array(target["path_m"]), np.subtract(pursuer["start_m"], target["start_m"])
-    ways = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(path, axis=0), axis=1))])
-    under_way_s = SILENT_FROM_S - (STARTS_WITHIN_S if target["airborne"] else TAKES_OFF_WITHIN_S)
-    from_m, to_m = target["speed_m_s"] * under_way_s, target["speed_m_s"] * (SILENT_FROM_S + STOPS_WITHIN_S)
-    flown = np.arange(from_m, to_m, 0.25)
-    places = np.column_stack([np.interp(flown, ways, axis) for axis in path.T]) + offset
-    here = shapes.clearance(table, places)
-    return any(
-        _over(table, place[:2], -place[2]) < min(OBSTACLE_M, at - 1e-3) for place, at in zip(places, here, strict=True)
-    )
-
-
-def _over(table: FloatArray, place: ArrayLike, from_m: float) -> float:
-    """Clearance of the column over a place (north, east), from a height to above all obstacles."""
-    heights = np.linspace(from_m, 15.0, 61)
-    column = np.column_stack([np.broadcast_to(place, (61, 2)), -heights])
-    return float(shapes.clearance(table, column).min())
 
 
 def _poor_tracking(rng: np.random.Generator) -> Document:

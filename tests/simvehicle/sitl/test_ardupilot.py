@@ -9,6 +9,7 @@ from typing import Any
 
 import psutil
 import pytest
+from autopilot_units import fixes_around_an_outage
 from pymavlink.dialects.v20 import common
 
 from simvehicle.mavlink.codec import split
@@ -73,25 +74,7 @@ def test_its_receiver_has_no_fix_while_gnss_fails(tmp_path: Path) -> None:
     booted, connection = unit(tmp_path)
     with booted:
         booted.start_clock(0, 0)
-        ordered(booted, connection, common.MAV_CMD_SET_MESSAGE_INTERVAL, common.MAVLINK_MSG_ID_GPS_RAW_INT, 2e5)
-        fixes: list[list[int]] = []
-        for to_ms, kind in ((2000, common.FAILURE_TYPE_OFF), (4000, common.FAILURE_TYPE_OK)):
-            ordered(booted, connection, common.MAV_CMD_INJECT_FAILURE, common.FAILURE_UNIT_SENSOR_GPS, kind)
-            booted.advance(to_ms)
-            said = common.MAVLink(None).parse_buffer(b"".join(connection.frames())) or []
-            fixes.append([m.fix_type for m in said if m.get_type() == "GPS_RAW_INT"])
-            answered = {m.command: m.result for m in said if m.get_type() == "COMMAND_ACK"}
-            assert answered.pop(common.MAV_CMD_INJECT_FAILURE) == common.MAV_RESULT_ACCEPTED
-            assert set(answered) <= {common.MAV_CMD_SET_MESSAGE_INTERVAL}  # what this process asked for is its own
-        assert [fix[-1] for fix in fixes] == [1, 6]
-
-
-def ordered(booted: ArduPilotUnit, connection: Connection, command: int, *params: float) -> None:
-    """Let it receive a command."""
-    seven = (*params, *(0.0,) * (7 - len(params)))
-    order = common.MAVLink_command_long_message(COPTER, 1, command, 0, *seven)
-    (frame,) = split(bytes(order.pack(common.MAVLink(None, 255, 190))))
-    booted.receive(frame, connection)
+        assert fixes_around_an_outage(booted, connection, COPTER) == [1, 6]
 
 
 @pytest.mark.parametrize(

@@ -6,8 +6,10 @@ from collections.abc import Sequence
 from types import SimpleNamespace
 
 import pytest
+from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
+from gcs.mavlink.autopilots import profile_of
 from gcs.mavlink.log_client import LogClient
 from gcs.session import fetched_logs
 
@@ -16,7 +18,7 @@ class Growing:
     """A fleet of one whose newest log has another size each time until the last."""
 
     def __init__(self, *sizes: int) -> None:
-        self.profiles = {3: None}
+        self.profiles = {3: profile_of(mav.MAV_AUTOPILOT_PX4)}
         self._sizes = list(sizes)
         self.asked = 0
 

@@ -15,6 +15,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import CancelledError
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import IO, Any
@@ -132,15 +133,19 @@ def _threads(client: Any) -> int:
 
 
 def _result(plan: Plan, future: Any, row: PlannedRow) -> dict[str, Any]:
+    """The row that was flown, or why it was not. Raises EngineError where the scheduler has gone, with it or before."""
     from distributed.scheduler import KilledWorker  # noqa: PLC0415 - an extra
 
-    if future.status == "finished":
-        result: dict[str, Any] = future.result()
-        future.release()
-        return result
-    if future.status in ("cancelled", "lost"):
+    try:
+        if future.status == "finished":
+            result: dict[str, Any] = future.result()
+            future.release()
+            return result
+        error = None if future.status in ("cancelled", "lost") else future.exception()
+    except (OSError, CancelledError):  # it went while the result was on its way
+        error = None
+    if error is None:
         raise EngineError("the scheduler is lost")
-    error = future.exception()
     why = f"the worker failed: {type(error).__name__}: {error}"
     if isinstance(error, KilledWorker):
         why = f"its workers died, {DEATHS + 1} times"

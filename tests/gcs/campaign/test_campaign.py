@@ -5,16 +5,20 @@ from __future__ import annotations
 import math
 import sys
 from pathlib import Path
-from typing import Any
+from types import SimpleNamespace
+from typing import Any, cast
 
 import duckdb
 import numpy as np
 import pytest
 from click.testing import CliRunner
+from distributed.client import FutureCancelledError
+from distributed.comm.core import CommClosedError
 
 from gcs.campaign import draws, file, report, statistics, table
+from gcs.campaign.engine import EngineError, _result
 from gcs.campaign.model import Draw
-from gcs.campaign.plan import Plan, make, read
+from gcs.campaign.plan import Plan, PlannedRow, make, read
 from gcs.campaign.statistics import Interval
 from gcs.cli.campaign import campaign
 from gcs.extras import MissingExtra
@@ -217,3 +221,15 @@ def test_the_report_says_which_is_better_where_an_interval_shows_it(
 ) -> None:
     """The difference is b's mean less a's."""
     assert report._better(measure, Interval((low + high) / 2, low, high), "a", "b") == better
+
+
+@pytest.mark.parametrize("error", [CommClosedError("connection reset by peer"), FutureCancelledError("row-3", "lost")])
+@pytest.mark.parametrize("status", ["finished", "error"])
+def test_a_scheduler_that_goes_while_a_result_is_on_its_way_is_lost(status: str, error: Exception) -> None:
+    def fetch() -> None:
+        raise error
+
+    future = SimpleNamespace(status=status, result=fetch, exception=fetch)
+    plan = cast(Plan, None)  # nothing of it is asked where there is no row
+    with pytest.raises(EngineError, match=r"^the scheduler is lost$"):
+        _result(plan, future, cast(PlannedRow, None))

@@ -40,14 +40,15 @@ def port() -> int:
 
 @pytest.fixture
 def fly(tmp_path: Path) -> Iterator[Fly]:
-    """`fly(port, sysid, *argv)` starts a vehicle that speaks to a port; it must live until the test ends."""
+    """`fly(port, sysid, *argv)` starts a vehicle that speaks to a port, or to an address; it must live until the test
+    ends."""
     params = tmp_path / "quick.yaml"
     params.write_text(yaml.safe_dump(QUICK))
     program = [sys.executable, "-c", "from simvehicle.cli import main; main()", "--params", str(params)]
     started: list[subprocess.Popen[bytes]] = []
 
-    def start(port: int, sysid: int = 1, *argv: str) -> None:
-        to = f"udpout:127.0.0.1:{port}"
+    def start(where: int | str, sysid: int = 1, *argv: str) -> None:
+        to = where if isinstance(where, str) else f"udpout:127.0.0.1:{where}"
         argv = (*program, "--sysid", str(sysid), "--connect", to, *argv)
         started.append(stack.enter_context(subprocess.Popen(argv, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)))
 

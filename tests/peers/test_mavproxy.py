@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import hashlib
 import re
-import subprocess
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import pytest
 from conversation import Conversation
+from onlookers import mavproxy
 
 pytestmark = pytest.mark.timeout(60)
 
@@ -28,18 +26,9 @@ ALARM = re.compile(
 )
 
 
-@contextmanager
-def mavproxy(peers: Path, port: int, folder: Path) -> Iterator[Conversation]:
-    """MAVProxy at a port, with its files in a folder."""
-    argv = [str(peers / "python"), "-u", str(peers / "mavproxy.py"), f"--master=udpin:127.0.0.1:{port}"]
-    argv += [f"--state-basedir={folder}", "--aircraft=peer"]
-    with subprocess.Popen(
-        argv, cwd=folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT
-    ) as process:
-        try:
-            yield Conversation(process)
-        finally:
-            process.kill()
+def at(port: int) -> str:
+    """Where MAVProxy waits for a vehicle."""
+    return f"udpin:127.0.0.1:{port}"
 
 
 def connected(talk: Conversation) -> None:
@@ -55,7 +44,7 @@ def test_it_connects_without_an_error_or_a_warning(
     peers: Path, port: int, fly: Any, tmp_path: Path, autopilot: str
 ) -> None:
     fly(port, 1, "--autopilot", autopilot)
-    with mavproxy(peers, port, tmp_path) as talk:
+    with mavproxy(peers, at(port), tmp_path) as talk:
         connected(talk)
         talk.type("fence list")
         talk.hear("0 fence items")
@@ -72,7 +61,7 @@ def test_it_tunes_arms_takes_off_guides_and_flies_a_waypoint_file(
     plan = tmp_path / "plan.txt"
     plan.write_text(PLAN)
     fly(port, 1, "--autopilot", "ardupilot")
-    with mavproxy(peers, port, tmp_path) as talk:
+    with mavproxy(peers, at(port), tmp_path) as talk:
         connected(talk)
         talk.type("param set MPC_XY_CRUISE 4")
         talk.ask("param fetch MPC_XY_CRUISE", "MPC_XY_CRUISE = 4.0")
@@ -99,7 +88,7 @@ def test_it_tunes_arms_takes_off_guides_and_flies_a_waypoint_file(
 def test_a_px4_is_armed_taken_off_and_landed_by_commands(peers: Path, port: int, fly: Any, tmp_path: Path) -> None:
     """MAVProxy 1.8.75 cannot send a PX4's modes by name; a PX4's altitudes are above sea level."""
     fly(port)
-    with mavproxy(peers, port, tmp_path) as talk:
+    with mavproxy(peers, at(port), tmp_path) as talk:
         connected(talk)
         talk.type("arm throttle")
         talk.hear("ARMED")
@@ -114,7 +103,7 @@ def test_it_gives_a_vehicle_a_key_and_flies_it_signed(peers: Path, port: int, fl
     """From then on the vehicle acts on nothing that is not signed, and MAVProxy takes nothing that is not."""
     state = tmp_path / "state"
     fly(port, 1, "--autopilot", "ardupilot", "--state", str(state))
-    with mavproxy(peers, port, tmp_path) as talk:
+    with mavproxy(peers, at(port), tmp_path) as talk:
         connected(talk)
         talk.type("signing setup swordfish")
         talk.hear("Sent secret_key", "Setup signing key")

@@ -18,6 +18,8 @@ from mavsdk.asyncio.plugins.telemetry import FlightMode, LandedState, TelemetryA
 WITHIN_S = 20.0
 PER_M = math.degrees(1.0 / 6.37e6)
 NAN = float("nan")
+OF_MANY = ("four", "looks_on")
+"""Scenes that get all pilots by system id; the others get the first vehicle's."""
 
 
 async def first_that(what, ask, updates, holds, within_s=WITHIN_S):
@@ -324,16 +326,19 @@ async def reboot_forgets(pilot):
     assert await rebooted(pilot) == (5.0, 0)
 
 
-async def lands_what_another_flies(pilot):
-    """It is in the air by another ground station's will: looked at, and landed."""
-    telemetry = pilot.telemetry
-    await until("in_air", telemetry, "in_air", bool)
-    await pilot.mode(FlightMode.OFFBOARD)
-    heights = await next_of(telemetry.subscribe_position_velocity_ned, 3)
-    assert all(m.position.down_m < -1.0 for m in heights), heights
-    await pilot.action.land()
-    await pilot.mode(FlightMode.LAND)
-    await pilot.down_and_disarmed()
+async def looks_on(pilots):
+    """Another ground station flies them: each is looked at in the air. Then whoever is named on stdin is landed."""
+    for sysid, pilot in pilots.items():
+        await until("in_air", pilot.telemetry, "in_air", bool)
+        await pilot.mode(FlightMode.OFFBOARD)
+        await until("high", pilot.telemetry, "position_velocity_ned", lambda m: m.position.down_m < -1.0)
+        print(f"sees {sysid}", flush=True)
+    while line := await asyncio.to_thread(sys.stdin.readline):
+        pilot = pilots[int(line)]
+        await pilot.action.land()
+        await pilot.mode(FlightMode.LAND)
+        await pilot.down_and_disarmed()
+        print(f"landed {int(line)}", flush=True)
 
 
 async def four(pilots):
@@ -372,6 +377,7 @@ async def main():
     configuration = Configuration.create_with_component_type(ComponentType.GROUND_STATION)
     async with Mavsdk(configuration) as mavsdk:
         await mavsdk.add_any_connection(f"udpin://127.0.0.1:{port}")
+        print("listens", flush=True)
 
         async def known():
             return {await s.get_system_id(): s for s in await mavsdk.get_systems()}
@@ -383,7 +389,7 @@ async def main():
         systems = await first_that("systems", known, new, lambda found: set(found) >= wanted)
         pilots = {sysid: Pilot(systems[sysid]) for sysid in wanted}
         began_s = time.monotonic()
-        await (four(pilots) if scene == "four" else globals()[scene](pilots[1]))
+        await globals()[scene](pilots if scene in OF_MANY else pilots[1])
         print(f"{scene}: flown in {time.monotonic() - began_s:.1f} s", flush=True)
 
 

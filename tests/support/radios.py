@@ -12,12 +12,19 @@ import threading
 import time
 import tty
 from pathlib import Path
+from typing import Self
 
 BITS_PER_BYTE = 10
 """start, eight, stop"""
 BUFFER_BYTES = 2048
 """What a radio keeps that has not gone out yet; the rest is lost."""
 _PIECE = 512
+
+
+def free_tcp_port() -> int:
+    """A TCP port that nobody has."""
+    with socket.create_server(("127.0.0.1", 0)) as one:
+        return int(one.getsockname()[1])
 
 
 class Relay:
@@ -38,6 +45,13 @@ class Relay:
         self._stop, self._stopped = socket.socketpair()
         self._lock = threading.Lock()
         self._thread = threading.Thread(target=self._live, daemon=True)
+
+    def __enter__(self) -> Self:
+        self.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
 
     def start(self) -> None:
         self._thread.start()
@@ -84,11 +98,11 @@ class Relay:
 
 
 class Router(Relay):
-    """All vehicles behind one UDP address of IPv6."""
+    """All vehicles behind one UDP address."""
 
     def __init__(self, to: tuple[str, int]) -> None:
         super().__init__()
-        self._socket = socket.socket(socket.AF_INET6, socket.SOCK_DGRAM)
+        self._socket = socket.socket(socket.AF_INET6 if ":" in to[0] else socket.AF_INET, socket.SOCK_DGRAM)
         self._socket.connect(to)
         self._socket.setblocking(False)
 

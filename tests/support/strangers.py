@@ -16,10 +16,10 @@ SIMVEHICLE = [sys.executable, "-c", "from simvehicle.cli import main; main()"]
 ARDUCOPTER = [sys.executable, str(ROOT / "tests" / "peers" / "arducopter.py")]
 
 
-def free_port() -> int:
+def free_port(host: str = "127.0.0.1") -> int:
     """A UDP port that nobody has."""
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as one:
-        one.bind(("127.0.0.1", 0))
+    with socket.socket(socket.AF_INET6 if ":" in host else socket.AF_INET, socket.SOCK_DGRAM) as one:
+        one.bind((host, 0))
         return int(one.getsockname()[1])
 
 

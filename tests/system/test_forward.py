@@ -2,75 +2,22 @@
 
 from __future__ import annotations
 
-import contextlib
 import json
 import socket
 import subprocess
-import threading
 import time
 from collections import Counter
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 import yaml
 from commands import gcs
+from onlookers import pymavlink_station
 from pymavlink.dialects.v20 import common as mav
 from sessions import GCS, Outcome, fly, small
 
 pytestmark = pytest.mark.timeout(100)
-
-
-class Station:
-    """Hears what is forwarded to it, in a thread, and tells a vehicle that flies to land, as QGroundControl does: from
-    255/190."""
-
-    def __init__(self, lands: int) -> None:
-        self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-        self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4 << 20)
-        self._socket.bind(("127.0.0.1", 0))
-        self.address = f"udpout:127.0.0.1:{self._socket.getsockname()[1]}"
-        self._lands = lands
-        self._mav = mav.MAVLink(None, srcSystem=255, srcComponent=190)
-        self._mav.robust_parsing = True
-        self._thread = threading.Thread(target=self._live)
-        self.heard: Counter[tuple[int, str]] = Counter()
-        self.acked: list[tuple[int, int, int]] = []
-        self.orders = 0
-        self._flies = False
-        self._thread.start()
-
-    def _live(self) -> None:
-        while True:
-            datagram, to = self._socket.recvfrom(65536)
-            if not datagram:
-                return
-            for message in self._mav.parse_buffer(datagram) or []:
-                sysid, name = message.get_srcSystem(), message.get_type()
-                self.heard[sysid, name] += 1
-                if name == "COMMAND_ACK" and message.command == mav.MAV_CMD_NAV_LAND:
-                    self.acked.append((sysid, message.result, message.target_system))
-                if (sysid, name) == (self._lands, "LOCAL_POSITION_NED") and message.z < -2.0 and not self.acked:
-                    self.orders += 1
-                    land = mav.MAVLink_command_long_message(
-                        self._lands, 1, mav.MAV_CMD_NAV_LAND, self.orders & 0xFF, 0, 0, 0, 0, 0, 0, 0
-                    )
-                    self._socket.sendto(bytes(land.pack(self._mav)), to)
-
-    def close(self) -> None:
-        self._socket.sendto(b"", self._socket.getsockname())
-        self._thread.join()
-        self._socket.close()
-
-
-@contextlib.contextmanager
-def station(lands: int) -> Iterator[Station]:
-    one = Station(lands)
-    try:
-        yield one
-    finally:
-        one.close()
 
 
 def flown(folder: Path, *options: str, duration_s: float = 12.0) -> Outcome:
@@ -79,7 +26,7 @@ def flown(folder: Path, *options: str, duration_s: float = 12.0) -> Outcome:
 
 def test_looking_on_changes_nothing_and_an_order_without_leave_reaches_nobody(tmp_path: Path) -> None:
     alone = flown(tmp_path / "alone")
-    with station(lands=1) as one:
+    with pymavlink_station(lands=1) as one:
         watched = flown(tmp_path / "watched", "--forward", one.address, "--forward", "tcp:127.0.0.1:9")
     assert one.orders > 0
     assert one.acked == []
@@ -96,7 +43,7 @@ def test_looking_on_changes_nothing_and_an_order_without_leave_reaches_nobody(tm
 
 
 def test_where_it_may_it_lands_one_that_nobody_flies_from_then_on(tmp_path: Path) -> None:
-    with station(lands=1) as one:
+    with pymavlink_station(lands=1) as one:
         outcome = flown(tmp_path, "--speed", "3", "--forward", one.address, "--forward-control", duration_s=20.0)
     assert (1, mav.MAV_RESULT_ACCEPTED, 255) in one.acked
     orders = [line for line in outcome.decisions if line["kind"] == "operator"]

@@ -14,49 +14,22 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import pymap3d
 import pytest
 from commands import gcs
+from lanes import lanes, start
 from pymavlink import mavutil
-from radios import BUFFER_BYTES, Cable, Router, Tcp
+from radios import BUFFER_BYTES, Cable, Router, Tcp, free_tcp_port
 from sessions import Outcome, Running, fly
 from strangers import ARDUCOPTER, SIMVEHICLE, free_port, strangers
 
-LAT, LON, ALT = 47.397742, 8.545594, 488.0
 BAUD = 57600
 OFFBOARD = 6 << 16
 AWAY_S = 10.0
 FLOWN_S = 27.0
+GOAL = {"duration_s": FLOWN_S, "lost_at_most": 6}
 CABLE, TCP, TCPIN, ROUTED = 1, 2, 3, (4, 5, 6)
 POINT_S = 2.0
 pytestmark = pytest.mark.timeout(110)
-
-
-def scenario(connects: dict[int, str], **changed: Any) -> dict[str, Any]:
-    """Each vehicle goes back and forth on a line of its own, 4 m from the next."""
-    return {
-        "schema": 1, "name": "radios", "axes": "ned", "origin": {"lat_deg": LAT, "lon_deg": LON, "alt_m": ALT},
-        "goal": {"duration_s": FLOWN_S, "lost_at_most": 6},
-        "vehicles": {
-            "pursuers": [
-                {"external": {"connect": connect, "sysid": sysid, "capacity_j": 250_000, "found_within_s": 60,
-                              "rejoins": True},
-                 "waypoints_m": [[3, 4 * sysid, -3], [-3, 4 * sysid, -3]]}
-                for sysid, connect in connects.items()
-            ],
-        },
-    } | changed  # fmt: skip
-
-
-def start(sysid: int) -> str:
-    """Latitude, longitude and altitude of where a vehicle stands, beneath its line."""
-    lat, lon, alt = pymap3d.ned2geodetic(0.0, 4.0 * sysid, 0.0, LAT, LON, ALT)
-    return f"{lat:.7f},{lon:.7f},{alt:.2f}"
-
-
-def free_tcp_port(host: str = "127.0.0.1") -> int:
-    with socket.create_server((host, 0), family=socket.AF_INET6 if ":" in host else socket.AF_INET) as one:
-        return int(one.getsockname()[1])
 
 
 @dataclass
@@ -88,8 +61,7 @@ def flown(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Flown]:
         tcpin, router = Tcp(("127.0.0.1", listens)), Router(("::1", six))
         ports = {CABLE: cable.port, TCP: tcp.port, TCPIN: tcpin.port} | dict.fromkeys(ROUTED, router.port)
         for relay in (cable, tcp, tcpin, router):
-            relay.start()
-            stack.callback(relay.close)
+            stack.enter_context(relay)
         connects = {
             CABLE: f"serial:{device}:{BAUD}",
             TCP: f"tcp:127.0.0.1:{tcp.far_port}",
@@ -109,7 +81,7 @@ def flown(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Flown]:
         onlooker.bind(("127.0.0.1", 0))
         onlooker.setblocking(False)
         forward = f"udpout:127.0.0.1:{onlooker.getsockname()[1]}"
-        running = Running(scenario(connects), folder, "--json", "--forward", forward)
+        running = Running(lanes(connects, GOAL), folder, "--json", "--forward", forward)
         stack.callback(running.stop)
 
         def seen(snapshot: dict[str, Any]) -> None:
@@ -209,7 +181,7 @@ def test_it_is_flown_again_without_a_restart(flown: Flown) -> None:
 
 
 def test_what_is_waited_for_is_said_in_one_sentence(tmp_path: Path) -> None:
-    said = scenario({1: f"tcp:127.0.0.1:{free_tcp_port()}"})
+    said = lanes({1: f"tcp:127.0.0.1:{free_tcp_port()}"}, GOAL)
     said["vehicles"]["pursuers"][0]["external"]["found_within_s"] = 1.0
     outcome = fly(said, tmp_path, "--plain")
     assert outcome.status == 1

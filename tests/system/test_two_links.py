@@ -41,9 +41,7 @@ def flown(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Flown]:
     events: list[dict[str, Any]] = []
     links: list[str] = []
     with contextlib.ExitStack() as stack:
-        cable = Cable(device, BAUD)
-        cable.start()
-        stack.callback(cable.close)
+        cable = stack.enter_context(Cable(device, BAUD))
         connects = [f"serial:{device}:{BAUD}", f"udpin:127.0.0.1:{port}"]
         both = ["--connect", f"udpout:127.0.0.1:{cable.port}", "--connect", f"udpout:127.0.0.1:{port}"]
         stack.enter_context(strangers(folder, [*SIMVEHICLE, "--sysid", "7", *both]))

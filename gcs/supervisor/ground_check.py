@@ -47,6 +47,8 @@ class GroundCheck:
         self._heartbeat_s = -HEARTBEAT_EVERY_S
         self._ready: dict[int, bool | None] = {}
         """whether SYS_STATUS says that it could be armed; None: it does not know that"""
+        self._ready_since_s = 0.0
+        """when the last that could not be armed could"""
         self._texts: dict[int, list[str]] = {}
         self._received = {sysid for sysid, _ in link.joined}
         self._now_s = 0.0
@@ -84,8 +86,12 @@ class GroundCheck:
 
     @property
     def ready(self) -> bool:
-        """Whether nobody says that it could not be armed."""
-        return all(self._ready.get(sysid) is not False for sysid in self._received)
+        """Whether nobody says that it could not be armed. Who knows its place from now on sends it from now on, so what
+        streams lack is judged by a count that began after that."""
+        if any(self._ready.get(sysid) is False for sysid in self._received):
+            return False
+        counted = self._now_s - self._ready_since_s >= CHECK_S + STREAMS_S
+        return counted or not any(map(self._externals.missing_streams, self._received))
 
     def lists(self, waits: Mapping[int, str]) -> dict[int, list[CheckItem]]:
         """Check lists by system id; `waits` are reasons why somebody has not been heard."""
@@ -112,7 +118,10 @@ class GroundCheck:
             if frame.msgid == _SYS_STATUS and frame.compid == AUTOPILOT:
                 content = codec.fields(frame)
                 knows = content.onboard_control_sensors_present & _PREARM
-                self._ready[frame.sysid] = bool(content.onboard_control_sensors_health & _PREARM) if knows else None
+                ready = bool(content.onboard_control_sensors_health & _PREARM) if knows else None
+                if ready and self._ready.get(frame.sysid) is False:
+                    self._ready_since_s = self._now_s
+                self._ready[frame.sysid] = ready
             elif frame.msgid == _STATUSTEXT:
                 texts = self._texts.setdefault(frame.sysid, [])
                 text = codec.fields(frame).text

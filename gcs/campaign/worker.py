@@ -93,11 +93,6 @@ def close() -> None:
         _all.clear()
 
 
-def warm_up() -> None:
-    """Have the warm process of this thread ready. Raises WarmError."""
-    _sessions().warm_up()
-
-
 def take_core(cores: Sequence[int], dask_worker: Any = None) -> None:
     """Let the sessions of a worker of Dask stay on one core of these, by the worker's name, a number.
 

@@ -11,8 +11,6 @@ from numpy.typing import NDArray
 from gcs.kernels import kernel
 
 FOLDER = "vehicles"
-COLUMNS = 7
-"""time, s; place, m, and velocity, m/s, in the common NED frame"""
 
 
 def read(folder: Path, sysid: int) -> NDArray[np.float64] | None:

@@ -21,8 +21,8 @@ from gcs.scenario.model import Scenario
 
 Level = Literal["bad", "warn", "note"]
 FEW = 8
-CRITICAL, WARNING = 3, 4
-"""MAV_SEVERITY: ERROR and worse; WARNING."""
+CRITICAL = 3
+"""MAV_SEVERITY: ERROR and worse."""
 
 
 @dataclass(frozen=True)

@@ -69,7 +69,7 @@ def record(folder: Path, off_plan_m: float = 0.25) -> None:
             nonlocal sent
             sent += 1
             if sysid != 1 or sent % 50:
-                recorder.frame(EPOCH_US + round(1e6 * t), codec.encode(message, seq[sysid], sysid, 1, **fields))
+                recorder.frames(EPOCH_US + round(1e6 * t), [codec.encode(message, seq[sysid], sysid, 1, **fields)])
             seq[sysid] = (seq[sysid] + 1) % 256
 
         for k in range(1, round(END_S / 0.1) + 1):
@@ -184,8 +184,8 @@ def test_late_and_repeated_frames_are_counted_as_the_link_counts_them(tmp_path: 
     with Recorder(tmp_path) as recorder:
         for k, number in enumerate(numbers):
             counter.feed(7, 1, number)
-            recorder.frame(EPOCH_US + 20_000 * k, codec.encode("HEARTBEAT", number, 7, 1, type=2, autopilot=12,
-                           base_mode=0, custom_mode=0, system_status=4))  # fmt: skip
+            recorder.frames(EPOCH_US + 20_000 * k, [codec.encode("HEARTBEAT", number, 7, 1, type=2, autopilot=12,
+                           base_mode=0, custom_mode=0, system_status=4)])  # fmt: skip
     recorded = read(tmp_path)
     assert sum(lost.sum() for lost in recorded.traffic_lost.values()) == counter.lost > 0
 

@@ -70,7 +70,7 @@ def summarise(
         unmet=[part for part in goal if not part.met],
         judged_by="truth" if supervisor.goal_watch.from_truth else "reports",
         digest=supervisor.digest.hexdigest() if scenario.vehicles.repeat else None,
-        versions=dict(_versions()),
+        versions=versions(),
         min_separation_m=_finite(near.separation.m),
         min_clearance_m=_finite(near.clearance.m),
         min_traffic_m=_finite(near.traffic.m),
@@ -160,10 +160,11 @@ def load() -> None:
     """Build what the first summary of a process is built of."""
     for model in SummaryPart.__subclasses__():
         model.model_rebuild()
-    _versions()
+    versions()
 
 
 @functools.cache
-def _versions() -> dict[str, str]:
+def versions() -> dict[str, str]:
+    """Versions on which a session's digest depends, by package."""
     names = ("skytender", "pymavlink", "numpy", "numba")
     return {"python": platform.python_version(), **{name: version(name) for name in names}}

@@ -161,7 +161,7 @@ def fly(folder: Path, row: int, out: Path | None, only: bool, quiet: bool) -> in
     from gcs.report.make import make as make_report
     from gcs.scenario.file import dump
     from gcs.session import supervised
-    from gcs.session.plain_text import PlainView, QuietView
+    from gcs.session.plain_text import PlainView, View
 
     plan = _found(folder)
     if row >= plan.rows:
@@ -178,7 +178,7 @@ def fly(folder: Path, row: int, out: Path | None, only: bool, quiet: bool) -> in
     if not quiet:
         click.echo(f"{scenario.name}, row {row}: the session's folder is {session}")
     arguments = [word for module in plan.modules for word in ("--modules", module)]
-    view = QuietView() if quiet else PlainView(click.echo)
+    view = View() if quiet else PlainView(click.echo)
     ended = supervised.run(session, view, str if quiet else click.echo, arguments=arguments)
     rows = table.read(folder, plan.campaign)
     recorded = rows.filter(pc.equal(rows["row"], row)).to_pylist()

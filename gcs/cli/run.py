@@ -22,7 +22,7 @@ from gcs.loading import uncollected
 
 if TYPE_CHECKING:
     from gcs.scenario.model import Scenario
-    from gcs.session.supervised import View
+    from gcs.session.plain_text import View
 
 
 @click.command(short_help="Fly a scenario and watch it.")
@@ -303,12 +303,12 @@ def _view(
     folder: Path, name: str, plain: bool, as_json: bool, *, verbose: bool, quiet: bool
 ) -> tuple[View, Callable[[str], object]]:
     """View of the session, and the writer of its last lines."""
-    from gcs.session.plain_text import JsonView, PlainView, QuietView
+    from gcs.session.plain_text import JsonView, PlainView, View
 
     if quiet or verbose:
         from gcs.session.session_log import VerboseView
 
-        return (QuietView(), str) if quiet else (VerboseView(click.echo), click.echo)
+        return (View(), str) if quiet else (VerboseView(click.echo), click.echo)
     if as_json:
         return JsonView(click.echo), lambda line: click.echo(line, err=True)
     from gcs.console.terminal import ConsoleView, usable

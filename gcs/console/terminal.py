@@ -19,7 +19,7 @@ from typing import Any
 from gcs.console.job import can_suspend
 from gcs.console.text import given_environment
 from gcs.exit import INTERRUPTED
-from gcs.session.supervised import View
+from gcs.session.plain_text import View
 
 CONSOLE = (sys.executable, "-P", "-m", "gcs.console")
 ENDS_WITHIN_S = 3.0
@@ -34,7 +34,7 @@ def usable() -> bool:
     return os.isatty(0) and os.isatty(1) and named not in ("", "dumb", "unknown")
 
 
-class ConsoleView:
+class ConsoleView(View):
     """Shows the session of `folder` in a console of its own, and through `plain` while there is none.
 
     The supervisor's standard error goes to `stderr`: it is passed on when the console does not draw.

@@ -15,7 +15,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
-from typing import IO, Any, Protocol, Self
+from typing import IO, Any, Self
 
 import click
 
@@ -26,7 +26,7 @@ from gcs.processes.hatch import Hatch, LaunchError
 from gcs.scenario.file import dump, load
 from gcs.scenario.model import Scenario, ScenarioError
 from gcs.session.client import SOCKET, Client, EarlierEvents, Lines
-from gcs.session.plain_text import QuietView, clean, farewell, mute_stdout
+from gcs.session.plain_text import View, clean, farewell, mute_stdout
 
 SUPERVISOR = (sys.executable, "-P", "-m", "gcs.session.process")
 """-P: what lies in the current folder is no module of ours."""
@@ -42,19 +42,6 @@ class RunError(click.ClickException):
     """Why nothing could be started: one sentence for a person."""
 
     exit_code = BAD_INPUT
-
-
-class View(Protocol):
-    """Shows snapshots as they come."""
-
-    def show(self, snapshot: Any) -> None:
-        """Take in the newest state."""
-
-    def tick(self, now_s: float) -> None:
-        """Show what is due at wall time `now_s`."""
-
-    def close(self) -> None:
-        """Show the last state and let go of the screen."""
 
 
 class Signals:
@@ -387,11 +374,11 @@ def _watch(process: Supervised, signals: Signals, view: View, hurry: Callable[[]
             except BrokenPipeError:  # the reader of our lines is gone, as with `| head`
                 interrupted = interrupted or signal.SIGPIPE
                 process.interrupt(now_s)
-                view = QuietView()
+                view = View()
                 mute_stdout()
             except OSError as error:  # the session goes on unseen
                 print(f"gcs: cannot show the session: {error.strerror}; it goes on", file=sys.stderr)
-                view = QuietView()
+                view = View()
                 mute_stdout()
             if watched is not None and not watched.connected:
                 selector.unregister(watched)

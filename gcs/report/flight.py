@@ -8,7 +8,7 @@ takes them from the figures.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import Any
 
 import msgspec
@@ -21,7 +21,7 @@ from gcs.recording.tick_record import event_of
 from gcs.report.findings import Findings
 from gcs.report.pack import Pack
 from gcs.session.message_types import GoalRow, MemberRow, SessionLine
-from gcs.session.messages import NO_GOAL, event_row, goal_of, session_message
+from gcs.session.messages import NO_GOAL, event_row, first_broken, goal_of, session_message
 from gcs.telemetry.events import Event, level_of
 
 MANY = 16
@@ -160,11 +160,6 @@ def _served(service: Any) -> dict[str, Any]:
     return {key: getattr(service, key) for key in keys}
 
 
-def _broken(found: Findings) -> list[Mapping[str, Any]]:
-    first: dict[str, Mapping[str, Any]] = {}
-    for record in sorted(found.recorded.decisions, key=lambda one: float(one.get("at_s", one["t_s"]))):
-        if record["kind"] == "violation":
-            part = str(record["part"])
-            told = {"part": part, "text": f"{part}: {record['text']}", "t_s": float(record["at_s"])}
-            first.setdefault(part, told)
-    return list(first.values())
+def _broken(found: Findings) -> list[dict[str, Any]]:
+    violations = (record for record in found.recorded.decisions if record["kind"] == "violation")
+    return first_broken(sorted(violations, key=lambda record: float(record["at_s"])))

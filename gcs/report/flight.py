@@ -20,7 +20,7 @@ from gcs.recording.series import GAP_S, Floats, Series, Track, rows_of
 from gcs.recording.tick_record import event_of
 from gcs.report.findings import Findings
 from gcs.report.pack import Pack
-from gcs.session.message_types import GoalRow, MemberRow, SessionLine
+from gcs.session.message_types import GoalRow, MemberRow, ServedRow, SessionLine
 from gcs.session.messages import NO_GOAL, event_row, first_broken, goal_of, session_message
 from gcs.telemetry.events import Event, level_of
 
@@ -62,7 +62,7 @@ def flight(found: Findings, pack: Pack) -> dict[str, Any] | None:
         "traffic": traffic,
         "words": _words(found),
         "events": [msgspec.to_builtins(event_row(event)) for event in _events(found)][-MOST_EVENTS:],
-        "history": [_served(service) for service in found.services],
+        "history": [{key: getattr(service, key) for key in ServedRow.__struct_fields__} for service in found.services],
         "threshold": rules.competition.share if rules is not None else 0.9,
         "goal": {**(goal_of(rules) if rules is not None else NO_GOAL), "pursue_held_s": None, "broken": _broken(found)},
     }
@@ -153,11 +153,6 @@ def _decided(found: Findings) -> Iterator[Event]:
                 yield event_of(record)
             except (KeyError, TypeError, ValueError):
                 continue  # of another version: what the report cannot tell of it, its top has said already
-
-
-def _served(service: Any) -> dict[str, Any]:
-    keys = ("receiver", "tanker", "base", "by", "decided_at_s", "joined_at_s", "start_s", "end_s", "energy_j", "reason")
-    return {key: getattr(service, key) for key in keys}
 
 
 def _broken(found: Findings) -> list[dict[str, Any]]:

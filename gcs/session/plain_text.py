@@ -35,6 +35,11 @@ def name_of(snapshot: Snapshot, sysid: int | None) -> str:
     for vehicle in snapshot["vehicles"]:
         if vehicle["sysid"] == sysid:
             return clean(vehicle["label"])
+    return unnamed(sysid)
+
+
+def unnamed(sysid: int | None) -> str:
+    """Words for who says something and has no label."""
     return "traffic" if sysid == 255 else f"vehicle {sysid}" if sysid else "session"
 
 

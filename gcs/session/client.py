@@ -21,7 +21,7 @@ GONE_S = 3.0
 SOCKET = "session.sock"
 READ_BYTES = 1 << 16
 NEXT, STOP = b"n", b"s"
-"""What a program says that reads snapshots on a channel of its own."""
+"""Words of a program that reads snapshots on a channel of its own."""
 
 
 class Client:

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from gcs.cli import page
-from gcs.cli.options import PLAIN, limits, refuse_two_shows, speed_limits
+from gcs.cli.options import PLAIN, limits, refuse_two_shows, speed_option
 from gcs.exit import NOT_DONE
 
 if TYPE_CHECKING:
@@ -41,13 +41,7 @@ def _progress(what: str) -> Iterator[Callable[[float], None]]:
 
 @click.command(short_help="Play a recorded session, or any .tlog, in the console.")
 @click.argument("session", type=click.Path(path_type=Path))
-@click.option(
-    "--speed",
-    type=float,
-    callback=speed_limits,
-    metavar="X",
-    help="Recorded seconds per second on the wall, up to 1000.  [default: 1; as lines or JSON: without waiting]",
-)
+@speed_option("Recorded seconds per second on the wall, up to 1000.  [default: 1; as lines or JSON: without waiting]")
 @click.option(
     "--from",
     "from_s",

@@ -16,7 +16,7 @@ import click
 
 from gcs.cli import author, page, report
 from gcs.cli.author import ScenarioName, ScenarioRefused, load_scenario, module_arguments
-from gcs.cli.options import ONE_STDOUT, PLAIN, limits, speed_limits
+from gcs.cli.options import ONE_STDOUT, PLAIN, key_file_option, limits, speed_option
 from gcs.exit import BAD_INPUT, NOT_DONE
 from gcs.loading import uncollected
 
@@ -28,13 +28,7 @@ if TYPE_CHECKING:
 @click.command(short_help="Fly a scenario and watch it.")
 @click.argument("scenario", type=ScenarioName())
 @click.option("--lockstep", is_flag=True, help="As fast as the machine can; the result does not depend on its load.")
-@click.option(
-    "--speed",
-    type=float,
-    callback=speed_limits,
-    metavar="X",
-    help="Session seconds per second on the wall, above 0 and up to 1000.",
-)
+@speed_option("Session seconds per second on the wall, above 0 and up to 1000.")
 @click.option(
     "--seed",
     type=int,
@@ -49,11 +43,8 @@ if TYPE_CHECKING:
     metavar="DIR",
     help="The session's folder, which must not exist yet.  [default: sessions/NAME-TIME]",
 )
-@click.option(
-    "--key-file",
-    type=click.Path(path_type=Path, dir_okay=False),
-    metavar="FILE",
-    help="MAVLink 2 signing: the key of all external vehicles, instead of what the scenario says (gcs key new).",
+@key_file_option(
+    "MAVLink 2 signing: the key of all external vehicles, instead of what the scenario says (gcs key new)."
 )
 @click.option(
     "--forward",

@@ -24,12 +24,11 @@ from gcs.recording.decisions_reader import DecisionLines
 from gcs.recording.missing import SCENARIO, passed_over, unread
 from gcs.recording.recorder import DECISIONS, TLOG
 from gcs.recording.tables import Column, Tables
-from gcs.recording.tlog_reader import AT, COMPID, MSGID, SYSID, T_US, Chunk
+from gcs.recording.tlog_reader import AT, COMPID, MSGID, SYSID, T_US, Chunk, IntArray
 from gcs.recording.truth import record_places
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
 
-IntArray = NDArray[np.int64]
 Progress = Callable[[float], None]
 LINES_AT_ONCE = 1 << 16
 NAMED = 5

@@ -9,13 +9,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from gcs.recording import tlog_reader, truth
 from gcs.recording.decisions_reader import DecisionLines
 from gcs.recording.recorder import DECISIONS, TLOG
-
-Floats = NDArray[np.float64]
+from gcs.recording.series import Floats
 
 NED_TO_PAPER = np.array([1.0, -1.0, -1.0])
 EFFORT = b"CtlEffort"

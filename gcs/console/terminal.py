@@ -19,6 +19,7 @@ from typing import Any
 from gcs.console.job import can_suspend
 from gcs.console.text import given_environment
 from gcs.exit import INTERRUPTED
+from gcs.processes.forked import await_end
 from gcs.session.plain_text import View
 
 CONSOLE = (sys.executable, "-P", "-m", "gcs.console")
@@ -74,11 +75,7 @@ class ConsoleView(View):
             self._process.terminate()
             with contextlib.suppress(ProcessLookupError):
                 self._process.send_signal(signal.SIGCONT)  # a suspended process cannot end
-            with contextlib.suppress(subprocess.TimeoutExpired):
-                self._process.wait(ENDS_WITHIN_S)
-            if self._process.poll() is None:
-                self._process.kill()
-                self._process.wait()
+            await_end(self._process, ENDS_WITHIN_S)
             self._ended()
         elif self._over:
             self._plain.close()

@@ -21,7 +21,7 @@ import click
 
 from gcs.exit import BAD_INPUT, INTERNAL_ERROR
 from gcs.loading import loaded, uncollected
-from gcs.processes.forked import ForkedProcess
+from gcs.processes.forked import ForkedProcess, await_end
 from gcs.processes.hatch import Hatch, LaunchError
 from gcs.scenario.file import dump, load
 from gcs.scenario.model import Scenario, ScenarioError
@@ -194,11 +194,7 @@ class Supervised:
     def __exit__(self, *_: object) -> None:
         with contextlib.suppress(BrokenPipeError):
             self._in.close()
-        try:
-            self._process.wait(timeout=PATIENCE_S[1])
-        except subprocess.TimeoutExpired:
-            self._process.kill()
-            self._process.wait()
+        await_end(self._process, PATIENCE_S[1])
         if self.client is not None:
             self.client.close()
         self._out.close()

@@ -87,24 +87,21 @@ def monitor(
     if not control and context.get_parameter_source("station") is click.core.ParameterSource.COMMANDLINE:
         raise click.UsageError("--station is for --control: without it nothing is said to any vehicle.")
     source, title = _session(session) if connect is None else _monitor(connect, control, key_file, station)
-    if web:
-        with contextlib.suppress(KeyboardInterrupt):
-            page.show(source, commands=connect is None or control, tiles=tiles)
-        return 0
-    if foxglove:
-        with contextlib.suppress(KeyboardInterrupt):
-            page.show_in_foxglove(source)
-        return 0
     from gcs.console.terminal import usable
 
-    if not plain and not as_json and usable():
+    if not (web or foxglove or plain or as_json) and usable():
         from gcs.console.app import show
 
         return show(source, title)
     from gcs.console.follow import follow
 
     with contextlib.suppress(KeyboardInterrupt):
-        follow(source, click.echo, as_json=as_json)
+        if web:
+            page.show(source, commands=connect is None or control, tiles=tiles)
+        elif foxglove:
+            page.show_in_foxglove(source)
+        else:
+            follow(source, click.echo, as_json=as_json)
     return 0
 
 

@@ -15,7 +15,7 @@ from typing import Any
 
 from gcs.recording import rotation
 from gcs.recording.missing import SCENARIO, passed_over, unread
-from gcs.recording.pursuit_held import HeldTimes, HeldTimesReader
+from gcs.recording.pursuit_held import HeldTimesReader
 from gcs.recording.recorder import DECISIONS, TLOG
 from gcs.recording.summary import FILE as SUMMARY
 from gcs.recording.summary import Summary
@@ -82,7 +82,7 @@ class Replay:
         self.problems += self._recording.problems
         if not self._recording.frames:
             raise ReplayError(" ".join(self._recording.problems) or f"{path} holds no MAVLink frame.")
-        self._pursuit: HeldTimes | None = reader.held_times() if reader is not None else None
+        self._pursuit = reader.held_times() if reader is not None else None
         progress(1.0)
         self.from_s, self.to_s = self._recording.from_s, self._recording.to_s
         self._wanted: frozenset[int] = frozenset()
@@ -156,7 +156,7 @@ class Replay:
             for event in self._timeline.events(self._reported_until_s, self.t_s):
                 self.observer.add_event(event)
             self.observer.ordered = self._timeline.ordered(self.t_s)
-            held_s = self._pursuit.at(self.t_s) if self._pursuit is not None else None
+            held_s = self._pursuit(self.t_s) if self._pursuit is not None else None
             more = self._timeline.at(self.observer.view(self.t_s), held_s)
         self._reported_until_s = self.t_s
         more["replay"] = {"from_s": self.from_s, "to_s": self.to_s, "speed": speed, "paused": paused}

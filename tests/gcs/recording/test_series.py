@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import json
 import math
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -219,7 +220,7 @@ def test_pursuit_is_held_from_the_first_to_the_last_tick_in_a_row_by_the_worst(h
     assert at_once.held_s == {1: longest_s(0, len(holds)), 2: longest_s(1, len(holds))}
 
 
-def course_of(folder: Path, flown: Scenario) -> pursuit_held.HeldTimes | None:
+def course_of(folder: Path, flown: Scenario) -> Callable[[float], float] | None:
     reader = pursuit_held.HeldTimesReader(flown, [])
     for chunk in tlog_reader.read(folder / "session.tlog").chunks():
         reader.add(chunk)
@@ -230,13 +231,13 @@ def test_pursuit_is_held_from_the_first_tick_on_by_who_circles_within_the_goals_
     """The first tick with a place: 0.1 s; what is told at a time was measured 0.1 s earlier, at the tick before."""
     course = course_of(recorded.folder, scenario())
     assert course is not None
-    assert course.at(0.1) == 0.0
+    assert course(0.1) == 0.0
     for t_s in (1.0, 17.3, END_S):
-        assert course.at(t_s) == pytest.approx(t_s - 0.2)
+        assert course(t_s) == pytest.approx(t_s - 0.2)
     nearer = scenario(goal={"duration_s": END_S, "pursue": {"within_m": 9.0, "for_s": 20.0}})
     outside = course_of(recorded.folder, nearer)
     assert outside is not None
-    assert outside.at(END_S) == 0.0
+    assert outside(END_S) == 0.0
     assert course_of(recorded.folder, scenario(goal={"duration_s": END_S})) is None
 
 

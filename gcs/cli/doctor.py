@@ -93,7 +93,9 @@ def _versions() -> Iterator[MachineFinding]:
             have = version(name)
         except PackageNotFoundError:
             if extra:
-                yield MachineFinding("note", name, "not installed", f"for the extra: {install_extra(extra)}")
+                yield MachineFinding(
+                    "note", name, "not installed", f"for the extra: pip install '.[{extra}]' in Skytender's checkout"
+                )
             else:
                 yield MachineFinding("problem", name, "not installed", f"install it: pip install '{name}{limits}'")
             continue
@@ -103,11 +105,6 @@ def _versions() -> Iterator[MachineFinding]:
             yield MachineFinding(
                 "problem", name, f"{have}, not {limits}", f"install another: pip install '{name}{limits}'"
             )
-
-
-def install_extra(extra: str) -> str:
-    """The command that installs one of Skytender's extras."""
-    return f"pip install '.[{extra}]' in Skytender's checkout"
 
 
 def satisfies(have: str, limits: str) -> bool:

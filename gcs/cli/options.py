@@ -69,6 +69,11 @@ def key_file_option(help: str) -> Decorator:
     return click.option("--key-file", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE", help=help)
 
 
+def out_option(help: str) -> Decorator:
+    """The option --out, a folder that need not be there."""
+    return click.option("--out", type=click.Path(path_type=Path), metavar="DIR", help=help)
+
+
 def speed_option(help: str) -> Decorator:
     """The option --speed, seconds per second on the wall."""
     holds = limits("a speed above 0 and up to 1000", lambda speed: 0.0 < speed <= 1000.0)

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from gcs.cli import page
-from gcs.cli.options import PLAIN, limits, refuse_two_shows, speed_option
+from gcs.cli.options import PLAIN, limits, out_option, refuse_two_shows, speed_option
 from gcs.exit import NOT_DONE
 
 if TYPE_CHECKING:
@@ -212,12 +212,7 @@ def _print_json(verdict: Comparison) -> None:
     required=True,
     help="Parquet needs pyarrow, MCAP foxglove-sdk.",
 )
-@click.option(
-    "--out",
-    type=click.Path(path_type=Path),
-    metavar="DIR",
-    help="A new folder, for MCAP a new file.  [default: SESSION/FORMAT, or FILE-FORMAT beside FILE.tlog]",
-)
+@out_option("A new folder, for MCAP a new file.  [default: SESSION/FORMAT, or FILE-FORMAT beside FILE.tlog]")
 def export(session: Path, form: str, out: Path | None) -> int:
     """Write SESSION, a session's folder or any .tlog file, as tables: one file per message type.
 

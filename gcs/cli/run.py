@@ -16,7 +16,7 @@ import click
 
 from gcs.cli import author, page, report
 from gcs.cli.author import ScenarioName, ScenarioRefused, load_scenario, module_arguments
-from gcs.cli.options import ONE_STDOUT, PLAIN, key_file_option, limits, speed_option
+from gcs.cli.options import ONE_STDOUT, PLAIN, key_file_option, limits, out_option, speed_option
 from gcs.exit import BAD_INPUT, NOT_DONE
 from gcs.loading import uncollected
 
@@ -37,12 +37,7 @@ if TYPE_CHECKING:
     help="Of everything random, instead of the scenario's.",
 )
 @author.SET
-@click.option(
-    "--out",
-    type=click.Path(path_type=Path),
-    metavar="DIR",
-    help="The session's folder, which must not exist yet.  [default: sessions/NAME-TIME]",
-)
+@out_option("The session's folder, which must not exist yet.  [default: sessions/NAME-TIME]")
 @key_file_option(
     "MAVLink 2 signing: the key of all external vehicles, instead of what the scenario says (gcs key new)."
 )

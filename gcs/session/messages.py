@@ -12,7 +12,7 @@ from msgspec import UNSET, UnsetType
 from gcs.refuelling import explain
 from gcs.refuelling.bidding import CompetitionState
 from gcs.refuelling.service import Phase, Service, by_text
-from gcs.scenario.goal import Judgement, asked
+from gcs.scenario.goal import asked
 from gcs.scenario.model import Obstacle, Scenario, VehicleBase
 from gcs.scenario.weather import Wind
 from gcs.session.message_types import (
@@ -162,7 +162,7 @@ def snapshot_message(
             goal=GoalStateRow(
                 **goal_of(scenario),
                 pursue_held_s=supervisor.metrics.pursuit_held_s,
-                broken=[broken_of(judged) for judged in supervisor.goal_watch.broken()],
+                broken=[BrokenRow(one.part, one.text, one.t_s) for one in supervisor.goal_watch.broken()],
             ),
             inspected=supervisor.inspection.latest(snapshot.time_s),
             events=[event_row(event) for event in events],
@@ -279,11 +279,6 @@ def session_message(
             wind=None if scenario.wind == Wind() else WindRow(scenario.wind.speed_m_s, scenario.wind.from_deg),
         )
     )
-
-
-def broken_of(judged: Judgement) -> BrokenRow:
-    """A part of the goal that can no longer be met."""
-    return BrokenRow(judged.part, judged.text, judged.t_s)
 
 
 def first_broken(violations: Iterable[Mapping[str, Any]]) -> list[dict[str, Any]]:

@@ -97,11 +97,7 @@ class Replay:
         self.observer, self.t_s = observer, self.from_s
         self._happened = 0
         for recorded in self._recording.before(t_s):
-            self._see_what_happened(recorded.t_s)
-            if recorded.sent:
-                observer.receive_sent(recorded.frame)
-            else:
-                observer.receive(recorded.frame, recorded.t_s, counted=False)
+            self._take(recorded, counted=False)
         observer.resume(self._recording.gaps_before(t_s), t_s)
         self._frames: Iterator[RecordedFrame] = self._recording.play(t_s)
         self._next: RecordedFrame | None = next(self._frames, None)
@@ -111,16 +107,10 @@ class Replay:
 
     def advance(self, t_s: float, until_wall_s: float) -> bool:
         """Play on up to a time of the recording, or of the wall clock; whether the former was reached."""
-        observer = self.observer
         count = 0
         while self._next is not None and self._next.t_s <= t_s:
-            recorded = self._next
-            self._see_what_happened(recorded.t_s)
-            if recorded.sent:
-                observer.receive_sent(recorded.frame)
-            else:
-                observer.receive(recorded.frame, recorded.t_s)
-            self.t_s = recorded.t_s
+            self._take(self._next)
+            self.t_s = self._next.t_s
             self._next = next(self._frames, None)
             count += 1
             if count % 64 == 0 and time.monotonic() > until_wall_s:
@@ -128,6 +118,13 @@ class Replay:
         self.t_s = max(self.t_s, min(t_s, self.to_s))
         self._see_what_happened(self.t_s)
         return True
+
+    def _take(self, recorded: RecordedFrame, *, counted: bool = True) -> None:
+        self._see_what_happened(recorded.t_s)
+        if recorded.sent:
+            self.observer.receive_sent(recorded.frame)
+        else:
+            self.observer.receive(recorded.frame, recorded.t_s, counted=counted)
 
     @property
     def silence_s(self) -> float:

@@ -25,7 +25,7 @@ from gcs.recording.summary import (
     VehicleLinkSummary,
     VehicleSummary,
 )
-from gcs.scenario.goal import Judgement, Nearest
+from gcs.scenario.goal import Nearest
 
 if TYPE_CHECKING:  # who only reads a summary need not load the supervisor
     from gcs.link.link import Link
@@ -46,7 +46,7 @@ def summarise(
     """Summary of a session that has ended; the link must still be open."""
     scenario, metrics, schedule = supervisor.scenario, supervisor.metrics, supervisor.schedule
     snapshot = supervisor.fleet.snapshot(supervisor.time_s)
-    goal = [_part(judged) for judged in supervisor.judged()]
+    goal = [GoalPartSummary(**asdict(one) | {"met": one.met is not False}) for one in supervisor.judged()]
     near, believed = supervisor.goal_watch.judged, supervisor.goal_watch.believed
     links = supervisor.links()
     schedule.settle(snapshot)
@@ -142,10 +142,6 @@ def _ledger(view: VehicleView, lost_j: int) -> EnergySummary:
         remaining_j=view.remaining_j,
         source=view.energy_source,
     )
-
-
-def _part(judged: Judgement) -> GoalPartSummary:
-    return GoalPartSummary(**{**asdict(judged), "met": judged.met is not False})
 
 
 def _closest(nearest: Nearest) -> ClosestSummary:

@@ -16,7 +16,7 @@ import numpy as np
 
 from gcs.mavlink.autopilots import profile_of
 from gcs.mavlink.ids import AUTOPILOT
-from gcs.recording.series import GAP_S, Floats, Series, Track, rows_of
+from gcs.recording.series import GAP_S, Floats, Series, Track, held, rows_of
 from gcs.recording.tick_record import event_of
 from gcs.report.findings import Findings
 from gcs.report.pack import Pack
@@ -119,10 +119,11 @@ def _words(found: Findings) -> dict[str, list[list[Any]]]:
         track = found.tracks[sysid]
         times = {float(beats["t_s"][k]): str(profile_of(int(told[k, 1])).mode(int(told[k, 0]))) for k in changed}
         moments = sorted({*times, *_changes(track.armed), *_changes(track.in_air)})
+        armed, in_air = (held(state, np.array(moments)) > 0.0 for state in (track.armed, track.in_air))
         mode, listed = "", []
-        for t_s in moments:
+        for t_s, is_armed, flies in zip(moments, armed.tolist(), in_air.tolist(), strict=True):
             mode = times.get(t_s, mode)
-            listed.append([round(t_s, 2), mode, _held(track.armed, t_s), _held(track.in_air, t_s)])
+            listed.append([round(t_s, 2), mode, is_armed, flies])
         words[str(sysid)] = listed
     return words
 
@@ -133,11 +134,6 @@ def _changes(series: Series) -> list[float]:
         return []
     times: list[float] = series.t_s[np.flatnonzero(np.r_[True, np.diff(series.values) != 0])].tolist()
     return times
-
-
-def _held(series: Series, t_s: float) -> bool:
-    at = int(np.searchsorted(series.t_s, t_s, side="right")) - 1
-    return at >= 0 and bool(series.values[at] > 0.0)
 
 
 def _events(found: Findings) -> list[Event]:

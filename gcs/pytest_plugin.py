@@ -30,6 +30,8 @@ from typing import Any
 
 import pytest
 
+from gcs.processes.forked import await_end
+
 READY_WITHIN_S = 120.0
 GONE_WITHIN_S = 20.0
 CAMPAIGN_MARK = (
@@ -144,11 +146,7 @@ def _started(what: int | str | os.PathLike[str]) -> Iterator[FlyingFleet]:
                 yield FlyingFleet([_vehicle(entry) for entry in json.loads(line)["vehicles"]])
             finally:
                 process.stdin.close()
-                try:
-                    process.wait(GONE_WITHIN_S)
-                except subprocess.TimeoutExpired:
-                    process.kill()
-                    process.wait()
+                await_end(process, GONE_WITHIN_S)
                 process.stdout.close()
 
 

@@ -206,7 +206,6 @@ KEPT = {
     "quiet": "--quiet",
     "_quiet": "--quiet",
     "QUIET": "--quiet",
-    "QuietView": "--quiet",
     "told": "key of session.sock",
     "trouble": "key of session.sock",
 }

@@ -23,6 +23,7 @@ from typing import IO, Any
 from gcs.campaign import table, worker
 from gcs.campaign.plan import Plan, PlannedRow
 from gcs.extras import missing
+from gcs.supervisor.summarise import versions
 
 FLUSH_EVERY_S = 2.0
 FLUSH_ROWS = 200
@@ -216,12 +217,12 @@ def _check_workers(client: Any) -> None:
     """Raises EngineError unless there are workers, all with the versions that we have."""
     try:
         client.wait_for_workers(1, timeout=CONNECT_WITHIN_S)
-        found = client.run(worker.versions)
+        found = client.run(versions)
     except TimeoutError:
         raise EngineError("the scheduler has no workers; start some with `dask worker ADDRESS --nthreads 1`") from None
     except Exception as error:
         raise EngineError(f"a worker cannot load Skytender: {type(error).__name__}: {error}") from None
-    ours = worker.versions()
+    ours = versions()
     for address, theirs in found.items():
         for package, wanted in ours.items():
             if theirs.get(package) != wanted:

@@ -3,7 +3,7 @@
 `family(name, seed)` draws from `numpy.random.SeedSequence` of the name and the seed alone, so that a document depends
 on nothing else. Every scenario allows what is wanted of it: no start and no last way point lies nearer than the
 separation and `MARGIN_M` to another's, nor nearer than `OBSTACLE_M` to an obstacle, nor does the way up to fly.
-Rings have room for their vehicles, gaps are wide enough for one. `faults` checks it. Lengths in metres, NED.
+Rings have room for their vehicles, gaps are wide enough for one. Lengths in metres, NED.
 """
 
 from __future__ import annotations
@@ -53,29 +53,6 @@ def family(name: str, seed: int) -> Document:
     document = _MAKERS[name](rng)
     named = {"schema": 1, "name": f"{name}-{seed}", "axes": "ned", "seed": int(seed), "origin": dict(ORIGIN)}
     return named | {"clock": {"mode": "lockstep", "period_s": 0.1}, "truth": True} | document
-
-
-def faults(document: Document) -> list[str]:
-    """Sentences on what a document's starts and last way points do not allow; none if all is well."""
-    separation_m = document["planner"]["separation_m"] + MARGIN_M - 2e-3  # places are rounded to 1 mm
-    vehicles = [v for group in ("pursuers", "targets", "tankers") for v in document["vehicles"].get(group, [])]
-    starts = [(v["sysid"], v["start_m"]) for v in vehicles]
-    ends = [(v["sysid"], v["waypoints_m"][-1]) for v in vehicles if v.get("waypoints_m")]
-    found = []
-    for what, places in (("start", starts), ("end", ends)):
-        for i, (one, p) in enumerate(places):
-            for other, q in places[:i]:
-                if math.dist(p, q) < separation_m:
-                    found.append(f"{one} and {other} {what} {math.dist(p, q):.3f} m apart")
-    table = table_of(document)
-    for v in vehicles:
-        up = 0.0 if v.get("airborne") else v.get("takeoff_m", TAKEOFF_M)
-        n, e, d = v["start_m"]
-        places = [[n, e, d - h] for h in np.linspace(0.0, up, 9)] + v.get("waypoints_m", [])
-        least_m = shapes.clearance(table, np.array(places)).min()
-        if least_m < OBSTACLE_M - 2e-3:
-            found.append(f"{v['sysid']} starts or ends {least_m:.3f} m from an obstacle")
-    return found
 
 
 def _pursuers(starts: FloatArray, ends: FloatArray, *, airborne: bool) -> list[Document]:

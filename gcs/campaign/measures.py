@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcs.campaign.service_orders import some_order_keeps_all
+from gcs.recording import truth
 from gcs.recording.summary import FILE, GoalPartSummary, Summary
 from gcs.refuelling.loss_bound import least_lost
 from gcs.scenario import goal
@@ -20,7 +21,6 @@ from gcs.scenario.model import Scenario
 
 REACHED_M = 0.5
 """Distance from its last way point within which a vehicle has arrived."""
-_FIXED = 18
 
 Value = float | str | None
 
@@ -41,19 +41,8 @@ class Flown:
 
     def truth(self, sysid: int) -> NDArray[np.float64]:
         """Rows of (time, north, east, down) as the vehicle itself knew them; none where it recorded nothing."""
-        try:
-            raw = (self.folder / "vehicles" / f"{sysid}.truth").read_bytes()
-        except OSError:
-            return np.empty((0, 4))
-        _, _, body = raw.partition(b"\n")
-        numbers = np.frombuffer(body[: len(body) // 8 * 8], dtype="<f8")
-        starts, at = [], 0
-        while at + _FIXED <= len(numbers):
-            starts.append(at)
-            at += _FIXED + int(numbers[at + 1])
-        return (
-            numbers[np.array(starts, dtype=np.int64)[:, None] + np.array([0, 2, 3, 4])] if starts else np.empty((0, 4))
-        )
+        rows = truth.read(self.folder, sysid, truth.PLACE)
+        return np.empty((0, len(truth.PLACE))) if rows is None else rows
 
     @functools.cached_property
     def arrivals_s(self) -> list[float]:

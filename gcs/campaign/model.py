@@ -75,11 +75,6 @@ class Draw(Part):
     together: Flag = False
     """one value for all that `*` means, instead of one for each"""
 
-    @property
-    def kind(self) -> str:
-        """Which of them it is."""
-        return next(kind for kind in KINDS if getattr(self, kind) is not None)
-
     @model_validator(mode="after")
     def _is_one(self) -> Self:
         given = [kind for kind in KINDS if getattr(self, kind) is not None]

@@ -15,7 +15,6 @@ from typing import Any
 from gcs.campaign import draws, table
 from gcs.campaign.model import Draw
 from gcs.campaign.plan import Plan, PlannedRow
-from gcs.extras import missing
 
 EXPLORED_SHARE = 0.3
 STEP = 0.03
@@ -115,10 +114,8 @@ def _suggested(trial: Any, key: str, draw: Draw) -> Any:
 
 
 def _optuna() -> Any:
-    try:
-        import optuna  # noqa: PLC0415 - an extra
-    except ImportError:
-        raise missing("a search", "Optuna", "campaign") from None
+    import optuna  # noqa: PLC0415 - an extra, which the command has required
+
     optuna.logging.set_verbosity(optuna.logging.ERROR)
     warnings.filterwarnings("ignore", category=optuna.exceptions.ExperimentalWarning)
     return optuna

@@ -68,9 +68,6 @@ def mean(values: Floats) -> Interval:
 class PairedDifference:
     """A measure's paired difference between two combinations: the second less the first."""
 
-    measure: str
-    first: int
-    second: int
     pairs: int
     difference: Interval
     effect: float
@@ -94,7 +91,7 @@ def paired(rows: pa.Table, measure: str, first: int, second: int) -> PairedDiffe
     if math.isfinite(effect) and effect != 0.0:
         z = NormalDist().inv_cdf(0.5 + CONFIDENCE / 2.0) + NormalDist().inv_cdf(0.8)
         needed = math.ceil((z / effect) ** 2) + 1
-    return PairedDifference(measure, first, second, len(changes), mean(changes), effect, needed)
+    return PairedDifference(len(changes), mean(changes), effect, needed)
 
 
 def numbers(rows: pa.Table, measure: str) -> Floats:

@@ -7,12 +7,10 @@ from __future__ import annotations
 
 import atexit
 import io
-import platform
 import tarfile
 import threading
 import time
 from collections.abc import Sequence
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -28,21 +26,9 @@ _own_core: list[int] = []
 _lock = threading.Lock()
 
 
-def versions() -> dict[str, str]:
-    """Versions in which workers and client must agree."""
-    packages = ("skytender", "numpy", "numba", "pymavlink")
-    return {"python": platform.python_version()} | {package: version(package) for package in packages}
-
-
 def fly_row(plan: Plan, row: PlannedRow | int) -> dict[str, Any]:
     """Fly a row of a plan; the row as the table has it, and `folder`, the session's as a tar, if it is kept."""
     chosen = plan.row(row) if isinstance(row, int) else row
-    head = {
-        "row": chosen.number,
-        "session": chosen.session,
-        "combination": chosen.combination,
-        "seed": chosen.seed,
-    }
     began_s, cpu_s = time.monotonic(), time.thread_time()
     try:
         scenario, values = plan.resolved(chosen)
@@ -55,7 +41,7 @@ def fly_row(plan: Plan, row: PlannedRow | int) -> dict[str, Any]:
     try:
         measured, why = _measured(plan, flight, scenario)
         fault = _fault(plan, measured)
-        row_done = {**head, **values, **measured, "fault": fault, "error": why, "ok": not fault and not why}
+        row_done = {**_head(chosen), **values, **measured, "fault": fault, "error": why, "ok": not fault and not why}
         row_done["digest"] = _digest(flight, scenario)
         row_done["kept"] = plan.campaign.keep == "all" or (plan.campaign.keep == "failed" and not row_done["ok"])
         if row_done["kept"]:
@@ -71,10 +57,7 @@ def fly_row(plan: Plan, row: PlannedRow | int) -> dict[str, Any]:
 def failed(plan: Plan, row: PlannedRow, why: str) -> dict[str, Any]:
     """The row of a session that could not be flown."""
     return {
-        "row": row.number,
-        "session": row.session,
-        "combination": row.combination,
-        "seed": row.seed,
+        **_head(row),
         **row.values,
         **dict.fromkeys(plan.campaign.measured),
         "ok": False,
@@ -85,17 +68,16 @@ def failed(plan: Plan, row: PlannedRow, why: str) -> dict[str, Any]:
     }
 
 
+def _head(row: PlannedRow) -> dict[str, int]:
+    return {"row": row.number, "session": row.session, "combination": row.combination, "seed": row.seed}
+
+
 def close() -> None:
     """End every warm process of this one."""
     with _lock:
         for sessions in _all:
             sessions.close()
         _all.clear()
-
-
-def warm_up() -> None:
-    """Have the warm process of this thread ready. Raises WarmError."""
-    _sessions().warm_up()
 
 
 def take_core(cores: Sequence[int], dask_worker: Any = None) -> None:

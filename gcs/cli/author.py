@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from gcs.cli.options import STATION_OPTION, endpoint
+from gcs.cli.options import STATION_OPTION, connect_option
 from gcs.exit import BAD_INPUT, NOT_DONE
 
 if TYPE_CHECKING:
@@ -165,12 +165,9 @@ def schema() -> int:
 
 @click.command(short_help="Write a scenario to start from.")
 @click.argument("name", default="my-scenario")
-@click.option(
-    "--connect",
-    callback=endpoint,
-    metavar="ADDRESS",
-    help="Make it of the vehicles heard there: their ids, home and battery. udpin, udpout, tcp, tcpin:HOST:PORT, or "
-    "serial:DEVICE:BAUD.",
+@connect_option(
+    "Make it of the vehicles heard there: their ids, home and battery. udpin, udpout, tcp, tcpin:HOST:PORT, or "
+    "serial:DEVICE:BAUD."
 )
 @STATION_OPTION
 @click.pass_context

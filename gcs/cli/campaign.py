@@ -15,6 +15,7 @@ import click
 
 from gcs.cli.author import SET, load_scenario
 from gcs.cli.campaign_progress import ProgressLine
+from gcs.cli.options import out_option
 from gcs.exit import BAD_INPUT, DONE, NOT_DONE
 
 if TYPE_CHECKING:
@@ -24,9 +25,7 @@ if TYPE_CHECKING:
 
 
 SEED = click.option("--seed", type=click.IntRange(0), metavar="N", help="Instead of the file's.")
-OUT = click.option(
-    "--out", type=click.Path(path_type=Path), metavar="DIR", help="A new folder.  [default: campaigns/NAME-TIME]"
-)
+OUT = out_option("A new folder.  [default: campaigns/NAME-TIME]")
 FOLDER = click.argument("folder", metavar="DIR", type=click.Path(path_type=Path, file_okay=False))
 SCHEDULER = click.option(
     "--scheduler", metavar="ADDRESS", help="Fly on the workers of this Dask scheduler, such as tcp://HOST:8786."
@@ -140,7 +139,7 @@ def status(folder: Path) -> int:
 @campaign.command(short_help="Fly one session of a campaign again.")
 @FOLDER
 @click.argument("row", type=click.IntRange(0))
-@click.option("--out", type=click.Path(path_type=Path), metavar="DIR", help="The session's folder.")
+@out_option("The session's folder.")
 @click.option("--scenario", "only", is_flag=True, help="Print the scenario instead of flying it.")
 @QUIET
 def fly(folder: Path, row: int, out: Path | None, only: bool, quiet: bool) -> int:
@@ -161,7 +160,7 @@ def fly(folder: Path, row: int, out: Path | None, only: bool, quiet: bool) -> in
     from gcs.report.make import make as make_report
     from gcs.scenario.file import dump
     from gcs.session import supervised
-    from gcs.session.plain_text import PlainView, QuietView
+    from gcs.session.plain_text import PlainView, View
 
     plan = _found(folder)
     if row >= plan.rows:
@@ -178,7 +177,7 @@ def fly(folder: Path, row: int, out: Path | None, only: bool, quiet: bool) -> in
     if not quiet:
         click.echo(f"{scenario.name}, row {row}: the session's folder is {session}")
     arguments = [word for module in plan.modules for word in ("--modules", module)]
-    view = QuietView() if quiet else PlainView(click.echo)
+    view = View() if quiet else PlainView(click.echo)
     ended = supervised.run(session, view, str if quiet else click.echo, arguments=arguments)
     rows = table.read(folder, plan.campaign)
     recorded = rows.filter(pc.equal(rows["row"], row)).to_pylist()

@@ -11,7 +11,7 @@ import socket
 import subprocess
 import sys
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, requires, version
 from pathlib import Path
@@ -19,6 +19,7 @@ from typing import Literal
 
 from gcs.cli.autopilot_programs import REAL_AUTOPILOTS
 from gcs.link.socket import BUFFER_BYTES
+from gcs.processes.hatch import vehicle_program
 
 PACKAGE = "skytender"
 OLDEST_PYTHON = (3, 11)
@@ -39,9 +40,16 @@ class MachineFinding:
 
 
 def examine() -> Iterator[MachineFinding]:
-    """Every finding, in the order in which a person would want to know."""
+    """Every finding, in the order in which a person would want to know.
+
+    A check that cannot even be made, as when a package is missing, is a finding and not the end.
+    """
     for check in CHECKS:
-        yield from check()
+        try:
+            yield from check()
+        except Exception as error:
+            what = check.__name__.strip("_").replace("_", " ")
+            yield MachineFinding("problem", what, f"{type(error).__name__}: {error}", "see the problems above, if any")
 
 
 def _python() -> Iterator[MachineFinding]:
@@ -85,7 +93,9 @@ def _versions() -> Iterator[MachineFinding]:
             have = version(name)
         except PackageNotFoundError:
             if extra:
-                yield MachineFinding("note", name, "not installed", f"for the extra: {install_extra(extra)}")
+                yield MachineFinding(
+                    "note", name, "not installed", f"for the extra: pip install '.[{extra}]' in Skytender's checkout"
+                )
             else:
                 yield MachineFinding("problem", name, "not installed", f"install it: pip install '{name}{limits}'")
             continue
@@ -95,11 +105,6 @@ def _versions() -> Iterator[MachineFinding]:
             yield MachineFinding(
                 "problem", name, f"{have}, not {limits}", f"install another: pip install '{name}{limits}'"
             )
-
-
-def install_extra(extra: str) -> str:
-    """The command that installs one of Skytender's extras."""
-    return f"pip install '.[{extra}]' in Skytender's checkout"
 
 
 def satisfies(have: str, limits: str) -> bool:
@@ -123,8 +128,7 @@ def _numbers(text: str) -> tuple[int, ...]:
 
 
 def _programs() -> Iterator[MachineFinding]:
-    beside = Path(sys.executable).with_name("simvehicle")
-    program = str(beside) if beside.exists() else shutil.which("simvehicle")
+    program = vehicle_program()
     if program is None:
         yield MachineFinding(
             "problem", "simvehicle", "not found", "it comes with Skytender: install that again with pip"
@@ -282,33 +286,17 @@ def _own_scenarios() -> Iterator[MachineFinding]:
         yield MachineFinding("ok", "scenarios", ", ".join(shipped_names()))
 
 
-def _safely(check: Callable[[], Iterator[MachineFinding]]) -> Callable[[], Iterator[MachineFinding]]:
-    """A check that cannot even be made, as when a package is missing, is a finding and not the end."""
-
-    def run() -> Iterator[MachineFinding]:
-        try:
-            yield from check()
-        except Exception as error:
-            what = check.__name__.strip("_").replace("_", " ")
-            yield MachineFinding("problem", what, f"{type(error).__name__}: {error}", "see the problems above, if any")
-
-    return run
-
-
-CHECKS = [
-    _safely(check)
-    for check in (
-        _python,
-        _system,
-        _versions,
-        _programs,
-        _sockets,
-        _session_socket,
-        _port,
-        _folder,
-        _cache,
-        _terminal,
-        _autopilots,
-        _own_scenarios,
-    )
-]
+CHECKS = (
+    _python,
+    _system,
+    _versions,
+    _programs,
+    _sockets,
+    _session_socket,
+    _port,
+    _folder,
+    _cache,
+    _terminal,
+    _autopilots,
+    _own_scenarios,
+)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from gcs.cli.options import STATION_OPTION, connecting, endpoint
+from gcs.cli.options import STATION_OPTION, connect_option, connecting, key_file_option
 from gcs.exit import BAD_INPUT
 from gcs.scenario.endpoint import Endpoint
 
@@ -30,13 +30,9 @@ class Refused(click.ClickException):
 def of_the_fleet(command: Callable[..., Any]) -> Callable[..., Any]:
     """The options of every command that asks a fleet."""
     for option in (
-        click.option(
-            "--connect",
+        connect_option(
+            "Where the vehicles are: udpin, udpout, tcp, tcpin:HOST:PORT, or serial:DEVICE:BAUD.",
             default="udpin:127.0.0.1:14550",
-            show_default=True,
-            callback=endpoint,
-            metavar="ADDRESS",
-            help="Where the vehicles are: udpin, udpout, tcp, tcpin:HOST:PORT, or serial:DEVICE:BAUD.",
         ),
         click.option(
             "--sysid",
@@ -45,12 +41,7 @@ def of_the_fleet(command: Callable[..., Any]) -> Callable[..., Any]:
             multiple=True,
             help="Only this vehicle; may be given again.  [default: all that are heard]",
         ),
-        click.option(
-            "--key-file",
-            type=click.Path(path_type=Path, dir_okay=False),
-            metavar="FILE",
-            help="MAVLink 2 signing: sign, and take only what is signed with this key.",
-        ),
+        key_file_option("MAVLink 2 signing: sign, and take only what is signed with this key."),
         click.option(
             "--within",
             type=click.FloatRange(0.1),

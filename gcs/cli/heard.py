@@ -5,11 +5,9 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-import click
 import pymap3d
 
-from gcs.cli.fleet_options import fleet_at
-from gcs.exit import BAD_INPUT
+from gcs.cli.fleet_options import Refused, fleet_at
 from gcs.mavlink.ids import STATION
 from gcs.mavlink.parameter_client import ParameterClient
 from gcs.scenario.endpoint import Endpoint
@@ -26,12 +24,6 @@ HEIGHT_M = 5.0
 MESSAGES = ("HOME_POSITION", "GLOBAL_POSITION_INT", "SYS_STATUS")
 
 
-class NothingKnown(click.ClickException):
-    """No scenario can be made of what was heard."""
-
-    exit_code = BAD_INPUT
-
-
 def scenario(at: Endpoint, name: str, station: tuple[int, int]) -> str:
     """The scenario as YAML: each vehicle hovers above its home. `station`: our ids, which the scenario gets too where
     they are not the usual ones. Raises click.ClickException where nobody is there, or
@@ -42,7 +34,7 @@ def scenario(at: Endpoint, name: str, station: tuple[int, int]) -> str:
     homes = {sysid: home for sysid, messages in sorted(told.items()) if (home := _home(messages)) is not None}
     silent = sorted(told.keys() - homes.keys())
     if not homes:
-        raise NothingKnown(f"vehicle {', '.join(map(str, silent))} does not say where it is yet: wait for its GPS")
+        raise Refused(f"vehicle {', '.join(map(str, silent))} does not say where it is yet: wait for its GPS")
     first, (lat, lon, alt) = next(iter(homes.items()))
     lines = [
         f"# Vehicles heard at {at.text}. Next: gcs check, gcs validate, then gcs run",

@@ -11,7 +11,7 @@ from typing import Any
 import click
 
 from gcs.cli.author import ScenarioName, load_scenario
-from gcs.cli.options import endpoint
+from gcs.cli.options import endpoint, out_option
 from gcs.scenario.endpoint import Endpoint
 
 
@@ -37,9 +37,7 @@ def _checked_address(ctx: click.Context, param: click.Parameter, value: str | No
     help="All vehicles are there: they speak to a udpout; at any other address gcs stands between as a router.  "
     "[default: each listens at a port of its own]",
 )
-@click.option(
-    "--out", type=click.Path(path_type=Path), metavar="DIR", help="Keep parameters and logs in this new folder."
-)
+@out_option("Keep parameters and logs in this new folder.")
 @click.option("--json", "as_json", is_flag=True, help="The vehicles' addresses as one line of JSON.")
 @click.option("--until-eof", is_flag=True, help="End them when standard input closes, as when the caller dies.")
 def launch(scenario: str, connect: Endpoint | None, out: Path | None, as_json: bool, until_eof: bool) -> int:

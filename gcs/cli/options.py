@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 
 import click
@@ -31,9 +32,6 @@ def limits(wanted: str, holds: Callable[[Any], bool]) -> Callable[[click.Context
     return check
 
 
-speed_limits = limits("a speed above 0 and up to 1000", lambda speed: 0.0 < speed <= 1000.0)
-
-
 def endpoint(ctx: click.Context, param: click.Parameter, value: str | None) -> Endpoint | None:
     """The callback of an option that is an address."""
     if value is None:
@@ -53,6 +51,33 @@ def _station(ctx: click.Context, param: click.Parameter, value: str) -> tuple[in
     if not (1 <= ids[0] <= 255 and 2 <= ids[1] <= 255):
         raise click.BadParameter(f"{value} is no station's: SYSID is 1 to 255, COMPID 2 to 255.", ctx, param)
     return ids
+
+
+Decorator = Callable[[Callable[..., Any]], Callable[..., Any]]
+
+
+def connect_option(help: str, *, default: str | None = None) -> Decorator:
+    """The option --connect, an address."""
+    shown = default is not None
+    return click.option(
+        "--connect", default=default, show_default=shown, callback=endpoint, metavar="ADDRESS", help=help
+    )
+
+
+def key_file_option(help: str) -> Decorator:
+    """The option --key-file, a key of MAVLink 2 signing."""
+    return click.option("--key-file", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE", help=help)
+
+
+def out_option(help: str) -> Decorator:
+    """The option --out, a folder that need not be there."""
+    return click.option("--out", type=click.Path(path_type=Path), metavar="DIR", help=help)
+
+
+def speed_option(help: str) -> Decorator:
+    """The option --speed, seconds per second on the wall."""
+    holds = limits("a speed above 0 and up to 1000", lambda speed: 0.0 < speed <= 1000.0)
+    return click.option("--speed", type=float, callback=holds, metavar="X", help=help)
 
 
 STATION_OPTION = click.option(

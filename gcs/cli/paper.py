@@ -9,12 +9,13 @@ from pathlib import Path
 
 import click
 
+from gcs.cli.options import out_option
 from gcs.exit import NOT_DONE
 from gcs.extras import missing
 
 
 @click.command(short_help="Fly the paper's examples and judge its claims.")
-@click.option("--out", type=click.Path(path_type=Path), metavar="DIR", help="A new folder.  [default: paper-TIME]")
+@out_option("A new folder.  [default: paper-TIME]")
 @click.option(
     "--only",
     metavar="NAME,NAME",

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from gcs.cli import page
-from gcs.cli.options import PLAIN, limits, refuse_two_shows, speed_limits
+from gcs.cli.options import PLAIN, limits, out_option, refuse_two_shows, speed_option
 from gcs.exit import NOT_DONE
 
 if TYPE_CHECKING:
@@ -41,13 +41,7 @@ def _progress(what: str) -> Iterator[Callable[[float], None]]:
 
 @click.command(short_help="Play a recorded session, or any .tlog, in the console.")
 @click.argument("session", type=click.Path(path_type=Path))
-@click.option(
-    "--speed",
-    type=float,
-    callback=speed_limits,
-    metavar="X",
-    help="Recorded seconds per second on the wall, up to 1000.  [default: 1; as lines or JSON: without waiting]",
-)
+@speed_option("Recorded seconds per second on the wall, up to 1000.  [default: 1; as lines or JSON: without waiting]")
 @click.option(
     "--from",
     "from_s",
@@ -218,12 +212,7 @@ def _print_json(verdict: Comparison) -> None:
     required=True,
     help="Parquet needs pyarrow, MCAP foxglove-sdk.",
 )
-@click.option(
-    "--out",
-    type=click.Path(path_type=Path),
-    metavar="DIR",
-    help="A new folder, for MCAP a new file.  [default: SESSION/FORMAT, or FILE-FORMAT beside FILE.tlog]",
-)
+@out_option("A new folder, for MCAP a new file.  [default: SESSION/FORMAT, or FILE-FORMAT beside FILE.tlog]")
 def export(session: Path, form: str, out: Path | None) -> int:
     """Write SESSION, a session's folder or any .tlog file, as tables: one file per message type.
 

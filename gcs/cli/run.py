@@ -16,25 +16,19 @@ import click
 
 from gcs.cli import author, page, report
 from gcs.cli.author import ScenarioName, ScenarioRefused, load_scenario, module_arguments
-from gcs.cli.options import ONE_STDOUT, PLAIN, limits, speed_limits
+from gcs.cli.options import ONE_STDOUT, PLAIN, key_file_option, limits, out_option, speed_option
 from gcs.exit import BAD_INPUT, NOT_DONE
 from gcs.loading import uncollected
 
 if TYPE_CHECKING:
     from gcs.scenario.model import Scenario
-    from gcs.session.supervised import View
+    from gcs.session.plain_text import View
 
 
 @click.command(short_help="Fly a scenario and watch it.")
 @click.argument("scenario", type=ScenarioName())
 @click.option("--lockstep", is_flag=True, help="As fast as the machine can; the result does not depend on its load.")
-@click.option(
-    "--speed",
-    type=float,
-    callback=speed_limits,
-    metavar="X",
-    help="Session seconds per second on the wall, above 0 and up to 1000.",
-)
+@speed_option("Session seconds per second on the wall, above 0 and up to 1000.")
 @click.option(
     "--seed",
     type=int,
@@ -43,17 +37,9 @@ if TYPE_CHECKING:
     help="Of everything random, instead of the scenario's.",
 )
 @author.SET
-@click.option(
-    "--out",
-    type=click.Path(path_type=Path),
-    metavar="DIR",
-    help="The session's folder, which must not exist yet.  [default: sessions/NAME-TIME]",
-)
-@click.option(
-    "--key-file",
-    type=click.Path(path_type=Path, dir_okay=False),
-    metavar="FILE",
-    help="MAVLink 2 signing: the key of all external vehicles, instead of what the scenario says (gcs key new).",
+@out_option("The session's folder, which must not exist yet.  [default: sessions/NAME-TIME]")
+@key_file_option(
+    "MAVLink 2 signing: the key of all external vehicles, instead of what the scenario says (gcs key new)."
 )
 @click.option(
     "--forward",
@@ -303,12 +289,12 @@ def _view(
     folder: Path, name: str, plain: bool, as_json: bool, *, verbose: bool, quiet: bool
 ) -> tuple[View, Callable[[str], object]]:
     """View of the session, and the writer of its last lines."""
-    from gcs.session.plain_text import JsonView, PlainView, QuietView
+    from gcs.session.plain_text import JsonView, PlainView, View
 
     if quiet or verbose:
         from gcs.session.session_log import VerboseView
 
-        return (QuietView(), str) if quiet else (VerboseView(click.echo), click.echo)
+        return (View(), str) if quiet else (VerboseView(click.echo), click.echo)
     if as_json:
         return JsonView(click.echo), lambda line: click.echo(line, err=True)
     from gcs.console.terminal import ConsoleView, usable

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import click
 
 from gcs.cli import page
-from gcs.cli.options import PLAIN, STATION_OPTION, connecting, endpoint, refuse_two_shows
+from gcs.cli.options import PLAIN, STATION_OPTION, connect_option, connecting, key_file_option, refuse_two_shows
 from gcs.scenario.endpoint import LISTENS, Endpoint
 from gcs.session.client import SOCKET
 
@@ -21,23 +21,17 @@ if TYPE_CHECKING:
 
 @click.command(short_help="Watch a session that runs already, or any fleet.")
 @click.argument("session", required=False, type=click.Path(path_type=Path, file_okay=False))
-@click.option(
-    "--connect",
-    callback=endpoint,
-    metavar="ADDRESS",
-    help="Watch whoever is heard there instead of a session: any autopilot, any number, nothing to configure. udpin, "
-    "udpout, tcp, tcpin:HOST:PORT, or serial:DEVICE:BAUD.",
+@connect_option(
+    "Watch whoever is heard there instead of a session: any autopilot, any number, nothing to configure. udpin, "
+    "udpout, tcp, tcpin:HOST:PORT, or serial:DEVICE:BAUD."
 )
 @click.option(
     "--control",
     is_flag=True,
     help="With --connect: also speak: ask for streams, order hold, return and land.",
 )
-@click.option(
-    "--key-file",
-    type=click.Path(path_type=Path, dir_okay=False),
-    metavar="FILE",
-    help="With --connect: MAVLink 2 signing; take only what is signed with this key, and sign what --control sends.",
+@key_file_option(
+    "With --connect: MAVLink 2 signing; take only what is signed with this key, and sign what --control sends."
 )
 @STATION_OPTION
 @PLAIN
@@ -93,24 +87,21 @@ def monitor(
     if not control and context.get_parameter_source("station") is click.core.ParameterSource.COMMANDLINE:
         raise click.UsageError("--station is for --control: without it nothing is said to any vehicle.")
     source, title = _session(session) if connect is None else _monitor(connect, control, key_file, station)
-    if web:
-        with contextlib.suppress(KeyboardInterrupt):
-            page.show(source, commands=connect is None or control, tiles=tiles)
-        return 0
-    if foxglove:
-        with contextlib.suppress(KeyboardInterrupt):
-            page.show_in_foxglove(source)
-        return 0
     from gcs.console.terminal import usable
 
-    if not plain and not as_json and usable():
+    if not (web or foxglove or plain or as_json) and usable():
         from gcs.console.app import show
 
         return show(source, title)
     from gcs.console.follow import follow
 
     with contextlib.suppress(KeyboardInterrupt):
-        follow(source, click.echo, as_json=as_json)
+        if web:
+            page.show(source, commands=connect is None or control, tiles=tiles)
+        elif foxglove:
+            page.show_in_foxglove(source)
+        else:
+            follow(source, click.echo, as_json=as_json)
     return 0
 
 

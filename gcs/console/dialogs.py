@@ -79,8 +79,8 @@ class Confirm(Dialog[bool]):
     """A question and the state of what it is about, as it changes; `insist` also takes a second Ctrl-C as yes."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("y,enter", "answer(True)"),
-        Binding("n,escape,q", "answer(False)"),
+        Binding("y,enter", "dismiss(True)"),
+        Binding("n,escape,q", "dismiss(False)"),
         Binding("ctrl+c", "interrupt", priority=True),
     ]
 
@@ -96,10 +96,6 @@ class Confirm(Dialog[bool]):
         yes = "y, Enter or Ctrl-C" if self._insist else "y or Enter"
         return [*lines, [], [(yes, "key"), (" yes    ", ""), ("n or Esc", "key"), (" no", "")]]
 
-    def action_answer(self, yes: bool) -> None:
-        """Close with the answer."""
-        self.dismiss(yes)
-
     def action_interrupt(self) -> None:
         """A second Ctrl-C confirms the first; anywhere else it cancels."""
         self.dismiss(self._insist)
@@ -112,7 +108,7 @@ class Choose(Dialog[int | None]):
         Binding("up,k", "move(-1)"),
         Binding("down,j", "move(1)"),
         Binding("enter,y", "take"),
-        Binding("escape,n,q,ctrl+c", "cancel", priority=True),
+        Binding("escape,n,q,ctrl+c", "dismiss", priority=True),
     ]
 
     def __init__(self, question: str, options: Sequence[tuple[int, str]], glyphs: Glyphs) -> None:
@@ -154,10 +150,6 @@ class Choose(Dialog[int | None]):
         """Close with the present option."""
         self.dismiss(self._options[self._at][0])
 
-    def action_cancel(self) -> None:
-        """Close without one."""
-        self.dismiss(None)
-
 
 def _hanging(line: StyledLine, width: int) -> StyledLines:
     """The line over as many as it needs; its last span goes on below itself."""
@@ -175,7 +167,7 @@ class Help(Dialog[None]):
 
     DEFAULT_CSS = "Help > #box { width: 78; }"
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape,q,question_mark,enter,ctrl+c", "close", priority=True),
+        Binding("escape,q,question_mark,enter,ctrl+c", "dismiss", priority=True),
         Binding("up,k", "move(-1)"),
         Binding("down,j,space", "move(1)"),
     ]
@@ -202,15 +194,11 @@ class Help(Dialog[None]):
         self._at += step
         self.redraw()
 
-    def action_close(self) -> None:
-        """Back to the pages."""
-        self.dismiss(None)
-
 
 class Look(Dialog[str | None]):
     """Words to look for."""
 
-    BINDINGS: ClassVar[list[BindingType]] = [Binding("escape,ctrl+c", "cancel", priority=True)]
+    BINDINGS: ClassVar[list[BindingType]] = [Binding("escape,ctrl+c", "dismiss", priority=True)]
 
     def __init__(self, question: str, words: str, glyphs: Glyphs) -> None:
         super().__init__(glyphs)
@@ -240,7 +228,3 @@ class Look(Dialog[str | None]):
     def on_input_submitted(self, event: Input.Submitted) -> None:
         """Close with the words."""
         self.dismiss(event.value.strip())
-
-    def action_cancel(self) -> None:
-        """Leave the filter as it is."""
-        self.dismiss(None)

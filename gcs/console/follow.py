@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable
 
 from gcs.session.client import Message, MessageSource
-from gcs.session.plain_text import JsonView, PlainView, mute_stdout, outcome_line
+from gcs.session.plain_text import JsonView, PlainView, View, mute_stdout, outcome_line
 
 LOOK_EVERY_S = 0.1
 STEP_S = 0.5
@@ -42,7 +42,7 @@ def follow(
 
     clock, wait: by which what is shown now and then is due, and how the next look is waited for.
     """
-    view: PlainView | JsonView = JsonView(write) if as_json else PlainView(write)
+    view = JsonView(write) if as_json else PlainView(write)
     try:
         end: Message | None = None
         while end is None and not over():
@@ -59,9 +59,7 @@ def follow(
         source.close()
 
 
-def _show(
-    source: MessageSource, view: PlainView | JsonView, write: Callable[[str], object], *, as_json: bool
-) -> Message | None:
+def _show(source: MessageSource, view: View, write: Callable[[str], object], *, as_json: bool) -> Message | None:
     """Show what has come; the message that ends it, if that was among it."""
     for message in source.receive():
         kind = message.get("type")

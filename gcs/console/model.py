@@ -8,7 +8,7 @@ from typing import Any
 
 from gcs.scenario.colours import DARK
 from gcs.session.client import Message
-from gcs.session.plain_text import clean
+from gcs.session.plain_text import clean, unnamed
 
 EVENTS = 5000
 TRAIL_EVERY_S, TRAIL_LENGTH = 0.5, 120
@@ -150,7 +150,7 @@ class SessionModel:
         vehicle = self.vehicles.get(number) or self.known.get(number)
         if vehicle is not None:
             return clean(vehicle.get("label") or f"vehicle {number}")
-        return "traffic" if number == 255 else f"vehicle {number}" if number else "session"
+        return unnamed(number)
 
 
 def severity(vehicle: Vehicle) -> int:

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from gcs.console.dialogs import Choose, Confirm
-from gcs.console.model import Vehicle
-from gcs.console.operator_commands import command, question, ready, targets
+from gcs.console.model import SessionModel, Vehicle
 from gcs.console.pages import fleet
 from gcs.console.shell import Shell
 from gcs.console.text import number
@@ -34,7 +33,7 @@ class OperatorControls:
         elif not seen.control:
             self._say(f"{'a recording' if seen.replay is not None else 'this source'} takes no commands")
         else:
-            order = ready(next(order for order in ORDERS if order.command == name), seen)
+            order = _ready(next(order for order in ORDERS if order.command == name), seen)
             sysid = chosen if order.of_vehicle else None
             if order.of_vehicle and sysid is None:
                 self._say("no vehicle is chosen")
@@ -55,11 +54,12 @@ class OperatorControls:
             now = [] if vehicle is None else [_state(vehicle)]
             return ". ".join([*now, *([order.means] if order.means else [])])
 
-        self._app.push_screen(Confirm(question(order, seen, sysid), detail, glyphs, insist=insist), answer)
+        self._app.push_screen(Confirm(order.question.format(seen.name(sysid)), detail, glyphs, insist=insist), answer)
 
     def _ask_target(self, order: OperatorCommand, sysid: int | None) -> None:
         seen, glyphs = self._app.seen, self._app.glyphs
-        options = [(target, seen.name(target)) for target in targets(seen)]
+        targets = sorted(sysid for sysid, vehicle in seen.vehicles.items() if vehicle.get("role") == "target")
+        options = [(target, seen.name(target)) for target in targets]
         if not options:
             self._say("there is no target")
             return
@@ -68,11 +68,13 @@ class OperatorControls:
             if target is not None:
                 self._send(order, sysid, target)
 
-        self._app.push_screen(Choose(question(order, seen, sysid), options, glyphs), answer)
+        self._app.push_screen(Choose(order.question.format(seen.name(sysid)), options, glyphs), answer)
 
     def _send(self, order: OperatorCommand, sysid: int | None, target: int | None = None) -> None:
         self._sent += 1
-        content = command(order, sysid, target, self._sent)
+        content: dict[str, object] = {"command": order.command, "id": f"console-{self._sent}"}
+        content |= {"sysid": sysid} if order.of_vehicle else {}
+        content |= {} if target is None else {"target": target}
         what = f"{order.name} {self._app.seen.name(sysid)}" if sysid is not None else order.name
         self._names[str(content["id"])] = what
         self._app.source.send(content)
@@ -106,6 +108,13 @@ class OperatorControls:
     def seek(self, steps: int) -> None:
         """Ten seconds on or back per step."""
         self._app.source.send({"command": "seek", "t_s": self._app.seen.t_s + SEEK_S * steps})
+
+
+def _ready(order: OperatorCommand, seen: SessionModel) -> OperatorCommand:
+    """The order as it stands now: a paused session resumes."""
+    if order.command == "pause" and seen.phase == "paused":
+        return OperatorCommand(order.key, "resume", "resume", order.what, "Go on with the session?", of_vehicle=False)
+    return order
 
 
 def _state(vehicle: Vehicle) -> str:

@@ -19,7 +19,8 @@ from typing import Any
 from gcs.console.job import can_suspend
 from gcs.console.text import given_environment
 from gcs.exit import INTERRUPTED
-from gcs.session.supervised import View
+from gcs.processes.forked import await_end
+from gcs.session.plain_text import View
 
 CONSOLE = (sys.executable, "-P", "-m", "gcs.console")
 ENDS_WITHIN_S = 3.0
@@ -34,7 +35,7 @@ def usable() -> bool:
     return os.isatty(0) and os.isatty(1) and named not in ("", "dumb", "unknown")
 
 
-class ConsoleView:
+class ConsoleView(View):
     """Shows the session of `folder` in a console of its own, and through `plain` while there is none.
 
     The supervisor's standard error goes to `stderr`: it is passed on when the console does not draw.
@@ -74,11 +75,7 @@ class ConsoleView:
             self._process.terminate()
             with contextlib.suppress(ProcessLookupError):
                 self._process.send_signal(signal.SIGCONT)  # a suspended process cannot end
-            with contextlib.suppress(subprocess.TimeoutExpired):
-                self._process.wait(ENDS_WITHIN_S)
-            if self._process.poll() is None:
-                self._process.kill()
-                self._process.wait()
+            await_end(self._process, ENDS_WITHIN_S)
             self._ended()
         elif self._over:
             self._plain.close()

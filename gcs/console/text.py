@@ -38,13 +38,12 @@ class Glyphs:
     yes: str
     no: str
     up: str
-    down: str
     live: str
     dot: str
 
 
-UNICODE = Glyphs(True, "━", "─", "×", "…", "─", "▲", "!", "▸", "●", "○", "↑", "↓", "●", "·")
-ASCII = Glyphs(False, "#", ".", "x", "..", "-", "A", "!", ">", "y", "n", "^", "v", "*", "-")
+UNICODE = Glyphs(True, "━", "─", "×", "…", "─", "▲", "!", "▸", "●", "○", "↑", "●", "·")
+ASCII = Glyphs(False, "#", ".", "x", "..", "-", "A", "!", ">", "y", "n", "^", "*", "-")
 
 
 def can_unicode(environment: Mapping[str, str], encoding: str) -> bool:

@@ -23,6 +23,15 @@ def can_fork() -> bool:
     return threading.active_count() == 1 and None not in (sys.__stdin__, sys.__stdout__, sys.__stderr__)
 
 
+def await_end(process: subprocess.Popen[bytes] | ForkedProcess, patience_s: float) -> None:
+    """Wait until a child has ended; it is killed where that takes longer."""
+    try:
+        process.wait(timeout=patience_s)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        process.wait()
+
+
 class ForkedProcess:
     """A child in a POSIX session of its own, without our descriptors; `run` in it returns its exit status."""
 

@@ -62,14 +62,19 @@ class Ended:
         return f"{label} (process {self.pid}) {how}{last}"
 
 
+def vehicle_program() -> str | None:
+    """The program `simvehicle`: beside this Python, or on PATH; None where there is none."""
+    beside = Path(sys.executable).with_name("simvehicle")
+    return str(beside) if beside.exists() else shutil.which("simvehicle")
+
+
 class Hatch:
     """The running hatch; its context's end ends every process it made, and itself unless it is to be `kept`."""
 
     def __init__(self, *, kept: bool = False) -> None:
         self.kept = kept
         """whether it goes on to the next session"""
-        program = Path(sys.executable).with_name("simvehicle")
-        command = str(program) if program.exists() else shutil.which("simvehicle")
+        command = vehicle_program()
         if command is None:
             raise LaunchError("the program 'simvehicle' is not installed beside gcs; install Skytender again with pip")
         self._process = subprocess.Popen(

@@ -5,7 +5,7 @@ Other keys of a decision (gcs/schemas/decisions.schema.json) are for whoever wan
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Any
 
 import msgspec
 
@@ -43,61 +43,24 @@ class _Served(_Decided, gc=False, kw_only=True):
     energy_j: float
 
 
-class _BrokenOff(msgspec.Struct, gc=False):
-    receiver: SysId
-    tanker: SysId | None
-
-
-class _Pursuit(msgspec.Struct, gc=False):
-    target: SysId
-    pursuer: SysId
-
-
-class _PolicyFailed(msgspec.Struct, gc=False):
-    policy: str
-    problem: str
-
-
-class _Death(msgspec.Struct, gc=False):
-    text: str
-
-
-class _Violation(msgspec.Struct, gc=False):
-    part: str
-    at_s: float
-    sysids: list[SysId]
-    text: str
-
-
-class _Unable(msgspec.Struct, gc=False):
-    receiver: SysId
-    reason: str
-
-
-class _OperatorCommand(msgspec.Struct, gc=False):
-    command: str
-    taken: bool
-    text: str
-
-
-class _Fault(msgspec.Struct, gc=False):
-    sysid: Annotated[int, msgspec.Meta(ge=0, le=255)]
-    state: str
-    text: str
-
-
+_KINDS: dict[str, type[msgspec.Struct] | dict[str, Any]] = {
+    "competition": _Competition,
+    "decided": _Decided,
+    "served": _Served,
+    "broken off": {"receiver": SysId, "tanker": SysId | None},
+    "pursuit": {"target": SysId, "pursuer": SysId},
+    "policy failed": {"policy": str, "problem": str},
+    "death": {"text": str},
+    "violation": {"part": str, "at_s": float, "sysids": list[SysId], "text": str},
+    "unable": {"receiver": SysId, "reason": str},
+    "operator": {"command": str, "taken": bool, "text": str},
+    "fault": {"sysid": Annotated[int, msgspec.Meta(ge=0, le=255)], "state": str, "text": str},
+}
 _DECODERS: dict[str, msgspec.json.Decoder[msgspec.Struct]] = {
-    "competition": msgspec.json.Decoder(_Competition),
-    "decided": msgspec.json.Decoder(_Decided),
-    "served": msgspec.json.Decoder(_Served),
-    "broken off": msgspec.json.Decoder(_BrokenOff),
-    "pursuit": msgspec.json.Decoder(_Pursuit),
-    "policy failed": msgspec.json.Decoder(_PolicyFailed),
-    "death": msgspec.json.Decoder(_Death),
-    "violation": msgspec.json.Decoder(_Violation),
-    "unable": msgspec.json.Decoder(_Unable),
-    "operator": msgspec.json.Decoder(_OperatorCommand),
-    "fault": msgspec.json.Decoder(_Fault),
+    kind: msgspec.json.Decoder(
+        msgspec.defstruct("Decision", keys.items(), gc=False) if isinstance(keys, dict) else keys
+    )
+    for kind, keys in _KINDS.items()
 }
 COMPETITION = ("kind", *_Competition.__struct_fields__)
 """Keys that are kept of a decision that comes once a tick, with numbers of every vehicle."""

@@ -24,12 +24,11 @@ from gcs.recording.decisions_reader import DecisionLines
 from gcs.recording.missing import SCENARIO, passed_over, unread
 from gcs.recording.recorder import DECISIONS, TLOG
 from gcs.recording.tables import Column, Tables
-from gcs.recording.tlog_reader import AT, COMPID, MSGID, SYSID, T_US, Chunk
-from gcs.recording.truth import record_end
+from gcs.recording.tlog_reader import AT, COMPID, MSGID, SYSID, T_US, Chunk, IntArray
+from gcs.recording.truth import record_places
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
 
-IntArray = NDArray[np.int64]
 Progress = Callable[[float], None]
 LINES_AT_ONCE = 1 << 16
 NAMED = 5
@@ -334,7 +333,7 @@ def _export_truth(path: Path, tables: Tables, progress: Progress) -> list[str]:
         while block := file.read(TRUTH_BYTES):
             pending += block
             numbers = np.frombuffer(pending[: len(pending) // 8 * 8], dtype="<f8")
-            starts = _truth_rows(numbers, width)
+            starts = record_places(numbers, width)
             end = int(starts[-1])
             _truth_tables(tables, numbers, starts[:-1], names, sysid, step_s)
             pending = pending[8 * end :]
@@ -342,21 +341,6 @@ def _export_truth(path: Path, tables: Tables, progress: Progress) -> list[str]:
             if len(pending) > MOST_PENDING:
                 return [f"{path.name} holds a record that cannot be; what follows it is left out."]
     return [f"{path.name} ends inside a record; its last {len(pending)} bytes are left out."] if pending else []
-
-
-@kernel()
-def _truth_rows(numbers: NDArray[np.float64], width: int) -> IntArray:
-    """Kernel: where each whole record begins, and where the last one ends."""
-    starts = np.empty(numbers.size // width + 1, dtype=np.int64)
-    n = at = 0
-    end = record_end(numbers, at, width)
-    while end >= 0:
-        starts[n] = at
-        n += 1
-        at = end
-        end = record_end(numbers, at, width)
-    starts[n] = at
-    return starts[: n + 1]
 
 
 def _truth_tables(

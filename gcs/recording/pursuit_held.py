@@ -4,7 +4,7 @@ it."""
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -20,18 +20,6 @@ from gcs.telemetry.pursuit import PursuitHeld
 PLACES = ("LOCAL_POSITION_NED", "HEARTBEAT", "EXTENDED_SYS_STATE", "GPS_GLOBAL_ORIGIN")
 ROUNDING_S = 1e-6
 BLOCK_TICKS = 2000
-
-
-class HeldTimes:
-    """The goal's pursuit over a session: at each time, the longest for which even the worst had held it by then."""
-
-    def __init__(self, held_s: Series, period_s: float) -> None:
-        self._held_s, self._period_s = held_s, period_s
-
-    def at(self, t_s: float) -> float:
-        """In s, as the session reported it at a time: measured at the tick before, since a tick ends by granting the
-        next period, which moves the session's time on."""
-        return float(held(self._held_s, np.array([t_s - self._period_s + ROUNDING_S]))[0])
 
 
 class HeldTimesReader:
@@ -52,13 +40,21 @@ class HeldTimesReader:
         if self._gathering is not None:
             self._gathering.add(chunk)
 
-    def held_times(self) -> HeldTimes | None:
-        """None where the goal asks for no pursuit, or no vehicle reported a position."""
+    def held_times(self) -> Callable[[float], float] | None:
+        """For how long, s, even the worst had held the goal's pursuit by a time; None where the goal asks for none, or
+        no vehicle reported a position.
+
+        As the session reported it at a time: measured at the tick before, since a tick ends by granting the next
+        period, which moves the session's time on.
+        """
         if self._gathering is None:
             return None
         self._gathering.finish()
         flown = tracks(self._recorded)
-        return HeldTimes(held_by(self._recorded, flown)[0], self._period_s) if flown else None
+        if not flown:
+            return None
+        held_s, late_s = held_by(self._recorded, flown)[0], self._period_s - ROUNDING_S
+        return lambda t_s: float(held(held_s, np.array([t_s - late_s]))[0])
 
 
 def ticks_of(recorded: Recorded) -> Floats:

@@ -80,7 +80,6 @@ class Recorder:
     ) -> None:
         """rotate_bytes: with so many, both files go on in new ones; keep: how many pairs of full ones stay.
         changes_only: decisions as `ChangeFilter` has them."""
-        self._folder = folder
         self._rotate_bytes, self._keep = rotate_bytes, keep
         self._full = 0
         self._changes = ChangeFilter() if changes_only else None
@@ -98,16 +97,8 @@ class Recorder:
     def __exit__(self, *_: object) -> None:
         self.close()
 
-    def frame(self, t_us: int, raw: bytes) -> None:
-        """Record a frame, received or sent at `t_us` µs since the Unix epoch (session epoch + session time)."""
-        batch = self._tlog.batch
-        batch += _TIME(t_us)
-        batch += raw
-        if len(batch) >= BATCH_BYTES or self._end is not None:
-            self._write()
-
     def frames(self, t_us: int, raws: Sequence[bytes]) -> None:
-        """Record frames of one time in order, as `frame` does one."""
+        """Record frames in order, received or sent at `t_us` µs since the Unix epoch (session epoch + session time)."""
         if raws:
             time = _TIME(t_us)
             batch = self._tlog.batch

@@ -6,7 +6,6 @@ import contextlib
 import errno
 import os
 from pathlib import Path
-from typing import Self
 
 FULL = (errno.ENOSPC, errno.EDQUOT)
 PER_SESSION_BYTES = 1 << 16
@@ -31,12 +30,6 @@ class Reserve:
             self.release()
             if error.errno in FULL:
                 raise OSError(error.errno, error.strerror, str(folder)) from None
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.release()
 
     def release(self) -> None:
         """Let it be written on; a second call does nothing."""

@@ -282,8 +282,6 @@ class CompetitionSeries:
 
     v: dict[int, Series]
     share: Series
-    leader: Series
-    """system id; NaN: no leader"""
 
 
 def competition(recorded: Recorded, *, for_bases: bool = False) -> CompetitionSeries:
@@ -302,8 +300,7 @@ def competition(recorded: Recorded, *, for_bases: bool = False) -> CompetitionSe
     for sysid, rows in rows_of(sysids).items():
         v_of[sysid] = with_gaps(Series(times_s[rows], values[rows]), gap_s)
     share = Series(t_s, np.array([line["share"] for line in lines], dtype=np.float64))
-    leader = [math.nan if line["leader"] is None else float(line["leader"]) for line in lines]
-    return CompetitionSeries(v_of, with_gaps(share, gap_s), Series(t_s, np.array(leader, dtype=np.float64)))
+    return CompetitionSeries(v_of, with_gaps(share, gap_s))
 
 
 @dataclass(frozen=True)

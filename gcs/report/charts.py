@@ -100,8 +100,10 @@ class Charts:
             if s.start_s is not None
         ]
         near = found.nearness
-        to_traffic = ChartPanel(
-            "Least distance to traffic", "m", {}, {"traffic": near.traffic}, wanted.get("traffic", [])
+        distances = (
+            ("separation", "separation of two vehicles", near.separation),
+            ("clearance", "clearance to obstacles", near.clearance),
+            ("traffic", "distance to traffic", near.traffic),
         )
         frames = [ChartPanel("Frames received", "1/s", found.rates, digits=0, from_zero=True)]
         if any(line.values.max(initial=0.0) > 0.0 for line in found.losses.values()):
@@ -136,21 +138,9 @@ class Charts:
             ),
             "nearness": self._time(
                 [
-                    ChartPanel(
-                        "Least separation of two vehicles",
-                        "m",
-                        {},
-                        {"separation": near.separation},
-                        wanted.get("separation", []),
-                    ),
-                    ChartPanel(
-                        "Least clearance to obstacles",
-                        "m",
-                        {},
-                        {"clearance": near.clearance},
-                        wanted.get("clearance", []),
-                    ),
-                    *([to_traffic] if np.isfinite(near.traffic.values).any() else []),
+                    ChartPanel(f"Least {words}", "m", {}, {name: line}, wanted.get(name, []))
+                    for name, words, line in distances
+                    if name != "traffic" or np.isfinite(line.values).any()
                 ],
                 marks=broken + faults,
             ),

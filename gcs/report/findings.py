@@ -18,11 +18,12 @@ from gcs.report import distances
 from gcs.scenario import goal
 from gcs.scenario.goal import Judgement, Measured, Nearest
 from gcs.scenario.model import Scenario
+from gcs.session.message_types import ServedRow
 
 Level = Literal["bad", "warn", "note"]
 FEW = 8
-CRITICAL, WARNING = 3, 4
-"""MAV_SEVERITY: ERROR and worse; WARNING."""
+CRITICAL = 3
+"""MAV_SEVERITY: ERROR and worse."""
 
 
 @dataclass(frozen=True)
@@ -33,21 +34,10 @@ class SessionProblem:
     text: str
 
 
-@dataclass(frozen=True)
-class ServiceFinding:
+class ServiceFinding(ServedRow):
     """One refuelling, with why it ended."""
 
-    receiver: int
-    tanker: int | None
-    base: str | None
-    by: str
-    decided_at_s: float
-    joined_at_s: float | None
-    start_s: float | None
-    end_s: float | None
-    energy_j: float
     bids: Mapping[str, float]
-    reason: str
 
     @property
     def giver(self) -> str:
@@ -113,7 +103,7 @@ class Findings:
         for decision in self.recorded.decisions:
             if decision["kind"] == "served":
                 reported: dict[str, Any] = {"base": None, **decision}
-                found.append(ServiceFinding(**{key: reported[key] for key in ServiceFinding.__dataclass_fields__}))
+                found.append(ServiceFinding(**{key: reported[key] for key in ServiceFinding.__struct_fields__}))
         ended = {(s.receiver, s.tanker, s.decided_at_s) for s in found}
         if self.summary is not None:
             found += [
@@ -125,7 +115,7 @@ class Findings:
             for d in self.recorded.decisions:
                 if d["kind"] == "decided" and (d["receiver"], d["tanker"], d["t_s"]) not in ended:
                     pair = d["receiver"], d["tanker"], d.get("base"), d["by"], d["t_s"]
-                    found.append(ServiceFinding(*pair, None, None, None, 0.0, d["bids"], "not ended"))
+                    found.append(ServiceFinding(*pair, None, None, None, 0.0, "not ended", d["bids"]))
         return sorted(found, key=lambda service: service.decided_at_s)
 
     @cached_property

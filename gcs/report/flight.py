@@ -8,7 +8,7 @@ takes them from the figures.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import Any
 
 import msgspec
@@ -16,12 +16,12 @@ import numpy as np
 
 from gcs.mavlink.autopilots import profile_of
 from gcs.mavlink.ids import AUTOPILOT
-from gcs.recording.series import GAP_S, Floats, Series, Track, rows_of
+from gcs.recording.series import GAP_S, Floats, Series, Track, held, rows_of
 from gcs.recording.tick_record import event_of
 from gcs.report.findings import Findings
 from gcs.report.pack import Pack
-from gcs.session.message_types import GoalRow, MemberRow, SessionLine
-from gcs.session.messages import NO_GOAL, event_row, goal_of, session_message
+from gcs.session.message_types import GoalRow, MemberRow, ServedRow, SessionLine
+from gcs.session.messages import NO_GOAL, event_row, first_broken, goal_of, session_message
 from gcs.telemetry.events import Event, level_of
 
 MANY = 16
@@ -62,7 +62,7 @@ def flight(found: Findings, pack: Pack) -> dict[str, Any] | None:
         "traffic": traffic,
         "words": _words(found),
         "events": [msgspec.to_builtins(event_row(event)) for event in _events(found)][-MOST_EVENTS:],
-        "history": [_served(service) for service in found.services],
+        "history": [{key: getattr(service, key) for key in ServedRow.__struct_fields__} for service in found.services],
         "threshold": rules.competition.share if rules is not None else 0.9,
         "goal": {**(goal_of(rules) if rules is not None else NO_GOAL), "pursue_held_s": None, "broken": _broken(found)},
     }
@@ -119,10 +119,11 @@ def _words(found: Findings) -> dict[str, list[list[Any]]]:
         track = found.tracks[sysid]
         times = {float(beats["t_s"][k]): str(profile_of(int(told[k, 1])).mode(int(told[k, 0]))) for k in changed}
         moments = sorted({*times, *_changes(track.armed), *_changes(track.in_air)})
+        armed, in_air = (held(state, np.array(moments)) > 0.0 for state in (track.armed, track.in_air))
         mode, listed = "", []
-        for t_s in moments:
+        for t_s, is_armed, flies in zip(moments, armed.tolist(), in_air.tolist(), strict=True):
             mode = times.get(t_s, mode)
-            listed.append([round(t_s, 2), mode, _held(track.armed, t_s), _held(track.in_air, t_s)])
+            listed.append([round(t_s, 2), mode, is_armed, flies])
         words[str(sysid)] = listed
     return words
 
@@ -133,11 +134,6 @@ def _changes(series: Series) -> list[float]:
         return []
     times: list[float] = series.t_s[np.flatnonzero(np.r_[True, np.diff(series.values) != 0])].tolist()
     return times
-
-
-def _held(series: Series, t_s: float) -> bool:
-    at = int(np.searchsorted(series.t_s, t_s, side="right")) - 1
-    return at >= 0 and bool(series.values[at] > 0.0)
 
 
 def _events(found: Findings) -> list[Event]:
@@ -155,16 +151,6 @@ def _decided(found: Findings) -> Iterator[Event]:
                 continue  # of another version: what the report cannot tell of it, its top has said already
 
 
-def _served(service: Any) -> dict[str, Any]:
-    keys = ("receiver", "tanker", "base", "by", "decided_at_s", "joined_at_s", "start_s", "end_s", "energy_j", "reason")
-    return {key: getattr(service, key) for key in keys}
-
-
-def _broken(found: Findings) -> list[Mapping[str, Any]]:
-    first: dict[str, Mapping[str, Any]] = {}
-    for record in sorted(found.recorded.decisions, key=lambda one: float(one.get("at_s", one["t_s"]))):
-        if record["kind"] == "violation":
-            part = str(record["part"])
-            told = {"part": part, "text": f"{part}: {record['text']}", "t_s": float(record["at_s"])}
-            first.setdefault(part, told)
-    return list(first.values())
+def _broken(found: Findings) -> list[dict[str, Any]]:
+    violations = (record for record in found.recorded.decisions if record["kind"] == "violation")
+    return first_broken(sorted(violations, key=lambda record: float(record["at_s"])))

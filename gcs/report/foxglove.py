@@ -19,6 +19,7 @@ import pymap3d
 
 from gcs.scenario.colours import LIGHT
 from gcs.session import message_types
+from gcs.session.plain_text import unnamed
 from gcs.session.replay import Replay
 
 EVERY_S = 0.1
@@ -90,7 +91,7 @@ class Topics:
             pose = m.Pose(
                 position=m.Vector3(x=e, y=n, z=-(shape["bottom_d"] + shape["top_d"]) / 2), orientation=_level(m)
             )
-            colour = m.Color(r=GREY[0], g=GREY[1], b=GREY[2], a=GREY[3])
+            colour = self._colour(GREY)
             across = 2.0 * (shape["radius_m"] or 0.15)
             if shape["kind"] == "box":
                 norths, easts = zip(*shape["outline_ne"], strict=True)
@@ -114,7 +115,7 @@ class Topics:
     def snapshot(self, line: Mapping[str, Any]) -> None:
         """One instant."""
         m, t_ns = self._messages, self._ns(line["t_s"])
-        stamp = m.Timestamp(sec=t_ns // 10**9, nsec=t_ns % 10**9)
+        stamp = self._stamp(t_ns)
         placed = [row for row in line["vehicles"] if row["p_ned"] is not None]
         transforms = [
             m.FrameTransform(
@@ -136,25 +137,24 @@ class Topics:
             self._json("/services", "ServiceRow", service, t_ns)
         for event in line["events"]:
             level = getattr(m.LogLevel, LEVELS[event["level"]])
-            name = (
-                "session"
-                if event["sysid"] == 0
-                else "traffic"
-                if event["sysid"] == 255
-                else f"vehicle {event['sysid']}"
-            )
-            at_ns = self._ns(event["t_s"])
-            at = m.Timestamp(sec=at_ns // 10**9, nsec=at_ns % 10**9)
+            name = unnamed(event["sysid"])
+            at = self._stamp(self._ns(event["t_s"]))
             self._log.log(m.Log(timestamp=at, level=level, message=event["text"], name=name), log_time=t_ns)
 
     def _ns(self, t_s: float) -> int:
         return self._epoch_ns + round(1e9 * t_s)
 
+    def _stamp(self, t_ns: int) -> Any:
+        return self._messages.Timestamp(sec=t_ns // 10**9, nsec=t_ns % 10**9)
+
+    def _colour(self, rgba: Vector) -> Any:
+        return self._messages.Color(**dict(zip("rgba", rgba, strict=True)))
+
     def _body(self, vehicle: Mapping[str, Any]) -> Any:
         """A vehicle in its own frame, which /tf moves."""
         m = self._messages
         x, y, z = SIZES_M.get(vehicle["role"], SIZE_M)
-        colour = m.Color(**_rgba(LIGHT[vehicle["colour"] % len(LIGHT)]))
+        colour = self._colour(_rgba(LIGHT[vehicle["colour"] % len(LIGHT)]))
         nose = m.Pose(position=m.Vector3(x=0.5 * x), orientation=_level(m))
         above = m.Pose(position=m.Vector3(z=0.6), orientation=_level(m))
         return m.SceneEntity(
@@ -199,7 +199,7 @@ class Topics:
         for craft in line["traffic"]:
             n, e, d = craft["p_ned"]
             pose = m.Pose(position=m.Vector3(x=e, y=n, z=-d), orientation=_level(m))
-            colour = m.Color(r=AMBER[0], g=AMBER[1], b=AMBER[2], a=AMBER[3])
+            colour = self._colour(AMBER)
             ball = m.SpherePrimitive(pose=pose, size=m.Vector3(x=0.6, y=0.6, z=0.6), color=colour)
             yield m.SceneEntity(id=f"traffic {craft['callsign']}", spheres=[ball], **brief)
 
@@ -210,7 +210,7 @@ class Topics:
             thickness=width_px,
             scale_invariant=True,
             points=[m.Point3(x=p[1], y=p[0], z=-p[2]) for p in points_ned],
-            color=m.Color(r=rgba[0], g=rgba[1], b=rgba[2], a=rgba[3]),
+            color=self._colour(rgba),
         )
 
     def _locate(self, row: Mapping[str, Any], stamp: Any, t_ns: int) -> None:
@@ -248,10 +248,9 @@ def _frame(sysid: int) -> str:
     return f"vehicle_{sysid}"
 
 
-def _rgba(colour: str) -> dict[str, float]:
+def _rgba(colour: str) -> Vector:
     """`#rrggbb` as shares."""
-    r, g, b = (int(colour[k : k + 2], 16) / 255.0 for k in (1, 3, 5))
-    return {"r": r, "g": g, "b": b, "a": 1.0}
+    return [*(int(colour[k : k + 2], 16) / 255.0 for k in (1, 3, 5)), 1.0]
 
 
 def _level(messages: Any) -> Any:

@@ -50,21 +50,16 @@ def document(scenario: Scenario, summary: dict[str, Any] | None, error: str | No
         for key in keys:
             ET.SubElement(properties, "property", name=key, value=_text(json.dumps(summary.get(key)).strip('"')))
         suite.insert(0, properties)
-    root = ET.Element("testsuites")
-    root.append(suite)
-    ET.indent(root)
-    return ET.tostring(root, encoding="unicode", xml_declaration=True) + "\n"
+    return _xml(suite)
 
 
 def refused(scenario: str, why: str) -> str:
     """The XML for a scenario, by name or file, that could not be flown: one test case, in error."""
-    root = ET.Element("testsuites")
     counts = {"tests": "1", "failures": "0", "errors": "1", "skipped": "0", "time": "0"}
-    suite = ET.SubElement(root, "testsuite", {"name": _text(scenario)} | counts)
+    suite = ET.Element("testsuite", {"name": _text(scenario)} | counts)
     case = ET.SubElement(suite, "testcase", classname="skytender", name="the scenario can be flown", time="0")
     ET.SubElement(case, "error", message=_text(why.splitlines()[0])).text = _text(why)
-    ET.indent(root)
-    return ET.tostring(root, encoding="unicode", xml_declaration=True) + "\n"
+    return _xml(suite)
 
 
 def flown(folder: Path, scenario: Scenario, error: str | None) -> str:
@@ -74,6 +69,13 @@ def flown(folder: Path, scenario: Scenario, error: str | None) -> str:
     except (OSError, ValueError):
         summary = None
     return document(scenario, summary, error, folder)
+
+
+def _xml(suite: ET.Element) -> str:
+    root = ET.Element("testsuites")
+    root.append(suite)
+    ET.indent(root)
+    return ET.tostring(root, encoding="unicode", xml_declaration=True) + "\n"
 
 
 def _text(words: str) -> str:

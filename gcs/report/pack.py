@@ -37,10 +37,6 @@ class Pack:
         """Values alone."""
         return {"at": len(self._bytes), "n": len(values), **self._column(values)}
 
-    def path(self, points: Floats) -> list[dict[str, Any]]:
-        """Points (k, 3), axis by axis."""
-        return [self.column(points[:, axis]) for axis in range(3)]
-
     def text(self) -> str:
         """All of it, compressed, as base64."""
         return packed(bytes(self._bytes))

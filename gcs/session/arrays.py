@@ -11,6 +11,17 @@ from numpy.typing import NDArray
 
 from gcs.extras import missing
 
+_PLAIN: dict[str, type[np.generic]] = {
+    "sysid": np.int64,
+    "role": np.str_,
+    "mode": np.str_,
+    "alive": np.bool_,
+    "armed": np.bool_,
+}
+_VECTORS = ("p_ned", "v_ned")
+_NUMBERS = ("target_m", "battery", "remaining_j", "endurance_s", "v", "tau")
+"""Columns of a snapshot, by what they hold; numbers may be unknown."""
+
 
 @dataclass(frozen=True, slots=True)
 class Happening:
@@ -89,14 +100,10 @@ class Snapshot:
     def table(self) -> dict[str, NDArray[Any]]:
         """Columns of length n by name, vectors taken apart: what `pandas.DataFrame` and `numpy.savez` take as it is."""
         columns: dict[str, NDArray[Any]] = {"time_s": np.full(len(self.sysid), self.time_s)}
-        for name in ("sysid", "role", "mode", "alive", "armed"):
-            columns[name] = getattr(self, name)
-        for name, vectors in (("p", self.p_ned), ("v", self.v_ned)):
-            for axis, word in enumerate("ned"):
-                columns[f"{name}_{word}"] = vectors[:, axis]
-        for name in ("target_m", "battery", "remaining_j", "endurance_s", "v", "tau"):
-            columns[name] = getattr(self, name)
-        return columns
+        columns |= {name: getattr(self, name) for name in _PLAIN}
+        for name in _VECTORS:
+            columns |= {f"{name[0]}_{axis}": values for axis, values in zip("ned", getattr(self, name).T, strict=True)}
+        return columns | {name: getattr(self, name) for name in _NUMBERS}
 
     def frame(self) -> Any:
         """`table()` as a pandas.DataFrame. Raises MissingExtra without pandas."""
@@ -111,27 +118,17 @@ def from_message(message: Mapping[str, Any]) -> Snapshot:
     """The snapshot in a message of type "snapshot" (gcs/session/messages.py)."""
     vehicles = message["vehicles"]
 
-    def column(key: str) -> NDArray[np.float64]:
-        return np.array([np.nan if vehicle[key] is None else vehicle[key] for vehicle in vehicles], dtype=np.float64)
+    def known(key: str, unknown: Any) -> list[Any]:
+        return [unknown if vehicle[key] is None else vehicle[key] for vehicle in vehicles]
 
-    def vectors(key: str) -> NDArray[np.float64]:
-        return np.array([vehicle[key] or (np.nan,) * 3 for vehicle in vehicles], dtype=np.float64).reshape(-1, 3)
-
+    columns: dict[str, Any] = {
+        **{key: np.array([vehicle[key] for vehicle in vehicles], dtype=kind) for key, kind in _PLAIN.items()},
+        **{key: np.array(known(key, (np.nan,) * 3), dtype=np.float64).reshape(-1, 3) for key in _VECTORS},
+        **{key: np.array(known(key, np.nan), dtype=np.float64) for key in _NUMBERS},
+    }
     return Snapshot(
         time_s=float(message["t_s"]),
-        sysid=np.array([vehicle["sysid"] for vehicle in vehicles], dtype=np.int64),
-        role=np.array([vehicle["role"] for vehicle in vehicles], dtype=np.str_),
-        mode=np.array([vehicle["mode"] for vehicle in vehicles], dtype=np.str_),
-        alive=np.array([vehicle["alive"] for vehicle in vehicles], dtype=np.bool_),
-        armed=np.array([vehicle["armed"] for vehicle in vehicles], dtype=np.bool_),
-        p_ned=vectors("p_ned"),
-        v_ned=vectors("v_ned"),
-        target_m=column("target_m"),
-        battery=column("battery"),
-        remaining_j=column("remaining_j"),
-        endurance_s=column("endurance_s"),
-        v=column("v"),
-        tau=column("tau"),
+        **columns,
         services=tuple(Serving(**_known(Serving, service)) for service in message["services"]),
         refuelled=int(message["refuelled"]),
         events=tuple(Happening(**_known(Happening, event)) for event in message["events"]),

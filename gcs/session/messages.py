@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
 import msgspec
 from msgspec import UNSET, UnsetType
 
 from gcs.refuelling import explain
-from gcs.refuelling.service import Phase, by_text
-from gcs.scenario.goal import Judgement, asked
+from gcs.refuelling.bidding import CompetitionState
+from gcs.refuelling.service import Phase, Service, by_text
+from gcs.scenario.goal import asked
 from gcs.scenario.model import Obstacle, Scenario, VehicleBase
 from gcs.scenario.weather import Wind
 from gcs.session.message_types import (
@@ -37,7 +38,7 @@ from gcs.session.message_types import (
 )
 from gcs.telemetry.events import Event
 from gcs.telemetry.health import HealthIssue, State, health_issues, severity, state
-from gcs.telemetry.state import TrafficView, Vec3, VehicleView
+from gcs.telemetry.state import FleetSnapshot, TrafficView, Vec3, VehicleView
 
 if TYPE_CHECKING:  # a monitor and a replay have none
     from gcs.supervisor.supervisor import Supervisor
@@ -145,9 +146,6 @@ def snapshot_message(
 ) -> dict[str, Any]:
     """The present state; `speed` is session time over wall time so far, `events` are those that were not sent yet."""
     scenario, snapshot, schedule = supervisor.scenario, supervisor.snapshot, supervisor.schedule
-    services = schedule.open_services
-    tanker_m_s: dict[int | None, float] = {tanker.sysid: tanker.speed_m_s for tanker in scenario.vehicles.tankers}
-    base_ned: dict[str | None, Vec3] = {base.name: base.position_m for base in scenario.bases}
     return plain(
         SnapshotMessage(
             t_s=supervisor.time_s,
@@ -157,31 +155,45 @@ def snapshot_message(
             vehicles=_vehicles(supervisor),
             traffic=[traffic_row(aircraft) for aircraft in snapshot.traffic],
             competition=CompetitionRow(**explain.competition_of(schedule.competition_state, scenario.competition)),
-            services=[
-                ServiceRow(
-                    **explain.service_of(
-                        s,
-                        snapshot,
-                        scenario.refuelling,
-                        scenario.competition,
-                        tanker_m_s.get(s.tanker, 0.0),
-                        base_ned.get(s.base),
-                    )
-                )
-                for s in services
-            ],
+            services=[ServiceRow(**row) for row in services_of(schedule.open_services, snapshot, scenario)],
             history=[ServedRow(**row) for row in explain.history_of(schedule.services)],
             bases=[StockRow(stock.base.name, stock.remaining_j, stock.base.stock_j) for stock in schedule.stocks],
             refuelled=refuelled,
             goal=GoalStateRow(
                 **goal_of(scenario),
                 pursue_held_s=supervisor.metrics.pursuit_held_s,
-                broken=[broken_of(judged) for judged in supervisor.goal_watch.broken()],
+                broken=[BrokenRow(one.part, one.text, one.t_s) for one in supervisor.goal_watch.broken()],
             ),
             inspected=supervisor.inspection.latest(snapshot.time_s),
             events=[event_row(event) for event in events],
         )
     )
+
+
+def services_of(services: Iterable[Service], snapshot: FleetSnapshot, scenario: Scenario) -> list[dict[str, Any]]:
+    """Services under way, each with its reasons, as the rows of a snapshot tell them."""
+    tanker_m_s: dict[int | None, float] = {tanker.sysid: tanker.speed_m_s for tanker in scenario.vehicles.tankers}
+    base_ned: dict[str | None, Vec3] = {base.name: base.position_m for base in scenario.bases}
+    rules = scenario.refuelling, scenario.competition
+    return [
+        explain.service_of(one, snapshot, *rules, tanker_m_s.get(one.tanker, 0.0), base_ned.get(one.base))
+        for one in services
+    ]
+
+
+def states_of(
+    snapshot: FleetSnapshot, competition_state: CompetitionState, services: Collection[Service]
+) -> dict[int, State]:
+    """State of each vehicle in the competition and in the services under way, by system id."""
+    waiting = {service.receiver for service in services if service.phase is Phase.JOIN}
+    served = {service.receiver for service in services} - waiting
+    serving = {service.tanker for service in services if service.tanker is not None}
+    competing = competition_state.v or competition_state.tau
+    leader = competition_state.leader
+    return {
+        view.sysid: state(view, competing=competing, leader=leader, waiting=waiting, served=served, serving=serving)
+        for view in snapshot.vehicles
+    }
 
 
 def kept_of_snapshot(supervisor: Supervisor, events: Iterable[Event]) -> dict[str, Any]:
@@ -202,9 +214,7 @@ def _vehicles(supervisor: Supervisor) -> list[VehicleRow]:
     now_s = snapshot.time_s
     services = supervisor.schedule.open_services
     notes = explain.notes_of(services, supervisor.schedule.asked, supervisor.schedule.out)
-    waiting = {service.receiver for service in services if service.phase is Phase.JOIN}
-    served = {service.receiver for service in services}
-    serving = {service.tanker for service in services if service.tanker is not None}
+    states = states_of(snapshot, competition_state, services)
     at = {view.sysid: view.p_ned for view in snapshot.vehicles}
     aims = {point.sysid: point.p_ned for point in supervisor.set_points}
     target_of = supervisor.metrics.target_of
@@ -226,14 +236,7 @@ def _vehicles(supervisor: Supervisor) -> list[VehicleRow]:
                 lost_share=lost_share,
                 aim_ned=aims.get(sysid),
                 margin_m=supervisor.planner.margin_m(sysid),
-                state=state(
-                    view,
-                    competing=competition_state.v or competition_state.tau,
-                    leader=competition_state.leader,
-                    waiting=waiting,
-                    served=served - waiting,
-                    serving=serving,
-                ),
+                state=states[sysid],
                 found=health_issues(
                     view,
                     now_s,
@@ -278,9 +281,13 @@ def session_message(
     )
 
 
-def broken_of(judged: Judgement) -> BrokenRow:
-    """A part of the goal that can no longer be met."""
-    return BrokenRow(judged.part, judged.text, judged.t_s)
+def first_broken(violations: Iterable[Mapping[str, Any]]) -> list[dict[str, Any]]:
+    """How each part of the goal was first broken, by the records of it in the order of their times."""
+    first: dict[str, dict[str, Any]] = {}
+    for record in violations:
+        part = str(record["part"])
+        first.setdefault(part, {"part": part, "text": f"{part}: {record['text']}", "t_s": float(record["at_s"])})
+    return list(first.values())
 
 
 def goal_of(scenario: Scenario) -> dict[str, Any]:

@@ -35,6 +35,11 @@ def name_of(snapshot: Snapshot, sysid: int | None) -> str:
     for vehicle in snapshot["vehicles"]:
         if vehicle["sysid"] == sysid:
             return clean(vehicle["label"])
+    return unnamed(sysid)
+
+
+def unnamed(sysid: int | None) -> str:
+    """Words for who says something and has no label."""
     return "traffic" if sysid == 255 else f"vehicle {sysid}" if sysid else "session"
 
 
@@ -192,20 +197,20 @@ def mute_stdout() -> None:
     os.close(null)
 
 
-class QuietView:
-    """Shows nothing."""
+class View:
+    """Shows snapshots as they come; by itself nothing of them."""
 
     def show(self, snapshot: Any) -> None:
-        """Nothing."""
+        """Take in the newest state."""
 
     def tick(self, now_s: float) -> None:
-        """Nothing."""
+        """Show what is due at wall time `now_s`."""
 
     def close(self) -> None:
-        """Nothing."""
+        """Show the last state and let go of the screen."""
 
 
-class PlainView:
+class PlainView(View):
     """Events as they happen, and a line of progress every two seconds of wall time."""
 
     def __init__(self, write: Callable[[str], object]) -> None:
@@ -243,7 +248,7 @@ class PlainView:
         self._printed, self._printed_s = self._last, now_s
 
 
-class JsonView:
+class JsonView(View):
     """The newest snapshot as one line of JSON every second of wall time, and the last one; no event is left out."""
 
     def __init__(self, write: Callable[[str], object]) -> None:

@@ -26,10 +26,8 @@ from gcs.scenario import plugins
 from gcs.scenario.file import find, load
 from gcs.scenario.model import Scenario
 from gcs.session.arrays import Snapshot, from_message
+from gcs.session.client import NEXT, READ_BYTES, STOP
 from gcs.session.supervised import PATIENCE_S, SUPERVISOR, RunError, Supervised, make_folder, write_scenario
-
-NEXT, STOP = b"n", b"s"
-READ_BYTES = 1 << 16
 
 
 class SessionError(RuntimeError):

@@ -15,7 +15,7 @@ from typing import Any
 
 from gcs.recording import rotation
 from gcs.recording.missing import SCENARIO, passed_over, unread
-from gcs.recording.pursuit_held import HeldTimes, HeldTimesReader
+from gcs.recording.pursuit_held import HeldTimesReader
 from gcs.recording.recorder import DECISIONS, TLOG
 from gcs.recording.summary import FILE as SUMMARY
 from gcs.recording.summary import Summary
@@ -82,7 +82,7 @@ class Replay:
         self.problems += self._recording.problems
         if not self._recording.frames:
             raise ReplayError(" ".join(self._recording.problems) or f"{path} holds no MAVLink frame.")
-        self._pursuit: HeldTimes | None = reader.held_times() if reader is not None else None
+        self._pursuit = reader.held_times() if reader is not None else None
         progress(1.0)
         self.from_s, self.to_s = self._recording.from_s, self._recording.to_s
         self._wanted: frozenset[int] = frozenset()
@@ -97,11 +97,7 @@ class Replay:
         self.observer, self.t_s = observer, self.from_s
         self._happened = 0
         for recorded in self._recording.before(t_s):
-            self._see_what_happened(recorded.t_s)
-            if recorded.sent:
-                observer.receive_sent(recorded.frame)
-            else:
-                observer.receive(recorded.frame, recorded.t_s, counted=False)
+            self._take(recorded, counted=False)
         observer.resume(self._recording.gaps_before(t_s), t_s)
         self._frames: Iterator[RecordedFrame] = self._recording.play(t_s)
         self._next: RecordedFrame | None = next(self._frames, None)
@@ -111,16 +107,10 @@ class Replay:
 
     def advance(self, t_s: float, until_wall_s: float) -> bool:
         """Play on up to a time of the recording, or of the wall clock; whether the former was reached."""
-        observer = self.observer
         count = 0
         while self._next is not None and self._next.t_s <= t_s:
-            recorded = self._next
-            self._see_what_happened(recorded.t_s)
-            if recorded.sent:
-                observer.receive_sent(recorded.frame)
-            else:
-                observer.receive(recorded.frame, recorded.t_s)
-            self.t_s = recorded.t_s
+            self._take(self._next)
+            self.t_s = self._next.t_s
             self._next = next(self._frames, None)
             count += 1
             if count % 64 == 0 and time.monotonic() > until_wall_s:
@@ -128,6 +118,13 @@ class Replay:
         self.t_s = max(self.t_s, min(t_s, self.to_s))
         self._see_what_happened(self.t_s)
         return True
+
+    def _take(self, recorded: RecordedFrame, *, counted: bool = True) -> None:
+        self._see_what_happened(recorded.t_s)
+        if recorded.sent:
+            self.observer.receive_sent(recorded.frame)
+        else:
+            self.observer.receive(recorded.frame, recorded.t_s, counted=counted)
 
     @property
     def silence_s(self) -> float:
@@ -156,7 +153,7 @@ class Replay:
             for event in self._timeline.events(self._reported_until_s, self.t_s):
                 self.observer.add_event(event)
             self.observer.ordered = self._timeline.ordered(self.t_s)
-            held_s = self._pursuit.at(self.t_s) if self._pursuit is not None else None
+            held_s = self._pursuit(self.t_s) if self._pursuit is not None else None
             more = self._timeline.at(self.observer.view(self.t_s), held_s)
         self._reported_until_s = self.t_s
         more["replay"] = {"from_s": self.from_s, "to_s": self.to_s, "speed": speed, "paused": paused}

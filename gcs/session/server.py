@@ -18,14 +18,11 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from gcs.session.client import NEXT, READ_BYTES, SOCKET, STOP
 from gcs.session.messages import CONTEST_EVERY_S, CONTEST_S, reply_message
 from gcs.telemetry.events import Event
 
-NEXT, STOP = b"n", b"s"
 BUFFER_BYTES = 1 << 20
-
-NAME = "session.sock"
-READ_BYTES = 65536
 BACKLOG_BYTES = 1 << 20
 REMEMBERED = 200
 """Earlier events that a new client is sent."""
@@ -52,12 +49,12 @@ class Publisher:
 
     def __init__(self, folder: Path, greeting: Mapping[str, Any] | None = None) -> None:
         self._greeting = greeting
-        self._path = folder / NAME
+        self._path = folder / SOCKET
         directory = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
         try:
             self._server = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM | socket.SOCK_NONBLOCK)
-            self._server.bind(f"/proc/self/fd/{directory}/{NAME}")
-            os.chmod(f"/proc/self/fd/{directory}/{NAME}", 0o600)  # before anybody can connect
+            self._server.bind(f"/proc/self/fd/{directory}/{SOCKET}")
+            os.chmod(f"/proc/self/fd/{directory}/{SOCKET}", 0o600)  # before anybody can connect
             self._server.listen(16)
         finally:
             os.close(directory)

@@ -8,8 +8,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from gcs.session.plain_text import PlainView, clean
-from gcs.session.supervised import View
+from gcs.session.plain_text import PlainView, View, clean
 
 FILE = "session.log"
 
@@ -32,7 +31,7 @@ def _line(vehicle: Mapping[str, Any]) -> str:
     return f"{line}  {clean(vehicle['note'])}".rstrip()
 
 
-class _Both:
+class _Both(View):
     def __init__(self, shown: View, kept: View) -> None:
         self._shown, self._kept = shown, kept
 

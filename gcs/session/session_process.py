@@ -222,7 +222,8 @@ class SessionProcess:
             periods = pace.next(self._scenario.clock.period_s)
             supervisor.tick(self._watch, periods)
             self._answered_s = self._said_waiting_s = time.monotonic()
-            self._look_around()
+            if time.monotonic() - self._watched_s >= WATCH_EVERY_S:
+                self._watch()
             self._wait()
         supervisor.finish(self._watch)
         self._serve_reader()
@@ -265,11 +266,6 @@ class SessionProcess:
         if reader.asked:
             self._gather_events()
             reader.give({**self._snapshot(()), "t_s": supervisor.snapshot.time_s})
-
-    def _look_around(self) -> None:
-        """At most every 50 ms of wall time: the rest of the world."""
-        if time.monotonic() - self._watched_s >= WATCH_EVERY_S:
-            self._watch()
 
     def _watch(self) -> None:
         """Deaths, operators, the parent's pipe; and a fresh snapshot for clients."""

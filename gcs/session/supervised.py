@@ -15,18 +15,18 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
-from typing import IO, Any, Protocol, Self
+from typing import IO, Any, Self
 
 import click
 
 from gcs.exit import BAD_INPUT, INTERNAL_ERROR
 from gcs.loading import loaded, uncollected
-from gcs.processes.forked import ForkedProcess
+from gcs.processes.forked import ForkedProcess, await_end
 from gcs.processes.hatch import Hatch, LaunchError
 from gcs.scenario.file import dump, load
 from gcs.scenario.model import Scenario, ScenarioError
 from gcs.session.client import SOCKET, Client, EarlierEvents, Lines
-from gcs.session.plain_text import QuietView, clean, farewell, mute_stdout
+from gcs.session.plain_text import View, clean, farewell, mute_stdout
 
 SUPERVISOR = (sys.executable, "-P", "-m", "gcs.session.process")
 """-P: what lies in the current folder is no module of ours."""
@@ -42,19 +42,6 @@ class RunError(click.ClickException):
     """Why nothing could be started: one sentence for a person."""
 
     exit_code = BAD_INPUT
-
-
-class View(Protocol):
-    """Shows snapshots as they come."""
-
-    def show(self, snapshot: Any) -> None:
-        """Take in the newest state."""
-
-    def tick(self, now_s: float) -> None:
-        """Show what is due at wall time `now_s`."""
-
-    def close(self) -> None:
-        """Show the last state and let go of the screen."""
 
 
 class Signals:
@@ -207,11 +194,7 @@ class Supervised:
     def __exit__(self, *_: object) -> None:
         with contextlib.suppress(BrokenPipeError):
             self._in.close()
-        try:
-            self._process.wait(timeout=PATIENCE_S[1])
-        except subprocess.TimeoutExpired:
-            self._process.kill()
-            self._process.wait()
+        await_end(self._process, PATIENCE_S[1])
         if self.client is not None:
             self.client.close()
         self._out.close()
@@ -387,11 +370,11 @@ def _watch(process: Supervised, signals: Signals, view: View, hurry: Callable[[]
             except BrokenPipeError:  # the reader of our lines is gone, as with `| head`
                 interrupted = interrupted or signal.SIGPIPE
                 process.interrupt(now_s)
-                view = QuietView()
+                view = View()
                 mute_stdout()
             except OSError as error:  # the session goes on unseen
                 print(f"gcs: cannot show the session: {error.strerror}; it goes on", file=sys.stderr)
-                view = QuietView()
+                view = View()
                 mute_stdout()
             if watched is not None and not watched.connected:
                 selector.unregister(watched)

@@ -20,11 +20,10 @@ from gcs.refuelling import explain
 from gcs.refuelling.bidding import CompetitionState
 from gcs.refuelling.service import Phase, Service
 from gcs.scenario.model import Scenario
-from gcs.session.messages import CONTEST_EVERY_S, CONTEST_S, goal_of
+from gcs.session.messages import CONTEST_EVERY_S, CONTEST_S, first_broken, goal_of, services_of, states_of
 from gcs.supervisor.operator import TAKEN
 from gcs.telemetry.events import Event
-from gcs.telemetry.health import state
-from gcs.telemetry.state import FleetSnapshot, Vec3
+from gcs.telemetry.state import FleetSnapshot
 
 STANDS_S = 0.35
 """A competition that has not been recorded for so long is over."""
@@ -73,8 +72,6 @@ class Timeline:
 
     def __init__(self, path: Path, scenario: Scenario, progress: Callable[[float], object] = lambda _: None) -> None:
         self._scenario = scenario
-        self._speed: dict[int | None, float] = {t.sysid: t.speed_m_s for t in scenario.vehicles.tankers}
-        self._base_ned: dict[str | None, Vec3] = {base.name: base.position_m for base in scenario.bases}
         self._lives: list[_Life] = []
         self._competition_lines: list[DecisionLine] = []
         self._shown: list[tuple[float, dict[str, Any]]] = []
@@ -94,9 +91,7 @@ class Timeline:
             for line in others:
                 self._add(line)
         self.broken += lines.passed_over
-        self._shown.sort(
-            key=lambda first_broken: first_broken[0]
-        )  # what only the vehicles' truth showed was recorded at the end
+        self._shown.sort(key=lambda shown: shown[0])  # what only the vehicles' truth showed was recorded at the end
         self.violations.sort(key=lambda record: float(record["at_s"]))
         self._competition_s = [line.t_s for line in self._competition_lines]
         self._shown_s = [t_s for t_s, _ in self._shown]
@@ -133,17 +128,7 @@ class Timeline:
         return {
             "duration_s": scenario.goal.duration_s,
             "competition": explain.competition_of(competition_state, scenario.competition),
-            "services": [
-                explain.service_of(
-                    s,
-                    snapshot,
-                    scenario.refuelling,
-                    scenario.competition,
-                    self._speed.get(s.tanker, 0.0),
-                    self._base_ned.get(s.base),
-                )
-                for s in is_open
-            ],
+            "services": services_of(is_open, snapshot, scenario),
             "history": explain.history_of(services),
             "refuelled": sum(service.phase is Phase.DONE and service.energy_j > 0 for service in services),
             "goal": goal,
@@ -160,23 +145,12 @@ class Timeline:
                 for part in self.unmet
                 if (part.t_s is None and at_end) or (part.t_s is not None and part.t_s <= t_s)
             ]
-        first: dict[str, dict[str, Any]] = {}
-        for record in self.violations:
-            if record["at_s"] <= t_s:
-                first_broken = {
-                    "part": record["part"],
-                    "text": f"{record['part']}: {record['text']}",
-                    "t_s": record["at_s"],
-                }
-                first.setdefault(record["part"], first_broken)
-        return list(first.values())
+        return first_broken(record for record in self.violations if record["at_s"] <= t_s)
 
     def _parts(
         self, snapshot: FleetSnapshot, competition_state: CompetitionState, services: list[Service]
     ) -> dict[int, dict[str, Any]]:
-        waiting = {service.receiver for service in services if service.phase is Phase.JOIN}
-        served = {service.receiver for service in services} - waiting
-        serving = {service.tanker for service in services if service.tanker is not None}
+        states = states_of(snapshot, competition_state, services)
         notes = explain.notes_of(services, (), {})
         targets = self._targets(snapshot.time_s)
         return {
@@ -185,14 +159,7 @@ class Timeline:
                 "tau": competition_state.tau.get(view.sysid),
                 "note": notes.get(view.sysid, ""),
                 "target": targets.get(view.sysid),
-                "state": state(
-                    view,
-                    competing=competition_state.v or competition_state.tau,
-                    leader=competition_state.leader,
-                    waiting=waiting,
-                    served=served,
-                    serving=serving,
-                ),
+                "state": states[view.sysid],
             }
             for view in snapshot.vehicles
         }

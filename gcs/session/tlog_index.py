@@ -12,7 +12,6 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.kernels import kernel
@@ -21,10 +20,7 @@ from gcs.mavlink.codec import Frame
 from gcs.mavlink.gaps import GapCounter, RecordedGaps, resumed
 from gcs.mavlink.ids import STATION
 from gcs.recording import rotation, tlog_reader
-from gcs.recording.tlog_reader import AT, COMPID, MSGID, SEQ, SYSID, T_US
-
-IntArray = NDArray[np.int64]
-ByteArray = NDArray[np.uint8]
+from gcs.recording.tlog_reader import AT, COMPID, MSGID, SEQ, SYSID, T_US, ByteArray, IntArray
 
 BLOCK_BYTES = 1 << 19
 MOST_BLOCKS = 256

@@ -23,6 +23,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Self
 
+from gcs.processes.forked import await_end
 from gcs.scenario.file import dump
 from gcs.scenario.model import Scenario
 
@@ -148,11 +149,7 @@ class WarmSessions:
         """End the process and everything that it made."""
         with contextlib.suppress(OSError):
             self._in.close()
-        try:
-            self._process.wait(ENDS_WITHIN_S)
-        except subprocess.TimeoutExpired:
-            self._process.kill()
-            self._process.wait()
+        await_end(self._process, ENDS_WITHIN_S)
         self._out.close()
         if self._folder is not None:
             shutil.rmtree(self._folder, ignore_errors=True)

@@ -200,7 +200,8 @@ class ArmingSequence:
         return [self._command(command, *params, token=f"{OPERATOR} {self.ordered}")]
 
     def _requests(self, view: VehicleView) -> list[Message]:
-        return [self._read(name) for name in BATTERY_PARAMETERS]
+        to = {"target_system": self.sysid, "target_component": mav.MAV_COMP_ID_AUTOPILOT1}
+        return [message("PARAM_REQUEST_READ", **to, param_id=name, param_index=-1) for name in BATTERY_PARAMETERS]
 
     def _wanted(self, view: VehicleView, now_s: float) -> list[CommandRequest]:
         """The command that the stage needs."""
@@ -284,12 +285,3 @@ class ArmingSequence:
 
     def _command(self, command: int, *params: float, token: str = "") -> CommandRequest:
         return CommandRequest(self.sysid, command, params, token or f"{ARMING} {self.stage}")
-
-    def _read(self, name: str) -> Message:
-        return message(
-            "PARAM_REQUEST_READ",
-            target_system=self.sysid,
-            target_component=mav.MAV_COMP_ID_AUTOPILOT1,
-            param_id=name,
-            param_index=-1,
-        )

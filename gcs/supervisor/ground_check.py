@@ -37,7 +37,6 @@ class GroundCheck:
     """The check lists of a scenario's external vehicles."""
 
     def __init__(self, scenario: Scenario, link: ExternalLink) -> None:
-        self._scenario = scenario
         self._link = link
         self._expected = scenario.vehicles.external
         self._fleet = make_fleet(scenario)

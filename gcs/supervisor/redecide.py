@@ -10,7 +10,7 @@ from __future__ import annotations
 import json
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any, cast
 
@@ -68,13 +68,7 @@ class Difference:
 
     def record(self) -> dict[str, Any]:
         """The comparison as one JSON object."""
-        return {
-            "type": "difference",
-            "t_s": self.t_s,
-            "kind": self.kind,
-            "recorded": self.recorded,
-            "today": self.today,
-        }
+        return {"type": "difference", **asdict(self)}
 
 
 def _short(value: Any) -> str:

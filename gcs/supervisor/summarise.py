@@ -25,7 +25,7 @@ from gcs.recording.summary import (
     VehicleLinkSummary,
     VehicleSummary,
 )
-from gcs.scenario.goal import Judgement, Nearest
+from gcs.scenario.goal import Nearest
 
 if TYPE_CHECKING:  # who only reads a summary need not load the supervisor
     from gcs.link.link import Link
@@ -46,7 +46,7 @@ def summarise(
     """Summary of a session that has ended; the link must still be open."""
     scenario, metrics, schedule = supervisor.scenario, supervisor.metrics, supervisor.schedule
     snapshot = supervisor.fleet.snapshot(supervisor.time_s)
-    goal = [_part(judged) for judged in supervisor.judged()]
+    goal = [GoalPartSummary(**asdict(one) | {"met": one.met is not False}) for one in supervisor.judged()]
     near, believed = supervisor.goal_watch.judged, supervisor.goal_watch.believed
     links = supervisor.links()
     schedule.settle(snapshot)
@@ -70,7 +70,7 @@ def summarise(
         unmet=[part for part in goal if not part.met],
         judged_by="truth" if supervisor.goal_watch.from_truth else "reports",
         digest=supervisor.digest.hexdigest() if scenario.vehicles.repeat else None,
-        versions=dict(_versions()),
+        versions=versions(),
         min_separation_m=_finite(near.separation.m),
         min_clearance_m=_finite(near.clearance.m),
         min_traffic_m=_finite(near.traffic.m),
@@ -144,10 +144,6 @@ def _ledger(view: VehicleView, lost_j: int) -> EnergySummary:
     )
 
 
-def _part(judged: Judgement) -> GoalPartSummary:
-    return GoalPartSummary(**{**asdict(judged), "met": judged.met is not False})
-
-
 def _closest(nearest: Nearest) -> ClosestSummary:
     return ClosestSummary(distance_m=nearest.m, sysids=list(nearest.sysids), what=nearest.what, t_s=nearest.t_s)
 
@@ -160,10 +156,11 @@ def load() -> None:
     """Build what the first summary of a process is built of."""
     for model in SummaryPart.__subclasses__():
         model.model_rebuild()
-    _versions()
+    versions()
 
 
 @functools.cache
-def _versions() -> dict[str, str]:
+def versions() -> dict[str, str]:
+    """Versions on which a session's digest depends, by package."""
     names = ("skytender", "pymavlink", "numpy", "numba")
     return {"python": platform.python_version(), **{name: version(name) for name in names}}

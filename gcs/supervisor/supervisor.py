@@ -258,10 +258,8 @@ class Supervisor:
         self._link.leave(key)
         self._deaths.append({"t_s": self.time_s, "kind": "death", "sysid": key[0], "text": why})
         self.goal_watch.lose(key[0], self.time_s, "its process died")
-        if key == TRAFFIC:
-            self.events.append(Event(self.time_s, 255, "critical", why, "death"))
-            return
-        self.fleet.lost(key[0])
+        if key != TRAFFIC:
+            self.fleet.lost(key[0])
         self.events.append(Event(self.time_s, key[0], "critical", why, "death"))
 
     # faults

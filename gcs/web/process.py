@@ -11,6 +11,8 @@ import sys
 from pathlib import Path
 from typing import Self
 
+from gcs.processes.forked import await_end
+
 STARTS_WITHIN_S = 30.0
 ENDS_WITHIN_S = 3.0
 
@@ -42,10 +44,6 @@ class PageServer:
             with contextlib.suppress(subprocess.TimeoutExpired):
                 self._process.wait(ENDS_WITHIN_S)
         self._process.terminate()
-        try:
-            self._process.wait(ENDS_WITHIN_S)
-        except subprocess.TimeoutExpired:
-            self._process.kill()
-            self._process.wait()
+        await_end(self._process, ENDS_WITHIN_S)
         if self._process.stdout is not None:
             self._process.stdout.close()

@@ -39,7 +39,7 @@ def figures(sessions: int = SESSIONS) -> list[Figure]:
     cost_s: list[float] = []
     long_s: list[float] = []
     wall_s: list[float] = []
-    worker.warm_up()
+    worker._sessions().warm_up()
     serving_s = _serving_cpu_s()
     memory_kib: list[float] = []
     try:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from gcs.cli.options import STATION_OPTION, connecting, endpoint
+from gcs.cli.options import STATION_OPTION, connect_option, connecting, key_file_option
 from gcs.exit import BAD_INPUT, NOT_DONE
 from gcs.scenario.endpoint import ONLY_ONCE, Endpoint
 
@@ -23,21 +23,11 @@ PEER_NAMES = {"mavsdk": "MAVSDK", "qgroundcontrol": "QGroundControl", "mavproxy"
 
 @click.command(short_help="Check what a vehicle would make its ground stations miss, or a scenario's check list.")
 @click.argument("scenario", required=False)
-@click.option(
-    "--connect",
+@connect_option(
+    "Where the vehicle is heard (udpin, tcpin), listens (udpout, tcp) or is plugged in (serial:/dev/ttyUSB0:57600).",
     default="udpin:127.0.0.1:14550",
-    show_default=True,
-    callback=endpoint,
-    metavar="ADDRESS",
-    help="Where the vehicle is heard (udpin, tcpin), listens (udpout, tcp) or is plugged in "
-    "(serial:/dev/ttyUSB0:57600).",
 )
-@click.option(
-    "--key-file",
-    type=click.Path(path_type=Path, dir_okay=False),
-    metavar="FILE",
-    help="MAVLink 2 signing: sign every question, and take only answers signed with this key.",
-)
+@key_file_option("MAVLink 2 signing: sign every question, and take only answers signed with this key.")
 @click.option("--sysid", type=click.IntRange(1, 254), help="The vehicle to ask.  [default: the first that is heard]")
 @click.option(
     "--peer",

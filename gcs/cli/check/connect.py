@@ -9,7 +9,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.cli.check.asking import MAVPROXY, MAVSDK, QGC, Ask, command_int, command_long, requested, to_vehicle
 from gcs.cli.check.dialogue import CheckedVehicle, Question
-from gcs.cli.check.judges import OK, acknowledged, answered, refuses, silent
+from gcs.cli.check.judges import OK, acknowledged, answered, leaves_alone, refuses
 from gcs.mavlink.codec import Message, layout, message
 
 UNKNOWN_COMMAND = 65000
@@ -110,7 +110,7 @@ def _other_target() -> Question:
         "other-target",
         "a command to another system id is left alone",
         misses,
-        silent,
+        leaves_alone("whose target_system is another vehicle's"),
         ask,
         lambda *_: OK,
         tries=1,

@@ -112,18 +112,10 @@ def refuses(command: int) -> Judge:
     return judge
 
 
-def refuses_unsigned(_: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verdict | None:
-    """A command without a signature over a link with a key: any acknowledgement shows that it was read."""
-    if any(_named(received, "COMMAND_ACK")):
-        return Verdict("wrong", "obeyed a command without a signature")
-    return None
-
-
-def silent(_: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verdict | None:
-    """A command to another system: any acknowledgement shows that it was obeyed."""
-    if any(_named(received, "COMMAND_ACK")):
-        return Verdict("wrong", "obeyed a command whose target_system is another vehicle's")
-    return None
+def leaves_alone(what: str) -> Judge:
+    """A command that is not to be read: any acknowledgement shows that it was obeyed, although it was `what`."""
+    obeyed = Verdict("wrong", f"obeyed a command {what}")
+    return lambda _, received: obeyed if any(_named(received, "COMMAND_ACK")) else None
 
 
 def streamed(name: str, at_least_hz: float) -> Callable[[CheckedVehicle, Sequence[ReceivedMessage]], Verdict]:

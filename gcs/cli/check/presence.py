@@ -56,9 +56,7 @@ def _autopilot_fault(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> V
 
 
 def _stream(name: str, hz: float, misses: dict[str, str]) -> Question:
-    key = f"stream-{name.lower().replace('_', '-')}"
-    what = f"{name} at {hz:g} Hz"
-    return Question(key, what, misses, lambda *_: None, at_end=streamed(name, hz), repeat_s=0.0, tries=1)
+    return judged(f"stream-{name.lower().replace('_', '-')}", f"{name} at {hz:g} Hz", misses, streamed(name, hz))
 
 
 def _fence(vehicle: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verdict:

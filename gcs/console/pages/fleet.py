@@ -93,10 +93,6 @@ def _battery(vehicle: Vehicle, glyphs: Glyphs, width: int) -> StyledLine:
     return [*bar(share, width - 4, glyphs, style), (f"{100.0 * share:3.0f}%", style)]
 
 
-def _joules(vehicle: Vehicle, glyphs: Glyphs, width: int) -> StyledLine:
-    return [(right(number(vehicle.get("remaining_j"), width, 0), width), "")]
-
-
 def _minutes(vehicle: Vehicle, glyphs: Glyphs, width: int) -> StyledLine:
     return [(right(minutes(vehicle.get("endurance_s")), width), "")]
 
@@ -132,7 +128,7 @@ COLUMNS = (
     TableColumn("m/s", 4, 4, _figure("speed_m_s", 1), right, 4),
     TableColumn("tgt", 4, 4, _figure("target_m", 1), right, 6, "tgt m"),
     TableColumn("battery", 8, 0, _battery, left, 12),
-    TableColumn("J", 5, 3, _joules, right, 6),
+    TableColumn("J", 5, 3, _figure("remaining_j", 0), right, 6),
     TableColumn("min", 5, 2, _minutes, right, 5),
     TableColumn("age", 3, 3, _figure("age_s", 1), right, 5, "age s"),
     TableColumn("ls%", 3, 4, _loss, right, 4, "los%"),

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
+from collections.abc import Iterable, Sequence
 
 from gcs.console.model import SessionModel, issues, severity
 from gcs.console.text import Glyphs, StyledLine, StyledLines, bar, fitted, width_of, wrapped
@@ -25,7 +24,8 @@ def session_line(
     begin_s = float((replay or {}).get("from_s") or 0.0)
     end_s = (replay or {}).get("to_s") or duration_s
     time = f"{watch.t_s:7.1f}" + (f" of {float(end_s):.0f} s" if end_s else " s")
-    pace = _pace(replay, snapshot)
+    speed = (replay or snapshot).get("speed")
+    pace = "-" if speed is None else f"{float(speed):.2f}"
     phase = watch.phase
     if replay and phase != "ended":
         phase = "paused" if replay.get("paused") else "replay"
@@ -53,11 +53,6 @@ def session_line(
         return line
     note = f" no news for {silent_s:.0f} s "
     return [*fitted(line, width - len(note), glyphs), (note, "look")]
-
-
-def _pace(replay: Mapping[str, Any] | None, snapshot: Mapping[str, Any]) -> str:
-    speed = (replay or snapshot).get("speed")
-    return "-" if speed is None else f"{float(speed):.2f}"
 
 
 def goal_line(watch: SessionModel, page: str, width: int, glyphs: Glyphs) -> StyledLine:

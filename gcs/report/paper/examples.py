@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
+from gcs.recording.series import Floats
 from gcs.refuelling.winner_take_all import simulate
 from gcs.report.paper import figures, flown, races, session, tracking
 from gcs.report.paper.claims import Measurement
@@ -18,8 +18,6 @@ from gcs.report.paper.figures import Drawing
 from gcs.report.paper.session import RecordedFlight
 from gcs.report.paper.study import Study, Table
 from gcs.scenario.model import Scenario
-
-Floats = NDArray[np.float64]
 
 EXPONENTS = (1.5, 2.0, 2.5, 5.0)
 SHOWN_S = 150.0

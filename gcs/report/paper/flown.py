@@ -7,16 +7,14 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gcs.recording.series import Floats
 from gcs.report.paper import session, tracking
 from gcs.report.paper.claims import Measurement
 from gcs.report.paper.figures import Drawing
 from gcs.report.paper.session import RecordedFlight
 from gcs.report.paper.study import Study
 from gcs.scenario.model import Scenario
-
-Floats = NDArray[np.float64]
 
 NEAR_M_S, HELD_S = 0.1, 1.0
 """A speed is reached when the error stays below this for so long."""

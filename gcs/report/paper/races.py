@@ -10,13 +10,12 @@ from collections.abc import Callable, Sequence
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
+from gcs.recording.series import Floats
 from gcs.refuelling.winner_take_all import advance, normalise, simulate
 from gcs.report.paper.session import RecordedFlight
 
-Floats = NDArray[np.float64]
 Criterion = Literal["ratio", "share"]
 
 LOW, HIGH = 0.01, 1.0

@@ -19,13 +19,12 @@ from numpy.typing import NDArray
 
 from gcs.planner import fuzzy_escape
 from gcs.planner.potential_field import FieldConstants
+from gcs.recording.series import Floats
 from gcs.report.paper.claims import Measurement
 from gcs.report.paper.session import NED_TO_PAPER
 from gcs.report.paper.study import Study, Table
 from gcs.report.paper.theory import step_alone
 from gcs.scenario import geometry
-
-Floats = NDArray[np.float64]
 
 STARTS = ((0.0, 5.0, 0.0), (0.0, 0.0, 0.0), (0.0, -5.0, 0.0))
 SPEEDS = ((0.0, 0.0, 0.0), (1.0, 3.0, 2.0), (2.0, 2.0, 2.0), (1.0, 3.0, 6.0), (1.0, 2.0, 4.0))

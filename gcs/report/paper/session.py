@@ -9,18 +9,15 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from gcs.recording import tlog_reader
+from gcs.recording import tlog_reader, truth
 from gcs.recording.decisions_reader import DecisionLines
 from gcs.recording.recorder import DECISIONS, TLOG
-
-Floats = NDArray[np.float64]
+from gcs.recording.series import Floats
 
 NED_TO_PAPER = np.array([1.0, -1.0, -1.0])
 EFFORT = b"CtlEffort"
-_STATES = 12
-_FIXED = 2 + _STATES + 4  # time, number of steps, states, four energies; then one thrust per step
+_KNOWN = (*truth.MOTION, "roll", "pitch", "yaw")
 
 
 @dataclass(frozen=True)
@@ -88,18 +85,18 @@ def read(folder: Path, sysids: list[int], period_s: float) -> list[RecordedFligh
                 efforts[int(report["sysid"])].append((int(report["time_boot_ms"]) / 1e3, float(report["value"])))
     flights = []
     for sysid in sysids:
-        if not plans[sysid] or not efforts[sysid]:
+        flown = truth.read(folder, sysid, _KNOWN)
+        if not plans[sysid] or not efforts[sysid] or flown is None:
             raise ValueError(f"{folder}: vehicle {sysid} was told or reported nothing; fly the session again")
         plan, effort = np.array(plans[sysid]), np.array(efforts[sysid])
-        flown = _truth(folder / "vehicles" / f"{sysid}.truth")
         flights.append(
             RecordedFlight(
                 sysid=sysid,
                 period_s=period_s,
                 time_s=flown[:, 0],
-                p=flown[:, 2:5] * NED_TO_PAPER,
-                v=flown[:, 5:8] * NED_TO_PAPER,
-                attitude=flown[:, 8:11] * NED_TO_PAPER,
+                p=flown[:, 1:4] * NED_TO_PAPER,
+                v=flown[:, 4:7] * NED_TO_PAPER,
+                attitude=flown[:, 7:10] * NED_TO_PAPER,
                 plan_time_s=plan[:, 0],
                 plan_p=plan[:, 1:4] * NED_TO_PAPER,
                 plan_v=plan[:, 4:7] * NED_TO_PAPER,
@@ -119,14 +116,3 @@ def summary(folder: Path) -> dict[str, Any]:
     """The session's summary.json. Raises OSError."""
     content: dict[str, Any] = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
     return content
-
-
-def _truth(path: Path) -> Floats:
-    """Records (k, 18) of a truth file, without the thrusts; simvehicle/sitl/truth.py has the format."""
-    _, _, body = path.read_bytes().partition(b"\n")
-    numbers = np.frombuffer(body[: len(body) // 8 * 8], dtype="<f8")
-    rows, at = [], 0
-    while at + _FIXED <= len(numbers):
-        rows.append(numbers[at : at + _FIXED])
-        at += _FIXED + int(numbers[at + 1])
-    return np.array(rows).reshape(-1, _FIXED)

@@ -7,19 +7,17 @@ import itertools
 
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from gcs.planner import fuzzy_escape
 from gcs.planner.leader import advance
 from gcs.planner.potential_field import FieldConstants
+from gcs.recording.series import Floats
 from gcs.report.paper import figures
 from gcs.report.paper.claims import Measurement
 from gcs.report.paper.figures import Drawing
 from gcs.report.paper.session import NED_TO_PAPER
 from gcs.report.paper.study import Study, Table
 from gcs.scenario import geometry
-
-Floats = NDArray[np.float64]
 
 TERMS = ("NB", "NM", "S", "PM", "PB")
 RULES = (  # of docs/model.md#fuzzy-escape, since Table I's entries are lost; rows: terms of ΔΦ, columns: terms of ΔF

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import json
-import shutil
 import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from gcs.processes.hatch import vehicle_program
 from gcs.report.paper.claims import Measurement
 from gcs.report.paper.study import Study, Table
 
@@ -52,8 +51,7 @@ def energies(folder: Path, plans: Path) -> dict[str, NDArray[Any]]:
 
 
 def _call(folder: Path, *options: str) -> None:
-    beside = Path(sys.executable).with_name("simvehicle")
-    program = str(beside) if beside.exists() else shutil.which("simvehicle")
+    program = vehicle_program()
     if program is None:
         raise VehicleFiguresError("the program 'simvehicle' is not installed beside gcs; install Skytender again")
     command = [program, "paper", "--out", str(folder), *options]

@@ -1,16 +1,43 @@
 """Scenarios of every family load, allow what is wanted of them, and depend on name and seed alone."""
 
 import json
+import math
 from pathlib import Path
 
+import numpy as np
 import pytest
 import yaml
 
-from gcs.campaign.families import FAMILIES, LONGEST_S, family, faults
+from gcs.campaign.families import FAMILIES, LONGEST_S, family
+from gcs.campaign.family_parts import MARGIN_M, OBSTACLE_M, TAKEOFF_M, Document, table_of
 from gcs.campaign.tight import DURATION_S
+from gcs.scenario import geometry as shapes
 from gcs.scenario.file import load
 
 SEEDS = range(12)
+
+
+def faults(document: Document) -> list[str]:
+    """Sentences on what a document's starts and last way points do not allow; none if all is well."""
+    separation_m = document["planner"]["separation_m"] + MARGIN_M - 2e-3  # places are rounded to 1 mm
+    vehicles = [v for group in ("pursuers", "targets", "tankers") for v in document["vehicles"].get(group, [])]
+    starts = [(v["sysid"], v["start_m"]) for v in vehicles]
+    ends = [(v["sysid"], v["waypoints_m"][-1]) for v in vehicles if v.get("waypoints_m")]
+    found = []
+    for what, places in (("start", starts), ("end", ends)):
+        for i, (one, p) in enumerate(places):
+            for other, q in places[:i]:
+                if math.dist(p, q) < separation_m:
+                    found.append(f"{one} and {other} {what} {math.dist(p, q):.3f} m apart")
+    table = table_of(document)
+    for v in vehicles:
+        up = 0.0 if v.get("airborne") else v.get("takeoff_m", TAKEOFF_M)
+        n, e, d = v["start_m"]
+        places = [[n, e, d - h] for h in np.linspace(0.0, up, 9)] + v.get("waypoints_m", [])
+        least_m = shapes.clearance(table, np.array(places)).min()
+        if least_m < OBSTACLE_M - 2e-3:
+            found.append(f"{v['sysid']} starts or ends {least_m:.3f} m from an obstacle")
+    return found
 
 
 @pytest.mark.parametrize("name", FAMILIES)

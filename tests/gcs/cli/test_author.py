@@ -351,10 +351,11 @@ def test_versions_are_compared_by_their_numbers(have: str, limits: str, fits: bo
     assert doctor.satisfies(have, limits) is fits
 
 
-def test_a_check_that_fails_itself_is_a_finding() -> None:
+def test_a_check_that_fails_itself_is_a_finding(monkeypatch: pytest.MonkeyPatch) -> None:
     def _odd() -> Any:
         raise RuntimeError("no")
         yield
 
-    (finding,) = doctor._safely(_odd)()
+    monkeypatch.setattr(doctor, "CHECKS", (_odd,))
+    (finding,) = doctor.examine()
     assert (finding.level, finding.found) == ("problem", "RuntimeError: no")

@@ -35,7 +35,7 @@ def test_pymavlink_reads_back_every_frame_and_its_time(tmp_path: Path) -> None:
     raws = [attitude(i, sysid=1 + i % 3) for i in range(20_000)]
     with Recorder(tmp_path) as recorder:
         for i, raw in enumerate(raws):
-            recorder.frame(EPOCH_US + 1000 * i, raw)
+            recorder.frames(EPOCH_US + 1000 * i, [raw])
     assert sum(len(raw) + 8 for raw in raws) > 2 * BATCH_BYTES
     log = mavutil.mavlink_connection(str(tmp_path / TLOG), dialect="common")
     for i, raw in enumerate(raws):
@@ -83,7 +83,7 @@ def test_a_set_point_without_a_number_is_refused(bad: float) -> None:
 
 def test_flush_shows_what_was_recorded_so_far(tmp_path: Path) -> None:
     with Recorder(tmp_path) as recorder:
-        recorder.frame(EPOCH_US, attitude(1))
+        recorder.frames(EPOCH_US, [attitude(1)])
         recorder.decision({"a": 1})
         recorder.flush()
         assert (tmp_path / TLOG).stat().st_size == 8 + len(attitude(1))
@@ -107,7 +107,7 @@ def test_recording_after_close_is_refused(tmp_path: Path) -> None:
     recorder.close()
     recorder.close()
     with pytest.raises(RecorderError, match=r"session\.tlog is closed"):
-        recorder.frame(EPOCH_US, attitude(1))
+        recorder.frames(EPOCH_US, [attitude(1)])
     assert (tmp_path / TLOG).stat().st_size == 0
 
 
@@ -126,7 +126,7 @@ def largest_file(size: int) -> Iterator[None]:
 
 def record_frames(recorder: Recorder, count: int) -> None:
     for i in range(count):
-        recorder.frame(EPOCH_US + i, attitude(i))
+        recorder.frames(EPOCH_US + i, [attitude(i)])
 
 
 def test_refused_write_ends_the_recording_in_a_sentence_with_whole_records_and_closed_files(tmp_path: Path) -> None:
@@ -144,7 +144,7 @@ def test_refused_write_ends_the_recording_in_a_sentence_with_whole_records_and_c
     open_files = [link.readlink() for link in Path("/proc/self/fd").iterdir() if link.is_symlink() and link.exists()]
     assert not [path for path in open_files if path.parent == tmp_path]
     with pytest.raises(RecorderError, match="file too large"):
-        recorder.frame(0, attitude(0))
+        recorder.frames(0, [attitude(0)])
     with pytest.raises(RecorderError, match="file too large"):
         recorder.decision({})
     recorder.close()
@@ -167,7 +167,7 @@ def test_full_device_is_told_as_such() -> None:
         real = os.open
         os.open = lambda path, flags, mode=0o777: real("/dev/full", os.O_WRONLY)
         r = recorder.Recorder(Path("/session"))
-        r.frame(1, b"frame")
+        r.frames(1, [b"frame"])
         try:
             r.close()
         except recorder.RecorderError as error:

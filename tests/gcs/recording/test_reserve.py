@@ -19,10 +19,10 @@ def kept_bytes(folder: Path) -> list[int]:
 
 
 def test_the_room_is_taken_without_a_name_and_given_back(tmp_path: Path) -> None:
-    with Reserve(tmp_path, 254) as reserve:
-        (held,) = kept_bytes(tmp_path)
-        assert held >= PER_SESSION_BYTES + 254 * PER_VEHICLE_BYTES
-        assert not list(tmp_path.iterdir())
-        reserve.release()
-        assert not kept_bytes(tmp_path)
-        reserve.release()
+    reserve = Reserve(tmp_path, 254)
+    (held,) = kept_bytes(tmp_path)
+    assert held >= PER_SESSION_BYTES + 254 * PER_VEHICLE_BYTES
+    assert not list(tmp_path.iterdir())
+    reserve.release()
+    assert not kept_bytes(tmp_path)
+    reserve.release()

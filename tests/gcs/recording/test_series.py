@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import json
 import math
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -69,7 +70,7 @@ def record(folder: Path, off_plan_m: float = 0.25) -> None:
             nonlocal sent
             sent += 1
             if sysid != 1 or sent % 50:
-                recorder.frame(EPOCH_US + round(1e6 * t), codec.encode(message, seq[sysid], sysid, 1, **fields))
+                recorder.frames(EPOCH_US + round(1e6 * t), [codec.encode(message, seq[sysid], sysid, 1, **fields)])
             seq[sysid] = (seq[sysid] + 1) % 256
 
         for k in range(1, round(END_S / 0.1) + 1):
@@ -184,8 +185,8 @@ def test_late_and_repeated_frames_are_counted_as_the_link_counts_them(tmp_path: 
     with Recorder(tmp_path) as recorder:
         for k, number in enumerate(numbers):
             counter.feed(7, 1, number)
-            recorder.frame(EPOCH_US + 20_000 * k, codec.encode("HEARTBEAT", number, 7, 1, type=2, autopilot=12,
-                           base_mode=0, custom_mode=0, system_status=4))  # fmt: skip
+            recorder.frames(EPOCH_US + 20_000 * k, [codec.encode("HEARTBEAT", number, 7, 1, type=2, autopilot=12,
+                           base_mode=0, custom_mode=0, system_status=4)])  # fmt: skip
     recorded = read(tmp_path)
     assert sum(lost.sum() for lost in recorded.traffic_lost.values()) == counter.lost > 0
 
@@ -219,7 +220,7 @@ def test_pursuit_is_held_from_the_first_to_the_last_tick_in_a_row_by_the_worst(h
     assert at_once.held_s == {1: longest_s(0, len(holds)), 2: longest_s(1, len(holds))}
 
 
-def course_of(folder: Path, flown: Scenario) -> pursuit_held.HeldTimes | None:
+def course_of(folder: Path, flown: Scenario) -> Callable[[float], float] | None:
     reader = pursuit_held.HeldTimesReader(flown, [])
     for chunk in tlog_reader.read(folder / "session.tlog").chunks():
         reader.add(chunk)
@@ -230,13 +231,13 @@ def test_pursuit_is_held_from_the_first_tick_on_by_who_circles_within_the_goals_
     """The first tick with a place: 0.1 s; what is told at a time was measured 0.1 s earlier, at the tick before."""
     course = course_of(recorded.folder, scenario())
     assert course is not None
-    assert course.at(0.1) == 0.0
+    assert course(0.1) == 0.0
     for t_s in (1.0, 17.3, END_S):
-        assert course.at(t_s) == pytest.approx(t_s - 0.2)
+        assert course(t_s) == pytest.approx(t_s - 0.2)
     nearer = scenario(goal={"duration_s": END_S, "pursue": {"within_m": 9.0, "for_s": 20.0}})
     outside = course_of(recorded.folder, nearer)
     assert outside is not None
-    assert outside.at(END_S) == 0.0
+    assert outside(END_S) == 0.0
     assert course_of(recorded.folder, scenario(goal={"duration_s": END_S})) is None
 
 

@@ -11,16 +11,8 @@ from typing import Any
 
 import pytest
 
-from gcs.session.server import (
-    MOST_CLIENTS,
-    MOST_COMMANDS,
-    MOST_IN_ALL,
-    NAME,
-    READ_BYTES,
-    REMEMBERED,
-    TOO_MANY,
-    Publisher,
-)
+from gcs.session.client import READ_BYTES, SOCKET
+from gcs.session.server import MOST_CLIENTS, MOST_COMMANDS, MOST_IN_ALL, REMEMBERED, TOO_MANY, Publisher
 
 
 @pytest.fixture
@@ -35,7 +27,7 @@ def connect(folder: Path) -> socket.socket:
     try:
         client = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
         client.settimeout(5.0)
-        client.connect(f"/proc/self/fd/{directory}/{NAME}")
+        client.connect(f"/proc/self/fd/{directory}/{SOCKET}")
     finally:
         os.close(directory)
     return client
@@ -144,7 +136,7 @@ def test_a_folder_with_a_long_name_is_no_hindrance(tmp_path: Path) -> None:
         publisher.publish({"t_s": 1})
         assert lines(client, 1) == [{"t_s": 1}]
     publisher.close()
-    assert not (folder / NAME).exists()
+    assert not (folder / SOCKET).exists()
 
 
 def test_closing_lets_everyone_go(tmp_path: Path) -> None:
@@ -153,7 +145,7 @@ def test_closing_lets_everyone_go(tmp_path: Path) -> None:
         publisher.poll()
         publisher.close()
         assert client.recv(1) == b""
-    assert not (tmp_path / NAME).exists()
+    assert not (tmp_path / SOCKET).exists()
 
 
 def test_a_client_reads_the_greeting_before_anything_else(tmp_path: Path) -> None:
@@ -217,7 +209,7 @@ def test_only_its_user_may_connect_whatever_the_umask(tmp_path: Path) -> None:
         publisher = Publisher(tmp_path)
     finally:
         os.umask(before)
-    assert stat.S_IMODE((tmp_path / NAME).stat().st_mode) == 0o600
+    assert stat.S_IMODE((tmp_path / SOCKET).stat().st_mode) == 0o600
     publisher.close()
 
 

@@ -28,14 +28,15 @@ def folder(tmp_path: Path) -> Path:
         effort = {"name": "CtlEffort"}
         for t_ms, value in ((1000, 10.0), (2000, 30.0)):
             fields = {"time_boot_ms": t_ms, "value": value, **effort}
-            recorder.frame(
+            recorder.frames(
                 t_ms * 1000,
-                codec.encode("HEARTBEAT", 0, 1, 1, type=2, autopilot=12, base_mode=0, custom_mode=0, system_status=4),
+                [codec.encode("HEARTBEAT", 0, 1, 1, type=2, autopilot=12, base_mode=0, custom_mode=0, system_status=4)],
             )
-            recorder.frame(t_ms * 1000, codec.encode("NAMED_VALUE_FLOAT", 1, 1, 1, **fields))
-            recorder.frame(t_ms * 1000, codec.encode("NAMED_VALUE_FLOAT", 1, 2, 1, **(fields | {"value": 99.0})))
-            recorder.frame(t_ms * 1000, codec.encode("NAMED_VALUE_FLOAT", 1, 1, 1, **(fields | {"name": "Other"})))
-    truth = json.dumps({"schema": 1}).encode() + b"\n"
+            recorder.frames(t_ms * 1000, [codec.encode("NAMED_VALUE_FLOAT", 1, 1, 1, **fields)])
+            recorder.frames(t_ms * 1000, [codec.encode("NAMED_VALUE_FLOAT", 1, 2, 1, **(fields | {"value": 99.0}))])
+            recorder.frames(t_ms * 1000, [codec.encode("NAMED_VALUE_FLOAT", 1, 1, 1, **(fields | {"name": "Other"}))])
+    names = {"state": ["n", "e", "d", "vn", "ve", "vd", "roll", "pitch", "yaw", "p", "q", "r"], "energy": list("abcd")}
+    truth = json.dumps({"schema": 1, **names}).encode() + b"\n"
     for k in range(6):
         row = [k / 10, 2.0, 1.0, 2.0, -3.0, 0.5, -0.25, -1.0, 0.1, 0.2, 0.3, *[0.0] * 7, 9.8, 9.8]
         truth += struct.pack(f"<{len(row)}d", *row)

@@ -117,9 +117,7 @@ class PolicyBidding:
         """The one chosen is nobody else's any more."""
         self._able = [one for one in self._able if one != sysid]
         self._wanting = tuple(view for view in self._wanting if view.sysid != sysid)
-        self.competition_state = CompetitionState(
-            {}, self.competition_state.tau, self.competition_state.need, None, 0.0
-        )
+        self.competition_state = self.competition_state.without(sysid)
 
     def _all_checked(self, answer: Any, request: RefuellingRequest) -> dict[int, int]:
         """The answer as receivers by tanker. Raises Nonsense."""

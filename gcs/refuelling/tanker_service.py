@@ -193,7 +193,7 @@ class TankerSteps:
         answered = self._requests.accepted(token(service, "stop receiver")) is not None
         if not answered and now_s - service.phase_since_s <= START_WITHIN_S:
             return
-        self._settle(service, now_s)
+        self._settlement.add(EndedTransfer(service, service.out_at_start_j, service.in_at_begin_j, now_s))
         service.breaks += service.broken_off
         if service.broken_off and service.breaks < BREAKS:
             service.broken_off = False
@@ -215,10 +215,6 @@ class TankerSteps:
         if tanker.alive:
             self._requests.request(_follow_target_every(0.0, tanker.sysid, token(service, "unstream")))
         self._requests.records.append({"kind": "served", "reason": reason, **service.record()})
-
-    def _settle(self, service: Service, now_s: float) -> None:
-        """Let the transfer that has just ended be settled."""
-        self._settlement.add(EndedTransfer(service, service.out_at_start_j, service.in_at_begin_j, now_s))
 
     def _go(self, service: Service, phase: Phase, now_s: float) -> None:
         service.phase, service.phase_since_s = phase, now_s

@@ -26,7 +26,6 @@ TRIES = 5
 IN_FLIGHT = 8
 SETTLED_S = 1.0
 """A list during which nothing more has come for so long has come as far as it does by itself."""
-LONGEST_NAME = 16
 
 Outcome = Literal["read", "kept", "would", "set", "unknown", "refused", "silent"]
 """`kept`: it had that value already; `would`: it would be set, were this no dry run; `refused`: the vehicle keeps

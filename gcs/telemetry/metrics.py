@@ -58,11 +58,6 @@ class Metrics:
         """The longest time for which even the worst pursuer stayed with its target (or target had its pursuer)."""
         return self._pursuit.worst_s
 
-    @property
-    def held_s(self) -> dict[int, float]:
-        """The same of each pursuer, or target."""
-        return self._pursuit.held_s
-
     def _measure_paths(self, here: dict[int, Vec3], planned: dict[int, Vec3]) -> None:
         for sysid, p_ned in here.items():
             if sysid in self._last:

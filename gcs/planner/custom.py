@@ -65,8 +65,7 @@ class OwnPlanner:
         self._planner = planner
         self._guard = guard
         self._pursuers = frozenset(pursuer.sysid for pursuer in scenario.vehicles.pursuers)
-        vehicles = scenario.vehicles
-        self._follows = {p.sysid: on for p in vehicles.pursuers if (on := vehicles.target_of(p)) is not None}
+        self._follows = scenario.vehicles.followed
         self._held: dict[int, Vec3] = {}
 
     @property

@@ -262,14 +262,11 @@ class Planner:
 
         A target that is dead, silent, or not steered (it may be landing) leads no one: its pursuers hold.
         """
-        rules = self._scenario.formation
+        rules, vehicles = self._scenario.formation, self._scenario.vehicles
+        follows = vehicles.followed if self._pursuing is None else self._pursuing
         wants = {}
         for target in self._scenario.vehicles.targets:
             lead = snapshot.vehicle(target.sysid)
-            vehicles = self._scenario.vehicles
-            follows = self._pursuing
-            if follows is None:
-                follows = {p.sysid: on for p in vehicles.pursuers if (on := vehicles.target_of(p)) is not None}
             flying = {sysid: snapshot.vehicle(sysid) for sysid in follows if follows[sysid] == target.sysid}
             here = {sysid: view.p_now_ned() for sysid, view in flying.items() if view.flying}
             if not here or not (lead.flying and lead.fresh and target.sysid in self._begin):

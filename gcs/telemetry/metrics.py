@@ -25,7 +25,7 @@ class Metrics:
     """Running figures of one session."""
 
     def __init__(self, scenario: Scenario) -> None:
-        self.target_of = _targets(scenario)
+        self.target_of = scenario.vehicles.followed
         self._of_targets = scenario.pursuit.by == "competition"
         within_m = scenario.goal.pursue.within_m if scenario.goal.pursue else math.inf
         targets = (target.sysid for target in scenario.vehicles.targets)
@@ -84,11 +84,6 @@ class Metrics:
                 near_m[key] = min(math.dist(here[sysid], here[target]), near_m.get(key, math.inf))
         distances_m = [near_m.get(key, math.nan) for key in self._pursuit.keys]
         self._pursuit.update(np.array([now_s]), np.array([distances_m]).reshape(1, -1))
-
-
-def _targets(scenario: Scenario) -> dict[int, int]:
-    vehicles = scenario.vehicles
-    return {p.sysid: target for p in vehicles.pursuers if (target := vehicles.target_of(p)) is not None}
 
 
 @kernel()

@@ -68,13 +68,14 @@ class BiddingRule(Protocol):
         """The next services of free givers; `award` is called with each before the next is asked for."""
 
     def approaches(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> dict[int, int]:
-        """Receiver by tanker, of free tankers that fly towards somebody while nothing is decided."""
+        """Receiver by tanker, of free tankers that fly towards somebody while nothing is decided: usually none."""
+        return {}
 
     def award(self, sysid: int, now_s: float) -> None:
         """This one has been given a giver."""
 
 
-class NeedBidding:
+class NeedBidding(BiddingRule):
     """The competition's memory from tick to tick."""
 
     waits_for_all = False
@@ -142,10 +143,6 @@ class NeedBidding:
             base = min(bases, key=lambda one: math.dist(one.p_ned, place))
             bases.remove(base)
             yield Award(base, *won)
-
-    def approaches(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> dict[int, int]:
-        """Nobody moves before it is decided."""
-        return {}
 
     def winner_at(
         self, places: Sequence[Vec3], snapshot: FleetSnapshot, speed_m_s: float, reserve_s: float

@@ -17,7 +17,7 @@ from gcs.scenario.model import CompetitionRules, RefuellingRules, Scenario
 from gcs.telemetry.state import FleetSnapshot, VehicleView
 
 
-class PolicyBidding:
+class PolicyBidding(BiddingRule):
     """Asks a policy for each free tanker; a tanker without a good answer waits where it is."""
 
     waits_for_all = True
@@ -108,10 +108,6 @@ class PolicyBidding:
             times=self._times,
             left_s=max(self._end_s - snapshot.time_s, 0.0),
         )
-
-    def approaches(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> dict[int, int]:
-        """Nobody moves before it is decided."""
-        return {}
 
     def award(self, sysid: int, now_s: float) -> None:
         """The one chosen is nobody else's any more."""

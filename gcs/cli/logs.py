@@ -158,7 +158,7 @@ def _list(fleet: AskedFleet) -> list[LogClient]:
     from gcs.mavlink.ids import AUTOPILOT
     from gcs.mavlink.log_client import LogClient
 
-    clients = [LogClient(s, AUTOPILOT, files=not fleet.profiles[s].parameter_file) for s in sorted(fleet.profiles)]
+    clients = [LogClient(s, AUTOPILOT, fleet.profiles[s].log_folders) for s in sorted(fleet.profiles)]
     for client in clients:
         client.list_logs()
     fleet.converse(clients)

@@ -65,6 +65,8 @@ class Profile:
     """whether it answers the request for a parameter that it does not have"""
     parameter_file: str
     """file of all its parameters, packed, that it gives by MAVFTP; empty where it has none"""
+    log_folders: tuple[str, ...] | None
+    """where it may keep its logs for MAVFTP to read; None where LOG_* brings them faster"""
     parameter_encoding_said: bool
     """whether its capabilities say how integers stand in PARAM_VALUE"""
     fence_in_status: bool
@@ -169,6 +171,7 @@ PX4 = Profile(
     pinged=True,
     unknown_parameters_refused=False,
     parameter_file="",
+    log_folders=("@MAV_LOG", "/fs/microsd/log", "log"),
     parameter_encoding_said=True,
     fence_in_status=False,
     setup_checked=True,
@@ -215,6 +218,7 @@ ARDUCOPTER = Profile(
     pinged=False,
     unknown_parameters_refused=False,
     parameter_file="@PARAM/param.pck",
+    log_folders=None,
     parameter_encoding_said=False,
     fence_in_status=True,
     setup_checked=False,

@@ -1,9 +1,8 @@
 """Logs of one vehicle, listed and downloaded: no socket, file or clock here, time is an argument (s).
 
     list        LOG_REQUEST_LIST → LOG_ENTRY …
-    download    by MAVFTP (file_client.py) as the file `@LOG/NUMBER`, where the vehicle has that: simulated ones of ours
-                do, and 239 bytes come in a frame instead of 90. Else
-                LOG_REQUEST_DATA (a range) → LOG_DATA …, then each range that is missing; LOG_REQUEST_END after all
+    download    by MAVFTP as a file (ftp/log_file.py), where that is faster: 239 bytes come in a frame instead of 90.
+                Else LOG_REQUEST_DATA (a range) → LOG_DATA …, then each range that is missing; LOG_REQUEST_END after all
 
 One range is open at a time, since a vehicle serves one. What comes is kept wherever it belongs, so a piece that is lost
 costs itself, and no more than TRIES requests in a row may bring nothing.
@@ -11,11 +10,13 @@ costs itself, and no more than TRIES requests in a row may bring nothing.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Message
-from gcs.mavlink.file_client import FileClient
+from gcs.mavlink.ftp.log_file import LogFile
+from gcs.mavlink.ftp.requests import FileRequests
 
 PIECE_BYTES = 90
 REPEAT_S = 1.0
@@ -74,8 +75,8 @@ class _Download:
 class LogClient:
     """The dialogue with one vehicle."""
 
-    def __init__(self, sysid: int, compid: int, *, files: bool = True) -> None:
-        """`files`: whether it may have its logs as files; an ArduPilot, which has others, has not."""
+    def __init__(self, sysid: int, compid: int, log_folders: Sequence[str] | None = ()) -> None:
+        """`log_folders`: where it may have its logs as files (Profile.log_folders); None: they are not looked for."""
         self.sysid, self.compid = sysid, compid
         self._to = {"target_system": sysid, "target_component": compid}
         self.entries: dict[int, LogEntry] = {}
@@ -90,9 +91,9 @@ class LogClient:
         self._expected: int | None = None
         self._wanted: list[LogEntry] = []
         self._open: _Download | None = None
-        self._file: FileClient | None = None
-        self._has_files = files
-        """whether it may have its logs as files, as far as is known"""
+        self._requests = FileRequests(sysid, compid)
+        self._file: LogFile | None = None
+        self._log_folders = log_folders
         self._range = (0, 0)
         self._tries = 0
         self._due_s = 0.0
@@ -165,7 +166,7 @@ class LogClient:
     def end(self) -> list[Message]:
         """Messages that end a download, however it goes: the vehicle, whose list was asked for, goes on writing its
         log."""
-        file = [] if self._file is None else [self._file.end()]
+        file = [] if self._file is None else self._file.end()
         return [*file, codec.message("LOG_REQUEST_END", **self._to)]
 
     def _begin(self, entry: LogEntry, now_s: float) -> None:
@@ -176,16 +177,16 @@ class LogClient:
             self.files[entry.number] = b""
         else:
             self._open, self._tries, self._due_s = _Download(entry), 0, now_s
-            if self._has_files:
-                self._file = FileClient(self.sysid, self.compid, f"@LOG/{entry.number}", entry.size_bytes)
+            if self._log_folders is not None:
+                self._file = LogFile(self._requests, entry.number, entry.size_bytes, self._log_folders)
 
-    def _poll_file(self, file: FileClient, entry: LogEntry, now_s: float) -> list[Message]:
+    def _poll_file(self, file: LogFile, entry: LogEntry, now_s: float) -> list[Message]:
         """Read it as a file; where that does not bring it, go over to ranges."""
         messages = file.poll(now_s)
         if file.done:
             self._file = None
             if file.content is None:
-                self._has_files = False
+                self._log_folders = None
             else:
                 self.files[entry.number] = file.content
                 self._close()

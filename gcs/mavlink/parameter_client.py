@@ -3,7 +3,7 @@
     read     PARAM_REQUEST_READ → PARAM_VALUE
     write    read → PARAM_SET → PARAM_VALUE → PARAM_REQUEST_READ → PARAM_VALUE: it counts when it reads as written
     list     PARAM_REQUEST_LIST → PARAM_VALUE …, then by index what is missing; before that, where the profile names a
-             file of all parameters, this is read by MAVFTP (file_client.py), which is faster: ten or more a frame
+             file of all parameters, this is read by MAVFTP (ftp/file_client.py), which is faster: ten or more a frame
 
 What is not answered is sent again, TRIES times in all; no more than IN_FLIGHT questions are open at once, so that a
 slow radio is not flooded.
@@ -19,7 +19,8 @@ from typing import Any, Literal, NamedTuple
 from gcs.mavlink import codec, parameter_pack
 from gcs.mavlink.autopilots import Profile
 from gcs.mavlink.codec import Message
-from gcs.mavlink.file_client import FileClient
+from gcs.mavlink.ftp.file_client import FileClient
+from gcs.mavlink.ftp.requests import FileRequests
 
 REPEAT_S = 0.7
 TRIES = 5
@@ -98,7 +99,7 @@ class ParameterClient:
     def read_all(self) -> None:
         """Read whatever it has."""
         if self.profile.parameter_file:
-            self._file = FileClient(self.sysid, self.compid, self.profile.parameter_file)
+            self._file = FileClient(FileRequests(self.sysid, self.compid), self.profile.parameter_file)
         else:
             self._listing = _Listing()
 

@@ -118,7 +118,7 @@ def _listed(found: dict[int, AskedFleet]) -> list[LogClient]:
     """Dialogues that know the logs of each vehicle, the newest in a size that it keeps."""
     before: list[list[LogEntry]] | None = None
     for _ in range(STAYS_TRIES):
-        clients = [LogClient(s, AUTOPILOT, files=not found[s].profiles[s].parameter_file) for s in sorted(found)]
+        clients = [LogClient(s, AUTOPILOT, found[s].profiles[s].log_folders) for s in sorted(found)]
         for client in clients:
             client.list_logs()
         while not all(client.done for client in clients):

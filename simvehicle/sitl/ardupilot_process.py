@@ -18,7 +18,7 @@ JSON_PORT, SERIAL_PORT, APART = 9002, 5760, 10
 PARAMETERS: dict[str, float] = {
     "FRAME_CLASS": 1,
     "FRAME_TYPE": 1,
-    "SCHED_LOOP_RATE": round(1.0 / STEP_S),
+    "SCHED_LOOP_RATE": round(0.5 / STEP_S),  # 4.6 wants 1.8 samples of its gyro for each loop, and gets one a step
     "MOT_THST_EXPO": 1.0,
     "MOT_SPIN_MIN": 0.0,
     "MOT_SPIN_ARM": 0.0,

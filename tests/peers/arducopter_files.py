@@ -11,7 +11,7 @@ from pymavlink.dialects.v20 import common as mav
 
 PIECE_BYTES = 239
 ACK, NAK = 128, 129
-TERMINATE, RESET, OPEN, READ, BURST = 1, 2, 4, 5, 15
+TERMINATE, RESET, LIST, OPEN, READ, BURST = 1, 2, 3, 4, 5, 15
 FAIL, INVALID_SESSION, END_OF_FILE, UNKNOWN, NOT_FOUND = 1, 4, 6, 7, 10
 FORMS = {1: "<b", 2: "<h", 3: "<i", 4: "<f"}
 
@@ -59,6 +59,8 @@ class Files:
         if opcode in (RESET, TERMINATE):
             self.open = None
             return [self.say(ACK, opcode)]
+        if opcode == LIST:
+            return [self.listed(data.decode(), offset)]
         if opcode == OPEN:
             if self.open is not None:
                 return [self.say(NAK, opcode, bytes([FAIL]))]
@@ -80,6 +82,21 @@ class Files:
                 break
             out.append(self.say(ACK, opcode, piece, at, complete=k == self.burst - 1))
         return out
+
+    def listed(self, folder: str, begin: int) -> Any:
+        """Entries of a folder from one on, as many as go into a piece; `.` and `..` are kept back, and count."""
+        below = {path[len(folder) + 1 :]: len(content) for path, content in self.files.items()
+                 if path.startswith(f"{folder}/")}  # fmt: skip
+        if not below:
+            return self.say(NAK, LIST, bytes([NOT_FOUND]))
+        folders = sorted({name.partition("/")[0] for name in below if "/" in name})
+        files = [f"F{name}\t{size}" for name, size in below.items() if "/" not in name]
+        piece = b""
+        for entry in ["S", "S", *(f"D{name}" for name in folders), *files][begin:]:
+            if len(piece) + len(entry) + 1 > PIECE_BYTES:
+                break
+            piece += entry.encode() + b"\0"
+        return self.say(ACK, LIST, piece, begin) if piece else self.say(NAK, LIST, bytes([END_OF_FILE]), begin)
 
     def say(self, answer: int, opcode: int, data: bytes = b"", offset: int = 0, *, complete: bool = False) -> Any:
         self.number = (self.number + 1) % 65536

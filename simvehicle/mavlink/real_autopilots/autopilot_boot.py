@@ -29,14 +29,14 @@ class BootMode(NamedTuple):
     """of its HEARTBEAT, once it waits in its mode"""
     set_mode: tuple[int, ...]
     """params 2 and on of the MAV_CMD_DO_SET_MODE that asks for it"""
-    reason: str
+    reasons: tuple[str, ...]
     """how a STATUSTEXT begins that says why it cannot be armed"""
 
 
-ARDUCOPTER_BOOT = BootMode("ArduCopter", mav.MAV_AUTOPILOT_ARDUPILOTMEGA, 4, (4,), "PreArm: ")
+ARDUCOPTER_BOOT = BootMode("ArduCopter", mav.MAV_AUTOPILOT_ARDUPILOTMEGA, 4, (4,), ("PreArm: ",))
 """It waits in GUIDED."""
-PX4_BOOT = BootMode("PX4", mav.MAV_AUTOPILOT_PX4, 4 << 16 | 3 << 24, (4, 3), "Preflight Fail: ")
-"""It waits in Hold."""
+PX4_BOOT = BootMode("PX4", mav.MAV_AUTOPILOT_PX4, 4 << 16 | 3 << 24, (4, 3), ("Preflight Fail: ", "Preflight: "))
+"""It waits in Hold. What it says without "Fail" forbids to arm in some modes only, and may be all that it says."""
 
 
 class AutopilotBoot:
@@ -93,7 +93,9 @@ class AutopilotBoot:
         elif frame.msgid == mav.MAVLINK_MSG_ID_SYS_STATUS:
             self._healthy = bool(content.onboard_control_sensors_health & mav.MAV_SYS_STATUS_PREARM_CHECK)
             self.volts = 1e-3 * content.voltage_battery
-        elif frame.msgid == mav.MAVLINK_MSG_ID_STATUSTEXT and content.text.startswith(self._mode.reason):
-            reason = content.text.removeprefix(self._mode.reason)
-            self._reasons.pop(reason, None)
-            self._reasons[reason] = None
+        elif frame.msgid == mav.MAVLINK_MSG_ID_STATUSTEXT:
+            for prefix in self._mode.reasons:
+                if content.text.startswith(prefix):
+                    reason = content.text.removeprefix(prefix)
+                    self._reasons.pop(reason, None)
+                    self._reasons[reason] = None

@@ -8,6 +8,7 @@ from arducopter_files import BURST, OPEN, READ, RESET, TERMINATE, Files
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
+from gcs.mavlink.autopilots import ARDUCOPTER, PX4
 from gcs.mavlink.log_client import TRIES, LogClient, LogEntry
 
 PIECES_A_TICK = 20
@@ -124,6 +125,44 @@ def test_as_files_they_come_by_mavftp_as_far_as_they_were_listed(lose: float) ->
     converse(again, vehicle)
     assert again.files == {9: LOGS[9]}
     assert vehicle.asked.count("LOG_REQUEST_DATA") >= 1
+
+
+PX4_FOLDERS = PX4.log_folders
+
+
+@pytest.mark.parametrize("lose", [0.0, 0.1])
+def test_a_px4s_logs_are_found_in_its_folders_by_their_size(lose: float) -> None:
+    """Its newest one, and one of the day before; the folders hold more than goes into one answer."""
+    older, newer = log(90 * 700), log(100_001)
+    days = {f"log/2026-10-{day:02}/11_22_33.ulg": log(day) for day in range(1, 31)}
+    flights = {f"log/2026-11-22/{hour:02}_00_00.ulg": log(50 + hour) for hour in range(24)}
+    paths = {"log/2026-11-22/23_59_07.ulg": older, "log/2026-11-23/00_10_11.ulg": newer}
+    files = Files({**days, **flights, **paths, "log/data/x": b""}, lose=lose)
+    vehicle = Vehicle({0: older, 1: newer}, lose, files)
+    client = LogClient(3, 1, PX4_FOLDERS)
+    client.download([LogEntry(0, len(older), 0), LogEntry(1, len(newer), 0)])
+    converse(client, vehicle)
+    assert client.files == {0: older, 1: newer}
+    assert "LOG_REQUEST_DATA" not in vehicle.asked
+
+
+def test_a_log_of_which_two_files_have_the_size_comes_by_ranges() -> None:
+    content, other = log(1000), log(999) + b"x"
+    vehicle = Vehicle({0: content}, files=Files({"log/2026-11-23/1.ulg": other, "log/2026-11-23/2.ulg": content}))
+    client = LogClient(3, 1, PX4_FOLDERS)
+    client.download([LogEntry(0, len(content), 0)])
+    converse(client, vehicle)
+    assert client.files == {0: content}
+    assert vehicle.asked.count("LOG_REQUEST_DATA") == 1
+
+
+def test_files_that_are_not_there_to_be_had_are_not_asked_for() -> None:
+    vehicle = Vehicle({0: log(1000)}, files=Files({"log/1.ulg": log(1000)}))
+    client = LogClient(3, 1, ARDUCOPTER.log_folders)
+    client.download([LogEntry(0, 1000, 0)])
+    converse(client, vehicle)
+    assert client.files == vehicle.logs
+    assert vehicle.files.asked == []
 
 
 def test_a_single_lost_piece_costs_one_short_request() -> None:

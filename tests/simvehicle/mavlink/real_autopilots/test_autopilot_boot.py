@@ -88,5 +88,7 @@ def test_a_px4_is_asked_into_hold_and_says_why_it_cannot_be_armed() -> None:
     boot.receive(status(PREARM))
     boot.receive(said(common.MAVLink_statustext_message(2, b"Preflight Fail: ekf2 missing data")))
     assert (boot.ready, boot.mismatch, boot.reasons) == (False, "", "ekf2 missing data")
+    boot.receive(said(common.MAVLink_statustext_message(4, b"Preflight: not enough GPS Satellites")))
+    assert boot.reasons == "ekf2 missing data | not enough GPS Satellites"
     boot.receive(heartbeat(hold, 2, 12))
     assert boot.ready

@@ -14,9 +14,11 @@ from hypothesis import strategies as st
 from pymavlink.dialects.v20 import common as mav
 from pymavlink.mavftp import MAVFTP
 
-from gcs.mavlink import codec, file_client, parameter_pack
+from gcs.mavlink import codec, parameter_pack
 from gcs.mavlink.autopilots import ARDUCOPTER, PX4, Profile
-from gcs.mavlink.file_client import FIRST_TRIES, FileClient
+from gcs.mavlink.ftp import file_client
+from gcs.mavlink.ftp.file_client import FileClient
+from gcs.mavlink.ftp.requests import FIRST_TRIES, FileRequests
 from gcs.mavlink.parameter_client import ParameterClient
 
 OUT = mav.MAVLink(None, srcSystem=3, srcComponent=1)
@@ -49,7 +51,7 @@ def converse(client: Any, server: Files, within_s: float = 400.0) -> float:
 def test_a_file_comes_whole_whatever_the_link_loses(size: int, lose: float) -> None:
     content = random.Random(size).randbytes(size)
     server = Files({"@PARAM/param.pck": content}, lose=lose)
-    client = FileClient(3, 1, "@PARAM/param.pck")
+    client = FileClient(FileRequests(3, 1), "@PARAM/param.pck")
     took_s = converse(client, server)
     assert (client.content, client.problem) == (content, "")
     assert server.asked[:2] == [RESET, OPEN]
@@ -70,7 +72,7 @@ def test_a_file_comes_whole_whatever_the_link_loses(size: int, lose: float) -> N
 )
 def test_what_does_not_come_is_said(server: Files, why: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(file_client, "LARGEST_BYTES", 20_000)
-    client = FileClient(3, 1, "@PARAM/param.pck")
+    client = FileClient(FileRequests(3, 1), "@PARAM/param.pck")
     converse(client, server)
     assert client.content is None
     assert client.problem.endswith(why)

@@ -1,0 +1,1 @@
+"""MAVFTP, the MAVLink file transfer protocol, as a reader of a vehicle's files."""

@@ -44,6 +44,7 @@ class Channel(Protocol):
     @property
     def senders(self) -> frozenset[Where]:
         """Those who have connected to it."""
+        return frozenset()
 
     def fileno(self) -> int:
         """For select: readable when something has come."""
@@ -62,18 +63,21 @@ class Channel(Protocol):
 
     def pop_gone(self) -> set[Where]:
         """Senders whose stream has ended since the last call."""
+        return set()
 
     def overflowed(self) -> int:
         """Datagrams that the kernel dropped because they were not read in time."""
+        return 0
 
     def buffer_bytes(self) -> int | None:
         """The receive buffer that the kernel granted; None where none can overflow."""
+        return None
 
     def close(self) -> None:
         """Close it for good."""
 
 
-class UdpConnection:
+class UdpConnection(Channel):
     """Datagrams; docstrings are those of `Channel`."""
 
     stream = False
@@ -94,10 +98,6 @@ class UdpConnection:
     @property
     def port(self) -> int:
         return int(self._socket.getsockname()[1])
-
-    @property
-    def senders(self) -> frozenset[Where]:
-        return frozenset()
 
     def fileno(self) -> int:
         return self._socket.fileno()
@@ -123,9 +123,6 @@ class UdpConnection:
     def send(self, raw: bytes, to: Where) -> None:
         with contextlib.suppress(OSError):  # no receiver yet, or no room: as on a radio link, it is lost
             self._socket.sendto(raw, to)
-
-    def pop_gone(self) -> set[Where]:
-        return set()
 
     def overflowed(self) -> int:
         return kernel_drops(self._socket)
@@ -190,7 +187,7 @@ class ByteStream:
             self._close()
 
 
-class StreamConnection:
+class StreamConnection(Channel):
     """Part that TCP and serial streams share: streams by sender, one descriptor for all, and who has gone.
 
     Docstrings are those of `Channel`.
@@ -242,12 +239,6 @@ class StreamConnection:
     def pop_gone(self) -> set[Where]:
         taken, self._gone = self._gone, set()
         return taken
-
-    def overflowed(self) -> int:
-        return 0
-
-    def buffer_bytes(self) -> int | None:
-        return None
 
     def close(self) -> None:
         for sender in list(self._streams):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 
 from gcs.link.external import ExternalLink
-from gcs.link.link import Key, LinkState
+from gcs.link.link import Key
 from gcs.link.lockstep import LockstepLink
 from gcs.mavlink.codec import Frame, Message
 
@@ -22,6 +22,8 @@ class FleetLink:
         self._given_up: set[Key] = set()
         self.begin = external.begin
         self.repeat = fleet.repeat
+        self.pop_relinked = external.pop_relinked
+        self.links = external.links
 
     @property
     def signature_refusals(self) -> dict[int, int]:
@@ -55,12 +57,6 @@ class FleetLink:
 
     def pop_rebooted(self) -> set[int]:
         return self._fleet.pop_rebooted() | self._external.pop_rebooted()
-
-    def pop_relinked(self) -> set[int]:
-        return self._external.pop_relinked()
-
-    def links(self) -> dict[int, list[LinkState]]:
-        return self._external.links()
 
     def listen(self, wait_s: float) -> set[Key]:
         missing = self._fleet.listen(0.0)

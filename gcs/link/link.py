@@ -45,6 +45,7 @@ class TickLink(Protocol):
 
     def unawaited(self) -> Mapping[Key, list[Frame]]:
         """Frames that have come since the last call from vehicles for which no tick waits."""
+        return {}
 
     def clock_offsets_s(self) -> dict[int, float]:
         """Offset from the own time of a vehicle that has its own clock to the session's, s, by system id."""
@@ -55,9 +56,11 @@ class TickLink(Protocol):
     def pop_relinked(self) -> set[int]:
         """System ids of vehicles of which, since the last call, a link has come, or another is used whose frames have
         numbers of their own."""
+        return set()
 
     def links(self) -> dict[int, list[LinkState]]:
         """Links of the vehicles that have several, in the scenario's order, by system id."""
+        return {}
 
 
 class Link(TickLink, Protocol):

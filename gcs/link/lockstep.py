@@ -18,7 +18,7 @@ from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
-from gcs.link.link import Key, LinkState
+from gcs.link.link import Key, TickLink
 from gcs.link.socket import kernel_drops, widen
 from gcs.mavlink import codec
 from gcs.mavlink.boot_clock import CLOCKS, BootClock
@@ -52,8 +52,8 @@ class _LockstepPeer:
     held: int = 0
 
 
-class LockstepLink:
-    """All supervised links of a session."""
+class LockstepLink(TickLink):
+    """All supervised links of a session: every vehicle is waited for, and has one link."""
 
     def __init__(self, *, host: str = "127.0.0.1", drop: float = 0.0, seed: int = 0) -> None:
         """Bind a port of the system's choice. `drop` loses that share of datagrams, both ways, below the protocol."""
@@ -203,10 +203,6 @@ class LockstepLink:
     def begin(self) -> None:
         """As `Link.begin`: vehicles live on the session's clock."""
 
-    def unawaited(self) -> dict[Key, list[Frame]]:
-        """As `Link.unawaited`: none; every vehicle is waited for."""
-        return {}
-
     def compare_clocks(self, keys: Iterable[Key]) -> None:
         """Compare the own clocks of these vehicles, whose autopilot is not ours, with the session's."""
         self._clocks = {key: BootClock() for key in keys}
@@ -220,14 +216,6 @@ class LockstepLink:
         """As `Link.pop_rebooted`, of those whose clocks are compared."""
         rebooted, self._rebooted = self._rebooted, set()
         return rebooted
-
-    def pop_relinked(self) -> set[int]:
-        """As `Link.pop_relinked`: none; each has one link."""
-        return set()
-
-    def links(self) -> dict[int, list[LinkState]]:
-        """As `Link.links`: none."""
-        return {}
 
     def _compared(self, key: Key, frames: list[Frame]) -> list[Frame]:
         clock = self._clocks.get(key)

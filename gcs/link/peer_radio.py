@@ -61,10 +61,6 @@ class PeerRadio:
             received += self._radio.apply(sysid, sender, t_s, frames, dark=self._apart(sender, sysid, t_s))
         return received
 
-    def clear(self) -> None:
-        """Everyone has received; the next tick's frames replace these."""
-        self._sent = {}
-
     def _apart(self, a: int, b: int, t_s: float) -> bool:
         """Whether nothing passes between two vehicles."""
         if any(blackout.sysid in (a, b) and blackout.from_s <= t_s < blackout.to_s for blackout in self._blackouts):

@@ -144,11 +144,6 @@ class CommandQueue:
     _waiting: dict[tuple[CommandTarget, int], deque[_Pending]] = field(default_factory=dict)
     """by target and command id; the first of each is in flight"""
 
-    @property
-    def idle(self) -> bool:
-        """Whether no command is in flight or waiting."""
-        return not self._waiting
-
     def send(
         self, command: Command, now_s: float, timeout_s: float = TIMEOUT_S, retries: int = RETRIES, token: Any = None
     ) -> list[Message]:

@@ -78,6 +78,7 @@ class LogClient:
     def __init__(self, sysid: int, compid: int, log_folders: Sequence[str] | None = ()) -> None:
         """`log_folders`: where it may have its logs as files (Profile.log_folders); None: they are not looked for."""
         self.sysid, self.compid = sysid, compid
+        self._to = {"target_system": sysid, "target_component": compid}
         self.entries: dict[int, LogEntry] = {}
         """its logs, by number"""
         self.files: dict[int, bytes] = {}
@@ -166,7 +167,7 @@ class LogClient:
         """Messages that end a download, however it goes: the vehicle, whose list was asked for, goes on writing its
         log."""
         file = [] if self._file is None else self._file.end()
-        return [*file, codec.message("LOG_REQUEST_END", target_system=self.sysid, target_component=self.compid)]
+        return [*file, codec.message("LOG_REQUEST_END", **self._to)]
 
     def _begin(self, entry: LogEntry, now_s: float) -> None:
         self._to_end = True
@@ -205,13 +206,11 @@ class LogClient:
             return []
         self._tries += 1
         self._due_s = now_s + REPEAT_S
-        to = {"target_system": self.sysid, "target_component": self.compid}
-        return [codec.message("LOG_REQUEST_LIST", **to, start=0, end=0xFFFF)]
+        return [codec.message("LOG_REQUEST_LIST", **self._to, start=0, end=0xFFFF)]
 
     def _ask(self, download: _Download, now_s: float) -> Message:
         self._tries += 1
         self._due_s = now_s + REPEAT_S
         first, stop = self._range = download.first_missing()
         offset, end = first * PIECE_BYTES, min(stop * PIECE_BYTES, download.entry.size_bytes)
-        to = {"target_system": self.sysid, "target_component": self.compid}
-        return codec.message("LOG_REQUEST_DATA", **to, id=download.entry.number, ofs=offset, count=end - offset)
+        return codec.message("LOG_REQUEST_DATA", **self._to, id=download.entry.number, ofs=offset, count=end - offset)

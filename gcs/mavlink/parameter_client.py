@@ -27,7 +27,6 @@ TRIES = 5
 IN_FLIGHT = 8
 SETTLED_S = 1.0
 """A list during which nothing more has come for so long has come as far as it does by itself."""
-LONGEST_NAME = 16
 
 Outcome = Literal["read", "kept", "would", "set", "unknown", "refused", "silent"]
 """`kept`: it had that value already; `would`: it would be set, were this no dry run; `refused`: the vehicle keeps
@@ -78,6 +77,7 @@ class ParameterClient:
 
     def __init__(self, sysid: int, compid: int, profile: Profile, *, dry_run: bool = False) -> None:
         self.sysid, self.compid = sysid, compid
+        self._to = {"target_system": sysid, "target_component": compid}
         self.profile = profile
         self.known: dict[str, Parameter] = {}
         self.results: list[ParameterResult] = []
@@ -204,21 +204,18 @@ class ParameterClient:
         listing.begun, listing.last_s = True, now_s
         listing.asked += 1
         if 2 * len(listing.named) <= listing.count:
-            to = {"target_system": self.sysid, "target_component": self.compid}
-            return [codec.message("PARAM_REQUEST_LIST", **to)]
+            return [codec.message("PARAM_REQUEST_LIST", **self._to)]
         missing = [index for index in range(listing.count) if index not in listing.named]
         return [self._read("", index) for index in missing[: 4 * IN_FLIGHT]]
 
     def _read(self, name: str, index: int) -> Message:
-        to = {"target_system": self.sysid, "target_component": self.compid}
-        return codec.message("PARAM_REQUEST_READ", **to, param_id=name, param_index=index)
+        return codec.message("PARAM_REQUEST_READ", **self._to, param_id=name, param_index=index)
 
     def _set(self, task: _Task) -> Message:
         assert task.wanted is not None
         kind = self.known[task.name].kind
         value = self.profile.parameter_value(task.wanted, kind)
-        to = {"target_system": self.sysid, "target_component": self.compid}
-        return codec.message("PARAM_SET", **to, param_id=task.name, param_value=value, param_type=kind)
+        return codec.message("PARAM_SET", **self._to, param_id=task.name, param_value=value, param_type=kind)
 
 
 def same(a: float, b: float) -> bool:

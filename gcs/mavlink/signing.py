@@ -82,9 +82,7 @@ class Signing:
         body = raw[:2] + b"\x01" + raw[3 : -codec.CRC_BYTES]
         crc = mcrf4xx(body + codec.seed_of(raw), codec.BEFORE_MARKER)
         stamped = body + _TAIL(crc, self._link, latest & 0xFFFF_FFFF, latest >> 32)
-        digest = self._hash.copy()
-        digest.update(stamped)
-        return stamped + digest.digest()[:_HASH_BYTES]
+        return stamped + self._signature(stamped)
 
     def judge(self, frame: Frame, now_ticks: int) -> SignatureVerdict:
         """Whether a received frame counts; its time stamp is kept where it does."""

@@ -174,14 +174,7 @@ class StreamRequests:
             for need in self._needs.values():
                 rates[need.group] = max(rates.get(need.group, 0.0), need.rate_hz)
         return [
-            codec.message(
-                "REQUEST_DATA_STREAM",
-                target_system=self._sysid,
-                target_component=AUTOPILOT,
-                req_stream_id=group,
-                req_message_rate=max(round(rate_hz), 1),
-                start_stop=1,
-            )
+            _data_stream(self._sysid, AUTOPILOT, group, max(round(rate_hz), 1))
             for group, rate_hz in sorted(rates.items())
         ]
 
@@ -209,11 +202,15 @@ class SilentVehicles:
 
 def everything(sysid: int, compid: int) -> Message:
     """REQUEST_DATA_STREAM for all that it has."""
+    return _data_stream(sysid, compid, mav.MAV_DATA_STREAM_ALL, RATE_HZ)
+
+
+def _data_stream(sysid: int, compid: int, group: int, rate_hz: int) -> Message:
     return codec.message(
         "REQUEST_DATA_STREAM",
         target_system=sysid,
         target_component=compid,
-        req_stream_id=mav.MAV_DATA_STREAM_ALL,
-        req_message_rate=RATE_HZ,
+        req_stream_id=group,
+        req_message_rate=rate_hz,
         start_stop=1,
     )

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 from typing import Any, Protocol
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from gcs.mavlink.setpoints import SetPoint
 from gcs.planner.planner import Planner
@@ -56,31 +56,18 @@ class PursuerPlanner(Protocol):
         """Position (NED, m) and velocity (NED, m/s) wanted of `vehicle` at situation.time_s."""
 
 
-class OwnPlanner:
+class OwnPlanner(TickPlanner):
     """The shipped planner, but for the pursuers, who fly what `planner` says; without a good answer they are held."""
 
     def __init__(self, scenario: Scenario, planner: PursuerPlanner, guard: Guard) -> None:
         self._scenario = scenario
         self._shipped = Planner(scenario)
+        self.obstacles = self._shipped.obstacles
         self._planner = planner
         self._guard = guard
         self._pursuers = frozenset(pursuer.sysid for pursuer in scenario.vehicles.pursuers)
-        vehicles = scenario.vehicles
-        self._follows = {p.sysid: on for p in vehicles.pursuers if (on := vehicles.target_of(p)) is not None}
+        self._follows = scenario.vehicles.followed
         self._held: dict[int, Vec3] = {}
-
-    @property
-    def obstacles(self) -> NDArray[np.float64]:
-        """The scenario's obstacles as the shipped planner's table."""
-        return self._shipped.obstacles
-
-    def pop_records(self) -> list[dict[str, Any]]:
-        """None: set points say all."""
-        return []
-
-    def margin_m(self, sysid: int) -> float | None:
-        """None: the safety filter has margins."""
-        return None
 
     def anchor(self, sysid: int, p_ned: Vec3) -> None:
         """As `Planner.anchor`; a user's planner keeps its points."""

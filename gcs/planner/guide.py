@@ -107,20 +107,6 @@ class RouteFollower:
         self.searches = 0
         """made so far"""
 
-    def use(self, router: Router) -> None:
-        """Another world: every route is looked for anew, `GuideSettings.budget` in each tick."""
-        self._router = router
-        self._paused.clear()
-        self._kept.size[:] = 0
-        self._kept.searched_from[:] = _NEVER
-
-    def route(self, sysid: int) -> FloatArray:
-        """Rest of a vehicle's route (k, 3), for display; empty where it flies straight."""
-        if sysid not in self._rows:
-            return np.zeros((0, 3))
-        row = self._rows[sysid]
-        return self._kept.points[row, self._kept.at[row] : self._kept.size[row]].copy()
-
     def aims(self, sysids: Sequence[int], p_ned: ArrayLike, goals_ned: ArrayLike) -> Aims:
         """Aims of the vehicles `sysids` (n), at p_ned (n, 3), whose goals are goals_ned (n, 3).
 

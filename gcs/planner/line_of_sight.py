@@ -35,7 +35,6 @@ from gcs.scenario.geometry import (
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
-BoolArray = NDArray[np.bool_]
 
 _GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
 _EXACT_M = 1e-6  # to which a least distance is found
@@ -253,15 +252,6 @@ def clear_m(s: Sight, a_ned: FloatArray, b_ned: FloatArray, enough: float, stop:
 def visible(s: Sight, a_ned: FloatArray, b_ned: FloatArray, level: float, floor_d: float) -> bool:
     """Kernel: `sees` for two places (3,)."""
     return sees(s, a_ned[0], a_ned[1], a_ned[2], b_ned[0], b_ned[1], b_ned[2], level, floor_d)
-
-
-@kernel()
-def sees_all(s: Sight, a_ned: FloatArray, b_ned: FloatArray, level: float, floor_d: float) -> BoolArray:
-    """Kernel: `sees` for each of the legs a_ned (n, 3) to b_ned (n, 3)."""
-    free = np.empty(a_ned.shape[0], dtype=np.bool_)
-    for i in range(a_ned.shape[0]):
-        free[i] = visible(s, a_ned[i], b_ned[i], level, floor_d)
-    return free
 
 
 @kernel()

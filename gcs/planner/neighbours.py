@@ -19,14 +19,10 @@ FEW = 2_000
 _ROUNDING_M = 1e-6
 
 
+@functools.lru_cache(maxsize=64)
 def everyone(n: int, m: int) -> tuple[IntArray, IntArray, IntArray]:
     """The list in which each of n leaders has all m shapes: rows, and where each leader's begin and end; only to be
     read."""
-    return _everyone(n, m)
-
-
-@functools.lru_cache(maxsize=64)
-def _everyone(n: int, m: int) -> tuple[IntArray, IntArray, IntArray]:
     return np.arange(m), np.zeros(n, dtype=np.int64), np.full(n, m, dtype=np.int64)
 
 

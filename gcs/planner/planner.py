@@ -23,7 +23,7 @@ from gcs.planner.fence import FenceBorder
 from gcs.planner.guide import STRAIGHT, RouteFollower
 from gcs.planner.link_age import SlowLinks
 from gcs.planner.potential_field import FieldConstants, widened_range
-from gcs.planner.request import PlanRequest
+from gcs.planner.request import PlanRequest, TickPlanner
 from gcs.planner.route import Router
 from gcs.scenario import geometry
 from gcs.scenario.model import Scenario, Tanker, Target
@@ -61,7 +61,7 @@ class _Wanted:
     route_m: float | None = None
 
 
-class Planner:
+class Planner(TickPlanner):
     """The leaders of all steered vehicles; `plan` moves them by one period."""
 
     def __init__(self, scenario: Scenario) -> None:
@@ -131,10 +131,6 @@ class Planner:
                 self._move(snapshot, led, wanted, request.partners, period_s)
         return [SetPoint(view.sysid, self._begin[view.sysid], self._v[view.sysid]) for view in views]
 
-    def pop_records(self) -> list[dict[str, Any]]:
-        """None: set points say all."""
-        return []
-
     def _guided(self, views: list[VehicleView], wanted: list[_Wanted]) -> list[_Wanted]:
         """Goals, none beyond the fence: as they are where the way is free, else the next place of a route around what
         is in it. A leader that is beyond the fence itself comes back straight."""
@@ -148,16 +144,12 @@ class Planner:
         guided = []
         for want, aim, left_m, free in zip(wanted, found.aim_ned, found.remaining_m, straight, strict=True):
             v_ned = want.v_ned if left_m < NEAR_GOAL_M else STILL
-            guided.append(want if free else _Wanted(_vec(aim), v_ned, want.speed_m_s, float(left_m)))
+            guided.append(want if free else _Wanted(vec(aim), v_ned, want.speed_m_s, float(left_m)))
         return guided
 
     def _fenced(self, want: _Wanted) -> _Wanted:
         p_ned = self._fence.brought_inside(want.p_ned)
         return want if p_ned is want.p_ned else _Wanted(p_ned, STILL, want.speed_m_s)
-
-    def margin_m(self, sysid: int) -> float | None:
-        """None: the safety filter has margins."""
-        return None
 
     def anchor(self, sysid: int, p_ned: Vec3) -> None:
         """Go on from here: where the safety filter takes the leader of a vehicle to."""
@@ -262,14 +254,11 @@ class Planner:
 
         A target that is dead, silent, or not steered (it may be landing) leads no one: its pursuers hold.
         """
-        rules = self._scenario.formation
+        rules, vehicles = self._scenario.formation, self._scenario.vehicles
+        follows = vehicles.followed if self._pursuing is None else self._pursuing
         wants = {}
-        for target in self._scenario.vehicles.targets:
+        for target in vehicles.targets:
             lead = snapshot.vehicle(target.sysid)
-            vehicles = self._scenario.vehicles
-            follows = self._pursuing
-            if follows is None:
-                follows = {p.sysid: on for p in vehicles.pursuers if (on := vehicles.target_of(p)) is not None}
             flying = {sysid: snapshot.vehicle(sysid) for sysid in follows if follows[sysid] == target.sysid}
             here = {sysid: view.p_now_ned() for sysid, view in flying.items() if view.flying}
             if not here or not (lead.flying and lead.fresh and target.sysid in self._begin):
@@ -279,7 +268,7 @@ class Planner:
                 self._slots_of[target.sysid] = frozenset(here)
                 offsets = formation.ring_offsets(len(here), rules.ring_m or 0.0, rules.height_m)
                 for sysid, slot in formation.assign(here, offsets + np.array(centre)).items():
-                    self._slots[sysid] = _vec(offsets[slot])
+                    self._slots[sysid] = vec(offsets[slot])
             for sysid in here:
                 offset = self._slots[sysid]
                 goal = (centre[0] + offset[0], centre[1] + offset[1], centre[2] + offset[2])
@@ -407,5 +396,6 @@ def _ahead(p_ned: Vec3, v_ned: Vec3, time_s: float = LOOKAHEAD_S) -> Vec3:
     return (p_ned[0] + v_ned[0] * time_s, p_ned[1] + v_ned[1] * time_s, p_ned[2] + v_ned[2] * time_s)
 
 
-def _vec(row: NDArray[np.float64] | Mapping[int, float]) -> Vec3:
+def vec(row: NDArray[np.float64] | Mapping[int, float]) -> Vec3:
+    """A row (3,) as plain numbers."""
     return (float(row[0]), float(row[1]), float(row[2]))

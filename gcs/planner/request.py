@@ -36,18 +36,19 @@ class PlanRequest:
 class TickPlanner(Protocol):
     """Planner of all steered vehicles."""
 
-    @property
-    def obstacles(self) -> NDArray[np.float64]:
-        """Obstacle table (gcs/scenario/geometry.py)."""
+    obstacles: NDArray[np.float64]
+    """obstacle table (gcs/scenario/geometry.py)"""
 
     def plan(self, request: PlanRequest) -> list[SetPoint]:
         """Set points for the steered vehicles whose place is known, in order of system id, at the snapshot's time."""
 
     def pop_records(self) -> list[dict[str, Any]]:
-        """Decisions since the last call that the set points do not show."""
+        """Decisions since the last call that the set points do not show; a planner that does not say has none."""
+        return []
 
     def margin_m(self, sysid: int) -> float | None:
         """Distance that is added for a vehicle's tracking error; None without the safety filter."""
+        return None
 
     def anchor(self, sysid: int, p_ned: Vec3) -> None:
         """Go on planning from here: where the safety filter takes a vehicle's planned point to."""

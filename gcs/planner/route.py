@@ -18,7 +18,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gcs.planner.line_of_sight import BoolArray, FloatArray, IntArray, clear_m, leg_clearances, sees_all, sight, visible
+from gcs.planner.line_of_sight import FloatArray, IntArray, clear_m, leg_clearances, sight, visible
 from gcs.planner.route_grid import ALL_CELLS, Cells, CostField, cell_at, cells, centre, nearest_in_part
 from gcs.planner.route_shortening import pulled
 from gcs.scenario.geometry import COLUMNS, KIND, WALL
@@ -44,11 +44,6 @@ class Route:
     legs_m: FloatArray
     length_m: float
     reaches_goal: bool = True
-
-    @property
-    def clearance_m(self) -> float:
-        """The least of all legs."""
-        return float(self.legs_m.min())
 
 
 class SearchPaused(Exception):
@@ -110,24 +105,13 @@ class Router:
         """Make the cells now: in a wide world they take half a second, which no flight has to spare."""
         _ = self.grid
 
-    def free(self, starts_ned: ArrayLike, goals_ned: ArrayLike) -> BoolArray:
-        """Whether each straight line from starts_ned (n, 3) to goals_ned (n, 3) is free, (n,)."""
-        starts, goals = self._places("starts_ned", starts_ned), self._places("goals_ned", goals_ned)
-        if starts.shape != goals.shape:
-            raise ValueError(f"starts_ned is {starts.shape} and goals_ned {goals.shape}; they must be alike")
-        return sees_all(self.sight, starts, goals, self.clearance_m, self.floor_d)
-
-    def route(self, start_ned: ArrayLike, goal_ned: ArrayLike) -> FloatArray | None:
-        """Way points (k, 3) from the start to the goal, the start left out; None where there is no way."""
-        found = self.plan(start_ned, goal_ned)
-        return None if found is None else found.points_ned
-
     def plan(self, start_ned: ArrayLike, goal_ned: ArrayLike, most_cells: int = ALL_CELLS) -> Route | None:
-        """The same with its length and clearances. ValueError unless both are three finite numbers.
+        """The route from the start to the goal; None where there is no way. ValueError unless both are three finite
+        numbers.
 
         Raises SearchPaused once it has settled `most_cells`; the same call goes on from there.
         """
-        start, goal = self._places("start_ned", start_ned)[0], self._places("goal_ned", goal_ned)[0]
+        start, goal = self._place("start_ned", start_ned), self._place("goal_ned", goal_ned)
         goal[2] = min(goal[2], self.floor_d)
         reachable = self._clearance_m(goal) >= self.least_clearance_m - _ROUNDING_M
         if reachable and visible(self.sight, start, goal, self.clearance_m, self.floor_d):
@@ -244,11 +228,11 @@ class Router:
         length_m = float(np.linalg.norm(np.diff(whole, axis=0), axis=1).sum())
         return Route(points, leg_clearances(self.sight, whole), length_m, reaches_goal)
 
-    def _places(self, name: str, value: ArrayLike) -> FloatArray:
-        places = np.array(value, dtype=np.float64)
-        if places.ndim not in (1, 2) or places.shape[-1] != 3 or not np.isfinite(places).all():
-            raise ValueError(f"{name} must hold three finite numbers for each place: north, east, down in metres")
-        return places.reshape(-1, 3)
+    def _place(self, name: str, value: ArrayLike) -> FloatArray:
+        place = np.array(value, dtype=np.float64)
+        if place.shape != (3,) or not np.isfinite(place).all():
+            raise ValueError(f"{name} must hold three finite numbers: north, east, down in metres")
+        return place
 
 
 @functools.cache

@@ -22,7 +22,7 @@ from gcs.mavlink.autopilots import STEERABLE
 from gcs.mavlink.setpoints import SetPoint
 from gcs.planner.fence import FenceBorder
 from gcs.planner.link_age import LinkAge
-from gcs.planner.planner import CATCH_UP_SPEED, FLOOR_M, LEAST_MARGIN_M, LOOKAHEAD_S, STILL, floor_d
+from gcs.planner.planner import CATCH_UP_SPEED, FLOOR_M, LEAST_MARGIN_M, LOOKAHEAD_S, STILL, floor_d, vec
 from gcs.planner.request import PlanRequest, TickPlanner
 from gcs.planner.safety_filter import KINDS, Filtered, FilterSettings, Leaders, Others, filter_step
 from gcs.planner.silence import STEP_M, between, braked, failsafe_of, flown_on, presumed_places
@@ -84,12 +84,13 @@ class _Other:
         return cls(name, owner, np.array(p_ned) + lead_s * v, v, radius_m + drift_m, growth_m_s)
 
 
-class SafePlanner:
+class SafePlanner(TickPlanner):
     """A planner whose set points pass the safety filter."""
 
     def __init__(self, scenario: Scenario, planner: TickPlanner) -> None:
         self._scenario = scenario
         self._planner = planner
+        self.obstacles = planner.obstacles
         self._leaders: dict[int, _Leader] = {}
         self.tracking = Tracking((v.sysid for v in scenario.vehicles.all), LOOKAHEAD_S)
         self._speed_m_s = {v.sysid: scenario.planner.cruise_m_s for v in scenario.vehicles.pursuers}
@@ -108,11 +109,6 @@ class SafePlanner:
         self._fence = FenceBorder(scenario, scenario.planner.clearance_m)
         self._reported_s: dict[tuple[int, str], float] = {}
         self._records: list[dict[str, Any]] = []
-
-    @property
-    def obstacles(self) -> NDArray[np.float64]:
-        """The scenario's obstacle table."""
-        return self._planner.obstacles
 
     def margin_m(self, sysid: int) -> float:
         """Margin added to the separation for a vehicle's tracking error."""
@@ -145,10 +141,10 @@ class SafePlanner:
         for row, point in enumerate(points):
             leader = self._leaders[point.sysid]
             mean = leader.v_ned + 0.5 * period_s * filtered.u_ned[row]
-            set_points.append(SetPoint(point.sysid, _vec(leader.p_ned), _vec(mean)))
+            set_points.append(SetPoint(point.sysid, vec(leader.p_ned), vec(mean)))
             leader.p_ned, leader.v_ned = filtered.p_next_ned[row], filtered.v_next_ned[row]
             self.tracking.lead(point.sysid, snapshot.time_s + period_s, leader.p_ned)
-            self._planner.anchor(point.sysid, _vec(leader.p_ned))
+            self._planner.anchor(point.sysid, vec(leader.p_ned))
         self._record(points, filtered, snapshot.time_s, others)
         return set_points
 
@@ -171,7 +167,7 @@ class SafePlanner:
                 leader.v_ned = self._within_speed(view.sysid, np.array(view.v_ned))
                 leader.p_ned = np.array(view.p_now_ned()) + self.lag_s * leader.v_ned
                 tracking.restart(view.sysid)
-                self._planner.anchor(view.sysid, _vec(leader.p_ned))
+                self._planner.anchor(view.sysid, vec(leader.p_ned))
         lags = [tracking.lag_s[tracking.row[sysid]] for sysid in self._leaders]
         self.lag_s = max(float(median(lags)), LOOKAHEAD_S) if lags else LOOKAHEAD_S
 
@@ -320,7 +316,3 @@ def _table(others: list[_Other]) -> Others:
         np.array([other.radius_m for other in others]),
         np.array([other.growth_m_s for other in others]),
     )
-
-
-def _vec(row: NDArray[np.float64]) -> Vec3:
-    return (float(row[0]), float(row[1]), float(row[2]))

@@ -118,13 +118,7 @@ def between(first: tuple[Vec3, Vec3], last: tuple[Vec3, Vec3]) -> list[tuple[Vec
     """Places and velocities from the first on, so near to each other that their spheres overlap; without the last."""
     count = math.ceil(math.dist(first[0], last[0]) / STEP_M)
     (p0, v0), (p1, v1) = first, last
-    return [
-        (
-            (_between(p0[0], p1[0], k / count), _between(p0[1], p1[1], k / count), _between(p0[2], p1[2], k / count)),
-            (_between(v0[0], v1[0], k / count), _between(v0[1], v1[1], k / count), _between(v0[2], v1[2], k / count)),
-        )
-        for k in range(count)
-    ]
+    return [(_between(p0, p1, k / count), _between(v0, v1, k / count)) for k in range(count)]
 
 
 def presumed_places(p_ned: Vec3, home_ned: Vec3, silent_s: float, failsafe: Failsafe) -> list[Vec3]:
@@ -150,11 +144,10 @@ def presumed_places(p_ned: Vec3, home_ned: Vec3, silent_s: float, failsafe: Fail
             low_m, high_m = (low_s - start_s) * speed_m_s, (high_s - start_s) * speed_m_s
             count = math.ceil((high_m - low_m) / STEP_M) + 1
             for k in range(count):
-                share = (low_m + (high_m - low_m) * k / max(count - 1, 1)) / length_m
-                places.append((_between(a[0], b[0], share), _between(a[1], b[1], share), _between(a[2], b[2], share)))
+                places.append(_between(a, b, (low_m + (high_m - low_m) * k / max(count - 1, 1)) / length_m))
         start_s = end_s
     return places or [home_ned]
 
 
-def _between(a: float, b: float, share: float) -> float:
-    return a + share * (b - a)
+def _between(a: Vec3, b: Vec3, share: float) -> Vec3:
+    return (a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]), a[2] + share * (b[2] - a[2]))

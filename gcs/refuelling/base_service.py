@@ -17,7 +17,7 @@ import pymap3d
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.mavlink.codec import Message, message
 from gcs.mavlink.ids import STATION
-from gcs.refuelling.service import GiverReport, Phase, Service, ServiceRequests, token
+from gcs.refuelling.service import GiverReport, Phase, Service, ServiceRequests, token, unfit
 from gcs.refuelling.settlement import EndedTransfer, Settlement
 from gcs.refuelling.transfer_command import TransferRole, transfer_request
 from gcs.scenario.model import Base, Origin, RefuellingRules
@@ -124,20 +124,14 @@ class BaseSteps:
         _STEPS[service.phase](self, service, receiver, snapshot.time_s)
 
     def _join(self, service: Service, receiver: VehicleView, now_s: float) -> None:
-        if not receiver.fresh:
-            self._finish(service, now_s, f"no word from {receiver.label}")
-            return
-        if not receiver.flying or receiver.mode not in STEERABLE:
-            self._finish(service, now_s, f"{receiver.label} left formation flight")
+        if (reason := unfit(receiver)) is not None:
+            self._finish(service, now_s, reason)
             return
         base = self._base(service)
         off_m, speed_m_s = math.dist(receiver.p_now_ned(), base.above_m), math.hypot(*receiver.v_ned)
-        if off_m > 0.5 * base.radius_m or speed_m_s > self._rules.relative_speed_m_s:
-            service.near_since_s = None
-        elif service.near_since_s is None:
-            service.near_since_s = now_s
-        if service.near_since_s is not None and now_s - service.near_since_s >= self._rules.hold_s:
-            self._go(service, Phase.LAND, now_s)
+        near = off_m <= 0.5 * base.radius_m and speed_m_s <= self._rules.relative_speed_m_s
+        if service.has_held(near, now_s, self._rules.hold_s):
+            service.go(Phase.LAND, now_s)
         elif now_s - service.phase_since_s > REACH_WITHIN_S + (service.meets_in_s or 0.0):
             self._finish(service, now_s, "did not reach the base in time")
 
@@ -169,7 +163,7 @@ class BaseSteps:
             self._leave(service, receiver, now_s, ENDS)
         elif receiver.battery_reported:
             self._order(service, TransferRole.RECEIVE)
-            self._go(service, Phase.START_RECEIVER, now_s)
+            service.go(Phase.START_RECEIVER, now_s)
         else:
             self._charge_from_now(service, now_s)
 
@@ -184,12 +178,12 @@ class BaseSteps:
                 self._stop(service, "the receiver refused", now_s)
                 return
             self._order(service, TransferRole.RECEIVE)
-            self._go(service, Phase.START_RECEIVER, now_s)
+            service.go(Phase.START_RECEIVER, now_s)
 
     def _charge_from_now(self, service: Service, now_s: float) -> None:
         service.start_s = service.charged_s = service.progress_s = now_s
         self._requests.records.append({"kind": "transfer", **service.sides})
-        self._go(service, Phase.TRANSFER, now_s)
+        service.go(Phase.TRANSFER, now_s)
 
     def _transfer(self, service: Service, receiver: VehicleView, now_s: float) -> None:
         counts = receiver.battery_reported
@@ -226,7 +220,7 @@ class BaseSteps:
 
     def _stop(self, service: Service, reason: str, now_s: float) -> None:
         service.ended_by = reason
-        self._go(service, Phase.CATCH_UP, now_s)
+        service.go(Phase.CATCH_UP, now_s)
 
     def _catch_up(self, service: Service, receiver: VehicleView, now_s: float) -> None:
         if not receiver.battery_reported:
@@ -235,7 +229,7 @@ class BaseSteps:
         caught_up = receiver.received_j - service.in_at_begin_j >= self._given_j(service)
         if caught_up or now_s - service.phase_since_s >= CATCH_UP_S:
             self._order(service, TransferRole.STOP)
-            self._go(service, Phase.STOP_RECEIVER, now_s)
+            service.go(Phase.STOP_RECEIVER, now_s)
 
     def _stop_receiver(self, service: Service, receiver: VehicleView, now_s: float) -> None:
         answered = self._requests.accepted(token(service, "stop receiver")) is not None
@@ -259,7 +253,7 @@ class BaseSteps:
             self.stays.add(receiver.sysid)
             self._finish(service, now_s, f"{EMPTY}, and {receiver.label} stays on the ground")
         else:
-            self._go(service, Phase.TAKE_OFF, now_s)
+            service.go(Phase.TAKE_OFF, now_s)
 
     def _take_off(self, service: Service, receiver: VehicleView, now_s: float) -> None:
         base = self._base(service)
@@ -270,9 +264,6 @@ class BaseSteps:
     def _finish(self, service: Service, now_s: float, reason: str) -> None:
         service.phase, service.end_s, service.ended_by = Phase.DONE, now_s, reason
         self._requests.records.append({"kind": "served", "reason": reason, **service.record()})
-
-    def _go(self, service: Service, phase: Phase, now_s: float) -> None:
-        service.phase, service.phase_since_s = phase, now_s
 
     def _base(self, service: Service) -> Base:
         return self._stock(service).base

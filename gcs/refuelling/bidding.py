@@ -35,6 +35,11 @@ class CompetitionState:
     leader: int | None = None
     share: float = 0.0
 
+    def without(self, sysid: int) -> CompetitionState:
+        """The competition once this one has been given a giver: nobody leads."""
+        v = {key: value for key, value in self.v.items() if key != sysid}
+        return CompetitionState(v, self.tau, self.need)
+
 
 class Award(NamedTuple):
     """A giver has its next receiver."""
@@ -63,13 +68,14 @@ class BiddingRule(Protocol):
         """The next services of free givers; `award` is called with each before the next is asked for."""
 
     def approaches(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> dict[int, int]:
-        """Receiver by tanker, of free tankers that fly towards somebody while nothing is decided."""
+        """Receiver by tanker, of free tankers that fly towards somebody while nothing is decided: usually none."""
+        return {}
 
     def award(self, sysid: int, now_s: float) -> None:
         """This one has been given a giver."""
 
 
-class NeedBidding:
+class NeedBidding(BiddingRule):
     """The competition's memory from tick to tick."""
 
     waits_for_all = False
@@ -138,20 +144,11 @@ class NeedBidding:
             bases.remove(base)
             yield Award(base, *won)
 
-    def approaches(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> dict[int, int]:
-        """Nobody moves before it is decided."""
-        return {}
-
-    def winner(
-        self, snapshot: FleetSnapshot, tanker: VehicleView, speed_m_s: float, reserve_s: float
-    ) -> tuple[int, str] | None:
-        """Next receiver of a free tanker, and by what: `urgency`, `competition` or `timeout`; None while undecided."""
-        return self.winner_at([tanker.p_now_ned()], snapshot, speed_m_s, reserve_s)
-
     def winner_at(
         self, places: Sequence[Vec3], snapshot: FleetSnapshot, speed_m_s: float, reserve_s: float
     ) -> tuple[int, str] | None:
-        """The same where givers are at some places; urgent is who would not last until the nearest."""
+        """Next receiver of free givers at some places, and by what: `urgency`, `competition` or `timeout`; None while
+        undecided. Urgent is who would not last until the nearest."""
         competition_state, rules, now_s = self.competition_state, self._rules, snapshot.time_s
         urgent = urgent_of(snapshot, self._able, places, speed_m_s, reserve_s)
         if urgent is not None:
@@ -173,12 +170,9 @@ class NeedBidding:
         """The winner leaves; the others go on, and the next decision takes its own time."""
         self._v.pop(sysid, None)
         self._able.remove(sysid)
-        left = {key: value for key, value in self.competition_state.v.items() if key != sysid}
-        self.competition_state = CompetitionState(
-            left, self.competition_state.tau, self.competition_state.need, None, 0.0
-        )
+        self.competition_state = self.competition_state.without(sysid)
         self._leading_since_s = None
-        self._begun_s = now_s if left else None
+        self._begun_s = now_s if self.competition_state.v else None
 
 
 def urgent_of(

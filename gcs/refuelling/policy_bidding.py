@@ -17,7 +17,7 @@ from gcs.scenario.model import CompetitionRules, RefuellingRules, Scenario
 from gcs.telemetry.state import FleetSnapshot, VehicleView
 
 
-class PolicyBidding:
+class PolicyBidding(BiddingRule):
     """Asks a policy for each free tanker; a tanker without a good answer waits where it is."""
 
     waits_for_all = True
@@ -109,17 +109,11 @@ class PolicyBidding:
             left_s=max(self._end_s - snapshot.time_s, 0.0),
         )
 
-    def approaches(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> dict[int, int]:
-        """Nobody moves before it is decided."""
-        return {}
-
     def award(self, sysid: int, now_s: float) -> None:
         """The one chosen is nobody else's any more."""
         self._able = [one for one in self._able if one != sysid]
         self._wanting = tuple(view for view in self._wanting if view.sysid != sysid)
-        self.competition_state = CompetitionState(
-            {}, self.competition_state.tau, self.competition_state.need, None, 0.0
-        )
+        self.competition_state = self.competition_state.without(sysid)
 
     def _all_checked(self, answer: Any, request: RefuellingRequest) -> dict[int, int]:
         """The answer as receivers by tanker. Raises Nonsense."""

@@ -7,8 +7,9 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
+from gcs.mavlink.autopilots import STEERABLE
 from gcs.mavlink.command_protocol import CommandRequest
-from gcs.telemetry.state import Vec3
+from gcs.telemetry.state import Vec3, VehicleView
 
 
 class Phase(StrEnum):
@@ -78,6 +79,18 @@ class Service:
         base = {} if self.base is None else {"base": self.base}
         return {"receiver": self.receiver, "tanker": self.tanker, **base}
 
+    def go(self, phase: Phase, now_s: float) -> None:
+        """Begin a phase."""
+        self.phase, self.phase_since_s = phase, now_s
+
+    def has_held(self, near: bool, now_s: float, hold_s: float) -> bool:
+        """Whether the receiver has been `near` its giver for `hold_s` by now; asked in every tick of the joining."""
+        if not near:
+            self.near_since_s = None
+        elif self.near_since_s is None:
+            self.near_since_s = now_s
+        return self.near_since_s is not None and now_s - self.near_since_s >= hold_s
+
     def record(self) -> dict[str, Any]:
         """The service as the summary holds it."""
         return {
@@ -146,6 +159,15 @@ class ServiceRequests:
     def accepted(self, token: str) -> bool | None:
         """Whether the command with this token was accepted; None while there is no result."""
         return self._results.get(token)
+
+
+def unfit(view: VehicleView) -> str | None:
+    """Why a vehicle cannot keep formation any more."""
+    if not view.fresh:
+        return f"no word from {view.label}"
+    if not view.flying or view.mode not in STEERABLE:
+        return f"{view.label} left formation flight"
+    return None
 
 
 def token(service: Service, what: str) -> str:

@@ -17,7 +17,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink.autopilots import STEERABLE, FlightMode
 from gcs.mavlink.command_protocol import CommandRequest
-from gcs.refuelling.service import Phase, Service, ServiceRequests, token
+from gcs.refuelling.service import Phase, Service, ServiceRequests, token, unfit
 from gcs.refuelling.settlement import EndedTransfer, Settlement
 from gcs.refuelling.transfer_command import TransferRole, transfer_request
 from gcs.scenario.model import RefuellingRules, Tanker
@@ -93,12 +93,8 @@ class TankerSteps:
         distance_m = math.dist(receiver.p_now_ned(), tanker.p_now_ned())
         relative_m_s = math.dist(receiver.v_ned, tanker.v_ned)
         inside = distance_m <= self._rules.capture_m and relative_m_s <= self._rules.relative_speed_m_s
-        if not inside:
-            service.near_since_s = None
-        elif service.near_since_s is None:
-            service.near_since_s = now_s
+        held = service.has_held(inside, now_s, self._rules.hold_s)
         counter_known = tanker.given_reported_s >= service.phase_since_s + COUNTER_SETTLES_S
-        held = service.near_since_s is not None and now_s - service.near_since_s >= self._rules.hold_s
         settled = not any(self._settlement.awaits(view.sysid, now_s) for view in (receiver, tanker))
         if held and counter_known and settled and now_s < self._until_s:
             for view in (receiver, tanker):
@@ -110,7 +106,7 @@ class TankerSteps:
             service.seen_refuel = service.seen_giving = False
             service.out_at_start_j, service.in_at_begin_j = tanker.given_j, receiver.received_j
             self._order(service, receiver, TransferRole.RECEIVE, self._limit_j(service, receiver, tanker))
-            self._go(service, Phase.START_RECEIVER, now_s)
+            service.go(Phase.START_RECEIVER, now_s)
         elif now_s - service.phase_since_s > JOIN_WITHIN_S:
             self._finish(service, receiver, tanker, now_s, "no rendezvous in time")
 
@@ -125,31 +121,29 @@ class TankerSteps:
             limit_j = self._limit_j(service, receiver, tanker)
             service.ordered_j = math.floor(limit_j)
             self._order(service, tanker, TransferRole.GIVE, limit_j)
-            self._go(service, Phase.START_GIVER, now_s)
+            service.go(Phase.START_GIVER, now_s)
         elif accepted is False or now_s - service.phase_since_s > START_WITHIN_S:
             service.refusals += 1
             if service.refusals >= REFUSALS:
                 self._finish(service, receiver, tanker, now_s, "the receiver refused")
                 return
-            self._order(
-                service, receiver, TransferRole.STOP, 0.0
-            )  # it may have begun, and its acknowledgements been lost
-            self._go(service, Phase.JOIN, now_s)
+            # it may have begun, and its acknowledgements been lost
+            self._order(service, receiver, TransferRole.STOP, 0.0)
+            service.go(Phase.JOIN, now_s)
 
     def _start_giver(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
         accepted = self._requests.accepted(token(service, "give"))
         if accepted:
             service.start_s = now_s if service.start_s is None else service.start_s
             self._requests.records.append({"kind": "transfer", **service.sides})
-            self._go(service, Phase.TRANSFER, now_s)
+            service.go(Phase.TRANSFER, now_s)
             return
         out = self._out(receiver, tanker)
         if out or accepted is False or now_s - service.phase_since_s > START_WITHIN_S:
             service.ended_by = out or "the giver refused"
-            self._order(
-                service, tanker, TransferRole.STOP, 0.0
-            )  # it may have begun, and its acknowledgements been lost
-            self._go(service, Phase.STOP_GIVER, now_s)
+            # it may have begun, and its acknowledgements been lost
+            self._order(service, tanker, TransferRole.STOP, 0.0)
+            service.go(Phase.STOP_GIVER, now_s)
 
     def _transfer(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
         late = now_s - service.phase_since_s > START_WITHIN_S
@@ -174,12 +168,12 @@ class TankerSteps:
         if reason is not None:
             service.ended_by = reason
             self._order(service, tanker, TransferRole.STOP, 0.0)
-            self._go(service, Phase.STOP_GIVER, now_s)
+            service.go(Phase.STOP_GIVER, now_s)
 
     def _stop_giver(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
         answered = self._requests.accepted(token(service, "stop giver")) is not None
         if answered or now_s - service.phase_since_s > START_WITHIN_S:
-            self._go(service, Phase.CATCH_UP, now_s)
+            service.go(Phase.CATCH_UP, now_s)
 
     def _catch_up(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
         counter_reported = tanker.given_reported_s > service.phase_since_s
@@ -193,18 +187,18 @@ class TankerSteps:
         answered = self._requests.accepted(token(service, "stop receiver")) is not None
         if not answered and now_s - service.phase_since_s <= START_WITHIN_S:
             return
-        self._settle(service, now_s)
+        self._settlement.add(EndedTransfer(service, service.out_at_start_j, service.in_at_begin_j, now_s))
         service.breaks += service.broken_off
         if service.broken_off and service.breaks < BREAKS:
             service.broken_off = False
             self._requests.records.append({"kind": "broken off", **service.sides})
-            self._go(service, Phase.JOIN, now_s)
+            service.go(Phase.JOIN, now_s)
         else:
             self._finish(service, receiver, tanker, now_s, service.ended_by)
 
     def _stop(self, service: Service, receiver: VehicleView, now_s: float) -> None:
         self._order(service, receiver, TransferRole.STOP, 0.0)
-        self._go(service, Phase.STOP_RECEIVER, now_s)
+        service.go(Phase.STOP_RECEIVER, now_s)
 
     def _finish(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float, reason: str) -> None:
         if service.phase not in (Phase.JOIN, Phase.STOP_RECEIVER):
@@ -215,13 +209,6 @@ class TankerSteps:
         if tanker.alive:
             self._requests.request(_follow_target_every(0.0, tanker.sysid, token(service, "unstream")))
         self._requests.records.append({"kind": "served", "reason": reason, **service.record()})
-
-    def _settle(self, service: Service, now_s: float) -> None:
-        """Let the transfer that has just ended be settled."""
-        self._settlement.add(EndedTransfer(service, service.out_at_start_j, service.in_at_begin_j, now_s))
-
-    def _go(self, service: Service, phase: Phase, now_s: float) -> None:
-        service.phase, service.phase_since_s = phase, now_s
 
     def _out(self, receiver: VehicleView, tanker: VehicleView) -> str | None:
         """Why one of the two is to take no part."""
@@ -234,12 +221,7 @@ class TankerSteps:
         """Why the two cannot keep formation any more, or are not to."""
         if (out := self._out(receiver, tanker)) is not None:
             return out
-        for view in (receiver, tanker):
-            if not view.fresh:
-                return f"no word from {view.label}"
-            if not view.flying or view.mode not in STEERABLE:
-                return f"{view.label} left formation flight"
-        return None
+        return unfit(receiver) or unfit(tanker)
 
     def _limit_j(self, service: Service, receiver: VehicleView, tanker: VehicleView) -> float:
         room_j = receiver.capacity_j - receiver.remaining_j

@@ -194,16 +194,13 @@ class TimeBidding:
             return
         del self._ln_v[sysid]
         self._competing = [one for one in self._competing if one.sysid != sysid]
-        left = {key: value for key, value in self.competition_state.v.items() if key != sysid}
-        self.competition_state = CompetitionState(
-            left, self.competition_state.tau, self.competition_state.need, None, 0.0
-        )
+        self.competition_state = self.competition_state.without(sysid)
         others = {k - 1: now for k, now in self._readings.items() if k > 1 and sysid in now.winners}
         self._held_since_s = {k: self._held_since_s[k + 1] for k in others if k + 1 in self._held_since_s}
         self._readings = {
             k: now._replace(winners=tuple(one for one in now.winners if one != sysid)) for k, now in others.items()
         }
-        self._begun_s = now_s if left else None
+        self._begun_s = now_s if self.competition_state.v else None
 
     def _matched(self, winners: Sequence[int], by: str, snapshot: FleetSnapshot, free: Sequence[Giver]) -> list[Award]:
         """The winners' givers. Whom its giver would reach too late leaves the place to the next one whom it would not:

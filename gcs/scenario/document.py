@@ -240,20 +240,23 @@ def did_you_mean(word: str, known: Iterable[str]) -> str:
     return "" if near is None else f"{MEANT}{near!r}?"
 
 
+def options(schema: dict[str, Any], node: Any) -> Iterator[dict[str, Any]]:
+    """A node of a JSON Schema and its alternatives, references followed."""
+    if not isinstance(node, dict):
+        return
+    if "$ref" in node:
+        yield from options(schema, schema["$defs"][node["$ref"].rsplit("/", 1)[-1]])
+    yield node
+    for alternative in (*node.get("anyOf", ()), *node.get("oneOf", ())):
+        yield from options(schema, alternative)
+
+
 def properties(schema: dict[str, Any], path: KeyPath) -> dict[str, Any]:
     """The keys that a JSON Schema knows at `path`, each with its own schema; alternatives are taken together."""
-
-    def options(node: dict[str, Any]) -> Iterator[dict[str, Any]]:
-        if "$ref" in node:
-            yield from options(schema["$defs"][node["$ref"].rsplit("/", 1)[-1]])
-        yield node
-        for alternative in (*node.get("anyOf", ()), *node.get("oneOf", ())):
-            yield from options(alternative)
-
-    nodes = list(options(schema))
+    nodes = list(options(schema, schema))
     for part in path:
         inner = (n.get("items") if isinstance(part, int) else n.get("properties", {}).get(part) for n in nodes)
-        nodes = [option for node in inner if node for option in options(node)]
+        nodes = [option for node in inner if node for option in options(schema, node)]
     return {key: value for node in nodes for key, value in node.get("properties", {}).items()}
 
 

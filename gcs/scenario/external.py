@@ -97,13 +97,8 @@ class External(Part):
 
 
 class _Vehicle(Protocol):
-    sysid: int
-    join_s: float
-
     @property
     def label(self) -> str: ...
-    @property
-    def battery(self) -> Any: ...
     @property
     def external(self) -> External | None: ...
 

@@ -13,7 +13,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
-from gcs.scenario.document import Document, KeyPath, Problem, ScenarioError, did_you_mean, dotted, parse
+from gcs.scenario.document import Document, KeyPath, Problem, ScenarioError, did_you_mean, dotted, options, parse
 from gcs.scenario.json_schema import editor_schema
 
 EACH = "*"
@@ -53,16 +53,12 @@ def apply(document: Document, settings: Mapping[str, Any]) -> None:
         raise ScenarioError(problems)
 
 
+@functools.cache  # a campaign asks thousands of times
 def check(key: str) -> None:
     """See that a scenario may have this key path. Raises ValueError, one sentence with the nearest known path."""
-    _check(key)  # which is cached: a campaign asks thousands of times
-
-
-@functools.cache
-def _check(key: str) -> None:
     parts = parts_of(key)
     schema = _schema()
-    nodes = list(_options(schema, schema))
+    nodes = list(options(schema, schema))
     for i, part in enumerate(parts):
         inner = list(_inside(schema, nodes, part))
         if not inner:
@@ -108,10 +104,10 @@ def known_paths() -> tuple[str, ...]:
             return
         for key in dict.fromkeys(key for node in nodes for key in node.get("properties", ())):
             yield from walk(list(_inside(schema, nodes, key)), (*path, key))
-        if items := [option for node in nodes if "items" in node for option in _options(schema, node["items"])]:
+        if items := [option for node in nodes if "items" in node for option in options(schema, node["items"])]:
             yield from walk(items, (*path, EACH))
 
-    return tuple(dict.fromkeys(walk(list(_options(schema, schema)), ())))
+    return tuple(dict.fromkeys(walk(list(options(schema, schema)), ())))
 
 
 def expanded(document: Document, key: str) -> list[str]:
@@ -124,17 +120,6 @@ def _schema() -> dict[str, Any]:
     return editor_schema()
 
 
-def _options(schema: dict[str, Any], node: Any) -> Iterator[dict[str, Any]]:
-    """A schema node and its alternatives, references followed."""
-    if not isinstance(node, dict):
-        return
-    if "$ref" in node:
-        yield from _options(schema, schema["$defs"][node["$ref"].rsplit("/", 1)[-1]])
-    yield node
-    for alternative in (*node.get("anyOf", ()), *node.get("oneOf", ())):
-        yield from _options(schema, alternative)
-
-
 def _inside(schema: dict[str, Any], nodes: list[dict[str, Any]], part: str | int) -> Iterator[dict[str, Any]]:
     """Schema nodes of what stands at `part` in any of these."""
     for node in nodes:
@@ -142,9 +127,9 @@ def _inside(schema: dict[str, Any], nodes: list[dict[str, Any]], part: str | int
             if node.get("type") == "array" or "prefixItems" in node:
                 prefix = node.get("prefixItems", [])
                 inner = prefix[part] if isinstance(part, int) and part < len(prefix) else node.get("items", {})
-                yield from _options(schema, inner or {})
+                yield from options(schema, inner or {})
         elif part in node.get("properties", ()):
-            yield from _options(schema, node["properties"][part])
+            yield from options(schema, node["properties"][part])
         elif node.get("patternProperties") or isinstance(node.get("additionalProperties"), dict):
             yield {}
 

@@ -312,17 +312,14 @@ class Fleet:
 
     def _place(self, track: _Track, content: Any) -> FramePlace:
         """Where the frame of a vehicle lies that tells its origin; that of one of ours is parallel."""
-        if not track.member.external:
-            return FramePlace(self._ned(content), 0.0)
         told = (1e-7 * content.latitude, 1e-7 * content.longitude, 1e-3 * content.altitude)
+        if not track.member.external:
+            return FramePlace(self._ned(*told), 0.0)
         return frame_place(*told, *astuple(self.origin))
 
-    def _ned(self, content: Any) -> Vec3:
-        """A message's latitude, longitude and altitude in the common frame."""
-        o = self.origin
-        north, east, down = pymap3d.geodetic2ned(
-            1e-7 * content.latitude, 1e-7 * content.longitude, 1e-3 * content.altitude, o.lat_deg, o.lon_deg, o.alt_m
-        )
+    def _ned(self, lat_deg: float, lon_deg: float, alt_m: float) -> Vec3:
+        """A place on the globe in the common frame."""
+        north, east, down = pymap3d.geodetic2ned(lat_deg, lon_deg, alt_m, *astuple(self.origin))
         return float(north), float(east), float(down)
 
     def _battery(self, track: _Track, content: Any, time_s: float) -> None:
@@ -376,14 +373,10 @@ class Fleet:
             self._traffic = {icao: one for icao, one in known if time_s - one[3] <= TRAFFIC_FORGOTTEN_S}
             if len(self._traffic) >= MOST_TRAFFIC:
                 return
-        o = self.origin
-        north, east, down = pymap3d.geodetic2ned(
-            1e-7 * content.lat, 1e-7 * content.lon, 1e-3 * content.altitude, o.lat_deg, o.lon_deg, o.alt_m
-        )
+        p_ned = self._ned(1e-7 * content.lat, 1e-7 * content.lon, 1e-3 * content.altitude)
         heading_rad = math.radians(0.01 * content.heading)
         speed_m_s = 0.01 * content.hor_velocity
         v_ned = (speed_m_s * math.cos(heading_rad), speed_m_s * math.sin(heading_rad), -0.01 * content.ver_velocity)
-        p_ned = (float(north), float(east), float(down))
         self._traffic[content.ICAO_address] = (content.callsign, p_ned, v_ned, time_s - content.tslc)
 
 

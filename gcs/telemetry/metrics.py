@@ -25,7 +25,7 @@ class Metrics:
     """Running figures of one session."""
 
     def __init__(self, scenario: Scenario) -> None:
-        self.target_of = _targets(scenario)
+        self.target_of = scenario.vehicles.followed
         self._of_targets = scenario.pursuit.by == "competition"
         within_m = scenario.goal.pursue.within_m if scenario.goal.pursue else math.inf
         targets = (target.sysid for target in scenario.vehicles.targets)
@@ -58,11 +58,6 @@ class Metrics:
         """The longest time for which even the worst pursuer stayed with its target (or target had its pursuer)."""
         return self._pursuit.worst_s
 
-    @property
-    def held_s(self) -> dict[int, float]:
-        """The same of each pursuer, or target."""
-        return self._pursuit.held_s
-
     def _measure_paths(self, here: dict[int, Vec3], planned: dict[int, Vec3]) -> None:
         for sysid, p_ned in here.items():
             if sysid in self._last:
@@ -89,11 +84,6 @@ class Metrics:
                 near_m[key] = min(math.dist(here[sysid], here[target]), near_m.get(key, math.inf))
         distances_m = [near_m.get(key, math.nan) for key in self._pursuit.keys]
         self._pursuit.update(np.array([now_s]), np.array([distances_m]).reshape(1, -1))
-
-
-def _targets(scenario: Scenario) -> dict[int, int]:
-    vehicles = scenario.vehicles
-    return {p.sysid: target for p in vehicles.pursuers if (target := vehicles.target_of(p)) is not None}
 
 
 @kernel()

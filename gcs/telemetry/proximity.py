@@ -128,16 +128,14 @@ class Proximity:
         return self._new("separation", near)
 
     def _to_shapes(self, t_s: float, period_s: float, nearest: int, now: Floats) -> list[Breach]:
-        limit_m, near = self._clearance_m, []
-        for row in {nearest, *np.flatnonzero(self._clear_m < limit_m).tolist()}:
+        near = []
+        for row in {nearest, *np.flatnonzero(self._clear_m < self._clearance_m).tolist()}:
             there = self._before[row] + self._clear_at[row] * (now[row] - self._before[row])
             what = self._names[approach.nearest_shape(self._shapes, there)]
-            found = self._nearest(self._clear_m[row], (row,), t_s - (1.0 - self._clear_at[row]) * period_s, what)
-            if found.m < self.clearance.m:
-                self.clearance = found
-            if found.m < limit_m:
-                near.append(found)
-        return self._new("clearance", near)
+            at_s = t_s - (1.0 - self._clear_at[row]) * period_s
+            near.append(self._nearest(self._clear_m[row], (row,), at_s, what))
+        self.clearance = _least(self.clearance, near)
+        return self._new("clearance", [found for found in near if found.m < self._clearance_m])
 
     def _to_traffic(
         self, t_s: float, period_s: float, airspace: Airspace, places: Places, traffic_before: Mapping[str, Vec3]
@@ -154,19 +152,14 @@ class Proximity:
         k = int(least.argmin())
         for i in {k, *np.flatnonzero(least < self._traffic_m).tolist()}:
             at_s = t_s - (1.0 - shares[i]) * period_s
-            found = self._nearest(float(least[i]), (rows[i],), at_s, names[int(which[i])])
-            if found.m < self.traffic.m:
-                self.traffic = found
-            if found.m < self._traffic_m:
-                near.append(found)
-        return self._new("traffic", near)
+            near.append(self._nearest(float(least[i]), (rows[i],), at_s, names[int(which[i])]))
+        self.traffic = _least(self.traffic, near)
+        return self._new("traffic", [found for found in near if found.m < self._traffic_m])
 
     def _to_ground(self, t_s: float, up: Flags, height_m: Floats) -> list[Breach]:
         rows = np.flatnonzero(up & (height_m <= GROUND_M))
         near = [self._nearest(float(height_m[row]), (row,), t_s) for row in rows.tolist()]
-        for found in near:
-            if found.m < self.ground.m:
-                self.ground = found
+        self.ground = _least(self.ground, near)
         return self._new("ground", near)
 
     def _nearest(self, m: float, rows: tuple[int, ...], t_s: float, what: str = "") -> Nearest:
@@ -182,6 +175,10 @@ class Proximity:
                 self._count[part] = self._count.get(part, 0) + 1
                 breaches.append(Breach(part, found))
         return breaches
+
+
+def _least(so_far: Nearest, found: list[Nearest]) -> Nearest:
+    return min((so_far, *found), key=lambda one: one.m)
 
 
 class WayPoints:

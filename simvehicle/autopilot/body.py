@@ -58,7 +58,7 @@ class Body:
     def retune(self) -> None:
         """Fly with the parameters' present values from the next step on."""
         flight = self.parameters.flight()
-        self._yaw_rate_rad_s = flight.guidance.yaw_rate_rad_s
+        self.fastest_turn_rad_s = flight.guidance.yaw_rate_rad_s
         self.plant.tune(flight)
 
     @property
@@ -127,11 +127,6 @@ class Body:
     def capacity_j(self) -> float:
         """Energy in the battery, J."""
         return self.parameters["SIM_BAT_CAP_J"]
-
-    @property
-    def fastest_turn_rad_s(self) -> float:
-        """The greatest yaw rate of the guidance."""
-        return self._yaw_rate_rad_s
 
     @property
     def control_effort(self) -> float:

@@ -102,7 +102,8 @@ class Transfer:
     def __init__(self, order: TransferOrder, now_s: float, start_in_j: int | None = None) -> None:
         """`start_in_j`: the receiver's XferIn before the first joule; None where its giver has not heard it yet."""
         self.order = order
-        self._moved_j = 0
+        self.moved_j = 0
+        """whole joules given or received so far"""
         self._fraction_j = 0.0
         self._reported_j = 0
         self._progress_s = now_s
@@ -110,14 +111,9 @@ class Transfer:
         self._acknowledged_j = 0
 
     @property
-    def moved_j(self) -> int:
-        """Whole joules given or received by this transfer so far."""
-        return self._moved_j
-
-    @property
     def touched(self) -> bool:
         """Whether joules have moved, or were reported to be on their way."""
-        return self._moved_j > 0 or self._reported_j > 0
+        return self.moved_j > 0 or self._reported_j > 0
 
     def stopped_by(self, stop: TransferOrder) -> bool:
         """Whether a STOP means this transfer: 0 stands for any partner or id."""
@@ -129,21 +125,21 @@ class Transfer:
         if self._start_in_j is None:
             return 0.0
         most_j = max(self.order.rate_w * UNACKNOWLEDGED_S, 1.0)
-        return max(most_j - (self._moved_j - self._acknowledged_j), 0.0)
+        return max(most_j - (self.moved_j - self._acknowledged_j), 0.0)
 
     def give(self, dt_s: float, available_j: float) -> int:
         """Whole joules that leave the giver in `dt_s`, of what it has."""
         wanted_j = self._fraction_j + self.order.rate_w * dt_s
-        whole_j = floor(min(wanted_j, self.order.limit_j - self._moved_j, self._ahead_j, max(available_j, 0.0)))
+        whole_j = floor(min(wanted_j, self.order.limit_j - self.moved_j, self._ahead_j, max(available_j, 0.0)))
         self._fraction_j = min(wanted_j - whole_j, 1.0)
-        self._moved_j += whole_j
+        self.moved_j += whole_j
         return whole_j
 
     def receive_in(self, xfer_in_j: int, now_s: float) -> None:
         """Take in the receiver's XferIn, at the giver."""
         if self._start_in_j is None:
             self._start_in_j, self._progress_s = xfer_in_j, now_s
-        acknowledged_j = min(xfer_in_j - self._start_in_j, self._moved_j)
+        acknowledged_j = min(xfer_in_j - self._start_in_j, self.moved_j)
         if acknowledged_j > self._acknowledged_j:
             self._acknowledged_j, self._progress_s = acknowledged_j, now_s
 
@@ -153,13 +149,13 @@ class Transfer:
 
     def credit(self, room_j: float) -> int:
         """Whole joules that the receiver books now: all that were reported and that it has room for."""
-        whole_j = min(self._reported_j - self._moved_j, floor(max(room_j, 0.0)))
-        self._moved_j += whole_j
+        whole_j = min(self._reported_j - self.moved_j, floor(max(room_j, 0.0)))
+        self.moved_j += whole_j
         return whole_j
 
     def finished(self, now_s: float) -> str | None:
         """Why a giver stops by itself; None while it goes on."""
-        if self._moved_j >= floor(self.order.limit_j):
+        if self.moved_j >= floor(self.order.limit_j):
             return "limit reached"
         if now_s - self._progress_s > PROGRESS_WITHIN_S:
             return "the receiver takes no more"

@@ -111,7 +111,8 @@ _ROWS = {row.name: row for row in TABLE}
 _ONLY_AT_START = {"SIM_BAT_INIT_J", "SIM_GAIN_SET"}
 
 
-def _float32(value: float) -> float:
+def float32(value: float) -> float:
+    """The nearest number that 32 bits hold."""
     return float(struct.unpack("<f", struct.pack("<f", value))[0])
 
 
@@ -120,7 +121,7 @@ class Parameters:
 
     def __init__(self, given: dict[str, float] | None = None) -> None:
         """`given` overrides defaults; raises ParameterError."""
-        self._values = {row.name: _float32(row.default) for row in TABLE}
+        self._values = {row.name: float32(row.default) for row in TABLE}
         given = given or {}
         self._given = dict(given)
         for name, value in given.items():
@@ -148,7 +149,7 @@ class Parameters:
             raise ParameterError(f"unknown parameter {name}" + (f", did you mean {near[0]}?" if near else ""), UNKNOWN)
         if not (math.isfinite(value) and row.least <= value <= row.most):
             raise ParameterError(f"{name} = {value:g} is outside {row.least:g} .. {row.most:g}", OUT_OF_RANGE)
-        return float(round(value)) if row.whole else _float32(value)
+        return float(round(value)) if row.whole else float32(value)
 
     def set(self, name: str, value: float) -> float:
         """Change a value while the vehicle runs; returns what is now in force; raises ParameterError, value kept."""

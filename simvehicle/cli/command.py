@@ -17,6 +17,7 @@ from simvehicle.exit import BAD_INPUT, INTERRUPTED
 
 COMMANDS = ("ardupilot", "hatch", "paper", "px4", "traffic")
 """Each in a module of its name."""
+_FILE = click.Path(path_type=Path, dir_okay=False)
 
 
 class _Triple(click.ParamType[tuple[float, float, float]]):
@@ -63,7 +64,6 @@ class _LazyCommands(click.Group):
 @click.option("--sysid", type=click.IntRange(1, 254), metavar="N", help="MAVLink system id.")
 @click.option(
     "--connect",
-    "connect",
     multiple=True,
     metavar="udpout|udpin:HOST:PORT",
     help="Plain MAVLink: speak to a ground station (udpout) or wait for one. Repeatable.",
@@ -84,12 +84,7 @@ class _LazyCommands(click.Group):
     show_default=True,
     help="Origin of the local frame: degrees, degrees, m above mean sea level.",
 )
-@click.option(
-    "--params",
-    type=click.Path(path_type=Path, dir_okay=False),
-    multiple=True,
-    help="MAVLink parameters, YAML, NAME: number.",
-)
+@click.option("--params", type=_FILE, multiple=True, help="MAVLink parameters, YAML, NAME: number.")
 @click.option(
     "--autopilot",
     type=click.Choice(["px4", "ardupilot", "generic"]),
@@ -97,12 +92,7 @@ class _LazyCommands(click.Group):
     show_default=True,
     help="The autopilot that the vehicle says it is.",
 )
-@click.option(
-    "--truth",
-    type=click.Path(path_type=Path, dir_okay=False),
-    multiple=True,
-    help="New file for what is true, per step.",
-)
+@click.option("--truth", type=_FILE, multiple=True, help="New file for what is true, per step.")
 @click.option(
     "--truth-hz",
     type=click.FloatRange(0.0, 250.0, min_open=True),
@@ -116,25 +106,9 @@ class _LazyCommands(click.Group):
     metavar="DIR",
     help="Folder in which changed parameters (before --params) and plans outlive reboots.",
 )
-@click.option(
-    "--key-file",
-    type=click.Path(path_type=Path, dir_okay=False),
-    metavar="FILE",
-    help="Sign frames; obey only what this key signed.",
-)
-@click.option(
-    "--fleet",
-    "fleet",
-    type=click.Path(path_type=Path, dir_okay=False),
-    metavar="FILE",
-    help="Rules to compete on board by, YAML.",
-)
-@click.option(
-    "--world",
-    type=click.Path(path_type=Path, dir_okay=False),
-    metavar="FILE",
-    help="Weather and rotors, YAML; else the paper's.",
-)
+@click.option("--key-file", type=_FILE, metavar="FILE", help="Sign frames; obey only what this key signed.")
+@click.option("--fleet", type=_FILE, metavar="FILE", help="Rules to compete on board by, YAML.")
+@click.option("--world", type=_FILE, metavar="FILE", help="Weather and rotors, YAML; else the paper's.")
 @click.option(
     "--count",
     type=click.IntRange(1, 254),

@@ -7,11 +7,11 @@ rounding, so that all compete with the same numbers.
 from __future__ import annotations
 
 import math
-import struct
 from collections.abc import Sequence
 from enum import IntEnum
 from typing import NamedTuple
 
+from simvehicle.autopilot.parameters import float32
 from simvehicle.autopilot.snapshot import Vec3
 
 STALE_S = 1.5
@@ -95,11 +95,6 @@ class ServiceReport(NamedTuple):
     ending: int = 0
 
 
-def rounded(value: float) -> float:
-    """The nearest number that 32 bits hold."""
-    return float(struct.unpack("<f", struct.pack("<f", value))[0])
-
-
 def row_of(report: PeerReport) -> tuple[float, ...]:
     """A report as it travels, without its time."""
     return (
@@ -157,7 +152,7 @@ def report_of(time_s: float, row: Sequence[float]) -> PeerReport | None:
 
 def as_sent(report: PeerReport) -> PeerReport:
     """A report as the others receive it."""
-    same = report_of(report.time_s, tuple(map(rounded, row_of(report))))
+    same = report_of(report.time_s, tuple(map(float32, row_of(report))))
     assert same is not None, "a vehicle's own numbers are finite"
     return same
 
@@ -174,11 +169,6 @@ class Peers:
         if known is None or report.time_s >= known.time_s:
             self._reports[sysid] = report
 
-    def get(self, sysid: int, now_s: float) -> PeerReport | None:
-        """The newest report of one vehicle, while it is fresh."""
-        report = self._reports.get(sysid)
-        return report if report is not None and now_s - report.time_s <= STALE_S else None
-
     def fresh(self, now_s: float) -> dict[int, PeerReport]:
         """All fresh reports, in order of system id."""
-        return {sysid: report for sysid in sorted(self._reports) if (report := self.get(sysid, now_s)) is not None}
+        return {sysid: report for sysid, report in sorted(self._reports.items()) if now_s - report.time_s <= STALE_S}

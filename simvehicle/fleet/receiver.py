@@ -122,6 +122,8 @@ class Receiver:
         tanker = peers.get(self.tanker)
         if tanker is not None:
             self._received_s = now_s
+            if tanker.time_s <= self._phase_since_s:
+                tanker = None  # what it said before this phase began decides nothing in it
         if self._vehicle.mode not in STEERED or not self._vehicle.armed:
             self._end(now_s)
         elif self.phase is ReceiverPhase.CALL:
@@ -146,7 +148,7 @@ class Receiver:
         return refusal(neighbour, vehicle.p_ned, now_s, vehicle.envelope()) is None
 
     def _call(self, now_s: float, tanker: PeerReport | None) -> None:
-        if tanker is not None and tanker.time_s > self.since_s and tanker.partner:
+        if tanker is not None and tanker.partner:
             if tanker.partner == self._sysid:
                 self._go(ReceiverPhase.MEET, now_s)
             else:
@@ -157,7 +159,7 @@ class Receiver:
             self._go(ReceiverPhase.NONE, now_s)
 
     def _meet(self, now_s: float, tanker: PeerReport | None) -> None:
-        left = tanker is not None and tanker.time_s > self._phase_since_s and tanker.partner != self._sysid
+        left = tanker is not None and tanker.partner != self._sysid
         if left or now_s - self._phase_since_s > MEET_WITHIN_S:
             self._end(now_s)
             return
@@ -167,7 +169,7 @@ class Receiver:
             self._near_since_s = now_s
         held = self._near_since_s is not None and now_s - self._near_since_s >= self._rules.hold_s
         held &= now_s < self._rules.transfers_until_s
-        if not held or tanker is None or tanker.time_s <= self._phase_since_s or tanker.stage is not PeerStage.MEETS:
+        if not held or tanker is None or tanker.stage is not PeerStage.MEETS:
             return
         self._number += 1
         limit_j = float(math.floor(self._limit_j(tanker)))
@@ -197,8 +199,7 @@ class Receiver:
         return max(min(room_j, left_j, tanker.remaining_j), 1.0)
 
     def _start(self, now_s: float, tanker: PeerReport | None) -> None:
-        gives = tanker is not None and tanker.time_s > self._phase_since_s and tanker.stage is PeerStage.TRANSFERS
-        if gives:
+        if tanker is not None and tanker.stage is PeerStage.TRANSFERS:
             self._go(ReceiverPhase.TRANSFER, now_s)
         elif self._refused or now_s - self._phase_since_s > ANSWER_WITHIN_S or self._vehicle.transfer is None:
             self._break_off(now_s)
@@ -224,7 +225,7 @@ class Receiver:
         self._go(ReceiverPhase.STOP, now_s)
 
     def _stop(self, now_s: float, tanker: PeerReport | None) -> None:
-        stopped = tanker is not None and tanker.time_s > self._phase_since_s and tanker.stage is not PeerStage.TRANSFERS
+        stopped = tanker is not None and tanker.stage is not PeerStage.TRANSFERS
         if stopped or now_s - self._phase_since_s > ANSWER_WITHIN_S:
             self._go(ReceiverPhase.CATCH_UP, now_s)
         else:
@@ -234,7 +235,6 @@ class Receiver:
         assert self._order is not None
         caught_up = (
             tanker is not None
-            and tanker.time_s > self._phase_since_s
             and self._vehicle.received_j - self._in_at_start_j >= tanker.given_j - self._order.giver_start_j
         )
         if caught_up or self._vehicle.transfer is None or now_s - self._phase_since_s >= CATCH_UP_S:

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 from pymavlink.dialects.v20 import common as mav
 
+from simvehicle.autopilot.energy_transfer import TransferOrder, TransferSide
 from simvehicle.mavlink.codec import message
 
 ACCEPTED: int = mav.MAV_RESULT_ACCEPTED
@@ -31,7 +32,7 @@ class VehicleCommand(NamedTuple):
     @property
     def altitude_is_relative(self) -> bool:
         """Whether param 7 counts from home and not from mean sea level."""
-        return self.frame in _RELATIVE_FRAMES
+        return self.frame in RELATIVE_FRAMES
 
     @property
     def frame_is_known(self) -> bool:
@@ -62,6 +63,32 @@ def request_from(content: Any, sender: tuple[int, int]) -> VehicleCommand:
     return VehicleCommand(content.command, (*first, x, y, content.z), content.frame, sender)
 
 
+def transfer_order(request: VehicleCommand) -> TransferOrder | None:
+    """The order in a MAV_CMD_USER_1; None where its numbers are none that a transfer can have."""
+    numbers, role = request.params[:6], request.whole(2, -1)
+    if not all(map(math.isfinite, numbers)) or role not in tuple(TransferSide):
+        return None
+    limit_j, rate_w = numbers[2:4]
+    if role in (TransferSide.GIVE, TransferSide.RECEIVE) and not (limit_j > 0.0 and rate_w > 0.0):
+        return None
+    if role == TransferSide.SETTLE and limit_j < 0.0:
+        return None
+    return TransferOrder(
+        partner=request.whole(1),
+        role=TransferSide(role),
+        limit_j=limit_j,
+        rate_w=rate_w,
+        transfer_id=request.whole(5),
+        giver_start_j=request.whole(6),
+    )
+
+
+def command_long(sysid: int, command: int, *params: float) -> Any:
+    """COMMAND_LONG to the autopilot of a system; parameters that are not given are 0."""
+    numbers = (*map(float, params), *(0.0,) * (7 - len(params)))
+    return message("COMMAND_LONG")(*numbers, command, sysid, mav.MAV_COMP_ID_AUTOPILOT1, 0)
+
+
 def acknowledgement(request: VehicleCommand, result: int) -> Any:
     """COMMAND_ACK to the one who asked."""
     return message("COMMAND_ACK")(
@@ -77,8 +104,9 @@ def acknowledgement(request: VehicleCommand, result: int) -> Any:
 _LOCAL_FRAMES = frozenset(
     {mav.MAV_FRAME_LOCAL_NED, mav.MAV_FRAME_LOCAL_ENU, mav.MAV_FRAME_LOCAL_OFFSET_NED, mav.MAV_FRAME_BODY_FRD}
 )
-_RELATIVE_FRAMES = frozenset({mav.MAV_FRAME_GLOBAL_RELATIVE_ALT, mav.MAV_FRAME_GLOBAL_RELATIVE_ALT_INT})
-_KNOWN_FRAMES = _RELATIVE_FRAMES | {mav.MAV_FRAME_GLOBAL, mav.MAV_FRAME_GLOBAL_INT, mav.MAV_FRAME_LOCAL_NED}
+RELATIVE_FRAMES = frozenset({mav.MAV_FRAME_GLOBAL_RELATIVE_ALT, mav.MAV_FRAME_GLOBAL_RELATIVE_ALT_INT})
+"""Frames whose heights count from home."""
+_KNOWN_FRAMES = RELATIVE_FRAMES | {mav.MAV_FRAME_GLOBAL, mav.MAV_FRAME_GLOBAL_INT, mav.MAV_FRAME_LOCAL_NED}
 _WITH_A_PLACE = frozenset(
     {
         mav.MAV_CMD_NAV_TAKEOFF,

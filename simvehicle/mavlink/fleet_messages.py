@@ -13,7 +13,7 @@ from simvehicle.fleet.peers import PeerReport, ServiceReport, report_of, row_of
 from simvehicle.fleet.receiver import OrderToPeer
 from simvehicle.fleet.rules import FleetRules
 from simvehicle.mavlink.codec import ReceivedFrame, decode, message
-from simvehicle.mavlink.commands import ACCEPTED
+from simvehicle.mavlink.commands import ACCEPTED, command_long
 
 PEER, SERVICE = "Peer", "Service"
 FORMAT = 1
@@ -86,16 +86,5 @@ def _array(name: str, array_id: int, time_usec: int, row: tuple[float, ...]) -> 
 
 def _order(out: OrderToPeer) -> Any:
     order = out.order
-    return message("COMMAND_LONG")(
-        target_system=out.sysid,
-        target_component=mav.MAV_COMP_ID_AUTOPILOT1,
-        command=mav.MAV_CMD_USER_1,
-        confirmation=0,
-        param1=float(order.partner),
-        param2=float(order.role),
-        param3=float(int(order.limit_j)),
-        param4=order.rate_w,
-        param5=float(order.transfer_id),
-        param6=float(order.giver_start_j),
-        param7=0.0,
-    )
+    numbers = (order.partner, order.role, int(order.limit_j), order.rate_w, order.transfer_id, order.giver_start_j)
+    return command_long(out.sysid, mav.MAV_CMD_USER_1, *numbers)

@@ -6,10 +6,16 @@ import math
 
 from pymavlink.dialects.v20 import common as mav
 
-from simvehicle.autopilot.energy_transfer import TransferOrder, TransferSide
 from simvehicle.autopilot.modes import Mode, Severity, Trigger
 from simvehicle.autopilot.snapshot import Vec3
-from simvehicle.mavlink.commands import ACCEPTED, DENIED, TEMPORARILY_REJECTED, UNSUPPORTED, VehicleCommand
+from simvehicle.mavlink.commands import (
+    ACCEPTED,
+    DENIED,
+    TEMPORARILY_REJECTED,
+    UNSUPPORTED,
+    VehicleCommand,
+    transfer_order,
+)
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.context import Call, CommandHandler, MessageHandler, ServiceContext
 
@@ -61,16 +67,9 @@ def take_off(context: ServiceContext, request: VehicleCommand, connection: Conne
     return _result(vehicle.take_off(height_m))
 
 
-def land(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
-    return _result(context.vehicle.trigger(Trigger.LAND))
-
-
-def go_home(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
-    return _result(context.vehicle.trigger(Trigger.RETURN))
-
-
-def hold(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
-    return _result(context.vehicle.trigger(Trigger.HOLD))
+def triggers(event: Trigger) -> CommandHandler:
+    """The handler of a command that lets an event happen, whatever its parameters."""
+    return lambda context, _request, _connection: _result(context.vehicle.trigger(event))
 
 
 def _place(context: ServiceContext, request: VehicleCommand) -> Vec3 | None:
@@ -181,21 +180,9 @@ def set_mission_item(context: ServiceContext, request: VehicleCommand, connectio
 
 
 def transfer(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
-    if not all(map(math.isfinite, request.params[:6])) or request.whole(2) not in tuple(TransferSide):
+    order = transfer_order(request)
+    if order is None:
         return DENIED
-    role = TransferSide(request.whole(2))
-    if role in (TransferSide.GIVE, TransferSide.RECEIVE) and not (request.params[2] > 0.0 and request.params[3] > 0.0):
-        return DENIED
-    if role is TransferSide.SETTLE and request.params[2] < 0.0:
-        return DENIED
-    order = TransferOrder(
-        partner=request.whole(1),
-        role=role,
-        limit_j=request.params[2],
-        rate_w=request.params[3],
-        transfer_id=request.whole(5),
-        giver_start_j=request.whole(6),
-    )
     reason = context.vehicle.order(order)
     if reason is not None:
         return _refuse(context, f"Transfer refused: {reason}")
@@ -208,9 +195,9 @@ MESSAGES: dict[int, MessageHandler] = {mav.MAVLINK_MSG_ID_SET_MODE: set_mode_mes
 COMMANDS: dict[int, CommandHandler] = {
     mav.MAV_CMD_COMPONENT_ARM_DISARM: arm,
     mav.MAV_CMD_NAV_TAKEOFF: take_off,
-    mav.MAV_CMD_NAV_LAND: land,
-    mav.MAV_CMD_NAV_RETURN_TO_LAUNCH: go_home,
-    mav.MAV_CMD_NAV_LOITER_UNLIM: hold,
+    mav.MAV_CMD_NAV_LAND: triggers(Trigger.LAND),
+    mav.MAV_CMD_NAV_RETURN_TO_LAUNCH: triggers(Trigger.RETURN),
+    mav.MAV_CMD_NAV_LOITER_UNLIM: triggers(Trigger.HOLD),
     mav.MAV_CMD_DO_REPOSITION: reposition,
     mav.MAV_CMD_DO_CHANGE_SPEED: change_speed,
     mav.MAV_CMD_DO_SET_HOME: set_home,

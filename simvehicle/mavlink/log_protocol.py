@@ -10,7 +10,6 @@ Rules:
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Protocol
 
 from pymavlink.dialects.v20 import common as mav
@@ -59,11 +58,6 @@ class LogService:
 
     def __init__(self, log: Log | None) -> None:
         self._log = log
-        self._handlers: dict[int, Callable[[Log, Call], None]] = {
-            mav.MAVLINK_MSG_ID_LOG_REQUEST_DATA: self._begin,
-            mav.MAVLINK_MSG_ID_LOG_REQUEST_END: lambda _log, _call: self._end(),
-            mav.MAVLINK_MSG_ID_LOG_ERASE: lambda log, _call: self._erase(log),
-        }
         self._connection: Connection | None = None
         self._offset = self._stop = 0
 
@@ -71,8 +65,14 @@ class LogService:
         """Act on one of MESSAGES."""
         if call.frame.msgid == mav.MAVLINK_MSG_ID_LOG_REQUEST_LIST:
             self._list(call)
-        elif self._log is not None:
-            self._handlers[call.frame.msgid](self._log, call)
+        elif self._log is None:
+            return
+        elif call.frame.msgid == mav.MAVLINK_MSG_ID_LOG_REQUEST_DATA:
+            self._begin(self._log, call)
+        else:
+            self._end()
+            if call.frame.msgid == mav.MAVLINK_MSG_ID_LOG_ERASE:
+                self._log.erase()
 
     def report(self) -> None:
         """Queue the pieces of this tick."""
@@ -117,7 +117,3 @@ class LogService:
 
     def _end(self) -> None:
         self._connection = None
-
-    def _erase(self, log: Log) -> None:
-        self._end()
-        log.erase()

@@ -11,6 +11,7 @@ from pymavlink.dialects.v20 import common as mav
 from simvehicle.autopilot.energy_transfer import Neighbour
 from simvehicle.autopilot.maneuvers import OffboardSetPoint
 from simvehicle.autopilot.snapshot import Vec3
+from simvehicle.mavlink.commands import RELATIVE_FRAMES
 from simvehicle.mavlink.context import Call, MessageHandler, ServiceContext
 
 _NEVER_FLOWN = (
@@ -27,8 +28,7 @@ part. Places are turned too where they also travel: those of BODY_NED are LOCAL_
 from north in every frame."""
 _LOCAL = _TRAVELLING | _TURNED | {mav.MAV_FRAME_LOCAL_NED}
 _EVERY_AXIS = (True, True, True)
-_RELATIVE = frozenset({mav.MAV_FRAME_GLOBAL_RELATIVE_ALT, mav.MAV_FRAME_GLOBAL_RELATIVE_ALT_INT})
-_GLOBAL = _RELATIVE | {mav.MAV_FRAME_GLOBAL, mav.MAV_FRAME_GLOBAL_INT}
+_GLOBAL = RELATIVE_FRAMES | {mav.MAV_FRAME_GLOBAL, mav.MAV_FRAME_GLOBAL_INT}
 
 
 def heartbeat(context: ServiceContext, call: Call) -> None:
@@ -48,7 +48,7 @@ def global_set_point(context: ServiceContext, call: Call) -> None:
     if content.coordinate_frame not in _GLOBAL:
         return context.complain("frame", f"Set point ignored: frame {content.coordinate_frame}")
     north, east, down = vehicle.frame.to_local(1e-7 * content.lat_int, 1e-7 * content.lon_int, content.alt)
-    if content.coordinate_frame in _RELATIVE:
+    if content.coordinate_frame in RELATIVE_FRAMES:
         down = vehicle.home_ned[2] - content.alt
     return _fly(context, content, (north, east, down))
 

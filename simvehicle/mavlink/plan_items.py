@@ -16,6 +16,7 @@ from pymavlink.dialects.v20 import common as mav
 from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.geofence import Circle, Fence, Point, Polygon
 from simvehicle.autopilot.mission import Kind, Leg, Place
+from simvehicle.mavlink.commands import RELATIVE_FRAMES
 
 Vec3 = tuple[float, float, float]
 MOST_ITEMS = 1000
@@ -134,7 +135,7 @@ def _place(number: int, item: Item, frame: LocalFrame, *, may_lack_place: bool) 
     height_m = None if math.isnan(item.z) else _number(item.z, number, mav.MAV_MISSION_INVALID_PARAM7, least=-1e4)
     if item.frame in _LOCAL:
         return Place(1e-4 * item.x, 1e-4 * item.y, None if height_m is None else -height_m)
-    above_home = item.frame in _RELATIVE
+    above_home = item.frame in RELATIVE_FRAMES
     if height_m is not None and not above_home:
         height_m -= frame.alt_m
     unset = (item.x, item.y) == (0, 0) or _UNSET in (item.x, item.y)
@@ -159,7 +160,7 @@ def _point(number: int, item: Item, frame: LocalFrame) -> Point:
 
 
 def _known_frame(number: int, item: Item) -> None:
-    if item.frame not in _GLOBAL | _RELATIVE | _LOCAL:
+    if item.frame not in _GLOBAL | RELATIVE_FRAMES | _LOCAL:
         raise PlanError(f"item {number}: frame {item.frame}", mav.MAV_MISSION_UNSUPPORTED_FRAME)
 
 
@@ -174,7 +175,6 @@ def _number(value: float, number: int, result: int, *, least: float) -> float:
 FARTHEST_M = 1e5
 _UNSET = 2**31 - 1
 _LOCAL = frozenset({mav.MAV_FRAME_LOCAL_NED})
-_RELATIVE = frozenset({mav.MAV_FRAME_GLOBAL_RELATIVE_ALT, mav.MAV_FRAME_GLOBAL_RELATIVE_ALT_INT})
 _GLOBAL = frozenset({mav.MAV_FRAME_GLOBAL, mav.MAV_FRAME_GLOBAL_INT})
 _KINDS = {
     mav.MAV_CMD_NAV_TAKEOFF: Kind.TAKEOFF,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import socket
 import time
-from typing import Any, Self
+from typing import Any
 
 from pymavlink.dialects.v20 import common as mav
 
@@ -16,16 +16,17 @@ from simvehicle.sitl.autopilot_process import (
     HOST,
     LOOK_EVERY_S,
     READY_WITHIN_S,
+    AutopilotLink,
     AutopilotWanted,
-    time_of,
     whole_frames,
 )
+from simvehicle.sitl.link import time_of
 
 SERIAL_BYTES = 65536
 SERVO_BYTES = 2048
 
 
-class ArduPilotLink:
+class ArduPilotLink(AutopilotLink):
     """An ArduPilot's process with its sockets. Everything raises AutopilotError once it is gone."""
 
     def __init__(self, wanted: AutopilotWanted) -> None:
@@ -42,12 +43,6 @@ class ArduPilotLink:
             opened.callback(self._serial.close)
             self.servo = self._next_servo(-1)
             self._closing = opened.pop_all()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self._closing.close()
 
     def say(self, raw: bytes) -> None:
         """Say bytes into its serial port: it reads them right after the next answer."""

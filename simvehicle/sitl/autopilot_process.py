@@ -7,8 +7,8 @@ import contextlib
 import ctypes
 import os
 import signal
-import struct
 import subprocess
+from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -18,7 +18,7 @@ from simvehicle.autopilot.body import STEP_MS
 from simvehicle.autopilot.energy_transfer import Envelope
 from simvehicle.law.params import BatteryParams
 from simvehicle.law.plants import RotorPlant
-from simvehicle.mavlink.codec import CHECKSUM_BYTES, HEADER_BYTES, MAGIC
+from simvehicle.mavlink.codec import CHECKSUM_BYTES, HEADER_BYTES, MAGIC, ReceivedFrame
 from simvehicle.world.description import read_world
 from simvehicle.world.sensors import SensorErrors
 
@@ -123,10 +123,26 @@ class AutopilotProcess:
         return f"; its last lines: {' | '.join(last)}" if last else ", and said nothing"
 
 
-def time_of(seconds: float) -> bytes:
-    """A `struct timeval`, as SO_RCVTIMEO takes it."""
-    whole = int(seconds)
-    return struct.pack("ll", whole, round(1e6 * (seconds - whole)))
+class AutopilotLink(ABC):
+    """An autopilot's process with its sockets. Everything raises AutopilotError once it is gone."""
+
+    process: AutopilotProcess
+    _closing: contextlib.ExitStack
+    """all that is open"""
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._closing.close()
+
+    @abstractmethod
+    def say(self, raw: bytes) -> None:
+        """Say bytes to it over its MAVLink."""
+
+    @abstractmethod
+    def received(self) -> list[ReceivedFrame]:
+        """Frames that it has said over its MAVLink since it was asked last."""
 
 
 def whole_frames(content: bytes) -> tuple[bytes, bytes]:

@@ -9,11 +9,10 @@ for it only while a step is being answered. Kinds of autopilots differ in how a 
 from __future__ import annotations
 
 import contextlib
-import json
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
-from typing import Any, NamedTuple, Protocol, Self
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,8 +31,8 @@ from simvehicle.mavlink.lockstep import SUPERVISOR
 from simvehicle.mavlink.real_autopilots.autopilot_boot import AutopilotBoot, BootMode
 from simvehicle.mavlink.real_autopilots.battery_component import BatteryComponent
 from simvehicle.mavlink.real_autopilots.world_failures import WorldFailures
-from simvehicle.sitl.autopilot_process import STEP_S, AutopilotError, AutopilotProcess, AutopilotWanted
-from simvehicle.sitl.truth import ENERGY, STATE
+from simvehicle.sitl.autopilot_process import STEP_S, AutopilotError, AutopilotLink, AutopilotWanted
+from simvehicle.sitl.truth import head_line
 from simvehicle.world import rotors
 from simvehicle.world.airframes import GRAVITY_M_S2
 
@@ -58,24 +57,6 @@ class Sensed(NamedTuple):
     accel_body: Sequence[float]
 
 
-class AutopilotLink(Protocol):
-    """An autopilot's process with its sockets. Everything raises AutopilotError once it is gone."""
-
-    process: AutopilotProcess
-
-    def __enter__(self) -> Self:
-        """Itself."""
-
-    def __exit__(self, *_: object) -> None:
-        """End it."""
-
-    def say(self, raw: bytes) -> None:
-        """Say bytes to it over its MAVLink."""
-
-    def received(self) -> list[ReceivedFrame]:
-        """Frames that it has said since it was asked last."""
-
-
 class AutopilotUnit(ABC):
     """The autopilot with its physics, as the loops drive it (`loop.Unit`)."""
 
@@ -94,7 +75,6 @@ class AutopilotUnit(ABC):
             attitude_rad=(0.0, 0.0, -math.radians(wanted.yaw_deg)),
             airborne=False,
         )
-        self._initial_j = flight.battery.initial_j
         self._frame = LocalFrame(*wanted.home)
         self._battery = BatteryComponent(
             plant,
@@ -114,7 +94,7 @@ class AutopilotUnit(ABC):
             self._boot()
             self._truth = None if wanted.truth is None else opened.enter_context(wanted.truth.open("xb", buffering=0))
             if self._truth is not None:
-                self._truth.write(self._truth_head())
+                self._truth.write(head_line(wanted.sysid, wanted.battery, flight.battery.initial_j, GRAVITY_M_S2))
             self._closing = opened.pop_all()
 
     def __enter__(self) -> Self:
@@ -265,22 +245,6 @@ class AutopilotUnit(ABC):
         return Sensed(p_ned, v_ned, quaternion, rates, accel)
 
     # truth
-
-    def _truth_head(self) -> bytes:
-        battery = self._wanted.battery
-        head = {
-            "schema": 1,
-            "sysid": self._wanted.sysid,
-            "step_s": STEP_S,
-            "state": STATE,
-            "energy": ENERGY,
-            "initial_j": self._initial_j,
-            "capacity_j": battery.capacity_j,
-            "hover_w": battery.hover_w,
-            "avionics_w": battery.avionics_w,
-            "gravity_m_s2": GRAVITY_M_S2,
-        }
-        return json.dumps(head, sort_keys=True).encode() + b"\n"
 
     def _truth_record(self) -> bytes:
         assert self._time_ms is not None

@@ -80,6 +80,12 @@ def open_socket(address: Address) -> socket.socket:
     return made
 
 
+def time_of(seconds: float) -> bytes:
+    """A `struct timeval`, as SO_RCVTIMEO takes it."""
+    whole = int(seconds)
+    return struct.pack("ll", whole, round(1e6 * (seconds - whole)))
+
+
 class _Link:
     """A socket with a connection on it; its context's end closes the socket."""
 
@@ -187,9 +193,7 @@ class SupervisedLink(_Link):
     def wait_in_receive(self, most_s: float) -> None:
         """Let `receive` wait for a datagram, for so long at most, instead of a poll before it."""
         self.socket.setblocking(True)
-        seconds = int(most_s)
-        limit = struct.pack("@ll", seconds, round(1e6 * (most_s - seconds)))
-        self.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVTIMEO, limit)
+        self.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVTIMEO, time_of(most_s))
 
     def receive(self) -> bytes | None:
         """The next datagram, or None."""

@@ -65,10 +65,6 @@ class _Granted:
         self._link.send([self._hello])
         return True
 
-    def wait_in_receive(self, most_s: float) -> None:
-        """Let `receive` wait for a datagram, for so long at most."""
-        self._link.wait_in_receive(most_s)
-
     def receive(self) -> None:
         """Act on the datagram that waits."""
         datagram = self._link.receive()
@@ -113,9 +109,9 @@ def run_supervised(seats: Sequence[ConnectedUnit], secret: int | None = None) ->
         assert link is not None
         granted[link.socket.fileno()] = _Granted(unit, link, plain, secret)
         poll.register(link.socket, select.POLLIN)
+        if len(seats) == 1:
+            link.wait_in_receive(HELLO_EVERY_S)
     alone = next(iter(granted.values())) if len(granted) == 1 else None
-    if alone is not None:
-        alone.wait_in_receive(HELLO_EVERY_S)
     look_s = 0.0
     while granted:
         now_s = time.monotonic()

@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import socket
 import time
-from typing import Self
 
 from pymavlink.dialects.v20 import common as mav
 
@@ -16,10 +15,11 @@ from simvehicle.sitl.autopilot_process import (
     LOOK_EVERY_S,
     READY_WITHIN_S,
     AutopilotError,
+    AutopilotLink,
     AutopilotWanted,
-    time_of,
     whole_frames,
 )
+from simvehicle.sitl.link import time_of
 from simvehicle.sitl.px4_process import MAVLINK_PORT, simulation_port, start_px4
 
 BYTES = 65536
@@ -28,7 +28,7 @@ BEFORE_FIRST_S = 0.01
 steps."""
 
 
-class Px4Link:
+class Px4Link(AutopilotLink):
     """A PX4's process with its sockets. Everything raises AutopilotError once it is gone."""
 
     def __init__(self, wanted: AutopilotWanted, *, hover_throttle: float) -> None:
@@ -52,12 +52,6 @@ class Px4Link:
             opened.callback(self._tcp.close)
             self._began_s = time.monotonic()
             self._closing = opened.pop_all()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self._closing.close()
 
     def say(self, raw: bytes) -> None:
         """Say bytes to it over its MAVLink."""

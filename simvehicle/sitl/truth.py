@@ -19,6 +19,7 @@ from typing import Self
 
 from simvehicle.autopilot.body import STEP_MS
 from simvehicle.autopilot.vehicle import Vehicle
+from simvehicle.law.params import BatteryParams
 
 ROUNDING_S = 1e-6
 _pack = struct.Struct("<18d").pack
@@ -29,6 +30,23 @@ LAST_NUMBER = 65534
 ENERGY = ["drawn_j", "received_j", "given_j", "remaining_j"]
 
 
+def head_line(sysid: int, battery: BatteryParams, initial_j: float, gravity_m_s2: float) -> bytes:
+    """The file's first line; `initial_j`: in the battery at the start."""
+    head = {
+        "schema": 1,
+        "sysid": sysid,
+        "step_s": STEP_MS / 1e3,
+        "state": STATE,
+        "energy": ENERGY,
+        "initial_j": initial_j,
+        "capacity_j": battery.capacity_j,
+        "hover_w": battery.hover_w,
+        "avionics_w": battery.avionics_w,
+        "gravity_m_s2": gravity_m_s2,
+    }
+    return json.dumps(head, sort_keys=True).encode() + b"\n"
+
+
 class TruthWriter:
     """Writes one vehicle's truth; every record is whole on disk before the answer that reports it goes out."""
 
@@ -37,21 +55,8 @@ class TruthWriter:
         self._period_s = None if hz is None else 1.0 / hz
         self._due_s = 0.0
         flight = vehicle.plant.parameters(vehicle.parameters.flight())
-        battery = flight.battery
-        head = {
-            "schema": 1,
-            "sysid": sysid,
-            "step_s": STEP_MS / 1e3,
-            "state": STATE,
-            "energy": ENERGY,
-            "initial_j": vehicle.initial_j,
-            "capacity_j": battery.capacity_j,
-            "hover_w": battery.hover_w,
-            "avionics_w": battery.avionics_w,
-            "gravity_m_s2": flight.airframe.gravity_m_s2,
-        }
         self._path = path
-        self._head = json.dumps(head, sort_keys=True).encode() + b"\n"
+        self._head = head_line(sysid, flight.battery, vehicle.initial_j, flight.airframe.gravity_m_s2)
         self._written = 0
         self._vehicle = vehicle
         self._begun_ms = 0

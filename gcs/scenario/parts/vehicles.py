@@ -178,6 +178,11 @@ class Vehicles(Part):
         return self.targets[0].sysid if self.targets else None
 
     @property
+    def followed(self) -> dict[int, int]:
+        """The target's system id by the pursuer's, of those who follow one."""
+        return {p.sysid: target for p in self.pursuers if (target := self.target_of(p)) is not None}
+
+    @property
     def all(self) -> tuple[Pursuer | Target | Tanker, ...]:
         """Every vehicle, in order of system id."""
         return tuple(sorted((*self.pursuers, *self.targets, *self.tankers), key=lambda vehicle: vehicle.sysid))

@@ -11,7 +11,8 @@ from typing import Any, NamedTuple
 
 from pymavlink.dialects.v20 import common as mav
 
-from simvehicle.mavlink.codec import ReceivedFrame, decode, message
+from simvehicle.mavlink.codec import ReceivedFrame, decode
+from simvehicle.mavlink.commands import command_long
 
 ASK_EVERY_S = 0.5
 LAST_REASONS = 3
@@ -77,10 +78,10 @@ class AutopilotBoot:
         if now_s - self._asked_s < ASK_EVERY_S:
             return []
         self._asked_s = now_s
-        asked = [self._command(mav.MAV_CMD_REQUEST_MESSAGE, mav.MAVLINK_MSG_ID_SYS_STATUS)]
+        asked = [command_long(self._sysid, mav.MAV_CMD_REQUEST_MESSAGE, mav.MAVLINK_MSG_ID_SYS_STATUS)]
         if not self._in_mode:
             custom = mav.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
-            asked.append(self._command(mav.MAV_CMD_DO_SET_MODE, custom, *self._mode.set_mode))
+            asked.append(command_long(self._sysid, mav.MAV_CMD_DO_SET_MODE, custom, *self._mode.set_mode))
         return asked
 
     def receive(self, frame: ReceivedFrame) -> None:
@@ -98,7 +99,3 @@ class AutopilotBoot:
                     reason = content.text.removeprefix(prefix)
                     self._reasons.pop(reason, None)
                     self._reasons[reason] = None
-
-    def _command(self, command: int, *params: float) -> Any:
-        numbers = (*map(float, params), *(0.0,) * (7 - len(params)))
-        return message("COMMAND_LONG")(*numbers, command, self._sysid, mav.MAV_COMP_ID_AUTOPILOT1, 0)

@@ -12,7 +12,7 @@ from typing import Any, Protocol
 
 from pymavlink.dialects.v20 import common as mav
 
-from simvehicle.autopilot.energy_transfer import Envelope, Exchange, Neighbour, TransferOrder, TransferSide
+from simvehicle.autopilot.energy_transfer import Envelope, Exchange, Neighbour, TransferSide
 from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.snapshot import CELL_FULL_V, CELLS, Vec3
 from simvehicle.mavlink import commands
@@ -120,24 +120,13 @@ class BatteryComponent:
 
     def _order(self, request: commands.VehicleCommand, now_s: float, p_ned: Vec3) -> tuple[int, list[Any]]:
         """Begin or end taking; it gives nothing."""
-        role = request.whole(2, -1)
-        if not all(map(math.isfinite, request.params[:6])) or role not in (TransferSide.STOP, TransferSide.RECEIVE):
+        order, exchange = commands.transfer_order(request), self.exchange
+        if order is None or order.role not in (TransferSide.STOP, TransferSide.RECEIVE):
             return commands.DENIED, []
-        order = TransferOrder(
-            partner=request.whole(1),
-            role=TransferSide(role),
-            limit_j=request.params[2],
-            rate_w=request.params[3],
-            transfer_id=request.whole(5),
-            giver_start_j=request.whole(6),
-        )
-        exchange = self.exchange
         if order.role is TransferSide.STOP:
             if exchange.current is not None and exchange.current.stopped_by(order):
                 return commands.ACCEPTED, [self._text(f"{exchange.end(now_s)}: stopped")]
             return commands.ACCEPTED, []
-        if not (order.limit_j > 0.0 and order.rate_w > 0.0):
-            return commands.DENIED, []
         reason = exchange.refuses(order, p_ned, now_s, self._envelope)
         if reason is not None:
             return commands.TEMPORARILY_REJECTED, [self._text(f"Transfer refused: {reason}")]

@@ -8,7 +8,8 @@ from typing import Any
 
 from pymavlink.dialects.v20 import common as mav
 
-from simvehicle.mavlink.codec import ReceivedFrame, decode, message
+from simvehicle.mavlink.codec import ReceivedFrame, decode
+from simvehicle.mavlink.commands import command_long
 
 DO_AUX_FUNCTION = 218
 """MAV_CMD_DO_AUX_FUNCTION, of ArduPilot's dialect: the function, and its switch's position."""
@@ -31,8 +32,7 @@ class GnssSwitch:
             return []
         self._off = lost
         self._unanswered += 1
-        numbers = (float(GPS_DISABLE), float(SWITCH_HIGH if lost else SWITCH_LOW), *(0.0,) * 5)
-        return [message("COMMAND_LONG")(*numbers, DO_AUX_FUNCTION, self._sysid, mav.MAV_COMP_ID_AUTOPILOT1, 0)]
+        return [command_long(self._sysid, DO_AUX_FUNCTION, GPS_DISABLE, SWITCH_HIGH if lost else SWITCH_LOW)]
 
     def answers(self, frame: ReceivedFrame) -> bool:
         """Whether a frame is the autopilot's answer to the switch."""

@@ -59,7 +59,7 @@ def test_acceptance_ends_the_command(queue: CommandQueue) -> None:
     queue.send(CommandLong(VEHICLE, ARM, (1,)), 0.0, token="arm 3")
     step = queue.on_ack(3, 1, ack(ARM), 0.1)
     assert step == ([], [CommandResult(ARM, VEHICLE, "accepted", ACCEPTED, 1, "arm 3")])
-    assert queue.idle
+    assert not queue._waiting
     assert queue.poll(99.0) == ([], [])
     assert queue.resent == 0
 
@@ -87,7 +87,7 @@ def test_silence_brings_three_repetitions_half_a_second_apart_then_a_time_out(qu
         (12.0, CommandResult(ARM, VEHICLE, "timeout", None, 4, None)),
     ]
     assert queue.resent == 3
-    assert queue.idle
+    assert not queue._waiting
 
 
 def test_acknowledgement_of_a_repetition_counts_its_attempts(queue: CommandQueue) -> None:
@@ -139,7 +139,7 @@ def test_acknowledgements_for_others_from_others_or_of_nothing_are_ignored(queue
         (3, 100, ack(ARM)),
     ):
         assert queue.on_ack(sysid, compid, stray, 0.1) == ([], [])
-    assert not queue.idle
+    assert queue._waiting
 
 
 def test_unaddressed_acknowledgement_and_any_component_of_a_broadcast_count(queue: CommandQueue) -> None:
@@ -158,7 +158,7 @@ def test_command_that_does_not_fit_is_refused_and_leaves_no_trace(queue: Command
         queue.send(CommandInt(VEHICLE, ARM, 0, x=math.nan), 0.0)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match=r"COMMAND_LONG.target_system cannot be 256"):
         queue.send(CommandLong(CommandTarget(256, 1), ARM), 0.0)
-    assert queue.idle
+    assert not queue._waiting
 
 
 def test_what_is_withdrawn_is_sent_no_more_and_what_waits_behind_it_goes(queue: CommandQueue) -> None:
@@ -178,4 +178,4 @@ def test_a_withdrawn_command_may_still_be_acknowledged(queue: CommandQueue) -> N
     queue.send(CommandLong(VEHICLE, ARM), 0.0, token="old")
     assert queue.withdraw(lambda _: True) == []
     assert [result.outcome for result in queue.on_ack(3, 1, ack(ARM), 0.1).results] == ["accepted"]
-    assert queue.idle
+    assert not queue._waiting

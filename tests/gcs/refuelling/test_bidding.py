@@ -39,7 +39,7 @@ def run(bidding: NeedBidding, views: list[VehicleView], until_s: float, from_s: 
             return until_s, None
         snapshot = FleetSnapshot(now_s, tuple(views), ())
         bidding.advance(snapshot, served)
-        won = bidding.winner(snapshot, TANKER, 5.0, 20.0)
+        won = bidding.winner_at([TANKER.p_now_ned()], snapshot, 5.0, 20.0)
         if won is not None:
             return now_s, won
     raise AssertionError
@@ -68,7 +68,7 @@ def test_the_neediest_wins_after_leading_for_the_dwell_time() -> None:
         bidding.advance(snapshot, ())
         if leads_s is None and bidding.competition_state.share >= RULES.share:
             leads_s = k / 10
-        won = bidding.winner(snapshot, TANKER, 5.0, 20.0)
+        won = bidding.winner_at([TANKER.p_now_ned()], snapshot, 5.0, 20.0)
         if won is not None:
             break
     assert won == (2, "competition")
@@ -132,7 +132,7 @@ def test_who_is_served_does_not_compete() -> None:
     assert run(bidding, [view(1, 0.6), view(2, 0.9)], 30.0, served={2})[1] == (1, "competition")
     bidding.advance(FleetSnapshot(99.0, (view(1, 0.6),), ()), {1})
     assert bidding.competition_state.v == {}
-    assert bidding.winner(FleetSnapshot(99.0, (view(1, 0.6),), ()), TANKER, 5.0, 20.0) is None
+    assert bidding.winner_at([TANKER.p_now_ned()], FleetSnapshot(99.0, (view(1, 0.6),), ()), 5.0, 20.0) is None
 
 
 def test_after_an_award_the_loser_comes_back_and_takes_its_own_dwell_time() -> None:
@@ -144,7 +144,7 @@ def test_after_an_award_the_loser_comes_back_and_takes_its_own_dwell_time() -> N
     bidding.award(2, first_s)
     snapshot = FleetSnapshot(first_s, tuple(views), ())
     assert set(bidding.competition_state.v) == {1}
-    assert bidding.winner(snapshot, TANKER, 5.0, 20.0) is None
+    assert bidding.winner_at([TANKER.p_now_ned()], snapshot, 5.0, 20.0) is None
     second_s, won = run(bidding, views, 60.0, from_s=first_s + 0.1, served={2})
     assert won == (1, "competition")
     assert second_s - first_s >= RULES.dwell_s

@@ -29,7 +29,7 @@ def decided(bidding: EffortBidding, views: list[VehicleView], from_s: float = 0.
     for now_s in np.arange(from_s, until_s, 0.1):
         now = snapshot(*views, TANKER, time_s=float(now_s))
         bidding.advance(now, ())
-        if (won := bidding.winner(now, TANKER, 5.0, 0.0)) is not None:
+        if (won := bidding.winner_at([TANKER.p_now_ned()], now, 5.0, 0.0)) is not None:
             assert won[1] == "competition"
             return round(float(now_s), 1), won[0]
     return None

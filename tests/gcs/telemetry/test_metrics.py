@@ -65,7 +65,7 @@ def test_pursuit_is_the_longest_unbroken_run_of_the_worst_pursuer() -> None:
         second = (0.0, 3.0, 0.0) if k >= 70 else (0.0, 3.1, 0.0)
         update(m, k / 10, view(1, first), view(2, second), view(101, (0.0, 0.0, 0.0)))
     # From 4.1 to 9.9 s, and from 7.0 to 9.9 s.
-    assert m.held_s == pytest.approx({1: 5.8, 2: 2.9})
+    assert m._pursuit.held_s == pytest.approx({1: 5.8, 2: 2.9})
     assert m.pursuit_held_s == pytest.approx(2.9)
     update(m, 10.0, view(1, (0, 0, 0)), view(2, (0, 0, 0)), view(101, (0, 0, 0), landed=True))
     update(m, 10.1, view(1, (0, 0, 0)), view(2, (0, 0, 0)), view(101, (0, 0, 0)))
@@ -101,4 +101,4 @@ def test_where_one_pursuer_is_chosen_it_is_the_target_that_must_be_followed() ->
         views = (view(1, (2.0 if k < 20 else 9.0, 0.0, 0.0)), view(2, (9.0 if k < 20 else 2.0, 0.0, 0.0)))
         m.update(FleetSnapshot(k / 10, (*views, view(101, (0.0, 0.0, 0.0))), ()), [], chosen)
         assert m.target_of == chosen
-    assert m.held_s == pytest.approx({101: 4.9})
+    assert m._pursuit.held_s == pytest.approx({101: 4.9})

@@ -40,7 +40,7 @@ def test_a_row_that_cannot_be_is_no_report(place: int, value: float) -> None:
 def test_pymavlink_reads_the_reports_and_a_stranger_on_another_link_is_not_believed() -> None:
     fleet = FleetInProcess(on_board({1: ((0.0, 0.0, -3.0), 40.0)}, {201: (0.0, 6.0, -8.0)}))
     fleet.fly(0.5)
-    assert fleet.member(1).peers.get(201, fleet.now_s) is not None
+    assert fleet.member(1).peers.fresh(fleet.now_s).get(201) is not None
     maker = mav.MAVLink(None, srcSystem=77, srcComponent=1)
     usec = 1_767_225_600_000_000 + 400_000
     data = [*row_of(REPORT), *(0.0,) * (58 - ROW)]
@@ -48,7 +48,7 @@ def test_pymavlink_reads_the_reports_and_a_stranger_on_another_link_is_not_belie
     (frame,) = split(raw)
     service = fleet.service(1)
     service.receive(frame, from_fleet=False)
-    assert fleet.member(1).peers.get(77, fleet.now_s) is None
+    assert fleet.member(1).peers.fresh(fleet.now_s).get(77) is None
     service.receive(frame)
-    assert fleet.member(1).peers.get(77, fleet.now_s) == REPORT._replace(time_s=0.4)
+    assert fleet.member(1).peers.fresh(fleet.now_s).get(77) == REPORT._replace(time_s=0.4)
     assert codec.fields(codec.split(raw).frames[0]).data[:ROW] == pytest.approx(row_of(REPORT))

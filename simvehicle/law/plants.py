@@ -132,6 +132,7 @@ class RotorPlant:
         self._frame = airframes.pack(own.airframe, air.density_kg_m3)[np.newaxis]
         self._weather = np.zeros((1, 0))
         self._gusts = np.array(air.gusts_nwu, dtype=np.float64).reshape(-1, DISCRETE_SIZE)
+        self._wanted, self._force = np.zeros(airframes.ROTORS), np.zeros(3)
         self._random = [np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(sysid, k))) for k in range(2)]
 
     def tune(self, flight: VehicleParams) -> None:
@@ -196,21 +197,16 @@ class RotorPlant:
         self.now = self.state[0].tolist()
         return thrust
 
-    def turn(self, wanted_rad_s: NDArray[np.float64], *, time_s: float, dt_s: float) -> None:
-        """One step by the rotor speeds (4,) that another autopilot wants; it knows its motion exactly."""
+    def turn(self, wanted_rad_s: Sequence[float], *, time_s: float, dt_s: float) -> Floats:
+        """One step by the rotor speeds (4,) that another autopilot wants; it knows its motion exactly. The specific
+        force about the body's axes after it, (3,), nwu, m/s²."""
         self._blow()
-        self.state[0] = rotor_flight.turn(
-            self.state[0],
-            wanted_rad_s,
-            self._packed[0],
-            self._frame[0],
-            time_s=time_s,
-            dt_s=dt_s,
-            weather=self._weather[0],
-            gusts=self._gusts,
-            noise=self._noise(1)[0, 0],
-        )
-        self.now = self.state[0].tolist()
+        state = self.state[0]
+        self._wanted[:] = wanted_rad_s
+        rows = self._packed[0], self._frame[0], self._weather[0], self._gusts
+        rotor_flight.turn_row(state, self._wanted, *rows, self._noise(1)[0, 0], time_s, dt_s, self._force)
+        self.now = state.tolist()
+        return self._force.tolist()
 
     def _noise(self, steps: int) -> NDArray[np.float64]:
         """Normal numbers of some steps, (1, steps, NOISE_SIZE): the same however a flight is cut into stretches."""

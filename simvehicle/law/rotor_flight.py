@@ -266,10 +266,13 @@ def _compiled(build: int) -> tuple[Callable[..., Any], Callable[..., Any], Calla
             path[k] = body
 
     @kernel(error_model="numpy")
-    def turn(s: Row, wanted: Row, p: Row, a: Row, w: Row, gusts: Row, noise: Row, t: float, dt: float) -> None:
+    def turn(
+        s: Row, wanted: Row, p: Row, a: Row, w: Row, gusts: Row, noise: Row, t: float, dt: float, force: Row
+    ) -> None:
         _ = build
         body, scratch = s[_BODY:_BODY_END], np.zeros(SCRATCH_SIZE)
         x, y, stood = body[0], body[1], s[CONTACT] != 0.0
+        vx, vy, vz = body[B_VELOCITY], body[B_VELOCITY + 1], body[B_VELOCITY + 2]
         for i in range(4):
             if s[REMAINING_J] <= 0.0:
                 wanted[i] = 0.0
@@ -281,6 +284,9 @@ def _compiled(build: int) -> tuple[Callable[..., Any], Callable[..., Any], Calla
         for i in range(4):
             thrust += a[A_THRUST] * body[B_ROTORS + i] * body[B_ROTORS + i]
         _draw(s, body, p, a, w, thrust, dt)
+        fx, fy = (body[B_VELOCITY] - vx) / dt, (body[B_VELOCITY + 1] - vy) / dt
+        fz = (body[B_VELOCITY + 2] - vz) / dt + GRAVITY_M_S2
+        force[0], force[1], force[2] = rotated(body[B_QUATERNION : B_QUATERNION + 4], fx, fy, fz, -1.0)
 
     return fly, drive, turn
 
@@ -291,7 +297,11 @@ def _checksum() -> int:
     return zlib.crc32(b"".join(Path(str(module.__file__)).read_bytes() for module in modules))
 
 
-_fly, _drive, _turn = _compiled(_checksum())
+_fly, _drive, turn_row = _compiled(_checksum())
+"""turn_row: one step of a vehicle that another autopilot flies, over ground, from (state (ROTOR_STATE_SIZE,) of known
+motion, rotor speeds (4,) that it wants, packed params, packed airframe, weather, gusts, noise (NOISE_SIZE,), time, dt,
+force (3,)); in place and unchecked. What is written last is the specific force about the body's axes, m/s²: all that
+acts on it but gravity, per mass."""
 
 
 def on_rotors(flight: VehicleParams, airframe: RotorAirframe, density_kg_m3: float = SEA_LEVEL_KG_M3) -> VehicleParams:
@@ -427,27 +437,6 @@ def advance(
     rows = (_plain(command), _plain(packed_params), _plain(packed_airframe), _plain(weather))
     _fly(flown, *rows, _plain(gusts), _plain(noise), times, float(dt_s), thrust)
     return flown, thrust
-
-
-def turn(
-    state: NDArray[np.float64],
-    wanted_rad_s: NDArray[np.float64],
-    packed_params: NDArray[np.float64],
-    packed_airframe: NDArray[np.float64],
-    *,
-    time_s: float,
-    dt_s: float,
-    weather: NDArray[np.float64],
-    gusts: NDArray[np.float64],
-    noise: NDArray[np.float64],
-) -> NDArray[np.float64]:
-    """One step of a vehicle that another autopilot flies: a state (ROTOR_STATE_SIZE,) of known motion, over ground, by
-    the rotor speeds (4,) that it wants; rows as for `advance`, each of one vehicle, noise (NOISE_SIZE,). The state
-    after it."""
-    flown = np.array(state)
-    rows = (_plain(packed_params), _plain(packed_airframe), _plain(weather), _plain(gusts), _plain(noise))
-    _turn(flown, np.array(wanted_rad_s), *rows, float(time_s), float(dt_s))
-    return flown
 
 
 def drive(

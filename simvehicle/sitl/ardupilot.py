@@ -8,9 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import numpy as np
-from numpy.typing import NDArray
-
 from simvehicle.mavlink.codec import ReceivedFrame
 from simvehicle.mavlink.real_autopilots import json_backend
 from simvehicle.mavlink.real_autopilots.analog_battery import AnalogBattery
@@ -52,8 +49,8 @@ class ArduPilotUnit(AutopilotUnit):
     def _is_answer(self, frame: ReceivedFrame) -> bool:
         return self._monitor.answers(frame) or self._receiver.answers(frame)
 
-    def _answer(self, force_nwu: NDArray[np.float64]) -> None:
-        sensed = self._sense(force_nwu)
+    def _answer(self, accel_body: Sequence[float]) -> None:
+        sensed = self._sense(accel_body)
         volts, amperes = self._plant.electric
         line = json_backend.answer(
             step=self._steps,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import socket
 import time
-from typing import Any
+from typing import Any, cast
 
 from pymavlink.dialects.v20 import common as mav
 
@@ -42,6 +42,7 @@ class ArduPilotLink(AutopilotLink):
             self._serial = self._connect(SERIAL_PORT + APART * instance)
             opened.callback(self._serial.close)
             self.servo = self._next_servo(-1)
+            self._udp.connect(cast(Any, self._peer))
             self._closing = opened.pop_all()
 
     def say(self, raw: bytes) -> None:
@@ -54,7 +55,7 @@ class ArduPilotLink(AutopilotLink):
     def answer(self, line: bytes) -> None:
         """Answer its servo packet and wait for the next, `servo`."""
         try:
-            self._udp.sendto(line, self._peer)
+            self._udp.send(line)
         except OSError as error:
             raise self.process.gone() from error
         self.servo = self._next_servo(self.servo.frame)
@@ -83,7 +84,7 @@ class ArduPilotLink(AutopilotLink):
         while True:
             try:
                 datagram, self._peer = self._udp.recvfrom(SERVO_BYTES)
-            except BlockingIOError:  # the socket's own time-out, which costs no call of its own
+            except (BlockingIOError, ConnectionRefusedError):  # the socket's own time-out; or it may have gone
                 self.process.look()
                 if deadline_s is not None and time.monotonic() > deadline_s:
                     late = f"said nothing to its simulation within {READY_WITHIN_S:.0f} s"

@@ -15,7 +15,6 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple, Self
 
 import numpy as np
-from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.body import STEP_MS
@@ -42,8 +41,6 @@ BOOTS_WITHIN_S = 120.0
 OURS = frozenset({mav.MAVLINK_MSG_ID_SYSTEM_TIME, mav.MAVLINK_MSG_ID_BATTERY_STATUS})
 """Messages of the autopilot's that are left out: an answer ends with a time of its own, and the battery is ours, also
 the charge in its SYS_STATUS."""
-STANDING = np.array([0.0, 0.0, GRAVITY_M_S2])
-"""Force per mass on one that stands, but gravity's, nwu."""
 
 
 class Sensed(NamedTuple):
@@ -158,9 +155,9 @@ class AutopilotUnit(ABC):
         """Throttle of each of four motors that it wishes for now, 0 to 1."""
 
     @abstractmethod
-    def _answer(self, force_nwu: NDArray[np.float64]) -> None:
-        """Tell it a step of its motion, and wait until it has lived through it. `force_nwu`: (3,), on its body but
-        gravity's, per mass."""
+    def _answer(self, accel_body: Sequence[float]) -> None:
+        """Tell it a step of its motion, and wait until it has lived through it. `accel_body`: specific force about the
+        body's axes, (3,), front, right, down, m/s²."""
 
     @abstractmethod
     def _report_battery(self) -> None:
@@ -195,6 +192,8 @@ class AutopilotUnit(ABC):
         """Let it boot where it stands, in a time of its own before the session's, until it would let itself be armed.
         Raises AutopilotError."""
         boot, process = AutopilotBoot(self._wanted.sysid, self.boot_mode), self._process
+        quaternion = np.array(self._plant.now[rotor_flight.TRUE_QUATERNION])
+        standing = ned_from_nwu(rotors.rotated(quaternion, 0.0, 0.0, GRAVITY_M_S2, -1.0))
         while not boot.ready:
             if boot.mismatch:
                 raise AutopilotError(f"{process.name} {boot.mismatch}")
@@ -203,7 +202,7 @@ class AutopilotUnit(ABC):
                 raise AutopilotError(f"{process.name} was not ready in {BOOTS_WITHIN_S:.0f} s of its time{why}")
             for content in boot.requests(self._boot_s):
                 self._say(content)
-            self._answer(STANDING)
+            self._answer(standing)
             for frame in self._traffic.received():
                 boot.receive(frame)
         self._booted(boot)
@@ -214,28 +213,22 @@ class AutopilotUnit(ABC):
         self._traffic.say(encode(content, seq=self._said & 0xFF, sysid=sysid, compid=compid))
         self._said += 1
 
-    def _fly(self, time_s: float) -> NDArray[np.float64]:
-        """One step of its body by its throttles; the force on it but gravity's, per mass, (3,), nwu."""
-        plant = self._plant
-        throttle = np.array(self._throttles())
+    def _fly(self, time_s: float) -> Vec3:
+        """One step of its body by its throttles; the specific force about its axes, front, right, down, m/s²."""
+        fastest = self._plant.own.airframe.fastest_rad_s
+        wanted = [fastest * throttle for throttle in self._throttles()]
         for motor in self._failures.dead_motors:
-            throttle[motor] = 0.0
-        before = np.array(plant.now[rotor_flight.TRUE_VELOCITY])
-        plant.turn(plant.own.airframe.fastest_rad_s * throttle, time_s=time_s, dt_s=STEP_S)
-        force_nwu: NDArray[np.float64] = (np.array(plant.now[rotor_flight.TRUE_VELOCITY]) - before) / STEP_S
-        force_nwu[2] += GRAVITY_M_S2
-        return force_nwu
+            wanted[motor] = 0.0
+        return ned_from_nwu(self._plant.turn(wanted, time_s=time_s, dt_s=STEP_S))
 
-    def _sense(self, force_nwu: NDArray[np.float64]) -> Sensed:
-        """One step of time, and its motion then as its sensors have it."""
+    def _sense(self, accel: Sequence[float]) -> Sensed:
+        """One step of time, and its motion then as its sensors have it, with the specific force about its axes."""
         now = self._plant.now
         self._steps += 1
         w, x, y, z = now[rotor_flight.TRUE_QUATERNION]
-        ax, ay, az = force_nwu.tolist()
         p_ned = _sum(self._p_ned, self._failures.position_error_ned)
         v_ned: Sequence[float] = self._v_ned
         rates: Sequence[float] = ned_from_nwu(now[rotor_flight.BODY_RATES])
-        accel: Sequence[float] = ned_from_nwu(rotors.rotated(np.array([w, x, y, z]), ax, ay, az, -1.0))
         quaternion = (w, x, -y, -z)
         errors = self._wanted.sensors.step()
         if errors is not None:

@@ -61,10 +61,10 @@ class Px4Unit(AutopilotUnit):
         self._battery_said_s = self._boot_s
         self._say(self._battery.status(), (self._wanted.sysid, mav.MAV_COMP_ID_BATTERY))
 
-    def _answer(self, force_nwu: NDArray[np.float64]) -> None:
+    def _answer(self, accel_body: Sequence[float]) -> None:
         if self._time_ms is None:  # it boots, and a grant of its own takes no time
             self._report_battery()
-        sensed = self._sense(force_nwu)
+        sensed = self._sense(accel_body)
         time_us = self._steps * STEP_MS * 1000
         noise = self._noise.step()
         slow = None

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import functools
 
-import numpy as np
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.body import Start
@@ -51,7 +50,7 @@ def warm_up_rotors() -> None:
     """Load and compile, if need be, what flies on rotors."""
     plant = RotorPlant(WorldVehicle(AIRFRAMES["iris"]))
     Vehicle(IDENTITIES["px4"], Parameters(), LocalFrame(0.0, 0.0, 0.0), Start(airborne=True), plant).advance(PERIOD_MS)
-    plant.turn(np.zeros(ROTORS), time_s=0.0, dt_s=PERIOD_MS / 1e3)
+    plant.turn((0.0,) * ROTORS, time_s=0.0, dt_s=PERIOD_MS / 1e3)
 
 
 def _bundle(number: int) -> bytes:

@@ -11,10 +11,12 @@ import struct
 from collections.abc import Sequence
 from typing import NamedTuple
 
-MAGICS = {18458: 16, 29569: 32}
-"""Channels by the packet's magic."""
-_HEAD = struct.Struct("<HHI")
-ROTORS = 4
+import msgspec
+
+_PACKET = struct.Struct("<HHI4H")
+"""Of a packet what is read: all before its fifth channel."""
+_BYTES = {18458: 8 + 2 * 16, 29569: 8 + 2 * 32}
+"""Length of a packet by its magic."""
 PWM_LEAST_US, PWM_MOST_US = 1000.0, 2000.0
 EXTRA_S = 1e-9
 """It cuts times to whole µs: so much more each step keeps them from falling short."""
@@ -29,19 +31,16 @@ class ServoPacket(NamedTuple):
 
 def parse(datagram: bytes) -> ServoPacket | None:
     """A servo packet; None where it is none."""
-    if len(datagram) < _HEAD.size:
+    if len(datagram) < _PACKET.size:
         return None
-    magic, _, frame = _HEAD.unpack_from(datagram)
-    channels = MAGICS.get(magic)
-    if channels is None or len(datagram) != _HEAD.size + 2 * channels:
-        return None
-    return ServoPacket(frame, struct.unpack_from(f"<{ROTORS}H", datagram, _HEAD.size))
+    magic, _, frame, *pwm_us = _PACKET.unpack_from(datagram)
+    return ServoPacket(frame, tuple(pwm_us)) if len(datagram) == _BYTES.get(magic) else None
 
 
 def throttles(packet: ServoPacket) -> tuple[float, ...]:
     """Throttle of each of four motors, 0 to 1; motors that are not told to turn have 0 µs."""
-    span_us = PWM_MOST_US - PWM_LEAST_US
-    return tuple(min(max((pwm_us - PWM_LEAST_US) / span_us, 0.0), 1.0) for pwm_us in packet.pwm_us)
+    a, b, c, d = packet.pwm_us
+    return _throttle(a), _throttle(b), _throttle(c), _throttle(d)
 
 
 def answer(
@@ -58,15 +57,18 @@ def answer(
 ) -> bytes:
     """Line that ends a step: rates in rad/s and specific force in m/s² about the body's axes (front, right, down),
     place and velocity in NED, the quaternion from the body's axes to NED, w first."""
-    accel, gyro, position = (_numbers(three) for three in (accel_body, rates_body, p_ned))
-    line = (
-        f'{{"timestamp":{step * (dt_s + EXTRA_S)!r},"imu":{{"gyro":{gyro},"accel_body":{accel}}},"position":{position},'
-        f'"quaternion":{_numbers(quaternion)},"velocity":{_numbers(v_ned)},'
-        f'"battery":{{"voltage":{volts!r},"current":{amperes!r}}},"no_time_sync":1}}'
-    )
-    return f"\n{line}\n".encode()
+    said = {
+        "timestamp": step * (dt_s + EXTRA_S),
+        "imu": {"gyro": rates_body, "accel_body": accel_body},
+        "position": p_ned,
+        "quaternion": quaternion,
+        "velocity": v_ned,
+        "battery": {"voltage": volts, "current": amperes},
+        "no_time_sync": 1,
+    }
+    return b"\n%b\n" % msgspec.json.encode(said)
 
 
-def _numbers(values: Sequence[float]) -> str:
-    """Floats as a list of JSON, whose numbers are Python's."""
-    return f"[{','.join(map(repr, values))}]"
+def _throttle(pwm_us: float) -> float:
+    throttle = (pwm_us - PWM_LEAST_US) / (PWM_MOST_US - PWM_LEAST_US)
+    return 0.0 if throttle <= 0.0 else min(throttle, 1.0)

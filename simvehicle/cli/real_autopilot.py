@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -50,8 +51,12 @@ def fly_autopilot(
     if (supervised is None) == (connect is None):
         raise click.UsageError("give either --supervised or --connect")
     try:
+        if supervised is not None:
+            # It and its autopilot answer each other hundreds of times in a grant: whoever is woken may wait for its
+            # turn, not interrupt another pair or the supervisor. The autopilot inherits it.
+            os.sched_setscheduler(0, os.SCHED_BATCH, os.sched_param(0))
         connection = Connection(sysid)
-        wanted, plant = read_wanted(yaml.safe_load(file.read_text(encoding="utf-8")), sysid)
+        wanted, plant = read_wanted(yaml.safe_load(file.read_text(encoding="utf-8")), sysid, kind.step_ms / 1e3)
         with kind(wanted, plant, connection) as unit:
             if supervised is not None:
                 with SupervisedLink(parse_supervisor(supervised), connection) as link:

@@ -62,6 +62,9 @@ class Plant(Protocol):
         """Voltage in V and current in A at the battery; None where the plant has none."""
 
 
+_NO_NOISE = np.zeros(rotor_flight.NOISE_SIZE)
+
+
 class PaperPlant:
     """The plant of the paper's eq. 3 (docs/model.md#rigid-body)."""
 
@@ -200,13 +203,15 @@ class RotorPlant:
     def turn(self, wanted_rad_s: Sequence[float], *, time_s: float, dt_s: float) -> Floats:
         """One step by the rotor speeds (4,) that another autopilot wants; it knows its motion exactly. The specific
         force about the body's axes after it, (3,), nwu, m/s²."""
-        self._blow()
-        state = self.state[0]
-        self._wanted[:] = wanted_rad_s
+        if self._air.field is not None:
+            self._blow()
+        state, wanted, force = self.state[0], self._wanted, self._force
+        wanted[0], wanted[1], wanted[2], wanted[3] = wanted_rad_s
+        noise = self._noise(1)[0, 0] if self._air.turbulence_m_s > 0.0 else _NO_NOISE
         rows = self._packed[0], self._frame[0], self._weather[0], self._gusts
-        rotor_flight.turn_row(state, self._wanted, *rows, self._noise(1)[0, 0], time_s, dt_s, self._force)
+        rotor_flight.turn_row(state, wanted, *rows, noise, time_s, dt_s, force)
         self.now = state.tolist()
-        return self._force.tolist()
+        return force.tolist()
 
     def _noise(self, steps: int) -> NDArray[np.float64]:
         """Normal numbers of some steps, (1, steps, NOISE_SIZE): the same however a flight is cut into stretches."""

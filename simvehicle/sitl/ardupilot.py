@@ -14,7 +14,7 @@ from simvehicle.mavlink.real_autopilots.analog_battery import AnalogBattery
 from simvehicle.mavlink.real_autopilots.autopilot_boot import ARDUCOPTER_BOOT, AutopilotBoot
 from simvehicle.mavlink.real_autopilots.gnss_switch import GnssSwitch
 from simvehicle.sitl.ardupilot_link import ArduPilotLink
-from simvehicle.sitl.autopilot_process import STEP_S
+from simvehicle.sitl.ardupilot_process import STEP_MS
 from simvehicle.sitl.autopilot_unit import AutopilotUnit
 
 
@@ -22,6 +22,7 @@ class ArduPilotUnit(AutopilotUnit):
     """The ArduPilot with its physics."""
 
     boot_mode = ARDUCOPTER_BOOT
+    step_ms = STEP_MS
 
     _link: ArduPilotLink
     _monitor: AnalogBattery
@@ -54,7 +55,7 @@ class ArduPilotUnit(AutopilotUnit):
         volts, amperes = self._plant.electric
         line = json_backend.answer(
             step=self._steps,
-            dt_s=STEP_S,
+            dt_s=STEP_MS / 1e3,
             rates_body=sensed.rates_body,
             accel_body=sensed.accel_body,
             p_ned=sensed.p_ned,

@@ -8,17 +8,18 @@ from simvehicle.mavlink.real_autopilots.analog_battery import DEFAULTS
 from simvehicle.sitl.autopilot_process import (
     HOST,
     MOST_INSTANCES,
-    STEP_S,
     AutopilotError,
     AutopilotProcess,
     AutopilotWanted,
 )
 
 JSON_PORT, SERIAL_PORT, APART = 9002, 5760, 10
+STEP_MS = 5
+"""[choice] It flew at 200, 250 and 400 Hz; each step is an exchange between two processes."""
 PARAMETERS: dict[str, float] = {
     "FRAME_CLASS": 1,
     "FRAME_TYPE": 1,
-    "SCHED_LOOP_RATE": round(0.5 / STEP_S),  # 4.6 wants 1.8 samples of its gyro for each loop, and gets one a step
+    "SCHED_LOOP_RATE": 1000 // (2 * STEP_MS),  # 4.6 wants 1.8 samples of its gyro for each loop, and gets one a step
     "MOT_THST_EXPO": 1.0,
     "MOT_SPIN_MIN": 0.0,
     "MOT_SPIN_ARM": 0.0,
@@ -31,6 +32,7 @@ PARAMETERS: dict[str, float] = {
     "GPS1_TYPE": 100,
     "EK3_YAW_M_NSE": 0.05,
     "EK3_GPS_CHECK": 0,
+    "EK3_IMU_MASK": 1,  # all its IMUs sense the same motion: a second lane of its estimator estimates nothing else
     **{f"INS_ACC{i}OFFS_{axis}": 0.001 for i in ("", "2") for axis in "XYZ"},
     **{f"INS_ACC{i}SCAL_{axis}": 1.001 for i in ("", "2") for axis in "XYZ"},
     **{f"COMPASS_OFS{i}_{axis}": x for i in ("", "2", "3") for axis, x in zip("XYZ", (5, 13, -18), strict=True)},

@@ -14,7 +14,6 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Self
 
-from simvehicle.autopilot.body import STEP_MS
 from simvehicle.autopilot.energy_transfer import Envelope
 from simvehicle.law.params import BatteryParams
 from simvehicle.law.plants import RotorPlant
@@ -23,7 +22,6 @@ from simvehicle.world.description import read_world
 from simvehicle.world.sensors import SensorErrors
 
 PR_SET_PDEATHSIG = 1
-STEP_S = STEP_MS / 1e3
 HOST = "127.0.0.1"
 MOST_INSTANCES = 2000
 READY_WITHIN_S = 60.0
@@ -158,8 +156,8 @@ def whole_frames(content: bytes) -> tuple[bytes, bytes]:
     return content, b""
 
 
-def read_wanted(content: Any, sysid: int) -> tuple[AutopilotWanted, RotorPlant]:
-    """An autopilot and its physics from plain data, as a file holds them. Raises AutopilotError."""
+def read_wanted(content: Any, sysid: int, step_s: float) -> tuple[AutopilotWanted, RotorPlant]:
+    """An autopilot and its physics, stepped each `step_s`, from plain data as in a file. Raises AutopilotError."""
     try:
         world = read_world(content["world"])
         own = world.vehicles[sysid]
@@ -179,7 +177,7 @@ def read_wanted(content: Any, sysid: int) -> tuple[AutopilotWanted, RotorPlant]:
             battery=BatteryParams(**{name: float(value) for name, value in content["battery"].items()}),
             envelope=Envelope(float(content["capture_m"]), float(content["relative_speed_m_s"])),
             parameters={str(name): float(value) for name, value in content["parameters"].items()},
-            sensors=SensorErrors(own.errors, STEP_S, seed=world.seed, sysid=sysid),
+            sensors=SensorErrors(own.errors, step_s, seed=world.seed, sysid=sysid),
             truth=None if content["truth"] is None else Path(content["truth"]),
         )
         wanted.folder.mkdir(parents=True, exist_ok=True)

@@ -17,7 +17,6 @@ from typing import Any, NamedTuple, Self
 import numpy as np
 from pymavlink.dialects.v20 import common as mav
 
-from simvehicle.autopilot.body import STEP_MS
 from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.snapshot import Vec3
 from simvehicle.law import rotor_flight, step
@@ -30,7 +29,7 @@ from simvehicle.mavlink.lockstep import SUPERVISOR
 from simvehicle.mavlink.real_autopilots.autopilot_boot import AutopilotBoot, BootMode
 from simvehicle.mavlink.real_autopilots.battery_component import BatteryComponent
 from simvehicle.mavlink.real_autopilots.world_failures import WorldFailures
-from simvehicle.sitl.autopilot_process import STEP_S, AutopilotError, AutopilotLink, AutopilotWanted
+from simvehicle.sitl.autopilot_process import AutopilotError, AutopilotLink, AutopilotWanted
 from simvehicle.sitl.truth import head_line
 from simvehicle.world import rotors
 from simvehicle.world.airframes import GRAVITY_M_S2
@@ -58,6 +57,8 @@ class AutopilotUnit(ABC):
     """The autopilot with its physics, as the loops drive it (`loop.Unit`)."""
 
     boot_mode: BootMode
+    step_ms: int
+    """of its simulation"""
 
     def __init__(self, wanted: AutopilotWanted, plant: RotorPlant, connection: Connection) -> None:
         """Start it, and let it boot; raises AutopilotError."""
@@ -129,9 +130,9 @@ class AutopilotUnit(ABC):
         before_ms = self._time_ms
         self._report_battery()
         self._report_failures()
-        while to_ms - self._time_ms >= STEP_MS:
+        while to_ms - self._time_ms >= self.step_ms:
             self._answer(self._fly(self._time_ms / 1e3))
-            self._time_ms += STEP_MS
+            self._time_ms += self.step_ms
         for frame in self._traffic.received():
             if frame.msgid in OURS or self._is_answer(frame):
                 continue
@@ -178,7 +179,7 @@ class AutopilotUnit(ABC):
     @property
     def _boot_s(self) -> float:
         """Its own time."""
-        return self._steps * STEP_S
+        return self._steps * self.step_ms / 1e3
 
     @property
     def _p_ned(self) -> Vec3:
@@ -219,7 +220,7 @@ class AutopilotUnit(ABC):
         wanted = [fastest * throttle for throttle in self._throttles()]
         for motor in self._failures.dead_motors:
             wanted[motor] = 0.0
-        return ned_from_nwu(self._plant.turn(wanted, time_s=time_s, dt_s=STEP_S))
+        return ned_from_nwu(self._plant.turn(wanted, time_s=time_s, dt_s=self.step_ms / 1e3))
 
     def _sense(self, accel: Sequence[float]) -> Sensed:
         """One step of time, and its motion then as its sensors have it, with the specific force about its axes."""

@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common as mav
 
-from simvehicle.autopilot.body import STEP_MS
 from simvehicle.law import rotor_flight
 from simvehicle.law.dynamics import ned_from_nwu
 from simvehicle.mavlink.codec import encode
@@ -26,6 +25,8 @@ from simvehicle.world.atmosphere import air_at
 from simvehicle.world.magnetic_field import field_ned_t
 from simvehicle.world.sensors import SensorNoise
 
+STEP_MS = 4
+"""[choice] Of 200, 250 and 400 Hz it does not fly at the last."""
 SLOW_STEPS = 5
 """Magnetometer and barometer are read at 50 Hz [choice]."""
 GNSS_STEPS = 25
@@ -41,6 +42,7 @@ class Px4Unit(AutopilotUnit):
     """The PX4 with its physics."""
 
     boot_mode = PX4_BOOT
+    step_ms = STEP_MS
     _link: Px4Link
 
     def _open(self) -> Px4Link:

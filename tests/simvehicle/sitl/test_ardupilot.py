@@ -43,7 +43,7 @@ def unit(folder: Path, program: Path | None = None, **parameters: float) -> tupl
         "truth": None,
         "world": {"vehicles": {COPTER: {"airframe": "iris"}}},
     }
-    wanted, plant = read_wanted(content, COPTER)
+    wanted, plant = read_wanted(content, COPTER, ArduPilotUnit.step_ms / 1e3)
     connection = Connection(COPTER)
     return ArduPilotUnit(wanted, plant, connection), connection
 

@@ -55,7 +55,7 @@ def unit(program: Path, sensors: dict[str, float] | None = None, **parameters: f
         "truth": None,
         "world": {"vehicles": {PX4: {"airframe": "iris", "sensors": sensors}}},
     }
-    wanted, plant = read_wanted(content, PX4)
+    wanted, plant = read_wanted(content, PX4, Px4Unit.step_ms / 1e3)
     connection = Connection(PX4)
     return Px4Unit(wanted, plant, connection), connection
 

@@ -32,7 +32,7 @@ def program(folder: Path) -> Path:
     return path
 
 
-def mixed(ardupilot: Path | str, *, duration_s: float = 20.0, **keys: Any) -> dict[str, Any]:
+def mixed(ardupilot: Path | str, *, duration_s: float = 25.0, **keys: Any) -> dict[str, Any]:
     """One of ours, one that another autopilot flies and that needs energy, their target and a tanker, in wind."""
     goal = {"duration_s": duration_s, "refuelled_at_least": 1, "pursue": {"within_m": 3.5, "for_s": 5.0}}
     content = small(goal=goal, wind={"speed_m_s": 4.0, "from_deg": 200.0, "turbulence_m_s": 5.0})

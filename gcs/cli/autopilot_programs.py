@@ -66,7 +66,7 @@ REAL_AUTOPILOTS = (
         program="build/sitl/bin/arducopter",
         inner="",
         build="the target copter of ArduPilot for the board sitl (ardupilot.org/dev says how)",
-        flown=("4.6.0-dev",),
+        flown=("4.6.2", "4.6.0-dev"),
         version=re.compile(rb"ArduCopter V([0-9]+\.[0-9]+[0-9A-Za-z.-]*)"),
     ),
     AutopilotProgram(

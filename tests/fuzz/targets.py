@@ -29,11 +29,12 @@ from gcs.scenario.external import External
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
 from gcs.session import replay as replay_module
+from gcs.session.client import SOCKET
 from gcs.session.commands import Clients
 from gcs.session.messages import snapshot_message
 from gcs.session.monitor import MonitorSource
 from gcs.session.replay import Replay, ReplayError
-from gcs.session.server import NAME, Publisher
+from gcs.session.server import Publisher
 from gcs.supervisor import redecide as redecide_module
 from gcs.supervisor.forwarding import passed
 from gcs.supervisor.redecide import Comparer, RecordedLink, RedecideError, redecide
@@ -274,7 +275,7 @@ def session_sock(hostile: Hostile) -> Iterator[Callable[[int], None]]:
         publisher = Publisher(Path(folder), {"type": "session"})
         clients = Clients(publisher, supervisor, Pace(None, lambda: 0.0))
         connected: list[socket.socket] = []
-        path = str(Path(folder) / NAME)
+        path = str(Path(folder) / SOCKET)
 
         def attack(n: int) -> None:
             rng = hostile.random

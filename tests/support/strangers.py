@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import os
 import socket
 import subprocess
 import sys
@@ -16,11 +17,20 @@ SIMVEHICLE = [sys.executable, "-c", "from simvehicle.cli import main; main()"]
 ARDUCOPTER = [sys.executable, str(ROOT / "tests" / "peers" / "arducopter.py")]
 
 
+WORKER, WORKERS = os.environ.get("PYTEST_XDIST_WORKER", "gw0"), int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", "1"))
+_given: set[int] = set()
+
+
 def free_port(host: str = "127.0.0.1") -> int:
-    """A UDP port that nobody has."""
-    with socket.socket(socket.AF_INET6 if ":" in host else socket.AF_INET, socket.SOCK_DGRAM) as one:
-        one.bind((host, 0))
-        return int(one.getsockname()[1])
+    """A UDP port that nobody has, and that no test beside this one or before it was given: one of its vehicles may
+    still speak to it."""
+    while True:
+        with socket.socket(socket.AF_INET6 if ":" in host else socket.AF_INET, socket.SOCK_DGRAM) as one:
+            one.bind((host, 0))
+            port = int(one.getsockname()[1])
+        if port not in _given and port % WORKERS == int(WORKER.removeprefix("gw")):
+            _given.add(port)
+            return port
 
 
 @contextmanager

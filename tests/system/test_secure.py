@@ -45,7 +45,7 @@ def bound_ports() -> set[int]:
 
 @contextmanager
 def thief() -> Iterator[None]:
-    """Says to every new port of a session, as fast as it can, that it is each vehicle; and sends much that is nothing."""
+    """Says to every new port of a session, as fast as it can, that it is each vehicle, and much that is nothing."""
     known, done = bound_ports(), threading.Event()
     hellos = [hello(sysid) for sysid in IDS]
 

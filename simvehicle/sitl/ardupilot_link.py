@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import socket
 import time
-from typing import Any, cast
 
 from pymavlink.dialects.v20 import common as mav
 
@@ -33,7 +32,7 @@ class ArduPilotLink(AutopilotLink):
         """Start it, and wait for its first servo packet."""
         self._wanted = wanted
         self._serial_pending = b""
-        self._peer: Any = None
+        self._peer = (HOST, 0)
         with contextlib.ExitStack() as opened:
             self._udp, instance = simulation_port()
             opened.callback(self._udp.close)
@@ -42,7 +41,7 @@ class ArduPilotLink(AutopilotLink):
             self._serial = self._connect(SERIAL_PORT + APART * instance)
             opened.callback(self._serial.close)
             self.servo = self._next_servo(-1)
-            self._udp.connect(cast(Any, self._peer))
+            self._udp.connect(self._peer)
             self._closing = opened.pop_all()
 
     def say(self, raw: bytes) -> None:

@@ -53,7 +53,8 @@ class LogFile:
         if self._open is not None and self._open.done:
             if isinstance(self._open, FileClient):
                 self.content = self._open.content
-                self._open = self._looked_in(self._roots) if self.content is None else None
+                searched = self.content is None and self._requests.has_answered
+                self._open = self._looked_in(self._roots) if searched else None
             else:
                 self._open = self._after(self._open)
         return messages

@@ -62,6 +62,8 @@ class FileRequests:
         self._number = self._answered = self._last = 0
         """of the last request, the last answer, and the later one of the two"""
         self._asked = (0, 0, b"")
+        self.has_answered = False
+        """whether the vehicle has ever answered"""
 
     @property
     def answered_first(self) -> bool:
@@ -78,6 +80,7 @@ class FileRequests:
         if kind not in (ACK, NAK) or answers != opcode or of_session not in (None, session):
             return None
         self._answered = self._last = number
+        self.has_answered = True
         return FileAnswer(kind == NAK, session, bool(complete), offset, raw[_HEAD.size : _HEAD.size + size])
 
     def request(self, opcode: int, *, session: int = 0, offset: int = 0, size: int = 0, data: bytes = b"") -> Message:

@@ -156,6 +156,23 @@ def test_a_log_of_which_two_files_have_the_size_comes_by_ranges() -> None:
     assert vehicle.asked.count("LOG_REQUEST_DATA") == 1
 
 
+class Mute(Files):
+    """MAVFTP that never answers, as where there is none."""
+
+    def hear(self, heard: Any) -> list[Any]:
+        self.asked.append(heard.payload[3])
+        return []
+
+
+def test_where_no_mavftp_answers_folders_are_not_searched() -> None:
+    vehicle = Vehicle({0: log(1000)}, files=Mute({}))
+    client = LogClient(3, 1, PX4_FOLDERS)
+    client.download([LogEntry(0, 1000, 0)])
+    assert converse(client, vehicle) < 4.0
+    assert client.files == vehicle.logs
+    assert set(vehicle.files.asked) == {RESET}
+
+
 def test_files_that_are_not_there_to_be_had_are_not_asked_for() -> None:
     vehicle = Vehicle({0: log(1000)}, files=Files({"log/1.ulg": log(1000)}))
     client = LogClient(3, 1, ARDUCOPTER.log_folders)

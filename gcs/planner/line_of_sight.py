@@ -29,6 +29,7 @@ from gcs.scenario.geometry import (
     SIZE_2,
     SIZE_3,
     WALL,
+    bounds,
     past_wall,
     shape_surface,
 )
@@ -41,8 +42,6 @@ _EXACT_M = 1e-6  # to which a least distance is found
 _ROUNDING_M = 1e-7
 _MOST_BINS = 128  # each way [choice]: lists stay short, the table small
 _LEAST_BIN_M = 1.0
-FAR_M = 1e6
-"""Where a wall ends, up and down: beyond every scenario."""
 
 
 class Sight(NamedTuple):
@@ -79,18 +78,6 @@ def sight(table: FloatArray, reach_m: float) -> Sight:
     to_e = np.clip((high[:, 1] + reach_m - low_e) // bin_m, 0, columns - 1).astype(np.int64)
     first, listed = _fill(from_n, to_n, from_e, to_e, rows, columns)
     return Sight(table, first, listed, float(low_n), float(low_e), float(bin_m), rows, columns, reach_m)
-
-
-def bounds(table: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Least and greatest corner (m, 3) of each shape's bounding box."""
-    kind, size = table[:, KIND], table[:, SIZE_1 : SIZE_3 + 1]
-    half = np.repeat(size[:, :1], 3, axis=1)
-    half[kind == BOX] = size[kind == BOX]
-    half[kind == CYLINDER, 2] = size[kind == CYLINDER, 1]
-    walls = kind == WALL
-    half[walls, :2] = np.abs(size[walls, :2])
-    half[walls, 2] = FAR_M
-    return table[:, NORTH : DOWN + 1] - half, table[:, NORTH : DOWN + 1] + half
 
 
 @kernel()

@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -59,6 +59,15 @@ class _Wanted:
     v_ned: Vec3
     speed_m_s: float
     route_m: float | None = None
+
+
+class _Movers(NamedTuple):
+    """Everything that moves and repels: vehicles in the air, then traffic; places (m, 3), radii and ranges (m,), m."""
+
+    views: list[VehicleView]
+    p_ned: NDArray[np.float64]
+    radii_m: NDArray[np.float64]
+    ranges_m: NDArray[np.float64]
 
 
 class Planner(TickPlanner):
@@ -124,11 +133,12 @@ class Planner(TickPlanner):
                 self._memory[view.sysid] = fuzzy_escape.new_memory(1)[0]
         self._begin = {view.sysid: self._q[view.sysid] for view in views}
         self._pursuing, self._stations = request.pursuing, request.stations
+        movers = self._movers(snapshot)
         for role in ROLES:
             led = [view for view in views if view.role == role]
             if led:
                 wanted = self._guided(led, self._wants(role, request, led))
-                self._move(snapshot, led, wanted, request.partners, period_s)
+                self._move(snapshot, movers, led, wanted, request.partners, period_s)
         return [SetPoint(view.sysid, self._begin[view.sysid], self._v[view.sysid]) for view in views]
 
     def _guided(self, views: list[VehicleView], wanted: list[_Wanted]) -> list[_Wanted]:
@@ -159,14 +169,15 @@ class Planner(TickPlanner):
     def _move(
         self,
         snapshot: FleetSnapshot,
+        movers: _Movers,
         views: list[VehicleView],
         wanted: list[_Wanted],
         partners: Iterable[tuple[int, int]],
         period_s: float,
     ) -> None:
         """Move the leaders of these vehicles by one period."""
-        others = [view for view in snapshot.vehicles if view.flying]
-        at, radii, ranges, owner = self._movers(snapshot, views, others)
+        rows = {view.sysid: i for i, view in enumerate(views)}
+        owner = [rows.get(view.sysid, -1) for view in movers.views] + [-1] * len(snapshot.traffic)
         attractors, attraction_ranges, drawn = self._attractors(snapshot, views)
         q_next, memory, v_ned = leader.advance(
             np.array([self._q[view.sysid] for view in views]),
@@ -174,11 +185,11 @@ class Planner(TickPlanner):
             np.array([want.p_ned for want in wanted]),
             np.array([want.v_ned for want in wanted]),
             repulsors=self.obstacles,
-            moving=at,
-            radii_m=radii,
-            ranges_m=ranges,
+            moving=movers.p_ned,
+            radii_m=movers.radii_m,
+            ranges_m=movers.ranges_m,
             owner=owner,
-            exempt=self._exempt(snapshot, views, others, partners),
+            exempt=self._exempt(snapshot, views, movers.views, partners),
             field=self._field,
             speed_m_s=np.array([self._speed(view, want) for view, want in zip(views, wanted, strict=True)]),
             period_s=period_s,
@@ -304,18 +315,16 @@ class Planner(TickPlanner):
         pursuers = np.array([view.role == "pursuer" for view in views])
         return table[:, :3], table[:, 3], np.repeat(pursuers[:, np.newaxis], len(table), axis=1)
 
-    def _movers(
-        self, snapshot: FleetSnapshot, views: list[VehicleView], others: list[VehicleView]
-    ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], NDArray[np.int64]]:
-        """Places, radii, ranges and owners of everything that moves and repels: vehicles in the air, then traffic.
-
-        A vehicle is a sphere of the separation that the scenario demands: a leader pressed against it stays out.
+    def _movers(self, snapshot: FleetSnapshot) -> _Movers:
+        """A vehicle is a sphere of the separation that the scenario demands: a leader pressed against it stays out.
         A target must not push its pursuers from their ring, so its sphere ends where the ring is out of its range.
         """
-        rows = {view.sysid: i for i, view in enumerate(views)}
-        at = [self._met(view) for view in others]
-        speeds = [math.hypot(*view.v_ned) for view in others]
-        ages = [view.age_s for view in others]
+        views = [view for view in snapshot.vehicles if view.flying]
+        at = [self._met(view) for view in views]
+        speeds = [math.hypot(*view.v_ned) for view in views]
+        ages = [view.age_s for view in views]
+        aircraft_m = self._scenario.planner.separation_m if self._scenario.planner.safety else 0.0
+        radii = [self._radius_m(view) for view in views] + [aircraft_m] * len(snapshot.traffic)
         for aircraft in snapshot.traffic:
             at.append(_ahead(aircraft.p_ned, aircraft.v_ned, LOOKAHEAD_S + aircraft.age_s))
             speeds.append(math.hypot(*aircraft.v_ned))
@@ -323,10 +332,7 @@ class Planner(TickPlanner):
         ranges = widened_range(self._field.repulsion_range_m, np.array(speeds), np.array(ages))
         if self._scenario.planner.safety:
             ranges = SAFE_RANGE_SHARE * ranges
-        owner = np.array([rows.get(view.sysid, -1) for view in others] + [-1] * len(snapshot.traffic), dtype=np.int64)
-        aircraft_m = self._scenario.planner.separation_m if self._scenario.planner.safety else 0.0
-        radii = np.array([self._radius_m(view) for view in others] + [aircraft_m] * len(snapshot.traffic))
-        return np.array(at).reshape(-1, 3), radii, np.broadcast_to(ranges, len(at)), owner
+        return _Movers(views, np.array(at).reshape(-1, 3), np.array(radii), ranges)
 
     def _radius_m(self, view: VehicleView) -> float:
         separation_m, ring_m = self._scenario.planner.separation_m, self._scenario.formation.ring_m

@@ -22,8 +22,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcs.kernels import kernel
-from gcs.planner.line_of_sight import FloatArray, IntArray, bounds
-from gcs.scenario.geometry import DOWN, KIND, SIZE_3, WALL, shape_surface
+from gcs.planner.line_of_sight import FloatArray, IntArray
+from gcs.scenario.geometry import DOWN, KIND, SIZE_3, WALL, bounds, shape_surface
 
 Costs = NDArray[np.int32]
 Weights = NDArray[np.uint8]

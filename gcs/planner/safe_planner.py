@@ -107,6 +107,8 @@ class SafePlanner(TickPlanner):
         }
         self._link_age = LinkAge()
         self._fence = FenceBorder(scenario, scenario.planner.clearance_m)
+        self._solid = np.concatenate([planner.obstacles, self._fence.walls])
+        self._settings: FilterSettings | None = None
         self._reported_s: dict[tuple[int, str], float] = {}
         self._records: list[dict[str, Any]] = []
 
@@ -214,14 +216,20 @@ class SafePlanner(TickPlanner):
                 high_ned=floor,
             ),
             wanted_ned,
-            rules=FilterSettings(request.period_s, rules.separation_m, rules.clearance_m),
+            rules=self._settings_for(request.period_s),
             others=_table(others),
-            obstacles=np.concatenate([self._planner.obstacles, self._fence.walls]),
+            obstacles=self._solid,
             beyond=~self._fence.allows(p),
             pair_required_m=self._partners(request),
             other_required_m=[(other.owner, row, 0.0) for row, other in enumerate(others) if other.owner is not None],
             apart=rules.vehicles_repel,
         )
+
+    def _settings_for(self, period_s: float) -> FilterSettings:
+        if self._settings is None or self._settings.period_s != period_s:
+            rules = self._scenario.planner
+            self._settings = FilterSettings(period_s, rules.separation_m, rules.clearance_m)
+        return self._settings
 
     def _partners(self, request: PlanRequest) -> list[tuple[int, int, float]]:
         """Least distance of partners of a transfer, by pair."""

@@ -33,14 +33,17 @@ from numpy.typing import ArrayLike, NDArray
 
 from gcs.kernels import kernel
 from gcs.planner.braking_clearance import FloatArray, IntArray
-from gcs.planner.line_of_sight import bounds
-from gcs.planner.neighbours import near_pairs
-from gcs.planner.safety_constraints import OBSTACLE, OTHER, PAIR, PLANE
+from gcs.planner.safety_constraints import PAIR
 from gcs.planner.safety_solver import solve
-from gcs.scenario.geometry import COLUMNS, KIND, WALL
+from gcs.scenario.geometry import COLUMNS
 
 KINDS = ("", "vehicle", "other", "obstacle", "wall")
 """Names of `Filtered.binding_kind`; a wall is a side of the fence or the floor: low n, e, d, then high n, e, d."""
+
+
+LEAST_LIMIT = 1e-6
+"""of a leader's speed, m/s, and acceleration, m/s²"""
+_NO_SHAPES = np.zeros((0, COLUMNS))
 
 
 def _none() -> FloatArray:
@@ -154,181 +157,105 @@ def filter_step(
     ValueError says which argument has a wrong shape or a value that is not finite or out of range.
     """
     ids = np.asarray(vehicles.ids, dtype=np.int64)
-    n = len(ids)
-    if ids.shape != (n,) or len(np.unique(ids)) != n:
-        raise ValueError("ids must be (n,) integers that differ from each other")
-    order = np.argsort(ids, kind="stable")
-    back = np.argsort(order, kind="stable")
-    p = _array("p_ned", vehicles.p_ned, (n, 3))[order]
-    v = _array("v_ned", vehicles.v_ned, (n, 3))[order]
-    wanted = _array("v_wanted_ned", v_wanted_ned, (n, 3))[order]
-    v_max = _array("v_max_m_s", vehicles.v_max_m_s, (n,), least=1e-6)[order]
-    a_max = _array("a_max_m_s2", vehicles.a_max_m_s2, (n,), least=1e-6)[order]
-    margin = _array("margin_m", vehicles.margin_m, (n,), least=0.0)[order]
-    sides = (np.asarray(side, dtype=np.float64) for side in (vehicles.low_ned, vehicles.high_ned))
-    walls = np.hstack([np.broadcast_to(side, (n, 3)) for side in sides])
-    if np.isnan(walls).any():
+    n, around = len(ids), others or Others()
+    m = np.asarray(around.p_ned).size // 3
+    order, back = _order(ids)
+    p, v = _array("p_ned", vehicles.p_ned, (n, 3)), _array("v_ned", vehicles.v_ned, (n, 3))
+    wanted = _array("v_wanted_ned", v_wanted_ned, (n, 3))
+    v_max, a_max = _array("v_max_m_s", vehicles.v_max_m_s, (n,)), _array("a_max_m_s2", vehicles.a_max_m_s2, (n,))
+    margin = _array("margin_m", vehicles.margin_m, (n,))
+    walls = np.empty((n, 6))
+    walls[:, :3], walls[:, 3:] = vehicles.low_ned, vehicles.high_ned
+    moving = np.empty((m, 8))
+    if m:
+        moving[:, 0:3] = _array("others: p_ned", around.p_ned, (m, 3))
+        moving[:, 3:6] = _array("others: v_ned", around.v_ned, (m, 3))
+        moving[:, 6] = _array("others: radius_m", around.radius_m, (m,))
+        moving[:, 7] = _array("others: growth_m_s", around.growth_m_s, (m,))
+    table = _NO_SHAPES if obstacles is None else _array("obstacles", obstacles, (len(obstacles), COLUMNS))
+    if not _sound(p, v, wanted, v_max, a_max, margin, moving, table, walls):
+        names = ("p_ned", "v_ned", "v_wanted_ned", "v_max_m_s", "a_max_m_s2", "margin_m", "others", "obstacles")
+        least = (None, None, None, LEAST_LIMIT, LEAST_LIMIT, 0.0, None, None)
+        for name, array, bound in zip(names, (p, v, wanted, v_max, a_max, margin, moving, table), least, strict=True):
+            _check(name, array, bound)
+        _check("others: radius_m and growth_m_s", moving[:, 6:], 0.0)
         raise ValueError("low_ned and high_ned must be numbers; infinite ones stand for no wall")
-    around = others or Others()
-    m = len(np.asarray(around.p_ned).reshape(-1, 3))
-    moving = np.hstack([_array("others: p_ned", around.p_ned, (m, 3)), _array("others: v_ned", around.v_ned, (m, 3))])
-    moving = np.column_stack([
-        moving,
-        _array("others: radius_m", around.radius_m, (m,), least=0.0),
-        _array("others: growth_m_s", around.growth_m_s, (m,), least=0.0),
-    ])  # fmt: skip
-    table = np.zeros((0, COLUMNS)) if obstacles is None else _array("obstacles", obstacles, (len(obstacles), COLUMNS))
-    brake = rules.brake_share * a_max
-    speed = np.linalg.norm(v, axis=1) + a_max * rules.period_s
-    # No way is longer: the coming period, the braking after it (stop_distance), and what activates below.
-    reach = rules.period_s * speed + speed**2 / (2 * brake) + brake * rules.period_s**2 / 8 + rules.buffer_m
-    rows = [
-        *([_pairs(p, reach, margin, rules, _special(pair_required_m, ids, ids, order, back))] if apart else []),
-        _others(p, reach, margin, moving, rules, _special(other_required_m, ids, np.arange(m), order, None)),
-        _shapes(p, reach, margin, table, rules, np.zeros(n, dtype=np.bool_) if beyond is None else beyond[order]),
-        _walls(p, reach, margin, walls[order]),
-    ]
-    constraints = np.concatenate(rows)
     u, changed, kind, binding, checked = solve(
-        p, v, wanted, v_max, a_max, brake, ids[order], np.ascontiguousarray(constraints[:, :3], dtype=np.int64),
-        np.ascontiguousarray(constraints[:, 3]), moving, table, walls[order], rules.period_s, rules.horizon_s,
+        p[order], v[order], wanted[order], v_max[order], a_max[order], margin[order], ids[order], moving, table,
+        np.zeros(n, dtype=np.bool_) if beyond is None else beyond[order], walls[order],
+        _special(pair_required_m, ids, ids, order, back), _special(other_required_m, ids, np.arange(m), order, None),
+        apart, rules.separation_m, rules.clearance_m, rules.brake_share, rules.period_s, rules.horizon_s,
         rules.buffer_m, rules.recover_m_s, rules.turn_rad, rules.climb_rad, rules.rounds, rules.sweeps,
     )  # fmt: skip
     pairs = kind == PAIR
     binding[pairs] = order[binding[pairs]]
+    u = u[back]
     p_next = p + rules.period_s * v + 0.5 * rules.period_s**2 * u
     v_next = v + rules.period_s * u
-    return Filtered(u[back], p_next[back], v_next[back], changed[back], kind[back], binding[back], checked[back])
+    return Filtered(u, p_next, v_next, changed[back], kind[back], binding[back], checked[back])
 
 
-def _array(name: str, value: ArrayLike, shape: tuple[int, ...], least: float | None = None) -> FloatArray:
-    array = np.asarray(value, dtype=np.float64)
-    if array.ndim == 0 and len(shape) == 1:
-        array = np.broadcast_to(array, shape)
+def _order(ids: IntArray) -> tuple[IntArray, IntArray]:
+    """Rows in order of id, and the way back. ValueError where two have the same."""
+    if ids.ndim == 1 and (ids[1:] > ids[:-1]).all():
+        return (rows := np.arange(len(ids))), rows
+    if ids.ndim != 1 or len(np.unique(ids)) != len(ids):
+        raise ValueError("ids must be (n,) integers that differ from each other")
+    order = np.argsort(ids, kind="stable")
+    return order, np.argsort(order, kind="stable")
+
+
+def _array(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
+    array = np.ascontiguousarray(value, dtype=np.float64)
+    if np.ndim(value) == 0 and len(shape) == 1:
+        array = np.full(shape, array[0])
     if array.size == 0 and 0 in shape:
         array = array.reshape(shape)
     if array.shape != shape:
         raise ValueError(f"{name} has shape {array.shape}; it must be {shape}")
+    return array
+
+
+@kernel()
+def _sound(
+    p: FloatArray, v: FloatArray, wanted: FloatArray, v_max: FloatArray, a_max: FloatArray, margin: FloatArray,
+    moving: FloatArray, table: FloatArray, walls: FloatArray,
+) -> bool:  # fmt: skip
+    """Kernel: whether all is finite, walls are numbers, and limits and distances not too small."""
+    sound = _from(p, -np.inf) and _from(v, -np.inf) and _from(wanted, -np.inf) and _from(table, -np.inf)
+    sound = sound and _from(v_max, LEAST_LIMIT) and _from(a_max, LEAST_LIMIT) and _from(margin, 0.0)
+    return bool(sound and _from(moving, -np.inf) and _from(moving[:, 6:], 0.0) and not np.isnan(walls).any())
+
+
+@kernel()
+def _from(array: FloatArray, least: float) -> bool:
+    for x in array.flat:  # noqa: SIM110, as numba compiles it
+        if not (np.isfinite(x) and x >= least):
+            return False
+    return True
+
+
+def _check(name: str, array: FloatArray, least: float | None) -> None:
     if not np.isfinite(array).all():
         row = int(np.argwhere(~np.isfinite(array))[0][0])
         raise ValueError(f"{name} holds a value that is not finite in row {row}; leave that row out or mend its data")
     if least is not None and (array < least).any():
         raise ValueError(f"{name} holds {array.min()!r}; it must be at least {least!r}")
-    return np.ascontiguousarray(array)
 
 
-def _special(
-    rows: ArrayLike, ids: IntArray, seconds: IntArray, order: IntArray, back: IntArray | None
-) -> dict[tuple[int, int], float]:
-    """Required distances of single pairs by their rows in order of id; pairs with an absent vehicle are passed over."""
+def _special(rows: ArrayLike, ids: IntArray, seconds: IntArray, order: IntArray, back: IntArray | None) -> FloatArray:
+    """Required distances of single pairs (k, 3), by their rows in order of id; pairs with an absent vehicle are passed
+    over."""
     given = np.asarray(rows, dtype=np.float64).reshape(-1, 3)
+    if not len(given):
+        return given
     if not np.isfinite(given).all() or (given[:, 2] < 0).any():
         raise ValueError("required distances must be rows of two numbers that name a pair and a length of at least 0 m")
     first = {int(sysid): row for row, sysid in enumerate(ids[order])}
     second = first if back is not None else {int(k): int(k) for k in seconds}
-    found: dict[tuple[int, int], float] = {}
+    found = []
     for a, b, required in given:
         if int(a) in first and int(b) in second and (back is None or a != b):
             i, j = first[int(a)], second[int(b)]
-            found[(min(i, j), max(i, j)) if back is not None else (i, j)] = float(required)
-    return found
-
-
-def _rows(kind: int, i: NDArray[np.int64], j: NDArray[np.int64], required: FloatArray) -> FloatArray:
-    """Constraints (k, 4): kind, vehicle, with what, required distance; in order of vehicle, then of what."""
-    at = np.lexsort((j, i))
-    return np.column_stack([np.full(len(i), float(kind)), i[at], j[at], required[at]])
-
-
-def _replace(required: FloatArray, i: IntArray, j: IntArray, special: dict[tuple[int, int], float]) -> FloatArray:
-    for (a, b), value in special.items():
-        required[(i == a) & (j == b)] = value
-    return required
-
-
-def _pairs(
-    p: FloatArray, reach: FloatArray, margin: FloatArray, rules: FilterSettings, special: dict[tuple[int, int], float]
-) -> FloatArray:
-    n = len(p)
-    if n < 2:
-        return np.zeros((0, 4))
-    if n <= 40:
-        i, j = (side.astype(np.int64) for side in np.triu_indices(n, 1))
-    else:
-        most = rules.separation_m + 2 * margin.max() + max(special.values(), default=0.0)
-        i, j = near_pairs(p, 2 * reach.max() + most)
-    required = _replace(rules.separation_m + margin[i] + margin[j], i, j, special)
-    near = np.linalg.norm(p[i] - p[j], axis=1) <= reach[i] + reach[j] + required
-    return _rows(PAIR, i[near], j[near], required[near])
-
-
-def _others(
-    p: FloatArray, reach: FloatArray, margin: FloatArray, moving: FloatArray, rules: FilterSettings,
-    special: dict[tuple[int, int], float],
-) -> FloatArray:  # fmt: skip
-    ahead = rules.horizon_s + rules.period_s
-    far = np.linalg.norm(moving[:, 3:6], axis=1) * ahead + moving[:, 6] + moving[:, 7] * ahead
-    most = max(special.values(), default=0.0) + margin.max(initial=0.0)
-    apart = np.sqrt(sum((p[:, None, axis] - moving[None, :, axis]) ** 2 for axis in range(3)))
-    i, j = (side.astype(np.int64) for side in np.nonzero(apart <= reach[:, None] + far[None, :] + most))
-    free = np.zeros(apart.shape, dtype=bool)
-    for pair, required in special.items():
-        free[pair] = required == 0.0  # not a distance of 0, which a braking leader would have to keep too
-    kept = ~free[i, j]
-    i, j = i[kept], j[kept]
-    return _rows(OTHER, i, j, _replace(moving[j, 6] + margin[i], i, j, special))
-
-
-def _shapes(
-    p: FloatArray,
-    reach: FloatArray,
-    margin: FloatArray,
-    table: FloatArray,
-    rules: FilterSettings,
-    beyond: NDArray[np.bool_],
-) -> FloatArray:
-    if not len(table) or not len(p):
-        return np.zeros((0, 4))
-    required = rules.clearance_m + margin
-    low, high = bounds(table)
-    i, j = _within_boxes(p, reach + required, low, high)
-    if beyond.any():
-        kept = ~(beyond[i] & (table[j, KIND] == WALL))
-        i, j = i[kept], j[kept]
-    return _rows(OBSTACLE, i, j, required[i])
-
-
-@kernel()
-def _within_boxes(p: FloatArray, within_m: FloatArray, low: FloatArray, high: FloatArray) -> tuple[IntArray, IntArray]:
-    """Kernel: rows of places and of boxes that are at most `within_m` (n,) apart."""
-    size = 256
-    found = np.empty((2, size), dtype=np.int64)
-    count = 0
-    order = np.argsort(low[:, 0])
-    south = low[order, 0]
-    widest_m = (high[:, 0] - low[:, 0]).max()
-    for i in range(p.shape[0]):
-        square_m2 = within_m[i] ** 2
-        first = np.searchsorted(south, p[i, 0] - within_m[i] - widest_m)
-        last = np.searchsorted(south, p[i, 0] + within_m[i], side="right")
-        for at in range(first, last):
-            j = order[at]
-            apart_m2 = 0.0
-            for axis in range(3):
-                x = p[i, axis]
-                out_m = max(low[j, axis] - x, x - high[j, axis], 0.0)
-                apart_m2 += out_m * out_m
-            if apart_m2 <= square_m2:
-                if count == size:
-                    longer = np.empty((2, 2 * size), dtype=np.int64)
-                    longer[:, :size] = found
-                    found, size = longer, 2 * size
-                found[0, count], found[1, count] = i, j
-                count += 1
-    return found[0, :count].copy(), found[1, :count].copy()
-
-
-def _walls(p: FloatArray, reach: FloatArray, margin: FloatArray, walls: FloatArray) -> FloatArray:
-    clear = np.hstack([p - walls[:, :3], walls[:, 3:] - p])
-    i, axis = (side.astype(np.int64) for side in np.nonzero(clear <= (reach + margin)[:, None]))
-    return _rows(PLANE, i, axis, margin[i])
+            found.append((min(i, j), max(i, j), required) if back is not None else (i, j, required))
+    return np.array(found, dtype=np.float64).reshape(-1, 3)

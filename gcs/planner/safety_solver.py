@@ -17,8 +17,9 @@ import numpy as np
 from numba import njit
 
 from gcs.kernels import kernel
-from gcs.planner import braking_clearance, safety_constraints
+from gcs.planner import braking_clearance, near_constraints, safety_constraints
 from gcs.planner.braking_clearance import TINY, FloatArray, IntArray, braking
+from gcs.planner.near_constraints import constraints_within_reach
 from gcs.planner.safety_constraints import (
     GOLDEN,
     PAIR,
@@ -339,14 +340,21 @@ def _compiled(build: int) -> Callable[..., Any]:
 
     @kernel()
     def solve(
-        p: FloatArray, v: FloatArray, wanted: FloatArray, v_max: FloatArray, a_max: FloatArray, brake: FloatArray,
-        ids: IntArray, rows: IntArray, required: FloatArray, others: FloatArray, table: FloatArray, walls: FloatArray,
-        dt: float, horizon: float, buffer: float, recover: float, turn: float, climb: float, rounds: int, sweeps: int,
+        p: FloatArray, v: FloatArray, wanted: FloatArray, v_max: FloatArray, a_max: FloatArray, margin: FloatArray,
+        ids: IntArray, others: FloatArray, table: FloatArray, beyond: BoolArray, walls: FloatArray,
+        pair_required: FloatArray, other_required: FloatArray, apart: bool, separation: float, clearance: float,
+        brake_share: float, dt: float, horizon: float, buffer: float, recover: float, turn: float, climb: float,
+        rounds: int, sweeps: int,
     ) -> tuple[FloatArray, FloatArray, IntArray, IntArray, IntArray]:  # fmt: skip
         _ = build
+        brake = brake_share * a_max
+        constraints, required = constraints_within_reach(
+            p, v, a_max, brake, margin, others, table, beyond, walls, pair_required, other_required, apart, separation,
+            clearance, dt, horizon, buffer,
+        )  # fmt: skip
         return _solve(
-            p, v, wanted, v_max, a_max, brake, ids, rows, required, others, table, walls, dt, horizon, buffer, recover,
-            turn, climb, rounds, sweeps,
+            p, v, wanted, v_max, a_max, brake, ids, constraints, required, others, table, walls, dt, horizon, buffer,
+            recover, turn, climb, rounds, sweeps,
         )  # fmt: skip
 
     return solve
@@ -356,6 +364,7 @@ def _checksum() -> int:
     files = (
         Path(str(braking_clearance.__file__)),
         Path(str(safety_constraints.__file__)),
+        Path(str(near_constraints.__file__)),
         Path(str(geometry.__file__)),
     )
     return zlib.crc32(b"".join(file.read_bytes() for file in files))

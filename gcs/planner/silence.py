@@ -14,8 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gcs.planner.line_of_sight import bounds
-from gcs.scenario.geometry import of_scenario
+from gcs.scenario.geometry import bounds, of_scenario
 from gcs.scenario.model import Obstacle, Scenario, VehicleBase
 from gcs.telemetry.state import Vec3
 

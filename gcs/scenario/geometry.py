@@ -36,6 +36,9 @@ KIND, NORTH, EAST, DOWN, SIZE_1, SIZE_2, SIZE_3 = range(7)
 COLUMNS = 7
 POINT, SPHERE, BOX, CYLINDER, WALL = 0.0, 1.0, 2.0, 3.0, 4.0
 
+FAR_M = 1e6
+"""Where a wall ends, up and down: beyond every scenario."""
+
 # Nearer than this to a centre or an edge the difference of two positions has no direction left that means anything.
 _NO_DIRECTION_M = 1e-9
 
@@ -123,6 +126,23 @@ def clearance(table: FloatArray, points_ned: ArrayLike) -> FloatArray:
     least_m = np.empty(len(at))
     fill_clearances(table, at, least_m)
     return least_m
+
+
+@kernel()
+def bounds(table: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Kernel: least and greatest corner (m, 3) of each shape's bounding box."""
+    low, high = np.empty((len(table), 3)), np.empty((len(table), 3))
+    for i in range(len(table)):
+        kind, hn, he, hd = table[i, KIND], table[i, SIZE_1], table[i, SIZE_1], table[i, SIZE_1]
+        if kind == BOX:
+            he, hd = table[i, SIZE_2], table[i, SIZE_3]
+        elif kind == CYLINDER:
+            hd = table[i, SIZE_2]
+        elif kind == WALL:
+            hn, he, hd = abs(table[i, SIZE_1]), abs(table[i, SIZE_2]), FAR_M
+        low[i, 0], low[i, 1], low[i, 2] = table[i, NORTH] - hn, table[i, EAST] - he, table[i, DOWN] - hd
+        high[i, 0], high[i, 1], high[i, 2] = table[i, NORTH] + hn, table[i, EAST] + he, table[i, DOWN] + hd
+    return low, high
 
 
 def _vector(name: str, value: ArrayLike) -> FloatArray:

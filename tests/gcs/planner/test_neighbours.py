@@ -39,15 +39,6 @@ def test_nothing_in_range_is_left_out_and_rows_ascend() -> None:
         assert set(np.flatnonzero(distance_m <= ranges + reach[i])) <= set(mine)
 
 
-def test_near_pairs_are_those_of_all_pairs() -> None:
-    p = np.random.default_rng(4).uniform(-10, 10, (120, 3))
-    i, j = np.triu_indices(120, 1)
-    near = np.linalg.norm(p[i] - p[j], axis=1) <= 3.0
-    first, second = neighbours.near_pairs(p, 3.0)
-    assert 0 < near.sum() < len(near)
-    assert (first.tolist(), second.tolist()) == (i[near].tolist(), j[near].tolist())
-
-
 @pytest.mark.parametrize("seed", range(3))
 def test_the_plan_is_the_same_to_the_last_bit(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     rng = np.random.default_rng(seed)

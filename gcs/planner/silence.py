@@ -26,8 +26,9 @@ SLOW_S = 2.5
 """Delay beyond its speed alone with which it may be anywhere: it brakes at each corner."""
 BRAKES_M_S2 = 4.0
 """Deceleration of a vehicle that holds."""
-LOST_AFTER_PERIODS, MOST_LOST_S = 5, 1.0
-"""[choice] Periods without a set point after which a launched vehicle holds, and the longest wait: PX4's own."""
+LOST_AFTER_PERIODS, LEAST_LOST_S, MOST_LOST_S = 5, 0.1, 1.0
+"""[choice] Periods without a set point after which a launched vehicle holds; the shortest wait that it can be set to,
+and the longest: PX4's own."""
 GONE_AFTER_PERIODS = 2
 """[choice] The same where none is lost or late by itself: two that are missing were kept from it."""
 OVER_M = 1.5
@@ -75,7 +76,7 @@ def failsafe_of(vehicle: VehicleBase, scenario: Scenario) -> Failsafe:
     waits_s = periods * scenario.clock.period_s + radio.jitter_s
     return Failsafe(
         params.get("COM_DL_LOSS_T", usual.loss_s),
-        params.get("COM_OF_LOSS_T", min(waits_s, MOST_LOST_S)),
+        params.get("COM_OF_LOSS_T", min(max(waits_s, LEAST_LOST_S), MOST_LOST_S)),
         altitude_m,
         params.get("MPC_XY_CRUISE", usual.speed_m_s),
         params.get("MPC_LAND_SPEED", usual.sink_m_s),

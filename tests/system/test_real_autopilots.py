@@ -113,6 +113,15 @@ def test_one_that_cannot_be_had_is_one_sentence_and_nothing_is_left(tmp_path: Pa
     assert copters() == []
 
 
+def test_a_period_that_is_no_multiple_of_its_step_is_flown(tmp_path: Path) -> None:
+    content = mixed(program(tmp_path), duration_s=8.0)
+    content |= {"clock": {"mode": "lockstep", "period_s": 0.036}, "goal": {"duration_s": 8.0}}
+    outcome = fly(content, tmp_path / "session", "--plain")
+    assert outcome.status == 0, outcome.stderr
+    assert {outcome.vehicle(sysid)["final_mode"] for sysid in (1, COPTER)} == {"offboard"}
+    assert outcome.truth(COPTER).p_ned[-1, 2] < -1.0
+
+
 def test_one_that_is_killed_is_lost_and_the_others_fly_on(tmp_path: Path) -> None:
     params = {"WPNAV_SPEED": 400.0, "KILLED_AT_S": 6.0}
     outcome = fly(mixed(program(tmp_path), duration_s=8.0, params=params), tmp_path / "session", "--plain")

@@ -60,6 +60,14 @@ def test_a_launched_vehicle_returns_above_all_obstacles(
     )
 
 
+@pytest.mark.parametrize(("period_s", "hold_s"), [(0.036, 0.1), (0.1, 0.2), (0.2, 0.4)])
+def test_a_launched_vehicle_holds_after_two_periods_but_no_sooner_than_it_can_be_told_to(
+    period_s: float, hold_s: float
+) -> None:
+    scenario = Scenario.model_validate(merged(small(), {"clock": {"period_s": period_s}}))
+    assert failsafe_of(scenario.vehicles.pursuers[0], scenario).hold_s == pytest.approx(hold_s)
+
+
 @pytest.mark.parametrize("silent_s", [0.0, 0.4, 0.8, 1.0, 30.0])
 def test_a_vehicle_without_set_points_flies_on_until_it_holds(silent_s: float) -> None:
     """It is 0.37 s behind its last set point, flies on for 0.5 s, and brakes from 3.2 m/s in 1.28 m: for 0.4 s more."""

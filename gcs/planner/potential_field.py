@@ -19,10 +19,7 @@ from numpy.typing import ArrayLike
 
 from gcs.kernels import kernel
 from gcs.scenario.geometry import FloatArray, shape_surface
-
-# Nearer than this to a surface, and inside a volume, the repulsion keeps its size, so that it stays finite; it is then
-# 10⁵ times the strongest attraction and points out by the shortest way [choice].
-SURFACE_FLOOR_M = 0.01
+from gcs.scenario.rules import SURFACE_FLOOR_M
 
 K0, K1, A, B, ATTRACTION_RANGE, STEP, CAP, FULL_STEPS = range(8)
 

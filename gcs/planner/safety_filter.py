@@ -76,7 +76,7 @@ class FilterSettings:
     def __post_init__(self) -> None:
         for item in fields(self):
             value = getattr(self, item.name)
-            above = item.name in ("period_s", "brake_share", "horizon_s", "rounds", "sweeps", "separation_m")
+            above = item.name in ("period_s", "brake_share", "horizon_s", "rounds", "sweeps")
             if not (np.isfinite(value) and value >= 0 and (value > 0 or not above)):
                 least = "above" if above else "at least"
                 raise ValueError(f"rules: {item.name} is {value!r}; it must be finite and {least} 0")
@@ -240,7 +240,7 @@ def _check(name: str, array: FloatArray, least: float | None) -> None:
         row = int(np.argwhere(~np.isfinite(array))[0][0])
         raise ValueError(f"{name} holds a value that is not finite in row {row}; leave that row out or mend its data")
     if least is not None and (array < least).any():
-        raise ValueError(f"{name} holds {array.min()!r}; it must be at least {least!r}")
+        raise ValueError(f"{name} holds {float(array.min())!r}; it must be at least {least!r}")
 
 
 def _special(rows: ArrayLike, ids: IntArray, seconds: IntArray, order: IntArray, back: IntArray | None) -> FloatArray:

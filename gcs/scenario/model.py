@@ -20,7 +20,14 @@ from gcs.scenario.parts.radio import Blackout, Radio
 from gcs.scenario.parts.session import STEP_S, Clock, Goal, Origin, Pursue, Record, known_axes
 from gcs.scenario.parts.surroundings import Attractor, Mover, Obstacle
 from gcs.scenario.parts.vehicles import Battery, Pursuer, Tanker, Target, VehicleBase, Vehicles
-from gcs.scenario.rules import CompetitionRules, FormationRules, PlannerRules, PursuitRules, RefuellingRules
+from gcs.scenario.rules import (
+    SURFACE_FLOOR_M,
+    CompetitionRules,
+    FormationRules,
+    PlannerRules,
+    PursuitRules,
+    RefuellingRules,
+)
 from gcs.scenario.station import Station, station_conflicts
 from gcs.scenario.types import Count, Flag, Part, Plane
 from gcs.scenario.weather import Wind
@@ -217,6 +224,11 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
             s.planner.full_steps and s.planner.safety,
             ("planner", "full_steps"),
             "full_steps needs 'safety: false': the safety filter slows points down before their goals",
+        ),
+        (
+            s.planner.b * s.planner.repulsion_range_m <= SURFACE_FLOOR_M,
+            ("planner", "repulsion_range_m"),
+            f"b times repulsion_range_m must be above {SURFACE_FLOOR_M} m, where the repulsion stops growing",
         ),
         (s.formation.ring_m and not targets, ("formation", "ring_m"), "a formation needs a target"),
         (

@@ -24,6 +24,9 @@ def _one_of(*known: str) -> Any:
     return Annotated[str, AfterValidator(check), WithJsonSchema({"type": "string", **schema})]
 
 
+SURFACE_FLOOR_M = 0.01
+"""[choice] Nearer than this to a surface, and inside a volume, the repulsion keeps its size, so that it stays finite;
+it is then 10⁵ times the strongest attraction and points out by the shortest way."""
 OWN = re.compile(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)*:[A-Za-z_]\w*")
 if TYPE_CHECKING:
     Method = str
@@ -70,7 +73,7 @@ class PlannerRules(Part):
     """range of `attractors` and of traffic that attracts, m; a pursuer's own goal attracts at any distance"""
     repulsion_range_m: Metres = 1.0
     """how far from its surface an obstacle, vehicle or aircraft repels, m"""
-    step_m: Metres = 0.1
+    step_m: Annotated[float, Field(strict=True, ge=1e-3, le=1e5)] = 0.1
     """longest step of the planned point, and the distance at which a way point is reached, m"""
     full_steps: Flag = False
     """no step of the planned point shrinks near a goal but the last one, onto it: the paper's eq. 4 to the letter; it
@@ -85,9 +88,9 @@ class PlannerRules(Part):
     """the safety filter behind the planner, which keeps everyone apart; false: planned points as they are"""
     guide: Flag = True
     """routes around obstacles that lie in the straight line, under the safety filter"""
-    acceleration_m_s2: Positive = 4.0
+    acceleration_m_s2: Annotated[float, Field(strict=True, ge=0.01, le=1e5)] = 4.0
     """greatest acceleration of planned points under the safety filter, m/s²; launched vehicles can do 5"""
-    clearance_m: NotNegative = 0.2
+    clearance_m: Annotated[float, Field(strict=True, ge=0, le=1e5)] = 0.2
     """distance that the safety filter keeps to obstacles' surfaces beside each vehicle's margin, m"""
 
 
@@ -165,9 +168,9 @@ class RefuellingRules(Part):
     """false: no service at all"""
     height_m: Metres = 1.2
     """how far above its receiver the tanker flies, m; below `capture_m`"""
-    capture_m: Metres = 1.5
+    capture_m: Annotated[float, Field(strict=True, ge=0.1, le=100)] = 1.5
     """greatest distance of tanker and receiver for a transfer, m"""
-    relative_speed_m_s: Speed = 0.5
+    relative_speed_m_s: Annotated[float, Field(strict=True, ge=0.05, le=10)] = 0.5
     """greatest relative speed for a transfer, m/s"""
     hold_s: Seconds = 1.0
     """how long both must hold before a transfer starts, s"""

@@ -8,7 +8,6 @@ from gcs.scenario.external import External, filled
 from gcs.scenario.types import (
     Angles,
     Flag,
-    Joules,
     Label,
     Metres,
     NotNegative,
@@ -16,7 +15,6 @@ from gcs.scenario.types import (
     ParamName,
     Part,
     Percent,
-    Positive,
     Route,
     Seconds,
     Speed,
@@ -31,13 +29,13 @@ Airframe = Literal["iris", "hummingbird", "crazyflie"]
 class Battery(Part):
     """P = hover_w (T/mg)^(3/2) + avionics_w (docs/model.md#battery) [choice]."""
 
-    capacity_j: Joules
+    capacity_j: Annotated[float, Field(strict=True, ge=1, le=1 << 24)]
     """energy of the full battery, J"""
     initial_percent: Percent = 100.0
     """charge at the start, % of the capacity"""
-    hover_w: Positive = 200.0
+    hover_w: Annotated[float, Field(strict=True, gt=0, le=1e5)] = 200.0
     """power of the motors in hover, W"""
-    avionics_w: NotNegative = 10.0
+    avionics_w: Annotated[float, Field(strict=True, ge=0, le=1e4)] = 10.0
     """power of everything else, W; drawn with motors off too"""
     resistance_ohm: NotNegative | None = None
     """with `plant: rotors`: inner resistance, Ω; by default that of a usual battery of its capacity"""

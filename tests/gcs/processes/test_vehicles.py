@@ -5,10 +5,13 @@ from typing import Any
 
 import pytest
 import yaml
+from extremes import extremes, number_keys
 
 from gcs.processes.hatch import Ended, ProcessSpec
 from gcs.processes.vehicles import traffic_order, vehicle_order, vehicle_orders, vehicle_parameters
-from gcs.scenario.model import Scenario
+from gcs.scenario.file import load, shipped_folder
+from gcs.scenario.model import Scenario, ScenarioError
+from simvehicle.autopilot.parameters import Parameters
 
 LINK = ("--supervised", "udpout:127.0.0.1:5000")
 
@@ -138,3 +141,27 @@ def test_a_blocks_argv_lists_each_vehicles_own_values_in_order(folder: Path) -> 
     assert words[words.index("--count") + 1] == "2"
     assert [order.argv.count("--airborne") for order in orders] == [0, 0, 0, 1]
     assert [order.sysids for order in vehicle_orders(world, folder, LINK)] == [(3,), (4,), (5,), (7,), (8,)]
+
+
+@pytest.mark.parametrize(
+    "key",
+    [
+        "clock.period_s",
+        "radio.jitter_s",
+        "refuelling.capture_m",
+        "refuelling.relative_speed_m_s",
+        *sorted(set(number_keys("vehicles.defaults.battery")) - {"vehicles.defaults.battery.resistance_ohm"}),
+    ],
+)
+def test_vehicles_take_the_least_and_the_greatest_that_a_scenario_may_say(key: str) -> None:
+    taken = 0
+    for value in extremes(key):
+        settings = {key: value, "refuelling.height_m": 0.05}
+        try:
+            scenario = load(shipped_folder() / "demo.yaml", set=settings)
+        except ScenarioError:  # too long a period for refuelling, and the like
+            continue
+        for vehicle in scenario.vehicles.launched:
+            Parameters(vehicle_parameters(vehicle, scenario))
+            taken += 1
+    assert taken

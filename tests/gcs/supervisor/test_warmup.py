@@ -4,6 +4,13 @@ import json
 import subprocess
 import sys
 
+import pytest
+from extremes import extremes, number_keys
+
+from gcs.scenario.file import load, shipped_folder
+from gcs.scenario.model import ScenarioError
+from gcs.supervisor.warmup import rehearse
+
 CODE = """
 import json, sys
 from gcs.scenario import geometry
@@ -63,3 +70,17 @@ print({name: (before[name], count) for name, count in after.items() if count != 
 def test_a_rehearsed_way_loads_every_kernel_of_the_guide() -> None:
     done = subprocess.run([sys.executable, "-c", ROUTES], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "{}"
+
+
+@pytest.mark.parametrize("key", number_keys("planner"))
+def test_whatever_a_scenario_may_say_of_the_planner_is_flown(key: str) -> None:
+    """Each number at its least and its greatest: refused in a sentence, or planned with."""
+    flown = 0
+    for value in (*extremes(key), 1.0 if key != "planner.b" else 0.5):
+        try:
+            scenario = load(shipped_folder() / "demo.yaml", set={key: value})
+        except ScenarioError:
+            continue
+        rehearse(scenario)
+        flown += 1
+    assert flown

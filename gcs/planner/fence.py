@@ -123,7 +123,7 @@ def _covers(corners: FloatArray, p_ned: FloatArray) -> Bools:
 def _cut(a: FloatArray, b: FloatArray, from_ne: FloatArray, to_ne: FloatArray) -> FloatArray:
     """The edge a-b (2,) cut where any of the edges (m, 2) meets it: its places (k, 2) in order, from a to b."""
     along, other, between = b - a, to_ne - from_ne, from_ne - a
-    square = float(along @ along)
+    square = float(along[0] ** 2 + along[1] ** 2)
     if square == 0.0:
         return a[np.newaxis]
     across = along[0] * other[:, 1] - along[1] * other[:, 0]
@@ -133,7 +133,7 @@ def _cut(a: FloatArray, b: FloatArray, from_ne: FloatArray, to_ne: FloatArray) -
     crossing = t[(across != 0.0) & (u >= 0.0) & (u <= 1.0)]
     aside = np.abs(between[:, 0] * along[1] - between[:, 1] * along[0])
     on_line = (across == 0.0) & (aside <= _BESIDE_M * math.sqrt(square))
-    ends = [(end[on_line] - a) @ along / square for end in (from_ne, to_ne)]
+    ends = [((end[on_line] - a) * along).sum(axis=1) / square for end in (from_ne, to_ne)]
     shares = np.concatenate([crossing, *ends])
     shares = np.unique(np.concatenate([[0.0], shares[(shares > 0.0) & (shares < 1.0)], [1.0]]))
     cut: FloatArray = a + shares[:, None] * along

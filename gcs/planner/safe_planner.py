@@ -189,7 +189,7 @@ class SafePlanner(TickPlanner):
 
     def _within_speed(self, sysid: int, v_ned: NDArray[np.float64]) -> NDArray[np.float64]:
         most = max(self._speed_m_s[sysid], SLOWEST_M_S)
-        return v_ned * min(1.0, most / max(float(np.linalg.norm(v_ned)), 1e-9))
+        return v_ned * min(1.0, most / max(math.hypot(*v_ned), 1e-9))
 
     def _filter(
         self, points: list[SetPoint], request: PlanRequest, views: dict[int, VehicleView], others: list[_Other]

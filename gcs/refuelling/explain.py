@@ -5,12 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-import numpy as np
-
 from gcs.mavlink.command_protocol import OPERATOR, CommandResult, result_in_words
 from gcs.refuelling.bidding import CompetitionState
 from gcs.refuelling.service import Phase, Service, by_text
-from gcs.refuelling.target_assignment import meeting_s
+from gcs.refuelling.target_assignment import meeting_s, way
 from gcs.scenario.model import CompetitionRules, RefuellingRules
 from gcs.telemetry.state import FleetSnapshot, Vec3
 
@@ -74,7 +72,7 @@ def rendezvous_ned(service: Service, snapshot: FleetSnapshot, height_m: float, s
     place = (n, e, d - height_m)
     if service.phase is not Phase.JOIN:
         return place
-    left_s = meeting_s(np.subtract(place, tanker.p_now_ned()), np.asarray(receiver.v_ned), speed_m_s) or 0.0
+    left_s = meeting_s(way(tanker.p_now_ned(), place), receiver.v_ned, speed_m_s) or 0.0
     vn, ve, vd = receiver.v_ned
     return (place[0] + vn * left_s, place[1] + ve * left_s, place[2] + vd * left_s)
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcs.refuelling.service import Phase, Service
-from gcs.refuelling.target_assignment import meeting_s
+from gcs.refuelling.target_assignment import meeting_s, way
 from gcs.scenario.model import RefuellingRules
 from gcs.telemetry.state import Vec3, VehicleView
 
@@ -49,11 +49,11 @@ class Giver(NamedTuple):
 
     def way_s(self, view: VehicleView) -> float:
         """Time until the two are together from when it is free on; the vehicle flies straight on meanwhile."""
-        offset = np.subtract(view.p_now_ned(), self.p_ned)
-        straight_s = float(np.linalg.norm(offset)) / self.speed_m_s
+        offset = way(self.p_ned, view.p_now_ned())
+        straight_s = math.hypot(*offset) / self.speed_m_s
         if not self.is_tanker:
             return straight_s
-        met_s = meeting_s(offset, np.asarray(view.v_ned), self.speed_m_s)
+        met_s = meeting_s(offset, view.v_ned, self.speed_m_s)
         return straight_s if met_s is None else met_s
 
 
@@ -90,8 +90,11 @@ class ServiceTimes:
             self._fit()
 
     def _fit(self) -> None:
-        start_s, per_way = np.linalg.solve(self._gram, self._moment)
-        self.start_s, self.per_way = float(start_s), float(per_way)
+        (count, ways), (_, squares) = self._gram.tolist()
+        starts, products = self._moment.tolist()
+        determinant = count * squares - ways * ways  # by hand: LAPACK's last bit is another on another processor
+        self.start_s = (starts * squares - products * ways) / determinant
+        self.per_way = (count * products - ways * starts) / determinant
         self.end_s = self._end_sum_s / self._ends
 
     def begins_in_s(self, way_s: float) -> float:

@@ -14,8 +14,6 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-import numpy as np
-
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.refuelling.base_service import BaseSteps, Stock
 from gcs.refuelling.bidding import Award, BiddingRule, CompetitionState, is_servable
@@ -25,7 +23,7 @@ from gcs.refuelling.policy_bidding import make_competition
 from gcs.refuelling.service import Decision, Phase, Service, ServiceRequests, by_text
 from gcs.refuelling.settlement import Settlement
 from gcs.refuelling.tanker_service import TankerSteps
-from gcs.refuelling.target_assignment import meeting_s
+from gcs.refuelling.target_assignment import meeting_s, way
 from gcs.scenario.model import Base, CompetitionRules, RefuellingRules, Tanker
 from gcs.telemetry.state import FleetSnapshot, VehicleView
 
@@ -312,8 +310,8 @@ class Scheduler:
             service.meets_in_s = math.dist(giver.p_ned, view.p_now_ned()) / self._cruise_m_s
             more = {"reason": f"cannot take a transfer: {service.why_base}"}
         else:
-            way = np.subtract(view.p_now_ned(), giver.p_ned)
-            service.meets_in_s = meeting_s(way, np.asarray(view.v_ned), giver.speed_m_s)
+            offset = way(giver.p_ned, view.p_now_ned())
+            service.meets_in_s = meeting_s(offset, view.v_ned, giver.speed_m_s)
             self._steps.begin(service)
         self._record_decision(service, competition_state, more)
 

@@ -32,23 +32,23 @@ def predicted_effort(p_ned: Vec3, v_ned: Vec3, target_p_ned: Vec3, target_v_ned:
     velocity into the one that meets the target. A target that cannot be met costs as if it flew away for good: the time
     at which the distance would be flown at a tenth of the speed.
     """
-    offset, v_t = np.subtract(target_p_ned, p_ned), np.asarray(target_v_ned)
-    distance_m = float(np.linalg.norm(offset))
-    time_s = meeting_s(offset, v_t, speed_m_s)
+    offset = way(p_ned, target_p_ned)
+    distance_m = math.hypot(*offset)
+    time_s = meeting_s(offset, target_v_ned, speed_m_s)
     if time_s is None:
         time_s = 10.0 * distance_m / speed_m_s
-    if distance_m == 0.0 or time_s == 0.0:
-        wanted = v_t
-    else:
-        wanted = offset / time_s + v_t
-        wanted *= min(1.0, speed_m_s / max(float(np.linalg.norm(wanted)), 1e-12))
-    return GRAVITY_M_S2 * time_s + float(np.linalg.norm(wanted - np.asarray(v_ned)))
+    wanted = list(target_v_ned)
+    if distance_m != 0.0 and time_s != 0.0:
+        wanted = [o / time_s + v for o, v in zip(offset, target_v_ned, strict=True)]
+        share = min(1.0, speed_m_s / max(math.hypot(*wanted), 1e-12))
+        wanted = [share * v for v in wanted]
+    return GRAVITY_M_S2 * time_s + math.dist(wanted, v_ned)
 
 
-def meeting_s(offset: np.ndarray[Any, Any], v_t: np.ndarray[Any, Any], speed_m_s: float) -> float | None:
-    """The least t >= 0 with |offset + v_t t| = speed t; None where there is none."""
-    a = float(v_t @ v_t) - speed_m_s**2
-    b, c = 2.0 * float(offset @ v_t), float(offset @ offset)
+def meeting_s(offset_ned: Vec3, v_ned: Vec3, speed_m_s: float) -> float | None:
+    """The least t >= 0 with |offset + v t| = speed t; None where there is none."""
+    a = _dot(v_ned, v_ned) - speed_m_s**2
+    b, c = 2.0 * _dot(offset_ned, v_ned), _dot(offset_ned, offset_ned)
     if c == 0.0:
         return 0.0
     if abs(a) < 1e-12:
@@ -58,6 +58,16 @@ def meeting_s(offset: np.ndarray[Any, Any], v_t: np.ndarray[Any, Any], speed_m_s
         return None
     times = [(-b + sign * math.sqrt(root)) / (2.0 * a) for sign in (-1.0, 1.0)]
     return min((t for t in times if t >= 0.0), default=None)
+
+
+def way(p_ned: Vec3, to_ned: Vec3) -> Vec3:
+    """From one place to another, m."""
+    return (to_ned[0] - p_ned[0], to_ned[1] - p_ned[1], to_ned[2] - p_ned[2])
+
+
+def _dot(a: Vec3, b: Vec3) -> float:
+    """By hand: the last bit of BLAS is another on another processor."""
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
 class TargetAssignment:

@@ -91,7 +91,7 @@ def test_meetings_are_those_of_the_ground_station() -> None:
     for _ in range(100):
         offset, v = rng.uniform(-20, 20, 3), rng.uniform(-2, 2, 3)
         assert meeting_s(list(offset), list(v), 5.0) == pytest.approx(ground_meeting_s(offset, v, 5.0))
-    assert begins_s(2.0) == ServiceTimes(*TANKER_TIMES).begins_in_s(2.0)
+    assert begins_s(2.0) == pytest.approx(ServiceTimes(*TANKER_TIMES).begins_in_s(2.0), abs=1e-12)
     assert own_bid(0.0, peer((0.0, 0.0, 0.0), 0.4, power_w=0.0), {}, [], RULES).slack_s == LONG_S
 
 

@@ -392,14 +392,14 @@ class Vehicle(Body):
             capacity_j=self.capacity_j,
             envelope=self.envelope(),
         )
-        self.charge(joules)
+        self.plant.charge(joules)
         if reason is not None:
             self._end_transfer(reason)
 
     def _settle(self, order: TransferOrder) -> str | None:
         back_j, reason = self.exchange.settle(order, self.capacity_j - self.remaining_j)
         if back_j:
-            self.charge(back_j)
+            self.plant.charge(back_j)
             self.announce(Severity.INFO, f"Took back {back_j} J that did not arrive")
         return reason
 

@@ -65,7 +65,7 @@ def inject_failure(context: ServiceContext, request: VehicleCommand, connection:
 
 def _go_wrong(vehicle: Vehicle, failure: Failure, joules: float, north_m: float, east_m: float) -> None:
     if failure is Failure.BATTERY:
-        vehicle.waste(joules)
+        vehicle.plant.waste(joules)
         vehicle.announce(Severity.CRITICAL, f"Injected: {joules:.0f} J of the battery are gone")
     else:
         vehicle.position_error_ned = (north_m, east_m, 0.0)

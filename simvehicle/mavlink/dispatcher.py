@@ -182,7 +182,7 @@ class Services:
 def _status_texts(severity: int, text: str, number: int) -> list[Any]:
     """STATUSTEXT, in chunks that share an id where one cannot hold the text; an empty part ends a full last chunk."""
     if len(text) <= TEXT_CHARACTERS:
-        return [message("STATUSTEXT")(severity=severity, text=text, id=0, chunk_seq=0)]
+        return [message("STATUSTEXT")(severity=severity, text=text)]
     parts = [text[at : at + TEXT_CHARACTERS] for at in range(0, len(text) + 1, TEXT_CHARACTERS)]
     return [
         message("STATUSTEXT")(severity=severity, text=part, id=1 + number % 65535, chunk_seq=seq)

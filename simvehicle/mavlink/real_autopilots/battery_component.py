@@ -137,7 +137,6 @@ class BatteryComponent:
         cell_mv = min(max(round(1e3 * volts / CELLS), 0), UNKNOWN_U16 - 1)
         drawn_j = self._cells.drawn_j
         return message("BATTERY_STATUS")(
-            id=0,
             battery_function=mav.MAV_BATTERY_FUNCTION_ALL,
             type=mav.MAV_BATTERY_TYPE_LIPO,
             temperature=32767,
@@ -146,12 +145,8 @@ class BatteryComponent:
             current_consumed=round(1e3 * drawn_j / (CELLS * CELL_FULL_V) / 3600.0),
             energy_consumed=math.floor(drawn_j / 100.0),
             battery_remaining=self.percent,
-            time_remaining=0,
             charge_state=mav.MAV_BATTERY_CHARGE_STATE_OK,
-            voltages_ext=(0, 0, 0, 0),
-            mode=0,
-            fault_bitmask=0,
         )
 
     def _text(self, text: str) -> Any:
-        return message("STATUSTEXT")(severity=mav.MAV_SEVERITY_INFO, text=text[:50], id=0, chunk_seq=0)
+        return message("STATUSTEXT")(severity=mav.MAV_SEVERITY_INFO, text=text[:50])

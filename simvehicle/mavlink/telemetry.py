@@ -43,7 +43,7 @@ def heartbeat(s: VehicleState) -> Any:
         type=mav.MAV_TYPE_QUADROTOR,
         autopilot=s.identity.autopilot,
         base_mode=base,
-        custom_mode=s.identity.custom_mode(s.mode),
+        custom_mode=s.identity.spoken[s.mode],
         system_status=mav.MAV_STATE_BOOT if s.booting else mav.MAV_STATE_STANDBY if s.landed else mav.MAV_STATE_ACTIVE,
         mavlink_version=3,
     )

@@ -12,7 +12,7 @@ from simvehicle.autopilot.parameters import Parameters
 from simvehicle.autopilot.snapshot import Vec3
 from simvehicle.law import step
 from simvehicle.law.dynamics import body_rates, ned_from_nwu, nwu_from_ned
-from simvehicle.law.plants import PaperPlant, Plant
+from simvehicle.law.plants import Plant
 
 STEP_MS = 4
 _POSITION, _VELOCITY = step.POSITION, step.VELOCITY
@@ -36,7 +36,7 @@ class Body:
     def __init__(self, parameters: Parameters, start: Start, plant: Plant | None = None) -> None:
         """`plant`: what it flies on; without one the paper's. Raises ValueError where that cannot fly so."""
         self.parameters = parameters
-        self.plant: Plant = PaperPlant() if plant is None else plant
+        self.plant = Plant() if plant is None else plant
         self.time_ms = 0
         self.ground = not start.airborne
         initial = parameters.flight()
@@ -81,8 +81,6 @@ class Body:
     def p_ned(self) -> Vec3:
         """Position in the local frame as the vehicle knows it, m."""
         north, west, up = self.plant.now[_POSITION]
-        if self.position_error_ned is AT_REST:
-            return north, -west, -up
         return _shifted((north, -west, -up), self.position_error_ned)
 
     @property
@@ -132,20 +130,6 @@ class Body:
     def control_effort(self) -> float:
         """Integral of the control inputs' sizes."""
         return self.plant.now[step.EFFORT]
-
-    def charge(self, joules: float) -> None:
-        """Put energy into the battery, or take it out where negative."""
-        self._add(step.REMAINING_J, joules)
-
-    def waste(self, joules: float) -> None:
-        """Lose energy at once, as far as there is any; it counts as drawn."""
-        gone_j = min(joules, self.remaining_j)
-        self._add(step.REMAINING_J, -gone_j)
-        self._add(step.DRAWN_J, gone_j)
-
-    def _add(self, account: int, joules: float) -> None:
-        self.plant.state[0, account] += joules
-        self.plant.now = self.plant.state[0].tolist()
 
     def fly(self, steps: int, wanted: ManeuverTarget, *, yaw_ned_rad: float, motors: bool) -> None:
         """Fly some steps of 4 ms towards a set point; `time_ms` is the caller's to move."""

@@ -16,7 +16,7 @@ def _px4(main: int, sub: int = 0) -> int:
 
 @dataclass(frozen=True)
 class Identity:
-    """One autopilot's numbers; `spoken` is what HEARTBEAT says of a mode, `requestable` what a mode request may say.
+    """One autopilot's numbers; `spoken` is HEARTBEAT's number of a mode, `requestable` what a mode request may say.
 
     `modes_packed`: MAV_CMD_DO_SET_MODE carries main and sub mode in two parameters. `guided`: one mode is both offboard
     and holding, so that it may be entered without set points. `item_0_is_home`: missions begin with home, which is not
@@ -32,10 +32,6 @@ class Identity:
     guided: bool
     item_0_is_home: bool
     capabilities: int
-
-    def custom_mode(self, mode: Mode) -> int:
-        """HEARTBEAT.custom_mode of a mode."""
-        return self.spoken[mode]
 
 
 _COMMON_CAPABILITIES = (

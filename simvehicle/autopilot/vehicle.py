@@ -209,7 +209,7 @@ class Vehicle(Body):
         """Begin or end a transfer; the reason where it is refused."""
         if order.role is TransferSide.STOP:
             if self.transfer is not None and self.transfer.stopped_by(order):
-                self._end_transfer("stopped")
+                self.end_transfer("stopped")
             return None
         if order.role is TransferSide.SETTLE:
             return self._settle(order)
@@ -360,7 +360,7 @@ class Vehicle(Body):
             self.announce(rule.severity, rule.text)
             self.on_change()
         if self.mode is not Mode.REFUEL and self.transfer is not None:
-            self._end_transfer(f"mode {self.mode}")
+            self.end_transfer(f"mode {self.mode}")
 
     def _enter(self, mode: Mode) -> None:
         """Fix what a mode keeps while it lasts: the place where the vehicle can come to rest, or stands."""
@@ -392,18 +392,19 @@ class Vehicle(Body):
             capacity_j=self.capacity_j,
             envelope=self.envelope(),
         )
-        self.charge(joules)
+        self.plant.charge(joules)
         if reason is not None:
-            self._end_transfer(reason)
+            self.end_transfer(reason)
 
     def _settle(self, order: TransferOrder) -> str | None:
         back_j, reason = self.exchange.settle(order, self.capacity_j - self.remaining_j)
         if back_j:
-            self.charge(back_j)
+            self.plant.charge(back_j)
             self.announce(Severity.INFO, f"Took back {back_j} J that did not arrive")
         return reason
 
-    def _end_transfer(self, reason: str) -> None:
+    def end_transfer(self, reason: str) -> None:
+        """End the own side of a transfer, if there is one."""
         if self.transfer is not None:
             self.announce(Severity.INFO, f"{self.exchange.end(self.time_s)}: {reason}")
             self.trigger(Trigger.REFUEL_END)

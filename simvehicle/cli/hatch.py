@@ -9,12 +9,13 @@ import sys
 from collections.abc import Callable, Sequence
 from functools import partial
 from importlib import import_module
+from itertools import pairwise
 from pathlib import Path
 
 import click
 
-from simvehicle.cli.argv import sysid_of, title_of
 from simvehicle.cli.command import cli, reported, run_argv
+from simvehicle.cli.vehicle import LAST_SYSID, prepare
 from simvehicle.loading import loaded, uncollected
 
 OWN_PROCESS = {"-h", "--help", "--version", "--state"}
@@ -55,8 +56,6 @@ def _prepare(argv: Sequence[str]) -> Callable[[], int]:
     alone = partial(run_argv, argv)
     if argv[:1] != ["--sysid"] or any(word.partition("=")[0] in OWN_PROCESS for word in argv):
         return alone
-    from simvehicle.cli.vehicle import prepare
-
     try:
         with cli.make_context("simvehicle", list(argv)) as context:
             return partial(reported, prepare(**context.params))
@@ -69,7 +68,6 @@ def _rehearse_start() -> None:
     import tempfile
 
     from simvehicle.autopilot.geodesy import LocalFrame
-    from simvehicle.cli import vehicle  # noqa: F401
     from simvehicle.cli.files import read_parameters
     from simvehicle.sitl import block, link, storage, traffic  # noqa: F401 - loaded here, once, for all vehicles
 
@@ -81,3 +79,23 @@ def _rehearse_start() -> None:
         file.flush()
         read_parameters(Path(file.name), {})
     link.open_socket(link.parse_supervisor("udpout:127.0.0.1:9")).close()
+
+
+def sysid_of(argv: Sequence[str]) -> int:
+    """The system id that an argv stands for; 255 for traffic, 0 where it names none."""
+    if argv and argv[0] == "traffic":
+        return 255
+    for word, following in pairwise(argv):
+        if word == "--sysid" and following.isdecimal():
+            return int(following)
+    return 0
+
+
+def title_of(argv: Sequence[str]) -> str:
+    """Process title of this argv: `simvehicle 3`, a block `simvehicle 3-27`, or `simvehicle traffic`."""
+    first = sysid_of(argv)
+    if not 0 < first <= LAST_SYSID:
+        return "simvehicle traffic" if first else "simvehicle"
+    counts = [int(following) for word, following in pairwise(argv) if word == "--count" and following.isdecimal()]
+    last = first + (counts[-1] if counts else 1) - 1
+    return f"simvehicle {first}" if last == first else f"simvehicle {first}-{last}"

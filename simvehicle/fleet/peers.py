@@ -9,7 +9,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from enum import IntEnum
-from typing import NamedTuple
+from itertools import islice
+from typing import Any, NamedTuple
 
 from simvehicle.autopilot.parameters import float32
 from simvehicle.autopilot.snapshot import Vec3
@@ -96,58 +97,25 @@ class ServiceReport(NamedTuple):
 
 
 def row_of(report: PeerReport) -> tuple[float, ...]:
-    """A report as it travels, without its time."""
-    return (
-        float(report.stage),
-        float(report.partner),
-        float(report.up),
-        *report.p_ned,
-        *report.v_ned,
-        report.remaining_j,
-        report.capacity_j,
-        report.power_w,
-        report.bid_s,
-        report.slack_s,
-        report.way_s,
-        report.ln_v,
-        float(report.given_j),
-        report.since_s,
-        float(report.by),
-        *report.meet_ned,
-    )
+    """A report as it travels, without its time: its numbers in the order of its fields."""
+    return tuple(float(x) for value in report[1:] for x in (value if isinstance(value, tuple) else (value,)))
 
 
 ROW = len(row_of(PeerReport(0.0)))
+BY = ROW - 4
+"""Place in a row of the rule; a vector is behind it."""
 
 
 def report_of(time_s: float, row: Sequence[float]) -> PeerReport | None:
     """A report from the numbers that came; None where they are none."""
     if len(row) < ROW or not all(map(math.isfinite, row[:ROW])) or max(map(abs, row[3:9])) > FARTHEST_M:
         return None
-    stage, partner, up, n, e, d, vn, ve, vd, remaining, capacity, power, bid, slack, way, ln_v, given, since, by = row[
-        :19
-    ]
-    if stage not in tuple(PeerStage) or by not in tuple(DecidedBy) or not 0.0 <= partner <= 255.0:
+    if row[0] not in tuple(PeerStage) or row[BY] not in tuple(DecidedBy) or not 0.0 <= row[1] <= 255.0:
         return None
-    return PeerReport(
-        time_s,
-        PeerStage(int(stage)),
-        int(partner),
-        bool(up),
-        (n, e, d),
-        (vn, ve, vd),
-        remaining,
-        capacity,
-        power,
-        bid,
-        slack,
-        way,
-        ln_v,
-        int(given),
-        since,
-        DecidedBy(int(by)),
-        (row[19], row[20], row[21]),
-    )
+    numbers = iter(row)
+    kinds: list[Any] = [type(default) for default in PeerReport._field_defaults.values()]  # of all fields but the time
+    values: Any = (tuple(islice(numbers, 3)) if kind is tuple else kind(next(numbers)) for kind in kinds)
+    return PeerReport(time_s, *values)
 
 
 def as_sent(report: PeerReport) -> PeerReport:

@@ -252,8 +252,7 @@ class Receiver:
 
     def _stop_own(self, now_s: float) -> None:
         """End the own side of a transfer, whoever ended the other one; what it credited is known for good."""
-        if self._vehicle.transfer is not None:
-            self._vehicle.order(TransferOrder(0, TransferSide.STOP, 0.0, 0.0, 0, 0))
+        self._vehicle.end_transfer("stopped")
         if self._order is not None:
             credited_j = self._vehicle.received_j - self._in_at_start_j
             self._settlement.add(self.tanker, replace(self._order, partner=self._sysid), credited_j, now_s)

@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from simvehicle.autopilot.energy_transfer import TransferOrder, TransferSide
 from simvehicle.autopilot.modes import Severity
 from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.fleet.bids import HOPELESS_S, WORTH_J
@@ -81,18 +80,14 @@ class TankerDuty:
         given_j = self._vehicle.given_j - self._given_at_start_j
         start_s = now_s if service.start_s < 0.0 and self._vehicle.transfer is not None else service.start_s
         self.services[-1] = service._replace(energy_j=given_j, start_s=start_s)
-        if self._vehicle.transfer is not None and self.available_j <= 0.0:
-            self._stop()
+        if self.available_j <= 0.0:
+            self._vehicle.end_transfer("stopped")
         if receiver is not None:
             self._received_s = now_s
         gone = receiver is not None and receiver.time_s > self.since_s and receiver.partner != self._sysid
         late = service.start_s < 0.0 and now_s - self.since_s > MEET_WITHIN_S
         if gone or late or not up or now_s - self._received_s > SILENT_S:
-            self._stop()
+            self._vehicle.end_transfer("stopped")
             self.services[-1] = self.services[-1]._replace(end_s=now_s, ending=1 if given_j > 0 else 2)
             self._vehicle.announce(Severity.INFO, f"Has served {self.receiver}: {given_j} J")
             self.receiver = 0
-
-    def _stop(self) -> None:
-        if self._vehicle.transfer is not None:
-            self._vehicle.order(TransferOrder(0, TransferSide.STOP, 0.0, 0.0, 0, 0))

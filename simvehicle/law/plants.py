@@ -7,7 +7,6 @@ is the plant's to tell.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,50 +22,11 @@ from simvehicle.world.wind import DISCRETE_SIZE, GUST_NOISE
 Floats = list[float]
 
 
-class Plant(Protocol):
-    """Plant of one vehicle. `state` is its row, (1, n); `now` the same as plain floats."""
+class Plant:
+    """Plant of one vehicle: the paper's, of its eq. 3 (docs/model.md#rigid-body), which others are derived from.
 
-    state: NDArray[np.float64]
-    now: Floats
-
-    def tune(self, flight: VehicleParams) -> None:
-        """Fly with other parameters from the next step on."""
-
-    def parameters(self, flight: VehicleParams) -> VehicleParams:
-        """Parameters as they are in force on this plant."""
-
-    def start(
-        self,
-        flight: VehicleParams,
-        *,
-        position_nwu: Sequence[float],
-        velocity_nwu: Sequence[float],
-        attitude_rad: Sequence[float],
-        airborne: bool,
-    ) -> None:
-        """Place it before its first step."""
-
-    def advance(self, command: NDArray[np.float64], *, time_s: float, steps: int) -> NDArray[np.float64]:
-        """Fly some steps on; thrust per mass (1, steps), m/s²."""
-
-    @property
-    def motion(self) -> Floats:
-        """True motion: position, velocity, Euler angles and their rates, nwu."""
-
-    @property
-    def standing(self) -> bool:
-        """Whether it stands on the ground."""
-
-    @property
-    def electric(self) -> tuple[float, float] | None:
-        """Voltage in V and current in A at the battery; None where the plant has none."""
-
-
-_NO_NOISE = np.zeros(rotor_flight.NOISE_SIZE)
-
-
-class PaperPlant:
-    """The plant of the paper's eq. 3 (docs/model.md#rigid-body)."""
+    `state` is its row, (1, n); `now` the same as plain floats.
+    """
 
     def __init__(self) -> None:
         self.state = np.zeros((1, step.STATE_SIZE))
@@ -75,11 +35,11 @@ class PaperPlant:
         self._time_s = np.zeros(1)
 
     def tune(self, flight: VehicleParams) -> None:
-        """As the protocol."""
-        self._packed = pack(flight)[np.newaxis]
+        """Fly with other parameters from the next step on."""
+        self._packed = pack(self.parameters(flight))[np.newaxis]
 
     def parameters(self, flight: VehicleParams) -> VehicleParams:
-        """As the protocol."""
+        """Parameters as they are in force on this plant."""
         return flight
 
     def start(
@@ -91,47 +51,80 @@ class PaperPlant:
         attitude_rad: Sequence[float],
         airborne: bool,
     ) -> None:
-        """As the protocol."""
-        self.state = step.initial_state(
+        """Place it before its first step."""
+        flight = self.parameters(flight)
+        known = step.initial_state(
             flight, position_nwu=position_nwu, velocity_nwu=velocity_nwu, attitude_rad=attitude_rad, airborne=airborne
-        )[np.newaxis]
+        )
+        self._begin(flight, known, airborne=airborne)
         self.now = self.state[0].tolist()
 
+    def _begin(self, flight: VehicleParams, known: NDArray[np.float64], *, airborne: bool) -> None:
+        """Make the row of what the law knows at the start, (STATE_SIZE,)."""
+        self.state = known[np.newaxis]
+
     def advance(self, command: NDArray[np.float64], *, time_s: float, steps: int) -> NDArray[np.float64]:
-        """As the protocol."""
+        """Fly some steps on; thrust per mass (1, steps), m/s²."""
         flown, thrust = self.state.copy(), np.empty((1, steps))
         self._time_s[0] = time_s
-        step.fly_rows(flown, command, self._packed, self._time_s, STEP_S, thrust)
+        self._fly(flown, command, thrust)
         self.state = flown
         self.now = self.state[0].tolist()
         return thrust
 
+    def _fly(self, flown: NDArray[np.float64], command: NDArray[np.float64], thrust: NDArray[np.float64]) -> None:
+        """Fly a copy of the row on in place, and write the thrust of each step."""
+        step.fly_rows(flown, command, self._packed, self._time_s, STEP_S, thrust)
+
     @property
     def motion(self) -> Floats:
-        """As the protocol."""
+        """True motion: position, velocity, Euler angles and their rates, nwu."""
         return self.now
 
     @property
     def standing(self) -> bool:
-        """At rest at or below the ground's height, as it reports itself."""
+        """Whether it stands on the ground: at rest at or below its height, as it reports itself."""
         return self.now[step.POSITION][2] <= 0.0 and self.now[step.VELOCITY] == [0.0, 0.0, 0.0]
 
     @property
-    def electric(self) -> None:
-        """As the protocol: none."""
+    def electric(self) -> tuple[float, float] | None:
+        """Voltage in V and current in A at the battery; None where the plant has none."""
         return None
 
+    @property
+    def drawn_j(self) -> float:
+        """Drawn from the battery since the start."""
+        return self.now[step.DRAWN_J]
 
-class RotorPlant:
+    @property
+    def remaining_j(self) -> float:
+        """Left in the battery."""
+        return self.now[step.REMAINING_J]
+
+    def waste(self, joules: float) -> None:
+        """Lose energy at once, as far as there is any; it counts as drawn."""
+        gone_j = min(joules, self.remaining_j)
+        self.state[0, step.DRAWN_J] += gone_j
+        self.charge(-gone_j)
+
+    def charge(self, joules: float) -> None:
+        """Put energy into the battery, or take it out where negative."""
+        self.state[0, step.REMAINING_J] += joules
+        self.now = self.state[0].tolist()
+
+
+_NO_NOISE = np.zeros(rotor_flight.NOISE_SIZE)
+
+
+class RotorPlant(Plant):
     """A rigid body on four rotors, in weather (docs/model.md#rotors)."""
 
     def __init__(self, own: WorldVehicle, air: Air = STILL_AIR, *, seed: int = 0, sysid: int = 0) -> None:
         """`seed` and `sysid`: of what is random in its wind and in its estimate, each a stream of its own."""
+        super().__init__()
         self.own = own
         self._air = air
         self.state = np.zeros((1, rotor_flight.ROTOR_STATE_SIZE))
-        self.now: Floats = []
-        self._packed = np.zeros((1, 0))
         self._frame = airframes.pack(own.airframe, air.density_kg_m3)[np.newaxis]
         self._weather = np.zeros((1, 0))
         self._gusts = np.array(air.gusts_nwu, dtype=np.float64).reshape(-1, DISCRETE_SIZE)
@@ -139,8 +132,8 @@ class RotorPlant:
         self._random = [np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(sysid, k))) for k in range(2)]
 
     def tune(self, flight: VehicleParams) -> None:
-        """As the protocol."""
-        self._packed = pack(self.parameters(flight))[np.newaxis]
+        """As every plant; and let its weather and its battery be those of now."""
+        super().tune(flight)
         capacity_j = flight.battery.capacity_j
         ohm = self.own.resistance_ohm
         self._weather = rotor_flight.weather_row(
@@ -152,30 +145,13 @@ class RotorPlant:
         self.state[0, rotor_flight.CAPACITY_J] = capacity_j
 
     def parameters(self, flight: VehicleParams) -> VehicleParams:
-        """As the protocol. Raises ValueError where its rotors cannot lift it."""
+        """As every plant. Raises ValueError where its rotors cannot lift it."""
         return rotor_flight.on_rotors(flight, self.own.airframe, self._air.density_kg_m3)
 
-    def start(
-        self,
-        flight: VehicleParams,
-        *,
-        position_nwu: Sequence[float],
-        velocity_nwu: Sequence[float],
-        attitude_rad: Sequence[float],
-        airborne: bool,
-    ) -> None:
-        """As the protocol."""
-        self.state = rotor_flight.initial_state(
-            self.parameters(flight),
-            position_nwu=position_nwu,
-            velocity_nwu=velocity_nwu,
-            attitude_rad=attitude_rad,
-            airborne=airborne,
-            airframe=self.own.airframe,
-        )[np.newaxis]
+    def _begin(self, flight: VehicleParams, known: NDArray[np.float64], *, airborne: bool) -> None:
+        self.state = rotor_flight.initial_state(flight, known, self.own.airframe, airborne=airborne)[np.newaxis]
         self._blow()
         rotor_flight.start_weather(self.state[0], self._weather[0], self._noise(1)[0, 0])
-        self.now = self.state[0].tolist()
 
     def _blow(self) -> None:
         """Let the mean wind of the place blow, where it is not the same everywhere."""
@@ -183,22 +159,11 @@ class RotorPlant:
             here = self.state[0, rotor_flight.TRUE_POSITION].tolist()
             rotor_flight.blow(self._weather[0], self._air.mean_at_nwu(here))
 
-    def advance(self, command: NDArray[np.float64], *, time_s: float, steps: int) -> NDArray[np.float64]:
-        """As the protocol. A wind by place is that of the stretch's beginning."""
+    def _fly(self, flown: NDArray[np.float64], command: NDArray[np.float64], thrust: NDArray[np.float64]) -> None:
+        """As every plant. A wind by place is that of the stretch's beginning."""
         self._blow()
-        self.state, thrust = rotor_flight.advance(
-            self.state,
-            command,
-            self._packed,
-            self._frame,
-            time_s=time_s,
-            steps=steps,
-            weather=self._weather,
-            gusts=self._gusts,
-            noise=self._noise(steps),
-        )
-        self.now = self.state[0].tolist()
-        return thrust
+        rows = command, self._packed, self._frame, self._weather, self._gusts, self._noise(thrust.shape[1])
+        rotor_flight.fly_rows(flown, *rows, self._time_s, STEP_S, thrust)
 
     def turn(self, wanted_rad_s: Sequence[float], *, time_s: float, dt_s: float) -> Floats:
         """One step by the rotor speeds (4,) that another autopilot wants; it knows its motion exactly. The specific
@@ -224,7 +189,7 @@ class RotorPlant:
 
     @property
     def motion(self) -> Floats:
-        """As the protocol."""
+        """As every plant."""
         now = self.now
         if self.own.errors is None:
             return now
@@ -233,29 +198,8 @@ class RotorPlant:
 
     @property
     def standing(self) -> bool:
-        """As the protocol."""
+        """As every plant."""
         return self.now[step.CONTACT] != 0.0
-
-    @property
-    def drawn_j(self) -> float:
-        """Drawn from the battery since the start."""
-        return self.now[step.DRAWN_J]
-
-    @property
-    def remaining_j(self) -> float:
-        """Left in the battery."""
-        return self.now[step.REMAINING_J]
-
-    def waste(self, joules: float) -> None:
-        """Lose energy at once, as far as there is any; it counts as drawn."""
-        gone_j = min(joules, self.remaining_j)
-        self.state[0, step.DRAWN_J] += gone_j
-        self.charge(-gone_j)
-
-    def charge(self, joules: float) -> None:
-        """Put energy into the battery, or take it out where negative."""
-        self.state[0, step.REMAINING_J] += joules
-        self.now = self.state[0].tolist()
 
     @property
     def electric(self) -> tuple[float, float]:

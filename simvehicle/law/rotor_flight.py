@@ -20,62 +20,14 @@ from numpy.typing import NDArray
 
 from simvehicle.kernels import kernel
 from simvehicle.law import controller, differentiator, dynamics, guidance, params, power, step
-from simvehicle.law.params import (
-    P_AVIONICS_W,
-    P_DRAG,
-    P_GRAVITY,
-    P_HOVER_W,
-    PARAMS_SIZE,
-    STEP_S,
-    Airframe,
-    VehicleParams,
-)
-from simvehicle.law.step import (
-    CMD_GROUND,
-    CMD_MOTORS,
-    CMD_TIME_S,
-    COMMAND_SIZE,
-    CONTACT,
-    DRAWN_J,
-    EFFORT,
-    REMAINING_J,
-    STARTED,
-    STATE_SIZE,
-    control,
-    guide_on,
-    set_reference,
-    start_afresh,
-)
+from simvehicle.law.params import P_AVIONICS_W, P_DRAG, P_GRAVITY, P_HOVER_W, Airframe, VehicleParams
+from simvehicle.law.step import CONTACT, DRAWN_J, REMAINING_J, STATE_SIZE
 from simvehicle.world import airframes, estimate, rotors, wind
 from simvehicle.world import power as rotor_power
-from simvehicle.world.airframes import (
-    A_HOVER_W,
-    A_MASS,
-    A_SIZE,
-    A_THRUST,
-    GRAVITY_M_S2,
-    HEADROOM,
-    SEA_LEVEL_KG_M3,
-    RotorAirframe,
-)
-from simvehicle.world.estimate import ERROR_SIZE, EstimateErrors, error_step
-from simvehicle.world.power import discharge, shaft_power
-from simvehicle.world.rotors import (
-    B_POSITION,
-    B_QUATERNION,
-    B_RATES,
-    B_ROTORS,
-    B_VELOCITY,
-    BODY_SIZE,
-    SCRATCH_SIZE,
-    allocate,
-    body_step,
-    euler_of,
-    meet_ground,
-    moments_of,
-    rotated,
-)
-from simvehicle.world.wind import DISCRETE_SIZE, GUST_NOISE, GUST_SIZE, discrete, turbulence
+from simvehicle.world.airframes import A_HOVER_W, A_MASS, A_THRUST, GRAVITY_M_S2, SEA_LEVEL_KG_M3, RotorAirframe
+from simvehicle.world.estimate import ERROR_SIZE, EstimateErrors
+from simvehicle.world.rotors import B_POSITION, B_QUATERNION, B_RATES, B_ROTORS, B_VELOCITY, BODY_SIZE, SCRATCH_SIZE
+from simvehicle.world.wind import GUST_NOISE, GUST_SIZE
 
 Row = NDArray[np.float64]
 
@@ -100,7 +52,6 @@ W_DEVIATION = slice(6, 10)  # of the estimate: position, velocity, angles, rates
 W_TIME_S = slice(10, 14)
 W_OHM = 14  # inner resistance of the battery
 WEATHER_SIZE = 15
-NO_GUSTS = np.zeros((0, DISCRETE_SIZE))
 NOISE_SIZE = GUST_NOISE + ERROR_SIZE
 """Normal numbers that a step takes: the wind's, then the estimate's."""
 _ANGLE, _RATE = step.ATTITUDE.start, step.RATES.start
@@ -121,7 +72,7 @@ _REF_V, _REF_A = step.REFERENCE_VELOCITY.start, step.REFERENCE_ACCELERATION.star
 def _see(s: Row, body: Row, error: Row) -> None:
     """Write what the law knows of its motion: the body's, its attitude as Euler angles with their rates, and errors.
     Standing, it knows that it stands, and how."""
-    roll, pitch, yaw = euler_of(body[B_QUATERNION : B_QUATERNION + 4])
+    roll, pitch, yaw = rotors.euler_of(body[B_QUATERNION : B_QUATERNION + 4])
     p, q, r = body[B_RATES], body[B_RATES + 1], body[B_RATES + 2]
     sin_roll, cos_roll = np.sin(roll), np.cos(roll)
     yaw_rate = (q * sin_roll + r * cos_roll) / max(np.cos(pitch), _LEAST_COSINE)
@@ -158,11 +109,11 @@ def _observe(s: Row, p: Row, u1: float, dt: float) -> None:
 def _blow(s: Row, body: Row, w: Row, gusts: Row, noise: Row, t: float, dt: float) -> None:
     """Write the wind of the step that begins at t."""
     now = s[_WIND:_WIND_END]
-    x, y, z = discrete(gusts, t)
+    x, y, z = wind.discrete(gusts, t)
     if w[W_20] > 0.0:
         dx, dy, dz = body[3] - now[0], body[4] - now[1], body[5] - now[2]
         air_speed = np.sqrt(dx * dx + dy * dy + dz * dz)
-        along, left, up = turbulence(s[_GUST:_GUST_END], noise, body[2], air_speed, w[W_20], dt)
+        along, left, up = wind.turbulence(s[_GUST:_GUST_END], noise, body[2], air_speed, w[W_20], dt)
         x += w[_W_ALONG] * along - w[_W_ALONG + 1] * left
         y += w[_W_ALONG + 1] * along + w[_W_ALONG] * left
         z += up
@@ -170,19 +121,23 @@ def _blow(s: Row, body: Row, w: Row, gusts: Row, noise: Row, t: float, dt: float
 
 
 @njit(error_model="numpy")
-def _draw(s: Row, body: Row, p: Row, a: Row, w: Row, thrust_n: float, dt: float) -> None:
-    """Take a step's energy from the battery, at most what is left (docs/model.md#rotor-power)."""
+def _draw(s: Row, body: Row, p: Row, a: Row, w: Row, dt: float) -> float:
+    """Take a step's energy from the battery, at most what is left (docs/model.md#rotor-power); the thrust, N."""
+    thrust_n = 0.0
+    for i in range(4):
+        thrust_n += a[A_THRUST] * body[B_ROTORS + i] * body[B_ROTORS + i]
     q = body[B_QUATERNION : B_QUATERNION + 4]
-    ux, uy, uz = rotated(q, body[3] - s[_WIND], body[4] - s[_WIND + 1], body[5] - s[_WIND + 2], -1.0)
-    shaft_w = shaft_power(thrust_n, body[B_ROTORS : B_ROTORS + 4], np.sqrt(ux * ux + uy * uy), uz, a)
+    ux, uy, uz = rotors.rotated(q, body[3] - s[_WIND], body[4] - s[_WIND + 1], body[5] - s[_WIND + 2], -1.0)
+    shaft_w = rotor_power.shaft_power(thrust_n, body[B_ROTORS : B_ROTORS + 4], np.sqrt(ux * ux + uy * uy), uz, a)
     power_w = shaft_w * p[P_HOVER_W] / a[A_HOVER_W] + p[P_AVIONICS_W]
     left_j = max(s[REMAINING_J], 0.0)
     if left_j == 0.0:
         power_w = 0.0
-    s[VOLTAGE_V], s[CURRENT_A], taken_w = discharge(power_w, left_j / s[CAPACITY_J], w[W_OHM])
+    s[VOLTAGE_V], s[CURRENT_A], taken_w = rotor_power.discharge(power_w, left_j / s[CAPACITY_J], w[W_OHM])
     drawn_j = min(taken_w * dt, left_j)
     s[DRAWN_J] += drawn_j
     s[REMAINING_J] -= drawn_j
+    return thrust_n
 
 
 @njit(error_model="numpy")
@@ -194,36 +149,33 @@ def _step(
     u1 = tau2 = tau3 = tau4 = 0.0
     body, wanted = s[_BODY:_BODY_END], scratch[SCRATCH_SIZE : SCRATCH_SIZE + 4]
     x, y, stood = body[0], body[1], s[CONTACT] != 0.0
-    running = c[CMD_MOTORS] != 0.0 and s[REMAINING_J] > 0.0
+    running = c[step.CMD_MOTORS] != 0.0 and s[REMAINING_J] > 0.0
     if running:
-        set_reference(s, c, p, guide, linear, t)
+        step.set_reference(s, c, p, guide, linear, t)
         for i in range(3):
             s[_REF_A + i] -= s[_OBSERVER + 3 + i]
-        u1, tau2, tau3, tau4 = control(s, c, p, yaw, dt)
-        guide_on(s, c, p, guide, yaw, t, dt)
-        mx, my, mz = moments_of(s[_ANGLE : _ANGLE + 3], s[_RATE : _RATE + 3], tau2, tau3, tau4, a)
-        allocate(a[A_MASS] * u1, mx, my, mz, a, wanted)
+        u1, tau2, tau3, tau4 = step.control(s, c, p, yaw, dt)
+        step.guide_on(s, c, p, guide, yaw, t, dt)
+        mx, my, mz = rotors.moments_of(s[_ANGLE : _ANGLE + 3], s[_RATE : _RATE + 3], tau2, tau3, tau4, a)
+        rotors.allocate(a[A_MASS] * u1, mx, my, mz, a, wanted)
     else:
         wanted[:] = 0.0
     _observe(s, p, u1, dt)
     _blow(s, body, w, gusts, noise, t, dt)
-    body_step(body, wanted, s[_WIND:_WIND_END], a, dt, scratch)
-    s[CONTACT] = 1.0 if c[CMD_GROUND] != 0.0 and meet_ground(body, x, y, stood) else 0.0
+    rotors.body_step(body, wanted, s[_WIND:_WIND_END], a, dt, scratch)
+    s[CONTACT] = 1.0 if c[step.CMD_GROUND] != 0.0 and rotors.meet_ground(body, x, y, stood) else 0.0
     error = s[_ERROR:_ERROR_END]
-    error_step(error, noise[GUST_NOISE:], w[_W_DEVIATION : _W_DEVIATION + 4], decays)
+    estimate.error_step(error, noise[GUST_NOISE:], w[_W_DEVIATION : _W_DEVIATION + 4], decays)
     _see(s, body, error)
-    thrust = 0.0
-    for i in range(4):
-        thrust += a[A_THRUST] * body[B_ROTORS + i] * body[B_ROTORS + i]
-    _draw(s, body, p, a, w, thrust, dt)
-    s[EFFORT] += power.effort_rate(u1, tau2, tau3, tau4) * dt
+    thrust = _draw(s, body, p, a, w, dt)
+    s[step.EFFORT] += power.effort_rate(u1, tau2, tau3, tau4) * dt
     if not running:
-        start_afresh(s, p, guide, yaw, linear)
+        step.start_afresh(s, p, guide, yaw, linear)
     thrust_m_s2: float = thrust / a[A_MASS]
     return thrust_m_s2
 
 
-def _compiled(build: int) -> tuple[Callable[..., Any], Callable[..., Any], Callable[..., Any]]:
+def _compiled(build: int) -> tuple[Callable[..., Any], Callable[..., Any]]:
     """The entries that numba keeps on disk, with `build` as a part of their key (see step.py)."""
 
     @kernel(error_model="numpy")
@@ -246,24 +198,16 @@ def _compiled(build: int) -> tuple[Callable[..., Any], Callable[..., Any], Calla
             for i in range(4):
                 decays[i] = np.exp(-dt / w[_W_TIME_S + i])
             linear = s[_LINEAR:_LINEAR_END]
-            if linear[guidance.LINEAR_STAMP] != c[CMD_TIME_S]:
-                linear[guidance.LINEAR_STAMP] = c[CMD_TIME_S]
+            if linear[guidance.LINEAR_STAMP] != c[step.CMD_TIME_S]:
+                linear[guidance.LINEAR_STAMP] = c[step.CMD_TIME_S]
                 linear[guidance.LINEAR_SINCE] = times[vehicle]
                 for i in range(3):
                     linear[guidance.LINEAR_START + i] = s[_REF_V + i]
             for k in range(thrust.shape[1]):
                 t = times[vehicle] + k * dt
                 thrust[vehicle, k] = _step(s, c, p, a, w, gusts, noise[vehicle, k], decays, t, dt, scratch)
-            if s[STARTED] != 0.0:
-                set_reference(s, c, p, s[_GUIDE:_GUIDE_END], linear, times[vehicle] + thrust.shape[1] * dt)
-
-    @kernel(error_model="numpy")
-    def drive(body: Row, wanted: Row, wind: Row, a: Row, dt: float, path: Row) -> None:
-        _ = build
-        scratch = np.zeros(SCRATCH_SIZE)
-        for k in range(path.shape[0]):
-            body_step(body, wanted[k], wind[k], a, dt, scratch)
-            path[k] = body
+            if s[step.STARTED] != 0.0:
+                step.set_reference(s, c, p, s[_GUIDE:_GUIDE_END], linear, times[vehicle] + thrust.shape[1] * dt)
 
     @kernel(error_model="numpy")
     def turn(
@@ -277,18 +221,15 @@ def _compiled(build: int) -> tuple[Callable[..., Any], Callable[..., Any], Calla
             if s[REMAINING_J] <= 0.0:
                 wanted[i] = 0.0
         _blow(s, body, w, gusts, noise, t, dt)
-        body_step(body, wanted, s[_WIND:_WIND_END], a, dt, scratch)
-        s[CONTACT] = 1.0 if meet_ground(body, x, y, stood) else 0.0
+        rotors.body_step(body, wanted, s[_WIND:_WIND_END], a, dt, scratch)
+        s[CONTACT] = 1.0 if rotors.meet_ground(body, x, y, stood) else 0.0
         _see(s, body, scratch[:ERROR_SIZE] * 0.0)
-        thrust = 0.0
-        for i in range(4):
-            thrust += a[A_THRUST] * body[B_ROTORS + i] * body[B_ROTORS + i]
-        _draw(s, body, p, a, w, thrust, dt)
+        _draw(s, body, p, a, w, dt)
         fx, fy = (body[B_VELOCITY] - vx) / dt, (body[B_VELOCITY + 1] - vy) / dt
         fz = (body[B_VELOCITY + 2] - vz) / dt + GRAVITY_M_S2
-        force[0], force[1], force[2] = rotated(body[B_QUATERNION : B_QUATERNION + 4], fx, fy, fz, -1.0)
+        force[0], force[1], force[2] = rotors.rotated(body[B_QUATERNION : B_QUATERNION + 4], fx, fy, fz, -1.0)
 
-    return fly, drive, turn
+    return fly, turn
 
 
 def _checksum() -> int:
@@ -297,8 +238,12 @@ def _checksum() -> int:
     return zlib.crc32(b"".join(Path(str(module.__file__)).read_bytes() for module in modules))
 
 
-_fly, _drive, turn_row = _compiled(_checksum())
-"""turn_row: one step of a vehicle that another autopilot flies, over ground, from (state (ROTOR_STATE_SIZE,) of known
+fly_rows, turn_row = _compiled(_checksum())
+"""fly_rows: (states (n, ROTOR_STATE_SIZE), commands, packed params of `on_rotors`, packed airframes, weathers (n,
+WEATHER_SIZE), discrete gusts (m, DISCRETE_SIZE) that blow on all, noise (n, k, NOISE_SIZE), times (n,), dt, thrust
+(n, k)), as `step.fly_rows`; the rotors' thrust per mass, m/s², is that after every step.
+
+turn_row: one step of a vehicle that another autopilot flies, over ground, from (state (ROTOR_STATE_SIZE,) of known
 motion, rotor speeds (4,) that it wants, packed params, packed airframe, weather, gusts, noise (NOISE_SIZE,), time, dt,
 force (3,)); in place and unchecked. What is written last is the specific force about the body's axes, m/s²: all that
 acts on it but gravity, per mass."""
@@ -311,7 +256,7 @@ def on_rotors(flight: VehicleParams, airframe: RotorAirframe, density_kg_m3: flo
         ValueError: in air of this density the rotors cannot lift it.
     """
     share = density_kg_m3 / SEA_LEVEL_KG_M3
-    spare = HEADROOM * share * airframe.greatest_thrust_m_s2
+    spare = airframes.HEADROOM * share * airframe.greatest_thrust_m_s2
     body = Airframe(
         mass_kg=airframe.mass_kg,
         gravity_m_s2=GRAVITY_M_S2,
@@ -323,19 +268,12 @@ def on_rotors(flight: VehicleParams, airframe: RotorAirframe, density_kg_m3: flo
 
 
 def initial_state(
-    flight: VehicleParams,
-    *,
-    position_nwu: Sequence[float],
-    velocity_nwu: Sequence[float],
-    attitude_rad: Sequence[float],
-    airborne: bool,
-    airframe: RotorAirframe,
+    flight: VehicleParams, known: NDArray[np.float64], airframe: RotorAirframe, *, airborne: bool
 ) -> NDArray[np.float64]:
-    """State before the first step, (ROTOR_STATE_SIZE,), as `step.initial_state`; rotors turn where it is airborne."""
+    """State before the first step, (ROTOR_STATE_SIZE,), with what the law knows by `step.initial_state`; rotors turn
+    where it is airborne."""
     state = np.zeros(ROTOR_STATE_SIZE)
-    state[:STATE_SIZE] = step.initial_state(
-        flight, position_nwu=position_nwu, velocity_nwu=velocity_nwu, attitude_rad=attitude_rad, airborne=airborne
-    )
+    state[:STATE_SIZE] = known
     state[TRUE_POSITION], state[TRUE_VELOCITY] = state[step.POSITION], state[step.VELOCITY]
     roll, pitch, yaw = (float(angle) for angle in state[step.ATTITUDE])
     rotors.quaternion_of(roll, pitch, yaw, state[TRUE_QUATERNION])
@@ -346,11 +284,7 @@ def initial_state(
 
 
 def weather_row(
-    *,
-    mean_nwu: Sequence[float] = (0.0, 0.0, 0.0),
-    w20_m_s: float = 0.0,
-    errors: EstimateErrors | None = None,
-    resistance_ohm: float = 0.0,
+    *, mean_nwu: Sequence[float], w20_m_s: float, errors: EstimateErrors | None, resistance_ohm: float
 ) -> NDArray[np.float64]:
     """Weather of one vehicle (WEATHER_SIZE,): mean wind, m/s; the wind at 20 ft that sets the turbulence, none with 0;
     errors of its estimate, none without; its battery's resistance. Turbulence lies along the mean wind, else north."""
@@ -380,82 +314,3 @@ def start_weather(state: NDArray[np.float64], weather: NDArray[np.float64], nois
     known = 3 if state[CONTACT] != 0.0 else ERROR_SIZE
     state[:known] += state[ERROR][:known]
     state[step.ATTITUDE][2] = dynamics.wrap_angle(float(state[step.ATTITUDE][2]))
-
-
-def advance(
-    state: NDArray[np.float64],
-    command: NDArray[np.float64],
-    packed_params: NDArray[np.float64],
-    packed_airframe: NDArray[np.float64],
-    *,
-    time_s: float,
-    steps: int,
-    dt_s: float = STEP_S,
-    weather: NDArray[np.float64] | None = None,
-    gusts: NDArray[np.float64] = NO_GUSTS,
-    noise: NDArray[np.float64] | None = None,
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Fly n vehicles k steps on. Pure: the arguments stay as they are.
-
-    Args:
-        state: (n, ROTOR_STATE_SIZE).
-        command: (n, COMMAND_SIZE), as for `step.advance`.
-        packed_params: (n, PARAMS_SIZE), of `on_rotors`.
-        packed_airframe: (n, A_SIZE), from `airframes.pack`.
-        time_s: time of the state, s.
-        steps: k.
-        dt_s: a step, s.
-        weather: (n, WEATHER_SIZE), from `weather_row`; without it still air and a perfect estimate.
-        gusts: (m, DISCRETE_SIZE), discrete gusts that blow on all (wind.py).
-        noise: (n, k, NOISE_SIZE), normal numbers; zeros without.
-
-    Returns:
-        state (n, ROTOR_STATE_SIZE) at time_s + k dt_s, and the rotors' thrust per mass (n, k) in m/s² after every step.
-
-    Raises:
-        ValueError: an array of another shape.
-    """
-    n = state.shape[0]
-    if weather is None:
-        weather = np.tile(weather_row(), (n, 1))
-    if noise is None:
-        noise = np.zeros((n, steps, NOISE_SIZE))
-    if noise.shape != (n, steps, NOISE_SIZE):
-        raise ValueError(f"noise has shape {noise.shape}, but needs ({n}, {steps}, {NOISE_SIZE})")
-    for name, array, width in (
-        ("weather", weather, WEATHER_SIZE),
-        ("state", state, ROTOR_STATE_SIZE),
-        ("command", command, COMMAND_SIZE),
-        ("packed_params", packed_params, PARAMS_SIZE),
-        ("packed_airframe", packed_airframe, A_SIZE),
-    ):
-        if array.shape != (n, width):
-            raise ValueError(f"{name} has shape {array.shape}, but needs ({n}, {width})")
-    flown = np.array(state, dtype=np.float64, order="C")
-    thrust = np.empty((n, steps))
-    times = np.full(n, float(time_s))
-    rows = (_plain(command), _plain(packed_params), _plain(packed_airframe), _plain(weather))
-    _fly(flown, *rows, _plain(gusts), _plain(noise), times, float(dt_s), thrust)
-    return flown, thrust
-
-
-def drive(
-    body: NDArray[np.float64],
-    wanted_rad_s: NDArray[np.float64],
-    wind_nwu: NDArray[np.float64],
-    packed_airframe: NDArray[np.float64],
-    *,
-    dt_s: float,
-) -> NDArray[np.float64]:
-    """Motion of a body (BODY_SIZE,) alone, without law or ground, by the rotor speeds wanted in each of k steps (k, 4)
-    and the wind in each (k, 3): the body after each, (k, BODY_SIZE)."""
-    path = np.empty((len(wanted_rad_s), BODY_SIZE))
-    _drive(np.array(body), _plain(wanted_rad_s), _plain(wind_nwu), _plain(packed_airframe), float(dt_s), path)
-    return path
-
-
-def _plain(array: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The array as the one kind that the core is compiled for: float64, C order, writeable."""
-    if array.flags.c_contiguous and array.flags.writeable and array.dtype == np.float64:
-        return array
-    return np.array(array, dtype=np.float64, order="C")

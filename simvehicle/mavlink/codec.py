@@ -75,23 +75,24 @@ def _row(msgid: int) -> Schema:
     wire_order = zip(definition.ordered_fieldnames, definition.array_lengths, strict=True)
     arrays: list[tuple[int, int]] = []
     text: list[int] = []
+    unset: list[Any] = []
     for slot, (name, length) in enumerate(wire_order):
         if kinds[name] == "char":
             text.append(slot)
         elif length > 0:
             arrays.append((slot, length))
-    make: Any = _tuple_class(definition.msgname, definition.ordered_fieldnames)
+        unset.append("" if kinds[name] == "char" else (0,) * length or 0)
+    make: Any = _tuple_class(definition.msgname, definition.ordered_fieldnames, defaults=unset)
     packer = definition.unpacker
     seed = bytes((definition.crc_extra,))
     encoder = _encoder(msgid, seed, packer, tuple(arrays), tuple(text))
-    make.SCHEMA = Schema(msgid, seed, packer, tuple(arrays), tuple(text), make, encoder)
-    row: Schema = make.SCHEMA
+    row = make.SCHEMA = Schema(msgid, seed, packer, tuple(arrays), tuple(text), make, encoder)
     return row
 
 
 @cache
 def message(name: str) -> Any:
-    """The named-tuple class of a message by its MAVLink name, e.g. `message("ATTITUDE")`."""
+    """The named-tuple class of a message by its MAVLink name, e.g. `message("ATTITUDE")`; 0 is what is not given."""
     row = schema(getattr(common, f"MAVLINK_MSG_ID_{name}"))
     assert row is not None
     return row.make

@@ -94,8 +94,6 @@ def acknowledgement(request: VehicleCommand, result: int) -> Any:
     return message("COMMAND_ACK")(
         command=request.command,
         result=result,
-        progress=0,
-        result_param2=0,
         target_system=request.sender[0],
         target_component=request.sender[1],
     )

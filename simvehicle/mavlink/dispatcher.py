@@ -27,7 +27,7 @@ from simvehicle.mavlink import (
     parameter_protocol,
 )
 from simvehicle.mavlink.codec import ReceivedFrame, decode, message
-from simvehicle.mavlink.commands import ACCEPTED, TEMPORARILY_REJECTED, UNSUPPORTED
+from simvehicle.mavlink.commands import TEMPORARILY_REJECTED, UNSUPPORTED
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.context import Call, CommandHandler, MessageHandler, ServiceContext, Store
 from simvehicle.mavlink.fleet_messages import FleetService
@@ -143,7 +143,7 @@ class Services:
     def report(self) -> None:
         """Queue what became due at the vehicle's present time: announcements, then telemetry."""
         vehicle = self.vehicle
-        self._finish_reboot()
+        self._reboot.finish()
         if Failure.LINK in vehicle.failed:
             vehicle.announcements.clear()
             return
@@ -159,12 +159,6 @@ class Services:
             connection.put_due(vehicle)
         self._logs.report()
         self._files.report()
-
-    def _finish_reboot(self) -> None:
-        finished = self._reboot.finish()
-        if finished is not None:
-            request, connection = finished
-            connection.put(commands.acknowledgement(request, ACCEPTED))
 
     def _pace_counters(self) -> None:
         vehicle = self.vehicle
@@ -182,7 +176,7 @@ class Services:
 def _status_texts(severity: int, text: str, number: int) -> list[Any]:
     """STATUSTEXT, in chunks that share an id where one cannot hold the text; an empty part ends a full last chunk."""
     if len(text) <= TEXT_CHARACTERS:
-        return [message("STATUSTEXT")(severity=severity, text=text, id=0, chunk_seq=0)]
+        return [message("STATUSTEXT")(severity=severity, text=text)]
     parts = [text[at : at + TEXT_CHARACTERS] for at in range(0, len(text) + 1, TEXT_CHARACTERS)]
     return [
         message("STATUSTEXT")(severity=severity, text=part, id=1 + number % 65535, chunk_seq=seq)

@@ -117,7 +117,6 @@ def _answer(
     data = bytes([refusal]) if refusal else data
     head = _HEAD.pack(number, asked.session, NAK if refusal else ACK, len(data), asked.opcode, 0, offset)
     content: Any = message("FILE_TRANSFER_PROTOCOL")(
-        target_network=0,
         target_system=sender[0],
         target_component=sender[1],
         payload=tuple((head + data).ljust(_PAYLOAD_BYTES, b"\0")),

@@ -68,9 +68,12 @@ class LogService:
         elif self._log is None:
             return
         elif call.frame.msgid == mav.MAVLINK_MSG_ID_LOG_REQUEST_DATA:
-            self._begin(self._log, call)
+            asked = call.content
+            if asked.id == self._log.number:
+                self._connection = call.connection
+                self._offset, self._stop = asked.ofs, asked.ofs + asked.count
         else:
-            self._end()
+            self._connection = None
             if call.frame.msgid == mav.MAVLINK_MSG_ID_LOG_ERASE:
                 self._log.erase()
 
@@ -93,27 +96,13 @@ class LogService:
             self._connection.put(content)
             self._offset += len(piece)
             if len(piece) < PIECE_BYTES or self._offset >= self._stop:
-                self._end()
+                self._connection = None
                 return
 
     def _list(self, call: Call) -> None:
         log, asked = self._log, call.content
         there = log is not None and asked.start <= log.number <= asked.end
-        content = message("LOG_ENTRY")(
-            id=log.number if log is not None and there else 0,
-            num_logs=int(there),
-            last_log_num=0 if log is None else log.number,
-            time_utc=log.unix_s if log is not None and there else 0,
-            size=log.size_bytes if log is not None and there else 0,
-        )
+        content = message("LOG_ENTRY")(num_logs=int(there), last_log_num=0 if log is None else log.number)
+        if log is not None and there:
+            content = content._replace(id=log.number, time_utc=log.unix_s, size=log.size_bytes)
         call.connection.put(content)
-
-    def _begin(self, log: Log, call: Call) -> None:
-        asked = call.content
-        if asked.id != log.number:
-            return
-        self._connection = call.connection
-        self._offset, self._stop = asked.ofs, asked.ofs + asked.count
-
-    def _end(self) -> None:
-        self._connection = None

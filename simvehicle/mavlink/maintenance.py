@@ -11,6 +11,7 @@ from simvehicle.autopilot.failures import Failure
 from simvehicle.autopilot.maneuvers import AT_REST
 from simvehicle.autopilot.modes import Severity
 from simvehicle.autopilot.vehicle import Vehicle
+from simvehicle.mavlink import commands
 from simvehicle.mavlink.commands import ACCEPTED, DENIED, IN_PROGRESS, TEMPORARILY_REJECTED, UNSUPPORTED, VehicleCommand
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.context import CommandHandler, ServiceContext
@@ -65,7 +66,7 @@ def inject_failure(context: ServiceContext, request: VehicleCommand, connection:
 
 def _go_wrong(vehicle: Vehicle, failure: Failure, joules: float, north_m: float, east_m: float) -> None:
     if failure is Failure.BATTERY:
-        vehicle.waste(joules)
+        vehicle.plant.waste(joules)
         vehicle.announce(Severity.CRITICAL, f"Injected: {joules:.0f} J of the battery are gone")
     else:
         vehicle.position_error_ned = (north_m, east_m, 0.0)
@@ -106,11 +107,11 @@ class Reboot:
         """Whether a reboot is under way that is not what is asked for."""
         return self._asked is not None and request.command != mav.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN
 
-    def finish(self) -> tuple[VehicleCommand, Connection] | None:
-        """The request to acknowledge now, its vehicle having come back."""
+    def finish(self) -> None:
+        """Let the vehicle come back once it is time, and acknowledge the request."""
         vehicle = self._context.vehicle
         if self._asked is None or vehicle.time_s - self._asked[2] < REBOOT_S:
-            return None
+            return
         request, connection, _ = self._asked
         self._asked = None
         if self._context.store is None:
@@ -120,7 +121,7 @@ class Reboot:
         vehicle.booting = False
         vehicle.announce(Severity.INFO, "Booted")
         vehicle.on_change()
-        return request, connection
+        connection.put(commands.acknowledgement(request, ACCEPTED))
 
 
 COMMANDS: dict[int, CommandHandler] = {mav.MAV_CMD_INJECT_FAILURE: inject_failure}

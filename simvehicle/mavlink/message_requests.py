@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 from pymavlink.dialects.v20 import common as mav
 
@@ -46,12 +45,9 @@ def request_message(context: ServiceContext, request: VehicleCommand, connection
     return _answer_with(context, request.whole(1, -1))
 
 
-def request_version(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
-    return _answer_with(context, mav.MAVLINK_MSG_ID_AUTOPILOT_VERSION)
-
-
-def get_home(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
-    return _answer_with(context, mav.MAVLINK_MSG_ID_HOME_POSITION)
+def requests(msgid: int) -> CommandHandler:
+    """The handler of a command that asks for one message, whatever its parameters."""
+    return lambda context, _request, _connection: _answer_with(context, msgid)
 
 
 def _answer_with(context: ServiceContext, msgid: int) -> int:
@@ -72,29 +68,17 @@ def data_stream(context: ServiceContext, call: Call) -> None:
 
 
 def ping(context: ServiceContext, call: Call) -> None:
-    reply = ping_reply(call.content, call.sender)
-    if reply is not None:
-        call.connection.put(reply)
+    """The echo of a PING to everybody; one that is addressed is itself an echo."""
+    if call.content.target_system == 0:
+        system, component = call.sender
+        call.connection.put(call.content._replace(target_system=system, target_component=component))
 
 
 def timesync(context: ServiceContext, call: Call) -> None:
-    reply = timesync_reply(call.content, context.vehicle.unix_epoch_us + 1000 * context.vehicle.time_ms)
-    if reply is not None:
-        call.connection.put(reply)
-
-
-def ping_reply(content: Any, asker: tuple[int, int]) -> Any | None:
-    """The echo of a PING to everybody; one that is addressed is itself an echo."""
-    if content.target_system != 0:
-        return None
-    return content._replace(target_system=asker[0], target_component=asker[1])
-
-
-def timesync_reply(content: Any, unix_us: int) -> Any | None:
     """TIMESYNC: the asker's time returned with the own, in ns; an answer (tc1 not 0) gets none."""
-    if content.tc1 != 0:
-        return None
-    return content._replace(tc1=1000 * unix_us)
+    if call.content.tc1 == 0:
+        unix_us = context.vehicle.unix_epoch_us + 1000 * context.vehicle.time_ms
+        call.connection.put(call.content._replace(tc1=1000 * unix_us))
 
 
 MESSAGES: dict[int, MessageHandler] = {
@@ -106,6 +90,6 @@ COMMANDS: dict[int, CommandHandler] = {
     mav.MAV_CMD_SET_MESSAGE_INTERVAL: set_interval,
     mav.MAV_CMD_GET_MESSAGE_INTERVAL: get_interval,
     mav.MAV_CMD_REQUEST_MESSAGE: request_message,
-    mav.MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES: request_version,
-    mav.MAV_CMD_GET_HOME_POSITION: get_home,
+    mav.MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES: requests(mav.MAVLINK_MSG_ID_AUTOPILOT_VERSION),
+    mav.MAV_CMD_GET_HOME_POSITION: requests(mav.MAVLINK_MSG_ID_HOME_POSITION),
 }

@@ -104,7 +104,7 @@ class Planning:
         except PlanError as error:
             result = error.result
         system, component = call.sender
-        return message("MISSION_ACK")(target_system=system, target_component=component, type=result, mission_type=0)
+        return message("MISSION_ACK")(target_system=system, target_component=component, type=result)
 
 
 def _put_in_force(context: ServiceContext, kind: int, items: tuple[Item, ...]) -> None:

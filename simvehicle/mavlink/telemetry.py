@@ -43,7 +43,7 @@ def heartbeat(s: VehicleState) -> Any:
         type=mav.MAV_TYPE_QUADROTOR,
         autopilot=s.identity.autopilot,
         base_mode=base,
-        custom_mode=s.identity.custom_mode(s.mode),
+        custom_mode=s.identity.spoken[s.mode],
         system_status=mav.MAV_STATE_BOOT if s.booting else mav.MAV_STATE_STANDBY if s.landed else mav.MAV_STATE_ACTIVE,
         mavlink_version=3,
     )
@@ -59,16 +59,7 @@ def sys_status(s: VehicleState) -> Any:
         load=100,
         voltage_battery=round(1e3 * s.voltage_v),
         current_battery=_current_ca(s),
-        drop_rate_comm=0,
-        errors_comm=0,
-        errors_count1=0,
-        errors_count2=0,
-        errors_count3=0,
-        errors_count4=0,
         battery_remaining=s.percent,
-        onboard_control_sensors_present_extended=0,
-        onboard_control_sensors_enabled_extended=0,
-        onboard_control_sensors_health_extended=0,
     )
 
 
@@ -147,8 +138,6 @@ def gps_raw_int(s: VehicleState) -> Any:
         h_acc=300,
         v_acc=500,
         vel_acc=100,
-        hdg_acc=0,
-        yaw=0,
     )
 
 
@@ -162,9 +151,6 @@ def home_position(s: VehicleState) -> Any:
         y=s.home_ned[1],
         z=s.home_ned[2],
         q=(1.0, 0.0, 0.0, 0.0),
-        approach_x=0.0,
-        approach_y=0.0,
-        approach_z=0.0,
         time_usec=s.unix_us,
     )
 
@@ -182,7 +168,6 @@ def battery_status(s: VehicleState) -> Any:
     cell_mv = round(1e3 * s.voltage_v / CELLS)
     charge_ah = s.drawn_j / (CELLS * CELL_FULL_V) / 3600.0
     return message("BATTERY_STATUS")(
-        id=0,
         battery_function=mav.MAV_BATTERY_FUNCTION_ALL,
         type=mav.MAV_BATTERY_TYPE_LIPO,
         temperature=32767,
@@ -193,9 +178,6 @@ def battery_status(s: VehicleState) -> Any:
         battery_remaining=s.percent,
         time_remaining=_int32(s.remaining_j / s.power_w) if s.power_w > 0.0 else 0,
         charge_state=mav.MAV_BATTERY_CHARGE_STATE_OK,
-        voltages_ext=(0, 0, 0, 0),
-        mode=0,
-        fault_bitmask=0,
     )
 
 
@@ -213,11 +195,7 @@ def position_target_local_ned(s: VehicleState) -> Any:
         vx=s.target_v_ned[0],
         vy=s.target_v_ned[1],
         vz=s.target_v_ned[2],
-        afx=0.0,
-        afy=0.0,
-        afz=0.0,
         yaw=_wrapped(s.target_yaw_ned),
-        yaw_rate=0.0,
     )
 
 
@@ -234,11 +212,7 @@ def follow_target(s: VehicleState) -> Any:
         lon=_deg_e7(lon_deg),
         alt=alt_m,
         vel=s.v_ned,
-        acc=(0.0, 0.0, 0.0),
         attitude_q=(1.0, 0.0, 0.0, 0.0),
-        rates=(0.0, 0.0, 0.0),
-        position_cov=(0.0, 0.0, 0.0),
-        custom_state=0,
     )
 
 
@@ -260,7 +234,6 @@ def attitude_quaternion(s: VehicleState) -> Any:
         cr * sp * cy + sr * cp * sy,
         cr * cp * sy - sr * sp * cy,
         *s.rates_body,
-        repr_offset_q=(0.0, 0.0, 0.0, 0.0),
     )
 
 
@@ -270,7 +243,6 @@ def vfr_hud(s: VehicleState) -> Any:
         airspeed=math.hypot(*s.v_ned),
         groundspeed=speed_m_s,
         heading=round(math.degrees(s.attitude_ned[2])) % 360,
-        throttle=0,
         alt=s.frame.alt_m - s.p_ned[2],
         climb=-s.v_ned[2],
     )
@@ -311,14 +283,7 @@ def autopilot_version(s: VehicleState, sysid: int) -> Any:
         flight_sw_version=version,
         middleware_sw_version=version,
         os_sw_version=version,
-        board_version=0,
-        flight_custom_version=(0,) * 8,
-        middleware_custom_version=(0,) * 8,
-        os_custom_version=(0,) * 8,
-        vendor_id=0,
-        product_id=0,
         uid=sysid,
-        uid2=(0,) * 18,
     )
 
 

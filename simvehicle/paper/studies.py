@@ -13,7 +13,6 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -25,6 +24,8 @@ from simvehicle.law.params import NAMED, SOLVE_TOLERANCE, STEP_S, VehicleParams
 from simvehicle.paper import comparators, figures, noisy_flight
 
 Floats = NDArray[np.float64]
+Study = tuple[dict[str, Any], dict[str, Floats]]
+"""Data of a figure: numbers for vehicle.json, curves by name for drawing."""
 Law = Callable[[float, float, float, float], tuple[float, float, float]]
 
 SCHEMA = 1
@@ -44,14 +45,6 @@ VELOCITY_NWU = (1.0, 1.0, 0.2)  # m/s, start and reference of the steady flight
 ATTITUDE_RAD = (1.0, 1.0, 1.0)  # the paper's start
 
 
-@dataclass(frozen=True)
-class VehicleStudy:
-    """Data of a figure: numbers for vehicle.json, curves by name for drawing."""
-
-    numbers: dict[str, Any]
-    curves: dict[str, Floats]
-
-
 def make(out: Path, names: Iterable[str], say: Callable[[str], None]) -> None:
     """Write NAME.svg and NAME.png of each named study, and vehicle.json, to the folder `out`; `say` is called with
     each.
@@ -62,15 +55,15 @@ def make(out: Path, names: Iterable[str], say: Callable[[str], None]) -> None:
     out.mkdir(parents=True, exist_ok=True)
     drawn: dict[str, Any] = {}
     for name in names:
-        study = STUDIES[name]()
-        files = figures.write(name, study.curves, study.numbers, out)
-        drawn[name] = study.numbers | {"files": files}
+        numbers, curves = STUDIES[name]()
+        files = figures.write(name, curves, numbers, out)
+        drawn[name] = numbers | {"files": files}
         say(f"{name}: {', '.join(files)}")
     text = json.dumps({"schema": SCHEMA, "figures": drawn}, indent=2, allow_nan=False)
     (out / "vehicle.json").write_text(text + "\n", encoding="utf-8")
 
 
-def fig5() -> VehicleStudy:
+def fig5() -> Study:
     """5 sin t, differentiated as the vehicle does it: X(0) = 0, ε = 0.04, implicit steps of 4 ms."""
     epsilon = NAMED["paper"].gains.epsilon
     t = _times(STEP_S, DURATION_S)
@@ -96,7 +89,7 @@ def fig5() -> VehicleStudy:
     numbers["noise_rms_share_of_amplitude"] = {
         f"{amplitude:g} sin t": _noise_shares(amplitude, epsilon) for amplitude in (5.0, 1.0)
     }
-    return VehicleStudy(numbers, {"t": t, "x": x, "truth": truth})
+    return numbers, {"t": t, "x": x, "truth": truth}
 
 
 def _noise_shares(amplitude: float, epsilon: float) -> list[float]:
@@ -109,7 +102,7 @@ def _noise_shares(amplitude: float, epsilon: float) -> list[float]:
     return [_rms(added[:, k]) / amplitude for k in range(3)]
 
 
-def fig12() -> VehicleStudy:
+def fig12() -> Study:
     """sin t from rest by four differentiators: clean and noisy at 4 ms, and clean at 0.1 ms."""
     cases = {"clean": (STEP_S, 0.0), "noisy": (STEP_S, NOISE_RAD), "clean_fine_step": (FINE_STEP_S, 0.0)}
     numbers: dict[str, Any] = {
@@ -156,10 +149,10 @@ def fig12() -> VehicleStudy:
             curves[f"{case}_{name}"] = estimate
         numbers[case] = entry
         curves[f"{case}_t"], curves[f"{case}_truth"] = t, truth
-    return VehicleStudy(numbers, curves)
+    return numbers, curves
 
 
-def implicit() -> VehicleStudy:
+def implicit() -> Study:
     """Steady flight of the paper's vehicle: torque and speed error by step, velocity noise and discretisation."""
     vehicle = NAMED["paper"]
     numbers: dict[str, Any] = {
@@ -191,7 +184,7 @@ def implicit() -> VehicleStudy:
                 )
                 if step_s == STEP_S:
                     curves[f"{method}_{noise:g}"] = np.column_stack([t, tau])[late]
-    return VehicleStudy(numbers | {"cases": cases}, curves)
+    return numbers | {"cases": cases}, curves
 
 
 def closed_loop(
@@ -318,9 +311,9 @@ def _number(x: float) -> float | None:
     return float(x) if math.isfinite(x) else None
 
 
-def noise() -> VehicleStudy:
-    """A circle flown on an estimate that errs, by three differentiators."""
-    return VehicleStudy(*noisy_flight.study())
-
-
-STUDIES: dict[str, Callable[[], VehicleStudy]] = {"fig5": fig5, "fig12": fig12, "implicit": implicit, "noise": noise}
+STUDIES: dict[str, Callable[[], Study]] = {
+    "fig5": fig5,
+    "fig12": fig12,
+    "implicit": implicit,
+    "noise": noisy_flight.study,
+}

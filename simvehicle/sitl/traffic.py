@@ -77,8 +77,6 @@ class Traffic:
         return message("HEARTBEAT")(
             type=mav.MAV_TYPE_ADSB,
             autopilot=mav.MAV_AUTOPILOT_INVALID,
-            base_mode=0,
-            custom_mode=0,
             system_status=mav.MAV_STATE_ACTIVE,
             mavlink_version=3,
         )
@@ -116,14 +114,12 @@ class Traffic:
             ver_velocity=round(-1e2 * v_ned[2]),
             callsign=mover.callsign,
             emitter_type=mav.ADSB_EMITTER_TYPE_UAV,
-            tslc=0,
             flags=mav.ADSB_FLAGS_VALID_COORDS
             | mav.ADSB_FLAGS_VALID_ALTITUDE
             | mav.ADSB_FLAGS_VALID_HEADING
             | mav.ADSB_FLAGS_VALID_VELOCITY
             | mav.ADSB_FLAGS_VALID_CALLSIGN
             | mav.ADSB_FLAGS_SIMULATED,
-            squawk=0,
         )
 
 

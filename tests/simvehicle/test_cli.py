@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from simvehicle.cli import run_argv
-from simvehicle.cli.argv import sysid_of, title_of
+from simvehicle.cli.hatch import sysid_of, title_of
 
 FINE = ["--sysid", "1", "--connect", "udpin:127.0.0.1:0"]
 

@@ -8,13 +8,14 @@ which a supervisor knows its vehicles; the autopilot never sees it.
 from __future__ import annotations
 
 import math
-from typing import Any, Protocol
+from typing import Any
 
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.energy_transfer import Envelope, Exchange, Neighbour, TransferSide
 from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.snapshot import CELL_FULL_V, CELLS, Vec3
+from simvehicle.law.plants import RotorPlant
 from simvehicle.mavlink import commands
 from simvehicle.mavlink.codec import ReceivedFrame, decode, message
 
@@ -27,31 +28,12 @@ _COMMANDS = frozenset({mav.MAVLINK_MSG_ID_COMMAND_LONG, mav.MAVLINK_MSG_ID_COMMA
 _OF_PARTNERS = frozenset({mav.MAVLINK_MSG_ID_FOLLOW_TARGET, mav.MAVLINK_MSG_ID_NAMED_VALUE_INT})
 
 
-class BatteryCells(Protocol):
-    """Cells of the battery, as the plant has them; J, V, A."""
-
-    @property
-    def drawn_j(self) -> float:
-        """Drawn since the start."""
-
-    @property
-    def remaining_j(self) -> float:
-        """Left."""
-
-    @property
-    def electric(self) -> tuple[float, float]:
-        """Voltage and current."""
-
-    def charge(self, joules: float) -> None:
-        """Put energy in."""
-
-
 class BatteryComponent:
-    """Its counters, its transfer, and its messages."""
+    """Its counters, its transfer, and its messages; the cells are the plant's."""
 
     def __init__(
         self,
-        cells: BatteryCells,
+        cells: RotorPlant,
         sysid: int,
         frame: LocalFrame,
         envelope: Envelope,
@@ -155,7 +137,6 @@ class BatteryComponent:
         cell_mv = min(max(round(1e3 * volts / CELLS), 0), UNKNOWN_U16 - 1)
         drawn_j = self._cells.drawn_j
         return message("BATTERY_STATUS")(
-            id=0,
             battery_function=mav.MAV_BATTERY_FUNCTION_ALL,
             type=mav.MAV_BATTERY_TYPE_LIPO,
             temperature=32767,
@@ -164,12 +145,8 @@ class BatteryComponent:
             current_consumed=round(1e3 * drawn_j / (CELLS * CELL_FULL_V) / 3600.0),
             energy_consumed=math.floor(drawn_j / 100.0),
             battery_remaining=self.percent,
-            time_remaining=0,
             charge_state=mav.MAV_BATTERY_CHARGE_STATE_OK,
-            voltages_ext=(0, 0, 0, 0),
-            mode=0,
-            fault_bitmask=0,
         )
 
     def _text(self, text: str) -> Any:
-        return message("STATUSTEXT")(severity=mav.MAV_SEVERITY_INFO, text=text[:50], id=0, chunk_seq=0)
+        return message("STATUSTEXT")(severity=mav.MAV_SEVERITY_INFO, text=text[:50])

@@ -96,8 +96,6 @@ def gnss(
         cog=round(1e2 * (math.degrees(math.atan2(east, north)) % 360.0)) % 36000,
         fix_type=GNSS_FIX_3D if fix else GNSS_NO_FIX,
         satellites_visible=satellites,
-        id=0,
-        yaw=0,
     )
 
 

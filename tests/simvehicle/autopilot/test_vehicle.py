@@ -62,7 +62,7 @@ def test_each_change_is_announced_once_and_by_a_heartbeat_in_the_same_period(veh
         assert sent.count("STATUSTEXT") == 1
         assert sent.count("HEARTBEAT") == 1
         armed_mode = bench.of("HEARTBEAT")[-1]
-        assert armed_mode.custom_mode == bench.vehicle.identity.custom_mode(bench.vehicle.mode)
+        assert armed_mode.custom_mode == bench.vehicle.identity.spoken[bench.vehicle.mode]
         assert bool(armed_mode.base_mode & 0x80) == bench.vehicle.armed
 
 

@@ -12,7 +12,7 @@ from simvehicle.autopilot.modes import Mode
 from simvehicle.autopilot.parameters import Parameters
 from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.law import rotor_flight, step
-from simvehicle.law.params import NAMED, pack
+from simvehicle.law.params import NAMED
 from simvehicle.law.plants import RotorPlant
 from simvehicle.world import airframes
 from simvehicle.world.airframes import AIRFRAMES
@@ -36,25 +36,27 @@ def command(north_m: float, west_m: float, up_m: float) -> np.ndarray:
 
 @pytest.mark.parametrize("name", AIRFRAMES)
 def test_the_law_takes_rotors_to_a_place_and_stays(name: str) -> None:
-    airframe = AIRFRAMES[name]
-    flight = rotor_flight.on_rotors(NAMED["default"], airframe)
-    state = rotor_flight.initial_state(
-        flight,
-        position_nwu=(0, 0, 0),
-        velocity_nwu=(0, 0, 0),
-        attitude_rad=(0, 0, 0.5),
-        airborne=False,
-        airframe=airframe,
-    )[np.newaxis]
-    rows = pack(flight)[np.newaxis], airframes.pack(airframe)[np.newaxis]
-    before = state.copy()
-    flown, thrust = rotor_flight.advance(state, command(10.0, -4.0, 5.0), *rows, time_s=0.0, steps=2500)
-    assert np.array_equal(state, before)
+    plants = [RotorPlant(WorldVehicle(AIRFRAMES[name])) for _ in range(2)]
+    for plant in plants:
+        plant.tune(NAMED["default"])
+        plant.start(
+            NAMED["default"],
+            position_nwu=(0, 0, 0),
+            velocity_nwu=(0, 0, 0),
+            attitude_rad=(0, 0, 0.5),
+            airborne=False,
+        )
+    wanted = command(10.0, -4.0, 5.0)
+    given = (plants[0].state, wanted)
+    before = [array.copy() for array in given]
+    thrust = plants[0].advance(wanted, time_s=0.0, steps=2500)
+    assert all(np.array_equal(*pair) for pair in zip(given, before, strict=True))
+    flown = plants[0].state
     assert flown[0, rotor_flight.TRUE_POSITION] == pytest.approx([10.0, -4.0, 5.0], abs=0.02)
     assert thrust[0, -1] == pytest.approx(airframes.GRAVITY_M_S2, rel=1e-3)
-    parts = [rotor_flight.advance(state, command(10.0, -4.0, 5.0), *rows, time_s=0.0, steps=1000)[0]]
-    parts.append(rotor_flight.advance(parts[0], command(10.0, -4.0, 5.0), *rows, time_s=4.0, steps=1500)[0])
-    assert parts[1].tobytes() == flown.tobytes()
+    plants[1].advance(wanted, time_s=0.0, steps=1000)
+    plants[1].advance(wanted, time_s=4.0, steps=1500)
+    assert plants[1].state.tobytes() == flown.tobytes()
 
 
 def test_a_vehicle_on_rotors_takes_off_and_lands() -> None:

@@ -12,7 +12,6 @@ from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation
 
-from simvehicle.law.rotor_flight import drive
 from simvehicle.world import rotors
 from simvehicle.world.airframes import AIRFRAMES, GRAVITY_M_S2, SPIN, RotorAirframe, pack
 
@@ -31,8 +30,12 @@ def body(
 
 def flown(airframe: RotorAirframe, start: Array, wanted: Array, wind: Array = STILL, density: float = 1.225) -> Array:
     """Start and every step after it, (k + 1, 17)."""
-    winds = np.broadcast_to(wind, (len(wanted), 3))
-    return np.vstack([start, drive(start, wanted, winds, pack(airframe, density), dt_s=DT_S)])
+    winds, packed = np.array(np.broadcast_to(wind, (len(wanted), 3))), pack(airframe, density)
+    at, scratch, path = start.copy(), np.zeros(rotors.SCRATCH_SIZE), [start]
+    for speeds, blowing in zip(wanted.astype(np.float64), winds, strict=True):
+        rotors.body_step(at, speeds, blowing, packed, DT_S, scratch)
+        path.append(at.copy())
+    return np.array(path)
 
 
 @pytest.mark.parametrize("airframe", AIRFRAMES.values(), ids=list(AIRFRAMES))

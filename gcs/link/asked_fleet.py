@@ -17,7 +17,7 @@ from gcs.mavlink.autopilots import Profile, profile_of
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.command_protocol import CommandLong, CommandTarget
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION
-from gcs.mavlink.sequence import SequenceCounter
+from gcs.mavlink.sequence import sequence_numbers
 from gcs.scenario.endpoint import Endpoint
 
 POLL_S = 0.02
@@ -51,7 +51,7 @@ class AskedFleet:
         """`station`: our system and component id."""
         self._station = station
         self._listener = Listener(at, key_file)
-        self._counter = SequenceCounter()
+        self._numbers = sequence_numbers()
         self._heartbeat_s = -HEARTBEAT_EVERY_S
         self._where: dict[int, Where] = {}
         self.profiles: dict[int, Profile] = {}
@@ -149,4 +149,4 @@ class AskedFleet:
         return received
 
     def _send(self, message: Message, to: Where) -> None:
-        self._listener.send(codec.frame(message, self._counter.next(), *self._station), to)
+        self._listener.send(codec.frame(message, next(self._numbers), *self._station), to)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -14,7 +15,7 @@ from gcs.link.keys import SignatureGate
 from gcs.link.socket import Where
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Message
-from gcs.mavlink.sequence import SequenceCounter
+from gcs.mavlink.sequence import sequence_numbers
 from gcs.scenario.endpoint import address
 
 RADIO_FULL_PERCENT = 20
@@ -32,7 +33,7 @@ class Door:
     """our system and component id there"""
     gate: SignatureGate
     diagnosis: Diagnosis
-    counters: dict[Where, SequenceCounter] = field(default_factory=dict)
+    numbers: dict[Where, Iterator[int]] = field(default_factory=dict)
     speakers: set[Where] = field(default_factory=set)
     """addresses of vehicles"""
     unknown_senders: set[Where] = field(default_factory=set)
@@ -51,8 +52,8 @@ class Door:
 
     def send(self, message: Message | bytes, address: Where) -> bytes:
         """Send a message, or a frame as it is, to somebody there; the frame."""
-        counter = self.counters.setdefault(address, SequenceCounter())
-        raw = message if isinstance(message, bytes) else codec.frame(message, counter.next(), *self.station)
+        numbers = self.numbers.setdefault(address, sequence_numbers())
+        raw = message if isinstance(message, bytes) else codec.frame(message, next(numbers), *self.station)
         raw = self.gate.signed(raw)
         self.connection.send(raw, address)
         return raw

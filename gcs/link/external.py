@@ -296,7 +296,7 @@ class ExternalLink:
         door.unknown_senders.discard(address)
         if door.connection.to is None:
             door.speakers.discard(address)
-            door.counters.pop(address, None)
+            door.numbers.pop(address, None)
 
     def _receive(self, door: Door, frames: Sequence[Frame], address: Where) -> None:
         now_s = time.monotonic()

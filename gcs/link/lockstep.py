@@ -24,7 +24,7 @@ from gcs.mavlink import codec
 from gcs.mavlink.boot_clock import CLOCKS, BootClock
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import STATION
-from gcs.mavlink.sequence import SequenceCounter, TickCollector, secret_of_hello
+from gcs.mavlink.sequence import TickCollector, secret_of_hello, sequence_numbers
 
 DATAGRAM_BYTES = 1400
 RECEIVE_BYTES = 2048
@@ -46,7 +46,7 @@ class _LockstepPeer:
     key: Key
     address: tuple[str, int]
     collector: TickCollector
-    counter: SequenceCounter = field(default_factory=SequenceCounter)
+    numbers: Iterator[int] = field(default_factory=sequence_numbers)
     waiting: list[Message | bytes] = field(default_factory=list)
     bundle: bytes = b""
     held: int = 0
@@ -238,7 +238,7 @@ class LockstepLink(TickLink):
         self._socket.close()
 
     def _frame(self, peer: _LockstepPeer, message: Message) -> bytes:
-        return codec.frame(message, peer.counter.next(), *STATION)
+        return codec.frame(message, next(peer.numbers), *STATION)
 
     def _send(self, peer: _LockstepPeer) -> None:
         if self._drop and self._random.random() < self._drop:

@@ -3,8 +3,8 @@
 Rules:
 1. A target has one command of an id in flight; the next one of that id waits its turn, since their acknowledgements
    cannot be distinguished. Different ids do not wait for each other.
-2. Without an acknowledgement within `timeout_s` the command is sent again, COMMAND_LONG with its confirmation counted
-   up, at most `retries` times; after one more `timeout_s` its outcome is `timeout`.
+2. Without an acknowledgement within `timeout_s` the command is sent again with its confirmation counted up, at most
+   RETRIES times; after one more `timeout_s` its outcome is `timeout`.
 3. IN_PROGRESS gives it `PROGRESS_S` more. Should the final acknowledgement then be lost, re-sending goes on by rule 2:
    targets answer a repeated command again.
 4. ACCEPTED ends it as `accepted`, any other result as `rejected`, with the code.
@@ -66,43 +66,17 @@ class CommandLong:
 
     def message(self, attempt: int) -> Message:
         """The message of the first (0) or a repeated attempt. Raises ValueError for a value that does not fit."""
-        return _message("COMMAND_LONG", 7, self, confirmation=attempt)
-
-
-@dataclass(frozen=True)
-class CommandInt:
-    """COMMAND_INT: four parameters and a place, `x` and `y` in degE7 or 1e-4 m as `frame` says, `z` in m."""
-
-    target: CommandTarget
-    command: int
-    frame: int
-    params: tuple[float, ...] = ()
-    x: int = 0
-    y: int = 0
-    z: float = 0.0
-
-    def message(self, attempt: int) -> Message:
-        """The message, the same at every attempt. Raises ValueError for a value that does not fit."""
-        place = {"frame": self.frame, "x": self.x, "y": self.y, "z": self.z}
-        return _message("COMMAND_INT", 4, self, current=0, autocontinue=0, **place)
-
-
-Command = CommandLong | CommandInt
-
-
-def _message(name: str, holds: int, command: Command, **more: float) -> Message:
-    """A message that holds so many parameters; those that are not given are 0."""
-    if len(command.params) > holds:
-        raise ValueError(f"command {command.command} has {len(command.params)} parameters; {name} holds {holds}")
-    params = (*command.params, *[0.0] * (holds - len(command.params)))
-    return codec.message(
-        name,
-        target_system=command.target.sysid,
-        target_component=command.target.compid,
-        command=command.command,
-        **{f"param{index}": value for index, value in enumerate(params, 1)},
-        **more,
-    )
+        if len(self.params) > 7:
+            raise ValueError(f"command {self.command} has {len(self.params)} parameters; COMMAND_LONG holds 7")
+        params = (*self.params, *[0.0] * (7 - len(self.params)))
+        return codec.message(
+            "COMMAND_LONG",
+            target_system=self.target.sysid,
+            target_component=self.target.compid,
+            command=self.command,
+            confirmation=attempt,
+            **{f"param{index}": value for index, value in enumerate(params, 1)},
+        )
 
 
 class CommandResult(NamedTuple):
@@ -125,10 +99,10 @@ class Step(NamedTuple):
 
 @dataclass
 class _Pending:
-    command: Command
+    command: CommandLong
     timeout_s: float
-    retries: int
     token: Any
+    retries: int = RETRIES
     attempts: int = 0
     deadline_s: float = 0.0
 
@@ -145,7 +119,7 @@ class CommandQueue:
     """by target and command id; the first of each is in flight"""
 
     def send(
-        self, command: Command, now_s: float, timeout_s: float = TIMEOUT_S, retries: int = RETRIES, token: Any = None
+        self, command: CommandLong, now_s: float, timeout_s: float = TIMEOUT_S, token: Any = None
     ) -> list[Message]:
         """Send a command, or let it wait its turn; the messages to send now.
 
@@ -153,7 +127,7 @@ class CommandQueue:
         """
         command.message(0)
         line = self._waiting.setdefault((command.target, command.command), deque())
-        line.append(_Pending(command, timeout_s, retries, token))
+        line.append(_Pending(command, timeout_s, token))
         return [self._attempt(line[0], now_s)] if len(line) == 1 else []
 
     def withdraw(self, unwanted: Callable[[Any], bool]) -> list[Any]:

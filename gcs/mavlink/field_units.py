@@ -15,7 +15,7 @@ import math
 import re
 from collections.abc import Mapping
 from functools import cache
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +26,7 @@ from gcs.mavlink import codec, records
 CLASSES: Mapping[int, Any] = ardupilotmega.mavlink_map
 """pymavlink's message classes by id: MAVLink's common messages, and ArduPilot's own."""
 
+T = TypeVar("T")
 STANDARD_GRAVITY_M_S2 = 9.80665
 BYTES_SHOWN = 16
 """An array of bytes longer than this is one column of hexadecimal text."""
@@ -41,26 +42,18 @@ class Scale(NamedTuple):
 
 _DEGREE = math.pi / 180.0
 UNITS: Mapping[str, Scale] = {
-    "s": Scale("s"),
-    "ds": Scale("s", over=1e1),
-    "cs": Scale("s", over=1e2),
-    "ms": Scale("s", over=1e3),
-    "us": Scale("s", over=1e6),
+    **{
+        f"{prefix}{unit}": Scale(suffix, over=over)
+        for unit, suffix in {"s": "s", "m": "m", "m/s": "m_s", "V": "v", "A": "a", "%": "percent"}.items()
+        for prefix, over in {"": 1.0, "d": 1e1, "c": 1e2, "m": 1e3, "u": 1e6}.items()
+    },
     "ns": Scale("ns"),
-    "m": Scale("m"),
     "dam": Scale("m", 10.0),
-    "dm": Scale("m", over=1e1),
-    "cm": Scale("m", over=1e2),
-    "mm": Scale("m", over=1e3),
     "cm^2": Scale("m2", over=1e4),
     "l": Scale("m3", over=1e3),
     "cm^3": Scale("m3", over=1e6),
     "cm^3/min": Scale("m3_s", over=6e7),
-    "m/s": Scale("m_s"),
     "m/s*5": Scale("m_s", over=5.0),
-    "dm/s": Scale("m_s", over=1e1),
-    "cm/s": Scale("m_s", over=1e2),
-    "mm/s": Scale("m_s", over=1e3),
     "m/s/s": Scale("m_s2"),
     "mG": Scale("m_s2", STANDARD_GRAVITY_M_S2, 1e3),
     "rad": Scale("rad"),
@@ -84,21 +77,12 @@ UNITS: Mapping[str, Scale] = {
     "kPa": Scale("pa", 1e3),
     "gauss": Scale("t", over=1e4),
     "mgauss": Scale("t", over=1e7),
-    "V": Scale("v"),
-    "cV": Scale("v", over=1e2),
-    "mV": Scale("v", over=1e3),
-    "A": Scale("a"),
-    "cA": Scale("a", over=1e2),
-    "mA": Scale("a", over=1e3),
     "mAh": Scale("c", 3.6),
     "Ah": Scale("c", 3600.0),
     "hJ": Scale("j", 1e2),
     "W": Scale("w"),
     "g": Scale("kg", over=1e3),
     "kg": Scale("kg"),
-    "%": Scale("percent"),
-    "d%": Scale("percent", over=1e1),
-    "c%": Scale("percent", over=1e2),
     "dB": Scale("db"),
     "pix": Scale("pixels"),
     "bytes": Scale("bytes"),
@@ -108,89 +92,71 @@ UNITS: Mapping[str, Scale] = {
     "bits/s": Scale("bits_s"),
 }
 
+
+def _by_field(tables: Mapping[T, Mapping[str, str]]) -> dict[tuple[str, str], T]:
+    """By (message, field), from each value's messages with their fields."""
+    return {
+        (message, field): value
+        for value, fields in tables.items()
+        for message, names in fields.items()
+        for field in names.split()
+    }
+
+
 _U8, _U16, _U32, _I8, _I16, _I32 = 255, 65535, 4294967295, 127, 32767, 2147483647
-UNKNOWN: Mapping[tuple[str, str], float] = {
-    ("SYS_STATUS", "voltage_battery"): _U16,
-    ("SYS_STATUS", "current_battery"): -1,
-    ("SYS_STATUS", "battery_remaining"): -1,
-    ("GPS_RAW_INT", "vel"): _U16,
-    ("GPS_RAW_INT", "cog"): _U16,
-    ("GPS2_RAW", "vel"): _U16,
-    ("GPS2_RAW", "cog"): _U16,
-    ("HIL_GPS", "vel"): _U16,
-    ("HIL_GPS", "cog"): _U16,
-    ("GLOBAL_POSITION_INT", "hdg"): _U16,
-    ("BATTERY_STATUS", "temperature"): _I16,
-    ("BATTERY_STATUS", "voltages"): _U16,
-    ("BATTERY_STATUS", "current_battery"): -1,
-    ("BATTERY_STATUS", "current_consumed"): -1,
-    ("BATTERY_STATUS", "energy_consumed"): -1,
-    ("BATTERY_STATUS", "battery_remaining"): -1,
-    ("HIGH_LATENCY2", "battery"): -1,
-    ("CONTROL_SYSTEM_STATE", "airspeed"): -1,
-    ("HIL_OPTICAL_FLOW", "distance"): -1,
-    ("DISTANCE_SENSOR", "covariance"): _U8,
-    ("OBSTACLE_DISTANCE", "distances"): _U16,
-    ("WINCH_STATUS", "temperature"): _I16,
-    ("ONBOARD_COMPUTER_STATUS", "temperature_board"): _I8,
-    ("ONBOARD_COMPUTER_STATUS", "temperature_core"): _I8,
-    ("ONBOARD_COMPUTER_STATUS", "fan_speed"): _I16,
-    ("ONBOARD_COMPUTER_STATUS", "ram_usage"): _U32,
-    ("ONBOARD_COMPUTER_STATUS", "ram_total"): _U32,
-    ("ONBOARD_COMPUTER_STATUS", "storage_usage"): _U32,
-    ("ONBOARD_COMPUTER_STATUS", "storage_total"): _U32,
-    ("ONBOARD_COMPUTER_STATUS", "link_tx_rate"): _U32,
-    ("ONBOARD_COMPUTER_STATUS", "link_rx_rate"): _U32,
-    ("ONBOARD_COMPUTER_STATUS", "link_tx_max"): _U32,
-    ("ONBOARD_COMPUTER_STATUS", "link_rx_max"): _U32,
-    **{("CAMERA_FOV_STATUS", f"{what}_{of}"): _I32 for what in ("lat", "lon", "alt") for of in ("camera", "image")},
-    ("LOGGING_DATA", "first_message_offset"): _U8,
-    ("LOGGING_DATA_ACKED", "first_message_offset"): _U8,
-}
+UNKNOWN: Mapping[tuple[str, str], float] = _by_field(
+    {
+        -1: {
+            "SYS_STATUS": "current_battery battery_remaining",
+            "BATTERY_STATUS": "current_battery current_consumed energy_consumed battery_remaining",
+            "HIGH_LATENCY2": "battery",
+            "CONTROL_SYSTEM_STATE": "airspeed",
+            "HIL_OPTICAL_FLOW": "distance",
+        },
+        _U8: {
+            "DISTANCE_SENSOR": "covariance",
+            "LOGGING_DATA": "first_message_offset",
+            "LOGGING_DATA_ACKED": "first_message_offset",
+        },
+        _U16: {
+            "SYS_STATUS": "voltage_battery",
+            "BATTERY_STATUS": "voltages",
+            **dict.fromkeys(("GPS_RAW_INT", "GPS2_RAW", "HIL_GPS"), "vel cog"),
+            "GLOBAL_POSITION_INT": "hdg",
+            "OBSTACLE_DISTANCE": "distances",
+        },
+        _U32: {
+            "ONBOARD_COMPUTER_STATUS": "ram_usage ram_total storage_usage storage_total "
+            "link_tx_rate link_rx_rate link_tx_max link_rx_max"
+        },
+        _I8: {"ONBOARD_COMPUTER_STATUS": "temperature_board temperature_core"},
+        _I16: {"BATTERY_STATUS": "temperature", "WINCH_STATUS": "temperature", "ONBOARD_COMPUTER_STATUS": "fan_speed"},
+        _I32: {"CAMERA_FOV_STATUS": "lat_camera lon_camera alt_camera lat_image lon_image alt_image"},
+    }
+)
 """Value that MAVLink's definitions give a field when it is not known (their attribute `invalid`), where that is a
 number that would pass for a measurement and the field has a unit. 0 is left as it is: it may be one."""
 
 _NED = {
     "LOCAL_POSITION_NED": "x y z vx vy vz",
     "LOCAL_POSITION_NED_COV": "x y z vx vy vz ax ay az",
-    "POSITION_TARGET_LOCAL_NED": "x y z vx vy vz afx afy afz",
-    "SET_POSITION_TARGET_LOCAL_NED": "x y z vx vy vz afx afy afz",
-    "POSITION_TARGET_GLOBAL_INT": "vx vy vz afx afy afz",
-    "SET_POSITION_TARGET_GLOBAL_INT": "vx vy vz afx afy afz",
-    "GLOBAL_POSITION_INT": "vx vy vz",
-    "GLOBAL_POSITION_INT_COV": "vx vy vz",
-    "HOME_POSITION": "x y z",
-    "SET_HOME_POSITION": "x y z",
+    **dict.fromkeys(("POSITION_TARGET_LOCAL_NED", "SET_POSITION_TARGET_LOCAL_NED"), "x y z vx vy vz afx afy afz"),
+    **dict.fromkeys(("POSITION_TARGET_GLOBAL_INT", "SET_POSITION_TARGET_GLOBAL_INT"), "vx vy vz afx afy afz"),
+    **dict.fromkeys(("GLOBAL_POSITION_INT", "GLOBAL_POSITION_INT_COV", "UTM_GLOBAL_POSITION"), "vx vy vz"),
+    **dict.fromkeys(("HIL_STATE", "HIL_STATE_QUATERNION"), "vx vy vz"),
+    **dict.fromkeys(("HOME_POSITION", "SET_HOME_POSITION", "ATT_POS_MOCAP"), "x y z"),
+    **dict.fromkeys(("SIM_STATE", "GPS_INPUT", "HIL_GPS"), "vn ve vd"),
     "FOLLOW_TARGET": "vel acc",
-    "ATT_POS_MOCAP": "x y z",
-    "SIM_STATE": "vn ve vd",
-    "GPS_INPUT": "vn ve vd",
-    "HIL_GPS": "vn ve vd",
-    "HIL_STATE": "vx vy vz",
-    "HIL_STATE_QUATERNION": "vx vy vz",
-    "UTM_GLOBAL_POSITION": "vx vy vz",
 }
-_GYRO, _RATES = "xacc yacc zacc xgyro ygyro zgyro xmag ymag zmag", "rollspeed pitchspeed yawspeed"
+_RATES, _IMU = "rollspeed pitchspeed yawspeed", "xacc yacc zacc xgyro ygyro zgyro xmag ymag zmag"
 _BODY = {
-    "ATTITUDE": _RATES,
-    "ATTITUDE_QUATERNION": _RATES,
-    "ATTITUDE_QUATERNION_COV": _RATES,
-    "HIL_STATE": f"{_RATES} xacc yacc zacc",
-    "HIL_STATE_QUATERNION": f"{_RATES} xacc yacc zacc",
+    **dict.fromkeys(("ATTITUDE", "ATTITUDE_QUATERNION", "ATTITUDE_QUATERNION_COV"), _RATES),
+    **dict.fromkeys(("HIL_STATE", "HIL_STATE_QUATERNION"), f"{_RATES} xacc yacc zacc"),
     "SIM_STATE": "xacc yacc zacc xgyro ygyro zgyro",
-    "SCALED_IMU": _GYRO,
-    "SCALED_IMU2": _GYRO,
-    "SCALED_IMU3": _GYRO,
-    "HIGHRES_IMU": _GYRO,
-    "HIL_SENSOR": _GYRO,
-    "RAW_IMU": _GYRO,
+    **dict.fromkeys(("SCALED_IMU", "SCALED_IMU2", "SCALED_IMU3"), _IMU),
+    **dict.fromkeys(("RAW_IMU", "HIGHRES_IMU", "HIL_SENSOR"), _IMU),
 }
-_FRAMES = {
-    (message, field): frame
-    for frame, fields in (("ned", _NED), ("body", _BODY))
-    for message, names in fields.items()
-    for field in names.split()
-}
+_FRAMES = _by_field({"ned": _NED, "body": _BODY})
 # A unit that a field's name ends with already; the column says its own.
 _SAID = re.compile(r"_(ns|usec|us|ms|s|mm|cm|m|cdeg|deg|int|mah|ma|mv|cv|pct|percent)$")
 OWN = ("time_s", "sysid", "compid", "direction")
@@ -219,17 +185,13 @@ class FieldColumn(NamedTuple):
             return [bytes(text).partition(b"\0")[0].decode("utf-8", "replace") for text in sent.tolist()]
         if self.kind == "bytes":
             return [row.tobytes().hex() for row in sent]
-        scale = self.scale
-        if self.unknown is not None or (scale is not None and (scale.times != 1.0 or scale.over != 1.0)):
-            si = sent.astype(np.float64)
-            if scale is not None and scale.times != 1.0:
-                si *= scale.times
-            if scale is not None and scale.over != 1.0:
-                si /= scale.over
-            if self.unknown is not None:
-                si[sent == self.unknown] = np.nan
-            return si
-        return np.ascontiguousarray(sent)
+        _, times, over = self.scale or Scale("")
+        if self.unknown is None and times == over == 1.0:
+            return np.ascontiguousarray(sent)
+        si = sent.astype(np.float64) * times / over
+        if self.unknown is not None:
+            si[sent == self.unknown] = np.nan
+        return si
 
 
 class MessageTable(NamedTuple):

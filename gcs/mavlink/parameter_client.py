@@ -69,7 +69,6 @@ class _Listing:
     last_s: float = 0.0
     asked: int = 0
     begun: bool = False
-    complete: bool = False
 
 
 class ParameterClient:
@@ -106,7 +105,7 @@ class ParameterClient:
     @property
     def done(self) -> bool:
         """Whether nothing is open."""
-        return not self._tasks and self._file is None and (self._listing is None or self._listing.complete)
+        return not self._tasks and self._file is None and self._listing is None
 
     def receive(self, name: str, content: Any, now_s: float) -> None:
         """Take a message of this vehicle's: its name and fields."""
@@ -118,8 +117,8 @@ class ParameterClient:
             return
         parameter = Parameter(self.profile.parameter(content.param_value, content.param_type), content.param_type)
         self.known[content.param_id] = parameter
-        if self._listing is not None and not self._listing.complete:
-            self._list(content, now_s)
+        if self._listing is not None:
+            self._list(self._listing, content, now_s)
         task = self._tasks.get(content.param_id)
         if task is not None:
             self._go_on(task, parameter)
@@ -127,7 +126,7 @@ class ParameterClient:
     def poll(self, now_s: float) -> list[Message]:
         """Messages to send now."""
         out: list[Message] = [] if self._file is None else self._poll_file(self._file, now_s)
-        if self._listing is not None and not self._listing.complete:
+        if self._listing is not None:
             out += self._poll_list(self._listing, now_s)
         for task in list(self._tasks.values())[:IN_FLIGHT]:
             if now_s < task.due_s:
@@ -184,20 +183,18 @@ class ParameterClient:
         del self._tasks[task.name]
         self.results.append(ParameterResult(task.name, outcome, task.before, now, why))
 
-    def _list(self, content: Any, now_s: float) -> None:
-        assert self._listing is not None
-        listing = self._listing
+    def _list(self, listing: _Listing, content: Any, now_s: float) -> None:
         if content.param_index < content.param_count:  # 65535: told unasked, or by name
             listing.count = content.param_count
             listing.named[content.param_index] = content.param_id
             listing.last_s, listing.asked = now_s, 0
-            listing.complete = len(listing.named) >= listing.count
+            self._listing = None if len(listing.named) >= listing.count else listing
 
     def _poll_list(self, listing: _Listing, now_s: float) -> list[Message]:
         if listing.begun and now_s - listing.last_s < SETTLED_S:
             return []
         if listing.asked >= TRIES:
-            listing.complete = True
+            self._listing = None
             of = f" of {listing.count}" if listing.count else ""
             self.incomplete = f"{len(listing.named)}{of} parameters came"
             return []

@@ -6,7 +6,8 @@ at most 127 frames (docs/protocol.md#answer).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from itertools import cycle
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
@@ -21,16 +22,9 @@ _HEARTBEAT = codec.msgid("HEARTBEAT")
 _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
 
 
-class SequenceCounter:
+def sequence_numbers() -> Iterator[int]:
     """The numbers of one connection's outgoing frames: 0 … 255, 0 …"""
-
-    def __init__(self, first: int = 0) -> None:
-        self._next = first % NUMBERS
-
-    def next(self) -> int:
-        number = self._next
-        self._next = (number + 1) % NUMBERS
-        return number
+    return cycle(range(NUMBERS))
 
 
 def secret_of_hello(frames: Sequence[Frame]) -> int | None:
@@ -73,7 +67,9 @@ class TickCollector:
         if not frames or self._granted_ms is None:
             return self.complete
         last = frames[-1]
-        answered_ms = codec.fields(last).time_boot_ms if self._is_own(last) and last.msgid == _SYSTEM_TIME else None
+        answered_ms = (
+            codec.fields(last).time_boot_ms if last[:2] == self._sender and last.msgid == _SYSTEM_TIME else None
+        )
         if answered_ms is not None and answered_ms < self._granted_ms:
             return self.complete  # repeated so late that its numbers may have come round to new ones
         if not self._held and answered_ms == self._granted_ms and self._is_whole(frames):
@@ -118,6 +114,3 @@ class TickCollector:
                 return False
             number = (number + 1) % NUMBERS
         return len(frames) < HALF
-
-    def _is_own(self, frame: Frame) -> bool:
-        return (frame.sysid, frame.compid) == self._sender

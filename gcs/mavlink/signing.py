@@ -47,14 +47,9 @@ class SignatureVerdict(StrEnum):
     NO_KEY = "signed, and there is no key to check it with"
 
 
-def is_signed(frame: Frame) -> bool:
-    """Whether a frame carries a signature."""
-    return bool(frame.raw[2] & codec.SIGNED)
-
-
 def without_key(frame: Frame) -> SignatureVerdict:
     """Judge a frame where no key is set: a signature that cannot be checked proves nothing."""
-    return SignatureVerdict.NO_KEY if is_signed(frame) else SignatureVerdict.GOOD
+    return SignatureVerdict.NO_KEY if frame.raw[2] & codec.SIGNED else SignatureVerdict.GOOD
 
 
 def ticks(unix_s: float) -> int:

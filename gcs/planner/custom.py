@@ -91,7 +91,7 @@ class OwnPlanner(TickPlanner):
         answer = self._guard.call(view.sysid, lambda: _checked(self._planner.plan(view, situation)))
         if answer is None:
             return SetPoint(view.sysid, self._held[view.sysid], (0.0, 0.0, 0.0))
-        p_ned, v_ned = answer.value
+        p_ned, v_ned = answer
         self._held[view.sysid] = p_ned
         return SetPoint(view.sysid, p_ned, v_ned)
 

@@ -76,8 +76,7 @@ class PolicyBidding(BiddingRule):
     def _assigned(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> Iterator[Award]:
         assign, request = self._assign, self._request(snapshot, free)
         assert assign is not None
-        answer = self._guard.call(request.tanker.sysid, lambda: self._all_checked(assign(request), request))
-        pairs = {} if answer is None else answer.value
+        pairs = self._guard.call(request.tanker.sysid, lambda: self._all_checked(assign(request), request)) or {}
         for giver in free:
             if giver.name in pairs:
                 yield Award(giver, pairs[giver.name], "policy")
@@ -90,8 +89,8 @@ class PolicyBidding(BiddingRule):
         if not self._wanting:
             return None
         request = self._request(snapshot, [giver, *others])
-        answer = self._guard.call(request.tanker.sysid, lambda: self._checked(self._policy.choose(request)))
-        return None if answer is None or answer.value is None else (answer.value, "policy")
+        chosen = self._guard.call(request.tanker.sysid, lambda: self._checked(self._policy.choose(request)))
+        return None if chosen is None else (chosen, "policy")
 
     def _request(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> RefuellingRequest:
         tankers = tuple(snapshot.vehicle(int(giver.name)) for giver in free)

@@ -9,7 +9,7 @@ the parameters that it has and on its own clock: what only a launch could give i
 
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal, Protocol
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import AfterValidator, Field, WithJsonSchema
 
@@ -96,13 +96,6 @@ class External(Part):
         return " or ".join(self.addresses)
 
 
-class _Vehicle(Protocol):
-    @property
-    def label(self) -> str: ...
-    @property
-    def external(self) -> External | None: ...
-
-
 def filled(value: Any) -> Any:
     """A vehicle's keys, those that the block and its vehicle share being in both places."""
     block = value.get("external") if isinstance(value, dict) else None
@@ -133,16 +126,15 @@ def inherited(vehicle: dict[str, Any], own: Iterable[str]) -> None:
             vehicle.pop(key, None)
 
 
-def absolute_paths(vehicles: Any, folder: Path) -> None:
+def absolute_paths(vehicles: Iterable[dict[str, Any]], folder: Path) -> None:
     """Let key files and programs that a scenario's vehicles name count from its folder, in its data as read."""
-    groups = vehicles.values() if isinstance(vehicles, dict) else ()
-    for vehicle in (one for group in groups if isinstance(group, list) for one in group):
-        real = vehicle.get("autopilot") if isinstance(vehicle, dict) else None
+    for vehicle in vehicles:
+        real = vehicle.get("autopilot")
         programs = real if isinstance(real, dict) else {}
         for kind in REAL_KINDS:
             if isinstance(programs.get(kind), str):
                 programs[kind] = str(folder.resolve() / Path(programs[kind]).expanduser())
-        block = vehicle.get("external") if isinstance(vehicle, dict) else None
+        block = vehicle.get("external")
         signing = block.get("signing") if isinstance(block, dict) else None
         if isinstance(signing, dict) and isinstance(signing.get("key_file"), str):
             signing["key_file"] = str(folder.resolve() / signing["key_file"])
@@ -175,15 +167,10 @@ def conflicts(path: KeyPath, vehicle: Any) -> Iterator[Conflict]:
     block: External | None = vehicle.external
     if block is None:
         return
-    for key in LAUNCH_ONLY:
-        given = getattr(vehicle, key)
+    launched = {key: getattr(vehicle, key) for key in LAUNCH_ONLY}
+    for key, given in {**launched, "autopilot": vehicle.real, "plant": vehicle.plant != "paper"}.items():
         if any(given) if isinstance(given, tuple) else given:
             yield Conflict((*path, key), f"{vehicle.label} is external: {key} is for launched vehicles; leave it out")
-    if vehicle.real is not None:
-        text = f"{vehicle.label} is external: autopilot is for launched vehicles; leave it out"
-        yield Conflict((*path, "autopilot"), text)
-    if vehicle.plant != "paper":
-        yield Conflict((*path, "plant"), f"{vehicle.label} is external: plant is for launched vehicles; leave it out")
     if block.sysid != vehicle.sysid:
         yield Conflict((*path, "external", "sysid"), f"{vehicle.label} is given another sysid here: {block.sysid}")
     if block.capacity_j != vehicle.battery.capacity_j:
@@ -192,7 +179,7 @@ def conflicts(path: KeyPath, vehicle: Any) -> Iterator[Conflict]:
         yield Conflict(path, f"{vehicle.label} is external: say where it waits, home_m")
 
 
-def clock_refusal(vehicles: Iterable[_Vehicle], mode: str) -> str | None:
+def clock_refusal(vehicles: Iterable[Any], mode: str) -> str | None:
     """Why this clock cannot be had with these vehicles; None where it can."""
     labels = [vehicle.label for vehicle in vehicles if vehicle.external is not None]
     if not labels or mode == "real":

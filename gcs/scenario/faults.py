@@ -11,11 +11,12 @@ import hashlib
 import math
 import random
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Annotated, Literal, NamedTuple, Protocol
+from typing import Annotated, Literal, NamedTuple
 
 from pydantic import Field
 
 from gcs.scenario.document import Conflict, KeyPath
+from gcs.scenario.parts.vehicles import VehicleBase
 from gcs.scenario.types import Coordinate, Fraction, Part, Seconds, SysId
 
 FaultKind = Literal[
@@ -80,18 +81,6 @@ class Injection(NamedTuple):
         return self.fault.sysid is None or self.fault.sysid == sysid
 
 
-class _FaultSubject(Protocol):
-    sysid: int
-    airborne: bool
-
-    @property
-    def role(self) -> str: ...
-    @property
-    def label(self) -> str: ...
-    @property
-    def external(self) -> object: ...
-
-
 def drawn(faults: Sequence[Fault], seed: int) -> list[Injection]:
     """The faults that happen with a seed, in order of time; each draws twice from a stream of its own."""
     found = []
@@ -106,9 +95,7 @@ def drawn(faults: Sequence[Fault], seed: int) -> list[Injection]:
     return sorted(found, key=lambda one: (one.begin_s, one.number))
 
 
-def fault_conflicts(
-    faults: Sequence[Fault], vehicles: Iterable[_FaultSubject], duration_s: float
-) -> Iterator[Conflict]:
+def fault_conflicts(faults: Sequence[Fault], vehicles: Iterable[VehicleBase], duration_s: float) -> Iterator[Conflict]:
     """Faults that cannot happen to these vehicles, or whose keys do not go together."""
     known = {vehicle.sysid: vehicle for vehicle in vehicles}
     for i, fault in enumerate(faults):
@@ -140,12 +127,10 @@ def _key_conflicts(path: KeyPath, fault: Fault) -> Iterator[Conflict]:
             yield Conflict((*path, key), f"{fault.fault} has no {key}")
 
 
-def _vehicle_conflicts(path: KeyPath, fault: Fault, vehicle: _FaultSubject) -> Iterator[Conflict]:
+def _vehicle_conflicts(path: KeyPath, fault: Fault, vehicle: VehicleBase) -> Iterator[Conflict]:
     if vehicle.external is not None and fault.fault in LAUNCHED_ONLY:
-        sentence = (
-            f"{vehicle.label} is external: {fault.fault} is for launched vehicles; motor and gps_off can be asked"
-        )
-        yield Conflict((*path, "fault"), f"{sentence} of it")
+        sentence = f"{vehicle.label} is external: {fault.fault} is for launched vehicles"
+        yield Conflict((*path, "fault"), f"{sentence}; motor and gps_off can be asked of it")
     elif fault.fault == "motor" and vehicle.airborne:
         yield Conflict((*path, "fault"), f"{vehicle.label} starts airborne, without a ground that it could fall to")
     if fault.fault == "tanker_out" and vehicle.role != "tanker":

@@ -97,15 +97,12 @@ def resolve(document: Document, settings: Mapping[str, Any]) -> Scenario:
         defaults = ("vehicles", "defaults")
         if not isinstance(vehicles["defaults"], dict):
             raise ScenarioError([document.problem(defaults, "vehicles.defaults must be a block of keys")])
-        for key in ("pursuers", "targets", "tankers"):
-            group = vehicles.get(key)
-            for i, vehicle in enumerate(group if isinstance(group, list) else ()):
-                own = tuple(vehicle) if isinstance(vehicle, dict) else ()
-                document.inherit(defaults, ("vehicles", key, i))
-                if isinstance(vehicle, dict):
-                    external.inherited(vehicle, own)
+        for path, vehicle in _vehicles(document.data):
+            own = tuple(vehicle)
+            document.inherit(defaults, path)
+            external.inherited(vehicle, own)
         del vehicles["defaults"]
-    external.absolute_paths(document.data.get("vehicles"), Path(document.file).parent)
+    external.absolute_paths((keys for _, keys in _vehicles(document.data)), Path(document.file).parent)
     try:
         return Scenario.model_validate(document.data, context={"axes": document.data.get("axes")})
     except ValidationError as error:
@@ -123,17 +120,23 @@ def _schema() -> dict[str, Any]:
 
 def _repeated_ids(data: dict[str, Any]) -> Iterator[Conflict]:
     """System ids that a file gives twice, whatever else is wrong with it."""
+    given: list[tuple[KeyPath, object]] = []
+    for path, vehicle in _vehicles(data):
+        for where, place in ((vehicle, ()), (vehicle.get("external"), ("external",))):
+            if isinstance(where, dict) and type(where.get("sysid")) is int:
+                given.append(((*path, *place, "sysid"), where["sysid"]))
+                break
+    return repeats("sysid", given)
+
+
+def _vehicles(data: dict[str, Any]) -> Iterator[tuple[KeyPath, dict[str, Any]]]:
+    """The vehicles' keys as a file has them, each with its key path; what is no block of keys is passed over."""
     vehicles = data.get("vehicles")
     groups = vehicles if isinstance(vehicles, dict) else {}
-    given: list[tuple[KeyPath, object]] = []
     for key in ("pursuers", "targets", "tankers"):
         for i, vehicle in enumerate(groups[key] if isinstance(groups.get(key), list) else ()):
-            block = vehicle.get("external") if isinstance(vehicle, dict) else None
-            for where, place in ((vehicle, ()), (block, ("external",))):
-                if isinstance(where, dict) and type(where.get("sysid")) is int:
-                    given.append((("vehicles", key, i, *place, "sysid"), where["sysid"]))
-                    break
-    return repeats("sysid", given)
+            if isinstance(vehicle, dict):
+                yield ("vehicles", key, i), vehicle
 
 
 def dump(scenario: Scenario) -> str:

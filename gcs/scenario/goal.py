@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from gcs.scenario.model import Scenario
 
@@ -91,22 +91,16 @@ class Judgement:
         return f"{self.part} {self.reached}"
 
 
-class Case(NamedTuple):
-    """Rule by which one part is judged; `limit` is what the scenario demands of it."""
-
-    scenario: Scenario
-    measured: Measured
-    limit: float
-
-
 class GoalPart(NamedTuple):
-    """One part: `limit` is what a scenario demands of it, None where it demands nothing; `wanted` a sentence of it."""
+    """One part: `limit` is what a scenario demands of it, None where it demands nothing; `wanted` a sentence of it;
+    `judge` is called with what of the measures it is judged by, where that is known, the limit and the scenario."""
 
     name: str
     unit: str
     limit: Callable[[Scenario], float | None]
     wanted: str
-    judge: Callable[[Case], _Found]
+    of: Callable[[Measured], Any]
+    judge: Callable[[Any, float, Scenario], _Found]
 
 
 class _Found(NamedTuple):
@@ -162,6 +156,10 @@ def _refuelled(scenario: Scenario) -> float | None:
     return float(scenario.goal.refuelled_at_least) or None
 
 
+def _lost(scenario: Scenario) -> float:
+    return float(scenario.goal.lost_at_most)
+
+
 def _pursue_s(scenario: Scenario) -> float | None:
     return scenario.goal.pursue.for_s if scenario.goal.pursue is not None else None
 
@@ -169,56 +167,37 @@ def _pursue_s(scenario: Scenario) -> float | None:
 # judging
 
 
-def _near(of: Callable[[Measured], Nearest | None]) -> Callable[[Case], _Found]:
-    """The judge of a distance."""
-
-    def judge(case: Case) -> _Found:
-        nearest, limit = of(case.measured), case.limit
-        if nearest is None:
-            return _UNKNOWN
-        if not math.isfinite(nearest.m):
-            return _Found(True, nearest.text(limit))
-        about = nearest.m, nearest.sysids, nearest.what, nearest.t_s
-        return _Found(nearest.m >= limit, nearest.text(limit), *about)
-
-    return judge
+def _judge_near(nearest: Nearest, limit: float, _: Scenario) -> _Found:
+    if not math.isfinite(nearest.m):
+        return _Found(True, nearest.text(limit))
+    about = nearest.m, nearest.sysids, nearest.what, nearest.t_s
+    return _Found(nearest.m >= limit, nearest.text(limit), *about)
 
 
-def _judge_ground(case: Case) -> _Found:
-    touched = case.measured.ground
-    if touched is None:
-        return _UNKNOWN
+def _judge_ground(touched: Nearest, _: float, __: Scenario) -> _Found:
     if not math.isfinite(touched.m):
         return _Found(True, "not touched")
     return _Found(False, f"touched ({touched.who})", touched.m, touched.sysids, "", touched.t_s)
 
 
-def _judge_lost(case: Case) -> _Found:
-    lost = case.measured.lost
-    if lost is None:
-        return _UNKNOWN
+def _judge_lost(lost: Sequence[Loss], limit: float, _: Scenario) -> _Found:
     if not lost:
         return _Found(True, "none", 0.0)
     listed = [f"{_name(loss.sysid)} at {loss.t_s:.1f} s: {loss.why}" for loss in lost[:NAMED]]
     more = f"; {len(lost) - NAMED} more" if len(lost) > NAMED else ""
     who = tuple(loss.sysid for loss in lost)
     text = f"{len(lost)} ({'; '.join(listed)}{more})"
-    return _Found(len(lost) <= case.limit, text, float(len(lost)), who, "", lost[0].t_s)
+    return _Found(len(lost) <= limit, text, float(len(lost)), who, "", lost[0].t_s)
 
 
-def _judge_duration(case: Case) -> _Found:
-    time_s = case.measured.time_s
-    if time_s is None:
-        return _UNKNOWN
-    done = time_s >= case.limit - ROUNDING_S
-    return _Found(done, f"{time_s:.1f} s" + ("" if done else f" of {case.limit:g} s"), time_s)
+def _judge_duration(time_s: float, limit_s: float, _: Scenario) -> _Found:
+    done = time_s >= limit_s - ROUNDING_S
+    return _Found(done, f"{time_s:.1f} s" + ("" if done else f" of {limit_s:g} s"), time_s)
 
 
-def _judge_waypoints(case: Case) -> _Found:
-    if case.measured.missed is None:
-        return _UNKNOWN
-    count = {pursuer.sysid: len(pursuer.waypoints_m) for pursuer in case.scenario.vehicles.pursuers}
-    missed = {sysid: number for sysid, number in case.measured.missed.items() if number}
+def _judge_waypoints(missed_of: Mapping[int, int], _: float, scenario: Scenario) -> _Found:
+    count = {pursuer.sysid: len(pursuer.waypoints_m) for pursuer in scenario.vehicles.pursuers}
+    missed = {sysid: number for sysid, number in missed_of.items() if number}
     if not missed:
         return _Found(True, "all passed", 0.0)
     listed = [f"{sysid}: {number} of {count.get(sysid, number)}" for sysid, number in sorted(missed.items())]
@@ -227,32 +206,29 @@ def _judge_waypoints(case: Case) -> _Found:
     return _Found(False, text, float(sum(missed.values())), tuple(sorted(missed)))
 
 
-def _judge_pursue(case: Case) -> _Found:
-    held_s = case.measured.pursuit_held_s
-    if held_s is None:
-        return _UNKNOWN
-    return _Found(held_s >= case.limit - ROUNDING_S, progress_text(held_s, case.limit, " s", digits=1), held_s)
+def _judge_pursue(held_s: float, limit_s: float, _: Scenario) -> _Found:
+    return _Found(held_s >= limit_s - ROUNDING_S, progress_text(held_s, limit_s, " s", digits=1), held_s)
 
 
-def _judge_refuelled(case: Case) -> _Found:
-    if case.measured.refuelled is None:
-        return _UNKNOWN
-    done = float(case.measured.refuelled)
-    return _Found(done >= case.limit, progress_text(done, case.limit, ""), done)
+def _judge_refuelled(done: int, limit: float, _: Scenario) -> _Found:
+    return _Found(done >= limit, progress_text(done, limit, ""), float(done))
 
 
 _SEPARATION = "no two vehicles nearer than {limit:g} m, partners of a transfer aside"
 _PURSUE = "every pursuer within {within_m:g} m of its target for {limit:g} s"
+_WAYPOINTS = "every pursuer passes all its way points"
 PARTS: tuple[GoalPart, ...] = (
-    GoalPart("lost", "1", lambda s: float(s.goal.lost_at_most), "at most {limit:g} vehicles lost", _judge_lost),
-    GoalPart("duration", "s", lambda s: s.goal.duration_s, "{limit:g} s are flown", _judge_duration),
-    GoalPart("separation", "m", separation_m, _SEPARATION, _near(lambda measured: measured.separation)),
-    GoalPart("clearance", "m", clearance_m, "no obstacle nearer than {limit:g} m", _near(lambda m: m.clearance)),
-    GoalPart("traffic", "m", traffic_m, "no traffic nearer than {limit:g} m", _near(lambda m: m.traffic)),
-    GoalPart("ground", "m", _has_ground, "nobody in flight touches the ground", _judge_ground),
-    GoalPart("waypoints", "1", _waypoints, "every pursuer passes all its way points", _judge_waypoints),
-    GoalPart("pursue", "s", _pursue_s, _PURSUE, _judge_pursue),
-    GoalPart("refuelled", "1", _refuelled, "at least {limit:g} refuelled", _judge_refuelled),
+    GoalPart("lost", "1", _lost, "at most {limit:g} vehicles lost", lambda m: m.lost, _judge_lost),
+    GoalPart(
+        "duration", "s", lambda s: s.goal.duration_s, "{limit:g} s are flown", lambda m: m.time_s, _judge_duration
+    ),
+    GoalPart("separation", "m", separation_m, _SEPARATION, lambda m: m.separation, _judge_near),
+    GoalPart("clearance", "m", clearance_m, "no obstacle nearer than {limit:g} m", lambda m: m.clearance, _judge_near),
+    GoalPart("traffic", "m", traffic_m, "no traffic nearer than {limit:g} m", lambda m: m.traffic, _judge_near),
+    GoalPart("ground", "m", _has_ground, "nobody in flight touches the ground", lambda m: m.ground, _judge_ground),
+    GoalPart("waypoints", "1", _waypoints, _WAYPOINTS, lambda m: m.missed, _judge_waypoints),
+    GoalPart("pursue", "s", _pursue_s, _PURSUE, lambda m: m.pursuit_held_s, _judge_pursue),
+    GoalPart("refuelled", "1", _refuelled, "at least {limit:g} refuelled", lambda m: m.refuelled, _judge_refuelled),
 )
 """In the order in which an outcome names them."""
 BY_NAME = {part.name: part for part in PARTS}
@@ -270,7 +246,8 @@ def judge(scenario: Scenario, measured: Measured) -> list[Judgement]:
     within_m = scenario.goal.pursue.within_m if scenario.goal.pursue is not None else 0.0
     for name, limit in asked(scenario).items():
         part = BY_NAME[name]
-        met, reached, value, sysids, what, t_s = part.judge(Case(scenario, measured, limit))
+        about = part.of(measured)
+        met, reached, value, sysids, what, t_s = _UNKNOWN if about is None else part.judge(about, limit, scenario)
         wanted = part.wanted.format(limit=limit, within_m=within_m)
         found.append(Judgement(name, wanted, reached, met, limit, part.unit, value, sysids, what, t_s))
     return found

@@ -16,7 +16,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from types import FrameType
-from typing import Any, Generic, TypeVar
+from typing import Any, TypeVar
 
 LIMIT_S = 1.0
 AGAIN_S = 0.05
@@ -47,13 +47,6 @@ class Nonsense(Exception):
     """An answer that cannot be used; the text goes on where a sentence begins with the policy's name."""
 
 
-@dataclass(frozen=True)
-class GuardedResult(Generic[T]):
-    """Result of a call."""
-
-    value: T
-
-
 class Guard:
     """Calls one implementation on behalf of vehicles, and remembers who is held for what."""
 
@@ -69,7 +62,7 @@ class Guard:
         """One call at most is cut off in each tick."""
         self._cut_now = False
 
-    def call(self, sysid: int, function: Callable[[], T]) -> GuardedResult[T] | None:
+    def call(self, sysid: int, function: Callable[[], T]) -> T | None:
         """Result of `function` for this vehicle; None where it failed, now or for good, and the vehicle is held.
 
         `function` raises Nonsense where what it was answered cannot be used.
@@ -78,7 +71,7 @@ class Guard:
             return None
         try:
             with _cut_off_after(self._limit_s):
-                answer = GuardedResult(function())
+                answer = function()
         except _Overrun:
             self._cut.add(sysid)
             self._cut_now = True

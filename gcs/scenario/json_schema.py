@@ -7,6 +7,7 @@ A vehicle or an obstacle may be a grid of many, and a planner or a policy be nam
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 from gcs.scenario.model import Scenario
@@ -32,8 +33,10 @@ GRID = {
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 
 
+@cache
 def editor_schema() -> dict[str, Any]:
-    """JSON Schema (2020-12) of a scenario file; values that are right one by one but not together are not in it."""
+    """JSON Schema (2020-12) of a scenario file, to be read only; values that are right one by one but not
+    together are not in it."""
     schema = Scenario.model_json_schema()
     parts = schema["$defs"]
     keys: dict[str, Any] = {}

@@ -15,10 +15,9 @@ from typing import Any
 
 from gcs.scenario.document import Document, KeyPath, Problem, ScenarioError, did_you_mean, dotted, options, parse
 from gcs.scenario.json_schema import editor_schema
+from gcs.scenario.yaml_dialect import SHORT
 
 EACH = "*"
-SHORT: dict[KeyPath, str] = {("planner",): "method", ("competition",): "policy"}
-"""Blocks that a file may give as one word, and the key which that word is."""
 _PART = re.compile(r"\[(\d+|\*)\]|([^.\[\]]+)")
 DEEPEST = 8
 
@@ -57,7 +56,7 @@ def apply(document: Document, settings: Mapping[str, Any]) -> None:
 def check(key: str) -> None:
     """See that a scenario may have this key path. Raises ValueError, one sentence with the nearest known path."""
     parts = parts_of(key)
-    schema = _schema()
+    schema = editor_schema()
     nodes = list(options(schema, schema))
     for i, part in enumerate(parts):
         inner = list(_inside(schema, nodes, part))
@@ -95,7 +94,7 @@ def parts_of(key: str) -> KeyPath:
 @functools.cache
 def known_paths() -> tuple[str, ...]:
     """Every key path that a scenario may have, lists as `*`."""
-    schema = _schema()
+    schema = editor_schema()
 
     def walk(nodes: list[dict[str, Any]], path: tuple[str, ...]) -> Iterator[str]:
         if path:
@@ -113,11 +112,6 @@ def known_paths() -> tuple[str, ...]:
 def expanded(document: Document, key: str) -> list[str]:
     """A key path without `*`: every place that it means in a document. Raises ValueError where it means none."""
     return [".".join(map(str, path)) for path in _places(document, parts_of(key))]
-
-
-@functools.cache
-def _schema() -> dict[str, Any]:
-    return editor_schema()
 
 
 def _inside(schema: dict[str, Any], nodes: list[dict[str, Any]], part: str | int) -> Iterator[dict[str, Any]]:
@@ -175,8 +169,8 @@ def _put(document: Document, path: KeyPath, value: Any) -> None:
     node: Any = document.data
     for i, part in enumerate(path[:-1]):
         inside = node.get(part) if isinstance(node, dict) else node[part]
-        if isinstance(inside, str) and path[: i + 1] in SHORT:
-            inside = {SHORT[path[: i + 1]]: inside}
+        if isinstance(inside, str) and i == 0 and part in SHORT:
+            inside = {SHORT[part]: inside}
         if inside is None:
             inside = {}
         if not isinstance(inside, dict | list):

@@ -14,7 +14,6 @@ from gcs.scenario import external
 from gcs.scenario.document import Conflict, Document, KeyPath, Problem, ScenarioError, conflict_error
 from gcs.scenario.faults import Fault, fault_conflicts
 from gcs.scenario.fence import FenceRules, fence_conflicts
-from gcs.scenario.forward import Forward
 from gcs.scenario.parts.bases import Base, base_conflicts
 from gcs.scenario.parts.radio import Blackout, Radio
 from gcs.scenario.parts.session import STEP_S, Clock, Goal, Origin, Pursue, Record, known_axes
@@ -28,7 +27,7 @@ from gcs.scenario.rules import (
     PursuitRules,
     RefuellingRules,
 )
-from gcs.scenario.station import Station, station_conflicts
+from gcs.scenario.station import Forward, Station, station_conflicts
 from gcs.scenario.types import Count, Flag, Part, Plane
 from gcs.scenario.weather import Wind
 

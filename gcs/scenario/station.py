@@ -1,14 +1,16 @@
-"""The id by which external vehicles know this ground station."""
+"""The id by which external vehicles know this ground station, and other stations that a session speaks to."""
 
 from collections.abc import Collection, Iterator
 from typing import Annotated
 
-from pydantic import Field
+from pydantic import AfterValidator, Field
 
 from gcs.scenario.document import Conflict
-from gcs.scenario.types import Part
+from gcs.scenario.endpoint import EXAMPLE, FORM, address
+from gcs.scenario.types import Flag, Part
 
 TRAFFIC = (255, 156)
+MOST_FORWARDED = 8
 
 
 class Station(Part):
@@ -32,3 +34,18 @@ def station_conflicts(station: Station, sysids: Collection[int]) -> Iterator[Con
         yield Conflict(("station", "sysid"), f"{station.sysid} is the sysid of a vehicle: the station needs its own")
     if station.ids == TRAFFIC:
         yield Conflict(("station",), f"{TRAFFIC[0]}/{TRAFFIC[1]} is the traffic's: take another compid")
+
+
+def _is_address(text: str) -> str:
+    if address(text) is None:
+        raise ValueError(f"must be {FORM}, {EXAMPLE}")
+    return text
+
+
+class Forward(Part):
+    """Other ground stations beside this one (docs/protocol.md#forwarding)."""
+
+    to: Annotated[tuple[Annotated[str, AfterValidator(_is_address)], ...], Field(max_length=MOST_FORWARDED)] = ()
+    """addresses to which everything goes that vehicles say, such as udpout:127.0.0.1:14550 for QGroundControl"""
+    control: Flag = False
+    """whether what is said there reaches the vehicles; a vehicle that somebody flies there is left to them"""

@@ -108,11 +108,11 @@ def _value_and_keys(text: str, mark: yaml.Mark | None) -> str | None:
         return None
     key, value = found["key"], found["value"].strip("\"'")
     sentence = f"YAML syntax: {key} on line {above[-1][0]} has the value {value} and keys below it; one of them must go"
-    return f'{sentence}, or write {_SHORT[key]}: "{value}" below {key}:' if key in _SHORT else sentence
+    return f'{sentence}, or write {SHORT[key]}: "{value}" below {key}:' if key in SHORT else sentence
 
 
 _VALUE = re.compile(r"\s*(?P<key>\w+): +(?P<value>[^\s#{\[|>&*][^#]*?)\s*(#.*)?$")
-_SHORT = {"planner": "method", "competition": "policy"}
+SHORT = {"planner": "method", "competition": "policy"}
 """Keys whose value alone stands for a block with this key."""
 _TOKENS = {
     "<scalar>": "a value",

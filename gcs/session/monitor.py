@@ -21,7 +21,7 @@ from gcs.mavlink.autopilots import End
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.command_protocol import CommandLong, CommandQueue, CommandTarget, Step
 from gcs.mavlink.ids import OUR_HEARTBEAT, STATION
-from gcs.mavlink.sequence import SequenceCounter
+from gcs.mavlink.sequence import sequence_numbers
 from gcs.mavlink.stream_requests import SilentVehicles, everything
 from gcs.scenario.endpoint import Endpoint
 from gcs.session.messages import reply_message
@@ -67,7 +67,7 @@ class MonitorSource:
         self._queues: dict[int, CommandQueue] = {}
         self._silent_vehicles = SilentVehicles()
         self._reported_silent: set[int] = set()
-        self._counter = SequenceCounter()
+        self._numbers = sequence_numbers()
         self._replies: list[Mapping[str, Any]] = []
         self._shown_s = self._beat_s = -math.inf
         self._at = at
@@ -199,7 +199,7 @@ class MonitorSource:
     def _speak(self, t_s: float) -> None:
         if t_s - self._beat_s >= HEARTBEAT_EVERY_S:
             self._beat_s = t_s
-            raw = codec.frame(OUR_HEARTBEAT, self._counter.next(), *self._station)
+            raw = codec.frame(OUR_HEARTBEAT, next(self._numbers), *self._station)
             peers = {self._listener.to} if self._listener.to is not None else {peer for peer, _ in self._peers.values()}
             for peer in sorted(peers, key=str):
                 self._listener.send(raw, peer)
@@ -217,4 +217,4 @@ class MonitorSource:
     def _transmit(self, sysid: int, messages: list[Message]) -> None:
         peer = self._peers[sysid][0]
         for message in messages:
-            self._listener.send(codec.frame(message, self._counter.next(), *self._station), peer)
+            self._listener.send(codec.frame(message, next(self._numbers), *self._station), peer)

@@ -11,7 +11,7 @@ from gcs.cli.check.dialogue import CheckedVehicle, Question
 from gcs.cli.check.judges import Fault, acknowledged, no_fault
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Message, layout, message
-from gcs.mavlink.command_protocol import CommandInt, CommandLong, CommandTarget
+from gcs.mavlink.command_protocol import CommandLong, CommandTarget
 
 MAVSDK, QGC, MAVPROXY = "MAVSDK", "QGroundControl", "MAVProxy"
 PEERS = (MAVSDK, QGC, MAVPROXY)
@@ -38,9 +38,10 @@ def command_long(command: int, *params: float, to_component: int | None = None, 
     return ask
 
 
-def command_int(command: int, *params: float) -> Ask:
+def command_int(command: int, param1: float) -> Ask:
     """COMMAND_INT to the vehicle, without a place."""
-    return lambda v: [CommandInt(CommandTarget(v.sysid, v.compid), command, mav.MAV_FRAME_GLOBAL, params).message(0)]
+    rest = dict.fromkeys(("param2", "param3", "param4", "x", "y", "z", "current", "autocontinue"), 0)
+    return to_vehicle("COMMAND_INT", command=command, frame=mav.MAV_FRAME_GLOBAL, param1=param1, **rest)
 
 
 def to_vehicle(name: str, **values: Any) -> Ask:

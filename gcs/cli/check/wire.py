@@ -11,7 +11,7 @@ from gcs.link.listener import Listener
 from gcs.link.socket import Where
 from gcs.mavlink import codec
 from gcs.mavlink.ids import STATION
-from gcs.mavlink.sequence import SequenceCounter
+from gcs.mavlink.sequence import sequence_numbers
 from gcs.scenario.endpoint import Endpoint
 
 POLL_S = 0.02
@@ -32,7 +32,7 @@ class Wire:
         """`station`: our system and component id."""
         self._station = station
         self.listener = Listener(at, key_file)
-        self._counter = SequenceCounter()
+        self._numbers = sequence_numbers()
         self._peers: dict[int, Where] = {}
 
     def receive(self, wait_s: float) -> list[codec.Frame]:
@@ -50,7 +50,7 @@ class Wire:
         if to is None:
             return
         for message in messages:
-            self.listener.send(codec.frame(message, self._counter.next(), *self._station), to, unsigned=unsigned)
+            self.listener.send(codec.frame(message, next(self._numbers), *self._station), to, unsigned=unsigned)
 
     def close(self) -> None:
         """Close the connection."""

@@ -6,8 +6,7 @@ import pytest
 
 from gcs.mavlink.autopilots import FlightMode
 from gcs.refuelling.scheduler import Scheduler
-from gcs.refuelling.service import Decision, Phase
-from gcs.refuelling.transfer_command import TransferRole
+from gcs.refuelling.service import Decision, Phase, TransferRole
 from gcs.scenario.model import CompetitionRules, RefuellingRules
 from gcs.telemetry.state import FleetSnapshot
 from tests.support.services import FOLLOW_TARGET, INTERVAL, RATE_W, Fleet, Play, play, tanker, view

@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gcs.assignment import least_cost
 from gcs.refuelling.giver import Giver, ServiceTimes, lasts_s, match
-from gcs.refuelling.rolling_horizon import Durations, Planned, Receivers, Tankers, plan
+from gcs.refuelling.rolling_horizon import Planned, Receivers, plan
 from gcs.scenario.model import RefuellingRules, Scenario
 from gcs.telemetry.state import VehicleView
 
@@ -129,7 +129,7 @@ class Optimal(_Assigning):
 
     def _planned(self, request: RefuellingRequest, views: Sequence[VehicleView]) -> Planned:
         assert request.times is not None
-        rules, times = request.rules, request.times
+        rules = request.rules
         fleet = Receivers(
             np.array([view.p_now_ned() for view in views]),
             np.array([min(lasts_s(view, rules.lands_at), LONGEST_S) for view in views]),
@@ -137,14 +137,8 @@ class Optimal(_Assigning):
             np.array([(rules.until - rules.lands_at) * view.capacity_j for view in views]),
             np.array([(1.0 - self._need_from - rules.lands_at) * view.capacity_j for view in views]),
         )
-        tankers = Tankers(
-            np.array([giver.p_ned for giver in request.givers]),
-            np.array([giver.free_in_s for giver in request.givers]),
-            np.array([giver.speed_m_s for giver in request.givers]),
-            np.array([giver.available_j for giver in request.givers]),
-        )
-        takes = Durations(times.start_s, times.per_way, times.end_s, rules.rate_w)
-        return plan(fleet, tankers, takes, horizon_s=min(request.left_s + MARGIN_S, PLANNED_S))
+        horizon_s = min(request.left_s + MARGIN_S, PLANNED_S)
+        return plan(fleet, request.givers, request.times, rate_w=rules.rate_w, horizon_s=horizon_s)
 
 
 def soonest(views: Iterable[VehicleView], rules: RefuellingRules) -> list[VehicleView]:

@@ -164,10 +164,6 @@ class Scheduler:
                 for tanker, service in in_air.items()
                 if service.phase is not Phase.JOIN or self._distance_m(tanker, service, snapshot) < RELAY_WITHIN_M
             ),
-            partners=(
-                *((tanker, service.receiver) for tanker, service in in_air.items()),
-                *self._approaches.items(),
-            ),
             stations=self._bases.stations(at_base),
             grounded=self._bases.grounded(at_base),
             giver_reports=self._bases.giver_reports(at_base, snapshot),

@@ -132,12 +132,10 @@ class Decision:
     """Result of one tick of the scheduler: rendezvous, command requests, and records."""
 
     rendezvous: dict[int, int] = field(default_factory=dict)
-    """receiver by tanker"""
+    """receiver by tanker; the two need not keep their distance from each other"""
     requests: tuple[CommandRequest, ...] = ()
     relays: tuple[tuple[int, int], ...] = ()
     """(giver, receiver) pairs between which frames are relayed"""
-    partners: tuple[tuple[int, int], ...] = ()
-    """(tanker, receiver) pairs that need not keep their distance from each other"""
     stations: dict[int, Vec3] = field(default_factory=dict)
     """where a vehicle that a base serves is to be, common NED frame"""
     grounded: frozenset[int] = frozenset()

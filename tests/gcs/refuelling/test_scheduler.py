@@ -67,7 +67,7 @@ def test_partners_rendezvous_and_relays_while_it_lasts() -> None:
     game.fleet.set(201, p_ned=(20.0, 0.0, -6.0))
     game.until(Phase.JOIN)
     decision = game.tick()
-    assert (decision.rendezvous, decision.partners, decision.relays) == ({201: 1}, ((201, 1),), ())
+    assert (decision.rendezvous, decision.relays) == ({201: 1}, ())
     game.fleet.set(201, p_ned=(14.0, 0.0, -6.0))
     assert game.tick().relays == ((201, 1),)
     game.fleet.set(201, p_ned=(0.0, 0.0, -6.0))

@@ -47,20 +47,14 @@ def within_range(
 def _within(
     q_ned: FloatArray, reach_m: FloatArray, centre_ned: FloatArray, around_m: FloatArray, end: IntArray
 ) -> IntArray:
-    rows = np.empty(256, dtype=np.int64)
-    count = 0
+    rows = [0][:0]
     for i in range(len(q_ned)):
-        if count + len(centre_ned) > len(rows):
-            longer = np.empty(2 * (count + len(centre_ned)), dtype=np.int64)
-            longer[:count] = rows[:count]
-            rows = longer
         for j in range(len(centre_ned)):
             n, e, d = q_ned[i, 0] - centre_ned[j, 0], q_ned[i, 1] - centre_ned[j, 1], q_ned[i, 2] - centre_ned[j, 2]
             if n * n + e * e + d * d <= (reach_m[i] + around_m[j]) ** 2:
-                rows[count] = j
-                count += 1
-        end[i] = count
-    return rows[:count].copy()
+                rows.append(j)
+        end[i] = len(rows)
+    return np.array(rows, dtype=np.int64)
 
 
 def _extent_m(table: FloatArray) -> FloatArray:

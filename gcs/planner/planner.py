@@ -10,7 +10,7 @@ are planned first, then pursuers, then tankers, so that each follows what the on
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -138,7 +138,7 @@ class Planner(TickPlanner):
             led = [view for view in views if view.role == role]
             if led:
                 wanted = self._guided(led, self._wants(role, request, led))
-                self._move(snapshot, movers, led, wanted, request.partners, period_s)
+                self._move(snapshot, movers, led, wanted, request.rendezvous, period_s)
         return [SetPoint(view.sysid, self._begin[view.sysid], self._v[view.sysid]) for view in views]
 
     def _guided(self, views: list[VehicleView], wanted: list[_Wanted]) -> list[_Wanted]:
@@ -172,7 +172,7 @@ class Planner(TickPlanner):
         movers: _Movers,
         views: list[VehicleView],
         wanted: list[_Wanted],
-        partners: Iterable[tuple[int, int]],
+        rendezvous: Mapping[int, int],
         period_s: float,
     ) -> None:
         """Move the leaders of these vehicles by one period."""
@@ -189,7 +189,7 @@ class Planner(TickPlanner):
             radii_m=movers.radii_m,
             ranges_m=movers.ranges_m,
             owner=owner,
-            exempt=self._exempt(snapshot, views, movers.views, partners),
+            exempt=self._exempt(snapshot, views, movers.views, rendezvous),
             field=self._field,
             speed_m_s=np.array([self._speed(view, want) for view, want in zip(views, wanted, strict=True)]),
             period_s=period_s,
@@ -345,11 +345,11 @@ class Planner(TickPlanner):
         snapshot: FleetSnapshot,
         views: list[VehicleView],
         others: list[VehicleView],
-        partners: Iterable[tuple[int, int]],
+        rendezvous: Mapping[int, int],
     ) -> NDArray[np.bool_]:
         """Vehicles that each leader need not keep away from: partners of a transfer; whom it pursues; what attracts
         it."""
-        pairs = tuple(partners)
+        pairs = tuple(rendezvous.items())
         rows_of = ([view.sysid for view in views], [other.sysid for other in others])
         asked = (*rows_of, [aircraft.callsign for aircraft in snapshot.traffic], pairs)
         known = self._exempted.get(views[0].role)

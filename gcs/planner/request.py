@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
@@ -18,9 +18,9 @@ class PlanRequest:
     """One tick of planning; positions are in the common NED frame, m.
 
     steered: system ids of the vehicles that fly set points. rendezvous: the receiver above which each tanker is to
-    stand. partners: pairs of a transfer, which may come near each other. targets_move: whether targets fly on along
-    their paths. period_s: until the next request. pursuing: the target of each pursuer while all others hold; None:
-    each pursues its own. stations: vehicles that are to be at a place instead.
+    stand; the two may come near each other. targets_move: whether targets fly on along their paths. period_s: until the
+    next request. pursuing: the target of each pursuer while all others hold; None: each pursues its own. stations:
+    vehicles that are to be at a place instead.
     """
 
     snapshot: FleetSnapshot
@@ -28,7 +28,6 @@ class PlanRequest:
     period_s: float
     targets_move: bool = True
     rendezvous: Mapping[int, int] = field(default_factory=dict)
-    partners: Iterable[tuple[int, int]] = ()
     pursuing: Mapping[int, int] | None = None
     stations: Mapping[int, Vec3] = field(default_factory=dict)
 

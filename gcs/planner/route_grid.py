@@ -14,6 +14,7 @@ number of cells: what is open stays open.
 
 from __future__ import annotations
 
+import heapq
 import math
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -235,38 +236,6 @@ def _estimate(dn: int, de: int, dd: int) -> int:
 
 
 @kernel()
-def _push(heap: IntArray, size: int, key: int) -> None:
-    """Kernel: put one more key to heap[:size], which has room for it."""
-    i = size
-    while i > 0:
-        parent = (i - 1) >> 1
-        if heap[parent] <= key:
-            break
-        heap[i] = heap[parent]
-        i = parent
-    heap[i] = key
-
-
-@kernel()
-def _pop(heap: IntArray, size: int) -> None:
-    """Kernel: take the least key out of heap[:size]."""
-    key = heap[size - 1]
-    end = size - 1
-    i = 0
-    while True:
-        child = 2 * i + 1
-        if child >= end:
-            break
-        if child + 1 < end and heap[child + 1] < heap[child]:
-            child += 1
-        if heap[child] >= key:
-            break
-        heap[i] = heap[child]
-        i = child
-    heap[i] = key
-
-
-@kernel()
 def _allowed(weight: Weights, cell: int, around: IntArray, free: IntArray) -> None:
     """Kernel: free[k] = weight of the k-th cell around `cell`, 0 where no move leads there."""
     blocked = 0
@@ -316,25 +285,20 @@ def _settle(
     limit = np.int64(1) << 62
     if cost[start] > 0:
         limit = np.int64(cost[start])
-    seen = np.empty(4096, dtype=np.int64)
-    new_cells = 0
+    seen = [start][:0]
     weight = grid.weight
     stride_e = grid.count_d
     stride_n = grid.count_d * grid.count_e
     start_n, start_e, start_d = start // stride_n, start // stride_e % grid.count_e, start % stride_e
     around, moves = _moves(stride_n, stride_e)
     free = np.empty(27, dtype=np.int64)
-    heap = np.empty(max(4096, 2 * open_cells.shape[0]), dtype=np.int64)
-    size = 0
+    heap = [start][:0]
     for cell in open_cells:
         n, e, d = cell // stride_n, cell // stride_e % grid.count_e, cell % stride_e
         f = -cost[cell] + _estimate(n - start_n, e - start_e, d - start_d)
-        _push(heap, size, f << 32 | cell)
-        size += 1
-    while size > 0 and heap[0] >> 32 <= limit and settled < most:
-        cell = heap[0] & 0xFFFFFFFF
-        _pop(heap, size)
-        size -= 1
+        heapq.heappush(heap, f << 32 | cell)
+    while len(heap) > 0 and heap[0] >> 32 <= limit and settled < most:
+        cell = heapq.heappop(heap) & 0xFFFFFFFF
         own = -np.int64(cost[cell])
         if own < 0:
             continue
@@ -342,14 +306,6 @@ def _settle(
         settled += 1
         if cell == start:
             limit = own
-        if size + 27 > heap.shape[0]:
-            longer = np.empty(2 * heap.shape[0], dtype=np.int64)
-            longer[:size] = heap[:size]
-            heap = longer
-        if new_cells + 27 > seen.shape[0]:
-            longer = np.empty(2 * seen.shape[0], dtype=np.int64)
-            longer[:new_cells] = seen[:new_cells]
-            seen = longer
         _allowed(weight, cell, around, free)
         n, e, d = cell // stride_n - start_n, cell // stride_e % grid.count_e - start_e, cell % stride_e - start_d
         here = free[13]
@@ -366,21 +322,13 @@ def _settle(
                         continue
                     new = own + moves[k] * (here + free[k])
                     if known == 0:
-                        seen[new_cells] = other
-                        new_cells += 1
+                        seen.append(other)
                     if known == 0 or -known > new:
                         cost[other] = -new
-                        _push(heap, size, (new + _estimate(n + dn, e + de, d + dd)) << 32 | other)
-                        size += 1
-    found = size == 0 or heap[0] >> 32 > limit
-    kept = np.empty(size, dtype=np.int64)
-    count = 0
-    for i in range(size):
-        cell = heap[i] & 0xFFFFFFFF
-        if cost[cell] < 0:
-            kept[count] = cell
-            count += 1
-    return np.unique(kept[:count]), seen[:new_cells].copy(), settled, found
+                        heapq.heappush(heap, (new + _estimate(n + dn, e + de, d + dd)) << 32 | other)
+    found = len(heap) == 0 or bool(heap[0] >> 32 > limit)
+    kept = np.array([key & 0xFFFFFFFF for key in heap], dtype=np.int64)
+    return np.unique(kept[cost[kept] < 0]), np.array(seen, dtype=np.int64), settled, found
 
 
 @kernel()
@@ -388,9 +336,7 @@ def _descend(grid: Cells, cost: Costs, start: int, goal: int) -> IntArray:
     """Kernel: cells from `start` to `goal` down the settled costs, of equal ones the first in order."""
     around, moves = _moves(grid.count_d * grid.count_e, grid.count_d)
     free = np.empty(27, dtype=np.int64)
-    path = np.empty(256, dtype=np.int64)
-    path[0] = start
-    size = 1
+    path = [start]
     cell = start
     while cell != goal:
         _allowed(grid.weight, cell, around, free)
@@ -405,13 +351,8 @@ def _descend(grid: Cells, cost: Costs, start: int, goal: int) -> IntArray:
         if following < 0:
             raise ValueError("the field holds no way from this start; its part of the free space is another")
         cell = following
-        if size == path.shape[0]:
-            longer = np.empty(2 * size, dtype=np.int64)
-            longer[:size] = path
-            path = longer
-        path[size] = cell
-        size += 1
-    return path[:size]
+        path.append(cell)
+    return np.array(path)
 
 
 @kernel()

@@ -234,7 +234,8 @@ class SafePlanner(TickPlanner):
     def _partners(self, request: PlanRequest) -> list[tuple[int, int, float]]:
         """Least distance of partners of a transfer, by pair."""
         near_m, separation_m = PARTNERS_SHARE * self._scenario.refuelling.height_m, self._scenario.planner.separation_m
-        return [(a, b, min(near_m, separation_m + self.margin_m(a) + self.margin_m(b))) for a, b in request.partners]
+        pairs = request.rendezvous.items()
+        return [(a, b, min(near_m, separation_m + self.margin_m(a) + self.margin_m(b))) for a, b in pairs]
 
     def _others(self, request: PlanRequest, led: set[int]) -> list[_Other]:
         """Vehicles that give no way, where they will be when vehicles fly where their leaders are now."""

@@ -11,16 +11,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
 
 import pymap3d
 
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.mavlink.codec import Message, message
 from gcs.mavlink.ids import STATION
-from gcs.refuelling.service import GiverReport, Phase, Service, ServiceRequests, token, unfit
-from gcs.refuelling.settlement import EndedTransfer, Settlement
-from gcs.refuelling.transfer_command import TransferRole, transfer_request
-from gcs.scenario.model import Base, Origin, RefuellingRules
+from gcs.refuelling.service import GiverReport, Phase, Service, TransferRole, token, unfit
+from gcs.refuelling.settlement import EndedTransfer, ServiceSteps
+from gcs.scenario.model import Base, Origin
 from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 
 POSITION_AND_VELOCITY = 0b11
@@ -62,37 +62,21 @@ class Stock:
         self.taken_back_j += joules
 
 
-class BaseSteps:
+@dataclass
+class BaseSteps(ServiceSteps):
     """Moves every base's service from the decision to its end."""
 
-    def __init__(
-        self,
-        rules: RefuellingRules,
-        bases: Iterable[Base],
-        requests: ServiceRequests,
-        out: Mapping[int, str],
-        settlement: Settlement,
-        *,
-        need_from: float,
-        transfers_until_s: float = math.inf,
-    ) -> None:
-        """`out`: who is not to be served, and why; a service of theirs is broken off. `transfers_until_s`: session time
-        at which transfers are stopped, so that they can be settled before the end."""
-        self._rules = rules
-        self._out = out
-        self._settlement = settlement
-        self._until_s = transfers_until_s
-        self._requests = requests
-        self._need_from = need_from
-        self.stocks = {base.name: Stock(base) for base in bases}
-        self.booked: dict[int, int] = {}
-        """joules given in this tick by the book, by receiver"""
-        self.stays: set[int] = set()
-        """who stays on the ground: too empty to fly on, and nothing left to charge it with"""
+    stocks: Mapping[str, Stock]
+    """by the base's name"""
+    need_from: float
+    booked: dict[int, int] = field(default_factory=dict)
+    """joules given in this tick by the book, by receiver"""
+    stays: set[int] = field(default_factory=set)
+    """who stays on the ground: too empty to fly on, and nothing left to charge it with"""
 
     def grounded(self, services: Iterable[Service]) -> frozenset[int]:
         """Vehicles that are to be on the ground now."""
-        self.stays -= self._out.keys()
+        self.stays -= self.out.keys()
         return frozenset(self.stays | {service.receiver for service in services if service.phase in _CHARGING})
 
     def stations(self, services: Iterable[Service]) -> dict[int, Vec3]:
@@ -112,12 +96,12 @@ class BaseSteps:
         """Move one service to the snapshot's time."""
         receiver = snapshot.vehicle(service.receiver)
         if not receiver.alive:
-            self._finish(service, snapshot.time_s, "the receiver died")
+            self.end(service, snapshot.time_s, "the receiver died")
             return
-        if receiver.sysid in self._out and service.phase in _BREAKS_OFF:
-            reason = f"{receiver.label} {self._out[receiver.sysid]}"
+        if receiver.sysid in self.out and service.phase in _BREAKS_OFF:
+            reason = f"{receiver.label} {self.out[receiver.sysid]}"
             if service.phase in (Phase.JOIN, Phase.LAND):
-                self._finish(service, snapshot.time_s, reason)
+                self.end(service, snapshot.time_s, reason)
             else:
                 self._stop(service, reason, snapshot.time_s)
             return
@@ -125,15 +109,15 @@ class BaseSteps:
 
     def _join(self, service: Service, receiver: VehicleView, now_s: float) -> None:
         if (reason := unfit(receiver)) is not None:
-            self._finish(service, now_s, reason)
+            self.end(service, now_s, reason)
             return
         base = self._base(service)
         off_m, speed_m_s = math.dist(receiver.p_now_ned(), base.above_m), math.hypot(*receiver.v_ned)
-        near = off_m <= 0.5 * base.radius_m and speed_m_s <= self._rules.relative_speed_m_s
-        if service.has_held(near, now_s, self._rules.hold_s):
+        near = off_m <= 0.5 * base.radius_m and speed_m_s <= self.rules.relative_speed_m_s
+        if service.has_held(near, now_s, self.rules.hold_s):
             service.go(Phase.LAND, now_s)
         elif now_s - service.phase_since_s > REACH_WITHIN_S + (service.meets_in_s or 0.0):
-            self._finish(service, now_s, "did not reach the base in time")
+            self.end(service, now_s, "did not reach the base in time")
 
     def _land(self, service: Service, receiver: VehicleView, now_s: float) -> None:
         if receiver.landed and not receiver.armed and receiver.fresh:
@@ -142,9 +126,9 @@ class BaseSteps:
             if off_m > base.radius_m:
                 self._leave(service, receiver, now_s, f"landed {off_m:.1f} m from the base")
                 return
-            if self._settlement.awaits(receiver.sysid, now_s):
+            if self.settlement.awaits(receiver.sysid, now_s):
                 return
-            self._settlement.begin(receiver.sysid)
+            self.settlement.begin(receiver.sysid)
             service.joined_at_s = now_s
             service.in_at_start_j = service.in_at_begin_j = service.reported_in_j = receiver.received_j
             self._begin(service, receiver, now_s)
@@ -153,13 +137,13 @@ class BaseSteps:
 
     def _begin(self, service: Service, receiver: VehicleView, now_s: float) -> None:
         stock = self._stock(service)
-        room_j = self._rules.until * receiver.capacity_j - receiver.remaining_j
-        limit_j = math.inf if self._rules.limit_j is None else self._rules.limit_j
+        room_j = self.rules.until * receiver.capacity_j - receiver.remaining_j
+        limit_j = math.inf if self.rules.limit_j is None else self.rules.limit_j
         service.ordered_j = math.floor(max(min(room_j, limit_j, stock.remaining_j), 0.0))
         service.out_at_start_j = stock.given_j
         if service.ordered_j < 1:
             self._leave(service, receiver, now_s, "full" if stock.remaining_j >= 1.0 else EMPTY)
-        elif now_s >= self._until_s:
+        elif now_s >= self.until_s:
             self._leave(service, receiver, now_s, ENDS)
         elif receiver.battery_reported:
             self._order(service, TransferRole.RECEIVE)
@@ -168,7 +152,7 @@ class BaseSteps:
             self._charge_from_now(service, now_s)
 
     def _start_receiver(self, service: Service, receiver: VehicleView, now_s: float) -> None:
-        accepted = self._requests.accepted(token(service, "receive"))
+        accepted = self.requests.accepted(token(service, "receive"))
         waited_s = now_s - service.phase_since_s
         if accepted:
             self._charge_from_now(service, now_s)
@@ -182,7 +166,7 @@ class BaseSteps:
 
     def _charge_from_now(self, service: Service, now_s: float) -> None:
         service.start_s = service.charged_s = service.progress_s = now_s
-        self._requests.records.append({"kind": "transfer", **service.sides})
+        self.requests.records.append({"kind": "transfer", **service.sides})
         service.go(Phase.TRANSFER, now_s)
 
     def _transfer(self, service: Service, receiver: VehicleView, now_s: float) -> None:
@@ -191,7 +175,7 @@ class BaseSteps:
             service.reported_in_j, service.progress_s = receiver.received_j, now_s
         if receiver.armed or not receiver.landed:
             self._stop(service, f"{receiver.label} left the base", now_s)
-        elif now_s >= self._until_s:
+        elif now_s >= self.until_s:
             self._stop(service, ENDS, now_s)
         elif counts and now_s - service.progress_s > SILENCE_S:
             self._stop(service, "the receiver takes no more", now_s)
@@ -215,7 +199,7 @@ class BaseSteps:
     def _why_enough(self, service: Service, receiver: VehicleView) -> str:
         if self._stock(service).remaining_j < 1.0:
             return EMPTY
-        limited = self._rules.limit_j is not None and service.ordered_j >= math.floor(self._rules.limit_j)
+        limited = self.rules.limit_j is not None and service.ordered_j >= math.floor(self.rules.limit_j)
         return "limit" if limited else "full"
 
     def _stop(self, service: Service, reason: str, now_s: float) -> None:
@@ -232,9 +216,9 @@ class BaseSteps:
             service.go(Phase.STOP_RECEIVER, now_s)
 
     def _stop_receiver(self, service: Service, receiver: VehicleView, now_s: float) -> None:
-        answered = self._requests.accepted(token(service, "stop receiver")) is not None
+        answered = self.requests.accepted(token(service, "stop receiver")) is not None
         if answered or now_s - service.phase_since_s > START_WITHIN_S:
-            self._settlement.add(
+            self.settlement.add(
                 EndedTransfer(
                     service,
                     service.out_at_start_j,
@@ -249,9 +233,9 @@ class BaseSteps:
     def _leave(self, service: Service, receiver: VehicleView, now_s: float, reason: str) -> None:
         """Let it take off again, unless it would be back at once and there is nothing to come back for."""
         service.ended_by = reason
-        if reason == EMPTY and receiver.need >= self._need_from:
+        if reason == EMPTY and receiver.need >= self.need_from:
             self.stays.add(receiver.sysid)
-            self._finish(service, now_s, f"{EMPTY}, and {receiver.label} stays on the ground")
+            self.end(service, now_s, f"{EMPTY}, and {receiver.label} stays on the ground")
         else:
             service.go(Phase.TAKE_OFF, now_s)
 
@@ -259,11 +243,7 @@ class BaseSteps:
         base = self._base(service)
         up = receiver.flying and receiver.mode in STEERABLE
         if up and math.dist(receiver.p_now_ned(), base.position_m) > base.radius_m:
-            self._finish(service, now_s, service.ended_by)
-
-    def _finish(self, service: Service, now_s: float, reason: str) -> None:
-        service.phase, service.end_s, service.ended_by = Phase.DONE, now_s, reason
-        self._requests.records.append({"kind": "served", "reason": reason, **service.record()})
+            self.end(service, now_s, service.ended_by)
 
     def _base(self, service: Service) -> Base:
         return self._stock(service).base
@@ -276,17 +256,15 @@ class BaseSteps:
         return self._stock(service).given_j - service.out_at_start_j
 
     def _order(self, service: Service, role: TransferRole) -> None:
-        self._requests.request(
-            transfer_request(
-                service.receiver,
-                token(service, "receive" if role is TransferRole.RECEIVE else "stop receiver"),
-                role,
-                partner=STATION[0],
-                limit_j=service.ordered_j,
-                rate_w=self._base(service).rate_w,
-                number=service.number,
-                given_at_start_j=service.out_at_start_j,
-            )
+        self.requests.order(
+            service,
+            service.receiver,
+            "receive" if role is TransferRole.RECEIVE else "stop receiver",
+            role,
+            partner=STATION[0],
+            limit_j=service.ordered_j,
+            rate_w=self._base(service).rate_w,
+            given_at_start_j=service.out_at_start_j,
         )
 
 

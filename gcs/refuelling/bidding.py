@@ -1,9 +1,9 @@
 """The paper's competition, by need and for one winner after another: bids, dwell time, time limit, urgency
 (docs/protocol.md#bids-by-need).
 
-Needs are the bids, or what a kind of this competition puts in their place (gcs/refuelling/effort_bidding.py). A winner
-must lead for the dwell time; near ties are cut short by `decide_within_s`; and a vehicle that would not last until a
-rendezvous is served before anyone else.
+Needs are the bids, or what a kind of this competition puts in their place (`EffortBidding`). A winner must lead for the
+dwell time; near ties are cut short by `decide_within_s`; and a vehicle that would not last until a rendezvous is served
+before anyone else.
 """
 
 from __future__ import annotations
@@ -173,6 +173,34 @@ class NeedBidding(BiddingRule):
         self.competition_state = self.competition_state.without(sysid)
         self._leading_since_s = None
         self._begun_s = now_s if self.competition_state.v else None
+
+
+class EffortBidding(NeedBidding):
+    """The competition by control energy (paper, Example 4; docs/protocol.md#bids-by-effort): as by need, with the
+    control effort that each has reported since its last joule came in place of the needs.
+
+    That the most energy wins, and that it is counted anew after a while, is the paper's; its definition and what it is
+    counted from are a [choice].
+    """
+
+    def __init__(self, rules: CompetitionRules, reserve_s: float = 0.0) -> None:
+        """As `NeedBidding`."""
+        super().__init__(rules, reserve_s)
+        self._counted_from: dict[int, float] = {}
+        self._received_j: dict[int, float] = {}
+
+    def advance(
+        self, snapshot: FleetSnapshot, served: Collection[int], givers: Sequence[Giver] = (), times: object = None
+    ) -> None:
+        """As `NeedBidding`, once whoever has received energy since the last tick counts from zero again."""
+        for view in snapshot.of_role("pursuer"):
+            if view.received_j != self._received_j.get(view.sysid, 0):
+                self._received_j[view.sysid] = view.received_j
+                self._counted_from[view.sysid] = view.effort_now
+        super().advance(snapshot, served, givers, times)
+
+    def _wants(self, competitors: Sequence[VehicleView]) -> Sequence[float]:
+        return [view.effort_now - self._counted_from.get(view.sysid, 0.0) for view in competitors]
 
 
 def urgent_of(

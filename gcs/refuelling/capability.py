@@ -9,8 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from pymavlink.dialects.v20 import common as mav
+
+from gcs.mavlink.command_protocol import CommandRequest
 from gcs.refuelling.service import ServiceRequests
-from gcs.refuelling.transfer_command import inquiry
 from gcs.telemetry.state import FleetSnapshot
 
 ASK_WITHIN_S = 10.0
@@ -47,7 +49,7 @@ class ReceiverCapability:
                     self._learn(sysid, None if accepted else REFUSED)
             elif view.battery_reported:
                 self._asked.add(sysid)
-                requests.request(inquiry(sysid, mark))
+                requests.request(CommandRequest(sysid, mav.MAV_CMD_USER_1, (), mark))
             elif snapshot.time_s - first_s > ASK_WITHIN_S:
                 self._learn(sysid, NO_BATTERY_MODEL)
         requests.records += [

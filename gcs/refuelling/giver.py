@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from gcs.assignment import least_cost
 from gcs.refuelling.service import Phase, Service
 from gcs.refuelling.target_assignment import meeting_s, way
 from gcs.scenario.model import RefuellingRules
@@ -115,6 +116,19 @@ class ServiceTimes:
         if service.phase is Phase.TRANSFER:
             return flow_s + self.end_s
         return max(self.end_s - (now_s - service.phase_since_s), 0.0)
+
+
+def match(givers: Sequence[Giver], receivers: Sequence[VehicleView]) -> list[tuple[Giver, VehicleView]]:
+    """Pairs, as many as there can be, of which the sum of the ways' times is least (H. W. Kuhn, Naval Research
+    Logistics Quarterly 2, 1955); in the givers' order.
+
+    Of equal sums the one that `least_cost` names, which depends on nothing but the numbers.
+    """
+    if not givers or not receivers:
+        return []
+    cost_s = np.array([[giver.way_s(view) for view in receivers] for giver in givers])
+    rows, columns = least_cost(cost_s)
+    return [(givers[i], receivers[j]) for i, j in zip(rows, columns, strict=True)]
 
 
 def nearest_s(givers: Sequence[Giver], view: VehicleView, times: ServiceTimes) -> float:

@@ -16,12 +16,11 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from gcs.assignment import least_cost
-from gcs.refuelling.auction import auction
-from gcs.refuelling.giver import Giver, ServiceTimes, lasts_s
-from gcs.refuelling.matching import match
-from gcs.refuelling.rolling_horizon import Durations, Planned, Receivers, Tankers, plan
+from gcs.refuelling.giver import Giver, ServiceTimes, lasts_s, match
+from gcs.refuelling.rolling_horizon import Planned, Receivers, plan
 from gcs.scenario.model import RefuellingRules, Scenario
 from gcs.telemetry.state import VehicleView
 
@@ -130,7 +129,7 @@ class Optimal(_Assigning):
 
     def _planned(self, request: RefuellingRequest, views: Sequence[VehicleView]) -> Planned:
         assert request.times is not None
-        rules, times = request.rules, request.times
+        rules = request.rules
         fleet = Receivers(
             np.array([view.p_now_ned() for view in views]),
             np.array([min(lasts_s(view, rules.lands_at), LONGEST_S) for view in views]),
@@ -138,14 +137,8 @@ class Optimal(_Assigning):
             np.array([(rules.until - rules.lands_at) * view.capacity_j for view in views]),
             np.array([(1.0 - self._need_from - rules.lands_at) * view.capacity_j for view in views]),
         )
-        tankers = Tankers(
-            np.array([giver.p_ned for giver in request.givers]),
-            np.array([giver.free_in_s for giver in request.givers]),
-            np.array([giver.speed_m_s for giver in request.givers]),
-            np.array([giver.available_j for giver in request.givers]),
-        )
-        takes = Durations(times.start_s, times.per_way, times.end_s, rules.rate_w)
-        return plan(fleet, tankers, takes, horizon_s=min(request.left_s + MARGIN_S, PLANNED_S))
+        horizon_s = min(request.left_s + MARGIN_S, PLANNED_S)
+        return plan(fleet, request.givers, request.times, rate_w=rules.rate_w, horizon_s=horizon_s)
 
 
 def soonest(views: Iterable[VehicleView], rules: RefuellingRules) -> list[VehicleView]:
@@ -188,6 +181,32 @@ class Auction(_Assigning):
         left_s = np.array([min(lasts_s(view, lands_at), LONGEST_S) for view in views])
         won = auction([[-giver.way_s(view) for view in views] - left_s for giver in free], AUCTION_S)
         return {int(giver.name): views[j].sysid for giver, j in zip(free, won, strict=True)}
+
+
+def auction(benefit: ArrayLike, epsilon: float) -> NDArray[np.int64]:
+    """Object (m,) of each of m bidders for benefit (m, n), m <= n, finite; the sum is within m·epsilon of the greatest
+    (D. P. Bertsekas, Annals of Operations Research 14, 1988).
+
+    Every bidder without an object bids for the one that is worth most to it at the present prices, and raises its price
+    by what it prefers it to the second best, and epsilon; whoever held it is without one again.
+    """
+    worth = np.asarray(benefit, dtype=np.float64)
+    bidders, objects = worth.shape
+    if bidders > objects:
+        raise ValueError(f"auction: {bidders} bidders for {objects} objects; there must be at least as many objects")
+    price, holder, held = np.zeros(objects), np.full(objects, -1), np.full(bidders, -1)
+    without = list(range(bidders))
+    while without:
+        bidder = without.pop()
+        net = worth[bidder] - price
+        best = int(net.argmax())
+        second = float(np.delete(net, best).max()) if objects > 1 else float(net[best])
+        price[best] += float(net[best]) - second + epsilon
+        if holder[best] >= 0:
+            held[holder[best]] = -1
+            without.append(int(holder[best]))
+        holder[best], held[bidder] = bidder, best
+    return held
 
 
 def _free(request: RefuellingRequest) -> list[Giver]:

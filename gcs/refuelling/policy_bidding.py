@@ -5,8 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from typing import Any
 
-from gcs.refuelling.bidding import Award, BiddingRule, CompetitionState, NeedBidding, is_servable, urgent_of
-from gcs.refuelling.effort_bidding import EffortBidding
+from gcs.refuelling.bidding import (
+    Award,
+    BiddingRule,
+    CompetitionState,
+    EffortBidding,
+    NeedBidding,
+    is_servable,
+    urgent_of,
+)
 from gcs.refuelling.giver import Giver, ServiceTimes
 from gcs.refuelling.policies import SHIPPED, WINNER_TAKE_ALL, RefuellingPolicy, RefuellingRequest
 from gcs.refuelling.time_bidding import TimeBidding

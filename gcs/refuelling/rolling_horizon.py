@@ -13,10 +13,13 @@ Times in s from now, energies in J above the charge at which a vehicle lands; n 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+
+from gcs.refuelling.giver import Giver, ServiceTimes
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -53,30 +56,6 @@ class Receivers:
 
 
 @dataclass(frozen=True)
-class Tankers:
-    """Tankers that serve."""
-
-    p_ned: FloatArray
-    """(m, 3), where each is free"""
-    free_s: FloatArray
-    """(m,) when"""
-    speed_m_s: FloatArray
-    """(m,)"""
-    available_j: FloatArray
-    """(m,) what each can still give"""
-
-
-@dataclass(frozen=True)
-class Durations:
-    """How long a service takes: from the decision to the first joule start_s + per_way · way; end_s after the last."""
-
-    start_s: float
-    per_way: float
-    end_s: float
-    rate_w: float
-
-
-@dataclass(frozen=True)
 class Planned:
     """The best plan found."""
 
@@ -87,17 +66,20 @@ class Planned:
     cost: float
 
 
-def plan(fleet: Receivers, tankers: Tankers, takes: Durations, *, horizon_s: float, width: int = WIDTH) -> Planned:
-    """The plan of the least cost that was found, of at least one vehicle and one tanker."""
-    n, m = len(fleet.lands_s), len(tankers.free_s)
+def plan(
+    fleet: Receivers, tankers: Sequence[Giver], takes: ServiceTimes, *, rate_w: float, horizon_s: float
+) -> Planned:
+    """The plan of the least cost that was found, of at least one vehicle and one tanker; rate_w: of one transfer, W."""
+    m = len(tankers)
     lands = fleet.lands_s[None, :].copy()
-    free = tankers.free_s[None, :].copy()
-    place = np.tile(tankers.p_ned, (1, 1, 1))
-    left_j = tankers.available_j[None, :].copy()
+    free = np.array([[tanker.free_in_s for tanker in tankers]])
+    place = np.array([[tanker.p_ned for tanker in tankers]])
+    left_j = np.array([[tanker.available_j for tanker in tankers]])
+    speed_m_s = np.array([tanker.speed_m_s for tanker in tankers])
     cost = np.zeros(1)
     first, starts = np.full((1, m), -1), np.full((1, m), math.inf)
     wants_s = fleet.wants_j / fleet.power_w  # so long before it lands
-    net_w = np.maximum(takes.rate_w - fleet.power_w, 0.1 * takes.rate_w)
+    net_w = np.maximum(rate_w - fleet.power_w, 0.1 * rate_w)
     best: Planned | None = None
     while True:
         tanker = free.argmin(axis=1)
@@ -116,13 +98,13 @@ def plan(fleet: Receivers, tankers: Tankers, takes: Durations, *, horizon_s: flo
         rows = np.flatnonzero(going)
         tanker, sets_off = tanker[rows], sets_off[rows]
         away = fleet.p_ned[None, :, :] - place[rows, tanker][:, None, :]
-        way_s = np.sqrt((away**2).sum(axis=2)) / tankers.speed_m_s[tanker][:, None]
+        way_s = np.sqrt((away**2).sum(axis=2)) / speed_m_s[tanker][:, None]
         begins = sets_off[:, None] + np.maximum(takes.start_s + takes.per_way * way_s, 0.0)
         spare = lands[rows] - begins
         # Rounding must not make a vehicle that wants energy at this very time want it no more.
         may = (wanted[rows] <= sets_off[:, None] + 1e-9) & (spare > -TOO_LATE_S)
         missing_j = fleet.full_j - np.maximum(spare, 0.0) * fleet.power_w
-        flows = np.minimum(np.maximum(missing_j, 0.0) / net_w, left_j[rows, tanker][:, None] / takes.rate_w)
+        flows = np.minimum(np.maximum(missing_j, 0.0) / net_w, left_j[rows, tanker][:, None] / rate_w)
         stuck = ~may.any(axis=1)
         if stuck.any():  # who wants it can't be reached in time: the tanker stays out of it until somebody else does
             free[rows[stuck], tanker[stuck]] += 1.0
@@ -136,10 +118,10 @@ def plan(fleet: Receivers, tankers: Tankers, takes: Durations, *, horizon_s: flo
         new_cost = cost[of] + np.minimum(np.logaddexp(0.0, late), COST)
         each = np.arange(len(of))
         new_lands, new_free, new_left = lands[of], free[of], left_j[of]
-        gained_s = flow * takes.rate_w / fleet.power_w[chosen]
+        gained_s = flow * rate_w / fleet.power_w[chosen]
         new_lands[each, chosen] = np.maximum(new_lands[each, chosen], begin) + gained_s
         new_free[each, by] = np.maximum(begin + flow + takes.end_s, sets_off[parent] + SHORTEST_S)
-        new_left[each, by] -= flow * takes.rate_w
+        new_left[each, by] -= flow * rate_w
         new_free[each, by] = np.where(new_left[each, by] < 500.0, math.inf, new_free[each, by])
         new_place, new_first, new_starts = place[of], first[of], starts[of]
         new_place[each, by] = fleet.p_ned[chosen]
@@ -152,14 +134,13 @@ def plan(fleet: Receivers, tankers: Tankers, takes: Durations, *, horizon_s: flo
             new_left, new_cost = np.vstack([new_left, left_j[held]]), np.concatenate([new_cost, cost[held]])
             new_place = np.concatenate([new_place, place[held]])
             new_first, new_starts = np.vstack([new_first, first[held]]), np.vstack([new_starts, starts[held]])
-        if len(new_cost) > width:
-            kept = np.argsort(new_cost + _foreseen(new_lands, new_free, horizon_s), kind="stable")[:width]
+        if len(new_cost) > WIDTH:
+            kept = np.argsort(new_cost + _foreseen(new_lands, new_free, horizon_s), kind="stable")[:WIDTH]
             new_lands, new_free, new_left, new_cost = new_lands[kept], new_free[kept], new_left[kept], new_cost[kept]
             new_place, new_first, new_starts = new_place[kept], new_first[kept], new_starts[kept]
         lands, free, left_j, cost = new_lands, new_free, new_left, new_cost
         place, first, starts = new_place, new_first, new_starts
     assert best is not None
-    assert n
     return best
 
 

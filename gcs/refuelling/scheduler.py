@@ -67,11 +67,10 @@ class Scheduler:
         """who is served before anybody else, in this order"""
         self._requests = ServiceRequests()
         self._settlement = Settlement(self._requests)
-        with_all = (self._requests, self.out, self._settlement)
-        self._steps = TankerSteps(refuelling, self._tankers, *with_all, transfers_until_s=transfers_until_s)
-        self._bases = BaseSteps(
-            refuelling, bases, *with_all, need_from=competition.need_from, transfers_until_s=transfers_until_s
-        )
+        with_all = (refuelling, self._requests, self._settlement, self.out, transfers_until_s)
+        stocks = {base.name: Stock(base) for base in bases}
+        self._steps = TankerSteps(*with_all, self._tankers)
+        self._bases = BaseSteps(*with_all, stocks, competition.need_from)
         self._ability = ReceiverCapability(transfer_capable or {})
         self.tanker_times = ServiceTimes(*TANKER_TIMES)
         self.base_times = ServiceTimes(*BASE_TIMES)
@@ -162,10 +161,6 @@ class Scheduler:
                 (tanker, service.receiver)
                 for tanker, service in in_air.items()
                 if service.phase is not Phase.JOIN or self._distance_m(tanker, service, snapshot) < RELAY_WITHIN_M
-            ),
-            partners=(
-                *((tanker, service.receiver) for tanker, service in in_air.items()),
-                *self._approaches.items(),
             ),
             stations=self._bases.stations(at_base),
             grounded=self._bases.grounded(at_base),

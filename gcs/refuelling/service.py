@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from enum import StrEnum
+from enum import IntEnum, StrEnum
 from typing import Any
+
+from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.mavlink.command_protocol import CommandRequest
@@ -25,6 +28,16 @@ class Phase(StrEnum):
     STOP_RECEIVER = "stop receiver"
     TAKE_OFF = "take off"
     DONE = "done"
+
+
+class TransferRole(IntEnum):
+    """param2 of MAV_CMD_USER_1, the command that starts and stops a transfer of energy
+    (docs/protocol.md#energy-transfer): what the vehicle is to do."""
+
+    STOP = 0
+    GIVE = 1
+    RECEIVE = 2
+    SETTLE = 3
 
 
 @dataclass
@@ -119,12 +132,10 @@ class Decision:
     """Result of one tick of the scheduler: rendezvous, command requests, and records."""
 
     rendezvous: dict[int, int] = field(default_factory=dict)
-    """receiver by tanker"""
+    """receiver by tanker; the two need not keep their distance from each other"""
     requests: tuple[CommandRequest, ...] = ()
     relays: tuple[tuple[int, int], ...] = ()
     """(giver, receiver) pairs between which frames are relayed"""
-    partners: tuple[tuple[int, int], ...] = ()
-    """(tanker, receiver) pairs that need not keep their distance from each other"""
     stations: dict[int, Vec3] = field(default_factory=dict)
     """where a vehicle that a base serves is to be, common NED frame"""
     grounded: frozenset[int] = frozenset()
@@ -151,6 +162,26 @@ class ServiceRequests:
         """Request a command; the result of an earlier one with the same token counts no more."""
         self._results.pop(command.token, None)
         self.requests.append(command)
+
+    def order(
+        self,
+        service: Service,
+        sysid: int,
+        what: str,
+        role: TransferRole,
+        *,
+        partner: int,
+        limit_j: float,
+        rate_w: float,
+        given_at_start_j: int,
+    ) -> None:
+        """Request MAV_CMD_USER_1 of one side of a service, `what` naming it in its token.
+
+        partner: system id of the other side. limit_j: whole joules at most; of SETTLE those that the receiver has
+        credited. given_at_start_j: the giver's counter XferOut when the transfer began.
+        """
+        params = (partner, role, math.floor(limit_j), rate_w, service.number, given_at_start_j)
+        self.request(CommandRequest(sysid, mav.MAV_CMD_USER_1, tuple(map(float, params)), token(service, what)))
 
     def receive_result(self, token: str, accepted: bool) -> None:
         """Store the result of the command with this token."""

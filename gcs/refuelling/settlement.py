@@ -8,14 +8,13 @@ the supervisor's own. Until then neither side begins another transfer, so that a
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from gcs.mavlink.autopilots import FlightMode
-from gcs.refuelling.service import Service, ServiceRequests, token
-from gcs.refuelling.transfer_command import TransferRole, transfer_request
+from gcs.refuelling.service import Phase, Service, ServiceRequests, TransferRole, token
 from gcs.scenario.faults import RADIO
-from gcs.scenario.model import Radio, Scenario
+from gcs.scenario.model import Radio, RefuellingRules, Scenario
 from gcs.telemetry.state import FleetSnapshot, VehicleView
 
 WAIT_S = 10.0
@@ -45,9 +44,9 @@ class EndedTransfer:
     asked_s: float = 0.0
 
     @property
-    def token(self) -> str:
-        """The mark by which the result of its order is known."""
-        return token(self.service, f"settle {self.out_at_start_j}")
+    def what(self) -> str:
+        """Name of its order in the token by which the result is known."""
+        return f"settle {self.out_at_start_j}"
 
     @property
     def missing_j(self) -> int | None:
@@ -96,7 +95,7 @@ class Settlement:
             return True
         if one.take_back is not None:
             one.take_back(missing_j)
-        elif not self._requests.accepted(one.token):
+        elif not self._requests.accepted(token(service, one.what)):
             if tanker is not None and tanker.fresh:
                 self._ask(one, snapshot.time_s)
             return False
@@ -109,18 +108,34 @@ class Settlement:
         if service.tanker is None or (one.asked and now_s - one.asked_s <= ASK_AGAIN_S):
             return
         one.asked, one.asked_s = one.asked + 1, now_s
-        self._requests.request(
-            transfer_request(
-                service.tanker,
-                one.token,
-                TransferRole.SETTLE,
-                partner=service.receiver,
-                limit_j=one.credited_j or 0,
-                rate_w=0.0,
-                number=service.number,
-                given_at_start_j=one.out_at_start_j,
-            )
+        self._requests.order(
+            service,
+            service.tanker,
+            one.what,
+            TransferRole.SETTLE,
+            partner=service.receiver,
+            limit_j=one.credited_j or 0,
+            rate_w=0.0,
+            given_at_start_j=one.out_at_start_j,
         )
+
+
+@dataclass
+class ServiceSteps:
+    """Common part of the moves of every service from the decision to its end."""
+
+    rules: RefuellingRules
+    requests: ServiceRequests
+    settlement: Settlement
+    out: Mapping[int, str]
+    """who neither is served nor serves, and why; a service of theirs is broken off"""
+    until_s: float
+    """session time at which transfers are stopped, so that they can be settled before the end"""
+
+    def end(self, service: Service, now_s: float, reason: str) -> None:
+        """End a service, and record it."""
+        service.phase, service.end_s, service.ended_by = Phase.DONE, now_s, reason
+        self.requests.records.append({"kind": "served", "reason": reason, **service.record()})
 
 
 def _unknown(one: EndedTransfer, sysid: int) -> bool:

@@ -12,15 +12,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink.autopilots import STEERABLE, FlightMode
 from gcs.mavlink.command_protocol import CommandRequest
-from gcs.refuelling.service import Phase, Service, ServiceRequests, token, unfit
-from gcs.refuelling.settlement import EndedTransfer, Settlement
-from gcs.refuelling.transfer_command import TransferRole, transfer_request
-from gcs.scenario.model import RefuellingRules, Tanker
+from gcs.refuelling.service import Phase, Service, TransferRole, token, unfit
+from gcs.refuelling.settlement import EndedTransfer, ServiceSteps
+from gcs.scenario.model import Tanker
 from gcs.telemetry.state import FleetSnapshot, VehicleView
 
 CATCH_UP_S = 1.0
@@ -38,31 +38,15 @@ FOLLOW_EVERY_US = 100_000.0
 _FOLLOW = float(mav.MAVLINK_MSG_ID_FOLLOW_TARGET)
 
 
-class TankerSteps:
+@dataclass
+class TankerSteps(ServiceSteps):
     """Moves every tanker's service from the decision to its end."""
 
-    def __init__(
-        self,
-        rules: RefuellingRules,
-        tankers: Mapping[int, Tanker],
-        requests: ServiceRequests,
-        out: Mapping[int, str],
-        settlement: Settlement,
-        *,
-        transfers_until_s: float = math.inf,
-    ) -> None:
-        """`out`: who neither is served nor serves, and why; a service of theirs is broken off. `transfers_until_s`:
-        session time at which transfers are stopped, so that they can be settled before the end."""
-        self._rules = rules
-        self._tankers = tankers
-        self._requests = requests
-        self._out_of_it = out
-        self._until_s = transfers_until_s
-        self._settlement = settlement
+    tankers: Mapping[int, Tanker]
 
     def available_j(self, tanker: VehicleView, limit_j: float) -> float:
         """Energy that a tanker may give and still get home with its reserve."""
-        rules = self._tankers[tanker.sysid]
+        rules = self.tankers[tanker.sysid]
         way_home_j = math.dist(tanker.p_now_ned(), rules.home_m or rules.start_m) / rules.speed_m_s * tanker.power_w
         return min(tanker.remaining_j - rules.reserve_j - way_home_j, limit_j)
 
@@ -70,7 +54,7 @@ class TankerSteps:
         """The tanker is to report its position often enough for its receiver."""
         assert service.tanker is not None
         stream = token(service, "stream")
-        self._requests.request(_follow_target_every(FOLLOW_EVERY_US, service.tanker, stream))
+        self.requests.request(_follow_target_every(FOLLOW_EVERY_US, service.tanker, stream))
 
     def serve(self, service: Service, snapshot: FleetSnapshot) -> None:
         """Move one service to the snapshot's time."""
@@ -92,13 +76,13 @@ class TankerSteps:
             return
         distance_m = math.dist(receiver.p_now_ned(), tanker.p_now_ned())
         relative_m_s = math.dist(receiver.v_ned, tanker.v_ned)
-        inside = distance_m <= self._rules.capture_m and relative_m_s <= self._rules.relative_speed_m_s
-        held = service.has_held(inside, now_s, self._rules.hold_s)
+        inside = distance_m <= self.rules.capture_m and relative_m_s <= self.rules.relative_speed_m_s
+        held = service.has_held(inside, now_s, self.rules.hold_s)
         counter_known = tanker.given_reported_s >= service.phase_since_s + COUNTER_SETTLES_S
-        settled = not any(self._settlement.awaits(view.sysid, now_s) for view in (receiver, tanker))
-        if held and counter_known and settled and now_s < self._until_s:
+        settled = not any(self.settlement.awaits(view.sysid, now_s) for view in (receiver, tanker))
+        if held and counter_known and settled and now_s < self.until_s:
             for view in (receiver, tanker):
-                self._settlement.begin(view.sysid)
+                self.settlement.begin(view.sysid)
             if service.joined_at_s is None:
                 service.joined_at_s = now_s
                 service.in_at_start_j = receiver.received_j
@@ -115,7 +99,7 @@ class TankerSteps:
             service.ended_by = out
             self._stop(service, receiver, now_s)
             return
-        accepted = self._requests.accepted(token(service, "receive"))
+        accepted = self.requests.accepted(token(service, "receive"))
         if accepted:
             service.refusals = 0
             limit_j = self._limit_j(service, receiver, tanker)
@@ -132,10 +116,10 @@ class TankerSteps:
             service.go(Phase.JOIN, now_s)
 
     def _start_giver(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
-        accepted = self._requests.accepted(token(service, "give"))
+        accepted = self.requests.accepted(token(service, "give"))
         if accepted:
             service.start_s = now_s if service.start_s is None else service.start_s
-            self._requests.records.append({"kind": "transfer", **service.sides})
+            self.requests.records.append({"kind": "transfer", **service.sides})
             service.go(Phase.TRANSFER, now_s)
             return
         out = self._out(receiver, tanker)
@@ -150,9 +134,9 @@ class TankerSteps:
         receives = _takes(receiver) or not (service.seen_refuel or late)
         gives = tanker.mode is FlightMode.REFUEL or not (service.seen_giving or late)
         reason = None
-        if receiver.remaining_j >= self._rules.until * receiver.capacity_j:
+        if receiver.remaining_j >= self.rules.until * receiver.capacity_j:
             reason = "full"
-        elif self._rules.limit_j is not None and service.energy_j >= self._rules.limit_j:
+        elif self.rules.limit_j is not None and service.energy_j >= self.rules.limit_j:
             reason = "limit"
         elif self.available_j(tanker, math.inf) <= 0.0:
             reason = "tanker at its reserve"
@@ -160,7 +144,7 @@ class TankerSteps:
             reason = unfit
         elif not gives and tanker.given_j - service.out_at_start_j >= service.ordered_j:
             reason = "limit"
-        elif now_s >= self._until_s:
+        elif now_s >= self.until_s:
             reason = "the session ends"
         elif not (gives and receives):
             reason = f"broken off by the {'receiver' if gives else 'giver'}"
@@ -171,7 +155,7 @@ class TankerSteps:
             service.go(Phase.STOP_GIVER, now_s)
 
     def _stop_giver(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
-        answered = self._requests.accepted(token(service, "stop giver")) is not None
+        answered = self.requests.accepted(token(service, "stop giver")) is not None
         if answered or now_s - service.phase_since_s > START_WITHIN_S:
             service.go(Phase.CATCH_UP, now_s)
 
@@ -184,14 +168,14 @@ class TankerSteps:
             self._stop(service, receiver, now_s)
 
     def _stop_receiver(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
-        answered = self._requests.accepted(token(service, "stop receiver")) is not None
+        answered = self.requests.accepted(token(service, "stop receiver")) is not None
         if not answered and now_s - service.phase_since_s <= START_WITHIN_S:
             return
-        self._settlement.add(EndedTransfer(service, service.out_at_start_j, service.in_at_begin_j, now_s))
+        self.settlement.add(EndedTransfer(service, service.out_at_start_j, service.in_at_begin_j, now_s))
         service.breaks += service.broken_off
         if service.broken_off and service.breaks < BREAKS:
             service.broken_off = False
-            self._requests.records.append({"kind": "broken off", **service.sides})
+            self.requests.records.append({"kind": "broken off", **service.sides})
             service.go(Phase.JOIN, now_s)
         else:
             self._finish(service, receiver, tanker, now_s, service.ended_by)
@@ -205,16 +189,15 @@ class TankerSteps:
             for view in (tanker, receiver):
                 if view.alive:
                     self._order(service, view, TransferRole.STOP, 0.0)
-        service.phase, service.end_s, service.ended_by = Phase.DONE, now_s, reason
         if tanker.alive:
-            self._requests.request(_follow_target_every(0.0, tanker.sysid, token(service, "unstream")))
-        self._requests.records.append({"kind": "served", "reason": reason, **service.record()})
+            self.requests.request(_follow_target_every(0.0, tanker.sysid, token(service, "unstream")))
+        self.end(service, now_s, reason)
 
     def _out(self, receiver: VehicleView, tanker: VehicleView) -> str | None:
         """Why one of the two is to take no part."""
         for view in (receiver, tanker):
-            if view.sysid in self._out_of_it:
-                return f"{view.label} {self._out_of_it[view.sysid]}"
+            if view.sysid in self.out:
+                return f"{view.label} {self.out[view.sysid]}"
         return None
 
     def _unfit(self, receiver: VehicleView, tanker: VehicleView) -> str | None:
@@ -225,10 +208,10 @@ class TankerSteps:
 
     def _limit_j(self, service: Service, receiver: VehicleView, tanker: VehicleView) -> float:
         room_j = receiver.capacity_j - receiver.remaining_j
-        if self._rules.tops_up:
-            net_w = max(self._rules.rate_w - receiver.power_w, 0.1 * self._rules.rate_w)
+        if self.rules.tops_up:
+            net_w = max(self.rules.rate_w - receiver.power_w, 0.1 * self.rules.rate_w)
             room_j += receiver.power_w * (BEGINS_WITHIN_S + room_j / net_w)
-        left_j = math.inf if self._rules.limit_j is None else self._rules.limit_j - service.energy_j
+        left_j = math.inf if self.rules.limit_j is None else self.rules.limit_j - service.energy_j
         return max(self.available_j(tanker, min(room_j, left_j)), 1.0)
 
     def _order(self, service: Service, view: VehicleView, role: TransferRole, limit_j: float) -> None:
@@ -240,17 +223,15 @@ class TankerSteps:
             TransferRole.RECEIVE: "receive",
             TransferRole.STOP: "stop giver" if giver else "stop receiver",
         }[role]
-        self._requests.request(
-            transfer_request(
-                view.sysid,
-                token(service, what),
-                role,
-                partner=partner,
-                limit_j=limit_j,
-                rate_w=self._rules.rate_w,
-                number=service.number,
-                given_at_start_j=service.out_at_start_j,
-            )
+        self.requests.order(
+            service,
+            view.sysid,
+            what,
+            role,
+            partner=partner,
+            limit_j=limit_j,
+            rate_w=self.rules.rate_w,
+            given_at_start_j=service.out_at_start_j,
         )
 
 

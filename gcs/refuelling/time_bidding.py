@@ -16,9 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcs.refuelling.bidding import Award, CompetitionState, is_servable
-from gcs.refuelling.giver import Giver, ServiceTimes, lasts_s, nearest_s, served_if_passed_over_s, ways_s
+from gcs.refuelling.giver import Giver, ServiceTimes, lasts_s, match, nearest_s, served_if_passed_over_s, ways_s
 from gcs.refuelling.k_winners import Competitor, Reading, bounded, read
-from gcs.refuelling.matching import match
 from gcs.refuelling.winner_take_all import advance_ln
 from gcs.scenario.model import CompetitionRules, RefuellingRules
 from gcs.telemetry.state import FleetSnapshot, VehicleView

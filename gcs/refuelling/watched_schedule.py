@@ -104,7 +104,7 @@ class WatchedSchedule(Scheduler):
         self._rows = {}
         self.tanker_idle_s += dt_s * self._idle(fresh)
         pairs = {service.tanker: service.receiver for service in self.open_services if service.tanker is not None}
-        return Decision(rendezvous=pairs, partners=tuple(pairs.items()), records=tuple(self._requests.records))
+        return Decision(rendezvous=pairs, records=tuple(self._requests.records))
 
     def _state(self, fresh: dict[int, tuple[float, ...]]) -> CompetitionState:
         """The competition by each competitor's own report of itself."""

@@ -186,7 +186,7 @@ class Supervisor:
         recording.decisions += self._records(now_s, decision, set_points)
         flown = [point for point in set_points if self.arming[point.sysid].stage is not Stage.YIELDED]
         self.metrics.update(snapshot, flown, pursuing)
-        recording.decisions += self._watch_goal(snapshot, decision.partners)
+        recording.decisions += self._watch_goal(snapshot, decision.rendezvous.items())
         self._record(recording)
 
     def finish(self, idle: Callable[[], None]) -> None:
@@ -436,7 +436,6 @@ class Supervisor:
                 self._periods * self.scenario.clock.period_s,
                 targets_move=self.targets_move,
                 rendezvous=decision.rendezvous,
-                partners=decision.partners,
                 pursuing=pursuing,
                 stations=decision.stations,
             )

@@ -4,7 +4,7 @@ measured."""
 import itertools
 import math
 from collections import deque
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -67,15 +67,10 @@ class World:
         views = [view(v.sysid, v.role, self.at[v.sysid], self.v[v.sysid]) for v in self.scenario.vehicles.all]
         return FleetSnapshot(self.time_s, tuple(views), tuple(self.traffic(self.time_s)))
 
-    def tick(
-        self, rendezvous: Mapping[int, int] | None = None, partners: Iterable[tuple[int, int]] = (), move: bool = True
-    ) -> dict[int, Vec3]:
+    def tick(self, rendezvous: Mapping[int, int] | None = None, move: bool = True) -> dict[int, Vec3]:
         self.plan = self.planner.plan(
-            PlanRequest(
-                self.snapshot(), frozenset(self.at), PERIOD_S, targets_move=move, rendezvous=rendezvous or {},
-                partners=partners,
-            )
-        )  # fmt: skip
+            PlanRequest(self.snapshot(), frozenset(self.at), PERIOD_S, targets_move=move, rendezvous=rendezvous or {})
+        )
         for point in self.plan:
             self._past[point.sysid].append((self.time_s, point.p_ned, point.v_ned))
         self.time_s += PERIOD_S
@@ -175,7 +170,7 @@ TANKER = pursuer(201, -5, 0, -6) | {"speed_m_s": 5.0}
 def test_the_tanker_stands_above_its_receiver_and_follows_it() -> None:
     content = {"pursuers": FIVE, "targets": [target(101, (0, 0, -4), (40, 0, -4))], "tankers": [TANKER]}
     world = World(scenario(vehicles=content, formation=RING, refuelling={"height_m": 1.2}))
-    how: dict[str, Any] = {"rendezvous": {201: 1}, "partners": [(201, 1)]}
+    how: dict[str, Any] = {"rendezvous": {201: 1}}
     world.fly(8.0, **how)
     for at in world.fly(15.0, **how):
         assert np.subtract(at[201], at[1]) == pytest.approx([0, 0, -1.2], abs=0.15)
@@ -191,13 +186,14 @@ def test_without_a_rendezvous_the_tanker_waits_at_home() -> None:
 
 
 def test_only_partners_come_close() -> None:
-    """The same goal 0.5 m above the receiver: as partners they get there, as strangers they are held off."""
+    """The same place 0.5 m above the receiver: at a rendezvous the tanker gets there, waiting there it is held off."""
     content = {"pursuers": [pursuer(1, 0, 0, -4)], "tankers": [TANKER]}
     rules = {"refuelling": {"height_m": 0.5, "capture_m": 0.6}}
     near = World(scenario(vehicles=content, **rules))
-    near.fly(10.0, rendezvous={201: 1}, partners=[(201, 1)])
-    far = World(scenario(vehicles=content, **rules))
-    far.fly(10.0, rendezvous={201: 1})
+    near.fly(10.0, rendezvous={201: 1})
+    waits = {"tankers": [TANKER | {"home_m": (0, 0, -4.5)}]}
+    far = World(scenario(vehicles=content | waits, **rules))
+    far.fly(10.0)
     assert math.dist(near.at[201], near.at[1]) == pytest.approx(0.5, abs=0.05)
     assert math.dist(far.at[201], far.at[1]) > 0.6
 
@@ -288,7 +284,7 @@ def test_the_same_world_is_planned_the_same_to_the_last_bit() -> None:
         world = World(scenario(vehicles=content, formation=RING, obstacles=rocks), traffic=crossing(1.0, 5.0))
         plans = []
         for _ in range(100):
-            world.tick(rendezvous={201: 2}, partners=[(201, 2)])
+            world.tick(rendezvous={201: 2})
             plans.append(world.plan)
         return plans
 
@@ -367,5 +363,5 @@ def test_a_tanker_meets_a_receiver_that_is_off_its_plan_where_it_flies() -> None
     content = {"pursuers": [pursuer(1, 0, 0, -4) | {"waypoints_m": [(6, 0, -4)]}], "tankers": [TANKER]}
     world = World(scenario(vehicles=content, planner={"vehicles_repel": False}), held=frozenset({1}))
     world.at[1] = (0.0, 5.0, -4.0)
-    world.fly(20.0, rendezvous={201: 1}, partners=[(201, 1)])
+    world.fly(20.0, rendezvous={201: 1})
     assert math.dist(world.at[201], (0.0, 5.0, -5.2)) < 0.05

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.optimize import linear_sum_assignment
 
-from gcs.refuelling.auction import auction
+from gcs.refuelling.policies import auction
 
 
 @pytest.mark.parametrize(("m", "n"), [(1, 1), (1, 7), (4, 4), (5, 30), (8, 200)])

@@ -13,8 +13,7 @@ from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.mavlink.command_protocol import CommandRequest
 from gcs.refuelling.explain import sentence
 from gcs.refuelling.scheduler import Scheduler
-from gcs.refuelling.service import Decision, Phase, Service
-from gcs.refuelling.transfer_command import TransferRole
+from gcs.refuelling.service import Decision, Phase, Service, TransferRole
 from gcs.scenario.model import Base, Battery, CompetitionRules, RefuellingRules, Tanker
 from gcs.telemetry.state import FleetSnapshot, VehicleView
 

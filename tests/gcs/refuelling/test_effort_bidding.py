@@ -9,7 +9,7 @@ import pytest
 from scipy.integrate import solve_ivp
 from views import snapshot, view
 
-from gcs.refuelling.effort_bidding import EffortBidding
+from gcs.refuelling.bidding import EffortBidding
 from gcs.refuelling.policy_bidding import make_competition
 from gcs.scenario.model import CompetitionRules, RefuellingRules
 from gcs.telemetry.state import VehicleView

@@ -21,7 +21,7 @@ from gcs.refuelling.policies import (  # fmt: skip
     Optimal,
     RefuellingRequest,
 )
-from gcs.refuelling.rolling_horizon import Durations, Receivers, Tankers, plan
+from gcs.refuelling.rolling_horizon import Receivers, plan
 from gcs.scenario.model import RefuellingRules
 
 RULES = RefuellingRules(hold_s=0.0, rate_w=1000.0, until=1.0, lands_at=0.0)
@@ -163,7 +163,7 @@ class World:
 
     def planned_keeps_all(self) -> bool:
         """The first services of one plan after another, flown."""
-        takes = Durations(3.0, 1.1, 0.5, 2000.0)
+        takes = ServiceTimes(3.0, 1.1, 0.5)
         free, place, lands = np.zeros(self.m), self.homes.copy(), self.lands.copy()
         while True:
             j = int(free.argmin())
@@ -172,8 +172,9 @@ class World:
                 return bool(lands.min() >= self.end_s)
             free[j] = now
             fleet = Receivers(self.p, lands - now, np.full(self.n, 210.0), self.full_j, 0.6 * self.full_j)
-            tankers = Tankers(place, np.maximum(free - now, 0.0), self.speed, np.full(self.m, 1e6))
-            found = plan(fleet, tankers, takes, horizon_s=self.end_s + 3.0 - now)
+            rows = zip(range(self.m), place, np.maximum(free - now, 0.0), self.speed, strict=True)
+            tankers = [Giver(k, tuple(p), free_s, speed, 1e6, 2000.0) for k, p, free_s, speed in rows]
+            found = plan(fleet, tankers, takes, rate_w=2000.0, horizon_s=self.end_s + 3.0 - now)
             i = int(found.first[j])
             begins, ends, landing = self.serve(now, place[j], self.speed[j], lands[i], i)
             if begins > lands[i] or lands.min() < now:
@@ -195,7 +196,7 @@ def test_a_plan_for_many_ends_and_leaves_no_tanker_without_work(n: int) -> None:
     fleet = Receivers(
         rng.uniform(-50, 50, (n, 3)), rng.uniform(35, 50, n), np.full(n, 200.0), np.full(n, 1e4), np.full(n, 1e4)
     )
-    tankers = Tankers(rng.uniform(-50, 50, (8, 3)), np.zeros(8), np.full(8, 5.0), np.full(8, 1e5))
-    found = plan(fleet, tankers, Durations(3.0, 1.1, 0.5, 2000.0), horizon_s=90.0)
+    tankers = [Giver(k, tuple(p), 0.0, 5.0, 1e5, 2000.0) for k, p in enumerate(rng.uniform(-50, 50, (8, 3)))]
+    found = plan(fleet, tankers, ServiceTimes(3.0, 1.1, 0.5), rate_w=2000.0, horizon_s=90.0)
     first = [i for i, s in zip(found.first, found.starts_s, strict=True) if s == 0.0]
     assert len(set(first)) == len(first) == min(n, 8)

@@ -6,8 +6,7 @@ import pytest
 
 from gcs.mavlink.autopilots import FlightMode
 from gcs.refuelling.scheduler import Scheduler
-from gcs.refuelling.service import Decision, Phase
-from gcs.refuelling.transfer_command import TransferRole
+from gcs.refuelling.service import Decision, Phase, TransferRole
 from gcs.scenario.model import CompetitionRules, RefuellingRules
 from gcs.telemetry.state import FleetSnapshot
 from tests.support.services import FOLLOW_TARGET, INTERVAL, RATE_W, Fleet, Play, play, tanker, view
@@ -68,7 +67,7 @@ def test_partners_rendezvous_and_relays_while_it_lasts() -> None:
     game.fleet.set(201, p_ned=(20.0, 0.0, -6.0))
     game.until(Phase.JOIN)
     decision = game.tick()
-    assert (decision.rendezvous, decision.partners, decision.relays) == ({201: 1}, ((201, 1),), ())
+    assert (decision.rendezvous, decision.relays) == ({201: 1}, ())
     game.fleet.set(201, p_ned=(14.0, 0.0, -6.0))
     assert game.tick().relays == ((201, 1),)
     game.fleet.set(201, p_ned=(0.0, 0.0, -6.0))

@@ -3,8 +3,7 @@
 import pytest
 
 from gcs.mavlink.autopilots import FlightMode
-from gcs.refuelling.service import Phase
-from gcs.refuelling.transfer_command import TransferRole
+from gcs.refuelling.service import Phase, TransferRole
 from tests.support.services import play, view
 
 

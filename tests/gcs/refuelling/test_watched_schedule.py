@@ -49,7 +49,7 @@ def decide(watched: WatchedSchedule, t_s: float) -> Any:
 def test_a_service_is_followed_from_the_call_to_its_end_and_nothing_is_commanded(watched: WatchedSchedule) -> None:
     watched.receive(201, service(1, 2.0, 99.0), 100.0)
     begun = decide(watched, 100.0)
-    assert (begun.rendezvous, begun.partners, begun.requests, begun.relays) == ({201: 2}, ((201, 2),), (), ())
+    assert (begun.rendezvous, begun.requests, begun.relays) == ({201: 2}, (), ())
     assert [(r["kind"], r["receiver"], r["tanker"], r["by"]) for r in begun.records] == [
         ("decided", 2, 201, "competition")
     ]

@@ -127,11 +127,11 @@ class AskedFleet:
 
     def _receive(self) -> list[Frame]:
         now_s = time.monotonic()
-        self._listener.tend()
+        self._listener.connection.tend(now_s)
         if now_s - self._heartbeat_s >= HEARTBEAT_EVERY_S:
             self._heartbeat_s = now_s
-            to = self._listener.to
-            for address in {to} if to is not None else {*self._where.values(), *self._listener.senders}:
+            to = self._listener.connection.to
+            for address in {to} if to is not None else {*self._where.values(), *self._listener.connection.senders}:
                 self._send(OUR_HEARTBEAT, address)
         self._listener.wait(POLL_S)
         received: list[Frame] = []

@@ -8,12 +8,12 @@ session's.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.link.impairment import BlackoutWindow, Burst
+from gcs.link.impairment import Burst
 from gcs.mavlink.codec import Message
 from gcs.mavlink.command_protocol import CommandLong, CommandRequest, CommandTarget
 from gcs.mavlink.ids import AUTOPILOT
@@ -35,13 +35,14 @@ _UNITS = {
 _WRONG = ("gps_jump", "battery")
 
 
-def radio_faults(injections: Iterable[Injection], sysids: Collection[int]) -> tuple[list[BlackoutWindow], list[Burst]]:
-    """Windows and bursts of the radio, of the vehicles that they befall."""
-    blackouts, bursts = [], []
+def radio_faults(injections: Iterable[Injection], scenario: Scenario) -> tuple[list[Burst], list[Burst]]:
+    """Blackouts of single vehicles, the scenario's own too, and other bursts, of the vehicles that they befall."""
+    blackouts = [Burst(b.sysid, b.from_s, b.to_s, loss=1.0) for b in scenario.radio.blackouts]
+    bursts = []
     for one in injections:
-        for sysid in filter(one.befalls, sorted(sysids)):
+        for sysid in filter(one.befalls, sorted(vehicle.sysid for vehicle in scenario.vehicles.all)):
             if one.fault.fault == "blackout":
-                blackouts.append(BlackoutWindow(sysid, one.begin_s, one.end_s))
+                blackouts.append(Burst(sysid, one.begin_s, one.end_s, loss=1.0))
             elif one.fault.fault == "loss":
                 bursts.append(Burst(sysid, one.begin_s, one.end_s, loss=one.fault.share or 0.0))
             elif one.fault.fault == "delay":

@@ -23,7 +23,6 @@ _SHARES = {"loss", "delay_s", "jitter_s", "duplicate", "reorder"}
 
 def make_fleet(scenario: Scenario) -> Fleet:
     """The collector of all vehicles' telemetry."""
-    origin = scenario.origin
     members = [
         Member(
             v.sysid,
@@ -38,7 +37,7 @@ def make_fleet(scenario: Scenario) -> Fleet:
         )
         for v in scenario.vehicles.all
     ]
-    return Fleet(members, GlobalOrigin(origin.lat_deg, origin.lon_deg, origin.alt_m))
+    return Fleet(members, GlobalOrigin(**scenario.origin.model_dump()))
 
 
 def make_arming_sequences(scenario: Scenario) -> dict[int, ArmingSequence]:

@@ -19,10 +19,9 @@ from gcs.planner.route import Router
 from gcs.planner.tracking import Tracking
 from gcs.scenario import geometry
 from gcs.scenario.model import Scenario
-from gcs.supervisor.factory import make_arming_sequences
+from gcs.supervisor.factory import make_arming_sequences, make_fleet
 from gcs.supervisor.goal_watch import GoalWatch
 from gcs.telemetry import approach
-from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
 from gcs.telemetry.metrics import PLAN_MEMORY, Metrics
 
 WAY_TICKS = 12
@@ -33,11 +32,7 @@ def rehearse(scenario: Scenario) -> None:
     fence = scenario.fence
     if scenario.planner.guide and scenario.planner.safety and (scenario.obstacles or fence.inside or fence.outside):
         find_way()
-    origin, vehicles = scenario.origin, scenario.vehicles.all
-    fleet = Fleet(
-        [Member(v.sysid, v.role, v.label, v.battery.capacity_j, v.battery.capacity_j) for v in vehicles],
-        GlobalOrigin(origin.lat_deg, origin.lon_deg, origin.alt_m),
-    )
+    fleet, vehicles = make_fleet(scenario), scenario.vehicles.all
     for vehicle in vehicles:
         for frame in codec.split(_first_telemetry(vehicle.sysid, vehicle.start_m, scenario)).frames:
             fleet.ingest(frame, 0.0)

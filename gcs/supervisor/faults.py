@@ -62,7 +62,7 @@ class FaultInjector:
         self.begun: list[Injection] = []
         """all that have happened so far"""
         self._orders: dict[int, list[Message]] = {}
-        self._records: list[dict[str, Any]] = []
+        self.records: list[dict[str, Any]] = []
         self.signal_process: Callable[[int, str], object] = lambda _sysid, _fault: None
         """`kill` or `hang` a vehicle's process; set by who has processes"""
 
@@ -75,7 +75,7 @@ class FaultInjector:
         end = [one for one in self.running if one.end_s <= now_s + _ROUNDING_S]
         self.running = [one for one in self.running if one not in end]
         for state, some in (("begins", begin), ("ends", end)):
-            self._records += [self._record(one, state, now_s) for one in some]
+            self.records += [self._record(one, state, now_s) for one in some]
         return begin, end
 
     def requests(self, one: Injection, *, ends: bool) -> list[CommandRequest]:
@@ -94,13 +94,9 @@ class FaultInjector:
         """Orders for a launched vehicle since the last call."""
         return self._orders.pop(sysid, []) if self._orders else []
 
-    def peek_records(self) -> list[dict[str, Any]]:
-        """The same, and they stay."""
-        return list(self._records)
-
     def pop_records(self) -> list[dict[str, Any]]:
         """Decisions since the last call: which faults have begun and ended."""
-        taken, self._records = self._records, []
+        taken, self.records = self.records, []
         return taken
 
     def unheard(self, sysid: int) -> bool:

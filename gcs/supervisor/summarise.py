@@ -119,10 +119,10 @@ def summarise(
         link=LinkSummary(
             received=supervisor.received,
             sent=supervisor.sent,
-            lost=supervisor.lost_frames,
+            lost=supervisor.gaps.lost,
             malformed=link.malformed,
             overflowed=link.overflowed(),
-            command_retries=supervisor.command_retries,
+            command_retries=supervisor.command_queue.resent,
         ),
     )
 

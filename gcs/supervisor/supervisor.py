@@ -112,8 +112,9 @@ class Supervisor:
         self._radio = make_radio(scenario, injections if impaired else ())
         self._peer_radio = make_peer_radio(scenario, injections)
         self.command_queue = FleetCommandQueue(self.arming, stations)
-        self._gaps = GapCounter()
-        self.quality = LinkQuality(self._gaps)
+        self.gaps = GapCounter()
+        """in the vehicles' sequence numbers, after the radio"""
+        self.quality = LinkQuality(self.gaps)
         self._heartbeat_due_ms = dict.fromkeys(self.arming, 0)
         self.time_ms = 0
         self.received = 0
@@ -133,16 +134,6 @@ class Supervisor:
     def time_s(self) -> float:
         """Session time."""
         return self.time_ms / 1e3
-
-    @property
-    def lost_frames(self) -> int:
-        """Gaps in the vehicles' sequence numbers, after the radio."""
-        return self._gaps.lost
-
-    @property
-    def command_retries(self) -> int:
-        """Commands that were sent again."""
-        return self.command_queue.resent
 
     def links(self) -> dict[int, list[LinkState]]:
         """Links of vehicles that have several, by system id."""
@@ -273,7 +264,7 @@ class Supervisor:
             self.command_queue.ask(self.faults.requests(one, ends=one in end), now_s)
         for one in end:
             self._end_fault(one)
-        self.events += [event_of(record) for record in self.faults.peek_records()]
+        self.events += [event_of(record) for record in self.faults.records]
         for sysid, arming in self.arming.items():
             if self.faults.unheard(sysid):
                 arming.excuse(now_s)
@@ -309,7 +300,7 @@ class Supervisor:
         in order of system id, as are the texts, acknowledgements and facts that the fleet keeps.
         """
         for sysid in self._link.pop_relinked() if self.externals.rules else ():
-            self._gaps.forget(sysid)
+            self.gaps.forget(sysid)
             self.externals.relinked(sysid)
         received_from: dict[Key, list[Frame]] = {}
         for key, frames in answers:
@@ -320,7 +311,7 @@ class Supervisor:
                 impaired = [frame for frame in frames if frame.msgid != _SYSTEM_TIME]
                 grants = [frame for frame in frames if frame.msgid == _SYSTEM_TIME]
                 received = [*self._radio.apply(key[0], "in", now_s, impaired), *grants]
-            self._gaps.feed_all(received)
+            self.gaps.feed_all(received)
             self.fleet.ingest_all(received, now_s)
             if self._watched is not None:
                 for frame in received:

@@ -71,7 +71,6 @@ class Proximity:
         self._separation_m = asked.get("separation", 0.0)
         self._clearance_m, self._traffic_m = asked.get("clearance", -math.inf), asked.get("traffic", 0.0)
         self._ground = "ground" in asked
-        self._near: dict[str, set[tuple[object, ...]]] = {}
         self._reported: set[tuple[object, ...]] = set()
         self._count: dict[str, int] = {}
         count = len(self._sysids)

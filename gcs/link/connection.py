@@ -63,6 +63,13 @@ class Channel(Protocol):
     def send(self, raw: bytes, to: Where) -> None:
         """Send a frame; it is lost where nobody is there or there is no room."""
 
+    _reported: str = ""
+
+    def pop_problem(self) -> str | None:
+        """Its problem, where that has come since the last call; empty where it has gone; None while it is as it was."""
+        before, self._reported = self._reported, self.problem
+        return self.problem if bool(before) != bool(self.problem) else None
+
     def pop_gone(self) -> set[Where]:
         """Senders whose stream has ended since the last call."""
         return set()

@@ -247,7 +247,7 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Comparison:
             _relive(supervisor, line)
         link.recorded = tick.answers
         comparer.made = []
-        supervisor.tick(_ignore)
+        supervisor.tick(lambda: None)
         supervisor.events.clear()
         if recorded.ended and (recorded.lines.cut or not whole):
             break  # of a session that was killed, the last tick's decisions may not all have been written
@@ -262,10 +262,6 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Comparison:
     if not whole:
         verdict.problems.append(f"{folder} has no {SUMMARY}: the session did not end, and was compared up to there.")
     return verdict
-
-
-def _ignore() -> None:
-    """In a recording no process needs watching."""
 
 
 def _relive(supervisor: Supervisor, line: Mapping[str, Any]) -> None:

@@ -73,7 +73,7 @@ def fleet_at(
         if not fleet.find(sysids, within):
             missing = sorted(set(sysids) - fleet.profiles.keys())
             who = f"vehicle {', '.join(map(str, missing))}" if missing else "any vehicle"
-            why = fleet.silence or "is it running, and is that its address?"
+            why = fleet.listener.silence or "is it running, and is that its address?"
             raise Refused(f"no HEARTBEAT of {who} came within {within:g} s at {connect.text}: {why}")
         yield fleet
     finally:

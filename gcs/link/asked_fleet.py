@@ -50,7 +50,7 @@ class AskedFleet:
     def __init__(self, at: Endpoint, key_file: Path | None = None, station: tuple[int, int] = STATION) -> None:
         """`station`: our system and component id."""
         self._station = station
-        self._listener = Listener(at, key_file)
+        self.listener = Listener(at, key_file)
         self._numbers = sequence_numbers()
         self._heartbeat_s = -HEARTBEAT_EVERY_S
         self._where: dict[int, Where] = {}
@@ -58,11 +58,6 @@ class AskedFleet:
         """by system id, of vehicles that have been heard"""
         self.armed: set[int] = set()
         """whose last HEARTBEAT said so"""
-
-    @property
-    def silence(self) -> str:
-        """Reason why no vehicle is heard, where that can be seen."""
-        return self._listener.silence
 
     def find(self, wanted: Collection[int], within_s: float) -> bool:
         """Listen until all of these vehicles have been heard, or, where none is named, until no more come; whether that
@@ -123,19 +118,19 @@ class AskedFleet:
 
     def close(self) -> None:
         """Close the connection."""
-        self._listener.close()
+        self.listener.close()
 
     def _receive(self) -> list[Frame]:
         now_s = time.monotonic()
-        self._listener.tend()
+        self.listener.connection.tend(now_s)
         if now_s - self._heartbeat_s >= HEARTBEAT_EVERY_S:
             self._heartbeat_s = now_s
-            to = self._listener.to
-            for address in {to} if to is not None else {*self._where.values(), *self._listener.senders}:
+            to = self.listener.connection.to
+            for address in {to} if to is not None else {*self._where.values(), *self.listener.connection.senders}:
                 self._send(OUR_HEARTBEAT, address)
-        self._listener.wait(POLL_S)
+        self.listener.wait(POLL_S)
         received: list[Frame] = []
-        for frames, sender in self._listener.receive():
+        for frames, sender in self.listener.receive():
             for frame in frames:
                 if frame.msgid == mav.MAVLINK_MSG_ID_HEARTBEAT and frame.compid == AUTOPILOT:
                     content = codec.fields(frame)
@@ -149,4 +144,4 @@ class AskedFleet:
         return received
 
     def _send(self, message: Message, to: Where) -> None:
-        self._listener.send(codec.frame(message, next(self._numbers), *self._station), to)
+        self.listener.send(codec.frame(message, next(self._numbers), *self._station), to)

@@ -40,6 +40,7 @@ class Channel(Protocol):
     @property
     def port(self) -> int:
         """The local port; 0 of a serial device."""
+        return 0
 
     @property
     def senders(self) -> frozenset[Where]:
@@ -51,6 +52,7 @@ class Channel(Protocol):
 
     def tend(self, now_s: float) -> None:
         """Connect again where that is due, and send what waits."""
+        return
 
     def receive(self) -> Iterator[tuple[bytes, Where]]:
         """Bytes that have come, with their senders: a bounded number."""
@@ -60,6 +62,13 @@ class Channel(Protocol):
 
     def send(self, raw: bytes, to: Where) -> None:
         """Send a frame; it is lost where nobody is there or there is no room."""
+
+    _reported: str = ""
+
+    def pop_problem(self) -> str | None:
+        """Its problem, where that has come since the last call; empty where it has gone; None while it is as it was."""
+        before, self._reported = self._reported, self.problem
+        return self.problem if bool(before) != bool(self.problem) else None
 
     def pop_gone(self) -> set[Where]:
         """Senders whose stream has ended since the last call."""
@@ -102,9 +111,6 @@ class UdpConnection(Channel):
     def fileno(self) -> int:
         return self._socket.fileno()
 
-    def tend(self, now_s: float) -> None:
-        return
-
     def receive(self) -> Iterator[tuple[bytes, Where]]:
         for _ in range(MOST_AT_ONCE):
             try:
@@ -134,10 +140,6 @@ class UdpConnection(Channel):
         self._socket.close()
 
 
-class StreamEnded(Exception):
-    """The other end of a stream is gone; the text is the system's reason, empty where it closed in order."""
-
-
 class ByteStream:
     """One stream that is open: a descriptor that never waits, and what is under way on it."""
 
@@ -154,18 +156,16 @@ class ByteStream:
         self._unsent = b""
 
     def receive(self) -> Iterator[bytes]:
-        """Pieces that have come, STREAM_CHUNKS at most. Raises StreamEnded."""
+        """Pieces that have come, STREAM_CHUNKS at most. Raises OSError at the end; no reason: closed in order."""
         for _ in range(STREAM_CHUNKS):
             try:
                 data = os.read(self.descriptor, RECEIVE_BYTES)
             except BlockingIOError:
                 return
-            except OSError as error:
-                raise StreamEnded(error.strerror or "") from None
             if not data:
                 if self._is_there():
                     return
-                raise StreamEnded("")
+                raise OSError
             self.received += len(data)
             yield data
 
@@ -204,10 +204,6 @@ class StreamConnection(Channel):
         self._ready = select.epoll()
 
     @property
-    def port(self) -> int:
-        return self.at.port
-
-    @property
     def senders(self) -> frozenset[Where]:
         return frozenset(self._streams)
 
@@ -223,9 +219,9 @@ class StreamConnection(Channel):
             try:
                 for data in stream.receive():
                     yield data, sender
-            except StreamEnded as end:
+            except OSError as end:
                 self._drop(sender)
-                self._ended(str(end))
+                self._ended(end.strerror or "")
 
     def split(self, data: bytes, sender: Where) -> Split:
         stream = self._streams.get(sender)

@@ -38,8 +38,6 @@ class Door:
     """addresses of vehicles"""
     unknown_senders: set[Where] = field(default_factory=set)
     """senders of MAVLink 1: some autopilots change to MAVLink 2 when they receive it"""
-    problem: str = ""
-    """of the connection, as it was reported last"""
     radio: str = ""
     """problem of a telemetry radio on the way, by its last RADIO_STATUS, in words; empty where there is none"""
     radio_said_s: float = -math.inf

@@ -143,13 +143,8 @@ class ExternalLink:
     def pop_problems(self) -> list[tuple[str, str]]:
         """(address, its problem) of connections that have broken or have been mended since the last call; no problem:
         mended."""
-        changed = []
-        for connect, door in self._doors.items():
-            problem = door.connection.problem
-            if bool(problem) != bool(door.problem):
-                changed.append((connect, problem))
-            door.problem = problem
-        return changed
+        found = [(connect, door.connection.pop_problem()) for connect, door in self._doors.items()]
+        return [(connect, problem) for connect, problem in found if problem is not None]
 
     def pop_radios(self) -> list[tuple[str, str]]:
         """(address, words) of telemetry radios that are full or weak; again after RADIO_AGAIN_S while they are."""
@@ -301,12 +296,12 @@ class ExternalLink:
     def _receive(self, door: Door, frames: Sequence[Frame], address: Where) -> None:
         now_s = time.monotonic()
         for frame in door.gate.accepted(frames):
-            peer = self._peers.get(frame.sysid)
             if frame.msgid == _RADIO_STATUS and address in door.speakers:
                 door.radio = radio_in_words(codec.fields(frame))
-            link = None if peer is None else peer.link_of(door)
+            peer = self._peers.get(frame.sysid)
             if peer is None:
                 continue
+            link = peer.link_of(door)
             if link is not None and link.address != address and _is_autopilot(frame):
                 self._claim(peer.key, link, address, now_s)
             if link is None or link.address != address:

@@ -42,7 +42,6 @@ class Forwarder:
         self._stations: dict[tuple[int, Where], float] = {}
         """when each who spoke to a udpin was heard last, by the place of its address"""
         self._gate = SignatureGate(None)
-        self._problems: dict[str, str] = {}
         for text in addresses:
             at = address(text)
             assert at is not None  # as the scenario has checked
@@ -87,13 +86,8 @@ class Forwarder:
 
     def pop_problems(self) -> list[tuple[str, str]]:
         """(address, its problem) of addresses that have been lost or found since the last call; no problem: found."""
-        changed = []
-        for channel in self._channels:
-            before, problem = self._problems.get(channel.at.text, ""), channel.problem
-            if bool(before) != bool(problem):
-                changed.append((channel.at.text, problem))
-            self._problems[channel.at.text] = problem
-        return changed
+        found = [(channel.at.text, channel.pop_problem()) for channel in self._channels]
+        return [(at, problem) for at, problem in found if problem is not None]
 
     @property
     def addresses(self) -> list[str]:

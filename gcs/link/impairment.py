@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import hashlib
 import heapq
-import math
 import random
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
@@ -23,18 +22,11 @@ Direction = Literal["in", "out"]
 _ROUNDING_S = 1e-6
 
 
-class BlackoutWindow(NamedTuple):
-    """No frame of this vehicle gets through, either way, when sent in from_s ≤ t < to_s."""
-
-    sysid: int
-    from_s: float
-    to_s: float
-
-
 class Burst(NamedTuple):
-    """The radio of this vehicle is worse for frames sent in from_s ≤ t < to_s."""
+    """The radio of a vehicle is worse for frames sent in from_s ≤ t < to_s; with a loss of 1 none gets through."""
 
-    sysid: int
+    sysid: int | None
+    """None: of every vehicle"""
     from_s: float
     to_s: float
     loss: float = 0.0
@@ -66,7 +58,7 @@ class Impairment:
 
     `loss`, `duplicate` and `reorder` are shares of frames in [0, 1]; `delay_s` holds every frame back, `jitter_s` adds
     a uniform random part of up to that much, by which frames may overtake each other. A duplicate is delayed on its
-    own. A reordered frame is delivered after the one that is sent next. Raises ValueError for a value out of range.
+    own. A reordered frame is delivered after the one that is sent next.
     """
 
     def __init__(
@@ -77,26 +69,15 @@ class Impairment:
         jitter_s: float = 0.0,
         duplicate: float = 0.0,
         reorder: float = 0.0,
-        blackouts: Iterable[BlackoutWindow] = (),
-        ground_blackouts: Iterable[tuple[float, float]] = (),
         bursts: Iterable[Burst] = (),
         seed: int = 0,
     ) -> None:
-        """`ground_blackouts`: from when to when no frame of any vehicle gets through."""
-        for name, share in (("loss", loss), ("duplicate", duplicate), ("reorder", reorder)):
-            if not 0.0 <= share <= 1.0:
-                raise ValueError(f"radio {name} is a share of frames between 0 and 1, not {share}")
-        for name, length_s in (("delay_s", delay_s), ("jitter_s", jitter_s)):
-            if not 0.0 <= length_s < math.inf:
-                raise ValueError(f"radio {name} is a time of 0 s or more, not {length_s}")
         self._loss, self._duplicate, self._reorder = loss, duplicate, reorder
         self._delay_s, self._jitter_s = delay_s, jitter_s
-        self._blackouts, self._ground_blackouts = tuple(blackouts), tuple(ground_blackouts)
         self._bursts = tuple(bursts)
         self._seed = seed
         self._streams: dict[tuple[int, Direction | int], _Stream] = {}
-        outages = (self._blackouts, self._ground_blackouts, self._bursts)
-        self.clear = not any((loss, delay_s, jitter_s, duplicate, reorder, *outages))
+        self.clear = not any((loss, delay_s, jitter_s, duplicate, reorder, self._bursts))
         """whether every frame passes as it is"""
 
     def apply(
@@ -115,11 +96,9 @@ class Impairment:
         stream = self._streams.get((sysid, direction))
         if stream is None:
             stream = self._streams[sysid, direction] = _Stream(_random(self._seed, sysid, direction))
-        dark = dark or any(b.sysid == sysid and b.from_s <= t_s < b.to_s for b in self._blackouts)
-        dark = dark or any(from_s <= t_s < to_s for from_s, to_s in self._ground_blackouts)
         loss, delay_s = (1.0 if dark else self._loss), self._delay_s
         for burst in self._bursts:
-            if burst.sysid == sysid and burst.from_s <= t_s < burst.to_s and burst.only in (None, direction):
+            if burst.sysid in (None, sysid) and burst.from_s <= t_s < burst.to_s and burst.only in (None, direction):
                 loss, delay_s = max(loss, burst.loss), delay_s + burst.delay_s
         for frame in frames:
             self._send(stream, t_s, frame, loss, delay_s)

@@ -49,9 +49,11 @@ class TickLink(Protocol):
 
     def clock_offsets_s(self) -> dict[int, float]:
         """Offset from the own time of a vehicle that has its own clock to the session's, s, by system id."""
+        return {}
 
     def pop_rebooted(self) -> set[int]:
         """System ids of vehicles whose clock has restarted since the last call."""
+        return set()
 
     def pop_relinked(self) -> set[int]:
         """System ids of vehicles of which, since the last call, a link has come, or another is used whose frames have

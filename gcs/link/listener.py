@@ -23,67 +23,39 @@ class Listener:
         """older: read MAVLink 1 too. Raises AddressRefused, KeyRefused."""
         self._older = older
         self.gate = SignatureGate(key_file)
-        self._connection = open_connection(at)
+        self.connection = open_connection(at)
         self._diagnosis = Diagnosis(at)
         self.open = True
 
     @property
-    def port(self) -> int:
-        """The port that it is at."""
-        return self._connection.port
-
-    @property
-    def problem(self) -> str:
-        """Why nothing can come at present, and what to do; empty while all is well."""
-        return self._connection.problem
-
-    @property
     def silence(self) -> str:
         """Reason why no vehicle is heard, where that can be seen."""
-        return self._diagnosis.text(self.problem)
-
-    def fileno(self) -> int:
-        """For select: readable when something has come."""
-        return self._connection.fileno()
-
-    def tend(self) -> None:
-        """Make the connection where it is broken and may be mended by now."""
-        self._connection.tend(time.monotonic())
+        return self._diagnosis.text(self.connection.problem)
 
     def wait(self, wait_s: float) -> None:
         """Wait until something has come, at most so long."""
-        self.tend()
-        select.select([self._connection], [], [], wait_s)
+        self.connection.tend(time.monotonic())
+        select.select([self.connection], [], [], wait_s)
 
     def receive(self) -> Iterator[tuple[list[Frame], Where]]:
         """Frames received, with their senders, of a bounded number of datagrams; never waits."""
         if not self.open:
             return
-        self.tend()
-        for data, sender in self._connection.receive():
-            split = self._connection.split(data, sender)
+        self.connection.tend(time.monotonic())
+        for data, sender in self.connection.receive():
+            split = self.connection.split(data, sender)
             if self._older and not split.frames:
                 split = split._replace(frames=v1.split(data))
             self._diagnosis.count(data, split)
             yield self.gate.accepted(split.frames), sender
-        self._connection.pop_gone()
+        self.connection.pop_gone()
 
     def send(self, raw: bytes, peer: Where, *, unsigned: bool = False) -> None:
         """Send a frame to a known sender, or to the one address that it speaks to; signed, where there is a key."""
-        self._connection.send(raw if unsigned else self.gate.signed(raw), self._connection.to or peer)
-
-    @property
-    def to(self) -> Where | None:
-        """Address that it sends to; None where it listens."""
-        return self._connection.to
-
-    @property
-    def senders(self) -> frozenset[Where]:
-        """Those whose streams are open."""
-        return self._connection.senders
+        self.connection.send(raw if unsigned else self.gate.signed(raw), self.connection.to or peer)
 
     def close(self) -> None:
         """Close the connection."""
         self.open = False
-        self._connection.close()
+        self.connection.close()
         self.gate.close()

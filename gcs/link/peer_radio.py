@@ -9,24 +9,16 @@ vehicle's blackout silences it towards its peers too.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import NamedTuple
 
-from gcs.link.impairment import BlackoutWindow, Impairment
+from gcs.link.impairment import Burst, Impairment
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
+from gcs.scenario.parts.radio import RadioSplit
 
 _COUNTERS = frozenset({"XferOut", "XferIn"})
 _NAMED_VALUE_INT = codec.msgid("NAMED_VALUE_INT")
 _BROADCAST = frozenset({codec.msgid("DEBUG_FLOAT_ARRAY"), codec.msgid("FOLLOW_TARGET")})
 _ADDRESSED = frozenset({codec.msgid("COMMAND_LONG"), codec.msgid("COMMAND_ACK")})
-
-
-class SplitWindow(NamedTuple):
-    """These vehicles and all others do not receive each other in from_s ≤ t < to_s."""
-
-    sysids: frozenset[int]
-    from_s: float
-    to_s: float
 
 
 class PeerRadio:
@@ -37,8 +29,8 @@ class PeerRadio:
         sysids: Sequence[int],
         radio: Impairment,
         *,
-        blackouts: Iterable[BlackoutWindow] = (),
-        splits: Iterable[SplitWindow] = (),
+        blackouts: Iterable[Burst] = (),
+        splits: Iterable[RadioSplit] = (),
     ) -> None:
         """`radio`: what befalls the frames of each pair; `blackouts` silence a vehicle whether it sends or receives."""
         self._sysids, self._radio = sorted(sysids), radio

@@ -18,7 +18,7 @@ class VehicleRouter:
 
     def __init__(self, at: Endpoint) -> None:
         """Raises AddressRefused."""
-        self._far = Forwarder([at.text])
+        self.far = Forwarder([at.text])
         self._near = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self._near.setblocking(False)
         widen(self._near)
@@ -30,14 +30,9 @@ class VehicleRouter:
         """Address that vehicles speak to."""
         return f"udpout:127.0.0.1:{self._near.getsockname()[1]}"
 
-    @property
-    def address(self) -> str:
-        """Address of the other side, with the port that the system chose."""
-        return self._far.addresses[0]
-
     def filenos(self) -> tuple[int, int]:
         """For select: readable when something has come."""
-        return self._near.fileno(), self._far.filenos()[0]
+        return self._near.fileno(), self.far.filenos()[0]
 
     def pump(self) -> None:
         """Pass on what has come, a bounded piece of it, and connect again where that is due."""
@@ -51,17 +46,13 @@ class VehicleRouter:
                 self._vehicles.add(vehicle)
             if vehicle in self._vehicles:
                 frames.append(datagram)
-        self._far.send(frames)
-        for received in self._far.receive():
+        self.far.send(frames)
+        for received in self.far.receive():
             for vehicle in self._vehicles:
                 with contextlib.suppress(OSError):
                     self._near.sendto(received.frame.raw, vehicle)
 
-    def pop_problems(self) -> list[tuple[str, str]]:
-        """(address, its problem) as `Forwarder.pop_problems`."""
-        return self._far.pop_problems()
-
     def close(self) -> None:
         """Close both sides."""
         self._near.close()
-        self._far.close()
+        self.far.close()

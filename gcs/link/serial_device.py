@@ -31,10 +31,6 @@ class SerialConnection(StreamConnection):
             self.close()
             raise AddressRefused(f"{at.text} cannot be opened: {self.problem}")
 
-    @property
-    def port(self) -> int:
-        return 0
-
     def tend(self, now_s: float) -> None:
         super().tend(now_s)
         if not self._streams and now_s >= self._retry_s:

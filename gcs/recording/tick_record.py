@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
 from gcs.refuelling.explain import sentence
@@ -57,7 +57,7 @@ def records_of_tick(
     `pursued` are the pursuit's records, `facts` (system id, what its battery showed), `problems` what people's own
     planner or policy did wrong, `competition_states` the competitions for tankers and for bases.
     """
-    batteries = [{"kind": "battery", "sysid": sysid, **fact.record()} for sysid, fact in facts]
+    batteries = [{"kind": "battery", "sysid": sysid, **asdict(fact)} for sysid, fact in facts]
     blamed = [problem.record() for problem in problems]
     records: list[dict[str, Any]] = [
         {"t_s": t_s, **record} for record in (*decision.records, *pursued, *batteries, *blamed)

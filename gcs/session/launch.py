@@ -93,7 +93,7 @@ def launch(
                 break
             for sysid in list(waiting):
                 if (address := _address(waiting[sysid])) is not None:
-                    address = router.address if router is not None else address
+                    address = router.far.addresses[0] if router is not None else address
                     role, label = labels[sysid]
                     log = str(waiting.pop(sysid))
                     up.append({"sysid": sysid, "role": role, "label": label, "address": address, "log": log})
@@ -123,7 +123,7 @@ def _routed(connect: Endpoint | None, stack: contextlib.ExitStack) -> VehicleRou
 
 def _pump(router: VehicleRouter) -> None:
     router.pump()
-    for where, problem in router.pop_problems():
+    for where, problem in router.far.pop_problems():
         print(f"gcs: {where}: {problem}" if problem else f"gcs: {where} is there", file=sys.stderr, flush=True)
 
 

@@ -218,7 +218,7 @@ def _vehicles(supervisor: Supervisor) -> list[VehicleRow]:
     at = {view.sysid: view.p_ned for view in snapshot.vehicles}
     aims = {point.sysid: point.p_ned for point in supervisor.set_points}
     target_of = supervisor.metrics.target_of
-    used = {sysid: one.connect for sysid, links in supervisor.links().items() for one in links if one.used}
+    used = {sysid: one.connect for sysid, links in supervisor.link.links().items() for one in links if one.used}
     rows = []
     for view in snapshot.vehicles:
         sysid, arming = view.sysid, supervisor.arming[view.sysid]

@@ -79,11 +79,11 @@ class MonitorSource:
     @property
     def port(self) -> int:
         """The port that it is at."""
-        return self._listener.port
+        return self._listener.connection.port
 
     def fileno(self) -> int:
         """For select: readable when something has come."""
-        return self._listener.fileno()
+        return self._listener.connection.fileno()
 
     @property
     def connected(self) -> bool:
@@ -154,7 +154,7 @@ class MonitorSource:
 
     def _report_connection(self, t_s: float) -> None:
         """A connection that is broken or mended; or why nobody is heard, once that can be seen."""
-        problem = self._listener.problem
+        problem = self._listener.connection.problem
         if problem != self._problem and t_s >= SILENT_AFTER_S:
             self._problem = problem
             level: Level = "warning" if problem else "info"
@@ -200,7 +200,8 @@ class MonitorSource:
         if t_s - self._beat_s >= HEARTBEAT_EVERY_S:
             self._beat_s = t_s
             raw = codec.frame(OUR_HEARTBEAT, next(self._numbers), *self._station)
-            peers = {self._listener.to} if self._listener.to is not None else {peer for peer, _ in self._peers.values()}
+            to = self._listener.connection.to
+            peers = {to} if to is not None else {peer for peer, _ in self._peers.values()}
             for peer in sorted(peers, key=str):
                 self._listener.send(raw, peer)
         for sysid, queue in self._queues.items():

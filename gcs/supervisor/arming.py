@@ -85,7 +85,8 @@ class ArmingSequence:
         self.released = False
         """whether another ground station flies it, and it is commanded nothing"""
         self._order_sent = False
-        self._rejoins = False
+        self.rejoining = False
+        """whether it is on its way back to the planner"""
         self.checked = True
         """whether its check list has ended; it is not armed before"""
         self.unfit = ""
@@ -103,11 +104,6 @@ class ArmingSequence:
         """Whether it flies no more, for good."""
         return self.stage is Stage.DOWN
 
-    @property
-    def rejoining(self) -> bool:
-        """Whether it is on its way back to the planner."""
-        return self._rejoins
-
     def unheard_lately(self, now_s: float) -> bool:
         """Whether what it does now may be its failsafe's doing, because its link was out."""
         return now_s - self._cut_off_s <= BLAMED_S
@@ -123,7 +119,7 @@ class ArmingSequence:
 
     def rejoin(self) -> None:
         """Bring a vehicle back that was taken or is down, from where it is."""
-        self.ordered, self.released, self._rejoins = None, False, True
+        self.ordered, self.released, self.rejoining = None, False, True
         self.stage, self._asked_s = Stage.IDENTIFY, -RETRY_S
 
     def excuse(self, now_s: float) -> None:
@@ -241,7 +237,7 @@ class ArmingSequence:
             and not (view.mode in STEERABLE and view.armed)
             and self._has_energy(view)
         ):
-            self._rejoins = True
+            self.rejoining = True
 
     def _has_energy(self, view: VehicleView) -> bool:
         return view.alive and view.remaining_j >= REJOIN_SHARE * view.capacity_j
@@ -256,7 +252,7 @@ class ArmingSequence:
                 return Stage.IDENTIFY
             if view.flying and view.mode in STEERABLE:
                 return Stage.FLY
-            if self._rejoins and view.flying:
+            if self.rejoining and view.flying:
                 return self._climbed(view)
             return Stage.ARM
         if self.stage is Stage.ARM:
@@ -269,9 +265,9 @@ class ArmingSequence:
             return Stage.OFFBOARD if view.flying else Stage.ARM
         if self.stage in (Stage.OFFBOARD, Stage.FLY):
             if view.mode in STEERABLE and view.armed:
-                self._rejoins = False
+                self.rejoining = False
                 return Stage.FLY
-            if self._rejoins:  # it may still be on its way down
+            if self.rejoining:  # it may still be on its way down
                 return Stage.OFFBOARD if view.armed else Stage.ARM
             return Stage.DOWN if view.mode is FlightMode.LAND or not view.armed else Stage.OFFBOARD
         return Stage.DOWN

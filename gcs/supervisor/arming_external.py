@@ -134,16 +134,16 @@ class ExternalArmingSequence(ArmingSequence):
         if self.grounded and stage is not Stage.YIELDED:
             return Stage.BASE
         if not view.armed and view.landed:
-            return Stage.ARM if self._rejoins else Stage.DOWN
+            return Stage.ARM if self.rejoining else Stage.DOWN
         if view.mode in STEERABLE:
-            self._rejoins = False
+            self.rejoining = False
             if view.landed and stage is not Stage.FLY:
                 self._begun_s = self._now_s
                 return Stage.TAKEOFF
             return Stage.FLY
         if stage is Stage.OFFBOARD:
-            return Stage.YIELDED if view.mode in THEIRS and not self._rejoins else Stage.OFFBOARD
-        if self._rejoins:
+            return Stage.YIELDED if view.mode in THEIRS and not self.rejoining else Stage.OFFBOARD
+        if self.rejoining:
             return Stage.OFFBOARD
         starved = self._now_s - self._starved_s <= BLAMED_S
         return Stage.OFFBOARD if starved and stage is Stage.FLY and view.mode is FlightMode.HOLD else Stage.YIELDED
@@ -170,10 +170,10 @@ class ExternalArmingSequence(ArmingSequence):
         self._took_off = True
         if view.mode in STEERABLE:
             return Stage.FLY
-        if view.mode in COMING_DOWN and not self._rejoins:
+        if view.mode in COMING_DOWN and not self.rejoining:
             self._took_off, self._begun_s = False, self._now_s
             return Stage.IDENTIFY
-        return Stage.OFFBOARD if view.mode in ON_THE_WAY or self._rejoins else Stage.YIELDED
+        return Stage.OFFBOARD if view.mode in ON_THE_WAY or self.rejoining else Stage.YIELDED
 
     def _hopeless(self, view: VehicleView) -> bool:
         """Whether it is to be left out, and why."""

@@ -103,11 +103,9 @@ class ExternalFleet:
         behind_s = offset_s - self._offset_s.setdefault(sysid, offset_s)
         if abs(behind_s) >= BEHIND_S:
             self._offset_s[sysid] = offset_s
-            way = "behind" if behind_s > 0.0 else "ahead of"
-            text = (
-                f"Its clock has fallen {behind_s:.1f} s" if behind_s > 0.0 else f"Its clock has run {-behind_s:.1f} s"
-            )
-            self._note(sysid, "warning", f"{text} {way} the session's: it does not keep speed {self._speed:g}")
+            moved, way = ("fallen", "behind") if behind_s > 0.0 else ("run", "ahead of")
+            text = f"Its clock has {moved} {abs(behind_s):.1f} s {way} the session's"
+            self._note(sysid, "warning", f"{text}: it does not keep speed {self._speed:g}")
 
     def relinked(self, sysid: int) -> None:
         """A vehicle has another link: an autopilot sends there what it is asked for there."""

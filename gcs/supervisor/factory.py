@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from gcs.link.impairment import BlackoutWindow, Impairment
-from gcs.link.peer_radio import PeerRadio, SplitWindow
+from gcs.link.impairment import Burst, Impairment
+from gcs.link.peer_radio import PeerRadio
 from gcs.mavlink.autopilots import PROFILES
 from gcs.refuelling.bidding import BiddingRule
 from gcs.refuelling.scheduler import Scheduler
@@ -23,7 +23,6 @@ _SHARES = {"loss", "delay_s", "jitter_s", "duplicate", "reorder"}
 
 def make_fleet(scenario: Scenario) -> Fleet:
     """The collector of all vehicles' telemetry."""
-    origin = scenario.origin
     members = [
         Member(
             v.sysid,
@@ -38,7 +37,7 @@ def make_fleet(scenario: Scenario) -> Fleet:
         )
         for v in scenario.vehicles.all
     ]
-    return Fleet(members, GlobalOrigin(origin.lat_deg, origin.lon_deg, origin.alt_m))
+    return Fleet(members, GlobalOrigin(**scenario.origin.model_dump()))
 
 
 def make_arming_sequences(scenario: Scenario) -> dict[int, ArmingSequence]:
@@ -54,14 +53,9 @@ def make_arming_sequences(scenario: Scenario) -> dict[int, ArmingSequence]:
 def make_radio(scenario: Scenario, injections: Iterable[Injection] = ()) -> Impairment:
     """The radio between vehicles and supervisor, with the faults that befall it."""
     radio = scenario.radio
-    blackouts, bursts = radio_faults(injections, [vehicle.sysid for vehicle in scenario.vehicles.all])
-    return Impairment(
-        **radio.model_dump(include=_SHARES),
-        blackouts=[*(BlackoutWindow(b.sysid, b.from_s, b.to_s) for b in radio.blackouts), *blackouts],
-        ground_blackouts=[(b.from_s, b.to_s) for b in radio.ground_blackouts],
-        bursts=bursts,
-        seed=scenario.seed,
-    )
+    blackouts, bursts = radio_faults(injections, scenario)
+    dead = [Burst(None, silence.from_s, silence.to_s, loss=1.0) for silence in radio.ground_blackouts]
+    return Impairment(**radio.model_dump(include=_SHARES), bursts=[*blackouts, *dead, *bursts], seed=scenario.seed)
 
 
 def make_peer_radio(scenario: Scenario, injections: Iterable[Injection] = ()) -> PeerRadio | None:
@@ -69,12 +63,11 @@ def make_peer_radio(scenario: Scenario, injections: Iterable[Injection] = ()) ->
     if scenario.competition.where == "supervisor":
         return None
     radio = scenario.radio
-    blackouts, _ = radio_faults(injections, [vehicle.sysid for vehicle in scenario.vehicles.all])
     return PeerRadio(
         [vehicle.sysid for vehicle in scenario.vehicles.all],
         Impairment(**radio.model_dump(include=_SHARES), seed=scenario.seed),
-        blackouts=[*(BlackoutWindow(b.sysid, b.from_s, b.to_s) for b in radio.blackouts), *blackouts],
-        splits=[SplitWindow(frozenset(split.sysids), split.from_s, split.to_s) for split in radio.splits],
+        blackouts=radio_faults(injections, scenario)[0],
+        splits=radio.splits,
     )
 
 

@@ -8,12 +8,12 @@ session's.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.link.impairment import BlackoutWindow, Burst
+from gcs.link.impairment import Burst
 from gcs.mavlink.codec import Message
 from gcs.mavlink.command_protocol import CommandLong, CommandRequest, CommandTarget
 from gcs.mavlink.ids import AUTOPILOT
@@ -35,13 +35,14 @@ _UNITS = {
 _WRONG = ("gps_jump", "battery")
 
 
-def radio_faults(injections: Iterable[Injection], sysids: Collection[int]) -> tuple[list[BlackoutWindow], list[Burst]]:
-    """Windows and bursts of the radio, of the vehicles that they befall."""
-    blackouts, bursts = [], []
+def radio_faults(injections: Iterable[Injection], scenario: Scenario) -> tuple[list[Burst], list[Burst]]:
+    """Blackouts of single vehicles, the scenario's own too, and other bursts, of the vehicles that they befall."""
+    blackouts = [Burst(b.sysid, b.from_s, b.to_s, loss=1.0) for b in scenario.radio.blackouts]
+    bursts = []
     for one in injections:
-        for sysid in filter(one.befalls, sorted(sysids)):
+        for sysid in filter(one.befalls, sorted(vehicle.sysid for vehicle in scenario.vehicles.all)):
             if one.fault.fault == "blackout":
-                blackouts.append(BlackoutWindow(sysid, one.begin_s, one.end_s))
+                blackouts.append(Burst(sysid, one.begin_s, one.end_s, loss=1.0))
             elif one.fault.fault == "loss":
                 bursts.append(Burst(sysid, one.begin_s, one.end_s, loss=one.fault.share or 0.0))
             elif one.fault.fault == "delay":
@@ -61,7 +62,7 @@ class FaultInjector:
         self.begun: list[Injection] = []
         """all that have happened so far"""
         self._orders: dict[int, list[Message]] = {}
-        self._records: list[dict[str, Any]] = []
+        self.records: list[dict[str, Any]] = []
         self.signal_process: Callable[[int, str], object] = lambda _sysid, _fault: None
         """`kill` or `hang` a vehicle's process; set by who has processes"""
 
@@ -74,7 +75,7 @@ class FaultInjector:
         end = [one for one in self.running if one.end_s <= now_s + _ROUNDING_S]
         self.running = [one for one in self.running if one not in end]
         for state, some in (("begins", begin), ("ends", end)):
-            self._records += [self._record(one, state, now_s) for one in some]
+            self.records += [self._record(one, state, now_s) for one in some]
         return begin, end
 
     def requests(self, one: Injection, *, ends: bool) -> list[CommandRequest]:
@@ -93,13 +94,9 @@ class FaultInjector:
         """Orders for a launched vehicle since the last call."""
         return self._orders.pop(sysid, []) if self._orders else []
 
-    def peek_records(self) -> list[dict[str, Any]]:
-        """The same, and they stay."""
-        return list(self._records)
-
     def pop_records(self) -> list[dict[str, Any]]:
         """Decisions since the last call: which faults have begun and ended."""
-        taken, self._records = self._records, []
+        taken, self.records = self.records, []
         return taken
 
     def unheard(self, sysid: int) -> bool:

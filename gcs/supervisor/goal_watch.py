@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -179,7 +180,7 @@ class GoalWatch:
                 lost[view.sysid] = Loss(view.sysid, end_s, "landed by itself")
             elif failsafe and view.flying and view.mode in GOING_DOWN and arming.stage in (*_STEERED, Stage.YIELDED):
                 lost[view.sysid] = Loss(view.sysid, end_s, f"its failsafe flies it ({view.mode})")
-        return sorted(lost.values(), key=lambda loss: (loss.t_s, loss.sysid))
+        return _in_order(lost.values())
 
     def harmed(self, snapshot: FleetSnapshot, end_s: float) -> list[Loss]:
         """Vehicles lost by now, and those that touched the ground in flight; each once."""
@@ -190,7 +191,7 @@ class GoalWatch:
         if len(self._lost) <= self._asked["lost"]:
             return [], []
         records = []
-        for loss in sorted(self._lost.values(), key=lambda one: (one.t_s, one.sysid)):
+        for loss in _in_order(self._lost.values()):
             if (key := ("lost", loss.sysid, loss.t_s)) not in self._reported:
                 self._reported.add(key)
                 text = f"{self._label(loss.sysid)} is lost: {loss.why}"
@@ -209,23 +210,16 @@ class GoalWatch:
         if not tables or any(table is None for table in tables.values()):
             return [], []
         ticks = np.array([t_s for t_s, *_ in self._log])
-        at = np.full((len(self._vehicles), len(ticks)), -1, dtype=np.int64)
-        for row, table in tables.items():
-            assert table is not None
-            if not len(table):
-                continue
-            k = np.searchsorted(table[:, 0], ticks - 1e-4)
-            inside = k < len(table)
-            same = inside & (np.abs(table[np.minimum(k, len(table) - 1), 0] - ticks) < 1e-4)
-            at[row] = np.where(same, k, -1)
         judged, waypoints = Proximity(self._scenario, self._shapes), WayPoints(self._scenario)
         breaches: list[Breach] = []
         shape = (len(ticks), len(self._vehicles), 3)
         p_ned, v_ned = np.full(shape, np.nan), np.zeros(shape)
         for row, table in tables.items():
-            there = at[row] >= 0
-            if table is not None and there.any():
-                p_ned[there, row], v_ned[there, row] = table[at[row, there], 1:4], table[at[row, there], 4:7]
+            assert table is not None
+            k = np.searchsorted(table[:, 0], ticks - 1e-4)
+            there = k < len(table)
+            there[there] = np.abs(table[k[there], 0] - ticks[there]) < 1e-4
+            p_ned[there, row], v_ned[there, row] = table[k[there], 1:4], table[k[there], 4:7]
         curved = not self._external_p_ned
         if self._external_p_ned:
             p_ned[:, ~self._ours] = self._external_p_ned
@@ -241,14 +235,9 @@ class GoalWatch:
 
     def measured(self, snapshot: FleetSnapshot, *, time_s: float, pursuit_held_s: float, refuelled: int) -> Measured:
         """All figures, by truth once that has been judged."""
-        near = self.judged
-        return Measured(
+        return replace(
+            self._measured(self.losses(snapshot, time_s)),
             time_s=time_s,
-            separation=near.separation,
-            clearance=near.clearance,
-            traffic=near.traffic,
-            ground=near.ground,
-            lost=self.losses(snapshot, time_s),
             missed=self._waypoints.missed,
             pursuit_held_s=pursuit_held_s,
             refuelled=refuelled,
@@ -256,15 +245,14 @@ class GoalWatch:
 
     def broken(self) -> list[Judgement]:
         """Parts of the goal that can no longer be met, by what is known now."""
-        near = self.judged
-        so_far = Measured(
-            separation=near.separation,
-            clearance=near.clearance,
-            traffic=near.traffic,
-            ground=near.ground,
-            lost=sorted(self._lost.values(), key=lambda loss: (loss.t_s, loss.sysid)),
-        )
+        so_far = self._measured(_in_order(self._lost.values()))
         return [judged for judged in goal.judge(self._scenario, so_far) if judged.met is False]
+
+    def _measured(self, lost: list[Loss]) -> Measured:
+        near = self.judged
+        return Measured(
+            separation=near.separation, clearance=near.clearance, traffic=near.traffic, ground=near.ground, lost=lost
+        )
 
     # reports
 
@@ -307,6 +295,10 @@ class GoalWatch:
 def _now(aircraft: TrafficView) -> Vec3:
     (n, e, d), (vn, ve, vd), age_s = aircraft.p_ned, aircraft.v_ned, aircraft.age_s
     return (n + vn * age_s, e + ve * age_s, d + vd * age_s)
+
+
+def _in_order(losses: Iterable[Loss]) -> list[Loss]:
+    return sorted(losses, key=lambda loss: (loss.t_s, loss.sysid))
 
 
 def _event(record: Mapping[str, Any]) -> Event:

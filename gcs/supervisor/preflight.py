@@ -24,7 +24,6 @@ from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.command_protocol import CommandLong, CommandTarget
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.mavlink.plan_client import PlanClient, PlanItem
-from gcs.scenario.fence import Area
 from gcs.scenario.model import Scenario
 from gcs.telemetry.events import Event
 from gcs.telemetry.state import FleetSnapshot
@@ -206,22 +205,17 @@ class Preflight:
 
 def fence_items(scenario: Scenario) -> list[PlanItem]:
     """The scenario's fence as items: corners and circles, in degrees by WGS 84."""
-    inside, outside = scenario.fence.inside, scenario.fence.outside
     polygons = (mav.MAV_CMD_NAV_FENCE_POLYGON_VERTEX_INCLUSION, mav.MAV_CMD_NAV_FENCE_POLYGON_VERTEX_EXCLUSION)
     circles = (mav.MAV_CMD_NAV_FENCE_CIRCLE_INCLUSION, mav.MAV_CMD_NAV_FENCE_CIRCLE_EXCLUSION)
     items = []
-    for side, areas in enumerate((inside, outside)):
-        for area in areas:
-            command = circles[side] if area.circle_m is not None else polygons[side]
-            items += _area_items(scenario, area, int(command))
-    return items
-
-
-def _area_items(scenario: Scenario, area: Area, command: int) -> list[PlanItem]:
-    places = (area.circle_m,) if area.circle_m is not None else area.polygon_m or ()
-    size = float(len(places)) if area.radius_m is None else area.radius_m
     frame = int(mav.MAV_FRAME_GLOBAL)
-    return [PlanItem(command, frame, size, *_degrees_e7(scenario, place), 0.0) for place in places]
+    for side, areas in enumerate((scenario.fence.inside, scenario.fence.outside)):
+        for area in areas:
+            command = int(circles[side] if area.circle_m is not None else polygons[side])
+            places = (area.circle_m,) if area.circle_m is not None else area.polygon_m or ()
+            size = float(len(places)) if area.radius_m is None else area.radius_m
+            items += [PlanItem(command, frame, size, *_degrees_e7(scenario, place), 0.0) for place in places]
+    return items
 
 
 def rally_items(scenario: Scenario) -> list[PlanItem]:

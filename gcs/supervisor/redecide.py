@@ -7,14 +7,16 @@ here. Deaths and operators' orders are no decisions: they are taken from the rec
 
 from __future__ import annotations
 
+import itertools
 import json
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
+from operator import itemgetter
 from pathlib import Path
 from typing import Any, cast
 
-from gcs.link.link import Key, LinkState
+from gcs.link.link import Key, TickLink
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import AUTOPILOT, STATION, TRAFFIC
@@ -108,50 +110,34 @@ class Comparison:
         return not self.by_kind
 
 
-class RecordedLink:
-    """A link of a supervisor without vehicles: it hands out what was recorded, and lets the grants go."""
+class RecordedLink(TickLink):
+    """A link of a supervisor without vehicles: it hands out what was recorded, and lets the grants go.
+
+    Docstrings are those of `TickLink`.
+    """
 
     def __init__(self, keys: Sequence[Key]) -> None:
-        self.joined: set[Key] = set(keys)
+        self._joined = set(keys)
         self._granted: set[Key] = set()
         self.recorded: Mapping[Key, list[Frame]] = {}
 
+    @property
+    def joined(self) -> set[Key]:
+        return self._joined
+
     def leave(self, key: Key) -> None:
-        """As `Link.leave`."""
-        self.joined.discard(key)
+        self._joined.discard(key)
         self._granted.discard(key)
 
     def grant(
         self, key: Key, t_ms: int, unix_us: int, messages: Sequence[Message], relayed: Sequence[bytes]
     ) -> list[bytes]:
-        """As `Link.grant`, but nothing is sent."""
         self._granted.add(key)
         return []
 
     def answers(self, idle: Callable[[], None]) -> Iterator[tuple[Key, list[Frame]]]:
-        """As `Link.answers`: those of the tick that is being replayed."""
         for key in sorted(self._granted):
             yield key, self.recorded.get(key, [])
-
-    def unawaited(self) -> dict[Key, list[Frame]]:
-        """As `Link.unawaited`: none."""
-        return {}
-
-    def clock_offsets_s(self) -> dict[int, float]:
-        """As `Link.clock_offsets_s`: none."""
-        return {}
-
-    def pop_rebooted(self) -> set[int]:
-        """As `Link.pop_rebooted`: none."""
-        return set()
-
-    def pop_relinked(self) -> set[int]:
-        """As `Link.pop_relinked`: none."""
-        return set()
-
-    def links(self) -> dict[int, list[LinkState]]:
-        """As `Link.links`: none."""
-        return {}
 
 
 class Comparer:
@@ -187,21 +173,16 @@ class Tick:
 
 def ticks(log: tlog_reader.Tlog) -> Iterator[Tick]:
     """A session's log tick by tick. A vehicle's answer ends with its SYSTEM_TIME; what it says later was relayed."""
-    tick: Tick | None = None
-    answered: set[Key] = set()
-    for t_us, frame in log:
-        if tick is None or t_us != tick.t_us:
-            if tick is not None:
-                yield tick
-            tick, answered = Tick(t_us), set()
-        key = (frame.sysid, frame.compid)
-        if key == STATION:
-            tick.granted = True
-        elif key not in answered:
-            tick.answers.setdefault(key, []).append(frame)
-            if frame.msgid == _SYSTEM_TIME:
-                answered.add(key)
-    if tick is not None:
+    for t_us, records in itertools.groupby(log, itemgetter(0)):
+        tick, answered = Tick(t_us), set[Key]()
+        for _, frame in records:
+            key = (frame.sysid, frame.compid)
+            if key == STATION:
+                tick.granted = True
+            elif key not in answered:
+                tick.answers.setdefault(key, []).append(frame)
+                if frame.msgid == _SYSTEM_TIME:
+                    answered.add(key)
         yield tick
 
 
@@ -266,7 +247,7 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Comparison:
             _relive(supervisor, line)
         link.recorded = tick.answers
         comparer.made = []
-        supervisor.tick(_ignore)
+        supervisor.tick(lambda: None)
         supervisor.events.clear()
         if recorded.ended and (recorded.lines.cut or not whole):
             break  # of a session that was killed, the last tick's decisions may not all have been written
@@ -281,10 +262,6 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Comparison:
     if not whole:
         verdict.problems.append(f"{folder} has no {SUMMARY}: the session did not end, and was compared up to there.")
     return verdict
-
-
-def _ignore() -> None:
-    """In a recording no process needs watching."""
 
 
 def _relive(supervisor: Supervisor, line: Mapping[str, Any]) -> None:

@@ -48,7 +48,7 @@ def summarise(
     snapshot = supervisor.fleet.snapshot(supervisor.time_s)
     goal = [GoalPartSummary(**asdict(one) | {"met": one.met is not False}) for one in supervisor.judged()]
     near, believed = supervisor.goal_watch.judged, supervisor.goal_watch.believed
-    links = supervisor.links()
+    links = link.links()
     schedule.settle(snapshot)
     credited_j: dict[int | str | None, int] = defaultdict(int)
     for service in schedule.services:
@@ -94,7 +94,7 @@ def summarise(
                 max_tracking_error_m=metrics.max_tracking_error_m.get(view.sysid),
                 path_length_m=metrics.path_length_m.get(view.sysid, 0.0),
                 control_effort=view.control_effort,
-                energy=_ledger(view, view.given_j - credited_j[view.sysid] - _returned_j(view)),
+                energy=_ledger(view, credited_j[view.sysid]),
                 missing_streams=supervisor.externals.missing_streams(view.sysid),
                 check_list=[CheckedItem(**item._asdict()) for item in supervisor.preflight.items(view.sysid)],
                 refused_messages=link.signature_refusals.get(view.sysid, 0),
@@ -119,26 +119,22 @@ def summarise(
         link=LinkSummary(
             received=supervisor.received,
             sent=supervisor.sent,
-            lost=supervisor.lost_frames,
+            lost=supervisor.gaps.lost,
             malformed=link.malformed,
             overflowed=link.overflowed(),
-            command_retries=supervisor.command_retries,
+            command_retries=supervisor.command_queue.resent,
         ),
     )
 
 
-def _returned_j(view: VehicleView) -> int:
-    """Energy that came back to a tanker, which receives none otherwise, J."""
-    return view.received_j if view.role == "tanker" else 0
-
-
-def _ledger(view: VehicleView, lost_j: int) -> EnergySummary:
+def _ledger(view: VehicleView, credited_j: int) -> EnergySummary:
+    returned_j = view.received_j if view.role == "tanker" else 0  # a tanker receives only what comes back to it
     return EnergySummary(
         initial_j=view.initial_j,
         drawn_j=view.drawn_j,
         received_j=view.received_j,
         given_j=view.given_j,
-        lost_j=lost_j,
+        lost_j=view.given_j - credited_j - returned_j,
         remaining_j=view.remaining_j,
         source=view.energy_source,
     )

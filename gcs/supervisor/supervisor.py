@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from gcs.link.forwarder import Forwarder
-from gcs.link.link import Key, LinkState, TickLink
+from gcs.link.link import Key, TickLink
 from gcs.link.quality import LinkQuality
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import End
@@ -79,7 +79,7 @@ class Supervisor:
         self.scenario = scenario
         self.period_ms = round(1e3 * scenario.clock.period_s)
         self.epoch_us = round(1e6 * scenario.clock.epoch.timestamp())
-        self._link = link
+        self.link = link
         self._recorder = recorder
         self._forwarder = forwarder
         self.digest = Digest()
@@ -112,8 +112,9 @@ class Supervisor:
         self._radio = make_radio(scenario, injections if impaired else ())
         self._peer_radio = make_peer_radio(scenario, injections)
         self.command_queue = FleetCommandQueue(self.arming, stations)
-        self._gaps = GapCounter()
-        self.quality = LinkQuality(self._gaps)
+        self.gaps = GapCounter()
+        """in the vehicles' sequence numbers, after the radio"""
+        self.quality = LinkQuality(self.gaps)
         self._heartbeat_due_ms = dict.fromkeys(self.arming, 0)
         self.time_ms = 0
         self.received = 0
@@ -134,20 +135,6 @@ class Supervisor:
         """Session time."""
         return self.time_ms / 1e3
 
-    @property
-    def lost_frames(self) -> int:
-        """Gaps in the vehicles' sequence numbers, after the radio."""
-        return self._gaps.lost
-
-    @property
-    def command_retries(self) -> int:
-        """Commands that were sent again."""
-        return self.command_queue.resent
-
-    def links(self) -> dict[int, list[LinkState]]:
-        """Links of vehicles that have several, by system id."""
-        return self._link.links() if self.externals.rules else {}
-
     def begin(self) -> None:
         """Send the first grant, which sets the vehicles' clocks and lets none move."""
         recording = TickRecord(0, [], [], [])
@@ -158,7 +145,7 @@ class Supervisor:
         """Collect the answers to the last grant, decide, and send the next one, of so many periods."""
         self._periods = periods
         now_s = self.time_s
-        arrived, delivered = self._receive(self._link.answers(idle), now_s)
+        arrived, delivered = self._receive(self.link.answers(idle), now_s)
         self._receive_acknowledgements(now_s)
         if self._forwarder is not None:
             self._receive_forwarded(self._forwarder, now_s)
@@ -191,7 +178,7 @@ class Supervisor:
 
     def finish(self, idle: Callable[[], None]) -> None:
         """Collect and record the answers to the last grant; nothing is decided any more."""
-        arrived, _ = self._receive(self._link.answers(idle), self.time_s)
+        arrived, _ = self._receive(self.link.answers(idle), self.time_s)
         self.snapshot = self.fleet.snapshot(self.time_s)
         broken = self._watch_goal(self.snapshot, self._partners)
         self._record(TickRecord(self.time_ms, arrived, [], self._new_records() + broken))
@@ -255,7 +242,7 @@ class Supervisor:
 
     def lose(self, key: Key, why: str) -> None:
         """A process has died: hold it no longer, report it, let the others go on."""
-        self._link.leave(key)
+        self.link.leave(key)
         self._deaths.append({"t_s": self.time_s, "kind": "death", "sysid": key[0], "text": why})
         self.goal_watch.lose(key[0], self.time_s, "its process died")
         if key != TRAFFIC:
@@ -273,14 +260,14 @@ class Supervisor:
             self.command_queue.ask(self.faults.requests(one, ends=one in end), now_s)
         for one in end:
             self._end_fault(one)
-        self.events += [event_of(record) for record in self.faults.peek_records()]
+        self.events += [event_of(record) for record in self.faults.records]
         for sysid, arming in self.arming.items():
             if self.faults.unheard(sysid):
                 arming.excuse(now_s)
 
     def _begin_fault(self, one: Injection) -> None:
         sysid, fault = one.fault.sysid, one.fault.fault
-        if sysid is None or (sysid, AUTOPILOT) not in self._link.joined:
+        if sysid is None or (sysid, AUTOPILOT) not in self.link.joined:
             return
         if fault in ("kill", "hang"):
             self.faults.signal_process(sysid, fault)
@@ -308,8 +295,8 @@ class Supervisor:
         Nothing that is read of one depends on another, so whose answer came first shows nowhere: what is given back is
         in order of system id, as are the texts, acknowledgements and facts that the fleet keeps.
         """
-        for sysid in self._link.pop_relinked() if self.externals.rules else ():
-            self._gaps.forget(sysid)
+        for sysid in self.link.pop_relinked() if self.externals.rules else ():
+            self.gaps.forget(sysid)
             self.externals.relinked(sysid)
         received_from: dict[Key, list[Frame]] = {}
         for key, frames in answers:
@@ -320,7 +307,7 @@ class Supervisor:
                 impaired = [frame for frame in frames if frame.msgid != _SYSTEM_TIME]
                 grants = [frame for frame in frames if frame.msgid == _SYSTEM_TIME]
                 received = [*self._radio.apply(key[0], "in", now_s, impaired), *grants]
-            self._gaps.feed_all(received)
+            self.gaps.feed_all(received)
             self.fleet.ingest_all(received, now_s)
             if self._watched is not None:
                 for frame in received:
@@ -334,7 +321,7 @@ class Supervisor:
         arrived = [frame.raw for _, received in in_order for frame in received]
         delivered = {key[0]: received for key, received in in_order}
         if self.externals.rules:
-            offsets_s, rebooted = self._link.clock_offsets_s(), self._link.pop_rebooted()
+            offsets_s, rebooted = self.link.clock_offsets_s(), self.link.pop_rebooted()
             self.externals.receive(delivered, offsets_s, rebooted, self.fleet, now_s)
         self.preflight.receive(delivered, self.epoch_us + round(1e6 * now_s), now_s)
         self.received += len(arrived)
@@ -454,9 +441,8 @@ class Supervisor:
     def _grant_all(self, relays: Mapping[int, list[Relay]], recording: TickRecord) -> None:
         """Send all vehicles the next bundle; the first one carries T = 0 and lets none move."""
         now_s = self.time_s
-        grant_ms = self.time_ms + self._periods * self.period_ms if recording.t_ms or self._begun else 0
-        self._begun = True
-        for key in sorted(self._link.joined):
+        grant_ms = self.time_ms + self._periods * self.period_ms
+        for key in sorted(self.link.joined):
             sysid = key[0]
             if key != TRAFFIC and grant_ms < self._join_ms[sysid]:
                 continue
@@ -473,15 +459,14 @@ class Supervisor:
             foreign = [m.raw for m in messages if isinstance(m, Relay)]
             if self._peer_radio is not None and key != TRAFFIC:
                 foreign += self._peer_radio.receive(sysid, now_s)
-            sent = self._link.grant(key, grant_ms, self.epoch_us + 1000 * grant_ms, own, foreign)
+            sent = self.link.grant(key, grant_ms, self.epoch_us + 1000 * grant_ms, own, foreign)
             recording.sent += (
                 sent if self._peer_radio is None else [raw for raw in sent if raw[_SYSID_AT] == STATION[0]]
             )
         self.sent += len(recording.sent)
         self.time_ms = grant_ms
 
-    _begun = False
-    _periods = 1
+    _periods = 0
     _partners: frozenset[tuple[int, int]] = frozenset()
 
     def hand_back(self) -> None:
@@ -499,15 +484,15 @@ class Supervisor:
     def exchange(self, now_s: float) -> bool:
         """After the last tick: send external vehicles what is left, receive; whether one has not obeyed yet."""
         now_s = round(now_s, 3)  # as it is recorded
-        arrived, _ = self._receive(self._link.unawaited().items(), now_s)
+        arrived, _ = self._receive(self.link.unawaited().items(), now_s)
         self._receive_acknowledgements(now_s)
         sent: list[bytes] = []
         for sysid in self.externals.rules:
             for result in self.command_queue.poll(sysid, now_s):
                 self._report(sysid, result, now_s)
             messages = self.command_queue.pop(sysid)
-            if (sysid, AUTOPILOT) in self._link.joined:
-                sent += self._link.grant((sysid, AUTOPILOT), self.time_ms, 0, messages, ())
+            if (sysid, AUTOPILOT) in self.link.joined:
+                sent += self.link.grant((sysid, AUTOPILOT), self.time_ms, 0, messages, ())
         self.sent += len(sent)
         self._record(TickRecord(round(1e3 * now_s), arrived, sent, []))
         self.snapshot = self.fleet.snapshot(now_s)

@@ -8,9 +8,7 @@ from __future__ import annotations
 import functools
 
 import numpy as np
-from pymavlink.dialects.v20 import common as mav
 
-from gcs.mavlink import codec
 from gcs.planner.custom import behind_filter
 from gcs.planner.guide import RouteFollower
 from gcs.planner.planner import Planner
@@ -19,11 +17,11 @@ from gcs.planner.route import Router
 from gcs.planner.tracking import Tracking
 from gcs.scenario import geometry
 from gcs.scenario.model import Scenario
-from gcs.supervisor.factory import make_arming_sequences
+from gcs.supervisor.factory import make_arming_sequences, make_fleet
 from gcs.supervisor.goal_watch import GoalWatch
 from gcs.telemetry import approach
-from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
 from gcs.telemetry.metrics import PLAN_MEMORY, Metrics
+from gcs.telemetry.state import ZERO, FleetSnapshot
 
 WAY_TICKS = 12
 
@@ -33,20 +31,18 @@ def rehearse(scenario: Scenario) -> None:
     fence = scenario.fence
     if scenario.planner.guide and scenario.planner.safety and (scenario.obstacles or fence.inside or fence.outside):
         find_way()
-    origin, vehicles = scenario.origin, scenario.vehicles.all
-    fleet = Fleet(
-        [Member(v.sysid, v.role, v.label, v.battery.capacity_j, v.battery.capacity_j) for v in vehicles],
-        GlobalOrigin(origin.lat_deg, origin.lon_deg, origin.alt_m),
+    place = {vehicle.sysid: vehicle.start_m for vehicle in scenario.vehicles.all}
+    views = (
+        view._replace(
+            armed=True, landed=False, p_ned=place[view.sysid], age_s=0.0, origin_offset_ned=ZERO, ground_down_m=0.0
+        )
+        for view in make_fleet(scenario).snapshot(0.0).vehicles
     )
-    for vehicle in vehicles:
-        for frame in codec.split(_first_telemetry(vehicle.sysid, vehicle.start_m, scenario)).frames:
-            fleet.ingest(frame, 0.0)
-    snapshot = fleet.snapshot(0.0)
+    snapshot = FleetSnapshot(0.0, tuple(views), ())
     planner = behind_filter(scenario, Planner(scenario))
     metrics = Metrics(scenario)
     watch = GoalWatch(scenario, planner.obstacles, make_arming_sequences(scenario))
-    everyone = frozenset(vehicle.sysid for vehicle in vehicles)
-    set_points = planner.plan(PlanRequest(snapshot, everyone, scenario.clock.period_s))
+    set_points = planner.plan(PlanRequest(snapshot, frozenset(place), scenario.clock.period_s))
     if scenario.planner.safety:
         _rehearse_tracking()
     approach.nearest_to(*(np.zeros((1, 3)) for _ in range(4)))  # once traffic is reported
@@ -76,27 +72,3 @@ def find_way() -> None:
         for tick in range(WAY_TICKS):  # a goal that moves away is searched for from on the route
             aims = follower.aims([1], start, np.array([[goal[0] + 0.2 * tick, goal[1], goal[2]]]))
             start = start + 0.3 * (aims.aim_ned - start)
-
-
-def _first_telemetry(sysid: int, p_ned: tuple[float, float, float], scenario: Scenario) -> bytes:
-    """The datagram of a vehicle that says it is in the air at a place."""
-    north, east, down = p_ned
-    messages = [
-        codec.message(
-            "HEARTBEAT",
-            type=mav.MAV_TYPE_QUADROTOR,
-            autopilot=mav.MAV_AUTOPILOT_GENERIC,
-            base_mode=mav.MAV_MODE_FLAG_SAFETY_ARMED,
-            custom_mode=0,
-            system_status=mav.MAV_STATE_ACTIVE,
-        ),
-        codec.message("EXTENDED_SYS_STATE", vtol_state=0, landed_state=mav.MAV_LANDED_STATE_IN_AIR),
-        codec.message(
-            "GPS_GLOBAL_ORIGIN",
-            latitude=round(1e7 * scenario.origin.lat_deg),
-            longitude=round(1e7 * scenario.origin.lon_deg),
-            altitude=round(1e3 * scenario.origin.alt_m),
-        ),
-        codec.message("LOCAL_POSITION_NED", time_boot_ms=0, x=north, y=east, z=down, vx=0.0, vy=0.0, vz=0.0),
-    ]
-    return b"".join(codec.frame(m, seq, sysid, mav.MAV_COMP_ID_AUTOPILOT1) for seq, m in enumerate(messages))

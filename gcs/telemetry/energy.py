@@ -21,7 +21,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import Any
 
 from gcs.mavlink.battery import BatteryReport
 
@@ -52,10 +51,6 @@ class Fact:
 
     text: str
     gained_j: float = 0.0
-
-    def record(self) -> dict[str, Any]:
-        """The fact as a decision's line holds it."""
-        return {"text": self.text, "gained_j": self.gained_j}
 
 
 class EnergyEstimator:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from gcs.kernels import kernel
 from gcs.scenario.model import Scenario
+from gcs.telemetry.approach import segment_gap2
 from gcs.telemetry.pursuit import PursuitHeld
 from gcs.telemetry.state import FleetSnapshot, Vec3
 
@@ -94,13 +95,6 @@ def distance_to_path(plan: NDArray[np.float64], oldest: int, n: float, e: float,
     for i in range(count - 1):
         a, b = (oldest + i) % count, (oldest + i + 1) % count
         along_n, along_e, along_d = plan[b, 0] - plan[a, 0], plan[b, 1] - plan[a, 1], plan[b, 2] - plan[a, 2]
-        off_n, off_e, off_d = n - plan[a, 0], e - plan[a, 1], d - plan[a, 2]
-        length2 = along_n * along_n + along_e * along_e + along_d * along_d
-        share = 0.0
-        if length2 > 0.0:
-            share = min(max((off_n * along_n + off_e * along_e + off_d * along_d) / length2, 0.0), 1.0)
-        off_n -= share * along_n
-        off_e -= share * along_e
-        off_d -= share * along_d
-        least2 = min(least2, off_n * off_n + off_e * off_e + off_d * off_d)
+        gap2, _ = segment_gap2(plan[a, 0] - n, plan[a, 1] - e, plan[a, 2] - d, along_n, along_e, along_d)
+        least2 = min(least2, gap2)
     return math.sqrt(least2)

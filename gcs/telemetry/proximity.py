@@ -71,9 +71,7 @@ class Proximity:
         self._separation_m = asked.get("separation", 0.0)
         self._clearance_m, self._traffic_m = asked.get("clearance", -math.inf), asked.get("traffic", 0.0)
         self._ground = "ground" in asked
-        self._near: dict[str, set[tuple[object, ...]]] = {}
         self._reported: set[tuple[object, ...]] = set()
-        self._count: dict[str, int] = {}
         count = len(self._sysids)
         self._found = np.empty((approach.MOST_FOUND, 4))
         self._p_ned, self._v_ned = np.full((count, 3), np.nan), np.zeros((count, 3))
@@ -170,9 +168,8 @@ class Proximity:
         breaches = []
         for found in sorted(near, key=lambda one: (one.sysids, one.what)):
             key = (part, found.sysids, found.what)
-            if key not in self._reported and self._count.get(part, 0) < MOST_REPORTED:
+            if key not in self._reported and sum(one[0] == part for one in self._reported) < MOST_REPORTED:
                 self._reported.add(key)
-                self._count[part] = self._count.get(part, 0) + 1
                 breaches.append(Breach(part, found))
         return breaches
 

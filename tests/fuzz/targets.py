@@ -252,7 +252,7 @@ def monitor(hostile: Hostile) -> Iterator[Callable[[int], None]]:
     """A monitor with control, whose listener hears a crowd."""
     now = {"s": 0.0}
     source = MonitorSource(Endpoint("udpin", "127.0.0.1", 0), control=True, clock=lambda: now["s"])
-    connection = cast(Any, source._listener._connection)
+    connection = cast(Any, source._listener.connection)
     connection._socket.close()
     wire = Replayed()
     connection._socket = wire

@@ -84,6 +84,9 @@ class ScriptedLink:
     def overflowed(self) -> int:
         return 0
 
+    def links(self) -> dict[int, list[Any]]:
+        return {}
+
     def leave(self, key: Key) -> None:
         self.joined.discard(key)
         self._granted.pop(key, None)

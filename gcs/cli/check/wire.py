@@ -46,7 +46,7 @@ class Wire:
 
     def send(self, messages: Sequence[codec.Message], sysid: int | None, *, unsigned: bool = False) -> None:
         """Send each message by itself, to the vehicle or to the address that was given."""
-        to = self.listener.to or (self._peers.get(sysid) if sysid is not None else None)
+        to = self.listener.connection.to or (self._peers.get(sysid) if sysid is not None else None)
         if to is None:
             return
         for message in messages:

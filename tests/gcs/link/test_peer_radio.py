@@ -7,10 +7,11 @@ from typing import Any
 import pytest
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.link.impairment import BlackoutWindow, Impairment
-from gcs.link.peer_radio import PeerRadio, SplitWindow
+from gcs.link.impairment import Burst, Impairment
+from gcs.link.peer_radio import PeerRadio
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
+from gcs.scenario.parts.radio import RadioSplit
 
 VEHICLES = (1, 2, 3, 201)
 
@@ -87,12 +88,12 @@ def test_the_delay_is_that_of_the_scenario() -> None:
 
 @pytest.mark.parametrize("dark", [1, 2])
 def test_a_blackout_of_either_side_cuts_it(dark: int) -> None:
-    radio = PeerRadio(VEHICLES, Impairment(), blackouts=[BlackoutWindow(dark, 1.0, 2.0)])
+    radio = PeerRadio(VEHICLES, Impairment(), blackouts=[Burst(dark, 1.0, 2.0, loss=1.0)])
     assert [tick for tick, _ in received(radio, 2, ticks=30)] == [*range(10), *range(20, 30)]
 
 
 def test_a_split_cuts_the_two_sides_and_neither_within() -> None:
-    split = [SplitWindow(frozenset({1, 2}), 1.0, 2.0)]
+    split = [RadioSplit(sysids=(1, 2), from_s=1.0, to_s=2.0)]
     assert len(received(PeerRadio(VEHICLES, Impairment(), splits=split), 2, ticks=30)) == 30
     assert [tick for tick, _ in received(PeerRadio(VEHICLES, Impairment(), splits=split), 3, ticks=30)] == [
         *range(10),
@@ -102,7 +103,7 @@ def test_a_split_cuts_the_two_sides_and_neither_within() -> None:
 
 def test_a_dead_ground_station_hears_and_reaches_nobody_and_the_vehicles_fates_stay() -> None:
     """Frames outside the window fare as without it."""
-    dead, whole = (Impairment(loss=0.3, seed=2, ground_blackouts=windows) for windows in ([(1.0, 2.0)], []))
+    dead, whole = (Impairment(loss=0.3, seed=2, bursts=bursts) for bursts in ([Burst(None, 1.0, 2.0, loss=1.0)], []))
     for direction in ("in", "out"):
         fates = [
             [n for tick in range(40) for n in radio.apply(3, direction, 0.1 * tick, [tick])]  # type: ignore[arg-type]

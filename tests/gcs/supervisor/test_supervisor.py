@@ -49,7 +49,7 @@ def test_frames_are_recorded_in_the_order_in_which_they_came(scripted: Any) -> N
     assert [raw for raw in frames if raw[5] != 255] == came
     assert session.supervisor.received == len(came)
     assert session.supervisor.sent == len(frames) - len(came)
-    assert session.supervisor.lost_frames == 0
+    assert session.supervisor.gaps.lost == 0
 
 
 def frames_of(ticks: list[list[codec.Frame]]) -> list[codec.Frame]:
@@ -108,7 +108,7 @@ def test_the_seed_changes_what_a_lossy_radio_loses(scripted: Any) -> None:
         session.fly(20)
         digests.append(session.supervisor.digest.hexdigest())
     assert digests[0] == digests[1] != digests[2]
-    assert session.supervisor.lost_frames > 0
+    assert session.supervisor.gaps.lost > 0
 
 
 def test_what_vehicles_say_and_what_is_decided_are_events(scripted: Any) -> None:
@@ -131,7 +131,7 @@ def test_a_command_that_nobody_answers_is_told_and_counted(scripted: Any) -> Non
     session.fly(60)
     texts = [event.text for event in session.supervisor.events if event.sysid == 201]
     assert texts == ["Command 511 (refuel 1 stream) timed out"]
-    assert session.supervisor.command_retries == 3
+    assert session.supervisor.command_queue.resent == 3
 
 
 def test_in_silence_a_pilots_command_is_repeated_but_never_lined_up(scripted: Any) -> None:

@@ -159,8 +159,7 @@ def run(
     lines = plain or as_json or quiet or verbose or web or not os.isatty(1)  # else its errors are the console's
     hatch = click.get_current_context().with_resource(early(lines and can_fork()))
     from gcs.scenario.plugins import listed, named
-    from gcs.session.plain_text import mute_stdout
-    from gcs.session.session_log import logged
+    from gcs.session.plain_text import logged, mute_stdout
     from gcs.session.supervised import SupervisorFork, make_folder, write_scenario
     from gcs.session.supervised import run as fly
 
@@ -289,11 +288,9 @@ def _view(
     folder: Path, name: str, plain: bool, as_json: bool, *, verbose: bool, quiet: bool
 ) -> tuple[View, Callable[[str], object]]:
     """View of the session, and the writer of its last lines."""
-    from gcs.session.plain_text import JsonView, PlainView, View
+    from gcs.session.plain_text import JsonView, PlainView, VerboseView, View
 
     if quiet or verbose:
-        from gcs.session.session_log import VerboseView
-
         return (View(), str) if quiet else (VerboseView(click.echo), click.echo)
     if as_json:
         return JsonView(click.echo), lambda line: click.echo(line, err=True)

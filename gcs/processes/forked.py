@@ -44,7 +44,7 @@ class ForkedProcess:
             stream.flush()
         self.pid = os.fork()
         if not self.pid:
-            _be(run, title, (theirs[0], ours[1], 2 if stderr is None else stderr.fileno()), keep)
+            be(run, title, (theirs[0], ours[1], 2 if stderr is None else stderr.fileno()), keep)
         os.close(theirs[0])
         os.close(ours[1])
         self.stdin: IO[bytes] | None = os.fdopen(theirs[1], "wb")
@@ -75,8 +75,8 @@ class ForkedProcess:
             os.kill(self.pid, signal.SIGKILL)
 
 
-def _be(run: Callable[[], int], title: str, streams: tuple[int, int, int], keep: Collection[int]) -> None:
-    """Be the child, to its end."""
+def be(run: Callable[[], int], title: str, streams: tuple[int, int, int], keep: Collection[int]) -> None:
+    """Be the child of a fork to its end, with these standard streams and what is to be kept of other descriptors."""
     status = INTERNAL_ERROR
     try:
         os.setsid()
@@ -92,7 +92,8 @@ def _be(run: Callable[[], int], title: str, streams: tuple[int, int, int], keep:
         traceback.print_exc()
     finally:
         for stream in (sys.stdout, sys.stderr):
-            stream.flush()
+            with contextlib.suppress(OSError, ValueError):  # nobody may read it any more
+                stream.flush()
         os._exit(status)
 
 

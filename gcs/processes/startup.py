@@ -47,9 +47,7 @@ class Arrivals:
         self._awaited = set(external)
         self._said_s = -math.inf
 
-    def look(
-        self, missing: Collection[int], waited_s: float, seen: Mapping[int, str] | None = None
-    ) -> list[tuple[int, str]]:
+    def look(self, missing: Collection[int], waited_s: float, seen: Mapping[int, str]) -> list[tuple[int, str]]:
         """(system id, words) of what is new about external vehicles, now that these system ids are missing.
 
         seen: what keeps them from being heard, by system id, where that is known.
@@ -58,27 +56,25 @@ class Arrivals:
         notices = [(sysid, f"{self._labels[sysid]} is there") for sysid in sorted(self._awaited - awaited)]
         if waited_s - self._said_s >= SAY_AGAIN_S:
             self._said_s = waited_s
-            where = {sysid: self._external[sysid].where for sysid in sorted(awaited)}
-            for sysid, at in where.items():
-                why = f": {seen[sysid]}" if seen and sysid in seen and waited_s >= SAY_WHY_S else ""
-                notices.append((sysid, f"Waiting for {self._labels[sysid]} at {at}{why}"))
+            for sysid in sorted(awaited):
+                why = f": {seen[sysid]}" if sysid in seen and waited_s >= SAY_WHY_S else ""
+                notices.append((sysid, f"Waiting for {self._labels[sysid]} at {self._external[sysid].where}{why}"))
         self._awaited = awaited
         return notices
 
     def too_late(
-        self,
-        missing: Collection[int],
-        waited_s: float,
-        refused: Mapping[int, str] | None = None,
-        seen: Mapping[int, str] | None = None,
+        self, missing: Collection[int], waited_s: float, refused: Mapping[int, str], seen: Mapping[int, str]
     ) -> str | None:
-        """Why the session cannot begin, as a sentence; None while there is hope."""
+        """Why the session cannot begin, as a sentence; None while there is hope.
+
+        refused: why messages of a vehicle were refused; seen: as of `look`.
+        """
         late = [sysid for sysid in sorted(missing) if waited_s > self._patience_s(sysid)]
         awaited = [sysid for sysid in late if sysid in self._external]
         if awaited:
             names = ", ".join(f"{self._labels[sysid]} at {self._external[sysid].where}" for sysid in awaited)
             spoken_to = any("udpout" in self._external[sysid].where for sysid in awaited)
-            known = sorted({seen[sysid] for sysid in awaited if sysid in seen}) if seen else []
+            known = sorted({seen[sysid] for sysid in awaited if sysid in seen})
             guess = (
                 "is it switched on, has it that system id, and does it speak MAVLink 2 to that address? "
                 "(found_within_s gives it longer)" + (ONLY_ONCE if spoken_to else "")
@@ -88,7 +84,7 @@ class Arrivals:
                 + "".join(
                     f"; messages of {self._labels[sysid]} came and were refused: {refused[sysid]}"
                     for sysid in awaited
-                    if refused and sysid in refused
+                    if sysid in refused
                 )
             )
         if late:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -19,30 +19,6 @@ from gcs.scenario.weather import RealAutopilot
 PEERS_A_TICK = 8
 """Reports of peers that a bundle holds beside everything else (docs/protocol.md#peer-reports)."""
 REPORT_TICK_S, LEAST_REPORT_S = 0.1, 0.2
-_COMPETITION_KEYS = {
-    "p",
-    "rate",
-    "floor",
-    "high",
-    "need_from",
-    "share",
-    "dwell_s",
-    "decide_within_s",
-    "horizon_s",
-    "tie_s",
-}
-_REFUELLING_KEYS = {
-    "height_m",
-    "capture_m",
-    "relative_speed_m_s",
-    "hold_s",
-    "rate_w",
-    "until",
-    "reserve_s",
-    "lands_at",
-    "tops_up",
-    "limit_j",
-}
 
 
 def vehicle_orders(
@@ -54,15 +30,13 @@ def vehicle_orders(
     has one of its own. `connection` goes into argv.
     """
     blocks: list[list[VehicleBase]] = []
+    launched = scenario.vehicles.launched
     alone = {fault.sysid for fault in scenario.faults if fault.fault in ("kill", "hang")}
-    for vehicle in scenario.vehicles.launched:
-        if vehicle.real is not None:
-            blocks.append([vehicle])
-            continue
+    alone |= {vehicle.sysid for vehicle in launched if vehicle.real is not None}
+    for vehicle in launched:
         last = blocks[-1][-1] if blocks and len(blocks[-1]) < per_process else None
-        if last is not None and (last.real is not None or alone & {last.sysid, vehicle.sysid}):
-            last = None
-        if last is not None and vehicle.sysid == last.sysid + 1 and vehicle.airborne == last.airborne:
+        follows = last is not None and (last.sysid + 1, last.airborne) == (vehicle.sysid, vehicle.airborne)
+        if follows and not alone & {vehicle.sysid - 1, vehicle.sysid}:
             blocks[-1].append(vehicle)
         else:
             blocks.append([vehicle])
@@ -95,9 +69,9 @@ def vehicle_order(
         if scenario.truth:
             argv += ["--truth", str(folder / "vehicles" / f"{vehicle.sysid}.truth")]
     if any(vehicle.on_rotors for vehicle in block):
-        argv += ["--world", str(world_file(scenario, folder))]
+        argv += ["--world", _file_of_all("world.yaml", world, scenario, folder)]
     if scenario.competition.where == "vehicles":
-        argv += ["--fleet", str(fleet_file(scenario, folder))]
+        argv += ["--fleet", _file_of_all("fleet.yaml", fleet_rules, scenario, folder)]
     if scenario.truth and scenario.record.truth_hz is not None:
         argv += ["--truth-hz", repr(scenario.record.truth_hz)]
     argv += ["--home", _triple((origin.lat_deg, origin.lon_deg, origin.alt_m))]
@@ -155,16 +129,16 @@ def vehicle_parameters(vehicle: VehicleBase, scenario: Scenario) -> dict[str, fl
     }
 
 
-def world_file(scenario: Scenario, folder: Path) -> Path:
-    """File of the world that the vehicles of a scenario fly in, for the programs that fly them."""
-    path = folder / "vehicles" / "world.yaml"
+def _file_of_all(name: str, content: Callable[[Scenario], dict[str, Any]], scenario: Scenario, folder: Path) -> str:
+    """Path of a file that all vehicles of a scenario read, written once."""
+    path = folder / "vehicles" / name
     if not path.exists():
-        path.write_text(yaml.safe_dump(world(scenario), sort_keys=True), encoding="utf-8")
-    return path
+        path.write_text(yaml.safe_dump(content(scenario), sort_keys=True), encoding="utf-8")
+    return str(path)
 
 
 def world(scenario: Scenario) -> dict[str, Any]:
-    """Weather, and the vehicles on rotors in it."""
+    """World that the vehicles of a scenario fly in: weather, and the vehicles on rotors in it."""
     return {
         "seed": scenario.seed,
         "air_density_kg_m3": scenario.air_density_kg_m3,
@@ -181,21 +155,13 @@ def world(scenario: Scenario) -> dict[str, Any]:
     }
 
 
-def fleet_file(scenario: Scenario, folder: Path) -> Path:
-    """File of the rules by which the vehicles of a scenario compete on board, for the programs that fly them."""
-    path = folder / "vehicles" / "fleet.yaml"
-    if not path.exists():
-        path.write_text(yaml.safe_dump(fleet_rules(scenario), sort_keys=True), encoding="utf-8")
-    return path
-
-
 def fleet_rules(scenario: Scenario) -> dict[str, Any]:
-    """Rules of a fleet that competes on board, NED."""
+    """Rules by which the vehicles of a scenario compete on board, NED."""
     vehicles, shares = scenario.vehicles, math.ceil(len(scenario.vehicles.all) / PEERS_A_TICK)
     transit_m = max((failsafe_of(vehicle, scenario).altitude_m for vehicle in vehicles.all), default=0.0)
     return {
-        **scenario.competition.model_dump(include=_COMPETITION_KEYS),
-        **scenario.refuelling.model_dump(include=_REFUELLING_KEYS),
+        **scenario.competition.model_dump(exclude={"enabled", "where", "policy", "bids"}),
+        **scenario.refuelling.model_dump(exclude={"enabled"}),
         "transfers_until_s": transfers_until_s(scenario),
         "separation_m": scenario.planner.separation_m,
         "clearance_m": scenario.planner.clearance_m,

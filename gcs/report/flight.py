@@ -20,8 +20,8 @@ from gcs.recording.series import GAP_S, Floats, Series, Track, held, rows_of
 from gcs.recording.tick_record import event_of
 from gcs.report.findings import Findings
 from gcs.report.pack import Pack
-from gcs.session.message_types import GoalRow, MemberRow, ServedRow, SessionLine
-from gcs.session.messages import NO_GOAL, event_row, first_broken, goal_of, session_message
+from gcs.session.message_types import BrokenRow, MemberRow, ServedRow, SessionLine, plain
+from gcs.session.messages import event_row, first_broken, goal_of, goal_state, session_message
 from gcs.telemetry.events import Event, level_of
 
 MANY = 16
@@ -64,7 +64,7 @@ def flight(found: Findings, pack: Pack) -> dict[str, Any] | None:
         "events": [msgspec.to_builtins(event_row(event)) for event in _events(found)][-MOST_EVENTS:],
         "history": [{key: getattr(service, key) for key in ServedRow.__struct_fields__} for service in found.services],
         "threshold": rules.competition.share if rules is not None else 0.9,
-        "goal": {**(goal_of(rules) if rules is not None else NO_GOAL), "pursue_held_s": None, "broken": _broken(found)},
+        "goal": msgspec.to_builtins(goal_state(rules, None, _broken(found))),
     }
 
 
@@ -97,10 +97,10 @@ def _session(found: Findings) -> dict[str, Any]:
         return session_message(found.scenario, None, source="replay", clock="replay", control=False)
     members = [MemberRow(v.sysid, v.role, v.label, None, [], v.sysid - 1) for v in found.vehicles]
     name = found.recorded.folder.resolve().name
-    goal = GoalRow(**NO_GOAL)
-    line = SessionLine(name, None, "replay", found.end_s, "replay", None, False, None, None, members, [], [], goal)
-    content: dict[str, Any] = msgspec.to_builtins(line)
-    return content
+    goal = goal_of(None)
+    return plain(
+        SessionLine(name, None, "replay", found.end_s, "replay", None, False, None, None, members, [], [], goal)
+    )
 
 
 def _words(found: Findings) -> dict[str, list[list[Any]]]:
@@ -151,6 +151,6 @@ def _decided(found: Findings) -> Iterator[Event]:
                 continue  # of another version: what the report cannot tell of it, its top has said already
 
 
-def _broken(found: Findings) -> list[dict[str, Any]]:
+def _broken(found: Findings) -> list[BrokenRow]:
     violations = (record for record in found.recorded.decisions if record["kind"] == "violation")
     return first_broken(sorted(violations, key=lambda record: float(record["at_s"])))

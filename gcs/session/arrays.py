@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from typing import Any
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
@@ -129,12 +130,7 @@ def from_message(message: Mapping[str, Any]) -> Snapshot:
     return Snapshot(
         time_s=float(message["t_s"]),
         **columns,
-        services=tuple(Serving(**_known(Serving, service)) for service in message["services"]),
+        services=msgspec.convert(message["services"], tuple[Serving, ...]),
         refuelled=int(message["refuelled"]),
-        events=tuple(Happening(**_known(Happening, event)) for event in message["events"]),
+        events=msgspec.convert(message["events"], tuple[Happening, ...]),
     )
-
-
-def _known(kind: type[Happening] | type[Serving], content: Mapping[str, Any]) -> dict[str, Any]:
-    """Keys of a message that the class has."""
-    return {field.name: content[field.name] for field in fields(kind) if field.name in content}

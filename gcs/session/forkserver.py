@@ -25,7 +25,6 @@ import shutil
 import signal
 import sys
 import tempfile
-import traceback
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -34,6 +33,7 @@ from setproctitle import setproctitle
 
 from gcs.exit import INTERNAL_ERROR
 from gcs.loading import gathered
+from gcs.processes.forked import be
 from gcs.processes.hatch import READY_WITHIN_S, Hatch
 from gcs.recording import truth
 from gcs.recording.recorder import RecorderError
@@ -41,6 +41,7 @@ from gcs.scenario.file import load, shipped_folder
 from gcs.scenario.model import Scenario
 from gcs.session import process
 from gcs.session.arrival import BadVehicleError, SessionFailed
+from gcs.session.client import Lines
 from gcs.session.session_process import SessionProcess
 from gcs.session.supervised import Signals
 from gcs.supervisor import summarise
@@ -98,37 +99,26 @@ class SessionForks:
         if not (self._hatch_is_good and self._hatch.alive):
             self._hatch.close()
             self._hatch, self._hatch_is_good, self._vehicles_cpu_s = Hatch(kept=True), True, 0.0
-        folder, modules = Path(order["folder"]), [str(path) for path in order.get("modules", ())]
         reading, self._stdin = os.pipe()
         parent = os.getpid()
-        self.pid = os.fork()
-        if self.pid:
-            os.close(reading)
-            self._pidfd = os.pidfd_open(self.pid)
-            return self._pidfd
-        status = INTERNAL_ERROR
-        gc.disable()  # until it flies
-        try:
+
+        def run() -> int:
+            gc.disable()  # until it flies
             self._libc.prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
             if os.getppid() != parent:
-                os._exit(INTERNAL_ERROR)
-            signal.set_wakeup_fd(-1)
-            setproctitle("gcs session")
-            os.close(self._stdin)
-            os.dup2(reading, 0)
-            os.close(reading)
-            errors = os.open(folder / "stderr.log", os.O_WRONLY | os.O_CREAT | os.O_APPEND, 0o644)
-            os.dup2(errors, 2)
-            os.close(errors)
+                return INTERNAL_ERROR
+            folder = Path(order["folder"])
+            with (folder / "stderr.log").open("ab") as errors:
+                os.dup2(errors.fileno(), 2)
             scenario: Scenario = pickle.loads(base64.b64decode(order["scenario"]))
-            status = process.fly(folder, scenario=scenario, modules=modules, hatch=self._hatch)
-        except BaseException:
-            traceback.print_exc()
-        finally:
-            with contextlib.suppress(OSError, ValueError):
-                sys.stdout.flush()
-                sys.stderr.flush()
-            os._exit(status)
+            return process.fly(folder, scenario=scenario, modules=order["modules"], hatch=self._hatch)
+
+        self.pid = os.fork()
+        if not self.pid:
+            be(run, "gcs session", (reading, 1, 2), self._hatch.descriptors)
+        os.close(reading)
+        self._pidfd = os.pidfd_open(self.pid)
+        return self._pidfd
 
     def stop(self) -> None:
         """Let the session that flies end in order: its standard input closes."""
@@ -168,7 +158,7 @@ def serve(forks: SessionForks, folder: Path) -> None:
         _say({"ready": True, "folder": str(folder)})
         selector.register(0, selectors.EVENT_READ)
         selector.register(signals, selectors.EVENT_READ)
-        pending = b""
+        lines = Lines()
         while True:
             for key, _ in selector.select():
                 if key.fileobj is signals:
@@ -181,9 +171,7 @@ def serve(forks: SessionForks, folder: Path) -> None:
                     chunk = os.read(0, 65536)
                     if not chunk:
                         return
-                    *lines, pending = (pending + chunk).split(b"\n")
-                    for line in lines:
-                        order = json.loads(line)
+                    for order in lines.feed(chunk):
                         if order.get("stop"):
                             forks.stop()
                         elif order.get("kill"):

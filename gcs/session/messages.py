@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Literal
 
 import msgspec
-from msgspec import UNSET, UnsetType
+from msgspec import UNSET
 
+from gcs.link.quality import LinkQuality
 from gcs.refuelling import explain
 from gcs.refuelling.bidding import CompetitionState
 from gcs.refuelling.service import Phase, Service, by_text
@@ -37,21 +38,12 @@ from gcs.session.message_types import (
     plain,
 )
 from gcs.telemetry.events import Event
-from gcs.telemetry.health import HealthIssue, State, health_issues, severity, state
+from gcs.telemetry.health import State, health_issues, severity, state
 from gcs.telemetry.state import FleetSnapshot, TrafficView, Vec3, VehicleView
 
 if TYPE_CHECKING:  # a monitor and a replay have none
     from gcs.supervisor.supervisor import Supervisor
 
-NO_GOAL: Mapping[str, Any] = {
-    "separation_m": None,
-    "clearance_m": None,
-    "traffic_m": None,
-    "pursue_within_m": None,
-    "pursue_for_s": None,
-    "refuelled_at_least": 0,
-}
-"""of who knows no scenario"""
 CONTEST_S, CONTEST_EVERY_S = 60.0, 0.5
 """For how long, and how often, the competition's states are kept for who comes later."""
 ROUND_CORNERS = 32
@@ -61,28 +53,24 @@ ROUND_CORNERS = 32
 def vehicle_row(
     view: VehicleView,
     now_s: float,
+    quality: LinkQuality,
     *,
-    stage: str = "",
-    target_m: float | None = None,
-    v: float | None = None,
-    tau: float | None = None,
-    note: str = "",
-    lost: int = 0,
-    lost_share: float | None = None,
-    aim_ned: Vec3 | None = None,
-    margin_m: float | None = None,
-    state: State = State.IDLE,
-    found: Sequence[HealthIssue] = (),
-    link: str | UnsetType = UNSET,
+    down: bool = False,
+    ordered: bool = False,
 ) -> VehicleRow:
-    """One vehicle at `now_s`; `found` is its health issues, worst first (gcs/telemetry/health.py)."""
+    """One vehicle at `now_s`: its state, link and health (gcs/telemetry/health.py). Its place in the plan is left open.
+
+    `down`, `ordered`: as `health_issues` takes them.
+    """
+    lost_share = quality.lost_share(view.sysid)
+    found = health_issues(view, now_s, lost_share=lost_share, down=down, ordered=ordered)
     received = view.last_received_s >= 0.0
     return VehicleRow(
         sysid=view.sysid,
         role=view.role,
         label=view.label,
         alive=view.alive,
-        stage=stage,
+        stage="",
         mode=str(view.mode),
         armed=view.armed,
         landed=view.landed,
@@ -94,25 +82,24 @@ def vehicle_row(
         heading_rad=view.heading_rad,
         roll_rad=view.roll_rad,
         pitch_rad=view.pitch_rad,
-        aim_ned=aim_ned,
-        margin_m=margin_m,
+        aim_ned=None,
+        margin_m=None,
         age_s=view.age_s if math.isfinite(view.age_s) else None,
         heard_s=max(now_s - view.last_received_s, 0.0) if received else None,
-        lost=lost,
+        lost=quality.lost(view.sysid),
         lost_share=lost_share,
-        target_m=target_m,
+        target_m=None,
         battery=view.remaining_j / view.capacity_j,
         remaining_j=view.remaining_j,
         power_w=view.power_w,
         endurance_s=view.endurance_s if math.isfinite(view.endurance_s) else None,
         energy_source=view.energy_source,
-        v=v,
-        tau=tau,
-        state=str(state),
+        v=None,
+        tau=None,
+        state=State.IDLE if view.alive else State.LOST,
         trouble=[issue.text for issue in found],
         severity=severity(found),
-        note=note,
-        link=link,
+        note="",
     )
 
 
@@ -155,14 +142,14 @@ def snapshot_message(
             vehicles=_vehicles(supervisor),
             traffic=[traffic_row(aircraft) for aircraft in snapshot.traffic],
             competition=CompetitionRow(**explain.competition_of(schedule.competition_state, scenario.competition)),
-            services=[ServiceRow(**row) for row in services_of(schedule.open_services, snapshot, scenario)],
+            services=services_of(schedule.open_services, snapshot, scenario),
             history=[ServedRow(**row) for row in explain.history_of(schedule.services)],
             bases=[StockRow(stock.base.name, stock.remaining_j, stock.base.stock_j) for stock in schedule.stocks],
             refuelled=refuelled,
-            goal=GoalStateRow(
-                **goal_of(scenario),
-                pursue_held_s=supervisor.metrics.pursuit_held_s,
-                broken=[BrokenRow(one.part, one.text, one.t_s) for one in supervisor.goal_watch.broken()],
+            goal=goal_state(
+                scenario,
+                supervisor.metrics.pursuit_held_s,
+                [BrokenRow(one.part, one.text, one.t_s) for one in supervisor.goal_watch.broken()],
             ),
             inspected=supervisor.inspection.latest(snapshot.time_s),
             events=[event_row(event) for event in events],
@@ -170,13 +157,13 @@ def snapshot_message(
     )
 
 
-def services_of(services: Iterable[Service], snapshot: FleetSnapshot, scenario: Scenario) -> list[dict[str, Any]]:
-    """Services under way, each with its reasons, as the rows of a snapshot tell them."""
+def services_of(services: Iterable[Service], snapshot: FleetSnapshot, scenario: Scenario) -> list[ServiceRow]:
+    """Services under way, each with its reasons."""
     tanker_m_s: dict[int | None, float] = {tanker.sysid: tanker.speed_m_s for tanker in scenario.vehicles.tankers}
     base_ned: dict[str | None, Vec3] = {base.name: base.position_m for base in scenario.bases}
     rules = scenario.refuelling, scenario.competition
     return [
-        explain.service_of(one, snapshot, *rules, tanker_m_s.get(one.tanker, 0.0), base_ned.get(one.base))
+        ServiceRow(**explain.service_of(one, snapshot, *rules, tanker_m_s.get(one.tanker, 0.0), base_ned.get(one.base)))
         for one in services
     ]
 
@@ -206,12 +193,7 @@ def kept_of_snapshot(supervisor: Supervisor, events: Iterable[Event]) -> dict[st
 
 
 def _vehicles(supervisor: Supervisor) -> list[VehicleRow]:
-    snapshot, competition_state, quality = (
-        supervisor.snapshot,
-        supervisor.schedule.competition_state,
-        supervisor.quality,
-    )
-    now_s = snapshot.time_s
+    snapshot, competition_state = supervisor.snapshot, supervisor.schedule.competition_state
     services = supervisor.schedule.open_services
     notes = explain.notes_of(services, supervisor.schedule.asked, supervisor.schedule.out)
     states = states_of(snapshot, competition_state, services)
@@ -222,31 +204,14 @@ def _vehicles(supervisor: Supervisor) -> list[VehicleRow]:
     rows = []
     for view in snapshot.vehicles:
         sysid, arming = view.sysid, supervisor.arming[view.sysid]
-        lost_share = quality.lost_share(sysid)
-        rows.append(
-            vehicle_row(
-                view,
-                now_s,
-                stage=str(arming.stage),
-                target_m=distance_m(view.p_ned, at.get(target_of.get(sysid, -1))),
-                v=competition_state.v.get(sysid),
-                tau=competition_state.tau.get(sysid),
-                note=notes.get(sysid, ""),
-                lost=quality.lost(sysid),
-                lost_share=lost_share,
-                aim_ned=aims.get(sysid),
-                margin_m=supervisor.planner.margin_m(sysid),
-                state=states[sysid],
-                found=health_issues(
-                    view,
-                    now_s,
-                    lost_share=lost_share,
-                    down=arming.down,
-                    ordered=arming.ordered is not None or sysid in supervisor.grounded,
-                ),
-                link=used.get(sysid, UNSET),
-            )
-        )
+        ordered = arming.ordered is not None or sysid in supervisor.grounded
+        row = vehicle_row(view, snapshot.time_s, supervisor.quality, down=arming.down, ordered=ordered)
+        row.stage, row.note, row.state = arming.stage, notes.get(sysid, ""), states[sysid]
+        row.target_m = distance_m(view.p_ned, at.get(target_of.get(sysid, -1)))
+        row.v, row.tau = competition_state.v.get(sysid), competition_state.tau.get(sysid)
+        row.aim_ned, row.margin_m = aims.get(sysid), supervisor.planner.margin_m(sysid)
+        row.link = used.get(sysid, UNSET)
+        rows.append(row)
     return rows
 
 
@@ -274,33 +239,40 @@ def session_message(
             vehicles=[vehicle_of(vehicle, colour) for colour, vehicle in enumerate(scenario.vehicles.all)],
             obstacles=[obstacle_of(shape, f"{shape.kind} {i + 1}") for i, shape in enumerate(scenario.obstacles)],
             bases=[BaseRow(base.name, base.position_m) for base in scenario.bases],
-            goal=GoalRow(**goal_of(scenario)),
+            goal=goal_of(scenario),
             origin=(scenario.origin.lat_deg, scenario.origin.lon_deg, scenario.origin.alt_m),
             wind=None if scenario.wind == Wind() else WindRow(scenario.wind.speed_m_s, scenario.wind.from_deg),
         )
     )
 
 
-def first_broken(violations: Iterable[Mapping[str, Any]]) -> list[dict[str, Any]]:
+def first_broken(violations: Iterable[Mapping[str, Any]]) -> list[BrokenRow]:
     """How each part of the goal was first broken, by the records of it in the order of their times."""
-    first: dict[str, dict[str, Any]] = {}
+    first: dict[str, BrokenRow] = {}
     for record in violations:
         part = str(record["part"])
-        first.setdefault(part, {"part": part, "text": f"{part}: {record['text']}", "t_s": float(record["at_s"])})
+        first.setdefault(part, BrokenRow(part, f"{part}: {record['text']}", float(record["at_s"])))
     return list(first.values())
 
 
-def goal_of(scenario: Scenario) -> dict[str, Any]:
-    """Goal of the session; a limit is null where nothing is demanded."""
+def goal_of(scenario: Scenario | None) -> GoalRow:
+    """Goal of the session; a limit is None where nothing is demanded, or no scenario is known."""
+    if scenario is None:
+        return GoalRow(None, None, None, None, None, 0)
     goal, limits = scenario.goal, asked(scenario)
-    return {
-        "separation_m": limits.get("separation"),
-        "clearance_m": limits.get("clearance"),
-        "traffic_m": limits.get("traffic"),
-        "pursue_within_m": goal.pursue.within_m if goal.pursue else None,
-        "pursue_for_s": goal.pursue.for_s if goal.pursue else None,
-        "refuelled_at_least": goal.refuelled_at_least,
-    }
+    return GoalRow(
+        separation_m=limits.get("separation"),
+        clearance_m=limits.get("clearance"),
+        traffic_m=limits.get("traffic"),
+        pursue_within_m=goal.pursue.within_m if goal.pursue else None,
+        pursue_for_s=goal.pursue.for_s if goal.pursue else None,
+        refuelled_at_least=goal.refuelled_at_least,
+    )
+
+
+def goal_state(scenario: Scenario | None, pursue_held_s: float | None, broken: list[BrokenRow]) -> GoalStateRow:
+    """The goal, and how far it is."""
+    return GoalStateRow(**msgspec.structs.asdict(goal_of(scenario)), pursue_held_s=pursue_held_s, broken=broken)
 
 
 def vehicle_of(vehicle: VehicleBase, colour: int) -> MemberRow:

@@ -8,12 +8,11 @@ nothing to anyone.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import astuple
 from typing import Any, Literal
 
 import msgspec
-from msgspec import UNSET
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.link.quality import LinkQuality
@@ -26,25 +25,18 @@ from gcs.mavlink.gaps import GapCounter
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.scenario.model import Scenario
 from gcs.session.message_types import (
-    BrokenRow,
     CompetitionRow,
-    GoalRow,
-    GoalStateRow,
     MemberRow,
-    ReplayRow,
-    ServedRow,
-    ServiceRow,
     SessionLine,
     SnapshotMessage,
     VehicleRow,
     plain,
 )
-from gcs.session.messages import NO_GOAL, distance_m, event_row, session_message, traffic_row, vehicle_row
+from gcs.session.messages import event_row, goal_of, goal_state, session_message, traffic_row, vehicle_row
 from gcs.telemetry.adapter import TelemetryAdapter
 from gcs.telemetry.changes import ChangeDetector
 from gcs.telemetry.events import Event, level_of
 from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
-from gcs.telemetry.health import State, health_issues
 from gcs.telemetry.message_inspector import MessageInspector
 from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 
@@ -53,11 +45,6 @@ UNKNOWN_CAPACITY_J = math.nan
 ORIGIN_WITHIN_S = 3.0
 MOST_EVENTS = 200
 """Events of one snapshot."""
-NO_COMPETITION: Mapping[str, Any] = {
-    **{"v": {}, "tau": {}, "leader": None, "share": None, "runner_up": None},
-    "threshold": 0.9,  # the default share
-}
-"""A competition that no vehicle is in."""
 _ADSB = codec.msgid("ADSB_VEHICLE")
 _GLOBAL = codec.msgid("GLOBAL_POSITION_INT")
 _HEARTBEAT = codec.msgid("HEARTBEAT")
@@ -164,7 +151,7 @@ class Observer:
             return
         if frame.sysid in self.inspection.wanted:
             self.inspection.add((frame,), t_s)
-        if self.scenario is not None and frame.sysid in self._known:
+        if frame.sysid in self._known:
             self.fleet.ingest(frame, t_s)
         else:
             if self._origin is None and (origin := self._origin_by(adapter, frame, t_s)) is not None:
@@ -222,7 +209,7 @@ class Observer:
                 vehicles=[self._found(sysid) for sysid in self.sysids],
                 obstacles=[],
                 bases=[],
-                goal=GoalRow(**NO_GOAL),
+                goal=goal_of(None),
                 origin=None if self._origin is None else astuple(self._origin),
             )
         )
@@ -232,11 +219,16 @@ class Observer:
         return self.fleet.snapshot(t_s)
 
     def snapshot(
-        self, t_s: float, *, speed: float | None, phase: str, more: Mapping[str, Any] | None = None
+        self,
+        t_s: float,
+        *,
+        speed: float | None,
+        phase: str,
+        amend: Callable[[SnapshotMessage, FleetSnapshot], object] = lambda *_: None,
     ) -> dict[str, Any]:
         """The message of type "snapshot" at `t_s`, with the events since the last one.
 
-        `more`: keys that a caller who knows the session's decisions fills in, among them `parts`, of each vehicle.
+        `amend`: by which a caller who knows the session's decisions writes them into it.
         """
         view = self.view(t_s)
         self._gather(view)
@@ -245,26 +237,23 @@ class Observer:
             further = f"{len(self._events)} further events are left out"
             events.append(Event(t_s, 0, "warning", further, "session"))
             self._events = []
-        known = dict(more or {})
-        parts: Mapping[int, Mapping[str, Any]] = known.pop("parts", {})
-        return plain(
-            SnapshotMessage(
-                t_s=t_s,
-                duration_s=known.get("duration_s", self.duration_s),
-                speed=speed,
-                phase=phase,
-                vehicles=self._rows(view, parts),
-                traffic=[traffic_row(aircraft) for aircraft in view.traffic],
-                competition=CompetitionRow(**known.get("competition", NO_COMPETITION)),
-                services=[ServiceRow(**row) for row in known.get("services", ())],
-                history=[ServedRow(**row) for row in known.get("history", ())],
-                refuelled=known.get("refuelled", 0),
-                goal=_goal_state(known.get("goal", {**NO_GOAL, "pursue_held_s": None, "broken": []})),
-                inspected=self.inspection.latest(t_s),
-                events=[event_row(event) for event in events],
-                replay=ReplayRow(**known["replay"]) if "replay" in known else UNSET,
-            )
+        line = SnapshotMessage(
+            t_s=t_s,
+            duration_s=self.duration_s,
+            speed=speed,
+            phase=phase,
+            vehicles=self._rows(view),
+            traffic=[traffic_row(aircraft) for aircraft in view.traffic],
+            competition=CompetitionRow({}, {}, None, None, None, threshold=0.9),  # the default share
+            services=[],
+            history=[],
+            refuelled=0,
+            goal=goal_state(None, None, []),
+            inspected=self.inspection.latest(t_s),
+            events=[event_row(event) for event in events],
         )
+        amend(line, view)
+        return plain(line)
 
     # who is there
 
@@ -342,30 +331,17 @@ class Observer:
             Event(t_s, sysid, "info" if accepted else "warning", f"{what}: {result_in_words(ack.result)}", "ack")
         )
 
-    def _rows(self, snapshot: FleetSnapshot, parts: Mapping[int, Mapping[str, Any]]) -> list[VehicleRow]:
+    def _rows(self, snapshot: FleetSnapshot) -> list[VehicleRow]:
         rows = []
-        places = {view.sysid: view.p_ned for view in snapshot.vehicles}
         for reported in snapshot.vehicles:
-            adapter = self._adapters.get(reported.sysid)
-            strange = adapter is not None and not (self.scenario is not None and reported.sysid in self._known)
-            view, share = adapter.seen(reported) if strange and adapter is not None else (reported, None)
-            part = dict(parts.get(view.sysid, {}))
-            target = part.pop("target", None)
-            lost_share = self.quality.lost_share(view.sysid)
-            aim, offset = self._aims.get(view.sysid), view.origin_offset_ned
-            row = vehicle_row(
-                view,
-                snapshot.time_s,
-                target_m=distance_m(view.p_ned, places.get(target)) if target is not None else None,
-                lost=self.quality.lost(view.sysid),
-                lost_share=lost_share,
-                aim_ned=None if aim is None or offset is None else _sum(turned(aim, view.turn_rad), offset),
-                state=part.pop("state", State.IDLE if view.alive else State.LOST),
-                found=health_issues(view, snapshot.time_s, lost_share=lost_share, ordered=view.sysid in self.ordered),
-                **part,
-            )
+            adapter = None if reported.sysid in self._known else self._adapters.get(reported.sysid)
+            view, share = (reported, None) if adapter is None else adapter.seen(reported)
+            row = vehicle_row(view, snapshot.time_s, self.quality, ordered=view.sysid in self.ordered)
             row.mode = _mode(view)
-            if strange and adapter is not None and not math.isfinite(reported.remaining_j):
+            aim, offset = self._aims.get(view.sysid), view.origin_offset_ned
+            if aim is not None and offset is not None:
+                row.aim_ned = _sum(turned(aim, view.turn_rad), offset)
+            if adapter is not None and not math.isfinite(reported.remaining_j):
                 row.battery, row.remaining_j, row.power_w, row.endurance_s = share, None, adapter.power_w, None
             rows.append(row)
         return rows
@@ -383,7 +359,3 @@ def _mode(view: VehicleView) -> str:
 
 def _sum(a: Sequence[float], b: Sequence[float]) -> Vec3:
     return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
-
-
-def _goal_state(goal: Mapping[str, Any]) -> GoalStateRow:
-    return GoalStateRow(**{**goal, "broken": [BrokenRow(**row) for row in goal["broken"]]})

@@ -21,11 +21,13 @@ from gcs.recording.summary import FILE as SUMMARY
 from gcs.recording.summary import Summary
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
+from gcs.session.message_types import ReplayRow, SnapshotMessage
 from gcs.session.messages import reply_message
 from gcs.session.observer import Observer
 from gcs.session.timeline import Timeline
 from gcs.session.tlog_index import RecordedFrame, TlogIndex
 from gcs.telemetry.events import Event
+from gcs.telemetry.state import FleetSnapshot
 
 FASTEST = 1000.0
 DECIDED, INDEXED = 0.25, 0.9
@@ -148,17 +150,19 @@ class Replay:
 
     def snapshot(self, *, speed: float | None, paused: bool = False) -> dict[str, Any]:
         """The message of type "snapshot" at `t_s`, with the events since the last one; no speed: without waiting."""
-        more: dict[str, Any] = {}
+
+        def amend(line: SnapshotMessage, view: FleetSnapshot) -> None:
+            line.replay = ReplayRow(self.from_s, self.to_s, speed, paused)
+            if self._timeline is not None:
+                self._timeline.fill(line, view, self._pursuit(self.t_s) if self._pursuit is not None else None)
+
         if self._timeline is not None:
             for event in self._timeline.events(self._reported_until_s, self.t_s):
                 self.observer.add_event(event)
             self.observer.ordered = self._timeline.ordered(self.t_s)
-            held_s = self._pursuit(self.t_s) if self._pursuit is not None else None
-            more = self._timeline.at(self.observer.view(self.t_s), held_s)
         self._reported_until_s = self.t_s
-        more["replay"] = {"from_s": self.from_s, "to_s": self.to_s, "speed": speed, "paused": paused}
         phase = "ended" if self.ended else "paused" if paused else "flying"
-        return self.observer.snapshot(self.t_s, speed=speed, phase=phase, more=more)
+        return self.observer.snapshot(self.t_s, speed=speed, phase=phase, amend=amend)
 
     def _see_what_happened(self, t_s: float) -> None:
         """Let vehicles die, and energy be booked, that did so by a time of the recording."""

@@ -20,7 +20,16 @@ from gcs.refuelling import explain
 from gcs.refuelling.bidding import CompetitionState
 from gcs.refuelling.service import Phase, Service
 from gcs.scenario.model import Scenario
-from gcs.session.messages import CONTEST_EVERY_S, CONTEST_S, first_broken, goal_of, services_of, states_of
+from gcs.session.message_types import BrokenRow, CompetitionRow, ServedRow, SnapshotMessage
+from gcs.session.messages import (
+    CONTEST_EVERY_S,
+    CONTEST_S,
+    distance_m,
+    first_broken,
+    goal_state,
+    services_of,
+    states_of,
+)
 from gcs.supervisor.operator import TAKEN
 from gcs.telemetry.events import Event
 from gcs.telemetry.state import FleetSnapshot
@@ -111,8 +120,8 @@ class Timeline:
                     held[sysid] = mode
         return held
 
-    def at(self, snapshot: FleetSnapshot, pursue_held_s: float | None) -> dict[str, Any]:
-        """Part of a snapshot that holds decisions at its time; `parts` by system id as `Observer.snapshot` reads.
+    def fill(self, line: SnapshotMessage, snapshot: FleetSnapshot, pursue_held_s: float | None) -> None:
+        """Write the decisions by the time of a snapshot into its line.
 
         pursue_held_s: for how long the goal's pursuit had been held; None where it is unknown, and the goal is left
         out.
@@ -122,47 +131,32 @@ class Timeline:
         self._book(services, snapshot)
         competition_state = self._competition_at(t_s)
         is_open = [service for service in services if service.phase is not Phase.DONE]
-        goal = {**goal_of(scenario), "pursue_held_s": pursue_held_s, "broken": self._broken_at(t_s)}
+        line.duration_s = scenario.goal.duration_s
+        line.competition = CompetitionRow(**explain.competition_of(competition_state, scenario.competition))
+        line.services = services_of(is_open, snapshot, scenario)
+        line.history = [ServedRow(**row) for row in explain.history_of(services)]
+        line.refuelled = sum(service.phase is Phase.DONE and service.energy_j > 0 for service in services)
+        line.goal = goal_state(scenario, pursue_held_s, self._broken_at(t_s))
         if pursue_held_s is None:
-            goal |= {"pursue_within_m": None, "pursue_for_s": None}
-        return {
-            "duration_s": scenario.goal.duration_s,
-            "competition": explain.competition_of(competition_state, scenario.competition),
-            "services": services_of(is_open, snapshot, scenario),
-            "history": explain.history_of(services),
-            "refuelled": sum(service.phase is Phase.DONE and service.energy_j > 0 for service in services),
-            "goal": goal,
-            "parts": self._parts(snapshot, competition_state, is_open),
-        }
+            line.goal.pursue_within_m = line.goal.pursue_for_s = None
+        states, notes = states_of(snapshot, competition_state, is_open), explain.notes_of(is_open, (), {})
+        targets, places = self._targets(t_s), {row.sysid: row.p_ned for row in line.vehicles}
+        for row in line.vehicles:
+            row.v, row.tau = competition_state.v.get(row.sysid), competition_state.tau.get(row.sysid)
+            row.note, row.state = notes.get(row.sysid, ""), states[row.sysid]
+            row.target_m = distance_m(row.p_ned, places.get(targets.get(row.sysid, -1)))
 
-    def _broken_at(self, t_s: float) -> list[dict[str, Any]]:
+    def _broken_at(self, t_s: float) -> list[BrokenRow]:
         """Parts of the goal that were broken by a time: as the session judged them at its end, by truth; where it left
         no summary, by what was recorded when it happened."""
         if self.unmet is not None:
             at_end = t_s >= self._scenario.goal.duration_s - 1e-6
             return [
-                {"part": part.part, "text": f"{part.part} {part.reached}", "t_s": part.t_s}
+                BrokenRow(part.part, f"{part.part} {part.reached}", part.t_s)
                 for part in self.unmet
                 if (part.t_s is None and at_end) or (part.t_s is not None and part.t_s <= t_s)
             ]
         return first_broken(record for record in self.violations if record["at_s"] <= t_s)
-
-    def _parts(
-        self, snapshot: FleetSnapshot, competition_state: CompetitionState, services: list[Service]
-    ) -> dict[int, dict[str, Any]]:
-        states = states_of(snapshot, competition_state, services)
-        notes = explain.notes_of(services, (), {})
-        targets = self._targets(snapshot.time_s)
-        return {
-            view.sysid: {
-                "v": competition_state.v.get(view.sysid),
-                "tau": competition_state.tau.get(view.sysid),
-                "note": notes.get(view.sysid, ""),
-                "target": targets.get(view.sysid),
-                "state": states[view.sysid],
-            }
-            for view in snapshot.vehicles
-        }
 
     def _targets(self, t_s: float) -> dict[int, int]:
         vehicles = self._scenario.vehicles

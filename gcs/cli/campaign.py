@@ -15,8 +15,8 @@ import click
 
 from gcs.cli.author import SET, load_scenario
 from gcs.cli.campaign_progress import ProgressLine
-from gcs.cli.options import out_option
-from gcs.exit import BAD_INPUT, DONE, NOT_DONE
+from gcs.cli.options import Refused, out_option
+from gcs.exit import DONE, NOT_DONE
 
 if TYPE_CHECKING:
     from gcs.campaign.engine import Progress
@@ -40,16 +40,6 @@ QUIET = click.option("--quiet", "-q", is_flag=True, help="Say only what goes wro
 def flown(command: Callable[..., Any]) -> Callable[..., Any]:
     """The options of every command that flies a campaign's sessions."""
     return SCHEDULER(WORKERS(PLAIN(QUIET(command))))
-
-
-class CampaignRefused(click.ClickException):
-    """Mistakes that keep a campaign from being flown, line by line."""
-
-    exit_code = BAD_INPUT
-
-    def show(self, file: Any = None) -> None:
-        """Just the sentences, as `gcs run` prints a scenario's."""
-        click.echo(self.format_message(), file=file, err=True)
 
 
 @click.group(short_help="Fly a scenario many times, varied, and see what comes of it.")
@@ -99,7 +89,7 @@ def run(
     try:
         folder = make_folder(plan, out)
     except EngineError as error:
-        raise CampaignRefused(str(error)) from None
+        raise Refused(str(error)) from None
     return _fly(folder, plan, **how)
 
 
@@ -168,7 +158,7 @@ def fly(folder: Path, row: int, out: Path | None, only: bool, quiet: bool) -> in
     try:
         scenario, _ = plan.resolved(plan.row(row))
     except RowError as error:
-        raise CampaignRefused(str(error)) from None
+        raise Refused(str(error)) from None
     if only:
         click.echo(dump(scenario), nl=False)
         return DONE
@@ -251,9 +241,7 @@ def search(
     plan = _planned(file, None, seed)
     rules = plan.campaign.search
     if rules is None:
-        raise CampaignRefused(
-            f"{file} says nothing of a search: add 'search: {{minimise: min_separation_m, trials: 200}}'"
-        )
+        raise Refused(f"{file} says nothing of a search: add 'search: {{minimise: min_separation_m, trials: 200}}'")
     if trials is not None:
         rules = SearchRules.model_validate({**rules.model_dump(), "trials": trials})
     each = {key: draw.model_copy(update={"together": True}) for key, draw in plan.campaign.draw.items()}
@@ -332,7 +320,7 @@ def shrink(scenario: str, settings: tuple[str, ...], expect: tuple[str, ...], ou
         click.echo(f"{scenario}: {error}", err=True)
         return NOT_DONE
     except WarmError as error:
-        raise CampaignRefused(str(error)) from None
+        raise Refused(str(error)) from None
     out.write_text(dump(small), encoding="utf-8")
     click.echo(f"{out}: written; gcs run {out} --lockstep flies it")
     return DONE
@@ -370,7 +358,7 @@ def _planned(file: str, sessions: int | None = None, seed: int | None = None) ->
         plan = make(loaded.model_copy(update=changes), [path.parent])
         plan.check()
     except ScenarioError as error:
-        raise CampaignRefused(str(error)) from None
+        raise Refused(str(error)) from None
     return plan
 
 
@@ -381,9 +369,9 @@ def _found(folder: Path) -> Plan:
     try:
         return read(folder)
     except (OSError, ValueError, KeyError):
-        raise CampaignRefused(f"{folder} holds no campaign: give the folder that gcs campaign run named") from None
+        raise Refused(f"{folder} holds no campaign: give the folder that gcs campaign run named") from None
     except ScenarioError as error:
-        raise CampaignRefused(str(error)) from None
+        raise Refused(str(error)) from None
 
 
 def _fly(folder: Path, plan: Plan, *, scheduler: str | None, workers: int | None, plain: bool, quiet: bool) -> int:

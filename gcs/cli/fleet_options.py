@@ -11,20 +11,13 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from gcs.cli.options import STATION_OPTION, connect_option, connecting, key_file_option
-from gcs.exit import BAD_INPUT
+from gcs.cli.options import STATION_OPTION, Refused, connect_option, connecting, key_file_option
 from gcs.scenario.endpoint import Endpoint
 
 if TYPE_CHECKING:
     from gcs.link.asked_fleet import AskedFleet
 
 FIND_WITHIN_S = 10.0
-
-
-class Refused(click.ClickException):
-    """Why nothing was asked of any vehicle."""
-
-    exit_code = BAD_INPUT
 
 
 def of_the_fleet(command: Callable[..., Any]) -> Callable[..., Any]:

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import pymap3d
 
-from gcs.cli.fleet_options import Refused, fleet_at
+from gcs.cli.fleet_options import fleet_at
+from gcs.cli.options import Refused
 from gcs.mavlink.ids import STATION
 from gcs.mavlink.parameter_client import ParameterClient
 from gcs.scenario.endpoint import Endpoint

@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from gcs.cli.fleet_options import Refused, fleet_at, of_the_fleet
+from gcs.cli.fleet_options import fleet_at, of_the_fleet
+from gcs.cli.options import Refused
 from gcs.exit import NOT_DONE
 
 if TYPE_CHECKING:

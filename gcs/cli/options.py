@@ -12,6 +12,7 @@ from typing import Any
 import click
 
 from gcs.cli import page
+from gcs.exit import BAD_INPUT
 from gcs.scenario.endpoint import EXAMPLE, FORM, Endpoint, address
 
 USUAL_COMPID = 190
@@ -19,6 +20,12 @@ PLAIN = click.option(
     "--plain", is_flag=True, help="Lines of text instead of the console; also used without a terminal."
 )
 ONE_STDOUT = "--plain and --json exclude each other: choose what goes to stdout."
+
+
+class Refused(click.ClickException):
+    """Why nothing was begun, where the command's usage does not help."""
+
+    exit_code = BAD_INPUT
 
 
 def limits(wanted: str, holds: Callable[[Any], bool]) -> Callable[[click.Context, click.Parameter, Any], Any]:

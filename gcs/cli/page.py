@@ -49,11 +49,10 @@ def print_links(links: Mapping[str, str], *, commands: bool = True, err: bool = 
     """Print where the page is."""
     if not links:
         click.echo("gcs: the page's server could not be started; the session goes on without it", err=True)
-    elif commands:
-        click.echo(f"page: {links['command']}", err=err)
+        return
+    click.echo(f"page: {links['command']}", err=err)
+    if commands:
         click.echo(f"page that only shows: {links['view']}", err=err)
-    else:
-        click.echo(f"page: {links['command']}", err=err)
 
 
 def show_in_foxglove(source: MessageSource) -> None:

@@ -19,7 +19,7 @@ SIGNALLED = 128
 """Exit statuses above it stand for a signal."""
 PATIENCE_S = 2.0
 MAKING = "making the report ... (Ctrl-C leaves it out)"
-TLOG, FILE = "session.tlog", "report.html"
+FILE = "report.html"
 
 
 @click.command(short_help="Make a recorded session's report, one page.")
@@ -84,7 +84,8 @@ def after_run(folder: Path, echo: Callable[[str], object], status: int = 0, *, h
     the terminal, and is told at once what for. Ctrl-C, or SIGTERM, leaves the report out and ends the process; it is
     left out, too, where that came before (`hurried`).
     """
-    if _is_empty(folder / TLOG):
+    tlog = folder / "session.tlog"
+    if not tlog.is_file() or not tlog.stat().st_size:  # nothing was flown: there is nothing to report
         return
     left_out = f"gcs: the report was left out; gcs report {folder} makes it"
     if hurried:
@@ -119,11 +120,3 @@ def after_run(folder: Path, echo: Callable[[str], object], status: int = 0, *, h
         patience.cancel()
         for number, handler in handlers.items():
             signal.signal(number, handler)
-
-
-def _is_empty(path: Path) -> bool:
-    """Whether nothing was flown: there is nothing to report then."""
-    try:
-        return path.stat().st_size == 0
-    except OSError:
-        return True

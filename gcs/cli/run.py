@@ -232,9 +232,9 @@ def run(
     with contextlib.ExitStack() as stack:
         view, echo = stack.enter_context(logged(shown, said, folder))
         if web:
-            from gcs.web.process import PageServer
+            from gcs.web.process import page_server
 
-            page.print_links(stack.enter_context(PageServer(folder, tiles)).links, err=as_json)
+            page.print_links(stack.enter_context(page_server(folder, tiles)), err=as_json)
         stderr = getattr(shown, "stderr", None)
         status = fly(
             folder,

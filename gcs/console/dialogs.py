@@ -15,36 +15,20 @@ from textual.widgets import Input
 from gcs.console.drawing.panel import Panel
 from gcs.console.text import Glyphs, StyledLine, StyledLines, fitted, width_of, wrapped
 
-FRAME = """
-    align: center middle;
-    background: $ground 60%;
-"""
-BOX = """
-    width: 64;
-    max-width: 96%;
-    height: auto;
-    max-height: 96%;
-    padding: 1 2;
-    background: $raised;
-    border: FRAME $frame;
-"""
-
-
 Answer = TypeVar("Answer")
 
 
 class Dialog(ModalScreen[Answer]):
     """A box in the middle; its frame is drawn with what the terminal can show."""
 
-    DEFAULT_CSS = (
-        "Dialog {"
-        + FRAME
-        + "} Dialog > #box {"
-        + BOX.replace("FRAME", "round")
-        + "} Dialog.-ascii > #box {"
-        + BOX.replace("FRAME", "ascii")
-        + "} Dialog #lines { height: auto; } Dialog Input, Dialog Input:focus { border: none; height: 1; padding: 0; }"
-    )
+    DEFAULT_CSS = """
+    Dialog { align: center middle; background: $ground 60%; }
+    Dialog > #box { width: 64; max-width: 96%; height: auto; max-height: 96%; padding: 1 2; background: $raised; }
+    Dialog > #box { border: round $frame; }
+    Dialog.-ascii > #box { width: 64; border: ascii $frame; }
+    Dialog #lines { height: auto; }
+    Dialog Input, Dialog Input:focus { border: none; height: 1; padding: 0; }
+    """
 
     def __init__(self, glyphs: Glyphs) -> None:
         super().__init__(classes="" if glyphs.unicode else "-ascii")

@@ -16,9 +16,8 @@ STEP_S = 0.5
 class Steps:
     """A clock that goes on by one step when it is asked to: for what need not be waited for."""
 
-    def __init__(self, step_s: float = STEP_S) -> None:
+    def __init__(self) -> None:
         self.now_s = 0.0
-        self._step_s = step_s
 
     def __call__(self) -> float:
         """The time."""
@@ -26,7 +25,7 @@ class Steps:
 
     def go_on(self) -> None:
         """One step."""
-        self.now_s += self._step_s
+        self.now_s += STEP_S
 
 
 def follow(

@@ -19,12 +19,8 @@ def can_suspend() -> bool:
                 return False
             if os.getpgid(pid) != group:
                 return True
-            pid = _parent(pid)
+            # The name, in parentheses, may hold anything; state and parent follow the last one.
+            pid = int(Path(f"/proc/{pid}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()[1])
         except (OSError, ValueError, IndexError):
             return False
     return False
-
-
-def _parent(pid: int) -> int:
-    # The name, in parentheses, may hold anything; state and parent follow the last one.
-    return int(Path(f"/proc/{pid}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()[1])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from typing import ClassVar
 
 from textual import events
@@ -15,7 +16,7 @@ from textual.screen import Screen
 from gcs.console import layout
 from gcs.console.dialogs import Choose, Help, Look
 from gcs.console.drawing.canvas import Canvas
-from gcs.console.drawing.panel import Panel
+from gcs.console.drawing.panel import Paint, Panel
 from gcs.console.model import SessionModel, Vehicle
 from gcs.console.operator_controls import OperatorControls
 from gcs.console.pages import competition, heading, help_text, map_view, vehicle
@@ -54,19 +55,20 @@ class MainScreen(Screen[None]):
     def compose(self) -> ComposeResult:
         """The same panels always; which of them show depends on page and size."""
         yield Panel(self._session, id="session")
-        yield Panel(self._goal, id="goal")
-        yield Panel(self._health, id="trouble")
+        yield Panel(lambda width, _: [heading.goal_line(self.seen, self.page, width, self.app.glyphs)], id="goal")
+        yield Panel(lambda width, _: [heading.health_line(self.seen, width, self.app.glyphs)], id="trouble")
         with Container(id="body"):
             with Horizontal(id="page-fleet", classes="page"):
                 with Vertical(id="left"):
                     yield Panel(self._fleet, id="fleet", pointed=self._point_fleet)
-                    yield Panel(self._recent, id="recent")
+                    yield Panel(self._seen_by(self.events_page.recent), id="recent")
                 with Vertical(id="right"):
                     yield Panel(self._small_map, id="small-map")
                     yield Panel(self._course, id="course")
             yield Panel(self._map, id="page-map", classes="page", pointed=self._point_map)
-            yield Panel(self._contest, id="page-competition", classes="page")
-            yield Panel(self._events, id="page-events", classes="page", pointed=self._point_lines)
+            yield Panel(self._seen_by(competition.page), id="page-competition", classes="page")
+            events_panel = self._seen_by(self.events_page.page)
+            yield Panel(events_panel, id="page-events", classes="page", pointed=self._point_lines)
             yield Panel(self._vehicle, id="page-vehicle", classes="page", pointed=self._point_lines)
         yield Panel(self._keys, id="keys")
         yield Panel(self._too_small, id="small")
@@ -141,16 +143,13 @@ class MainScreen(Screen[None]):
         needed = self.fleet_page.lines(self.seen) + 1
         self.query_one("#fleet").styles.height = max(4, min(needed, body - max(6, body // 5)))
 
+    def _seen_by(self, page: Callable[..., StyledLines]) -> Paint:
+        return lambda width, height: page(self.seen, width=width, height=height, glyphs=self.app.glyphs)
+
     def _session(self, width: int, height: int) -> StyledLines:
         app = self.app
         silent_s = time.monotonic() - app.last_received_s
         return [heading.session_line(self.seen, app.title, app.source.connected, silent_s, width, app.glyphs)]
-
-    def _goal(self, width: int, height: int) -> StyledLines:
-        return [heading.goal_line(self.seen, self.page, width, self.app.glyphs)]
-
-    def _health(self, width: int, height: int) -> StyledLines:
-        return [heading.health_line(self.seen, width, self.app.glyphs)]
 
     def _keys(self, width: int, height: int) -> StyledLines:
         glyphs = self.app.glyphs
@@ -169,9 +168,6 @@ class MainScreen(Screen[None]):
     def _fleet(self, width: int, height: int) -> StyledLines:
         return self.fleet_page.table(self.seen, self.chosen, width=width, height=height, glyphs=self.app.glyphs)
 
-    def _recent(self, width: int, height: int) -> StyledLines:
-        return self.events_page.recent(self.seen, width=width, height=height, glyphs=self.app.glyphs)
-
     def _small_map(self, width: int, height: int) -> StyledLines:
         glyphs = self.app.glyphs
         drawn = map_view.draw(
@@ -188,12 +184,6 @@ class MainScreen(Screen[None]):
         return map_view.draw(
             self.seen, self.plan, width=width, height=height, glyphs=self.app.glyphs, chosen=self.chosen
         )
-
-    def _contest(self, width: int, height: int) -> StyledLines:
-        return competition.page(self.seen, width=width, height=height, glyphs=self.app.glyphs)
-
-    def _events(self, width: int, height: int) -> StyledLines:
-        return self.events_page.page(self.seen, width=width, height=height, glyphs=self.app.glyphs)
 
     def _vehicle(self, width: int, height: int) -> StyledLines:
         lines, self._most = vehicle.page(

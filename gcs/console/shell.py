@@ -6,14 +6,15 @@ import os
 import sys
 import time
 
-from gcs.console.drawing.panel import LookingApp
+from textual.app import App
+
 from gcs.console.model import SessionModel
-from gcs.console.styles import GROUNDS, look_of
+from gcs.console.styles import GROUNDS, Look, look_of
 from gcs.console.text import Glyphs, own_glyphs
 from gcs.session.client import MessageSource
 
 
-class Shell(LookingApp):
+class Shell(App[int]):
     """One source, the state of its messages, and the abilities of the terminal.
 
     `owner`: this console belongs to `gcs run`, whose session Ctrl-C is meant to stop.
@@ -22,7 +23,7 @@ class Shell(LookingApp):
     def __init__(self, source: MessageSource, title: str, *, owner: bool, glyphs: Glyphs | None) -> None:
         self._ground = look_of(os.environ)
         super().__init__()
-        self.look = "plain" if self.no_color else self._ground
+        self.look: Look = "plain" if self.no_color else self._ground
         self.source = source
         self.title = title
         self.owner = owner

@@ -40,10 +40,13 @@ class Glyphs:
     up: str
     live: str
     dot: str
+    meet: str
+    wall: str
+    traffic: str
 
 
-UNICODE = Glyphs(True, "━", "─", "×", "…", "─", "▲", "!", "▸", "●", "○", "↑", "●", "·")
-ASCII = Glyphs(False, "#", ".", "x", "..", "-", "A", "!", ">", "y", "n", "^", "*", "-")
+UNICODE = Glyphs(True, "━", "─", "×", "…", "─", "▲", "!", "▸", "●", "○", "↑", "●", "·", "◎", "×", "◆")
+ASCII = Glyphs(False, "#", ".", "x", "..", "-", "A", "!", ">", "y", "n", "^", "*", "-", "@", "#", "X")
 
 
 def can_unicode(environment: Mapping[str, str], encoding: str) -> bool:

@@ -141,13 +141,7 @@ def _name(address: str) -> str | None:
 
 def _own(origin: str | None, host: str | None) -> bool:
     """Whether a request comes from a page of this very server."""
-    if not origin or not host:
-        return False
-    try:
-        parts = urlsplit(origin)
-    except ValueError:
-        return False
-    return parts.scheme == "http" and parts.netloc == host and parts.hostname in HERE
+    return bool(origin and host) and origin == f"http://{host}" and _name(origin) in HERE
 
 
 async def _serve(socket: WebSocket, hub: Hub, commands: bool, send: Send) -> None:

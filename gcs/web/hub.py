@@ -86,7 +86,8 @@ class Hub:
                 self._reply(message)
             elif kind == "end":
                 self._end = self._encoder.encode(message)
-                self._broadcast(self._end)
+                for listener in self._listeners.values():
+                    listener.put(self._end)
 
     def join(self, commands: bool, wake: Callable[[], object]) -> PageListener:
         """A page that has come; what it is told first waits for it already."""
@@ -94,9 +95,8 @@ class Hub:
         listener = self._listeners[self._number] = PageListener(self._number, commands, wake)
         if self._session is not None:
             listener.put(self._greeting(listener))
-        past = b"[" + b",".join(line for _, line in self._past) + b"]"
         if self._past:
-            listener.put(past)
+            listener.put(b"[" + b",".join(line for _, line in self._past) + b"]")
         if self._newest is not None:
             listener.put(self._newest, replaceable=True)
         if self._end is not None:
@@ -144,7 +144,9 @@ class Hub:
             self._past_bytes -= len(past.pop()[1])
         if past and t_s - past[-1][0] < self._past_every_s:
             return
-        bare = line if plain and not message.get("inspected") else self._encoder.encode(_bare(message))
+        bare = line  # events are told with the session
+        if not plain or message.get("inspected"):
+            bare = self._encoder.encode({**message, "events": [], "inspected": {}})
         past.append((t_s, bare))
         self._past_bytes += len(bare)
         if self._past_bytes > self._past_room:
@@ -157,12 +159,3 @@ class Hub:
         listener = self._listeners.get(int(number)) if number.isdigit() else None
         if listener is not None:
             listener.put(self._encoder.encode({**message, "id": given}))
-
-    def _broadcast(self, line: bytes) -> None:
-        for listener in self._listeners.values():
-            listener.put(line)
-
-
-def _bare(message: Message) -> dict[str, Any]:
-    """A snapshot for the past: its events are told with the session."""
-    return {**message, "events": [], "inspected": {}}

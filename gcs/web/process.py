@@ -8,8 +8,8 @@ import os
 import select
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Self
 
 from gcs.processes.forked import await_end
 
@@ -17,33 +17,26 @@ STARTS_WITHIN_S = 30.0
 ENDS_WITHIN_S = 3.0
 
 
-class PageServer:
-    """Serves the session of `folder`, which need not fly yet; ends with its context. `links` is empty if it failed."""
-
-    def __init__(self, folder: Path, tiles: str | None = None) -> None:
-        self._words = [str(folder), str(os.getpid()), *([] if tiles is None else [tiles])]
-        self.links: dict[str, str] = {}
-
-    def __enter__(self) -> Self:
-        self._process = subprocess.Popen(
-            [sys.executable, "-m", "gcs.web", *self._words],
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL,
-            start_new_session=True,  # Ctrl-C is for the session, whose last lines the page still shows
-        )
-        out = self._process.stdout
-        assert out is not None
+@contextlib.contextmanager
+def page_server(folder: Path, tiles: str | None = None) -> Iterator[dict[str, str]]:
+    """Serve the session of `folder`, which need not fly yet, in this context; its links, none if that failed."""
+    process = subprocess.Popen(
+        [sys.executable, "-m", "gcs.web", str(folder), str(os.getpid()), *([] if tiles is None else [tiles])],
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        start_new_session=True,  # Ctrl-C is for the session, whose last lines the page still shows
+    )
+    out, links = process.stdout, {}
+    assert out is not None
+    try:
         if select.select([out], [], [], STARTS_WITHIN_S)[0]:
             with contextlib.suppress(ValueError):
-                self.links = dict(json.loads(out.readline()))
-        return self
-
-    def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
-        if kind is None:  # its pages are told how the session ended, and it ends by itself
-            with contextlib.suppress(subprocess.TimeoutExpired):
-                self._process.wait(ENDS_WITHIN_S)
-        self._process.terminate()
-        await_end(self._process, ENDS_WITHIN_S)
-        if self._process.stdout is not None:
-            self._process.stdout.close()
+                links = dict(json.loads(out.readline()))
+        yield links
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            process.wait(ENDS_WITHIN_S)  # its pages are told how the session ended, and it ends by itself
+    finally:
+        process.terminate()
+        await_end(process, ENDS_WITHIN_S)
+        out.close()

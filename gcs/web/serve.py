@@ -19,14 +19,6 @@ GRACE_S = 1
 """in which the pages are told that the server ends"""
 
 
-def listening() -> socket.socket:
-    """A socket of this machine alone, at a port that the system chooses."""
-    made = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
-    made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-    made.bind(("127.0.0.1", 0))
-    return made
-
-
 def links(at: socket.socket, tokens: Tokens) -> dict[str, str]:
     """The links to print: who has `command` may command, who has `view` may look."""
     host, port = at.getsockname()
@@ -38,11 +30,10 @@ def serve(source: MessageSource, ready: Callable[[Mapping[str, str]], object], t
 
     tiles: address of the map's tiles, as `gcs.web.tiles.checked` takes it.
     """
-    tokens, hub, at = Tokens.fresh(), Hub(), listening()
+    tokens, hub = Tokens.fresh(), Hub()
     orders: deque[Mapping[str, Any]] = deque()
-    app = application(hub, tokens, orders.append, tiles)
     config = uvicorn.Config(
-        app,
+        application(hub, tokens, orders.append, tiles),
         log_level="critical",
         access_log=False,
         lifespan="off",
@@ -53,33 +44,24 @@ def serve(source: MessageSource, ready: Callable[[Mapping[str, str]], object], t
         timeout_graceful_shutdown=GRACE_S,
     )
     server = uvicorn.Server(config)
-    with at:
-        asyncio.run(_serve(server, at, lambda: ready(links(at, tokens)), source, hub, orders))
-
-
-async def _serve(
-    server: uvicorn.Server,
-    at: socket.socket,
-    ready: Callable[[], object],
-    source: MessageSource,
-    hub: Hub,
-    orders: deque[Mapping[str, Any]],
-) -> None:
 
     async def feed() -> None:
         await _feed(source, hub, orders)
         await asyncio.sleep(GRACE_S)
         server.should_exit = True
 
-    feeding = asyncio.create_task(feed())
-    at.listen(64)
-    ready()
-    try:
-        await server.serve(sockets=[at])
-    finally:
-        feeding.cancel()
-        await asyncio.gather(feeding, return_exceptions=True)
-        source.close()
+    async def run(at: socket.socket) -> None:
+        feeding = asyncio.create_task(feed())
+        ready(links(at, tokens))
+        try:
+            await server.serve(sockets=[at])
+        finally:
+            feeding.cancel()
+            await asyncio.gather(feeding, return_exceptions=True)
+            source.close()
+
+    with socket.create_server(("127.0.0.1", 0), backlog=64) as at:  # of this machine alone
+        asyncio.run(run(at))
 
 
 async def _feed(source: MessageSource, hub: Hub, orders: deque[Mapping[str, Any]]) -> None:

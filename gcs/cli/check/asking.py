@@ -8,7 +8,7 @@ from typing import Any
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.cli.check.dialogue import CheckedVehicle, Question
-from gcs.cli.check.judges import Fault, acknowledged, no_fault
+from gcs.cli.check.judges import acknowledged
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Message, layout, message
 from gcs.mavlink.command_protocol import CommandLong, CommandTarget
@@ -49,16 +49,17 @@ def to_vehicle(name: str, **values: Any) -> Ask:
     return lambda v: [message(name, target_system=v.sysid, target_component=v.compid, **values)]
 
 
-def requested(name: str, what: str, misses: dict[str, str], *, may_refuse: bool = False, **more: Any) -> Question:
+def commanded(key: str, what: str, misses: dict[str, str], command: int, ask: Ask, **awaited: Any) -> Question:
+    """A command that is to be acknowledged; `awaited` is more of that, as `judges.acknowledged` takes it."""
+    judge, at_end = acknowledged(command, **awaited)
+    return Question(key, what, misses, judge, ask, at_end)
+
+
+def requested(name: str, what: str, misses: dict[str, str], **awaited: Any) -> Question:
     """MAV_CMD_REQUEST_MESSAGE for a message."""
-    msgid = OUTSIDE.get(name) or layout(name).msgid
-    fault: Fault = more.pop("fault", no_fault)
-    judge, at_end = acknowledged(
-        mav.MAV_CMD_REQUEST_MESSAGE, then=codec.name(msgid), may_refuse=may_refuse, fault=fault
-    )
-    ask = command_long(mav.MAV_CMD_REQUEST_MESSAGE, float(msgid))
-    key = name.lower().replace("_", "-")
-    return Question(key, f"{what} (REQUEST_MESSAGE {msgid})", misses, judge, ask, at_end, **more)
+    msgid, command = OUTSIDE.get(name) or layout(name).msgid, mav.MAV_CMD_REQUEST_MESSAGE
+    key, what = name.lower().replace("_", "-"), f"{what} (REQUEST_MESSAGE {msgid})"
+    return commanded(key, what, misses, command, command_long(command, msgid), then=codec.name(msgid), **awaited)
 
 
 def judged(key: str, what: str, misses: dict[str, str], at_end: Any, **more: Any) -> Question:

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import json
 import time
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -118,7 +119,8 @@ def check(
         click.echo(f"waiting for a HEARTBEAT at {connect.text} ...", err=True)
         while waiting:
             dialogue = Dialogue(asked, waiting.pop(0), station)
-            run(dialogue, wire, _Shown(dialogue, len(asked), as_json=as_json), find_within_s=within)
+            shown = partial(_show, dialogue, len(asked), as_json)
+            run(dialogue, wire, shown, find_within_s=within)
             done.append(dialogue)
             checked = {one.vehicle.sysid for one in done if one.vehicle is not None}
             if everyone:
@@ -160,27 +162,20 @@ def _check_scenario(context: click.Context, name: str, ready_within_s: float, *,
     except (AddressRefused, KeyRefused) as error:
         raise click.ClickException(f"{error}.") from None
     content = lists.as_json(loaded, found)
-    click.echo(json.dumps(content) if as_json else "\n".join(lists.lines(loaded, found)))
+    click.echo(json.dumps(content) if as_json else "\n".join(lists.lines(content)))
     return 0 if content["passed"] else NOT_DONE
 
 
-class _Shown:
-    """Tells findings as they come, and after the last their number."""
+def _show(dialogue: Dialogue, questions: int, as_json: bool, finding: CheckFinding) -> None:
+    """Tell a finding that has come; before the first whose it is, and after the last the number of all."""
+    from gcs.cli.check import report
 
-    def __init__(self, dialogue: Dialogue, questions: int, *, as_json: bool) -> None:
-        self._dialogue, self._questions, self._as_json = dialogue, questions, as_json
-        self._known = False
-
-    def __call__(self, finding: CheckFinding) -> None:
-        from gcs.cli.check import report
-
-        if not self._known and self._dialogue.vehicle is not None:
-            self._known = True
-            who = f"vehicle {self._dialogue.vehicle.sysid}, {self._dialogue.vehicle.profile.name}"
-            click.echo(f"{who}: {self._questions} questions", err=self._as_json)
-        if self._as_json:
-            return
-        click.echo(report.line(finding))
-        if finding is self._dialogue.findings[-1] and self._dialogue.done:
-            counts = report.counted(self._dialogue.findings)
-            click.echo(", ".join(f"{number} {outcome}" for outcome, number in counts.items() if number))
+    if finding is dialogue.findings[0] and dialogue.vehicle is not None:
+        who = f"vehicle {dialogue.vehicle.sysid}, {dialogue.vehicle.profile.name}"
+        click.echo(f"{who}: {questions} questions", err=as_json)
+    if as_json:
+        return
+    click.echo(report.line(finding))
+    if finding is dialogue.findings[-1] and dialogue.done:
+        counts = report.counted(dialogue.findings)
+        click.echo(", ".join(f"{number} {outcome}" for outcome, number in counts.items() if number))

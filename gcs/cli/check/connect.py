@@ -7,10 +7,20 @@ from typing import Any
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.cli.check.asking import MAVPROXY, MAVSDK, QGC, Ask, command_int, command_long, requested, to_vehicle
+from gcs.cli.check.asking import (
+    MAVPROXY,
+    MAVSDK,
+    QGC,
+    Ask,
+    command_int,
+    command_long,
+    commanded,
+    requested,
+    to_vehicle,
+)
 from gcs.cli.check.dialogue import CheckedVehicle, Question
-from gcs.cli.check.judges import OK, acknowledged, answered, leaves_alone, refuses
-from gcs.mavlink.codec import Message, layout, message
+from gcs.cli.check.judges import OK, answered, leaves_alone, refuses
+from gcs.mavlink.codec import Message, message
 
 UNKNOWN_COMMAND = 65000
 OPEN_FILE, RESET_SESSIONS, FTP_ACK, FTP_NAK = 4, 2, 128, 129
@@ -27,33 +37,6 @@ def _version_fault(vehicle: CheckedVehicle, content: Any) -> str:
         wanted = ".".join(map(str, oldest))
         return f"its version is {'.'.join(map(str, number))}, QGroundControl wants {wanted} at least"
     return ""
-
-
-def _interval() -> Question:
-    command = mav.MAV_CMD_SET_MESSAGE_INTERVAL
-    judge, at_end = acknowledged(command)
-    misses = {MAVSDK: "cannot set rates; telemetry.in_air() may never yield"}
-    ask = command_long(command, float(layout("EXTENDED_SYS_STATE").msgid), 1e6)
-    return Question("message-interval", "SET_MESSAGE_INTERVAL (511) for EXTENDED_SYS_STATE", misses, judge, ask, at_end)
-
-
-def _landed() -> Question:
-    misses = {
-        MAVSDK: "telemetry.in_air() and landed_state() never yield",
-        QGC: "guesses from the throttle whether it flies",
-    }
-    return Question(
-        "extended-sys-state", "EXTENDED_SYS_STATE after that", misses, answered("EXTENDED_SYS_STATE"), repeat_s=1.5
-    )
-
-
-def _legacy() -> Question:
-    command = mav.MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES
-    judge, at_end = acknowledged(command, then="AUTOPILOT_VERSION", may_refuse=True)
-    what = "AUTOPILOT_VERSION the old way (520), or its refusal"
-    return Question(
-        "autopilot-version-520", what, {MAVSDK: "asks again for seconds"}, judge, command_long(command, 1.0), at_end
-    )
 
 
 def _ping() -> Question:
@@ -94,48 +77,6 @@ def _ftp_answer(opcode: int) -> Callable[[CheckedVehicle, Any], bool]:
     return lambda _, content: content.payload[3] in (FTP_ACK, FTP_NAK) and content.payload[5] == opcode
 
 
-def _home_410() -> Question:
-    command = mav.MAV_CMD_GET_HOME_POSITION
-    ask = command_long(command, to_component=0)
-    misses = {MAVPROXY: "asks again every few seconds and has no home"}
-    return Question(
-        "home-position-410", "HOME_POSITION the old way (410, component 0)", misses, answered("HOME_POSITION"), ask
-    )
-
-
-def _other_target() -> Question:
-    ask = command_long(mav.MAV_CMD_REQUEST_MESSAGE, float(layout("AUTOPILOT_VERSION").msgid), offset=1)
-    misses = {MAVSDK: "flies every vehicle on the port when it means one"}
-    return Question(
-        "other-target",
-        "a command to another system id is left alone",
-        misses,
-        leaves_alone("whose target_system is another vehicle's"),
-        ask,
-        lambda *_: OK,
-        tries=1,
-        elsewhere=True,
-    )
-
-
-def _unknown_command() -> Question:
-    misses = {
-        MAVSDK: "waits through its retries, then says TIMEOUT",
-        QGC: "says that the vehicle did not respond to a command",
-    }
-    ask = command_long(UNKNOWN_COMMAND)
-    return Question("unknown-command", "an unknown command is refused", misses, refuses(UNKNOWN_COMMAND), ask)
-
-
-def _as_int() -> Question:
-    judge, at_end = acknowledged(mav.MAV_CMD_REQUEST_MESSAGE, then="AUTOPILOT_VERSION")
-    ask = command_int(mav.MAV_CMD_REQUEST_MESSAGE, float(layout("AUTOPILOT_VERSION").msgid))
-    misses = {QGC: "cannot go to a place on the map", MAVPROXY: "its guided command times out"}
-    return Question("command-int", "commands as COMMAND_INT too", misses, judge, ask, at_end)
-
-
-NO_HOME = {MAVSDK: "health_all_ok never turns true, and it asks every 2 s", QGC: "draws no home"}
-
 CONNECT = [
     requested(
         "AUTOPILOT_VERSION",
@@ -143,10 +84,37 @@ CONNECT = [
         {MAVSDK: "info and mission plugins time out", QGC: "takes the vehicle for one without capabilities"},
         fault=_version_fault,
     ),
-    _legacy(),
-    _interval(),
-    _landed(),
-    requested("HOME_POSITION", "HOME_POSITION", NO_HOME),
+    commanded(
+        "autopilot-version-520",
+        "AUTOPILOT_VERSION the old way (520), or its refusal",
+        {MAVSDK: "asks again for seconds"},
+        mav.MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES,
+        command_long(mav.MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES, 1.0),
+        then="AUTOPILOT_VERSION",
+        may_refuse=True,
+    ),
+    commanded(
+        "message-interval",
+        "SET_MESSAGE_INTERVAL (511) for EXTENDED_SYS_STATE",
+        {MAVSDK: "cannot set rates; telemetry.in_air() may never yield"},
+        mav.MAV_CMD_SET_MESSAGE_INTERVAL,
+        command_long(mav.MAV_CMD_SET_MESSAGE_INTERVAL, mav.MAVLINK_MSG_ID_EXTENDED_SYS_STATE, 1e6),
+    ),
+    Question(
+        "extended-sys-state",
+        "EXTENDED_SYS_STATE after that",
+        {
+            MAVSDK: "telemetry.in_air() and landed_state() never yield",
+            QGC: "guesses from the throttle whether it flies",
+        },
+        answered("EXTENDED_SYS_STATE"),
+        repeat_s=1.5,
+    ),
+    requested(
+        "HOME_POSITION",
+        "HOME_POSITION",
+        {MAVSDK: "health_all_ok never turns true, and it asks every 2 s", QGC: "draws no home"},
+    ),
     _ping(),
     _timesync(),
     *(
@@ -155,10 +123,41 @@ CONNECT = [
         )
         for name in ("PROTOCOL_VERSION", "AVAILABLE_MODES", "COMPONENT_METADATA", "COMPONENT_INFORMATION")
     ),
-    _unknown_command(),
-    _as_int(),
-    _other_target(),
-    _home_410(),
+    Question(
+        "unknown-command",
+        "an unknown command is refused",
+        {
+            MAVSDK: "waits through its retries, then says TIMEOUT",
+            QGC: "says that the vehicle did not respond to a command",
+        },
+        refuses(UNKNOWN_COMMAND),
+        command_long(UNKNOWN_COMMAND),
+    ),
+    commanded(
+        "command-int",
+        "commands as COMMAND_INT too",
+        {QGC: "cannot go to a place on the map", MAVPROXY: "its guided command times out"},
+        mav.MAV_CMD_REQUEST_MESSAGE,
+        command_int(mav.MAV_CMD_REQUEST_MESSAGE, mav.MAVLINK_MSG_ID_AUTOPILOT_VERSION),
+        then="AUTOPILOT_VERSION",
+    ),
+    Question(
+        "other-target",
+        "a command to another system id is left alone",
+        {MAVSDK: "flies every vehicle on the port when it means one"},
+        leaves_alone("whose target_system is another vehicle's"),
+        command_long(mav.MAV_CMD_REQUEST_MESSAGE, mav.MAVLINK_MSG_ID_AUTOPILOT_VERSION, offset=1),
+        lambda *_: OK,
+        tries=1,
+        elsewhere=True,
+    ),
+    Question(
+        "home-position-410",
+        "HOME_POSITION the old way (410, component 0)",
+        {MAVPROXY: "asks again every few seconds and has no home"},
+        answered("HOME_POSITION"),
+        command_long(mav.MAV_CMD_GET_HOME_POSITION, to_component=0),
+    ),
     Question(
         "ftp",
         "FTP answered, if only by a NAK",

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Any
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.cli.check.asking import MAVPROXY, MAVSDK, QGC, command_long, to_vehicle
+from gcs.cli.check.asking import MAVPROXY, MAVSDK, QGC, command_long, commanded, to_vehicle
 from gcs.cli.check.dialogue import CheckedVehicle, Question, ReceivedMessage, Verdict
-from gcs.cli.check.judges import OK, acknowledged, answered
+from gcs.cli.check.judges import OK, answered
 from gcs.mavlink.autopilots import FlightMode
 from gcs.mavlink.codec import Message, message
 
@@ -41,16 +42,11 @@ def _stay(vehicle: CheckedVehicle) -> Sequence[Message]:
     return to_vehicle("SET_POSITION_TARGET_LOCAL_NED", x=x, y=y, z=z, **rest, **frame)(vehicle)
 
 
-def _offboard(vehicle: CheckedVehicle) -> Sequence[Message]:
-    return command_long(mav.MAV_CMD_DO_SET_MODE, *vehicle.profile.offboard)(vehicle)
-
-
 def _arming(wanted: bool) -> list[Question]:
     word = "arm" if wanted else "disarm"
     command = mav.MAV_CMD_COMPONENT_ARM_DISARM
-    judge, at_end = acknowledged(command)
     return [
-        Question(
+        commanded(
             word,
             f"{word}: acknowledged",
             {
@@ -58,9 +54,8 @@ def _arming(wanted: bool) -> list[Question]:
                 QGC: f"says that the vehicle refused to {word}",
                 MAVPROXY: "prints the refusal",
             },
-            judge,
+            command,
             command_long(command, float(wanted)),
-            at_end,
         ),
         Question(
             f"{word}-heartbeat",
@@ -73,24 +68,20 @@ def _arming(wanted: bool) -> list[Question]:
     ]
 
 
-def _preparation() -> list[Question]:
-    judge, at_end = acknowledged(mav.MAV_CMD_DO_SET_MODE)
-    return [
-        _hold("set-mode", "SET_MODE (11) to hold: the HEARTBEAT says so"),
-        Question(
+PREPARATION = [
+    _hold("set-mode", "SET_MODE (11) to hold: the HEARTBEAT says so"),
+    replace(
+        commanded(
             "offboard",
             "offboard after half a second of set points",
             {MAVSDK: "offboard.start() is refused"},
-            judge,
-            _offboard,
-            at_end,
-            streams=_stay,
-            lead_s=0.5,
+            mav.MAV_CMD_DO_SET_MODE,
+            lambda v: command_long(mav.MAV_CMD_DO_SET_MODE, *v.profile.offboard)(v),
         ),
-        _hold("hold-again", "SET_MODE (11) back to hold"),
-        *_arming(True),
-        *_arming(False),
-    ]
-
-
-PREPARATION = _preparation()
+        streams=_stay,
+        lead_s=0.5,
+    ),
+    _hold("hold-again", "SET_MODE (11) back to hold"),
+    *_arming(True),
+    *_arming(False),
+]

@@ -44,13 +44,12 @@ def check_scenario(
         link.close()
 
 
-def lines(scenario: Scenario, found: dict[int, list[CheckItem]]) -> list[str]:
-    """A line by vehicle and entry."""
-    labels = {vehicle.sysid: vehicle.label for vehicle in scenario.vehicles.all}
+def lines(content: dict[str, Any]) -> list[str]:
+    """A line by vehicle and entry, of what `as_json` gives."""
     return [
-        f"{'ok' if item.passed else 'FAILS':<6} {labels[sysid]}: {item.text}"
-        for sysid, items in sorted(found.items())
-        for item in items
+        f"{'ok' if item['passed'] else 'FAILS':<6} {vehicle['label']}: {item['text']}"
+        for vehicle in content["vehicles"]
+        for item in vehicle["check_list"]
     ]
 
 

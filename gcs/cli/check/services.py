@@ -10,7 +10,6 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.cli.check.asking import MAVPROXY, MAVSDK, QGC, command_long, judged, requested, to_vehicle
 from gcs.cli.check.dialogue import CheckedVehicle, Question, ReceivedMessage, Verdict
 from gcs.cli.check.judges import OK, answered, leaves_alone
-from gcs.mavlink.codec import layout
 from gcs.supervisor.preflight import CLOCK_OFF_S, NO_TIME_BEFORE_S
 
 
@@ -52,7 +51,7 @@ def signing(*, signed: bool) -> Question:
         "a command that is not signed is refused",
         dict.fromkeys((MAVSDK, QGC, MAVPROXY), "is not alone: whoever reaches the link commands the vehicle"),
         leaves_alone("without a signature"),
-        command_long(mav.MAV_CMD_REQUEST_MESSAGE, float(layout("AUTOPILOT_VERSION").msgid)),
+        command_long(mav.MAV_CMD_REQUEST_MESSAGE, mav.MAVLINK_MSG_ID_AUTOPILOT_VERSION),
         lambda *_: OK,
         when=lambda _: "" if signed else "no --key-file is given, so nothing here is signed",
         tries=1,

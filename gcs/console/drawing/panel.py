@@ -7,20 +7,13 @@ from typing import Any
 
 from rich.segment import Segment
 from textual import events
-from textual.app import App
 from textual.geometry import Region
 from textual.strip import Strip
 from textual.widget import Widget
 
-from gcs.console.styles import Look, style
+from gcs.console.shell import Shell
+from gcs.console.styles import style
 from gcs.console.text import StyledLines, width_of
-
-
-class LookingApp(App[int]):
-    """An app that says how its panels look."""
-
-    look: Look = "dark"
-
 
 Paint = Callable[[int, int], StyledLines]
 Pointed = Callable[[int, int, int], object]
@@ -32,7 +25,7 @@ class Panel(Widget):
     `pointed(column, row, turn)` is called for clicks (0) and the wheel (±1).
     """
 
-    app: LookingApp
+    app: Shell
 
     def __init__(
         self, paint: Paint, *, id: str, classes: str = "", ground: str = "", pointed: Pointed | None = None

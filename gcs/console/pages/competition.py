@@ -69,7 +69,7 @@ def _curves(watch: SessionModel, width: int, height: int, glyphs: Glyphs) -> Sty
     return chart(
         watch.competition_states,
         names(watch),
-        [(t_s, name) for t_s, name in watch.handovers],
+        list(watch.handovers),
         style_of=lambda name: _style_of(watch, name),
         width=width,
         height=height,

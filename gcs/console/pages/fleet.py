@@ -14,7 +14,6 @@ from gcs.session.plain_text import clean, minutes
 LEAST_WORDS = 12
 LOW, HALF = 0.2, 0.5
 SEVERITY_STYLES = ("", "look", "act")
-STATES = {"competing": "compet", "leads": "leads", "waits": "waits", "served": "served", "serves": "serves"}
 
 Cell = Callable[[Vehicle, Glyphs, int], StyledLine]
 
@@ -33,18 +32,12 @@ class TableColumn:
     """its width and title where there is room to spare"""
 
 
-def _figure(key: str, decimals: int, scale: float = 1.0) -> Cell:
+def _figure(key: str, decimals: int, axis: int | None = None) -> Cell:
     def cell(vehicle: Vehicle, glyphs: Glyphs, width: int) -> StyledLine:
         value = vehicle.get(key)
-        return [(right(number(None if value is None else scale * value, width, decimals), width), "")]
-
-    return cell
-
-
-def _axis(axis: int) -> Cell:
-    def cell(vehicle: Vehicle, glyphs: Glyphs, width: int) -> StyledLine:
-        p_ned = vehicle.get("p_ned")
-        return [(right(number(None if p_ned is None else p_ned[axis], width, 1), width), "")]
+        if axis is not None and value is not None:
+            value = value[axis]
+        return [(right(number(value, width, decimals), width), "")]
 
     return cell
 
@@ -106,7 +99,7 @@ def _loss(vehicle: Vehicle, glyphs: Glyphs, width: int) -> StyledLine:
 
 def _competition(vehicle: Vehicle, glyphs: Glyphs, width: int) -> StyledLine:
     state, v = str(vehicle.get("state") or ""), vehicle.get("v")
-    word = STATES.get(state, clean(state))
+    word = "compet" if state == "competing" else clean(state)
     if state in ("idle", "") and v is None:
         return [(left("-" if state else "", width), "dim")]
     if state in ("competing", "") and v is not None:
@@ -122,8 +115,8 @@ COLUMNS = (
     TableColumn("rol", 3, 0, _role, left, 7, "role"),
     TableColumn("mode", 8, 0, _mode, left, 8),
     TableColumn("a", 1, 6, _armed, left, 3, "arm"),
-    TableColumn("N m", 4, 5, _axis(0), right, 6),
-    TableColumn("E m", 4, 5, _axis(1), right, 6),
+    TableColumn("N m", 4, 5, _figure("p_ned", 1, 0), right, 6),
+    TableColumn("E m", 4, 5, _figure("p_ned", 1, 1), right, 6),
     TableColumn("h m", 4, 3, _figure("height_m", 1), right, 5),
     TableColumn("m/s", 4, 4, _figure("speed_m_s", 1), right, 4),
     TableColumn("tgt", 4, 4, _figure("target_m", 1), right, 6, "tgt m"),

@@ -35,14 +35,8 @@ def session_line(
         link = (f"{glyphs.act} not connected", "act")
     else:
         link = (f"{glyphs.no} connecting", "info")
-    tail: StyledLine = [
-        (f"  {glyphs.times}{pace}", ""),
-        ("  ", ""),
-        (phase, PHASES.get(phase, "info")),
-        ("  ", ""),
-        link,
-    ]
-    head: StyledLine = [(f" {name} ", "name"), (" ", ""), (time, ""), (" ", "")]
+    tail: StyledLine = [(f"  {glyphs.times}{pace}  ", ""), (phase, PHASES.get(phase, "info")), ("  ", ""), link]
+    head: StyledLine = [(f" {name} ", "name"), (f" {time} ", "")]
     room = width - width_of(head) - width_of(tail) - 1
     if end_s and room >= 4:
         share = (watch.t_s - begin_s) / max(float(end_s) - begin_s, 1e-9)

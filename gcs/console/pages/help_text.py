@@ -85,31 +85,14 @@ def page(*, control: bool, replay: bool, owner: bool, lost: list[str], glyphs: G
     if replay:
         lines += [[], [("Replay", "name")], *(_entry(*entry) for entry in REPLAY)]
     if control:
-        lines += [
-            [],
-            [
-                (
-                    "Operator (each key asks first; what the vehicle answers is an event)",
-                    "name",
-                )
-            ],
-        ]
-        for order in ORDERS:
-            lines.append(_entry(order.key, order.what))
+        lines += [[], [("Operator (each key asks first; what the vehicle answers is an event)", "name")]]
+        lines += [_entry(order.key, order.what) for order in ORDERS]
     elif not replay:
         lines += [[], [("This source takes no commands: the operator's keys are off.", "info")]]
     for name, entries in PAGE_KEYS.items():
         if entries:
             lines += [[], [(f"On the {name} page", "name")], *(_entry(*entry) for entry in entries)]
-    unicode = glyphs.unicode
-    signs = {
-        "act": glyphs.act,
-        "look": glyphs.look,
-        "meet": "◎" if unicode else "@",
-        "wall": "×" if unicode else "#",
-        "traffic": "◆" if unicode else "X",
-    }
-    lines += [[], [("Signs", "name")], *(_entry(name, text.format(**signs)) for name, text in LEGEND)]
+    lines += [[], [("Signs", "name")], *(_entry(name, text.format(**vars(glyphs))) for name, text in LEGEND)]
     return lines
 
 

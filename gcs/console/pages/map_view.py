@@ -118,7 +118,7 @@ def draw(
     for craft in watch.snapshot.get("traffic") or ():
         if craft.get("p_ned"):
             column, row = cell(craft["p_ned"][0], craft["p_ned"][1])
-            canvas.put(column, row, "◆" if glyphs.unicode else "X", "traffic", CRAFT)
+            canvas.put(column, row, glyphs.traffic, "traffic", CRAFT)
     ranked = sorted(watch.vehicles.values(), key=lambda v: (v["sysid"] != chosen, -severity(v), v["sysid"]))
     seen = [vehicle for vehicle in ranked if vehicle.get("p_ned") is not None]
     for vehicle in reversed(seen):
@@ -158,7 +158,7 @@ def _obstacle(canvas: Canvas, obstacle: Mapping[str, Any], at: Any, cell: Any, g
         canvas.path([*outline, outline[0]], "obstacle", WALL)
     elif obstacle.get("centre_ned") and obstacle.get("kind") != "plane":
         column, row = cell(obstacle["centre_ned"][0], obstacle["centre_ned"][1])
-        canvas.put(column, row, "×" if glyphs.unicode else "#", "obstacle", WALL)
+        canvas.put(column, row, glyphs.wall, "obstacle", WALL)
 
 
 def _rendezvous(
@@ -171,7 +171,7 @@ def _rendezvous(
     if tanker is not None and tanker.get("p_ned") is not None:
         canvas.line(at(*tanker["p_ned"][:2]), at(place[0], place[1]), "meet", AIM, every=2)
     column, row = cell(place[0], place[1])
-    canvas.put(column, row, "◎" if glyphs.unicode else "@", "meet", MARK)
+    canvas.put(column, row, glyphs.meet, "meet", MARK)
 
 
 def _style(watch: SessionModel, vehicle: Vehicle, chosen: int | None) -> str:

@@ -13,10 +13,8 @@ from matplotlib.figure import Figure
 from gcs.recording.series import Floats
 from gcs.refuelling.winner_take_all import simulate
 from gcs.report.paper import figures, flown, races, session, tracking
-from gcs.report.paper.claims import Measurement
-from gcs.report.paper.figures import Drawing
 from gcs.report.paper.session import RecordedFlight
-from gcs.report.paper.study import Study, Table
+from gcs.report.paper.study import Drawing, Measurement, Study, Table
 from gcs.scenario.model import Scenario
 
 EXPONENTS = (1.5, 2.0, 2.5, 5.0)

@@ -10,10 +10,8 @@ import numpy as np
 
 from gcs.recording.series import Floats
 from gcs.report.paper import session, tracking
-from gcs.report.paper.claims import Measurement
-from gcs.report.paper.figures import Drawing
 from gcs.report.paper.session import RecordedFlight
-from gcs.report.paper.study import Study
+from gcs.report.paper.study import Drawing, Measurement, Study
 from gcs.scenario.model import Scenario
 
 NEAR_M_S, HELD_S = 0.1, 1.0

@@ -11,10 +11,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from gcs.report.paper import examples, figures, session
-from gcs.report.paper.claims import Measurement
-from gcs.report.paper.figures import Drawing
 from gcs.report.paper.session import RecordedFlight
-from gcs.report.paper.study import Study, Table
+from gcs.report.paper.study import Drawing, Measurement, Study, Table
 from gcs.scenario.model import Scenario
 
 STEP_S = 0.5

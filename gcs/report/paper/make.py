@@ -37,8 +37,8 @@ from gcs.report.paper import (
     theory,
     vehicle,
 )
-from gcs.report.paper.claims import Claim, Judged, Measurement, Reason
-from gcs.report.paper.study import Study
+from gcs.report.paper.claims import Claim, Judged, Reason
+from gcs.report.paper.study import Measurement, PaperError, Study
 from gcs.scenario import file
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario
@@ -84,10 +84,6 @@ LOOSE = ("pursuit",)
 """Scenarios that do not lie in `paper/`."""
 OWN, UNPRINTED = "the vehicle's own figures", "what is not printed: flown"
 UNFINISHED = ("lost", "interrupted", "duration")
-
-
-class PaperError(RuntimeError):
-    """Reason why the page was not made, as a sentence."""
 
 
 def chosen(only: str | None) -> list[str]:
@@ -202,19 +198,13 @@ def _energies(out: Path) -> tuple[dict[str, NDArray[Any]], dict[str, list[int]]]
     inside.mkdir()
     plans = inside / "plans.json"
     lengths = sensitivity.write_plans(plans)
-    try:
-        return vehicle.energies(inside, plans), lengths
-    except vehicle.VehicleFiguresError as error:
-        raise PaperError(str(error)) from None
+    return vehicle.energies(inside, plans), lengths
 
 
 def _vehicle_figures(out: Path, names: list[str]) -> dict[str, dict[str, object]]:
     """Numbers by figure; the figures' files come to lie in `out`, beside the others."""
     inside = out / "vehicle"
-    try:
-        numbers = vehicle.make(inside, names)
-    except vehicle.VehicleFiguresError as error:
-        raise PaperError(str(error)) from None
+    numbers = vehicle.make(inside, names)
     for name in names:
         for ending in ("svg", "png"):
             shutil.move(inside / f"{name}.{ending}", out / f"{name}.{ending}")

@@ -271,10 +271,7 @@ def search(
                 searched.add(row)
             shown.update(progress, None)
 
-        total = rules.trials
-        runner = Runner(
-            folder, plan, scheduler=scheduler, workers=workers, notify=notify, rows=searched.rows(), total=total
-        )
+        runner = Runner(folder, plan, scheduler=scheduler, workers=workers, notify=notify, rows=searched.rows())
         progress = runner.run()
     except EngineError as error:
         click.echo(f"gcs: {error}", err=True)
@@ -290,7 +287,7 @@ def search(
             click.echo(f"{name} {worst[name]:.4g} in trial {worst['row']}: gcs run {folder / 'worst.yaml'} --lockstep")
     if runner.interrupted:
         return 128 + runner.interrupted
-    return DONE if progress.done == total else NOT_DONE
+    return DONE if progress.done == rules.trials else NOT_DONE
 
 
 @campaign.command(short_help="Make a failing scenario small.")

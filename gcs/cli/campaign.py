@@ -157,7 +157,7 @@ def fly(folder: Path, row: int, out: Path | None, only: bool, quiet: bool) -> in
 
     from gcs.campaign import table
     from gcs.campaign.plan import RowError
-    from gcs.report.make import make as make_report
+    from gcs.report.page import make as make_report
     from gcs.scenario.file import dump
     from gcs.session import supervised
     from gcs.session.plain_text import PlainView, View

@@ -20,7 +20,7 @@ STEP_S = 0.5
 
 def pursuit(scenario: Scenario, folder: Path) -> Study:
     """The least control energy pursues a moving target among moving obstacles."""
-    flights = examples.flights_of(scenario, folder)
+    flights = session.flights_of(scenario, folder)
     record, changes = session.summary(folder), _of_kind(folder, "pursuit")
     parts = {part["part"]: part for part in record["goal"]}
     right = [_least(flights, change["t_s"]) == change["pursuer"] for change in changes]
@@ -46,7 +46,7 @@ def pursuit(scenario: Scenario, folder: Path) -> Study:
 
 def example4_energy(scenario: Scenario, folder: Path) -> Study:
     """A tanker serves who has used most."""
-    flights = examples.flights_of(scenario, folder)
+    flights = session.flights_of(scenario, folder)
     record = session.summary(folder)
     left, right = list(flights), []
     for decision in _of_kind(folder, "decided")[: len(flights)]:

@@ -155,20 +155,10 @@ def make(out: Path, parts: Sequence[str], console: Console) -> list[Judged]:
 def fly(name: str, folder: Path) -> Scenario:
     """Fly a shipped example by `gcs run`, the whole program, into `folder`. Raises PaperError with its last words."""
     scenario = name if name in LOOSE else f"paper/{name}"
-    command = [
-        sys.executable,
-        "-P",
-        "-m",
-        "gcs",
-        "run",
-        scenario,
-        "--lockstep",
-        "--plain",
-        "--no-report",
-        "--out",
-        str(folder),
-    ]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    options = ("--lockstep", "--plain", "--no-report", "--out", str(folder))
+    done = subprocess.run(
+        [sys.executable, "-P", "-m", "gcs", "run", scenario, *options], capture_output=True, text=True, check=False
+    )
     if not (folder / "summary.json").exists():
         last = (done.stderr.strip() or done.stdout.strip() or "no words").splitlines()[-1]
         raise PaperError(f"{scenario} was not flown to its end (status {done.returncode}): {last}")
@@ -215,7 +205,7 @@ def _study(part: str, out: Path, scenarios: dict[str, Scenario], numbers: dict[s
     if part in EXAMPLES:
         return EXAMPLES[part](scenarios[part], out / "sessions" / part)
     if part in RACES:
-        flights = examples.flights_of(scenarios["example3"], out / "sessions" / "example3")
+        flights = session.flights_of(scenarios["example3"], out / "sessions" / "example3")
         return RACES[part](races.initial_states(flights), races.least_wins(races.efforts(flights)))
     if part in THEORY:
         return THEORY[part]()

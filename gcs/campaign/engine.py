@@ -80,7 +80,7 @@ class Progress:
 
 def fly(
     plan: Plan,
-    rows: Iterable[int | PlannedRow | None],
+    rows: Iterable[PlannedRow | None],
     keep: Callable[[dict[str, Any]], None],
     *,
     scheduler: str | None = None,
@@ -104,12 +104,10 @@ def fly(
             if time.monotonic() - counted_s >= COUNT_EVERY_S:
                 threads, counted_s = _threads(client), time.monotonic()
             while not exhausted and len(flying) < max(AHEAD * threads, AHEAD):
-                following = next(waiting, END)
-                exhausted = following is END
-                if following is END or following is None:
+                row = next(waiting, END)
+                exhausted = row is END
+                if not isinstance(row, PlannedRow):
                     break
-                assert isinstance(following, int | PlannedRow)
-                row = plan.row(following) if isinstance(following, int) else following
                 future = client.submit(
                     worker.fly_row, plan, row, pure=False, key=f"row-{row.number}-{os.urandom(4).hex()}"
                 )

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gcs.scenario import geometry as shapes
+from gcs.scenario.model import Obstacle
 
 Document = dict[str, Any]
 FloatArray = NDArray[np.float64]
@@ -27,20 +28,7 @@ BATTERY = {"capacity_j": 60000.0, "hover_w": 200.0, "avionics_w": 10.0}
 
 def table_of(document: Document) -> FloatArray:
     """Obstacle table (m, COLUMNS) of a document in NED axes."""
-    return shapes.table([row_of(obstacle) for obstacle in document.get("obstacles", [])])
-
-
-def row_of(obstacle: Document) -> FloatArray:
-    """Row (COLUMNS,) of one obstacle of a document."""
-    if "point_m" in obstacle:
-        return shapes.point(obstacle["point_m"])
-    if "sphere_m" in obstacle:
-        return shapes.sphere(obstacle["sphere_m"], obstacle["radius_m"])
-    if "box_m" in obstacle:
-        low, high = np.sort(obstacle["box_m"], axis=0)
-        return shapes.box(low, high)
-    bottom, top = obstacle["bottom_m"], obstacle["top_m"]
-    return shapes.cylinder([*obstacle["cylinder_m"], (bottom + top) / 2], obstacle["radius_m"], bottom - top)
+    return shapes.of_scenario(map(Obstacle.model_validate, document.get("obstacles", [])))
 
 
 def rounded_m(place: ArrayLike) -> list[float]:
@@ -86,7 +74,7 @@ def random_shapes(
         if len(placed) == count:
             break
         shape = random_shape(rng, low, high)
-        if (shapes.clearance(shapes.table([row_of(shape)]), keep) >= keep_m).all():
+        if (shapes.clearance(table_of({"obstacles": [shape]}), keep) >= keep_m).all():
             placed.append(shape)
     return placed
 

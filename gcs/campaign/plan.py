@@ -6,7 +6,7 @@ import functools
 import itertools
 import json
 import pickle
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -14,7 +14,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from gcs.campaign import draws
-from gcs.campaign.file import dump
+from gcs.campaign.file import dump, load
 from gcs.campaign.model import ARGUMENTS, CampaignRules
 from gcs.scenario import keys, plugins
 from gcs.scenario.document import Document, Problem, ScenarioError, emit, parse
@@ -152,21 +152,19 @@ class Plan:
 
 def make(campaign: CampaignRules, beside: Sequence[Path]) -> Plan:
     """The plan of a campaign; files and modules are looked for in the folders `beside`. Raises ScenarioError."""
-    folders = [*beside, Path.cwd()]
-    if campaign.scenario is None:
-        return Plan(campaign, str(campaign.generate), "", tuple(dict.fromkeys(str(f.resolve()) for f in folders)))
-    name = campaign.scenario
-    near = [folder / name for folder in beside if (folder / name).is_file()]
-    file = near[0] if near else find(name)
-    folders.insert(0, file.parent)
-    text = file.read_text(encoding="utf-8-sig")
+    folders, name, text = [*beside, Path.cwd()], campaign.scenario, ""
+    if name is None:
+        name = str(campaign.generate)
+    else:
+        near = [folder / name for folder in beside if (folder / name).is_file()]
+        file = near[0] if near else find(name)
+        folders.insert(0, file.parent)
+        text = file.read_text(encoding="utf-8-sig")
     return Plan(campaign, name, text, tuple(dict.fromkeys(str(f.resolve()) for f in folders)))
 
 
 def read(folder: Path) -> Plan:
     """The plan that `write` put into a campaign's folder. Raises ScenarioError, OSError."""
-    from gcs.campaign.file import load  # noqa: PLC0415 - only here
-
     about = json.loads((folder / "plan.json").read_text(encoding="utf-8"))
     campaign = load(folder / "campaign.yaml")
     text = "" if campaign.generate is not None else (folder / "scenario.yaml").read_text(encoding="utf-8")
@@ -190,8 +188,3 @@ def _generator(name: str, modules: tuple[str, ...]) -> Callable[..., Any]:
     plugins.look_in(modules)
     found: Callable[..., Any] = plugins.find(name, "__call__")
     return found
-
-
-def rows(plan: Plan, done: frozenset[int] | set[int]) -> Iterator[int]:
-    """Numbers of the rows that are still to be flown, in order."""
-    return (number for number in range(plan.rows) if number not in done)

@@ -6,11 +6,11 @@ One self-contained file. The same table gives the same page.
 from __future__ import annotations
 
 import base64
-import html
 import io
 import itertools
 import math
 from collections.abc import Iterable, Sequence
+from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -61,7 +61,7 @@ def page(folder: Path, plan: Plan, rows: pa.Table) -> str:
     measured = [name for name in campaign.measured if not measures.is_word(name) and _known(rows, name)]
     about = f"{rows.num_rows} of {plan.rows} sessions, {campaign.combinations} combinations, seed {campaign.seed}"
     parts = [
-        f"<h1>{_safe(campaign.name)}</h1><p>{_safe(campaign.description)}</p><p>{about}.</p>",
+        f"<h1>{escape(campaign.name)}</h1><p>{escape(campaign.description)}</p><p>{about}.</p>",
         "<h2>Success</h2>",
         _success(plan, rows),
         "<h2>Measures</h2><p>Means with 95 % bootstrap intervals.</p>",
@@ -78,7 +78,7 @@ def page(folder: Path, plan: Plan, rows: pa.Table) -> str:
     parts += ["<h2>Worst sessions</h2>", _worst(folder, plan, rows, measured), _parallel(plan, rows, measured)]
     policy = f"default-src 'none'; img-src data:; style-src {source_hash(STYLE)}; base-uri 'none'; form-action 'none'"
     guard = f'<meta http-equiv="Content-Security-Policy" content="{policy}">'
-    head = f'<meta charset="utf-8">{guard}<title>{_safe(campaign.name)}</title><style>{STYLE}</style>'
+    head = f'<meta charset="utf-8">{guard}<title>{escape(campaign.name)}</title><style>{STYLE}</style>'
     return f'<!doctype html><html lang="en"><head>{head}</head><body>{"".join(parts)}</body></html>\n'
 
 
@@ -142,7 +142,7 @@ def _worst(folder: Path, plan: Plan, rows: pa.Table, measured: Sequence[str]) ->
         values = [_number(row[name]) for name in measured]
         command = f"gcs campaign fly {folder.name} {row['row']}"
         lines.append(
-            [str(row["row"]), name_of(plan, row["combination"]), why, *values, f"<code>{_safe(command)}</code>"]
+            [str(row["row"]), name_of(plan, row["combination"]), why, *values, f"<code>{escape(command)}</code>"]
         )
     return _table(["row", "", "why", *measured, "flies it again"], lines, raw_last=True)
 
@@ -206,7 +206,7 @@ def _image(figure: Figure, caption: str) -> str:
     figure.savefig(drawn, format="svg", metadata={"Date": None})
     svg = drawn.getvalue()
     content = base64.b64encode(svg[svg.index("<svg") :].encode()).decode()
-    return f'<img class="plot" alt="{_safe(caption)}" src="data:image/svg+xml;base64,{content}">'
+    return f'<img class="plot" alt="{escape(caption)}" src="data:image/svg+xml;base64,{content}">'
 
 
 def _by_combination(plan: Plan, rows: pa.Table) -> Iterable[tuple[int, list[int]]]:
@@ -218,9 +218,9 @@ def _by_combination(plan: Plan, rows: pa.Table) -> Iterable[tuple[int, list[int]
 def _table(head: Sequence[str], lines: Sequence[Sequence[str]], *, raw_last: bool = False) -> str:
     def cells(line: Sequence[str]) -> str:
         raw = len(line) - 1 if raw_last else len(line)
-        return "".join(f"<td>{word if i == raw else _safe(word)}</td>" for i, word in enumerate(line))
+        return "".join(f"<td>{word if i == raw else escape(word)}</td>" for i, word in enumerate(line))
 
-    heads = "".join(f"<th>{_safe(word)}</th>" for word in head)
+    heads = "".join(f"<th>{escape(word)}</th>" for word in head)
     return f"<table><tr>{heads}</tr>{''.join(f'<tr>{cells(line)}</tr>' for line in lines)}</table>"
 
 
@@ -244,7 +244,3 @@ def _percent(one: Interval) -> str:
 
 def _number(value: Any) -> str:
     return "-" if value is None else f"{value:.4g}"
-
-
-def _safe(text: str) -> str:
-    return html.escape(text)

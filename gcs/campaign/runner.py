@@ -12,7 +12,7 @@ from typing import Any
 
 from gcs.campaign import table
 from gcs.campaign.engine import CampaignStore, EngineError, Progress, fly
-from gcs.campaign.plan import Plan, PlannedRow, rows
+from gcs.campaign.plan import Plan, PlannedRow
 from gcs.extras import require
 
 DEFAULT_FOLDER = "campaigns"
@@ -39,7 +39,7 @@ def make_folder(plan: Plan, out: Path | None) -> Path:
 class Runner:
     """Flies what a campaign's folder lacks. Ctrl-C stops it; what has come is written.
 
-    rows, total: other rows than the plan's, and how many there will be.
+    rows: other rows than the plan's, as many as it has.
     """
 
     def __init__(
@@ -51,9 +51,8 @@ class Runner:
         workers: int | None = None,
         notify: Callable[[Progress, dict[str, Any] | None], None] = lambda _progress, _row: None,
         rows: Iterator[PlannedRow | None] | None = None,
-        total: int | None = None,
     ) -> None:
-        self._rows, self._total = rows, total
+        self._rows = rows
         self._folder, self._plan = folder, plan
         self._scheduler, self._workers = scheduler, workers
         self._notify = notify
@@ -67,7 +66,7 @@ class Runner:
         handlers = _handled(self._interrupt)
         try:
             done = table.done(self._folder)
-            progress = Progress(self._total or self._plan.rows, len(done))
+            progress = Progress(self._plan.rows, len(done))
 
             def keep(row: dict[str, Any]) -> None:
                 store.keep(row)
@@ -91,7 +90,7 @@ class Runner:
                 if len(done) < progress.total:
                     fly(
                         self._plan,
-                        self._rows or rows(self._plan, done),
+                        self._rows or (self._plan.row(k) for k in range(progress.total) if k not in done),
                         keep,
                         scheduler=self._scheduler,
                         workers=self._workers,

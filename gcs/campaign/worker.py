@@ -26,23 +26,28 @@ _own_core: list[int] = []
 _lock = threading.Lock()
 
 
-def fly_row(plan: Plan, row: PlannedRow | int) -> dict[str, Any]:
+def fly_row(plan: Plan, row: PlannedRow) -> dict[str, Any]:
     """Fly a row of a plan; the row as the table has it, and `folder`, the session's as a tar, if it is kept."""
-    chosen = plan.row(row) if isinstance(row, int) else row
     began_s, cpu_s = time.monotonic(), time.thread_time()
     try:
-        scenario, values = plan.resolved(chosen)
+        scenario, values = plan.resolved(row)
     except RowError as error:
-        return failed(plan, chosen, str(error))
+        return failed(plan, row, str(error))
     try:
-        flight = _flown(scenario, f"row-{chosen.number}", plan)
+        flight = _flown(scenario, f"row-{row.number}", plan)
     except WarmError as error:
-        return {**failed(plan, chosen, str(error)), **values}
+        return {**failed(plan, row, str(error)), **values}
     try:
-        measured, why = _measured(plan, flight, scenario)
+        flown, why = measures.Flown(flight.folder, scenario), flight.error
+        digest = None
+        try:
+            digest = flown.summary["digest"]
+            measured = {name: measures.measure(name, flown) for name in plan.campaign.measured}
+        except (OSError, ValueError, KeyError):
+            measured, why = dict.fromkeys(plan.campaign.measured), why or "the session left no summary"
         fault = _fault(plan, measured)
-        row_done = {**_head(chosen), **values, **measured, "fault": fault, "error": why, "ok": not fault and not why}
-        row_done["digest"] = _digest(flight, scenario)
+        row_done = {**_head(row), **values, **measured, "fault": fault, "error": why, "ok": not fault and not why}
+        row_done["digest"] = digest
         row_done["kept"] = plan.campaign.keep == "all" or (plan.campaign.keep == "failed" and not row_done["ok"])
         if row_done["kept"]:
             flight.complete()
@@ -125,30 +130,12 @@ def _drop() -> None:
     sessions.close()
 
 
-def _measured(plan: Plan, flight: Flight, scenario: Scenario) -> tuple[dict[str, Any], str | None]:
-    """Every measure, and why the session is none to be judged."""
-    flown = measures.Flown(flight.folder, scenario)
-    try:
-        values = {name: measures.measure(name, flown) for name in plan.campaign.measured}
-    except (OSError, ValueError, KeyError):
-        return dict.fromkeys(plan.campaign.measured), flight.error or "the session left no summary"
-    return values, flight.error
-
-
 def _fault(plan: Plan, measured: dict[str, Any]) -> str | None:
     expected = plan.campaign.expect
     faults = [fault for name, limits in expected.items() if (fault := limits.fault(name, measured.get(name)))]
     if not expected and measured.get("outcome", "met") != "met":
         faults.append(f"the goal was not met: {measured['outcome']}")
     return "; ".join(faults) or None
-
-
-def _digest(flight: Flight, scenario: Scenario) -> str | None:
-    try:
-        digest = measures.Flown(flight.folder, scenario).summary["digest"]
-    except (OSError, ValueError, KeyError):
-        return None
-    return None if digest is None else str(digest)
 
 
 def _packed(folder: Path) -> bytes:

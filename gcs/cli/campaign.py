@@ -147,7 +147,7 @@ def fly(folder: Path, row: int, out: Path | None, only: bool, quiet: bool) -> in
 
     from gcs.campaign import table
     from gcs.campaign.plan import RowError
-    from gcs.report.make import make as make_report
+    from gcs.report.page import make as make_report
     from gcs.scenario.file import dump
     from gcs.session import supervised
     from gcs.session.plain_text import PlainView, View
@@ -259,10 +259,7 @@ def search(
                 searched.add(row)
             shown.update(progress, None)
 
-        total = rules.trials
-        runner = Runner(
-            folder, plan, scheduler=scheduler, workers=workers, notify=notify, rows=searched.rows(), total=total
-        )
+        runner = Runner(folder, plan, scheduler=scheduler, workers=workers, notify=notify, rows=searched.rows())
         progress = runner.run()
     except EngineError as error:
         click.echo(f"gcs: {error}", err=True)
@@ -278,7 +275,7 @@ def search(
             click.echo(f"{name} {worst[name]:.4g} in trial {worst['row']}: gcs run {folder / 'worst.yaml'} --lockstep")
     if runner.interrupted:
         return 128 + runner.interrupted
-    return DONE if progress.done == total else NOT_DONE
+    return DONE if progress.done == rules.trials else NOT_DONE
 
 
 @campaign.command(short_help="Make a failing scenario small.")

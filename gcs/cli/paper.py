@@ -47,6 +47,7 @@ def paper(out: Path | None, only: str | None) -> int:
         raise missing("gcs paper", "SciPy", "paper")
     from gcs.report.paper import make as maker
     from gcs.report.paper import page
+    from gcs.report.paper.study import PaperError
 
     try:
         parts = maker.chosen(only)
@@ -57,7 +58,7 @@ def paper(out: Path | None, only: str | None) -> int:
         judged = maker.make(folder, parts, Console(stderr=True))
     except FileExistsError:
         raise click.UsageError(f"{folder} exists already; give --out a folder that does not.") from None
-    except maker.PaperError as error:
+    except PaperError as error:
         click.echo(str(error), err=True)
         return NOT_DONE
     except OSError as error:

@@ -56,7 +56,7 @@ def report(session: Path, out: Path | None, quiet: bool) -> int:
     from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
 
     from gcs.recording.session_folder import NoSession
-    from gcs.report.make import make
+    from gcs.report.page import make
 
     if out is not None and not out.parent.is_dir():
         raise click.UsageError(f"--out: there is no folder {out.parent}.")
@@ -108,7 +108,7 @@ def after_run(folder: Path, echo: Callable[[str], object], status: int = 0, *, h
             echo(f"saved; {MAKING}")
         else:
             patience.start()
-        from gcs.report.make import make
+        from gcs.report.page import make
 
         made = make(folder)
         patience.cancel()

@@ -134,12 +134,10 @@ def _export_frames(
                 continue
             mine = heads[:, MSGID] == msgid
             rows = chunk.table(msgid) if msgid in mav.mavlink_map else _payloads(chunk, heads[mine], shape.dtype)
-            columns = _own_columns(heads[mine], sent[mine], epoch_us or 0)
+            columns, names = _own_columns(heads[mine], sent[mine], epoch_us or 0), rows.dtype.names or ()
             for column in shape.columns:
-                field = column.field if column.field in (rows.dtype.names or ()) else f"{column.field}_"
-                if msgid in mav.mavlink_map and column.field in ("sysid", "compid", "seq", "t_us"):
-                    field = f"{column.field}_"
-                columns[column.name] = column.values(rows[field])
+                renamed = f"{column.field}_"  # as the table has a field that is named like a column of its own
+                columns[column.name] = column.values(rows[renamed if renamed in names else column.field])
             tables.append(shape.name, columns)
         progress(chunk.read_share)
 
@@ -213,15 +211,9 @@ def _unknown(chunk: Chunk, msgid: int, tables: Tables, epoch_us: int, sent: NDAr
 def _export_decisions(path: Path, tables: Tables, progress: Progress) -> list[str]:
     """A table per kind: `decisions_set_point`; what a decision says of each vehicle is a row each in `…_by_vehicle`."""
     shapes: dict[str, tuple[dict[str, type], dict[str, type]]] = {}
-    share = 0.0
-
-    def read(to: float) -> None:
-        nonlocal share
-        share = to
-
-    lines = DecisionLines(path, read)
-    for record in lines:
+    for record in DecisionLines(path):
         _learn(shapes, record)
+    lines = DecisionLines(path, progress)
     waiting: dict[str, list[dict[str, Any]]] = {}
 
     def flush(name: str, types: Mapping[str, type]) -> None:
@@ -240,7 +232,6 @@ def _export_decisions(path: Path, tables: Tables, progress: Progress) -> list[st
         if len(rows) >= LINES_AT_ONCE:
             flush(name, shapes[name][0])
             flush(f"{name}_by_vehicle", shapes[name][1])
-            progress(share)
     for name, (types, by_vehicle) in shapes.items():
         flush(name, types)
         flush(f"{name}_by_vehicle", by_vehicle)

@@ -101,23 +101,17 @@ def vehicles(recorded: Recorded) -> list[VehicleInfo]:
 
 def senders(recorded: Recorded) -> list[int]:
     """The system ids that reported a position."""
-    if not recorded.tables:
-        return []
-    table = recorded.tables["LOCAL_POSITION_NED"]
-    sysids: list[int] = np.unique(table["sysid"][_are_own(table)]).tolist()
-    return sysids
+    return list(by_vehicle(recorded, "LOCAL_POSITION_NED"))
 
 
 def tracks(recorded: Recorded) -> dict[int, Track]:
     """Each vehicle's track, as far as it reported where its own frame's zero lies."""
-    if not recorded.tables:
-        return {}
-    origins = _by_vehicle(recorded.tables["GPS_GLOBAL_ORIGIN"])
+    origins = by_vehicle(recorded, "GPS_GLOBAL_ORIGIN")
     zero = _zero(recorded, origins)
-    armed = _by_vehicle(recorded.tables["HEARTBEAT"])
-    landed = _by_vehicle(recorded.tables["EXTENDED_SYS_STATE"])
+    armed = by_vehicle(recorded, "HEARTBEAT")
+    landed = by_vehicle(recorded, "EXTENDED_SYS_STATE")
     found = {}
-    for sysid, rows in _by_vehicle(recorded.tables["LOCAL_POSITION_NED"]).items():
+    for sysid, rows in by_vehicle(recorded, "LOCAL_POSITION_NED").items():
         if sysid not in origins or zero is None:
             continue
         place = _frame(_place(origins[sysid][0]), zero)
@@ -179,10 +173,8 @@ def traffic(recorded: Recorded) -> dict[str, Track]:
 
 def attitudes(recorded: Recorded) -> dict[int, tuple[Series, Series, Series]]:
     """Roll, pitch and yaw in rad of each vehicle, NED."""
-    if not recorded.tables:
-        return {}
     found = {}
-    for sysid, rows in _by_vehicle(recorded.tables["ATTITUDE"]).items():
+    for sysid, rows in by_vehicle(recorded, "ATTITUDE").items():
         t_s = _times_s(rows)
         order = np.argsort(t_s, kind="stable")
         roll, pitch, yaw = (
@@ -211,12 +203,10 @@ class BatterySeries:
 
 def batteries(recorded: Recorded) -> dict[int, BatterySeries]:
     """Each vehicle's battery after each report of it, and at the end: the account that the session kept, kept again."""
-    if not recorded.tables:
-        return {}
-    reported = {name: _by_vehicle(recorded.tables[name]) for name in _ACCOUNT if name in recorded.tables}
+    reported = {name: by_vehicle(recorded, name) for name in _ACCOUNT}
     vehicles = {v.sysid: v for v in recorded.scenario.vehicles.all} if recorded.scenario else {}
     found = {}
-    for sysid in sorted(reported.get("BATTERY_STATUS", {}).keys() | reported.get("SYS_STATUS", {}).keys()):
+    for sysid in sorted(reported["BATTERY_STATUS"].keys() | reported["SYS_STATUS"].keys()):
         vehicle = vehicles.get(sysid)
         capacity_j = vehicle.battery.capacity_j if vehicle else 0.0
         initial_j = 0.01 * vehicle.battery.initial_percent * capacity_j if vehicle else 0.0
@@ -337,24 +327,19 @@ def links(recorded: Recorded, flown: dict[int, Track]) -> dict[int, LinkSeries]:
 
 def texts(recorded: Recorded, worst: int = 4) -> list[tuple[float, int, int, str]]:
     """(time in s, system id, severity, text) of the texts at least as severe as this, MAV_SEVERITY, put together."""
-    if not recorded.tables:
-        return []
     found = []
-    for sysid, rows in _by_vehicle(recorded.tables["STATUSTEXT"]).items():
+    for sysid, rows in by_vehicle(recorded, "STATUSTEXT").items():
         senders = ((one.t_s, one._replace(text=one.text.decode("ascii", "replace"))) for one in _contents(rows))
         found += [(t_s, sysid, severity, text) for t_s, severity, text in statustext.recorded(senders)]
     return sorted(one for one in found if one[2] <= worst)
 
 
-def _are_own(table: NDArray[Any]) -> NDArray[np.bool_]:
-    """(n,) which rows vehicles' autopilots sent."""
-    own: NDArray[np.bool_] = (table["compid"] == AUTOPILOT) & (table["sysid"] < 255)
-    return own
-
-
-def _by_vehicle(table: NDArray[Any]) -> dict[int, NDArray[Any]]:
-    """The rows that each vehicle's autopilot sent, in their order."""
-    own = np.flatnonzero(_are_own(table))
+def by_vehicle(recorded: Recorded, message: str) -> dict[int, NDArray[Any]]:
+    """The rows of a message that each vehicle's autopilot sent, in their order; none without a recording."""
+    table = recorded.tables.get(message)
+    if table is None:
+        return {}
+    own = np.flatnonzero((table["compid"] == AUTOPILOT) & (table["sysid"] < 255))
     return {sysid: table[own[rows]] for sysid, rows in rows_of(table["sysid"][own]).items()}
 
 

@@ -15,8 +15,7 @@ import msgspec
 import numpy as np
 
 from gcs.mavlink.autopilots import profile_of
-from gcs.mavlink.ids import AUTOPILOT
-from gcs.recording.series import GAP_S, Floats, Series, Track, held, rows_of
+from gcs.recording.series import GAP_S, Floats, Series, Track, by_vehicle, held
 from gcs.recording.tick_record import event_of
 from gcs.report.findings import Findings
 from gcs.report.pack import Pack
@@ -105,15 +104,10 @@ def _session(found: Findings) -> dict[str, Any]:
 
 def _words(found: Findings) -> dict[str, list[list[Any]]]:
     """By system id: [time, mode, armed, in the air] where any of these changes."""
-    table = found.recorded.tables.get("HEARTBEAT")
-    if table is None:
-        return {}
-    own = np.flatnonzero(table["compid"] == AUTOPILOT)
     words: dict[str, list[list[Any]]] = {}
-    for sysid, rows in rows_of(table["sysid"][own]).items():
+    for sysid, beats in by_vehicle(found.recorded, "HEARTBEAT").items():
         if sysid not in found.tracks:
             continue
-        beats = table[own[rows]]
         told = np.column_stack([beats["custom_mode"].astype(np.int64), beats["autopilot"].astype(np.int64)])
         changed = np.flatnonzero(np.r_[True, (np.diff(told, axis=0) != 0).any(axis=1)])
         track = found.tracks[sysid]

@@ -8,12 +8,15 @@ names by hash what may run and fetches nothing.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+import os
+from collections.abc import Callable, Iterable, Sequence
 from datetime import UTC, datetime
 from functools import cache
 from html import escape
+from pathlib import Path
 from string import Template
 
+from gcs.recording.session_folder import read
 from gcs.report import tables
 from gcs.report.charts import Charts
 from gcs.report.findings import Findings
@@ -21,6 +24,8 @@ from gcs.report.pack import packed
 from gcs.scenario.goal import metres
 from gcs.web import document
 
+FILE = "report.html"
+READ, MEASURED = 0.8, 0.9
 MOST_NAMED = 40
 BAND = (
     "In figures over time the coloured ground goes from the least to the greatest value of all vehicles, dotted is "
@@ -70,6 +75,29 @@ LOADER = """(async () => {
     one.textContent = `This browser cannot draw the figures (${problem.message}).`;
   }
 });"""
+
+
+def make(folder: Path, out: Path | None = None, progress: Callable[[str, float], object] = lambda *_: None) -> Path:
+    """Make the report of the session in `folder`, in it or at `out`; where it lies. An older one is replaced, whole.
+
+    `progress` is given what is done and how much of all, 0 to 1. Raises NoSession, OSError.
+    """
+    target = out or folder / FILE
+    progress("reading", 0.0)
+    recorded = read(folder, lambda share: progress("reading", READ * share))
+    progress("measuring", READ)
+    findings = Findings(recorded)
+    progress("drawing", MEASURED)
+    content = text(findings)
+    beside = target.with_name(f".{target.name}.{os.getpid()}")
+    try:
+        beside.write_text(content, encoding="utf-8")
+        beside.replace(target)
+    except BaseException:
+        beside.unlink(missing_ok=True)
+        raise
+    progress("done", 1.0)
+    return target
 
 
 def text(findings: Findings) -> str:

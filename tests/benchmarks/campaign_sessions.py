@@ -44,11 +44,11 @@ def figures(sessions: int = SESSIONS) -> list[Figure]:
     memory_kib: list[float] = []
     try:
         for number in range(sessions):
-            row = worker.fly_row(short, number)
+            row = worker.fly_row(short, short.row(number))
             cost_s.append(row["cpu_s"])
             wall_s.append(row["wall_s"])
             if number % SHORT_PER_LONG == 0:
-                long_s.append(worker.fly_row(long, number)["cpu_s"])
+                long_s.append(worker.fly_row(long, long.row(number))["cpu_s"])
             memory_kib.append(_resident_kib())
         serving_s = (_serving_cpu_s() - serving_s) / (len(cost_s) + len(long_s))
     finally:

@@ -21,7 +21,7 @@ from playwright.sync_api import Browser, Page, Route, expect
 from sessions import Outcome, Running, merged, small
 from web import CHROMIUM, MISSING, Cable, Script, Watched, chromium, serious, served, until
 
-from gcs.report.make import make
+from gcs.report.page import make
 from gcs.scenario.model import Scenario
 from gcs.session.messages import session_message
 from gcs.session.replay import Replay, ReplaySource

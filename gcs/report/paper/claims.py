@@ -18,8 +18,9 @@ from typing import Any, Literal, get_args
 
 import yaml
 
+from gcs.report.paper.study import Measurement, Value
+
 Verdict = Literal["agrees", "differs", "cannot be compared"]
-Value = float | int | Sequence[float] | Sequence[int] | None
 Why = Literal["the paper contradicts itself", "not determined by the text", "our criterion", "a real difference"]
 SCHEMA = 1
 FIRST, LATER, REASONS = "claims.yaml", "later_claims.yaml", "reasons.yaml"
@@ -41,14 +42,6 @@ class Claim:
     """what of it is this project's and not the paper's"""
     later: bool = False
     """whether it is of the second table"""
-
-
-@dataclass(frozen=True)
-class Measurement:
-    """Measurement for a claim; `note` is said with the verdict. A value of None: nothing could be measured."""
-
-    value: Value
-    note: str = ""
 
 
 @dataclass(frozen=True)

@@ -13,10 +13,8 @@ from matplotlib.figure import Figure
 from gcs.recording.series import Floats
 from gcs.refuelling.winner_take_all import simulate
 from gcs.report.paper import figures, flown, races, session, tracking
-from gcs.report.paper.claims import Measurement
-from gcs.report.paper.figures import Drawing
 from gcs.report.paper.session import RecordedFlight
-from gcs.report.paper.study import Study, Table
+from gcs.report.paper.study import Drawing, Measurement, Study, Table
 from gcs.scenario.model import Scenario
 
 EXPONENTS = (1.5, 2.0, 2.5, 5.0)
@@ -26,19 +24,14 @@ DYNAMIC_FROM_S = 20.0
 DYNAMIC_STEP_S = 1.0
 
 
-def flights_of(scenario: Scenario, folder: Path) -> list[RecordedFlight]:
-    """The pursuers' flights, in order of system id."""
-    return session.read(folder, [p.sysid for p in scenario.vehicles.pursuers], scenario.clock.period_s)
-
-
 def example1(scenario: Scenario, folder: Path) -> Study:
     """Five vehicles from one start: paths, speeds, attitudes, and their competition (Figs. 7 and 8)."""
-    flights = flights_of(scenario, folder)
+    flights = session.flights_of(scenario, folder)
     v0, effort = races.initial_states(flights), races.efforts(flights)
     tau = races.least_wins(effort)
     paths, drawings, tables = _paths("ex1", "fig7a", "7(a)", scenario, flights)
     measured = paths | tracking.measure("ex1", flights) | _race("ex1", flights, v0, tau, paper=None)
-    obstacles, _, end = _world(scenario)
+    obstacles, _, end = session.world(scenario)
     measured |= {
         "ex1-arrival-flown": flown.arrival(flights, end),
         "ex1-clearance-flown": flown.clearance(flights, obstacles),
@@ -59,7 +52,7 @@ def example1(scenario: Scenario, folder: Path) -> Study:
 
 def example2(scenario: Scenario, folder: Path) -> Study:
     """Three vehicles from three starts (Fig. 9); all states start at 0.8, the paper's."""
-    flights = flights_of(scenario, folder)
+    flights = session.flights_of(scenario, folder)
     effort = races.efforts(flights)
     v0, tau = np.full(len(flights), 0.8), races.least_wins(effort)
     order = [flights[i].sysid for i in np.argsort(effort, kind="stable")]
@@ -68,7 +61,7 @@ def example2(scenario: Scenario, folder: Path) -> Study:
     measured = paths | tracking.measure("ex2", flights) | _race("ex2", flights, v0, tau, paper=1)
     measured["ex2-energy-order"] = Measurement(order, f"control efforts {_listed(effort)}")
     measured["ex2-energy-ratio"] = Measurement(ratios)
-    obstacles, way, end = _world(scenario)
+    obstacles, way, end = session.world(scenario)
     measured |= {
         "ex2-arrival-flown": flown.arrival(flights, end),
         "ex2-clearance-flown": flown.clearance(flights, obstacles),
@@ -83,7 +76,7 @@ def example2(scenario: Scenario, folder: Path) -> Study:
 
 def example3(scenario: Scenario, folder: Path) -> Study:
     """Fifteen vehicles: who wins, and how fast for each p under three criteria (Fig. 10)."""
-    flights = flights_of(scenario, folder)
+    flights = session.flights_of(scenario, folder)
     v0, effort = races.initial_states(flights), races.efforts(flights)
     tau = races.least_wins(effort)
     speed = tracking.measure("ex3", flights)["ex3-speed"]
@@ -111,7 +104,7 @@ def example3(scenario: Scenario, folder: Path) -> Study:
     rows = [[name, *(f"{t:.1f}" for t in values)] for name, values in times.items()]
     rows.append(["the paper", "50", "70", "90", "> 140"])
     spent = Table("Time until the race is over, s", ["criterion", *(f"p = {p:g}" for p in EXPONENTS)], rows)
-    obstacles, way, end = _world(scenario)
+    obstacles, way, end = session.world(scenario)
     drawings = [
         Drawing("fig10", "Fig. 10: fifteen states for four p, c = 1; the winner in black.", _four(v0, tau, 1.0)),
         Drawing("fig10-rate", "Fig. 10 with c = 1/p.", _four(v0, tau, None)),
@@ -135,7 +128,7 @@ def convergence_times(v0: Floats, tau: Floats) -> dict[str, list[float]]:
 
 def example4(scenario: Scenario, folder: Path) -> Study:
     """Dynamic competition, and the order in which a tanker refuels (Fig. 11)."""
-    flights = flights_of(scenario, folder)
+    flights = session.flights_of(scenario, folder)
     end_s = scenario.goal.duration_s
     times = np.arange(0.0, end_s + 1e-9, DYNAMIC_STEP_S)
     v0 = races.initial_states(flights)
@@ -193,7 +186,7 @@ def first_served(record: Mapping[str, Any]) -> list[int]:
 def _paths(
     prefix: str, name: str, figure: str, scenario: Scenario, flights: Sequence[RecordedFlight]
 ) -> tuple[dict[str, Measurement], list[Drawing], list[Table]]:
-    obstacles, way, end = _world(scenario)
+    obstacles, way, end = session.world(scenario)
     arrival = tracking.arrival_errors(flights, way, end)
     clear = tracking.clearances(flights, obstacles)
     measured = {
@@ -224,13 +217,6 @@ def _race(
 def _runner_up(flights: Sequence[RecordedFlight], tau: Floats) -> tuple[int, float]:
     order = np.argsort(-tau, kind="stable")
     return flights[order[1]].sysid, float(tau[order[0]] - tau[order[1]])
-
-
-def _world(scenario: Scenario) -> tuple[Floats, Floats, Floats]:
-    """Obstacle points (m, 3), way point and end (3,), paper axes."""
-    course = np.array(scenario.vehicles.pursuers[0].waypoints_m) * session.NED_TO_PAPER
-    obstacles = np.array([obstacle.low_m for obstacle in scenario.obstacles]) * session.NED_TO_PAPER
-    return obstacles, course[0], course[-1]
 
 
 def _bids(flights: Sequence[RecordedFlight], effort: Floats, v0: Floats, tau: Floats) -> Table:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +12,8 @@ from cycler import cycler
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+
+from gcs.report.paper.study import Drawing
 
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#777777")
 """Distinguished by colour-blind eyes too."""
@@ -32,15 +33,6 @@ STYLE: Any = {
     "axes.prop_cycle": cycler(color=COLOURS),
 }
 WIDTH_IN = 7.6
-
-
-@dataclass(frozen=True)
-class Drawing:
-    """A figure with its file's name and the sentence under it."""
-
-    name: str
-    caption: str
-    figure: Figure
 
 
 @contextmanager

@@ -10,10 +10,8 @@ import numpy as np
 
 from gcs.recording.series import Floats
 from gcs.report.paper import session, tracking
-from gcs.report.paper.claims import Measurement
-from gcs.report.paper.figures import Drawing
 from gcs.report.paper.session import RecordedFlight
-from gcs.report.paper.study import Study
+from gcs.report.paper.study import Drawing, Measurement, Study
 from gcs.scenario.model import Scenario
 
 NEAR_M_S, HELD_S = 0.1, 1.0
@@ -72,16 +70,15 @@ def length(flights: Sequence[RecordedFlight], way: Floats, end: Floats) -> Measu
 
 def literal(scenario: Scenario, folder: Path) -> Study:
     """Example 1 with whole steps, signed thrust and no floor."""
-    flights = session.read(folder, [p.sysid for p in scenario.vehicles.pursuers], scenario.clock.period_s)
-    obstacles = np.array([obstacle.low_m for obstacle in scenario.obstacles]) * session.NED_TO_PAPER
-    course = np.array(scenario.vehicles.pursuers[0].waypoints_m) * session.NED_TO_PAPER
+    flights = session.flights_of(scenario, folder)
+    obstacles, way, _ = session.world(scenario)
     speed = tracking.speed_errors(flights)
     slowest = min(float(np.linalg.norm(f.plan_v[f.plan_time_s < f.arrived_s - 1e-6], axis=1).min()) for f in flights)
     measured = {
         "lit-speed": Measurement(max(speed), f"worst of {len(flights)} vehicles"),
         "lit-way": Measurement(slowest),
         "lit-pitch": pitch(flights),
-        "lit-pitch-way": Measurement(max(_pitch_at(f, course[0]) for f in flights)),
+        "lit-pitch-way": Measurement(max(_pitch_at(f, way) for f in flights)),
         "lit-clearance": Measurement(min(tracking.clearances(flights, obstacles))),
     }
     drawing = Drawing(

@@ -11,10 +11,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from gcs.report.paper import examples, figures, session
-from gcs.report.paper.claims import Measurement
-from gcs.report.paper.figures import Drawing
 from gcs.report.paper.session import RecordedFlight
-from gcs.report.paper.study import Study, Table
+from gcs.report.paper.study import Drawing, Measurement, Study, Table
 from gcs.scenario.model import Scenario
 
 STEP_S = 0.5
@@ -22,7 +20,7 @@ STEP_S = 0.5
 
 def pursuit(scenario: Scenario, folder: Path) -> Study:
     """The least control energy pursues a moving target among moving obstacles."""
-    flights = examples.flights_of(scenario, folder)
+    flights = session.flights_of(scenario, folder)
     record, changes = session.summary(folder), _of_kind(folder, "pursuit")
     parts = {part["part"]: part for part in record["goal"]}
     right = [_least(flights, change["t_s"]) == change["pursuer"] for change in changes]
@@ -48,7 +46,7 @@ def pursuit(scenario: Scenario, folder: Path) -> Study:
 
 def example4_energy(scenario: Scenario, folder: Path) -> Study:
     """A tanker serves who has used most."""
-    flights = examples.flights_of(scenario, folder)
+    flights = session.flights_of(scenario, folder)
     record = session.summary(folder)
     left, right = list(flights), []
     for decision in _of_kind(folder, "decided")[: len(flights)]:

@@ -37,8 +37,8 @@ from gcs.report.paper import (
     theory,
     vehicle,
 )
-from gcs.report.paper.claims import Claim, Judged, Measurement, Reason
-from gcs.report.paper.study import Study
+from gcs.report.paper.claims import Claim, Judged, Reason
+from gcs.report.paper.study import Measurement, PaperError, Study
 from gcs.scenario import file
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario
@@ -84,10 +84,6 @@ LOOSE = ("pursuit",)
 """Scenarios that do not lie in `paper/`."""
 OWN, UNPRINTED = "the vehicle's own figures", "what is not printed: flown"
 UNFINISHED = ("lost", "interrupted", "duration")
-
-
-class PaperError(RuntimeError):
-    """Reason why the page was not made, as a sentence."""
 
 
 def chosen(only: str | None) -> list[str]:
@@ -159,20 +155,10 @@ def make(out: Path, parts: Sequence[str], console: Console) -> list[Judged]:
 def fly(name: str, folder: Path) -> Scenario:
     """Fly a shipped example by `gcs run`, the whole program, into `folder`. Raises PaperError with its last words."""
     scenario = name if name in LOOSE else f"paper/{name}"
-    command = [
-        sys.executable,
-        "-P",
-        "-m",
-        "gcs",
-        "run",
-        scenario,
-        "--lockstep",
-        "--plain",
-        "--no-report",
-        "--out",
-        str(folder),
-    ]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    options = ("--lockstep", "--plain", "--no-report", "--out", str(folder))
+    done = subprocess.run(
+        [sys.executable, "-P", "-m", "gcs", "run", scenario, *options], capture_output=True, text=True, check=False
+    )
     if not (folder / "summary.json").exists():
         last = (done.stderr.strip() or done.stdout.strip() or "no words").splitlines()[-1]
         raise PaperError(f"{scenario} was not flown to its end (status {done.returncode}): {last}")
@@ -202,19 +188,13 @@ def _energies(out: Path) -> tuple[dict[str, NDArray[Any]], dict[str, list[int]]]
     inside.mkdir()
     plans = inside / "plans.json"
     lengths = sensitivity.write_plans(plans)
-    try:
-        return vehicle.energies(inside, plans), lengths
-    except vehicle.VehicleFiguresError as error:
-        raise PaperError(str(error)) from None
+    return vehicle.energies(inside, plans), lengths
 
 
 def _vehicle_figures(out: Path, names: list[str]) -> dict[str, dict[str, object]]:
     """Numbers by figure; the figures' files come to lie in `out`, beside the others."""
     inside = out / "vehicle"
-    try:
-        numbers = vehicle.make(inside, names)
-    except vehicle.VehicleFiguresError as error:
-        raise PaperError(str(error)) from None
+    numbers = vehicle.make(inside, names)
     for name in names:
         for ending in ("svg", "png"):
             shutil.move(inside / f"{name}.{ending}", out / f"{name}.{ending}")
@@ -225,7 +205,7 @@ def _study(part: str, out: Path, scenarios: dict[str, Scenario], numbers: dict[s
     if part in EXAMPLES:
         return EXAMPLES[part](scenarios[part], out / "sessions" / part)
     if part in RACES:
-        flights = examples.flights_of(scenarios["example3"], out / "sessions" / "example3")
+        flights = session.flights_of(scenarios["example3"], out / "sessions" / "example3")
         return RACES[part](races.initial_states(flights), races.least_wins(races.efforts(flights)))
     if part in THEORY:
         return THEORY[part]()

@@ -15,10 +15,9 @@ from gcs.kernels import kernel
 from gcs.recording.series import Floats
 from gcs.refuelling.winner_take_all import simulate
 from gcs.report.paper import races
-from gcs.report.paper.claims import Measurement
 from gcs.report.paper.examples import EXPONENTS
 from gcs.report.paper.robustness import DELAYS_S, DURATION_S, NOISY_EXPONENTS, SEED, VARIANCES, WINDOW_S
-from gcs.report.paper.study import Study, Table
+from gcs.report.paper.study import Measurement, Study, Table
 
 NOISE_STEP_S, DELAY_STEP_S = 0.001, 0.01
 CONVERGED, STARTS, START_SEED = 0.01, 1000, 1

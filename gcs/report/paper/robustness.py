@@ -13,10 +13,8 @@ from numpy.typing import NDArray
 from gcs.recording.series import Floats
 from gcs.refuelling.winner_take_all import simulate
 from gcs.report.paper import figures, races
-from gcs.report.paper.claims import Measurement
 from gcs.report.paper.examples import EXPONENTS
-from gcs.report.paper.figures import Drawing
-from gcs.report.paper.study import Study, Table
+from gcs.report.paper.study import Drawing, Measurement, Study, Table
 
 VARIANCES = (0.1, 1.0, 10.0)
 NOISY_EXPONENTS = (1.5, 2.0, 2.5)

@@ -20,9 +20,8 @@ from numpy.typing import NDArray
 from gcs.planner import fuzzy_escape
 from gcs.planner.potential_field import FieldConstants
 from gcs.recording.series import Floats
-from gcs.report.paper.claims import Measurement
 from gcs.report.paper.session import NED_TO_PAPER
-from gcs.report.paper.study import Study, Table
+from gcs.report.paper.study import Measurement, Study, Table
 from gcs.report.paper.theory import step_alone
 from gcs.scenario import geometry
 

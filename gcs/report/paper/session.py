@@ -14,6 +14,7 @@ from gcs.recording import tlog_reader, truth
 from gcs.recording.decisions_reader import DecisionLines
 from gcs.recording.recorder import DECISIONS, TLOG
 from gcs.recording.series import Floats
+from gcs.scenario.model import Scenario
 
 NED_TO_PAPER = np.array([1.0, -1.0, -1.0])
 EFFORT = b"CtlEffort"
@@ -69,6 +70,18 @@ class RecordedFlight:
         """Reported control effort, linear between the reports and from 0 at the start."""
         at = np.concatenate(([0.0], self.effort_time_s))
         return np.asarray(np.interp(time_s, at, np.concatenate(([0.0], self.effort))))
+
+
+def flights_of(scenario: Scenario, folder: Path) -> list[RecordedFlight]:
+    """The pursuers' flights, in order of system id. Raises OSError, ValueError where the recording lacks one."""
+    return read(folder, [p.sysid for p in scenario.vehicles.pursuers], scenario.clock.period_s)
+
+
+def world(scenario: Scenario) -> tuple[Floats, Floats, Floats]:
+    """Obstacle points (m, 3), way point and end (3,), paper axes."""
+    course = np.array(scenario.vehicles.pursuers[0].waypoints_m) * NED_TO_PAPER
+    obstacles = np.array([obstacle.low_m for obstacle in scenario.obstacles]) * NED_TO_PAPER
+    return obstacles, course[0], course[-1]
 
 
 def read(folder: Path, sysids: list[int], period_s: float) -> list[RecordedFlight]:

@@ -3,10 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
-from gcs.report.paper.claims import Measurement
-from gcs.report.paper.figures import Drawing
+from matplotlib.figure import Figure
+
+Value = float | int | Sequence[float] | Sequence[int] | None
+
+
+class PaperError(RuntimeError):
+    """Reason why the page was not made, as a sentence."""
+
+
+@dataclass(frozen=True)
+class Measurement:
+    """Measurement for a claim; `note` is said with the verdict. A value of None: nothing could be measured."""
+
+    value: Value
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """A figure with its file's name and the sentence under it."""
+
+    name: str
+    caption: str
+    figure: Figure
 
 
 @dataclass(frozen=True)
@@ -24,4 +46,4 @@ class Study:
 
     measured: Mapping[str, Measurement]
     drawings: Sequence[Drawing] = ()
-    tables: Sequence[Table] = field(default=())
+    tables: Sequence[Table] = ()

@@ -13,10 +13,8 @@ from gcs.planner.leader import advance
 from gcs.planner.potential_field import FieldConstants
 from gcs.recording.series import Floats
 from gcs.report.paper import figures
-from gcs.report.paper.claims import Measurement
-from gcs.report.paper.figures import Drawing
 from gcs.report.paper.session import NED_TO_PAPER
-from gcs.report.paper.study import Study, Table
+from gcs.report.paper.study import Drawing, Measurement, Study, Table
 from gcs.scenario import geometry
 
 TERMS = ("NB", "NM", "S", "PM", "PB")

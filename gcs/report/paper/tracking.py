@@ -10,9 +10,8 @@ from numpy.typing import NDArray
 
 from gcs.recording.series import Floats
 from gcs.report.paper import figures
-from gcs.report.paper.claims import Measurement
 from gcs.report.paper.session import RecordedFlight
-from gcs.report.paper.study import Table
+from gcs.report.paper.study import Measurement, Table
 
 SETTLED_AFTER_S = 8.0
 ALONG_FROM_S = 5.0

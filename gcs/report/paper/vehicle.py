@@ -11,8 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcs.processes.hatch import vehicle_program
-from gcs.report.paper.claims import Measurement
-from gcs.report.paper.study import Study, Table
+from gcs.report.paper.study import Measurement, PaperError, Study, Table
 
 NAMES = ("fig5", "fig12", "implicit", "noise")
 CAPTIONS = {
@@ -31,12 +30,8 @@ COMPARED = (
 STEP_S = 0.004
 
 
-class VehicleFiguresError(RuntimeError):
-    """`simvehicle paper` did not give its figures; the text says why."""
-
-
 def make(folder: Path, names: list[str]) -> dict[str, Any]:
-    """Let `simvehicle paper` write these figures into `folder`; its numbers, by figure. Raises VehicleFiguresError."""
+    """Let `simvehicle paper` write these figures into `folder`; its numbers, by figure. Raises PaperError."""
     _call(folder, "--only", ",".join(names))
     content: dict[str, Any] = json.loads((folder / "vehicle.json").read_text(encoding="utf-8"))
     figures: dict[str, Any] = content["figures"]
@@ -44,7 +39,7 @@ def make(folder: Path, names: list[str]) -> dict[str, Any]:
 
 
 def energies(folder: Path, plans: Path) -> dict[str, NDArray[Any]]:
-    """Let `simvehicle paper` fly plans; what it writes into `folder`, by name. Raises VehicleFiguresError."""
+    """Let `simvehicle paper` fly plans; what it writes into `folder`, by name. Raises PaperError."""
     _call(folder, "--plans", str(plans))
     with np.load(folder / "energies.npz") as file:
         return dict(file)
@@ -53,12 +48,12 @@ def energies(folder: Path, plans: Path) -> dict[str, NDArray[Any]]:
 def _call(folder: Path, *options: str) -> None:
     program = vehicle_program()
     if program is None:
-        raise VehicleFiguresError("the program 'simvehicle' is not installed beside gcs; install Skytender again")
+        raise PaperError("the program 'simvehicle' is not installed beside gcs; install Skytender again")
     command = [program, "paper", "--out", str(folder), *options]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         last = (done.stderr.strip() or done.stdout.strip() or "no words").splitlines()[-1]
-        raise VehicleFiguresError(f"simvehicle paper ended with status {done.returncode}: {last}")
+        raise PaperError(f"simvehicle paper ended with status {done.returncode}: {last}")
 
 
 def fig5(numbers: dict[str, Any]) -> Study:

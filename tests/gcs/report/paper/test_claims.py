@@ -10,8 +10,8 @@ import jsonschema
 import pytest
 
 from gcs.report.paper import claims, make, page
-from gcs.report.paper.claims import Claim, Measurement, Value, judge
-from gcs.report.paper.study import Table
+from gcs.report.paper.claims import Claim, judge
+from gcs.report.paper.study import Measurement, Table, Value
 
 BEFORE = "2c97ff53cc025d6c14d86fe328edd0886943948df1d8e4a891b2134b500dd311"
 """Of ids and tolerances, as they were committed first."""

@@ -102,6 +102,7 @@ def row_of(report: PeerReport) -> tuple[float, ...]:
 
 
 ROW = len(row_of(PeerReport(0.0)))
+_KINDS: tuple[Any, ...] = tuple(map(type, PeerReport._field_defaults.values()))  # of all fields but the time
 BY = ROW - 4
 """Place in a row of the rule; a vector is behind it."""
 
@@ -113,8 +114,7 @@ def report_of(time_s: float, row: Sequence[float]) -> PeerReport | None:
     if row[0] not in tuple(PeerStage) or row[BY] not in tuple(DecidedBy) or not 0.0 <= row[1] <= 255.0:
         return None
     numbers = iter(row)
-    kinds: list[Any] = [type(default) for default in PeerReport._field_defaults.values()]  # of all fields but the time
-    values: Any = (tuple(islice(numbers, 3)) if kind is tuple else kind(next(numbers)) for kind in kinds)
+    values: Any = (tuple(islice(numbers, 3)) if kind is tuple else kind(next(numbers)) for kind in _KINDS)
     return PeerReport(time_s, *values)
 
 

@@ -1,7 +1,7 @@
 """Neighbour lists: what can repel whom within a period.
 
 Only what cannot come into range is left out, so a sum over a leader's neighbours, in their order, is bit for bit the
-sum over everything. All pairs are looked at, compiled: 254 vehicles are 32 000 pairs and 0.1 ms.
+sum over everything. Looked at is what lies in reach from south to north.
 """
 
 import functools
@@ -17,6 +17,7 @@ IntArray = NDArray[np.int64]
 FEW = 2_000
 """Up to so many pairs, having all of them costs less than choosing."""
 _ROUNDING_M = 1e-6
+_ROOM = 256
 
 
 @functools.lru_cache(maxsize=64)
@@ -47,14 +48,30 @@ def within_range(
 def _within(
     q_ned: FloatArray, reach_m: FloatArray, centre_ned: FloatArray, around_m: FloatArray, end: IntArray
 ) -> IntArray:
-    rows = [0][:0]
+    order = np.argsort(centre_ned[:, 0])
+    centre, around = centre_ned[order], around_m[order]
+    south, widest_m = centre[:, 0].copy(), around_m.max()
+    rows = np.empty(_ROOM, dtype=np.int64)
+    count = 0
     for i in range(len(q_ned)):
-        for j in range(len(centre_ned)):
-            n, e, d = q_ned[i, 0] - centre_ned[j, 0], q_ned[i, 1] - centre_ned[j, 1], q_ned[i, 2] - centre_ned[j, 2]
-            if n * n + e * e + d * d <= (reach_m[i] + around_m[j]) ** 2:
-                rows.append(j)
-        end[i] = len(rows)
-    return np.array(rows, dtype=np.int64)
+        first = np.searchsorted(south, q_ned[i, 0] - reach_m[i] - widest_m)
+        last = np.searchsorted(south, q_ned[i, 0] + reach_m[i] + widest_m, side="right")
+        if count + last - first > len(rows):
+            longer = np.empty(2 * (count + last - first), dtype=np.int64)
+            longer[:count] = rows[:count]
+            rows = longer
+        begin = count
+        for k in range(first, last):
+            n, e, d = q_ned[i, 0] - centre[k, 0], q_ned[i, 1] - centre[k, 1], q_ned[i, 2] - centre[k, 2]
+            if n * n + e * e + d * d <= (reach_m[i] + around[k]) ** 2:
+                j, at = order[k], count
+                while at > begin and rows[at - 1] > j:
+                    rows[at] = rows[at - 1]
+                    at -= 1
+                rows[at] = j
+                count += 1
+        end[i] = count
+    return rows[:count].copy()
 
 
 def _extent_m(table: FloatArray) -> FloatArray:

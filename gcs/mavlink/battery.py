@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import repeat
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 HECTOJOULE = 100.0
 NO_CELL = 65535
@@ -45,6 +48,38 @@ def sys_status(content: Any, time_s: float) -> BatteryReport:
     )
 
 
+def battery_statuses(rows: NDArray[Any]) -> Iterator[BatteryReport]:
+    """As `battery_status` of each row, with its fields and `t_s`, the session time in s."""
+    cells_mv = rows["voltages"].astype(np.int64)
+    beyond = np.logical_or.accumulate(cells_mv == NO_CELL, axis=1)
+    more_mv = np.where(beyond[:, -1], 0, rows["voltages_ext"].sum(axis=1, dtype=np.int64))
+    consumed_hj = rows["energy_consumed"]
+    consumed_j = _known(HECTOJOULE * consumed_hj, consumed_hj >= 0)
+    return _reports(rows, consumed_j, np.where(beyond, 0, cells_mv).sum(axis=1) + more_mv, second_hand=False)
+
+
+def sys_statuses(rows: NDArray[Any]) -> Iterator[BatteryReport]:
+    """As `sys_status` of each row, likewise."""
+    total_mv = rows["voltage_battery"].astype(np.int64)
+    return _reports(rows, repeat(None), np.where(total_mv == NO_CELL, 0, total_mv), second_hand=True)
+
+
+def _reports(
+    rows: NDArray[Any], consumed_j: Iterable[float | None], total_mv: NDArray[np.int64], *, second_hand: bool
+) -> Iterator[BatteryReport]:
+    current_ca, percent = rows["current_battery"], rows["battery_remaining"]
+    measured = (total_mv != 0) & ~np.isin(current_ca, list(NO_CURRENT))
+    power_w = _known(1e-2 * current_ca.astype(np.float64) * (1e-3 * total_mv), measured)
+    remaining = _known(0.01 * percent.astype(np.float64), (percent >= 0) & (percent <= 100))
+    return map(BatteryReport, rows["t_s"].tolist(), consumed_j, power_w, remaining, repeat(second_hand))
+
+
+def _known(values: NDArray[np.float64], known: NDArray[np.bool_]) -> list[float | None]:
+    some = values.astype(object)
+    some[~known] = None
+    return list(some)
+
+
 def _power_w(volts: float | None, current_ca: int) -> float | None:
     return None if volts is None or current_ca in NO_CURRENT else 1e-2 * current_ca * volts
 
@@ -53,8 +88,7 @@ def _share(percent: int) -> float | None:
     return 0.01 * percent if 0 <= percent <= 100 else None
 
 
-@dataclass(frozen=True, slots=True)
-class BatteryReport:
+class BatteryReport(NamedTuple):
     """One message's report of a battery at a session time; None: not reported."""
 
     time_s: float

@@ -67,7 +67,7 @@ class DecisionLine(NamedTuple):
 
 def _is_deep(line: bytes) -> bool:
     """Whether a line may be nested more deeply than it can be read."""
-    return len(line) > MOST_OPENED and line.count(b"[") + line.count(b"{") > MOST_OPENED
+    return line.count(b"[") + line.count(b"{") > MOST_OPENED
 
 
 class DecisionLines:
@@ -101,10 +101,13 @@ class DecisionLines:
     def blocks(self, *, set_points: bool = True) -> Iterator[tuple[NDArray[np.float64], list[DecisionLine]]]:
         """(n, COLUMNS) numbers of set points, none where they are not wanted; and the other decisions' lines."""
         for lines in self._blocks():
-            own = [line for line in lines if line.startswith(_BEGIN)] if set_points else []
-            points = [point for point, _ in self._decoded(_POINTS, own)]
+            own: list[bytes] = []
+            rest: list[bytes] = []
+            for line in lines:
+                (own if line.startswith(_BEGIN) else rest).append(line)
+            points = [point for point, _ in self._decoded(_POINTS, own)] if set_points else []
             others = []
-            for head, line in self._decoded(_HEADS, [line for line in lines if not line.startswith(_BEGIN)]):
+            for head, line in self._decoded(_HEADS, rest):
                 if head.kind != "set_point":
                     others.append(DecisionLine(head.t_s, head.kind, head.giver, line))
                 elif set_points:  # by another writer
@@ -120,9 +123,11 @@ class DecisionLines:
                 done += len(block)
                 lines = [line for line in block.split(b"\n") if line]
                 self._last = lines[-1] if lines and not block.endswith(b"\n") else None
-                for line in filter(_is_deep, lines):
+                deep = [line for line in lines if len(line) > MOST_OPENED and _is_deep(line)]
+                for line in deep:
                     self._pass_over(line)
-                yield [line for line in lines if not _is_deep(line)]
+                refused = set(deep)
+                yield [line for line in lines if line not in refused] if refused else lines
                 self._progress(min(done / size, 1.0))
 
     def _decoded(self, decoder: msgspec.json.Decoder[Any], lines: Sequence[bytes]) -> Iterator[tuple[Any, bytes]]:

@@ -5,12 +5,11 @@ Session seconds, SI, the common NED frame. A series is times (k,) and values (k,
 
 from __future__ import annotations
 
-import heapq
 import math
 from collections import namedtuple
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from itertools import chain
+from itertools import chain, repeat
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -19,10 +18,10 @@ from numpy.typing import NDArray
 
 from gcs.mavlink import statustext
 from gcs.mavlink.autopilots import GENERIC, PROFILES, Profile, profile_of
-from gcs.mavlink.battery import battery_status, sys_status
+from gcs.mavlink.battery import battery_statuses, sys_statuses
 from gcs.mavlink.common_frame import FramePlace, frame_place, turned
 from gcs.mavlink.ids import AUTOPILOT
-from gcs.recording.session_folder import Recorded
+from gcs.recording.session_folder import Recorded, rows_of
 from gcs.telemetry.battery_account import BatteryAccount
 from gcs.telemetry.plausibility import FARTHEST_M, FASTEST_M_S
 from gcs.telemetry.state import STALE_S
@@ -35,7 +34,11 @@ GAP_S = 2.0
 LATE_S = 5.0
 """A vehicle's own time is believed where it is at most this much before the arrival: else its clock is another one."""
 ARMED, ON_GROUND, UNDEFINED_STATE = 0x80, 1, 0
-_ACCOUNT = ("HEARTBEAT", "PARAM_VALUE", "NAMED_VALUE_INT", "BATTERY_STATUS", "SYS_STATUS")
+_REPORTS: Mapping[str, Callable[[NDArray[Any]], Iterator[Any]]] = {
+    "BATTERY_STATUS": battery_statuses,
+    "SYS_STATUS": sys_statuses,
+}
+_ACCOUNT = ("HEARTBEAT", "PARAM_VALUE", "NAMED_VALUE_INT", *_REPORTS)
 _TimedContent = tuple[float, float, str, Any]
 """(session time in s, place in the file, message, its content), which so stand in the order in which they came"""
 
@@ -213,7 +216,7 @@ def batteries(recorded: Recorded) -> dict[int, BatterySeries]:
         account = BatteryAccount(capacity_j, initial_j, from_now=bool(vehicle and vehicle.external))
         profile = PROFILES.get(rules.autopilot) if vehicle and (rules := vehicle.foreign) else None
         messages = [_messages(kind, rows[sysid]) for kind, rows in reported.items() if sysid in rows]
-        times_s, left_j = _kept(account, heapq.merge(*messages, _booked(recorded, sysid)), profile)
+        times_s, left_j = _kept(account, sorted(chain(*messages, _booked(recorded, sysid))), profile)
         if account.capacity_j and times_s:
             if left_j[-1] != account.remaining_j:
                 times_s.append(max(recorded.end_s, times_s[-1]))
@@ -223,8 +226,17 @@ def batteries(recorded: Recorded) -> dict[int, BatterySeries]:
 
 
 def _messages(kind: str, rows: NDArray[Any]) -> Iterator[_TimedContent]:
-    """One vehicle's messages of a kind, in the file's order."""
-    return ((content.t_s, content.place, kind, content) for content in _contents(rows))
+    """One vehicle's messages of a kind, in the file's order, without those that only repeat what an account keeps;
+    those of its battery as reports."""
+    if kind == "HEARTBEAT":
+        states = rows[["base_mode", "autopilot"]]
+        rows = rows[np.append(True, states[1:] != states[:-1])]
+    elif kind == "NAMED_VALUE_INT":
+        rows = rows[np.sort(np.unique(rows[["name", "value"]], return_index=True)[1])]
+    elif kind == "BATTERY_STATUS":
+        rows = rows[rows["id"] == 0]
+    content_of = _REPORTS.get(kind, _contents)
+    return zip(rows["t_s"].tolist(), rows["place"].tolist(), repeat(kind), content_of(rows))
 
 
 def _contents(rows: NDArray[Any]) -> Iterator[Any]:
@@ -251,12 +263,10 @@ def _kept(
         elif kind == "served":
             if not account.reported:
                 account.book(content)
-        elif kind == "SYS_STATUS" or content.id == 0:
-            report = (sys_status if kind == "SYS_STATUS" else battery_status)(content, t_s)
-            if account.meter.heeds(report):
-                account.report(report, armed=armed)
-                times_s.append(t_s)
-                left_j.append(account.remaining_j)
+        elif account.meter.heeds(t_s, second_hand=content.second_hand):
+            account.report(content, armed=armed)
+            times_s.append(t_s)
+            left_j.append(account.remaining_j)
     return times_s, left_j
 
 
@@ -341,14 +351,6 @@ def by_vehicle(recorded: Recorded, message: str) -> dict[int, NDArray[Any]]:
         return {}
     own = np.flatnonzero((table["compid"] == AUTOPILOT) & (table["sysid"] < 255))
     return {sysid: table[own[rows]] for sysid, rows in rows_of(table["sysid"][own]).items()}
-
-
-def rows_of(keys: NDArray[Any]) -> dict[int, NDArray[np.int64]]:
-    """For each key, ascending, the rows where it stands, in their order."""
-    order = np.argsort(keys, kind="stable")
-    ordered = keys[order]
-    parts = np.split(order, np.flatnonzero(ordered[1:] != ordered[:-1]) + 1)
-    return {int(keys[rows[0]]): rows for rows in parts if len(rows)}
 
 
 def _times_s(rows: NDArray[Any]) -> Floats:

@@ -199,10 +199,17 @@ class Gathering:
         second, heads = second[mine], heads[mine]
         sysids = heads[:, tlog_reader.SYSID]
         lost, new = self._gaps.count(sysids, heads[:, tlog_reader.COMPID], heads[:, tlog_reader.SEQ])
-        for sysid in np.unique(sysids).tolist():
-            own = sysids == sysid
+        for sysid, own in rows_of(sysids.astype(np.uint8)).items():
             for table, values in ((recorded.traffic_count, new), (recorded.traffic_lost, lost)):
                 table[sysid] = _added(table.get(sysid), second[own], values[own])
+
+
+def rows_of(keys: NDArray[Any]) -> dict[int, NDArray[np.int64]]:
+    """For each key, ascending, the rows where it stands, in their order."""
+    order = np.argsort(keys, kind="stable")
+    ordered = keys[order]
+    parts = np.split(order, np.flatnonzero(ordered[1:] != ordered[:-1]) + 1)
+    return {int(keys[rows[0]]): rows for rows in parts if len(rows)}
 
 
 def _added(table: NDArray[np.int32] | None, second: NDArray[np.int64], values: NDArray[Any]) -> NDArray[np.int32]:

@@ -15,6 +15,7 @@ an hour away from those before and behind it, as one with a flipped bit, is repl
 from __future__ import annotations
 
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import Any
@@ -112,7 +113,18 @@ class Tlog:
             yield from chunk.frames()
 
     def chunks(self, begin: int = 0) -> Iterator[Chunk]:
-        """The recording, stretch by stretch, from a place in the file on: where a frame's time begins."""
+        """The recording, stretch by stretch, from a place in the file on: where a frame's time begins.
+
+        The next one is read and walked beside whoever takes this one in, for both hardly need the interpreter.
+        """
+        walk = self._walked(begin)
+        with ThreadPoolExecutor(1) as beside:
+            following = beside.submit(next, walk, None)
+            while (chunk := following.result()) is not None:
+                following = beside.submit(next, walk, None)
+                yield chunk
+
+    def _walked(self, begin: int) -> Iterator[Chunk]:
         self.problems = []
         carried = np.empty(0, dtype=np.uint8)
         room = np.empty((0, COLUMNS), dtype=np.int64)
@@ -292,7 +304,7 @@ def _believe(heads: IntArray, last_us: Any) -> tuple[int, int]:
     return last_us, wrong
 
 
-@kernel()
+@kernel(nogil=True)
 def _walk(
     data: ByteArray,
     heads: IntArray,

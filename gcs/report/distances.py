@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 from gcs.kernels import kernel
 from gcs.recording.decisions_reader import P_NED, SYSID, T_S
 from gcs.recording.pursuit_held import held_by, pursued, ticks_of
-from gcs.recording.series import Floats, Series, Track, rows_of
-from gcs.recording.session_folder import Recorded
+from gcs.recording.series import Floats, Series, Track
+from gcs.recording.session_folder import Recorded, rows_of
 from gcs.scenario import geometry
 from gcs.telemetry.approach import nearest_pair
 from gcs.telemetry.metrics import PLAN_MEMORY, distance_to_path

@@ -214,9 +214,9 @@ class SessionProcess:
         loaded()
         if self._scenario.vehicles.external:
             self._begin_on_true_time()
-        pace.start()
         self._link.begin()
         supervisor.begin()
+        pace.start()  # of a full fleet's first bundles none is late
         end_ms = round(1e3 * self._scenario.goal.duration_s)
         while supervisor.time_ms < end_ms and self._link.joined:
             periods = pace.next(self._scenario.clock.period_s)

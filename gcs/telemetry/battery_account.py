@@ -44,7 +44,7 @@ class BatteryAccount:
 
     def report(self, report: BatteryReport, *, armed: bool) -> list[Fact]:
         """Take what a message says of the battery."""
-        if not self.meter.heeds(report):
+        if not self.meter.heeds(report.time_s, second_hand=report.second_hand):
             return []
         before_j = self.meter.before_j
         facts = self.meter.update(

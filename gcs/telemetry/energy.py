@@ -19,6 +19,7 @@ Rules:
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -66,20 +67,19 @@ class EnergyEstimator:
         self.source = EnergySource.NONE
         self._meters: dict[EnergySource, float] = {}
         self._anchors: dict[EnergySource, tuple[float, float]] = {}
-        self._spoke_s: dict[tuple[EnergySource, bool], float] = {}
-        self._first_s: float | None = None
+        self._spoke_s: dict[EnergySource, float] = {}
+        self._first_hand_s: float | None = None
         self._consumed_j = self._before_restart_j = 0.0
         self._sample: tuple[float, float] | None = None
         self._expected_j: float | None = None
         self._moved_j = self._booked_j = self._unseen_j = 0.0
         self._history: list[tuple[float, float]] = []
 
-    def heeds(self, report: BatteryReport) -> bool:
-        """Whether a report counts at all: SYS_STATUS does not while BATTERY_STATUS may still come, or does."""
-        if self._first_s is None:
-            self._first_s = report.time_s
-        first_hand_s = [said_s for (_, second_hand), said_s in self._spoke_s.items() if not second_hand]
-        return not report.second_hand or report.time_s - max(first_hand_s, default=self._first_s) > GAP_S
+    def heeds(self, time_s: float, *, second_hand: bool) -> bool:
+        """Whether a report of then counts at all: SYS_STATUS does not while BATTERY_STATUS may still come, or does."""
+        if self._first_hand_s is None:
+            self._first_hand_s = time_s
+        return not second_hand or time_s - self._first_hand_s > GAP_S
 
     def update(
         self,
@@ -98,7 +98,7 @@ class EnergyEstimator:
         so far. `initial_j`: what it started with, None where the first share says it. `swappable`: whether a great rise
         on the ground may be a swapped battery.
         """
-        if not self.heeds(report):
+        if not self.heeds(report.time_s, second_hand=report.second_hand):
             return []
         facts: list[Fact] = []
         spoke = []
@@ -116,7 +116,9 @@ class EnergyEstimator:
             facts += self._fall(left_j, capacity_j, moved_j, booked_j, armed=armed, swappable=swappable)
             spoke.append(EnergySource.BATTERY_REMAINING)
         for source in spoke:
-            self._spoke_s[source, report.second_hand] = report.time_s
+            self._spoke_s[source] = report.time_s
+        if spoke and not report.second_hand:
+            self._first_hand_s = report.time_s
         self._count(report.time_s, spoke)
         return facts
 
@@ -126,9 +128,10 @@ class EnergyEstimator:
         An anchor holds a meter's reading and the energy drawn at that time. Lesser meters' move along, so that they
         would go on from here; a better one that is silent keeps its own, for it will know what was drawn meanwhile.
         """
-        speaking = {source for (source, _), said_s in self._spoke_s.items() if now_s - said_s <= GAP_S}
-        best = next((source for source in BEST_FIRST if source in speaking), None)
-        if best is None or best not in spoke:
+        for best in BEST_FIRST:
+            if now_s - self._spoke_s.get(best, -math.inf) <= GAP_S:
+                break
+        if best not in spoke:
             return
         if best is not self.source:
             if self.source is EnergySource.NONE:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import random
-from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -281,7 +280,7 @@ def test_a_px4_without_a_current_sensor_is_read_by_its_share() -> None:
     estimator = EnergyEstimator()
     for second, percent in enumerate((100, 75, 50)):
         content = status(voltages=[16200, *CELLS[1:]], current_battery=-100, battery_remaining=percent)
-        estimator.update(replace(content, time_s=float(second)), capacity_j=1000.0)
+        estimator.update(content._replace(time_s=float(second)), capacity_j=1000.0)
     assert (str(estimator.source), estimator.drawn_j) == ("battery_remaining", pytest.approx(500.0))
 
 

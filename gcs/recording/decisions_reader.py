@@ -101,19 +101,19 @@ class DecisionLines:
     def blocks(self, *, set_points: bool = True) -> Iterator[tuple[NDArray[np.float64], list[DecisionLine]]]:
         """(n, COLUMNS) numbers of set points, none where they are not wanted; and the other decisions' lines."""
         for lines in self._blocks():
-            own: list[bytes] = []
-            rest: list[bytes] = []
-            for line in lines:
-                (own if line.startswith(_BEGIN) else rest).append(line)
-            points = [point for point, _ in self._decoded(_POINTS, own)] if set_points else []
+            own = [line for line in lines if line.startswith(_BEGIN)] if set_points else []
+            points = [point for point, _ in self._decoded(_POINTS, own)]
             others = []
-            for head, line in self._decoded(_HEADS, rest):
+            for head, line in self._decoded(_HEADS, [line for line in lines if not line.startswith(_BEGIN)]):
                 if head.kind != "set_point":
                     others.append(DecisionLine(head.t_s, head.kind, head.giver, line))
                 elif set_points:  # by another writer
                     points += [point for point, _ in self._decoded(_POINTS, [line])]
-            rows = [(*point.p_ned, point.sysid, point.t_s) for point in points]
-            yield np.array(rows, dtype=np.float64).reshape(-1, COLUMNS), others
+            rows = np.empty((len(points), COLUMNS))
+            rows[:, P_NED] = np.array([point.p_ned for point in points], dtype=np.float64).reshape(-1, 3)
+            rows[:, SYSID] = [point.sysid for point in points]
+            rows[:, T_S] = [point.t_s for point in points]
+            yield rows, others
 
     def _blocks(self) -> Iterator[list[bytes]]:
         self.broken, self.cut, done = 0, False, 0
@@ -136,9 +136,11 @@ class DecisionLines:
             found = decoder.decode_lines(b"\n".join(lines))
         except _BROKEN:  # one is broken: only one by one can the others be had
             found = []
-        if len(found) == len(lines):
-            yield from zip(found, lines, strict=True)
-            return
+        return zip(found, lines, strict=True) if len(found) == len(lines) else self._decoded_singly(decoder, lines)
+
+    def _decoded_singly(
+        self, decoder: msgspec.json.Decoder[Any], lines: Sequence[bytes]
+    ) -> Iterator[tuple[Any, bytes]]:
         for line in lines:
             try:
                 content = decoder.decode(line)

@@ -263,8 +263,7 @@ def _kept(
         elif kind == "served":
             if not account.reported:
                 account.book(content)
-        elif account.meter.heeds(t_s, second_hand=content.second_hand):
-            account.report(content, armed=armed)
+        elif account.report(content, armed=armed) is not None:
             times_s.append(t_s)
             left_j.append(account.remaining_j)
     return times_s, left_j

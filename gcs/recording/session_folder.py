@@ -215,7 +215,10 @@ def rows_of(keys: NDArray[Any]) -> dict[int, NDArray[np.int64]]:
 def _added(table: NDArray[np.int32] | None, second: NDArray[np.int64], values: NDArray[Any]) -> NDArray[np.int32]:
     """The table (n,), made longer where need be, with these values added at these seconds."""
     length = int(second.max()) + 1
-    table = np.zeros(length, dtype=np.int32) if table is None else np.pad(table, (0, max(length - len(table), 0)))
+    if table is None or length > len(table):
+        longer = np.zeros(length, dtype=np.int32)
+        longer[: 0 if table is None else len(table)] = () if table is None else table
+        table = longer
     np.add.at(table, second, values.astype(np.int32))
     return table
 

@@ -42,10 +42,8 @@ class BatteryAccount:
         """Energy in the battery, J."""
         return self.initial_j + self.received_j - self.meter.drawn_j - self.given_j
 
-    def report(self, report: BatteryReport, *, armed: bool) -> list[Fact]:
-        """Take what a message says of the battery."""
-        if not self.meter.heeds(report.time_s, second_hand=report.second_hand):
-            return []
+    def report(self, report: BatteryReport, *, armed: bool) -> list[Fact] | None:
+        """Take what a message says of the battery; None where it does not count, as with `EnergyEstimator.update`."""
         before_j = self.meter.before_j
         facts = self.meter.update(
             report,
@@ -56,13 +54,16 @@ class BatteryAccount:
             armed=armed,
             swappable=not self._counts,
         )
+        if facts is None:
+            return None
         if self._initial_reported:
             self.initial_j -= self.meter.before_j - before_j  # SIM_BAT_INIT_J is of when it was switched on
         if not self._initial_reported and report.remaining is not None:
             left_j = report.remaining * self.capacity_j
             self.initial_j = left_j + self.meter.drawn_j + self.given_j - self.received_j
             self._initial_reported = True
-        self.initial_j += sum(fact.gained_j for fact in facts)
+        for fact in facts:
+            self.initial_j += fact.gained_j
         return facts
 
     def counter(self, name: str, value: int) -> None:

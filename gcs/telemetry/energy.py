@@ -44,6 +44,7 @@ class EnergySource(StrEnum):
 
 
 BEST_FIRST = (EnergySource.ENERGY_CONSUMED, EnergySource.CURRENT_VOLTAGE, EnergySource.BATTERY_REMAINING)
+AND_LESSER = {source: BEST_FIRST[i:] for i, source in enumerate(BEST_FIRST)}
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,12 +76,6 @@ class EnergyEstimator:
         self._moved_j = self._booked_j = self._unseen_j = 0.0
         self._history: list[tuple[float, float]] = []
 
-    def heeds(self, time_s: float, *, second_hand: bool) -> bool:
-        """Whether a report of then counts at all: SYS_STATUS does not while BATTERY_STATUS may still come, or does."""
-        if self._first_hand_s is None:
-            self._first_hand_s = time_s
-        return not second_hand or time_s - self._first_hand_s > GAP_S
-
     def update(
         self,
         report: BatteryReport,
@@ -91,15 +86,17 @@ class EnergyEstimator:
         initial_j: float | None = None,
         armed: bool = True,
         swappable: bool = True,
-    ) -> list[Fact]:
-        """Count one report.
+    ) -> list[Fact] | None:
+        """Count one report; None where it does not count: SYS_STATUS while BATTERY_STATUS may still come, or does.
 
         `moved_j`: received less given so far, by the vehicle's own words. `booked_j`: what was booked for it by others
         so far. `initial_j`: what it started with, None where the first share says it. `swappable`: whether a great rise
         on the ground may be a swapped battery.
         """
-        if not self.heeds(report.time_s, second_hand=report.second_hand):
-            return []
+        if self._first_hand_s is None:
+            self._first_hand_s = report.time_s
+        if report.second_hand and report.time_s - self._first_hand_s <= GAP_S:
+            return None
         facts: list[Fact] = []
         spoke = []
         if report.consumed_j is not None:
@@ -142,7 +139,7 @@ class EnergyEstimator:
         reading_j = self._meters[best]
         at_j, drawn_j = self._anchors.get(best, (reading_j, self.drawn_j))
         self.drawn_j = max(self.drawn_j, drawn_j + reading_j - at_j)
-        for source in BEST_FIRST[BEST_FIRST.index(best) :]:
+        for source in AND_LESSER[best]:
             if source in self._meters:
                 self._anchors[source] = (self._meters[source], self.drawn_j)
         self._update_power(now_s)

@@ -334,7 +334,7 @@ class Fleet:
             return
         if report.consumed_j is not None and not track.counts("drawn", report.consumed_j, report.time_s):
             return
-        self.facts += [(track.member.sysid, fact) for fact in track.battery.report(report, armed=track.armed)]
+        self.facts += [(track.member.sysid, fact) for fact in track.battery.report(report, armed=track.armed) or ()]
 
     def _named_int(self, track: _Track, content: Any, time_s: float) -> None:
         if content.name not in _COUNTS or not track.counts(_COUNTS[content.name], content.value, time_s):

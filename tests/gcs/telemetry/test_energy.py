@@ -44,7 +44,7 @@ def heard(*reports: BatteryReport, **known: Any) -> tuple[EnergyEstimator, list[
     estimator = EnergyEstimator()
     facts: list[Fact] = []
     for report in reports:
-        facts += estimator.update(report, capacity_j=CAPACITY_J, **known)
+        facts += estimator.update(report, capacity_j=CAPACITY_J, **known) or []
     return estimator, facts
 
 

@@ -208,7 +208,7 @@ def batteries(recorded: Recorded) -> dict[int, BatterySeries]:
     """Each vehicle's battery after each report of it, and at the end: the account that the session kept, kept again."""
     reported = {name: by_vehicle(recorded, name) for name in _ACCOUNT}
     vehicles = {v.sysid: v for v in recorded.scenario.vehicles.all} if recorded.scenario else {}
-    found = {}
+    booked, found = _booked(recorded), {}
     for sysid in sorted(reported["BATTERY_STATUS"].keys() | reported["SYS_STATUS"].keys()):
         vehicle = vehicles.get(sysid)
         capacity_j = vehicle.battery.capacity_j if vehicle else 0.0
@@ -216,7 +216,7 @@ def batteries(recorded: Recorded) -> dict[int, BatterySeries]:
         account = BatteryAccount(capacity_j, initial_j, from_now=bool(vehicle and vehicle.external))
         profile = PROFILES.get(rules.autopilot) if vehicle and (rules := vehicle.foreign) else None
         messages = [_messages(kind, rows[sysid]) for kind, rows in reported.items() if sysid in rows]
-        times_s, left_j = _kept(account, sorted(chain(*messages, _booked(recorded, sysid))), profile)
+        times_s, left_j = _kept(account, sorted(chain(*messages, booked.get(sysid, ()))), profile)
         if account.capacity_j and times_s:
             if left_j[-1] != account.remaining_j:
                 times_s.append(max(recorded.end_s, times_s[-1]))
@@ -269,10 +269,13 @@ def _kept(
     return times_s, left_j
 
 
-def _booked(recorded: Recorded, sysid: int) -> list[_TimedContent]:
-    """Energy that bases gave to a vehicle, each service at its end."""
-    served = [d for d in recorded.decisions if d["kind"] == "served" and d["receiver"] == sysid and d.get("base")]
-    return [(d["t_s"], math.inf, "served", round(d["energy_j"])) for d in served]
+def _booked(recorded: Recorded) -> dict[int, list[_TimedContent]]:
+    """Energy that bases gave to each vehicle, each service at its end."""
+    booked: dict[int, list[_TimedContent]] = {}
+    for d in recorded.decisions:
+        if d["kind"] == "served" and d.get("base"):
+            booked.setdefault(d["receiver"], []).append((d["t_s"], math.inf, "served", round(d["energy_j"])))
+    return booked
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ import math
 from collections import namedtuple
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import cache
 from itertools import chain, repeat
 from typing import Any, NamedTuple
 
@@ -241,8 +242,12 @@ def _messages(kind: str, rows: NDArray[Any]) -> Iterator[_TimedContent]:
 
 def _contents(rows: NDArray[Any]) -> Iterator[Any]:
     """Rows of a table as messages' contents, fields by name."""
-    content: Any = namedtuple("content", rows.dtype.names or ())  # type: ignore[misc]
-    return map(content._make, rows.tolist())
+    return map(_content(rows.dtype.names or ())._make, rows.tolist())
+
+
+@cache
+def _content(names: tuple[str, ...]) -> Any:
+    return namedtuple("content", names)
 
 
 def _kept(

@@ -3,7 +3,7 @@ only what it alone holds. `Recorded.problems` says what that is."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -80,8 +80,13 @@ def read(folder: Path, progress: Progress = lambda _: None) -> Recorded:
     recorded = Recorded(folder)
     _read_summary(recorded)
     _read_scenario(recorded)
-    _read_decisions(recorded, lambda share: progress(0.4 * share))
-    read_tlog(recorded, lambda share: progress(0.4 + 0.6 * share))
+    told, log = 0.0, _read_tlog(recorded)
+    for share in _read_decisions(recorded):  # by turns: while decisions are read, the recording is walked
+        while told < share:
+            told = next(log, 1.0)
+        progress(0.5 * (share + told))
+    for told in log:
+        progress(0.5 * (1.0 + told))
     if not recorded.end_s and recorded.summary is not None:
         recorded.end_s = recorded.summary.sim_time_s
     return recorded
@@ -112,8 +117,10 @@ def _read_scenario(recorded: Recorded) -> None:
         recorded.problems.append(f"{path.name} {why}: {lost}.")
 
 
-def _read_decisions(recorded: Recorded, progress: Progress) -> None:
-    lines = DecisionLines(recorded.folder / DECISIONS, progress)
+def _read_decisions(recorded: Recorded) -> Iterator[float]:
+    """Take in the folder's decisions; the share that has been read, again and again; problems are noted."""
+    shares: list[float] = []
+    lines = DecisionLines(recorded.folder / DECISIONS, shares.append)
     points: list[NDArray[np.float64]] = []
     foreign = 0
     try:
@@ -127,6 +134,7 @@ def _read_decisions(recorded: Recorded, progress: Progress) -> None:
                 if line.kind == "competition":  # one a tick, with numbers of every vehicle
                     record = {key: record[key] for key in COMPETITION if key in record}
                 recorded.decisions.append({**record, "t_s": line.t_s})
+            yield from shares[-1:]
     except OSError as error:
         why = "is missing" if isinstance(error, FileNotFoundError) else f"cannot be read ({error.strerror})"
         recorded.problems.append(f"{DECISIONS} {why}: plan, tracking error and competition cannot be shown.")
@@ -137,14 +145,14 @@ def _read_decisions(recorded: Recorded, progress: Progress) -> None:
         recorded.set_points = np.concatenate(points)
 
 
-def read_tlog(recorded: Recorded, progress: Progress) -> None:
-    """Take in the folder's recording; problems are noted."""
+def _read_tlog(recorded: Recorded) -> Iterator[float]:
+    """The same of the folder's recording."""
     gathering = Gathering(recorded)
     try:
         log = tlog_reader.read(recorded.folder / TLOG)
         for chunk in log.chunks():
             gathering.add(chunk)
-            progress(chunk.read_share)
+            yield chunk.read_share
         recorded.problems += log.problems
     except OSError as error:
         why = "is missing" if isinstance(error, FileNotFoundError) else f"cannot be read ({error.strerror})"

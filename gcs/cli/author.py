@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import json
 import re
+import shlex
 import shutil
 from collections.abc import Sequence
 from pathlib import Path
@@ -208,7 +209,8 @@ def init(context: click.Context, name: str, connect: Endpoint | None, station: t
     except (OSError, ValueError) as error:
         why = error.strerror if isinstance(error, OSError) else error
         raise click.UsageError(f"cannot write {path}: {why}; give a name in a folder that exists") from None
-    click.echo(f"{path}: written. Next: gcs validate {path}, then gcs run {path}")
+    word = shlex.quote(str(path))
+    click.echo(f"{path}: written. Next: gcs validate {word}, then gcs run {word}")
     return 0
 
 

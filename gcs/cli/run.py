@@ -189,12 +189,9 @@ def run(
     if resolved.vehicles.external:
         _try_keys(resolved)
     folder = make_folder(out, resolved.name)
-    if (
-        seed is not None
-        and not quiet
-        and not (resolved.radio.random or resolved.random_weather or any(named(resolved)))
-    ):
-        why = "without loss and the like in radio:, turbulence and sensors nothing here is random"
+    by_chance = resolved.radio.random or resolved.random_weather or any(fault.random for fault in resolved.faults)
+    if seed is not None and not quiet and not (by_chance or any(named(resolved))):
+        why = "without loss and the like in radio: and faults:, turbulence and sensors nothing here is random"
         click.echo(f"gcs: --seed changes nothing: {why}", err=True)
     code = ", ".join(listed(resolved))
     if code and not quiet:

@@ -65,6 +65,12 @@ class Fault(Part):
     jump_m: tuple[Coordinate, Coordinate] | None = None
     """`gps_jump`: how far off the vehicle takes its place to be, to the north and to the east, m"""
 
+    @property
+    def random(self) -> bool:
+        """Whether the seed decides whether, when or to which frames it happens."""
+        drawn_time = self.between_s is not None and self.between_s[0] < self.between_s[1]
+        return self.chance > 0.0 and (self.chance < 1.0 or drawn_time or self.fault == "loss")
+
 
 class Injection(NamedTuple):
     """A fault as the seed has drawn it."""

@@ -48,7 +48,8 @@ def stopping_m(scenario: Scenario, speed_m_s: float) -> float:
 
 def warnings(scenario: Scenario) -> list[ScenarioWarning]:
     """All of them; those about distances first."""
-    return [*_of_speed(scenario), *_of_places(scenario), *_of_the_ring(scenario), *_of_the_fence(scenario)]
+    found = (_of_speed, _of_places, _of_the_ring, _of_the_fence, _of_the_ground)
+    return [warning for of in found for warning in of(scenario)]
 
 
 def _of_speed(scenario: Scenario) -> Iterator[ScenarioWarning]:
@@ -152,13 +153,9 @@ def _of_the_fence(scenario: Scenario) -> Iterator[ScenarioWarning]:
         *((f"base {base.name}", base.position_m) for base in scenario.bases),
         *((f"rally point {k}", place) for k, place in enumerate(scenario.rally_m, 1)),
     ]
-    for vehicle in scenario.vehicles.all:
-        places += [] if vehicle.external else [(f"the start of {vehicle.label}", vehicle.start_m)]
-        for name, key in (("way point", "waypoints_m"), ("corner", "path_m")):
-            route = getattr(vehicle, key, ())
-            places += [(f"{name} {k} of {vehicle.label}", place) for k, place in enumerate(route, 1)]
-        if home_m := getattr(vehicle, "home_m", None):
-            places.append((f"the home of {vehicle.label}", home_m))
+    for vehicle in scenario.vehicles.launched:
+        places.append((f"the start of {vehicle.label}", vehicle.start_m))
+    places += _sent_to(scenario)
     beyond = [name for name, place in places if not scenario.fence.allows(place[0], place[1])]
     if beyond:
         kept = (
@@ -171,6 +168,31 @@ def _of_the_fence(scenario: Scenario) -> Iterator[ScenarioWarning]:
             "fence",
             f"{which} beyond the fence: {kept}; move them or the fence",
         )
+
+
+def _of_the_ground(scenario: Scenario) -> Iterator[ScenarioWarning]:
+    """Places below the zero of heights that a vehicle is sent to: nearly always a wrong sign."""
+    below = [(name, place[2]) for name, place in _sent_to(scenario) if place[2] > 0.0]
+    if below:
+        (name, down_m), others = below[0], len(below) - 1
+        which = f"{name} and {others} more lie below the ground, the first" if others else f"{name} lies"
+        yield ScenarioWarning(
+            "ground",
+            f"{which} {down_m:g} m below the zero of heights, where vehicles launched stand: is the sign wrong? "
+            "In ned axes the third number is down",
+        )
+
+
+def _sent_to(scenario: Scenario) -> list[tuple[str, Vec3]]:
+    """Places that vehicles are sent to, by name."""
+    places: list[tuple[str, Vec3]] = []
+    for vehicle in scenario.vehicles.all:
+        for name, key in (("way point", "waypoints_m"), ("corner", "path_m")):
+            route = getattr(vehicle, key, ())
+            places += [(f"{name} {k} of {vehicle.label}", place) for k, place in enumerate(route, 1)]
+        if home_m := getattr(vehicle, "home_m", None):
+            places.append((f"the home of {vehicle.label}", home_m))
+    return places
 
 
 def _along(path: tuple[Vec3, ...], *, closed: bool) -> geometry.FloatArray:

@@ -259,12 +259,17 @@ def _children(pid: int) -> list[int]:
     return [int(child) for child in Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
 
 
-@pytest.mark.parametrize(("radio", "words", "told"), [("", ["--seed", "7"], True), ("", [], False),
-                                                      ("radio: {loss: 0.01}\n", ["--seed", "7"], False)])  # fmt: skip
+FAULT = "faults: [{{fault: delay, delay_s: 0.01, at_s: 0.5, for_s: 0.1, chance: {}}}]\n"
+
+
+@pytest.mark.parametrize(("more", "words", "told"), [("", ["--seed", "7"], True), ("", [], False),
+                                                      ("radio: {loss: 0.01}\n", ["--seed", "7"], False),
+                                                      (FAULT.format(0.5), ["--seed", "7"], False),
+                                                      (FAULT.format(1.0), ["--seed", "7"], True)])  # fmt: skip
 def test_a_seed_that_changes_nothing_is_told(
-    radio: str, words: list[str], told: bool, two: Path, tmp_path: Path
+    more: str, words: list[str], told: bool, two: Path, tmp_path: Path
 ) -> None:
-    two.write_text(TWO.replace("duration_s: 10", "duration_s: 1") + radio)
+    two.write_text(TWO.replace("duration_s: 10", "duration_s: 1") + more)
     done = gcs("run", "two.yaml", "--lockstep", "--plain", "--no-report", "--out", "out", *words, cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     assert ("gcs: --seed changes nothing" in done.stderr) == told

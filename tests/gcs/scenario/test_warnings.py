@@ -73,6 +73,14 @@ def test_an_obstacle_on_the_ring_is_warned_of_by_name() -> None:
     assert about(scenario(obstacles=[{**buoy, "sphere_m": (0.0, 5.0, -2.5)}])) == []
 
 
+def test_places_below_the_ground_are_warned_of_by_name() -> None:
+    target = small()["vehicles"]["targets"][0]
+    target["path_m"] = [[4.0, 0.0, 2.5], [4.0, 4.0, 2.5], [0.0, 0.0, -2.5]]
+    (found,) = warnings(scenario(vehicles={"targets": [target]}))
+    assert found.about == "ground"
+    assert found.text.startswith("corner 1 of target 101 and 1 more lie below the ground, the first 2.5 m below")
+
+
 def test_what_the_goal_does_not_ask_is_not_warned_of() -> None:
     assert about(scenario(formation=None, goal={"separation_m": False})) == []
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from itertools import repeat
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -48,36 +47,33 @@ def sys_status(content: Any, time_s: float) -> BatteryReport:
     )
 
 
-def battery_statuses(rows: NDArray[Any]) -> Iterator[BatteryReport]:
+def battery_statuses(rows: NDArray[Any]) -> BatteryReports:
     """As `battery_status` of each row, with its fields and `t_s`, the session time in s."""
     cells_mv = rows["voltages"].astype(np.int64)
     beyond = np.logical_or.accumulate(cells_mv == NO_CELL, axis=1)
     more_mv = np.where(beyond[:, -1], 0, rows["voltages_ext"].sum(axis=1, dtype=np.int64))
     consumed_hj = rows["energy_consumed"]
-    consumed_j = _known(HECTOJOULE * consumed_hj, consumed_hj >= 0)
+    consumed_j = np.where(consumed_hj < 0, np.nan, HECTOJOULE * consumed_hj)
     return _reports(rows, consumed_j, np.where(beyond, 0, cells_mv).sum(axis=1) + more_mv, second_hand=False)
 
 
-def sys_statuses(rows: NDArray[Any]) -> Iterator[BatteryReport]:
+def sys_statuses(rows: NDArray[Any]) -> BatteryReports:
     """As `sys_status` of each row, likewise."""
     total_mv = rows["voltage_battery"].astype(np.int64)
-    return _reports(rows, repeat(None), np.where(total_mv == NO_CELL, 0, total_mv), second_hand=True)
+    unknown_j = np.full(len(rows), np.nan)
+    return _reports(rows, unknown_j, np.where(total_mv == NO_CELL, 0, total_mv), second_hand=True)
 
 
 def _reports(
-    rows: NDArray[Any], consumed_j: Iterable[float | None], total_mv: NDArray[np.int64], *, second_hand: bool
-) -> Iterator[BatteryReport]:
+    rows: NDArray[Any], consumed_j: NDArray[np.float64], total_mv: NDArray[np.int64], *, second_hand: bool
+) -> BatteryReports:
     current_ca, percent = rows["current_battery"], rows["battery_remaining"]
     measured = (total_mv != 0) & ~np.isin(current_ca, list(NO_CURRENT))
-    power_w = _known(1e-2 * current_ca.astype(np.float64) * (1e-3 * total_mv), measured)
-    remaining = _known(0.01 * percent.astype(np.float64), (percent >= 0) & (percent <= 100))
-    return map(BatteryReport, rows["t_s"].tolist(), consumed_j, power_w, remaining, repeat(second_hand))
-
-
-def _known(values: NDArray[np.float64], known: NDArray[np.bool_]) -> list[float | None]:
-    some = values.astype(object)
-    some[~known] = None
-    return list(some)
+    power_w = np.where(measured, 1e-2 * current_ca.astype(np.float64) * (1e-3 * total_mv), np.nan)
+    remaining = np.where((percent >= 0) & (percent <= 100), 0.01 * percent.astype(np.float64), np.nan)
+    return BatteryReports(
+        rows["t_s"].astype(np.float64), consumed_j, power_w, remaining, np.full(len(rows), second_hand)
+    )
 
 
 def _power_w(volts: float | None, current_ca: int) -> float | None:
@@ -99,3 +95,18 @@ class BatteryReport(NamedTuple):
     """share of the capacity, 0..1"""
     second_hand: bool = False
     """by SYS_STATUS, which counts only where BATTERY_STATUS is silent"""
+
+
+class BatteryReports(NamedTuple):
+    """Reports as columns (n,), each a `BatteryReport`'s; NaN: not reported."""
+
+    t_s: NDArray[np.float64]
+    consumed_j: NDArray[np.float64]
+    power_w: NDArray[np.float64]
+    remaining: NDArray[np.float64]
+    second_hand: NDArray[np.bool_]
+
+    def take(self, which: slice | NDArray[np.int64]) -> BatteryReports:
+        """Some of the reports, in the order in which they are named."""
+        t_s, consumed_j, power_w, remaining, second_hand = self
+        return BatteryReports(t_s[which], consumed_j[which], power_w[which], remaining[which], second_hand[which])

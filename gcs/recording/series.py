@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections import namedtuple
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
 from itertools import chain, repeat
@@ -19,11 +19,11 @@ from numpy.typing import NDArray
 
 from gcs.mavlink import statustext
 from gcs.mavlink.autopilots import GENERIC, PROFILES, Profile, profile_of
-from gcs.mavlink.battery import battery_statuses, sys_statuses
+from gcs.mavlink.battery import BatteryReports, battery_statuses, sys_statuses
 from gcs.mavlink.common_frame import FramePlace, frame_place, turned
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.recording.session_folder import Recorded, rows_of
-from gcs.telemetry.battery_account import BatteryAccount
+from gcs.telemetry.battery_account import BATTERY_PARAMETERS, GIVEN, RECEIVED, BatteryAccount
 from gcs.telemetry.plausibility import FARTHEST_M, FASTEST_M_S
 from gcs.telemetry.state import STALE_S
 
@@ -35,11 +35,6 @@ GAP_S = 2.0
 LATE_S = 5.0
 """A vehicle's own time is believed where it is at most this much before the arrival: else its clock is another one."""
 ARMED, ON_GROUND, UNDEFINED_STATE = 0x80, 1, 0
-_REPORTS: Mapping[str, Callable[[NDArray[Any]], Iterator[Any]]] = {
-    "BATTERY_STATUS": battery_statuses,
-    "SYS_STATUS": sys_statuses,
-}
-_ACCOUNT = ("HEARTBEAT", "PARAM_VALUE", "NAMED_VALUE_INT", *_REPORTS)
 _TimedContent = tuple[float, float, str, Any]
 """(session time in s, place in the file, message, its content), which so stand in the order in which they came"""
 
@@ -207,37 +202,64 @@ class BatterySeries:
 
 def batteries(recorded: Recorded) -> dict[int, BatterySeries]:
     """Each vehicle's battery after each report of it, and at the end: the account that the session kept, kept again."""
-    reported = {name: by_vehicle(recorded, name) for name in _ACCOUNT}
+    statuses, second_hand = by_vehicle(recorded, "BATTERY_STATUS"), by_vehicle(recorded, "SYS_STATUS")
+    others = {name: by_vehicle(recorded, name) for name in ("HEARTBEAT", "PARAM_VALUE", "NAMED_VALUE_INT")}
     vehicles = {v.sysid: v for v in recorded.scenario.vehicles.all} if recorded.scenario else {}
     booked, found = _booked(recorded), {}
-    for sysid in sorted(reported["BATTERY_STATUS"].keys() | reported["SYS_STATUS"].keys()):
+    for sysid in sorted(statuses.keys() | second_hand.keys()):
         vehicle = vehicles.get(sysid)
         capacity_j = vehicle.battery.capacity_j if vehicle else 0.0
         initial_j = 0.01 * vehicle.battery.initial_percent * capacity_j if vehicle else 0.0
         account = BatteryAccount(capacity_j, initial_j, from_now=bool(vehicle and vehicle.external))
         profile = PROFILES.get(rules.autopilot) if vehicle and (rules := vehicle.foreign) else None
-        messages = [_messages(kind, rows[sysid]) for kind, rows in reported.items() if sysid in rows]
-        times_s, left_j = _kept(account, sorted(chain(*messages, booked.get(sysid, ()))), profile)
-        if account.capacity_j and times_s:
-            if left_j[-1] != account.remaining_j:
-                times_s.append(max(recorded.end_s, times_s[-1]))
-                left_j.append(account.remaining_j)
-            found[sysid] = BatterySeries(account.capacity_j, Series(np.array(times_s), np.array(left_j)))
+        messages = (_messages(kind, rows[sysid]) for kind, rows in others.items() if sysid in rows)
+        between = sorted(chain(*messages, booked.get(sysid, ())))
+        known = _kept(account, *_battery_reports(statuses.get(sysid), second_hand.get(sysid)), between, profile)
+        if account.capacity_j and len(known.t_s):
+            if known.values[-1] != account.remaining_j:
+                known = Series(
+                    np.append(known.t_s, max(recorded.end_s, known.t_s[-1])),
+                    np.append(known.values, account.remaining_j),
+                )
+            found[sysid] = BatterySeries(account.capacity_j, known)
     return found
 
 
+def _battery_reports(
+    statuses: NDArray[Any] | None, second_hand: NDArray[Any] | None
+) -> tuple[BatteryReports, NDArray[Any]]:
+    """One vehicle's reports (n,) of its battery in the order in which they came, and each one's place in the file."""
+    read, places = [], []
+    if statuses is not None:
+        statuses = statuses[statuses["id"] == 0]
+        read.append(battery_statuses(statuses))
+        places.append(statuses["place"])
+    if second_hand is not None:
+        read.append(sys_statuses(second_hand))
+        places.append(second_hand["place"])
+    place = np.concatenate(places)
+    reports = BatteryReports(*map(np.concatenate, zip(*read, strict=True)))
+    order = np.lexsort((place, reports.t_s))
+    return reports.take(order), place[order]
+
+
 def _messages(kind: str, rows: NDArray[Any]) -> Iterator[_TimedContent]:
-    """One vehicle's messages of a kind, in the file's order, without those that only repeat what an account keeps;
-    those of its battery as reports."""
+    """One vehicle's messages of a kind, in the file's order, without those that only repeat what an account keeps."""
     if kind == "HEARTBEAT":
         states = rows[["base_mode", "autopilot"]]
         rows = rows[np.append(True, states[1:] != states[:-1])]
     elif kind == "NAMED_VALUE_INT":
-        rows = rows[np.sort(np.unique(rows[["name", "value"]], return_index=True)[1])]
-    elif kind == "BATTERY_STATUS":
-        rows = rows[rows["id"] == 0]
-    content_of = _REPORTS.get(kind, _contents)
-    return zip(rows["t_s"].tolist(), rows["place"].tolist(), repeat(kind), content_of(rows))
+        counters = (rows[rows["name"] == name.encode()] for name in (RECEIVED, GIVEN))
+        rows = np.concatenate([_at_changes(counter) for counter in counters])
+    elif kind == "PARAM_VALUE":
+        rows = rows[np.isin(rows["param_id"], [name.encode() for name in BATTERY_PARAMETERS])]
+    return zip(rows["t_s"].tolist(), rows["place"].tolist(), repeat(kind), _contents(rows))
+
+
+def _at_changes(rows: NDArray[Any]) -> NDArray[Any]:
+    """A counter's rows at both ends of each run of equal values: how fast it grows is what is judged."""
+    changes = rows["value"][1:] != rows["value"][:-1]
+    return rows[np.append(True, changes) | np.append(changes, True)] if len(rows) else rows
 
 
 def _contents(rows: NDArray[Any]) -> Iterator[Any]:
@@ -251,27 +273,33 @@ def _content(names: tuple[str, ...]) -> Any:
 
 
 def _kept(
-    account: BatteryAccount, reported: Iterable[_TimedContent], profile: Profile | None
-) -> tuple[list[float], list[float]]:
-    """Energy in the battery in J after each report, and its times."""
+    account: BatteryAccount,
+    reports: BatteryReports,
+    places: NDArray[Any],
+    between: Sequence[_TimedContent],
+    profile: Profile | None,
+) -> Series:
+    """Energy in the battery in J after each report that counts, other messages taken between them as they came."""
     armed, speaks = False, profile or GENERIC
-    times_s: list[float] = []
-    left_j: list[float] = []
-    for t_s, _, kind, content in reported:
+    left_j, done = [], 0
+    for t_s, place, kind, content in (*between, (math.inf, math.inf, "end", None)):
+        start, end = (int(np.searchsorted(reports.t_s, t_s, side=side)) for side in ("left", "right"))
+        end = start + int(np.searchsorted(places[start:end], place))
+        if end > done:
+            left_j.append(account.reports(reports.take(slice(done, end)), armed=armed))
+            done = end
         if kind == "HEARTBEAT":
             armed, speaks = bool(content.base_mode & ARMED), profile or profile_of(content.autopilot)
         elif kind == "NAMED_VALUE_INT":
-            account.counter(content.name.decode("ascii", "replace"), content.value)
+            account.counter(content.name.decode("ascii"), content.value, t_s)
         elif kind == "PARAM_VALUE":
             value = speaks.parameter(content.param_value, content.param_type)
-            account.parameter(content.param_id.decode("ascii", "replace"), value)
-        elif kind == "served":
-            if not account.reported:
-                account.book(content)
-        elif account.report(content, armed=armed) is not None:
-            times_s.append(t_s)
-            left_j.append(account.remaining_j)
-    return times_s, left_j
+            account.parameter(content.param_id.decode("ascii"), value)
+        elif kind == "served" and not account.reported:
+            account.book(content)
+    after_j = np.concatenate(left_j) if left_j else np.empty(0)
+    counts = ~np.isnan(after_j)
+    return Series(reports.t_s[counts], after_j[counts])
 
 
 def _booked(recorded: Recorded) -> dict[int, list[_TimedContent]]:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:  # who only reads records need not load those who make them
     from gcs.recording.recorder import Digest, Recorder
     from gcs.refuelling.bidding import CompetitionState
     from gcs.refuelling.service import Decision
-    from gcs.telemetry.energy import Fact
+    from gcs.telemetry.battery_account import Fact
 
 
 @dataclass

@@ -337,6 +337,7 @@ def _vehicle_conflicts(s: Scenario) -> Iterator[Conflict]:
     yield from repeats("sysid", [((*path, "sysid"), vehicle.sysid) for path, vehicle in placed])
     yield from repeats("name", [((*path, "name"), vehicle.name) for path, vehicle in placed if vehicle.name])
     yield from external.key_conflicts(placed)
+    solids = [(j, obstacle) for j, obstacle in enumerate(s.obstacles) if not obstacle.fault()]
     for i, (path, vehicle) in enumerate(placed):
         yield from external.conflicts(path, vehicle)
         if vehicle.join_s >= s.goal.duration_s:
@@ -353,7 +354,7 @@ def _vehicle_conflicts(s: Scenario) -> Iterator[Conflict]:
                 yield Conflict((*path, "laps"), "more than one lap needs 'closed: true'")
         yield from _plant_conflicts(path, vehicle)
         if vehicle.external is None:
-            yield from _start_conflicts(s, path, vehicle, placed[:i])
+            yield from _start_conflicts(s, path, vehicle, placed[:i], solids)
 
 
 def _real_conflicts(path: KeyPath, vehicle: VehicleBase) -> Iterator[Conflict]:
@@ -381,9 +382,13 @@ def _plant_conflicts(path: KeyPath, vehicle: VehicleBase) -> Iterator[Conflict]:
 
 
 def _start_conflicts(
-    s: Scenario, path: KeyPath, vehicle: VehicleBase, before: Iterable[tuple[KeyPath, VehicleBase]]
+    s: Scenario,
+    path: KeyPath,
+    vehicle: VehicleBase,
+    before: Iterable[tuple[KeyPath, VehicleBase]],
+    solids: Iterable[tuple[int, Obstacle]],
 ) -> Iterator[Conflict]:
-    """Start of a launched vehicle, and what stands there: obstacles, and those `before` it."""
+    """Start of a launched vehicle, and what stands there: `solids` of the obstacles, and those `before` it."""
     start = (*path, "start_m")
     if not vehicle.airborne:
         if any(vehicle.velocity_m_s):
@@ -392,8 +397,8 @@ def _start_conflicts(
             yield Conflict(start, f"{vehicle.label} starts above the ground; it needs 'airborne: true'")
         if vehicle.start_m[2] > 0:
             yield Conflict(start, f"{vehicle.label} starts below the ground; in ned axes the third number is down")
-    for j, obstacle in enumerate(s.obstacles):
-        if not obstacle.fault() and obstacle.clearance_m(vehicle.start_m) < START_CLEARANCE_M:
+    for j, obstacle in solids:
+        if obstacle.clearance_m(vehicle.start_m) < START_CLEARANCE_M:
             what = obstacle.name or f"{obstacle.kind} {j + 1}"
             sentence = f"{vehicle.label} starts inside or within {START_CLEARANCE_M} m of the obstacle {what}"
             yield Conflict(start, sentence, ("obstacles", j))

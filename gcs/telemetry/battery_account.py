@@ -6,26 +6,54 @@ One account is kept of each vehicle while a session flies, in its replay and in 
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
-from gcs.mavlink.battery import BatteryReport
-from gcs.telemetry.energy import EnergyEstimator, Fact
+import numpy as np
+from numpy.typing import NDArray
+
+from gcs.mavlink.battery import BatteryReport, BatteryReports
+from gcs.telemetry import energy, plausibility
+from gcs.telemetry.energy import SOURCES, EnergySource
 
 CAPACITY, INITIAL = BATTERY_PARAMETERS = ("SIM_BAT_CAP_J", "SIM_BAT_INIT_J")
 RECEIVED, GIVEN = "XferIn", "XferOut"
+POWER_WINDOW_S = 5.0
+STEPS_WINDOW_S = 120.0
+"""Power by battery_remaining is estimated from the steps of so long a time: they are few."""
+
+
+@dataclass(frozen=True, slots=True)
+class Fact:
+    """Something about a battery that the session's record should hold; `gained_j` came with a swapped battery."""
+
+    text: str
+    gained_j: float = 0.0
 
 
 class BatteryAccount:
-    """Energies in J; capacity and initial charge as the scenario has them until the vehicle reports them."""
+    """Energies in J; capacity and initial charge as the scenario has them until the vehicle reports them.
+
+    What a vehicle tells and cannot be (gcs/telemetry/plausibility.py) is not taken in; the methods return why.
+    """
 
     def __init__(self, capacity_j: float, initial_j: float, *, from_now: bool = False) -> None:
         """from_now: the vehicle was switched on before the session, whose energies count from its first report."""
         self.capacity_j = capacity_j
         self.initial_j = initial_j
-        self.meter = EnergyEstimator(from_now=from_now)
+        self.drawn_j = 0.0
         self.given_j = 0
+        self.received_j = 0
+        """by the vehicle's own counter, and by the book of bases that charged it without one"""
+        self.power_w = 0.0
+        """mean of the last while"""
+        self.source = EnergySource.NONE
+        self.facts: list[Fact] = []
+        """found since they were last taken away"""
+        self._account = energy.new_account(capacity_j, initial_j, from_now=from_now)
         self._reported_in_j = self._booked_j = 0
-        self._counts = self._initial_reported = False
+        self._believed: dict[str, tuple[float, float]] = {}
         self._parameters: set[str] = set()
+        self._history: list[tuple[float, float]] = []
 
     @property
     def reported(self) -> bool:
@@ -33,58 +61,87 @@ class BatteryAccount:
         return len(self._parameters) == len(BATTERY_PARAMETERS)
 
     @property
-    def received_j(self) -> int:
-        """By the vehicle's own counter, and by the book of bases that charged it without one."""
-        return self._reported_in_j + self._booked_j
-
-    @property
     def remaining_j(self) -> float:
         """Energy in the battery, J."""
-        return self.initial_j + self.received_j - self.meter.drawn_j - self.given_j
+        return self.initial_j + self.received_j - self.drawn_j - self.given_j
 
-    def report(self, report: BatteryReport, *, armed: bool) -> list[Fact] | None:
-        """Take what a message says of the battery; None where it does not count, as with `EnergyEstimator.update`."""
-        before_j = self.meter.before_j
-        facts = self.meter.update(
-            report,
-            capacity_j=self.capacity_j,
-            moved_j=self._reported_in_j - self.given_j,
-            booked_j=self._booked_j,
-            initial_j=self.initial_j if self._initial_reported else None,
-            armed=armed,
-            swappable=not self._counts,
+    def report(self, report: BatteryReport, *, armed: bool) -> str:
+        """Take what a message says of the battery."""
+        t_s, *words, second_hand = report
+        consumed_j, power_w, remaining = (math.nan if word is None else word for word in words)
+        became, source, self.drawn_j, self.initial_j, bridged_s, gained_j = energy.take(
+            self._account, t_s, consumed_j, power_w, remaining, second_hand, armed
         )
-        if facts is None:
-            return None
-        if self._initial_reported:
-            self.initial_j -= self.meter.before_j - before_j  # SIM_BAT_INIT_J is of when it was switched on
-        if not self._initial_reported and report.remaining is not None:
-            left_j = report.remaining * self.capacity_j
-            self.initial_j = left_j + self.meter.drawn_j + self.given_j - self.received_j
-            self._initial_reported = True
-        for fact in facts:
-            self.initial_j += fact.gained_j
-        return facts
+        if became == energy.DRAWN:
+            self._update_power(t_s, SOURCES[source])
+        if not math.isnan(bridged_s):
+            self.facts.append(Fact(f"No current or voltage for {bridged_s:.1f} s: bridged by the mean of both ends"))
+        if not math.isnan(gained_j):
+            self.facts.append(Fact(f"Battery swapped: {gained_j:.0f} J more than before", gained_j))
+        if became == energy.IMPOSSIBLE_POWER:
+            return plausibility.impossible_power(power_w)
+        return plausibility.impossible_count(consumed_j, "drawn") if became == energy.IMPOSSIBLE_TOTAL else ""
 
-    def counter(self, name: str, value: int) -> None:
+    def reports(self, reports: BatteryReports, *, armed: bool) -> NDArray[np.float64]:
+        """Take reports (n,) in their order: (n,) the energy in the battery after each, NaN where one does not count.
+
+        Neither facts nor the power are kept.
+        """
+        left_j = np.empty(len(reports.t_s))
+        energy.take_all(self._account, *reports, armed, left_j)
+        self.drawn_j, self.initial_j = float(self._account["drawn_j"][0]), float(self._account["initial_j"][0])
+        return left_j
+
+    def counter(self, name: str, value: int, time_s: float) -> str:
         """Take a NAMED_VALUE_INT: what has been received or given so far."""
+        what = "received" if name == RECEIVED else "given"
+        before_j, before_s = self._believed.get(name, (math.inf, time_s))
+        if doubt := plausibility.counted(value, before_j, time_s - before_s, what):
+            return doubt
+        self._believed[name] = (value, time_s)
         if name == GIVEN:
-            self.given_j = max(self.given_j, value)
-        elif name == RECEIVED:
+            self._account["given_j"] = self.given_j = max(self.given_j, value)
+        else:
             self._reported_in_j = max(self._reported_in_j, value)
-        self._counts |= name in (RECEIVED, GIVEN)
+            self._receive()
+        self._account["swappable"] = False
+        return ""
 
-    def parameter(self, name: str, value: float) -> None:
-        """Take a parameter."""
-        if name not in BATTERY_PARAMETERS or not (math.isfinite(value) and value >= 0.0):
-            return
+    def parameter(self, name: str, value: float) -> str:
+        """Take one of BATTERY_PARAMETERS."""
+        least_j = 1.0 if name == CAPACITY else 0.0
+        if doubt := plausibility.capacity(value, least_j):
+            return doubt
         self._parameters.add(name)
         if name == INITIAL:
-            self.initial_j = value - self.meter.before_j
-            self._initial_reported = True
-        elif value > 0.0:
-            self.capacity_j = value
+            self._account["initial_j"] = self.initial_j = value - float(self._account["before_j"][0])
+            self._account["initial_known"] = True
+        else:
+            self._account["capacity_j"] = self.capacity_j = value
+        return ""
 
     def book(self, joules: int) -> None:
         """Count energy that a base gave to a vehicle which cannot report it itself."""
         self._booked_j += joules
+        self._account["booked_j"] = self._booked_j
+        self._receive()
+
+    def _receive(self) -> None:
+        self._account["received_j"] = self.received_j = self._reported_in_j + self._booked_j
+
+    def _update_power(self, now_s: float, source: EnergySource) -> None:
+        """Mean power of the last while, over steps of the energy drawn where it moves in steps."""
+        history = self._history
+        if source is not self.source:
+            self.source = source
+            history.clear()
+        in_steps = source is EnergySource.BATTERY_REMAINING
+        if in_steps and history and history[-1][1] == self.drawn_j:
+            return
+        history.append((now_s, self.drawn_j))
+        window_s = STEPS_WINDOW_S if in_steps else POWER_WINDOW_S
+        while len(history) > 2 and now_s - history[1][0] >= window_s:
+            history.pop(0)
+        (from_s, from_j), (to_s, to_j) = history[0], history[-1]
+        if to_s > from_s:
+            self.power_w = (to_j - from_j) / (to_s - from_s)

@@ -1,7 +1,6 @@
-"""Energy that a vehicle has drawn, from whatever its autopilot reports of its battery
-(docs/protocol.md#energy-accounting).
+"""How a battery is accounted, from whatever an autopilot reports of it (docs/protocol.md#energy-accounting).
 
-Three meters, the best first; a vehicle's `source` is the best one that has spoken within GAP_S:
+Three meters of the energy drawn, the best first; a vehicle's source is the best one that has spoken within GAP_S:
 
 1. energy_consumed: the autopilot's own total;
 2. current_voltage: its power V I, integrated by trapezoids over its samples in session time;
@@ -15,27 +14,32 @@ Rules:
 - A share that rises is no energy drawn back. Energy that the vehicle itself says it received raises what is expected of
   it. On the ground, disarmed, a rise is first explained by energy that was booked for it elsewhere (a base), and what
   is left, from SWAP_SHARE of the capacity on, is a battery that was swapped: a fact, with the energy that it brought.
+- The first share says what the battery held at the start, unless the vehicle has said so.
+
+It is one compiled kernel, which a session calls with each report and a reader with all reports between two other
+messages. NaN stands for what is not known.
 """
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from enum import StrEnum
+from typing import Any
 
-from gcs.mavlink.battery import BatteryReport
+import numpy as np
+from numpy.typing import NDArray
+
+from gcs.kernels import kernel
+from gcs.telemetry.plausibility import MOST_W, countable
 
 GAP_S = 5.0
-POWER_WINDOW_S = 5.0
-STEPS_WINDOW_S = 120.0
-"""Power by battery_remaining is estimated from the steps of so long a time: they are few."""
 SWAP_SHARE = 0.2
 RESTART_J = 1000.0
 """A total that falls by less has been overtaken on the air."""
 
 
 class EnergySource(StrEnum):
-    """Which of an autopilot's words the energy drawn is read from."""
+    """Which of an autopilot's words the energy drawn is read from; the best first."""
 
     NONE = "none"
     ENERGY_CONSUMED = "energy_consumed"
@@ -43,162 +47,206 @@ class EnergySource(StrEnum):
     BATTERY_REMAINING = "battery_remaining"
 
 
-BEST_FIRST = (EnergySource.ENERGY_CONSUMED, EnergySource.CURRENT_VOLTAGE, EnergySource.BATTERY_REMAINING)
-AND_LESSER = {source: BEST_FIRST[i:] for i, source in enumerate(BEST_FIRST)}
+SOURCES = tuple(EnergySource)
+NONE, TOTAL, POWER, SHARE = range(len(SOURCES))
+METERS = len(SOURCES)
+"""Of these the first is never spoken to: a meter stands at its source's place."""
+
+IMPOSSIBLE_TOTAL, IMPOSSIBLE_POWER, SECOND_HAND, COUNTED, DRAWN = range(-2, 3)
+"""Fate of a report: it cannot be; SYS_STATUS does not count while BATTERY_STATUS may still come, or does; it was
+counted; and the source of the energy drawn was among its words."""
+
+ACCOUNT = np.dtype(
+    [
+        ("capacity_j", "f8"),
+        ("initial_j", "f8"),
+        ("initial_known", "?"),
+        ("received_j", "f8"),  # by its own counter and by others' books
+        ("booked_j", "f8"),  # by others' books
+        ("given_j", "f8"),
+        ("swappable", "?"),  # whether a great rise on the ground may be a swapped battery
+        ("from_now", "?"),  # drawn since the first report, not since the vehicle was switched on
+        ("before_j", "f8"),  # drawn before that, where it is not counted
+        ("drawn_j", "f8"),
+        ("source", "i8"),
+        ("meters_j", "f8", METERS),
+        ("anchors_j", "f8", METERS),  # a meter's reading from which the energy drawn goes on,
+        ("at_anchors_j", "f8", METERS),  # and the energy drawn then
+        ("spoke_s", "f8", METERS),
+        ("first_hand_s", "f8"),
+        ("believed_j", "f8"),  # the last total that can be,
+        ("believed_s", "f8"),  # and when it came
+        ("total_j", "f8"),  # since the autopilot's last restart
+        ("before_restart_j", "f8"),
+        ("sample_s", "f8"),
+        ("sample_w", "f8"),
+        ("expected_j", "f8"),  # what should be left by the last share and by what has moved since
+        ("moved_j", "f8"),  # received less given by its own words, as far as that expects it
+        ("seen_booked_j", "f8"),
+        ("unseen_j", "f8"),  # booked, and not yet seen as a rise of the share
+    ],
+    align=True,
+)
 
 
-@dataclass(frozen=True, slots=True)
-class Fact:
-    """Something about a battery that the session's record should hold; `gained_j` came with a swapped battery."""
+def new_account(capacity_j: float, initial_j: float, *, from_now: bool = False) -> NDArray[Any]:
+    """(1,) an account before its first report; `initial_j` holds until the first share says better."""
+    account = np.zeros(1, ACCOUNT)
+    for name in ("meters_j", "anchors_j", "first_hand_s", "sample_s", "expected_j"):
+        account[name] = math.nan
+    account["spoke_s"] = -math.inf
+    account["believed_j"] = math.inf
+    account["capacity_j"], account["initial_j"] = capacity_j, initial_j
+    account["from_now"], account["swappable"] = from_now, True
+    return account
 
-    text: str
-    gained_j: float = 0.0
+
+@kernel()
+def take(
+    account: NDArray[Any],
+    t_s: float,
+    consumed_j: float,
+    power_w: float,
+    remaining: float,
+    second_hand: bool,
+    armed: bool,
+) -> tuple[int, int, float, float, float, float]:
+    """Count one report: its fate, source, energy drawn, initial energy in J; then NaN, or the span in s over
+    which power was bridged, and the J that a swapped battery brought."""
+    one = account[0]
+    became, bridged_s, gained_j = _take(one, t_s, consumed_j, power_w, remaining, second_hand, armed)
+    return became, one.source, one.drawn_j, one.initial_j, bridged_s, gained_j
 
 
-class EnergyEstimator:
-    """One vehicle's energy drawn; reports come in the order in which they are received."""
+@kernel()
+def take_all(
+    account: NDArray[Any],
+    t_s: NDArray[np.float64],
+    consumed_j: NDArray[np.float64],
+    power_w: NDArray[np.float64],
+    remaining: NDArray[np.float64],
+    second_hand: NDArray[np.bool_],
+    armed: bool,
+    left_j: NDArray[np.float64],
+) -> None:
+    """Count reports (n,) in their order; `left_j` (n,) becomes the energy in the battery after each, NaN where a report
+    does not count."""
+    one = account[0]
+    for i in range(len(t_s)):
+        became, _, _ = _take(one, t_s[i], consumed_j[i], power_w[i], remaining[i], second_hand[i], armed)
+        left_j[i] = math.nan
+        if became >= COUNTED:
+            left_j[i] = one.initial_j + one.received_j - one.drawn_j - one.given_j
 
-    def __init__(self, *, from_now: bool = False) -> None:
-        """from_now: drawn since the first report, not since the vehicle was switched on."""
-        self._from_now = from_now
-        self.before_j = 0.0
-        """drawn before that, where it is not counted"""
-        self.drawn_j = 0.0
-        self.power_w = 0.0
-        self.source = EnergySource.NONE
-        self._meters: dict[EnergySource, float] = {}
-        self._anchors: dict[EnergySource, tuple[float, float]] = {}
-        self._spoke_s: dict[EnergySource, float] = {}
-        self._first_hand_s: float | None = None
-        self._consumed_j = self._before_restart_j = 0.0
-        self._sample: tuple[float, float] | None = None
-        self._expected_j: float | None = None
-        self._moved_j = self._booked_j = self._unseen_j = 0.0
-        self._history: list[tuple[float, float]] = []
 
-    def update(
-        self,
-        report: BatteryReport,
-        *,
-        capacity_j: float,
-        moved_j: float = 0.0,
-        booked_j: float = 0.0,
-        initial_j: float | None = None,
-        armed: bool = True,
-        swappable: bool = True,
-    ) -> list[Fact] | None:
-        """Count one report; None where it does not count: SYS_STATUS while BATTERY_STATUS may still come, or does.
+@kernel()
+def _take(
+    one: Any, t_s: float, consumed_j: float, power_w: float, remaining: float, second_hand: bool, armed: bool
+) -> tuple[int, float, float]:
+    bridged_s = gained_j = math.nan
+    total, power, share = not math.isnan(consumed_j), not math.isnan(power_w), not math.isnan(remaining)
+    if abs(power_w) > MOST_W:
+        return IMPOSSIBLE_POWER, bridged_s, gained_j
+    if total:
+        if not countable(consumed_j, one.believed_j, t_s - one.believed_s):
+            return IMPOSSIBLE_TOTAL, bridged_s, gained_j
+        one.believed_j, one.believed_s = consumed_j, t_s
+    if math.isnan(one.first_hand_s):
+        one.first_hand_s = t_s
+    if second_hand and t_s - one.first_hand_s <= GAP_S:
+        return SECOND_HAND, bridged_s, gained_j
+    before_j = one.before_j
+    if total:
+        _total(one, consumed_j, armed)
+        one.spoke_s[TOTAL] = t_s
+    if power:
+        bridged_s = _integrate(one, t_s, max(power_w, 0.0))
+        one.spoke_s[POWER] = t_s
+    left_j = remaining * one.capacity_j
+    if share:
+        gained_j = _fall(one, left_j, armed)
+        one.spoke_s[SHARE] = t_s
+    if (total or power or share) and not second_hand:
+        one.first_hand_s = t_s
+    became = COUNTED
+    for best, spoke in ((TOTAL, total), (POWER, power), (SHARE, share)):
+        if t_s - one.spoke_s[best] <= GAP_S:
+            if spoke:
+                _draw(one, best)
+                became = DRAWN
+            break
+    if one.initial_known:
+        one.initial_j -= one.before_j - before_j  # it was told of when the vehicle was switched on
+    elif share:
+        one.initial_j = left_j + one.drawn_j + one.given_j - one.received_j
+        one.initial_known = True
+    if not math.isnan(gained_j):
+        one.initial_j += gained_j
+    return became, bridged_s, gained_j
 
-        `moved_j`: received less given so far, by the vehicle's own words. `booked_j`: what was booked for it by others
-        so far. `initial_j`: what it started with, None where the first share says it. `swappable`: whether a great rise
-        on the ground may be a swapped battery.
-        """
-        if self._first_hand_s is None:
-            self._first_hand_s = report.time_s
-        if report.second_hand and report.time_s - self._first_hand_s <= GAP_S:
-            return None
-        facts: list[Fact] = []
-        spoke = []
-        if report.consumed_j is not None:
-            self._total(report.consumed_j, armed)
-            spoke.append(EnergySource.ENERGY_CONSUMED)
-        if report.power_w is not None:
-            facts += self._integrate(report.time_s, max(report.power_w, 0.0))
-            spoke.append(EnergySource.CURRENT_VOLTAGE)
-        if report.remaining is not None:
-            left_j = report.remaining * capacity_j
-            if self._expected_j is None:
-                self._expected_j = left_j if initial_j is None else initial_j + moved_j
-                self._moved_j, self._booked_j = moved_j, booked_j
-            facts += self._fall(left_j, capacity_j, moved_j, booked_j, armed=armed, swappable=swappable)
-            spoke.append(EnergySource.BATTERY_REMAINING)
-        for source in spoke:
-            self._spoke_s[source] = report.time_s
-        if spoke and not report.second_hand:
-            self._first_hand_s = report.time_s
-        self._count(report.time_s, spoke)
-        return facts
 
-    def _count(self, now_s: float, spoke: list[EnergySource]) -> None:
-        """Let the energy drawn go on by what the best meter went on since its anchor.
+@kernel()
+def _draw(one: Any, best: int) -> None:
+    """Let the energy drawn go on by what the best meter went on since its anchor.
 
-        An anchor holds a meter's reading and the energy drawn at that time. Lesser meters' move along, so that they
-        would go on from here; a better one that is silent keeps its own, for it will know what was drawn meanwhile.
-        """
-        for best in BEST_FIRST:
-            if now_s - self._spoke_s.get(best, -math.inf) <= GAP_S:
-                break
-        if best not in spoke:
-            return
-        if best is not self.source:
-            if self.source is EnergySource.NONE:
-                self.before_j = self._meters[best] if self._from_now else 0.0
-                self._anchors[best] = (self.before_j, 0.0)
-            self.source = best
-            self._history.clear()
-        reading_j = self._meters[best]
-        at_j, drawn_j = self._anchors.get(best, (reading_j, self.drawn_j))
-        self.drawn_j = max(self.drawn_j, drawn_j + reading_j - at_j)
-        for source in AND_LESSER[best]:
-            if source in self._meters:
-                self._anchors[source] = (self._meters[source], self.drawn_j)
-        self._update_power(now_s)
+    Lesser meters' anchors move along, so that they would go on from here; a better one that is silent keeps its own,
+    for it will know what was drawn meanwhile.
+    """
+    if one.source != best:
+        if one.source == NONE:
+            one.before_j = one.meters_j[best] if one.from_now else 0.0
+            one.anchors_j[best], one.at_anchors_j[best] = one.before_j, 0.0
+        one.source = best
+    if not math.isnan(one.anchors_j[best]):
+        one.drawn_j = max(one.drawn_j, one.at_anchors_j[best] + one.meters_j[best] - one.anchors_j[best])
+    for source in range(best, METERS):
+        if not math.isnan(one.meters_j[source]):
+            one.anchors_j[source], one.at_anchors_j[source] = one.meters_j[source], one.drawn_j
 
-    def _total(self, consumed_j: float, armed: bool) -> None:
-        if not armed and consumed_j < min(self._consumed_j - RESTART_J, 0.5 * self._consumed_j):
-            self._before_restart_j += self._consumed_j
-            self._consumed_j = 0.0
-        self._consumed_j = max(self._consumed_j, consumed_j)
-        self._meters[EnergySource.ENERGY_CONSUMED] = self._before_restart_j + self._consumed_j
 
-    def _integrate(self, now_s: float, power_w: float) -> list[Fact]:
-        facts = []
-        integral_j = self._meters.get(EnergySource.CURRENT_VOLTAGE, 0.0)
-        if self._sample is not None:
-            since_s, before_w = self._sample
-            span_s = now_s - since_s
-            if span_s <= 0.0:
-                return []
-            if span_s > GAP_S:
-                facts.append(Fact(f"No current or voltage for {span_s:.1f} s: bridged by the mean of both ends"))
-            integral_j += 0.5 * (before_w + power_w) * span_s
-        self._sample = (now_s, power_w)
-        self._meters[EnergySource.CURRENT_VOLTAGE] = integral_j
-        return facts
+@kernel()
+def _total(one: Any, consumed_j: float, armed: bool) -> None:
+    if not armed and consumed_j < min(one.total_j - RESTART_J, 0.5 * one.total_j):
+        one.before_restart_j += one.total_j
+        one.total_j = 0.0
+    one.total_j = max(one.total_j, consumed_j)
+    one.meters_j[TOTAL] = one.before_restart_j + one.total_j
 
-    def _fall(
-        self, left_j: float, capacity_j: float, moved_j: float, booked_j: float, *, armed: bool, swappable: bool
-    ) -> list[Fact]:
-        assert self._expected_j is not None
-        fallen_j = self._meters.setdefault(EnergySource.BATTERY_REMAINING, 0.0)
-        self._expected_j += moved_j - self._moved_j
-        self._unseen_j += booked_j - self._booked_j
-        self._moved_j, self._booked_j = moved_j, booked_j
-        rise_j = left_j - self._expected_j
-        if rise_j <= 0.0:
-            self._meters[EnergySource.BATTERY_REMAINING] = fallen_j - rise_j
-            self._expected_j = left_j
-            return []
-        if armed:
-            return []
-        gained_j = rise_j - self._unseen_j
-        if swappable and gained_j >= SWAP_SHARE * capacity_j:
-            self._expected_j, self._unseen_j = left_j, 0.0
-            return [Fact(f"Battery swapped: {gained_j:.0f} J more than before", gained_j)]
-        if self._unseen_j > 0.0:
-            self._expected_j, self._unseen_j = left_j, max(self._unseen_j - rise_j, 0.0)
-        return []
 
-    def _update_power(self, now_s: float) -> None:
-        """Mean power of the last while, over steps of the energy drawn where it moves in steps."""
-        history = self._history
-        in_steps = self.source is EnergySource.BATTERY_REMAINING
-        if in_steps and history and history[-1][1] == self.drawn_j:
-            return
-        history.append((now_s, self.drawn_j))
-        window_s = STEPS_WINDOW_S if in_steps else POWER_WINDOW_S
-        while len(history) > 2 and now_s - history[1][0] >= window_s:
-            history.pop(0)
-        (from_s, from_j), (to_s, to_j) = history[0], history[-1]
-        if to_s > from_s:
-            self.power_w = (to_j - from_j) / (to_s - from_s)
+@kernel()
+def _integrate(one: Any, t_s: float, power_w: float) -> float:
+    """Span in s that had to be bridged, or NaN."""
+    span_s = t_s - one.sample_s
+    if math.isnan(span_s):
+        one.meters_j[POWER] = 0.0
+    elif span_s <= 0.0:
+        return math.nan
+    else:
+        one.meters_j[POWER] += 0.5 * (one.sample_w + power_w) * span_s
+    one.sample_s, one.sample_w = t_s, power_w
+    return span_s if span_s > GAP_S else math.nan
+
+
+@kernel()
+def _fall(one: Any, left_j: float, armed: bool) -> float:
+    """J that a swapped battery brought, or NaN."""
+    moved_j = one.received_j - one.booked_j - one.given_j
+    if math.isnan(one.expected_j):
+        one.expected_j = one.initial_j + moved_j if one.initial_known else left_j
+        one.moved_j, one.seen_booked_j = moved_j, one.booked_j
+        one.meters_j[SHARE] = 0.0
+    one.expected_j += moved_j - one.moved_j
+    one.unseen_j += one.booked_j - one.seen_booked_j
+    one.moved_j, one.seen_booked_j = moved_j, one.booked_j
+    rise_j = left_j - one.expected_j
+    if rise_j <= 0.0:
+        one.meters_j[SHARE] -= rise_j
+        one.expected_j = left_j
+    elif not armed:
+        gained_j: float = rise_j - one.unseen_j
+        if one.swappable and gained_j >= SWAP_SHARE * one.capacity_j:
+            one.expected_j, one.unseen_j = left_j, 0.0
+            return gained_j
+        if one.unseen_j > 0.0:
+            one.expected_j, one.unseen_j = left_j, max(one.unseen_j - rise_j, 0.0)
+    return math.nan

@@ -23,8 +23,7 @@ from gcs.mavlink.codec import Frame, fields
 from gcs.mavlink.common_frame import FramePlace, frame_place, turned
 from gcs.mavlink.statustext import Texts
 from gcs.telemetry import plausibility
-from gcs.telemetry.battery_account import BATTERY_PARAMETERS, CAPACITY, GIVEN, RECEIVED, BatteryAccount
-from gcs.telemetry.energy import Fact
+from gcs.telemetry.battery_account import BATTERY_PARAMETERS, GIVEN, RECEIVED, BatteryAccount, Fact
 from gcs.telemetry.state import ZERO, FleetSnapshot, TrafficView, Vec3, VehicleView
 
 LANDED_M = 0.3
@@ -34,7 +33,6 @@ TRAFFIC_FORGOTTEN_S = 10.0
 MOST_TRAFFIC = 256
 """Aircraft that are kept at once; of further ones nothing is."""
 MOST_EFFORT = 1e12
-_COUNTS = {RECEIVED: "received", GIVEN: "given"}
 ORIGIN_JUMP_M = 50.0
 """By more than that the origin of an armed vehicle's frame does not move."""
 _FAILSAFE = frozenset({mav.MAV_STATE_CRITICAL, mav.MAV_STATE_EMERGENCY})
@@ -98,8 +96,6 @@ class _Track:
         self.control_effort = 0.0
         self.effort_reported_s: float | None = None
         self.texts = Texts()
-        self.counted: dict[str, tuple[float, float]] = {}
-        """(J, when) of what was last believed of each count of energy"""
         self.doubt = ""
         self.doubted_s = -math.inf
 
@@ -108,14 +104,6 @@ class _Track:
         if why:
             self.doubt, self.doubted_s = why, time_s
         return bool(why)
-
-    def counts(self, what: str, joules: float, time_s: float) -> bool:
-        """Whether a count of energy can be, after the last one of this kind."""
-        before_j, before_s = self.counted.get(what, (math.inf, time_s))
-        if self.doubts(plausibility.counted(joules, before_j, time_s - before_s, what), time_s):
-            return False
-        self.counted[what] = (joules, time_s)
-        return True
 
     def view(self, now_s: float) -> VehicleView:
         p_ned = None
@@ -156,13 +144,13 @@ class _Track:
             capacity_j=self.battery.capacity_j,
             initial_j=self.battery.initial_j,
             battery_reported=self.battery.reported,
-            drawn_j=self.battery.meter.drawn_j,
+            drawn_j=self.battery.drawn_j,
             received_j=self.battery.received_j,
             given_j=self.battery.given_j,
             given_reported_s=self.given_reported_s,
             received_reported_s=self.received_reported_s,
-            power_w=self.battery.meter.power_w,
-            energy_source=str(self.battery.meter.source),
+            power_w=self.battery.power_w,
+            energy_source=str(self.battery.source),
             control_effort=self.control_effort,
             effort_age_s=0.0 if self.effort_reported_s is None else max(now_s - self.effort_reported_s, 0.0),
             custom_mode=self.custom_mode,
@@ -330,16 +318,17 @@ class Fleet:
         self._receive_battery(track, sys_status(content, time_s))
 
     def _receive_battery(self, track: _Track, report: BatteryReport) -> None:
-        if track.doubts(plausibility.power(report.power_w), report.time_s):
-            return
-        if report.consumed_j is not None and not track.counts("drawn", report.consumed_j, report.time_s):
-            return
-        self.facts += [(track.member.sysid, fact) for fact in track.battery.report(report, armed=track.armed) or ()]
+        battery = track.battery
+        track.doubts(battery.report(report, armed=track.armed), report.time_s)
+        if battery.facts:
+            self.facts += [(track.member.sysid, fact) for fact in battery.facts]
+            battery.facts.clear()
 
     def _named_int(self, track: _Track, content: Any, time_s: float) -> None:
-        if content.name not in _COUNTS or not track.counts(_COUNTS[content.name], content.value, time_s):
+        if content.name not in (RECEIVED, GIVEN):
             return
-        track.battery.counter(content.name, content.value)
+        if track.doubts(track.battery.counter(content.name, content.value, time_s), time_s):
+            return
         reported_s = _session_s(track, content.time_boot_ms, time_s)
         if content.name == GIVEN:
             track.given_reported_s = max(track.given_reported_s, reported_s)
@@ -352,12 +341,9 @@ class Fleet:
             track.effort_reported_s = _session_s(track, content.time_boot_ms, time_s)
 
     def _parameter(self, track: _Track, content: Any, time_s: float) -> None:
-        name, value = content.param_id, track.profile.parameter(content.param_value, content.param_type)
-        if name not in BATTERY_PARAMETERS:
-            return
-        least_j = 1.0 if name == CAPACITY else 0.0
-        if not track.doubts(plausibility.capacity(value, least_j), time_s):
-            track.battery.parameter(name, value)
+        if content.param_id in BATTERY_PARAMETERS:
+            value = track.profile.parameter(content.param_value, content.param_type)
+            track.doubts(track.battery.parameter(content.param_id, value), time_s)
 
     def _statustext(self, track: _Track, content: Any, time_s: float) -> None:
         self.statustexts += [(track.member.sysid, *text) for text in track.texts.add(content, time_s)]

@@ -10,6 +10,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from gcs.kernels import kernel
+
 FARTHEST_M = 1e6
 FASTEST_M_S = 300.0
 JUMP_M = 10.0
@@ -48,16 +50,28 @@ def globe(latitude_e7: int, longitude_e7: int) -> str:
     return "" if on_earth else "its origin lies on no globe"
 
 
+def _countable(joules: float, before_j: float, elapsed_s: float) -> bool:
+    """Whether a count of energy can be, `elapsed_s` after it was `before_j`."""
+    return 0.0 <= joules <= MOST_J and joules - before_j <= STEP_J + MOST_W * max(elapsed_s, 0.0)
+
+
+countable = kernel()(_countable)
+"""The same, for compiled code."""
+
+
 def counted(joules: float, before_j: float, elapsed_s: float, what: str) -> str:
     """Why a count of energy cannot be, `elapsed_s` after it was `before_j`."""
-    if not 0.0 <= joules <= MOST_J or joules - before_j > STEP_J + MOST_W * max(elapsed_s, 0.0):
-        return f"it says that it has {what} {joules:.3g} J"
-    return ""
+    return "" if _countable(joules, before_j, elapsed_s) else impossible_count(joules, what)
 
 
-def power(watts: float | None) -> str:
-    """Why a power cannot be."""
-    return "" if watts is None or abs(watts) <= MOST_W else f"it says that it draws {watts:.3g} W"
+def impossible_count(joules: float, what: str) -> str:
+    """The sentence on a count of energy that cannot be."""
+    return f"it says that it has {what} {joules:.3g} J"
+
+
+def impossible_power(watts: float) -> str:
+    """The sentence on a power beyond MOST_W."""
+    return f"it says that it draws {watts:.3g} W"
 
 
 def capacity(joules: float, least_j: float) -> str:

@@ -12,7 +12,7 @@ from gcs.recording.tick_record import event_of, records_of_tick
 from gcs.refuelling.bidding import CompetitionState
 from gcs.refuelling.service import Decision
 from gcs.scenario.guard import PluginFault
-from gcs.telemetry.energy import Fact
+from gcs.telemetry.battery_account import Fact
 
 SERVED = {
     "kind": "served", "receiver": 2, "tanker": 201, "reason": "limit", "energy_j": 5.0, "joined_at_s": 1.0,

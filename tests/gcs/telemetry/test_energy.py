@@ -2,20 +2,28 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import random
 from typing import Any
 
+import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import battery, codec
-from gcs.mavlink.battery import BatteryReport
-from gcs.telemetry.battery_account import BatteryAccount
-from gcs.telemetry.energy import GAP_S, EnergyEstimator, EnergySource, Fact
+from gcs.mavlink.battery import BatteryReport, BatteryReports
+from gcs.telemetry.battery_account import GIVEN, RECEIVED, BatteryAccount, Fact
+from gcs.telemetry.energy import GAP_S, EnergySource
 
 CAPACITY_J = 100_000.0
 CELLS = [65535] * 10
+TOTALS = st.sampled_from([0.0, 100.0, 5000.0, 60_000.0, 1e6])
+POWERS = st.sampled_from([-50.0, 0.0, 120.0, 4000.0, 2e5])
+SHARES = st.sampled_from([0.0, 0.3, 0.31, 0.9, 1.0])
+WORDS = st.tuples(*(st.one_of(st.none(), one) for one in (TOTALS, POWERS, SHARES)), st.booleans(), st.booleans())
 
 
 def told(kind: str, **changed: Any) -> Any:
@@ -40,12 +48,15 @@ def share(time_s: float, remaining: float) -> BatteryReport:
     return BatteryReport(time_s, None, None, remaining)
 
 
-def heard(*reports: BatteryReport, **known: Any) -> tuple[EnergyEstimator, list[Fact]]:
-    estimator = EnergyEstimator()
-    facts: list[Fact] = []
+def new(capacity_j: float = CAPACITY_J) -> BatteryAccount:
+    return BatteryAccount(capacity_j, capacity_j)
+
+
+def heard(*reports: BatteryReport, armed: bool = True) -> tuple[BatteryAccount, list[Fact]]:
+    account = new()
     for report in reports:
-        facts += estimator.update(report, capacity_j=CAPACITY_J, **known) or []
-    return estimator, facts
+        assert not account.report(report, armed=armed)
+    return account, account.facts
 
 
 # MAVLink's units
@@ -107,9 +118,9 @@ def test_a_ramp_is_integrated_exactly_whatever_the_spacing() -> None:
     """100 W + 7 W/s · t over 0..20 s: 2000 + 7·200 J."""
     rng = random.Random(4)
     times = sorted({0.0, 20.0, *(rng.uniform(0.0, 20.0) for _ in range(40))})
-    estimator, facts = heard(*(power(t, 100.0 + 7.0 * t) for t in times))
-    assert estimator.drawn_j == pytest.approx(2000.0 + 1400.0, rel=1e-12)
-    assert estimator.source == "current_voltage"
+    account, facts = heard(*(power(t, 100.0 + 7.0 * t) for t in times))
+    assert account.drawn_j == pytest.approx(2000.0 + 1400.0, rel=1e-12)
+    assert account.source == "current_voltage"
     assert not facts
 
 
@@ -117,24 +128,24 @@ def test_a_sine_is_integrated_within_the_trapezoid_rules_bound() -> None:
     """∫ 200 + 100 sin t over 0..2π is 400π; the rule is off by at most (b-a) h²/12 max|f''|."""
     n = 200
     h = 2.0 * math.pi / n
-    estimator, _ = heard(*(power(h * k, 200.0 + 100.0 * math.sin(h * k)) for k in range(n + 1)))
-    assert abs(estimator.drawn_j - 400.0 * math.pi) <= 2.0 * math.pi * h * h / 12.0 * 100.0
+    account, _ = heard(*(power(h * k, 200.0 + 100.0 * math.sin(h * k)) for k in range(n + 1)))
+    assert abs(account.drawn_j - 400.0 * math.pi) <= 2.0 * math.pi * h * h / 12.0 * 100.0
 
 
 def test_a_gap_is_bridged_by_the_mean_of_both_ends_and_told() -> None:
-    estimator, facts = heard(power(0.0, 100.0), power(1.0, 100.0), power(11.0, 300.0), power(12.0, 300.0))
-    assert estimator.drawn_j == pytest.approx(100.0 + 200.0 * 10.0 + 300.0)
+    account, facts = heard(power(0.0, 100.0), power(1.0, 100.0), power(11.0, 300.0), power(12.0, 300.0))
+    assert account.drawn_j == pytest.approx(100.0 + 200.0 * 10.0 + 300.0)
     assert [fact.text for fact in facts] == ["No current or voltage for 10.0 s: bridged by the mean of both ends"]
 
 
 def test_samples_that_are_late_or_twice_draw_nothing() -> None:
-    estimator, _ = heard(power(0.0, 100.0), power(2.0, 100.0), power(2.0, 900.0), power(1.0, 900.0), power(3.0, 100.0))
-    assert estimator.drawn_j == pytest.approx(300.0)
+    account, _ = heard(power(0.0, 100.0), power(2.0, 100.0), power(2.0, 900.0), power(1.0, 900.0), power(3.0, 100.0))
+    assert account.drawn_j == pytest.approx(300.0)
 
 
 def test_a_charging_current_is_no_energy_drawn_back() -> None:
-    estimator, _ = heard(power(0.0, 100.0), power(1.0, 100.0), power(1.5, -400.0), power(3.0, -400.0))
-    assert estimator.drawn_j == pytest.approx(100.0 + 25.0)
+    account, _ = heard(power(0.0, 100.0), power(1.0, 100.0), power(1.5, -400.0), power(3.0, -400.0))
+    assert account.drawn_j == pytest.approx(100.0 + 25.0)
 
 
 # which source
@@ -142,51 +153,51 @@ def test_a_charging_current_is_no_energy_drawn_back() -> None:
 
 def test_the_autopilots_own_total_goes_before_everything() -> None:
     reports = [BatteryReport(float(t), 500.0 * t, 100.0, 1.0 - 0.01 * t) for t in range(5)]
-    estimator, _ = heard(*reports)
-    assert (estimator.source, estimator.drawn_j) == (EnergySource.ENERGY_CONSUMED, 2000.0)
-    assert estimator.power_w == pytest.approx(500.0)
+    account, _ = heard(*reports)
+    assert (account.source, account.drawn_j) == (EnergySource.ENERGY_CONSUMED, 2000.0)
+    assert account.power_w == pytest.approx(500.0)
 
 
 def test_a_share_is_what_is_left_where_nothing_else_is_told() -> None:
-    estimator, _ = heard(*(share(10.0 * k, 0.80 - 0.01 * k) for k in range(11)))
-    assert estimator.source == "battery_remaining"
-    assert estimator.drawn_j == pytest.approx(0.10 * CAPACITY_J)
-    assert estimator.power_w == pytest.approx(100.0)  # 1 % of 100 kJ every 10 s
+    account, _ = heard(*(share(10.0 * k, 0.80 - 0.01 * k) for k in range(11)))
+    assert account.source == "battery_remaining"
+    assert account.drawn_j == pytest.approx(0.10 * CAPACITY_J)
+    assert account.power_w == pytest.approx(100.0)  # 1 % of 100 kJ every 10 s
 
 
 def test_nothing_told_is_no_source() -> None:
-    estimator, _ = heard(status())
-    assert (estimator.source, estimator.drawn_j, estimator.power_w) == (EnergySource.NONE, 0.0, 0.0)
+    account, _ = heard(status())
+    assert (account.source, account.drawn_j, account.power_w) == (EnergySource.NONE, 0.0, 0.0)
 
 
 def test_a_source_that_falls_silent_gives_its_place_and_not_a_joule_is_lost_or_counted_twice() -> None:
     """100 W throughout, told by the total until 10 s, then by V·I alone, then by both again."""
     reports = [BatteryReport(float(t), 100.0 * t if t <= 10 or t > 30 else None, 100.0, None) for t in range(41)]
-    estimator = EnergyEstimator()
+    account = new()
     sources = []
     for report in reports:
-        estimator.update(report, capacity_j=CAPACITY_J)
-        sources.append((report.time_s, str(estimator.source)))
-    assert estimator.drawn_j == pytest.approx(4000.0)
+        account.report(report, armed=True)
+        sources.append((report.time_s, str(account.source)))
+    assert account.drawn_j == pytest.approx(4000.0)
     assert dict(sources)[10.0 + GAP_S] == "energy_consumed"
     assert dict(sources)[11.0 + GAP_S] == "current_voltage"
     assert dict(sources)[31.0] == "energy_consumed"
 
 
 def test_a_total_that_comes_late_does_not_bring_what_was_drawn_before_the_first_word() -> None:
-    estimator, _ = heard(*(power(float(t), 100.0) for t in range(11)), BatteryReport(11.0, 50_000.0, 100.0, None))
-    drawn_j = estimator.drawn_j
-    estimator.update(BatteryReport(12.0, 50_100.0, 100.0, None), capacity_j=CAPACITY_J)
+    account, _ = heard(*(power(float(t), 100.0) for t in range(11)), BatteryReport(11.0, 50_000.0, 100.0, None))
+    drawn_j = account.drawn_j
+    account.report(BatteryReport(12.0, 50_100.0, 100.0, None), armed=True)
     assert drawn_j == pytest.approx(1000.0)
-    assert estimator.drawn_j == pytest.approx(1100.0)
+    assert account.drawn_j == pytest.approx(1100.0)
 
 
 def test_sys_status_counts_only_while_battery_status_is_silent() -> None:
     def second_hand(t: float, power_w: float) -> BatteryReport:
         return BatteryReport(t, None, power_w, None, second_hand=True)
 
-    estimator, _ = heard(second_hand(0.0, 900.0), power(1.0, 100.0), second_hand(1.5, 900.0), power(2.0, 100.0))
-    assert estimator.drawn_j == pytest.approx(100.0)
+    account, _ = heard(second_hand(0.0, 900.0), power(1.0, 100.0), second_hand(1.5, 900.0), power(2.0, 100.0))
+    assert account.drawn_j == pytest.approx(100.0)
     alone, _ = heard(*(second_hand(float(t), 50.0) for t in range(21)))
     assert alone.source == "current_voltage"
     assert alone.drawn_j == pytest.approx(50.0 * (20.0 - (GAP_S + 1.0)))  # it is waited for first
@@ -194,44 +205,43 @@ def test_sys_status_counts_only_while_battery_status_is_silent() -> None:
 
 def test_energy_drawn_never_falls_whatever_is_reported() -> None:
     rng = random.Random(11)
-    estimator, before_j = EnergyEstimator(), 0.0
+    account, before_j = new(), 0.0
     for k in range(2000):
         total_j, power_w, left = (
             rng.choice([None, value]) for value in (rng.uniform(0, 1e5), rng.uniform(-500, 500), rng.random())
         )
+        account.counter(rng.choice([RECEIVED, GIVEN]), rng.randint(0, 900), 0.7 * k)
+        account.book(3)
         report = BatteryReport(0.7 * k + rng.uniform(-3, 9), total_j, power_w, left, second_hand=rng.random() < 0.3)
-        estimator.update(
-            report, capacity_j=CAPACITY_J, armed=rng.random() < 0.5, moved_j=rng.randint(0, 900), booked_j=k * 3
-        )  # fmt: skip
-        assert estimator.drawn_j >= before_j
-        before_j = estimator.drawn_j
+        account.report(report, armed=rng.random() < 0.5)
+        assert account.drawn_j >= before_j
+        before_j = account.drawn_j
 
 
 # restarts, swaps, bases
 
 
 def test_an_autopilot_that_was_restarted_goes_on_from_its_old_total() -> None:
-    known = {"capacity_j": CAPACITY_J, "armed": False}
-    estimator = EnergyEstimator()
+    account = new()
     for t, total_j in enumerate((0.0, 20_000.0, 0.0, 500.0)):
-        estimator.update(BatteryReport(float(t), total_j, None, None), **known)  # type: ignore[arg-type]
-    assert estimator.drawn_j == 20_500.0
+        account.report(BatteryReport(float(t), total_j, None, None), armed=False)
+    assert account.drawn_j == 20_500.0
 
 
 def test_a_frame_that_was_overtaken_is_no_restart() -> None:
-    estimator, _ = heard(*(BatteryReport(0.5 * k, j, None, None) for k, j in enumerate((0.0, 900.0, 100.0, 950.0))),
+    account, _ = heard(*(BatteryReport(0.5 * k, j, None, None) for k, j in enumerate((0.0, 900.0, 100.0, 950.0))),
                          armed=False)  # fmt: skip
-    assert estimator.drawn_j == 950.0
+    assert account.drawn_j == 950.0
 
 
 def test_a_swapped_battery_is_a_fact_with_what_it_brought() -> None:
-    estimator, facts = heard(share(0.0, 0.5), share(10.0, 0.3), share(20.0, 0.95), share(30.0, 0.90), armed=False)
+    account, facts = heard(share(0.0, 0.5), share(10.0, 0.3), share(20.0, 0.95), share(30.0, 0.90), armed=False)
     (fact,) = facts
     assert fact.gained_j == pytest.approx(0.65 * CAPACITY_J)
     assert "swapped" in fact.text
-    assert estimator.drawn_j == pytest.approx(0.25 * CAPACITY_J)
+    assert account.drawn_j == pytest.approx(0.25 * CAPACITY_J)
     # initial 50 kJ + 65 kJ = drawn 25 kJ + remaining 90 kJ
-    assert 0.5 * CAPACITY_J + fact.gained_j - estimator.drawn_j == pytest.approx(0.9 * CAPACITY_J)
+    assert 0.5 * CAPACITY_J + fact.gained_j - account.drawn_j == pytest.approx(0.9 * CAPACITY_J)
 
 
 def test_no_battery_is_swapped_in_the_air_nor_by_a_small_rise() -> None:
@@ -242,46 +252,48 @@ def test_no_battery_is_swapped_in_the_air_nor_by_a_small_rise() -> None:
 
 
 def test_a_share_that_flickers_is_not_drawn_over_and_over() -> None:
-    estimator, _ = heard(*(share(float(k), 0.50 - 0.01 * (k % 2)) for k in range(100)))
-    assert estimator.drawn_j == pytest.approx(0.01 * CAPACITY_J)
+    account, _ = heard(*(share(float(k), 0.50 - 0.01 * (k % 2)) for k in range(100)))
+    assert account.drawn_j == pytest.approx(0.01 * CAPACITY_J)
 
 
 def test_energy_received_in_the_air_is_expected_and_not_drawn() -> None:
-    estimator = EnergyEstimator()
-    estimator.update(share(0.0, 0.40), capacity_j=CAPACITY_J)
-    estimator.update(share(1.0, 0.60), capacity_j=CAPACITY_J, moved_j=25_000)
-    assert estimator.drawn_j == pytest.approx(5_000.0)  # 40 kJ + 25 kJ - 60 kJ
+    account = new()
+    account.report(share(0.0, 0.40), armed=True)
+    account.counter(RECEIVED, 25_000, 1.0)
+    account.report(share(1.0, 0.60), armed=True)
+    assert account.drawn_j == pytest.approx(5_000.0)  # 40 kJ + 25 kJ - 60 kJ
 
 
 @pytest.mark.parametrize("rises", [True, False])
 def test_what_a_base_booked_counts_once_whether_the_autopilots_share_rises_or_not(rises: bool) -> None:
     """40 %, 30 kJ booked on the ground, then 10 kJ flown: drawn is 10 kJ, and no battery was swapped."""
-    estimator, facts = EnergyEstimator(), []
-    facts += estimator.update(share(0.0, 0.40), capacity_j=CAPACITY_J, armed=False)
+    account = new()
+    account.report(share(0.0, 0.40), armed=False)
     for k in range(1, 31):
-        left = 0.40 + 0.01 * k if rises else 0.40
-        facts += estimator.update(share(float(k), left), capacity_j=CAPACITY_J, booked_j=1000.0 * k, armed=False)
+        account.book(1000)
+        account.report(share(float(k), 0.40 + 0.01 * k if rises else 0.40), armed=False)
     top = 0.70 if rises else 0.40
     for k in range(1, 11):
-        facts += estimator.update(share(60.0 + k, top - 0.01 * k), capacity_j=CAPACITY_J, booked_j=30_000.0)
-    assert not facts
-    assert estimator.drawn_j == pytest.approx(10_000.0)
+        account.report(share(60.0 + k, top - 0.01 * k), armed=True)
+    assert not account.facts
+    assert account.drawn_j == pytest.approx(10_000.0)
 
 
 def test_a_battery_that_is_swapped_at_the_base_gains_only_what_the_book_does_not_explain() -> None:
-    estimator = EnergyEstimator()
-    estimator.update(share(0.0, 0.20), capacity_j=CAPACITY_J, armed=False)
-    facts = estimator.update(share(30.0, 1.00), capacity_j=CAPACITY_J, booked_j=50_000.0, armed=False)
-    assert [fact.gained_j for fact in facts] == [pytest.approx(30_000.0)]
+    account = new()
+    account.report(share(0.0, 0.20), armed=False)
+    account.book(50_000)
+    account.report(share(30.0, 1.00), armed=False)
+    assert [fact.gained_j for fact in account.facts] == [pytest.approx(30_000.0)]
 
 
 def test_a_px4_without_a_current_sensor_is_read_by_its_share() -> None:
     """As a PX4 1.17 in its own simulator says it: minus one ampere all the while, and half of its charge gone."""
-    estimator = EnergyEstimator()
+    account = new(1000.0)
     for second, percent in enumerate((100, 75, 50)):
         content = status(voltages=[16200, *CELLS[1:]], current_battery=-100, battery_remaining=percent)
-        estimator.update(content._replace(time_s=float(second)), capacity_j=1000.0)
-    assert (str(estimator.source), estimator.drawn_j) == ("battery_remaining", pytest.approx(500.0))
+        account.report(content._replace(time_s=float(second)), armed=True)
+    assert (str(account.source), account.drawn_j) == ("battery_remaining", pytest.approx(500.0))
 
 
 def test_what_an_autopilot_drew_before_the_session_is_not_the_sessions() -> None:
@@ -292,6 +304,32 @@ def test_what_an_autopilot_drew_before_the_session_is_not_the_sessions() -> None
             account.parameter("SIM_BAT_INIT_J", CAPACITY_J)
         for time_s, consumed_j in ((1.0, 50_000.0), (2.0, 50_300.0), (3.0, 50_700.0)):
             account.report(BatteryReport(time_s, consumed_j, None, 1.0 - consumed_j / CAPACITY_J), armed=True)
-        assert account.meter.drawn_j == pytest.approx(700.0)
+        assert account.drawn_j == pytest.approx(700.0)
         assert account.initial_j == pytest.approx(50_000.0)
         assert account.remaining_j == pytest.approx(49_300.0)
+
+
+def test_what_cannot_be_is_not_taken_in_and_named() -> None:
+    account, _ = heard(BatteryReport(0.0, 100.0, 50.0, None))
+    assert "draws 2e+05 W" in account.report(BatteryReport(1.0, 200.0, 2e5, None), armed=True)
+    assert "drawn 1e+06 J" in account.report(BatteryReport(1.0, 1e6, 50.0, None), armed=True)  # a MW since then
+    assert "given -1 J" in account.counter(GIVEN, -1, 1.0)
+    assert "holds 0 J" in account.parameter("SIM_BAT_CAP_J", 0.0)
+    assert (account.drawn_j, account.given_j, account.capacity_j) == (100.0, 0, CAPACITY_J)
+
+
+# one by one, as a session hears them, and all at once, as a reader takes them
+
+
+@given(st.lists(WORDS))
+def test_reports_taken_at_once_leave_what_each_of_them_would(words: list[Any]) -> None:
+    """A recording's reports, cut where the vehicle was armed or disarmed; NaN after those that do not count."""
+    one_by_one, at_once = BatteryAccount(CAPACITY_J, 0.0, from_now=True), BatteryAccount(CAPACITY_J, 0.0, from_now=True)
+    for armed, group in itertools.groupby(enumerate(words), key=lambda word: word[1][-1]):
+        told = [BatteryReport(1.7 * k, *(word[:3]), second_hand=word[3]) for k, word in group]
+        columns = [np.array(column, dtype=np.float64) for column in zip(*told, strict=True)]
+        left_j = at_once.reports(BatteryReports(*columns[:4], columns[4] > 0.0), armed=armed)
+        for report, at_once_j in zip(told, left_j, strict=True):
+            one_by_one.report(report, armed=armed)
+            assert np.isnan(at_once_j) or at_once_j == one_by_one.remaining_j
+        assert at_once.remaining_j == one_by_one.remaining_j

@@ -35,6 +35,12 @@ def exists(path: Path) -> bool:
     return parts(path)[-1].is_file()
 
 
+def begins(path: Path) -> bool:
+    """Whether the recording's beginning is there: its first parts have not been removed."""
+    first, *later = parts(path)
+    return not later or first == part(path, 1)
+
+
 def size(path: Path) -> int:
     """Bytes of a recording in all. Raises OSError."""
     return sum(one.stat().st_size for one in parts(path))

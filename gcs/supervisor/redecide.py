@@ -125,6 +125,11 @@ class RecordedLink(TickLink):
     def joined(self) -> set[Key]:
         return self._joined
 
+    @property
+    def silent(self) -> bool:
+        """Whether nobody flies: nothing is sent then, and nothing recorded."""
+        return not self._granted
+
     def leave(self, key: Key) -> None:
         self._joined.discard(key)
         self._granted.discard(key)
@@ -216,6 +221,11 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Comparison:
     for name in (TLOG, DECISIONS, "scenario.yaml"):
         if not rotation.exists(folder / name):
             raise RedecideError(f"{folder} has no {name}: only a whole session's folder can be decided again.")
+        if not rotation.begins(folder / name):
+            raise RedecideError(
+                f"{folder / name} lacks its first parts, which the session did not keep (record: keep in its "
+                "scenario): only a whole recording can be decided again."
+            )
     scenario = load(folder / "scenario.yaml").model_copy(update={"radio": Radio()})
     if scenario.vehicles.foreign:
         raise RedecideError(
@@ -233,15 +243,10 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Comparison:
     whole = (folder / SUMMARY).exists()
     supervisor.begin()
     end_s = scenario.goal.duration_s
-    for tick in ticks(log):
+
+    def decide(tick: Tick) -> bool:
+        """Decide one tick and compare it; False where its decisions may not all have been recorded."""
         t_s = (tick.t_us - supervisor.epoch_us) / 1e6
-        if not tick.granted or (recorded.ended and (recorded.lines.cut or not whole)):
-            break
-        if round(1e3 * t_s) != supervisor.time_ms:
-            raise RedecideError(
-                f"{folder / TLOG} goes on at {t_s:.3f} s where {supervisor.time_s:.3f} s should come: it is not the "
-                "recording of this scenario, or of another clock."
-            )
         lines = recorded.until(t_s)
         for line in lines:
             _relive(supervisor, line)
@@ -250,9 +255,24 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Comparison:
         supervisor.tick(lambda: None)
         supervisor.events.clear()
         if recorded.ended and (recorded.lines.cut or not whole):
-            break  # of a session that was killed, the last tick's decisions may not all have been written
+            return False
         _compare(verdict, t_s, [line for line in lines if line["kind"] not in INPUTS], comparer.made)
         verdict.until_s = t_s
+        return True
+
+    for tick in ticks(log):
+        t_s = (tick.t_us - supervisor.epoch_us) / 1e6
+        if not tick.granted or (recorded.ended and (recorded.lines.cut or not whole)):
+            break
+        while link.silent and supervisor.time_ms < round(1e3 * t_s):
+            decide(Tick(supervisor.epoch_us + 1000 * supervisor.time_ms))
+        if round(1e3 * t_s) != supervisor.time_ms:
+            raise RedecideError(
+                f"{folder / TLOG} goes on at {t_s:.3f} s where {supervisor.time_s:.3f} s should come: it is not the "
+                "recording of this scenario, or of another clock."
+            )
+        if not decide(tick):
+            break  # of a session that was killed, the last tick's decisions may not all have been written
         progress(min(t_s / end_s, 1.0))
     verdict.problems += log.problems
     if recorded.lines.broken:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from commands import gcs
-from sessions import Outcome, fly, two_refuellings
+from sessions import Outcome, fly, small, two_refuellings
 
 from gcs.scenario.file import load
 from gcs.supervisor.redecide import RedecideError, redecide
@@ -132,6 +132,24 @@ def test_only_a_whole_folder_is_decided_again(session: Outcome, tmp_path: Path, 
     folder = copy(session, tmp_path / "half")
     (folder / missing).unlink()
     with pytest.raises(RedecideError, match=f"has no {missing}"):
+        redecide(folder)
+
+
+def test_a_session_that_nobody_has_joined_at_first_is_decided_from_its_beginning(tmp_path: Path) -> None:
+    content = small(goal={"duration_s": 6.0, "refuelled_at_least": 0})
+    for group in content["vehicles"].values():
+        group[0]["join_s"] = 3.0
+    late = fly(content, tmp_path, "--plain")
+    assert min(t_s for t_s, _ in late.messages()) > 2.0
+    verdict = redecide(late.folder)
+    assert verdict.agrees
+    assert verdict.compared == sum(record["kind"] not in ("death", "operator") for record in late.decisions) > 0
+
+
+def test_a_recording_whose_first_parts_were_not_kept_is_not_decided(session: Outcome, tmp_path: Path) -> None:
+    folder = copy(session, tmp_path / "rotated")
+    (folder / "session.0002.tlog").symlink_to(session.folder / "session.tlog")
+    with pytest.raises(RedecideError, match="lacks its first parts"):
         redecide(folder)
 
 

@@ -118,4 +118,6 @@ def _optuna() -> Any:
 
     optuna.logging.set_verbosity(optuna.logging.ERROR)
     warnings.filterwarnings("ignore", category=optuna.exceptions.ExperimentalWarning)
+    # Optuna 6, which pyproject.toml keeps out, has no place to start a descent from but trials of its own.
+    warnings.filterwarnings("ignore", message=r".*(x0|sigma0)", category=FutureWarning)
     return optuna

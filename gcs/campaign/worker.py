@@ -38,14 +38,16 @@ def fly_row(plan: Plan, row: PlannedRow) -> dict[str, Any]:
     except WarmError as error:
         return {**failed(plan, row, str(error)), **values}
     try:
-        flown, why = measures.Flown(flight.folder, scenario), flight.error
-        digest = None
-        try:
-            digest = flown.summary["digest"]
-            measured = {name: measures.measure(name, flown) for name in plan.campaign.measured}
-        except (OSError, ValueError, KeyError):
-            measured, why = dict.fromkeys(plan.campaign.measured), why or "the session left no summary"
-        fault = _fault(plan, measured)
+        # Where a session was broken off is no finding of it: the next flight would end elsewhere.
+        digest, measured, why = None, dict.fromkeys(plan.campaign.measured), flight.error
+        if not why:
+            try:
+                flown = measures.Flown(flight.folder, scenario)
+                digest = flown.summary["digest"]
+                measured = {name: measures.measure(name, flown) for name in plan.campaign.measured}
+            except (OSError, ValueError, KeyError):
+                why = "the session left no summary"
+        fault = None if why else _fault(plan, measured)
         row_done = {**_head(row), **values, **measured, "fault": fault, "error": why, "ok": not fault and not why}
         row_done["digest"] = digest
         row_done["kept"] = plan.campaign.keep == "all" or (plan.campaign.keep == "failed" and not row_done["ok"])

@@ -162,9 +162,14 @@ def test_a_session_that_cannot_be_flown_or_takes_too_long_is_a_row(tmp_path: Pat
     )
     folder = make_folder(flown, tmp_path / "campaign")
     fly(folder, flown, workers=1)
-    errors = [row["error"] for row in rows(folder, flown)]
+    found = rows(folder, flown)
+    errors = [row["error"] for row in found]
     assert errors[0] is None
     assert errors[1] == "it took longer than 5 s of wall time and was ended"
+    measured = flown.campaign.measured
+    assert all(found[0][name] is not None for name in measured)
+    assert all(found[1][name] is None for name in measured), "where it was ended is no finding"
+    assert (bool(found[0]["digest"]), found[1]["digest"]) == (True, None)
     assert errors[2] is not None
     assert "the sysid 2 is given twice" in errors[2]
     assert errors[3] == errors[2]
@@ -290,7 +295,8 @@ def test_a_search_is_the_same_with_one_worker_and_with_two_and_its_worst_shrinks
     worst = []
     for workers in ("1", "2"):
         command = [*GCS, "campaign", "search", "small.yaml", "--workers", workers, "--out", workers, "--quiet"]
-        subprocess.run(command, cwd=tmp_path, check=True)
+        done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
+        assert (done.stdout, done.stderr) == ("", "")
         worst.append((tmp_path / workers / "worst.yaml").read_text(encoding="utf-8"))
     assert worst[0] == worst[1]
     command = [*GCS, "campaign", "shrink", "1/worst.yaml", "--expect", "min_clearance_m>=0.9", "--out", "tiny.yaml"]

@@ -48,7 +48,7 @@ def stopping_m(scenario: Scenario, speed_m_s: float) -> float:
 
 def warnings(scenario: Scenario) -> list[ScenarioWarning]:
     """All of them; those about distances first."""
-    found = (_of_speed, _of_places, _of_the_ring, _of_the_fence, _of_the_ground)
+    found = (_of_speed, _of_places, _of_the_ring, _of_the_pursuit, _of_the_fence, _of_the_ground, _of_the_charge)
     return [warning for of in found for warning in of(scenario)]
 
 
@@ -147,6 +147,20 @@ def _of_the_ring(scenario: Scenario) -> Iterator[ScenarioWarning]:
             )
 
 
+def _of_the_pursuit(scenario: Scenario) -> Iterator[ScenarioWarning]:
+    """A goal that wants pursuers nearer to their targets than their places are."""
+    wanted, place_m = scenario.goal.pursue, math.hypot(scenario.formation.ring_m or 0.0, scenario.formation.height_m)
+    followers = [one for one in scenario.vehicles.pursuers if scenario.vehicles.target_of(one) is not None]
+    if wanted is None or not followers or scenario.planner.method != "potential_field":
+        return
+    if place_m > wanted.within_m:
+        yield ScenarioWarning(
+            "pursue",
+            f"the places of pursuers are {place_m:g} m from their target, and goal.pursue wants them within "
+            f"{wanted.within_m:g} m: widen within_m or lower formation.ring_m and height_m",
+        )
+
+
 def _of_the_fence(scenario: Scenario) -> Iterator[ScenarioWarning]:
     """Places that somebody is to be at and that the fence forbids."""
     places: list[tuple[str, Sequence[float]]] = [
@@ -180,6 +194,19 @@ def _of_the_ground(scenario: Scenario) -> Iterator[ScenarioWarning]:
             "ground",
             f"{which} {down_m:g} m below the zero of heights, where vehicles launched stand: is the sign wrong? "
             "In ned axes the third number is down",
+        )
+
+
+def _of_the_charge(scenario: Scenario) -> Iterator[ScenarioWarning]:
+    """A service after which its receiver wants the next one at once."""
+    rules, competition = scenario.refuelling, scenario.competition
+    givers = scenario.vehicles.tankers or scenario.bases
+    competes_at = 1.0 - competition.need_from
+    if givers and rules.enabled and competition.enabled and rules.until <= competes_at:
+        yield ScenarioWarning(
+            "refuelling",
+            f"refuelling.until fills a battery to {100.0 * rules.until:g} %, and from {100.0 * competes_at:g} % down a "
+            "vehicle competes: it wants the next service at once; raise until or competition.need_from",
         )
 
 

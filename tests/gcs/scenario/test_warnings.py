@@ -45,6 +45,20 @@ def test_the_way_to_a_stand_is_latency_and_braking() -> None:
     assert stopping_m(slow, 3.0) == pytest.approx(3.0 * 0.72 + 0.9)
 
 
+@pytest.mark.parametrize(("within_m", "warned"), [(2.4, ["pursue"]), (2.5, []), (3.0, [])])
+def test_a_goal_nearer_to_the_target_than_the_ring_is_warned_of(within_m: float, warned: list[str]) -> None:
+    """2 m beside it and 1.5 m above: 2.5 m away."""
+    goal = {"pursue": {"within_m": within_m, "for_s": 5.0}}
+    assert about(scenario(goal=goal, formation={"ring_m": 2.0, "height_m": 1.5})) == warned
+
+
+@pytest.mark.parametrize(("until", "warned"), [(0.5, ["refuelling"]), (0.6, ["refuelling"]), (0.61, [])])
+def test_a_service_that_ends_where_the_next_is_wanted_is_warned_of(until: float, warned: list[str]) -> None:
+    rules: dict[str, Any] = {"refuelling": {"enabled": True, "until": until}, "competition": {"need_from": 0.4}}
+    assert about(scenario(**rules, vehicles={"tankers": small()["vehicles"]["tankers"]})) == warned
+    assert about(scenario(**rules)) == [], "nobody is there to serve"
+
+
 @pytest.mark.parametrize(("speed_m_s", "warned"), [(1.5, []), (2.0, []), (2.5, ["separation"]), (5.0, ["separation"])])
 def test_a_speed_at_which_two_cannot_stop_in_time_is_warned_of(speed_m_s: float, warned: list[str]) -> None:
     """Head on with 0.6 m of separation and 1 m of range each: 2 (0.47 v + v²/10) is 2.6 m at 2.0 m/s, 3.6 at 2.5."""

@@ -78,7 +78,9 @@ class Guard:
             self._blame(sysid, f"did not answer within {self._limit_s:g} s and is not asked again")
         except Nonsense as problem:
             self._blame(sysid, str(problem))
-        except (Exception, SystemExit) as error:
+        except (Exception, SystemExit, KeyboardInterrupt) as error:
+            if isinstance(error, KeyboardInterrupt) and signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:
+                raise  # a person's, not the code's own
             self._blame(sysid, f"raised {_described(error)}")
         else:
             self._reported.pop(sysid, None)

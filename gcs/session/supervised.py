@@ -306,8 +306,8 @@ def run(
     if verdict is None and not interrupted:
         how = f"was killed by signal {-status}" if status is not None and status < 0 else f"ended with status {status}"
         print(
-            f"gcs: the supervisor of {folder} {how} before the session's end; what it said stands above, "
-            f"the vehicles' logs in {folder / 'vehicles'}",
+            f"gcs: the supervisor of {folder} {how} before the session's end; what it said, if anything, stands "
+            f"above, the vehicles' logs in {folder / 'vehicles'}",
             file=sys.stderr,
         )
         for line in _left_in_the_air(folder, process.last):

@@ -59,6 +59,21 @@ def test_an_exit_in_a_policy_does_not_end_the_session() -> None:
     assert guard.pop_faults()[0].problem.startswith("raised SystemExit")
 
 
+def test_an_interrupt_is_the_policys_own_only_where_a_person_cannot_interrupt() -> None:
+    def interrupts() -> None:
+        raise KeyboardInterrupt
+
+    guard = Guard("planner a:B")
+    with pytest.raises(KeyboardInterrupt):
+        guard.call(1, interrupts)
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        assert guard.call(1, interrupts) is None
+    finally:
+        signal.signal(signal.SIGINT, before)
+    assert guard.pop_faults()[0].problem.startswith("raised KeyboardInterrupt")
+
+
 def test_who_hangs_is_cut_off_and_not_asked_again_and_one_is_cut_per_tick() -> None:
     guard = Guard("planner a:B", limit_s=0.05)
     guard.begin_tick()

@@ -18,7 +18,7 @@ import yaml
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails, PydanticCustomError
 
-from gcs.scenario.yaml_dialect import MAX_NODES, SCALARS, Dumper, Loader, YamlRefused, syntax
+from gcs.scenario.yaml_dialect import MAX_NODES, SCALARS, Dumper, YamlRefused, node_of, syntax
 
 MAX_BYTES = 1 << 20
 MAX_CHARACTERS = 1 << 22
@@ -300,7 +300,7 @@ def parse(text: str, file: str) -> Document:
     document = Document(file)
     problems: list[Problem] = []
     try:
-        root = Loader(text).get_single_node()
+        root = node_of(text)
         if root is None:
             raise ScenarioError([Problem(file, None, None, "is empty; a scenario starts with 'schema: 1'")])
         data = _convert(document, root, problems)
@@ -376,7 +376,7 @@ def _convert(document: Document, root: yaml.Node, problems: list[Problem]) -> An
             key = key_node.value
             if not isinstance(key_node, yaml.ScalarNode):
                 problems.append(Problem(document.file, line, column, "a key must be a word, not a list or a block"))
-            elif key == "<<" and key_node.style is None:
+            elif key == "<<" and not key_node.style:
                 problems.append(
                     Problem(document.file, line, column, "merge keys (<<) are not allowed; repeat the keys")
                 )

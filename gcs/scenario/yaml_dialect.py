@@ -5,12 +5,15 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 import re
 from collections.abc import Callable
 from typing import Any
 
 import yaml
+from yaml.composer import Composer
+from yaml.resolver import Resolver
 
 MAX_DEPTH = 32
 MAX_NODES = 100_000
@@ -26,14 +29,14 @@ class YamlRefused(yaml.MarkedYAMLError):
         super().__init__(problem=message, problem_mark=mark)
 
 
-class Loader(yaml.SafeLoader):
-    """Reads a text as nodes with marks; tags and deep nesting raise YamlRefused."""
+class _Dialect(Composer, Resolver):
+    """Nodes with marks out of a parser's events; tags and deep nesting raise YamlRefused."""
 
     yaml_implicit_resolvers: dict[str, Any] = {}  # noqa: RUF012 (PyYAML's own name; emptied, or 1.1's scalars are inherited)
     _depth = _nodes = 0
 
     def compose_node(self, parent: yaml.Node | None, index: Any) -> yaml.Node | None:
-        event = self.peek_event()  # type: ignore[no-untyped-call]
+        event = self.peek_event()  # type: ignore[attr-defined]
         if getattr(event, "tag", None) not in {None, "!"}:
             raise YamlRefused(f"the tag {event.tag!r} is not allowed; write the plain value", event.start_mark)
         if self._depth > MAX_DEPTH:
@@ -45,6 +48,37 @@ class Loader(yaml.SafeLoader):
         node = super().compose_node(parent, index)
         self._depth -= 1
         return node
+
+
+class Loader(_Dialect, yaml.SafeLoader):
+    """Reads any text in Python."""
+
+
+if yaml.__with_libyaml__:
+    from yaml._yaml import CParser
+
+    class FastLoader(_Dialect, CParser):
+        """Reads the same by libyaml's parser, five times as fast; its errors are in other words."""
+
+        def __init__(self, text: str) -> None:
+            CParser.__init__(self, text)
+            Composer.__init__(self)
+            Resolver.__init__(self)
+
+
+_READ_OTHERWISE = re.compile("(?m)^(?:---|[.]{3}|%)|[\t\r?!\x85\u2028\u2029\ufeff]|: *[,\\]}]|[,{\\[] *:")
+"""In such a text the two parsers may differ: on what is a space, a break or a key."""
+
+
+def node_of(text: str) -> yaml.Node | None:
+    """The text's one document as nodes with marks; None where it is empty.
+
+    Raises yaml.MarkedYAMLError, yaml.reader.ReaderError, ValueError and OverflowError.
+    """
+    if yaml.__with_libyaml__ and not _READ_OTHERWISE.search(text):
+        with contextlib.suppress(yaml.YAMLError, ValueError, OverflowError):  # the other says what is wrong
+            return FastLoader(text).get_single_node()
+    return Loader(text).get_single_node()
 
 
 class Dumper(yaml.SafeDumper):
@@ -60,7 +94,7 @@ for _tag, _pattern, _first in (
     ("float", r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?", list("-+.0123456789")),
     ("float", r"[-+]?\.(inf|Inf|INF)|\.(nan|NaN|NAN)", list("-+.")),
 ):
-    for _class in (Loader, Dumper):
+    for _class in (_Dialect, Dumper):
         _class.add_implicit_resolver(f"tag:yaml.org,2002:{_tag}", re.compile(rf"(?:{_pattern})\Z"), _first)
 
 

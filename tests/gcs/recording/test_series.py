@@ -260,6 +260,18 @@ def test_energy_from_a_base_counts_for_a_vehicle_that_does_not_count_itself(reco
     assert drawn[remaining.t_s >= 40.0] == pytest.approx(-500.0, abs=1.0)
 
 
+def test_energy_that_cannot_be_is_no_more_believed_than_while_it_flew(recorded: Recorded) -> None:
+    """200 MJ between two reports half a second apart, from a vehicle that draws 100 W."""
+    rows = recorded.tables["BATTERY_STATUS"].copy()
+    wrong_s = rows["t_s"][60]
+    rows["energy_consumed"][60] = 2_000_000
+    doubted = Recorded(recorded.folder, None, recorded.scenario, {**recorded.tables, "BATTERY_STATUS": rows})
+    then, before = series.batteries(doubted)[1].remaining, series.batteries(recorded)[1].remaining
+    assert wrong_s in before.t_s
+    assert np.array_equal(then.t_s, before.t_s[before.t_s != wrong_s])
+    assert np.array_equal(then.values, before.values[before.t_s != wrong_s])
+
+
 def test_who_never_told_an_origin_is_named_as_missing(recorded: Recorded) -> None:
     origins = recorded.tables["GPS_GLOBAL_ORIGIN"]
     tables = {**recorded.tables, "GPS_GLOBAL_ORIGIN": origins[origins["sysid"] != 101]}

@@ -3,14 +3,18 @@
 import contextlib
 import math
 from pathlib import Path
+from typing import Any
 
 import pytest
+import yaml
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gcs.scenario import document, yaml_dialect
 from gcs.scenario.document import MAX_EXPLAINED, Problem, ScenarioError, emit, parse, read
 from gcs.scenario.file import load
+
+ROOT = Path(__file__).resolve().parents[3]
 
 
 def only_problem(text: str) -> Problem:
@@ -208,3 +212,49 @@ def test_of_many_unknown_keys_few_are_looked_into(tmp_path: Path, monkeypatch: p
         load(path)
     assert len(asked) <= 2 * MAX_EXPLAINED
     assert "further mistakes are not looked into" in str(refused.value.problems[-1])
+
+
+# libyaml's parser, where it may be used, reads what the one in Python reads
+
+
+def spelled_out(node: yaml.Node | None) -> Any:
+    """A node's tags, values and places."""
+    if node is None:
+        return None
+    place = (node.tag, node.start_mark.line, node.start_mark.column)
+    if isinstance(node, yaml.MappingNode):
+        return place, [(spelled_out(key), spelled_out(value)) for key, value in node.value]
+    if isinstance(node, yaml.SequenceNode):
+        return place, list(map(spelled_out, node.value))
+    return place, node.value, bool(node.style)
+
+
+def slowly(text: str) -> Any:
+    try:
+        return spelled_out(yaml_dialect.Loader(text).get_single_node())
+    except (yaml.YAMLError, ValueError, OverflowError):
+        return "refused"
+
+
+def quickly(text: str) -> Any:
+    try:
+        return spelled_out(yaml_dialect.node_of(text))
+    except (yaml.YAMLError, ValueError, OverflowError):
+        return "refused"
+
+
+@pytest.mark.parametrize("path", sorted(ROOT.glob("configs/**/*.yaml")), ids=lambda path: path.stem)
+def test_shipped_scenarios_are_read_the_same_either_way(path: Path) -> None:
+    text = path.read_text(encoding="utf-8")
+    assert quickly(text) == slowly(text) != "refused"
+
+
+PIECES = ["a", "1", "1e5", "-", "- ", ": ", ":", "\n", "\n  ", " ", "[", "]", "{", "}", ", ", ",", "#", " # ", "'", '"']
+PIECES += ["\\", "&x ", "*x", ">\n", "|\n", "%", "@", "`", "~", "é", "<<", "---\n", "..."]
+PIECES += ["\t", "?", "!", "\r", "\ufeff", "\x85", "\u2028"]
+
+
+@settings(max_examples=1500)
+@given(st.lists(st.sampled_from(PIECES), max_size=25).map("".join))
+def test_any_text_is_read_the_same_either_way(text: str) -> None:
+    assert quickly(text) == slowly(text)

@@ -22,6 +22,7 @@ class FleetLink:
         self._given_up: set[Key] = set()
         self.begin = external.begin
         self.repeat = fleet.repeat
+        self.flush = fleet.flush
         self.pop_relinked = external.pop_relinked
         self.links = external.links
 

@@ -38,7 +38,10 @@ class TickLink(Protocol):
     def grant(
         self, key: Key, t_ms: int, unix_us: int, messages: Sequence[Message], relayed: Sequence[bytes]
     ) -> list[bytes]:
-        """Send one vehicle what is for it up to a time; the frames."""
+        """Send one vehicle what is for it up to a time, at `flush` at the latest; the frames."""
+
+    def flush(self) -> None:
+        """Send what has been granted and not been sent yet."""
 
     def answers(self, idle: Callable[[], None]) -> Iterator[tuple[Key, list[Frame]]]:
         """Every vehicle's frames of the tick, of those that live on the session's clock as soon as they are whole."""

@@ -3,7 +3,8 @@
 One UDP socket holds every vehicle's link; a vehicle is known by its (system, component), by the secret in its first
 hello, which only the processes of the session have, and from then on by the address that this came from. A datagram
 from anywhere else is not read. A bundle goes out to each, and the tick is in when all have answered; who is missing
-gets the same bytes again.
+gets the same bytes again. Vehicles of one process share an address: several bundles, each marked with its vehicle, make
+a datagram, and so do several answers.
 """
 
 from __future__ import annotations
@@ -17,6 +18,8 @@ import time
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import groupby
+from operator import itemgetter
 
 from gcs.link.link import Key, TickLink
 from gcs.link.socket import kernel_drops, widen
@@ -24,10 +27,12 @@ from gcs.mavlink import codec
 from gcs.mavlink.boot_clock import CLOCKS, BootClock
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import STATION
-from gcs.mavlink.sequence import TickCollector, secret_of_hello, sequence_numbers
+from gcs.mavlink.sequence import TickCollector, hello_of, sequence_numbers
 
 DATAGRAM_BYTES = 1400
-RECEIVE_BYTES = 2048
+SHARED_BYTES = 4096
+"""Bundles for one address are sent as soon as they are so long together: who gets them flies while others' are made."""
+RECEIVE_BYTES = 16_384
 """A longer datagram is no answer, and is cut."""
 HELLO_BYTES = 64
 """No hello is longer."""
@@ -39,12 +44,17 @@ REPEAT_S = 1.0
 GRANT_BYTES = codec.HEADER_BYTES + 12 + codec.CRC_BYTES
 
 
+Address = tuple[str, int]
+
+
 @dataclass
 class _LockstepPeer:
     """One vehicle's link."""
 
     key: Key
-    address: tuple[str, int]
+    address: Address
+    marker: bytes
+    """begins each bundle where the address is shared"""
     collector: TickCollector
     numbers: Iterator[int] = field(default_factory=sequence_numbers)
     waiting: list[Message | bytes] = field(default_factory=list)
@@ -69,13 +79,16 @@ class LockstepLink(TickLink):
         self.secret = secrets.randbits(SECRET_BITS - 1) + 1
         """what a vehicle of this session says in its hello; never 0, which those say who have none"""
         self._peers: dict[Key, _LockstepPeer] = {}
-        self._by_address: dict[tuple[str, int], _LockstepPeer] = {}
+        self._by_address: dict[Address, dict[int, _LockstepPeer]] = {}
+        """by system id"""
+        self._gathered: dict[Address, bytes] = {}
+        """bundles for shared addresses that have not been sent yet"""
         self._expected: set[Key] = set()
         self._awaited: set[Key] = set()
         self._whole: deque[Key] = deque()
-        self.refused: dict[Key, tuple[str, int]] = {}
+        self.refused: dict[Key, Address] = {}
         """who spoke with an id that is not its own, and from where; the first of each"""
-        self.rivals: dict[Key, tuple[str, int]] = {}
+        self.rivals: dict[Key, Address] = {}
         """the same of those who know the session's secret: two of its own processes say that they are one vehicle"""
         self.malformed = 0
         self.resent = 0
@@ -126,21 +139,25 @@ class LockstepLink(TickLink):
         """Hold a vehicle no longer: an unfinished answer is dropped, the others go on."""
         peer = self._peers.pop(key, None)
         if peer is not None:
-            del self._by_address[peer.address]
+            there = self._by_address[peer.address]
+            del there[key[0]]
+            if not there:
+                del self._by_address[peer.address]
         self._expected.discard(key)
         self._awaited.discard(key)
 
     def grant(
         self, key: Key, t_ms: int, unix_us: int, messages: Sequence[Message], relayed: Sequence[bytes]
     ) -> list[bytes]:
-        """Send one vehicle its bundle up to T; the frames that it holds. What does not fit waits for the next one."""
+        """Send one vehicle its bundle up to T, at `flush` at the latest; the frames that it holds. What does not fit
+        waits for the next one."""
         peer = self._peers[key]
         if not peer.waiting and not relayed and len(messages) <= SURELY_FIT:
             frames = [self._frame(peer, message) for message in messages]
         else:
             frames = self._fitting(peer, messages, relayed)
         frames.append(self._frame(peer, codec.Message(_SYSTEM_TIME, (unix_us, t_ms))))
-        peer.bundle = b"".join(frames)
+        peer.bundle = peer.marker + b"".join(frames)
         peer.collector.begin(t_ms)
         self._granted_s = t_ms / 1e3
         peer.held = 0
@@ -194,6 +211,7 @@ class LockstepLink(TickLink):
             for key in sorted(self._awaited):
                 self.resent += 1
                 self._send(self._peers[key])
+            self.flush()
             wait_s = min(2.0 * wait_s, RESEND_LAST_S)
             deadline_s = time.monotonic() + wait_s
             if time.monotonic() >= repeat_s:
@@ -231,6 +249,7 @@ class LockstepLink(TickLink):
         for peer in self._peers.values():
             if peer.bundle:
                 self._send(peer)
+        self.flush()
         self._drain()
 
     def close(self) -> None:
@@ -240,11 +259,27 @@ class LockstepLink(TickLink):
     def _frame(self, peer: _LockstepPeer, message: Message) -> bytes:
         return codec.frame(message, next(peer.numbers), *STATION)
 
+    def flush(self) -> None:
+        """Send the bundles that are gathered for shared addresses."""
+        while self._gathered:
+            self._send_datagram(*self._gathered.popitem())
+
     def _send(self, peer: _LockstepPeer) -> None:
+        if not peer.marker:
+            self._send_datagram(peer.address, peer.bundle)
+            return
+        gathered = self._gathered.get(peer.address, b"") + peer.bundle
+        if len(gathered) < SHARED_BYTES:
+            self._gathered[peer.address] = gathered
+        else:
+            self._gathered.pop(peer.address, None)
+            self._send_datagram(peer.address, gathered)
+
+    def _send_datagram(self, address: Address, datagram: bytes) -> None:
         if self._drop and self._random.random() < self._drop:
             return
         with contextlib.suppress(OSError):
-            self._socket.sendto(peer.bundle, peer.address)
+            self._socket.sendto(datagram, address)
 
     def _drain(self) -> bool:
         """Take in the datagrams that have come, MOST_AT_ONCE at most; whether any tick made progress."""
@@ -260,38 +295,60 @@ class LockstepLink(TickLink):
                 progress |= self._receive(datagram, address)
         return progress
 
-    def _receive(self, datagram: bytes, address: tuple[str, int]) -> bool:
-        peer = self._by_address.get(address)
-        if peer is None:
-            self._admit(datagram, address)
+    def _receive(self, datagram: bytes, address: Address) -> bool:
+        there = self._by_address.get(address)
+        if there is None:
+            if len(datagram) <= HELLO_BYTES:
+                self._admit(codec.split(datagram).frames, address)
             return False
         frames, malformed, _ = codec.split(datagram)
         self.malformed += malformed
-        key = peer.key
-        if peer.collector.feed(frames) and key in self._awaited:
-            self._awaited.discard(key)
-            self._whole.append(key)
+        first = next(iter(there.values()))
+        if not first.marker:
+            return self._feed(first, frames)
+        progress = False
+        for sysid, run in groupby(frames, _SENDER):
+            peer = there.get(sysid)
+            if peer is None:
+                self._admit(list(run), address)
+            else:
+                progress |= self._feed(peer, list(run))
+        return progress
+
+    def _feed(self, peer: _LockstepPeer, frames: Sequence[Frame]) -> bool:
+        """Take in frames of a vehicle's answer; whether its tick made progress."""
+        if peer.collector.feed(frames) and peer.key in self._awaited:
+            self._awaited.discard(peer.key)
+            self._whole.append(peer.key)
         progress = peer.collector.held > peer.held
         peer.held = peer.collector.held
         return progress
 
-    def _admit(self, datagram: bytes, address: tuple[str, int]) -> None:
+    def _admit(self, frames: Sequence[Frame], address: Address) -> None:
         """Let somebody in who says hello with the session's secret; remember who says so without it."""
-        frames = codec.split(datagram).frames if len(datagram) <= HELLO_BYTES else []
-        secret = secret_of_hello(frames)
-        if secret is None:
+        hello = hello_of(frames)
+        if hello is None:
             return
         key = (frames[0].sysid, frames[0].compid)
         if key not in self._expected:
             return
-        if secret != self.secret:
+        if hello.secret != self.secret:
             self.refused.setdefault(key, address)
         elif key in self._peers:
             self.rivals.setdefault(key, address)
         else:
-            self._peers[key] = self._by_address[address] = _LockstepPeer(key, address, TickCollector(*key))
+            marker = _marker(key) if hello.shared else b""
+            peer = self._peers[key] = _LockstepPeer(key, address, marker, TickCollector(*key))
+            self._by_address.setdefault(address, {})[key[0]] = peer
 
 
+def _marker(key: Key) -> bytes:
+    """The frame that says whose the following bundle is: a PING to it, which is not numbered."""
+    about = {"time_usec": 0, "seq": 0, "target_system": key[0], "target_component": key[1]}
+    return codec.frame(codec.message("PING", **about), 0, *STATION)
+
+
+_SENDER = itemgetter(0)
 _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
 _LARGEST_FRAME = codec.HEADER_BYTES + 255 + codec.CRC_BYTES
 SURELY_FIT = (DATAGRAM_BYTES - GRANT_BYTES) // _LARGEST_FRAME - 1

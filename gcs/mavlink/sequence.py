@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import cycle
+from typing import NamedTuple
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
@@ -17,6 +18,8 @@ HALF = 128
 
 FIRST_ANSWER = 2
 """The number of a vehicle's first answer: its hello took 0 (HEARTBEAT) and 1 (SYSTEM_TIME)."""
+SHARED = 1
+"""Time in the hello of a vehicle that shares its address with others."""
 
 _HEARTBEAT = codec.msgid("HEARTBEAT")
 _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
@@ -27,11 +30,21 @@ def sequence_numbers() -> Iterator[int]:
     return cycle(range(NUMBERS))
 
 
-def secret_of_hello(frames: Sequence[Frame]) -> int | None:
-    """The secret in the two frames that a vehicle repeats until its first bundle; None where these are not those."""
+class Hello(NamedTuple):
+    """Content of the two frames that a vehicle repeats until its first bundle."""
+
+    secret: int
+    """by which the supervisor knows its own vehicles; 0 without one"""
+    shared: bool
+    """whether others speak from the same address"""
+
+
+def hello_of(frames: Sequence[Frame]) -> Hello | None:
+    """A datagram's frames as a hello; None where they are none."""
     if [(frame.seq, frame.msgid) for frame in frames] != [(0, _HEARTBEAT), (1, _SYSTEM_TIME)]:
         return None
-    return int(codec.fields(frames[1]).time_unix_usec)
+    told = codec.fields(frames[1])
+    return Hello(int(told.time_unix_usec), told.time_boot_ms == SHARED)
 
 
 class TickCollector:

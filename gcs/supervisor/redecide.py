@@ -140,6 +140,9 @@ class RecordedLink(TickLink):
         self._granted.add(key)
         return []
 
+    def flush(self) -> None:
+        """Nothing waits to be sent."""
+
     def answers(self, idle: Callable[[], None]) -> Iterator[tuple[Key, list[Frame]]]:
         for key in sorted(self._granted):
             yield key, self.recorded.get(key, [])

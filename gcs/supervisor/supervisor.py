@@ -463,6 +463,7 @@ class Supervisor:
             recording.sent += (
                 sent if self._peer_radio is None else [raw for raw in sent if raw[_SYSID_AT] == STATION[0]]
             )
+        self.link.flush()
         self.sent += len(recording.sent)
         self.time_ms = grant_ms
 

@@ -59,8 +59,8 @@ def fly_autopilot(
         wanted, plant = read_wanted(yaml.safe_load(file.read_text(encoding="utf-8")), sysid, kind.step_ms / 1e3)
         with kind(wanted, plant, connection) as unit:
             if supervised is not None:
-                with SupervisedLink(parse_supervisor(supervised), connection) as link:
-                    run_supervised([ConnectedUnit(unit, link, [])], from_hatch())
+                with SupervisedLink(parse_supervisor(supervised)) as link:
+                    run_supervised([ConnectedUnit(unit, connection, [])], link, from_hatch())
             elif connect is not None:
                 with PlainLink(parse_address(connect), connection) as plain:
                     print(f"vehicle {sysid}: {plain.address} (local port {plain.port})", flush=True)

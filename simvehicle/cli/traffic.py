@@ -24,8 +24,8 @@ def traffic(file: Path, supervised: str) -> None:
         connection = Connection(SYSID, COMPID)
         address = parse_supervisor(supervised)
         frame, movers = load(file)
-        link = SupervisedLink(address, connection)
+        link = SupervisedLink(address)
     except (AddressError, TrafficError) as error:
         raise click.UsageError(str(error)) from error
     with link:
-        run_supervised([ConnectedUnit(Traffic(frame, movers, [connection]), link, [])], from_hatch())
+        run_supervised([ConnectedUnit(Traffic(frame, movers, [connection]), connection, [])], link, from_hatch())

@@ -5,10 +5,15 @@ A bundle is one datagram whose last frame is the supervisor's SYSTEM_TIME: the g
 2. The grant's time is the present: the last answer goes out again, byte for byte.
 3. The grant's time is past, a number is missing, or it is no bundle: nothing happens.
 Relayed frames keep their own header and are not numbered by the supervisor.
+
+Vehicles of one process share a socket, and say so in their hellos. There a datagram may hold several bundles, each
+behind a PING to its vehicle, which is no part of it; and several answers.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator, Sequence
+from functools import lru_cache
 from typing import NamedTuple
 
 from pymavlink.dialects.v20 import common as mav
@@ -18,6 +23,10 @@ from simvehicle.mavlink.connection import Connection, pack
 
 SUPERVISOR = (255, 190)
 FRAMES_A_TICK = 127
+SHARED = 1
+"""Time in the hello of a vehicle that shares its socket."""
+SHARED_BYTES = 4096
+"""Answers that leave by a shared socket are sent as soon as they are so long together."""
 
 
 class Bundle(NamedTuple):
@@ -37,18 +46,18 @@ class Grants:
         self._answer: list[bytes] = []
         self.time_ms: int | None = None
 
-    def hello(self, heartbeat: object, secret: int = 0) -> bytes:
+    def hello(self, heartbeat: object, secret: int = 0, *, shared: bool = False) -> bytes:
         """The datagram that is repeated until the first bundle: HEARTBEAT 0, SYSTEM_TIME 1.
 
         secret: what the supervisor knows its own vehicles by, in the place of the time; 0 without one.
+        shared: whether others speak by the same socket.
         """
         self._connection.put(heartbeat)
-        self._connection.put(message("SYSTEM_TIME")(time_unix_usec=secret, time_boot_ms=0))
+        self._connection.put(message("SYSTEM_TIME")(time_unix_usec=secret, time_boot_ms=SHARED if shared else 0))
         return b"".join(self._connection.frames())
 
-    def feed(self, datagram: bytes) -> Bundle | list[bytes] | None:
+    def feed(self, frames: Sequence[ReceivedFrame]) -> Bundle | list[bytes] | None:
         """A new bundle, or the datagrams to send again, or None."""
-        frames = tuple(split(datagram))
         if not frames or frames[-1].msgid != mav.MAVLINK_MSG_ID_SYSTEM_TIME or frames[-1][:2] != SUPERVISOR:
             return None
         grant = decode(frames[-1])
@@ -63,7 +72,7 @@ class Grants:
                 seq = (seq + 1) & 0xFF
         self._next_seq = seq
         self.time_ms = grant.time_boot_ms
-        return Bundle(frames[:-1], grant.time_boot_ms, grant.time_unix_usec)
+        return Bundle(tuple(frames[:-1]), grant.time_boot_ms, grant.time_unix_usec)
 
     def answer(self, bundle: Bundle) -> list[bytes]:
         """Messages that wait on the connection, closed by the own SYSTEM_TIME with the grant's time.
@@ -74,3 +83,36 @@ class Grants:
         time = message("SYSTEM_TIME")(time_unix_usec=bundle.unix_us, time_boot_ms=bundle.time_ms)
         self._answer = pack([*frames, self._connection.number(time)])
         return self._answer
+
+
+def bundles(datagram: bytes) -> Iterator[tuple[int, list[ReceivedFrame]]]:
+    """The bundles of a datagram for a shared socket: whose each is, and its frames."""
+    sysid, frames = 0, list[ReceivedFrame]()
+    for frame in split(datagram):
+        if frame.msgid != mav.MAVLINK_MSG_ID_PING or frame[:2] != SUPERVISOR:
+            frames.append(frame)
+            continue
+        if frames:
+            yield sysid, frames
+        sysid, frames = _addressee(frame), []
+    if frames:
+        yield sysid, frames
+
+
+@lru_cache(maxsize=512)
+def _addressee(marker: ReceivedFrame) -> int:
+    ping = decode(marker)
+    assert ping is not None
+    return int(ping.target_system)
+
+
+def together(answers: Iterable[bytes]) -> Iterator[bytes]:
+    """Datagrams of several vehicles, one after the other, in fewer ones."""
+    waiting = b""
+    for datagram in answers:
+        waiting += datagram
+        if len(waiting) >= SHARED_BYTES:
+            yield waiting
+            waiting = b""
+    if waiting:
+        yield waiting

@@ -1,4 +1,5 @@
-"""The vehicles of one command line: one, or a block of them in one process, each with its own id and sockets."""
+"""The vehicles of one command line: one, or a block of them in one process, each with its own id and plain sockets;
+the one to their supervisor they share."""
 
 from __future__ import annotations
 
@@ -57,7 +58,7 @@ class _Built:
 
 
 class Block:
-    """Vehicles of one command line, every one with every connection for itself."""
+    """Vehicles of one command line, every one with every plain connection for itself."""
 
     def __init__(
         self,
@@ -97,7 +98,7 @@ class Block:
                 for link in plain:
                     print(f"vehicle {one.wanted.sysid}: {link.address} (local port {link.port})", flush=True)
             if self._supervisor is not None:
-                run_supervised(seats, from_hatch())
+                run_supervised(seats, opened.enter_context(SupervisedLink(self._supervisor)), from_hatch())
             else:
                 run_free(seats)
 
@@ -105,17 +106,16 @@ class Block:
         wanted, connections = one.wanted, one.connections
         keyring = Keyring(wanted.sysid, wanted.key_file, wanted.state)
         opened.callback(keyring.close)
-        link = None
+        supervised = None
         if self._supervisor is not None:
-            link = opened.enter_context(SupervisedLink(self._supervisor, connections[0]))
-            connections = connections[1:]
+            supervised, *connections = connections
         plain = [
             opened.enter_context(PlainLink(_own(address, i), connection, keyring=keyring, link_id=number))
             for number, (address, connection) in enumerate(zip(self._addresses, connections, strict=True))
         ]
         if one.writer is not None:
             opened.enter_context(one.writer)
-        return ConnectedUnit(one.unit, link, plain)
+        return ConnectedUnit(one.unit, supervised, plain)
 
 
 def _own(address: Address, i: int) -> Address:

@@ -16,6 +16,8 @@ from simvehicle.sitl.keys import Keyring
 
 RECEIVE_BYTES = 2048
 """Longer datagrams are cut: nobody sends MAVLink so."""
+SUPERVISED_BYTES = 16_384
+"""Those of a supervisor to several vehicles are longer."""
 MOST_AT_ONCE = 256
 """Datagrams of one link that are taken in before anything else has its turn."""
 MOST_PEERS = 32
@@ -87,10 +89,9 @@ def time_of(seconds: float) -> bytes:
 
 
 class _Link:
-    """A socket with a connection on it; its context's end closes the socket."""
+    """A socket; its context's end closes it."""
 
-    def __init__(self, address: Address, connection: Connection) -> None:
-        self.connection = connection
+    def __init__(self, address: Address) -> None:
         self.socket = open_socket(address)
 
     def __enter__(self) -> Self:
@@ -115,8 +116,8 @@ class PlainLink(_Link):
         keyring: Keyring | None = None,
         link_id: int = 0,
     ) -> None:
-        super().__init__(address, connection)
-        self.address = address
+        super().__init__(address)
+        self.address, self.connection = address, connection
         self._keyring = keyring or Keyring(connection.sysid)
         self._link_id = link_id
         self._clock = clock
@@ -179,7 +180,7 @@ class PlainLink(_Link):
 
 
 class SupervisedLink(_Link):
-    """The link to the supervisor: whole datagrams, to and from its address only."""
+    """The link of a process to its supervisor: whole datagrams, to and from its address only."""
 
     @property
     def waiting(self) -> bool:
@@ -198,7 +199,7 @@ class SupervisedLink(_Link):
     def receive(self) -> bytes | None:
         """The next datagram, or None."""
         try:
-            return self.socket.recv(RECEIVE_BYTES)
+            return self.socket.recv(SUPERVISED_BYTES)
         except OSError:
             return None
 

@@ -12,7 +12,7 @@ from simvehicle.autopilot.identity import IDENTITIES
 from simvehicle.autopilot.parameters import Parameters
 from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.law.plants import RotorPlant
-from simvehicle.mavlink.codec import encode, message
+from simvehicle.mavlink.codec import encode, message, split
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.dispatcher import Services
 from simvehicle.mavlink.lockstep import SUPERVISOR, Bundle, Grants
@@ -37,7 +37,7 @@ def warm_up() -> None:
     grants.hello(unit.hello())
     unit.start_clock(0, 0)
     for number in range(BUNDLES):
-        bundle = grants.feed(_bundle(number))
+        bundle = grants.feed(tuple(split(_bundle(number))))
         assert isinstance(bundle, Bundle)
         for frame in bundle.frames:
             unit.receive(frame, connection)

@@ -45,9 +45,10 @@ from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.identity import IDENTITIES
 from simvehicle.autopilot.parameters import Parameters
 from simvehicle.autopilot.vehicle import Vehicle
+from simvehicle.mavlink.codec import split
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.dispatcher import Services
-from simvehicle.mavlink.lockstep import Bundle, Grants
+from simvehicle.mavlink.lockstep import Bundle, Grants, bundles
 from simvehicle.sitl.link import Address, PlainLink
 from simvehicle.sitl.unit import VehicleUnit
 
@@ -137,7 +138,8 @@ def supervised(hostile: Hostile) -> Iterator[Callable[[int], None]]:
             datagram = hostile.datagram()
             address = WHERE if hostile.random.random() < 0.5 else ("127.0.0.1", hostile.random.randrange(1024, 1 << 16))
             link._receive(datagram, address)
-            if isinstance(bundle := grants.feed(datagram), Bundle):
+            list(bundles(datagram))
+            if isinstance(bundle := grants.feed(tuple(split(datagram))), Bundle):
                 grants.answer(bundle)
         if not link._awaited:
             state["t_ms"] += 100

@@ -81,6 +81,9 @@ class ScriptedLink:
         self._granted: dict[Key, int] = {}
         self._seq = 0
 
+    def flush(self) -> None:
+        pass
+
     def overflowed(self) -> int:
         return 0
 

@@ -9,7 +9,7 @@ import pytest
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
 from gcs.mavlink.gaps import GapCounter, RecordedGaps, _count
-from gcs.mavlink.sequence import FIRST_ANSWER, TickCollector, secret_of_hello, sequence_numbers
+from gcs.mavlink.sequence import FIRST_ANSWER, Hello, TickCollector, hello_of, sequence_numbers
 
 SYSID, COMPID = 4, 1
 
@@ -135,13 +135,13 @@ def test_ticks_survive_splitting_loss_reordering_repetition_and_every_turn_of_th
 
 def test_hellos_are_never_part_of_a_tick() -> None:
     collector = TickCollector(SYSID, COMPID)
-    assert secret_of_hello(received(HELLO)) == 1_000_000_000_000_000
+    assert hello_of(received(HELLO)) == Hello(1_000_000_000_000_000, shared=False)
     assert not collector.feed(received(HELLO))
     collector.begin(0)
     assert not collector.feed(received(HELLO))
     assert collector.held == 0
     raws = answer(2, 0, 3)
-    assert secret_of_hello(received(raws)) is None
+    assert hello_of(received(raws)) is None
     assert collector.feed(received(raws))
     assert [frame.seq for frame in collector.pop_frames()] == [2, 3, 4]
 

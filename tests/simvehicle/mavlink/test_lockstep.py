@@ -7,7 +7,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.mavlink.codec import ReceivedFrame, message, split
 from simvehicle.mavlink.connection import Connection
-from simvehicle.mavlink.lockstep import Bundle, Grants
+from simvehicle.mavlink.lockstep import Bundle, Grants, bundles, together
 
 EPOCH_US = 1_700_000_000_000_000
 
@@ -42,8 +42,12 @@ def supervisor() -> Supervisor:
     return Supervisor()
 
 
+def fed(grants: Grants, datagram: bytes) -> Bundle | list[bytes] | None:
+    return grants.feed(tuple(split(datagram)))
+
+
 def taken(grants: Grants, datagram: bytes) -> Bundle:
-    bundle = grants.feed(datagram)
+    bundle = fed(grants, datagram)
     assert isinstance(bundle, Bundle)
     return bundle
 
@@ -78,21 +82,21 @@ def test_new_grant_is_taken_with_its_frames_in_order_and_answered_from_2(
 def test_same_grant_again_gets_the_same_bytes(grants: Grants, supervisor: Supervisor) -> None:
     datagram = supervisor.heartbeat() + supervisor.grant(100)
     answer = grants.answer(taken(grants, datagram))
-    assert [grants.feed(datagram) for _ in range(3)] == [answer] * 3
+    assert [fed(grants, datagram) for _ in range(3)] == [answer] * 3
     later = grants.answer(taken(grants, supervisor.grant(200)))
     assert later != answer
-    assert grants.feed(datagram) is None  # older now
+    assert fed(grants, datagram) is None  # older now
 
 
 def test_missing_number_waits_until_the_whole_bundle_comes(grants: Grants, supervisor: Supervisor) -> None:
     grants.answer(taken(grants, supervisor.grant(0)))
     frames = [supervisor.heartbeat() for _ in range(3)] + [supervisor.grant(100)]
     for gone in range(3):
-        assert grants.feed(b"".join(f for i, f in enumerate(frames) if i != gone)) is None
-    assert grants.feed(frames[0] + frames[2] + frames[1] + frames[3]) is None
+        assert fed(grants, b"".join(f for i, f in enumerate(frames) if i != gone)) is None
+    assert fed(grants, frames[0] + frames[2] + frames[1] + frames[3]) is None
     broken = bytearray(frames[1])
     broken[12] ^= 1
-    assert grants.feed(frames[0] + bytes(broken) + frames[2] + frames[3]) is None
+    assert fed(grants, frames[0] + bytes(broken) + frames[2] + frames[3]) is None
     assert grants.time_ms == 0
     assert taken(grants, b"".join(frames)).time_ms == 100
 
@@ -100,7 +104,7 @@ def test_missing_number_waits_until_the_whole_bundle_comes(grants: Grants, super
 def test_bundle_after_a_lost_one_waits(grants: Grants, supervisor: Supervisor) -> None:
     first = supervisor.grant(0)
     second = supervisor.grant(100)
-    assert grants.feed(second) is None
+    assert fed(grants, second) is None
     assert taken(grants, first).time_ms == 0
     assert taken(grants, second).time_ms == 100
 
@@ -120,19 +124,19 @@ def test_relayed_frames_are_passed_on_and_not_counted(grants: Grants, supervisor
 
 @pytest.mark.parametrize("ids", [(254, 190), (255, 191), (255, 1), (1, 1)])
 def test_grant_of_anybody_else_is_ignored(grants: Grants, ids: tuple[int, int]) -> None:
-    assert grants.feed(Supervisor(*ids).grant(100)) is None
+    assert fed(grants, Supervisor(*ids).grant(100)) is None
     assert grants.time_ms is None
 
 
 @pytest.mark.parametrize("datagram", [b"", b"console text", b"\xfd" * 60, bytes(1400)])
 def test_garbage_is_ignored(grants: Grants, datagram: bytes) -> None:
-    assert grants.feed(datagram) is None
+    assert fed(grants, datagram) is None
 
 
 def test_bundle_without_its_grant_at_the_end_is_ignored(grants: Grants, supervisor: Supervisor) -> None:
     heartbeat, grant = supervisor.heartbeat(), supervisor.grant(0)
-    assert grants.feed(heartbeat) is None
-    assert grants.feed(heartbeat + grant + relayed()) is None
+    assert fed(grants, heartbeat) is None
+    assert fed(grants, heartbeat + grant + relayed()) is None
     assert taken(grants, heartbeat + grant).time_ms == 0
 
 
@@ -165,3 +169,45 @@ def test_frames_of_a_bundle_are_what_split_gives(grants: Grants, supervisor: Sup
     bundle = taken(grants, datagram)
     assert bundle.frames == tuple(split(datagram))[:-1]
     assert all(isinstance(frame, ReceivedFrame) for frame in bundle.frames)
+
+
+# a socket that several vehicles share
+
+
+def marker(sysid: int) -> bytes:
+    return bytes(mav.MAVLink_ping_message(0, 0, sysid, 1).pack(mav.MAVLink(None, 255, 190)))
+
+
+def test_who_shares_a_socket_says_so_in_its_hello() -> None:
+    (_, time) = read([Grants(Connection(7)).hello(message("HEARTBEAT")(6, 2, 12, 0, 4, 3), 5, shared=True)])
+    assert (time.time_unix_usec, time.time_boot_ms) == (5, 1)
+
+
+def test_bundles_of_a_datagram_are_told_apart_by_the_ping_before_each() -> None:
+    """Relayed frames, another one's PING among them, belong to the bundle in which they stand."""
+    other = mav.MAVLink(None, 9, 1)
+    foreign = bytes(mav.MAVLink_ping_message(0, 0, 255, 190).pack(other))
+    to_3, to_4 = Supervisor(), Supervisor()
+    first, second = to_3.heartbeat() + to_3.grant(100), foreign + to_4.grant(100)
+    found = dict(bundles(marker(3) + first + marker(4) + second))
+    assert {sysid: b"".join(frame.raw for frame in frames) for sysid, frames in found.items()} == {3: first, 4: second}
+
+
+def test_what_stands_before_the_first_ping_is_nobodys() -> None:
+    assert [sysid for sysid, _ in bundles(Supervisor().grant(100) + marker(3))] == [0]
+
+
+def test_answers_leave_in_few_datagrams_in_their_order_as_soon_as_there_is_enough() -> None:
+    made: list[int] = []
+
+    def answers() -> Any:
+        for k in range(20):
+            made.append(k)
+            yield bytes([k]) * 1400
+
+    sent = together(answers())
+    first = next(sent)
+    assert made == [0, 1, 2], "the others fly while these are read"
+    rest = list(sent)
+    assert b"".join([first, *rest]) == b"".join(bytes([k]) * 1400 for k in range(20))
+    assert len(rest) == 6

@@ -173,7 +173,7 @@ def test_nobody_there_is_no_error() -> None:
         other.bind(("127.0.0.1", 0))
         port = other.getsockname()[1]
     plain = PlainLink(Address("udpout", "127.0.0.1", port), Connection(1))
-    supervised = SupervisedLink(Address("udpout", "127.0.0.1", port), Connection(1))
+    supervised = SupervisedLink(Address("udpout", "127.0.0.1", port))
     with plain, supervised:
         for _ in range(3):
             put_and_flush(plain, 3)
@@ -188,7 +188,7 @@ def test_supervised_link_hears_its_supervisor_only() -> None:
         socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as stranger,
     ):
         supervisor.bind(("127.0.0.1", 0))
-        link = SupervisedLink(Address("udpout", *supervisor.getsockname()), Connection(1))
+        link = SupervisedLink(Address("udpout", *supervisor.getsockname()))
         with link:
             own = link.socket.getsockname()
             stranger.sendto(b"stranger", own)

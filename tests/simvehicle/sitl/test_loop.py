@@ -64,11 +64,11 @@ def test_a_vehicle_that_was_kept_from_running_hears_what_waits_before_it_leaves(
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as supervisor:
         supervisor.bind(("127.0.0.1", 0))
         address = parse_address(f"udpout:127.0.0.1:{supervisor.getsockname()[1]}")
-        with SupervisedLink(address, Connection(1)) as link:
+        with SupervisedLink(address) as link:
             unit = Slow(clock, supervisor)
             unit.grant(0, link.socket.getsockname())
             with pytest.raises(SystemExit) as left:
-                loop.run_supervised([loop.ConnectedUnit(unit, link, ())])
+                loop.run_supervised([loop.ConnectedUnit(unit, Connection(1), ())], link)
     assert unit.advanced_ms == [0, 100, 200, 300]
     assert left.value.code == exit.ABANDONED
     assert "silent for 10 s" in capsys.readouterr().err
@@ -100,19 +100,19 @@ def test_a_vehicle_of_a_hatch_waits_for_a_suspended_supervisor(monkeypatch: pyte
                 return super().receive()
 
         monkeypatch.setattr(loop, "HELLO_EVERY_S", 1e-3)
-        with Counted(address, Connection(1)) as link:
+        with Counted(address) as link:
             unit = Waiting(clock, supervisor)
             unit.grant(0, link.socket.getsockname())
             with pytest.raises(Enough):
-                loop.run_supervised([loop.ConnectedUnit(unit, link, ())], secret=1)
+                loop.run_supervised([loop.ConnectedUnit(unit, Connection(1), ())], link, secret=1)
     assert unit.advanced_ms == [0, 100]
 
 
 def test_a_hello_carries_the_secret_of_the_hatch() -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as supervisor:
         supervisor.bind(("127.0.0.1", 0))
-        with SupervisedLink(parse_address(f"udpout:127.0.0.1:{supervisor.getsockname()[1]}"), Connection(1)) as link:
-            granted = loop._Granted(Slow(Clock(), supervisor), link, (), 0xFEDC_BA98_7654_3210)
-            granted.look(0.0)
+        with SupervisedLink(parse_address(f"udpout:127.0.0.1:{supervisor.getsockname()[1]}")) as link:
+            unit = Slow(Clock(), supervisor)
+            loop._Granted(unit, Connection(1), (), 0xFEDC_BA98_7654_3210, shared=False).look(0.0, link)
             (_, time) = mav.MAVLink(None).parse_buffer(supervisor.recv(2048))
     assert time.time_unix_usec == 0xFEDC_BA98_7654_3210

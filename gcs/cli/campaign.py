@@ -319,7 +319,8 @@ def shrink(scenario: str, settings: tuple[str, ...], expect: tuple[str, ...], ou
     except WarmError as error:
         raise Refused(str(error)) from None
     out.write_text(dump(small), encoding="utf-8")
-    click.echo(f"{out}: written; gcs run {out} --lockstep flies it")
+    if not quiet:
+        click.echo(f"{out}: written; gcs run {out} --lockstep flies it")
     return DONE
 
 

@@ -26,6 +26,7 @@ MAX_CHARACTERS = 1 << 22
 MAX_SHOWN = 20
 MAX_EXPLAINED = 10 * MAX_SHOWN
 """Mistakes that are looked into: what a hint at the nearest known key costs is not for thousands."""
+MOST_SPELLED = 6
 MEANT = "; did you mean "
 
 KeyPath = tuple[str | int, ...]
@@ -191,7 +192,8 @@ class Document:
             must = _MUST.get(kind) or re.sub(r"^\w+ should", "must", message)
             near = did_you_mean(str(value), re.findall(r"'([^']*)'", must)) if kind == "literal_error" else ""
             must, mark, meant = must.partition(MEANT)
-            but = "" if ", not" in must else f", not {shown(value)}"
+            given = spelled(value) if kind == "value_error" else shown(value)
+            but = "" if ", not" in must else f", not {given}"
             yield self.problem(path, f"{name} {must}{but}{mark}{meant}{near}")
 
 
@@ -218,6 +220,12 @@ def shown(value: Any) -> str:
     if not math.isfinite(value):
         return ".nan" if math.isnan(value) else ".inf" if value > 0 else "-.inf"
     return str(value) if abs(value) < 1e15 else f"{value:g}"
+
+
+def spelled(value: Any) -> str:
+    """The same, a few numbers in a list one by one: what is wrong lies in them."""
+    numbers = isinstance(value, list) and 0 < len(value) <= MOST_SPELLED and {*map(type, value)} <= {int, float}
+    return f"[{', '.join(map(shown, value))}]" if numbers else shown(value)
 
 
 def dotted(path: KeyPath) -> str:

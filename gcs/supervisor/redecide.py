@@ -27,7 +27,6 @@ from gcs.recording.missing import passed_over
 from gcs.recording.recorder import DECISIONS, TLOG, Recorder, decision_line
 from gcs.recording.summary import FILE as SUMMARY
 from gcs.scenario.file import load
-from gcs.scenario.model import Radio
 from gcs.supervisor.faults import INJECTED
 from gcs.supervisor.operator import COMMANDS
 from gcs.supervisor.supervisor import Supervisor
@@ -201,19 +200,30 @@ class _Recorded:
         self.lines = DecisionLines(path)
         self._records = iter(self.lines)
         self._next = next(self._records, None)
+        self._waiting: list[dict[str, Any]] = []
+        """read, and not handed out yet"""
 
     def until(self, t_s: float) -> list[dict[str, Any]]:
-        """Frames up to a time that have not been handed out yet."""
+        """Those up to a time that have not been handed out yet."""
+        taken, self._waiting = [*self._waiting, *self._read_until(t_s)], []
+        return taken
+
+    def _read_until(self, t_s: float) -> list[dict[str, Any]]:
         taken = []
         while self._next is not None and self._next["t_s"] <= t_s:
             taken.append(self._next)
             self._next = next(self._records, None)
         return taken
 
+    def goes_on(self, t_s: float) -> bool:
+        """Whether there are any after a time."""
+        self._waiting += self._read_until(t_s)
+        return self._next is not None
+
     @property
     def ended(self) -> bool:
         """Whether there are no more."""
-        return self._next is None
+        return self._next is None and not self._waiting
 
 
 def redecide(folder: Path, progress: Progress = lambda _: None) -> Comparison:
@@ -229,7 +239,7 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Comparison:
                 f"{folder / name} lacks its first parts, which the session did not keep (record: keep in its "
                 "scenario): only a whole recording can be decided again."
             )
-    scenario = load(folder / "scenario.yaml").model_copy(update={"radio": Radio()})
+    scenario = load(folder / "scenario.yaml")
     if scenario.vehicles.foreign:
         raise RedecideError(
             f"{folder} was flown with external vehicles, on their own clocks: only sessions whose vehicles were all "
@@ -247,12 +257,18 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Comparison:
     supervisor.begin()
     end_s = scenario.goal.duration_s
 
+    lines: list[dict[str, Any]] = []
+
+    def relive(t_s: float) -> None:
+        """Let orders and deaths up to a time happen again."""
+        for line in recorded.until(t_s):
+            _relive(supervisor, line)
+            lines.append(line)
+
     def decide(tick: Tick) -> bool:
         """Decide one tick and compare it; False where its decisions may not all have been recorded."""
         t_s = (tick.t_us - supervisor.epoch_us) / 1e6
-        lines = recorded.until(t_s)
-        for line in lines:
-            _relive(supervisor, line)
+        relive(t_s)
         link.recorded = tick.answers
         comparer.made = []
         supervisor.tick(lambda: None)
@@ -260,15 +276,25 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Comparison:
         if recorded.ended and (recorded.lines.cut or not whole):
             return False
         _compare(verdict, t_s, [line for line in lines if line["kind"] not in INPUTS], comparer.made)
+        lines.clear()
         verdict.until_s = t_s
         return True
 
+    def decide_silent(until_ms: int) -> None:
+        """The same of the ticks in which nobody flies: nothing is recorded of them but what was decided."""
+        while supervisor.time_ms < until_ms and not recorded.ended:
+            relive(supervisor.time_s)
+            if not link.silent:
+                break
+            decide(Tick(supervisor.epoch_us + 1000 * supervisor.time_ms))
+
     for tick in ticks(log):
         t_s = (tick.t_us - supervisor.epoch_us) / 1e6
-        if not tick.granted or (recorded.ended and (recorded.lines.cut or not whole)):
+        if recorded.ended and (recorded.lines.cut or not whole):
             break
-        while link.silent and supervisor.time_ms < round(1e3 * t_s):
-            decide(Tick(supervisor.epoch_us + 1000 * supervisor.time_ms))
+        if not tick.granted and not recorded.goes_on(t_s):
+            break
+        decide_silent(round(1e3 * t_s))
         if round(1e3 * t_s) != supervisor.time_ms:
             raise RedecideError(
                 f"{folder / TLOG} goes on at {t_s:.3f} s where {supervisor.time_s:.3f} s should come: it is not the "
@@ -277,6 +303,7 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Comparison:
         if not decide(tick):
             break  # of a session that was killed, the last tick's decisions may not all have been written
         progress(min(t_s / end_s, 1.0))
+    decide_silent(round(1e3 * end_s))
     verdict.problems += log.problems
     if recorded.lines.broken:
         verdict.problems.append(passed_over(DECISIONS, recorded.lines.broken))

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from gcs.link.forwarder import Forwarder
+from gcs.link.impairment import Impairment
 from gcs.link.link import Key, TickLink
 from gcs.link.quality import LinkQuality
 from gcs.mavlink import codec
@@ -109,8 +110,8 @@ class Supervisor:
         self.faults = FaultInjector(scenario, injections)
         self.hung: set[int] = set()
         """whose process has been stopped by a fault"""
-        self._radio = make_radio(scenario, injections if impaired else ())
-        self._peer_radio = make_peer_radio(scenario, injections)
+        self._radio = make_radio(scenario, injections) if impaired else Impairment()
+        self._peer_radio = make_peer_radio(scenario, injections) if impaired else None
         self.command_queue = FleetCommandQueue(self.arming, stations)
         self.gaps = GapCounter()
         """in the vehicles' sequence numbers, after the radio"""

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from commands import gcs
-from sessions import Outcome, fly, small, two_refuellings
+from sessions import Outcome, fly, merged, small, two_refuellings
 
 from gcs.scenario.file import load
 from gcs.supervisor.redecide import RedecideError, redecide
@@ -144,6 +144,33 @@ def test_a_session_that_nobody_has_joined_at_first_is_decided_from_its_beginning
     verdict = redecide(late.folder)
     assert verdict.agrees
     assert verdict.compared == sum(record["kind"] not in ("death", "operator") for record in late.decisions) > 0
+
+
+def test_a_session_over_a_bad_radio_is_decided_the_same(tmp_path: Path) -> None:
+    """It ends in a transfer, which is stopped in time for its radio's sake; recorded frames come clear all the same."""
+    content = merged(
+        two_refuellings(),
+        {
+            "radio": {"loss": 0.2, "delay_s": 0.1},
+            "goal": {"duration_s": 22.0, "pursue": {"within_m": 3.0, "for_s": 1.0}},
+        },
+    )
+    flown = fly(content, tmp_path, "--plain")
+    verdict = redecide(flown.folder)
+    assert verdict.agrees, [difference.sentence for difference in verdict.differences[:3]]
+
+
+@pytest.mark.parametrize("fault", ["kill", "hang"])
+def test_a_session_goes_on_after_all_that_flew_have_died(tmp_path: Path, fault: str) -> None:
+    content = small(goal={"duration_s": 12.0, "refuelled_at_least": 0, "lost_at_most": 2})
+    content["faults"] = [{"fault": fault, "sysid": sysid, "at_s": 3.0} for sysid in (1, 101)]
+    content["vehicles"]["tankers"][0]["join_s"] = 8.0
+    flown = fly(content, tmp_path, "--plain")
+    verdict = redecide(flown.folder)
+    assert verdict.agrees
+    made = [record for record in flown.decisions if record["kind"] not in ("death", "operator")]
+    assert verdict.compared == len(made)
+    assert verdict.until_s == pytest.approx(11.9)
 
 
 def test_a_recording_whose_first_parts_were_not_kept_is_not_decided(session: Outcome, tmp_path: Path) -> None:

@@ -146,6 +146,8 @@ def _decide(session: Path, as_json: bool, *, trust: bool) -> int:
     from gcs.scenario.model import ScenarioError
     from gcs.supervisor.redecide import RedecideError, redecide
 
+    if not session.exists():
+        raise click.UsageError(f"--decide: {session} does not exist.")
     if not session.is_dir():
         raise click.UsageError(f"--decide: {session} is no session's folder: a .tlog alone holds no decisions.")
     try:

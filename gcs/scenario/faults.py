@@ -109,7 +109,8 @@ def fault_conflicts(faults: Sequence[Fault], vehicles: Iterable[VehicleBase], du
         yield from _key_conflicts(path, fault)
         begin_s = fault.between_s[1] if fault.between_s else fault.at_s
         if begin_s is not None and begin_s >= duration_s:
-            yield Conflict((*path, "between_s" if fault.between_s else "at_s"), "a fault begins before duration_s")
+            late = f"fault {i + 1} ({fault.fault}) begins at {begin_s:g} s, which is not before duration_s"
+            yield Conflict((*path, "between_s" if fault.between_s else "at_s"), late)
         if fault.sysid is None:
             if fault.fault not in OF_ALL:
                 yield Conflict(path, f"{fault.fault} needs the sysid of the vehicle that it befalls")

@@ -198,9 +198,15 @@ def _of_the_ground(scenario: Scenario) -> Iterator[ScenarioWarning]:
 
 
 def _of_the_charge(scenario: Scenario) -> Iterator[ScenarioWarning]:
-    """A service after which its receiver wants the next one at once."""
-    rules, competition = scenario.refuelling, scenario.competition
+    """A service after which its receiver wants the next one at once, and bases that nobody may use."""
+    rules, competition, pursuers = scenario.refuelling, scenario.competition, scenario.vehicles.pursuers
     givers = scenario.vehicles.tankers or scenario.bases
+    if scenario.bases and not scenario.vehicles.tankers and pursuers and all(p.transfer_capable for p in pursuers):
+        yield ScenarioWarning(
+            "refuelling",
+            "nobody is served at a base: who takes energy in flight is served by tankers, and there is none; give "
+            "those that are to land at bases 'transfer: false'",
+        )
     competes_at = 1.0 - competition.need_from
     if givers and rules.enabled and competition.enabled and rules.until <= competes_at:
         yield ScenarioWarning(

@@ -136,10 +136,14 @@ def syntax(error: yaml.MarkedYAMLError, text: str = "") -> str:
 
 def _value_and_keys(text: str, mark: yaml.Mark | None) -> str | None:
     """The sentence for a key that has a value on its line and keys below; None where `mark` shows something else."""
-    above = [(i, line) for i, line in enumerate(text.splitlines()[: mark.line] if mark else (), 1) if line.strip()]
+    lines = text.splitlines()[: mark.line + 1] if mark else []
+    above = [(i, line) for i, line in enumerate(lines[:-1], 1) if line.strip()]
     found = _VALUE.match(above[-1][1]) if above else None
-    if found is None:
+    if found is None or mark is None:
         return None
+    below, indent = lines[-1], len(above[-1][1]) - len(above[-1][1].lstrip())
+    if len(below) - len(below.lstrip()) <= indent or below.find(":") != mark.column:
+        return None  # a colon too many in a value is another mistake
     key, value = found["key"], found["value"].strip("\"'")
     sentence = f"YAML syntax: {key} on line {above[-1][0]} has the value {value} and keys below it; one of them must go"
     return f'{sentence}, or write {SHORT[key]}: "{value}" below {key}:' if key in SHORT else sentence

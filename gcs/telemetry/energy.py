@@ -30,7 +30,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcs.kernels import kernel
-from gcs.telemetry.plausibility import MOST_W, countable
+from gcs.telemetry.plausibility import MOST_W, STEP_J, countable
 
 GAP_S = 5.0
 SWAP_SHARE = 0.2
@@ -148,7 +148,7 @@ def _take(
     if abs(power_w) > MOST_W:
         return IMPOSSIBLE_POWER, bridged_s, gained_j
     if total:
-        if not countable(consumed_j, one.believed_j, t_s - one.believed_s):
+        if not countable(consumed_j, one.believed_j, t_s - one.believed_s, max(STEP_J, one.capacity_j)):
             return IMPOSSIBLE_TOTAL, bridged_s, gained_j
         one.believed_j, one.believed_s = consumed_j, t_s
     if math.isnan(one.first_hand_s):

@@ -19,7 +19,8 @@ JUMP_M = 10.0
 MOST_J = 1e9
 MOST_W = 1e5
 STEP_J = 1e5
-"""A count of energy may grow by so much besides: reports are rounded, and late."""
+"""A count of energy may grow by so much besides: reports are rounded, and late. Energy drawn, by as much as the battery
+holds: cells fail."""
 LEAST_SHARE, MOST_SHARE = -1.0, 2.0
 """Shares of its capacity that a battery may hold, by a ledger of several messages that may be lost or late."""
 DOUBTED_S = 5.0
@@ -50,9 +51,9 @@ def globe(latitude_e7: int, longitude_e7: int) -> str:
     return "" if on_earth else "its origin lies on no globe"
 
 
-def _countable(joules: float, before_j: float, elapsed_s: float) -> bool:
-    """Whether a count of energy can be, `elapsed_s` after it was `before_j`."""
-    return 0.0 <= joules <= MOST_J and joules - before_j <= STEP_J + MOST_W * max(elapsed_s, 0.0)
+def _countable(joules: float, before_j: float, elapsed_s: float, step_j: float) -> bool:
+    """Whether a count of energy can be, `elapsed_s` after it was `before_j`; it may grow by `step_j` at once."""
+    return 0.0 <= joules <= MOST_J and joules - before_j <= step_j + MOST_W * max(elapsed_s, 0.0)
 
 
 countable = kernel()(_countable)
@@ -61,7 +62,7 @@ countable = kernel()(_countable)
 
 def counted(joules: float, before_j: float, elapsed_s: float, what: str) -> str:
     """Why a count of energy cannot be, `elapsed_s` after it was `before_j`."""
-    return "" if _countable(joules, before_j, elapsed_s) else impossible_count(joules, what)
+    return "" if _countable(joules, before_j, elapsed_s, STEP_J) else impossible_count(joules, what)
 
 
 def impossible_count(joules: float, what: str) -> str:

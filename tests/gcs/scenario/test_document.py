@@ -82,6 +82,8 @@ def test_inherited_values_fill_gaps_and_keep_their_place() -> None:
         ("a: {b: 1\nc: 2", (2, 2), "which begins on line 1: expected ',' or '}', but got"),
         ('a:\n  b: "1\nc: "2"', (3, 5), "expected the block's end, but found a value; is a quote,"),
         ("a: it's: b", (1, 8), "needs quotes"),
+        ("schema: 1\nname: b\ndescription: Five: a demo", (3, 18), "a text with a colon in it needs quotes"),
+        ("a:\n  b: 2\nclock: mode: real", (3, 12), "a text with a colon in it needs quotes"),
         ("a: 1\n---\nb: 2", (2, 1), "second document"),
         ("a: !!python/object:os.system x", (1, 4), "not allowed"),
         ("a: !mine x", (1, 4), "'!mine' is not allowed"),

@@ -30,7 +30,7 @@ def fault(**keys: object) -> Fault:
         ("fault: kill, sysid: 1", "a fault needs either at_s or between_s"),
         ("fault: kill, sysid: 1, at_s: 1, between_s: [1, 2]", "a fault needs either at_s or between_s"),
         ("fault: kill, sysid: 1, between_s: [3, 2]", "between_s needs the earlier time first"),
-        ("fault: kill, sysid: 1, at_s: 10", "a fault begins before duration_s"),
+        ("fault: kill, sysid: 1, at_s: 10", "fault 1 (kill) begins at 10 s, which is not before duration_s"),
         ("fault: tanker_out, sysid: 1, at_s: 1", "pursuer 1 is no tanker"),
         ("fault: loss, at_s: 1, for_s: 2", "loss needs share"),
         ("fault: battery, sysid: 1, at_s: 1, share: 1.5", "less than or equal to 1"),

@@ -52,6 +52,16 @@ def test_a_goal_nearer_to_the_target_than_the_ring_is_warned_of(within_m: float,
     assert about(scenario(goal=goal, formation={"ring_m": 2.0, "height_m": 1.5})) == warned
 
 
+@pytest.mark.parametrize(("transfer", "warned"), [(None, ["refuelling"]), (True, ["refuelling"]), (False, [])])
+def test_bases_that_nobody_may_use_are_warned_of(transfer: bool | None, warned: list[str]) -> None:
+    content = small()
+    for pursuer in content["vehicles"]["pursuers"]:
+        pursuer["transfer"] = transfer
+    pursuers = content["vehicles"]["pursuers"]
+    bases = [{"name": "north", "position_m": (9.0, 0.0, 0.0), "stock_j": 20_000.0}]
+    assert about(scenario(bases=bases, refuelling={"enabled": True}, vehicles={"pursuers": pursuers})) == warned
+
+
 @pytest.mark.parametrize(("until", "warned"), [(0.5, ["refuelling"]), (0.6, ["refuelling"]), (0.61, [])])
 def test_a_service_that_ends_where_the_next_is_wanted_is_warned_of(until: float, warned: list[str]) -> None:
     rules: dict[str, Any] = {"refuelling": {"enabled": True, "until": until}, "competition": {"need_from": 0.4}}

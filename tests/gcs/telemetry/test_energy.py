@@ -318,6 +318,13 @@ def test_what_cannot_be_is_not_taken_in_and_named() -> None:
     assert (account.drawn_j, account.given_j, account.capacity_j) == (100.0, 0, CAPACITY_J)
 
 
+@pytest.mark.parametrize(("loss_j", "believed"), [(8e6, True), (1.7e7, False)])
+def test_a_battery_may_lose_at_once_what_it_holds_and_no_more(loss_j: float, believed: bool) -> None:
+    account = new(1.6e7)
+    account.report(BatteryReport(1.0, 1000.0, None, None), armed=True)
+    assert (not account.report(BatteryReport(1.5, 1000.0 + loss_j, None, None), armed=True)) is believed
+
+
 # one by one, as a session hears them, and all at once, as a reader takes them
 
 

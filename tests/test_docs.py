@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 import os
+import pkgutil
 import re
 import shutil
 import subprocess
@@ -73,6 +74,13 @@ def test_every_page_is_in_the_sites_navigation_and_is_linked() -> None:
         assert f": {name}" in navigation
         assert name == "index.md" or f"({name})" in index
     assert all(f": reference/{name}" in navigation for name in generated().pages() if name.endswith(".md"))
+
+
+def test_what_the_python_api_describes_can_be_imported() -> None:
+    described = re.findall(r"^::: ([\w.]+)$", (DOCS / "python-api.md").read_text(encoding="utf-8"), re.M)
+    assert described
+    for name in described:
+        assert pkgutil.resolve_name(name).__doc__, name
 
 
 def test_the_files_that_pages_name_exist() -> None:

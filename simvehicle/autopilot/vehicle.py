@@ -18,7 +18,7 @@ from simvehicle.autopilot.follow import Followed, smoothed
 from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.geofence import Fence
 from simvehicle.autopilot.identity import Identity
-from simvehicle.autopilot.maneuvers import REACHED_M, Anchor, OffboardSetPoint, resting_place, set_point_of
+from simvehicle.autopilot.maneuvers import AT_REST, REACHED_M, Anchor, OffboardSetPoint, resting_place, set_point_of
 from simvehicle.autopilot.mission import Leg, Mission, Outcome
 from simvehicle.autopilot.modes import FAILSAFES, RESTING, STAND_DOWN, STEERED, Mode, Rule, Severity, Trigger, rule_for
 from simvehicle.autopilot.parameters import Parameters
@@ -52,16 +52,16 @@ class Vehicle(Body):
         self.booting = False
         self.announcements: list[tuple[Severity, str]] = []
         self.on_change: Callable[[], None] = lambda: None
-        self._gcs_seen_s: float | None = None
-        self._setpoint: OffboardSetPoint | None = None
+        self.gcs_seen_s: float | None = None
+        self.setpoint: OffboardSetPoint | None = None
         self._followed: Followed | None = None
         self._outside = False
         self._return_ned = start.p_ned
         self._anchor = Anchor(start.p_ned, 0.0, start.p_ned[2])
         self._takeoff_down_m = start.p_ned[2]
-        self._yaw_ned = start.attitude_ned_rad[2]
+        self.yaw_ned = start.attitude_ned_rad[2]
         if start.airborne:
-            self._setpoint = OffboardSetPoint(start.p_ned, start.v_ned, (True, True, True), None, 0.0)
+            self.setpoint = OffboardSetPoint(start.p_ned, start.v_ned, (True, True, True), None, 0.0)
 
     # what it is now
 
@@ -99,7 +99,7 @@ class Vehicle(Body):
             rates_body=self.rates_body,
             target_p_ned=target_p_ned,
             target_v_ned=target_v_ned,
-            target_yaw_ned=self._yaw_ned,
+            target_yaw_ned=self.yaw_ned,
             home_ned=self.home_ned,
             power_w=self.power_w,
             drawn_j=self.drawn_j,
@@ -186,24 +186,38 @@ class Vehicle(Body):
         self.failed.clear()
         self.load_mission(())
         self.fence, self.rally_ned = Fence(), ()
-        self._setpoint = self._followed = self._gcs_seen_s = None
+        self.setpoint = self._followed = self.gcs_seen_s = None
         self.trigger(Trigger.HOLD)
         self.retune()
 
     def set_point(self, setpoint: OffboardSetPoint) -> None:
         """Take an offboard set point; it is flown in offboard and refuel, and keeps them alive."""
-        self._setpoint = setpoint
+        self.setpoint = setpoint
         if self.mode is Mode.GUIDED and self.armed and not self.landed:
             self.trigger(Trigger.OFFBOARD)
 
     def setpoints_fresh(self) -> bool:
         """Whether offboard would have something to fly."""
-        age_s = math.inf if self._setpoint is None else self.time_s - self._setpoint.time_s
+        age_s = math.inf if self.setpoint is None else self.time_s - self.setpoint.time_s
         return age_s <= self.parameters["COM_OF_LOSS_T"]
+
+    @property
+    def only_steered(self) -> bool:
+        """Whether it flies set points of place and velocity, and nothing moves or stops it beside them, its battery and
+        silence."""
+        setpoint, fence = self.setpoint, self.fence
+        return (
+            (self.mode is Mode.OFFBOARD and self.armed and setpoint is not None)
+            and (setpoint.use_position == (True, True, True) and setpoint.yaw_ned_rad is None)
+            and setpoint.yaw_rate_rad_s is None
+            and not (self.failed or self.booting or self.announcements or self.transfer is not None)
+            and not (fence.inside or fence.outside or self._outside)
+            and self.position_error_ned is AT_REST
+        )
 
     def receive_gcs_heartbeat(self) -> None:
         """A ground station's HEARTBEAT has come."""
-        self._gcs_seen_s = self.time_s
+        self.gcs_seen_s = self.time_s
 
     def order(self, order: TransferOrder) -> str | None:
         """Begin or end a transfer; the reason where it is refused."""
@@ -233,8 +247,8 @@ class Vehicle(Body):
         self.time_ms = time_ms
         self.unix_epoch_us = unix_us - 1000 * time_ms
         self._anchor = replace(self._anchor, time_s=self.time_s)
-        if self._setpoint is not None:
-            self._setpoint = self._setpoint._replace(time_s=self.time_s)
+        if self.setpoint is not None:
+            self.setpoint = self.setpoint._replace(time_s=self.time_s)
 
     def advance(self, to_ms: int) -> None:
         """Fly to a time; whole steps of 4 ms, a remainder waits for the next call."""
@@ -252,14 +266,14 @@ class Vehicle(Body):
             self.thrust_m_s2 = np.concatenate(thrusts, axis=1)
 
     def _fly(self, steps: int) -> None:
-        if self.mode in STEERED and self._setpoint is not None:
+        if self.mode in STEERED and self.setpoint is not None:
             dt_s, fastest_rad_s = steps * STEP_MS / 1e3, self.fastest_turn_rad_s
-            self._yaw_ned = self._setpoint.yaw_after(dt_s, self._yaw_ned, fastest_rad_s=fastest_rad_s)
+            self.yaw_ned = self.setpoint.yaw_after(dt_s, self.yaw_ned, fastest_rad_s=fastest_rad_s)
         turning = self.armed and Failure.MOTOR not in self.failed
         at_rest = self.landed and self.mode in RESTING
         wanted = set_point_of(
             self.mode,
-            self._setpoint,
+            self.setpoint,
             self._anchor,
             p_ned=self.p_ned,
             home_ned=self.home_ned,
@@ -270,7 +284,7 @@ class Vehicle(Body):
             followed=self._followed,
             blind=Failure.GPS in self.failed,
         )
-        self.fly(steps, wanted, yaw_ned_rad=self._yaw_ned, motors=turning and not at_rest)
+        self.fly(steps, wanted, yaw_ned_rad=self.yaw_ned, motors=turning and not at_rest)
 
     def _progress(self) -> None:
         """Events that the vehicle finds out by itself."""
@@ -314,7 +328,7 @@ class Vehicle(Body):
         happened = (  # in the order of FAILSAFES
             self._battery_low(),
             Failure.GPS in self.failed,
-            self._gcs_seen_s is not None and self.time_s - self._gcs_seen_s > self.parameters["COM_DL_LOSS_T"],
+            self.gcs_seen_s is not None and self.time_s - self.gcs_seen_s > self.parameters["COM_DL_LOSS_T"],
             crossed and self.parameters["GF_ACTION"] == FENCE_RETURN,
             crossed and self.parameters["GF_ACTION"] == FENCE_HOLD,
             not self.setpoints_fresh(),

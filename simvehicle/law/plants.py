@@ -72,6 +72,16 @@ class Plant:
         self.now = self.state[0].tolist()
         return thrust
 
+    def go_on_from(self, flown: NDArray[np.float64]) -> None:
+        """Be where another has flown it to: its row, (n,)."""
+        self.state = flown[np.newaxis].copy()
+        self.now = flown.tolist()
+
+    @property
+    def packed(self) -> NDArray[np.float64]:
+        """Parameters in force, (1, PARAMS_SIZE)."""
+        return self._packed
+
     def _fly(self, flown: NDArray[np.float64], command: NDArray[np.float64], thrust: NDArray[np.float64]) -> None:
         """Fly a copy of the row on in place, and write the thrust of each step."""
         step.fly_rows(flown, command, self._packed, self._time_s, STEP_S, thrust)

@@ -265,12 +265,15 @@ def _compiled(build: int) -> Callable[..., Any]:
     return fly
 
 
-def _checksum() -> int:
+def checksum() -> int:
+    """Of the files that are compiled into the core, this one among them: for kernels elsewhere that it is compiled
+    into."""
     modules = (params, dynamics, differentiator, controller, guidance, power)
-    return zlib.crc32(b"".join(Path(str(module.__file__)).read_bytes() for module in modules))
+    files = (__file__, *(str(module.__file__) for module in modules))
+    return zlib.crc32(b"".join(Path(file).read_bytes() for file in files))
 
 
-fly_rows = _compiled(_checksum())
+fly_rows = _compiled(checksum())
 """(states, commands, parameters, times (n,), dt, thrust (n, k)): as `advance`, but in place and unchecked: all of
 float64, in C order."""
 

@@ -23,10 +23,16 @@ class Connection:
         self.sysid = sysid
         self.compid = compid
         self.streams = StreamSchedule()
-        self._seq = 0
+        self.seq = 0
+        """number of the next frame"""
         self._queue: list[Any] = []
         """messages, or frames that have their number already"""
         self._buffer = np.empty(LARGEST_BYTES, np.uint8)
+
+    @property
+    def waiting(self) -> bool:
+        """Whether anything waits to be sent."""
+        return bool(self._queue)
 
     def put(self, content: Any) -> None:
         """Queue a message behind those that wait."""
@@ -51,13 +57,13 @@ class Connection:
             vehicle.home_ned[2],
             vehicle.time_ms,
             wanted,
-            self._seq,
+            self.seq,
             self.sysid,
             self.compid,
         )
         written = self._buffer[:end].tobytes()
         frames = [frame for frame in (written[:first], written[first:second], written[second:]) if frame]
-        self._seq = (self._seq + len(frames)) & 0xFF
+        self.seq = (self.seq + len(frames)) & 0xFF
         self._queue += frames
 
     def frames(self, most: int | None = None) -> list[bytes]:
@@ -65,20 +71,20 @@ class Connection:
         queue = self._queue
         handed_out = queue[:most]
         del queue[:most]
-        seq, sysid, compid, frames = self._seq, self.sysid, self.compid, []
+        seq, sysid, compid, frames = self.seq, self.sysid, self.compid, []
         for content in handed_out:
             if type(content) is bytes:
                 frames.append(content)
                 continue
             frames.append(content.SCHEMA.encode(content, seq, sysid, compid))
             seq = (seq + 1) & 0xFF
-        self._seq = seq
+        self.seq = seq
         return frames
 
     def number(self, content: Any) -> bytes:
         """The frame of one message with this connection's next number, past everything that waits."""
-        seq = self._seq
-        self._seq = (seq + 1) & 0xFF
+        seq = self.seq
+        self.seq = (seq + 1) & 0xFF
         frame: bytes = content.SCHEMA.encode(content, seq, self.sysid, self.compid)
         return frame
 

@@ -160,9 +160,19 @@ class Services:
         self._logs.report()
         self._files.report()
 
-    def _pace_counters(self) -> None:
+    @property
+    def idle(self) -> bool:
+        """Whether it reports nothing but telemetry while nobody sends anything and the vehicle only flies."""
+        services = (self._reboot, self._planning, self._logs, self._files)
+        counters = self._fast_counters or self._counts_fast()
+        return self.fleet is None and not counters and all(service.idle for service in services)
+
+    def _counts_fast(self) -> bool:
         vehicle = self.vehicle
-        fast = vehicle.transfer is not None or vehicle.time_s - vehicle.exchange.ended_s < COUNTERS_STAY_FAST_S
+        return vehicle.transfer is not None or vehicle.time_s - vehicle.exchange.ended_s < COUNTERS_STAY_FAST_S
+
+    def _pace_counters(self) -> None:
+        fast = self._counts_fast()
         if fast != self._fast_counters:
             self._fast_counters = fast
             for key in ("XferOut", "XferIn"):

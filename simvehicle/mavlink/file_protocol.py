@@ -77,6 +77,11 @@ class FileService:
         else:
             self._burst, self._sent = to, 0
 
+    @property
+    def idle(self) -> bool:
+        """Whether no pieces wait to be sent."""
+        return self._burst is None
+
     def report(self) -> None:
         """Queue the pieces of this tick."""
         for _ in range(PIECES_A_TICK):

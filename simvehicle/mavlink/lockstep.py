@@ -42,9 +42,11 @@ class Grants:
 
     def __init__(self, connection: Connection) -> None:
         self._connection = connection
-        self._next_seq = 0
-        self._answer: list[bytes] = []
+        self.number = 0
+        """of the supervisor's next frame"""
+        self.last_answer: list[bytes] = []
         self.time_ms: int | None = None
+        """of the last grant"""
 
     def hello(self, heartbeat: object, secret: int = 0, *, shared: bool = False) -> bytes:
         """The datagram that is repeated until the first bundle: HEARTBEAT 0, SYSTEM_TIME 1.
@@ -63,14 +65,14 @@ class Grants:
         grant = decode(frames[-1])
         assert grant is not None
         if self.time_ms is not None and grant.time_boot_ms <= self.time_ms:
-            return self._answer if grant.time_boot_ms == self.time_ms else None
-        seq = self._next_seq
+            return self.last_answer if grant.time_boot_ms == self.time_ms else None
+        seq = self.number
         for frame in frames:
             if frame[:2] == SUPERVISOR:
                 if frame.seq != seq:
                     return None
                 seq = (seq + 1) & 0xFF
-        self._next_seq = seq
+        self.number = seq
         self.time_ms = grant.time_boot_ms
         return Bundle(tuple(frames[:-1]), grant.time_boot_ms, grant.time_unix_usec)
 
@@ -81,8 +83,8 @@ class Grants:
         """
         frames = self._connection.frames(FRAMES_A_TICK - 1)
         time = message("SYSTEM_TIME")(time_unix_usec=bundle.unix_us, time_boot_ms=bundle.time_ms)
-        self._answer = pack([*frames, self._connection.number(time)])
-        return self._answer
+        self.last_answer = pack([*frames, self._connection.number(time)])
+        return self.last_answer
 
 
 def bundles(datagram: bytes) -> Iterator[tuple[int, list[ReceivedFrame]]]:

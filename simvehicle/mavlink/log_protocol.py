@@ -77,6 +77,11 @@ class LogService:
             if call.frame.msgid == mav.MAVLINK_MSG_ID_LOG_ERASE:
                 self._log.erase()
 
+    @property
+    def idle(self) -> bool:
+        """Whether no pieces wait to be sent."""
+        return self._log is None or self._connection is None
+
     def report(self) -> None:
         """Queue the pieces of this tick."""
         if self._log is None or self._connection is None:

@@ -103,6 +103,11 @@ class Reboot:
             vehicle.on_change()
         return IN_PROGRESS
 
+    @property
+    def idle(self) -> bool:
+        """Whether none is under way."""
+        return self._asked is None
+
     def busy_with(self, request: VehicleCommand) -> bool:
         """Whether a reboot is under way that is not what is asked for."""
         return self._asked is not None and request.command != mav.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN

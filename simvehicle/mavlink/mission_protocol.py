@@ -151,6 +151,11 @@ class MissionProtocol:
         if self._upload is not None and self._upload.peer == peer and content.type != ACCEPTED:
             self._upload = None
 
+    @property
+    def idle(self) -> bool:
+        """Whether nothing will be due while nobody sends anything."""
+        return self._upload is None
+
     def due(self, now_s: float) -> list[Post]:
         """Repeat what has to be asked for again, or give up."""
         upload = self._upload

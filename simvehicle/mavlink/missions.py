@@ -69,6 +69,12 @@ class Planning:
                     self._context.vehicle.announce(Severity.WARNING, f"Mission has no item {content.seq}")
                 self._send_current()
 
+    @property
+    def idle(self) -> bool:
+        """Whether `report` has nothing to queue while nobody sends anything and no mission is flown."""
+        mission = self._context.vehicle.mission
+        return self.protocol.idle and (mission is None or not mission.reached)
+
     def report(self) -> None:
         """Queue what is due: requests repeated, and items reached since the last time."""
         _send(self.protocol.due(self._context.vehicle.time_s))

@@ -20,16 +20,16 @@ LARGEST_BYTES = 3 * 40
 """All three frames."""
 
 _PAYLOAD_BYTES = 28  # of each of the three
-_HEADER_BYTES = 10
+HEADER_BYTES = 10
 _ATTITUDE_ID, _LOCAL_ID, _GLOBAL_ID = 30, 32, 33
 _ATTITUDE_SEED, _LOCAL_SEED, _GLOBAL_SEED = 39, 185, 104
-_MAGIC = 0xFD
-_TURN_RAD, _TURN_DEG = 2.0 * math.pi, 360.0
-_DEGREES = 180.0 / math.pi
+MAGIC = 0xFD
+_TURN_RAD, TURN_DEG = 2.0 * math.pi, 360.0
+DEGREES = 180.0 / math.pi
 
 
 @njit(error_model="numpy")
-def _remainder(x: float, whole: float) -> float:
+def remainder(x: float, whole: float) -> float:
     """IEEE's remainder, as math.remainder; exact."""
     rest: float = np.fmod(x, whole)
     if abs(rest) > 0.5 * whole:
@@ -38,14 +38,14 @@ def _remainder(x: float, whole: float) -> float:
 
 
 @njit(error_model="numpy")
-def _bounded(value: float, bits: int) -> int:
+def bounded(value: float, bits: int) -> int:
     """The nearest number that so many bits hold."""
     limit = 2.0 ** (bits - 1)
     return int(min(max(np.rint(value), -limit), limit - 1.0))
 
 
 @njit(error_model="numpy")
-def _checksum(frame: NDArray[np.uint8], start: int, end: int, seed: int) -> int:
+def checksum(frame: NDArray[np.uint8], start: int, end: int, seed: int) -> int:
     """CRC-16/MCRF4XX of bytes and the message's seed."""
     crc = 0xFFFF
     for i in range(start, end + 1):
@@ -56,21 +56,29 @@ def _checksum(frame: NDArray[np.uint8], start: int, end: int, seed: int) -> int:
 
 
 @njit(error_model="numpy")
-def _frame(
-    out: NDArray[np.uint8], at: int, words: NDArray[np.int32], msgid: int, seed: int, seq: int, sysid: int, compid: int
+def write_frame(
+    out: NDArray[np.uint8],
+    at: int,
+    payload: NDArray[np.uint8],
+    size: int,
+    msgid: int,
+    seed: int,
+    seq: int,
+    sysid: int,
+    compid: int,
 ) -> int:
-    """Write a frame whose payload is these words, its trailing zeros cut; where it ends."""
-    body = at + _HEADER_BYTES
-    for i in range(_PAYLOAD_BYTES):
-        out[body + i] = (words[i >> 2] >> (8 * (i & 3))) & 0xFF
-    length = _PAYLOAD_BYTES
+    """Write a frame of a payload of this size, its trailing zeros cut; where it ends."""
+    body = at + HEADER_BYTES
+    for i in range(size):
+        out[body + i] = payload[i]
+    length = size
     while length > 1 and out[body + length - 1] == 0:
         length -= 1
-    out[at], out[at + 1], out[at + 2], out[at + 3] = _MAGIC, length, 0, 0
+    out[at], out[at + 1], out[at + 2], out[at + 3] = MAGIC, length, 0, 0
     out[at + 4], out[at + 5], out[at + 6] = seq & 0xFF, sysid, compid
-    out[at + 7], out[at + 8], out[at + 9] = msgid, 0, 0
+    out[at + 7], out[at + 8], out[at + 9] = msgid & 0xFF, msgid >> 8, 0
     end = body + length
-    crc = _checksum(out, at + 1, end, seed)
+    crc = checksum(out, at + 1, end, seed)
     out[end], out[end + 1] = crc & 0xFF, crc >> 8
     return end + 2
 
@@ -101,7 +109,7 @@ def write_motion(
     """
     s = state[0]
     words = np.empty(7, np.int32)
-    floats = words.view(np.float32)
+    floats, payload = words.view(np.float32), words.view(np.uint8)
     north, east, down = s[0], -s[1], -s[2]
     v_north, v_east, v_down = s[3], -s[4], -s[5]
     roll, pitch, yaw = s[6], s[7], s[8]
@@ -109,30 +117,30 @@ def write_motion(
     if wanted & ATTITUDE:
         sin_roll, cos_roll, cos_pitch = math.sin(roll), math.cos(roll), math.cos(pitch)
         words[0] = time_ms
-        floats[1] = _remainder(roll, _TURN_RAD)
-        floats[2] = _remainder(-pitch, _TURN_RAD)
-        floats[3] = _remainder(-yaw, _TURN_RAD)
+        floats[1] = remainder(roll, _TURN_RAD)
+        floats[2] = remainder(-pitch, _TURN_RAD)
+        floats[3] = remainder(-yaw, _TURN_RAD)
         floats[4] = s[9] - s[11] * math.sin(pitch)
         floats[5] = -(s[10] * cos_roll + s[11] * sin_roll * cos_pitch)
         floats[6] = -(-s[10] * sin_roll + s[11] * cos_roll * cos_pitch)
-        at = _frame(out, at, words, _ATTITUDE_ID, _ATTITUDE_SEED, seq, sysid, compid)
+        at = write_frame(out, at, payload, _PAYLOAD_BYTES, _ATTITUDE_ID, _ATTITUDE_SEED, seq, sysid, compid)
         seq += 1
     first = at
     if wanted & LOCAL_POSITION:
         words[0] = time_ms
         floats[1], floats[2], floats[3] = north, east, down
         floats[4], floats[5], floats[6] = v_north, v_east, v_down
-        at = _frame(out, at, words, _LOCAL_ID, _LOCAL_SEED, seq, sysid, compid)
+        at = write_frame(out, at, payload, _PAYLOAD_BYTES, _LOCAL_ID, _LOCAL_SEED, seq, sysid, compid)
         seq += 1
     second = at
     if wanted & GLOBAL_POSITION:
         words[0] = time_ms
-        words[1] = int(np.rint(1e7 * _remainder(origin[0] + north * origin[3], _TURN_DEG)))
-        words[2] = int(np.rint(1e7 * _remainder(origin[1] + east * origin[4], _TURN_DEG)))
-        words[3] = _bounded(1e3 * (origin[2] - down), 32)
-        words[4] = _bounded(1e3 * (home_down_m - down), 32)
-        heading = int(np.rint(1e2 * (-yaw * _DEGREES))) % 36000
-        words[5] = (_bounded(100.0 * v_north, 16) & 0xFFFF) | (_bounded(100.0 * v_east, 16) << 16)
-        words[6] = (_bounded(100.0 * v_down, 16) & 0xFFFF) | (heading << 16)
-        at = _frame(out, at, words, _GLOBAL_ID, _GLOBAL_SEED, seq, sysid, compid)
+        words[1] = int(np.rint(1e7 * remainder(origin[0] + north * origin[3], TURN_DEG)))
+        words[2] = int(np.rint(1e7 * remainder(origin[1] + east * origin[4], TURN_DEG)))
+        words[3] = bounded(1e3 * (origin[2] - down), 32)
+        words[4] = bounded(1e3 * (home_down_m - down), 32)
+        heading = int(np.rint(1e2 * (-yaw * DEGREES))) % 36000
+        words[5] = (bounded(100.0 * v_north, 16) & 0xFFFF) | (bounded(100.0 * v_east, 16) << 16)
+        words[6] = (bounded(100.0 * v_down, 16) & 0xFFFF) | (heading << 16)
+        at = write_frame(out, at, payload, _PAYLOAD_BYTES, _GLOBAL_ID, _GLOBAL_SEED, seq, sysid, compid)
     return first, second, at

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.mavlink.telemetry import TELEMETRY, Stream
@@ -30,6 +32,14 @@ class StreamSchedule:
                 due_ms[key] = now_ms + interval_ms - (late if late < interval_ms else 0)
                 due.append(stream)
         return due
+
+    def timetable(self) -> list[tuple[int, int]]:
+        """Interval and time due of every stream, ms, in the table's order; an interval of 0: it is not sent."""
+        return [(interval_ms, self._due_ms[key]) for key, interval_ms in self._interval_ms.items()]
+
+    def set_due(self, due_ms: Iterable[int]) -> None:
+        """Times at which streams are due, in the table's order."""
+        self._due_ms = dict(zip(self._due_ms, due_ms, strict=True))
 
     def _active(self) -> list[tuple[str, Stream]]:
         """Streams that have an interval."""

@@ -131,7 +131,7 @@ def gps_raw_int(s: VehicleState) -> Any:
         alt=_int32(1e3 * alt_m),
         eph=70,
         epv=100,
-        vel=_int16(100.0 * math.hypot(s.v_ned[0], s.v_ned[1])),
+        vel=_int16(100.0 * math.sqrt(s.v_ned[0] * s.v_ned[0] + s.v_ned[1] * s.v_ned[1])),
         cog=round(1e2 * course_deg) % 36000,
         satellites_visible=0 if Failure.GPS in s.failed else 14,
         alt_ellipsoid=_int32(1e3 * alt_m),

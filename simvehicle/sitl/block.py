@@ -23,6 +23,7 @@ from simvehicle.sitl.keys import Keyring
 from simvehicle.sitl.link import Address, PlainLink, SupervisedLink, parse_address, parse_supervisor
 from simvehicle.sitl.loop import ConnectedUnit, run_free, run_supervised
 from simvehicle.sitl.secret import from_hatch
+from simvehicle.sitl.steady import Flyable
 from simvehicle.sitl.truth import TruthWriter
 from simvehicle.sitl.unit import VehicleUnit
 
@@ -52,9 +53,9 @@ class _Built:
 
     wanted: Wanted
     unit: VehicleUnit
+    flyable: Flyable
     connections: Sequence[Connection]
     """one for each address; before them that to the supervisor, if there is one"""
-    writer: TruthWriter | None
 
 
 class Block:
@@ -84,7 +85,7 @@ class Block:
             connections.insert(0, Connection(one.sysid))
         writer = TruthWriter(one.truth, one.sysid, vehicle, one.truth_hz) if one.truth else None
         services = Services(vehicle, one.sysid, connections, one.store, one.rules, writer)
-        return _Built(one, VehicleUnit(vehicle, services, writer), connections, writer)
+        return _Built(one, VehicleUnit(vehicle, services, writer), Flyable(vehicle, services, writer), connections)
 
     def fly(self) -> None:
         """Fly them to the end of their session, once.
@@ -94,7 +95,7 @@ class Block:
         """
         with ExitStack() as opened:
             seats = [self._seat(one, i, opened) for i, one in enumerate(self._built)]
-            for one, (_, _, plain) in zip(self._built, seats, strict=True):
+            for one, (_, _, plain, _) in zip(self._built, seats, strict=True):
                 for link in plain:
                     print(f"vehicle {one.wanted.sysid}: {link.address} (local port {link.port})", flush=True)
             if self._supervisor is not None:
@@ -113,9 +114,9 @@ class Block:
             opened.enter_context(PlainLink(_own(address, i), connection, keyring=keyring, link_id=number))
             for number, (address, connection) in enumerate(zip(self._addresses, connections, strict=True))
         ]
-        if one.writer is not None:
-            opened.enter_context(one.writer)
-        return ConnectedUnit(one.unit, supervised, plain)
+        if one.flyable.truth is not None:
+            opened.enter_context(one.flyable.truth)
+        return ConnectedUnit(one.unit, supervised, plain, one.flyable)
 
 
 def _own(address: Address, i: int) -> Address:

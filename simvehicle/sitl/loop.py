@@ -13,6 +13,7 @@ from simvehicle.mavlink.codec import ReceivedFrame, split
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.lockstep import Bundle, Grants, bundles, together
 from simvehicle.sitl.link import PlainLink, SupervisedLink
+from simvehicle.sitl.steady import Flyable, SteadyFlight
 
 HELLO_EVERY_S = 0.1
 SILENCE_S = 10.0
@@ -41,6 +42,8 @@ class ConnectedUnit(NamedTuple):
     unit: Unit
     supervised: Connection | None
     plain: Sequence[PlainLink]
+    flyable: Flyable | None = None
+    """its vehicle, if that may be flown in compiled code where nothing else is to be done"""
 
 
 class _Granted:
@@ -49,11 +52,11 @@ class _Granted:
     def __init__(
         self, unit: Unit, connection: Connection, plain: Sequence[PlainLink], secret: int | None, *, shared: bool
     ) -> None:
-        self._unit, self._connection, self._plain = unit, connection, plain
-        self._grants = Grants(connection)
-        self._hello = self._grants.hello(unit.hello(), secret or 0, shared=shared)
+        self._unit, self.connection, self._plain = unit, connection, plain
+        self.grants = Grants(connection)
+        self._hello = self.grants.hello(unit.hello(), secret or 0, shared=shared)
         self._patience_s = SILENCE_S if secret is None else math.inf
-        self._last_received_s = 0.0
+        self.last_received_s = 0.0
         self._started = False
 
     def look(self, now_s: float, link: SupervisedLink) -> bool:
@@ -61,21 +64,23 @@ class _Granted:
 
         A vehicle that the machine has kept from running has not listened: what waits for it is no silence.
         """
-        if self._grants.time_ms is not None:
-            return now_s - self._last_received_s < self._patience_s or link.waiting
+        if self.grants.time_ms is not None:
+            return now_s - self.last_received_s < self._patience_s or link.waiting
         link.send([self._hello])
         return True
 
-    def receive(self, frames: Sequence[ReceivedFrame]) -> list[bytes]:
-        """Act on a bundle; the datagrams that answer it."""
-        self._last_received_s = time.monotonic()
-        action = self._grants.feed(frames)
+    def receive(self, frames: Sequence[ReceivedFrame], steady: SteadyFlight, row: int) -> list[bytes]:
+        """Act on a bundle that is not flown steadily; the datagrams that answer it."""
+        steady.take_back(row)
+        self.last_received_s = time.monotonic()
+        action = self.grants.feed(frames)
         if action is None or isinstance(action, list):
             return action or []
         self._apply(action)
-        answer = self._grants.answer(action)
+        answer = self.grants.answer(action)
         for other in self._plain:
             other.flush()
+        steady.hand_over(row, action.frames)
         return answer
 
     def _apply(self, bundle: Bundle) -> None:
@@ -85,7 +90,7 @@ class _Granted:
             self._started = True
             unit.start_clock(bundle.time_ms, bundle.unix_us)
         for frame in bundle.frames:
-            unit.receive(frame, self._connection)
+            unit.receive(frame, self.connection)
         for other in self._plain:
             for frame in other.receive():
                 unit.receive(frame, other.connection)
@@ -101,37 +106,52 @@ def run_supervised(seats: Sequence[ConnectedUnit], link: SupervisedLink, secret:
 
     Frames from plain connections wait for the next grant, so that they act at a definite time of the session.
     """
-    granted: dict[int, _Granted] = {}
-    for unit, connection, plain in seats:
-        assert connection is not None
-        granted[connection.sysid] = _Granted(unit, connection, plain, secret, shared=len(seats) > 1)
-    alone = next(iter(granted.values())) if len(granted) == 1 else None
+    granted = [
+        _Granted(unit, connection, plain, secret, shared=len(seats) > 1)
+        for unit, connection, plain, _ in seats
+        if connection is not None
+    ]
+    steady = SteadyFlight(
+        [
+            (None if seat.plain else seat.flyable, one.connection, one.grants)
+            for seat, one in zip(seats, granted, strict=True)
+        ]
+    )
+    held = {one.connection.sysid: row for row, one in enumerate(granted)}
     link.wait_in_receive(HELLO_EVERY_S)
     look_s = 0.0
-    while granted:
+    while held:
         now_s = time.monotonic()
         if now_s >= look_s:
             look_s = now_s + HELLO_EVERY_S
-            for sysid in [sysid for sysid, one in granted.items() if not one.look(now_s, link)]:
-                del granted[sysid]
-        if not granted:
-            print(f"The supervisor has been silent for {SILENCE_S:.0f} s: leaving", file=sys.stderr, flush=True)
-            raise SystemExit(ABANDONED)
-        datagram = link.receive()
-        if datagram is None:
-            continue
-        if alone is not None:
-            link.send(alone.receive(tuple(split(datagram))))
-        else:
-            own = ((granted[sysid], frames) for sysid, frames in bundles(datagram) if sysid in granted)
-            for answers in together(answer for one, frames in own for answer in one.receive(frames)):
-                link.send([answers])
+            for sysid, row in list(held.items()):
+                if not granted[row].look(now_s, link):
+                    steady.take_back(held.pop(sysid))
+        datagram = link.receive() if held else b""
+        at = 0
+        while datagram and at < len(datagram):
+            looked = steady.fly(datagram, at)
+            at, now_s = looked.at, time.monotonic()
+            for row in looked.flown:
+                granted[row].last_received_s = now_s
+            if looked.answers:
+                link.send([looked.answers])
+            left = [datagram[start:stop] for start, stop in looked.left]
+            if len(seats) == 1:
+                link.send([answer for part in left for answer in granted[0].receive(tuple(split(part)), steady, 0)])
+            else:
+                own = ((held[sysid], frames) for part in left for sysid, frames in bundles(part) if sysid in held)
+                answers = (answer for row, frames in own for answer in granted[row].receive(frames, steady, row))
+                for together_sent in together(answers):
+                    link.send([together_sent])
+    print(f"The supervisor has been silent for {SILENCE_S:.0f} s: leaving", file=sys.stderr, flush=True)
+    raise SystemExit(ABANDONED)
 
 
 def run_free(seats: Sequence[ConnectedUnit], *, stop: Callable[[], bool] = lambda: False) -> None:
     """Live on the wall clock, 50 ticks a second; ticks that come late are caught up with, never dropped."""
     start_s = time.monotonic()
-    for unit, _, _ in seats:
+    for unit, *_ in seats:
         unit.start_clock(0, time.time_ns() // 1000)
     now_ms = 0
     while not stop():
@@ -139,7 +159,7 @@ def run_free(seats: Sequence[ConnectedUnit], *, stop: Callable[[], bool] = lambd
         if wait_ms > 0.0:
             time.sleep(wait_ms / 1e3)
         now_ms = int(1e3 * (time.monotonic() - start_s))
-        for unit, _, plain in seats:
+        for unit, _, plain, _ in seats:
             for link in plain:
                 for frame in link.receive():
                     unit.receive(frame, link.connection)

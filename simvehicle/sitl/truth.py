@@ -17,13 +17,17 @@ import struct
 from pathlib import Path
 from typing import Self
 
+import numpy as np
+from numpy.typing import NDArray
+
 from simvehicle.autopilot.body import STEP_MS
 from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.law.params import BatteryParams
 
 ROUNDING_S = 1e-6
-_pack = struct.Struct("<18d").pack
-"""A record without its thrust."""
+FIXED_NUMBERS = 18
+"""Of a record, before its thrust."""
+_pack = struct.Struct(f"<{FIXED_NUMBERS}d").pack
 STATE = ["n", "e", "d", "vn", "ve", "vd", "roll", "pitch", "yaw", "roll_rate", "pitch_rate", "yaw_rate"]
 LAST_NUMBER = 65534
 """65535 is no log but the end of a list that is asked for."""
@@ -87,9 +91,8 @@ class TruthWriter:
     def write(self, vehicle: Vehicle, steps: int) -> None:
         """One record at the vehicle's present time, if it is due; `steps` were flown since the last one."""
         if self._period_s is not None:
-            if vehicle.time_s < self._due_s - ROUNDING_S:
+            if not self._is_due(vehicle.time_s):
                 return
-            self._due_s = max(self._due_s + self._period_s, vehicle.time_s)
             steps = 0
         record = _pack(
             vehicle.time_s,
@@ -101,6 +104,23 @@ class TruthWriter:
             vehicle.remaining_j,
         )
         self._put(record + vehicle.thrust_m_s2[0].astype("<f8", copy=False).tobytes() if steps else record)
+
+    def write_row(self, row: NDArray[np.float64]) -> None:
+        """As `write`, of a record with its thrust in the numbers' order."""
+        numbers = FIXED_NUMBERS + int(row[1])
+        if self._period_s is not None:
+            if not self._is_due(float(row[0])):
+                return
+            row[1], numbers = 0.0, FIXED_NUMBERS
+        self._put(row[:numbers].astype("<f8", copy=False).tobytes())
+
+    def _is_due(self, time_s: float) -> bool:
+        """Whether a record at a rate of its own is due; it counts as written."""
+        assert self._period_s is not None
+        if time_s < self._due_s - ROUNDING_S:
+            return False
+        self._due_s = max(self._due_s + self._period_s, time_s)
+        return True
 
     def _put(self, content: bytes) -> None:
         """Write all of it: a disk that is nearly full takes a part first and complains at the rest."""

@@ -16,11 +16,13 @@ from simvehicle.mavlink.codec import encode, message, split
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.dispatcher import Services
 from simvehicle.mavlink.lockstep import SUPERVISOR, Bundle, Grants
+from simvehicle.sitl.steady import Flyable, SteadyFlight
 from simvehicle.sitl.unit import VehicleUnit
 from simvehicle.world.airframes import AIRFRAMES, ROTORS
 from simvehicle.world.description import WorldVehicle
 
 PERIOD_MS = 100
+STEADY_BUNDLES = 3
 BUNDLES = 30
 """Three seconds: every stream has been due, and the interpreter has seen its hot code often enough to specialise it.
 
@@ -32,7 +34,8 @@ def warm_up() -> None:
     """Load, compile and run everything that a flying vehicle needs."""
     vehicle = Vehicle(IDENTITIES["px4"], Parameters(), LocalFrame(0.0, 0.0, 0.0), Start(airborne=True))
     connection = Connection(1)
-    unit = VehicleUnit(vehicle, Services(vehicle, 1, [connection]), None)
+    services = Services(vehicle, 1, [connection])
+    unit = VehicleUnit(vehicle, services, None)
     grants = Grants(connection)
     grants.hello(unit.hello())
     unit.start_clock(0, 0)
@@ -43,6 +46,11 @@ def warm_up() -> None:
             unit.receive(frame, connection)
         unit.advance(bundle.time_ms)
         grants.answer(bundle)
+    steady = SteadyFlight([(Flyable(vehicle, services, None), connection, grants)])
+    steady.hand_over(0, ())
+    for number in range(BUNDLES, BUNDLES + STEADY_BUNDLES):
+        steady.fly(_bundle(number), 0)
+    steady.take_back(0)
 
 
 @functools.cache

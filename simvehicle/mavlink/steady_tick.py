@@ -1,0 +1,487 @@
+"""The usual tick of supervised vehicles in one compiled call: from the bundles that came to the answers that go out.
+
+It is what lockstep.py, offboard.py, the vehicle and telemetry.py do with a bundle of set points and HEARTBEAT for a
+vehicle in offboard flight, byte for byte; whatever else comes, is due or happens is left to them. Which vehicle may be
+flown so, and until when, stands in its row (`STEADY`), which `sitl/steady.py` makes and takes back.
+"""
+
+from __future__ import annotations
+
+import math
+import zlib
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+from pymavlink.dialects.v20 import common as mav
+
+from simvehicle.autopilot import snapshot
+from simvehicle.kernels import kernel
+from simvehicle.law import step
+from simvehicle.mavlink import motion_frames, telemetry
+from simvehicle.mavlink.codec import schema
+from simvehicle.mavlink.motion_frames import (
+    DEGREES,
+    HEADER_BYTES,
+    MAGIC,
+    TURN_DEG,
+    bounded,
+    checksum,
+    remainder,
+    write_frame,
+    write_motion,
+)
+
+LONGEST_MS = 103
+"""A vehicle looks at its failsafes every 100 ms: a longer stretch is no usual tick. What is left of a step waits."""
+STEP_MS = 4
+MOST_STEPS = 25
+TRUTH_NUMBERS = 18
+"""Of a record of sitl/truth.py, before the thrust of each step."""
+FRAMES_BYTES = 1024
+"""More than all frames of one answer."""
+SENT_BYTES = 4096
+"""Answers that are sent before others are flown."""
+
+STREAMS = tuple(stream.key for stream in telemetry.TELEMETRY)
+_HEARTBEAT, _STATUS, _EXTENDED, _ATTITUDE, _LOCAL, _GLOBAL = (
+    STREAMS.index(key)
+    for key in (
+        "HEARTBEAT",
+        "SYS_STATUS",
+        "EXTENDED_SYS_STATE",
+        "ATTITUDE",
+        "LOCAL_POSITION_NED",
+        "GLOBAL_POSITION_INT",
+    )
+)
+_GPS, _HOME, _ORIGIN, _BATTERY, _TARGET, _EFFORT, _OUT, _IN = (
+    STREAMS.index(key)
+    for key in (
+        *("GPS_RAW_INT", "HOME_POSITION", "GPS_GLOBAL_ORIGIN", "BATTERY_STATUS"),
+        *("POSITION_TARGET_LOCAL_NED", "CtlEffort", "XferOut", "XferIn"),
+    )
+)
+WRITTEN = frozenset(STREAMS[: _IN + 1])
+"""Streams that are written here; a tick in which another one is due is left."""
+PAYLOAD_BYTES = 64
+
+STEADY = np.dtype(
+    [
+        ("steady", "i8"),  # 1 while nothing but set points moves it
+        ("sysid", "i8"),
+        ("granted_ms", "i8"),  # time of the last grant
+        ("time_ms", "i8"),  # the vehicle's: what is no whole step is not flown yet
+        ("number", "i8"),  # of the supervisor's next frame
+        ("seq", "i8"),  # of its own next frame
+        ("until_ms", "i8"),  # when something is due that is not written here
+        ("ground", "i8"),
+        ("checked", "i8"),  # whether a low battery refuses arming
+        ("unix_epoch_us", "i8"),
+        ("given_j", "f8"),
+        ("received_j", "f8"),
+        ("gcs_seen_s", "f8"),  # NaN: never
+        ("gcs_loss_s", "f8"),
+        ("set_s", "f8"),  # of the set point, and its place and velocity
+        ("set_p_ned", "f8", 3),
+        ("set_v_ned", "f8", 3),
+        ("set_loss_s", "f8"),
+        ("yaw_ned", "f8"),
+        ("fastest_m_s", "f8"),
+        ("power_w", "f8"),
+        ("floor_j", "f8"),  # below it the vehicle lands
+        ("capacity_j", "f8"),
+        ("home_down_m", "f8"),
+        ("origin", "f8", 5),  # as write_motion has it
+        ("due_ms", "i8", len(STREAMS)),
+        ("interval_ms", "i8", len(STREAMS)),
+        ("payloads", "u1", len(STREAMS) * PAYLOAD_BYTES),  # with what stays the same while it is steady
+        ("answer_bytes", "i8"),  # of the last one; 0 where that was not written here
+        ("answer", "u1", FRAMES_BYTES),
+    ],
+    align=True,
+)
+
+
+def frame_table() -> NDArray[np.int64]:
+    """(streams, 3) id, seed of the checksum and payload's size of each stream's message, for `fly`."""
+    table = np.zeros((len(STREAMS), 3), np.int64)
+    for row, stream in zip(table, telemetry.TELEMETRY, strict=True):
+        entry = schema(stream.msgid)
+        assert entry is not None
+        row[:] = entry.msgid, entry.seed[0], entry.packer.size
+    return table
+
+
+_SYSTEM, _COMPONENT = 255, 190  # the supervisor
+_AUTOPILOT = 1
+_SYSTEM_TIME_ID, _SYSTEM_TIME_SEED, _SYSTEM_TIME_BYTES = 2, 137, 12
+_PING_ID, _PING_SEED, _PING_TARGET = 4, 237, 12
+_HEARTBEAT_ID, _HEARTBEAT_SEED, _HEARTBEAT_TYPE = 0, 50, 4
+_SET_ID, _SET_SEED, _SET_BYTES, _SET_MASK = 84, 143, 53, 0b1101_1100_0000
+_GCS, _LOCAL_NED = int(mav.MAV_TYPE_GCS), int(mav.MAV_FRAME_LOCAL_NED)
+_STANDBY, _ACTIVE = int(mav.MAV_STATE_STANDBY), int(mav.MAV_STATE_ACTIVE)
+_ON_GROUND, _IN_AIR = int(mav.MAV_LANDED_STATE_ON_GROUND), int(mav.MAV_LANDED_STATE_IN_AIR)
+_PREARM = int(mav.MAV_SYS_STATUS_PREARM_CHECK)
+_CELLS, _FULL_V, _EMPTY_V = snapshot.CELLS, snapshot.CELL_FULL_V, snapshot.CELL_EMPTY_V
+_X, _V, _REF_X, _REF_V = (
+    part.start for part in (step.POSITION, step.VELOCITY, step.REFERENCE_POSITION, step.REFERENCE_VELOCITY)
+)
+
+
+@njit(error_model="numpy")
+def _put(out: NDArray[np.uint8], at: int, value: int, size: int) -> None:
+    for i in range(size):
+        out[at + i] = (value >> (8 * i)) & 0xFF
+
+
+@njit(error_model="numpy")
+def _put_float(out: NDArray[np.uint8], at: int, value: float) -> None:
+    floats = np.empty(1, np.float32)
+    floats[0] = value
+    parts = floats.view(np.uint8)
+    for i in range(4):
+        out[at + i] = parts[i]
+
+
+@njit(error_model="numpy")
+def _number(datagram: NDArray[np.uint8], body: int, at: int, size: int) -> int:
+    """A whole number of a payload; what is cut of it is 0."""
+    value, length = 0, int(datagram[body - HEADER_BYTES + 1])
+    for i in range(size):
+        if at + i < length:
+            value |= int(datagram[body + at + i]) << (8 * i)
+    return value
+
+
+@njit(error_model="numpy")
+def _float(datagram: NDArray[np.uint8], at: int) -> float:
+    parts = np.empty(4, np.uint8)
+    for i in range(4):
+        parts[i] = datagram[at + i]
+    return float(parts.view(np.float32)[0])
+
+
+@njit(error_model="numpy")
+def _frame_end(datagram: NDArray[np.uint8], at: int, size: int) -> int:
+    """Where the frame ends that begins here; 0 where none can."""
+    if at + HEADER_BYTES + 2 > size or datagram[at] != MAGIC:
+        return 0
+    end = at + HEADER_BYTES + int(datagram[at + 1]) + 2
+    return end if end <= size else 0
+
+
+@njit(error_model="numpy")
+def _is_supervisors(datagram: NDArray[np.uint8], at: int, end: int, msgid: int, seed: int) -> bool:
+    """Whether a frame is an intact one of this id of the supervisor's, without a signature."""
+    if datagram[at + 2] != 0 or datagram[at + 5] != _SYSTEM or datagram[at + 6] != _COMPONENT:
+        return False
+    if datagram[at + 7] != msgid or datagram[at + 8] != 0 or datagram[at + 9] != 0:
+        return False
+    crc = checksum(datagram, at + 1, end - 2, seed)
+    return int(datagram[end - 2]) | int(datagram[end - 1]) << 8 == crc
+
+
+@njit(error_model="numpy")
+def _bundle(datagram: NDArray[np.uint8], at: int, marked: bool, row_of: NDArray[np.int64]) -> tuple[int, int, int]:
+    """The bundle that begins here: its vehicle's row, -1 for nobody's; where its frames begin and where it ends. No
+    bundle at all goes to the datagram's end."""
+    size = datagram.size
+    if not marked:
+        return 0, at, size
+    body = _frame_end(datagram, at, size)
+    if body == 0 or not _is_supervisors(datagram, at, body, _PING_ID, _PING_SEED):
+        return -1, at, size
+    stop = body
+    while stop < size:
+        end = _frame_end(datagram, stop, size)
+        if end == 0:
+            return -1, at, size
+        if datagram[stop + 7] == _PING_ID and _is_supervisors(datagram, stop, end, _PING_ID, _PING_SEED):
+            break
+        stop = end
+    return row_of[_number(datagram, at + HEADER_BYTES, _PING_TARGET, 1)], body, stop
+
+
+@njit(error_model="numpy")
+def _is_set_point(one: Any, datagram: NDArray[np.uint8], body: int) -> bool:
+    """Whether a payload is a set point of the usual kind for this vehicle, in finite numbers."""
+    if datagram[body + 50] != one.sysid or datagram[body + 51] != _AUTOPILOT or datagram[body + 52] != _LOCAL_NED:
+        return False
+    total = 0.0
+    for i in range(6):
+        total += _float(datagram, body + 4 + 4 * i)
+    return _number(datagram, body, 48, 2) == _SET_MASK and math.isfinite(total)
+
+
+@njit(error_model="numpy")
+def _usual(one: Any, s: NDArray[np.float64], datagram: NDArray[np.uint8], at: int, stop: int) -> int:
+    """Where the closing SYSTEM_TIME of a bundle begins that is usual: its frames are the next numbers, set points for
+    this vehicle and HEARTBEATs, and nothing but the flight to its time happens until then. Else -1."""
+    if one.steady == 0:
+        return -1
+    number, now_s = one.number, one.time_ms / 1e3
+    set_s, gcs_seen_s = one.set_s, one.gcs_seen_s
+    while True:
+        end = _frame_end(datagram, at, stop)
+        if end == 0 or datagram[at + 4] != number:
+            return -1
+        number = (number + 1) & 0xFF
+        msgid, body = datagram[at + 7], at + HEADER_BYTES
+        if msgid == _SYSTEM_TIME_ID:
+            break
+        if msgid == _HEARTBEAT_ID:
+            if not _is_supervisors(datagram, at, end, _HEARTBEAT_ID, _HEARTBEAT_SEED):
+                return -1
+            if _number(datagram, body, _HEARTBEAT_TYPE, 1) == _GCS:
+                gcs_seen_s = now_s
+        else:
+            if msgid != _SET_ID or datagram[at + 1] != _SET_BYTES or not _is_set_point(one, datagram, body):
+                return -1
+            if not _is_supervisors(datagram, at, end, _SET_ID, _SET_SEED):
+                return -1
+            set_s = now_s
+        at = end
+    if end != stop or not _is_supervisors(datagram, at, end, _SYSTEM_TIME_ID, _SYSTEM_TIME_SEED):
+        return -1
+    granted_ms = _number(datagram, body, 8, 4)
+    span_ms = granted_ms - one.time_ms
+    if granted_ms <= one.granted_ms or not STEP_MS <= span_ms <= LONGEST_MS:
+        return -1
+    if one.time_ms + STEP_MS * min(span_ms // STEP_MS, MOST_STEPS) >= one.until_ms:
+        return -1
+    if s[step.REMAINING_J] < one.floor_j or now_s - gcs_seen_s > one.gcs_loss_s or now_s - set_s > one.set_loss_s:
+        return -1
+    return at
+
+
+@njit(error_model="numpy")
+def _landed(one: Any, s: NDArray[np.float64]) -> bool:
+    still = s[_V] == 0.0 and s[_V + 1] == 0.0 and s[_V + 2] == 0.0
+    return bool(one.ground != 0 and s[_X + 2] <= 0.0 and still)
+
+
+@njit(error_model="numpy")
+def _write_values(one: Any, s: NDArray[np.float64], stream: int, payload: NDArray[np.uint8]) -> None:
+    """Bring a stream's payload up to date; motion is write_motion's."""
+    unix_us, remaining_j = one.unix_epoch_us + 1000 * one.time_ms, s[step.REMAINING_J]
+    share = min(max(remaining_j / one.capacity_j, 0.0), 1.0)
+    voltage_v = _CELLS * (_EMPTY_V + (_FULL_V - _EMPTY_V) * share)
+    current = bounded(1e2 * one.power_w / voltage_v, 16)
+    percent = int(min(max(np.rint(100.0 * remaining_j / one.capacity_j), 0.0), 100.0))
+    north, east, down, v_north, v_east = s[_X], -s[_X + 1], -s[_X + 2], s[_V], -s[_V + 1]
+    if stream == _HEARTBEAT:
+        payload[7] = _STANDBY if _landed(one, s) else _ACTIVE
+    elif stream == _STATUS:
+        health = _number_of(payload, 8) | _PREARM
+        if one.checked != 0 and remaining_j < one.floor_j:
+            health ^= _PREARM
+        _put(payload, 8, health, 4)
+        _put(payload, 14, int(np.rint(1e3 * voltage_v)), 2)
+        _put(payload, 16, current, 2)
+        payload[30] = percent
+    elif stream == _EXTENDED:
+        payload[1] = _ON_GROUND if _landed(one, s) else _IN_AIR
+    elif stream == _GPS:
+        altitude = bounded(1e3 * (one.origin[2] - down), 32)
+        _put(payload, 0, unix_us, 8)
+        _put(payload, 8, int(np.rint(1e7 * remainder(one.origin[0] + north * one.origin[3], TURN_DEG))), 4)
+        _put(payload, 12, int(np.rint(1e7 * remainder(one.origin[1] + east * one.origin[4], TURN_DEG))), 4)
+        _put(payload, 16, altitude, 4)
+        _put(payload, 24, bounded(100.0 * math.sqrt(v_north * v_north + v_east * v_east), 16), 2)
+        _put(payload, 26, int(np.rint(1e2 * (math.atan2(v_east, v_north) * DEGREES))) % 36000, 2)
+        _put(payload, 30, altitude, 4)
+    elif stream == _HOME:
+        _put(payload, 52, unix_us, 8)
+    elif stream == _ORIGIN:
+        _put(payload, 12, unix_us, 8)
+    elif stream == _BATTERY:
+        _put(payload, 0, bounded(1e3 * (s[step.DRAWN_J] / (_CELLS * _FULL_V) / 3600.0), 32), 4)
+        _put(payload, 4, bounded(math.floor(s[step.DRAWN_J] / 100.0), 32), 4)
+        cell_mv = int(np.rint(1e3 * voltage_v / _CELLS))
+        for i in range(_CELLS):
+            _put(payload, 10 + 2 * i, cell_mv, 2)
+        _put(payload, 30, current, 2)
+        payload[35] = percent
+        left_s = bounded(remaining_j / one.power_w, 32) if one.power_w > 0.0 else 0
+        _put(payload, 36, left_s, 4)
+    else:
+        _put(payload, 0, one.time_ms, 4)
+        if stream == _EFFORT:
+            _put_float(payload, 4, s[step.EFFORT])
+        elif stream == _TARGET:
+            for i in range(3):
+                sign = 1.0 if i == 0 else -1.0
+                _put_float(payload, 4 + 4 * i, sign * s[_REF_X + i])
+                _put_float(payload, 16 + 4 * i, sign * s[_REF_V + i])
+
+
+@njit(error_model="numpy")
+def _number_of(payload: NDArray[np.uint8], at: int) -> int:
+    value = 0
+    for i in range(4):
+        value |= int(payload[at + i]) << (8 * i)
+    return value
+
+
+@njit(error_model="numpy")
+def _answer(one: Any, s: NDArray[np.float64], frames: NDArray[np.int64], unix_us: int) -> None:
+    """Write what is due, closed by the own SYSTEM_TIME; what is due next is put down."""
+    at, out, motion = 0, one.answer, 0
+    for stream in range(_IN + 1):
+        interval_ms, due_ms = one.interval_ms[stream], one.due_ms[stream]
+        if interval_ms != 0 and one.time_ms >= due_ms:
+            late_ms = one.time_ms - due_ms
+            one.due_ms[stream] = one.time_ms + interval_ms - (late_ms if late_ms < interval_ms else 0)
+            if _ATTITUDE <= stream <= _GLOBAL:
+                motion |= 1 << (stream - _ATTITUDE)
+            else:
+                payload = one.payloads[PAYLOAD_BYTES * stream : PAYLOAD_BYTES * (stream + 1)]
+                _write_values(one, s, stream, payload)
+                msgid, seed, size = frames[stream, 0], frames[stream, 1], frames[stream, 2]
+                at = write_frame(out, at, payload, size, msgid, seed, one.seq, one.sysid, _AUTOPILOT)
+                one.seq = (one.seq + 1) & 0xFF
+        if stream == _GLOBAL and motion != 0:
+            _, _, length = write_motion(
+                out[at:], s.reshape(1, s.size), one.origin, one.home_down_m, one.time_ms, motion, one.seq, one.sysid,
+                _AUTOPILOT,
+            )  # fmt: skip
+            at += length
+            one.seq = (one.seq + (motion & 1) + (motion >> 1 & 1) + (motion >> 2)) & 0xFF
+    payload = np.empty(_SYSTEM_TIME_BYTES, np.uint8)
+    _put(payload, 0, unix_us, 8)
+    _put(payload, 8, one.granted_ms, 4)
+    one.answer_bytes = write_frame(
+        out, at, payload, _SYSTEM_TIME_BYTES, _SYSTEM_TIME_ID, _SYSTEM_TIME_SEED, one.seq, one.sysid, _AUTOPILOT
+    )
+    one.seq = (one.seq + 1) & 0xFF
+
+
+@njit(error_model="numpy")
+def _take_in(one: Any, datagram: NDArray[np.uint8], at: int, grant: int) -> None:
+    """Apply the frames of a usual bundle before its grant."""
+    now_s = one.time_ms / 1e3
+    while at < grant:
+        body = at + HEADER_BYTES
+        if datagram[at + 7] == _SET_ID:
+            one.set_s = now_s
+            for i in range(3):
+                one.set_p_ned[i] = _float(datagram, body + 4 + 4 * i)
+                one.set_v_ned[i] = _float(datagram, body + 16 + 4 * i)
+        elif _number(datagram, body, _HEARTBEAT_TYPE, 1) == _GCS:
+            one.gcs_seen_s = now_s
+        at = _frame_end(datagram, at, grant)
+        one.number = (one.number + 1) & 0xFF
+    one.number = (one.number + 1) & 0xFF
+
+
+@njit(error_model="numpy")
+def _command(one: Any, command: NDArray[np.float64]) -> None:
+    """The set point as the law takes it: nwu."""
+    for i in range(3):
+        sign = 1.0 if i == 0 else -1.0
+        command[step.CMD_POSITION.start + i] = sign * one.set_p_ned[i]
+        command[step.CMD_VELOCITY.start + i] = sign * one.set_v_ned[i]
+        command[step.CMD_USE_POSITION.start + i] = 1.0
+    command[step.CMD_TIME_S] = one.set_s
+    command[step.CMD_YAW] = -one.yaw_ned
+    command[step.CMD_MOTORS] = 1.0
+    command[step.CMD_GROUND] = one.ground
+    command[step.CMD_SPEED_MAX] = one.fastest_m_s
+    command[step.CMD_PERIOD_S] = 0.1
+
+
+@njit(error_model="numpy")
+def _write_truth(one: Any, s: NDArray[np.float64], thrust: NDArray[np.float64], truth: NDArray[np.float64]) -> None:
+    """A record as sitl/truth.py has it."""
+    truth[0], truth[1] = one.time_ms / 1e3, thrust.size
+    for i in range(12):
+        truth[2 + i] = s[i] if i % 3 == 0 else -s[i]
+    truth[14], truth[15], truth[16], truth[17] = s[step.DRAWN_J], one.received_j, one.given_j, s[step.REMAINING_J]
+    for k in range(thrust.size):
+        truth[TRUTH_NUMBERS + k] = thrust[0, k]
+
+
+def _compiled(build: int) -> Callable[..., Any]:
+    """The entry point; `build` is a checksum of what is compiled into it, as in law/step.py."""
+
+    @kernel(error_model="numpy")
+    def fly(
+        datagram: NDArray[np.uint8],
+        at: int,
+        marked: bool,
+        row_of: NDArray[np.int64],
+        rows: NDArray[Any],
+        states: NDArray[np.float64],
+        parameters: NDArray[np.float64],
+        frames: NDArray[np.int64],
+        truth: NDArray[np.float64],
+        flown: NDArray[np.int64],
+        left: NDArray[np.int64],
+        out: NDArray[np.uint8],
+    ) -> tuple[int, int, int, int]:
+        _ = build
+        many = others = written = 0
+        command, times = np.empty((1, step.COMMAND_SIZE)), np.empty(1)
+        while at < datagram.size and written < SENT_BYTES and many < flown.size and others < left.shape[0]:
+            row, body, stop = _bundle(datagram, at, marked, row_of)
+            for k in range(many):
+                if flown[k] == row:
+                    row = -1
+            grant = -1 if row < 0 else _usual(rows[row], states[row], datagram, body, stop)
+            if grant < 0:
+                left[others, 0], left[others, 1] = at, stop
+                others += 1
+                at = stop
+                continue
+            one, s = rows[row], states[row]
+            _take_in(one, datagram, body, grant)
+            _command(one, command[0])
+            one.granted_ms = _number(datagram, grant + HEADER_BYTES, 8, 4)
+            steps = min((one.granted_ms - one.time_ms) // STEP_MS, MOST_STEPS)
+            thrust, drawn_j = np.empty((1, steps)), s[step.DRAWN_J]
+            times[0] = one.time_ms / 1e3
+            step.fly_rows(states[row : row + 1], command, parameters[row : row + 1], times, STEP_MS / 1e3, thrust)
+            one.power_w = (s[step.DRAWN_J] - drawn_j) / (steps * STEP_MS / 1e3)
+            one.time_ms += steps * STEP_MS
+            _answer(one, s, frames, _number(datagram, grant + HEADER_BYTES, 0, 8))
+            _write_truth(one, s, thrust, truth[row])
+            for i in range(one.answer_bytes):
+                out[written + i] = one.answer[i]
+            written += one.answer_bytes
+            flown[many] = row
+            many += 1
+            at = stop
+        return at, many, others, written
+
+    return fly
+
+
+def _checksum() -> int:
+    modules = (step, motion_frames, telemetry, snapshot)
+    content = b"".join(Path(str(module.__file__)).read_bytes() for module in modules)
+    return zlib.crc32(content, step.checksum())
+
+
+fly = _compiled(_checksum())
+"""Fly the usual bundles of a datagram from a place on, until SENT_BYTES of answers are written or all is looked at.
+
+Args:
+    datagram: of a supervisor; (k,) uint8.
+    at: where to begin.
+    marked: whether a PING to its vehicle stands before each bundle; else the whole is one, the first row's.
+    row_of: (256,) row of a system id, -1 without one.
+    rows: (n,) STEADY; of those flown they change, as `states` (n, STATE_SIZE) does.
+    parameters: (n, PARAMS_SIZE).
+    frames: `frame_table()`.
+    truth: (n, TRUTH_NUMBERS + MOST_STEPS), a record of each that is flown.
+    flown: (n,), which rows were flown, in order.
+    left: (m, 2), beginnings and ends of what was not: bundles that are not usual, or the rest of what is none.
+    out: (SENT_BYTES + FRAMES_BYTES,), the answers, one after the other.
+
+Returns:
+    where it stopped, how many were flown, how many stretches were left, bytes of answers.
+"""

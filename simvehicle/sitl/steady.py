@@ -1,0 +1,197 @@
+"""Supervised vehicles of one process whose usual ticks are flown in compiled code (`mavlink/steady_tick.py`).
+
+A vehicle whose tick was usual, and whose next may be, is handed over: from then on its row is what it is. Whatever is
+not usual is done by the vehicle and its services themselves, once they are what the row is.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from pymavlink.dialects.v20 import common as mav
+
+from simvehicle.autopilot.maneuvers import OffboardSetPoint
+from simvehicle.autopilot.snapshot import Vec3
+from simvehicle.autopilot.vehicle import Vehicle
+from simvehicle.law.params import PARAMS_SIZE
+from simvehicle.law.plants import Plant
+from simvehicle.law.step import STATE_SIZE
+from simvehicle.mavlink import steady_tick
+from simvehicle.mavlink.codec import HEADER_BYTES, ReceivedFrame, encode
+from simvehicle.mavlink.connection import Connection
+from simvehicle.mavlink.dispatcher import Services
+from simvehicle.mavlink.lockstep import Grants
+from simvehicle.mavlink.steady_tick import FRAMES_BYTES, MOST_STEPS, PAYLOAD_BYTES, SENT_BYTES, STEADY, STREAMS, WRITTEN
+from simvehicle.mavlink.telemetry import TELEMETRY
+from simvehicle.sitl.truth import TruthWriter
+
+MOST_LEFT = 64
+"""Stretches of a datagram that are left at once."""
+_USUAL = frozenset({mav.MAVLINK_MSG_ID_SET_POSITION_TARGET_LOCAL_NED, mav.MAVLINK_MSG_ID_HEARTBEAT})
+_NEVER_MS = 1 << 60
+
+
+class Flyable(NamedTuple):
+    """A vehicle with what makes its answers."""
+
+    vehicle: Vehicle
+    services: Services
+    truth: TruthWriter | None
+
+
+class _Member:
+    """A vehicle and its link, and the payloads of its streams while they are steady."""
+
+    def __init__(self, flyable: Flyable, connection: Connection, grants: Grants) -> None:
+        self.vehicle, self.services, self.truth = flyable
+        self.connection, self.grants = connection, grants
+        self._payloads_of: tuple[Vec3, float, int, int] | None = None
+        self._payloads: NDArray[np.uint8] = np.zeros(0, np.uint8)
+
+    @property
+    def is_steady(self) -> bool:
+        """Whether its next tick may be usual."""
+        if not (self.vehicle.only_steered and self.services.idle):
+            return False
+        return type(self.vehicle.plant) is Plant and not self.connection.waiting
+
+    def payloads(self) -> NDArray[np.uint8]:
+        """Payloads of the streams that are written in compiled code, as they are now."""
+        vehicle = self.vehicle
+        now = (vehicle.home_ned, vehicle.yaw_ned, vehicle.given_j, vehicle.received_j)
+        if now != self._payloads_of:
+            self._payloads_of, snapshot = now, vehicle.snapshot()
+            written = (stream.build(snapshot) if stream.key in WRITTEN else None for stream in TELEMETRY)
+            self._payloads = np.frombuffer(b"".join(map(_payload, written)), np.uint8)
+        return self._payloads
+
+
+def _payload(content: object) -> bytes:
+    """The payload of a message, filled up with zeros."""
+    if content is None:
+        return bytes(PAYLOAD_BYTES)
+    frame = encode(content, seq=0, sysid=0, compid=0)
+    return frame[HEADER_BYTES : HEADER_BYTES + frame[1]].ljust(PAYLOAD_BYTES, b"\0")
+
+
+class Looked(NamedTuple):
+    """Outcome of a datagram, or of a part of it: where it goes on, rows that were flown, stretches of it that were
+    left, and the answers of those who were flown."""
+
+    at: int
+    flown: list[int]
+    left: list[list[int]]
+    answers: bytes
+
+
+class SteadyFlight:
+    """The vehicles of one process by rows, in order; None for a unit that is no vehicle of ours."""
+
+    def __init__(self, members: Sequence[tuple[Flyable | None, Connection, Grants]]) -> None:
+        n = len(members)
+        self._marked = n > 1
+        self._members = [
+            None if flyable is None else _Member(flyable, connection, grants) for flyable, connection, grants in members
+        ]
+        self._rows = np.zeros(n, STEADY)
+        self._states, self._parameters = np.zeros((n, STATE_SIZE)), np.zeros((n, PARAMS_SIZE))
+        self._row_of = np.full(256, -1)
+        for row, (_, connection, _) in enumerate(members):
+            self._rows[row]["sysid"] = connection.sysid
+            self._row_of[connection.sysid] = row
+        self._frames = steady_tick.frame_table()
+        self._truth = np.zeros((n, steady_tick.TRUTH_NUMBERS + MOST_STEPS))
+        self._flown, self._left = np.zeros(n, np.int64), np.zeros((MOST_LEFT, 2), np.int64)
+        self._out = np.zeros(SENT_BYTES + FRAMES_BYTES, np.uint8)
+
+    def fly(self, datagram: bytes, at: int) -> Looked:
+        """Fly the usual bundles of a datagram from a place on; their truth is on disk. Raises OSError where it cannot
+        be."""
+        at, flown, left, written = steady_tick.fly(
+            np.frombuffer(datagram, np.uint8),
+            at,
+            self._marked,
+            self._row_of,
+            self._rows,
+            self._states,
+            self._parameters,
+            self._frames,
+            self._truth,
+            self._flown,
+            self._left,
+            self._out,
+        )
+        rows = self._flown[:flown].tolist()
+        for row in rows:
+            member = self._members[row]
+            assert member is not None
+            if member.truth is not None:
+                member.truth.write_row(self._truth[row])
+        return Looked(at, rows, self._left[:left].tolist(), self._out[:written].tobytes())
+
+    def take_back(self, row: int) -> None:
+        """Let a vehicle and its link be what its row is, before anything else is done with them."""
+        one, member = self._rows[row], self._members[row]
+        if member is None or not one["steady"]:
+            return
+        one["steady"] = 0
+        vehicle, gcs_seen_s = member.vehicle, float(one["gcs_seen_s"])
+        vehicle.time_ms = int(one["time_ms"])
+        vehicle.plant.go_on_from(self._states[row])
+        vehicle.power_w = float(one["power_w"])
+        vehicle.gcs_seen_s = None if math.isnan(gcs_seen_s) else gcs_seen_s
+        p_ned, v_ned = one["set_p_ned"].tolist(), one["set_v_ned"].tolist()
+        vehicle.setpoint = OffboardSetPoint(tuple(p_ned), tuple(v_ned), (True, True, True), None, float(one["set_s"]))
+        member.connection.seq = int(one["seq"])
+        member.connection.streams.set_due(one["due_ms"].tolist())
+        member.grants.number, member.grants.time_ms = int(one["number"]), int(one["granted_ms"])
+        if one["answer_bytes"]:
+            member.grants.last_answer = [one["answer"][: one["answer_bytes"]].tobytes()]
+
+    def hand_over(self, row: int, applied: Iterable[ReceivedFrame]) -> None:
+        """Fly a vehicle here from its next tick on, if that may be usual; `applied`: the frames of its last one."""
+        member = self._members[row]
+        if member is None or not all(frame.msgid in _USUAL for frame in applied) or not member.is_steady:
+            return
+        one, vehicle, grants = self._rows[row], member.vehicle, member.grants
+        timetable = member.connection.streams.timetable()
+        others = zip(STREAMS, timetable, strict=True)
+        others_ms = (due_ms for key, (interval_ms, due_ms) in others if interval_ms and key not in WRITTEN)
+        parameters, setpoint = vehicle.parameters, vehicle.setpoint
+        assert setpoint is not None
+        self._states[row], self._parameters[row] = vehicle.state[0], vehicle.plant.packed[0]
+        for name, value in (
+            ("granted_ms", grants.time_ms),
+            ("time_ms", vehicle.time_ms),
+            ("number", grants.number),
+            ("seq", member.connection.seq),
+            ("until_ms", min(others_ms, default=_NEVER_MS)),
+            ("ground", vehicle.ground),
+            ("checked", parameters["ARMING_CHECK"]),
+            ("unix_epoch_us", vehicle.unix_epoch_us),
+            ("given_j", vehicle.given_j),
+            ("received_j", vehicle.received_j),
+            ("gcs_seen_s", math.nan if vehicle.gcs_seen_s is None else vehicle.gcs_seen_s),
+            ("gcs_loss_s", parameters["COM_DL_LOSS_T"]),
+            ("set_s", setpoint.time_s),
+            ("set_p_ned", setpoint.p_ned),
+            ("set_v_ned", setpoint.v_ned),
+            ("set_loss_s", parameters["COM_OF_LOSS_T"]),
+            ("yaw_ned", vehicle.yaw_ned),
+            ("fastest_m_s", parameters["MPC_XY_VEL_MAX"]),
+            ("power_w", vehicle.power_w),
+            ("floor_j", parameters["BAT_EMERGEN_THR"] * vehicle.capacity_j),
+            ("capacity_j", vehicle.capacity_j),
+            ("home_down_m", vehicle.home_ned[2]),
+            ("origin", vehicle.frame.row),
+            ("interval_ms", [interval_ms for interval_ms, _ in timetable]),
+            ("due_ms", [due_ms for _, due_ms in timetable]),
+            ("payloads", member.payloads()),
+            ("answer_bytes", 0),
+            ("steady", 1),
+        ):
+            one[name] = value

@@ -1,0 +1,307 @@
+"""Usual ticks in compiled code against the same ticks by the vehicle and its services: the same bytes, the same truth.
+
+Both are driven by `run_supervised` with the same datagrams, which pymavlink made; the second hands no vehicle over.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+from collections import defaultdict
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import pytest
+from pymavlink.dialects.v20 import common as mav
+
+from simvehicle.autopilot.body import Start
+from simvehicle.autopilot.geodesy import LocalFrame
+from simvehicle.autopilot.identity import IDENTITIES
+from simvehicle.autopilot.parameters import Parameters
+from simvehicle.mavlink import steady_tick
+from simvehicle.mavlink.codec import split
+from simvehicle.sitl import loop
+from simvehicle.sitl.block import Block, Wanted
+from simvehicle.sitl.steady import SteadyFlight
+
+EPOCH_US = 1_700_000_000_000_000
+FRAME = LocalFrame(47.397742, 8.545594, 488.0)
+AIRBORNE = Start((3.0, -2.0, -10.0), (0.5, 0.0, 0.1), (0.05, -0.1, 2.0), airborne=True)
+BOTH = 0b1101_1100_0000
+
+
+class End(Exception):
+    """There are no more datagrams."""
+
+
+class Supervisor:
+    """Numbers what it says to each vehicle."""
+
+    def __init__(self, sysids: Sequence[int]) -> None:
+        self._speakers = {sysid: mav.MAVLink(None, 255, 190) for sysid in sysids}
+        self.shared = len(sysids) > 1
+
+    def frame(self, sysid: int, content: Any) -> bytes:
+        speaker = self._speakers[sysid]
+        raw = bytes(content.pack(speaker))
+        speaker.seq = (speaker.seq + 1) % 256
+        return raw
+
+    def bundle(self, sysid: int, time_ms: int, contents: Sequence[Any], relays: Sequence[bytes] = ()) -> bytes:
+        marker = mav.MAVLink_ping_message(0, 0, sysid, 1).pack(mav.MAVLink(None, 255, 190)) if self.shared else b""
+        grant = mav.MAVLink_system_time_message(EPOCH_US + 1000 * time_ms, time_ms)
+        return bytes(marker) + b"".join(
+            [*(self.frame(sysid, one) for one in contents), *relays, self.frame(sysid, grant)]
+        )
+
+
+def set_point(sysid: int, p: Sequence[float], v: Sequence[float] = (0.0, 0.0, 0.0), **other: Any) -> Any:
+    mask, frame, component = other.get("mask", BOTH), other.get("frame", 1), other.get("component", 1)
+    turn = other.get("yaw", 0.0), other.get("yaw_rate", 0.0)
+    return mav.MAVLink_set_position_target_local_ned_message(
+        77, sysid, component, frame, mask, *p, *v, 0.0, 0.0, 0.0, *turn
+    )
+
+
+def heartbeat(kind: int = mav.MAV_TYPE_GCS) -> Any:
+    return mav.MAVLink_heartbeat_message(kind, 8, 0, 0, 4, 3)
+
+
+def command(sysid: int, number: int, *values: float) -> Any:
+    return mav.MAVLink_command_long_message(sysid, 1, number, 0, *(*values, *(0.0,) * 7)[:7])
+
+
+class Flown:
+    """Everything that a process of vehicles said and wrote down."""
+
+    def __init__(
+        self, folder: Path, wanted: Callable[[Path], list[Wanted]], datagrams: Sequence[bytes], *, steadily: bool
+    ) -> None:
+        self.sent: list[bytes] = []
+        self.steadily = 0
+        flights = self
+
+        class Link:
+            waiting = False
+
+            def __init__(self, *_: object) -> None:
+                self._left = iter(datagrams)
+
+            def __enter__(self) -> Link:
+                return self
+
+            def __exit__(self, *_: object) -> None:
+                pass
+
+            def wait_in_receive(self, most_s: float) -> None:
+                pass
+
+            def receive(self) -> bytes:
+                for datagram in self._left:
+                    return datagram
+                raise End
+
+            def send(self, datagrams: list[bytes]) -> None:
+                flights.sent += datagrams
+
+        class Counted(SteadyFlight):
+            def fly(self, datagram: bytes, at: int) -> Any:
+                looked = super().fly(datagram, at)
+                flights.steadily += len(looked.flown)
+                return looked
+
+            def hand_over(self, *given: Any) -> None:
+                if steadily:
+                    super().hand_over(*given)
+
+        folder.mkdir()
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr("simvehicle.sitl.block.SupervisedLink", Link)
+            patch.setattr(loop, "SteadyFlight", Counted)
+            with pytest.raises(End):
+                Block(wanted(folder), IDENTITIES["px4"], FRAME, [], "udpout:127.0.0.1:1").fly()
+        self.truth = {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
+        self.said: dict[int, list[bytes]] = defaultdict(list)
+        for datagram in self.sent:
+            for frame in split(datagram):
+                self.said[frame.sysid].append(frame.raw)
+
+
+def compare(tmp_path: Path, wanted: Callable[[Path], list[Wanted]], datagrams: Sequence[bytes]) -> Flown:
+    """Fly both, and hold one against the other; the steady one."""
+    steady = Flown(tmp_path / "steady", wanted, datagrams, steadily=True)
+    plain = Flown(tmp_path / "plain", wanted, datagrams, steadily=False)
+    assert plain.steadily == 0
+    assert steady.said == plain.said
+    assert steady.truth == plain.truth
+    return steady
+
+
+def vehicles(*sysids: int, start: Start = AIRBORNE, truth_hz: float | None = None, **params: float) -> Any:
+    def wanted(folder: Path) -> list[Wanted]:
+        return [
+            Wanted(sysid, start, Parameters(params), folder / f"{sysid}.truth", truth_hz=truth_hz) for sysid in sysids
+        ]
+
+    return wanted
+
+
+def circle(sysid: int, time_ms: int) -> Any:
+    angle = 0.0005 * time_ms + sysid
+    place = (4.0 * math.cos(angle), 4.0 * math.sin(angle), -10.0 - 0.2 * sysid)
+    return set_point(sysid, place, (-2.0 * math.sin(angle), 2.0 * math.cos(angle), 0.0))
+
+
+@pytest.mark.parametrize("period_ms", [100, 50, 20, 6])
+@pytest.mark.parametrize("sysids", [(7,), (1, 2, 254)])
+def test_a_flight_of_set_points_is_the_same_to_the_byte(
+    tmp_path: Path, sysids: tuple[int, ...], period_ms: int
+) -> None:
+    """Ten seconds: every stream has been due; 6 ms is no multiple of a step."""
+    supervisor = Supervisor(sysids)
+    datagrams = []
+    for time_ms in range(0, 10_001, period_ms):
+        beat = [heartbeat()] if time_ms % 1000 < period_ms else []
+        bundles = [supervisor.bundle(sysid, time_ms, [*beat, circle(sysid, time_ms)]) for sysid in sysids]
+        datagrams.append(b"".join(bundles))
+    flown = compare(tmp_path, vehicles(*sysids), datagrams)
+    assert flown.steadily >= len(sysids) * (len(datagrams) - 3)
+    heard = {frame.msgid for datagram in flown.sent for frame in split(datagram)}
+    assert len(heard) >= 13
+
+
+def test_a_battery_that_runs_low_is_found_by_the_vehicle_itself(tmp_path: Path) -> None:
+    supervisor = Supervisor((1,))
+    datagrams = [supervisor.bundle(1, t, [heartbeat(), circle(1, t)]) for t in range(0, 8001, 100)]
+    flown = compare(tmp_path, vehicles(1, SIM_BAT_CAP_J=1000.0, BAT_EMERGEN_THR=0.3), datagrams)
+    assert 10 < flown.steadily < len(datagrams) - 10
+    texts = [frame for datagram in flown.sent for frame in split(datagram) if frame.msgid == 253]
+    assert texts
+
+
+@pytest.mark.parametrize("silent", ["set points", "ground station"])
+def test_silence_is_found_by_the_vehicle_itself(tmp_path: Path, silent: str) -> None:
+    supervisor = Supervisor((1,))
+    datagrams = []
+    for t in range(0, 9001, 100):
+        contents = [] if silent == "set points" and t > 2000 else [circle(1, t)]
+        datagrams.append(
+            supervisor.bundle(1, t, contents if silent == "ground station" and t > 2000 else [heartbeat(), *contents])
+        )
+    flown = compare(tmp_path, vehicles(1), datagrams)
+    assert 15 < flown.steadily < len(datagrams) - 10
+    assert any(frame.msgid == 253 for datagram in flown.sent for frame in split(datagram))
+
+
+def test_from_the_ground_and_back_through_every_mode(tmp_path: Path) -> None:
+    """Armed, taken off, steered, told to say more, to hold, to land: handed over whenever nothing else happens."""
+    supervisor, sysids = Supervisor((1, 2)), (1, 2)
+    at_ms = {
+        500: [mav.MAV_CMD_COMPONENT_ARM_DISARM, 1.0],
+        700: [mav.MAV_CMD_NAV_TAKEOFF, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 491.0],
+        5000: [mav.MAV_CMD_DO_SET_MODE, 1.0, 6.0],
+        6000: [mav.MAV_CMD_SET_MESSAGE_INTERVAL, mav.MAVLINK_MSG_ID_BATTERY_STATUS, 100_000.0],
+        6500: [mav.MAV_CMD_SET_MESSAGE_INTERVAL, mav.MAVLINK_MSG_ID_ATTITUDE_QUATERNION, 700_000.0],
+        7000: [mav.MAV_CMD_SET_MESSAGE_INTERVAL, mav.MAVLINK_MSG_ID_ATTITUDE, 40_000.0],
+        9000: [mav.MAV_CMD_REQUEST_MESSAGE, mav.MAVLINK_MSG_ID_HOME_POSITION],
+        11_000: [mav.MAV_CMD_NAV_LAND],
+    }
+    datagrams = []
+    for t in range(0, 20_001, 100):
+        ordered = at_ms.get(t)
+        bundles = []
+        for sysid in sysids:
+            extra = [command(sysid, int(ordered[0]), *ordered[1:])] if ordered else []
+            bundles.append(supervisor.bundle(sysid, t, [heartbeat(), *extra, circle(sysid, t)]))
+        datagrams.append(b"".join(bundles))
+    flown = compare(tmp_path, vehicles(*sysids, start=Start()), datagrams)
+    assert flown.steadily > 60
+
+
+def test_a_set_point_under_the_ground_is_flown_to_the_ground(tmp_path: Path) -> None:
+    """Landed in offboard: what it says of that is the same."""
+    supervisor = Supervisor((1,))
+    started = [
+        (0, [heartbeat(), set_point(1, (0.0, 0.0, -3.0))]),
+        (100, [heartbeat(), command(1, mav.MAV_CMD_DO_SET_MODE, 1.0, 6.0), set_point(1, (0.0, 0.0, -3.0))]),
+        (200, [command(1, mav.MAV_CMD_COMPONENT_ARM_DISARM, 1.0), set_point(1, (0.0, 0.0, -3.0))]),
+    ]
+    datagrams = [supervisor.bundle(1, t, contents) for t, contents in started]
+    for t in range(300, 16_001, 100):
+        down = -3.0 if t < 6000 else 2.0
+        datagrams.append(supervisor.bundle(1, t, [heartbeat(), set_point(1, (0.0, 0.0, down))]))
+    flown = compare(tmp_path, vehicles(1, start=Start()), datagrams)
+    assert flown.steadily > 120
+    states = [raw for raw in flown.said[1] if raw[7] == mav.MAVLINK_MSG_ID_EXTENDED_SYS_STATE]
+    assert {raw[11] for raw in states} == {mav.MAV_LANDED_STATE_IN_AIR, mav.MAV_LANDED_STATE_ON_GROUND}
+
+
+def test_truth_at_a_rate_of_its_own(tmp_path: Path) -> None:
+    supervisor = Supervisor((1, 3))
+    datagrams = [
+        b"".join(supervisor.bundle(sysid, t, [heartbeat(), circle(sysid, t)]) for sysid in (1, 3))
+        for t in range(0, 5001, 100)
+    ]
+    compare(tmp_path, vehicles(1, 3, truth_hz=3.0), datagrams)
+
+
+def odd(random_: random.Random, sysid: int, t: int) -> list[Any]:
+    """Something that a supervisor may say and that is not usual."""
+    nan = math.nan
+    return random_.choice(
+        [
+            [set_point(sysid, (nan, 0.0, -5.0))],
+            [set_point(sysid, (1.0, 2.0, -5.0), mask=BOTH & ~mav.POSITION_TARGET_TYPEMASK_YAW_IGNORE, yaw=0.7)],
+            [set_point(sysid, (1.0, 2.0, -5.0), frame=8)],
+            [set_point(sysid, (0.0, 0.0, 0.0), (0.5, 0.0, 0.0), mask=BOTH | 7)],
+            [set_point(sysid, (9.0, 9.0, -9.0), component=7)],
+            [set_point(sysid % 254 + 1, (9.0, 9.0, -9.0))],
+            [heartbeat(mav.MAV_TYPE_QUADROTOR), circle(sysid, t)],
+            [circle(sysid, t), circle(sysid, t + 40)],
+            [],
+            [mav.MAVLink_param_request_read_message(sysid, 1, b"MPC_XY_VEL_MAX", -1)],
+            [mav.MAVLink_param_set_message(sysid, 1, b"MPC_XY_VEL_MAX", random_.uniform(1.0, 9.0), 9)],
+            [command(sysid, mav.MAV_CMD_SET_MESSAGE_INTERVAL, random_.choice([1, 30, 74, 141, 147]), 150_000.0)],
+            [mav.MAVLink_mission_request_list_message(sysid, 1, 0)],
+        ]
+    )
+
+
+@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("sysids", [(5,), (1, 2, 3, 200)])
+def test_whatever_comes_between(tmp_path: Path, sysids: tuple[int, ...], seed: int) -> None:
+    """Odd messages, relays, repeated, lost and broken datagrams, foreign vehicles, grants of many lengths."""
+    random_ = random.Random(seed)
+    supervisor, neighbour = Supervisor(sysids), mav.MAVLink(None, 99, 1)
+    datagrams, time_ms = [], 0
+    for _ in range(150):
+        bundles = []
+        for sysid in sysids:
+            contents = [circle(sysid, time_ms)] if random_.random() < 0.85 else odd(random_, sysid, time_ms)
+            if random_.random() < 0.15:
+                contents = [heartbeat(), *contents]
+            relays = []
+            if random_.random() < 0.05:
+                relays = [bytes(mav.MAVLink_named_value_int_message(time_ms, b"XferOut", 5).pack(neighbour))]
+            bundles.append(supervisor.bundle(sysid, time_ms, contents, relays))
+        random_.shuffle(bundles)
+        datagram = b"".join(bundles)
+        chance = random_.random()
+        if chance < 0.05:
+            datagrams.append(bytes(b ^ (random_.random() < 0.02) for b in datagram))  # broken, and then repeated
+        elif chance < 0.1:
+            datagrams.append(datagram[: random_.randrange(len(datagram))])
+        elif chance < 0.13:
+            datagrams.append(random_.randbytes(random_.randrange(1, 90)))
+        datagrams += [datagram] * (1 + (random_.random() < 0.1))
+        time_ms += random_.choice([100, 100, 100, 100, 50, 20, 4, 3, 104, 250])
+    flown = compare(tmp_path, vehicles(*sysids), datagrams)
+    assert flown.steadily > 20 * len(sysids)
+
+
+def test_what_it_takes_to_write_an_answer_fits() -> None:
+    """All frames of one answer, each as long as it can be, fit where an answer is written."""
+    sizes = [int(steady_tick.frame_table()[steady_tick.STREAMS.index(key), 2]) for key in steady_tick.WRITTEN]
+    assert max(sizes) <= steady_tick.PAYLOAD_BYTES
+    assert sum(size + 12 for size in sizes) + 24 <= steady_tick.FRAMES_BYTES

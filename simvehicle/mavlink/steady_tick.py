@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 import zlib
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -19,55 +18,26 @@ from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot import snapshot
-from simvehicle.kernels import kernel
 from simvehicle.law import step
-from simvehicle.mavlink import motion_frames, telemetry
-from simvehicle.mavlink.codec import schema
-from simvehicle.mavlink.motion_frames import (
-    DEGREES,
-    HEADER_BYTES,
-    MAGIC,
-    TURN_DEG,
-    bounded,
-    checksum,
-    remainder,
-    write_frame,
-    write_motion,
+from simvehicle.mavlink import motion_frames, steady_answer, telemetry
+from simvehicle.mavlink.motion_frames import HEADER_BYTES, MAGIC, checksum
+from simvehicle.mavlink.steady_answer import (
+    AUTOPILOT,
+    FRAMES_BYTES,
+    PAYLOAD_BYTES,
+    STREAMS,
+    SYSTEM_TIME_ID,
+    SYSTEM_TIME_SEED,
+    write_answer,
+    write_truth,
 )
 
 LONGEST_MS = 103
 """A vehicle looks at its failsafes every 100 ms: a longer stretch is no usual tick. What is left of a step waits."""
 STEP_MS = 4
 MOST_STEPS = 25
-TRUTH_NUMBERS = 18
-"""Of a record of sitl/truth.py, before the thrust of each step."""
-FRAMES_BYTES = 1024
-"""More than all frames of one answer."""
 SENT_BYTES = 4096
 """Answers that are sent before others are flown."""
-
-STREAMS = tuple(stream.key for stream in telemetry.TELEMETRY)
-_HEARTBEAT, _STATUS, _EXTENDED, _ATTITUDE, _LOCAL, _GLOBAL = (
-    STREAMS.index(key)
-    for key in (
-        "HEARTBEAT",
-        "SYS_STATUS",
-        "EXTENDED_SYS_STATE",
-        "ATTITUDE",
-        "LOCAL_POSITION_NED",
-        "GLOBAL_POSITION_INT",
-    )
-)
-_GPS, _HOME, _ORIGIN, _BATTERY, _TARGET, _EFFORT, _OUT, _IN = (
-    STREAMS.index(key)
-    for key in (
-        *("GPS_RAW_INT", "HOME_POSITION", "GPS_GLOBAL_ORIGIN", "BATTERY_STATUS"),
-        *("POSITION_TARGET_LOCAL_NED", "CtlEffort", "XferOut", "XferIn"),
-    )
-)
-WRITTEN = frozenset(STREAMS[: _IN + 1])
-"""Streams that are written here; a tick in which another one is due is left."""
-PAYLOAD_BYTES = 64
 
 STEADY = np.dtype(
     [
@@ -83,6 +53,12 @@ STEADY = np.dtype(
         ("unix_epoch_us", "i8"),
         ("given_j", "f8"),
         ("received_j", "f8"),
+        ("truth_fd", "i8"),  # of its file of truth, -1 without one
+        ("truth_period_s", "f8"),  # 0: a record at each grant
+        ("truth_due_s", "f8"),
+        ("truth_bytes", "i8"),  # written while it is steady, and of the last record
+        ("truth_taken", "i8"),
+        ("ticks", "i8"),  # flown here
         ("gcs_seen_s", "f8"),  # NaN: never
         ("gcs_loss_s", "f8"),
         ("set_s", "f8"),  # of the set point, and its place and velocity
@@ -106,45 +82,11 @@ STEADY = np.dtype(
 )
 
 
-def frame_table() -> NDArray[np.int64]:
-    """(streams, 3) id, seed of the checksum and payload's size of each stream's message, for `fly`."""
-    table = np.zeros((len(STREAMS), 3), np.int64)
-    for row, stream in zip(table, telemetry.TELEMETRY, strict=True):
-        entry = schema(stream.msgid)
-        assert entry is not None
-        row[:] = entry.msgid, entry.seed[0], entry.packer.size
-    return table
-
-
 _SYSTEM, _COMPONENT = 255, 190  # the supervisor
-_AUTOPILOT = 1
-_SYSTEM_TIME_ID, _SYSTEM_TIME_SEED, _SYSTEM_TIME_BYTES = 2, 137, 12
 _PING_ID, _PING_SEED, _PING_TARGET = 4, 237, 12
 _HEARTBEAT_ID, _HEARTBEAT_SEED, _HEARTBEAT_TYPE = 0, 50, 4
 _SET_ID, _SET_SEED, _SET_BYTES, _SET_MASK = 84, 143, 53, 0b1101_1100_0000
 _GCS, _LOCAL_NED = int(mav.MAV_TYPE_GCS), int(mav.MAV_FRAME_LOCAL_NED)
-_STANDBY, _ACTIVE = int(mav.MAV_STATE_STANDBY), int(mav.MAV_STATE_ACTIVE)
-_ON_GROUND, _IN_AIR = int(mav.MAV_LANDED_STATE_ON_GROUND), int(mav.MAV_LANDED_STATE_IN_AIR)
-_PREARM = int(mav.MAV_SYS_STATUS_PREARM_CHECK)
-_CELLS, _FULL_V, _EMPTY_V = snapshot.CELLS, snapshot.CELL_FULL_V, snapshot.CELL_EMPTY_V
-_X, _V, _REF_X, _REF_V = (
-    part.start for part in (step.POSITION, step.VELOCITY, step.REFERENCE_POSITION, step.REFERENCE_VELOCITY)
-)
-
-
-@njit(error_model="numpy")
-def _put(out: NDArray[np.uint8], at: int, value: int, size: int) -> None:
-    for i in range(size):
-        out[at + i] = (value >> (8 * i)) & 0xFF
-
-
-@njit(error_model="numpy")
-def _put_float(out: NDArray[np.uint8], at: int, value: float) -> None:
-    floats = np.empty(1, np.float32)
-    floats[0] = value
-    parts = floats.view(np.uint8)
-    for i in range(4):
-        out[at + i] = parts[i]
 
 
 @njit(error_model="numpy")
@@ -209,7 +151,7 @@ def _bundle(datagram: NDArray[np.uint8], at: int, marked: bool, row_of: NDArray[
 @njit(error_model="numpy")
 def _is_set_point(one: Any, datagram: NDArray[np.uint8], body: int) -> bool:
     """Whether a payload is a set point of the usual kind for this vehicle, in finite numbers."""
-    if datagram[body + 50] != one.sysid or datagram[body + 51] != _AUTOPILOT or datagram[body + 52] != _LOCAL_NED:
+    if datagram[body + 50] != one.sysid or datagram[body + 51] != AUTOPILOT or datagram[body + 52] != _LOCAL_NED:
         return False
     total = 0.0
     for i in range(6):
@@ -231,7 +173,7 @@ def _usual(one: Any, s: NDArray[np.float64], datagram: NDArray[np.uint8], at: in
             return -1
         number = (number + 1) & 0xFF
         msgid, body = datagram[at + 7], at + HEADER_BYTES
-        if msgid == _SYSTEM_TIME_ID:
+        if msgid == SYSTEM_TIME_ID:
             break
         if msgid == _HEARTBEAT_ID:
             if not _is_supervisors(datagram, at, end, _HEARTBEAT_ID, _HEARTBEAT_SEED):
@@ -245,7 +187,7 @@ def _usual(one: Any, s: NDArray[np.float64], datagram: NDArray[np.uint8], at: in
                 return -1
             set_s = now_s
         at = end
-    if end != stop or not _is_supervisors(datagram, at, end, _SYSTEM_TIME_ID, _SYSTEM_TIME_SEED):
+    if end != stop or not _is_supervisors(datagram, at, end, SYSTEM_TIME_ID, SYSTEM_TIME_SEED):
         return -1
     granted_ms = _number(datagram, body, 8, 4)
     span_ms = granted_ms - one.time_ms
@@ -256,108 +198,6 @@ def _usual(one: Any, s: NDArray[np.float64], datagram: NDArray[np.uint8], at: in
     if s[step.REMAINING_J] < one.floor_j or now_s - gcs_seen_s > one.gcs_loss_s or now_s - set_s > one.set_loss_s:
         return -1
     return at
-
-
-@njit(error_model="numpy")
-def _landed(one: Any, s: NDArray[np.float64]) -> bool:
-    still = s[_V] == 0.0 and s[_V + 1] == 0.0 and s[_V + 2] == 0.0
-    return bool(one.ground != 0 and s[_X + 2] <= 0.0 and still)
-
-
-@njit(error_model="numpy")
-def _write_values(one: Any, s: NDArray[np.float64], stream: int, payload: NDArray[np.uint8]) -> None:
-    """Bring a stream's payload up to date; motion is write_motion's."""
-    unix_us, remaining_j = one.unix_epoch_us + 1000 * one.time_ms, s[step.REMAINING_J]
-    share = min(max(remaining_j / one.capacity_j, 0.0), 1.0)
-    voltage_v = _CELLS * (_EMPTY_V + (_FULL_V - _EMPTY_V) * share)
-    current = bounded(1e2 * one.power_w / voltage_v, 16)
-    percent = int(min(max(np.rint(100.0 * remaining_j / one.capacity_j), 0.0), 100.0))
-    north, east, down, v_north, v_east = s[_X], -s[_X + 1], -s[_X + 2], s[_V], -s[_V + 1]
-    if stream == _HEARTBEAT:
-        payload[7] = _STANDBY if _landed(one, s) else _ACTIVE
-    elif stream == _STATUS:
-        health = _number_of(payload, 8) | _PREARM
-        if one.checked != 0 and remaining_j < one.floor_j:
-            health ^= _PREARM
-        _put(payload, 8, health, 4)
-        _put(payload, 14, int(np.rint(1e3 * voltage_v)), 2)
-        _put(payload, 16, current, 2)
-        payload[30] = percent
-    elif stream == _EXTENDED:
-        payload[1] = _ON_GROUND if _landed(one, s) else _IN_AIR
-    elif stream == _GPS:
-        altitude = bounded(1e3 * (one.origin[2] - down), 32)
-        _put(payload, 0, unix_us, 8)
-        _put(payload, 8, int(np.rint(1e7 * remainder(one.origin[0] + north * one.origin[3], TURN_DEG))), 4)
-        _put(payload, 12, int(np.rint(1e7 * remainder(one.origin[1] + east * one.origin[4], TURN_DEG))), 4)
-        _put(payload, 16, altitude, 4)
-        _put(payload, 24, bounded(100.0 * math.sqrt(v_north * v_north + v_east * v_east), 16), 2)
-        _put(payload, 26, int(np.rint(1e2 * (math.atan2(v_east, v_north) * DEGREES))) % 36000, 2)
-        _put(payload, 30, altitude, 4)
-    elif stream == _HOME:
-        _put(payload, 52, unix_us, 8)
-    elif stream == _ORIGIN:
-        _put(payload, 12, unix_us, 8)
-    elif stream == _BATTERY:
-        _put(payload, 0, bounded(1e3 * (s[step.DRAWN_J] / (_CELLS * _FULL_V) / 3600.0), 32), 4)
-        _put(payload, 4, bounded(math.floor(s[step.DRAWN_J] / 100.0), 32), 4)
-        cell_mv = int(np.rint(1e3 * voltage_v / _CELLS))
-        for i in range(_CELLS):
-            _put(payload, 10 + 2 * i, cell_mv, 2)
-        _put(payload, 30, current, 2)
-        payload[35] = percent
-        left_s = bounded(remaining_j / one.power_w, 32) if one.power_w > 0.0 else 0
-        _put(payload, 36, left_s, 4)
-    else:
-        _put(payload, 0, one.time_ms, 4)
-        if stream == _EFFORT:
-            _put_float(payload, 4, s[step.EFFORT])
-        elif stream == _TARGET:
-            for i in range(3):
-                sign = 1.0 if i == 0 else -1.0
-                _put_float(payload, 4 + 4 * i, sign * s[_REF_X + i])
-                _put_float(payload, 16 + 4 * i, sign * s[_REF_V + i])
-
-
-@njit(error_model="numpy")
-def _number_of(payload: NDArray[np.uint8], at: int) -> int:
-    value = 0
-    for i in range(4):
-        value |= int(payload[at + i]) << (8 * i)
-    return value
-
-
-@njit(error_model="numpy")
-def _answer(one: Any, s: NDArray[np.float64], frames: NDArray[np.int64], unix_us: int) -> None:
-    """Write what is due, closed by the own SYSTEM_TIME; what is due next is put down."""
-    at, out, motion = 0, one.answer, 0
-    for stream in range(_IN + 1):
-        interval_ms, due_ms = one.interval_ms[stream], one.due_ms[stream]
-        if interval_ms != 0 and one.time_ms >= due_ms:
-            late_ms = one.time_ms - due_ms
-            one.due_ms[stream] = one.time_ms + interval_ms - (late_ms if late_ms < interval_ms else 0)
-            if _ATTITUDE <= stream <= _GLOBAL:
-                motion |= 1 << (stream - _ATTITUDE)
-            else:
-                payload = one.payloads[PAYLOAD_BYTES * stream : PAYLOAD_BYTES * (stream + 1)]
-                _write_values(one, s, stream, payload)
-                msgid, seed, size = frames[stream, 0], frames[stream, 1], frames[stream, 2]
-                at = write_frame(out, at, payload, size, msgid, seed, one.seq, one.sysid, _AUTOPILOT)
-                one.seq = (one.seq + 1) & 0xFF
-        if stream == _GLOBAL and motion != 0:
-            _, _, length = write_motion(
-                out[at:], s.reshape(1, s.size), one.origin, one.home_down_m, one.time_ms, motion, one.seq, one.sysid,
-                _AUTOPILOT,
-            )  # fmt: skip
-            at += length
-            one.seq = (one.seq + (motion & 1) + (motion >> 1 & 1) + (motion >> 2)) & 0xFF
-    payload = np.empty(_SYSTEM_TIME_BYTES, np.uint8)
-    _put(payload, 0, unix_us, 8)
-    _put(payload, 8, one.granted_ms, 4)
-    one.answer_bytes = write_frame(
-        out, at, payload, _SYSTEM_TIME_BYTES, _SYSTEM_TIME_ID, _SYSTEM_TIME_SEED, one.seq, one.sysid, _AUTOPILOT
-    )
-    one.seq = (one.seq + 1) & 0xFF
 
 
 @njit(error_model="numpy")
@@ -395,93 +235,74 @@ def _command(one: Any, command: NDArray[np.float64]) -> None:
 
 
 @njit(error_model="numpy")
-def _write_truth(one: Any, s: NDArray[np.float64], thrust: NDArray[np.float64], truth: NDArray[np.float64]) -> None:
-    """A record as sitl/truth.py has it."""
-    truth[0], truth[1] = one.time_ms / 1e3, thrust.size
-    for i in range(12):
-        truth[2 + i] = s[i] if i % 3 == 0 else -s[i]
-    truth[14], truth[15], truth[16], truth[17] = s[step.DRAWN_J], one.received_j, one.given_j, s[step.REMAINING_J]
-    for k in range(thrust.size):
-        truth[TRUTH_NUMBERS + k] = thrust[0, k]
+def fly(
+    datagram: NDArray[np.uint8],
+    at: int,
+    marked: bool,
+    row_of: NDArray[np.int64],
+    rows: NDArray[Any],
+    states: NDArray[np.float64],
+    parameters: NDArray[np.float64],
+    frames: NDArray[np.int64],
+    truth: NDArray[np.float64],
+    flown: NDArray[np.int64],
+    left: NDArray[np.int64],
+    out: NDArray[np.uint8],
+) -> tuple[int, int, int, int]:
+    """Fly the usual bundles of a datagram from a place on, until SENT_BYTES of answers are written or all is looked at.
 
+    Args:
+        datagram: of a supervisor; (k,) uint8.
+        at: where to begin.
+        marked: whether a PING to its vehicle stands before each bundle; else the whole is one, the first row's.
+        row_of: (256,) row of a system id, -1 without one.
+        rows: (n,) STEADY; of those flown they change, as `states` (n, STATE_SIZE) does.
+        parameters: (n, PARAMS_SIZE).
+        frames: `frame_table()`.
+        truth: (n, TRUTH_NUMBERS + MOST_STEPS), a record of each that is flown.
+        flown: (n,), which rows were flown, in order.
+        left: (m, 2), beginnings and ends of what was not: bundles that are not usual, or the rest of what is none.
+        out: (SENT_BYTES + FRAMES_BYTES,), the answers, one after the other.
 
-def _compiled(build: int) -> Callable[..., Any]:
-    """The entry point; `build` is a checksum of what is compiled into it, as in law/step.py."""
-
-    @kernel(error_model="numpy")
-    def fly(
-        datagram: NDArray[np.uint8],
-        at: int,
-        marked: bool,
-        row_of: NDArray[np.int64],
-        rows: NDArray[Any],
-        states: NDArray[np.float64],
-        parameters: NDArray[np.float64],
-        frames: NDArray[np.int64],
-        truth: NDArray[np.float64],
-        flown: NDArray[np.int64],
-        left: NDArray[np.int64],
-        out: NDArray[np.uint8],
-    ) -> tuple[int, int, int, int]:
-        _ = build
-        many = others = written = 0
-        command, times = np.empty((1, step.COMMAND_SIZE)), np.empty(1)
-        while at < datagram.size and written < SENT_BYTES and many < flown.size and others < left.shape[0]:
-            row, body, stop = _bundle(datagram, at, marked, row_of)
-            for k in range(many):
-                if flown[k] == row:
-                    row = -1
-            grant = -1 if row < 0 else _usual(rows[row], states[row], datagram, body, stop)
-            if grant < 0:
-                left[others, 0], left[others, 1] = at, stop
-                others += 1
-                at = stop
-                continue
-            one, s = rows[row], states[row]
-            _take_in(one, datagram, body, grant)
-            _command(one, command[0])
-            one.granted_ms = _number(datagram, grant + HEADER_BYTES, 8, 4)
-            steps = min((one.granted_ms - one.time_ms) // STEP_MS, MOST_STEPS)
-            thrust, drawn_j = np.empty((1, steps)), s[step.DRAWN_J]
-            times[0] = one.time_ms / 1e3
-            step.fly_rows(states[row : row + 1], command, parameters[row : row + 1], times, STEP_MS / 1e3, thrust)
-            one.power_w = (s[step.DRAWN_J] - drawn_j) / (steps * STEP_MS / 1e3)
-            one.time_ms += steps * STEP_MS
-            _answer(one, s, frames, _number(datagram, grant + HEADER_BYTES, 0, 8))
-            _write_truth(one, s, thrust, truth[row])
-            for i in range(one.answer_bytes):
-                out[written + i] = one.answer[i]
-            written += one.answer_bytes
-            flown[many] = row
-            many += 1
+    Returns:
+        where it stopped, how many were flown, how many stretches were left, bytes of answers.
+    """
+    many = others = written = 0
+    command, times = np.empty((1, step.COMMAND_SIZE)), np.empty(1)
+    while at < datagram.size and written < SENT_BYTES and many < flown.size and others < left.shape[0]:
+        row, body, stop = _bundle(datagram, at, marked, row_of)
+        for k in range(many):
+            if flown[k] == row:
+                row = -1
+        grant = -1 if row < 0 else _usual(rows[row], states[row], datagram, body, stop)
+        if grant < 0:
+            left[others, 0], left[others, 1] = at, stop
+            others += 1
             at = stop
-        return at, many, others, written
+            continue
+        one, s = rows[row], states[row]
+        _take_in(one, datagram, body, grant)
+        _command(one, command[0])
+        one.granted_ms = _number(datagram, grant + HEADER_BYTES, 8, 4)
+        steps = min((one.granted_ms - one.time_ms) // STEP_MS, MOST_STEPS)
+        thrust, drawn_j = np.empty((1, steps)), s[step.DRAWN_J]
+        times[0] = one.time_ms / 1e3
+        step.fly_rows(states[row : row + 1], command, parameters[row : row + 1], times, STEP_MS / 1e3, thrust)
+        one.power_w = (s[step.DRAWN_J] - drawn_j) / (steps * STEP_MS / 1e3)
+        one.time_ms += steps * STEP_MS
+        write_answer(one, s, frames, _number(datagram, grant + HEADER_BYTES, 0, 8))
+        write_truth(one, s, thrust, truth[row])
+        for i in range(one.answer_bytes):
+            out[written + i] = one.answer[i]
+        written += one.answer_bytes
+        flown[many] = row
+        many += 1
+        at = stop
+    return at, many, others, written
 
-    return fly
 
-
-def _checksum() -> int:
-    modules = (step, motion_frames, telemetry, snapshot)
-    content = b"".join(Path(str(module.__file__)).read_bytes() for module in modules)
-    return zlib.crc32(content, step.checksum())
-
-
-fly = _compiled(_checksum())
-"""Fly the usual bundles of a datagram from a place on, until SENT_BYTES of answers are written or all is looked at.
-
-Args:
-    datagram: of a supervisor; (k,) uint8.
-    at: where to begin.
-    marked: whether a PING to its vehicle stands before each bundle; else the whole is one, the first row's.
-    row_of: (256,) row of a system id, -1 without one.
-    rows: (n,) STEADY; of those flown they change, as `states` (n, STATE_SIZE) does.
-    parameters: (n, PARAMS_SIZE).
-    frames: `frame_table()`.
-    truth: (n, TRUTH_NUMBERS + MOST_STEPS), a record of each that is flown.
-    flown: (n,), which rows were flown, in order.
-    left: (m, 2), beginnings and ends of what was not: bundles that are not usual, or the rest of what is none.
-    out: (SENT_BYTES + FRAMES_BYTES,), the answers, one after the other.
-
-Returns:
-    where it stopped, how many were flown, how many stretches were left, bytes of answers.
-"""
+def checksum_of_files() -> int:
+    """Of the files that are compiled into `fly`, for the kernel that it is compiled into."""
+    modules = (step, motion_frames, steady_answer, telemetry, snapshot)
+    files = (__file__, *(str(module.__file__) for module in modules))
+    return zlib.crc32(b"".join(Path(file).read_bytes() for file in files), step.checksum())

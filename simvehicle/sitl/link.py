@@ -182,6 +182,10 @@ class PlainLink(_Link):
 class SupervisedLink(_Link):
     """The link of a process to its supervisor: whole datagrams, to and from its address only."""
 
+    def fileno(self) -> int:
+        """The socket's, for those who receive from it."""
+        return self.socket.fileno()
+
     @property
     def waiting(self) -> bool:
         """Whether a datagram has come that was not received yet."""
@@ -192,16 +196,9 @@ class SupervisedLink(_Link):
         return True
 
     def wait_in_receive(self, most_s: float) -> None:
-        """Let `receive` wait for a datagram, for so long at most, instead of a poll before it."""
+        """Let a receive wait for a datagram, for so long at most, instead of a poll before it."""
         self.socket.setblocking(True)
         self.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVTIMEO, time_of(most_s))
-
-    def receive(self) -> bytes | None:
-        """The next datagram, or None."""
-        try:
-            return self.socket.recv(SUPERVISED_BYTES)
-        except OSError:
-            return None
 
     def send(self, datagrams: list[bytes]) -> None:
         """Send; a supervisor that is not there (yet) is no error."""

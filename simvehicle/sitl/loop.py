@@ -56,23 +56,27 @@ class _Granted:
         self.grants = Grants(connection)
         self._hello = self.grants.hello(unit.hello(), secret or 0, shared=shared)
         self._patience_s = SILENCE_S if secret is None else math.inf
-        self.last_received_s = 0.0
+        self._last_received_s = 0.0
+        self._ticks = 0
         self._started = False
 
-    def look(self, now_s: float, link: SupervisedLink) -> bool:
-        """Say hello until the first bundle has come; False once the supervisor has been silent for too long.
+    def look(self, now_s: float, ticks: int, link: SupervisedLink) -> bool:
+        """Say hello until the first bundle has come; False once the supervisor has been silent for too long: `ticks`,
+        flown steadily so far, are no more than at the last look, and nothing else has come.
 
         A vehicle that the machine has kept from running has not listened: what waits for it is no silence.
         """
+        if ticks != self._ticks:
+            self._ticks, self._last_received_s = ticks, now_s
         if self.grants.time_ms is not None:
-            return now_s - self.last_received_s < self._patience_s or link.waiting
+            return now_s - self._last_received_s < self._patience_s or link.waiting
         link.send([self._hello])
         return True
 
     def receive(self, frames: Sequence[ReceivedFrame], steady: SteadyFlight, row: int) -> list[bytes]:
         """Act on a bundle that is not flown steadily; the datagrams that answer it."""
         steady.take_back(row)
-        self.last_received_s = time.monotonic()
+        self._last_received_s = time.monotonic()
         action = self.grants.feed(frames)
         if action is None or isinstance(action, list):
             return action or []
@@ -125,25 +129,15 @@ def run_supervised(seats: Sequence[ConnectedUnit], link: SupervisedLink, secret:
         if now_s >= look_s:
             look_s = now_s + HELLO_EVERY_S
             for sysid, row in list(held.items()):
-                if not granted[row].look(now_s, link):
+                if not granted[row].look(now_s, steady.ticks(row), link):
                     steady.take_back(held.pop(sysid))
-        datagram = link.receive() if held else b""
-        at = 0
-        while datagram and at < len(datagram):
-            looked = steady.fly(datagram, at)
-            at, now_s = looked.at, time.monotonic()
-            for row in looked.flown:
-                granted[row].last_received_s = now_s
-            if looked.answers:
-                link.send([looked.answers])
-            left = [datagram[start:stop] for start, stop in looked.left]
-            if len(seats) == 1:
-                link.send([answer for part in left for answer in granted[0].receive(tuple(split(part)), steady, 0)])
-            else:
-                own = ((held[sysid], frames) for part in left for sysid, frames in bundles(part) if sysid in held)
-                answers = (answer for row, frames in own for answer in granted[row].receive(frames, steady, row))
-                for together_sent in together(answers):
-                    link.send([together_sent])
+        left = steady.serve(link) if held else []
+        if len(seats) == 1:
+            link.send([answer for part in left for answer in granted[0].receive(tuple(split(part)), steady, 0)])
+            continue
+        own = ((held[sysid], frames) for part in left for sysid, frames in bundles(part) if sysid in held)
+        for datagram in together(answer for row, frames in own for answer in granted[row].receive(frames, steady, row)):
+            link.send([datagram])
     print(f"The supervisor has been silent for {SILENCE_S:.0f} s: leaving", file=sys.stderr, flush=True)
     raise SystemExit(ABANDONED)
 

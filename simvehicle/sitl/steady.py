@@ -20,14 +20,16 @@ from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.law.params import PARAMS_SIZE
 from simvehicle.law.plants import Plant
 from simvehicle.law.step import STATE_SIZE
-from simvehicle.mavlink import steady_tick
 from simvehicle.mavlink.codec import HEADER_BYTES, ReceivedFrame, encode
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.dispatcher import Services
 from simvehicle.mavlink.lockstep import Grants
-from simvehicle.mavlink.steady_tick import FRAMES_BYTES, MOST_STEPS, PAYLOAD_BYTES, SENT_BYTES, STEADY, STREAMS, WRITTEN
+from simvehicle.mavlink.steady_answer import FRAMES_BYTES, PAYLOAD_BYTES, STREAMS, WRITTEN, frame_table
+from simvehicle.mavlink.steady_tick import MOST_STEPS, SENT_BYTES, STEADY
 from simvehicle.mavlink.telemetry import TELEMETRY
-from simvehicle.sitl.truth import TruthWriter
+from simvehicle.sitl import steady_loop
+from simvehicle.sitl.link import SUPERVISED_BYTES, SupervisedLink
+from simvehicle.sitl.truth import FIXED_NUMBERS, TruthWriter
 
 MOST_LEFT = 64
 """Stretches of a datagram that are left at once."""
@@ -78,22 +80,11 @@ def _payload(content: object) -> bytes:
     return frame[HEADER_BYTES : HEADER_BYTES + frame[1]].ljust(PAYLOAD_BYTES, b"\0")
 
 
-class Looked(NamedTuple):
-    """Outcome of a datagram, or of a part of it: where it goes on, rows that were flown, stretches of it that were
-    left, and the answers of those who were flown."""
-
-    at: int
-    flown: list[int]
-    left: list[list[int]]
-    answers: bytes
-
-
 class SteadyFlight:
     """The vehicles of one process by rows, in order; None for a unit that is no vehicle of ours."""
 
     def __init__(self, members: Sequence[tuple[Flyable | None, Connection, Grants]]) -> None:
         n = len(members)
-        self._marked = n > 1
         self._members = [
             None if flyable is None else _Member(flyable, connection, grants) for flyable, connection, grants in members
         ]
@@ -103,35 +94,40 @@ class SteadyFlight:
         for row, (_, connection, _) in enumerate(members):
             self._rows[row]["sysid"] = connection.sysid
             self._row_of[connection.sysid] = row
-        self._frames = steady_tick.frame_table()
-        self._truth = np.zeros((n, steady_tick.TRUTH_NUMBERS + MOST_STEPS))
+        self._truth = np.zeros((n, FIXED_NUMBERS + MOST_STEPS))
         self._flown, self._left = np.zeros(n, np.int64), np.zeros((MOST_LEFT, 2), np.int64)
-        self._out = np.zeros(SENT_BYTES + FRAMES_BYTES, np.uint8)
-
-    def fly(self, datagram: bytes, at: int) -> Looked:
-        """Fly the usual bundles of a datagram from a place on; their truth is on disk. Raises OSError where it cannot
-        be."""
-        at, flown, left, written = steady_tick.fly(
-            np.frombuffer(datagram, np.uint8),
-            at,
-            self._marked,
-            self._row_of,
-            self._rows,
-            self._states,
-            self._parameters,
-            self._frames,
-            self._truth,
-            self._flown,
-            self._left,
-            self._out,
+        self._buffer = np.zeros(SUPERVISED_BYTES, np.uint8)
+        self._arguments = (
+            *(self._buffer, n > 1, self._row_of, self._rows, self._states, self._parameters),
+            *(frame_table(), self._truth, self._flown, self._left),
+            np.zeros(SENT_BYTES + FRAMES_BYTES, np.uint8),
         )
-        rows = self._flown[:flown].tolist()
-        for row in rows:
-            member = self._members[row]
-            assert member is not None
-            if member.truth is not None:
-                member.truth.write_row(self._truth[row])
-        return Looked(at, rows, self._left[:left].tolist(), self._out[:written].tobytes())
+        self._stand = (0,) * 6
+        """of the datagram that is read, between two calls of the loop"""
+
+    def ticks(self, row: int) -> int:
+        """How many ticks of a vehicle were flown here."""
+        return int(self._rows[row]["ticks"])
+
+    def serve(self, link: SupervisedLink) -> list[bytes]:
+        """Receive and fly while that is usual, for a while at most; what was received and is not usual, in stretches.
+        Raises OSError where truth cannot be written."""
+        have, at, others, flown, first, unsent = steady_loop.serve(link.fileno(), *self._stand, *self._arguments)
+        while flown:
+            self._finish(int(self._flown[first]))
+            stand = have, at, others, flown, first + 1, unsent
+            have, at, others, flown, first, unsent = steady_loop.serve(link.fileno(), *stand, *self._arguments)
+        self._stand = have, at, 0, 0, 0, 0
+        return [self._buffer[start:stop].tobytes() for start, stop in self._left[:others].tolist()]
+
+    def _finish(self, row: int) -> None:
+        """Write what the disk has not taken of a vehicle's record of truth: why, the system says once more."""
+        member, one, record = self._members[row], self._rows[row], self._truth[row]
+        assert member is not None
+        assert member.truth is not None
+        rest = record[: FIXED_NUMBERS + int(record[1])].tobytes()[int(one["truth_taken"]) :]
+        member.truth.go_on(float(one["truth_due_s"]), int(one["truth_bytes"]), rest)
+        one["truth_bytes"] = 0
 
     def take_back(self, row: int) -> None:
         """Let a vehicle and its link be what its row is, before anything else is done with them."""
@@ -139,6 +135,8 @@ class SteadyFlight:
         if member is None or not one["steady"]:
             return
         one["steady"] = 0
+        if member.truth is not None:
+            member.truth.go_on(float(one["truth_due_s"]), int(one["truth_bytes"]))
         vehicle, gcs_seen_s = member.vehicle, float(one["gcs_seen_s"])
         vehicle.time_ms = int(one["time_ms"])
         vehicle.plant.go_on_from(self._states[row])
@@ -161,6 +159,7 @@ class SteadyFlight:
         timetable = member.connection.streams.timetable()
         others = zip(STREAMS, timetable, strict=True)
         others_ms = (due_ms for key, (interval_ms, due_ms) in others if interval_ms and key not in WRITTEN)
+        truth_fd, truth_period_s, truth_due_s = (-1, 0.0, 0.0) if member.truth is None else member.truth.schedule
         parameters, setpoint = vehicle.parameters, vehicle.setpoint
         assert setpoint is not None
         self._states[row], self._parameters[row] = vehicle.state[0], vehicle.plant.packed[0]
@@ -175,6 +174,10 @@ class SteadyFlight:
             ("unix_epoch_us", vehicle.unix_epoch_us),
             ("given_j", vehicle.given_j),
             ("received_j", vehicle.received_j),
+            ("truth_fd", truth_fd),
+            ("truth_period_s", truth_period_s),
+            ("truth_due_s", truth_due_s),
+            ("truth_bytes", 0),
             ("gcs_seen_s", math.nan if vehicle.gcs_seen_s is None else vehicle.gcs_seen_s),
             ("gcs_loss_s", parameters["COM_DL_LOSS_T"]),
             ("set_s", setpoint.time_s),

@@ -17,9 +17,6 @@ import struct
 from pathlib import Path
 from typing import Self
 
-import numpy as np
-from numpy.typing import NDArray
-
 from simvehicle.autopilot.body import STEP_MS
 from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.law.params import BatteryParams
@@ -91,8 +88,9 @@ class TruthWriter:
     def write(self, vehicle: Vehicle, steps: int) -> None:
         """One record at the vehicle's present time, if it is due; `steps` were flown since the last one."""
         if self._period_s is not None:
-            if not self._is_due(vehicle.time_s):
+            if vehicle.time_s < self._due_s - ROUNDING_S:
                 return
+            self._due_s = max(self._due_s + self._period_s, vehicle.time_s)
             steps = 0
         record = _pack(
             vehicle.time_s,
@@ -105,22 +103,18 @@ class TruthWriter:
         )
         self._put(record + vehicle.thrust_m_s2[0].astype("<f8", copy=False).tobytes() if steps else record)
 
-    def write_row(self, row: NDArray[np.float64]) -> None:
-        """As `write`, of a record with its thrust in the numbers' order."""
-        numbers = FIXED_NUMBERS + int(row[1])
-        if self._period_s is not None:
-            if not self._is_due(float(row[0])):
-                return
-            row[1], numbers = 0.0, FIXED_NUMBERS
-        self._put(row[:numbers].astype("<f8", copy=False).tobytes())
+    @property
+    def schedule(self) -> tuple[int, float, float]:
+        """File descriptor, period in s, 0 for a record at each grant, and when the next record is due, for those who
+        write records themselves."""
+        return self._file.fileno(), self._period_s or 0.0, self._due_s
 
-    def _is_due(self, time_s: float) -> bool:
-        """Whether a record at a rate of its own is due; it counts as written."""
-        assert self._period_s is not None
-        if time_s < self._due_s - ROUNDING_S:
-            return False
-        self._due_s = max(self._due_s + self._period_s, time_s)
-        return True
+    def go_on(self, due_s: float, written: int, rest: bytes = b"") -> None:
+        """Go on after others have written so many bytes of records, and write the rest of the last one. Raises OSError
+        where it cannot be."""
+        self._due_s = due_s
+        self._written += written
+        self._put(rest)
 
     def _put(self, content: bytes) -> None:
         """Write all of it: a disk that is nearly full takes a part first and complains at the rest."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import socket
 
 from pymavlink.dialects.v20 import common as mav
 
@@ -16,6 +17,7 @@ from simvehicle.mavlink.codec import encode, message, split
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.dispatcher import Services
 from simvehicle.mavlink.lockstep import SUPERVISOR, Bundle, Grants
+from simvehicle.sitl.link import SupervisedLink, parse_supervisor
 from simvehicle.sitl.steady import Flyable, SteadyFlight
 from simvehicle.sitl.unit import VehicleUnit
 from simvehicle.world.airframes import AIRFRAMES, ROTORS
@@ -46,10 +48,18 @@ def warm_up() -> None:
             unit.receive(frame, connection)
         unit.advance(bundle.time_ms)
         grants.answer(bundle)
-    steady = SteadyFlight([(Flyable(vehicle, services, None), connection, grants)])
+    _fly_steadily(SteadyFlight([(Flyable(vehicle, services, None), connection, grants)]))
+
+
+def _fly_steadily(steady: SteadyFlight) -> None:
+    """Fly some bundles in compiled code; they come from a supervisor on the loopback."""
     steady.hand_over(0, ())
-    for number in range(BUNDLES, BUNDLES + STEADY_BUNDLES):
-        steady.fly(_bundle(number), 0)
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as supervisor:
+        supervisor.bind(("127.0.0.1", 0))
+        with SupervisedLink(parse_supervisor(f"udpout:127.0.0.1:{supervisor.getsockname()[1]}")) as link:
+            for number in range(BUNDLES, BUNDLES + STEADY_BUNDLES):
+                supervisor.sendto(_bundle(number), link.socket.getsockname())
+            steady.serve(link)
     steady.take_back(0)
 
 

@@ -94,10 +94,10 @@ def test_a_vehicle_of_a_hatch_waits_for_a_suspended_supervisor(monkeypatch: pyte
         receives = iter(range(1000))
 
         class Counted(SupervisedLink):
-            def receive(self) -> bytes | None:
+            def fileno(self) -> int:
                 if next(receives) == 300:  # 150 s by the clock
                     unit.grant(100)
-                return super().receive()
+                return super().fileno()
 
         monkeypatch.setattr(loop, "HELLO_EVERY_S", 1e-3)
         with Counted(address) as link:
@@ -113,6 +113,6 @@ def test_a_hello_carries_the_secret_of_the_hatch() -> None:
         supervisor.bind(("127.0.0.1", 0))
         with SupervisedLink(parse_address(f"udpout:127.0.0.1:{supervisor.getsockname()[1]}")) as link:
             unit = Slow(Clock(), supervisor)
-            loop._Granted(unit, Connection(1), (), 0xFEDC_BA98_7654_3210, shared=False).look(0.0, link)
+            loop._Granted(unit, Connection(1), (), 0xFEDC_BA98_7654_3210, shared=False).look(0.0, 0, link)
             (_, time) = mav.MAVLink(None).parse_buffer(supervisor.recv(2048))
     assert time.time_unix_usec == 0xFEDC_BA98_7654_3210

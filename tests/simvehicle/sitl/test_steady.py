@@ -7,6 +7,10 @@ from __future__ import annotations
 
 import math
 import random
+import resource
+import select
+import socket
+import threading
 from collections import defaultdict
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -19,20 +23,17 @@ from simvehicle.autopilot.body import Start
 from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.identity import IDENTITIES
 from simvehicle.autopilot.parameters import Parameters
-from simvehicle.mavlink import steady_tick
 from simvehicle.mavlink.codec import split
+from simvehicle.mavlink.steady_answer import FRAMES_BYTES, PAYLOAD_BYTES, STREAMS, WRITTEN, frame_table
 from simvehicle.sitl import loop
 from simvehicle.sitl.block import Block, Wanted
+from simvehicle.sitl.link import SupervisedLink
 from simvehicle.sitl.steady import SteadyFlight
 
 EPOCH_US = 1_700_000_000_000_000
 FRAME = LocalFrame(47.397742, 8.545594, 488.0)
 AIRBORNE = Start((3.0, -2.0, -10.0), (0.5, 0.0, 0.1), (0.05, -0.1, 2.0), airborne=True)
 BOTH = 0b1101_1100_0000
-
-
-class End(Exception):
-    """There are no more datagrams."""
 
 
 class Supervisor:
@@ -76,56 +77,81 @@ class Flown:
     """Everything that a process of vehicles said and wrote down."""
 
     def __init__(
-        self, folder: Path, wanted: Callable[[Path], list[Wanted]], datagrams: Sequence[bytes], *, steadily: bool
+        self,
+        folder: Path,
+        wanted: Callable[[Path], list[Wanted]],
+        datagrams: Sequence[bytes],
+        *,
+        steadily: bool,
+        end: type[BaseException] = SystemExit,
     ) -> None:
-        self.sent: list[bytes] = []
-        self.steadily = 0
-        flights = self
+        folder.mkdir()
+        made: list[SteadyFlight] = []
+        links: list[SupervisedLink] = []
 
-        class Link:
-            waiting = False
-
-            def __init__(self, *_: object) -> None:
-                self._left = iter(datagrams)
-
-            def __enter__(self) -> Link:
-                return self
-
-            def __exit__(self, *_: object) -> None:
-                pass
-
-            def wait_in_receive(self, most_s: float) -> None:
-                pass
-
-            def receive(self) -> bytes:
-                for datagram in self._left:
-                    return datagram
-                raise End
-
-            def send(self, datagrams: list[bytes]) -> None:
-                flights.sent += datagrams
-
-        class Counted(SteadyFlight):
-            def fly(self, datagram: bytes, at: int) -> Any:
-                looked = super().fly(datagram, at)
-                flights.steadily += len(looked.flown)
-                return looked
+        class Watched(SteadyFlight):
+            def __init__(self, members: Any) -> None:
+                super().__init__(members)
+                made.append(self)
 
             def hand_over(self, *given: Any) -> None:
                 if steadily:
                     super().hand_over(*given)
 
-        folder.mkdir()
-        with pytest.MonkeyPatch.context() as patch:
+        class Link(SupervisedLink):
+            def __init__(self, address: Any) -> None:
+                super().__init__(address)
+                links.append(self)
+
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as ground, pytest.MonkeyPatch.context() as patch:
+            ground.bind(("127.0.0.1", 0))
+            ground.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4 << 20)
             patch.setattr("simvehicle.sitl.block.SupervisedLink", Link)
-            patch.setattr(loop, "SteadyFlight", Counted)
-            with pytest.raises(End):
-                Block(wanted(folder), IDENTITIES["px4"], FRAME, [], "udpout:127.0.0.1:1").fly()
+            patch.setattr(loop, "SteadyFlight", Watched)
+            patch.setattr(loop, "SILENCE_S", 0.5)
+            vehicles = wanted(folder)
+            block = Block(vehicles, IDENTITIES["px4"], FRAME, [], f"udpout:127.0.0.1:{ground.getsockname()[1]}")
+            sent: list[bytes] = []
+            speaker = threading.Thread(target=self._speak, args=(ground, links, datagrams, sent), daemon=True)
+            speaker.start()
+            with pytest.raises(end):
+                block.fly()
+            links[0].socket.close()
+            speaker.join()
+            sent += _waiting(ground)
+            self.steadily = sum(flight.ticks(row) for flight in made for row in range(len(vehicles)))
         self.truth = {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
+        hellos = set(sent[: len(vehicles)])
+        self.sent = [datagram for datagram in sent if datagram not in hellos]
         self.said: dict[int, list[bytes]] = defaultdict(list)
         for datagram in self.sent:
             for frame in split(datagram):
                 self.said[frame.sysid].append(frame.raw)
+
+    @staticmethod
+    def _speak(
+        ground: socket.socket, links: Sequence[SupervisedLink], datagrams: Sequence[bytes], sent: list[bytes]
+    ) -> None:
+        """Send all, each when the one before has been taken; what came back meanwhile."""
+        datagram, peer = ground.recvfrom(65536)
+        sent.append(datagram)
+        for datagram in datagrams:
+            while _waits(links[0].socket):
+                select.select([ground], [], [], 1e-3)
+                sent += _waiting(ground)
+            ground.sendto(datagram, peer)
+
+
+def _waits(receiver: socket.socket) -> bool:
+    """Whether a datagram has not been received yet, by a socket that is open."""
+    return receiver.fileno() >= 0 and bool(select.select([receiver], [], [], 0.0)[0])
+
+
+def _waiting(ground: socket.socket) -> list[bytes]:
+    taken = []
+    while _waits(ground):
+        taken.append(ground.recv(65536))
+    return taken
 
 
 def compare(tmp_path: Path, wanted: Callable[[Path], list[Wanted]], datagrams: Sequence[bytes]) -> Flown:
@@ -300,8 +326,30 @@ def test_whatever_comes_between(tmp_path: Path, sysids: tuple[int, ...], seed: i
     assert flown.steadily > 20 * len(sysids)
 
 
+@pytest.mark.parametrize("steadily", [True, False])
+def test_truth_that_cannot_be_written_ends_the_flight_before_the_answer(tmp_path: Path, steadily: bool) -> None:
+    """A file may grow to 20,000 bytes, as on a disk that is full then, in the middle of a record."""
+    supervisor, sysids, most_bytes = Supervisor((1, 2)), (1, 2), 20_000
+    datagrams = [
+        b"".join(supervisor.bundle(sysid, t, [heartbeat(), circle(sysid, t)]) for sysid in sysids)
+        for t in range(0, 8001, 100)
+    ]
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (most_bytes, limits[1]))
+    try:
+        flown = Flown(tmp_path / "full", vehicles(*sysids), datagrams, steadily=steadily, end=OSError)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    head_bytes = flown.truth["1.truth"].index(b"\n") + 1
+    whole = 1 + (most_bytes - head_bytes - 8 * 18) // (8 * (18 + 25))  # the first, at T = 0, has no steps
+    assert len(flown.truth["1.truth"]) == most_bytes
+    assert len(flown.truth["2.truth"]) == head_bytes + 8 * 18 + (whole - 1) * 8 * (18 + 25)
+    for sysid in sysids:
+        assert [raw[7] for raw in flown.said[sysid]].count(mav.MAVLINK_MSG_ID_SYSTEM_TIME) == whole
+
+
 def test_what_it_takes_to_write_an_answer_fits() -> None:
     """All frames of one answer, each as long as it can be, fit where an answer is written."""
-    sizes = [int(steady_tick.frame_table()[steady_tick.STREAMS.index(key), 2]) for key in steady_tick.WRITTEN]
-    assert max(sizes) <= steady_tick.PAYLOAD_BYTES
-    assert sum(size + 12 for size in sizes) + 24 <= steady_tick.FRAMES_BYTES
+    sizes = [int(frame_table()[STREAMS.index(key), 2]) for key in WRITTEN]
+    assert max(sizes) <= PAYLOAD_BYTES
+    assert sum(size + 12 for size in sizes) + 24 <= FRAMES_BYTES

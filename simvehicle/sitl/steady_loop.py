@@ -1,0 +1,110 @@
+"""The compiled loop of a process of supervised vehicles: wait for a datagram, fly it, write truth down, answer.
+
+It makes the system's calls itself, so that nothing of the interpreter runs in a usual tick, and ends with the first
+datagram that is not usual.
+"""
+
+from __future__ import annotations
+
+import socket
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numba import njit, types
+from numpy.typing import NDArray
+
+from simvehicle.kernels import kernel
+from simvehicle.mavlink import steady_tick
+from simvehicle.sitl.truth import FIXED_NUMBERS, ROUNDING_S
+
+DATAGRAMS = 64
+"""So many are taken before the interpreter has its turn: signals wait for it."""
+
+_recv: Any = types.ExternalFunction("recv", types.intp(types.int32, types.uintp, types.uintp, types.int32))
+_send: Any = types.ExternalFunction("send", types.intp(types.int32, types.uintp, types.uintp, types.int32))
+_write: Any = types.ExternalFunction("write", types.intp(types.int32, types.uintp, types.uintp))
+_DONTWAIT = int(socket.MSG_DONTWAIT)
+
+
+@njit(error_model="numpy")
+def _written_down(one: Any, record: NDArray[np.float64]) -> bool:
+    """Write a record of truth, if there is to be one; False where not all of it was taken."""
+    if one.truth_fd < 0:
+        return True
+    numbers = FIXED_NUMBERS + int(record[1])
+    if one.truth_period_s > 0.0:
+        if record[0] < one.truth_due_s - ROUNDING_S:
+            return True
+        one.truth_due_s = max(one.truth_due_s + one.truth_period_s, record[0])
+        record[1], numbers = 0.0, FIXED_NUMBERS
+    one.truth_taken = max(_write(one.truth_fd, record.ctypes.data, 8 * numbers), 0)
+    one.truth_bytes += one.truth_taken
+    return bool(one.truth_taken == 8 * numbers)
+
+
+def _compiled(build: int) -> Callable[..., Any]:
+    """The entry point; `build` is a checksum of what is compiled into it, as in law/step.py."""
+
+    @kernel(error_model="numpy", nogil=True)
+    def serve(
+        fd: int,
+        have: int,
+        at: int,
+        others: int,
+        many: int,
+        first: int,
+        written: int,
+        buffer: NDArray[np.uint8],
+        marked: bool,
+        row_of: NDArray[np.int64],
+        rows: NDArray[Any],
+        states: NDArray[np.float64],
+        parameters: NDArray[np.float64],
+        frames: NDArray[np.int64],
+        truth: NDArray[np.float64],
+        flown: NDArray[np.int64],
+        left: NDArray[np.int64],
+        out: NDArray[np.uint8],
+    ) -> tuple[int, int, int, int, int, int]:
+        _ = build
+        for _ in range(DATAGRAMS):
+            if written == 0:
+                if at >= have:
+                    have, at = _recv(fd, buffer.ctypes.data, buffer.size, 0), 0
+                    if have <= 0:
+                        return 0, 0, 0, 0, 0, 0
+                at, many, others, written = steady_tick.fly(
+                    buffer[:have], at, marked, row_of, rows, states, parameters, frames, truth, flown, left, out
+                )
+                first = 0
+            while first < many:
+                row = flown[first]
+                if not _written_down(rows[row], truth[row]):
+                    return have, at, others, many, first, written
+                rows[row].ticks += 1
+                first += 1
+            if written > 0:
+                _send(fd, out.ctypes.data, written, _DONTWAIT)
+                written = 0
+            if others > 0:
+                break
+        return have, at, others, 0, 0, 0
+
+    return serve
+
+
+serve = _compiled(steady_tick.checksum_of_files())
+"""Fly datagrams for as long as they are usual, DATAGRAMS of them at most.
+
+Args:
+    fd: the socket, which waits in `recv`.
+    have to written: what the last call has returned; 0 before the first.
+    buffer: (k,) uint8, for a datagram.
+    marked to out: as `steady_tick.fly` has them.
+
+Returns:
+    bytes of the datagram in `buffer`, where to go on with it, and how many stretches of it were left. Then 0, 0, 0; or,
+    where a record of truth was not taken whole, how many were flown, at which of them it goes on once it is, and the
+    bytes of answers that are to be sent then.
+"""

@@ -21,7 +21,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from simvehicle.kernels import kernel
+from simvehicle.kernels import UNCOUNTED, kernel
 from simvehicle.law.params import SOLVE_TOLERANCE
 
 ORDER = 3
@@ -31,7 +31,7 @@ _TINY = 1e-200
 _MOST_EVALUATIONS = 200
 
 
-@kernel(error_model="numpy")
+@kernel(**UNCOUNTED)
 def solve(
     x1: float, x2: float, x3: float, signal: float, dt: float, epsilon: float, tolerance: float
 ) -> tuple[float, float, float, int]:

@@ -28,6 +28,13 @@ by an atomic addition, which lets the processor begin nothing behind it. What on
 caller's needs no counting. Views are no new arrays.
 """
 
+INLINED: dict[str, Any] = {**UNCOUNTED, "inline": "always"}
+"""The same for a function that becomes part of every function that calls it, before that is compiled.
+
+LLVM keeps a long function apart, and what it takes and gives then passes through memory at every call. For what each
+step calls, from few places: every call makes a copy of the code.
+"""
+
 
 class KernelCache(FunctionCache):
     """numba's own cache of a function, with its files, keys and checks."""

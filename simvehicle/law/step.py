@@ -18,7 +18,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from simvehicle.kernels import UNCOUNTED, kernel
+from simvehicle.kernels import INLINED, UNCOUNTED, kernel
 from simvehicle.law import controller, differentiator, dynamics, guidance, params, power
 from simvehicle.law.params import (
     P_ACCELERATION_MAX,
@@ -98,7 +98,7 @@ _CMD_X, _CMD_V, _CMD_USE = CMD_POSITION.start, CMD_VELOCITY.start, CMD_USE_POSIT
 _LEAST_PERIOD_S = 1e-3
 
 
-@njit(**UNCOUNTED)
+@njit(**INLINED)
 def set_reference(s: Row, c: Row, p: Row, guide: Row, linear: Row, t: float) -> None:
     """Write r, v_d and v_d' of the state's time t (docs/model.md#guidance)."""
     for i in range(3):
@@ -115,7 +115,7 @@ def set_reference(s: Row, c: Row, p: Row, guide: Row, linear: Row, t: float) -> 
             s[_REF_V + i], s[_REF_A + i] = guidance.linear_axis(start, end, elapsed, period)
 
 
-@njit(**UNCOUNTED)
+@njit(**INLINED)
 def guide_on(s: Row, c: Row, p: Row, guide: Row, yaw: Row, t: float, dt: float) -> None:
     """Carry the shaped reference from t to t + dt; on the ground it waits for lift-off."""
     age = controller.bounded(t - c[CMD_TIME_S], _LONGEST_S)
@@ -154,7 +154,7 @@ def start_afresh(s: Row, p: Row, guide: Row, yaw: Row, linear: Row) -> None:
     s[STARTED] = 0.0
 
 
-@njit(**UNCOUNTED)
+@njit(**INLINED)
 def control(s: Row, c: Row, p: Row, yaw: Row, dt: float) -> tuple[float, float, float, float]:
     """Outer loop → differentiators of the new angles → inner loop: (u1, tau2, tau3, tau4)
     (docs/model.md#control-law)."""
@@ -175,12 +175,12 @@ def control(s: Row, c: Row, p: Row, yaw: Row, dt: float) -> tuple[float, float, 
         if p[P_BUMPLESS] != 0.0:
             s[_ROLL], s[_PITCH] = roll_d, pitch_d
     r, q = _ROLL, _PITCH
-    s[r], s[r + 1], s[r + 2], _ = differentiator.solve(
-        s[r], s[r + 1], s[r + 2], roll_d, dt, p[P_EPSILON], p[P_TOLERANCE]
+    s[r + 2], s[q + 2] = differentiator.solve_two(
+        s[r], s[r + 1], s[r + 2], roll_d, s[q], s[q + 1], s[q + 2], pitch_d, dt, p[P_EPSILON], p[P_TOLERANCE]
     )
-    s[q], s[q + 1], s[q + 2], _ = differentiator.solve(
-        s[q], s[q + 1], s[q + 2], pitch_d, dt, p[P_EPSILON], p[P_TOLERANCE]
-    )
+    for first in (r, q):
+        s[first + 1] += dt * s[first + 2]
+        s[first] += dt * s[first + 1]
     yaw_d, yaw_rate, yaw_acceleration = c[CMD_YAW], 0.0, 0.0
     if p[P_SHAPED] != 0.0:
         y1, y2, y3 = yaw[guidance.YAW_R1], yaw[guidance.YAW_R2], yaw[guidance.YAW_R3]
@@ -219,7 +219,7 @@ def draw(s: Row, p: Row, u1: float, dt: float) -> None:
     s[REMAINING_J] -= drawn
 
 
-@njit(**UNCOUNTED)
+@njit(**INLINED)
 def _step(s: Row, c: Row, p: Row, guide: Row, yaw: Row, linear: Row, t: float, dt: float) -> float:
     """One step from t to t + dt; returns u1."""
     u1 = tau2 = tau3 = tau4 = 0.0

@@ -20,6 +20,21 @@ from numba.core.runtime.nrt import rtsys
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 
+UNCOUNTED: dict[str, Any] = {"error_model": "numpy", "_nrt": False}
+"""Options for a compiled function that makes no array, nor calls one that does.
+
+numba counts references to an array at the beginning and the end of every compiled function that takes one, each time
+by an atomic addition, which lets the processor begin nothing behind it. What only reads and writes arrays of its
+caller's needs no counting. Views are no new arrays.
+"""
+
+INLINED: dict[str, Any] = {**UNCOUNTED, "inline": "always"}
+"""The same for a function that becomes part of every function that calls it, before that is compiled.
+
+LLVM keeps a long function apart, and what it takes and gives then passes through memory at every call. For what each
+step calls, from few places: every call makes a copy of the code.
+"""
+
 
 class KernelCache(FunctionCache):
     """numba's own cache of a function, with its files, keys and checks."""

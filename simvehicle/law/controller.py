@@ -5,20 +5,20 @@ from __future__ import annotations
 
 import math
 
-from simvehicle.kernels import kernel
+from simvehicle.kernels import UNCOUNTED, kernel
 
 _LEAST_LIFT = 0.3  # of g: floor of W_z
 _LEAST_LIFT_LITERAL = 1e-6  # m/s²: keeps the literal form's quotients finite
 _FARTHEST = 1e6  # m/s² and rad/s²: keeps every number finite, far outside what flies
 
 
-@kernel(error_model="numpy")
+@kernel(**UNCOUNTED)
 def bounded(x: float, limit: float) -> float:
     """x within ±limit."""
     return min(max(x, -limit), limit)
 
 
-@kernel(error_model="numpy")
+@kernel(**UNCOUNTED)
 def outer(
     vx: float,
     vy: float,
@@ -57,7 +57,7 @@ def outer(
     return roll, pitch, u1
 
 
-@kernel(error_model="numpy")
+@kernel(**UNCOUNTED)
 def outer_literal(
     vx: float,
     vy: float,
@@ -92,7 +92,7 @@ def outer_literal(
     return roll, pitch, wz / (math.cos(roll) * math.cos(pitch))
 
 
-@kernel(error_model="numpy")
+@kernel(**UNCOUNTED)
 def inner(
     error: float,
     rate: float,

@@ -19,9 +19,10 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from numba import njit
 from numpy.typing import ArrayLike, NDArray
 
-from simvehicle.kernels import kernel
+from simvehicle.kernels import INLINED, UNCOUNTED, kernel
 from simvehicle.law.params import SOLVE_TOLERANCE
 
 ORDER = 3
@@ -31,49 +32,81 @@ _TINY = 1e-200
 _MOST_EVALUATIONS = 200
 
 
-@kernel(error_model="numpy")
+@njit(**INLINED)
+def _improve(
+    s: float, low: float, high: float, width: float, evaluations: int,
+    x1: float, x2: float, x3: float, signal: float, dt: float, epsilon: float, stiffness: float, tolerance: float,
+) -> tuple[float, float, float, float, bool]:  # fmt: skip
+    """Evaluate G at s: the next s, the bracket of the root, the bracket's width as it was before, and whether s is it.
+
+    `evaluations`: their number, this one counted; `stiffness`: h/ε³.
+    """
+    k_angle = _K_ANGLE * stiffness
+    k_acceleration = _K_ACCELERATION * stiffness
+    x2_next = x2 + dt * s
+    speed = epsilon * x2_next
+    power = max(abs(speed), _TINY) ** (2.0 / 7.0)
+    a = x1 + dt * x2_next - signal + speed * power
+    a_slope = dt * dt + 9.0 / 7.0 * epsilon * dt * power
+    size = max(abs(s) * epsilon * epsilon, _TINY)
+    root = size**0.6
+    b = (s - x3 + k_acceleration * math.copysign(root, s)) / k_angle
+    b_slope = (1.0 + k_acceleration * 0.6 * epsilon * epsilon * root / size) / k_angle
+    g = a + b * b * b
+    following = s - g / (a_slope + 3.0 * b * b * b_slope)
+    if abs(g) <= tolerance * a_slope:
+        return following, low, high, width, True
+    # A' >= h² bounds the distance of the root, so the bracket is finite from the first evaluation on.
+    if g > 0.0:
+        high = s
+        low = max(low, s - g / (dt * dt))
+    else:
+        low = s
+        high = min(high, s - g / (dt * dt))
+    if not low < following < high or (high - low > 0.5 * width and evaluations % 4 == 0):
+        following = 0.5 * (low + high)
+    return following, low, high, high - low, following == s
+
+
+@kernel(**UNCOUNTED)
 def solve(
     x1: float, x2: float, x3: float, signal: float, dt: float, epsilon: float, tolerance: float
 ) -> tuple[float, float, float, int]:
     """One implicit step: (X1+, X2+, X3+, evaluations of G)."""
+    s, low, high, width, done = x3, -math.inf, math.inf, math.inf, False
     stiffness = dt / (epsilon * epsilon * epsilon)
-    k_angle = _K_ANGLE * stiffness
-    k_acceleration = _K_ACCELERATION * stiffness
-    low, high = -math.inf, math.inf
-    width = math.inf
-    s = x3
     evaluations = 0
-    while evaluations < _MOST_EVALUATIONS:
+    while not done and evaluations < _MOST_EVALUATIONS:
         evaluations += 1
-        x2_next = x2 + dt * s
-        speed = epsilon * x2_next
-        power = max(abs(speed), _TINY) ** (2.0 / 7.0)
-        a = x1 + dt * x2_next - signal + speed * power
-        a_slope = dt * dt + 9.0 / 7.0 * epsilon * dt * power
-        size = max(abs(s) * epsilon * epsilon, _TINY)
-        root = size**0.6
-        b = (s - x3 + k_acceleration * math.copysign(root, s)) / k_angle
-        b_slope = (1.0 + k_acceleration * 0.6 * epsilon * epsilon * root / size) / k_angle
-        g = a + b * b * b
-        following = s - g / (a_slope + 3.0 * b * b * b_slope)
-        if abs(g) <= tolerance * a_slope:
-            s = following
-            break
-        # A' >= h² bounds the distance of the root, so the bracket is finite from the first evaluation on.
-        if g > 0.0:
-            high = s
-            low = max(low, s - g / (dt * dt))
-        else:
-            low = s
-            high = min(high, s - g / (dt * dt))
-        if not low < following < high or (high - low > 0.5 * width and evaluations % 4 == 0):
-            following = 0.5 * (low + high)
-        width = high - low
-        if following == s:
-            break
-        s = following
+        s, low, high, width, done = _improve(
+            s, low, high, width, evaluations, x1, x2, x3, signal, dt, epsilon, stiffness, tolerance
+        )
     x2_next = x2 + dt * s
     return x1 + dt * x2_next, x2_next, s, evaluations
+
+
+@njit(**INLINED)
+def solve_two(
+    x1: float, x2: float, x3: float, x: float, y1: float, y2: float, y3: float, y: float,
+    dt: float, epsilon: float, tolerance: float,
+) -> tuple[float, float]:  # fmt: skip
+    """X3+ of two differentiators with signals x and y, each as `solve` finds it. Evaluations take turns: neither waits
+    for the other, so that the processor works on both at once."""
+    s, low, high, width, done = x3, -math.inf, math.inf, math.inf, False
+    s_y, low_y, high_y, width_y, done_y = y3, -math.inf, math.inf, math.inf, False
+    stiffness = dt / (epsilon * epsilon * epsilon)
+    evaluations = 0
+    while not (done and done_y) and evaluations < _MOST_EVALUATIONS:
+        evaluations += 1
+        if not done:
+            s, low, high, width, done = _improve(
+                s, low, high, width, evaluations, x1, x2, x3, x, dt, epsilon, stiffness, tolerance
+            )
+        if not done_y:
+            s_y, low_y, high_y, width_y, done_y = _improve(
+                s_y, low_y, high_y, width_y, evaluations, y1, y2, y3, y, dt, epsilon, stiffness, tolerance
+            )
+    return s, s_y
 
 
 def step(x: ArrayLike, signal: ArrayLike, dt_s: float, *, epsilon: float) -> NDArray[np.float64]:

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from simvehicle.kernels import kernel
+from simvehicle.kernels import UNCOUNTED, kernel
 from simvehicle.law.params import Airframe
 
 Row = NDArray[np.float64]
@@ -21,7 +21,7 @@ PLANT_SIZE = 12
 INPUT_SIZE = 4
 
 
-@kernel(error_model="numpy")
+@kernel(**UNCOUNTED)
 def thrust_direction(roll: float, pitch: float, yaw: float) -> tuple[float, float, float]:
     """Unit vector of thrust in nwu axes (docs/model.md#rigid-body) [lineage]."""
     sin_roll, cos_roll = math.sin(roll), math.cos(roll)
@@ -34,7 +34,7 @@ def thrust_direction(roll: float, pitch: float, yaw: float) -> tuple[float, floa
     )
 
 
-@kernel(error_model="numpy")
+@kernel(**UNCOUNTED)
 def rk4_axis(
     x: float, v: float, a1: float, a2: float, a3: float, a4: float, drag: float, dt: float
 ) -> tuple[float, float, float, float, float]:
@@ -55,7 +55,7 @@ def rk4_axis(
     return x + half * v, x + half * v2, x + dt * v3, x_next, v_next
 
 
-@kernel(error_model="numpy")
+@kernel(**UNCOUNTED)
 def plant_step(
     s: Row,
     u1: float,
@@ -82,7 +82,7 @@ def plant_step(
     s[6], s[7], s[8] = roll, pitch, yaw
 
 
-@kernel(error_model="numpy")
+@kernel(**UNCOUNTED)
 def wrap_angle(angle: float) -> float:
     """The angle's equal in [-π, π], exact however large it is."""
     if -math.pi <= angle <= math.pi:

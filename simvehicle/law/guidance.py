@@ -13,7 +13,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import ArrayLike, NDArray
 
-from simvehicle.kernels import kernel
+from simvehicle.kernels import UNCOUNTED, kernel
 from simvehicle.law.dynamics import wrap_angle
 from simvehicle.law.params import Guidance
 
@@ -26,7 +26,7 @@ LINEAR_START, LINEAR_SINCE, LINEAR_STAMP = 0, 3, 4  # v_d at arrival (3), when i
 NO_STAMP = -1e30  # time of no set point
 
 
-@kernel(error_model="numpy")
+@kernel(**UNCOUNTED)
 def start_axis(memory: Row, axis: int, position: float, velocity: float, omega: float) -> None:
     """Match one axis to a start in motion: r = position, r' = velocity, r'' = 0."""
     memory[Q + axis] = position + 3.0 * velocity / omega
@@ -36,13 +36,13 @@ def start_axis(memory: Row, axis: int, position: float, velocity: float, omega: 
     memory[R3 + axis] = position
 
 
-@kernel(error_model="numpy")
+@kernel(**UNCOUNTED)
 def reference_axis(r1: float, r2: float, r3: float, omega: float) -> tuple[float, float, float]:
     """r, r', r'' of one chain of lags."""
     return r3, omega * (r2 - r3), omega * omega * (r1 - 2.0 * r2 + r3)
 
 
-@kernel(error_model="numpy")
+@kernel(**UNCOUNTED)
 def _sqrt_slope(distance: float, gain: float, decel: float) -> float:
     """sqrtctl(e)/e: speed towards a point per metre of distance, with which a decel of `decel` stops there."""
     near = decel / (gain * gain)
@@ -51,7 +51,7 @@ def _sqrt_slope(distance: float, gain: float, decel: float) -> float:
     return math.sqrt(2.0 * decel * (distance - 0.5 * near)) / distance
 
 
-@kernel(error_model="numpy")
+@kernel(**UNCOUNTED)
 def shape(
     memory: Row,
     ex: float,
@@ -86,7 +86,7 @@ def shape(
     _shape_axis(memory, 2, az * share, omega, dt)
 
 
-@kernel(error_model="numpy")
+@kernel(**UNCOUNTED)
 def _shape_axis(memory: Row, axis: int, acceleration: float, omega: float, dt: float) -> None:
     q, rate = memory[Q + axis], memory[Q_RATE + axis]
     r1, r2, r3 = memory[R1 + axis], memory[R2 + axis], memory[R3 + axis]
@@ -97,7 +97,7 @@ def _shape_axis(memory: Row, axis: int, acceleration: float, omega: float, dt: f
     memory[R3 + axis] = r3 + dt * omega * (r2 - r3)
 
 
-@kernel(error_model="numpy")
+@kernel(**UNCOUNTED)
 def start_yaw(memory: Row, yaw: float, rate: float, omega: float) -> None:
     """Match the yaw reference to a yaw that turns."""
     memory[YAW_Q] = yaw + 3.0 * rate / omega
@@ -106,7 +106,7 @@ def start_yaw(memory: Row, yaw: float, rate: float, omega: float) -> None:
     memory[YAW_R3] = yaw
 
 
-@njit(error_model="numpy")
+@njit(**UNCOUNTED)
 def shape_yaw(memory: Row, yaw: float, rate_max: float, omega: float, dt: float) -> None:
     """Carry the yaw reference over dt towards `yaw`, the shorter way round, no faster than rate_max."""
     q, r1, r2, r3 = memory[YAW_Q], memory[YAW_R1], memory[YAW_R2], memory[YAW_R3]
@@ -119,7 +119,7 @@ def shape_yaw(memory: Row, yaw: float, rate_max: float, omega: float, dt: float)
     memory[YAW_R3] = r3_next + turn
 
 
-@kernel(error_model="numpy")
+@kernel(**UNCOUNTED)
 def linear_axis(start: float, end: float, elapsed: float, period: float) -> tuple[float, float]:
     """v_d and v_d' of the paper's reference: v_d linear from start to end over the period, then constant."""
     if elapsed >= period:

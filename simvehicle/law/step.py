@@ -18,7 +18,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from simvehicle.kernels import kernel
+from simvehicle.kernels import INLINED, UNCOUNTED, kernel
 from simvehicle.law import controller, differentiator, dynamics, guidance, params, power
 from simvehicle.law.params import (
     P_ACCELERATION_MAX,
@@ -98,7 +98,7 @@ _CMD_X, _CMD_V, _CMD_USE = CMD_POSITION.start, CMD_VELOCITY.start, CMD_USE_POSIT
 _LEAST_PERIOD_S = 1e-3
 
 
-@njit(error_model="numpy")
+@njit(**INLINED)
 def set_reference(s: Row, c: Row, p: Row, guide: Row, linear: Row, t: float) -> None:
     """Write r, v_d and v_d' of the state's time t (docs/model.md#guidance)."""
     for i in range(3):
@@ -115,7 +115,7 @@ def set_reference(s: Row, c: Row, p: Row, guide: Row, linear: Row, t: float) -> 
             s[_REF_V + i], s[_REF_A + i] = guidance.linear_axis(start, end, elapsed, period)
 
 
-@njit(error_model="numpy")
+@njit(**INLINED)
 def guide_on(s: Row, c: Row, p: Row, guide: Row, yaw: Row, t: float, dt: float) -> None:
     """Carry the shaped reference from t to t + dt; on the ground it waits for lift-off."""
     age = controller.bounded(t - c[CMD_TIME_S], _LONGEST_S)
@@ -141,7 +141,7 @@ def guide_on(s: Row, c: Row, p: Row, guide: Row, yaw: Row, t: float, dt: float) 
         guidance.start_yaw(yaw, s[_ANGLE + 2], 0.0, omega)
 
 
-@njit(error_model="numpy")
+@njit(**UNCOUNTED)
 def start_afresh(s: Row, p: Row, guide: Row, yaw: Row, linear: Row) -> None:
     """Bring guidance and differentiators to the present state, as before a first step."""
     for i in range(3):
@@ -154,7 +154,7 @@ def start_afresh(s: Row, p: Row, guide: Row, yaw: Row, linear: Row) -> None:
     s[STARTED] = 0.0
 
 
-@njit(error_model="numpy")
+@njit(**INLINED)
 def control(s: Row, c: Row, p: Row, yaw: Row, dt: float) -> tuple[float, float, float, float]:
     """Outer loop → differentiators of the new angles → inner loop: (u1, tau2, tau3, tau4)
     (docs/model.md#control-law)."""
@@ -175,12 +175,12 @@ def control(s: Row, c: Row, p: Row, yaw: Row, dt: float) -> tuple[float, float, 
         if p[P_BUMPLESS] != 0.0:
             s[_ROLL], s[_PITCH] = roll_d, pitch_d
     r, q = _ROLL, _PITCH
-    s[r], s[r + 1], s[r + 2], _ = differentiator.solve(
-        s[r], s[r + 1], s[r + 2], roll_d, dt, p[P_EPSILON], p[P_TOLERANCE]
+    s[r + 2], s[q + 2] = differentiator.solve_two(
+        s[r], s[r + 1], s[r + 2], roll_d, s[q], s[q + 1], s[q + 2], pitch_d, dt, p[P_EPSILON], p[P_TOLERANCE]
     )
-    s[q], s[q + 1], s[q + 2], _ = differentiator.solve(
-        s[q], s[q + 1], s[q + 2], pitch_d, dt, p[P_EPSILON], p[P_TOLERANCE]
-    )
+    for first in (r, q):
+        s[first + 1] += dt * s[first + 2]
+        s[first] += dt * s[first + 1]
     yaw_d, yaw_rate, yaw_acceleration = c[CMD_YAW], 0.0, 0.0
     if p[P_SHAPED] != 0.0:
         y1, y2, y3 = yaw[guidance.YAW_R1], yaw[guidance.YAW_R2], yaw[guidance.YAW_R3]
@@ -196,7 +196,7 @@ def control(s: Row, c: Row, p: Row, yaw: Row, dt: float) -> tuple[float, float, 
     )
 
 
-@njit(error_model="numpy")
+@njit(**UNCOUNTED)
 def _meet_ground(s: Row, c: Row, x: float, y: float) -> None:
     """Stand where there is ground and no lift; x and y are where the step began. Yaw is kept, and wrapped anyway."""
     s[_ANGLE + 2] = dynamics.wrap_angle(s[_ANGLE + 2])
@@ -211,7 +211,7 @@ def _meet_ground(s: Row, c: Row, x: float, y: float) -> None:
     s[CONTACT] = 1.0
 
 
-@njit(error_model="numpy")
+@njit(**UNCOUNTED)
 def draw(s: Row, p: Row, u1: float, dt: float) -> None:
     """Take a step's energy from the battery, at most what is left (docs/model.md#battery)."""
     drawn = min(power.power(u1, p[P_GRAVITY], p[P_HOVER_W], p[P_AVIONICS_W]) * dt, max(s[REMAINING_J], 0.0))
@@ -219,7 +219,7 @@ def draw(s: Row, p: Row, u1: float, dt: float) -> None:
     s[REMAINING_J] -= drawn
 
 
-@njit(error_model="numpy")
+@njit(**INLINED)
 def _step(s: Row, c: Row, p: Row, guide: Row, yaw: Row, linear: Row, t: float, dt: float) -> float:
     """One step from t to t + dt; returns u1."""
     u1 = tau2 = tau3 = tau4 = 0.0
@@ -246,7 +246,7 @@ def _compiled(build: int) -> Callable[..., Any]:
     calls is in its own file.
     """
 
-    @kernel(error_model="numpy")
+    @kernel(**UNCOUNTED)
     def fly(states: Row, commands: Row, parameters: Row, times: Row, dt: float, thrust: Row) -> None:
         _ = build
         for vehicle in range(states.shape[0]):

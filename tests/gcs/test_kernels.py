@@ -4,8 +4,14 @@ import os
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 import pytest
+from numba import njit
+from numba.core.errors import TypingError
+
+from simvehicle.kernels import UNCOUNTED
 
 SOURCE = """
 from {package}.kernels import kernel
@@ -38,3 +44,27 @@ def test_a_kernel_is_compiled_once_and_again_when_its_source_changes(package: st
     assert printed(1.5) == ["3.5", "True", "0"]
     assert printed(1.5) == ["3.5", "False", "1"]
     assert printed(-1.5) == ["0.5", "True", "0"]
+
+
+def test_an_uncounted_function_counts_no_references_and_refuses_to_make_an_array() -> None:
+    row = np.array([3.0, 2.0])
+
+    def foot(values: Any) -> Any:
+        while values.size > 1 and values[0] > values[1]:
+            values = values[1:]
+        return values[0]
+
+    code = {}
+    for name, options in (("usual", {}), ("uncounted", UNCOUNTED)):
+        compiled: Any = njit(**options)(foot)
+        assert compiled(row) == 2.0
+        code[name] = compiled.inspect_llvm(compiled.signatures[0])
+    assert "NRT_incref" in code["usual"]
+    assert "NRT_incref" not in code["uncounted"]
+
+    @njit(**UNCOUNTED)  # type: ignore[untyped-decorator]
+    def longer(values: Any) -> Any:
+        return np.zeros(values.size + 1)
+
+    with pytest.raises(TypingError, match="zeros"):
+        longer(row)

@@ -107,6 +107,14 @@ def test_the_solve_ends_on_anything(x_and_signal, h, epsilon):
     assert evaluations < 200
 
 
+def test_two_solved_together_are_the_same_bit_for_bit_as_each_alone():
+    rng = np.random.default_rng(4)
+    for scale in (0.0, 1e-3, 1.0):  # at once, after a few evaluations, after many
+        for x, y in scale * rng.normal(size=(200, 2, 4)) * (1.0, 3.0, 30.0, 1.0):
+            alone = [differentiator.solve(*given, H, EPSILON, 1e-6)[2] for given in (x, y)]
+            assert differentiator.solve_two(*x, *y, H, EPSILON, 1e-6) == tuple(alone)
+
+
 def test_explicit_steps_chatter_where_implicit_ones_rest():
     x1, x2, x3 = 0.1001, 0.0, 0.0
     explicit = []

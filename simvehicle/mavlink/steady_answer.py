@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot import snapshot
+from simvehicle.kernels import UNCOUNTED
 from simvehicle.law import step
 from simvehicle.mavlink import telemetry
 from simvehicle.mavlink.codec import schema
@@ -68,28 +69,24 @@ def frame_table() -> NDArray[np.int64]:
     return table
 
 
-@njit(error_model="numpy")
+@njit(**UNCOUNTED)
 def _put(out: NDArray[np.uint8], at: int, value: int, size: int) -> None:
     for i in range(size):
         out[at + i] = (value >> (8 * i)) & 0xFF
 
 
-@njit(error_model="numpy")
+@njit(**UNCOUNTED)
 def _put_float(out: NDArray[np.uint8], at: int, value: float) -> None:
-    floats = np.empty(1, np.float32)
-    floats[0] = value
-    parts = floats.view(np.uint8)
-    for i in range(4):
-        out[at + i] = parts[i]
+    _put(out, at, int(np.float32(value).view(np.uint32)), 4)
 
 
-@njit(error_model="numpy")
+@njit(**UNCOUNTED)
 def _landed(one: Any, s: NDArray[np.float64]) -> bool:
     still = s[_V] == 0.0 and s[_V + 1] == 0.0 and s[_V + 2] == 0.0
     return bool(one.ground != 0 and s[_X + 2] <= 0.0 and still)
 
 
-@njit(error_model="numpy")
+@njit(**UNCOUNTED)
 def _write_values(one: Any, s: NDArray[np.float64], stream: int, payload: NDArray[np.uint8]) -> None:
     """Bring a stream's payload up to date; motion is write_motion's."""
     unix_us, remaining_j = one.unix_epoch_us + 1000 * one.time_ms, s[step.REMAINING_J]
@@ -144,7 +141,7 @@ def _write_values(one: Any, s: NDArray[np.float64], stream: int, payload: NDArra
                 _put_float(payload, 16 + 4 * i, sign * s[_REF_V + i])
 
 
-@njit(error_model="numpy")
+@njit(**UNCOUNTED)
 def _number_of(payload: NDArray[np.uint8], at: int) -> int:
     value = 0
     for i in range(4):
@@ -176,7 +173,7 @@ def write_answer(one: Any, s: NDArray[np.float64], frames: NDArray[np.int64], un
             )  # fmt: skip
             at += length
             one.seq = (one.seq + (motion & 1) + (motion >> 1 & 1) + (motion >> 2)) & 0xFF
-    payload = np.empty(_SYSTEM_TIME_BYTES, np.uint8)
+    payload = one.payloads[PAYLOAD_BYTES * len(STREAMS) :]
     _put(payload, 0, unix_us, 8)
     _put(payload, 8, one.granted_ms, 4)
     one.answer_bytes = write_frame(
@@ -185,7 +182,7 @@ def write_answer(one: Any, s: NDArray[np.float64], frames: NDArray[np.int64], un
     one.seq = (one.seq + 1) & 0xFF
 
 
-@njit(error_model="numpy")
+@njit(**UNCOUNTED)
 def write_truth(one: Any, s: NDArray[np.float64], thrust: NDArray[np.float64], truth: NDArray[np.float64]) -> None:
     """A record as sitl/truth.py has it."""
     truth[0], truth[1] = one.time_ms / 1e3, thrust.size

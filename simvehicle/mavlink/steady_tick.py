@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot import snapshot
+from simvehicle.kernels import UNCOUNTED
 from simvehicle.law import step
 from simvehicle.mavlink import motion_frames, steady_answer, telemetry
 from simvehicle.mavlink.motion_frames import HEADER_BYTES, MAGIC, checksum
@@ -74,7 +75,7 @@ STEADY = np.dtype(
         ("origin", "f8", 5),  # as write_motion has it
         ("due_ms", "i8", len(STREAMS)),
         ("interval_ms", "i8", len(STREAMS)),
-        ("payloads", "u1", len(STREAMS) * PAYLOAD_BYTES),  # with what stays the same while it is steady
+        ("payloads", "u1", (len(STREAMS) + 1) * PAYLOAD_BYTES),  # with what stays the same; the last is SYSTEM_TIME's
         ("answer_bytes", "i8"),  # of the last one; 0 where that was not written here
         ("answer", "u1", FRAMES_BYTES),
     ],
@@ -89,7 +90,7 @@ _SET_ID, _SET_SEED, _SET_BYTES, _SET_MASK = 84, 143, 53, 0b1101_1100_0000
 _GCS, _LOCAL_NED = int(mav.MAV_TYPE_GCS), int(mav.MAV_FRAME_LOCAL_NED)
 
 
-@njit(error_model="numpy")
+@njit(**UNCOUNTED)
 def _number(datagram: NDArray[np.uint8], body: int, at: int, size: int) -> int:
     """A whole number of a payload; what is cut of it is 0."""
     value, length = 0, int(datagram[body - HEADER_BYTES + 1])
@@ -99,15 +100,15 @@ def _number(datagram: NDArray[np.uint8], body: int, at: int, size: int) -> int:
     return value
 
 
-@njit(error_model="numpy")
+@njit(**UNCOUNTED)
 def _float(datagram: NDArray[np.uint8], at: int) -> float:
-    parts = np.empty(4, np.uint8)
+    bits = 0
     for i in range(4):
-        parts[i] = datagram[at + i]
-    return float(parts.view(np.float32)[0])
+        bits |= int(datagram[at + i]) << (8 * i)
+    return float(np.uint32(bits).view(np.float32))
 
 
-@njit(error_model="numpy")
+@njit(**UNCOUNTED)
 def _frame_end(datagram: NDArray[np.uint8], at: int, size: int) -> int:
     """Where the frame ends that begins here; 0 where none can."""
     if at + HEADER_BYTES + 2 > size or datagram[at] != MAGIC:
@@ -116,7 +117,7 @@ def _frame_end(datagram: NDArray[np.uint8], at: int, size: int) -> int:
     return end if end <= size else 0
 
 
-@njit(error_model="numpy")
+@njit(**UNCOUNTED)
 def _is_supervisors(datagram: NDArray[np.uint8], at: int, end: int, msgid: int, seed: int) -> bool:
     """Whether a frame is an intact one of this id of the supervisor's, without a signature."""
     if datagram[at + 2] != 0 or datagram[at + 5] != _SYSTEM or datagram[at + 6] != _COMPONENT:
@@ -124,10 +125,10 @@ def _is_supervisors(datagram: NDArray[np.uint8], at: int, end: int, msgid: int, 
     if datagram[at + 7] != msgid or datagram[at + 8] != 0 or datagram[at + 9] != 0:
         return False
     crc = checksum(datagram, at + 1, end - 2, seed)
-    return int(datagram[end - 2]) | int(datagram[end - 1]) << 8 == crc
+    return bool(int(datagram[end - 2]) | int(datagram[end - 1]) << 8 == crc)
 
 
-@njit(error_model="numpy")
+@njit(**UNCOUNTED)
 def _bundle(datagram: NDArray[np.uint8], at: int, marked: bool, row_of: NDArray[np.int64]) -> tuple[int, int, int]:
     """The bundle that begins here: its vehicle's row, -1 for nobody's; where its frames begin and where it ends. No
     bundle at all goes to the datagram's end."""
@@ -148,7 +149,7 @@ def _bundle(datagram: NDArray[np.uint8], at: int, marked: bool, row_of: NDArray[
     return row_of[_number(datagram, at + HEADER_BYTES, _PING_TARGET, 1)], body, stop
 
 
-@njit(error_model="numpy")
+@njit(**UNCOUNTED)
 def _is_set_point(one: Any, datagram: NDArray[np.uint8], body: int) -> bool:
     """Whether a payload is a set point of the usual kind for this vehicle, in finite numbers."""
     if datagram[body + 50] != one.sysid or datagram[body + 51] != AUTOPILOT or datagram[body + 52] != _LOCAL_NED:
@@ -159,7 +160,7 @@ def _is_set_point(one: Any, datagram: NDArray[np.uint8], body: int) -> bool:
     return _number(datagram, body, 48, 2) == _SET_MASK and math.isfinite(total)
 
 
-@njit(error_model="numpy")
+@njit(**UNCOUNTED)
 def _usual(one: Any, s: NDArray[np.float64], datagram: NDArray[np.uint8], at: int, stop: int) -> int:
     """Where the closing SYSTEM_TIME of a bundle begins that is usual: its frames are the next numbers, set points for
     this vehicle and HEARTBEATs, and nothing but the flight to its time happens until then. Else -1."""
@@ -200,7 +201,7 @@ def _usual(one: Any, s: NDArray[np.float64], datagram: NDArray[np.uint8], at: in
     return at
 
 
-@njit(error_model="numpy")
+@njit(**UNCOUNTED)
 def _take_in(one: Any, datagram: NDArray[np.uint8], at: int, grant: int) -> None:
     """Apply the frames of a usual bundle before its grant."""
     now_s = one.time_ms / 1e3
@@ -218,7 +219,7 @@ def _take_in(one: Any, datagram: NDArray[np.uint8], at: int, grant: int) -> None
     one.number = (one.number + 1) & 0xFF
 
 
-@njit(error_model="numpy")
+@njit(**UNCOUNTED)
 def _command(one: Any, command: NDArray[np.float64]) -> None:
     """The set point as the law takes it: nwu."""
     for i in range(3):

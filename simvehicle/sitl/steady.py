@@ -68,7 +68,7 @@ class _Member:
         if now != self._payloads_of:
             self._payloads_of, snapshot = now, vehicle.snapshot()
             written = (stream.build(snapshot) if stream.key in WRITTEN else None for stream in TELEMETRY)
-            self._payloads = np.frombuffer(b"".join(map(_payload, written)), np.uint8)
+            self._payloads = np.frombuffer(b"".join(map(_payload, (*written, None))), np.uint8)
         return self._payloads
 
 

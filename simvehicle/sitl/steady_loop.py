@@ -14,7 +14,7 @@ import numpy as np
 from numba import njit, types
 from numpy.typing import NDArray
 
-from simvehicle.kernels import kernel
+from simvehicle.kernels import UNCOUNTED, kernel
 from simvehicle.mavlink import steady_tick
 from simvehicle.sitl.truth import FIXED_NUMBERS, ROUNDING_S
 
@@ -27,7 +27,7 @@ _write: Any = types.ExternalFunction("write", types.intp(types.int32, types.uint
 _DONTWAIT = int(socket.MSG_DONTWAIT)
 
 
-@njit(error_model="numpy")
+@njit(**UNCOUNTED)
 def _written_down(one: Any, record: NDArray[np.float64]) -> bool:
     """Write a record of truth, if there is to be one; False where not all of it was taken."""
     if one.truth_fd < 0:

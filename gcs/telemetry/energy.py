@@ -114,7 +114,7 @@ def take(
     """Count one report: its fate, source, energy drawn, initial energy in J; then NaN, or the span in s over
     which power was bridged, and the J that a swapped battery brought."""
     one = account[0]
-    became, bridged_s, gained_j = _take(one, t_s, consumed_j, power_w, remaining, second_hand, armed)
+    became, bridged_s, gained_j = count(one, t_s, consumed_j, power_w, remaining, second_hand, armed)
     return became, one.source, one.drawn_j, one.initial_j, bridged_s, gained_j
 
 
@@ -133,16 +133,17 @@ def take_all(
     does not count."""
     one = account[0]
     for i in range(len(t_s)):
-        became, _, _ = _take(one, t_s[i], consumed_j[i], power_w[i], remaining[i], second_hand[i], armed)
+        became, _, _ = count(one, t_s[i], consumed_j[i], power_w[i], remaining[i], second_hand[i], armed)
         left_j[i] = math.nan
         if became >= COUNTED:
             left_j[i] = one.initial_j + one.received_j - one.drawn_j - one.given_j
 
 
 @kernel()
-def _take(
+def count(
     one: Any, t_s: float, consumed_j: float, power_w: float, remaining: float, second_hand: bool, armed: bool
 ) -> tuple[int, float, float]:
+    """Kernel: as `take`, of an account's record: its fate, and the two that may be NaN."""
     bridged_s = gained_j = math.nan
     total, power, share = not math.isnan(consumed_j), not math.isnan(power_w), not math.isnan(remaining)
     if abs(power_w) > MOST_W:

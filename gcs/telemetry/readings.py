@@ -9,9 +9,7 @@ and after one that tells something new or what cannot be.
 from __future__ import annotations
 
 import math
-import zlib
 from collections.abc import Callable, Iterable
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -19,6 +17,7 @@ from numba import njit
 from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common as mav
 
+from gcs.kernel_files import checksum
 from gcs.kernels import kernel
 from gcs.mavlink.battery import HECTOJOULE, NO_CELL
 from gcs.mavlink.codec import HEADER_BYTES
@@ -212,8 +211,8 @@ def _count_report(
 
 
 def _compiled(build: int) -> Callable[..., Any]:
-    """The entry, the only kernel here that numba keeps on disk: over `build`, a checksum of the other files that it is
-    made of, it is compiled anew when they change (simvehicle/law/step.py)."""
+    """The entry, the only kernel here that numba keeps on disk; `build`: checksum of the other files that it is made
+    of."""
 
     @kernel()
     def read(
@@ -263,10 +262,6 @@ def _compiled(build: int) -> Callable[..., Any]:
     return read
 
 
-def _checksum() -> int:
-    return zlib.crc32(b"".join(Path(str(module.__file__)).read_bytes() for module in (energy, plausibility)))
-
-
-read = _compiled(_checksum())
+read = _compiled(checksum(energy, plausibility))
 """(data, begin, end, session time, row (READINGS,), account (1,), kept (SMALL_IDS,), found (FOUND,)): read the frames
 of one system that lie in data[begin:end], one after the other; (where the next one begins, why it stops)."""

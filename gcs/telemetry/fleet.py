@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import astuple, dataclass
+from functools import lru_cache
 from operator import itemgetter
 from typing import Any
 
@@ -35,6 +36,7 @@ from gcs.telemetry.readings import (
     FOUND,
     LANDED,
     LANDED_REPORTED,
+    MESSAGES,
     MODE,
     PLACE,
     SYSTEM_STATUS,
@@ -193,6 +195,8 @@ class Fleet:
 
     def ingest(self, frame: Frame, time_s: float) -> None:
         """Take one frame that was delivered at a session time."""
+        if frame.msgid not in _KEPT:
+            return
         track = self._tracks.get(frame.sysid)
         if track is not None:
             self._read(track, frame.raw, 0, len(frame.raw), time_s)
@@ -210,7 +214,7 @@ class Fleet:
     def _read(self, track: _Track, data: bytes, begin: int, end: int, time_s: float) -> None:
         """Read the frames of one vehicle, which lie there whole and one after the other."""
         battery, found = track.battery, self._found
-        while True:
+        while begin < end:
             begin, why = read(data, begin, end, time_s, track.readings, battery.account, _ELSEWHERE, found)
             if why == END:
                 return
@@ -289,7 +293,8 @@ class Fleet:
     def _global_origin(self, track: _Track, content: Any, time_s: float) -> None:
         if track.doubts(plausibility.globe(content.latitude, content.longitude), time_s):
             return
-        place = self._place(track, content)
+        told = (1e-7 * content.latitude, 1e-7 * content.longitude, 1e-3 * content.altitude)
+        place = _origin_place(told, track.member.external, self.origin)
         offset = place.offset_ned
         known = track.offset if track.origin_reported and track.armed else None
         if known is not None and math.dist(offset, known) > ORIGIN_JUMP_M:
@@ -317,18 +322,6 @@ class Fleet:
         alt_m = track.home_amsl_m + local[2]
         track.offset, track.turn_rad = frame_place(float(lat_deg), float(lon_deg), alt_m, *astuple(self.origin))
         track.origin_alt_m = track.home_amsl_m + content.z
-
-    def _place(self, track: _Track, content: Any) -> FramePlace:
-        """Where the frame of a vehicle lies that tells its origin; that of one of ours is parallel."""
-        told = (1e-7 * content.latitude, 1e-7 * content.longitude, 1e-3 * content.altitude)
-        if not track.member.external:
-            return FramePlace(self._ned(*told), 0.0)
-        return frame_place(*told, *astuple(self.origin))
-
-    def _ned(self, lat_deg: float, lon_deg: float, alt_m: float) -> Vec3:
-        """A place on the globe in the common frame."""
-        north, east, down = pymap3d.geodetic2ned(lat_deg, lon_deg, alt_m, *astuple(self.origin))
-        return float(north), float(east), float(down)
 
     def _named_int(self, track: _Track, content: Any, time_s: float) -> None:
         if content.name not in (RECEIVED, GIVEN):
@@ -363,11 +356,22 @@ class Fleet:
             self._traffic = {icao: one for icao, one in known if time_s - one[3] <= TRAFFIC_FORGOTTEN_S}
             if len(self._traffic) >= MOST_TRAFFIC:
                 return
-        p_ned = self._ned(1e-7 * content.lat, 1e-7 * content.lon, 1e-3 * content.altitude)
+        p_ned = _ned(1e-7 * content.lat, 1e-7 * content.lon, 1e-3 * content.altitude, self.origin)
         heading_rad = math.radians(0.01 * content.heading)
         speed_m_s = 0.01 * content.hor_velocity
         v_ned = (speed_m_s * math.cos(heading_rad), speed_m_s * math.sin(heading_rad), -0.01 * content.ver_velocity)
         self._traffic[content.ICAO_address] = (content.callsign, p_ned, v_ned, time_s - content.tslc)
+
+
+def _ned(lat_deg: float, lon_deg: float, alt_m: float, origin: GlobalOrigin) -> Vec3:
+    north, east, down = pymap3d.geodetic2ned(lat_deg, lon_deg, alt_m, *astuple(origin))
+    return float(north), float(east), float(down)
+
+
+@lru_cache(maxsize=1024)  # each vehicle tells its own again and again
+def _origin_place(told: Vec3, external: bool, origin: GlobalOrigin) -> FramePlace:
+    """Where the frame of a vehicle lies that tells its origin (deg, deg, m); that of one of ours is parallel."""
+    return frame_place(*told, *astuple(origin)) if external else FramePlace(_ned(*told, origin), 0.0)
 
 
 def _session_s(track: _Track, boot_ms: int, time_s: float) -> float:
@@ -388,3 +392,4 @@ _HANDLERS: Mapping[int, Callable[[Fleet, _Track, Any, float], None]] = {
 """Of messages that are not among the readings."""
 _FROM_ANYBODY = (mav.MAVLINK_MSG_ID_ADSB_VEHICLE,)
 _ELSEWHERE = kept_elsewhere(_HANDLERS, _FROM_ANYBODY)
+_KEPT = MESSAGES | _HANDLERS.keys()

@@ -3,7 +3,7 @@ time.
 
 A vehicle's readings are one row, laid out by the constants below; its battery is an account of gcs/telemetry/energy.py.
 `read` goes through frames in their order and stops where somebody else must go on: at a message that is kept elsewhere,
-and after one that tells something new or what cannot be.
+and after one that tells another mode, or what cannot be; with a battery's report, at the next message that may stop it.
 """
 
 from __future__ import annotations
@@ -50,6 +50,11 @@ SMALL_IDS = 256
 
 _HEARTBEAT, _SYS_STATUS, _ATTITUDE, _LOCAL_POSITION_NED = 0, 1, 30, 32
 _BATTERY_STATUS, _EXTENDED_SYS_STATE, _NAMED_VALUE_FLOAT = 147, 245, 251
+MESSAGES = frozenset(
+    (_HEARTBEAT, _SYS_STATUS, _ATTITUDE, _LOCAL_POSITION_NED, _BATTERY_STATUS, _EXTENDED_SYS_STATE, _NAMED_VALUE_FLOAT)
+)
+"""Ids of those that are read here."""
+_MAY_STOP = (_HEARTBEAT, _SYS_STATUS, _LOCAL_POSITION_NED, _BATTERY_STATUS)
 _AUTOPILOT_1 = mav.MAV_COMP_ID_AUTOPILOT1
 _ARMED = mav.MAV_MODE_FLAG_SAFETY_ARMED
 _ON_GROUND, _UNDEFINED = mav.MAV_LANDED_STATE_ON_GROUND, mav.MAV_LANDED_STATE_UNDEFINED
@@ -219,15 +224,18 @@ def _compiled(build: int) -> Callable[..., Any]:
         data: bytes, at: Any, end: int, now_s: float, row: Row, account: Any, kept: NDArray[np.uint8], found: Row
     ) -> tuple[int, int]:
         _ = build
+        counted = False
         while at + HEADER_BYTES <= end:
             begin: Any = at + HEADER_BYTES
             msgid, stop = np.int64(data[at + 7]), min(begin + np.int64(data[at + 1]), end)
             own = data[at + 6] == _AUTOPILOT_1
             small = data[at + 8] == 0 and data[at + 9] == 0
-            after = stop + (15 if data[at + 2] == 1 else 2)
-            if small and (kept[msgid] == FROM_ANYBODY or (kept[msgid] == FROM_AUTOPILOT and own)):
+            elsewhere = small and (kept[msgid] == FROM_ANYBODY or (kept[msgid] == FROM_AUTOPILOT and own))
+            if counted and (elsewhere or (small and own and msgid in _MAY_STOP)):
+                return at, BATTERY
+            if elsewhere:
                 return at, ELSEWHERE
-            at = after
+            at = stop + (15 if data[at + 2] == 1 else 2)
             if not (small and own):
                 continue
             if msgid == _ATTITUDE:
@@ -244,20 +252,19 @@ def _compiled(build: int) -> Callable[..., Any]:
                     consumed_j = math.nan if consumed_hj < 0 else HECTOJOULE * consumed_hj
                     power_w = _power_w(_cells_mv(data, begin, stop), _i16(data, begin + 30, stop))
                     percent = _i8(data, begin + 35, stop)
-                    if not _count_report(account, found, row, now_s, consumed_j, power_w, percent, False):
-                        return at, BATTERY
+                    counted = not _count_report(account, found, row, now_s, consumed_j, power_w, percent, False)
             elif msgid == _SYS_STATUS:
                 total_mv = _u16(data, begin + 14, stop)
                 power_w = _power_w(0 if total_mv == NO_CELL else total_mv, _i16(data, begin + 16, stop))
-                if not _count_report(account, found, row, now_s, math.nan, power_w, _i8(data, begin + 30, stop), True):
-                    return at, BATTERY
+                percent = _i8(data, begin + 30, stop)
+                counted = not _count_report(account, found, row, now_s, math.nan, power_w, percent, True)
             elif msgid == _EXTENDED_SYS_STATE:
                 landed_state = _octet(data, begin + 1, stop)
                 row[LANDED_REPORTED] = 1.0
                 row[LANDED] = 1.0 if landed_state in (_ON_GROUND, _UNDEFINED) else 0.0
             elif msgid == _NAMED_VALUE_FLOAT:
                 _read_effort(data, begin, stop, row, now_s)
-        return at, END
+        return at, BATTERY if counted else END
 
     return read
 

@@ -127,7 +127,7 @@ class _Track:
         v_ned: Vec3 = (v_north, v_east, v_down)
         p_ned, offset = None, self.offset
         if p_local is not None and offset is not None:
-            north, east, down = turned(p_local, self.turn_rad)
+            north, east, down = turned(p_local, self.turn_rad) if self.turn_rad else p_local
             p_ned = (north + offset[0], east + offset[1], down + offset[2])
         ground_down_m = self.home_down_m
         if ground_down_m is None and offset is not None:
@@ -135,47 +135,33 @@ class _Track:
         landed = landed_last == 1.0
         if not landed_reported and p_ned is not None and ground_down_m is not None:
             landed = ground_down_m - p_ned[2] < LANDED_M
-        battery = self.battery
+        member, battery, turn_rad = self.member, self.battery, self.turn_rad
         doubt = self.doubt if now_s - self.doubted_s < plausibility.DOUBTED_S else ""
-        doubt = doubt or plausibility.charge(battery.remaining_j, battery.capacity_j)
+        # By place: by name it takes three times as long, once a tick and vehicle.
         return VehicleView(
-            sysid=self.member.sysid,
-            role=self.member.role,
-            label=self.member.label,
-            alive=self.alive,
-            profile=self.profile,
-            mode=self.mode,
-            armed=self.armed,
-            landed=landed,
-            last_received_s=received_s,
-            p_ned=p_ned,
-            v_ned=turned(v_ned, self.turn_rad),
-            age_s=max(now_s - position_s, 0.0),
-            heading_rad=heading_rad + self.turn_rad,
-            roll_rad=roll_rad,
-            battery_apart=self.member.battery_apart,
-            pitch_rad=pitch_rad,
-            origin_offset_ned=offset,
-            turn_rad=self.turn_rad,
-            ground_amsl_m=self.origin_alt_m if self.home_amsl_m is None else self.home_amsl_m,
-            ground_down_m=ground_down_m,
-            p_local_ned=p_local,
-            capacity_j=self.battery.capacity_j,
-            initial_j=self.battery.initial_j,
-            battery_reported=self.battery.reported,
-            drawn_j=self.battery.drawn_j,
-            received_j=self.battery.received_j,
-            given_j=self.battery.given_j,
-            given_reported_s=self.given_reported_s,
-            received_reported_s=self.received_reported_s,
-            power_w=self.battery.power_w,
-            energy_source=str(self.battery.source),
-            control_effort=effort,
-            effort_age_s=0.0 if math.isnan(effort_s) else max(now_s - effort_s, 0.0),
-            custom_mode=self.custom_mode,
-            failsafe=self.armed and self.system_status in _FAILSAFE,
-            doubt=doubt,
-        )
+            member.sysid, member.role, member.label, self.alive, self.profile, self.mode, self.armed, landed,
+            received_s,
+            p_ned,
+            turned(v_ned, turn_rad) if turn_rad else v_ned,
+            max(now_s - position_s, 0.0),
+            heading_rad + turn_rad,
+            offset,
+            self.origin_alt_m if self.home_amsl_m is None else self.home_amsl_m,
+            battery.capacity_j, battery.initial_j, battery.reported,
+            battery.drawn_j, battery.received_j, battery.given_j, self.given_reported_s,
+            battery.power_w, str(battery.source),
+            effort,
+            ground_down_m,
+            self.custom_mode,
+            turn_rad,
+            self.armed and self.system_status in _FAILSAFE,
+            p_local,
+            doubt or plausibility.charge(battery.remaining_j, battery.capacity_j),
+            roll_rad, pitch_rad,
+            self.received_reported_s,
+            max(now_s - effort_s, 0.0) if effort_s == effort_s else 0.0,  # noqa: PLR0124 - NaN is not
+            member.battery_apart,
+        )  # fmt: skip
 
 
 class Fleet:

@@ -12,6 +12,7 @@ from itertools import pairwise
 from typing import Any, overload
 
 import numpy as np
+from numba import njit
 from numpy.typing import NDArray
 
 from gcs.kernels import kernel
@@ -25,10 +26,11 @@ _NO_SEED = -1
 
 _new = tuple.__new__
 
-# By the low 16 bits of a message id, which is all that the dialect's ids have: the byte that its checksum ends with.
-_SEEDS = np.full(1 << 16, _NO_SEED, dtype=np.int16)
+SEEDS = np.full(1 << 16, _NO_SEED, dtype=np.int16)
+"""(65536,) by message id, none of which has more than 16 bits in the dialect: the byte that its checksum ends with, or
+-1."""
 for _msgid, _seed in codec.seeds():
-    _SEEDS[_msgid] = _seed
+    SEEDS[_msgid] = _seed
 AT_ONCE = 8
 
 
@@ -41,7 +43,7 @@ def _crc_table() -> NDArray[np.uint16]:
     return np.array(rows, dtype=np.uint16)
 
 
-_CRC = _crc_table()
+CRC_TABLE = _crc_table()
 
 COLUMNS = 7
 FIRST, LAST, SYSID, COMPID, SEQ, IN_STEP, TIME_MS = range(COLUMNS)
@@ -128,7 +130,7 @@ def runs_of(datagram: bytes) -> list[FrameRun] | None:
     """Frames of a datagram by system, in their order; None where not every byte belongs to a frame of the dialect."""
     if len(datagram) > MOST_BYTES:
         return None
-    frames, runs = _find(datagram, _SEEDS, _CRC, _begins, _rows)
+    frames, runs = _find(datagram, SEEDS, CRC_TABLE, _begins, _rows)
     if runs == 1:
         return [FrameRun(datagram, _begins[: frames + 1].tolist(), _rows[0].tolist())]
     if not runs:
@@ -137,9 +139,9 @@ def runs_of(datagram: bytes) -> list[FrameRun] | None:
     return [FrameRun(datagram, begins[row[FIRST] : row[LAST] + 1], row) for row in _rows[:runs].tolist()]
 
 
-@kernel()
-def _crc_of(data: bytes, begin: Any, end: Any, table: NDArray[np.uint16]) -> Any:
-    """Kernel: CRC-16/MCRF4XX of some bytes."""
+@njit
+def crc_of(data: Any, begin: Any, end: Any, table: NDArray[np.uint16]) -> Any:
+    """Kernel: CRC-16/MCRF4XX of some bytes, of `bytes` or of an array; `table` is CRC_TABLE."""
     crc = np.uint16(0xFFFF)
     k = begin
     while k + AT_ONCE <= end:
@@ -185,7 +187,7 @@ def _find(
         seed = np.int64(seeds[msgid])
         if end > size or seed < 0:
             return 0, 0
-        crc = _crc_of(data, at + 1, body_end, table)
+        crc = crc_of(data, at + 1, body_end, table)
         crc = crc >> 8 ^ np.int64(table[0, (crc ^ seed) & 0xFF])
         if crc != (np.int64(data[body_end]) | np.int64(data[body_end + 1]) << 8):
             return 0, 0

@@ -54,6 +54,7 @@ _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
 _TIME_BOOT_MS = 8  # where it stands in the payload
 
 _MOST_FRAMES = MOST_BYTES // (codec.HEADER_BYTES + codec.CRC_BYTES)
+# What the kernel fills, for one datagram at a time: one thread reads a session's links.
 _rows = np.empty((_MOST_FRAMES, COLUMNS), dtype=np.int64)
 _begins = np.empty(_MOST_FRAMES + 1, dtype=np.int64)
 

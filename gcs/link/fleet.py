@@ -76,7 +76,7 @@ class FleetLink:
             return self._external.grant(key, messages, relayed)
         return self._fleet.grant(key, t_ms, unix_us, messages, relayed)
 
-    def answers(self, idle: Callable[[], None]) -> Iterator[tuple[Key, list[Frame]]]:
+    def answers(self, idle: Callable[[], None]) -> Iterator[tuple[Key, Sequence[Frame]]]:
         def wait() -> None:
             self._external.stand_in()
             idle()

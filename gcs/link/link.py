@@ -43,7 +43,7 @@ class TickLink(Protocol):
     def flush(self) -> None:
         """Send what has been granted and not been sent yet."""
 
-    def answers(self, idle: Callable[[], None]) -> Iterator[tuple[Key, list[Frame]]]:
+    def answers(self, idle: Callable[[], None]) -> Iterator[tuple[Key, Sequence[Frame]]]:
         """Every vehicle's frames of the tick, of those that live on the session's clock as soon as they are whole."""
 
     def unawaited(self) -> Mapping[Key, list[Frame]]:

@@ -18,7 +18,7 @@ import time
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from itertools import groupby
+from itertools import chain, groupby
 from operator import itemgetter
 
 from gcs.link.link import Key, TickLink
@@ -26,6 +26,7 @@ from gcs.link.socket import kernel_drops, widen
 from gcs.mavlink import codec
 from gcs.mavlink.boot_clock import CLOCKS, BootClock
 from gcs.mavlink.codec import Frame, Message
+from gcs.mavlink.datagram import FrameRun, runs_of
 from gcs.mavlink.ids import STATION
 from gcs.mavlink.sequence import TickCollector, hello_of, sequence_numbers
 
@@ -182,7 +183,7 @@ class LockstepLink(TickLink):
         del peer.waiting[:taken]
         return [*own, *foreign]
 
-    def answers(self, idle: Callable[[], None]) -> Iterator[tuple[Key, list[Frame]]]:
+    def answers(self, idle: Callable[[], None]) -> Iterator[tuple[Key, Sequence[Frame]]]:
         """Every vehicle's answer to the last grant as soon as it is whole, so that it is read while others still fly.
 
         Waits without spinning; after 20 ms without progress, doubling to 200 ms, the same bytes go out again to those
@@ -235,7 +236,7 @@ class LockstepLink(TickLink):
         rebooted, self._rebooted = self._rebooted, set()
         return rebooted
 
-    def _compared(self, key: Key, frames: list[Frame]) -> list[Frame]:
+    def _compared(self, key: Key, frames: Sequence[Frame]) -> Sequence[Frame]:
         clock = self._clocks.get(key)
         for frame in frames if clock is not None else ():
             if frame.msgid in CLOCKS:
@@ -301,18 +302,21 @@ class LockstepLink(TickLink):
             if len(datagram) <= HELLO_BYTES:
                 self._admit(codec.split(datagram).frames, address)
             return False
-        frames, malformed, _ = codec.split(datagram)
-        self.malformed += malformed
         first = next(iter(there.values()))
+        runs: Sequence[Sequence[Frame]] | None = runs_of(datagram)
+        if runs is None:
+            frames, malformed, _ = codec.split(datagram)
+            self.malformed += malformed
+            runs = [list(run) for _, run in groupby(frames, _SENDER)]
         if not first.marker:
-            return self._feed(first, frames)
+            return self._feed(first, runs[0] if len(runs) == 1 else list(chain.from_iterable(runs)))
         progress = False
-        for sysid, run in groupby(frames, _SENDER):
-            peer = there.get(sysid)
+        for run in runs:
+            peer = there.get(run.sender[0] if isinstance(run, FrameRun) else run[0].sysid)
             if peer is None:
-                self._admit(list(run), address)
+                self._admit(run, address)
             else:
-                progress |= self._feed(peer, list(run))
+                progress |= self._feed(peer, run)
         return progress
 
     def _feed(self, peer: _LockstepPeer, frames: Sequence[Frame]) -> bool:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import struct
 from collections import namedtuple
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache
 from operator import itemgetter
 from typing import Any, NamedTuple, cast
@@ -42,13 +42,13 @@ _IDS: dict[str, int] = {cls.msgname: msgid for msgid, cls in _CLASSES.items()}
 _SEEDS = {msgid.to_bytes(3, "little"): (msgid, bytes([cls.crc_extra])) for msgid, cls in _CLASSES.items()}
 _UNKNOWN = (None, b"")
 # What any one seed byte can add to a checksum: CRC(body, seed) = CRC(body) >> 8 ^ one of these.
-_TERMS = [mcrf4xx(bytes([seed]), 0) for seed in range(256)]
-_SEED_TERMS = frozenset(_TERMS)
+CRC_TERMS = [mcrf4xx(bytes([seed]), 0) for seed in range(256)]
+_SEED_TERMS = frozenset(CRC_TERMS)
 
 # A checksum leaves the marker out. From this register the marker leads to the one that checksums begin with, so that a
 # frame need not be cut before it is summed: a byte makes crc >> 8 ^ term[crc & 0xFF ^ byte] of crc, here 0xFFFF.
-_INDEX = next(index for index, term in enumerate(_TERMS) if term >> 8 == 0xFF)
-BEFORE_MARKER = (0xFF ^ _TERMS[_INDEX] & 0xFF) << 8 | _INDEX ^ MARKER
+_INDEX = next(index for index, term in enumerate(CRC_TERMS) if term >> 8 == 0xFF)
+BEFORE_MARKER = (0xFF ^ CRC_TERMS[_INDEX] & 0xFF) << 8 | _INDEX ^ MARKER
 
 
 class Frame(NamedTuple):
@@ -183,6 +183,11 @@ def msgid(message: str) -> int:
 def seed_of(raw: bytes) -> bytes:
     """The byte with which the checksum of a frame of the dialect ends."""
     return _SEEDS[raw[7:10]][1]
+
+
+def seeds() -> Iterator[tuple[int, int]]:
+    """(message id, byte with which the checksums of its frames end) of each message of the dialect."""
+    return ((msgid, seed[0]) for msgid, seed in _SEEDS.values())
 
 
 def split(datagram: bytes) -> Split:

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from gcs.kernels import kernel
 from gcs.mavlink.codec import Frame
+from gcs.mavlink.datagram import FrameRun
 from gcs.mavlink.sequence import HALF, NUMBERS
 
 IntArray = NDArray[np.int64]
@@ -46,6 +47,7 @@ def after(missing: Any, newest: int, number: int) -> tuple[int, int]:
 
 
 _after = kernel()(after)
+_NONE = bytes(NUMBERS)
 
 
 class GapCounter:
@@ -65,6 +67,14 @@ class GapCounter:
     def feed_all(self, frames: Iterable[Frame]) -> None:
         """Count frames that were received, in their order."""
         newest, missing = self._newest, self._missing
+        if isinstance(frames, FrameRun) and frames.in_step:
+            sysid, compid = frames.sender
+            sender, count, first = sysid << 8 | compid, len(frames), frames.first
+            begin = first ^ HALF
+            if (first - newest.get(sender, first)) % NUMBERS == 1 and begin + count <= NUMBERS:  # as below, at once
+                missing[sender][begin : begin + count] = _NONE[:count]
+                newest[sender] = (first + count - 1) % NUMBERS
+                return
         for sysid, compid, seq, _, _ in frames:
             sender = sysid << 8 | compid
             if (seq - newest.get(sender, seq)) % NUMBERS == 1:  # as nearly every frame; see `after`

@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
+from gcs.mavlink.datagram import FrameRun
 
 NUMBERS = 256
 HALF = 128
@@ -79,10 +80,7 @@ class TickCollector:
         """Take in one datagram's frames; True when the tick is complete. Frames of anyone else are passed over."""
         if not frames or self._granted_ms is None:
             return self.complete
-        last = frames[-1]
-        answered_ms = (
-            codec.fields(last).time_boot_ms if last[:2] == self._sender and last.msgid == _SYSTEM_TIME else None
-        )
+        answered_ms = self._answered_ms(frames)
         if answered_ms is not None and answered_ms < self._granted_ms:
             return self.complete  # repeated so late that its numbers may have come round to new ones
         if not self._held and answered_ms == self._granted_ms and self._is_whole(frames):
@@ -90,7 +88,7 @@ class TickCollector:
             return True
         if self._whole:
             return True
-        held, first, (system, component) = self._held, self._next, self._sender
+        held, first, (system, component), last = self._held, self._next, self._sender, frames[-1]
         for frame in frames:
             sysid, compid, seq, _, _ = frame
             step = (seq - first) % NUMBERS
@@ -102,7 +100,7 @@ class TickCollector:
         self.complete = end is not None and all(map(held.__contains__, range(end + 1)))
         return self.complete
 
-    def pop_frames(self) -> list[Frame]:
+    def pop_frames(self) -> Sequence[Frame]:
         """The tick's frames in the order of their numbers, SYSTEM_TIME last, each once.
 
         Raises RuntimeError when the tick is not complete.
@@ -110,7 +108,7 @@ class TickCollector:
         if self._end is None or not self.complete:
             raise RuntimeError(f"tick {self._granted_ms} of vehicle {self._sender[0]} is not complete")
         length = self._end + 1
-        frames, self._whole = list(self._whole), ()
+        frames, self._whole = self._whole, ()
         if not frames:
             frames = [self._held.pop(step) for step in range(length)]
             self._held = {step - length: frame for step, frame in self._held.items()}
@@ -119,9 +117,20 @@ class TickCollector:
         self.complete = False
         return frames
 
+    def _answered_ms(self, frames: Sequence[Frame]) -> int | None:
+        """The time that the vehicle's own SYSTEM_TIME says at the end of these frames; None where there is none."""
+        if isinstance(frames, FrameRun) and frames.in_step:
+            return frames.time_ms if frames.sender == self._sender else None
+        last = frames[-1]
+        if last[:2] == self._sender and last.msgid == _SYSTEM_TIME:
+            return int(codec.fields(last).time_boot_ms)
+        return None
+
     def _is_whole(self, frames: Sequence[Frame]) -> bool:
         """Whether these are the next numbers, one after the other, of nobody else."""
         number, (system, component) = self._next, self._sender
+        if isinstance(frames, FrameRun) and frames.in_step:
+            return frames.first == number and frames.sender == self._sender and len(frames) < HALF
         for sysid, compid, seq, _, _ in frames:
             if seq != number or sysid != system or compid != component:
                 return False

@@ -14,7 +14,7 @@ an hour away from those before and behind it, as one with a flipped bit, is repl
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from functools import cached_property, lru_cache
 from pathlib import Path
@@ -22,12 +22,14 @@ from typing import Any
 
 import numpy as np
 from fastcrc.crc16 import mcrf4xx
+from numba import njit
 from numpy.typing import NDArray
-from pymavlink.dialects.v20 import common
 
+from gcs.kernel_files import checksum
 from gcs.kernels import kernel
-from gcs.mavlink import codec, records
+from gcs.mavlink import codec, datagram, records
 from gcs.mavlink.codec import Frame
+from gcs.mavlink.datagram import CRC_TABLE, SEEDS, crc_of
 from gcs.recording import rotation
 
 IntArray = NDArray[np.int64]
@@ -44,15 +46,8 @@ COLUMNS = 6
 T_US, AT, SYSID, COMPID, SEQ, MSGID = range(COLUMNS)
 """Columns of `Chunk.heads`; AT is the place of the frame's marker in `Chunk.octets`."""
 
-_NO_SEED = -1
-_SEEDS = np.full(1 << 16, _NO_SEED, dtype=np.int64)
-for _msgid, _cls in common.mavlink_map.items():
-    _SEEDS[_msgid] = _cls.crc_extra
-AT_ONCE = 8
-# (AT_ONCE, 256) CRC-16/MCRF4XX, from a register of 0, of one byte with so many zeros behind it as the row says: so many
-# bytes are summed in one step (Kounavis and Berry 2005). And which differences one unknown seed byte can make.
-_CRC = np.array([[mcrf4xx(bytes([b]) + bytes(row), 0) for b in range(256)] for row in range(AT_ONCE)], dtype=np.uint16)
-_SOME_SEED = np.isin(np.arange(1 << 16), _CRC[0])
+# Which differences one unknown seed byte can make.
+_SOME_SEED = np.isin(np.arange(1 << 16), CRC_TABLE[0])
 
 
 class Chunk:
@@ -144,7 +139,7 @@ class Tlog:
                 if len(room) < len(octets) // TIME_BYTES + 1:
                     room = np.empty((len(octets) // TIME_BYTES + 1, COLUMNS), dtype=np.int64)
                 found, last_end, look_at, last_us, more_gaps, more_skipped = _walk(
-                    octets, room, last_end, look_at, last_us, final, _SEEDS, _CRC, _SOME_SEED
+                    octets, room, last_end, look_at, last_us, final, SEEDS, CRC_TABLE, _SOME_SEED
                 )
                 heads = room[:found].copy()
                 believed_us, more_wrong = _believe(heads, believed_us)
@@ -197,7 +192,7 @@ def raw_at(data: bytes, at: int) -> bytes:
     seq, sysid, compid, msgid = data[at + 2 : at + HEADER_1]
     payload = data[at + HEADER_1 : at + HEADER_1 + length]
     body = bytes([length, 0, 0, seq, sysid, compid, msgid, 0, 0]) + payload
-    crc = mcrf4xx(body + bytes([_SEEDS[msgid]]))
+    crc = mcrf4xx(body + bytes([SEEDS[msgid]]))
     return bytes([codec.MARKER]) + body + crc.to_bytes(2, "little")
 
 
@@ -219,30 +214,7 @@ def _gather(data: ByteArray, places: IntArray, rows: ByteArray, head_bytes: int)
             rows[i, head_bytes + k] = data[begin + k]
 
 
-@kernel()
-def _crc_of(data: ByteArray, begin: int, end: Any, table: NDArray[np.uint16]) -> Any:
-    """Kernel: CRC-16/MCRF4XX of some bytes."""
-    crc = np.uint16(0xFFFF)
-    k = begin
-    while k + AT_ONCE <= end:
-        crc = (
-            table[7, data[k] ^ np.uint8(crc & 0xFF)]
-            ^ table[6, data[k + 1] ^ np.uint8(crc >> 8)]
-            ^ table[5, data[k + 2]]
-            ^ table[4, data[k + 3]]
-            ^ table[3, data[k + 4]]
-            ^ table[2, data[k + 5]]
-            ^ table[1, data[k + 6]]
-            ^ table[0, data[k + 7]]
-        )
-        k += AT_ONCE
-    while k < end:
-        crc = np.uint16(crc >> 8) ^ table[0, data[k] ^ np.uint8(crc & 0xFF)]
-        k += 1
-    return np.int64(crc)
-
-
-@kernel()
+@njit
 def _frame_bytes(
     data: ByteArray, at: int, seeds: IntArray, table: NDArray[np.uint16], some_seed: NDArray[np.bool_]
 ) -> Any:
@@ -266,7 +238,7 @@ def _frame_bytes(
         total = end + 2 - at
     if at + total > size:
         return 0
-    crc = _crc_of(data, at + 1, end, table)
+    crc = crc_of(data, at + 1, end, table)
     sent_crc = np.int64(data[end]) | np.int64(data[end + 1]) << 8
     if seed >= 0:
         crc = crc >> 8 ^ np.int64(table[0, (crc ^ seed) & 0xFF])
@@ -304,57 +276,66 @@ def _believe(heads: IntArray, last_us: Any) -> tuple[int, int]:
     return last_us, wrong
 
 
-@kernel(nogil=True)
-def _walk(
-    data: ByteArray,
-    heads: IntArray,
-    last_end: int,
-    look_at: int,
-    last_us: Any,
-    final: bool,
-    seeds: IntArray,
-    table: NDArray[np.uint16],
-    some_seed: NDArray[np.bool_],
-) -> tuple[int, int, int, int, int, int]:
-    """Kernel: fills heads (m, 6), with room for a frame at every 8 bytes; returns (how many there are, end of the last
-    frame, where to look next, time of the last frame, gaps, bytes in them).
+def _compiled(build: int) -> Callable[..., tuple[int, int, int, int, int, int]]:
+    """The walk, kept by numba; `build`: checksum of the other file that it is made of."""
 
-    In step, the next frame stands 8 bytes after the last one's end. Out of step it is looked for byte by byte.
-    """
-    size = data.size
-    n = gaps = skipped = 0
-    while look_at < size:
-        if not final and look_at + 288 > size:
-            break
-        total = _frame_bytes(data, look_at, seeds, table, some_seed)
-        if total < 0:
-            end = look_at - total
-            follows = end == size or (end + 8 < size and (data[end + 8] == 0xFD or data[end + 8] == 0xFE))
-            total = -total if look_at == last_end + 8 and follows else 0
-        timed = look_at - last_end >= 8
-        if total == 0 or (not timed and last_us < 0):
-            look_at = last_end if look_at == last_end + 8 else look_at + 1
-            if look_at == last_end + 8:  # that place has been looked at, and means `in step`
-                look_at += 1
-            continue
-        begin = look_at
-        if timed:
-            begin = look_at - 8
-            last_us = np.int64(0)
-            for k in range(8):
-                last_us = last_us << 8 | np.int64(data[begin + k])
-        if begin > last_end:
-            gaps += 1
-            skipped += begin - last_end
-        heads[n, 0], heads[n, 1] = last_us, look_at
-        if data[look_at] == 0xFD:
-            heads[n, 2], heads[n, 3], heads[n, 4] = data[look_at + 5], data[look_at + 6], data[look_at + 4]
-            heads[n, 5] = np.int64(data[look_at + 7]) | np.int64(data[look_at + 8]) << 8
-            heads[n, 5] |= np.int64(data[look_at + 9]) << 16
-        else:
-            heads[n, 2], heads[n, 3], heads[n, 4] = data[look_at + 3], data[look_at + 4], data[look_at + 2]
-            heads[n, 5] = data[look_at + 5]
-        n += 1
-        last_end = look_at + total
-        look_at = last_end + 8
-    return n, last_end, look_at, last_us, gaps, skipped
+    @kernel(nogil=True)
+    def walk(
+        data: ByteArray,
+        heads: IntArray,
+        last_end: int,
+        look_at: int,
+        last_us: Any,
+        final: bool,
+        seeds: IntArray,
+        table: NDArray[np.uint16],
+        some_seed: NDArray[np.bool_],
+    ) -> tuple[int, int, int, int, int, int]:
+        """Kernel: fills heads (m, 6), with room for a frame at every 8 bytes; returns (how many there are, end of the
+        last frame, where to look next, time of the last frame, gaps, bytes in them).
+
+        In step, the next frame stands 8 bytes after the last one's end. Out of step it is looked for byte by byte.
+        """
+        _ = build
+        size = data.size
+        n = gaps = skipped = 0
+        while look_at < size:
+            if not final and look_at + 288 > size:
+                break
+            total = _frame_bytes(data, look_at, seeds, table, some_seed)
+            if total < 0:
+                end = look_at - total
+                follows = end == size or (end + 8 < size and (data[end + 8] == 0xFD or data[end + 8] == 0xFE))
+                total = -total if look_at == last_end + 8 and follows else 0
+            timed = look_at - last_end >= 8
+            if total == 0 or (not timed and last_us < 0):
+                look_at = last_end if look_at == last_end + 8 else look_at + 1
+                if look_at == last_end + 8:  # that place has been looked at, and means `in step`
+                    look_at += 1
+                continue
+            begin = look_at
+            if timed:
+                begin = look_at - 8
+                last_us = np.int64(0)
+                for k in range(8):
+                    last_us = last_us << 8 | np.int64(data[begin + k])
+            if begin > last_end:
+                gaps += 1
+                skipped += begin - last_end
+            heads[n, 0], heads[n, 1] = last_us, look_at
+            if data[look_at] == 0xFD:
+                heads[n, 2], heads[n, 3], heads[n, 4] = data[look_at + 5], data[look_at + 6], data[look_at + 4]
+                heads[n, 5] = np.int64(data[look_at + 7]) | np.int64(data[look_at + 8]) << 8
+                heads[n, 5] |= np.int64(data[look_at + 9]) << 16
+            else:
+                heads[n, 2], heads[n, 3], heads[n, 4] = data[look_at + 3], data[look_at + 4], data[look_at + 2]
+                heads[n, 5] = data[look_at + 5]
+            n += 1
+            last_end = look_at + total
+            look_at = last_end + 8
+        return n, last_end, look_at, last_us, gaps, skipped
+
+    return walk
+
+
+_walk = _compiled(checksum(datagram))

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from gcs.mavlink import codec
@@ -19,7 +19,7 @@ class Relay(NamedTuple):
     raw: bytes
 
 
-def relayed(pairs: Iterable[tuple[int, int]], delivered: Mapping[int, list[Frame]]) -> dict[int, list[Relay]]:
+def relayed(pairs: Iterable[tuple[int, int]], delivered: Mapping[int, Sequence[Frame]]) -> dict[int, list[Relay]]:
     """Frames relayed to each reader of those delivered by sender; `pairs` are (giver, receiver).
 
     The giver's FOLLOW_TARGET and counter go to the receiver, the receiver's counter to the giver.

@@ -6,7 +6,7 @@ Streams are asked for and checked, clocks compared, silence judged, and repetiti
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 from pymavlink.dialects.v20 import common as mav
 
@@ -66,7 +66,7 @@ class ExternalFleet:
 
     def receive(
         self,
-        delivered: Mapping[int, list[Frame]],
+        delivered: Mapping[int, Sequence[Frame]],
         offsets_s: Mapping[int, float],
         rebooted: Iterable[int],
         fleet: Fleet,

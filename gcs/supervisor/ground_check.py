@@ -7,7 +7,7 @@ would. Time is an argument: s since `begin` of the link.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from pymavlink.dialects.v20 import common as mav
 
@@ -112,7 +112,7 @@ class GroundCheck:
             found[sysid] = [*items, CheckItem("streams", not missing, text), self._readiness(sysid)]
         return found
 
-    def _read(self, frames: list[Frame]) -> None:
+    def _read(self, frames: Sequence[Frame]) -> None:
         for frame in frames:
             if frame.msgid == _SYS_STATUS and frame.compid == AUTOPILOT:
                 content = codec.fields(frame)

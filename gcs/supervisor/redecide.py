@@ -118,7 +118,7 @@ class RecordedLink(TickLink):
     def __init__(self, keys: Sequence[Key]) -> None:
         self._joined = set(keys)
         self._granted: set[Key] = set()
-        self.recorded: Mapping[Key, list[Frame]] = {}
+        self.recorded: Mapping[Key, Sequence[Frame]] = {}
 
     @property
     def joined(self) -> set[Key]:
@@ -142,7 +142,7 @@ class RecordedLink(TickLink):
     def flush(self) -> None:
         """Nothing waits to be sent."""
 
-    def answers(self, idle: Callable[[], None]) -> Iterator[tuple[Key, list[Frame]]]:
+    def answers(self, idle: Callable[[], None]) -> Iterator[tuple[Key, Sequence[Frame]]]:
         for key in sorted(self._granted):
             yield key, self.recorded.get(key, [])
 

@@ -8,7 +8,7 @@ What the tick at T decides leaves with the grant up to T + period, and is flown 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +20,7 @@ from gcs.mavlink import codec
 from gcs.mavlink.autopilots import End
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.command_protocol import CommandResult
+from gcs.mavlink.datagram import raws_of
 from gcs.mavlink.gaps import GapCounter
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION, TRAFFIC
 from gcs.mavlink.setpoints import SetPoint, encoded
@@ -289,8 +290,8 @@ class Supervisor:
     # in
 
     def _receive(
-        self, answers: Iterable[tuple[Key, list[Frame]]], now_s: float
-    ) -> tuple[list[bytes], dict[int, list[Frame]]]:
+        self, answers: Iterable[tuple[Key, Sequence[Frame]]], now_s: float
+    ) -> tuple[list[bytes], dict[int, Sequence[Frame]]]:
         """Let the radio deliver what came, and the fleet read it, each vehicle's as it comes.
 
         Nothing that is read of one depends on another, so whose answer came first shows nowhere: what is given back is
@@ -299,7 +300,7 @@ class Supervisor:
         for sysid in self.link.pop_relinked() if self.externals.rules else ():
             self.gaps.forget(sysid)
             self.externals.relinked(sysid)
-        received_from: dict[Key, list[Frame]] = {}
+        received_from: dict[Key, Sequence[Frame]] = {}
         for key, frames in answers:
             received = frames
             if self._peer_radio is not None:
@@ -319,7 +320,7 @@ class Supervisor:
             if key[0] in self.inspection.wanted:
                 self.inspection.add(received, now_s)
         in_order = sorted(received_from.items())
-        arrived = [frame.raw for _, received in in_order for frame in received]
+        arrived = [raw for _, received in in_order for raw in raws_of(received)]
         delivered = {key[0]: received for key, received in in_order}
         if self.externals.rules:
             offsets_s, rebooted = self.link.clock_offsets_s(), self.link.pop_rebooted()

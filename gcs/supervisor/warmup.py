@@ -9,6 +9,9 @@ import functools
 
 import numpy as np
 
+from gcs.mavlink import codec
+from gcs.mavlink.datagram import runs_of
+from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT
 from gcs.planner.custom import behind_filter
 from gcs.planner.guide import RouteFollower
 from gcs.planner.planner import Planner
@@ -32,11 +35,14 @@ def rehearse(scenario: Scenario) -> None:
     if scenario.planner.guide and scenario.planner.safety and (scenario.obstacles or fence.inside or fence.outside):
         find_way()
     place = {vehicle.sysid: vehicle.start_m for vehicle in scenario.vehicles.all}
+    fleet = make_fleet(scenario)
+    for run in runs_of(codec.frame(OUR_HEARTBEAT, 0, min(place), AUTOPILOT)) or ():
+        fleet.ingest_all(run, 0.0)
     views = (
         view._replace(
             armed=True, landed=False, p_ned=place[view.sysid], age_s=0.0, origin_offset_ned=ZERO, ground_down_m=0.0
         )
-        for view in make_fleet(scenario).snapshot(0.0).vehicles
+        for view in fleet.snapshot(0.0).vehicles
     )
     snapshot = FleetSnapshot(0.0, tuple(views), ())
     planner = behind_filter(scenario, Planner(scenario))

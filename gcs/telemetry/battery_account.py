@@ -49,7 +49,8 @@ class BatteryAccount:
         self.source = EnergySource.NONE
         self.facts: list[Fact] = []
         """found since they were last taken away"""
-        self._account = energy.new_account(capacity_j, initial_j, from_now=from_now)
+        self.account = energy.new_account(capacity_j, initial_j, from_now=from_now)
+        """(1,) what compiled code knows of it"""
         self._reported_in_j = self._booked_j = 0
         self._believed: dict[str, tuple[float, float]] = {}
         self._parameters: set[str] = set()
@@ -69,11 +70,25 @@ class BatteryAccount:
         """Take what a message says of the battery."""
         t_s, *words, second_hand = report
         consumed_j, power_w, remaining = (math.nan if word is None else word for word in words)
-        became, source, self.drawn_j, self.initial_j, bridged_s, gained_j = energy.take(
-            self._account, t_s, consumed_j, power_w, remaining, second_hand, armed
-        )
+        outcome = energy.take(self.account, t_s, consumed_j, power_w, remaining, second_hand, armed)
+        return self.taken(t_s, consumed_j, power_w, *outcome)
+
+    def taken(
+        self,
+        t_s: float,
+        consumed_j: float,
+        power_w: float,
+        became: float,
+        source: float,
+        drawn_j: float,
+        initial_j: float,
+        bridged_s: float,
+        gained_j: float,
+    ) -> str:
+        """Go on from a report that compiled code has counted in `account`; why it cannot be. NaN: not reported."""
+        self.drawn_j, self.initial_j = drawn_j, initial_j
         if became == energy.DRAWN:
-            self._update_power(t_s, SOURCES[source])
+            self._update_power(t_s, SOURCES[int(source)])
         if not math.isnan(bridged_s):
             self.facts.append(Fact(f"No current or voltage for {bridged_s:.1f} s: bridged by the mean of both ends"))
         if not math.isnan(gained_j):
@@ -88,8 +103,8 @@ class BatteryAccount:
         Neither facts nor the power are kept.
         """
         left_j = np.empty(len(reports.t_s))
-        energy.take_all(self._account, *reports, armed, left_j)
-        self.drawn_j, self.initial_j = float(self._account["drawn_j"][0]), float(self._account["initial_j"][0])
+        energy.take_all(self.account, *reports, armed, left_j)
+        self.drawn_j, self.initial_j = float(self.account["drawn_j"][0]), float(self.account["initial_j"][0])
         return left_j
 
     def counter(self, name: str, value: int, time_s: float) -> str:
@@ -100,11 +115,11 @@ class BatteryAccount:
             return doubt
         self._believed[name] = (value, time_s)
         if name == GIVEN:
-            self._account["given_j"] = self.given_j = max(self.given_j, value)
+            self.account["given_j"] = self.given_j = max(self.given_j, value)
         else:
             self._reported_in_j = max(self._reported_in_j, value)
             self._receive()
-        self._account["swappable"] = False
+        self.account["swappable"] = False
         return ""
 
     def parameter(self, name: str, value: float) -> str:
@@ -114,20 +129,20 @@ class BatteryAccount:
             return doubt
         self._parameters.add(name)
         if name == INITIAL:
-            self._account["initial_j"] = self.initial_j = value - float(self._account["before_j"][0])
-            self._account["initial_known"] = True
+            self.account["initial_j"] = self.initial_j = value - float(self.account["before_j"][0])
+            self.account["initial_known"] = True
         else:
-            self._account["capacity_j"] = self.capacity_j = value
+            self.account["capacity_j"] = self.capacity_j = value
         return ""
 
     def book(self, joules: int) -> None:
         """Count energy that a base gave to a vehicle which cannot report it itself."""
         self._booked_j += joules
-        self._account["booked_j"] = self._booked_j
+        self.account["booked_j"] = self._booked_j
         self._receive()
 
     def _receive(self) -> None:
-        self._account["received_j"] = self.received_j = self._reported_in_j + self._booked_j
+        self.account["received_j"] = self.received_j = self._reported_in_j + self._booked_j
 
     def _update_power(self, now_s: float, source: EnergySource) -> None:
         """Mean power of the last while, over steps of the energy drawn where it moves in steps."""

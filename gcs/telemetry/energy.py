@@ -16,20 +16,24 @@ Rules:
   is left, from SWAP_SHARE of the capacity on, is a battery that was swapped: a fact, with the energy that it brought.
 - The first share says what the battery held at the start, unless the vehicle has said so.
 
-It is one compiled kernel, which a session calls with each report and a reader with all reports between two other
-messages. NaN stands for what is not known.
+It is one compiled kernel, which a session calls with each report (from its frame: gcs/telemetry/readings.py) and a
+reader with all reports between two other messages. NaN stands for what is not known.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from enum import StrEnum
 from typing import Any
 
 import numpy as np
+from numba import njit
 from numpy.typing import NDArray
 
+from gcs.kernel_files import checksum
 from gcs.kernels import kernel
+from gcs.telemetry import plausibility
 from gcs.telemetry.plausibility import MOST_W, STEP_J, countable
 
 GAP_S = 5.0
@@ -101,48 +105,11 @@ def new_account(capacity_j: float, initial_j: float, *, from_now: bool = False) 
     return account
 
 
-@kernel()
-def take(
-    account: NDArray[Any],
-    t_s: float,
-    consumed_j: float,
-    power_w: float,
-    remaining: float,
-    second_hand: bool,
-    armed: bool,
-) -> tuple[int, int, float, float, float, float]:
-    """Count one report: its fate, source, energy drawn, initial energy in J; then NaN, or the span in s over
-    which power was bridged, and the J that a swapped battery brought."""
-    one = account[0]
-    became, bridged_s, gained_j = _take(one, t_s, consumed_j, power_w, remaining, second_hand, armed)
-    return became, one.source, one.drawn_j, one.initial_j, bridged_s, gained_j
-
-
-@kernel()
-def take_all(
-    account: NDArray[Any],
-    t_s: NDArray[np.float64],
-    consumed_j: NDArray[np.float64],
-    power_w: NDArray[np.float64],
-    remaining: NDArray[np.float64],
-    second_hand: NDArray[np.bool_],
-    armed: bool,
-    left_j: NDArray[np.float64],
-) -> None:
-    """Count reports (n,) in their order; `left_j` (n,) becomes the energy in the battery after each, NaN where a report
-    does not count."""
-    one = account[0]
-    for i in range(len(t_s)):
-        became, _, _ = _take(one, t_s[i], consumed_j[i], power_w[i], remaining[i], second_hand[i], armed)
-        left_j[i] = math.nan
-        if became >= COUNTED:
-            left_j[i] = one.initial_j + one.received_j - one.drawn_j - one.given_j
-
-
-@kernel()
-def _take(
+@njit
+def count(
     one: Any, t_s: float, consumed_j: float, power_w: float, remaining: float, second_hand: bool, armed: bool
 ) -> tuple[int, float, float]:
+    """Kernel: as `take`, of an account's record: its fate, and the two that may be NaN."""
     bridged_s = gained_j = math.nan
     total, power, share = not math.isnan(consumed_j), not math.isnan(power_w), not math.isnan(remaining)
     if abs(power_w) > MOST_W:
@@ -185,7 +152,7 @@ def _take(
     return became, bridged_s, gained_j
 
 
-@kernel()
+@njit
 def _draw(one: Any, best: int) -> None:
     """Let the energy drawn go on by what the best meter went on since its anchor.
 
@@ -204,7 +171,7 @@ def _draw(one: Any, best: int) -> None:
             one.anchors_j[source], one.at_anchors_j[source] = one.meters_j[source], one.drawn_j
 
 
-@kernel()
+@njit
 def _total(one: Any, consumed_j: float, armed: bool) -> None:
     if not armed and consumed_j < min(one.total_j - RESTART_J, 0.5 * one.total_j):
         one.before_restart_j += one.total_j
@@ -213,7 +180,7 @@ def _total(one: Any, consumed_j: float, armed: bool) -> None:
     one.meters_j[TOTAL] = one.before_restart_j + one.total_j
 
 
-@kernel()
+@njit
 def _integrate(one: Any, t_s: float, power_w: float) -> float:
     """Span in s that had to be bridged, or NaN."""
     span_s = t_s - one.sample_s
@@ -227,7 +194,7 @@ def _integrate(one: Any, t_s: float, power_w: float) -> float:
     return span_s if span_s > GAP_S else math.nan
 
 
-@kernel()
+@njit
 def _fall(one: Any, left_j: float, armed: bool) -> float:
     """J that a swapped battery brought, or NaN."""
     moved_j = one.received_j - one.booked_j - one.given_j
@@ -250,3 +217,50 @@ def _fall(one: Any, left_j: float, armed: bool) -> float:
         if one.unseen_j > 0.0:
             one.expected_j, one.unseen_j = left_j, max(one.unseen_j - rise_j, 0.0)
     return math.nan
+
+
+def _compiled(build: int) -> tuple[Callable[..., tuple[int, int, float, float, float, float]], Callable[..., None]]:
+    """The entries that numba keeps; `build`: checksum of the other file that they are made of."""
+
+    @kernel()
+    def take(
+        account: NDArray[Any],
+        t_s: float,
+        consumed_j: float,
+        power_w: float,
+        remaining: float,
+        second_hand: bool,
+        armed: bool,
+    ) -> tuple[int, int, float, float, float, float]:
+        """Count one report: its fate, source, energy drawn, initial energy in J; then NaN, or the span in s over
+        which power was bridged, and the J that a swapped battery brought."""
+        _ = build
+        one = account[0]
+        became, bridged_s, gained_j = count(one, t_s, consumed_j, power_w, remaining, second_hand, armed)
+        return became, one.source, one.drawn_j, one.initial_j, bridged_s, gained_j
+
+    @kernel()
+    def take_all(
+        account: NDArray[Any],
+        t_s: NDArray[np.float64],
+        consumed_j: NDArray[np.float64],
+        power_w: NDArray[np.float64],
+        remaining: NDArray[np.float64],
+        second_hand: NDArray[np.bool_],
+        armed: bool,
+        left_j: NDArray[np.float64],
+    ) -> None:
+        """Count reports (n,) in their order; `left_j` (n,) becomes the energy in the battery after each, NaN where a
+        report does not count."""
+        _ = build
+        one = account[0]
+        for i in range(len(t_s)):
+            became, _, _ = count(one, t_s[i], consumed_j[i], power_w[i], remaining[i], second_hand[i], armed)
+            left_j[i] = math.nan
+            if became >= COUNTED:
+                left_j[i] = one.initial_j + one.received_j - one.drawn_j - one.given_j
+
+    return take, take_all
+
+
+take, take_all = _compiled(checksum(plausibility))

@@ -8,7 +8,6 @@ are choices, far beyond what a multirotor does; who lies within them is not foun
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 
 from gcs.kernels import kernel
 
@@ -27,22 +26,35 @@ DOUBTED_S = 5.0
 """A vehicle is doubted for so long after the last that could not be."""
 
 
-def place(
-    p_ned: Sequence[float], v_ned: Sequence[float], reported_s: float, before: Sequence[float] | None, before_s: float
-) -> str:
-    """Why a place in m and a velocity in m/s cannot be, reported as of `reported_s`; nothing where they can.
+POSSIBLE, NO_NUMBER, FAR, FAST, JUMP = range(5)
+"""Faults of a place."""
 
-    `before`: the last place that was believed, as of `before_s`.
-    """
-    if not all(map(math.isfinite, (*p_ned, *v_ned))):
-        return "its position is no number"
-    if max(map(abs, p_ned)) > FARTHEST_M:
-        return f"its position is more than {FARTHEST_M / 1e3:.0f} km away"
-    if math.hypot(*v_ned) > FASTEST_M_S:
-        return f"its velocity is above {FASTEST_M_S:.0f} m/s"
-    if before is not None and math.dist(p_ned, before) > JUMP_M + FASTEST_M_S * max(reported_s - before_s, 0.0):
-        return f"its position jumps by {math.dist(p_ned, before):.0f} m"
-    return ""
+
+@kernel()
+def place_fault(
+    n: float, e: float, d: float, v_n: float, v_e: float, v_d: float, moved_m: float, elapsed_s: float
+) -> int:
+    """Why a place in m and a velocity in m/s cannot be, which are `moved_m` and `elapsed_s` from the last place that
+    was believed; `moved_m` NaN where there is none."""
+    if not math.isfinite(n + e + d + v_n + v_e + v_d):  # each a 32-bit float: the sum of finite ones is finite
+        return NO_NUMBER
+    if max(abs(n), abs(e), abs(d)) > FARTHEST_M:
+        return FAR
+    if math.sqrt(v_n * v_n + v_e * v_e + v_d * v_d) > FASTEST_M_S:
+        return FAST
+    if moved_m > JUMP_M + FASTEST_M_S * max(elapsed_s, 0.0):
+        return JUMP
+    return POSSIBLE
+
+
+def impossible_place(fault: int, moved_m: float) -> str:
+    """The sentence on a place that cannot be."""
+    return {
+        NO_NUMBER: "its position is no number",
+        FAR: f"its position is more than {FARTHEST_M / 1e3:.0f} km away",
+        FAST: f"its velocity is above {FASTEST_M_S:.0f} m/s",
+        JUMP: f"its position jumps by {moved_m:.0f} m",
+    }[fault]
 
 
 def globe(latitude_e7: int, longitude_e7: int) -> str:

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 from lockstep_vehicle import BEAT, HEARTBEAT, SYSTEM_TIME, Vehicle, collect, heartbeat, text
 
+from gcs.link import lockstep
 from gcs.link.lockstep import DATAGRAM_BYTES, MOST_AT_ONCE, LockstepLink
 from gcs.mavlink import codec
 
@@ -226,8 +227,11 @@ def test_a_flood_of_strangers_is_not_read_and_does_not_keep_a_tick_from_ending(
 ) -> None:
     (one,) = join(link, made_vehicles, 1)
     read: list[int] = []
-    split = codec.split
-    monkeypatch.setattr(codec, "split", lambda datagram: read.append(len(datagram)) or split(datagram))
+    for module, name in ((codec, "split"), (lockstep, "runs_of")):
+        reader = getattr(module, name)
+        monkeypatch.setattr(
+            module, name, lambda datagram, reader=reader: read.append(len(datagram)) or reader(datagram)
+        )
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as flood:
         flood.connect(("127.0.0.1", link.port))
         for tick in range(3):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 
 from gcs.link.external import ExternalLink
-from gcs.link.link import Key
+from gcs.link.link import Key, TickGrants, one_by_one
 from gcs.link.lockstep import LockstepLink
 from gcs.mavlink.codec import Frame, Message
 
@@ -75,6 +75,11 @@ class FleetLink:
         if key in self._external.joined:
             return self._external.grant(key, messages, relayed)
         return self._fleet.grant(key, t_ms, unix_us, messages, relayed)
+
+    def grant_all(self, grants: TickGrants) -> list[bytes]:
+        if grants.keys and not self._external.joined.intersection(grants.keys):
+            return self._fleet.grant_all(grants)
+        return one_by_one(self, grants)
 
     def answers(self, idle: Callable[[], None]) -> Iterator[tuple[Key, list[Frame]]]:
         def wait() -> None:

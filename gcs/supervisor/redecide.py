@@ -16,7 +16,7 @@ from operator import itemgetter
 from pathlib import Path
 from typing import Any, cast
 
-from gcs.link.link import Key, TickLink
+from gcs.link.link import Key, TickGrants, TickLink
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import AUTOPILOT, STATION, TRAFFIC
@@ -137,6 +137,10 @@ class RecordedLink(TickLink):
         self, key: Key, t_ms: int, unix_us: int, messages: Sequence[Message], relayed: Sequence[bytes]
     ) -> list[bytes]:
         self._granted.add(key)
+        return []
+
+    def grant_all(self, grants: TickGrants) -> list[bytes]:
+        self._granted.update(grants.keys)
         return []
 
     def flush(self) -> None:

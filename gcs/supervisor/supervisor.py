@@ -8,13 +8,13 @@ What the tick at T decides leaves with the grant up to T + period, and is flown 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from gcs.link.forwarder import Forwarder
 from gcs.link.impairment import Impairment
-from gcs.link.link import Key, TickLink
+from gcs.link.link import Key, TickGrants, TickLink
 from gcs.link.quality import LinkQuality
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import End
@@ -22,7 +22,7 @@ from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.command_protocol import CommandResult
 from gcs.mavlink.gaps import GapCounter
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION, TRAFFIC
-from gcs.mavlink.setpoints import SetPoint, encoded
+from gcs.mavlink.setpoints import PlacedSetPoints, SetPoint, SetPointPlacer
 from gcs.planner.custom import make_planner
 from gcs.planner.request import PlanRequest
 from gcs.recording.recorder import Digest, Recorder
@@ -129,6 +129,7 @@ class Supervisor:
         self._deaths: list[dict[str, Any]] = []
         self._reported_lost: set[int] = set()
         self.set_points: list[SetPoint] = []
+        self._placer = SetPointPlacer()
         self.snapshot: FleetSnapshot = self.fleet.snapshot(0.0)
 
     @property
@@ -139,7 +140,7 @@ class Supervisor:
     def begin(self) -> None:
         """Send the first grant, which sets the vehicles' clocks and lets none move."""
         recording = TickRecord(0, [], [], [])
-        self._grant_all({}, recording)
+        self._grant_all((), self.snapshot, {}, recording)
         self._record(recording)
 
     def tick(self, idle: Callable[[], None], periods: int = 1) -> None:
@@ -169,8 +170,7 @@ class Supervisor:
                 self._report(sysid, result, now_s)
         relays = relayed(decision.relays, delivered)
         recording = TickRecord(self.time_ms, arrived, [], [])
-        self._queue_set_points(set_points, snapshot)
-        self._grant_all(relays, recording)
+        self._grant_all(set_points, snapshot, relays, recording)
         recording.decisions += self._records(now_s, decision, set_points)
         flown = [point for point in set_points if self.arming[point.sysid].stage is not Stage.YIELDED]
         self.metrics.update(snapshot, flown, pursuing)
@@ -429,44 +429,68 @@ class Supervisor:
             )
         )
 
-    def _queue_set_points(self, set_points: Iterable[SetPoint], snapshot: FleetSnapshot) -> None:
-        for point in set_points:
-            view = snapshot.vehicle(point.sysid)
-            offset = view.origin_offset_ned
-            assert offset is not None
-            message = encoded(point, offset, self.time_ms, view.turn_rad)
-            self.command_queue.put(point.sysid, (message,) * self.quality.copies(point.sysid))
-
     # out
 
-    def _grant_all(self, relays: Mapping[int, list[Relay]], recording: TickRecord) -> None:
+    def _grant_all(
+        self,
+        set_points: Sequence[SetPoint],
+        snapshot: FleetSnapshot,
+        relays: Mapping[int, list[Relay]],
+        recording: TickRecord,
+    ) -> None:
         """Send all vehicles the next bundle; the first one carries T = 0 and lets none move."""
-        now_s = self.time_s
         grant_ms = self.time_ms + self._periods * self.period_ms
-        for key in sorted(self.link.joined):
-            sysid = key[0]
-            if key != TRAFFIC and grant_ms < self._join_ms[sysid]:
-                continue
-            messages: list[Message | Relay] = []
-            if key != TRAFFIC:
-                if self.time_ms >= self._heartbeat_due_ms[sysid]:
-                    self._heartbeat_due_ms[sysid] = self.time_ms + round(1e3 * HEARTBEAT_EVERY_S)
-                    messages += [OUR_HEARTBEAT] * self.quality.copies(sysid)
-                messages += self.command_queue.pop(sysid)
-                messages += relays.get(sysid, ())
-                messages += self._forwarded.pop(sysid)
-                messages = [*self.faults.pop_orders(sysid), *self._radio.apply(sysid, "out", now_s, messages)]
-            own = [m for m in messages if isinstance(m, Message)]
-            foreign = [m.raw for m in messages if isinstance(m, Relay)]
-            if self._peer_radio is not None and key != TRAFFIC:
-                foreign += self._peer_radio.receive(sysid, now_s)
-            sent = self.link.grant(key, grant_ms, self.epoch_us + 1000 * grant_ms, own, foreign)
-            recording.sent += (
-                sent if self._peer_radio is None else [raw for raw in sent if raw[_SYSID_AT] == STATION[0]]
-            )
+        keys = [key for key in sorted(self.link.joined) if key == TRAFFIC or grant_ms >= self._join_ms[key[0]]]
+        points = self._placed(set_points, snapshot)
+        greeted = {key[0] for key in keys if key != TRAFFIC and self.time_ms >= self._heartbeat_due_ms[key[0]]}
+        for sysid in greeted:
+            self._heartbeat_due_ms[sysid] = self.time_ms + round(1e3 * HEARTBEAT_EVERY_S)
+        row_of = {sysid: row for row, sysid in enumerate(points.sysids)}
+        more = {}
+        for key in self._with_more(keys, relays):
+            row = row_of.get(key[0])
+            own = [] if row is None else [points.message(row)]
+            more[key] = self._content(key[0], own, relays, greeted=key[0] in greeted)
+        grants = TickGrants(grant_ms, self.epoch_us + 1000 * grant_ms, keys, greeted, points, more)
+        sent = self.link.grant_all(grants)
+        if self._peer_radio is not None:
+            sent = [raw for raw in sent if raw[_SYSID_AT] == STATION[0]]
+        recording.sent += sent
         self.link.flush()
         self.sent += len(recording.sent)
         self.time_ms = grant_ms
+
+    def _placed(self, set_points: Sequence[SetPoint], snapshot: FleetSnapshot) -> PlacedSetPoints:
+        """Set points in their vehicles' own frames."""
+        views = [snapshot.vehicle(point.sysid) for point in set_points]
+        offsets_ned = [view.origin_offset_ned for view in views if view.origin_offset_ned is not None]
+        assert len(offsets_ned) == len(views)
+        return self._placer.place(set_points, offsets_ned, [view.turn_rad for view in views], self.time_ms)
+
+    def _with_more(self, keys: Iterable[Key], relays: Mapping[int, list[Relay]]) -> list[Key]:
+        """Those of these to whom more goes than HEARTBEAT and set point, or over a radio that may hold it back."""
+        if not self._radio.clear or self._peer_radio is not None:
+            return [key for key in keys if key != TRAFFIC]
+        copied = self.quality.copied
+        there = (self.command_queue.waiting, relays, self._forwarded.waiting, self.faults.ordered, copied)
+        some = set().union(*there)
+        return [key for key in keys if key[0] in some and key != TRAFFIC] if some else []
+
+    def _content(
+        self, sysid: int, set_point: list[Message], relays: Mapping[int, list[Relay]], *, greeted: bool
+    ) -> tuple[list[Message], list[bytes]]:
+        """All that goes to a vehicle now, after the radio: messages, and frames as they are."""
+        copies = self.quality.copies(sysid)
+        messages: list[Message | Relay] = [OUR_HEARTBEAT] * copies if greeted else []
+        messages += self.command_queue.pop(sysid)
+        messages += set_point * copies
+        messages += relays.get(sysid, ())
+        messages += self._forwarded.pop(sysid)
+        messages = [*self.faults.pop_orders(sysid), *self._radio.apply(sysid, "out", self.time_s, messages)]
+        foreign = [m.raw for m in messages if isinstance(m, Relay)]
+        if self._peer_radio is not None:
+            foreign += self._peer_radio.receive(sysid, self.time_s)
+        return [m for m in messages if isinstance(m, Message)], foreign
 
     _periods = 0
     _partners: frozenset[tuple[int, int]] = frozenset()

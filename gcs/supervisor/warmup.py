@@ -9,6 +9,10 @@ import functools
 
 import numpy as np
 
+from gcs.link.bundles import Roster
+from gcs.mavlink import codec
+from gcs.mavlink.ids import AUTOPILOT
+from gcs.mavlink.setpoints import SetPoint, SetPointPlacer
 from gcs.planner.custom import behind_filter
 from gcs.planner.guide import RouteFollower
 from gcs.planner.planner import Planner
@@ -45,10 +49,18 @@ def rehearse(scenario: Scenario) -> None:
     set_points = planner.plan(PlanRequest(snapshot, frozenset(place), scenario.clock.period_s))
     if scenario.planner.safety:
         _rehearse_tracking()
+    _rehearse_bundles()
     approach.nearest_to(*(np.zeros((1, 3)) for _ in range(4)))  # once traffic is reported
     watch.update(snapshot, ())
     for _ in range(PLAN_MEMORY):  # only then is a vehicle's way held against its plan
         metrics.update(snapshot, set_points)
+
+
+def _rehearse_bundles() -> None:
+    """A bundle as in most ticks."""
+    points = SetPointPlacer().place([SetPoint(1, ZERO, ZERO)], [ZERO], [0.0], 0)
+    grant = codec.message("SYSTEM_TIME", time_unix_usec=0, time_boot_ms=0)
+    Roster([(1, AUTOPILOT)], [b""], [("", 0)]).bundled([0], (), (), points, grant)
 
 
 def _rehearse_tracking() -> None:

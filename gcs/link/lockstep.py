@@ -157,7 +157,10 @@ class LockstepLink(TickLink):
             frames = self._fitting(peer, messages, relayed)
         frames.append(self._frame(peer, codec.Message(_SYSTEM_TIME, (unix_us, t_ms))))
         peer.bundle = peer.marker + b"".join(frames)
-        self._await(peer, t_ms)
+        peer.collector.begin(t_ms)
+        self._granted_s = t_ms / 1e3
+        peer.held = 0
+        self._awaited.add(key)
         self._send(peer)
         return frames
 
@@ -175,8 +178,10 @@ class LockstepLink(TickLink):
         cuts: list[tuple[int, int, int]] = ends.tolist()
         for peer, number, (begin, end, _) in zip(peers, numbers, cuts, strict=True):
             if begin != end:
-                peer.number, peer.bundle = number, raw[begin:end]
-                self._await(peer, grants.t_ms)
+                peer.number, peer.bundle, peer.held = number, raw[begin:end], 0
+                peer.collector.begin(grants.t_ms)
+        self._awaited.update(grants.keys)
+        self._granted_s = grants.t_ms / 1e3
         frames = [raw[begin:end] for begin, end in spans.tolist()]
         sent: list[bytes] = []
         first = told = 0
@@ -195,12 +200,6 @@ class LockstepLink(TickLink):
             peers = [self._peers[key] for key in keys]
             self._roster = Roster(keys, [peer.marker for peer in peers], [peer.address for peer in peers])
         return self._roster
-
-    def _await(self, peer: _LockstepPeer, t_ms: int) -> None:
-        peer.collector.begin(t_ms)
-        peer.held = 0
-        self._awaited.add(peer.key)
-        self._granted_s = t_ms / 1e3
 
     def _fitting(self, peer: _LockstepPeer, messages: Sequence[Message], relayed: Sequence[bytes]) -> list[bytes]:
         """Frames of as much of what waits for a vehicle as fits into a bundle, our own before relayed ones."""

@@ -25,7 +25,8 @@ from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION, TRAFFIC
 from gcs.mavlink.setpoints import PlacedSetPoints, SetPoint, SetPointPlacer
 from gcs.planner.custom import make_planner
 from gcs.planner.request import PlanRequest
-from gcs.recording.recorder import Digest, Recorder
+from gcs.recording.digest import Digest
+from gcs.recording.recorder import Recorder
 from gcs.recording.tick_record import TickRecord, event_of, records_of_tick
 from gcs.refuelling.base_service import giver_messages
 from gcs.refuelling.explain import acknowledged

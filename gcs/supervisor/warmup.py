@@ -19,6 +19,7 @@ from gcs.planner.planner import Planner
 from gcs.planner.request import PlanRequest
 from gcs.planner.route import Router
 from gcs.planner.tracking import Tracking
+from gcs.recording.digest import Digest
 from gcs.scenario import geometry
 from gcs.scenario.model import Scenario
 from gcs.supervisor.factory import make_arming_sequences, make_fleet
@@ -57,10 +58,11 @@ def rehearse(scenario: Scenario) -> None:
 
 
 def _rehearse_bundles() -> None:
-    """A bundle as in most ticks."""
+    """A bundle as in most ticks, made and counted."""
     points = SetPointPlacer().place([SetPoint(1, ZERO, ZERO)], [ZERO], [0.0], 0)
     grant = codec.message("SYSTEM_TIME", time_unix_usec=0, time_boot_ms=0)
-    Roster([(1, AUTOPILOT)], [b""], [("", 0)]).bundled([0], (), (), points, grant)
+    bundles, _ = Roster([(1, AUTOPILOT)], [b""], [("", 0)]).bundled([0], (), (), points, grant)
+    Digest().frames_out(0, [bundles.raw])
 
 
 def _rehearse_tracking() -> None:

@@ -184,15 +184,15 @@ class LockstepLink(TickLink):
         self._granted_s = grants.t_ms / 1e3
         frames = [raw[begin:end] for begin, end in spans.tolist()]
         sent: list[bytes] = []
-        first = told = 0
+        first = counted = 0
         for k in (*general, len(peers)):
             self._datagrams.put_all(roster, raw, cuts, first, k)
             behind = cuts[k][2] if k < len(peers) else len(frames)
-            sent += frames[told:behind]
+            sent += frames[counted:behind]
             if k < len(peers):
                 key = peers[k].key
                 sent += self.grant(key, grants.t_ms, grants.unix_us, *grants.content(key))
-            first, told = k + 1, behind
+            first, counted = k + 1, behind
         return sent
 
     def _roster_of(self, keys: Sequence[Key]) -> Roster:

@@ -38,7 +38,7 @@ from gcs.refuelling.watched_schedule import WatchedSchedule
 from gcs.scenario.faults import Injection, drawn
 from gcs.scenario.goal import NAMED, Judgement, judge
 from gcs.scenario.model import Scenario
-from gcs.supervisor.arming import Stage
+from gcs.supervisor.arming import ArmingSequence, Stage
 from gcs.supervisor.external_fleet import ENDING, ExternalFleet
 from gcs.supervisor.factory import make_arming_sequences, make_fleet, make_peer_radio, make_radio, make_schedule
 from gcs.supervisor.faults import INJECTED, OUT_OF_ORDER, FaultInjector
@@ -52,7 +52,7 @@ from gcs.telemetry.changes import ChangeDetector
 from gcs.telemetry.events import Event, Kind, level_of
 from gcs.telemetry.message_inspector import MessageInspector
 from gcs.telemetry.metrics import Metrics
-from gcs.telemetry.state import FleetSnapshot
+from gcs.telemetry.state import FleetSnapshot, VehicleView
 
 HEARTBEAT_EVERY_S = 1.0
 WAIT_FOR_FLEET_S = 30.0
@@ -382,29 +382,35 @@ class Supervisor:
     def _fly(self, snapshot: FleetSnapshot, now_s: float) -> None:
         late_s = (self._periods - 1) * self.scenario.clock.period_s
         for view in snapshot.vehicles:
-            if self.time_ms < self._join_ms[view.sysid]:
+            sysid = view.sysid
+            if self.time_ms < self._join_ms[sysid]:
                 continue
-            arming = self.arming[view.sysid]
+            arming = self.arming[sysid]
             before = arming.stage
-            commands, requests = arming.decide(view, now_s, bound=self.schedule.bound(view.sysid), late_s=late_s)
-            if (arming.stage is Stage.TAKEN) != (before is Stage.TAKEN) or any(
-                command.is_order for command in commands
-            ):
-                self.command_queue.withdraw(view.sysid)
-            if arming.stage is Stage.DOWN and before is not Stage.DOWN and view.alive:
-                why = arming.left_out or "Lands, and takes no more part"
-                kind: Kind = "session" if arming.left_out else "decision"
-                self.events.append(Event(now_s, view.sysid, "warning", why, kind))
-            elif arming.stage is Stage.YIELDED and before is not Stage.YIELDED:
-                who, back = "Its failsafe" if view.failsafe else "Somebody else", view.profile.offboard_name
-                if arming.unheard_lately(now_s) and not view.failsafe:
-                    who = "Its link was out, and its failsafe or somebody else"
-                why = f"{who} flies it ({view.mode}): it takes part again by rejoin, or when it is put into {back}"
-                self.events.append(Event(now_s, view.sysid, "warning", why))
-            elif arming.stage is Stage.FLY and before is Stage.YIELDED:
-                self.events.append(Event(now_s, view.sysid, "info", "Takes part again"))
-            self.command_queue.put(view.sysid, requests)
-            self.command_queue.ask_once(commands, now_s)
+            commands, requests = arming.decide(view, now_s, bound=self.schedule.bound(sysid), late_s=late_s)
+            changed = arming.stage is not before
+            if (changed and Stage.TAKEN in (arming.stage, before)) or any(command.is_order for command in commands):
+                self.command_queue.withdraw(sysid)
+            if changed:
+                self._report_stage(view, arming, before, now_s)
+            self.command_queue.put(sysid, requests)
+            if commands:
+                self.command_queue.ask_once(commands, now_s)
+
+    def _report_stage(self, view: VehicleView, arming: ArmingSequence, before: Stage, now_s: float) -> None:
+        """Report a new stage to people, where it changes who flies the vehicle."""
+        if arming.stage is Stage.DOWN and view.alive:
+            why = arming.left_out or "Lands, and takes no more part"
+            kind: Kind = "session" if arming.left_out else "decision"
+            self.events.append(Event(now_s, view.sysid, "warning", why, kind))
+        elif arming.stage is Stage.YIELDED:
+            who, back = "Its failsafe" if view.failsafe else "Somebody else", view.profile.offboard_name
+            if arming.unheard_lately(now_s) and not view.failsafe:
+                who = "Its link was out, and its failsafe or somebody else"
+            why = f"{who} flies it ({view.mode}): it takes part again by rejoin, or when it is put into {back}"
+            self.events.append(Event(now_s, view.sysid, "warning", why))
+        elif arming.stage is Stage.FLY and before is Stage.YIELDED:
+            self.events.append(Event(now_s, view.sysid, "info", "Takes part again"))
 
     def _keep_streams(self, snapshot: FleetSnapshot) -> None:
         commands, messages = self.externals.decide(snapshot)

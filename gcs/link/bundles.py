@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from itertools import groupby
 from operator import itemgetter
 
@@ -36,7 +36,7 @@ class Roster:
         for row, marks, marker, (sysid, _) in zip(self._rows, self._markers, markers, self.keys, strict=True):
             row[bundle_frames.SYSID], row[bundle_frames.MARKER_BYTES] = sysid, len(marker)
             marks[: len(marker)] = np.frombuffer(marker, np.uint8)
-        self._steered: Sequence[int] = ()
+        self._steered: Mapping[int, int] = {}
         self._points = np.full(count, bundle_frames.NONE)
         self.stretches: list[tuple[int, int, Address, bool]] = []
         """(first, one behind the last, address, whether it is shared) of neighbours in the order with one address"""
@@ -57,10 +57,9 @@ class Roster:
         `numbers` are those with which they begin; `greeted`, system ids, get our HEARTBEAT. Raises ValueError for a set
         point that no frame can hold.
         """
-        if points.sysids != self._steered:
-            row_of = {sysid: row for row, sysid in enumerate(points.sysids)}
-            self._points[:] = [row_of.get(sysid, bundle_frames.NONE) for sysid, _ in self.keys]
-            self._steered = points.sysids
+        if points.rows is not self._steered:
+            self._points[:] = [points.rows.get(sysid, bundle_frames.NONE) for sysid, _ in self.keys]
+            self._steered = points.rows
         rows = self._rows
         rows[:, bundle_frames.NUMBER] = numbers
         rows[:, bundle_frames.POINT] = self._points

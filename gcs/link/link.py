@@ -46,9 +46,10 @@ class TickGrants(NamedTuple):
         """Messages for one of `keys`, and frames as they are."""
         if key in self.more:
             return self.more[key]
-        greeting = [OUR_HEARTBEAT] if key[0] in self.greeted else []
-        rows = [row for row, sysid in enumerate(self.points.sysids) if sysid == key[0]]
-        return [*greeting, *(self.points.message(row) for row in rows)], ()
+        messages = [OUR_HEARTBEAT] if key[0] in self.greeted else []
+        if key[0] in self.points.rows:
+            messages.append(self.points.message(key[0]))
+        return messages, ()
 
 
 class TickLink(Protocol):

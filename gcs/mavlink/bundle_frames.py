@@ -172,5 +172,5 @@ def bundled(rows: Ints, markers: Bytes, points: PlacedSetPoints, grant: Message)
     cuts, spans = np.empty((count, 3), np.int64), np.empty((count * MOST_FRAMES, 2), np.int64)
     end, refused = write_bundles(out, rows, markers, points.values, templates, sizes, cuts, spans)
     if refused != NONE:
-        codec.frame(points.message(refused), 0, *STATION)
+        codec.frame(points.message(list(points.rows)[refused]), 0, *STATION)
     return Bundles(out[:end].tobytes(), cuts, spans[: cuts[-1, 2] if count else 0])

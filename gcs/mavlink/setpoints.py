@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import struct
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -37,19 +37,22 @@ class PlacedSetPoints(NamedTuple):
     """Set points of one tick, each in its vehicle's own frame, as they are sent."""
 
     time_ms: int
-    sysids: Sequence[int]
+    rows: Mapping[int, int]
+    """by system id; the same object for as long as they are the same"""
     values: NDArray[np.float64]
     """(k, 6) position and velocity, NED, m and m/s"""
 
-    def message(self, row: int) -> Message:
-        """SET_POSITION_TARGET_LOCAL_NED of one of them."""
-        return set_point_message(self.time_ms, self.sysids[row], self.values[row].tolist())
+    def message(self, sysid: int) -> Message:
+        """SET_POSITION_TARGET_LOCAL_NED for one of these vehicles."""
+        return set_point_message(self.time_ms, sysid, self.values[self.rows[sysid]].tolist())
 
 
 class SetPointPlacer:
     """Brings set points into their vehicles' own frames, which seldom move: how they lie is kept."""
 
     def __init__(self) -> None:
+        self._sysids: list[int] = []
+        self._rows: dict[int, int] = {}
         self._offsets_ned: list[Vec3] = []
         self._turns_rad: list[float] = []
         self._origins = np.empty((0, 3))
@@ -76,7 +79,9 @@ class SetPointPlacer:
             n, e, d, *v_ned = values[row].tolist()
             values[row, :3] = turned((n, e, d), -turns_rad[row])
             values[row, 3:] = turned((v_ned[0], v_ned[1], v_ned[2]), -turns_rad[row])
-        return PlacedSetPoints(time_ms, sysids, values)
+        if sysids != self._sysids:
+            self._sysids, self._rows = sysids, {sysid: row for row, sysid in enumerate(sysids)}
+        return PlacedSetPoints(time_ms, self._rows, values)
 
 
 def set_point_message(time_ms: int, sysid: int, values: Sequence[float]) -> Message:

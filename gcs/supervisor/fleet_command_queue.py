@@ -78,6 +78,11 @@ class FleetCommandQueue:
         """Take in the fields of a vehicle's COMMAND_ACK; the commands that have ended by it."""
         return self._follow_up(sysid, self._queues[sysid].on_ack(sysid, AUTOPILOT, ack, now_s))
 
+    @property
+    def pending(self) -> list[int]:
+        """System ids of the vehicles that have not acknowledged a command yet, in order."""
+        return [sysid for sysid, queue in self._queues.items() if queue.pending]
+
     def poll(self, sysid: int, now_s: float) -> list[CommandResult]:
         """Send again what a vehicle has not acknowledged in time; the commands that have ended by silence."""
         return self._follow_up(sysid, self._queues[sysid].poll(now_s))

@@ -166,7 +166,7 @@ class Supervisor:
         pursuing = self.pursuit.decide(snapshot) if self.pursuit else self.operator.pursuing
         self.set_points = set_points = self._plan(snapshot, decision, pursuing)
         self.command_queue.ask(decision.requests, now_s)
-        for sysid in self.arming:
+        for sysid in self.command_queue.pending:
             for result in self.command_queue.poll(sysid, now_s):
                 self._report(sysid, result, now_s)
         relays = relayed(decision.relays, delivered)
@@ -452,11 +452,9 @@ class Supervisor:
         greeted = {key[0] for key in keys if key != TRAFFIC and self.time_ms >= self._heartbeat_due_ms[key[0]]}
         for sysid in greeted:
             self._heartbeat_due_ms[sysid] = self.time_ms + round(1e3 * HEARTBEAT_EVERY_S)
-        row_of = {sysid: row for row, sysid in enumerate(points.sysids)}
         more = {}
         for key in self._with_more(keys, relays):
-            row = row_of.get(key[0])
-            own = [] if row is None else [points.message(row)]
+            own = [points.message(key[0])] if key[0] in points.rows else []
             more[key] = self._content(key[0], own, relays, greeted=key[0] in greeted)
         grants = TickGrants(grant_ms, self.epoch_us + 1000 * grant_ms, keys, greeted, points, more)
         sent = self.link.grant_all(grants)

@@ -52,7 +52,7 @@ def test_bundles_are_what_pymavlink_packs(seed: int) -> None:
         frames += own
         numbers.append((number + len(own)) % 256)
     grant = codec.message("SYSTEM_TIME", time_unix_usec=unix_us, time_boot_ms=time_ms)
-    points = PlacedSetPoints(time_ms, rows[:, bundle_frames.SYSID].tolist(), values)
+    points = PlacedSetPoints(time_ms, {}, values)
     raw, cuts, spans = bundle_frames.bundled(rows, markers, points, grant)
     assert [raw[begin:end] for begin, end, _ in cuts] == expected
     assert raw == b"".join(expected)
@@ -67,7 +67,7 @@ def test_a_set_point_that_no_frame_can_hold_is_refused_as_the_codec_does(value: 
     rows = np.array([[0, 7, 0, 0, 0], [0, 8, 0, 1, 0]])
     grant = codec.message("SYSTEM_TIME", time_unix_usec=0, time_boot_ms=0)
     with pytest.raises(ValueError, match=r"^SET_POSITION_TARGET_LOCAL_NED\.vy cannot be "):
-        bundle_frames.bundled(rows, np.zeros((2, 32), np.uint8), PlacedSetPoints(0, [7, 8], values), grant)
+        bundle_frames.bundled(rows, np.zeros((2, 32), np.uint8), PlacedSetPoints(0, {7: 0, 8: 1}, values), grant)
 
 
 def test_set_points_are_placed_in_their_vehicles_frames() -> None:
@@ -78,10 +78,10 @@ def test_set_points_are_placed_in_their_vehicles_frames() -> None:
     for _ in range(2):
         offsets, turns = [(0.0, 0.0, 0.0), (1.0, -2.0, 0.5), (1.0, -2.0, 0.5)], [0.0, 0.0, math.pi / 2]
         placed = placer.place(points, offsets, turns, 100)
-        assert placed.sysids == [1, 2, 3]
+        assert placed.rows == {1: 0, 2: 1, 3: 2}
         assert placed.values.tolist()[:2] == [[10.0, 20.0, -5.0, 1.0, 2.0, 3.0], [9.0, 22.0, -5.5, 1.0, 2.0, 3.0]]
         assert placed.values[2] == pytest.approx([22.0, -9.0, -5.5, 2.0, -1.0, 3.0])
     moved = placer.place(points[:1], [(5.0, 0.0, 0.0)], [0.0], 200)
     assert moved.values.tolist() == [[5.0, 20.0, -5.0, 1.0, 2.0, 3.0]]
-    assert codec.fields(codec.split(codec.frame(moved.message(0), 0, *STATION)).frames[0]).time_boot_ms == 200
+    assert codec.fields(codec.split(codec.frame(moved.message(1), 0, *STATION)).frames[0]).time_boot_ms == 200
     assert placer.place([], [], [], 300).values.shape == (0, 6)

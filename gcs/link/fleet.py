@@ -69,17 +69,17 @@ class FleetLink:
         if key in self._external.joined:
             self._given_up.add(key)
 
+    def grant_all(self, grants: TickGrants) -> list[bytes]:
+        if grants.keys and not self._external.joined.intersection(grants.keys):
+            return self._fleet.grant_all(grants)
+        return one_by_one(self, grants)
+
     def grant(
         self, key: Key, t_ms: int, unix_us: int, messages: Sequence[Message], relayed: Sequence[bytes]
     ) -> list[bytes]:
         if key in self._external.joined:
             return self._external.grant(key, messages, relayed)
         return self._fleet.grant(key, t_ms, unix_us, messages, relayed)
-
-    def grant_all(self, grants: TickGrants) -> list[bytes]:
-        if grants.keys and not self._external.joined.intersection(grants.keys):
-            return self._fleet.grant_all(grants)
-        return one_by_one(self, grants)
 
     def answers(self, idle: Callable[[], None]) -> Iterator[tuple[Key, list[Frame]]]:
         def wait() -> None:
